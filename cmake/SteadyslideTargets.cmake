@@ -1,0 +1,41 @@
+# steadyslide_library(<layer> SOURCES ... [PUBLIC libs...] [PRIVATE libs...])
+# steadyslide_executable(<name> SOURCES ... LIBRARIES ...)
+# Every target of the project is made here, so that warnings and sanitizers are said once and reach no consumer.
+
+include(GNUInstallDirs)
+
+function(steadyslide_compile_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  if(STEADYSLIDE_WARNINGS)
+    # -Wrestrict of g++ 12 fires on every std::string assignment (GCC bug 105651).
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wno-restrict)
+    if(STEADYSLIDE_WARNINGS_AS_ERRORS)
+      target_compile_options(${target} PRIVATE -Werror)
+    endif()
+  endif()
+  if(STEADYSLIDE_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${STEADYSLIDE_SANITIZE} -fno-omit-frame-pointer
+                                             -fno-sanitize-recover=undefined)
+    target_link_options(${target} PUBLIC -fsanitize=${STEADYSLIDE_SANITIZE})
+  endif()
+endfunction()
+
+function(steadyslide_library layer)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;PUBLIC;PRIVATE")
+  set(target steadyslide_${layer})
+  add_library(${target} STATIC ${arg_SOURCES})
+  add_library(steadyslide::${layer} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${layer})
+  target_include_directories(${target} PUBLIC
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
+    "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/steadyslide>")
+  target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+  steadyslide_compile_options(${target})
+endfunction()
+
+function(steadyslide_executable target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+  add_executable(${target} ${arg_SOURCES})
+  target_link_libraries(${target} PRIVATE ${arg_LIBRARIES})
+  steadyslide_compile_options(${target})
+endfunction()

@@ -1,0 +1,44 @@
+#include "model/contact_problem.hpp"
+
+#include <string>
+
+#include "model/invalid_data.hpp"
+
+namespace steadyslide {
+
+ContactProblem::ContactProblem(Elasticity elasticity, FrictionProfile friction, Indenter indenter, Rational load,
+                               Sliding sliding, std::optional<Rational> load_at)
+    : elasticity_(std::move(elasticity)),
+      friction_(std::move(friction)),
+      indenter_(std::move(indenter)),
+      load_(std::move(load)),
+      sliding_(sliding),
+      load_at_(std::move(load_at)) {
+  if (load_ <= 0) throw InvalidData("load", "load out of range", "the load is positive", to_string(load_));
+  const auto inside = [this](const Rational& x) { return indenter_.left() < x && x < indenter_.right(); };
+  const std::string support = to_string(indenter_.left()) + ", " + to_string(indenter_.right());
+  for (std::size_t k = 0; k < friction_.jumps().size(); ++k) {
+    if (!inside(friction_.jumps()[k])) {
+      throw InvalidData("friction.jumps[" + std::to_string(k) + "]", "jump outside the support",
+                        "jumps lie in ]" + support + "[", to_string(friction_.jumps()[k]));
+    }
+  }
+  if (load_at_ && !inside(*load_at_)) {
+    throw InvalidData("load_at", "load outside the support", "the load acts in ]" + support + "[",
+                      to_string(*load_at_));
+  }
+  if (elasticity_.indenter() && !indenter_.is_smooth()) {
+    for (const Indenter::Break& b : indenter_.breaks()) {
+      if (b.step == 0 && b.wedge == 0) continue;
+      throw InvalidData("indenter.pieces", "elastic indenter with a wedge or a step",
+                        "the profile of an elastic indenter is smooth", "at x = " + to_string(b.x));
+    }
+  }
+}
+
+Rational ContactProblem::coupled_friction(std::size_t piece) const {
+  const Rational s = elasticity_.gamma() * friction_.values().at(piece);
+  return sliding_ == Sliding::plus_x ? s : Rational(-s);
+}
+
+}  // namespace steadyslide

@@ -1,0 +1,59 @@
+#pragma once
+// The power of the distance to a singular point in the normal traction: offset + sum of times * arctan(slope) / pi,
+// with a rational offset (a multiple of 1/4) and rational slopes s = gamma f. Exact: it has no precision.
+
+#include <string>
+#include <vector>
+
+#include "model/rational.hpp"
+
+namespace steadyslide {
+
+class Exponent {
+ public:
+  /// One term times * arctan(slope) / pi. Kept with slope > 0 and times != 0.
+  struct Angle {
+    int times;
+    Rational slope;
+  };
+
+  /// The same number as halves/2 + arctan(slope)/pi with -1 < slope <= 1: unique, and free of cancellation.
+  struct Reduced {
+    Integer halves;
+    Rational slope;
+    friend bool operator==(const Reduced&, const Reduced&) = default;
+  };
+
+  /// A plain number. Throws InvalidData unless 4 * offset is an integer.
+  explicit Exponent(const Rational& offset = 0);
+
+  /// alpha = arctan(slope)/pi, the angle of the friction s = slope [Bal16, (4)].
+  static Exponent angle(const Rational& slope);
+
+  const Rational& offset() const { return offset_; }
+  const std::vector<Angle>& angles() const { return angles_; }
+
+  /// Decided for any slopes by multiplying Gaussian integers, whose argument is followed through its quadrants.
+  Reduced reduced() const;
+  /// -1, 0 or +1, exactly.
+  int sign() const;
+
+  Exponent& operator+=(const Exponent& other);
+  Exponent& operator-=(const Exponent& other) { return *this += -other; }
+  Exponent operator-() const;
+  friend Exponent operator+(Exponent a, const Exponent& b) { return a += b; }
+  friend Exponent operator-(Exponent a, const Exponent& b) { return a -= b; }
+  /// Equal as numbers, however they are written: arctan(1/2) + arctan(1/3) equals pi/4.
+  friend bool operator==(const Exponent& a, const Exponent& b) { return (a - b).sign() == 0; }
+
+ private:
+  void add(int times, const Rational& slope);
+
+  Rational offset_;
+  std::vector<Angle> angles_;
+};
+
+/// "-1/2 - arctan(3/35)/pi"
+std::string to_string(const Exponent& exponent);
+
+}  // namespace steadyslide

@@ -1,0 +1,28 @@
+#pragma once
+// The friction coefficient f(x) under the indenter: a step function, left to right in the user's x. [Bal16, section 4]
+
+#include <vector>
+
+#include "model/direction.hpp"
+#include "model/rational.hpp"
+
+namespace steadyslide {
+
+class FrictionProfile {
+ public:
+  /// values f_0..f_m >= 0 and jumps c_1 < ... < c_m; a jump of height zero is legal. Throws InvalidData.
+  explicit FrictionProfile(std::vector<Rational> values, std::vector<Rational> jumps = {});
+
+  const std::vector<Rational>& values() const { return values_; }
+  const std::vector<Rational>& jumps() const { return jumps_; }
+  /// f at x; at a jump, the limit from that side.
+  const Rational& at(const Rational& x, Side side) const { return values_[piece(x, side)]; }
+  /// The index of the piece that contains x; at a jump, the piece on that side.
+  std::size_t piece(const Rational& x, Side side) const;
+
+ private:
+  std::vector<Rational> values_;
+  std::vector<Rational> jumps_;
+};
+
+}  // namespace steadyslide

@@ -1,0 +1,40 @@
+#include "model/indenter.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "model/invalid_data.hpp"
+
+namespace steadyslide {
+
+Indenter::Indenter(const Rational& left, std::vector<Piece> pieces) : left_(left), pieces_(std::move(pieces)) {
+  if (pieces_.empty()) {
+    throw InvalidData("indenter.pieces", "no piece", "an indenter has at least one", "0 pieces");
+  }
+  Rational previous = left_;
+  for (std::size_t k = 0; k < pieces_.size(); ++k) {
+    if (pieces_[k].to <= previous) {
+      throw InvalidData("indenter.pieces[" + std::to_string(k) + "].to", "piece of no length",
+                        "pieces follow each other from left to right, each with a positive length",
+                        "from " + to_string(previous) + " to " + to_string(pieces_[k].to));
+    }
+    previous = pieces_[k].to;
+  }
+}
+
+std::vector<Indenter::Break> Indenter::breaks() const {
+  std::vector<Break> result;
+  for (std::size_t k = 0; k + 1 < pieces_.size(); ++k) {
+    const Rational& x = pieces_[k].to;
+    const Polynomial difference = pieces_[k + 1].profile - pieces_[k].profile;
+    result.push_back({x, difference(x), difference.derivative()(x)});
+  }
+  return result;
+}
+
+bool Indenter::is_smooth() const {
+  const std::vector<Break> all = breaks();
+  return std::all_of(all.begin(), all.end(), [](const Break& b) { return b.step == 0 && b.wedge == 0; });
+}
+
+}  // namespace steadyslide

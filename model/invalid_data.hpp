@@ -1,0 +1,21 @@
+#pragma once
+// Broken precondition of exact data: thrown by the constructors of the model, so that invalid data cannot exist.
+
+#include <stdexcept>
+#include <string>
+
+namespace steadyslide {
+
+/// Says which datum is wrong, which rule it breaks, and its value.
+/// `field` names the datum the way a problem file does ("friction.jumps[1]"), so that a reader can find its line.
+class InvalidData : public std::invalid_argument {
+ public:
+  InvalidData(std::string field, std::string problem, std::string rule, std::string value);
+
+  const std::string& field() const noexcept { return field_; }
+
+ private:
+  std::string field_;
+};
+
+}  // namespace steadyslide

@@ -1,0 +1,26 @@
+#pragma once
+// Exact numbers. A datum of a problem is the rational that the user wrote: "0.1" is 1/10.
+
+#include <boost/multiprecision/gmp.hpp>
+#include <string>
+#include <string_view>
+
+namespace steadyslide {
+
+using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+
+/// Limits of a written number: they keep every later exact computation within reach.
+inline constexpr std::size_t max_number_length = 400;
+inline constexpr int max_decimal_exponent = 400;
+
+/// Reads `[+-]digits[.digits][e[+-]digits]`, or a quotient of two such numbers, exactly.
+/// Throws InvalidData (field empty) when the text is no number, is too long, or divides by zero.
+Rational parse_rational(std::string_view text);
+
+/// The exact value: a decimal where it ends and stays short ("-0.25"), else a fraction ("1/3").
+std::string to_string(const Rational& value);
+
+inline int sign(const Rational& value) { return value.sign(); }
+
+}  // namespace steadyslide

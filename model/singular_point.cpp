@@ -1,0 +1,108 @@
+#include "model/singular_point.hpp"
+
+#include <map>
+#include <set>
+
+namespace steadyslide {
+namespace {
+
+/// What meets at an interior point of the support.
+struct Meeting {
+  Rational step;
+  Rational wedge;
+};
+
+void add_ends(const ContactProblem& problem, const Rational& x, End end, std::vector<SingularPoint>& points) {
+  // At the left end of the contact, the contact is on the right.
+  const Side inside = opposite(end);
+  const ContactSide contact = inside == Side::left ? ContactSide::left : ContactSide::right;
+  const std::size_t piece = problem.friction().piece(x, inside);
+  const Rational s = problem.coupled_friction(piece);
+  const std::vector<Rational> friction{problem.friction().values()[piece]};
+  if (!problem.elasticity().indenter()) {
+    points.push_back({x, SingularKind::edge, contact, friction, edge_exponent(end, s)});
+  }
+  points.push_back({x, SingularKind::free, contact, friction, free_exponent(end, s)});
+}
+
+void add_interior(const ContactProblem& problem, const Rational& x, const Meeting& meeting,
+                  std::vector<SingularPoint>& points) {
+  const std::size_t left = problem.friction().piece(x, Side::left);
+  const std::size_t right = problem.friction().piece(x, Side::right);
+  const std::vector<Rational>& f = problem.friction().values();
+  if (meeting.step != 0) {
+    // Contact ends at a step on its protruding side only: psi is measured away from the body.
+    const bool right_protrudes = meeting.step < 0;
+    const std::size_t piece = right_protrudes ? right : left;
+    const Exponent exponent =
+        edge_exponent(right_protrudes ? End::left : End::right, problem.coupled_friction(piece));
+    points.push_back({x, SingularKind::step, right_protrudes ? ContactSide::right : ContactSide::left, {f[piece]},
+                      exponent});
+    return;
+  }
+  const Exponent beta = jump_exponent(problem.coupled_friction(left), problem.coupled_friction(right));
+  if (beta.sign() != 0) {
+    const SingularKind kind = meeting.wedge != 0 ? SingularKind::wedge_and_jump : SingularKind::friction_jump;
+    points.push_back({x, kind, ContactSide::both, {f[left], f[right]}, beta});
+  } else if (meeting.wedge != 0) {
+    points.push_back({x, SingularKind::wedge, ContactSide::both, {f[left], f[right]}, std::nullopt});
+  }
+}
+
+}  // namespace
+
+Exponent edge_exponent(End end, const Rational& s) {
+  const Exponent alpha = Exponent::angle(s);
+  const Exponent half(Rational(-1, 2));
+  return end == End::left ? half - alpha : half + alpha;
+}
+
+Exponent free_exponent(End end, const Rational& s) { return edge_exponent(end, s) + Exponent(1); }
+
+Exponent jump_exponent(const Rational& s_left, const Rational& s_right) {
+  return Exponent::angle(s_left) - Exponent::angle(s_right);
+}
+
+std::string_view name_of(SingularKind kind) {
+  switch (kind) {
+    case SingularKind::edge: return "edge";
+    case SingularKind::free: return "free";
+    case SingularKind::step: return "step";
+    case SingularKind::friction_jump: return "friction_jump";
+    case SingularKind::wedge: return "wedge";
+    case SingularKind::wedge_and_jump: return "wedge_and_jump";
+  }
+  return "";
+}
+
+std::string_view name_of(ContactSide side) {
+  switch (side) {
+    case ContactSide::left: return "left";
+    case ContactSide::right: return "right";
+    case ContactSide::both: return "both";
+  }
+  return "";
+}
+
+std::vector<SingularPoint> possible_singular_points(const ContactProblem& problem) {
+  std::map<Rational, Meeting> meetings;
+  for (const Rational& c : problem.friction().jumps()) meetings[c] = {};
+  for (const Indenter::Break& b : problem.indenter().breaks()) meetings[b.x] = {b.step, b.wedge};
+
+  std::vector<SingularPoint> points;
+  add_ends(problem, problem.indenter().left(), End::left, points);
+  for (const auto& [x, meeting] : meetings) add_interior(problem, x, meeting, points);
+  add_ends(problem, problem.indenter().right(), End::right, points);
+
+  std::set<Rational> listed;
+  for (std::size_t piece = 0; piece < problem.friction().values().size(); ++piece) {
+    const Rational& f = problem.friction().values()[piece];
+    if (!listed.insert(f).second) continue;
+    const Rational s = problem.coupled_friction(piece);
+    points.push_back({std::nullopt, SingularKind::free, ContactSide::right, {f}, free_exponent(End::left, s)});
+    points.push_back({std::nullopt, SingularKind::free, ContactSide::left, {f}, free_exponent(End::right, s)});
+  }
+  return points;
+}
+
+}  // namespace steadyslide

@@ -1,0 +1,43 @@
+#pragma once
+// Where the normal traction can be singular, and with which power of the distance. [Bal16, theorems 2 and 3]
+//
+// Powers are taken with the friction on the contact side, s = +-gamma f, alpha = arctan(s)/pi:
+//   left end of contact:   edge -(1/2 + alpha), free  1/2 - alpha
+//   right end of contact:  edge -(1/2 - alpha), free  1/2 + alpha
+//   friction jump inside the contact: beta = alpha(c-) - alpha(c+); wedge without jump: logarithm.
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "model/contact_problem.hpp"
+#include "model/exponent.hpp"
+
+namespace steadyslide {
+
+Exponent edge_exponent(End end, const Rational& s);
+Exponent free_exponent(End end, const Rational& s);
+/// beta [Bal16, (7)]: negative, a blow-up, where s increases to the right; zero where it does not change.
+Exponent jump_exponent(const Rational& s_left, const Rational& s_right);
+
+enum class SingularKind { edge, free, step, friction_jump, wedge, wedge_and_jump };
+/// The names of interface and files: "edge", "free", "step", "friction_jump", "wedge", "wedge_and_jump".
+std::string_view name_of(SingularKind kind);
+
+enum class ContactSide { left, right, both };
+std::string_view name_of(ContactSide side);
+
+struct SingularPoint {
+  std::optional<Rational> x;         ///< absent: anywhere under the friction value given
+  SingularKind kind;
+  ContactSide contact;               ///< the side of x on which there is contact
+  std::vector<Rational> friction;    ///< f on the contact side, or left and right of x
+  std::optional<Exponent> exponent;  ///< absent: logarithm
+};
+
+/// Every place where the traction can be singular for these data, whatever the contact zone turns out to be: left to
+/// right, then the free ends that can lie anywhere. Places where nothing jumps (height zero) are left out, and so are
+/// the edges of an elastic indenter.
+std::vector<SingularPoint> possible_singular_points(const ContactProblem& problem);
+
+}  // namespace steadyslide

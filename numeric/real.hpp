@@ -1,0 +1,74 @@
+#pragma once
+// The closed set of numbers that the numeric kernels are compiled for, and the one door from run time to type.
+
+#include <boost/multiprecision/mpfr.hpp>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <stdexcept>
+
+#include "model/exponent.hpp"
+#include "model/rational.hpp"
+
+namespace steadyslide::numeric {
+
+// Statically sized MPFR numbers: no global default precision exists that could leak. 57 and 114 decimal digits fill three
+// and six limbs: the digits beyond 50 and 100 are guard digits that cost nothing. Against cpp_bin_float of the same
+// size they were 3 to 4 times faster on the quadratures of this project (bench/README.md).
+using Real50 = boost::multiprecision::number<
+    boost::multiprecision::mpfr_float_backend<57, boost::multiprecision::allocate_stack>, boost::multiprecision::et_off>;
+using Real100 = boost::multiprecision::number<
+    boost::multiprecision::mpfr_float_backend<114, boost::multiprecision::allocate_stack>, boost::multiprecision::et_off>;
+
+template <class R>
+concept Real = std::same_as<R, double> || std::same_as<R, Real50> || std::same_as<R, Real100>;
+
+/// The digits that results at a precision are served with.
+enum class Digits { sixteen = 16, fifty = 50, hundred = 100 };
+
+/// The smallest precision that serves `digits` significant digits. Throws std::out_of_range unless 1 <= digits <= 100.
+inline Digits precision_for(int digits) {
+  if (digits < 1 || digits > 100) throw std::out_of_range("digits");
+  return digits <= 16 ? Digits::sixteen : digits <= 50 ? Digits::fifty : Digits::hundred;
+}
+
+/// Calls f.operator()<R>() with the type that serves `digits`.
+template <class F>
+decltype(auto) at_precision(Digits digits, F&& f) {
+  switch (digits) {
+    case Digits::sixteen: return f.template operator()<double>();
+    case Digits::fifty: return f.template operator()<Real50>();
+    default: return f.template operator()<Real100>();
+  }
+}
+
+template <Real R>
+inline constexpr int digits_served = std::same_as<R, double> ? 16 : std::same_as<R, Real50> ? 50 : 100;
+
+/// The distance from 1 to the next number.
+template <Real R>
+R epsilon() {
+  return std::numeric_limits<R>::epsilon();
+}
+
+template <Real R>
+R infinity() {
+  return std::numeric_limits<R>::infinity();
+}
+
+template <Real R>
+R pi();
+
+/// The nearest number of the type. Values beyond the range of double become infinite or zero.
+template <Real R>
+R to_real(const Rational& value);
+
+/// The exponent to full relative precision, also next to 0, from its reduced form: nothing cancels.
+template <Real R>
+R to_real(const Exponent& exponent);
+
+/// cos(pi alpha) = 1/sqrt(1 + s^2), the angle alpha of s. [Bal16, (4)]
+template <Real R>
+R cos_pi_alpha(const Rational& s);
+
+}  // namespace steadyslide::numeric
