@@ -1,0 +1,84 @@
+# shellcheck shell=bash
+# What ./verify and ./check have in common; sourced, never run. All that is said here goes to stderr, so that stdout
+# holds the result alone.
+
+command_name=$(basename -- "$0")
+root=$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")
+
+say() { printf '%s: %s\n' "$command_name" "$*" >&2; }
+
+# fail STATUS MESSAGE: 2 for what the user can put right, 3 for what broke underway. 1 is left to the mathematics.
+fail() {
+  local status=$1
+  shift
+  say "$*"
+  exit "$status"
+}
+
+# packages_for KIND...: the names that cmake/packages.txt lists under these kinds.
+packages_for() {
+  local kind package
+  while read -r kind package _; do
+    [[ " $* " == *" $kind "* ]] && printf '%s\n' "$package"
+  done <"$root/cmake/packages.txt"
+  return 0
+}
+
+# missing_packages PACKAGE...: those of them that are not installed.
+missing_packages() {
+  local installed
+  # dpkg-query fails when it has never heard of one of them; that one is missing from its answer too.
+  installed=$(dpkg-query --show --showformat='${Package} ${db:Status-Status}\n' "$@" 2>/dev/null) || true
+  local package
+  for package; do
+    grep -qx -- "$package installed" <<<"$installed" || printf '%s\n' "$package"
+  done
+}
+
+# require_packages INSTALL KIND...: with INSTALL = yes installs what is missing, otherwise refuses and names it.
+require_packages() {
+  local install=$1
+  shift
+  local packages missing
+  mapfile -t packages < <(packages_for "$@")
+  if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    fail 2 "this is no Debian system (no apt-get); install by hand what Debian calls ${packages[*]}," \
+      "then run: cmake --preset release && cmake --build --preset release"
+  fi
+  mapfile -t missing < <(missing_packages "${packages[@]}")
+  ((${#missing[@]})) || return 0
+
+  local as_root=()
+  if [[ $(id -u) != 0 ]]; then
+    as_root=(sudo)
+    # Without a terminal nobody can type a password: fail at once instead of waiting.
+    [[ -t 0 ]] || as_root+=(--non-interactive)
+  fi
+  if [[ $install != yes ]]; then
+    fail 2 "not installed: ${missing[*]}; install with:" \
+      "${as_root[0]:+sudo }apt-get install --no-install-recommends ${missing[*]}"
+  fi
+  if ((${#as_root[@]})) && ! command -v sudo >/dev/null; then
+    fail 2 "not root, and there is no sudo; as root: apt-get install --no-install-recommends ${missing[*]}"
+  fi
+
+  say "installing with apt-get: ${missing[*]}"
+  local apt_get=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get --quiet -o DPkg::Lock::Timeout=120)
+  "${apt_get[@]}" update >&2 || say "the package lists could not be refreshed; going on with those present"
+  "${apt_get[@]}" install --yes --no-remove --no-install-recommends -- "${missing[@]}" >&2 ||
+    fail 3 "apt-get could not install: ${missing[*]}"
+}
+
+# configure PRESET [OPTION...]: CMake looks for presets in the current directory.
+configure() {
+  local preset=$1
+  shift
+  (cd -- "$root" && cmake --preset "$preset" --log-level=NOTICE "$@") >&2 || fail 3 "configuring failed"
+}
+
+# build DIRECTORY [OPTION...]
+build() {
+  local directory=$1
+  shift
+  cmake --build "$directory" "$@" >&2 || fail 3 "building failed"
+}
