@@ -1,0 +1,39 @@
+# What `cmake --install` puts where, and the package that find_package(steadyslide) finds: targets steadyslide::model,
+# steadyslide::symbolic, steadyslide::numeric, steadyslide::proofs_checks; headers as in the sources ("model/rational.hpp").
+# A project that takes steadyslide by add_subdirectory installs itself, not us.
+
+option(STEADYSLIDE_INSTALL "Make the install rules" ${PROJECT_IS_TOP_LEVEL})
+if(NOT STEADYSLIDE_INSTALL)
+  return()
+endif()
+
+include(CMakePackageConfigHelpers)
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/steadyslide")
+
+foreach(layer IN ITEMS model symbolic numeric proofs_checks)
+  if(TARGET steadyslide_${layer})
+    install(TARGETS steadyslide_${layer} EXPORT steadyslideTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+    file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/${layer}/*.hpp")
+    foreach(header IN LISTS headers)
+      cmake_path(GET header PARENT_PATH folder)
+      install(FILES "${PROJECT_SOURCE_DIR}/${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/steadyslide/${folder}")
+    endforeach()
+  endif()
+endforeach()
+if(TARGET steadyslide)
+  install(TARGETS steadyslide RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+endif()
+
+install(EXPORT steadyslideTargets NAMESPACE steadyslide:: DESTINATION "${package_dir}")
+configure_package_config_file(
+  "${CMAKE_CURRENT_LIST_DIR}/steadyslideConfig.cmake.in" "${CMAKE_CURRENT_BINARY_DIR}/steadyslideConfig.cmake"
+  INSTALL_DESTINATION "${package_dir}")
+# Below 1.0 a minor version may break what the one before it allowed.
+write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/steadyslideConfigVersion.cmake"
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES
+          "${CMAKE_CURRENT_BINARY_DIR}/steadyslideConfig.cmake"
+          "${CMAKE_CURRENT_BINARY_DIR}/steadyslideConfigVersion.cmake"
+          "${CMAKE_CURRENT_LIST_DIR}/SteadyslideDependencies.cmake"
+        DESTINATION "${package_dir}")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")

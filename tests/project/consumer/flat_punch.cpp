@@ -1,0 +1,19 @@
+// The load of a flat punch comes back out of its traction, in double precision.
+
+#include <cmath>
+#include <iostream>
+
+#include "numeric/contact_solution.hpp"
+
+int main() {
+  using namespace steadyslide;
+  const ContactProblem problem(Elasticity(Solid(Rational(3, 10), 1)), FrictionProfile({Rational(1, 5), Rational(3, 5)}, {0}),
+                               Indenter(-1, {{1, Polynomial()}}), 1);
+  const numeric::Attempt<double> attempt = numeric::closed_form<double>(problem);
+  if (!attempt.solution) {
+    std::cerr << attempt.why_not << '\n';
+    return 1;
+  }
+  const double load = attempt.solution->resultants().normal.value;
+  std::cout << (std::abs(load - 1) < 1e-12 ? "load 1\n" : "another load\n");
+}

@@ -1,0 +1,55 @@
+# cmake -D KIND=installed|subdirectory -D SOURCE= -D BINARY= -D WORK= -D GENERATOR= -D CXX= [-D SANITIZE=]
+#       -P consumer_test.cmake: a project outside the checkout configures, builds and runs with steadyslide.
+
+cmake_minimum_required(VERSION 3.25)
+
+file(REMOVE_RECURSE "${WORK}")
+file(COPY "${SOURCE}/tests/project/consumer" DESTINATION "${WORK}")
+
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    list(JOIN ARGV " " command)
+    message(FATAL_ERROR "${command}\nfailed (${status}):\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+set(options -G "${GENERATOR}" "-DCMAKE_CXX_COMPILER=${CXX}" -DCMAKE_BUILD_TYPE=Release
+            -DCMAKE_EXPORT_COMPILE_COMMANDS=ON)
+set(programs edge_powers)
+if(KIND STREQUAL "installed")
+  run("${CMAKE_COMMAND}" --install "${BINARY}" --prefix "${WORK}/prefix with a space")
+  list(APPEND options "-DCMAKE_PREFIX_PATH=${WORK}/prefix with a space" "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror")
+  if(SANITIZE)
+    # The installed archives are instrumented, and so are the templates that both sides instantiate.
+    list(APPEND options "-DCMAKE_CXX_FLAGS=-fsanitize=${SANITIZE}")
+  endif()
+  list(APPEND programs flat_punch)
+else()
+  list(APPEND options "-DSTEADYSLIDE_SOURCES=${SOURCE}")
+endif()
+
+run("${CMAKE_COMMAND}" -S "${WORK}/consumer" -B "${WORK}/build" ${options})
+run("${CMAKE_COMMAND}" --build "${WORK}/build" --target ${programs})
+
+# Warnings are the consumer's choice: ours reach neither its files nor, in its build, our own.
+if(KIND STREQUAL "subdirectory")
+  file(READ "${WORK}/build/compile_commands.json" commands)
+  if(commands MATCHES " -W[a-z]+")
+    message(FATAL_ERROR "a warning option reached the consumer's build: ${CMAKE_MATCH_0}")
+  endif()
+endif()
+
+set(expected_edge_powers "-1/2 - arctan(3/35)/pi\n-1/2 + arctan(3/35)/pi\n")
+set(expected_flat_punch "load 1\n")
+foreach(program IN LISTS programs)
+  run("${WORK}/build/${program}")
+  if(NOT output STREQUAL "${expected_${program}}")
+    message(FATAL_ERROR "${program} printed:\n${output}\nexpected:\n${expected_${program}}")
+  endif()
+endforeach()
+
+if(KIND STREQUAL "installed")
+  run("${WORK}/prefix with a space/bin/steadyslide" --version)
+endif()

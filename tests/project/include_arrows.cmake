@@ -1,0 +1,52 @@
+# cmake -D SOURCE=<dir> -P include_arrows.cmake: who may include whom (docs/architecture.md).
+#
+#   model  <-  symbolic | numeric | enclosure  <-  proofs_checks  <-  app
+
+cmake_minimum_required(VERSION 3.25)
+
+set(may_include_model model)
+set(may_include_symbolic model symbolic)
+set(may_include_numeric model numeric)
+set(may_include_enclosure model enclosure)
+set(may_include_proofs_checks model symbolic numeric enclosure proofs_checks)
+set(may_include_app model symbolic numeric enclosure proofs_checks app)
+set(layers model symbolic numeric enclosure proofs_checks app)
+
+# ginac.h and CLN's headers cost a second a file and bring macros along: sources of these layers, and these headers only.
+set(algebra_in_sources_of symbolic proofs_checks)
+set(algebra_headers symbolic/cln_number.hpp symbolic/exponent_expression.hpp)
+
+set(wrong "")
+set(count 0)
+foreach(layer IN LISTS layers)
+  file(GLOB_RECURSE files RELATIVE "${SOURCE}" "${SOURCE}/${layer}/*.hpp" "${SOURCE}/${layer}/*.cpp")
+  foreach(file IN LISTS files)
+    math(EXPR count "${count} + 1")
+    file(STRINGS "${SOURCE}/${file}" lines REGEX "^[ \t]*#[ \t]*include")
+    foreach(line IN LISTS lines)
+      if(NOT line MATCHES "include[ \t]*[<\"]([^>\"]+)[>\"]")
+        list(APPEND wrong "${file}: unreadable: ${line}")
+        continue()
+      endif()
+      set(header "${CMAKE_MATCH_1}")
+      string(REGEX REPLACE "/.*" "" folder "${header}")
+      if(header MATCHES "(^|/)\\.\\.(/|$)")
+        list(APPEND wrong "${file} includes ${header}: headers are named from the root")
+      elseif(folder STREQUAL "tests" OR (folder IN_LIST layers AND NOT folder IN_LIST may_include_${layer}))
+        list(APPEND wrong "${file} includes ${header}: ${layer} does not include ${folder}")
+      elseif(folder MATCHES "^(ginac|cln)$" AND NOT file IN_LIST algebra_headers
+             AND NOT (layer IN_LIST algebra_in_sources_of AND file MATCHES "\\.cpp$"))
+        list(APPEND wrong "${file} includes ${header}: GiNaC and CLN stay in sources and in the headers declared here")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+
+if(count EQUAL 0)
+  message(FATAL_ERROR "no file found under ${SOURCE}")
+endif()
+if(wrong)
+  list(JOIN wrong "\n" wrong)
+  message(FATAL_ERROR "${wrong}")
+endif()
+message(STATUS "${count} files, no arrow reversed")

@@ -1,0 +1,35 @@
+# cmake -D WORK=<dir> -P include_arrows_control.cmake: every wrong include is caught, one at a time, and a right one is not.
+
+cmake_minimum_required(VERSION 3.25)
+
+set(wrong
+  "model/a.hpp" "#include \"numeric/real.hpp\""
+  "model/a.cpp" "#  include <symbolic/expression.hpp>"
+  "symbolic/a.cpp" "#include \"numeric/real.hpp\""
+  "symbolic/a.hpp" "#include <ginac/ginac.h>"
+  "numeric/a.cpp" "#include \"symbolic/expression.hpp\""
+  "numeric/a.cpp" "#include \"../model/rational.hpp\""
+  "numeric/a.cpp" "#include <cln/cln.h>"
+  "enclosure/a.cpp" "#include \"numeric/real.hpp\""
+  "numeric/a.hpp" "#include \"proofs_checks/claim.hpp\""
+  "proofs_checks/claims/a.cpp" "#include \"app/table.hpp\""
+  "app/a.cpp" "#include <ginac/ginac.h>"
+  "app/a.cpp" "#include \"tests/helpers.hpp\"")
+set(right
+  "model/a.hpp" "#include \"model/rational.hpp\""
+  "symbolic/a.cpp" "#include <ginac/ginac.h>"
+  "proofs_checks/claims/a.cpp" "#include \"symbolic/expression.hpp\""
+  "app/a.cpp" "#include \"proofs_checks/claim.hpp\"")
+
+foreach(kind IN ITEMS wrong right)
+  while(${kind})
+    list(POP_FRONT ${kind} file line)
+    file(REMOVE_RECURSE "${WORK}")
+    file(WRITE "${WORK}/${file}" "${line}\n")
+    execute_process(COMMAND "${CMAKE_COMMAND}" -D "SOURCE=${WORK}" -P "${CMAKE_CURRENT_LIST_DIR}/include_arrows.cmake"
+                    RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+    if((kind STREQUAL "wrong" AND status EQUAL 0) OR (kind STREQUAL "right" AND NOT status EQUAL 0))
+      message(FATAL_ERROR "${kind} include judged otherwise: ${file}: ${line}")
+    endif()
+  endwhile()
+endforeach()
