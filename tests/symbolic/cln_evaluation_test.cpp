@@ -1,0 +1,96 @@
+#include "symbolic/cln_evaluation.hpp"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <stdexcept>
+
+#include "model/singular_point.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::symbolic;
+
+TEST_CASE("rounding to significant decimal digits") {
+  const auto text = [](const char* number, int digits) { return rounded(parse_rational(number), digits).text; };
+  CHECK(text("0", 5) == "0");
+  CHECK(text("1/3", 5) == "0.33333");
+  CHECK(text("-2/3", 5) == "-0.66667");
+  CHECK(text("0.5", 1) == "0.5");
+  CHECK(text("25", 1) == "3e1");
+  CHECK(text("24.999", 1) == "2e1");
+  CHECK(text("9.9996", 4) == "10.00");
+  CHECK(text("-999.96", 4) == "-1000");
+  CHECK(text("99996", 4) == "1.000e5");
+  CHECK(text("1234", 3) == "1.23e3");
+  CHECK(text("0.0123", 3) == "0.0123");
+  CHECK(text("0.00001", 2) == "0.000010");
+  CHECK(text("0.000001", 2) == "1.0e-6");
+  CHECK(text("1e-400", 3) == "1.00e-400");
+  CHECK(text("-1e400", 3) == "-1.00e400");
+  CHECK_THROWS_AS(rounded(1, 0), std::domain_error);
+  CHECK_THROWS_AS(cln_value(Exponent(1), 0), std::domain_error);
+}
+
+TEST_CASE("a rounded number says its value, and is off by half a unit at most") {
+  CHECK(rc::check([] {
+    const int digits = *rc::gen::inRange(1, 30);
+    const Rational value(*rc::gen::arbitrary<long long>(), 1 + *rc::gen::inRange(0, 1000000));
+    const Decimal decimal = rounded(value, digits);
+    RC_ASSERT(parse_rational(decimal.text) == decimal.value);
+    const Rational scale(boost::multiprecision::pow(Integer(10), static_cast<unsigned>(digits)));
+    RC_ASSERT(2 * abs(decimal.value - value) * scale <= 10 * abs(value));
+  }));
+}
+
+TEST_CASE("exponents and angles against values from mpmath at 150 digits") {
+  // atan(3/35)/pi
+  CHECK(cln_value(Exponent::angle(Rational(3, 35)), 60).text ==
+        "0.0272171802988209161101093976573085163974457587419772389416613");
+  CHECK(cln_value(Exponent::angle(Rational(3, 35)), 120).text ==
+        "0."
+        "02721718029882091611010939765730851639744575874197723894166131688213047377677100632461361953355216444960789443"
+        "12990174328");
+  // 1/2 - atan(1e30)/pi: thirty digits cancel.
+  CHECK(cln_value(free_exponent(End::left, parse_rational("1e30")), 60).text ==
+        "3.18309886183790671537767526745028724068919291480912897495335e-31");
+  CHECK(cln_value(Exponent(Rational(1, 4)), 5).text == "0.25000");
+  CHECK(cln_value(Exponent(Rational(1, 4)) - Exponent::angle(1), 60).text == "0");
+  CHECK(cln_value(Exponent::angle(Rational(1, 2)) + Exponent::angle(Rational(1, 3)) - Exponent(Rational(1, 4)), 60)
+            .text == "0");
+  CHECK(cln_value(-free_exponent(End::left, parse_rational("1e400")), 30).text ==
+        "-3.18309886183790671537767526745e-401");
+  CHECK(cln_value(Exponent::angle(parse_rational("1e-400")), 30).text == "3.18309886183790671537767526745e-401");
+}
+
+TEST_CASE("gamma, alpha and cos(pi alpha)") {
+  CHECK(cln_gamma(Rational(3, 10), Plane::strain, 60).text ==
+        "0.285714285714285714285714285714285714285714285714285714285714");
+  CHECK(cln_gamma(Rational(1, 3), Plane::stress, 60).text ==
+        "0.333333333333333333333333333333333333333333333333333333333333");
+  CHECK(cln_alpha(Rational(3, 10), Rational(3, 10), Plane::strain, 60).text ==
+        cln_value(Exponent::angle(Rational(3, 35)), 60).text);
+  CHECK(cln_cos_pi_alpha(Rational(-3, 4), 10).text == "0.8000000000");
+  CHECK(cln_cos_pi_alpha(Rational(1), 60).text == "0.707106781186547524400844362104849039284835937688474036588340");
+  CHECK_THROWS_AS(cln_gamma(Rational(1, 2), Plane::strain, 10), std::domain_error);
+  CHECK_THROWS_AS(cln_gamma(-1, Plane::stress, 10), std::domain_error);
+}
+
+TEST_CASE("the formulas as printed agree with the model's, which go through Kolosov's constant") {
+  CHECK(rc::check([] {
+    const Rational nu(*rc::gen::inRange(-999, 499), 1000);
+    for (const Plane plane : {Plane::strain, Plane::stress}) {
+      RC_ASSERT(cln_gamma(nu, plane, 120).text == rounded(Elasticity(Solid(nu, 1), plane).gamma(), 120).text);
+    }
+  }));
+}
+
+TEST_CASE("an exponent is the same however its terms are grouped") {
+  CHECK(rc::check([] {
+    const auto slope = [] { return Rational(*rc::gen::inRange(-100000, 100000), *rc::gen::inRange(1, 1000)); };
+    Exponent sum(Rational(*rc::gen::inRange(-8, 8), 4));
+    for (int terms = *rc::gen::inRange(0, 6); terms > 0; --terms) sum += Exponent::angle(slope());
+    const Exponent::Reduced reduced = sum.reduced();
+    const Exponent again = Exponent(Rational(reduced.halves) / 2) + Exponent::angle(reduced.slope);
+    RC_ASSERT(cln_value(sum, 60).text == cln_value(again, 60).text);
+  }));
+}
