@@ -23,9 +23,7 @@ std::string excerpt(std::string_view text) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-Integer power_of_ten(unsigned exponent) {
-  return boost::multiprecision::pow(Integer(10), exponent);
-}
+Integer power_of_ten(unsigned exponent) { return boost::multiprecision::pow(Integer(10), exponent); }
 
 /// One decimal number; `whole` is the text of which it is a part, for the message.
 Rational parse_decimal(std::string_view text, std::string_view whole) {
@@ -90,7 +88,8 @@ std::string to_string(const Rational& value) {
   for (; rest % 5 == 0; ++fives) rest /= 5;
   const int places = std::max(twos, fives);
   if (rest != 1 || places > 30) return value.str();
-  const Integer scaled = numerator * power_of_ten(static_cast<unsigned>(places)) / boost::multiprecision::denominator(value);
+  const Integer scaled =
+      numerator * power_of_ten(static_cast<unsigned>(places)) / boost::multiprecision::denominator(value);
   std::string digits = boost::multiprecision::abs(scaled).str();
   const auto width = static_cast<std::size_t>(places) + 1;
   if (digits.size() < width) digits.insert(0, width - digits.size(), '0');

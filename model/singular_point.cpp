@@ -34,10 +34,9 @@ void add_interior(const ContactProblem& problem, const Rational& x, const Meetin
     // Contact ends at a step on its protruding side only: psi is measured away from the body.
     const bool right_protrudes = meeting.step < 0;
     const std::size_t piece = right_protrudes ? right : left;
-    const Exponent exponent =
-        edge_exponent(right_protrudes ? End::left : End::right, problem.coupled_friction(piece));
-    points.push_back({x, SingularKind::step, right_protrudes ? ContactSide::right : ContactSide::left, {f[piece]},
-                      exponent});
+    const Exponent exponent = edge_exponent(right_protrudes ? End::left : End::right, problem.coupled_friction(piece));
+    points.push_back(
+        {x, SingularKind::step, right_protrudes ? ContactSide::right : ContactSide::left, {f[piece]}, exponent});
     return;
   }
   const Exponent beta = jump_exponent(problem.coupled_friction(left), problem.coupled_friction(right));

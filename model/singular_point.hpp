@@ -28,7 +28,7 @@ enum class ContactSide { left, right, both };
 std::string_view name_of(ContactSide side);
 
 struct SingularPoint {
-  std::optional<Rational> x;         ///< absent: anywhere under the friction value given
+  std::optional<Rational> x;  ///< absent: anywhere under the friction value given
   SingularKind kind;
   ContactSide contact;               ///< the side of x on which there is contact
   std::vector<Rational> friction;    ///< f on the contact side, or left and right of x

@@ -2,8 +2,8 @@
 // The solution of a contact problem, as a closed form and every solver return it. All values in the user's units and x.
 //
 // Signs: traction t <= 0; shear is the tangential traction's component along +x; gap = psi - u - C >= 0; slope = u'.
-// Intensities theta >= 0 where t <= 0 demands it: t = -theta d^lambda at ends, t = constant - theta |x-c|^beta cos(pi alpha)
-// at friction jumps.
+// Intensities theta >= 0 where t <= 0 demands it: t = -theta d^lambda at ends, t = constant - theta |x-c|^beta cos(pi
+// alpha) at friction jumps.
 
 #include <memory>
 #include <optional>
@@ -42,10 +42,10 @@ struct SolvedSingularPoint {
 
 template <Real R>
 struct Resultants {
-  Estimate<R> normal;              ///< -int t, the load as it comes out of the traction
-  Estimate<R> tangential;          ///< |int f t| >= 0
-  Estimate<R> centre_of_pressure;  ///< int x t / int t
-  Estimate<R> effective_friction;  ///< tangential / normal
+  Estimate<R> normal;                   ///< -int t, the load as it comes out of the traction
+  Estimate<R> tangential;               ///< |int f t| >= 0
+  Estimate<R> centre_of_pressure;       ///< int x t / int t
+  Estimate<R> effective_friction;       ///< tangential / normal
   std::vector<Estimate<R>> load_share;  ///< the part of the load under each friction value, left to right, sum 1
 };
 

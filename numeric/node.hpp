@@ -1,6 +1,6 @@
 #pragma once
-// Points that know their distances. Powers at the end of a panel are formed from the distance to that end: 1 - x has lost
-// its digits where they matter most.
+// Points that know their distances. Powers at the end of a panel are formed from the distance to that end: 1 - x has
+// lost its digits where they matter most.
 
 #include <algorithm>
 

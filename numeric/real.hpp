@@ -12,13 +12,15 @@
 
 namespace steadyslide::numeric {
 
-// Statically sized MPFR numbers: no global default precision exists that could leak. 57 and 114 decimal digits fill three
-// and six limbs: the digits beyond 50 and 100 are guard digits that cost nothing. Against cpp_bin_float of the same
-// size they were 3 to 4 times faster on the quadratures of this project (bench/README.md).
-using Real50 = boost::multiprecision::number<
-    boost::multiprecision::mpfr_float_backend<57, boost::multiprecision::allocate_stack>, boost::multiprecision::et_off>;
-using Real100 = boost::multiprecision::number<
-    boost::multiprecision::mpfr_float_backend<114, boost::multiprecision::allocate_stack>, boost::multiprecision::et_off>;
+// Statically sized MPFR numbers: no global default precision exists that could leak. 57 and 114 decimal digits fill
+// three and six limbs: the digits beyond 50 and 100 are guard digits that cost nothing. Against cpp_bin_float of the
+// same size they were 3 to 4 times faster on the quadratures of this project (bench/README.md).
+using Real50 =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<57, boost::multiprecision::allocate_stack>,
+                                  boost::multiprecision::et_off>;
+using Real100 =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<114, boost::multiprecision::allocate_stack>,
+                                  boost::multiprecision::et_off>;
 
 template <class R>
 concept Real = std::same_as<R, double> || std::same_as<R, Real50> || std::same_as<R, Real100>;
@@ -43,7 +45,9 @@ decltype(auto) at_precision(Digits digits, F&& f) {
 }
 
 template <Real R>
-inline constexpr int digits_served = std::same_as<R, double> ? 16 : std::same_as<R, Real50> ? 50 : 100;
+inline constexpr int digits_served = std::same_as<R, double>   ? 16
+                                     : std::same_as<R, Real50> ? 50
+                                                               : 100;
 
 /// The distance from 1 to the next number.
 template <Real R>

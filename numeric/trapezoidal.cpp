@@ -1,0 +1,156 @@
+#include "numeric/trapezoidal.hpp"
+
+namespace steadyslide::numeric::trapezoidal {
+namespace {
+
+/// -log(epsilon): the accuracy to be reached, as an exponent.
+template <Real R>
+R accuracy() {
+  using std::log;
+  return -log(epsilon<R>());
+}
+
+/// Principal values may be taken as near as e^-margin of a panel to its ends.
+template <Real R>
+R margin() {
+  return 20;
+}
+
+template <Real R>
+Node<R> node_at(const Panel<R>& panel, const R& tau) {
+  using std::exp;
+  // Both distances from the smaller exponential: neither overflows, neither cancels.
+  const bool right_half = tau > 0;
+  const R e = exp(right_half ? R(-tau) : tau);
+  const R far = panel.length / (1 + e);
+  const R near = far * e;
+  return right_half ? Node<R>{panel.right - near, far, near} : Node<R>{panel.left + near, near, far};
+}
+
+}  // namespace
+
+template <Real R>
+Grid<R>::Grid(PiecewiseDensity<R> density) : density_(std::move(density)) {
+  // The integrand is analytic for |Im tau| < pi, with branch points on the border: a little more than the accuracy.
+  step_ = 2 * pi<R>() * pi<R>() / (accuracy<R>() + 12);
+  samples_.reserve(density_.size());
+  for (const PanelDensity<R>& panel : density_) samples_.push_back(sample(panel, R(0)));
+}
+
+template <Real R>
+typename Grid<R>::Samples Grid<R>::sample(const PanelDensity<R>& density, const R& offset) const {
+  using std::ceil, std::exp, std::min, std::pow;
+  const Panel<R>& panel = density.panel;
+  // Beyond this tau the density is its end power to full accuracy, and so is its product with a Cauchy kernel.
+  const R constant_beyond = accuracy<R>() + margin<R>();
+  const auto reach = [&](const Power<R>& power) {
+    return R(min(constant_beyond, R((accuracy<R>() + 5 + margin<R>()) / power.plus_one)));
+  };
+  const auto lowest = static_cast<long>(ceil(R((-reach(density.left) - offset) / step_)));
+  const auto highest = static_cast<long>(ceil(R((reach(density.right) - offset) / step_)));
+
+  Samples samples;
+  samples.inner.reserve(static_cast<std::size_t>(highest - lowest + 1));
+  const R factor = step_ / panel.length;
+  for (long k = lowest; k <= highest; ++k) {
+    const Node<R> node = node_at(panel, R(offset + static_cast<int>(k) * step_));
+    R weighted = factor * density.smooth(node);
+    weighted *= density.left.value == 0 ? node.from_left : R(pow(node.from_left, density.left.plus_one));
+    weighted *= density.right.value == 0 ? node.from_right : R(pow(node.from_right, density.right.plus_one));
+    samples.inner.push_back({node, weighted});
+  }
+  const auto tail = [&](const R& last, const Power<R>& power) {
+    using std::expm1;
+    // q + q^2 + ... with q = exp(-h (1 + lambda)).
+    return R(last / expm1(R(step_ * power.plus_one)));
+  };
+  samples.left_tail = tail(samples.inner.front().weighted, density.left);
+  samples.right_tail = tail(samples.inner.back().weighted, density.right);
+  return samples;
+}
+
+template <Real R>
+template <class Kernel>
+R Grid<R>::sum(const Panel<R>& panel, const Samples& samples, const Kernel& kernel) const {
+  R total = 0;
+  for (const Sample& s : samples.inner) total += s.weighted * kernel(s.node);
+  total += samples.left_tail * kernel(Node<R>{panel.left, R(0), panel.length});
+  total += samples.right_tail * kernel(Node<R>{panel.right, panel.length, R(0)});
+  return total;
+}
+
+template <Real R>
+R Grid<R>::panel_integral(std::size_t k) const {
+  return sum(density_[k].panel, samples_[k], [](const Node<R>&) { return R(1); });
+}
+
+template <Real R>
+R Grid<R>::integral() const {
+  R total = 0;
+  for (std::size_t k = 0; k < density_.size(); ++k) total += panel_integral(k);
+  return total;
+}
+
+template <Real R>
+R Grid<R>::moment(const R& origin) const {
+  R total = 0;
+  for (std::size_t k = 0; k < density_.size(); ++k) {
+    total += sum(density_[k].panel, samples_[k], [&](const Node<R>& node) { return R(node.x - origin); });
+  }
+  return total;
+}
+
+template <Real R>
+PanelPoint<R> Grid<R>::midpoint_near(std::size_t k, const R& fraction) const {
+  using std::floor, std::log;
+  const R tau = log(fraction / (1 - fraction));
+  const R cell = floor(R(tau / step_));
+  return {k, node_at(density_[k].panel, R((cell + R(0.5)) * step_))};
+}
+
+template <Real R>
+R Grid<R>::hilbert(const PanelPoint<R>& at) const {
+  using std::abs, std::floor, std::log;
+  const PanelDensity<R>& own = density_[at.panel];
+  const Node<R>& x = at.node;
+  const R tau = log(x.from_left / x.from_right);
+  const R cells = tau / step_ - R(0.5);
+  const R off_grid = cells - floor(R(cells + R(0.5)));
+  const bool left_is_near = x.from_left < x.from_right;
+  const auto cauchy_kernel = [&](const Node<R>& node) {
+    return R(1 / (left_is_near ? R(node.from_left - x.from_left) : R(x.from_right - node.from_right)));
+  };
+  // Off the staggered position by delta the principal value is off by pi^2 t delta/h: only rounding may be let pass.
+  const bool on_grid = abs(off_grid) < 8 * epsilon<R>() * (4 + abs(cells));
+  R total = on_grid ? sum(own.panel, samples_[at.panel], cauchy_kernel)
+                    : sum(own.panel, sample(own, R(tau + step_ / 2)), cauchy_kernel);
+  for (std::size_t j = 0; j < density_.size(); ++j) {
+    if (j == at.panel) continue;
+    const bool to_the_right = j > at.panel;
+    const R between = (to_the_right ? x.from_right : x.from_left) + distance_between(density_, j, at.panel);
+    total += sum(density_[j].panel, samples_[j], [&](const Node<R>& node) {
+      return to_the_right ? R(1 / (between + node.from_left)) : R(-1 / (between + node.from_right));
+    });
+  }
+  return total / pi<R>();
+}
+
+template <Real R>
+R Grid<R>::cauchy(Side side, const R& distance) const {
+  R total = 0;
+  const std::size_t nearest = side == Side::left ? 0 : density_.size() - 1;
+  for (std::size_t j = 0; j < density_.size(); ++j) {
+    R between = distance;
+    if (j != nearest) between += density_[nearest].panel.length + distance_between(density_, nearest, j);
+    total += sum(density_[j].panel, samples_[j], [&](const Node<R>& node) {
+      return side == Side::left ? R(1 / (between + node.from_left)) : R(-1 / (between + node.from_right));
+    });
+  }
+  return total / pi<R>();
+}
+
+template class Grid<double>;
+template class Grid<Real50>;
+template class Grid<Real100>;
+
+}  // namespace steadyslide::numeric::trapezoidal
