@@ -1,0 +1,18 @@
+#pragma once
+// The model's exact numbers as GiNaC expressions. ginac.h is costly to compile: include this header in sources of this
+// layer and in tests only. GiNaC is not thread-safe, not even on unrelated expressions.
+
+#include <ginac/ginac.h>
+
+#include "model/exponent.hpp"
+#include "model/rational.hpp"
+
+namespace steadyslide::symbolic {
+
+GiNaC::numeric to_expression(const Rational& value);
+/// offset + sum of times * atan(slope)/Pi; GiNaC itself turns atan(1) into Pi/4.
+GiNaC::ex to_expression(const Exponent& exponent);
+/// Throws std::domain_error unless the number is rational.
+Rational to_rational(const GiNaC::numeric& value);
+
+}  // namespace steadyslide::symbolic
