@@ -1,0 +1,209 @@
+#include "app/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include "app/failure.hpp"
+#include "app/help_text.hpp"
+#include "app/list_parser.hpp"
+#include "app/version.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Format>, 5> all_formats{{{"text", Format::text},
+                                                                          {"json", Format::json},
+                                                                          {"csv", Format::csv},
+                                                                          {"markdown", Format::markdown},
+                                                                          {"latex", Format::latex}}};
+
+/// The texts behind the options, as CLI11 leaves them.
+struct Raw {
+  std::string problem, method = "auto", digits, format = "text", output, at, samples, cells, load_steps,
+                       search_solutions, poisson, rear, front, seed;
+  std::vector<std::string> claims;
+  bool derivation = false, list = false, quick = false;
+};
+
+Failure not_available(const std::string& what) { return bad_command_line(what + ": not available in this version"); }
+
+class CommandLine {
+ public:
+  CommandLine() : app_(help::program, "steadyslide") {
+    app_.set_help_flag("-h,--help", "Print this help and exit");
+    app_.set_version_flag("--version", std::string("steadyslide ") + version);
+    app_.require_subcommand(1);
+    app_.footer(help::program_footer);
+    app_.get_formatter()->column_width(28);
+    add_verify();
+    add_exponents();
+    add_table();
+    add_solve();
+    add_later(figures_ =
+                  app_.add_subcommand("figures", "Figures as SVG, from computed data (not available in this version)"));
+    add_later(report_ =
+                  app_.add_subcommand("report", "The verification report as HTML (not available in this version)"));
+  }
+
+  Command parse(int argc, const char* const* argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+      return Message{app_.help()};
+    } catch (const CLI::CallForVersion& call) {
+      return Message{std::string(call.what()) + "\n"};
+    } catch (const CLI::ParseError& error) {
+      throw bad_command_line(error.what());
+    }
+    if (*figures_) throw not_available("figures");
+    if (*report_) throw not_available("report");
+    if (*verify_) return verify();
+    if (*exponents_) return exponents();
+    if (*table_) return table();
+    return solve();
+  }
+
+ private:
+  void add_common(CLI::App* command, const char* digits, const char* formats) {
+    command->add_option("--digits", raw_.digits, digits)->type_name("N");
+    command->add_option("--format", raw_.format, formats)->type_name("FORMAT");
+    command->add_option("-o,--output", raw_.output, "Write to FILE, whole or not at all; default: standard output")
+        ->type_name("FILE");
+  }
+
+  void add_verify() {
+    verify_ = app_.add_subcommand("verify", help::verify);
+    verify_->add_flag("--list", raw_.list, "List the claims, check nothing");
+    verify_->add_option("--claim", raw_.claims, "Only claims whose id matches, * and ? being wildcards; repeatable")
+        ->type_name("GLOB")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    verify_->add_flag("--quick", raw_.quick, "Fewer parameters");
+    verify_->add_option("--seed", raw_.seed, "Seed of the random parameters, a whole number")->type_name("N");
+    add_common(verify_, "Digits to work with, 1 to 100; default 50", "text, json or markdown");
+    verify_->footer(help::verify_footer);
+  }
+
+  void add_exponents() {
+    exponents_ = app_.add_subcommand("exponents", help::exponents);
+    exponents_->add_option("PROBLEM", raw_.problem, "Problem file, or -")->required()->type_name("");
+    exponents_->add_flag("--derivation", raw_.derivation, "How they are derived (not available in this version)");
+    add_common(exponents_, "Significant digits, 1 to 100; default 16", "text, json, csv, markdown or latex");
+    exponents_->footer(std::string(help::exponents_footer) + "\n" + help::problem);
+  }
+
+  void add_table() {
+    table_ = app_.add_subcommand("table", help::table);
+    table_->add_option("--poisson", raw_.poisson, "Poisson's ratios")->type_name("LIST")->required();
+    table_->add_option("--rear", raw_.rear, "Friction coefficients at the rear")->type_name("LIST")->required();
+    table_->add_option("--front", raw_.front, "Friction coefficients at the front")->type_name("LIST")->required();
+    add_common(table_, "Significant digits, 1 to 100; default 16", "text, json, csv, markdown or latex");
+    table_->footer(help::table_footer);
+  }
+
+  void add_solve() {
+    solve_ = app_.add_subcommand("solve", help::solve);
+    solve_->add_option("PROBLEM", raw_.problem, "Problem file, or -")->required()->type_name("");
+    solve_
+        ->add_option("--method", raw_.method,
+                     "auto or closed-form (riemann-hilbert and variational: not available in this version)")
+        ->type_name("METHOD");
+    solve_->add_option("--at", raw_.at, "Results at these x, in your units; may lie outside the support")
+        ->type_name("X,X,...");
+    solve_->add_option("--samples", raw_.samples, "Results at N places a contact component and a gap, 1 to 100000")
+        ->type_name("N");
+    solve_->add_option("--cells", raw_.cells, "Not available in this version")->type_name("N");
+    solve_->add_option("--load-steps", raw_.load_steps, "Not available in this version")->type_name("LIST");
+    solve_->add_option("--search-solutions", raw_.search_solutions, "Not available in this version")->type_name("N");
+    add_common(solve_, "Significant digits, 1 to 100; default 16", "text, json or csv");
+    solve_->footer(std::string(help::solve_footer) + "\n" + help::problem);
+  }
+
+  void add_later(CLI::App* command) {
+    command->add_option("-o,--output", raw_.output, "Write into DIR")->type_name("DIR");
+  }
+
+  static bool given(const CLI::App* command, const char* option) { return command->get_option(option)->count() > 0; }
+
+  CommonOptions common(const CLI::App* command, int digits, std::initializer_list<Format> formats) const {
+    CommonOptions result;
+    result.digits = given(command, "--digits") ? parse_count("--digits", raw_.digits, 1, 100) : digits;
+    std::string names;
+    bool found = false;
+    for (const auto& [name, format] : all_formats) {
+      if (std::find(formats.begin(), formats.end(), format) == formats.end()) continue;
+      names += (names.empty() ? "" : ", ") + std::string(name);
+      if (raw_.format != name) continue;
+      result.format = format;
+      found = true;
+    }
+    if (!found) throw bad_command_line("--format: unknown format", "it is one of " + names, raw_.format);
+    if (given(command, "--output")) {
+      if (raw_.output.empty()) throw bad_command_line("--output: no file", "it has a name", raw_.output);
+      result.output = raw_.output;
+    }
+    return result;
+  }
+
+  VerifyOptions verify() const {
+    VerifyOptions options{common(verify_, 50, {Format::text, Format::json, Format::markdown}), raw_.list, raw_.quick,
+                          raw_.claims, std::nullopt};
+    if (given(verify_, "--seed")) {
+      unsigned long long seed = 0;
+      const char* const end = raw_.seed.data() + raw_.seed.size();
+      const auto [after, error] = std::from_chars(raw_.seed.data(), end, seed);
+      if (error != std::errc() || after != end) {
+        throw bad_command_line("--seed: out of range", "it is a whole number from 0 to 2^64-1", raw_.seed);
+      }
+      options.seed = seed;
+    }
+    return options;
+  }
+
+  ExponentsOptions exponents() const {
+    if (raw_.derivation) throw not_available("--derivation");
+    return {common(exponents_, 16, {Format::text, Format::json, Format::csv, Format::markdown, Format::latex}),
+            raw_.problem, false};
+  }
+
+  TableOptions table() const {
+    return {common(table_, 16, {Format::text, Format::json, Format::csv, Format::markdown, Format::latex}),
+            raw_.poisson, raw_.rear, raw_.front};
+  }
+
+  SolveOptions solve() const {
+    for (const char* option : {"--cells", "--load-steps", "--search-solutions"}) {
+      if (given(solve_, option)) throw not_available(option);
+    }
+    if (raw_.method == "riemann-hilbert" || raw_.method == "variational") {
+      throw not_available("--method " + raw_.method);
+    }
+    if (raw_.method != "auto" && raw_.method != "closed-form") {
+      throw bad_command_line("--method: unknown method", "it is one of auto, closed-form, riemann-hilbert, variational",
+                             raw_.method);
+    }
+    SolveOptions options{common(solve_, 16, {Format::text, Format::json, Format::csv}), raw_.problem, raw_.method,
+                         raw_.at, 0};
+    if (given(solve_, "--at") && raw_.at.empty()) throw bad_command_line("--at: no value", "it is a list", raw_.at);
+    if (given(solve_, "--samples")) options.samples = parse_count("--samples", raw_.samples, 1, 100000);
+    return options;
+  }
+
+  Raw raw_;
+  CLI::App app_;
+  CLI::App* verify_ = nullptr;
+  CLI::App* exponents_ = nullptr;
+  CLI::App* table_ = nullptr;
+  CLI::App* solve_ = nullptr;
+  CLI::App* figures_ = nullptr;
+  CLI::App* report_ = nullptr;
+};
+
+}  // namespace
+
+Command parse_command_line(int argc, const char* const* argv) { return CommandLine().parse(argc, argv); }
+
+}  // namespace steadyslide::app

@@ -1,0 +1,31 @@
+#include "app/exponents_command.hpp"
+
+#include "app/exponent_text.hpp"
+#include "app/number_format.hpp"
+#include "app/output.hpp"
+#include "app/problem_file.hpp"
+#include "app/row_writer.hpp"
+#include "model/singular_point.hpp"
+
+namespace steadyslide::app {
+
+ExitCode run(const ExponentsOptions& options) {
+  const Problem problem = read_problem(options.problem);
+  const int digits = options.common.digits;
+  Output output(options.common.output);
+  const auto rows =
+      make_row_writer(options.common.format,
+                      {{"x"}, {"kind"}, {"side"}, {"friction"}, {"exponent"}, {"symbolic"}, {"latex", true}}, output);
+  for (const SingularPoint& point : possible_singular_points(problem.contact)) {
+    std::vector<std::string> friction;
+    for (const Rational& f : point.friction) friction.push_back(format_number(f, digits));
+    const ExponentText exponent = exponent_text(point.exponent, digits);
+    rows->row({point.x ? format_number(*point.x, digits) : std::string("anywhere"), std::string(name_of(point.kind)),
+               std::string(name_of(point.contact)), friction, exponent.value, exponent.symbolic, exponent.latex});
+  }
+  rows->end();
+  output.commit();
+  return ExitCode::done;
+}
+
+}  // namespace steadyslide::app

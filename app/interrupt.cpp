@@ -1,0 +1,57 @@
+#include "app/interrupt.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <climits>
+#include <csignal>
+
+#include "app/failure.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+// A signal handler can reach static storage only. Written with signals held.
+char unfinished_file[PATH_MAX] = "";
+
+sigset_t both_signals() {
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, SIGINT);
+  sigaddset(&set, SIGTERM);
+  return set;
+}
+
+extern "C" void end_interrupted(int) {
+  if (unfinished_file[0] != '\0') ::unlink(unfinished_file);
+  ::_exit(static_cast<int>(ExitCode::interrupted));
+}
+
+}  // namespace
+
+void handle_signals() {
+  struct sigaction action {};
+  action.sa_handler = end_interrupted;
+  action.sa_mask = both_signals();
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+SignalsHeld::SignalsHeld() {
+  const sigset_t set = both_signals();
+  sigprocmask(SIG_BLOCK, &set, nullptr);
+}
+
+SignalsHeld::~SignalsHeld() {
+  const sigset_t set = both_signals();
+  sigprocmask(SIG_UNBLOCK, &set, nullptr);
+}
+
+void remove_when_interrupted(const std::string& file) {
+  const std::size_t length = std::min<std::size_t>(file.size(), PATH_MAX - 1);
+  file.copy(unfinished_file, length);
+  unfinished_file[length] = '\0';
+}
+
+}  // namespace steadyslide::app

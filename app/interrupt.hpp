@@ -1,0 +1,23 @@
+#pragma once
+// SIGINT and SIGTERM end the program with exit code 130, and take the unfinished output file with them.
+
+#include <string>
+
+namespace steadyslide::app {
+
+/// Call once, first thing in main(). Also makes a closed pipe an error of write() instead of a silent death.
+void handle_signals();
+
+/// While it lives, the two signals wait.
+class SignalsHeld {
+ public:
+  SignalsHeld();
+  ~SignalsHeld();
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+};
+
+/// The file to remove on a signal; empty: none. Call with signals held.
+void remove_when_interrupted(const std::string& file);
+
+}  // namespace steadyslide::app

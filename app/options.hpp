@@ -1,0 +1,48 @@
+#pragma once
+// A command line, read.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace steadyslide::app {
+
+enum class Format { text, json, csv, markdown, latex };
+
+/// What every command takes.
+struct CommonOptions {
+  int digits = 16;
+  Format format = Format::text;
+  std::optional<std::string> output;  ///< absent: the standard output
+};
+
+struct ExponentsOptions {
+  CommonOptions common;
+  std::string problem;
+  bool derivation = false;
+};
+
+struct TableOptions {
+  CommonOptions common;
+  std::string poisson;
+  std::string rear;
+  std::string front;
+};
+
+struct SolveOptions {
+  CommonOptions common;
+  std::string problem;
+  std::string method = "auto";
+  std::string at;   ///< a list; empty: none
+  int samples = 0;  ///< 0: none
+};
+
+struct VerifyOptions {
+  CommonOptions common;
+  bool list = false;
+  bool quick = false;
+  std::vector<std::string> claims;
+  std::optional<unsigned long long> seed;
+};
+
+}  // namespace steadyslide::app

@@ -1,0 +1,126 @@
+#include <nlohmann/json.hpp>
+
+#include "app/number_format.hpp"
+#include "app/solve_writers.hpp"
+#include "app/version.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A number's text; null where there is no number.
+Json number(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+Json numbers(const std::vector<Rational>& values) {
+  Json list = Json::array();
+  for (const Rational& value : values) list.push_back(exact_text(value));
+  return list;
+}
+
+Json limits(const LimitText& text) {
+  if (!text.two_sided()) return number(text.left);
+  return {{"left", number(text.left)}, {"right", number(text.right)}};
+}
+
+Json solid(const Solid& body) { return {{"poisson", exact_text(body.poisson())}, {"young", exact_text(body.young())}}; }
+
+Json half_space(const Elasticity& elasticity) {
+  if (!elasticity.half_space()) return {{"gamma", exact_text(elasticity.gamma())}};
+  Json json = solid(*elasticity.half_space());
+  json["plane"] = elasticity.plane() == Plane::strain ? "strain" : "stress";
+  return json;
+}
+
+Json indenter(const ContactProblem& problem) {
+  const Indenter& shape = problem.indenter();
+  Json json{{"support", numbers({shape.left(), shape.right()})}};
+  if (shape.pieces().size() == 1) {
+    json["profile"] = to_string(shape.pieces().front().profile);
+  } else {
+    for (const Indenter::Piece& piece : shape.pieces()) {
+      json["pieces"].push_back({{"to", exact_text(piece.to)}, {"profile", to_string(piece.profile)}});
+    }
+  }
+  if (problem.elasticity().indenter()) json["elastic"] = solid(*problem.elasticity().indenter());
+  return json;
+}
+
+/// The problem as read, exact, defaults filled in.
+Json problem_json(const ContactProblem& problem) {
+  Json json;
+  json["load"] = exact_text(problem.load());
+  if (problem.load_at()) json["load_at"] = exact_text(*problem.load_at());
+  json["sliding"] = problem.sliding() == Sliding::plus_x ? "+x" : "-x";
+  json["half_space"] = half_space(problem.elasticity());
+  json["friction"] = {{"values", numbers(problem.friction().values())}, {"jumps", numbers(problem.friction().jumps())}};
+  json["indenter"] = indenter(problem);
+  return json;
+}
+
+Json end_json(const EndText& end) {
+  return {{"x", number(end.x)},
+          {"kind", end.kind},
+          {"exponent", number(end.exponent)},
+          {"intensity", number(end.intensity)}};
+}
+
+Json singular_json(const SingularText& point) {
+  return {{"x", number(point.x)},
+          {"kind", point.kind},
+          {"exponent", point.exponent.value},
+          {"symbolic", point.exponent.symbolic},
+          {"latex", point.exponent.latex},
+          {"intensity", number(point.intensity)},
+          {"constant", number(point.constant)}};
+}
+
+Json resultants_json(const SolveReport& report) {
+  Json shares = Json::array();
+  for (const std::string& share : report.load_share) shares.push_back(number(share));
+  return {{"normal", number(report.normal)},
+          {"tangential", number(report.tangential)},
+          {"centre_of_pressure", number(report.centre_of_pressure)},
+          {"effective_friction", number(report.effective_friction)},
+          {"load_share", std::move(shares)}};
+}
+
+Json sample_json(const SampleText& sample) {
+  return {{"x", number(sample.x)},
+          {"traction", limits(sample.traction)},
+          {"shear", limits(sample.shear)},
+          {"gap", sample.gap ? number(*sample.gap) : Json()},
+          {"slope", limits(sample.slope)}};
+}
+
+}  // namespace
+
+void write_solve_json(const Problem& problem, const SolveReport& report, Output& output) {
+  Json json;
+  json["schema"] = 1;
+  json["version"] = version;
+  json["problem"] = problem_json(problem.contact);
+  json["method"] = report.method;
+  json["digits"] = report.digits;
+  json["contact"] = Json::array();
+  for (const auto& [left, right] : report.contact) {
+    json["contact"].push_back({{"left", end_json(left)}, {"right", end_json(right)}});
+  }
+  json["singular_points"] = Json::array();
+  for (const SingularText& point : report.singular_points) json["singular_points"].push_back(singular_json(point));
+  json["resultants"] = resultants_json(report);
+  json["samples"] = Json::array();
+  for (const SampleText& sample : report.samples) json["samples"].push_back(sample_json(sample));
+  json["estimated_error"] = {{"ends", number(report.error_ends)},
+                             {"traction", number(report.error_traction)},
+                             {"resultants", number(report.error_resultants)}};
+  json["residuals"] = {{"equation", number(report.residual_equation)},
+                       {"load", number(report.residual_load)},
+                       {"penetration", number(report.residual_penetration)},
+                       {"tension", number(report.residual_tension)}};
+  json["uniqueness"] = {{"status", report.uniqueness.proved ? "proved" : "not_covered"},
+                        {"reason", report.uniqueness.reason}};
+  output.write(json.dump(2) + "\n");
+}
+
+}  // namespace steadyslide::app

@@ -1,0 +1,16 @@
+#pragma once
+// The output formats of `steadyslide solve`.
+
+#include "app/output.hpp"
+#include "app/solve_report.hpp"
+
+namespace steadyslide::app {
+
+/// The whole result, with the problem as read.
+void write_solve_json(const Problem& problem, const SolveReport& report, Output& output);
+/// A summary to read, and the samples if there are any.
+void write_solve_text(const Problem& problem, const SolveReport& report, Output& output);
+/// The samples: x,traction,shear,gap,slope; two rows where a limit differs from its other side.
+void write_solve_csv(const SolveReport& report, Output& output);
+
+}  // namespace steadyslide::app
