@@ -1,0 +1,12 @@
+#pragma once
+// The claims, file by file. Each function makes the claims of the source file that bears its name.
+
+#include <vector>
+
+#include "proofs_checks/claim.hpp"
+
+namespace steadyslide::proofs_checks {
+
+std::vector<Claim> constants_claims();
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,185 @@
+// gamma, alpha and Dundurs' constant: exact statements, decided symbolically for all parameters, and compared in exact
+// arithmetic with what the model computes. [Bal16, section 2, (4), remark 1]
+
+#include <functional>
+
+#include "model/elasticity.hpp"
+#include "proofs_checks/claims/claims.hpp"
+#include "proofs_checks/random.hpp"
+#include "symbolic/exact_identities.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+/// Far below every tolerance of the ledger, and still visible to exact arithmetic.
+Rational tiny() { return parse_rational("1e-94"); }
+
+/// A constant as a function of nu, the interval that it fills, and the identities that prove so.
+struct RangeFormula {
+  Plane plane;
+  std::function<Rational(const Rational&)> gamma;
+  Rational infimum;      ///< approached as nu -> 1/2
+  Rational supremum;     ///< approached as nu -> -1
+  std::string argument;  ///< from the identities to the interval
+  std::vector<symbolic::ExactIdentity> identities;
+
+  RangeFormula with_gamma(std::function<Rational(const Rational&)> wrong) const {
+    RangeFormula changed = *this;
+    changed.gamma = std::move(wrong);
+    return changed;
+  }
+  RangeFormula with_range(const Rational& low, const Rational& high) const {
+    RangeFormula changed = *this;
+    changed.infimum = low;
+    changed.supremum = high;
+    return changed;
+  }
+  RangeFormula with_identity(const symbolic::ExactIdentity& wrong) const {
+    RangeFormula changed = *this;
+    changed.identities.push_back(wrong);
+    return changed;
+  }
+};
+
+std::vector<symbolic::DecidedStatement> statements(const std::vector<std::string>& ids) {
+  std::vector<symbolic::DecidedStatement> chosen;
+  for (const symbolic::DecidedStatement& s : symbolic::elasticity_statements()) {
+    for (const std::string& id : ids) {
+      if (s.id == id) chosen.push_back(s);
+    }
+  }
+  if (chosen.size() != ids.size()) throw std::logic_error("a symbolic statement has no such id");
+  return chosen;
+}
+
+std::string text_of(const symbolic::ExactIdentity& identity) {
+  std::string text = identity.statement;
+  for (std::size_t k = 0; k < identity.nonvanishing.size(); ++k) {
+    if (identity.nonvanishing[k] != "1") text += (k == 0 ? " where " : ", ") + identity.nonvanishing[k] + " != 0";
+  }
+  return text;
+}
+
+/// A counterexample among the identities, or all of them as one piece of evidence.
+Evidence weigh_identities(const std::vector<symbolic::ExactIdentity>& identities, std::string detail) {
+  ExactIdentity evidence{std::move(detail), {}, ExactIdentity::Covers::claim};
+  for (const symbolic::ExactIdentity& identity : identities) {
+    if (!identity.identical) {
+      return Counterexample{identity.statement, "different functions: " + identity.lhs + " and " + identity.rhs};
+    }
+    evidence.identities.push_back(text_of(identity));
+  }
+  return evidence;
+}
+
+std::vector<symbolic::ExactIdentity> right_identities(const std::vector<symbolic::DecidedStatement>& chosen) {
+  std::vector<symbolic::ExactIdentity> identities;
+  for (const symbolic::DecidedStatement& s : chosen) identities.push_back(s.identity);
+  return identities;
+}
+
+std::vector<Rational> poisson_ratios(const Context& context, std::string_view stream) {
+  std::vector<Rational> ratios;
+  for (int k = -19; k < 10; ++k) ratios.emplace_back(k, 20);
+  Random random(context.seed, stream);
+  for (int k = 0; k < (context.quick ? 20 : 200); ++k) ratios.push_back(random.poisson());
+  return ratios;
+}
+
+std::vector<Evidence> check_range(const Context& context, const RangeFormula& formula) {
+  const Evidence decided = weigh_identities(formula.identities, formula.argument);
+  if (std::holds_alternative<Counterexample>(decided)) return {decided};
+
+  std::size_t cases = 0;
+  const auto at = [](const Rational& nu) { return "nu = " + to_string(nu); };
+  for (const Rational& nu : poisson_ratios(context, "range")) {
+    const Rational gamma = formula.gamma(nu);
+    const Rational model = Elasticity(Solid(nu, 1), formula.plane).gamma();
+    if (gamma != model) {
+      return {Counterexample{
+          at(nu), "the formula gives " + to_string(gamma) + ", Kolosov's constants give " + to_string(model)}};
+    }
+    if (gamma <= formula.infimum || gamma >= formula.supremum) {
+      return {Counterexample{at(nu), "gamma = " + to_string(gamma) + " lies outside of the interval"}};
+    }
+    const Rational further = nu + (Rational(1, 2) - nu) / 1000;
+    if (formula.gamma(further) >= gamma) return {Counterexample{at(nu), "gamma does not decrease"}};
+    ++cases;
+  }
+  // The ends are approached: no smaller interval will do.
+  const Rational step = tiny() / 100;
+  const Rational low = formula.gamma(Rational(1, 2) - step) - formula.infimum;
+  const Rational high = formula.supremum - formula.gamma(Rational(-1) + step);
+  if (low <= 0 || low >= tiny()) return {Counterexample{"nu -> 1/2", "gamma does not tend to the lower end"}};
+  if (high <= 0 || high >= tiny()) return {Counterexample{"nu -> -1", "gamma does not tend to the upper end"}};
+  return {decided, Agreement{"gamma in exact arithmetic",
+                             {"the formula", "the model, from Kolosov's constant"},
+                             "0",
+                             "0",
+                             cases,
+                             cases,
+                             cases / 2,
+                             "29 values of nu and random ones with seed " + std::to_string(context.seed)}};
+}
+
+Claim gamma_range() {
+  const auto chosen = statements({"gamma-plane-strain", "gamma-decreases", "gamma-below-three-quarters",
+                                  "gamma-at-minus-one", "gamma-at-one-half"});
+  const RangeFormula right{Plane::strain, [](const Rational& nu) { return Rational((1 - 2 * nu) / (2 * (1 - nu))); }, 0,
+                           Rational(3, 4), right_identities(chosen)};
+  std::vector<Wrong<RangeFormula>> wrong{
+      {"a factor 2 missing: (1-2nu)/(1-nu)",
+       right.with_gamma([](const Rational& nu) { return Rational((1 - 2 * nu) / (1 - nu)); })},
+      {"the sign of nu: (1+2nu)/(2(1+nu))",
+       right.with_gamma([](const Rational& nu) { return Rational((1 + 2 * nu) / (2 * (1 + nu))); })},
+      {"the constant of plane stress: (1-nu)/2",
+       right.with_gamma([](const Rational& nu) { return Rational((1 - nu) / 2); })},
+      {"the interval ]0, 1[", right.with_range(0, 1)},
+      {"the interval ]0, 1/2[", right.with_range(0, Rational(1, 2))},
+      {"the interval ]1/4, 3/4[", right.with_range(Rational(1, 4), Rational(3, 4))},
+      {"near miss: gamma moved by 1e-94",
+       right.with_gamma([](const Rational& nu) { return Rational((1 - 2 * nu) / (2 * (1 - nu)) + tiny()); })},
+      {"near miss: the upper end 3/4 moved up by 1e-94", right.with_range(0, Rational(3, 4) + tiny())},
+      {"near miss: the upper end 3/4 moved down by 1e-94", right.with_range(0, Rational(3, 4) - tiny())}};
+  for (const symbolic::DecidedStatement& s : chosen) {
+    for (const symbolic::ExactIdentity& w : s.controls) {
+      wrong.push_back({s.identity.statement + ", wrongly: " + w.statement, right.with_identity(w)});
+    }
+  }
+  return make_claim(
+      {"gamma-range", "[Bal16, section 2]: the constant gamma",
+       "gamma = (1-2nu)/(2(1-nu)) decreases strictly from 3/4 (nu -> -1) to 0 (nu -> 1/2), so that it lies in ]0, 3/4[",
+       "plane strain, rigid indenter, -1 < nu < 1/2"},
+      check_range, right, std::move(wrong));
+}
+
+Claim gamma_plane_stress() {
+  const auto chosen = statements({"gamma-plane-stress"});
+  const RangeFormula right{
+      Plane::stress,
+      [](const Rational& nu) { return Rational((1 - nu) / 2); },
+      Rational(1, 4),
+      1,
+      "gamma is linear in nu with slope -1/2: it takes every value between its values at both ends once",
+      right_identities(chosen)};
+  std::vector<Wrong<RangeFormula>> wrong{
+      {"the sign of nu: (1+nu)/2", right.with_gamma([](const Rational& nu) { return Rational((1 + nu) / 2); })},
+      {"the constant of plane strain",
+       right.with_gamma([](const Rational& nu) { return Rational((1 - 2 * nu) / (2 * (1 - nu))); })},
+      {"the interval ]0, 3/4[ of plane strain", right.with_range(0, Rational(3, 4))},
+      {"near miss: gamma moved by 1e-94",
+       right.with_gamma([](const Rational& nu) { return Rational((1 - nu) / 2 + tiny()); })}};
+  for (const symbolic::ExactIdentity& w : chosen.front().controls) {
+    wrong.push_back({"wrongly: " + w.statement, right.with_identity(w)});
+  }
+  return make_claim({"gamma-plane-stress", "the constant of [Bal16, section 2] carried over to plane stress",
+                     "gamma = (1-nu)/2 decreases strictly from 1 (nu -> -1) to 1/4 (nu -> 1/2)",
+                     "plane stress, rigid indenter, -1 < nu < 1/2"},
+                    check_range, right, std::move(wrong));
+}
+
+}  // namespace
+
+std::vector<Claim> constants_claims() { return {gamma_range(), gamma_plane_stress()}; }
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,59 @@
+#pragma once
+// What an examination of a claim brings back. Evidence is typed, so that a verdict is earned and not asserted.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace steadyslide::proofs_checks {
+
+/// Equalities decided exactly: as rational functions of independent symbols, or by exact arithmetic on exponents.
+struct ExactIdentity {
+  /// `claim`: the identities establish the claim for all parameters that its hypotheses allow; `detail` says how they
+  /// do. `part`: they establish one part of it, or the examined cases.
+  enum class Covers { claim, part };
+
+  std::string detail;
+  std::vector<std::string> identities;
+  Covers covers = Covers::part;
+};
+
+/// Unrelated routes to one number agreed to the tolerance, case by case.
+struct Agreement {
+  std::string what;
+  std::vector<std::string> routes;
+  std::string worst;      ///< the largest relative difference
+  std::string tolerance;  ///< what it had to stay below
+  std::size_t cases = 0;  ///< parameters examined
+  std::size_t effective =
+      0;  ///< those at which the statement says something (a jump that is one, a rule that converged)
+  std::size_t required = 1;  ///< with fewer effective cases nothing is shown
+  std::string detail;        ///< where the cases come from, seed included
+};
+
+/// An error that falls as it should.
+struct ConvergenceRate {
+  std::string what;
+  std::string measured;
+  std::string error_bar;
+  std::string expected;
+  std::string detail;
+};
+
+/// The statement fails here.
+struct Counterexample {
+  std::string where;  ///< the parameters
+  std::string detail;
+};
+
+using Evidence = std::variant<ExactIdentity, Agreement, ConvergenceRate, Counterexample>;
+
+/// "exact-identity", "agreement", "convergence-rate", "counterexample".
+std::string_view kind_of(const Evidence& evidence);
+
+/// One line for a reader, with the numbers.
+std::string describe(const Evidence& evidence);
+
+}  // namespace steadyslide::proofs_checks

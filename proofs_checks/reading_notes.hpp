@@ -1,0 +1,26 @@
+#pragma once
+// Places where the text of the paper that this project holds and the mathematics disagree: the printed reading, the
+// derived one, and the evidence. That text was extracted from a PDF: each note says whether extraction may have done
+// it.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "proofs_checks/run.hpp"
+
+namespace steadyslide::proofs_checks {
+
+struct ReadingNote {
+  std::string id;
+  std::string place;
+  std::string printed;
+  std::string derived;
+  std::string evidence;
+};
+
+/// The evidence is taken from the reports: the control that is the printed reading, and what refuted it. A note whose
+/// claim was not run says so.
+std::vector<ReadingNote> reading_notes(std::span<const Report> reports);
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,21 @@
+#include "proofs_checks/registry.hpp"
+
+#include <iterator>
+
+#include "proofs_checks/claims/claims.hpp"
+
+namespace steadyslide::proofs_checks {
+
+const std::vector<Claim>& registry() {
+  static const std::vector<Claim> all = [] {
+    std::vector<Claim> claims;
+    for (const auto make : {constants_claims}) {
+      std::vector<Claim> some = make();
+      std::move(some.begin(), some.end(), std::back_inserter(claims));
+    }
+    return claims;
+  }();
+  return all;
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,47 @@
+#include "proofs_checks/verdict.hpp"
+
+#include <algorithm>
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+bool is_counterexample(const Evidence& evidence) { return std::holds_alternative<Counterexample>(evidence); }
+
+bool covers_the_claim(const Evidence& evidence) {
+  const auto* identity = std::get_if<ExactIdentity>(&evidence);
+  return identity && identity->covers == ExactIdentity::Covers::claim && !identity->identities.empty();
+}
+
+/// Evidence that shows nothing: no identity decided, or too few cases at which the statement says something.
+bool is_empty(const Evidence& evidence) {
+  if (const auto* identity = std::get_if<ExactIdentity>(&evidence)) return identity->identities.empty();
+  if (const auto* agreement = std::get_if<Agreement>(&evidence)) {
+    return agreement->effective < std::max<std::size_t>(agreement->required, 1);
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::refuted: return "refuted";
+    case Verdict::undecided: return "undecided";
+    case Verdict::supported: return "supported";
+    default: return "proved";
+  }
+}
+
+Verdict weigh(std::span<const Evidence> evidence) {
+  if (std::ranges::any_of(evidence, is_counterexample)) return Verdict::refuted;
+  if (std::ranges::any_of(evidence, covers_the_claim)) return Verdict::proved;
+  if (evidence.empty() || std::ranges::any_of(evidence, is_empty)) return Verdict::undecided;
+  return Verdict::supported;
+}
+
+Verdict weigh(std::span<const Evidence> evidence, bool all_controls_refuted) {
+  const Verdict verdict = weigh(evidence);
+  return all_controls_refuted || verdict == Verdict::refuted ? verdict : Verdict::undecided;
+}
+
+}  // namespace steadyslide::proofs_checks
