@@ -16,6 +16,7 @@ set(wrong
   "app/a.cpp" "#include <ginac/ginac.h>"
   "app/a.cpp" "#include \"tests/helpers.hpp\"")
 set(right
+  "model/a.cpp" "#include <numeric>"
   "model/a.hpp" "#include \"model/rational.hpp\""
   "symbolic/a.cpp" "#include <ginac/ginac.h>"
   "proofs_checks/claims/a.cpp" "#include \"symbolic/expression.hpp\""
