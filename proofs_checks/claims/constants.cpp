@@ -125,8 +125,13 @@ std::vector<Evidence> check_range(const Context& context, const RangeFormula& fo
 Claim gamma_range() {
   const auto chosen = statements({"gamma-plane-strain", "gamma-decreases", "gamma-below-three-quarters",
                                   "gamma-at-minus-one", "gamma-at-one-half"});
-  const RangeFormula right{Plane::strain, [](const Rational& nu) { return Rational((1 - 2 * nu) / (2 * (1 - nu))); }, 0,
-                           Rational(3, 4), right_identities(chosen)};
+  const RangeFormula right{Plane::strain,
+                           [](const Rational& nu) { return Rational((1 - 2 * nu) / (2 * (1 - nu))); },
+                           0,
+                           Rational(3, 4),
+                           "numerator and denominator of gamma and of 3/4 - gamma are positive for -1 < nu < 1/2, the "
+                           "derivative is negative: gamma takes every value between its values at both ends once",
+                           right_identities(chosen)};
   std::vector<Wrong<RangeFormula>> wrong{
       {"a factor 2 missing: (1-2nu)/(1-nu)",
        right.with_gamma([](const Rational& nu) { return Rational((1 - 2 * nu) / (1 - nu)); })},
