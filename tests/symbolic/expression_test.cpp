@@ -9,6 +9,7 @@
 #include "model/elasticity.hpp"
 #include "model/singular_point.hpp"
 #include "symbolic/coupling.hpp"
+#include "uniform.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::symbolic;
@@ -31,10 +32,10 @@ TEST_CASE("exponents as expressions") {
   CHECK(to_expression(edge_exponent(End::left, Rational(3, 35)))
             .is_equal(-ex(1) / 2 - GiNaC::atan(ex(3) / 35) / GiNaC::Pi));
   CHECK(rc::check([] {
-    Exponent sum(Rational(*rc::gen::inRange(-8, 8), 4));
+    Exponent sum(Rational(uniform(-8, 7), 4));
     double value = sum.offset().convert_to<double>();
-    for (int terms = *rc::gen::inRange(0, 6); terms > 0; --terms) {
-      const Rational slope(*rc::gen::inRange(-1000, 1000), *rc::gen::inRange(1, 100));
+    for (int terms = uniform(0, 5); terms > 0; --terms) {
+      const Rational slope(uniform(-1000, 999), uniform(1, 99));
       sum += Exponent::angle(slope);
       value += std::atan(slope.convert_to<double>()) / std::acos(-1.0);
     }
@@ -44,8 +45,8 @@ TEST_CASE("exponents as expressions") {
 
 TEST_CASE("the symbolic constants at rational arguments are the model's") {
   CHECK(rc::check([] {
-    const auto poisson = [] { return Rational(*rc::gen::inRange(-999, 499), 1000); };
-    const auto young = [] { return Rational(*rc::gen::inRange(1, 1000), 7); };
+    const auto poisson = [] { return Rational(uniform(-999, 498), 1000); };
+    const auto young = [] { return Rational(uniform(1, 999), 7); };
     const auto value = [](const ex& e) { return to_rational(ex_to<numeric>(e)); };
     const Solid body(poisson(), young());
     const Solid indenter(poisson(), young());
@@ -60,7 +61,7 @@ TEST_CASE("the symbolic constants at rational arguments are the model's") {
       RC_ASSERT(value(compliance(nu, modulus, plane)) == rigid.compliance());
       RC_ASSERT(value(dundurs_constant(one, two)) == elastic.gamma());
       RC_ASSERT(value(compliance(one) + compliance(two)) == elastic.compliance());
-      const ex f = ex(*rc::gen::inRange(0, 100)) / 7;
+      const ex f = ex(uniform(0, 99)) / 7;
       const Exponent alpha = Exponent::angle(rigid.gamma() * to_rational(ex_to<numeric>(f)));
       RC_ASSERT(friction_angle(coupling_constant(nu, plane), f).is_equal(to_expression(alpha)));
       RC_ASSERT(jump_power(coupling_constant(nu, plane), f, 0).is_equal(to_expression(alpha)));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "symbolic/exact_identities.hpp"
+#include "uniform.hpp"
 
 using namespace steadyslide::symbolic;
 using GiNaC::ex;
@@ -19,9 +20,9 @@ namespace {
 ex polynomial(const std::vector<symbol>& symbols) {
   ex sum = 0;
   while (sum.expand().is_zero()) {
-    for (int terms = *rc::gen::inRange(1, 5); terms > 0; --terms) {
-      ex term = ex(*rc::gen::inRange(-9, 10)) / *rc::gen::inRange(1, 10);
-      for (const symbol& x : symbols) term *= GiNaC::pow(x, *rc::gen::inRange(0, 3));
+    for (int terms = uniform(1, 4); terms > 0; --terms) {
+      ex term = ex(uniform(-9, 9)) / uniform(1, 9);
+      for (const symbol& x : symbols) term *= GiNaC::pow(x, uniform(0, 2));
       sum += term;
     }
   }

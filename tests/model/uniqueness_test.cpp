@@ -1,0 +1,56 @@
+#include "model/uniqueness.hpp"
+
+#include <doctest/doctest.h>
+
+#include "mirror.hpp"
+#include "random_problem.hpp"
+
+using namespace steadyslide;
+
+namespace {
+
+Uniqueness of(const Rational& gamma, std::vector<Rational> f, Sliding sliding = Sliding::plus_x,
+              std::optional<Rational> load_at = std::nullopt) {
+  std::vector<Rational> jumps;
+  for (std::size_t k = 1; k < f.size(); ++k) jumps.push_back(Rational(static_cast<int>(k), 10));
+  return uniqueness(ContactProblem(Elasticity::reduced(gamma), FrictionProfile(std::move(f), std::move(jumps)),
+                                   Indenter(-1, {{1, Polynomial()}}), 1, sliding, load_at));
+}
+
+}  // namespace
+
+TEST_CASE("uniqueness where s nowhere decreases [Bal16, theorems 1 and 8]") {
+  const Rational gamma(2, 7);
+  CHECK(of(gamma, {1}).proved);
+  CHECK(of(gamma, {1}).reason == "s = gamma f is constant");
+  CHECK(of(gamma, {1, 1}).reason == "s = gamma f is constant");
+  CHECK(of(gamma, {1, 2, 2, 3}).proved);
+  CHECK(of(gamma, {1, 2, 2, 3}).reason == "s = gamma f is nondecreasing towards the front");
+  CHECK_FALSE(of(gamma, {1, 2, 1}).proved);
+  CHECK(of(gamma, {1, 2, 1}).reason == "s = gamma f decreases towards the front at x = 0.2");
+  CHECK_FALSE(of(gamma, {2, 1}).proved);
+  // The other way, and the other sign, front and rear change places.
+  CHECK(of(gamma, {2, 1}, Sliding::minus_x).proved);
+  CHECK_FALSE(of(gamma, {1, 2}, Sliding::minus_x).proved);
+  CHECK(of(-gamma, {2, 1}).proved);
+  CHECK_FALSE(of(-gamma, {1, 2}).proved);
+  CHECK(of(-gamma, {1, 2}, Sliding::minus_x).proved);
+  CHECK(of(0, {3, 1, 2}).reason == "s = gamma f is constant");
+  CHECK_FALSE(of(gamma, {1}, Sliding::plus_x, Rational(0)).proved);
+  CHECK(of(gamma, {1}, Sliding::plus_x, Rational(0)).reason ==
+        "the indenter may tilt, which the theorem does not cover");
+}
+
+TEST_CASE("uniqueness does not depend on the side from which one looks") {
+  int proved = 0;
+  int open = 0;
+  CHECK(rc::check([&] {
+    const ContactProblem problem = random_problem();
+    const bool here = uniqueness(problem).proved;
+    ++(here ? proved : open);
+    RC_ASSERT(uniqueness(mirrored(problem)).proved == here);
+    RC_ASSERT(uniqueness(mirrored(mirrored(problem))).reason == uniqueness(problem).reason);
+  }));
+  CHECK(proved > 10);
+  CHECK(open > 10);
+}
