@@ -20,7 +20,7 @@ Estimate<R> unit_integral(const F& f) {
   using std::pow, std::sqrt;
   // Halving the step squares the error of the rule: two levels that agree to sqrt(epsilon) leave an error near epsilon.
   // A little more is asked for; Boost stops short of it where its own heuristics see round-off.
-  static const R tolerance = pow(epsilon<R>(), R(0.6));
+  static const R tolerance = pow(epsilon<R>(), R(0.8));
   static const R sufficient = sqrt(epsilon<R>());
   R error = 0;
   R l1 = 0;

@@ -1,0 +1,117 @@
+#include "numeric/parabola.hpp"
+
+#include <doctest/doctest.h>
+
+#include "numeric/closed_form.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::numeric;
+
+namespace {
+
+/// psi/c = x^2/(2 radius) in reduced data with gamma = 1/2, so that s = f/2.
+ContactProblem galin(const std::vector<Rational>& s, const std::vector<Rational>& jumps, const Rational& radius,
+                     const Rational& load) {
+  std::vector<Rational> friction;
+  for (const Rational& value : s) friction.push_back(2 * value);
+  return ContactProblem(Elasticity::reduced(Rational(1, 2)), FrictionProfile(friction, jumps),
+                        Indenter(-100, {{100, Polynomial({0, 0, 1 / (2 * radius)})}}), load);
+}
+
+}  // namespace
+
+TEST_CASE("one jump at the vertex: ends to 40 digits") {
+  // Digits from outside this project, where two independent computations agreed on 40 of them.
+  struct Case {
+    Rational rear, front;
+    const char* left;
+    const char* right;
+  };
+  const Case cases[] = {
+      {Rational(1, 10), Rational(3, 5), "-0.4003017752023082835874813713471545627373",
+       "0.2789364365421476101051427811594294453144"},
+      {Rational(3, 5), Rational(1, 10), "-0.4900056280717151697542022236678901591541",
+       "0.3022454527884637023227909724409309514227"},
+  };
+  for (const Case& c : cases) {
+    const auto check = [&]<class R>(double tolerance) {
+      using std::abs;
+      const auto solution = closed_form<R>(galin({c.rear, c.front}, {0}, Rational(1, 5), 1)).solution;
+      const ContactComponent<R> zone = solution->contact().front();
+      CHECK(abs(zone.left.x.value - R(Real100(c.left))) < tolerance);
+      CHECK(abs(zone.right.x.value - R(Real100(c.right))) < tolerance);
+    };
+    check.operator()<double>(2e-15);
+    check.operator()<Real50>(6e-41);
+    check.operator()<Real100>(6e-41);
+  }
+}
+
+TEST_CASE("no jump: half-width, shifted zone and peak at -4 alpha a") {
+  using std::abs, std::sqrt;
+  for (const char* slope : {"0", "0.3", "2", "-0.7"}) {
+    const Rational s = abs(parse_rational(slope));
+    const auto problem = galin({s}, {}, Rational(3, 7), Rational(5, 2));
+    // The sign of s through the direction of sliding.
+    const ContactProblem directed(problem.elasticity(), problem.friction(), problem.indenter(), problem.load(),
+                                  slope[0] == '-' ? Sliding::minus_x : Sliding::plus_x);
+    const Real50 alpha = to_real<Real50>(Exponent::angle(parse_rational(slope)));
+    const Real50 a = sqrt(to_real<Real50>(Rational(15, 14)) / (2 * pi<Real50>() * (0.25 - alpha * alpha)));
+    const auto data = std::get<ClosedFormData<Real50>>(closed_form_data<Real50>(directed));
+    const FundamentalSolution<Real50>& y = data.traction.weight;
+    CHECK(abs(y.point(0) + (1 + 2 * alpha) * a) < 1e-54);
+    CHECK(abs(y.point(1) - (1 - 2 * alpha) * a) < 1e-54);
+    // At the peak the logarithmic derivative of |t| vanishes, and it changes sign.
+    const auto slope_at = [&](const Real50& x) {
+      return Real50(y.powers()[0].value / (x - y.point(0)) + y.powers()[1].value / (x - y.point(1)));
+    };
+    CHECK(abs(slope_at(Real50(-4 * alpha * a))) < 1e-53);
+    CHECK(slope_at(Real50(-4 * alpha * a - a / 1000)) > 0);
+    CHECK(slope_at(Real50(-4 * alpha * a + a / 1000)) < 0);
+  }
+}
+
+TEST_CASE("the contact takes in one jump after the other as the load grows, without a break") {
+  const std::vector<Rational> s{Rational(1, 2), 0, 3, Rational(1, 10), 2};
+  const std::vector<Rational> jumps{Rational(-3, 2), Rational(-1, 3), Rational(1, 4), Rational(4, 5)};
+  std::size_t seen = 0;
+  double left = 0;
+  double right = 0;
+  for (double K = 1e-6; K < 100; K *= 1.01) {
+    const ParabolaZone<double> zone = parabola_zone<double>(s, jumps, K);
+    CHECK(zone.left < left);
+    CHECK(zone.right > right);
+    // No jump is missed and none is taken in too early.
+    for (std::size_t k = 0; k < jumps.size(); ++k) {
+      const double c = to_real<double>(jumps[k]);
+      const bool inside = zone.first <= k && k < zone.last;
+      CHECK(inside == (zone.left < c && c < zone.right));
+    }
+    left = zone.left;
+    right = zone.right;
+    seen = std::max(seen, zone.last - zone.first);
+  }
+  CHECK(seen == jumps.size());
+}
+
+TEST_CASE("where no closed form applies, the reason is given") {
+  const FrictionProfile friction({Rational(1, 2)});
+  const Elasticity rigid(Solid(Rational(3, 10), 1));
+  const auto reason = [](const ContactProblem& problem) { return closed_form<double>(problem).why_not; };
+  const Polynomial parabola({0, 0, 1});
+  CHECK(reason({rigid, friction, Indenter(-1, {{1, Polynomial({0, 1})}}), 1}) ==
+        "the profile is neither flat nor a parabola that opens away from the body");
+  CHECK(reason({rigid, friction, Indenter(-1, {{1, Polynomial({0, 0, -1})}}), 1}) ==
+        "the profile is neither flat nor a parabola that opens away from the body");
+  CHECK(reason({rigid, friction, Indenter(-1, {{0, Polynomial()}, {1, Polynomial::constant(1)}}), 1}) ==
+        "the profile is neither flat nor a parabola that opens away from the body");
+  CHECK(reason({rigid, friction, Indenter(-1, {{1, parabola}}), 100}) ==
+        "the parabola's contact reaches an edge of the support");
+  CHECK(reason({rigid, friction, Indenter(-1, {{1, Polynomial({0, 50, 1})}}), 1}) ==
+        "the parabola's contact reaches an edge of the support");
+  CHECK(reason({rigid, friction, Indenter(-1, {{1, Polynomial()}}), 1, Sliding::plus_x, Rational(0)}) ==
+        "the indenter may tilt");
+  CHECK(reason({Elasticity(Solid(0, 1), Solid(0, 2)), friction, Indenter(-1, {{1, Polynomial()}}), 1}) ==
+        "a flat elastic indenter touches with its edges, where the half-plane idealisation fails");
+  CHECK(reason({rigid, friction, Indenter(-1, {{0, parabola}, {1, parabola}}), Rational(1, 100)}) == "");
+}

@@ -1,0 +1,79 @@
+#pragma once
+// Random exact problems for the laws, shrinking towards simple ones.
+
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "model/contact_problem.hpp"
+
+namespace steadyslide::testing {
+
+/// A rational in [low, high] with the given denominator.
+inline rc::Gen<Rational> rational(int low, int high, int denominator) {
+  return rc::gen::map(rc::gen::inRange(low * denominator, high * denominator + 1),
+                      [denominator](int n) { return Rational(n, denominator); });
+}
+
+/// f: one in five is zero, one in five large (up to 50), the rest up to 2.
+inline rc::Gen<Rational> friction() {
+  return rc::gen::weightedOneOf<Rational>(
+      {{1, rc::gen::just(Rational(0))}, {1, rational(2, 50, 7)}, {3, rational(0, 2, 97)}});
+}
+
+inline rc::Gen<Elasticity> elasticity() {
+  const auto poisson = rc::gen::map(rc::gen::inRange(-899, 499), [](int n) { return Rational(n, 1000); });
+  return rc::gen::oneOf(
+      rc::gen::apply([](const Rational& nu, const Rational& young,
+                        bool strain) { return Elasticity(Solid(nu, young), strain ? Plane::strain : Plane::stress); },
+                     poisson, rational(1, 9, 4), rc::gen::arbitrary<bool>()),
+      // Coupling of either sign, as an elastic indenter can make it.
+      rc::gen::map(rc::gen::inRange(-90, 91), [](int n) { return Elasticity::reduced(Rational(n, 100)); }));
+}
+
+struct SurfaceData {
+  FrictionProfile friction;
+  Rational left;
+  Rational right;
+};
+
+/// A support of width 1/2..8 anywhere, with 0..max_jumps jumps inside.
+inline rc::Gen<SurfaceData> surface(int max_jumps) {
+  return rc::gen::exec([max_jumps] {
+    const Rational left = *rational(-3, 3, 8);
+    const Rational width = *rational(1, 16, 3) / 2;
+    const int count = *rc::gen::inRange(0, max_jumps + 1);
+    std::set<Rational> places;
+    for (int k = 0; k < count; ++k) places.insert(left + width * *rc::gen::inRange(1, 400) / 400);
+    std::vector<Rational> values{*friction()};
+    for (std::size_t k = 0; k < places.size(); ++k) values.push_back(*friction());
+    return SurfaceData{FrictionProfile(values, {places.begin(), places.end()}), left, left + width};
+  });
+}
+
+inline rc::Gen<Sliding> sliding() { return rc::gen::element(Sliding::plus_x, Sliding::minus_x); }
+
+/// A flat punch in full contact.
+inline rc::Gen<ContactProblem> flat_punch(int max_jumps) {
+  return rc::gen::exec([max_jumps] {
+    const SurfaceData s = *surface(max_jumps);
+    const Polynomial height = Polynomial::constant(*rational(-1, 1, 3));
+    return ContactProblem(*elasticity(), s.friction, Indenter(s.left, {{s.right, height}}), *rational(1, 40, 9),
+                          *sliding());
+  });
+}
+
+/// A parabola A x^2 + B x + C on a support so wide that its contact ends freely. The jumps lie anywhere: inside,
+/// outside.
+inline rc::Gen<ContactProblem> parabola(int max_jumps) {
+  return rc::gen::exec([max_jumps] {
+    const SurfaceData s = *surface(max_jumps);
+    const Polynomial profile({*rational(-1, 1, 3), *rational(-2, 2, 5), *rational(1, 20, 7)});
+    return ContactProblem(*elasticity(), s.friction, Indenter(Rational(-1000000), {{Rational(1000000), profile}}),
+                          *rational(1, 40, 9), *sliding());
+  });
+}
+
+}  // namespace steadyslide::testing
