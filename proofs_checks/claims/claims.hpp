@@ -8,5 +8,7 @@
 namespace steadyslide::proofs_checks {
 
 std::vector<Claim> constants_claims();
+std::vector<Claim> flat_punch_claims();
+std::vector<Claim> friction_jump_claims();
 
 }  // namespace steadyslide::proofs_checks

@@ -54,8 +54,11 @@ std::vector<symbolic::DecidedStatement> statements(const std::vector<std::string
 
 std::string text_of(const symbolic::ExactIdentity& identity) {
   std::string text = identity.statement;
-  for (std::size_t k = 0; k < identity.nonvanishing.size(); ++k) {
-    if (identity.nonvanishing[k] != "1") text += (k == 0 ? " where " : ", ") + identity.nonvanishing[k] + " != 0";
+  std::string_view before = " where ";
+  for (const std::string& divisor : identity.nonvanishing) {
+    if (divisor == "1") continue;
+    text.append(before).append(divisor).append(" != 0");
+    before = ", ";
   }
   return text;
 }
