@@ -12,9 +12,9 @@
 
 namespace steadyslide::numeric {
 
-// Statically sized MPFR numbers: no global default precision exists that could leak. 57 and 114 decimal digits fill
-// three and six limbs: the digits beyond 50 and 100 are guard digits that cost nothing. Against cpp_bin_float of the
-// same size they were 3 to 4 times faster on the quadratures of this project (bench/README.md).
+// Statically sized MPFR numbers: no global default precision exists that could leak. 57 and 114 decimal digits fill three
+// and six limbs: the digits beyond 50 and 100 are guard digits that cost nothing. Chosen by measurement against
+// cpp_bin_float of the same size (bench/README.md).
 using Real50 =
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<57, boost::multiprecision::allocate_stack>,
                                   boost::multiprecision::et_off>;
