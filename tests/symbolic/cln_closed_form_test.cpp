@@ -100,14 +100,55 @@ TEST_CASE("more digits extend fewer digits") {
         ClnClosedForm::flat_punch(problem, 60).traction(near_end).text);
 }
 
-TEST_CASE("a punch scales: t(m + h x) on [m-h, m+h] is t(x)/h on [-1, 1]") {
+TEST_CASE("a punch scales: t(m + h x) on [m-h, m+h] is t(x)/h on [-1, 1], and t grows with the load") {
   const Rational h(3, 7);
   const Rational m(11, 5);
   const auto reference = ClnClosedForm::flat_punch(punch(Rational(2, 7), {1, 2}, {Rational(1, 3)}), 60);
   const auto moved = ClnClosedForm::flat_punch(punch(Rational(2, 7), {1, 2}, {m + h / 3}, m - h, m + h), 60);
   for (const Rational& x : {Rational(-1, 2), Rational(1, 2)}) {
     CHECK(near(moved.traction(m + h * x), reference.traction(x).value / h, 59));
+    const auto heavier =
+        ClnClosedForm::flat_punch(punch(Rational(2, 7), {1, 2}, {Rational(1, 3)}, -1, 1, Sliding::plus_x, 3), 60);
+    CHECK(near(heavier.traction(x), 3 * reference.traction(x).value, 59));
   }
+}
+
+TEST_CASE("a parabola moves with its vertex and its jumps") {
+  const std::vector<Rational> s{Rational(1, 5), 3, Rational(1, 10)};
+  const Rational v(-7, 3);
+  const auto here = ClnClosedForm::parabola(parabola(s, {Rational(-1, 4), Rational(1, 10)}), 60);
+  const auto there =
+      ClnClosedForm::parabola(parabola(s, {v - Rational(1, 4), v + Rational(1, 10)}, Rational(1, 5), v), 60);
+  REQUIRE(here.size() == 1);
+  REQUIRE(there.size() == 1);
+  CHECK(near(there[0].left(), v + here[0].left().value, 59));
+  CHECK(near(there[0].right(), v + here[0].right().value, 59));
+  CHECK(near(there[0].traction(v + Rational(1, 20)), here[0].traction(Rational(1, 20)).value, 59));
+}
+
+TEST_CASE("the user's units: psi is divided by the compliance, the traction by nothing") {
+  const Solid body(Rational(3, 10), 210);
+  const Elasticity elasticity(body);
+  const FrictionProfile friction({1, 2}, {Rational(1, 10)});
+  const auto solved = [&](const Elasticity& constants, const Rational& a) {
+    const Indenter bowl(-1, {{1, Polynomial({5, a / 3, a})}});
+    return ClnClosedForm::parabola(ContactProblem(constants, friction, bowl, 2), 60);
+  };
+  const auto user = solved(elasticity, Rational(1, 4));
+  const auto reduced = solved(Elasticity::reduced(elasticity.gamma()), Rational(1, 4) / elasticity.compliance());
+  REQUIRE(user.size() == 1);
+  REQUIRE(reduced.size() == 1);
+  CHECK(user[0].left().text == reduced[0].left().text);
+  CHECK(user[0].right().text == reduced[0].right().text);
+  const Rational x = user[0].left().value / 3 + user[0].right().value * 2 / 3;
+  CHECK(near(user[0].traction(x), reduced[0].traction(x).value, 59));
+  CHECK(user[0].traction(x).value < 0);
+  // Twice the load under twice the curvature: the same zone, twice the traction.
+  const Indenter sharper(-1, {{1, Polynomial({5, Rational(1, 6), Rational(1, 2)})}});
+  const auto doubled = ClnClosedForm::parabola(ContactProblem(elasticity, friction, sharper, 4), 60);
+  REQUIRE(doubled.size() == 1);
+  CHECK(doubled[0].left().text == user[0].left().text);
+  CHECK(near(doubled[0].traction(x), 2 * user[0].traction(x).value, 59));
 }
 
 TEST_CASE("sliding the other way is the mirrored problem") {
@@ -146,6 +187,17 @@ TEST_CASE("parabola without jump: zone [-(1+2 alpha) a, (1-2 alpha) a], a^2 = P 
     CHECK(abs(right * right / square - 1) < parse_rational("1e-58"));
     CHECK(left < 0);
     CHECK(right > 0);
+  }
+}
+
+TEST_CASE("parabola without friction: t = -sqrt(a^2 - x^2)/R") {
+  const auto found = ClnClosedForm::parabola(parabola({0}, {}, Rational(1, 5), 0, 3), 60);
+  REQUIRE(found.size() == 1);
+  const Rational square = 2 * 3 * one_over_pi / 5;
+  for (const Rational& x : {Rational(0), Rational(-1, 3), Rational(1, 7)}) {
+    const Rational t = found[0].traction(x).value;
+    CHECK(t < 0);
+    CHECK(abs(t * t / (25 * (square - x * x)) - 1) < parse_rational("1e-58"));
   }
 }
 
@@ -198,8 +250,11 @@ TEST_CASE("the jumps inside the contact are found") {
         ClnClosedForm::parabola(parabola({Rational(3, 5), Rational(1, 5)}, {0}), 40)[0].left().text);
   CHECK(ClnClosedForm::parabola(none, 40)[0].left().text ==
         ClnClosedForm::parabola(parabola({Rational(1, 2)}, {}), 40)[0].left().text);
-  // Too heavy a load: the contact reaches an edge.
+  // Too heavy a load: the contact reaches both edges; or one of them only, the vertex being near.
   CHECK(ClnClosedForm::parabola(parabola({0}, {}, 1, 0, 100, 1), 40).empty());
+  CHECK(ClnClosedForm::parabola(parabola({0}, {}, Rational(1, 5), Rational(-9, 10), 1, 1), 40).empty());
+  CHECK(ClnClosedForm::parabola(parabola({0}, {}, Rational(1, 5), Rational(9, 10), 1, 1), 40).empty());
+  CHECK(ClnClosedForm::parabola(parabola({0}, {}, Rational(1, 5), Rational(6, 10), 1, 1), 40).size() == 1);
 }
 
 TEST_CASE("a jump at an end of the contact is counted once, as beside it") {
