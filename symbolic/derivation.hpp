@@ -1,0 +1,39 @@
+#pragma once
+// A derivation that a person can read: what was assumed, what was done, what came out, as text and as LaTeX. Made
+// beside the computation that it tells of, from the same expressions. Without GiNaC in this header.
+
+#include <string>
+#include <vector>
+
+namespace steadyslide::symbolic {
+
+/// A formula for both kinds of reader; either may be empty. `latex` is for math mode, without dollars.
+struct Formula {
+  std::string text;
+  std::string latex;
+};
+
+struct DerivationStep {
+  enum class Kind { assumption, action, result };
+  Kind kind;
+  std::string words;  ///< one sentence, plain words, no markup
+  Formula formula;
+};
+
+struct Derivation {
+  std::string title;
+  std::vector<DerivationStep> steps;
+
+  Derivation& assume(std::string words, Formula formula = {});
+  Derivation& act(std::string words, Formula formula = {});
+  Derivation& conclude(std::string words, Formula formula = {});
+};
+
+/// Numbered steps, wrapped at 100 columns.
+std::string to_text(const Derivation& derivation);
+/// A section of a LaTeX document: plain LaTeX and amsmath.
+std::string to_latex(const Derivation& derivation);
+/// A complete document that contains them.
+std::string latex_document(const std::vector<Derivation>& derivations);
+
+}  // namespace steadyslide::symbolic
