@@ -16,7 +16,7 @@ set(layers model symbolic numeric enclosure proofs_checks app)
 set(algebra_in_sources_of symbolic proofs_checks)
 set(algebra_headers symbolic/cln_number.hpp symbolic/coupling.hpp symbolic/expression.hpp symbolic/field_linear.hpp
     symbolic/local_action.hpp symbolic/local_form.hpp symbolic/local_place.hpp symbolic/phase_field.hpp
-    symbolic/rational_function.hpp)
+    symbolic/polynomial_slope.hpp symbolic/rational_function.hpp)
 
 set(wrong "")
 set(count 0)
