@@ -55,8 +55,8 @@ Fraction fraction(const std::string& text) {
   return {text.substr(1, bar - 1), text.substr(bar + 3, text.size() - bar - 4)};
 }
 
-/// Radicals by what they are: "r_s" to "sqrt(1+s^2)", "sqrt7" to "sqrt(7)".
-std::string readable(const std::string& text) {
+/// Radicals by what they are: "r_s", if it has a LaTeX name, to "sqrt(1+s^2)", and "sqrt7" to "sqrt(7)".
+std::string readable(const std::string& text, const LatexNames& names) {
   std::string result;
   for (std::size_t k = 0; k < text.size();) {
     std::size_t end = k;
@@ -66,7 +66,7 @@ std::string readable(const std::string& text) {
       result += text[k++];
       continue;
     }
-    if (name.starts_with("r_")) {
+    if (name.starts_with("r_") && names.contains(name)) {
       result += "sqrt(1+" + name.substr(2) + "^2)";
     } else if (name.starts_with("sqrt")) {
       result += "sqrt(" + name.substr(4) + ")";
@@ -98,9 +98,9 @@ Formula product(const std::string& canonical_text, const Formula& factor, const 
   const bool minus = above[0] == '-' && !is_sum(above);
   const std::string size = minus ? above.substr(1) : above;
   const std::string sign = minus ? "-" : "";
-  const std::string divisor = below.empty() ? "" : "/" + parenthesized(readable(below));
+  const std::string divisor = below.empty() ? "" : "/" + parenthesized(readable(below, names));
   const bool in_parentheses = is_sum(size) && !(below.empty() && factor.text.empty());
-  std::string text = in_parentheses ? "(" + readable(size) + ")" : readable(size);
+  std::string text = in_parentheses ? "(" + readable(size, names) + ")" : readable(size, names);
   if (!factor.text.empty()) text = size == "1" ? factor.text : text + "*" + factor.text;
   std::string head = latex_of(canonical_text, names);
   if (!factor.latex.empty()) {
