@@ -15,8 +15,9 @@ set(layers model symbolic numeric enclosure proofs_checks app)
 # ginac.h and CLN's headers cost a second a file and bring macros along: sources of these layers, and these headers only.
 set(algebra_in_sources_of symbolic proofs_checks)
 set(algebra_headers symbolic/cln_number.hpp symbolic/coupling.hpp symbolic/expression.hpp symbolic/field_linear.hpp
-    symbolic/local_action.hpp symbolic/local_form.hpp symbolic/local_place.hpp symbolic/phase_field.hpp
-    symbolic/polynomial_slope.hpp symbolic/rational_function.hpp)
+    symbolic/local_action.hpp symbolic/local_form.hpp symbolic/local_form_check.hpp
+    symbolic/local_place.hpp symbolic/phase_field.hpp
+    symbolic/polynomial_families.hpp symbolic/polynomial_slope.hpp symbolic/rational_function.hpp)
 
 set(wrong "")
 set(count 0)
