@@ -36,6 +36,11 @@ System system_of(const LocalPlace& place, const LocalConstants& constants, const
   return system;
 }
 
+/// Two formulas of a display, one below the other.
+std::string gathered(const std::string& first, const std::string& second) {
+  return "\\begin{gathered} " + first + " \\\\ " + second + " \\end{gathered}";
+}
+
 /// The same place with one order of the slopes, whose jump is D.
 LocalPlace with_jump(const LocalPlace& place, const ex& jump) {
   LocalPlace result = place;
@@ -177,7 +182,8 @@ class Solver {
         "lowest "
         "power that is integrable lies between -1 and 0.",
         {"lambda = " + any.text + " + k;  lowest: " + text.text,
-         "\\lambda = " + any.latex + " + k,\\quad k \\in \\mathbb{Z};\\qquad \\lambda_{\\min} = " + text.latex});
+         gathered("\\lambda = " + any.latex + " + k,\\quad k = 0, \\pm 1, \\dots",
+                  "\\lambda_{\\min} = " + text.latex)});
     return lambda;
   }
 
@@ -222,8 +228,8 @@ class Solver {
           "root is simple and no logarithm goes with "
           "it.",
           {"lambda = " + frame_.text(lambda).text + ",  A_l : A_r = " + kept.text,
-           "\\lambda = " + frame_.text(lambda).latex +
-               ",\\qquad A_- : A_+ = \\cos\\pi\\alpha_- : \\cos\\pi\\alpha_+ = " + kept.latex});
+           gathered("\\lambda = " + frame_.text(lambda).latex,
+                    "A_- : A_+ = \\cos\\pi\\alpha_- : \\cos\\pi\\alpha_+ = " + kept.latex)});
     } else if (form_.kind == LocalKind::free_end && penetrates(form_, frame_, lambda)) {
       lambda.halves += 2;
       if (penetrates(form_, frame_, lambda)) throw std::domain_error("local form: no free end");

@@ -117,7 +117,8 @@ bool penetrates(LocalForm& form, const LocalFrame& frame, const LocalExponent& l
             "into the indenter, which goes on there: theta = 0, and the next power leads."
           : "The next power: the gap it leaves beyond the end is not negative.",
       {"t = -theta d^(" + power.text + "),  u_bar' = " + slope.text + " + ...",
-       "t = -\\theta d^{" + power.latex + "},\\qquad \\bar u' = " + slope.latex + " + \\dots"});
+       "\\begin{gathered} t = -\\theta d^{" + power.latex + "} \\\\ \\bar u' = " + slope.latex +
+           " + \\dots \\end{gathered}"});
   if (enters) {
     form.conditions.push_back(
         {"The amplitude of the power that would penetrate vanishes.",
@@ -234,8 +235,14 @@ Formula term_text(const LocalForm& form, const LocalFrame& frame, const LocalFor
 
 Formula form_text(const LocalForm& form) {
   Formula total;
-  for (const LocalFormTerm& term : form.terms) total = sum(total, term.text);
-  return {"t = " + total.text + " + ...", "t = " + total.latex + " + \\dots"};
+  std::string lines;  // LaTeX breaks no displayed line by itself
+  std::size_t count = 0;
+  for (const LocalFormTerm& term : form.terms) {
+    total = sum(total, term.text);
+    if (count++ > 0) lines += " \\\\ &{}";
+    lines += (count > 1 && term.text.latex[0] != '-' ? "+" : "") + term.text.latex;
+  }
+  return {"t = " + total.text + " + ...", "\\begin{aligned} t = {}&" + lines + "+\\dots \\end{aligned}"};
 }
 
 std::string legend(const LocalForm& form) {

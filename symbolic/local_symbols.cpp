@@ -56,7 +56,7 @@ LocalSymbol line(const std::string& id, const LocalDensity& density, const Local
                           " & x > 0 \\end{cases}"};
   if (first.fractional) {
     symbol.strip = {"-1 < lambda < 0 on the whole half-line; cut off at |x| = 1, every lambda > -1 that is no integer",
-                    "-1 < \\lambda < 0,\\ \\text{continued to}\\ \\lambda > -1,\\ \\lambda \\notin \\mathbb{Z}"};
+                    "-1 < \\lambda < 0,\\ \\text{continued to}\\ \\lambda > -1,\\ \\lambda \\ne 0, 1, 2, \\dots"};
     symbol.modulo = {"cut off at |x| = 1: " + std::string(first.side == Side::right ? "-" : "") +
                          "(1/pi) sum_{k>=0} y^k/(k - lambda)^" + std::to_string(first.logs + 1) +
                          ", y = " + (first.side == Side::right ? "x" : "-x") + ": the same series on both sides of 0",

@@ -1,0 +1,56 @@
+#include "symbolic/local_form_statements.hpp"
+
+#include <doctest/doctest.h>
+
+#include <set>
+
+#include "symbolic/reading_notes.hpp"
+
+using namespace steadyslide::symbolic;
+
+TEST_CASE("the local forms of theorems 2, 3, 9 and 10 hold, and every wrong variant is refuted") {
+  const std::vector<DecidedStatement> all = local_form_statements();
+  CHECK(all.size() == 13);
+  std::set<std::string> ids;
+  for (const DecidedStatement& statement : all) {
+    CAPTURE(statement.id);
+    CHECK(ids.insert(statement.id).second);
+    CHECK(statement.identity.identical);
+    CHECK(statement.identity.lhs == statement.identity.rhs);
+    for (const std::string& divisor : statement.identity.nonvanishing) {
+      const bool known = divisor == "s_l - s_r" || divisor == "s^2 + 1";
+      CHECK(known);
+    }
+    CHECK(statement.controls.size() >= 4);
+    std::set<std::string> variants;
+    for (const ExactIdentity& control : statement.controls) {
+      CAPTURE(control.statement);
+      CHECK(variants.insert(control.statement).second);
+      CHECK_FALSE(control.identical);
+      CHECK(control.lhs != control.rhs);
+    }
+  }
+  for (const char* theorem :
+       {"theorem-2-jump", "theorem-2-wedge-and-jump", "theorem-2-wedge", "theorem-3-edge-left-end",
+        "theorem-3-free-right-end", "theorem-9", "theorem-10-edge-right-end"}) {
+    CHECK(ids.contains(theorem));
+  }
+}
+
+TEST_CASE("the text as extracted and the derivation, side by side") {
+  std::set<std::string> ids;
+  for (const ReadingNote& note : reading_notes()) {
+    CAPTURE(note.id);
+    CAPTURE(note.evidence);
+    CHECK(ids.insert(note.id).second);
+    CHECK_FALSE(note.printed_holds);
+    CHECK(note.derived_holds);
+    CHECK(note.printed != note.derived);
+    CHECK(!note.evidence.empty());
+  }
+  CHECK(ids.size() == 14);
+  CHECK(
+      reading_notes().front().evidence.starts_with("In the local equation the printed form leaves |x|^lambda, x > 0: "
+                                                   "s_l*theta - s_r*theta in place of 0; the derived form "
+                                                   "holds. "));
+}
