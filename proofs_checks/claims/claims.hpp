@@ -10,5 +10,6 @@ namespace steadyslide::proofs_checks {
 std::vector<Claim> constants_claims();
 std::vector<Claim> flat_punch_claims();
 std::vector<Claim> friction_jump_claims();
+std::vector<Claim> parabola_claims();
 
 }  // namespace steadyslide::proofs_checks
