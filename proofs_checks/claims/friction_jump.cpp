@@ -113,8 +113,9 @@ std::vector<Evidence> check_one_jump(const Context& context, const PunchFormula&
     Random random(context.seed, "eq-05-07, friction on the other side");
     for (ContactProblem& problem : cases.problems) {
       if (!problem.friction().jumps().empty()) continue;
-      problem = punch(problem.elasticity().half_space()->poisson(), {problem.friction().values()[0], random.friction()},
-                      {0}, problem.load());
+      problem =
+          punch(problem.elasticity().half_space()->poisson(),
+                {problem.friction().values()[0], random.friction(largest_friction(context))}, {0}, problem.load());
     }
     Findings findings;
     for (const ContactProblem& problem : cases.problems) {

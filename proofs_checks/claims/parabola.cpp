@@ -83,8 +83,8 @@ std::vector<Evidence> check_constant_friction(const Context& context, const Para
     const std::size_t count = context.quick ? 1 : count_for(context, 20, 6, 3);
     Random random(context.seed, "parabola");
     for (std::size_t k = 0; k < count; ++k) {
-      problems.push_back(
-          parabola(random.poisson(), {random.friction()}, {}, random.between(0, 10), random.between(0, 5)));
+      problems.push_back(parabola(random.poisson(), {random.friction(largest_friction(context))}, {},
+                                  random.between(0, 10), random.between(0, 5)));
     }
     Findings findings;
     for (const ContactProblem& problem : problems) {
@@ -118,7 +118,7 @@ std::vector<Evidence> check_jumps(const Context& context, const ParabolaFormula&
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t m = 1 + random.below(4);
       std::vector<Rational> friction;
-      for (std::size_t piece = 0; piece <= m; ++piece) friction.push_back(random.friction());
+      for (std::size_t piece = 0; piece <= m; ++piece) friction.push_back(random.friction(largest_friction(context)));
       problems.push_back(
           parabola(random.poisson(), friction, random_jumps(random, m), random.between(0, 4), random.between(0, 4)));
     }

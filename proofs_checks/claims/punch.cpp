@@ -34,7 +34,7 @@ Cases punch_cases(const Context& context, std::string_view stream, std::vector<C
   for (std::size_t k = 0; k < random_count; ++k) {
     const std::size_t m = jumps(random);
     std::vector<Rational> friction;
-    for (std::size_t piece = 0; piece <= m; ++piece) friction.push_back(random.friction());
+    for (std::size_t piece = 0; piece <= m; ++piece) friction.push_back(random.friction(largest_friction(context)));
     const Rational nu = random.poisson();
     const Rational load = random.between(0, 100);
     cases.problems.push_back(punch(nu, std::move(friction), random_jumps(random, m), load));
@@ -81,6 +81,8 @@ void check_punch_values(Findings& findings, const PowerForm<R>& form, const Cont
     }
   }
 }
+
+Rational largest_friction(const Context& context) { return context.digits == numeric::Digits::sixteen ? 5 : 50; }
 
 std::size_t count_for(const Context& context, std::size_t sixteen, std::size_t fifty, std::size_t hundred) {
   switch (context.digits) {
