@@ -53,7 +53,10 @@ ExitCode run(const VerifyOptions& options) {
   result.notes = checks::reading_notes(result.reports);
   write_verify(options.common.format, result, output);
   output.commit();
-  const checks::Counts counts = count(result.reports);
+  return exit_code_of(count(result.reports));
+}
+
+ExitCode exit_code_of(const checks::Counts& counts) {
   return counts.refuted + counts.undecided == 0 ? ExitCode::done : ExitCode::refuted;
 }
 

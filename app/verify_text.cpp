@@ -25,13 +25,14 @@ std::string head_text(const VerifyResult& result) {
                      result.context.quick ? ", quick" : "");
 }
 
-/// One line a claim; what was found, for those that are not settled.
+/// One line a claim; what was found, for those that are not settled. verify --list has the statements.
 void write_verify_text(const VerifyResult& result, Output& output) {
   output.write(head_text(result) + "\n\n");
-  const auto rows = make_row_writer(Format::text, {{"verdict"}, {"controls"}, {"seconds"}, {"claim"}}, output);
+  const auto rows =
+      make_row_writer(Format::text, {{"verdict"}, {"controls"}, {"seconds"}, {"claim"}, {"place"}}, output);
   for (const checks::Report& report : result.reports) {
     rows->row({std::string(name_of(report.verdict)), controls_text(report), fmt::format("{:.2f}", report.seconds),
-               report.claim.id + ": " + report.claim.statement});
+               report.claim.id, report.claim.source});
   }
   rows->end();
   for (const checks::Report& report : result.reports) {
@@ -56,7 +57,7 @@ void write_verify_text(const VerifyResult& result, Output& output) {
 std::string cell(std::string_view text) {
   std::string result;
   for (const char c : text) {
-    if (c == '|') result += '\\';
+    if (std::string_view("|*_<`").find(c) != std::string_view::npos) result += '\\';
     result += c == '\n' ? ' ' : c;
   }
   return result;
@@ -99,13 +100,16 @@ void write_verify(Format format, const VerifyResult& result, Output& output) {
 
 void write_claims(Format format, std::span<const checks::Claim> claims, Output& output) {
   if (format == Format::json) return write_claims_json(claims, output);
-  const auto rows = make_row_writer(format, {{"claim"}, {"source"}, {"statement"}}, output);
-  for (const checks::Claim& claim : claims) {
-    if (format == Format::markdown) {
-      rows->row({cell(claim.id), cell(claim.source), cell(claim.statement)});
-    } else {
-      rows->row({claim.id, claim.source, claim.statement});
+  if (format == Format::text) {
+    for (const checks::Claim& claim : claims) {
+      output.write(
+          fmt::format("{}\n  {}\n  {}\n  for {}\n\n", claim.id, claim.source, claim.statement, claim.hypotheses));
     }
+    return;
+  }
+  const auto rows = make_row_writer(format, {{"claim"}, {"source"}, {"statement"}, {"hypotheses"}}, output);
+  for (const checks::Claim& claim : claims) {
+    rows->row({cell(claim.id), cell(claim.source), cell(claim.statement), cell(claim.hypotheses)});
   }
   rows->end();
 }
