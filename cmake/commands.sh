@@ -69,11 +69,13 @@ require_packages() {
     fail 3 "apt-get could not install: ${missing[*]}"
 }
 
-# configure PRESET [OPTION...]: CMake looks for presets in the current directory.
+# configure PRESET [OPTION...]: what CMake has to say is shown when it fails.
 configure() {
-  local preset=$1
-  shift
-  (cd -- "$root" && cmake --preset "$preset" --log-level=NOTICE "$@") >&2 || fail 3 "configuring failed"
+  local output
+  # CMake looks for presets in the current directory.
+  output=$(cd -- "$root" && cmake --preset "$@" 2>&1) && return
+  printf '%s\n' "$output" >&2
+  fail 3 "configuring failed"
 }
 
 # build DIRECTORY [OPTION...]
