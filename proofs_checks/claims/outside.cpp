@@ -51,7 +51,7 @@ OutsideFormula outside_formula() {
 }
 
 template <Real R>
-void check_outside(Findings& findings, const OutsideForm<R>& form, const ContactProblem& problem, bool by_tanh_sinh) {
+void check_outside(Findings& findings, const OutsideForm<R>& form, const ContactProblem& problem) {
   using std::pow;
   const Quantity slope_1{"u' outside, trapezoidal rule", {"(1/pi) int t/(x'-x)", "-+(P/pi) |Y|"}, tolerance<R>()};
   const Quantity slope_2{"u' outside, tanh-sinh", {"(1/pi) int t/(x'-x)", "-+(P/pi) |Y|"}, tolerance<R>()};
@@ -69,7 +69,7 @@ void check_outside(Findings& findings, const OutsideForm<R>& form, const Contact
       const R d = numeric::to_real<R>(distance);
       const R expected = end.factor * traction.weight.modulus_beyond(side, d);
       findings.compare(slope_1, relative_difference<R>(grid.cauchy(side, d), expected));
-      if (by_tanh_sinh && distance == Rational(1, 10)) {
+      if (distance == Rational(1, 10)) {
         findings.compare(slope_2,
                          relative_difference<R>(numeric::tanh_sinh::cauchy<R>(density, side, d).value, expected));
       }
@@ -92,12 +92,9 @@ std::vector<Evidence> check(const Context& context, const OutsideFormula& formul
     const Cases cases = punch_cases(context, "outside", std::move(grid), count_for(context, 30, 8, 3),
                                     [](Random& random) { return random.below(3); });
     Findings findings;
-    bool first = true;
     for (const ContactProblem& problem : cases.problems) {
-      findings.begin_case(text_of(problem), problem.coupled_friction(0) != 0);
-      check_outside(findings, formula.at<R>(problem), problem,
-                    first || context.digits == numeric::Digits::sixteen || !context.quick);
-      first = false;
+      findings.begin_case(text_of(problem), has_friction(problem));
+      check_outside(findings, formula.at<R>(problem), problem);
     }
     return findings.evidence(cases.detail);
   };

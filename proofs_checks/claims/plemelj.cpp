@@ -109,7 +109,7 @@ std::vector<Evidence> check(const Context& context, const JumpFormula& formula) 
         punch_cases(context, "plemelj", std::move(grid), 60, [](Random& random) { return random.below(6); });
     Findings findings;
     for (const ContactProblem& problem : cases.problems) {
-      findings.begin_case(text_of(problem), has_jump(problem));
+      findings.begin_case(text_of(problem), has_friction(problem));
       check_case(findings, formula.at<R>(problem), problem);
     }
     return findings.evidence(cases.detail);

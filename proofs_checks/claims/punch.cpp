@@ -51,6 +51,13 @@ bool has_jump(const ContactProblem& problem) {
   return false;
 }
 
+bool has_friction(const ContactProblem& problem) {
+  for (std::size_t k = 0; k < problem.friction().values().size(); ++k) {
+    if (problem.coupled_friction(k) != 0) return true;
+  }
+  return false;
+}
+
 Exponent alpha(const ContactProblem& problem, std::size_t piece) {
   return Exponent::angle(problem.coupled_friction(piece));
 }

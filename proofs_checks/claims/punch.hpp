@@ -30,6 +30,9 @@ std::vector<Rational> random_jumps(Random& random, std::size_t m);
 /// Does the friction differ on the two sides of some jump?
 bool has_jump(const ContactProblem& problem);
 
+/// Is there friction anywhere?
+bool has_friction(const ContactProblem& problem);
+
 /// alpha of friction piece k, and the amplitude load cos(pi alpha)/pi of the punch there.
 Exponent alpha(const ContactProblem& problem, std::size_t piece);
 template <Real R>
