@@ -153,7 +153,7 @@ struct AngleFormula {
 std::vector<Evidence> check_angle(const Context& context, const AngleFormula& formula) {
   const auto walk = [&]<Real R>() {
     using std::cos;
-    const Quantity by_cln{"values of alpha", {"MPFR or double", "CLN, from nu and f"}, tolerance<R>()};
+    const Quantity by_cln{"values of alpha", {"from gamma f", "CLN, from nu and f"}, tolerance<R>()};
     const Quantity cosine{"cos(pi alpha) = 1/sqrt(1+(gamma f)^2)", {"the cosine", "the square root"}, tolerance<R>()};
     Findings findings;
     const std::vector<Rational> ratios = poisson_ratios(context, "alpha");

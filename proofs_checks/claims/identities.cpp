@@ -35,7 +35,9 @@ Evidence weigh_identities(const std::vector<symbolic::ExactIdentity>& identities
   ExactIdentity evidence{std::move(detail), {}, ExactIdentity::Covers::claim};
   for (const symbolic::ExactIdentity& identity : identities) {
     if (!identity.identical) {
-      return Counterexample{identity.statement, "different functions: " + identity.lhs + " and " + identity.rhs};
+      return Counterexample{"generic parameters", "\"" + identity.statement +
+                                                      "\": the two sides are different functions, " + identity.lhs +
+                                                      " and " + identity.rhs};
     }
     evidence.identities.push_back(text_of(identity));
   }

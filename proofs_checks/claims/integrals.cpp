@@ -182,7 +182,7 @@ std::vector<Evidence> check_inverse(const Context& context, const InverseFormula
     const std::size_t count = context.quick ? 1 : count_for(context, 30, 10, 4);
     for (std::size_t k = 0; k < count; ++k) {
       const Rational nu = random.poisson();
-      const Rational f = random.friction(50);
+      const Rational f = random.friction(largest_friction(context));
       const Rational constant = random.between(-1, 1);
       cases.push_back({punch(nu, {f}), constant, random.between(0, 3)});
     }

@@ -90,7 +90,7 @@ std::vector<Evidence> check_constant_friction(const Context& context, const Para
     for (const ContactProblem& problem : problems) {
       findings.begin_case(text_of(problem), problem.coupled_friction(0) != 0);
       const ParabolaForm<R> form = formula.at<R>(problem);
-      check_parabola(findings, form, problem, 2);
+      check_parabola(findings, form, problem, count_for(context, 9, 2, 2));
       check_peak(findings, form, problem);
       check_parabola_by_numeric(findings, form, problem);
       check_parabola_by_cln(findings, form, problem);
@@ -128,7 +128,7 @@ std::vector<Evidence> check_jumps(const Context& context, const ParabolaFormula&
       bool jumps_inside = false;
       for (std::size_t j = 1; j + 1 < form.exponents.size(); ++j) jumps_inside |= form.exponents[j].sign() != 0;
       findings.begin_case(text_of(problem), jumps_inside);
-      check_parabola(findings, form, problem, 2);
+      check_parabola(findings, form, problem, count_for(context, 9, 2, 2));
       check_parabola_by_cln(findings, form, problem);
     }
     return findings.evidence(std::to_string(fixed) + " cases of a grid, " + std::to_string(count) +

@@ -49,7 +49,7 @@ void check_punch_values(Findings& findings, const PowerForm<R>& form, const Cont
 /// orders of magnitude that rounding alone breaks the tolerance where it is small. (The grids go to 50 always.)
 Rational largest_friction(const Context& context);
 
-/// A number of cases or points by the number of digits.
+/// A number of cases or points by the number of digits; one in a quick run, but in double.
 std::size_t count_for(const Context& context, std::size_t sixteen, std::size_t fifty, std::size_t hundred);
 
 inline const Exponent half{Rational(1, 2)};
