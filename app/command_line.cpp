@@ -35,7 +35,7 @@ class CommandLine {
   CommandLine() : app_(help::program, "steadyslide") {
     app_.set_help_flag("-h,--help", "Print this help and exit");
     app_.set_version_flag("--version", std::string("steadyslide ") + version);
-    app_.require_subcommand(1);
+    app_.require_subcommand(0, 1);
     app_.footer(help::program_footer);
     app_.get_formatter()->column_width(28);
     add_verify();
@@ -57,6 +57,9 @@ class CommandLine {
       return Message{std::string(call.what()) + "\n"};
     } catch (const CLI::ParseError& error) {
       throw bad_command_line(error.what());
+    }
+    if (app_.get_subcommands().empty()) {
+      throw bad_command_line("no command; it is one of verify, exponents, table, solve, figures, report; see --help");
     }
     if (*figures_) throw not_available("figures");
     if (*report_) throw not_available("report");

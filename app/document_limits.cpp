@@ -52,7 +52,7 @@ class Scanner {
 
   void count() {
     dots_ = 0;
-    check(++values_ <= max_values, "too many values", "a problem file has at most 200000 values");
+    check(++values_ <= max_values, "too many values", "a problem file has at most 200000 keys and values");
   }
 
   void skip_comment() {

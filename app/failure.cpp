@@ -55,10 +55,10 @@ std::string one_line(std::string_view text) {
 }
 
 std::string excerpt(std::string_view text) {
-  if (text.size() <= longest_excerpt) return fmt::format("'{}'", text);
+  if (text.size() <= longest_excerpt) return fmt::format("'{}'", one_line(text));
   std::size_t end = longest_excerpt;
   while (end > 0 && (static_cast<std::uint8_t>(text[end]) & 0xc0U) == 0x80) --end;
-  return fmt::format("'{}...'", text.substr(0, end));
+  return fmt::format("'{}...'", one_line(text.substr(0, end)));
 }
 
 }  // namespace steadyslide::app

@@ -29,7 +29,7 @@ Failure bad_command_line(const std::string& what, const std::string& rule, std::
 /// long lines shortened.
 std::string one_line(std::string_view text);
 
-/// The beginning of a text that somebody wrote, in quotes.
+/// The beginning of a text that somebody wrote, in quotes, as one_line shows it.
 std::string excerpt(std::string_view text);
 
 }  // namespace steadyslide::app

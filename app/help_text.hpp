@@ -8,8 +8,8 @@ inline constexpr const char* program =
 coefficient that is a step function under the indenter: exponents of the stress
 singularities, contact pressure, and a check of the theory's claims.)";
 
-inline constexpr const char* program_footer = R"(
-Units      Yours, everywhere: Young's modulus, lengths and loads (force per unit
+inline constexpr const char* program_footer =
+    R"(Units      Yours, everywhere: Young's modulus, lengths and loads (force per unit
            thickness) in any consistent set.
 Signs      x runs left to right in all data and results. The profile psi points away
            from the body; traction t <= 0 is compression; shear is the tangential
@@ -21,8 +21,7 @@ Exit code  0 done; 1 the mathematics said no: a claim refuted or undecided, a so
            did not converge; 2 bad input, or a method that does not apply; 3 input or output
            failed; 130 interrupted.)";
 
-inline constexpr const char* problem = R"(
-PROBLEM is a TOML file, or - for the standard input:
+inline constexpr const char* problem = R"(PROBLEM is a TOML file, or - for the standard input:
 
   load = "1"                     # P > 0, force per unit thickness
   load_at = "0.1"                # optional: the indenter may tilt, the load acts at this x
@@ -48,8 +47,8 @@ inline constexpr const char* exponents =
     R"(Lists every place where the contact pressure can be singular for these data, whatever the
 contact zone turns out to be, with the power of the distance.)";
 
-inline constexpr const char* exponents_footer = R"(
-One row for each: support ends (edge: pressure may blow up; free: contact ends there
+inline constexpr const char* exponents_footer =
+    R"(One row for each: support ends (edge: pressure may blow up; free: contact ends there
 smoothly), friction jumps, wedges, steps, and the free ends that can lie anywhere under a
 friction value.
   x         the place, in your units of length, or anywhere
@@ -64,8 +63,8 @@ inline constexpr const char* table =
     R"(The exponents of a rigid indenter in plane strain sliding towards +x (rear = left, front =
 right), with one friction jump: one row per combination, poisson slowest, front fastest.)";
 
-inline constexpr const char* table_footer = R"(
-LIST is 0.1,0.2 or 0:0.4:0.1 (first, last, step; inclusive). Write a list that starts with a
+inline constexpr const char* table_footer =
+    R"(LIST is 0.1,0.2 or 0:0.4:0.1 (first, last, step; inclusive). Write a list that starts with a
 minus sign as --poisson=-0.5:0.4:0.1.
 Columns, all without unit:
   nu, f_rear, f_front      Poisson's ratio in ]-1, 1/2[, friction coefficients >= 0
@@ -77,8 +76,7 @@ Columns, all without unit:
 
 inline constexpr const char* solve = R"(Finds the contact zone, the contact pressure and the resultants.)";
 
-inline constexpr const char* solve_footer = R"(
-Results, in your units:
+inline constexpr const char* solve_footer = R"(Results, in your units:
   traction   normal traction t <= 0, force per area; "-inf" where it blows up
   shear      tangential traction along +x, force per area
   gap        psi - u - C >= 0, a length; none outside the support
@@ -92,8 +90,8 @@ CSV is the samples: those of --at and --samples, 101 a component if neither is g
 inline constexpr const char* verify =
     R"(Checks the claims of the theory by unrelated routes and prints a verdict for each.)";
 
-inline constexpr const char* verify_footer = R"(
-Verdicts: proved (an exact identity), supported (unrelated routes agree), undecided,
+inline constexpr const char* verify_footer =
+    R"(Verdicts: proved (an exact identity), supported (unrelated routes agree), undecided,
 refuted. Every claim is also checked with deliberately wrong variants, its controls, each of
 which must be refuted. Exit code 1 if a claim is refuted or undecided.)";
 

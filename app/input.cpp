@@ -13,7 +13,7 @@
 namespace steadyslide::app {
 namespace {
 
-constexpr std::size_t max_size = std::size_t{16} << 20;
+constexpr std::size_t max_size = std::size_t{64} << 20;
 
 class Descriptor {
  public:
@@ -49,7 +49,7 @@ std::string read_input(const std::string& name) {
     if (count == 0) return text;
     text.append(block.data(), static_cast<std::size_t>(count));
     if (text.size() > max_size) {
-      throw Failure(ExitCode::bad_input, name + ":1: file too large; a problem file has at most 16 MiB; more");
+      throw Failure(ExitCode::bad_input, name + ":1: file too large; a problem file has at most 64 MiB; more");
     }
   }
 }

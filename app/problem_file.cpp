@@ -60,12 +60,14 @@ Elasticity read_elasticity(const ProblemReader& reader) {
 FrictionProfile read_friction(const ProblemReader& reader) {
   reader.check_table("friction");
   reader.check_keys("friction", {"values", "jumps"});
-  const Value& values = reader.required("friction.values", "friction has values");
-  const Value* jumps = reader.find("friction.jumps");
+  std::vector<Rational> values =
+      reader.numbers("friction.values", reader.required("friction.values", "friction has values"), max_friction_values);
+  std::vector<Rational> jumps;
+  if (const Value* list = reader.find("friction.jumps")) {
+    jumps = reader.numbers("friction.jumps", *list, max_friction_values - 1);
+  }
   try {
-    return FrictionProfile(
-        reader.numbers("friction.values", values, max_friction_values),
-        jumps != nullptr ? reader.numbers("friction.jumps", *jumps, max_friction_values - 1) : std::vector<Rational>{});
+    return FrictionProfile(std::move(values), std::move(jumps));
   } catch (const InvalidData& invalid) {
     throw reader.error(invalid);
   }
@@ -171,7 +173,7 @@ class IndenterReader {
     }
   }
 
-  static constexpr std::size_t max_cost = 2000000;
+  static constexpr std::size_t max_cost = 20000000;
 
   const ProblemReader& reader_;
   Rational left_ = -1;

@@ -1,7 +1,63 @@
 #include "app/verify_command.hpp"
 
-namespace steadyslide::app {
+#include <fmt/format.h>
+#include <unistd.h>
 
-ExitCode run(const VerifyOptions&) { throw bad_command_line("verify: not available in this version"); }
+#include <algorithm>
+
+#include "app/verify_writers.hpp"
+#include "proofs_checks/registry.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+namespace checks = proofs_checks;
+
+void check_patterns(const std::vector<std::string>& patterns) {
+  for (const std::string& pattern : patterns) {
+    const auto matches = [&](const checks::Claim& claim) { return checks::matches_glob(claim.id, pattern); };
+    if (std::ranges::any_of(checks::registry(), matches)) continue;
+    throw bad_command_line("--claim: no such claim", "verify --list names them", pattern);
+  }
+}
+
+/// On a terminal only: a line that the next one overwrites.
+void show_progress(const std::string& line) { fmt::print(stderr, "\r\x1b[K{}", line); }
+
+}  // namespace
+
+ExitCode run(const VerifyOptions& options) {
+  check_patterns(options.claims);
+  const std::vector<checks::Claim> claims = checks::select(checks::registry(), options.claims);
+  // Opened first: a run may be long, and should not end in a folder that does not exist.
+  Output output(options.common.output);
+  if (options.list) {
+    write_claims(options.common.format, claims, output);
+    output.commit();
+    return ExitCode::done;
+  }
+
+  VerifyResult result;
+  result.context.digits = numeric::precision_for(options.common.digits);
+  result.context.seed = options.seed.value_or(result.context.seed);
+  result.context.quick = options.quick;
+  const bool on_terminal = ::isatty(STDERR_FILENO) == 1;
+  result.reports =
+      checks::run_all(claims, result.context, [&](std::size_t index, std::size_t total, const checks::Claim& claim) {
+        if (on_terminal) {
+          show_progress(fmt::format("[{}/{}] {}", index + 1, total, claim.id));
+        }
+        return true;
+      });
+  if (on_terminal) show_progress("");
+  result.notes = checks::reading_notes(result.reports);
+  write_verify(options.common.format, result, output);
+  output.commit();
+  return exit_code_of(count(result.reports));
+}
+
+ExitCode exit_code_of(const checks::Counts& counts) {
+  return counts.refuted + counts.undecided == 0 ? ExitCode::done : ExitCode::refuted;
+}
 
 }  // namespace steadyslide::app

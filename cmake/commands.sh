@@ -35,11 +35,29 @@ missing_packages() {
   done
 }
 
+# apt_get ARGUMENT...
+apt_get() {
+  local as_root=()
+  if [[ $(id -u) != 0 ]]; then
+    as_root=(sudo)
+    # Without a terminal nobody can type a password: fail at once instead of waiting.
+    [[ -t 0 ]] || as_root+=(--non-interactive)
+  fi
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get --quiet -o DPkg::Lock::Timeout=120 "$@" >&2
+}
+
+# install_packages PACKAGE...: false if apt-get could not.
+install_packages() {
+  say "installing with apt-get: $*"
+  apt_get update || say "the package lists could not be refreshed; going on with those present"
+  apt_get install --yes --no-remove --no-install-recommends -- "$@"
+}
+
 # require_packages INSTALL KIND...: with INSTALL = yes installs what is missing, otherwise refuses and names it.
 require_packages() {
   local install=$1
   shift
-  local packages missing
+  local packages missing by_hand='apt-get install --no-install-recommends'
   mapfile -t packages < <(packages_for "$@")
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     fail 2 "this is no Debian system (no apt-get); install by hand what Debian calls ${packages[*]}," \
@@ -48,32 +66,35 @@ require_packages() {
   mapfile -t missing < <(missing_packages "${packages[@]}")
   ((${#missing[@]})) || return 0
 
-  local as_root=()
   if [[ $(id -u) != 0 ]]; then
-    as_root=(sudo)
-    # Without a terminal nobody can type a password: fail at once instead of waiting.
-    [[ -t 0 ]] || as_root+=(--non-interactive)
+    [[ $install != yes ]] || command -v sudo >/dev/null ||
+      fail 2 "not root, and there is no sudo; as root: $by_hand ${missing[*]}"
+    by_hand="sudo $by_hand"
   fi
-  if [[ $install != yes ]]; then
-    fail 2 "not installed: ${missing[*]}; install with:" \
-      "${as_root[0]:+sudo }apt-get install --no-install-recommends ${missing[*]}"
-  fi
-  if ((${#as_root[@]})) && ! command -v sudo >/dev/null; then
-    fail 2 "not root, and there is no sudo; as root: apt-get install --no-install-recommends ${missing[*]}"
-  fi
-
-  say "installing with apt-get: ${missing[*]}"
-  local apt_get=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get --quiet -o DPkg::Lock::Timeout=120)
-  "${apt_get[@]}" update >&2 || say "the package lists could not be refreshed; going on with those present"
-  "${apt_get[@]}" install --yes --no-remove --no-install-recommends -- "${missing[@]}" >&2 ||
-    fail 3 "apt-get could not install: ${missing[*]}"
+  [[ $install == yes ]] || fail 2 "not installed: ${missing[*]}; install with: $by_hand ${missing[*]}"
+  install_packages "${missing[@]}" || fail 3 "apt-get could not install: ${missing[*]}"
 }
 
-# configure PRESET [OPTION...]: CMake looks for presets in the current directory.
-configure() {
-  local preset=$1
+# offer_packages INSTALL KIND...: the same for what can be done without.
+offer_packages() {
+  local install=$1
   shift
-  (cd -- "$root" && cmake --preset "$preset" --log-level=NOTICE "$@") >&2 || fail 3 "configuring failed"
+  local packages missing
+  mapfile -t packages < <(packages_for "$@")
+  mapfile -t missing < <(missing_packages "${packages[@]}")
+  ((${#missing[@]})) || return 0
+  if [[ $install != yes ]] || ! install_packages "${missing[@]}"; then
+    say "going on without ${missing[*]}; the tests that need them say so"
+  fi
+}
+
+# configure PRESET [OPTION...]: what CMake has to say is shown when it fails.
+configure() {
+  local output
+  # CMake looks for presets in the current directory.
+  output=$(cd -- "$root" && cmake --preset "$@" 2>&1) && return
+  printf '%s\n' "$output" >&2
+  fail 3 "configuring failed"
 }
 
 # build DIRECTORY [OPTION...]

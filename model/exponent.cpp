@@ -35,6 +35,17 @@ struct Argument {
   }
 };
 
+/// a + b, refused where the products of reduced() would grow out of reach.
+int added(int a, int b) {
+  const long long sum = static_cast<long long>(a) + b;
+  if (std::abs(sum) > Exponent::max_times) {
+    throw InvalidData("", "angle counted too often",
+                      "an exponent contains an angle at most " + std::to_string(Exponent::max_times) + " times",
+                      std::to_string(sum));
+  }
+  return static_cast<int>(sum);
+}
+
 std::string magnitude_of(const Exponent::Angle& angle) {
   const int times = std::abs(angle.times);
   return (times == 1 ? "" : std::to_string(times) + "*") + "arctan(" + angle.slope.str() + ")/pi";
@@ -61,15 +72,16 @@ void Exponent::add(int times, const Rational& slope) {
   const auto same = std::find_if(angles_.begin(), angles_.end(), [&](const Angle& a) { return a.slope == slope; });
   if (same == angles_.end()) {
     angles_.push_back({times, slope});
-  } else if ((same->times += times) == 0) {
-    angles_.erase(same);
+    return;
   }
+  same->times = added(same->times, times);
+  if (same->times == 0) angles_.erase(same);
 }
 
 Exponent& Exponent::operator+=(const Exponent& other) {
   offset_ += other.offset_;
   if (&other == this) {
-    for (Angle& angle : angles_) angle.times *= 2;
+    for (Angle& angle : angles_) angle.times = added(angle.times, angle.times);
     return *this;
   }
   for (const Angle& angle : other.angles_) add(angle.times, angle.slope);

@@ -17,6 +17,9 @@ class Exponent {
     Rational slope;
   };
 
+  /// Sums throw InvalidData where an angle would be counted more often, either way.
+  static constexpr int max_times = 10000;
+
   /// The same number as halves/2 + arctan(slope)/pi with -1 < slope <= 1: unique, and free of cancellation.
   struct Reduced {
     Integer halves;

@@ -23,7 +23,8 @@ struct Kind {
 struct Describe {
   std::string operator()(const ExactIdentity& e) const { return with(e.detail, ": ", joined(e.identities, "; ")); }
   std::string operator()(const Agreement& e) const {
-    std::string text = with(e.what, " by ", joined(e.routes, ", "));
+    std::string text = e.what;
+    if (!e.routes.empty()) text += " (" + joined(e.routes, " against ") + ")";
     text += ": largest relative difference " + e.worst + ", tolerance " + e.tolerance + ", " +
             std::to_string(e.effective) + " of " + std::to_string(e.cases) + " cases effective";
     if (e.effective < e.required) text += " (" + std::to_string(e.required) + " required)";

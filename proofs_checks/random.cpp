@@ -28,10 +28,10 @@ Rational Random::poisson() {
   }
 }
 
-Rational Random::friction() {
-  constexpr std::array<int, 3> tops{1, 5, 50};
+Rational Random::friction(const Rational& largest) {
+  constexpr std::array<int, 3> parts{50, 10, 1};
   const std::size_t kind = below(10);
-  return kind == 0 ? Rational(0) : between(0, tops[kind % 3]);
+  return kind == 0 ? Rational(0) : between(0, largest / parts[kind % 3]);
 }
 
 }  // namespace steadyslide::proofs_checks

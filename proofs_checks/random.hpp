@@ -20,8 +20,8 @@ class Random {
   Rational between(const Rational& low, const Rational& high);
   /// nu in ]-1, 1/2[, now and then close to an end.
   Rational poisson();
-  /// f in [0, 50], evenly spread over the orders of magnitude, sometimes 0.
-  Rational friction();
+  /// f in [0, largest], with its small values as often as its large ones, sometimes 0.
+  Rational friction(const Rational& largest);
 
  private:
   // The standard fixes the engine's numbers; it does not fix those of its distributions.

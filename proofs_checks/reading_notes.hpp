@@ -19,8 +19,8 @@ struct ReadingNote {
   std::string evidence;
 };
 
-/// The evidence is taken from the reports: the control that is the printed reading, and what refuted it. A note whose
-/// claim was not run says so.
+/// The evidence is taken from the reports: the control that is the printed reading, and what refuted it; then a
+/// sentence on whether extraction may have done it. A note whose claim was not run says so.
 std::vector<ReadingNote> reading_notes(std::span<const Report> reports);
 
 }  // namespace steadyslide::proofs_checks

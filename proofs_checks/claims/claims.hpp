@@ -8,7 +8,12 @@
 namespace steadyslide::proofs_checks {
 
 std::vector<Claim> constants_claims();
+std::vector<Claim> elastic_indenter_claims();
 std::vector<Claim> flat_punch_claims();
 std::vector<Claim> friction_jump_claims();
+std::vector<Claim> parabola_claims();
+std::vector<Claim> plemelj_claims();
+std::vector<Claim> outside_claims();
+std::vector<Claim> integral_claims();
 
 }  // namespace steadyslide::proofs_checks

@@ -5,14 +5,12 @@
 
 #include "model/elasticity.hpp"
 #include "proofs_checks/claims/claims.hpp"
-#include "proofs_checks/random.hpp"
-#include "symbolic/exact_identities.hpp"
+#include "proofs_checks/claims/identities.hpp"
+#include "proofs_checks/claims/punch.hpp"
+#include "symbolic/cln_evaluation.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
-
-/// Far below every tolerance of the ledger, and still visible to exact arithmetic.
-Rational tiny() { return parse_rational("1e-94"); }
 
 /// A constant as a function of nu, the interval that it fills, and the identities that prove so.
 struct RangeFormula {
@@ -40,46 +38,6 @@ struct RangeFormula {
     return changed;
   }
 };
-
-std::vector<symbolic::DecidedStatement> statements(const std::vector<std::string>& ids) {
-  std::vector<symbolic::DecidedStatement> chosen;
-  for (const symbolic::DecidedStatement& s : symbolic::elasticity_statements()) {
-    for (const std::string& id : ids) {
-      if (s.id == id) chosen.push_back(s);
-    }
-  }
-  if (chosen.size() != ids.size()) throw std::logic_error("a symbolic statement has no such id");
-  return chosen;
-}
-
-std::string text_of(const symbolic::ExactIdentity& identity) {
-  std::string text = identity.statement;
-  std::string_view before = " where ";
-  for (const std::string& divisor : identity.nonvanishing) {
-    if (divisor == "1") continue;
-    text.append(before).append(divisor).append(" != 0");
-    before = ", ";
-  }
-  return text;
-}
-
-/// A counterexample among the identities, or all of them as one piece of evidence.
-Evidence weigh_identities(const std::vector<symbolic::ExactIdentity>& identities, std::string detail) {
-  ExactIdentity evidence{std::move(detail), {}, ExactIdentity::Covers::claim};
-  for (const symbolic::ExactIdentity& identity : identities) {
-    if (!identity.identical) {
-      return Counterexample{identity.statement, "different functions: " + identity.lhs + " and " + identity.rhs};
-    }
-    evidence.identities.push_back(text_of(identity));
-  }
-  return evidence;
-}
-
-std::vector<symbolic::ExactIdentity> right_identities(const std::vector<symbolic::DecidedStatement>& chosen) {
-  std::vector<symbolic::ExactIdentity> identities;
-  for (const symbolic::DecidedStatement& s : chosen) identities.push_back(s.identity);
-  return identities;
-}
 
 std::vector<Rational> poisson_ratios(const Context& context, std::string_view stream) {
   std::vector<Rational> ratios;
@@ -186,8 +144,68 @@ Claim gamma_plane_stress() {
                     check_range, right, std::move(wrong));
 }
 
+/// alpha as an exact number, and the interval [0, supremum[.
+struct AngleFormula {
+  std::function<Exponent(const Rational& gamma, const Rational& f)> alpha;
+  Exponent supremum;
+};
+
+std::vector<Evidence> check_angle(const Context& context, const AngleFormula& formula) {
+  const auto walk = [&]<Real R>() {
+    using std::cos;
+    const Quantity by_cln{"values of alpha", {"from gamma f", "CLN, from nu and f"}, tolerance<R>()};
+    const Quantity cosine{"cos(pi alpha) = 1/sqrt(1+(gamma f)^2)", {"the cosine", "the square root"}, tolerance<R>()};
+    Findings findings;
+    const std::vector<Rational> ratios = poisson_ratios(context, "alpha");
+    Random random(context.seed, "alpha, friction");
+    for (std::size_t k = 0; k < ratios.size(); ++k) {
+      const Rational& nu = ratios[k];
+      const Rational f = k % 10 == 9 ? Rational(0) : random.between(0, k % 2 == 0 ? 2 : 50);
+      findings.begin_case("nu = " + to_string(nu) + ", f = " + to_string(f), f != 0);
+      const Rational gamma = Elasticity(Solid(nu, 1)).gamma();
+      const Exponent alpha = formula.alpha(gamma, f);
+      findings.decide("alpha >= 0, and alpha = 0 only for f = 0", alpha.sign() == (f == 0 ? 0 : 1));
+      findings.decide("alpha lies below the upper end", (formula.supremum - alpha).sign() > 0);
+      findings.decide("alpha increases with f", (formula.alpha(gamma, f + tiny()) - alpha).sign() > 0);
+      const Exponent gap = formula.supremum - formula.alpha(gamma, 1 / (gamma * tiny()));
+      findings.decide("alpha comes within 1e-94 of the upper end",
+                      gap.sign() > 0 && (Exponent::angle(tiny()) - gap).sign() >= 0);
+      const R value = numeric::to_real<R>(alpha);
+      const auto cln = symbolic::cln_alpha(nu, f, Plane::strain, numeric::digits_served<R> + 5);
+      findings.compare(by_cln, relative_difference<R>(value, numeric::to_real<R>(cln.value)));
+      // With large f the cosine is as ill-conditioned as it is small.
+      const R root = numeric::cos_pi_alpha<R>(gamma * f);
+      findings.compare(cosine, static_cast<double>(R(abs(cos(R(numeric::pi<R>() * value)) - root))));
+    }
+    return findings.evidence("29 values of nu and random ones, random f, with seed " + std::to_string(context.seed));
+  };
+  return gather([&] { return numeric::at_precision(context.digits, walk); });
+}
+
+Claim alpha_range() {
+  const AngleFormula right{[](const Rational& gamma, const Rational& f) { return Exponent::angle(gamma * f); }, half};
+  const auto with = [](auto alpha) { return AngleFormula{alpha, half}; };
+  return make_claim(
+      {"alpha-range", "[Bal16, (4)]: the angle alpha",
+       "alpha = arctan(gamma f)/pi lies in [0, 1/2[, increases with f from 0 at f = 0 towards 1/2, and cos(pi alpha) = "
+       "1/sqrt(1+gamma^2 f^2)",
+       "gamma > 0, f >= 0"},
+      check_angle, right,
+      std::vector<Wrong<AngleFormula>>{
+          {"the interval [0, 1/4[", {right.alpha, Exponent(Rational(1, 4))}},
+          {"the interval [0, 1[", {right.alpha, Exponent(1)}},
+          {"gamma missing", with([](const Rational&, const Rational& f) { return Exponent::angle(f); })},
+          {"the sign", with([](const Rational& gamma, const Rational& f) { return -Exponent::angle(gamma * f); })},
+          {"pi/2 for pi", with([](const Rational& gamma, const Rational& f) {
+             return Exponent::angle(gamma * f) + Exponent::angle(gamma * f);
+           })},
+          {"near miss: alpha moved by 1e-94", with([](const Rational& gamma, const Rational& f) {
+             return Exponent::angle(gamma * f) + Exponent::angle(tiny());
+           })}});
+}
+
 }  // namespace
 
-std::vector<Claim> constants_claims() { return {gamma_range(), gamma_plane_stress()}; }
+std::vector<Claim> constants_claims() { return {gamma_range(), gamma_plane_stress(), alpha_range()}; }
 
 }  // namespace steadyslide::proofs_checks

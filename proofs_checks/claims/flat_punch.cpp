@@ -34,7 +34,7 @@ std::vector<Evidence> walk(const Context& context, const PunchFormula& formula, 
     const auto no_slope = [](const auto& x) { return std::remove_cvref_t<decltype(x)>(0); };
     Surface<R> surface = surface_of<R>(form, problem, 0, no_slope);
     if (unit_load) surface.integral = 1;
-    check_surface(findings, surface, 3);
+    check_surface(findings, surface, count_for(context, 9, 3, 3));
     Surface<double> in_double = surface_of<double>(formula.at<double>(problem), problem, 0, no_slope);
     if (unit_load) in_double.integral = 1;
     check_surface_by_gsl(findings, in_double);

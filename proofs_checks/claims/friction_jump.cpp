@@ -18,13 +18,14 @@ std::vector<ContactProblem> one_jump_grid() {
   return problems;
 }
 
-/// Two, then 0, 1, ..., 8 jumps, towards +x and -x, Poisson ratios and friction over their whole ranges.
+/// 0, 1, ..., 8 jumps, towards +x and -x, Poisson ratios and friction over their whole ranges. In this order the
+/// controls meet two jumps first, and a quick run, which takes every fourth or eighth, the cheap ones.
 std::vector<ContactProblem> many_jump_grid() {
   const std::vector<Rational> friction{Rational(1, 5), 2,  Rational(1, 2), 0, 50, 1,
                                        Rational(7, 3), 10, Rational(1, 10)};
   const std::vector<Rational> nus{Rational(3, 10), Rational(-9, 10), 0, Rational(499, 1000), Rational(2, 5)};
   std::vector<ContactProblem> problems;
-  for (const std::size_t m : {2U, 1U, 0U, 3U, 5U, 4U, 6U, 7U, 8U}) {
+  for (const std::size_t m : {2U, 0U, 5U, 6U, 1U, 4U, 7U, 8U, 3U}) {
     std::vector<Rational> f(friction.begin(), friction.begin() + static_cast<std::ptrdiff_t>(m) + 1);
     std::vector<Rational> jumps;
     for (std::size_t k = 1; k <= m; ++k) {
@@ -113,8 +114,9 @@ std::vector<Evidence> check_one_jump(const Context& context, const PunchFormula&
     Random random(context.seed, "eq-05-07, friction on the other side");
     for (ContactProblem& problem : cases.problems) {
       if (!problem.friction().jumps().empty()) continue;
-      problem = punch(problem.elasticity().half_space()->poisson(), {problem.friction().values()[0], random.friction()},
-                      {0}, problem.load());
+      problem =
+          punch(problem.elasticity().half_space()->poisson(),
+                {problem.friction().values()[0], random.friction(largest_friction(context))}, {0}, problem.load());
     }
     Findings findings;
     for (const ContactProblem& problem : cases.problems) {
@@ -129,9 +131,8 @@ std::vector<Evidence> check_one_jump(const Context& context, const PunchFormula&
 
 std::vector<Evidence> check_many_jumps(const Context& context, const PunchFormula& formula) {
   const auto walk = [&]<Real R>() {
-    const std::size_t most = count_for(context, 9, 5, 4);
     const Cases cases = punch_cases(context, "n-jump-punch", many_jump_grid(), count_for(context, 20, 6, 2),
-                                    [&](Random& random) { return random.below(most); });
+                                    [&](Random& random) { return 1 + random.below(count_for(context, 8, 4, 3)); });
     Findings findings;
     for (const ContactProblem& problem : cases.problems) {
       findings.begin_case(text_of(problem), has_jump(problem));

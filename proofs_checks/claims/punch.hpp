@@ -30,6 +30,9 @@ std::vector<Rational> random_jumps(Random& random, std::size_t m);
 /// Does the friction differ on the two sides of some jump?
 bool has_jump(const ContactProblem& problem);
 
+/// Is there friction anywhere?
+bool has_friction(const ContactProblem& problem);
+
 /// alpha of friction piece k, and the amplitude load cos(pi alpha)/pi of the punch there.
 Exponent alpha(const ContactProblem& problem, std::size_t piece);
 template <Real R>
@@ -42,7 +45,11 @@ R punch_amplitude(const ContactProblem& problem, std::size_t piece) {
 template <Real R>
 void check_punch_values(Findings& findings, const PowerForm<R>& form, const ContactProblem& problem);
 
-/// The points of Surface and the number of digits for which a case is worth its time.
+/// The largest random friction value: 50. In double 5: large values side by side make the traction vary over so many
+/// orders of magnitude that rounding alone breaks the tolerance where it is small. (The grids go to 50 always.)
+Rational largest_friction(const Context& context);
+
+/// A number of cases or points by the number of digits; one in a quick run, but in double.
 std::size_t count_for(const Context& context, std::size_t sixteen, std::size_t fifty, std::size_t hundred);
 
 inline const Exponent half{Rational(1, 2)};

@@ -221,6 +221,19 @@ TEST_CASE("exponents add like numbers, in any order") {
   }));
 }
 
+TEST_CASE("an angle is counted so many times and no more") {
+  Exponent sum = Exponent::angle(Rational(1, 2));
+  const auto twice = [&] { sum += sum; };
+  for (int k = 0; k < 13; ++k) twice();
+  CHECK(sum.angles()[0].times == 8192);
+  CHECK(sum.sign() == 1);
+  const std::string rule = ": angle counted too often; an exponent contains an angle at most 10000 times; ";
+  CHECK(refusal(twice) == rule + "16384");
+  CHECK(refusal([&] { sum += Exponent(sum); }) == rule + "16384");
+  CHECK(refusal([&] { sum -= -sum; }) == rule + "16384");
+  CHECK((sum - sum).angles().empty());
+}
+
 TEST_CASE("exponents as text, and an offset that is none") {
   CHECK(to_string(Exponent()) == "0");
   CHECK(to_string(Exponent(Rational(-1, 2)) - Exponent::angle(Rational(3, 35))) == "-1/2 - arctan(3/35)/pi");

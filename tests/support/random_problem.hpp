@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "model/contact_problem.hpp"
+#include "uniform.hpp"
 
 namespace steadyslide::testing {
 
 /// A rational in [low, high] with the given denominator.
 inline rc::Gen<Rational> rational(int low, int high, int denominator) {
-  return rc::gen::map(rc::gen::inRange(low * denominator, high * denominator + 1),
-                      [denominator](int n) { return Rational(n, denominator); });
+  return rc::gen::exec([=] { return Rational(uniform(low * denominator, high * denominator), denominator); });
 }
 
 /// f: one in five is zero, one in five large (up to 50), the rest up to 2.
@@ -24,13 +24,13 @@ inline rc::Gen<Rational> friction() {
 }
 
 inline rc::Gen<Elasticity> elasticity() {
-  const auto poisson = rc::gen::map(rc::gen::inRange(-899, 499), [](int n) { return Rational(n, 1000); });
+  const auto poisson = rc::gen::exec([] { return Rational(uniform(-899, 498), 1000); });
   return rc::gen::oneOf(
       rc::gen::apply([](const Rational& nu, const Rational& young,
                         bool strain) { return Elasticity(Solid(nu, young), strain ? Plane::strain : Plane::stress); },
                      poisson, rational(1, 9, 4), rc::gen::arbitrary<bool>()),
       // Coupling of either sign, as an elastic indenter can make it.
-      rc::gen::map(rc::gen::inRange(-90, 91), [](int n) { return Elasticity::reduced(Rational(n, 100)); }));
+      rc::gen::exec([] { return Elasticity::reduced(Rational(uniform(-90, 90), 100)); }));
 }
 
 struct SurfaceData {
@@ -44,9 +44,9 @@ inline rc::Gen<SurfaceData> surface(int max_jumps) {
   return rc::gen::exec([max_jumps] {
     const Rational left = *rational(-3, 3, 8);
     const Rational width = *rational(1, 16, 3) / 2;
-    const int count = *rc::gen::inRange(0, max_jumps + 1);
+    const int count = uniform(0, max_jumps);
     std::set<Rational> places;
-    for (int k = 0; k < count; ++k) places.insert(left + width * *rc::gen::inRange(1, 400) / 400);
+    for (int k = 0; k < count; ++k) places.insert(left + width * uniform(1, 399) / 400);
     std::vector<Rational> values{*friction()};
     for (std::size_t k = 0; k < places.size(); ++k) values.push_back(*friction());
     return SurfaceData{FrictionProfile(values, {places.begin(), places.end()}), left, left + width};
@@ -70,7 +70,7 @@ inline rc::Gen<ContactProblem> flat_punch(int max_jumps) {
 inline rc::Gen<ContactProblem> parabola(int max_jumps) {
   return rc::gen::exec([max_jumps] {
     const SurfaceData s = *surface(max_jumps);
-    const Polynomial profile({*rational(-1, 1, 3), *rational(-2, 2, 5), *rational(1, 20, 7)});
+    const Polynomial profile({*rational(-1, 1, 3), *rational(-2, 2, 5), Rational(uniform(1, 64), 32)});
     return ContactProblem(*elasticity(), s.friction, Indenter(Rational(-1000000), {{Rational(1000000), profile}}),
                           *rational(1, 40, 9), *sliding());
   });

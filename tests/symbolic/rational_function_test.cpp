@@ -78,6 +78,8 @@ TEST_CASE("divisors are recorded, those that cancel too") {
   CHECK(decision.identical);
   CHECK(decision.nonvanishing == std::set<std::string>{"x - y"});
   CHECK(decide_equal(1 / (1 + 1 / x), x / (1 + x)).nonvanishing == std::set<std::string>{"x", "x + 1"});
+  CHECK(decide_equal(1 / (6 * y - 4 * x), 1).nonvanishing == std::set<std::string>{"2*x - 3*y"});
+  CHECK(decide_equal(1 / (GiNaC::pow(x + 1, 2) - GiNaC::pow(x - 1, 2)), 1).nonvanishing == std::set<std::string>{"x"});
   CHECK(decide_equal(x / 2, x / 2).nonvanishing.empty());
 }
 
@@ -95,6 +97,8 @@ TEST_CASE("canonical text: lowest terms, one sign, the order of the names") {
   CHECK(canonical_text((1 - 2 * x) / (2 * (1 - x))) == "(2*x - 1)/(2*x - 2)");
   CHECK(canonical_text((x * x - y * y) / (2 * y - 2 * x)) == "(-x - y)/(2)");
   CHECK(canonical_text(1 + x + y * y + x * y + x * x) == "x^2 + x*y + y^2 + x + 1");
+  CHECK(canonical_text((6 * x + 4) / (4 * y + 2)) == "(3*x + 2)/(2*y + 1)");
+  CHECK(canonical_text((x / 2 + ex(1) / 3) / (y / 6)) == "(3*x + 2)/(y)");
   CHECK_THROWS_AS(canonical_text(x + symbol("x")), std::domain_error);
 }
 

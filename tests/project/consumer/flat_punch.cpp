@@ -7,7 +7,8 @@
 
 int main() {
   using namespace steadyslide;
-  const ContactProblem problem(Elasticity(Solid(Rational(3, 10), 1)), FrictionProfile({Rational(1, 5), Rational(3, 5)}, {0}),
+  const ContactProblem problem(Elasticity(Solid(Rational(3, 10), 1)),
+                               FrictionProfile({Rational(1, 5), Rational(3, 5)}, {0}),
                                Indenter(-1, {{1, Polynomial()}}), 1);
   const numeric::Attempt<double> attempt = numeric::closed_form<double>(problem);
   if (!attempt.solution) {

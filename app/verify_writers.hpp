@@ -1,0 +1,28 @@
+#pragma once
+// The output formats of `steadyslide verify`.
+
+#include <span>
+#include <vector>
+
+#include "app/options.hpp"
+#include "app/output.hpp"
+#include "proofs_checks/reading_notes.hpp"
+#include "proofs_checks/run.hpp"
+
+namespace steadyslide::app {
+
+struct VerifyResult {
+  proofs_checks::Context context;
+  std::vector<proofs_checks::Report> reports;
+  std::vector<proofs_checks::ReadingNote> notes;
+};
+
+/// The claims with their verdicts, then the reading notes.
+void write_verify(Format format, const VerifyResult& result, Output& output);
+/// The claims alone, unchecked.
+void write_claims(Format format, std::span<const proofs_checks::Claim> claims, Output& output);
+
+void write_verify_json(const VerifyResult& result, Output& output);
+void write_claims_json(std::span<const proofs_checks::Claim> claims, Output& output);
+
+}  // namespace steadyslide::app

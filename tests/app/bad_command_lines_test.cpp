@@ -1,0 +1,123 @@
+// Bad command lines: the whole message and the exit code of each.
+
+#include <doctest/doctest.h>
+
+#include "app/process.hpp"
+
+using namespace steadyslide::testing;
+
+namespace {
+
+struct BadLine {
+  std::vector<std::string> arguments;
+  std::string message;  ///< after "steadyslide: command line: "
+};
+
+std::vector<std::string> table(const std::string& poisson, const std::string& rear, const std::string& front) {
+  return {"table", "--poisson", poisson, "--rear", rear, "--front", front};
+}
+
+const std::string number_rule = "a number is written like 2, -0.25, 1e-3 or 1/3";
+const std::string digits_rule = "--digits: out of range; it is a whole number from 1 to 100; ";
+
+const std::vector<BadLine> bad_lines{
+    {{}, "no command; it is one of verify, exponents, table, solve, figures, report; see --help"},
+    {{"solv"}, "The following argument was not expected: solv"},
+    {{"--frobnicate"}, "The following argument was not expected: --frobnicate"},
+    {{"solve"}, "PROBLEM is required"},
+    {{"solve", "good.toml", "other.toml"}, "The following argument was not expected: other.toml"},
+    {{"solve", "good.toml", "two\nlines"}, "The following argument was not expected: two\\x0alines"},
+    {{"solve", "good.toml", "--digits", "0"}, digits_rule + "'0'"},
+    {{"solve", "good.toml", "--digits", "101"}, digits_rule + "'101'"},
+    {{"solve", "good.toml", "--digits", "ten"}, digits_rule + "'ten'"},
+    {{"solve", "good.toml", "--digits", "16.0"}, digits_rule + "'16.0'"},
+    {{"solve", "good.toml", "--digits="}, "--digits: 1 required N missing"},
+    {{"exponents", "good.toml", "--digits", "-5"}, digits_rule + "'-5'"},
+    {{"verify", "--digits", "1000"}, digits_rule + "'1000'"},
+    {{"solve", "good.toml", "--format", "xml"}, "--format: unknown format; it is one of text, json, csv; 'xml'"},
+    {{"solve", "good.toml", "--format", "latex"}, "--format: unknown format; it is one of text, json, csv; 'latex'"},
+    {{"exponents", "good.toml", "--format", "JSON"},
+     "--format: unknown format; it is one of text, json, csv, markdown, latex; 'JSON'"},
+    {{"verify", "--format", "csv"}, "--format: unknown format; it is one of text, json, markdown; 'csv'"},
+    {{"solve", "good.toml", "--method", "guess"},
+     "--method: unknown method; it is one of auto, closed-form, riemann-hilbert, variational; 'guess'"},
+    {{"solve", "good.toml", "--method", "riemann-hilbert"}, "--method riemann-hilbert: not available in this version"},
+    {{"solve", "good.toml", "--method", "variational"}, "--method variational: not available in this version"},
+    {{"solve", "good.toml", "--cells", "100"}, "--cells: not available in this version"},
+    {{"solve", "good.toml", "--load-steps", "1,2"}, "--load-steps: not available in this version"},
+    {{"solve", "good.toml", "--search-solutions", "3"}, "--search-solutions: not available in this version"},
+    {{"exponents", "good.toml", "--derivation"}, "--derivation: not available in this version"},
+    {{"figures"}, "figures: not available in this version"},
+    {{"report", "-o", "folder"}, "report: not available in this version"},
+    {{"solve", "good.toml", "--at", "0,,1"}, "--at: not a number; " + number_rule + "; ''"},
+    {{"solve", "good.toml", "--at", "here"}, "--at: not a number; " + number_rule + "; 'here'"},
+    {{"solve", "good.toml", "--at="}, "--at: 1 required X,X,... missing"},
+    {{"solve", "good.toml", "--samples", "0"}, "--samples: out of range; it is a whole number from 1 to 100000; '0'"},
+    {{"solve", "good.toml", "--samples", "1e3"},
+     "--samples: out of range; it is a whole number from 1 to 100000; '1e3'"},
+    {{"solve", "good.toml", "-o", ""}, "--output: no file; it has a name; ''"},
+    {{"solve", "wedge.toml"},
+     "--method auto: no closed form applies; the profile is neither flat nor a parabola that opens away from the body; "
+     "other methods are not available in this version"},
+    {{"solve", "wedge.toml", "--method", "closed-form"},
+     "--method closed-form: no closed form applies; the profile is neither flat nor a parabola that opens away from "
+     "the "
+     "body; other methods are not available in this version"},
+    {{"table", "--poisson", "0", "--rear", "0"}, "--front is required"},
+    {table("0.5", "0", "0"), "--poisson: Poisson's ratio out of range; it lies in ]-1, 1/2[; 0.5"},
+    {table("0:0.4:0", "0", "0"), "--poisson: step out of range; the step is positive; '0'"},
+    {table("0.4:0:-0.1", "0", "0"), "--poisson: step out of range; the step is positive; '-0.1'"},
+    {table("0.4:0:0.1", "0", "0"), "--poisson: empty range; FIRST is at most LAST; '0.4:0:0.1'"},
+    {table("0:0.4", "0", "0"), "--poisson: not a range; a range is written FIRST:LAST:STEP; '0:0.4'"},
+    {table("0", "-0.1", "0"), "--rear: negative friction coefficient; a friction coefficient is at least 0; '-0.1'"},
+    {table("0", "0", "0,x"), "--front: not a number; " + number_rule + "; 'x'"},
+    {table("0", "0:1:1e-300", "0"), "--rear: list too long; there are at most 1000000 entries; '0:1:1e-300'"},
+    {table("0:0.4:0.1", "0:1:0.001", "0:1:0.001"), "table too long; there are at most 1000000 rows; 5 x 1001 x 1001"},
+    {{"verify", "--seed", "-1"}, "--seed: out of range; it is a whole number from 0 to 2^64-1; '-1'"},
+};
+
+}  // namespace
+
+TEST_CASE("bad command lines: message, exit code, no output") {
+  const TemporaryFolder folder;
+  const std::string rest = "load = 1\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.2]\n[indenter]\n";
+  folder.write("good.toml", rest + "profile = 0\n");
+  folder.write("wedge.toml", rest + "pieces = [{to = 0, profile = \"-x\"}, {to = 1, profile = \"x\"}]\n");
+  for (const BadLine& bad : bad_lines) {
+    const Finished finished = run_program(bad.arguments, folder.path());
+    CHECK(finished.err == "steadyslide: command line: " + bad.message + "\n");
+    CHECK(finished.code == 2);
+    CHECK(finished.out == "");
+  }
+  CHECK(folder.names() == std::vector<std::string>{"good.toml", "wedge.toml"});
+}
+
+TEST_CASE("a tilting indenter has exponents and no solution yet") {
+  const TemporaryFolder folder;
+  folder.write("tilt.toml",
+               "load = 1\n\nload_at = 0\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.2]\n"
+               "[indenter]\nprofile = 0\n");
+  CHECK(run_program({"exponents", "tilt.toml"}, folder.path()).code == 0);
+  const Finished finished = run_program({"solve", "tilt.toml"}, folder.path());
+  CHECK(finished.err ==
+        "steadyslide: tilt.toml:3: load_at: solving with a tilting indenter is not available in this version\n");
+  CHECK(finished.code == 2);
+}
+
+TEST_CASE("help is complete at every level, and a result") {
+  const TemporaryFolder folder;
+  const Finished program = run_program({"--help"}, folder.path());
+  CHECK(program.code == 0);
+  CHECK(program.err == "");
+  for (const char* word :
+       {"verify", "exponents", "table", "solve", "figures", "report", "Units", "Signs", "Exit code"}) {
+    CHECK(program.out.find(word) != std::string::npos);
+  }
+  for (const char* command : {"verify", "exponents", "table", "solve", "figures", "report"}) {
+    const Finished help = run_program({command, "--help"}, folder.path());
+    CHECK(help.code == 0);
+    CHECK(help.out.find(std::string("steadyslide ") + command) != std::string::npos);
+  }
+  CHECK(run_program({"solve", "--help"}, folder.path()).out.find("away from the body") != std::string::npos);
+  CHECK(run_program({"--version"}, folder.path()).out == "steadyslide " STEADYSLIDE_VERSION "\n");
+}

@@ -1,0 +1,124 @@
+// Files of ten megabytes that nobody wrote: an answer or an error within ten seconds and one gigabyte, never a crash.
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <random>
+
+#include "app/process.hpp"
+
+using namespace steadyslide::testing;
+
+namespace {
+
+constexpr std::size_t ten_megabytes = std::size_t{10} << 20;
+
+std::string repeated(const std::string& part, std::size_t size) {
+  std::string text;
+  while (text.size() < size) text += part;
+  return text;
+}
+
+/// Runs with the memory limited to one gigabyte (not under a sanitizer, which reserves terabytes).
+Finished run_limited(const std::string& text) {
+  const TemporaryFolder folder;
+  folder.write("f.toml", text);
+#ifdef __SANITIZE_ADDRESS__
+  const std::string limit;
+#else
+  const std::string limit = "ulimit -v 1048576; ";
+#endif
+  return run_other({"sh", "-c", limit + "exec timeout 10 '" STEADYSLIDE_EXECUTABLE "' exponents f.toml"},
+                   folder.path());
+}
+
+void check_refused(const std::string& text, const std::string& message) {
+  const Finished finished = run_limited(text);
+  CHECK(finished.code == 2);
+  CHECK(finished.err.substr(0, message.size()) == message);
+  CHECK(finished.err.size() < 700);
+  CHECK(finished.err.find('\n') == finished.err.size() - 1);
+}
+
+std::string problem_with(const std::string& friction, const std::string& profile) {
+  return "load = 1\n[half_space]\npoisson = 0.3\n[friction]\n" + friction + "[indenter]\n" + profile;
+}
+
+}  // namespace
+
+TEST_CASE("ten megabytes of noise") {
+  std::mt19937 generator(1);
+  std::string bytes(ten_megabytes, '\0');
+  for (char& c : bytes) c = static_cast<char>(generator());
+  check_refused(bytes, "steadyslide: f.toml:");
+  const std::string alphabet = "ab.=[]{}\"'#,10\n -";
+  for (char& c : bytes) c = alphabet[generator() % alphabet.size()];
+  check_refused(bytes, "steadyslide: f.toml:");
+}
+
+TEST_CASE("a million jumps") {
+  std::string friction = "values = [";
+  for (int k = 0; k <= 1000000; ++k) friction += "0.1,";
+  friction += "]\njumps = [";
+  for (int k = 1; k <= 1000000; ++k) friction += "\"" + std::to_string(k) + "e-7\",";
+  check_refused(problem_with(friction + "]\n", "profile = 0\n"),
+                "steadyslide: f.toml:5: too many values; a problem file has at most 200000 keys and values; more\n");
+}
+
+TEST_CASE("as many friction values as there may be, and one more") {
+  const auto problem = [](int values) {
+    std::string friction = "values = [";
+    for (int k = 0; k < values; ++k) friction += "\"" + std::to_string(k % 7) + "e-1\",";
+    friction += "]\njumps = [";
+    for (int k = 1; k < values; ++k) friction += "\"" + std::to_string(k) + "e-5\",";
+    return problem_with(friction + "]\n", "profile = 0\n");
+  };
+  CHECK(run_limited(problem(10000)).code == 0);
+  check_refused(problem(10001),
+                "steadyslide: f.toml:5: friction.values: too many entries; there are at most 10000; 10001 entries\n");
+}
+
+TEST_CASE("deep nesting, long keys, long strings, nothing but NUL") {
+  check_refused("a = " + repeated("[", ten_megabytes), "steadyslide: f.toml:1: nested too deep;");
+  check_refused("a = " + repeated("{a=", ten_megabytes), "steadyslide: f.toml:1: nested too deep;");
+  check_refused(repeated("a.", ten_megabytes) + "a = 1\n", "steadyslide: f.toml:1: key too deep;");
+  check_refused("[" + repeated("a.", ten_megabytes) + "a]\n", "steadyslide: f.toml:1: key too deep;");
+  check_refused(std::string(ten_megabytes, 'a') + " = 1\n", "steadyslide: f.toml:1: unknown key;");
+  check_refused("load = \"" + std::string(ten_megabytes, '1') + "\"\n",
+                "steadyslide: f.toml:1: load: number too long;");
+  check_refused("load = " + std::string(ten_megabytes, '1') + "\n", "steadyslide: f.toml:1: not TOML;");
+  check_refused(std::string(ten_megabytes, '\0'), "steadyslide: f.toml:1: not TOML;");
+  check_refused("load = \"\"\"" + std::string(ten_megabytes, '\n'), "steadyslide: f.toml:10485760: not TOML;");
+  check_refused(std::string(ten_megabytes, '\n'), "steadyslide: f.toml:1: load: missing;");
+  check_refused(repeated("a = []\n", ten_megabytes), "steadyslide: f.toml:");
+  check_refused("load = \"1\xff\"\n", "steadyslide: f.toml:1: not TOML;");
+  check_refused(std::string("load = 1\n\0\n", 11), "steadyslide: f.toml:2: not TOML;");
+  check_refused(std::string(65 << 20, ' '),
+                "steadyslide: f.toml:1: file too large; a problem file has at most 64 MiB;");
+}
+
+TEST_CASE("profiles that grow") {
+  const std::string friction = "values = [0.1]\n";
+  check_refused(problem_with(friction, "profile = \"((((1e400)^64)^64)^64)*x\"\n"),
+                "steadyslide: f.toml:7: indenter.profile: coefficient too large at character 11;");
+  check_refused(problem_with(friction, "profile = \"" + std::string(ten_megabytes, '(') + "\"\n"),
+                "steadyslide: f.toml:7: indenter.profile: polynomial too long;");
+  std::string pieces = "pieces = [\n";
+  for (int k = 1; k <= 1000; ++k) {
+    pieces += "{to = \"" + std::to_string(k) + "e-3\", profile = \"(x+" + std::to_string(k) + "/3)^64" +
+              repeated("*1.01", 9000) + "\"},\n";
+  }
+  check_refused(problem_with(friction, pieces + "]\n"), "steadyslide: f.toml:");
+}
+
+TEST_CASE("the most complicated pieces that are accepted do not take long") {
+  std::string pieces = "support = [0, 1]\npieces = [\n";
+  const std::string digits(395, '7');
+  for (int k = 0; k < 40; ++k) {
+    pieces += "{to = \"" + (k == 39 ? "1" : "0." + std::to_string(k + 10) + digits) + "\", profile = \"(x+0." +
+              std::string(18, '3') + ")^64\"},\n";
+  }
+  const Finished finished = run_limited(problem_with("values = [0.1]\n", pieces + "]\n"));
+  CHECK(finished.err == "");
+  CHECK(finished.code == 0);
+}

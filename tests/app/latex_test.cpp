@@ -1,0 +1,44 @@
+// A LaTeX table compiles. Needs pdflatex; where it is absent the test says so and checks the text only.
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+#include "app/process.hpp"
+
+using namespace steadyslide::testing;
+
+namespace {
+
+void check_compiles(std::vector<std::string> arguments, const std::string& input = "") {
+  const TemporaryFolder folder;
+  arguments.insert(arguments.end(), {"--format", "latex", "-o", "t.tex"});
+  REQUIRE(run_program(arguments, folder.path(), input).code == 0);
+  const std::string text = folder.read("t.tex");
+  CHECK(text.substr(0, 24) == "\\documentclass{article}\n");
+  CHECK(text.find("\\end{longtable}\n\\end{document}\n") != std::string::npos);
+  if (run_other({"sh", "-c", "command -v pdflatex"}, folder.path()).code != 0) {
+    MESSAGE("pdflatex is absent: not compiled");
+    return;
+  }
+  const Finished latex = run_other({"pdflatex", "-interaction=nonstopmode", "-halt-on-error", "t.tex"}, folder.path());
+  CHECK_MESSAGE(latex.code == 0, latex.out);
+  CHECK(latex.out.find("Overfull \\hbox") == std::string::npos);
+  CHECK(std::filesystem::exists(folder.path() / "t.pdf"));
+}
+
+}  // namespace
+
+TEST_CASE("tables compile, narrow and wide") {
+  check_compiles({"table", "--poisson=-0.5:0.45:0.05", "--rear", "0:2:0.5", "--front", "0,1e-30,1.5"});
+  check_compiles({"table", "--poisson", "0.3", "--rear", "0.1", "--front", "0.2", "--digits", "100"});
+  check_compiles({"table", "--poisson", "0", "--rear", "0", "--front", "0", "--digits", "1"});
+}
+
+TEST_CASE("exponents compile") {
+  check_compiles(
+      {"exponents", "-", "--digits", "50"},
+      "load = 1\n[half_space]\ngamma = \"1/2\"\n[friction]\nvalues = [2, 0.123456789, 0]\njumps = [0, 0.5]\n"
+      "[indenter]\npieces = [{to = 0, profile = \"-x\"}, {to = \"1/3\", profile = \"x\"}, {to = 0.9, profile "
+      "= \"2*x\"}, {to = 1, profile = \"x+0.9\"}]\n");
+}

@@ -1,0 +1,116 @@
+#include "app/polynomial_parser.hpp"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <chrono>
+
+#include "model/invalid_data.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::app;
+
+namespace {
+
+Polynomial parse(std::string_view text) {
+  PolynomialBudget budget;
+  return parse_polynomial(text, budget);
+}
+
+std::string message_of(std::string_view text) {
+  try {
+    parse(text);
+  } catch (const InvalidData& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("the grammar") {
+  CHECK(parse("x^2/2") == Polynomial({0, 0, Rational(1, 2)}));
+  CHECK(parse(" 1/2*x ^2 - x") == Polynomial({0, -1, Rational(1, 2)}));
+  CHECK(parse("-x^2") == Polynomial({0, 0, -1}));
+  CHECK(parse("(-x)^2") == Polynomial({0, 0, 1}));
+  CHECK(parse("2*-x") == Polynomial({0, -2}));
+  CHECK(parse("1 - -x + +x") == Polynomial({1, 2}));
+  CHECK(parse("(1+x)*(1-x)") == Polynomial({1, 0, -1}));
+  CHECK(parse("x/(1+2/3)") == Polynomial({0, Rational(3, 5)}));
+  CHECK(parse("0.25e1*x") == Polynomial({0, Rational(5, 2)}));
+  CHECK(parse("0.1") == Polynomial::constant(Rational(1, 10)));
+  CHECK(parse("x-x") == Polynomial());
+  CHECK(parse("0^0") == Polynomial::constant(1));
+  CHECK(parse("x^64").degree() == 64);
+  CHECK(parse("2^1000").coefficient(0) == Rational(boost::multiprecision::pow(Integer(2), 1000)));
+  CHECK(parse("8/2/2") == Polynomial::constant(2));
+}
+
+TEST_CASE("every error says its place") {
+  CHECK(message_of("") == "missing value at character 1; expected a number, x or (; ''");
+  CHECK(message_of("x^2 +") == "missing value at character 6; expected a number, x or (; 'x^2 +'");
+  CHECK(message_of("2x") == "unexpected character at character 2; expected +, -, *, /, ^ or the end; '2x'");
+  CHECK(message_of("x^-1") == "no exponent at character 3; ^ is followed by digits; 'x^-1'");
+  CHECK(message_of("x^2^2") == "unexpected character at character 4; expected +, -, *, /, ^ or the end; 'x^2^2'");
+  CHECK(message_of("(x") == "missing ) at character 3; expected ) or an operator; '(x'");
+  CHECK(message_of("(x]") == "unexpected character at character 3; expected ) or an operator; '(x]'");
+  CHECK(message_of("y") == "unexpected character at character 1; expected a number, x or (; 'y'");
+  CHECK(message_of("--x") == "unexpected character at character 2; expected a number, x or (; '--x'");
+  CHECK(message_of("1/x") == "division by a polynomial at character 2; the divisor is a constant; '1/x'");
+  CHECK(message_of("x/(1-1)") == "division by zero at character 2; the divisor is not zero; 'x/(1-1)'");
+  CHECK(message_of("x^65") == "degree too high at character 2; the degree of a profile is at most 64; 'x^65'");
+  CHECK(message_of("x^40*x^25") ==
+        "degree too high at character 5; the degree of a profile is at most 64; 'x^40*x^25'");
+  CHECK(message_of("(x^64)^64") ==
+        "degree too high at character 7; the degree of a profile is at most 64; '(x^64)^64'");
+  CHECK(message_of("x^99999999999999999999") ==
+        "exponent too large at character 3; an exponent is at most 1000; 'x^99999999999999999999'");
+  CHECK(message_of("1.2.3") == "unexpected character at character 4; expected +, -, *, /, ^ or the end; '1.2.3'");
+  CHECK(message_of("1e999*x") ==
+        "exponent out of range at character 1; a decimal exponent is at most 400 in size; '1e999'; '1e999*x'");
+  CHECK(message_of(std::string_view("x\0", 2)) ==
+        "unexpected character at character 2; expected +, -, *, /, ^ or the end; 'x\\x00'");
+}
+
+TEST_CASE("nothing blows up") {
+  const auto start = std::chrono::steady_clock::now();
+  CHECK(message_of("(((1e400)^64)^64)^64") ==
+        "coefficient too large at character 10; a coefficient has at most 4096 bits; '(((1e400)^64)^64)^64'");
+  CHECK(message_of("((2^1000)^1000)^1000").substr(0, 37) == "coefficient too large at character 10");
+  const std::string deep = std::string(5000, '(') + "x" + std::string(4000, ')');
+  CHECK(message_of(deep).substr(0, 37) == "too many parentheses at character 101");
+  CHECK(parse(std::string(100, '(') + "x" + std::string(100, ')')).degree() == 1);
+  CHECK(message_of(std::string(10001, '1')) ==
+        "polynomial too long; it has at most 10000 characters; 10001 characters");
+  std::string many = "(1+x/3)^60";
+  for (int k = 0; k < 1000; ++k) many += "*1";
+  CHECK(parse(many).degree() == 60);
+  PolynomialBudget small{100000};
+  CHECK_THROWS_AS(parse_polynomial(many, small), InvalidData);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
+}
+
+TEST_CASE("what to_string prints is read back") {
+  rc::check([](const std::vector<std::pair<int, int>>& parts) {
+    std::vector<Rational> coefficients;
+    for (const auto& [n, d] : parts) {
+      if (coefficients.size() <= 64) coefficients.emplace_back(n, d == 0 ? 1 : d);
+    }
+    const Polynomial polynomial(coefficients);
+    RC_ASSERT(parse(to_string(polynomial)) == polynomial);
+  });
+}
+
+TEST_CASE("sums, products and powers of texts are those of polynomials") {
+  rc::check([] {
+    const auto linear = [](int a, int b) { return "(" + std::to_string(a) + "*x-" + std::to_string(b) + "/7)"; };
+    const int a = *rc::gen::inRange(0, 9), b = *rc::gen::inRange(0, 9), c = *rc::gen::inRange(0, 9);
+    const int n = *rc::gen::inRange(0, 6);
+    const Polynomial p({Rational(-b, 7), a});
+    const Polynomial q({Rational(-c, 7), b});
+    Polynomial power = Polynomial::constant(1);
+    for (int k = 0; k < n; ++k) power = power * q;
+    RC_ASSERT(parse(linear(a, b) + "+3*" + linear(b, c) + "^" + std::to_string(n)) ==
+              p + Polynomial::constant(3) * power);
+  });
+}

@@ -1,0 +1,155 @@
+#include "app/process.hpp"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <thread>
+
+namespace steadyslide::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file without a name: the standard streams of the child go there, so that nothing can fill up and wait.
+class Stream {
+ public:
+  explicit Stream(const std::string& text = "") {
+    std::string name = (fs::temp_directory_path() / "steadyslide-stream-XXXXXX").string();
+    descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
+    if (descriptor_ < 0) throw std::runtime_error("no temporary file");
+    ::unlink(name.c_str());
+    std::string_view rest = text;
+    while (!rest.empty()) {
+      const ssize_t count = ::write(descriptor_, rest.data(), rest.size());
+      if (count <= 0) throw std::runtime_error("temporary file cannot be written");
+      rest.remove_prefix(static_cast<std::size_t>(count));
+    }
+    ::lseek(descriptor_, 0, SEEK_SET);
+  }
+  Stream(const Stream&) = delete;
+  Stream& operator=(const Stream&) = delete;
+  ~Stream() { ::close(descriptor_); }
+
+  int descriptor() const { return descriptor_; }
+
+  std::string text() const {
+    std::string result;
+    std::array<char, 65536> block;
+    ::lseek(descriptor_, 0, SEEK_SET);
+    for (ssize_t n = 0; (n = ::read(descriptor_, block.data(), block.size())) > 0;) {
+      result.append(block.data(), static_cast<std::size_t>(n));
+    }
+    return result;
+  }
+
+ private:
+  int descriptor_;
+};
+
+int open_stdout(const Stream& captured, Stdout where) {
+  if (where == Stdout::full_device) return ::open("/dev/full", O_WRONLY | O_CLOEXEC);
+  if (where == Stdout::captured) return captured.descriptor();
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+  ::close(ends[0]);
+  return ends[1];
+}
+
+pid_t start(const std::vector<std::string>& command, const fs::path& folder, int in, int out, int err) {
+  std::vector<char*> argv;
+  for (const std::string& argument : command) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  if (::chdir(folder.c_str()) != 0) ::_exit(126);
+  ::dup2(in, STDIN_FILENO);
+  ::dup2(out, STDOUT_FILENO);
+  ::dup2(err, STDERR_FILENO);
+  ::execvp(argv[0], argv.data());
+  ::_exit(127);
+}
+
+int wait_for(pid_t child) {
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+Finished run(const std::vector<std::string>& command, const fs::path& folder, const std::string& input, Stdout where) {
+  const Stream in(input);
+  const Stream out;
+  const Stream err;
+  const int target = open_stdout(out, where);
+  const int code = wait_for(start(command, folder, in.descriptor(), target, err.descriptor()));
+  if (target != out.descriptor()) ::close(target);
+  return {code, out.text(), err.text()};
+}
+
+std::vector<std::string> program(const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{STEADYSLIDE_EXECUTABLE};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return command;
+}
+
+}  // namespace
+
+Finished run_program(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& input,
+                     Stdout where) {
+  return run(program(arguments), folder, input, where);
+}
+
+Finished run_other(const std::vector<std::string>& command, const fs::path& folder) {
+  return run(command, folder, "", Stdout::captured);
+}
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (fs::temp_directory_path() / "steadyslide-test-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+void TemporaryFolder::write(const std::string& name, const std::string& text) const {
+  std::ofstream(path_ / name, std::ios::binary) << text;
+}
+
+std::string TemporaryFolder::read(const std::string& name) const {
+  std::ifstream file(path_ / name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<std::string> TemporaryFolder::names() const {
+  std::vector<std::string> result;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path_)) result.push_back(entry.path().filename());
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+Finished run_and_interrupt(const std::vector<std::string>& arguments, const TemporaryFolder& folder, int signal) {
+  const Stream in;
+  const Stream out;
+  const Stream err;
+  const std::size_t before = folder.names().size();
+  const pid_t child = start(program(arguments), folder.path(), in.descriptor(), out.descriptor(), err.descriptor());
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (folder.names().size() == before && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  ::kill(child, signal);
+  return {wait_for(child), out.text(), err.text()};
+}
+
+}  // namespace steadyslide::testing

@@ -1,0 +1,47 @@
+#pragma once
+// Runs the built executable as a user does.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace steadyslide::testing {
+
+struct Finished {
+  int code = -1;  ///< 128 + the signal's number for a process that a signal ended
+  std::string out;
+  std::string err;
+};
+
+/// Where the program's standard output goes.
+enum class Stdout { captured, closed_pipe, full_device };
+
+/// Runs `steadyslide ARGUMENTS` in `folder` with `input` on its standard input, and waits for it.
+Finished run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                     const std::string& input = "", Stdout where = Stdout::captured);
+
+/// Runs another program found by PATH, the same way.
+Finished run_other(const std::vector<std::string>& command, const std::filesystem::path& folder);
+
+/// A folder of its own, gone at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  void write(const std::string& name, const std::string& text) const;
+  std::string read(const std::string& name) const;
+  /// The names in it, in order.
+  std::vector<std::string> names() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Starts the program, sends it a signal as soon as `folder` holds a new file, and waits.
+Finished run_and_interrupt(const std::vector<std::string>& arguments, const TemporaryFolder& folder, int signal);
+
+}  // namespace steadyslide::testing

@@ -1,0 +1,183 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/process.hpp"
+#include "model/rational.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::testing;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+const std::string punch =
+    "load = 2\n[half_space]\npoisson = 0\n[friction]\nvalues = [0, 2]\njumps = [\"0\"]\n[indenter]\n"
+    "profile = \"3\"\n";
+// s = 0.1 and 0.6, radius 0.2.
+const std::string parabola =
+    "load = 1\n[half_space]\ngamma = \"1/2\"\n[friction]\nvalues = [0.2, 1.2]\njumps = [0]\n"
+    "[indenter]\nprofile = \"x^2/0.4\"\n";
+
+std::string output(const std::string& problem, std::vector<std::string> arguments) {
+  const TemporaryFolder folder;
+  arguments.insert(arguments.begin(), {"solve", "-"});
+  const Finished finished = run_program(arguments, folder.path(), problem);
+  CHECK(finished.err == "");
+  REQUIRE(finished.code == 0);
+  return finished.out;
+}
+
+Json solve(const std::string& problem, std::vector<std::string> arguments = {}) {
+  arguments.insert(arguments.end(), {"--format", "json"});
+  return Json::parse(output(problem, arguments));
+}
+
+std::string keys(const Json& object) {
+  std::string result;
+  for (const auto& [key, value] : object.items()) result += (result.empty() ? "" : " ") + key;
+  return result;
+}
+
+Rational number(const Json& text) { return parse_rational(text.get<std::string>()); }
+
+bool near(const Json& text, const char* value, const char* tolerance) {
+  return abs(number(text) - parse_rational(value)) <= parse_rational(tolerance);
+}
+
+}  // namespace
+
+TEST_CASE("JSON has the keys of the contract in their order") {
+  const Json json = solve(punch, {"--at", "0,0.5", "--samples", "3"});
+  CHECK(keys(json) ==
+        "schema version problem method digits contact singular_points resultants samples estimated_error "
+        "residuals uniqueness");
+  CHECK(json["schema"] == 1);
+  CHECK(json["version"] == STEADYSLIDE_VERSION);
+  CHECK(json["method"] == "closed-form");
+  CHECK(json["digits"] == 16);
+  CHECK(
+      json["problem"].dump() ==
+      "{\"load\":\"2\",\"sliding\":\"+x\",\"half_space\":{\"poisson\":\"0\",\"young\":\"1\",\"plane\":\"strain\"},"
+      "\"friction\":{\"values\":[\"0\",\"2\"],\"jumps\":[\"0\"]},\"indenter\":{\"support\":[\"-1\",\"1\"],\"profile\":"
+      "\"3\"}}");
+  CHECK(keys(json["contact"][0]) == "left right");
+  CHECK(keys(json["contact"][0]["left"]) == "x kind exponent intensity");
+  CHECK(keys(json["singular_points"][0]) == "x kind exponent symbolic latex intensity constant");
+  CHECK(keys(json["resultants"]) == "normal tangential centre_of_pressure effective_friction load_share");
+  CHECK(keys(json["samples"][0]) == "x traction shear gap slope");
+  CHECK(json["samples"].size() == 5);
+  CHECK(keys(json["estimated_error"]) == "ends traction resultants");
+  CHECK(keys(json["residuals"]) == "equation load penetration tension");
+  CHECK(json["uniqueness"].dump() ==
+        "{\"status\":\"proved\",\"reason\":\"s = gamma f is nondecreasing towards the front\"}");
+}
+
+TEST_CASE("the problem is echoed exactly, and its echo is the same problem") {
+  const Json json = solve(
+      "load = \"1e-300\"\nsliding = \"-x\"\n[half_space]\npoisson = \"1/3\"\nyoung = 2.5\nplane = "
+      "\"stress\"\n[friction]\nvalues = [\"1/7\", 0.25]\njumps = [\"1e-3\"]\n[indenter]\nsupport = [-3, "
+      "7]\nprofile = \"(x-1)^2/6\"\nelastic = {poisson = 0.1, young = 7}\n")["problem"];
+  CHECK(json.dump() ==
+        "{\"load\":\"1e-300\",\"sliding\":\"-x\",\"half_space\":{\"poisson\":\"1/3\",\"young\":\"2.5\",\"plane\":"
+        "\"stress\"},\"friction\":{\"values\":[\"1/"
+        "7\",\"0.25\"],\"jumps\":[\"0.001\"]},\"indenter\":{\"support\":[\"-3\","
+        "\"7\"],\"profile\":\"1/6*x^2 - 1/3*x + 1/6\",\"elastic\":{\"poisson\":\"0.1\",\"young\":\"7\"}}}");
+}
+
+TEST_CASE("the check values of the parabola with a jump, to 40 digits") {
+  const Json forward = solve(parabola, {"--digits", "40"});
+  CHECK(forward["contact"][0]["left"]["x"] == "-0.4003017752023082835874813713471545627373");
+  CHECK(forward["contact"][0]["right"]["x"] == "0.2789364365421476101051427811594294453144");
+  std::string swapped = parabola;
+  swapped.replace(swapped.find("0.2, 1.2"), 8, "1.2, 0.2");
+  const Json backward = solve(swapped, {"--digits", "40"});
+  CHECK(backward["contact"][0]["left"]["x"] == "-0.4900056280717151697542022236678901591541");
+  CHECK(backward["contact"][0]["right"]["x"] == "0.3022454527884637023227909724409309514227");
+}
+
+TEST_CASE("more digits continue fewer, and all three types agree") {
+  const Json sixteen = solve(parabola, {"--at", "0.1"});
+  const Json fifty = solve(parabola, {"--at", "0.1", "--digits", "50"});
+  const Json hundred = solve(parabola, {"--at", "0.1", "--digits", "100"});
+  const auto traction = [](const Json& json) { return json["samples"][0]["traction"].get<std::string>(); };
+  CHECK(near(sixteen["samples"][0]["traction"], traction(fifty).c_str(), "1e-13"));
+  CHECK(near(fifty["samples"][0]["traction"], traction(hundred).c_str(), "1e-48"));
+  CHECK(traction(fifty).size() >= 50);
+  CHECK(traction(hundred).size() >= 100);
+}
+
+TEST_CASE("blow-up, zero and the limits of both sides") {
+  const Json json = solve(punch, {"--at=-1,0,1,-2"});
+  const Json& samples = json["samples"];
+  CHECK(samples[0]["traction"] == "-inf");
+  CHECK(samples[0]["shear"] == "0");
+  CHECK(samples[0]["slope"] == "-inf");
+  // f = 0 | 2: beta = -1/4, and no shear on the left.
+  CHECK(samples[1]["traction"] == "-inf");
+  CHECK(samples[1]["shear"].dump() == "{\"left\":\"0\",\"right\":\"inf\"}");
+  CHECK(samples[2]["traction"] == "-inf");
+  CHECK(samples[2]["shear"] == "inf");
+  CHECK(samples[2]["slope"] == "inf");
+  CHECK(samples[3]["traction"] == "0");
+  CHECK(samples[3]["gap"].is_null());
+  CHECK(json["singular_points"][1]["exponent"] == "-0.25");
+  CHECK(json["singular_points"][1]["symbolic"] == "-arctan(1)/pi");
+}
+
+TEST_CASE("resultants: effective friction is the sum of f times the load under it") {
+  const Json json = solve(punch)["resultants"];
+  CHECK(near(json["normal"], "2", "1e-12"));
+  const Rational rough = number(json["load_share"][1]);
+  CHECK(abs(number(json["load_share"][0]) + rough - 1) < parse_rational("1e-12"));
+  CHECK(abs(number(json["effective_friction"]) - 2 * rough) < parse_rational("1e-12"));
+  CHECK(abs(number(json["tangential"]) - 4 * rough) < parse_rational("1e-12"));
+}
+
+TEST_CASE("residuals are small and honest") {
+  const Json json = solve(parabola);
+  CHECK(number(json["residuals"]["equation"]) <= parse_rational("1e-12"));
+  CHECK(number(json["residuals"]["load"]) <= parse_rational("1e-12"));
+  CHECK(json["residuals"]["penetration"] == "0");
+  CHECK(json["residuals"]["tension"] == "0");
+}
+
+TEST_CASE("data that double cannot hold are solved all the same") {
+  std::string tiny = punch;
+  tiny.replace(tiny.find("load = 2"), 8, "load = \"2e-300\"");
+  const Json json = solve(tiny, {"--at", "0.5"});
+  const Json usual = solve(punch, {"--at", "0.5"});
+  CHECK(near(json["resultants"]["normal"], "2e-300", "1e-312"));
+  const Rational scaled = number(json["samples"][0]["traction"]) * parse_rational("1e300");
+  CHECK(abs(scaled - number(usual["samples"][0]["traction"])) < parse_rational("1e-13"));
+  std::string stiff = parabola;
+  stiff.replace(stiff.find("x^2/0.4"), 7, "x^2*1e200");
+  CHECK(near(solve(stiff)["resultants"]["normal"], "1", "1e-12"));
+}
+
+TEST_CASE("CSV: samples, two rows where limits differ, 101 by default") {
+  std::istringstream rows(output(punch, {"--at=-2,0,0.5", "--format", "csv"}));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(rows, line);) lines.push_back(line);
+  REQUIRE(lines.size() == 5);
+  CHECK(lines[0] == "x,traction,shear,gap,slope");
+  CHECK(lines[1].substr(0, 8) == "-2,0,0,,");
+  CHECK(lines[2] == "0,-inf,0,0,0");
+  CHECK(lines[3] == "0,-inf,inf,0,0");
+  CHECK(lines[4].substr(0, 4) == "0.5,");
+  const std::string all = output(punch, {"--format", "csv"});
+  CHECK(std::count(all.begin(), all.end(), '\n') == 102);
+}
+
+TEST_CASE("text tells everything in words") {
+  const std::string text = output(punch, {"--at", "0"});
+  for (const char* part : {"from x = -1 (edge) to x = 1 (edge)", "friction_jump", "effective friction", "under f = 2",
+                           "0 | inf", "equation", "uniqueness: proved", "sliding towards +x"}) {
+    CHECK(text.find(part) != std::string::npos);
+  }
+}
+
+TEST_CASE("--method closed-form is what auto takes") {
+  CHECK(output(parabola, {"--method", "closed-form"}) == output(parabola, {}));
+}

@@ -1,0 +1,85 @@
+#include "app/verify_writers.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "app/process.hpp"
+#include "app/verify_command.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::app;
+using namespace steadyslide::proofs_checks;
+
+namespace {
+
+/// One claim refuted, one undecided because a control survives.
+VerifyResult bad_result() {
+  VerifyResult result;
+  result.context.digits = numeric::Digits::hundred;
+  result.context.seed = 42;
+  result.reports.push_back({{"a-claim", "[Bal16, (1)]", "x | y_1 < 2", "always"},
+                            Verdict::refuted,
+                            {Counterexample{"nu = 0", "1 is not 2"}},
+                            "",
+                            {{"wrong sign", true, ""}},
+                            0.25});
+  result.reports.push_back({{"b-claim", "[Bal16, (2)]", "y", "never"},
+                            Verdict::undecided,
+                            {},
+                            "the control survives",
+                            {{"swap", false, ""}},
+                            1});
+  result.notes.push_back({"note-1", "(4)", "(1+x)^{1/2}", "(1+x)^{1/2+alpha}", "refuted"});
+  return result;
+}
+
+std::string written(Format format, const VerifyResult& result) {
+  const testing::TemporaryFolder folder;
+  Output output((folder.path() / "out").string());
+  write_verify(format, result, output);
+  output.commit();
+  return folder.read("out");
+}
+
+}  // namespace
+
+TEST_CASE("text shows why a claim is not settled") {
+  const std::string text = written(Format::text, bad_result());
+  CHECK(text.find("2 claims at 100 digits, seed 42\n") != std::string::npos);
+  CHECK(text.find("refuted    1/1       0.25     a-claim") != std::string::npos);
+  CHECK(text.find("undecided  0/1       1.00     b-claim") != std::string::npos);
+  CHECK(text.find("counterexample: ") != std::string::npos);
+  CHECK(text.find("1 is not 2") != std::string::npos);
+  CHECK(text.find("the control survives") != std::string::npos);
+  CHECK(text.find("0 proved, 0 supported, 1 undecided, 1 refuted") != std::string::npos);
+  CHECK(text.find("printed   (1+x)^{1/2}\n") != std::string::npos);
+}
+
+TEST_CASE("JSON, whole") {
+  const std::string text = written(Format::json, bad_result());
+  std::string compact;
+  for (const char c : text) {
+    if (c != '\n' && c != ' ') compact += c;
+  }
+  CHECK(compact.find(
+            "{\"schema\":1,\"version\":\"" STEADYSLIDE_VERSION
+            "\",\"digits\":100,\"seed\":42,\"counts\":{\"proved\":0,\"supported\":0,\"undecided\":1,\"refuted\":1},"
+            "\"claims\":[{\"id\":\"a-claim\",\"source\":") == 0);
+  CHECK(compact.find("\"controls\":{\"total\":1,\"refuted\":0},\"seconds\":1.0}],\"reading_notes\":[{\"id\":\"note-1\","
+                     "\"place\":\"(4)\",\"printed\":") != std::string::npos);
+  CHECK(compact.find("{\"kind\":\"note\",\"detail\":\"thecontrolsurvives\"}") != std::string::npos);
+}
+
+TEST_CASE("Markdown escapes what would end a cell") {
+  const std::string text = written(Format::markdown, bad_result());
+  CHECK(text.find("| a-claim | [Bal16, (1)] | x \\| y\\_1 \\< 2 | always | refuted | 1/1 | counterexample: ") !=
+        std::string::npos);
+}
+
+TEST_CASE("only a ledger without refuted and undecided claims ends well") {
+  CHECK(exit_code_of({3, 2, 0, 0}) == ExitCode::done);
+  CHECK(exit_code_of({3, 2, 1, 0}) == ExitCode::refuted);
+  CHECK(exit_code_of({3, 2, 0, 1}) == ExitCode::refuted);
+}

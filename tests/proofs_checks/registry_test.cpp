@@ -1,0 +1,92 @@
+#include "proofs_checks/registry.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "proofs_checks/reading_notes.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::proofs_checks;
+
+namespace {
+
+Context quick(std::uint64_t seed, numeric::Digits digits = numeric::Digits::sixteen) { return {digits, seed, true}; }
+
+std::vector<std::string> texts(const std::vector<Report>& reports) {
+  std::vector<std::string> all;
+  for (const Report& report : reports) {
+    for (const Evidence& e : report.evidence) all.push_back(describe(e));
+    for (const ControlReport& control : report.controls) all.push_back(control.name + ": " + control.detail);
+  }
+  return all;
+}
+
+void check_all_hold(const std::vector<Report>& reports) {
+  for (const Report& report : reports) {
+    CAPTURE(report.claim.id);
+    CAPTURE(report.note);
+    CHECK((report.verdict == Verdict::supported || report.verdict == Verdict::proved));
+    CHECK(report.survivors().empty());
+    for (const Evidence& e : report.evidence) {
+      if (std::holds_alternative<Counterexample>(e)) MESSAGE(describe(e));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every claim is complete") {
+  std::set<std::string> ids;
+  for (const Claim& claim : registry()) {
+    CAPTURE(claim.id);
+    CHECK(ids.insert(claim.id).second);
+    CHECK_FALSE(claim.source.empty());
+    CHECK_FALSE(claim.statement.empty());
+    CHECK_FALSE(claim.hypotheses.empty());
+    CHECK(claim.controls.size() >= 3);
+    std::set<std::string> names;
+    for (const Control& control : claim.controls) CHECK(names.insert(control.name).second);
+    CHECK(std::ranges::any_of(claim.controls, [](const Control& c) { return c.name.starts_with("near miss"); }));
+  }
+  CHECK(ids.size() >= 14);
+}
+
+TEST_CASE("all claims hold in double, for several seeds, and every control is refuted") {
+  for (const std::uint64_t seed : {1U, 2U, 77U, 123456U}) {
+    CAPTURE(seed);
+    check_all_hold(run_all(registry(), quick(seed)));
+  }
+}
+
+TEST_CASE("all claims hold in double at all parameters") {
+  check_all_hold(run_all(registry(), {numeric::Digits::sixteen, 1, false}));
+}
+
+TEST_CASE("one seed, one result; another seed, other parameters") {
+  const std::vector<Report> one = run_all(registry(), quick(5));
+  CHECK(texts(one) == texts(run_all(registry(), quick(5))));
+  CHECK(texts(one) != texts(run_all(registry(), quick(6))));
+}
+
+TEST_CASE("at 50 digits the differences are those of 50 digits") {
+  const std::vector<std::string> patterns{"eq-04-*", "published-*", "plemelj"};
+  const std::vector<Report> reports = run_all(select(registry(), patterns), quick(1, numeric::Digits::fifty));
+  REQUIRE(reports.size() == 3);
+  check_all_hold(reports);
+}
+
+TEST_CASE("every reading note rests on a control that exists and is refuted") {
+  const std::vector<ReadingNote> notes = reading_notes(run_all(registry(), quick(1)));
+  CHECK(notes.size() >= 7);
+  std::set<std::string> ids;
+  for (const ReadingNote& note : notes) {
+    CAPTURE(note.id);
+    CHECK(ids.insert(note.id).second);
+    CHECK(note.evidence.find("is supported as derived; the printed reading is refuted (") != std::string::npos);
+  }
+  for (const ReadingNote& note : reading_notes({})) {
+    CHECK(note.evidence.find("not examined in this run") != std::string::npos);
+  }
+}
