@@ -218,12 +218,14 @@ class Teller {
       modulus.text += " |x - e_" + number(j) + "|^(" + p.text + ")";
       modulus.latex += "\\,|x-e_{" + number(j) + "}|^{" + p.latex + "}";
     }
+    // A factor of several terms is named, and stands above.
     const bool is_sum = factor_.text.find(' ') != std::string::npos;
+    const Formula factor = is_sum ? Formula{"N", "N"} : factor_;
+    const bool minus = factor.text[0] == '-';
     derivation_.conclude("The traction is t = (F+ - F-)/(2i).",
-                         {"t = " + sign + "cos(pi alpha)" + modulus.text + " (" + factor_.text + ")",
-                          "t = " + sign + "\\cos(\\pi\\alpha)" + modulus.latex +
-                              (is_sum || factor_.latex[0] == '-' ? "\\left(" + factor_.latex + "\\right)"
-                                                                 : "\\,\\cdot " + factor_.latex)});
+                         {"t = " + sign + "cos(pi alpha)" + modulus.text + (is_sum ? " N" : " (" + factor.text + ")"),
+                          "t = " + sign + "\\cos(\\pi\\alpha)" + modulus.latex + "\\," +
+                              (minus ? "\\left(" + factor.latex + "\\right)" : factor.latex)});
   }
 
   const ContactStory& story_;
