@@ -15,5 +15,7 @@ std::vector<Claim> parabola_claims();
 std::vector<Claim> plemelj_claims();
 std::vector<Claim> outside_claims();
 std::vector<Claim> integral_claims();
+std::vector<Claim> local_action_claims();
+std::vector<Claim> derivation_claims();
 
 }  // namespace steadyslide::proofs_checks

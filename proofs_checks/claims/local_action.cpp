@@ -1,0 +1,146 @@
+// The local action of the operator: every symbol of the symbolic layer against a principal value by quadrature.
+
+#include <array>
+#include <cstdio>
+#include <optional>
+
+#include "numeric/tanh_sinh.hpp"
+#include "numeric/trapezoidal.hpp"
+#include "proofs_checks/claims/claims.hpp"
+#include "proofs_checks/random.hpp"
+#include "symbolic/local_action_value.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+using numeric::Node;
+using numeric::Panel;
+using numeric::PiecewiseDensity;
+using numeric::Real;
+using symbolic::LocalAction;
+using symbolic::WrongSymbol;
+
+/// What the formula says of H of a density at x.
+struct Formula {
+  std::optional<WrongSymbol> wrong;
+  bool near_miss = false;
+};
+
+template <Real R>
+R tolerance() {
+  return std::same_as<R, double> ? R(1e-12) : R(numeric::to_real<R>(parse_rational("1e-45")));
+}
+
+/// Mirrored to the right half, where the density is x^mu log(x)^logs on ]0, 1[.
+template <Real R>
+PiecewiseDensity<R> density_of(const LocalAction& action) {
+  const R mu = numeric::to_real<R>(action.fractional ? Rational(action.lambda + action.order) : Rational(action.order));
+  const int logs = action.logs;
+  return {{Panel<R>{0, 1, 1}, {mu, R(1 + mu)}, {R(0), R(1)}, [logs](const Node<R>& node) {
+             using std::log;
+             R value = 1;
+             for (int k = 0; k < logs; ++k) value *= log(node.from_left);
+             return value;
+           }}};
+}
+
+template <Real R>
+std::vector<R> principal_values(const LocalAction& action, const Rational& x) {
+  const PiecewiseDensity<R> density = density_of<R>(action);
+  const bool mirrored = action.side == Side::left;
+  const R y = numeric::to_real<R>(mirrored ? Rational(-x) : x);
+  std::vector<R> values;
+  if (y > 0) {
+    const numeric::PanelPoint<R> at{0, density[0].panel.node_from_left(y)};
+    values.push_back(numeric::tanh_sinh::hilbert(density, at).value);
+    // The trapezoidal rule sums its tails as pure powers: it takes no logarithms.
+    if (action.logs == 0) values.push_back(numeric::trapezoidal::Grid<R>(density).hilbert(at));
+  } else {
+    values.push_back(numeric::tanh_sinh::cauchy(density, Side::left, R(-y)).value);
+    if (action.logs == 0) values.push_back(numeric::trapezoidal::Grid<R>(density).cauchy(Side::left, R(-y)));
+  }
+  // H anticommutes with the mirror, which takes x^order to (-1)^order of it.
+  if (mirrored && action.order % 2 == 0) {
+    for (R& value : values) value = -value;
+  }
+  return values;
+}
+
+std::string text_of(const LocalAction& action, const Rational& x) {
+  return std::string(action.side == Side::left ? "x < 0: " : "x > 0: ") + "x^" + std::to_string(action.order) +
+         (action.fractional ? " |x|^(" + to_string(action.lambda) + ")" : "") + " log^" + std::to_string(action.logs) +
+         "|x| at x = " + to_string(x);
+}
+
+template <Real R>
+std::vector<Evidence> check(const Context& context, const Formula& formula) {
+  using std::abs, std::max;
+  Agreement agreement{"H of powers, logarithms and steps at a point",
+                      {"local symbol and far part (CLN)", "tanh-sinh", "trapezoidal rule"},
+                      "",
+                      "",
+                      0,
+                      0,
+                      20,
+                      "seed " + std::to_string(context.seed)};
+  const int digits = static_cast<int>(context.digits) + 10;
+  R worst = 0;
+  Random random(context.seed, "local-action");
+  for (const Side side : {Side::left, Side::right}) {
+    for (const bool fractional : {true, false}) {
+      for (int order = 0; order < 3; ++order) {
+        for (int logs = 0; logs < 3; ++logs) {
+          const Rational lambda = random.between(Rational(-4, 5), Rational(-1, 10));
+          const LocalAction action{side, fractional, order, logs, lambda};
+          const Rational size = random.between(Rational(1, 100), Rational(1, 4));
+          for (const Rational& x : {size, Rational(-size)}) {
+            ++agreement.cases;
+            if (context.quick && agreement.cases % 3 != 0) continue;
+            ++agreement.effective;
+            const symbolic::Decimal said = formula.wrong ? local_action_value(action, x, digits, *formula.wrong)
+                                                         : local_action_value(action, x, digits);
+            R value = numeric::to_real<R>(said.value);
+            if (formula.near_miss) value *= 1 + 10 * tolerance<R>();
+            for (const R& measured : principal_values<R>(action, x)) {
+              const R difference = abs(value - measured) / max(abs(value), abs(measured));
+              if (!(difference <= tolerance<R>())) {
+                return {Counterexample{text_of(action, x),
+                                       "relative difference " + std::to_string(static_cast<double>(difference))}};
+              }
+              worst = max(worst, difference);
+            }
+          }
+        }
+      }
+    }
+  }
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1e", static_cast<double>(worst));
+  agreement.worst = text.data();
+  std::snprintf(text.data(), text.size(), "%.0e", static_cast<double>(tolerance<R>()));
+  agreement.tolerance = text.data();
+  return {agreement};
+}
+
+std::vector<Evidence> check_at(const Context& context, const Formula& formula) {
+  return numeric::at_precision(context.digits, [&]<class R>() { return check<R>(context, formula); });
+}
+
+}  // namespace
+
+std::vector<Claim> local_action_claims() {
+  return {make_claim<Formula>(
+      {"local-action", "[Bal16, proofs of theorems 9 and 10]: the operator on powers, logarithms and steps",
+       "H of |x|^lambda on x > 0 is -cot(pi lambda)|x|^lambda for x > 0 and -|x|^lambda/sin(pi lambda) for x < 0, up "
+       "to one "
+       "power series on both sides; likewise with logarithms, integer powers, and on x < 0",
+       "the density cut off at |x| = 1, lambda > -1"},
+      check_at, {},
+      {{"sign of the cotangent", {WrongSymbol::cotangent_sign}},
+       {"sign of 1/sin", {WrongSymbol::cosecant_sign}},
+       {"sides exchanged", {WrongSymbol::sides_exchanged}},
+       {"pi missing", {WrongSymbol::pi_missing}},
+       {"near miss: the value moved by ten times the tolerance", {std::nullopt, true}}})};
+}
+
+}  // namespace steadyslide::proofs_checks
