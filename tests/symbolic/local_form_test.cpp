@@ -141,6 +141,8 @@ TEST_CASE("ends: powers and outside slopes") {
     CAPTURE(form.derivation.title);
     CHECK(form.exponent == (right ? LocalExponent{free, 0, -1} : LocalExponent{free, 1, 0}));
     const ex r = frame.friction(right ? Side::right : Side::left).r;
+    // All amplitudes belong to the distance d, on either side.
+    for (const LocalFormTerm& t : form.terms) CHECK(t.text.text.starts_with("-theta"));
     const int sign = (right ? 1 : -1) * free;
     CHECK(frame.field().are_equal(form.outside->coefficient, sign * form.theta * r).holds);
   }
@@ -178,6 +180,15 @@ TEST_CASE("the signs: where contact around a wedge is possible") {
     }
     return true;
   };
+  for (const bool increases : {true, false}) {
+    const LocalForm form =
+        derive_local_form({ContactSide::both, {s_l, slopes("u")}, {s_r, slopes("v")}, Beyond::indenter, increases});
+    REQUIRE(form.conditions.size() == 1);
+    CHECK(form.conditions[0].expression.has(form.theta) == increases);
+    CHECK(form.conditions[0].holds == Truth::unknown);
+    // The power leads where s increases, the constant where it decreases.
+    CHECK(form.terms[0].fractional == increases);
+  }
   const ex a = numeric(1, 10), b = numeric(6, 10);
   CHECK(wedge(a, a, 1));
   CHECK(!wedge(a, a, -1));
@@ -204,7 +215,7 @@ TEST_CASE("what leaves the question open is refused") {
 }
 
 TEST_CASE("one derivation for each place of a problem, the same text every time") {
-  const Indenter indenter(-2, {{0, Polynomial({0, -1})}, {1, Polynomial({0, 1, 1})}, {2, Polynomial({5, 1})}});
+  const Indenter indenter(-2, {{0, Polynomial({0, -1})}, {1, Polynomial({0, 1, 1, 1})}, {2, Polynomial({5, 1})}});
   const ContactProblem problem(Elasticity(Solid(Rational(3, 10), 1)),
                                FrictionProfile({Rational(1, 5), Rational(3, 5)}, {Rational(1, 2)}), indenter, 1);
   const std::vector<Derivation> all = local_derivations(problem);
@@ -224,4 +235,6 @@ TEST_CASE("one derivation for each place of a problem, the same text every time"
   CHECK(all[2].title == "Local form of t: wedge, x = 0");
   // psi_bar' jumps by 2/c, c = 2(1 - nu^2): 100/91; s = 2/7 f = 2/35.
   CHECK(to_text(all[2]).find("[psi_bar'] = 100/91 >= 0") != std::string::npos);
+  // The slope on the right is 1 + 2x + 3x^2: 3 * 50/91 / (1 + s^2) at x^2.
+  CHECK(to_text(all[2]).find("26250*x^2*log|x|/pi/15977") != std::string::npos);
 }
