@@ -93,7 +93,7 @@ class CommandLine {
   void add_exponents() {
     exponents_ = app_.add_subcommand("exponents", help::exponents);
     exponents_->add_option("PROBLEM", raw_.problem, "Problem file, or -")->required()->type_name("");
-    exponents_->add_flag("--derivation", raw_.derivation, "How they are derived (not available in this version)");
+    exponents_->add_flag("--derivation", raw_.derivation, "How they are derived, step by step: text or latex");
     add_common(exponents_, "Significant digits, 1 to 100; default 16", "text, json, csv, markdown or latex");
     exponents_->footer(std::string(help::exponents_footer) + "\n" + help::problem);
   }
@@ -167,9 +167,13 @@ class CommandLine {
   }
 
   ExponentsOptions exponents() const {
-    if (raw_.derivation) throw not_available("--derivation");
-    return {common(exponents_, 16, {Format::text, Format::json, Format::csv, Format::markdown, Format::latex}),
-            raw_.problem, false};
+    ExponentsOptions options{
+        common(exponents_, 16, {Format::text, Format::json, Format::csv, Format::markdown, Format::latex}),
+        raw_.problem, raw_.derivation};
+    if (options.derivation && options.common.format != Format::text && options.common.format != Format::latex) {
+      throw bad_command_line("--derivation: wrong format", "a derivation is text or latex", raw_.format);
+    }
+    return options;
   }
 
   TableOptions table() const {

@@ -1,5 +1,6 @@
 #include "app/exponents_command.hpp"
 
+#include "app/derivation_writer.hpp"
 #include "app/exponent_text.hpp"
 #include "app/number_format.hpp"
 #include "app/output.hpp"
@@ -11,6 +12,7 @@ namespace steadyslide::app {
 
 ExitCode run(const ExponentsOptions& options) {
   const Problem problem = read_problem(options.problem);
+  if (options.derivation) return write_derivations(options.common, problem.contact);
   const int digits = options.common.digits;
   Output output(options.common.output);
   const auto rows =

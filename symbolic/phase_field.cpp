@@ -189,7 +189,11 @@ PhaseField::Decision PhaseField::is_identically_zero(const ex& expression) const
     // r > 0 and numbers vanish nowhere.
     bool always = GiNaC::is_a<GiNaC::numeric>(numerator);
     for (const Radical& radical : radicals_) always = always || numerator.is_equal(radical.root);
-    if (!always) decision.nonvanishing.insert(canonical_text(numerator));
+    if (always) continue;
+    // Up to a factor, and GiNaC's own choice of its sign changes from run to run.
+    std::string text = canonical_text(numerator);
+    if (text.starts_with('-')) text = canonical_text(-numerator);
+    decision.nonvanishing.insert(std::move(text));
   }
   return decision;
 }

@@ -1,0 +1,53 @@
+// How long a derivation takes, and how that grows with the number of friction jumps.
+
+#include <benchmark/benchmark.h>
+
+#include "symbolic/closed_form_derivation.hpp"
+#include "symbolic/local_derivations.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::symbolic;
+
+namespace {
+
+void closed_form(benchmark::State& state, ClosedFormKind kind) {
+  for (auto _ : state) benchmark::DoNotOptimize(closed_form_derivation(kind, static_cast<int>(state.range(0))));
+}
+
+ContactProblem punch(int jumps) {
+  std::vector<Rational> values{Rational(1, 5)};
+  std::vector<Rational> places;
+  for (int k = 1; k <= jumps; ++k) {
+    values.emplace_back(k * k + 2, 7);
+    places.push_back(Rational(2 * k, jumps + 1) - 1);
+  }
+  return {Elasticity(Solid(Rational(3, 10), 1)), FrictionProfile(values, places), Indenter(-1, {{1, Polynomial()}}), 1};
+}
+
+/// A problem with numbers: its radicals are square roots of integers, which multiply.
+void problem_closed_form(benchmark::State& state) {
+  const ContactProblem problem = punch(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(riemann_hilbert_derivations(problem));
+}
+
+void problem_local_forms(benchmark::State& state) {
+  const ContactProblem problem = punch(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(local_derivations(problem));
+}
+
+BENCHMARK_CAPTURE(closed_form, flat_punch, ClosedFormKind::flat_punch)
+    ->DenseRange(0, 4)
+    ->Arg(8)
+    ->Arg(16)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(closed_form, tilted_punch, ClosedFormKind::tilted_punch)
+    ->DenseRange(0, 4)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(closed_form, parabola, ClosedFormKind::parabola)->DenseRange(0, 4)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(closed_form, quartic, ClosedFormKind::quartic)->DenseRange(0, 4)->Unit(benchmark::kMillisecond);
+BENCHMARK(problem_closed_form)->DenseRange(0, 4)->Arg(8)->Unit(benchmark::kMillisecond);
+BENCHMARK(problem_local_forms)->DenseRange(0, 4)->Arg(8)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
