@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "app/utf8.hpp"
+
 namespace steadyslide::app {
 namespace {
 
@@ -13,20 +15,10 @@ constexpr std::size_t longest_excerpt = 40;
 
 /// The length of the printable UTF-8 character at the start of `text`; 0 if there is none.
 std::size_t printable_length(std::string_view text) {
-  const auto byte = [&](std::size_t k) { return static_cast<std::uint8_t>(text[k]); };
-  const std::uint8_t first = byte(0);
-  if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
-  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-  if (first < 0xc2 || first > 0xf4 || text.size() < length) return 0;
-  std::uint32_t code = first & (0xffU >> (length + 1));
-  for (std::size_t k = 1; k < length; ++k) {
-    if ((byte(k) & 0xc0U) != 0x80) return 0;
-    code = (code << 6) | (byte(k) & 0x3fU);
-  }
-  const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-  const bool unprintable = code < 0xa0 || (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069) ||
-                           (code >= 0xd800 && code < 0xe000) || code == 0xfeff || code > 0x10ffff;
-  return overlong || unprintable ? 0 : length;
+  const auto [code, length] = first_character(text);
+  const bool unprintable = code < 0x20 || (code >= 0x7f && code < 0xa0) || (code >= 0x2028 && code <= 0x202e) ||
+                           (code >= 0x2066 && code <= 0x2069) || code == 0xfeff;
+  return unprintable ? 0 : length;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 
 namespace steadyslide::app {
@@ -57,7 +58,8 @@ std::string lay_out(const Scientific& number, int digits) {
 
 template <numeric::Real R>
 bool is_nan(const R& value) {
-  return value != value;
+  using std::isnan;
+  return isnan(value);
 }
 
 template <numeric::Real R>

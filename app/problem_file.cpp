@@ -97,7 +97,8 @@ class IndenterReader {
     std::string first;
     for (const std::string key : {"profile", "pieces", "samples"}) {
       if (reader_.find("indenter." + key) == nullptr) continue;
-      if (!first.empty()) throw reader_.error("indenter." + key, "conflicting key", rule, first + " and " + key);
+      if (!first.empty())
+        throw reader_.error("indenter." + key, "conflicting key", rule, fmt::format("{} and {}", first, key));
       first = key;
     }
     if (first.empty()) throw reader_.error("indenter", "no profile", rule, "none");

@@ -60,6 +60,7 @@ class CsvRows final : public RowWriter {
  public:
   CsvRows(const std::vector<Column>& columns, Output& output) : output_(output) {
     std::vector<Cell> header;
+    header.reserve(columns.size());
     for (const Column& column : columns) header.emplace_back(column.name);
     row(header);
   }

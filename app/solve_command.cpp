@@ -46,7 +46,7 @@ class Solve {
     const numeric::Digits digits = numeric::precision_for(options_.common.digits);
     if (digits == numeric::Digits::sixteen) {
       if (fits_double(problem_.contact, at_)) {
-        const SolveReport report = report_at<double>();
+        SolveReport report = report_at<double>();
         if (report.in_range) return report;
       }
       return report_at<numeric::Real50>();

@@ -46,12 +46,13 @@ class Writer {
   }
 
   void notice(const R& value) {
-    using std::abs;
+    using std::abs, std::isnan;
     const R magnitude = abs(value);
     if (magnitude == 0 || is_infinite(magnitude)) return;
     // Also false for what is no number.
     const bool fine = magnitude < R(1e150) && magnitude > R(1e-150);
     if (!fine) report_.in_range = false;
+    if (isnan(value)) report_.converged = false;
   }
 
   SolveReport& report_;

@@ -49,7 +49,7 @@ class Angles {
 };
 
 std::vector<Rational> friction_list(const std::string& option, const std::string& text) {
-  const std::vector<Rational> list = parse_list(option, text, max_rows);
+  std::vector<Rational> list = parse_list(option, text, max_rows);
   for (const Rational& f : list) {
     if (f < 0) {
       throw bad_command_line(option + ": negative friction coefficient", "a friction coefficient is at least 0",
@@ -73,6 +73,7 @@ std::vector<Elasticity> elasticities(const std::vector<Rational>& poisson) {
 
 std::vector<std::string> formatted(const std::vector<Rational>& list, int digits) {
   std::vector<std::string> texts;
+  texts.reserve(list.size());
   for (const Rational& value : list) texts.push_back(format_number(value, digits));
   return texts;
 }

@@ -68,13 +68,34 @@ TEST_CASE("dots, brackets and commas in strings and comments do not count") {
         "f:2: nested too deep; brackets nest at most 32 deep; more");
 }
 
+TEST_CASE("a long string may end in quotes of its own") {
+  const Value root = parse_document("a = \"\"\"x\"\"\"\"\"\nb = '''y''''\n# é\nc = \"é\"\n", "f");
+  CHECK(root.find("a")->text == "x\"\"");
+  CHECK(root.find("b")->text == "y'");
+  CHECK(root.find("c")->text == "é");
+  CHECK(root.find("c")->line == 4);
+}
+
+TEST_CASE("characters beyond ASCII stay what they are in strings, are free in comments, and stand nowhere else") {
+  const Value root = parse_document("\xef\xbb\xbf# → é 😀 \"\na = \"→ é 😀 \\\" é\"\nb = \"\"\"\né \\\n  é\"\"\"\n", "f");
+  CHECK(root.find("a")->text == "→ é 😀 \" é");
+  CHECK(root.find("b")->text == "é é");
+  const std::string rule = "; characters beyond ASCII stand in comments and in \"strings\"; ";
+  CHECK(message_of("\n é = 1") == "f:2: unexpected character" + rule + "'é'");
+  CHECK(message_of("a = 1\"é\"") != "no error");
+  CHECK(message_of("a = 'é'") == "f:1: unexpected character" + rule + "'é'");
+  CHECK(message_of("a = \"\\é\"") == "f:1: unexpected character" + rule + "'é'");
+  CHECK(message_of("# \xff") == "f:1: not UTF-8; a problem file is encoded in UTF-8; '\\xff'");
+  CHECK(message_of("a = \"\n\xc3\"") == "f:2: not UTF-8; a problem file is encoded in UTF-8; '\\xc3'");
+}
+
 TEST_CASE("arbitrary text gives a document or a failure") {
   rc::check([](const std::string& text) { RC_ASSERT(message_of(text) != ""); });
   const std::string alphabet = "a.=[]{}\"'#,1\n\\ -";
   rc::check([&] {
     const auto indices = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, static_cast<int>(alphabet.size())));
     std::string text;
-    for (const int k : indices) text += alphabet[static_cast<std::size_t>(k)];
+    for (const int k : indices) text += k % 8 == 7 ? "é" : std::string(1, alphabet[static_cast<std::size_t>(k)]);
     RC_ASSERT(message_of(text) != "");
   });
 }
