@@ -4,7 +4,8 @@
 
 namespace steadyslide {
 
-InvalidData::InvalidData(std::string field, std::string problem, std::string rule, std::string value)
+InvalidData::InvalidData(std::string field, const std::string& problem, const std::string& rule,
+                         const std::string& value)
     : std::invalid_argument(problem + "; " + rule + "; " + value), field_(std::move(field)) {}
 
 }  // namespace steadyslide

@@ -10,7 +10,7 @@ namespace steadyslide {
 /// `field` names the datum the way a problem file does ("friction.jumps[1]"), so that a reader can find its line.
 class InvalidData : public std::invalid_argument {
  public:
-  InvalidData(std::string field, std::string problem, std::string rule, std::string value);
+  InvalidData(std::string field, const std::string& problem, const std::string& rule, const std::string& value);
 
   const std::string& field() const noexcept { return field_; }
 

@@ -12,8 +12,8 @@
 
 namespace steadyslide::numeric {
 
-// Statically sized MPFR numbers: no global default precision exists that could leak. 57 and 114 decimal digits fill three
-// and six limbs: the digits beyond 50 and 100 are guard digits that cost nothing. Chosen by measurement against
+// Statically sized MPFR numbers: no global default precision exists that could leak. 57 and 114 decimal digits fill
+// three and six limbs: the digits beyond 50 and 100 are guard digits that cost nothing. Chosen by measurement against
 // cpp_bin_float of the same size (bench/README.md).
 using Real50 =
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<57, boost::multiprecision::allocate_stack>,

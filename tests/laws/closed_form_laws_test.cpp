@@ -68,7 +68,10 @@ void errors_are_honest(const ContactProblem& problem) {
 }  // namespace
 
 TEST_CASE("flat punches obey the laws") {
-  CHECK(rc::check("double", [] { obeys_the_laws<double>(*testing::flat_punch(6), 1e-12, -1); }));
+  // Next to a jump where the traction vanishes, rounding of the data alone leaves 1e-12 of the small values there:
+  // RC_PARAMS="reproduce=BYAZvVnYsVGXYLSUcUcJLzF2iEFHFXyychtIRxRxlsMXYLSUcUcJLDIgCAAEmAAAA4AAAMgAEUACCYwDJAAAKA"
+  // reached 1.2e-12. The grid that 1e-12 is asked of is in tests/numeric/punch_accuracy_test.cpp.
+  CHECK(rc::check("double", [] { obeys_the_laws<double>(*testing::flat_punch(6), 1e-11, -1); }));
   CHECK(rc::check("50 digits", [] { obeys_the_laws<Real50>(*testing::flat_punch(2), Real50("1e-45"), -1); }));
 }
 
