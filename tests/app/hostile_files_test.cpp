@@ -88,7 +88,7 @@ TEST_CASE("deep nesting, long keys, long strings, nothing but NUL") {
                 "steadyslide: f.toml:1: load: number too long;");
   check_refused("load = " + std::string(ten_megabytes, '1') + "\n", "steadyslide: f.toml:1: not TOML;");
   check_refused(std::string(ten_megabytes, '\0'), "steadyslide: f.toml:1: not TOML;");
-  check_refused("load = \"\"\"" + std::string(ten_megabytes, '\n'), "steadyslide: f.toml:10485760: not TOML;");
+  check_refused(R"(load = """)" + std::string(ten_megabytes, '\n'), "steadyslide: f.toml:10485760: not TOML;");
   check_refused(std::string(ten_megabytes, '\n'), "steadyslide: f.toml:1: load: missing;");
   check_refused(repeated("a = []\n", ten_megabytes), "steadyslide: f.toml:");
   check_refused("load = \"1\xff\"\n", "steadyslide: f.toml:1: not UTF-8;");

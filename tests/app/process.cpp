@@ -65,6 +65,7 @@ int open_stdout(const Stream& captured, Stdout where) {
 
 pid_t start(const std::vector<std::string>& command, const fs::path& folder, int in, int out, int err) {
   std::vector<char*> argv;
+  argv.reserve(command.size() + 1);
   for (const std::string& argument : command) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   const pid_t child = ::fork();
