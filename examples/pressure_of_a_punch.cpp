@@ -22,6 +22,7 @@ int main() {
   std::cout.precision(50);
   const numeric::Sample<Real50> sample = attempt.solution->at(parse_rational("1/2"));
   std::cout << "traction at x = 1/2: " << sample.traction.left.value << '\n';
-  std::cout << "its error, about:    " << sample.traction.left.error << '\n';
   std::cout << "effective friction:  " << attempt.solution->resultants().effective_friction.value << '\n';
+  std::cout.precision(2);
+  std::cout << "error of the traction, about: " << sample.traction.left.error << '\n';
 }
