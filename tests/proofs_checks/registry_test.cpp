@@ -48,9 +48,12 @@ TEST_CASE("every claim is complete") {
     CHECK(claim.controls.size() >= 3);
     std::set<std::string> names;
     for (const Control& control : claim.controls) CHECK(names.insert(control.name).second);
-    CHECK(std::ranges::any_of(claim.controls, [](const Control& c) { return c.name.starts_with("near miss"); }));
+    // A statement that is decided exactly has no tolerance, and so no near miss.
+    const bool numerical = !claim.controls.front().name.starts_with("wrong variant");
+    const auto is_near_miss = [](const Control& c) { return c.name.starts_with("near miss"); };
+    CHECK((!numerical || std::ranges::any_of(claim.controls, is_near_miss)));
   }
-  CHECK(ids.size() >= 14);
+  CHECK(ids.size() >= 30);
 }
 
 TEST_CASE("all claims hold in double, for several seeds, and every control is refuted") {
