@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "symbolic/reading_notes.hpp"
+
 namespace steadyslide::proofs_checks {
 namespace {
 
@@ -57,6 +59,10 @@ constexpr std::array<Entry, 7> entries{{
      "from the rear end."},
 }};
 
+constexpr std::array<std::string_view, 7> weighed_above{
+    "theorem-3-angle-rear", "theorem-3-angle-front", "theorem-3-limit-front", "formula-4-exponent",
+    "formula-7-exponent",   "formula-8-exponent",    "formula-10-exponent"};
+
 std::string evidence_of(const Entry& entry, std::span<const Report> reports) {
   const auto report =
       std::ranges::find(reports, entry.claim, [](const Report& r) { return std::string_view(r.claim.id); });
@@ -77,6 +83,11 @@ std::vector<ReadingNote> reading_notes(std::span<const Report> reports) {
   for (const Entry& e : entries) {
     notes.push_back({std::string(e.id), std::string(e.place), std::string(e.printed), std::string(e.derived),
                      evidence_of(e, reports) + ". " + std::string(e.fault)});
+  }
+  // Those that the local equation alone decides; the places above have been weighed by calculation already.
+  for (const symbolic::ReadingNote& note : symbolic::reading_notes()) {
+    if (std::ranges::find(weighed_above, note.id) != weighed_above.end()) continue;
+    notes.push_back({note.id, "[Bal16] " + note.place, note.printed, note.derived, note.evidence});
   }
   return notes;
 }

@@ -73,3 +73,17 @@ TEST_CASE("CSV quotes what needs it, Markdown has formulas") {
   const Finished markdown = run_program({"exponents", "-", "--format", "markdown"}, folder.path(), problem);
   CHECK(markdown.out.find("| $-\\frac{1}{2}-") != std::string::npos);
 }
+
+TEST_CASE("--derivation tells how each exponent comes about, in steps, and ends with the closed form") {
+  const TemporaryFolder folder;
+  const std::string punch =
+      "load = 1\n[half_space]\ngamma = \"1/2\"\n[friction]\nvalues = [1, 3]\njumps = [0]\n[indenter]\nprofile = "
+      "\"0\"\n";
+  const Finished told = run_program({"exponents", "-", "--derivation"}, folder.path(), punch);
+  CHECK(told.code == 0);
+  // s = 1/2 and 3/2: the determinant 1 + s_l s_r + (s_r - s_l) C = 7/4 + C, so that cot(pi lambda) = -7/4.
+  CHECK(told.out.find("cot(pi lambda) = -7/4") != std::string::npos);
+  CHECK(told.out.find("arctan(1/2)/pi - arctan(3/2)/pi") != std::string::npos);
+  CHECK(told.out.find("1.  assume  ") != std::string::npos);
+  CHECK(told.out == run_program({"exponents", "-", "--derivation"}, folder.path(), punch).out);
+}

@@ -82,14 +82,18 @@ TEST_CASE("at 50 digits the differences are those of 50 digits") {
 
 TEST_CASE("every reading note rests on a control that exists and is refuted") {
   const std::vector<ReadingNote> notes = reading_notes(run_all(registry(), quick(1)));
-  CHECK(notes.size() >= 7);
+  CHECK(notes.size() >= 14);
   std::set<std::string> ids;
   for (const ReadingNote& note : notes) {
     CAPTURE(note.id);
     CHECK(ids.insert(note.id).second);
+    CHECK_FALSE(note.evidence.empty());
+    // Decided by the local equation, whatever was run: their own test is in tests/symbolic.
+    if (note.id.starts_with("theorem-")) continue;
     CHECK(note.evidence.find("is supported as derived; the printed reading is refuted (") != std::string::npos);
   }
   for (const ReadingNote& note : reading_notes({})) {
+    if (note.id.starts_with("theorem-")) continue;
     CHECK(note.evidence.find("not examined in this run") != std::string::npos);
   }
 }
