@@ -47,6 +47,7 @@ struct Resultants {
   Estimate<R> centre_of_pressure;       ///< int x t / int t
   Estimate<R> effective_friction;       ///< tangential / normal
   std::vector<Estimate<R>> load_share;  ///< the part of the load under each friction value, left to right, sum 1
+  std::optional<Estimate<R>> tilt;      ///< slope added to psi where the indenter may tilt
 };
 
 /// Relative residuals, measured by a rule unrelated to the one that found the solution.
@@ -88,6 +89,8 @@ class ContactSolution {
   virtual ~ContactSolution() = default;
 
   virtual std::string method() const = 0;
+  /// Empty where every condition of the problem holds; otherwise what the best state reached violates, in words.
+  virtual std::string shortcoming() const { return {}; }
   virtual std::vector<ContactComponent<R>> contact() const = 0;
   virtual std::vector<SolvedSingularPoint<R>> singular_points() const = 0;
   virtual Resultants<R> resultants() const = 0;

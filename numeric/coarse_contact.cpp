@@ -1,0 +1,1 @@
+#include "numeric/coarse_contact.hpp"

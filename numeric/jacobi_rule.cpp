@@ -1,0 +1,1 @@
+#include "numeric/jacobi_rule.hpp"

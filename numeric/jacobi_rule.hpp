@@ -1,0 +1,45 @@
+#pragma once
+// Gauss-Jacobi rules for any two exponents > -1, on the unit interval:
+//
+//   int_0^1 y^a (1-y)^b f(y) dy = sum_i weight_i f(y_i),   exact for polynomials f of degree < 2n.
+//
+// Nodes start from the eigenvalues of the Jacobi matrix in double [GW69] and are polished by Newton's method in R.
+
+#include <map>
+#include <vector>
+
+#include "numeric/power.hpp"
+
+namespace steadyslide::numeric {
+
+template <Real R>
+struct JacobiRule {
+  std::vector<R> from_left;   ///< y_i, increasing
+  std::vector<R> from_right;  ///< 1 - y_i
+  std::vector<R> weights;
+
+  std::size_t size() const { return weights.size(); }
+};
+
+/// Throws std::invalid_argument unless n >= 1 and both powers are > -1.
+template <Real R>
+JacobiRule<R> jacobi_rule(const Power<R>& left, const Power<R>& right, int n);
+
+/// Rules made once per pair of exponents and number of nodes. Not to be shared between threads.
+template <Real R>
+class JacobiRules {
+ public:
+  /// Stays valid as long as this object.
+  const JacobiRule<R>& get(const Power<R>& left, const Power<R>& right, int n);
+
+ private:
+  struct Key {
+    R left;
+    R right;
+    int n;
+    auto operator<=>(const Key& other) const;
+  };
+  std::map<Key, JacobiRule<R>> rules_;
+};
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,1 @@
+#include "numeric/second_kind.hpp"
