@@ -2,22 +2,12 @@
 
 #include <algorithm>
 
+#include "numeric/clustered.hpp"
 #include "numeric/residuals.hpp"
 #include "numeric/tanh_sinh.hpp"
 
 namespace steadyslide::numeric {
 namespace {
-
-/// A position in ]0, 1[, number i of n, denser towards both ends; and what is missing to 1, formed without
-/// cancellation.
-template <Real R>
-std::pair<R, R> clustered(int i, int n) {
-  using std::cos, std::sin;
-  const R angle = pi<R>() * (2 * i + 1) / (4 * n);
-  const R s = sin(angle);
-  const R c = cos(angle);
-  return {s * s, c * c};
-}
 
 template <Real R>
 TwoSided<R> both(const Estimate<R>& value) {
@@ -162,16 +152,28 @@ Residuals<R> ClosedForm<R>::residuals() const {
   for (std::size_t k = 0; k < weight().panel_count(); ++k) {
     s.push_back(to_real<R>(problem_.coupled_friction(data_.first_piece + k)));
   }
-  const SurfaceCheck<R> check(data_.traction.density(), s, [this](const R& x) { return profile_slope(x); });
+  const SurfaceCheck<R> check(data_.traction.density(), s,
+                              [this](std::size_t, const Node<R>& node) { return profile_slope(node.x); });
   const R load = to_real<R>(problem_.load());
   const R width = weight().point(weight().panel_count()) - weight().point(0);
   Residuals<R> result;
   result.equation = check.equation();
   result.load = abs(check.integral() + load) / load;
-  const R lowest_gap = std::min(check.lowest_gap(Side::left, gap_length(Side::left)),
-                                check.lowest_gap(Side::right, gap_length(Side::right)));
-  // check.lowest_gap is reduced (divided by c), and so is the bound c P / c.
-  result.penetration = max(R(-lowest_gap), R(0)) / load;
+  R deepest = 0;
+  for (const Side side : {Side::left, Side::right}) {
+    constexpr int places = 8;
+    for (int i = 0; i < places; ++i) {
+      const R distance = gap_length(side) * clustered<R>(i, places).first;
+      if (distance == 0) continue;
+      const std::size_t panel = side == Side::left ? 0 : weight().panel_count() - 1;
+      const R end = weight().point(side == Side::left ? 0 : weight().panel_count());
+      const R x = side == Side::left ? R(end - distance) : R(end + distance);
+      const R rise = distance * (side == Side::left ? R(-1) : R(1)) * (profile_slope(end) + profile_slope(x)) / 2;
+      deepest = max(deepest, R(check.displacement(panel, side, distance) - rise));
+    }
+  }
+  // Reduced (divided by c), and so is the bound c P / c.
+  result.penetration = deepest / load;
   result.tension = max(check.highest_traction(), R(0)) * width / load;
   return result;
 }

@@ -47,7 +47,6 @@ struct Resultants {
   Estimate<R> centre_of_pressure;       ///< int x t / int t
   Estimate<R> effective_friction;       ///< tangential / normal
   std::vector<Estimate<R>> load_share;  ///< the part of the load under each friction value, left to right, sum 1
-  std::optional<Estimate<R>> tilt;      ///< slope added to psi where the indenter may tilt
 };
 
 /// Relative residuals, measured by a rule unrelated to the one that found the solution.
@@ -94,6 +93,8 @@ class ContactSolution {
   virtual std::vector<ContactComponent<R>> contact() const = 0;
   virtual std::vector<SolvedSingularPoint<R>> singular_points() const = 0;
   virtual Resultants<R> resultants() const = 0;
+  /// The slope added to psi where the indenter may tilt; absent where it may not.
+  virtual std::optional<Estimate<R>> tilt() const { return std::nullopt; }
   virtual EstimatedError<R> estimated_error() const = 0;
   virtual Residuals<R> residuals() const = 0;
   /// Everything at one place of the surface, inside the support or not.

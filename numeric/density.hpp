@@ -18,6 +18,7 @@ struct PanelDensity {
   Power<R> left;
   Power<R> right;
   std::function<R(const Node<R>&)> smooth;
+  R gap = 0;  ///< from the panel before: without contact
 
   R operator()(const Node<R>& node) const {
     using std::pow;
@@ -46,10 +47,7 @@ R distance_between(const PiecewiseDensity<R>& density, std::size_t j, std::size_
   R distance = 0;
   for (std::size_t i = first; i < last; ++i) {
     if (i > first) distance += density[i].panel.length;
-    // Adjacent panels share their point: no difference of rounded coordinates.
-    const R& right = density[i].panel.right;
-    const R& left = density[i + 1].panel.left;
-    if (left != right) distance += left - right;
+    distance += density[i + 1].gap;
   }
   return distance;
 }

@@ -29,6 +29,10 @@ class FundamentalSolution {
   /// lengths[k] = e_{k+1} - e_k > 0, as exactly as it is known; one power more than lengths.
   FundamentalSolution(const R& left_end, std::vector<R> lengths, std::vector<Power<R>> powers);
 
+  /// Panels that follow each other, with one power more; powers may be zero.
+  FundamentalSolution(std::vector<Panel<R>> panels, std::vector<Power<R>> powers)
+      : panels_(std::move(panels)), powers_(std::move(powers)) {}
+
   std::size_t panel_count() const { return panels_.size(); }
   const Panel<R>& panel(std::size_t k) const { return panels_[k]; }
   const std::vector<Power<R>>& powers() const { return powers_; }

@@ -6,7 +6,7 @@
 namespace steadyslide::numeric {
 
 template <Real R>
-SurfaceCheck<R>::SurfaceCheck(PiecewiseDensity<R> traction, std::vector<R> s, std::function<R(const R&)> profile_slope)
+SurfaceCheck<R>::SurfaceCheck(PiecewiseDensity<R> traction, std::vector<R> s, ProfileSlope profile_slope)
     : grid_(std::move(traction)), s_(std::move(s)), profile_slope_(std::move(profile_slope)) {}
 
 template <Real R>
@@ -28,7 +28,7 @@ R SurfaceCheck<R>::equation() const {
     const R t = grid_.density()[point.panel](point.node);
     const R st = s_[point.panel] * t;
     const R ht = grid_.hilbert(point);
-    const R slope = profile_slope_(point.node.x);
+    const R slope = profile_slope_(point.panel, point.node);
     const R scale = max({R(abs(slope)), R(abs(st)), R(abs(ht)), R(abs(t))});
     worst = max(worst, R(abs(ht + st - slope) / scale));
   }
@@ -42,29 +42,6 @@ R SurfaceCheck<R>::highest_traction() const {
     highest = std::max(highest, grid_.density()[point.panel](point.node));
   }
   return highest;
-}
-
-template <Real R>
-R SurfaceCheck<R>::lowest_gap(Side side, const R& length) const {
-  constexpr int steps = 32;
-  R lowest = 0;
-  if (length <= 0) return lowest;
-  const PiecewiseDensity<R>& density = grid_.density();
-  const R end = side == Side::left ? density.front().panel.left : density.back().panel.right;
-  R gap = 0;
-  R previous_distance = 0;
-  R previous_rate = 0;  // the surface leaves a free end tangentially
-  for (int i = 1; i <= steps; ++i) {
-    const R distance = length * i * i / (steps * steps);
-    const R x = side == Side::left ? R(end - distance) : R(end + distance);
-    const R opening = profile_slope_(x) - grid_.cauchy(side, distance);
-    const R rate = side == Side::left ? R(-opening) : opening;
-    gap += (distance - previous_distance) * (rate + previous_rate) / 2;
-    lowest = std::min(lowest, gap);
-    previous_distance = distance;
-    previous_rate = rate;
-  }
-  return lowest;
 }
 
 template class SurfaceCheck<double>;

@@ -12,8 +12,10 @@ namespace steadyslide::numeric {
 template <Real R>
 class SurfaceCheck {
  public:
-  /// t panel by panel, s on each panel, and psi'/c as a function of x.
-  SurfaceCheck(PiecewiseDensity<R> traction, std::vector<R> s, std::function<R(const R&)> profile_slope);
+  using ProfileSlope = std::function<R(std::size_t panel, const Node<R>&)>;
+
+  /// t panel by panel, s on each panel, and psi'/c, tilted as the indenter is.
+  SurfaceCheck(PiecewiseDensity<R> traction, std::vector<R> s, ProfileSlope profile_slope);
 
   /// int t.
   R integral() const { return grid_.integral(); }
@@ -22,15 +24,15 @@ class SurfaceCheck {
   R equation() const;
   /// The largest t at those points.
   R highest_traction() const;
-  /// The lowest reduced gap over `length` beyond the contact on that side; 0 at the contact itself.
-  R lowest_gap(Side side, const R& length) const;
+  /// u/c at the distance d beyond the end of panel k, where a gap begins, minus u/c at that end.
+  R displacement(std::size_t k, Side end, const R& distance) const { return grid_.displacement(k, end, distance); }
 
  private:
   std::vector<PanelPoint<R>> points() const;
 
   trapezoidal::Grid<R> grid_;
   std::vector<R> s_;
-  std::function<R(const R&)> profile_slope_;
+  ProfileSlope profile_slope_;
 };
 
 }  // namespace steadyslide::numeric

@@ -1,10 +1,120 @@
 #include "numeric/riemann_hilbert.hpp"
 
+#include <cmath>
+
+#include "numeric/coarse_contact.hpp"
+#include "numeric/riemann_hilbert_solution.hpp"
+
 namespace steadyslide::numeric {
+namespace {
+
+/// A frame with its origin in the middle of the contact and the half-width of it near 1; lengths from `origin`.
+Frame frame_of(const Rational& origin, double left, double right) {
+  const double width = right > left ? right - left : 1;
+  int exponent = 0;
+  std::frexp(width / 2, &exponent);
+  const Integer power = Integer(1) << std::abs(exponent);
+  return {origin + Rational((left + right) / 2), exponent >= 0 ? Rational(power) : Rational(1, power)};
+}
+
+/// What a search starts from: zones measured from `origin`, in the problem's unit of length.
+struct Start {
+  Rational origin;
+  std::vector<ZoneGuess> zones;
+  double tilt = 0;
+
+  Frame frame() const { return frame_of(origin, zones.front().left, zones.back().right); }
+
+  std::vector<ZoneGuess> in(const Frame& frame) const {
+    const double shift = to_real<double>((origin - frame.origin) / frame.unit);
+    const double unit = to_real<double>(frame.unit);
+    std::vector<ZoneGuess> result;
+    for (const ZoneGuess& zone : zones) {
+      result.push_back({shift + zone.left / unit, shift + zone.right / unit, zone.left_at_edge, zone.right_at_edge});
+    }
+    return result;
+  }
+};
+
+Start coarse_start(const ContactProblem& problem, int cells) {
+  const CoarseContact coarse = coarse_contact(problem, cells);
+  Start start{coarse.origin, {}, coarse.tilt};
+  for (const CoarseContact::Zone& z : coarse.zones) {
+    start.zones.push_back({z.left, z.right, z.left_at_edge, z.right_at_edge});
+  }
+  return start;
+}
 
 template <Real R>
-Attempt<R> riemann_hilbert(const ContactProblem&, const ContactSolution<R>*) {
-  return {nullptr, "not available in this version"};
+Start start_from(const ContactProblem& problem, const ContactSolution<R>& solution) {
+  Start start{(problem.indenter().left() + problem.indenter().right()) / 2, {}, 0};
+  const R origin = to_real<R>(start.origin);
+  for (const ContactComponent<R>& component : solution.contact()) {
+    start.zones.push_back({static_cast<double>(R(component.left.x.value - origin)),
+                           static_cast<double>(R(component.right.x.value - origin)),
+                           component.left.kind != SingularKind::free, component.right.kind != SingularKind::free});
+  }
+  if (const auto tilt = solution.tilt()) {
+    start.tilt = static_cast<double>(R(tilt->value / to_real<R>(problem.elasticity().compliance())));
+  }
+  return start;
+}
+
+/// A problem in a frame with its rules: what a form points to.
+template <Real R>
+std::shared_ptr<RiemannHilbertSolution<R>> search(const ContactProblem& problem, const Start& start) {
+  auto solution = std::make_shared<RiemannHilbertSolution<R>>(problem, start.frame());
+  ContactSet<R> set(solution->problem(), start.in(solution->problem().frame()));
+  solution->set(search_contact(solution->problem(),
+                               ContactState<R>::initial(solution->problem(), std::move(set), R(start.tilt)),
+                               solution->rules()));
+  return solution;
+}
+
+/// The solution in double carried on in R.
+template <Real R>
+std::shared_ptr<RiemannHilbertSolution<R>> refined(const ContactProblem& problem,
+                                                   const RiemannHilbertSolution<double>& rough) {
+  auto solution = std::make_shared<RiemannHilbertSolution<R>>(problem, rough.problem().frame());
+  const ContactState<double>& state = rough.state();
+  ContactSet<R> set = ContactSet<R>::converted(solution->problem(), state.set);
+  std::vector<R> q(state.q.begin(), state.q.end());
+  if (!q.empty()) q.back() = solution->problem().load();
+  solution->set(search_contact(solution->problem(), {std::move(set), std::move(q), R(state.tilt)}, solution->rules()));
+  return solution;
+}
+
+/// The coarse solution, finer where that did not lead to a solution.
+template <Real R>
+std::shared_ptr<RiemannHilbertSolution<R>> search_from_nothing(const ContactProblem& problem) {
+  std::shared_ptr<RiemannHilbertSolution<R>> best;
+  for (const int cells : {48, 120, 300}) {
+    auto found = search<R>(problem, coarse_start(problem, cells));
+    if (found->shortcoming().empty()) return found;
+    if (!best) best = std::move(found);
+  }
+  return best;
+}
+
+}  // namespace
+
+template <Real R>
+Attempt<R> riemann_hilbert(const ContactProblem& problem, const ContactSolution<R>* start) {
+  std::shared_ptr<RiemannHilbertSolution<R>> solution;
+  if (start) solution = search<R>(problem, start_from(problem, *start));
+  if (!solution || !solution->shortcoming().empty()) {
+    if constexpr (std::same_as<R, double>) {
+      solution = search_from_nothing<double>(problem);
+    } else {
+      const auto rough = search_from_nothing<double>(problem);
+      solution = refined<R>(problem, *rough);
+      if (!solution->shortcoming().empty()) solution = search_from_nothing<R>(problem);
+    }
+  }
+  if (problem.elasticity().indenter() && solution->has_edge()) {
+    return {nullptr, "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails"};
+  }
+  return {solution, {}};
 }
 
 template Attempt<double> riemann_hilbert(const ContactProblem&, const ContactSolution<double>*);

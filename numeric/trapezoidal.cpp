@@ -168,6 +168,34 @@ R Grid<R>::cauchy(Side side, const R& distance) const {
   return total / pi<R>();
 }
 
+template <Real R>
+R Grid<R>::displacement(std::size_t k, Side end, const R& distance) const {
+  using std::expm1, std::log1p;
+  const PanelDensity<R>& own = density_[k];
+  const auto from_end = [end](const Node<R>& node) { return end == Side::right ? node.from_right : node.from_left; };
+  CompensatedSum<R> total;
+  // On the own panel the logarithm grows by h from term to term of the tail: an arithmetic-geometric series.
+  const Samples& samples = samples_[k];
+  for (const Sample& s : samples.inner) total.add(s.weighted * log1p(R(distance / from_end(s.node))));
+  const R& near_tail = end == Side::right ? samples.right_tail : samples.left_tail;
+  const R& far_tail = end == Side::right ? samples.left_tail : samples.right_tail;
+  const Power<R>& power = end == Side::right ? own.right : own.left;
+  const Node<R>& last = end == Side::right ? samples.inner.back().node : samples.inner.front().node;
+  total.add(near_tail * (log1p(R(distance / from_end(last))) - step_ / expm1(R(-step_ * power.plus_one))));
+  total.add(far_tail * log1p(R(distance / own.panel.length)));
+  for (std::size_t j = 0; j < density_.size(); ++j) {
+    if (j == k) continue;
+    const R between = distance_between(density_, j, k);
+    const bool same_side = (j < k) == (end == Side::right);
+    total.add(sum(density_[j].panel, samples_[j], [&](const Node<R>& node) {
+      // On the side of the point, |x - x'| is what is left of |e - x'|.
+      return same_side ? R(log1p(R(distance / (own.panel.length + between + from_end(node)))))
+                       : R(log1p(R(-distance / (between + (end == Side::right ? node.from_left : node.from_right)))));
+    }));
+  }
+  return -total.value() / pi<R>();
+}
+
 template class Grid<double>;
 template class Grid<Real50>;
 template class Grid<Real100>;

@@ -1,0 +1,151 @@
+#include "numeric/contact_inequalities.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace steadyslide::numeric {
+namespace {
+
+/// Places in ]0, 1[, as numerators over 10^9 from the nearer end: next to both ends, and between them.
+constexpr std::array<int, 8> near_end{1, 1000, 300'000, 3'000'000, 20'000'000, 70'000'000, 150'000'000, 250'000'000};
+
+template <Real R>
+std::vector<SurfacePoint<R>> places(const ContactSet<R>& set, std::size_t segment, int between) {
+  const R& length = set.length(segment);
+  std::vector<SurfacePoint<R>> result;
+  const auto add = [&](const R& from_left, const R& from_right) {
+    const R x = from_left < from_right ? R(set.x(segment) + from_left) : R(set.x(segment + 1) - from_right);
+    result.push_back({static_cast<std::ptrdiff_t>(segment), {x, from_left, from_right}});
+  };
+  for (const int part : near_end) {
+    const R d = length * R(part) / 1'000'000'000;
+    add(d, R(length - d));
+  }
+  for (int i = 0; i < between; ++i) {
+    const R d = length * (R(0.35) + R(0.3) * i / std::max(between - 1, 1));
+    add(d, R(length - d));
+  }
+  for (std::size_t i = near_end.size(); i-- > 0;) {
+    const R d = length * R(near_end[i]) / 1'000'000'000;
+    add(R(length - d), d);
+  }
+  return result;
+}
+
+template <Real R>
+class Inspection {
+ public:
+  explicit Inspection(const RiemannHilbertForm<R>& form) : form_(form), set_(form.set()) {}
+
+  std::vector<Violation<R>> run() {
+    std::size_t j = 0;
+    while (j < set_.segments()) {
+      std::size_t end = j + 1;
+      while (end < set_.segments() && set_.in_contact(end) == set_.in_contact(j)) ++end;
+      if (set_.in_contact(j)) {
+        inspect_contact(j, end);
+      } else {
+        inspect_gap(j, end);
+      }
+      j = end;
+    }
+    return std::move(found_);
+  }
+
+ private:
+  using What = typename Violation<R>::What;
+
+  /// Gathers neighbouring places that fail.
+  void note(What what, bool fails, const SurfacePoint<R>& at, const R& size) {
+    const auto segment = static_cast<std::size_t>(at.segment);
+    if (!fails) {
+      if (open_) close(segment, at.node.from_left);
+      previous_ = {segment, at.node.from_left};
+      return;
+    }
+    if (!open_) {
+      found_.push_back({what, previous_.first, previous_.second, segment, at.node.from_left, size});
+      open_ = true;
+    }
+    found_.back().last_segment = segment;
+    found_.back().to = at.node.from_left;
+    found_.back().size = std::max(found_.back().size, size);
+    previous_ = {segment, at.node.from_left};
+  }
+
+  void close(std::size_t segment, const R& from_left) {
+    found_.back().last_segment = segment;
+    found_.back().to = from_left;
+    open_ = false;
+  }
+
+  void begin(std::size_t segment) {
+    previous_ = {segment, R(0)};
+    open_ = false;
+  }
+
+  void inspect_contact(std::size_t first, std::size_t end) {
+    begin(first);
+    for (std::size_t k = first; k < end; ++k) {
+      for (const SurfacePoint<R>& at : places(set_, k, 5)) {
+        const Estimate<R> t = form_.traction(at);
+        note(What::tension, t.value > 4 * t.error, at, t.value);
+      }
+    }
+    if (open_) close(end - 1, set_.length(end - 1));
+  }
+
+  void inspect_gap(std::size_t first, std::size_t end) {
+    const bool contact_left = first > 0;
+    const bool contact_right = end < set_.segments();
+    if (!contact_left && !contact_right) return;
+    std::vector<SurfacePoint<R>> all;
+    bool steps = false;
+    for (std::size_t k = first; k < end; ++k) {
+      const std::vector<SurfacePoint<R>> more = places(set_, k, 5);
+      all.insert(all.end(), more.begin(), more.end());
+    }
+    for (std::size_t j = first; j <= end; ++j) {
+      if (set_.point(j).anchor && form_.problem().anchors()[*set_.point(j).anchor].step_sign != 0) steps = true;
+    }
+    // A gap that opens, and at its other end closes, is positive in between: no need to integrate.
+    if (!steps) {
+      std::size_t i = 0;
+      while (contact_left && i < all.size() && rate(all[i]) >= 0) ++i;
+      while (contact_right && i < all.size() && rate(all[i]) <= 0) ++i;
+      if (i == all.size()) return;
+    }
+    begin(first);
+    const auto middle = all.size() / 2;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const bool from_left = contact_left && (!contact_right || i < middle);
+      const Estimate<R> gap = form_.opening(from_left ? first : end, all[i]);
+      note(What::penetration, gap.value < -8 * gap.error, all[i], R(-gap.value));
+    }
+    if (open_) close(end - 1, set_.length(end - 1));
+  }
+
+  R rate(const SurfacePoint<R>& at) const {
+    const auto segment = static_cast<std::size_t>(at.segment);
+    return form_.sign(at.segment) * form_.bracket(form_.slope_at(segment), at).value;
+  }
+
+  const RiemannHilbertForm<R>& form_;
+  const ContactSet<R>& set_;
+  std::vector<Violation<R>> found_;
+  bool open_ = false;
+  std::pair<std::size_t, R> previous_;
+};
+
+}  // namespace
+
+template <Real R>
+std::vector<Violation<R>> violations(const RiemannHilbertForm<R>& form) {
+  return Inspection<R>(form).run();
+}
+
+template std::vector<Violation<double>> violations(const RiemannHilbertForm<double>&);
+template std::vector<Violation<Real50>> violations(const RiemannHilbertForm<Real50>&);
+template std::vector<Violation<Real100>> violations(const RiemannHilbertForm<Real100>&);
+
+}  // namespace steadyslide::numeric

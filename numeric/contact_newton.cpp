@@ -1,0 +1,269 @@
+#include "numeric/contact_newton.hpp"
+
+#include <Eigen/LU>
+#include <boost/multiprecision/eigen.hpp>
+#include <cmath>
+
+namespace steadyslide::numeric {
+namespace {
+
+template <Real R>
+using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
+template <Real R>
+using Vector = Eigen::Matrix<R, Eigen::Dynamic, 1>;
+
+/// q(z)/(z - e) without its remainder.
+template <Real R>
+std::vector<R> quotient(const std::vector<R>& q, const R& e) {
+  std::vector<R> result(q.empty() ? 0 : q.size() - 1, R(0));
+  R carry = 0;
+  for (std::size_t k = q.size(); k-- > 1;) {
+    carry = carry * e + q[k];
+    result[k - 1] = carry;
+  }
+  return result;
+}
+
+/// One linearisation: the unknowns rho_f, r and the change of the tilt.
+template <Real R>
+class Linearisation {
+ public:
+  explicit Linearisation(const RiemannHilbertForm<R>& form)
+      : form_(form),
+        S_(form.degree_at_infinity()),
+        free_(form.set().movable()),
+        coefficients_(static_cast<std::size_t>(std::max(-S_ - 1, 0))),
+        tilts_(form.problem().load_at().has_value()),
+        size_(static_cast<Eigen::Index>(free_.size() + coefficients_ + (tilts_ ? 1 : 0))),
+        matrix_(Matrix<R>::Zero(size_, size_)),
+        right_(Vector<R>::Zero(size_)) {
+    add_moments();
+    add_gaps();
+    if (tilts_) add_centre();
+  }
+
+  /// False where the number of conditions is not that of the unknowns (ends that cannot move, though they are free).
+  bool solve() {
+    if (row_ != size_) return false;
+    if (size_ == 0) return true;
+    // Rows of very different size: each is scaled to one.
+    for (Eigen::Index i = 0; i < size_; ++i) {
+      R largest = 0;
+      for (Eigen::Index j = 0; j < size_; ++j) {
+        using std::abs;
+        largest = std::max(largest, R(abs(matrix_(i, j))));
+      }
+      if (!(largest > 0)) return false;
+      matrix_.row(i) /= largest;
+      right_(i) /= largest;
+    }
+    solution_ = matrix_.partialPivLu().solve(right_);
+    return true;
+  }
+
+  std::vector<R> end_steps() const {
+    std::vector<R> steps;
+    for (std::size_t f = 0; f < free_.size(); ++f) {
+      const std::size_t j = free_[f];
+      const Side inside = form_.set().point(j).kind == ContactSet<R>::Kind::begins ? Side::right : Side::left;
+      const R b = form_.bracket_at(j, inside).value;
+      steps.push_back(solution_(static_cast<Eigen::Index>(f)) / (form_.weight().powers()[j].value * b));
+    }
+    return steps;
+  }
+
+  R tilt_step() const { return tilts_ ? solution_(size_ - 1) : R(0); }
+
+  /// The change of q that goes with ends moved by `moved`, when `part` of the step is taken.
+  std::vector<R> q_step(const std::vector<R>& moved, const R& part) const {
+    std::vector<R> step(form_.q().size(), R(0));
+    for (std::size_t k = 0; k < coefficients_; ++k) {
+      step[k] += part * pi<R>() * solution_(static_cast<Eigen::Index>(free_.size() + k));
+    }
+    for (std::size_t f = 0; f < free_.size(); ++f) {
+      const std::vector<R> quot = quotient(form_.q(), form_.set().x(free_[f]));
+      const R factor = form_.weight().powers()[free_[f]].value * moved[f];
+      for (std::size_t k = 0; k < quot.size(); ++k) step[k] += factor * quot[k];
+    }
+    return step;
+  }
+
+ private:
+  R& at(std::size_t column) { return matrix_(row_, static_cast<Eigen::Index>(column)); }
+  R end(std::size_t f) const { return form_.set().x(free_[f]); }
+
+  void add_moments() {
+    if (S_ < 0) return;
+    const auto count = static_cast<std::size_t>(S_ + 1);
+    const std::vector<R> m = form_.moments(count);
+    for (std::size_t j = 0; j < count; ++j, ++row_) {
+      if (row_ >= size_) return;
+      for (std::size_t f = 0; f < free_.size(); ++f) {
+        using std::pow;
+        R power = 1;
+        for (std::size_t i = 0; i < j; ++i) power *= end(f);
+        at(f) = power;
+      }
+      if (tilts_) at(free_.size()) = form_.tilt_moment(j);
+      const R target = j + 1 == count ? R(form_.problem().load() / pi<R>()) : R(0);
+      right_(row_) = target - m[j];
+    }
+  }
+
+  void add_gaps() {
+    const ContactSet<R>& set = form_.set();
+    std::vector<std::size_t> ends = set.all(ContactSet<R>::Kind::ends);
+    ends.pop_back();
+    for (const std::size_t j : ends) {
+      if (row_ >= size_) {
+        ++row_;
+        continue;
+      }
+      const auto rule = form_.gap_rule(j);
+      for (const auto& node : rule) {
+        const R weight = node.weight * node.y;
+        for (std::size_t f = 0; f < free_.size(); ++f) at(f) -= weight / form_.distance(node.at, free_[f]);
+        R power = weight;
+        for (std::size_t k = 0; k < coefficients_; ++k) {
+          at(free_.size() + k) -= power;
+          power *= node.at.node.x;
+        }
+        if (tilts_) at(free_.size() + coefficients_) += weight * form_.tilt_polynomial(node.at.node.x);
+      }
+      right_(row_) = -form_.closure(j, rule);
+      ++row_;
+    }
+  }
+
+  /// The coefficient of z^-2 of u'/c is P load_at/pi.
+  void add_centre() {
+    if (row_ >= size_) {
+      ++row_;
+      return;
+    }
+    const std::vector<R>& d = form_.series();
+    const auto count = static_cast<std::size_t>(std::max(S_ + 2, 0));
+    const auto series = [&](std::size_t j) { return d[static_cast<std::size_t>(S_ + 1) - j]; };
+    for (std::size_t l = 0; l < coefficients_; ++l) {
+      const int index = S_ + 2 + static_cast<int>(l);
+      if (index >= 0) at(free_.size() + l) += d[static_cast<std::size_t>(index)];
+    }
+    for (std::size_t f = 0; f < free_.size(); ++f) {
+      R power = 1;
+      for (std::size_t j = 0; j < count; ++j) {
+        at(f) += power * series(j);
+        power *= end(f);
+      }
+    }
+    for (std::size_t j = 0; j < count; ++j) at(free_.size() + coefficients_) += form_.tilt_moment(j) * series(j);
+    right_(row_) = (form_.problem().load() * *form_.problem().load_at() - form_.moment_of_load()) / pi<R>();
+    ++row_;
+  }
+
+  const RiemannHilbertForm<R>& form_;
+  int S_;
+  std::vector<std::size_t> free_;
+  std::size_t coefficients_;  ///< of r
+  bool tilts_;
+  Eigen::Index size_;
+  Matrix<R> matrix_;
+  Vector<R> right_;
+  Vector<R> solution_;
+  Eigen::Index row_ = 0;
+};
+
+template <Real R>
+bool is_finite(const std::vector<R>& values) {
+  using std::abs;
+  for (const R& v : values) {
+    if (!(abs(v) < infinity<R>())) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+template <Real R>
+ContactState<R> ContactState<R>::initial(const ReducedProblem<R>& problem, ContactSet<R> set, const R& tilt) {
+  int degree = -static_cast<int>(set.components());
+  for (const auto& point : set.points()) degree += point.is_free() ? 1 : 0;
+  std::vector<R> q(static_cast<std::size_t>(std::max(-degree, 0)), R(0));
+  if (!q.empty()) q.back() = problem.load();
+  return {std::move(set), std::move(q), tilt};
+}
+
+template <Real R>
+NewtonResult<R> solve_newton(const ReducedProblem<R>& problem, ContactState<R> state, const std::vector<R>& limits,
+                             JacobiRules<R>& rules) {
+  using std::abs;
+  using Status = typename NewtonResult<R>::Status;
+  constexpr int max_steps = 60;
+  // Within this part of the hull quadratic convergence has left nothing but rounding.
+  const R rounding = 8 * epsilon<R>();
+  R previous = infinity<R>();
+  for (int iteration = 0; iteration < max_steps; ++iteration) {
+    const RiemannHilbertForm<R> form(problem, state.set, state.q, state.tilt, rules);
+    Linearisation<R> linear(form);
+    if (!linear.solve()) return {std::move(state), Status::stalled};
+    std::vector<R> steps = linear.end_steps();
+    const R tilt_step = linear.tilt_step();
+    if (!is_finite(steps) || !is_finite(std::vector<R>{tilt_step})) return {std::move(state), Status::stalled};
+
+    // No segment may lose more than nine tenths at once.
+    const std::vector<std::size_t> free = state.set.movable();
+    std::vector<R> change(state.set.segments(), R(0));
+    R largest = 0;
+    for (std::size_t f = 0; f < free.size(); ++f) {
+      change[free[f] - 1] += steps[f];
+      change[free[f]] -= steps[f];
+      largest = std::max(largest, R(abs(steps[f])));
+    }
+    R part = 1;
+    std::size_t tightest = 0;
+    for (std::size_t k = 0; k < change.size(); ++k) {
+      const R allowed = -R(0.9) * state.set.length(k) / change[k];
+      if (change[k] < 0 && allowed < part) {
+        part = allowed;
+        tightest = k;
+      }
+    }
+    const R hull = state.set.hull();
+    if (part < 1 && state.set.length(tightest) < limits[tightest] && largest > rounding * hull) {
+      return {std::move(state), Status::collapse, tightest, largest};
+    }
+    for (R& step : steps) step *= part;
+    const std::vector<R> q_step = linear.q_step(steps, part);
+    state.set.move(steps);
+    for (std::size_t k = 0; k < q_step.size(); ++k) state.q[k] += q_step[k];
+    state.tilt += part * tilt_step;
+    R tilt_scale = 1;
+    R q_change = 0;
+    for (std::size_t k = 0; k < q_step.size(); ++k) q_change = std::max(q_change, R(abs(q_step[k]) / problem.load()));
+    const R q_size = [&] {
+      R size = 1;
+      for (const R& c : state.q) size = std::max(size, R(abs(c) / problem.load()));
+      return size;
+    }();
+    tilt_scale = std::max(tilt_scale, R(abs(state.tilt)));
+    const R movement = std::max({R(largest / hull), R(q_change / q_size), R(abs(tilt_step) / tilt_scale)});
+    if (!(movement < infinity<R>())) return {std::move(state), Status::stalled};
+    const bool settled = movement <= rounding;
+    // Rounding may keep the last steps above that: they are small, and no longer shrink.
+    using std::sqrt;
+    const bool ground = movement < sqrt(epsilon<R>()) && movement >= previous / 2;
+    if (part == 1 && (settled || ground)) return {std::move(state), Status::converged, 0, R(movement * hull)};
+    previous = part == 1 ? movement : infinity<R>();
+  }
+  return {std::move(state), Status::stalled};
+}
+
+#define STEADYSLIDE_INSTANTIATE(R)                                                                              \
+  template struct ContactState<R>;                                                                              \
+  template NewtonResult<R> solve_newton(const ReducedProblem<R>&, ContactState<R>, const std::vector<R>&, \
+                                        JacobiRules<R>&);
+STEADYSLIDE_INSTANTIATE(double)
+STEADYSLIDE_INSTANTIATE(Real50)
+STEADYSLIDE_INSTANTIATE(Real100)
+#undef STEADYSLIDE_INSTANTIATE
+
+}  // namespace steadyslide::numeric
