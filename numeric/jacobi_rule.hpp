@@ -3,9 +3,12 @@
 //
 //   int_0^1 y^a (1-y)^b f(y) dy = sum_i weight_i f(y_i),   exact for polynomials f of degree < 2n.
 //
-// Nodes start from the eigenvalues of the Jacobi matrix in double [GW69] and are polished by Newton's method in R.
+// Nodes start from the eigenvalues of the Jacobi matrix in double [GW69] and are polished in R by Halley's method. Only
+// 1 + a and 1 + b enter, and nodes are formed from the end that is nearer: distances to both ends and weights have full
+// relative precision, however near to -1 the exponents are.
 
 #include <map>
+#include <tuple>
 #include <vector>
 
 #include "numeric/power.hpp"
@@ -21,7 +24,7 @@ struct JacobiRule {
   std::size_t size() const { return weights.size(); }
 };
 
-/// Throws std::invalid_argument unless n >= 1 and both powers are > -1.
+/// Throws std::invalid_argument unless n >= 1 and both powers are > -1, std::runtime_error if a node is not found.
 template <Real R>
 JacobiRule<R> jacobi_rule(const Power<R>& left, const Power<R>& right, int n);
 
@@ -33,12 +36,8 @@ class JacobiRules {
   const JacobiRule<R>& get(const Power<R>& left, const Power<R>& right, int n);
 
  private:
-  struct Key {
-    R left;
-    R right;
-    int n;
-    auto operator<=>(const Key& other) const;
-  };
+  /// 1 + a, 1 + b, n.
+  using Key = std::tuple<R, R, int>;
   std::map<Key, JacobiRule<R>> rules_;
 };
 
