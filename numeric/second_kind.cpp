@@ -81,9 +81,8 @@ R cosecant_rest(const R& a) {
 template <Real R>
 R power_quotient(const R& a, const R& x) {
   using std::abs, std::expm1, std::log, std::pow;
-  const R logarithm = log(x);
-  if (a == 0) return logarithm;
-  const R exponent = a * logarithm;
+  if (a == 0) return log(x);
+  const R exponent = a * log(x);
   return (abs(exponent) < 1 ? R(expm1(exponent)) : R(pow(x, a) - 1)) / a;
 }
 

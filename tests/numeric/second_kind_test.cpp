@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <type_traits>
+
 #include "numeric/jacobi_rule.hpp"
 #include "numeric/tanh_sinh.hpp"
 #include "numeric/trapezoidal.hpp"
