@@ -1,5 +1,7 @@
 #include "numeric/jacobi_rule.hpp"
 
+#include <mpfr.h>
+
 #include <Eigen/Eigenvalues>
 #include <boost/math/special_functions/beta.hpp>
 #include <numeric>
@@ -71,7 +73,7 @@ class Polynomials {
       const double relative =
           static_cast<double>(R(abs(change) / y)) * (1 + n * std::sqrt(static_cast<double>(R(y / (1 - y)))));
       y += change;
-      if (!(y > 0 && y < 1)) break;
+      if (y <= 0 || y >= 1) break;
       if (relative * relative * relative < static_cast<double>(epsilon<R>()) / 16)
         return {y, p1 + change * (p2 + change / 2 * p3)};
     }
