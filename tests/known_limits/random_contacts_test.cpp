@@ -168,13 +168,14 @@ void solve_the_first(int count) {
     const ContactProblem problem = testing::random_contact(seed);
     Attempt<double> attempt;
     const std::string reason = failure_of(problem, attempt);
+    const std::string line = std::to_string(seed) + ' ' + reason;
     if (reason.empty()) {
       tally.add(problem, *attempt.solution);
-      if (unsolved.count(seed) != 0) FAIL_CHECK(seed << " is solved: take it off the list");
+      if (unsolved.count(seed) != 0) FAIL_CHECK((line + "is solved: take it off the list"));
     } else if (unsolved.count(seed) == 0) {
-      FAIL_CHECK(seed << ' ' << reason);
+      FAIL_CHECK(line);
     } else {
-      MESSAGE(seed << ' ' << reason << " (listed: " << unsolved.at(seed) << ')');
+      MESSAGE((line + " (listed: " + unsolved.at(seed) + ')'));
     }
   }
   MESSAGE(tally.text());
