@@ -19,8 +19,8 @@ namespace {
 using Solution = ContactSolution<double>;
 using Contact = std::vector<ContactComponent<double>>;
 
-// Two runs round differently, and the free ends of one problem in twenty are a hundred times worse conditioned than
-// their data: in units of the contact's length, of each intensity, and of load/length.
+// Two runs round differently, and free ends amplify it. In units of the contact's length, of each intensity, and of
+// load/length; set before there was a solver to measure.
 constexpr double end_tolerance = 1e-10;
 constexpr double intensity_tolerance = 1e-8;
 constexpr double traction_tolerance = 1e-9;
