@@ -1,0 +1,63 @@
+// The generator keeps its promises, and its problems survive being written to a problem file and read back.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "app/problem_file.hpp"
+#include "support/problem_toml.hpp"
+#include "support/random_contact.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::testing;
+
+TEST_CASE("files say the same problem") {
+  for (int i = 0; i < listed_problems; i += 5) {
+    const std::string text = problem_toml(random_contact(first_listed_seed + static_cast<std::uint64_t>(i)));
+    CHECK(problem_toml(app::parse_problem(text, "random").contact) == text);
+  }
+}
+
+TEST_CASE("ranges") {
+  Rational highest_friction = 0;
+  int tilting = 0;
+  int with_steps = 0;
+  for (int i = 0; i < listed_problems; ++i) {
+    const ContactProblem p = random_contact(first_listed_seed + static_cast<std::uint64_t>(i));
+    const std::vector<Rational>& f = p.friction().values();
+    const std::vector<Indenter::Break> breaks = p.indenter().breaks();
+    CHECK(2 <= f.size());
+    CHECK(f.size() <= 7);
+    highest_friction = std::max(highest_friction, *std::max_element(f.begin(), f.end()));
+    CHECK(highest_friction <= 20);
+    CHECK(breaks.size() <= 4);
+    for (const Indenter::Piece& piece : p.indenter().pieces()) CHECK(piece.profile.degree() <= 6);
+    tilting += p.load_at() ? 1 : 0;
+    with_steps += std::any_of(breaks.begin(), breaks.end(), [](const auto& b) { return b.step != 0; }) ? 1 : 0;
+  }
+  CHECK(highest_friction == 20);
+  CHECK(tilting >= listed_problems / 50);
+  CHECK(with_steps >= listed_problems / 20);
+}
+
+TEST_CASE("the same problem on every platform") {
+  CHECK(problem_toml(random_contact(first_listed_seed)) == R"(load = "17.5"
+sliding = "+x"
+
+[half_space]
+poisson = "0.2"
+young = "70"
+plane = "stress"
+
+[friction]
+values = ["0", "0.98", "0", "0", "0.26", "0.71"]
+jumps = ["-1", "-0.0078125", "0", "1.25", "1.65625"]
+
+[indenter]
+support = ["-2", "2"]
+pieces = [
+  {to = "0", profile = "x^2 + 2*x + 1.0234375"},
+  {to = "2", profile = "x^2 - 2*x + 1"},
+]
+)");
+}
