@@ -257,8 +257,8 @@ NewtonResult<R> solve_newton(const ReducedProblem<R>& problem, ContactState<R> s
   return {std::move(state), Status::stalled};
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                                                              \
-  template struct ContactState<R>;                                                                              \
+#define STEADYSLIDE_INSTANTIATE(R)                                                                        \
+  template struct ContactState<R>;                                                                        \
   template NewtonResult<R> solve_newton(const ReducedProblem<R>&, ContactState<R>, const std::vector<R>&, \
                                         JacobiRules<R>&);
 STEADYSLIDE_INSTANTIATE(double)

@@ -15,8 +15,7 @@ ContactSet<R>::ContactSet(const ReducedProblem<R>& problem) : problem_(&problem)
 }
 
 template <Real R>
-ContactSet<R>::ContactSet(const ReducedProblem<R>& problem, const std::vector<ZoneGuess>& zones)
-    : ContactSet(problem) {
+ContactSet<R>::ContactSet(const ReducedProblem<R>& problem, const std::vector<ZoneGuess>& zones) : ContactSet(problem) {
   const auto anchor_next_to = [&](double x) {
     std::size_t best = 0;
     for (std::size_t j = 0; j < points_.size(); ++j) {

@@ -23,9 +23,9 @@ struct GradedPanel {
 /// The nearest singular points as seen from an interval.
 template <Real R>
 struct Surroundings {
-  bool left_singular;   ///< a power at the interval's own left end
+  bool left_singular;  ///< a power at the interval's own left end
   bool right_singular;
-  R beyond_left;        ///< from the left end to the next singular point on the left of it
+  R beyond_left;  ///< from the left end to the next singular point on the left of it
   R beyond_right;
 };
 

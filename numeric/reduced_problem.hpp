@@ -27,8 +27,8 @@ class ReducedProblem {
   ReducedProblem(const ContactProblem& problem, const Frame& frame);
 
   struct Anchor {
-    R x;          ///< xi
-    R step;       ///< height on the right minus height on the left; 0 at the support's ends
+    R x;     ///< xi
+    R step;  ///< height on the right minus height on the left; 0 at the support's ends
     int step_sign;
     bool is_break;  ///< the profile changes here
     bool wedge;     ///< its slope jumps

@@ -329,8 +329,7 @@ const std::vector<R>& RiemannHilbertForm<R>::density(std::size_t slope) const {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const std::size_t own = slope_at(static_cast<std::size_t>(nodes_[i].segment));
     const R& x = nodes_[i].node.x;
-    result.push_back(own == slope ? R(0)
-                                  : R(node_weights_[i] * (problem_->slope(own, x) - problem_->slope(slope, x))));
+    result.push_back(own == slope ? R(0) : R(node_weights_[i] * (problem_->slope(own, x) - problem_->slope(slope, x))));
   }
   return result;
 }
@@ -356,8 +355,7 @@ Estimate<R> RiemannHilbertForm<R>::panel_cauchy(const ContactPanel& panel, std::
   R size = 0;
   if (2 * gap >= part.length) {
     for (std::size_t i = panel.first; i < panel.first + count; ++i) {
-      const R term =
-          density[i] / (between + (panel_is_right ? nodes_[i].node.from_left : nodes_[i].node.from_right));
+      const R term = density[i] / (between + (panel_is_right ? nodes_[i].node.from_left : nodes_[i].node.from_right));
       sum += term;
       size += abs(term);
     }
@@ -461,8 +459,7 @@ Estimate<R> RiemannHilbertForm<R>::load_on(std::size_t segment) const {
 
 template <Real R>
 bool RiemannHilbertForm<R>::is_kinked(std::size_t j) const {
-  return j > 0 && j < set_.segments() && set_.in_contact(j - 1) && set_.in_contact(j) &&
-         slope_at(j - 1) != slope_at(j);
+  return j > 0 && j < set_.segments() && set_.in_contact(j - 1) && set_.in_contact(j) && slope_at(j - 1) != slope_at(j);
 }
 
 template <Real R>
@@ -516,8 +513,8 @@ void RiemannHilbertForm<R>::add_gap_nodes(std::size_t segment, const R& from, co
     const Power<R>& p = weight_.powers()[j];
     return set_.point(j).vanishes ? Power<R>{R(p.value - 1), p.value} : p;
   };
-  for (const Part& part : parts(segment, from, length, surroundings(segment, true),
-                                nodes_per_panel() + std::max(-degree_, 0), power_of)) {
+  for (const Part& part :
+       parts(segment, from, length, surroundings(segment, true), nodes_per_panel() + std::max(-degree_, 0), power_of)) {
     const std::size_t slope = slope_for_gap(segment, part.from_left + part.length <= middle);
     for (std::size_t i = 0; i < part.rule->size(); ++i) {
       const SurfacePoint<R> at = part.node(set_, i);

@@ -1,5 +1,6 @@
 #pragma once
-// The solution of A t = g + tilt on a given contact set K, for a profile slope g that is a polynomial g_k on each piece:
+// The solution of A t = g + tilt on a given contact set K, for a profile slope g that is a polynomial g_k on each
+// piece:
 //
 //   u'/c = g_k + tilt - Y B_k off the contact,   t = eps cos(pi alpha) |Y| B_k on it,
 //   B_k(x) = [(g_k + tilt)/Y]_poly - q(x)/pi - (1/pi) int_K eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x),
@@ -50,8 +51,8 @@ class RiemannHilbertForm {
 
   /// B_k, with what rounding may have done to it.
   Estimate<R> bracket(std::size_t slope, const SurfacePoint<R>& at) const;
-  /// B_k at point j of the set, k the slope on that side; where the contact changes its polynomial at j, what is left of
-  /// B_k without its singular term there (a multiple of |x - x_j|^-p, or of log|x - x_j| where p = 0).
+  /// B_k at point j of the set, k the slope on that side; where the contact changes its polynomial at j, what is left
+  /// of B_k without its singular term there (a multiple of |x - x_j|^-p, or of log|x - x_j| where p = 0).
   Estimate<R> bracket_at(std::size_t j, Side side) const;
   R modulus(const SurfacePoint<R>& at) const;
   /// t; zero off the contact.
@@ -149,7 +150,7 @@ class RiemannHilbertForm {
   std::vector<int> signs_;
   std::vector<R> series_;
   std::vector<R> inverse_series_;
-  std::vector<ContactPanel> panels_;  ///< empty where one polynomial rules
+  std::vector<ContactPanel> panels_;      ///< empty where one polynomial rules
   std::vector<std::size_t> first_panel_;  ///< of each segment, and one more
   std::vector<SurfacePoint<R>> nodes_;
   std::vector<R> node_weights_;

@@ -105,7 +105,8 @@ Estimate<R> RiemannHilbertSolution<R>::constant(std::size_t j) const {
   const R factor = form_->sign(static_cast<std::ptrdiff_t>(segment)) * form_->weight().amplitude(j) *
                    reduced_.cos_alpha(form_->friction_at(segment));
   const R unit = d / (1 + s_left * s_left) * log(to_real<R>(reduced_.frame().unit)) / pi<R>();
-  return {factor * b.value - unit, abs(factor) * (b.error + 32 * epsilon<R>() * abs(b.value)) + epsilon<R>() * abs(unit)};
+  return {factor * b.value - unit,
+          abs(factor) * (b.error + 32 * epsilon<R>() * abs(b.value)) + epsilon<R>() * abs(unit)};
 }
 
 template <Real R>
@@ -192,7 +193,8 @@ Resultants<R> RiemannHilbertSolution<R>::resultants() const {
                        result.normal.convergence};
   const R origin = to_real<R>(reduced_.frame().origin);
   const R offset = unit * form_->moment_of_load() / reduced_.load();
-  result.centre_of_pressure = {origin + offset, epsilon<R>() * (abs(origin) + 32 * unit) + 8 * unit * found_->end_error};
+  result.centre_of_pressure = {origin + offset,
+                               epsilon<R>() * (abs(origin) + 32 * unit) + 8 * unit * found_->end_error};
   return result;
 }
 
@@ -280,10 +282,10 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
     for (int i = 0; i < places; ++i) {
       const auto [left, right] = clustered<R>(i, places);
       const R& length = contact_set().length(k);
-      const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(k),
-                               {left < right ? R(contact_set().x(k) + left * length)
-                                             : R(contact_set().x(k + 1) - right * length),
-                                left * length, right * length}};
+      const SurfacePoint<R> at{
+          static_cast<std::ptrdiff_t>(k),
+          {left < right ? R(contact_set().x(k) + left * length) : R(contact_set().x(k + 1) - right * length),
+           left * length, right * length}};
       const std::optional<std::size_t> end = nearest_end(at);
       if (!end) continue;
       const bool on_left = contact_set().point(*end).kind == ContactSet<R>::Kind::ends;
@@ -400,8 +402,8 @@ Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) con
   if (contact || point.is_end()) {
     // The surface leaves a free end along the profile of the contact.
     if (!contact) segment += side == Side::left ? 1 : -1;
-    const R slope = reduced_.slope(form_->slope_at(static_cast<std::size_t>(segment)), contact_set().x(j)) +
-                    form_->tilt();
+    const R slope =
+        reduced_.slope(form_->slope_at(static_cast<std::size_t>(segment)), contact_set().x(j)) + form_->tilt();
     return {c * slope, 8 * epsilon<R>() * c * abs(slope)};
   }
   // Off the contact the surface is smooth, whatever the profile does above it.
@@ -433,9 +435,9 @@ Sample<R> RiemannHilbertSolution<R>::sample_at_point(std::size_t j) const {
       if ((side == Side::left && j == 0) || (side == Side::right && j == segments)) continue;
       const std::size_t k = side == Side::left ? j - 1 : j;
       const R& length = contact_set().length(k);
-      const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(k),
-                               {contact_set().x(j), side == Side::left ? length : R(0),
-                                side == Side::left ? R(0) : length}};
+      const SurfacePoint<R> at{
+          static_cast<std::ptrdiff_t>(k),
+          {contact_set().x(j), side == Side::left ? length : R(0), side == Side::left ? R(0) : length}};
       const Estimate<R> here = gap(at);
       if (!lowest || here.value < lowest->value) lowest = here;
     }

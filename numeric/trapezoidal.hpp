@@ -37,8 +37,8 @@ class Grid {
   /// The same integral at the distance d > 0 to the left of the first panel (Side::left) or right of the last one.
   R cauchy(Side side, const R& distance) const;
 
-  /// -(1/pi) int t(x') log(|x - x'|/|e - x'|) dx': what the surface rises from the end e of panel k (where contact ends on
-  /// that side) to the point x at the distance d > 0 beyond it, within the gap there.
+  /// -(1/pi) int t(x') log(|x - x'|/|e - x'|) dx': what the surface rises from the end e of panel k (where contact ends
+  /// on that side) to the point x at the distance d > 0 beyond it, within the gap there.
   R displacement(std::size_t k, Side end, const R& distance) const;
 
  private:

@@ -143,7 +143,8 @@ void check_inverse_case(Findings& findings, const InverseForm<R>& form, const Sl
   const R linear = numeric::to_real<R>(c.linear);
   const auto slope = [=](const R& x) { return R(constant + linear * x); };
   const numeric::PiecewiseDensity<R> closed = closed_inverse<R>(c);
-  const numeric::SurfaceCheck<R> surface(closed, {numeric::to_real<R>(c.problem.coupled_friction(0))}, slope);
+  const numeric::SurfaceCheck<R> surface(closed, {numeric::to_real<R>(c.problem.coupled_friction(0))},
+                                         [slope](std::size_t, const auto& node) { return slope(node.x); });
   findings.compare(equation, static_cast<double>(surface.equation()));
   findings.compare(load, static_cast<double>(R(abs(surface.integral()) / (abs(constant) + abs(linear)))));
 
