@@ -96,6 +96,12 @@ class RiemannHilbertForm {
   R distance(const SurfacePoint<R>& at, std::size_t j) const;
 
  private:
+  /// Part of a segment: what lies left of it, its length, and what lies right of it; zeros are exact.
+  struct Stretch {
+    R from_left;
+    R length;
+    R from_right;
+  };
   /// A part of a segment with its rule, whose nodes count from the end where the power sits.
   struct Part {
     std::size_t segment;
@@ -123,7 +129,7 @@ class RiemannHilbertForm {
   int nodes_per_panel() const;
   /// A part of a segment cut into parts for the rules; `power_of(j)` is the integrand's power at point j.
   template <class PowerOf>
-  std::vector<Part> parts(std::size_t segment, const R& from, const R& length, Surroundings<R> around, int nodes,
+  std::vector<Part> parts(std::size_t segment, const Stretch& stretch, Surroundings<R> around, int nodes,
                           const PowerOf& power_of) const;
   /// Coefficients of [(g_k + tilt)/Y]_poly - q/pi.
   const std::vector<R>& polynomial(std::size_t slope) const;
@@ -134,7 +140,10 @@ class RiemannHilbertForm {
                            const std::vector<R>& density) const;
   Surroundings<R> surroundings(std::size_t segment, bool gap) const;
   bool is_singular(std::size_t j, bool gap) const;
-  void add_gap_nodes(std::size_t segment, const R& from, const R& length, std::vector<GapNode>& nodes) const;
+  Stretch whole(std::size_t segment) const { return {R(0), set_.length(segment), R(0)}; }
+  void add_gap_nodes(std::size_t segment, const Stretch& stretch, std::vector<GapNode>& nodes) const;
+  void add_gap_nodes(std::size_t segment, const Stretch& stretch, std::size_t slope, std::vector<GapNode>& nodes) const;
+  bool changes_slope(std::size_t segment) const;
   std::size_t slope_for_gap(std::size_t segment, bool left_half) const;
   R rate(const GapNode& node) const;
   /// int (profile slope - g_k) over a part of a gap segment, k as the gap's nodes use it.

@@ -65,11 +65,13 @@ std::string compare_resultants(const Solution& before, const Solution& after, co
              end_tolerance * 10 * std::abs(scale) * length)) {
     return "centre of pressure";
   }
-  if (a.tilt.has_value() != b.tilt.has_value()) return "tilt";
-  if (!a.tilt) return "";
-  const double expected = (law.scale < 0 ? -law.factor : law.factor) * a.tilt->value;
+  const auto tilt_before = before.tilt();
+  const auto tilt_after = after.tilt();
+  if (tilt_before.has_value() != tilt_after.has_value()) return "tilt";
+  if (!tilt_before) return "";
+  const double expected = (law.scale < 0 ? -law.factor : law.factor) * tilt_before->value;
   const double slope = real(law.changed.elasticity().compliance()) * b.normal.value / (std::abs(scale) * length);
-  return close(expected, b.tilt->value, intensity_tolerance * (std::abs(expected) + slope)) ? "" : "tilt";
+  return close(expected, tilt_after->value, intensity_tolerance * (std::abs(expected) + slope)) ? "" : "tilt";
 }
 
 /// In the middle of each contact component and towards its ends.
