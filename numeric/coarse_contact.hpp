@@ -4,7 +4,7 @@
 //
 //   u(x)/c = -(1/pi) int t(x') log|x - x'| dx' + int_left^x s t,      u/c + C <= psi/c, t <= 0, t (u/c + C - psi/c) = 0
 //
-// in the mean over each cell, int t = -P; an active-set method with dense LU; cells refined where contact may begin or
+// at one point of each cell, int t = -P; an active-set method with dense LU; cells refined where contact may begin or
 // end until every contact component has several. [Bal16, section 3.1]
 
 #include <optional>
@@ -19,15 +19,15 @@ struct CoarseContact {
   struct Zone {
     double left;
     double right;
-    bool left_at_edge;   ///< `left` is the support's end or a step whose lower face is on the other side
+    bool left_at_edge;  ///< `left` is the support's end or a step whose lower face is on the other side
     bool right_at_edge;
   };
   Rational origin;
-  std::vector<Zone> zones;           ///< left to right
-  double tilt = 0;                   ///< slope added to psi/c: not zero only with load_at
-  std::vector<double> cell_edges;    ///< of the last mesh
-  std::vector<double> traction;      ///< one per cell
-  bool converged = true;             ///< false: the active sets cycled; the best one is given
+  std::vector<Zone> zones;         ///< left to right
+  double tilt = 0;                 ///< slope added to psi/c: not zero only with load_at
+  std::vector<double> cell_edges;  ///< of the last mesh
+  std::vector<double> traction;    ///< one per cell
+  bool converged = true;           ///< false: the active sets cycled; the best one is given
 };
 
 /// About `cells` cells to begin with, at most 16 times as many on the last mesh.
