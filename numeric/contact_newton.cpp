@@ -181,6 +181,22 @@ bool is_finite(const std::vector<R>& values) {
   return true;
 }
 
+/// Beside a wedge the length of contact beyond it counts by its order of magnitude: the largest step of such an end, in
+/// units of that length.
+template <Real R>
+R relative_step(const ReducedProblem<R>& problem, const ContactSet<R>& set, const std::vector<std::size_t>& free,
+                const std::vector<R>& steps) {
+  using std::abs;
+  R largest = 0;
+  for (std::size_t f = 0; f < free.size(); ++f) {
+    const bool begins = set.point(free[f]).kind == ContactSet<R>::Kind::begins;
+    const auto& neighbour = set.point(begins ? free[f] + 1 : free[f] - 1);
+    if (!neighbour.anchor || !problem.anchors()[*neighbour.anchor].is_break) continue;
+    largest = std::max(largest, R(abs(steps[f]) / set.length(begins ? free[f] : free[f] - 1)));
+  }
+  return largest;
+}
+
 }  // namespace
 
 template <Real R>
@@ -228,6 +244,7 @@ NewtonResult<R> solve_newton(const ReducedProblem<R>& problem, ContactState<R> s
       }
     }
     const R hull = state.set.hull();
+    const R beside_wedges = relative_step(problem, state.set, free, steps);
     if (part < 1 && state.set.length(tightest) < limits[tightest] && largest > rounding * hull) {
       return {std::move(state), Status::collapse, tightest, largest};
     }
@@ -247,10 +264,10 @@ NewtonResult<R> solve_newton(const ReducedProblem<R>& problem, ContactState<R> s
     tilt_scale = std::max(tilt_scale, R(abs(state.tilt)));
     const R movement = std::max({R(largest / hull), R(q_change / q_size), R(abs(tilt_step) / tilt_scale)});
     if (!(movement < infinity<R>())) return {std::move(state), Status::stalled};
-    const bool settled = movement <= rounding;
+    const bool settled = movement <= rounding && beside_wedges <= R(1e-7);
     // Rounding may keep the last steps above that: they are small, and no longer shrink.
     using std::sqrt;
-    const bool ground = movement < sqrt(epsilon<R>()) && movement >= previous / 2;
+    const bool ground = movement < sqrt(epsilon<R>()) && movement >= previous / 2 && beside_wedges <= R(1e-3);
     if (part == 1 && (settled || ground)) return {std::move(state), Status::converged, 0, R(movement * hull)};
     previous = part == 1 ? movement : infinity<R>();
   }

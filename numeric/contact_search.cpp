@@ -119,7 +119,8 @@ class Search {
     return true;
   }
 
-  /// Free ends that have come to lie on an anchor but for rounding are there.
+  /// Free ends that have come to lie on a friction jump but for rounding are there. Not on a wedge: a contact that
+  /// reaches beyond it by a length l carries a load of the order of l^(1/2 - |alpha|), much though l may be nothing.
   void snap() {
     const R rounding = 4 * epsilon<R>() * state_.set.hull();
     for (const std::size_t j : state_.set.movable()) {
@@ -128,7 +129,7 @@ class Search {
       const std::size_t inside = begins ? j : j - 1;
       const std::size_t neighbour = begins ? j + 1 : j - 1;
       if (state_.set.length(inside) > rounding || !state_.set.point(neighbour).anchor ||
-          state_.set.point(neighbour).is_end()) {
+          state_.set.point(neighbour).is_end() || problem_.anchors()[*state_.set.point(neighbour).anchor].is_break) {
         continue;
       }
       state_.set.settle(j, begins ? Side::right : Side::left, true);

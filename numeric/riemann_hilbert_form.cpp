@@ -27,6 +27,15 @@ SurfacePoint<R> point_in(const ContactSet<R>& set, std::size_t segment, const R&
   return {static_cast<std::ptrdiff_t>(segment), {x, from_left, from_right}};
 }
 
+/// Subtracts term x^j from entry j.
+template <Real R>
+void subtract_powers(std::vector<R>& moments, R term, const R& x) {
+  for (R& m : moments) {
+    m -= term;
+    term *= x;
+  }
+}
+
 /// What is left of int_0^1 y^a/(y + d) dy as d -> 0 without its singular term: -pi d^a/sin(pi a), or -log(d length) if
 /// a = 0.
 template <Real R>
@@ -75,7 +84,7 @@ RiemannHilbertForm<R>::RiemannHilbertForm(const ReducedProblem<R>& problem, Cont
   expand_at_infinity();
   polynomials_.resize(problem.slopes().size());
   densities_.resize(problem.slopes().size());
-  if (problem.slopes().size() > 1) make_panels();
+  if (problem.slopes().size() > 1 || set_.components() > 1) make_panels();
 }
 
 template <Real R>
@@ -195,29 +204,30 @@ R RiemannHilbertForm<R>::tilt_moment(std::size_t j) const {
 
 template <Real R>
 std::vector<R> RiemannHilbertForm<R>::moments(std::size_t count) const {
-  // Any k will do; the one at the first contact.
-  std::size_t segment = 0;
-  while (!set_.in_contact(segment)) ++segment;
-  const std::size_t k = slope_at(segment);
+  std::vector<R> result(count, R(0));
+  if (set_.components() > 1) {
+    // -(1/pi) int h xi^j, h = eps cos(pi alpha) (g + tilt)/|Y|: the expansion at infinity would be a small difference
+    // of large terms where the components are small beside their distances.
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const R& x = nodes_[i].node.x;
+      const std::size_t own = slope_at(static_cast<std::size_t>(nodes_[i].segment));
+      subtract_powers(result, R(node_weights_[i] * (problem_->slope(own, x) + tilt_) / pi<R>()), x);
+    }
+    return result;
+  }
+  // One component: any k will do, and the polynomial's part is exact.
+  const std::size_t k = slope_at(set_.all(ContactSet<R>::Kind::begins).front());
   const std::vector<R>& g = problem_->slopes()[k];
-  std::vector<R> result;
   for (std::size_t j = 0; j < count; ++j) {
-    R sum = tilt_ * tilt_moment(j);
+    result[j] = tilt_ * tilt_moment(j);
     for (std::size_t l = 0; l < g.size(); ++l) {
       const int index = static_cast<int>(l) - degree_ + 1 + static_cast<int>(j);
-      if (index >= 0) sum += g[l] * inverse_series_[static_cast<std::size_t>(index)];
+      if (index >= 0) result[j] += g[l] * inverse_series_[static_cast<std::size_t>(index)];
     }
-    result.push_back(sum);
   }
   if (!panels_.empty()) {
     const std::vector<R>& f = density(k);
-    for (std::size_t i = 0; i < f.size(); ++i) {
-      R term = f[i] / pi<R>();
-      for (R& m : result) {
-        m -= term;
-        term *= nodes_[i].node.x;
-      }
-    }
+    for (std::size_t i = 0; i < f.size(); ++i) subtract_powers(result, R(f[i] / pi<R>()), nodes_[i].node.x);
   }
   return result;
 }
