@@ -103,6 +103,7 @@ class Search {
     if (!is_support_end && problem_.anchors()[anchor].step_sign == 0) return cross(j, towards);
     const End end = left_moves ? End::right : End::left;
     if (!problem_.edge_possible(end, anchor)) return false;
+    ++crossings_[anchor];
     set.settle(j, towards, false);
     renew(std::move(set));
     return true;

@@ -57,13 +57,22 @@ Grid<R>::Grid(PiecewiseDensity<R> density) : density_(std::move(density)) {
 }
 
 template <Real R>
+R Grid<R>::reach_for_others(const PanelDensity<R>& density) const {
+  // A panel's neighbour, a short one, sees the density at distances of its own length.
+  using std::log;
+  R shortest = density.panel.length;
+  for (const PanelDensity<R>& other : density_) shortest = std::min(shortest, other.panel.length);
+  return log(density.panel.length / shortest);
+}
+
+template <Real R>
 typename Grid<R>::Samples Grid<R>::sample(const PanelDensity<R>& density, const R& offset) const {
   using std::ceil, std::exp, std::min, std::pow;
   const Panel<R>& panel = density.panel;
   // Beyond this tau the density is its end power to full accuracy, and so is its product with a Cauchy kernel.
-  const R constant_beyond = accuracy<R>() + margin<R>();
+  const R constant_beyond = accuracy<R>() + margin<R>() + reach_for_others(density);
   const auto reach = [&](const Power<R>& power) {
-    return R(min(constant_beyond, R((accuracy<R>() + 5 + margin<R>()) / power.plus_one)));
+    return R(min(constant_beyond, R((5 + constant_beyond) / power.plus_one)));
   };
   const auto lowest = static_cast<long>(ceil(R((-reach(density.left) - offset) / step_)));
   const auto highest = static_cast<long>(ceil(R((reach(density.right) - offset) / step_)));

@@ -54,6 +54,8 @@ class Grid {
   };
 
   Samples sample(const PanelDensity<R>& density, const R& offset) const;
+  /// How far beyond a panel's own scale, in tau, its samples have to reach for the sake of shorter panels.
+  R reach_for_others(const PanelDensity<R>& density) const;
   template <class Kernel>
   R sum(const Panel<R>& panel, const Samples& samples, const Kernel& kernel) const;
 

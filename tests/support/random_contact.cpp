@@ -58,7 +58,6 @@ struct Shape {
   std::vector<Indenter::Piece> pieces;
   std::vector<Spot> spots;
   Rational load;
-  Rational highest_s;
   std::optional<Rational> load_at = std::nullopt;  ///< where the load could act if the indenter tilts
 };
 
@@ -80,7 +79,7 @@ Shape bumps(Dice& dice, int count, int tipped) {
   const Rational width(1, count);
   const Rational share =
       count == 1 ? dice.chance(60) ? dice.decades(-20, 5) : dice.decades(-30, 30) : dice.decades(-25, 0);
-  Shape shape{{}, {}, share * count, tipped > 0 ? Rational(3, 2) : count > 1 ? Rational(3, 4) : Rational(20)};
+  Shape shape{{}, {}, share * count};
   const int first_tipped = dice.whole(0, count - tipped);
   for (int k = 0; k < count; ++k) {
     const Rational from = Rational(2 * k, count) - 1;
@@ -114,7 +113,7 @@ Shape wells(Dice& dice) {
   const Polynomial incline({0, share * dice.part(-4, 4, 16)});
   const Polynomial level = three ? Polynomial::constant(Rational(27, 4)) * square * twice : twice;
   const Rational radius = reach(share, 0, (three ? 27 : 4) / (a * a));
-  Shape shape{{{1, level + incline}}, {{-a, radius}, {a, radius}}, share * (three ? 3 : 2), Rational(3, 4)};
+  Shape shape{{{1, level + incline}}, {{-a, radius}, {a, radius}}, share * (three ? 3 : 2)};
   if (three) shape.spots.push_back({0, reach(share, 0, Rational(27, 4) / (a * a))});
   return shape;
 }
@@ -134,7 +133,7 @@ Shape punch(Dice& dice) {
     return around(from, {0, 0, 1 / ((end - from) * (end - from))}) + incline;
   };
   return {
-      {{left, rounded(left, -1)}, {right, incline}, {1, rounded(right, 1)}}, {{0, 1}}, dice.decades(-20, 20), 5, place};
+      {{left, rounded(left, -1)}, {right, incline}, {1, rounded(right, 1)}}, {{0, 1}}, dice.decades(-20, 20), place};
 }
 
 /// Convex, from straight or bent sides; pressed in so far that the contact leaves its lowest corners behind.
@@ -146,7 +145,7 @@ Shape polygon(Dice& dice) {
   while (static_cast<int>(slopes.size()) < sides) slopes.insert(dice.part(-8, 8, 8));
   corners.insert(1);
   const Polynomial bend({0, 0, dice.part(0, 2, 4)});
-  Shape shape{{}, {}, dice.decades(-3, 20), Rational(3, 4)};
+  Shape shape{{}, {}, dice.decades(-3, 20)};
   Rational from = -1;
   Rational height = 0;
   auto slope = slopes.begin();
@@ -164,25 +163,22 @@ Shape steps(Dice& dice) {
   const Rational b = dice.part(1, 5, 8);
   const Rational up = dice.part(2, 4, 4);
   const Rational load = dice.decades(-10, 5);
-  const Rational highest_s(1, 2);
   const auto flat = [](const Rational& height) { return Polynomial::constant(height); };
   switch (dice.whole(1, 5)) {
-    case 1: return {{{a, flat(0)}, {1, flat(up)}}, {{(a - 1) / 2, Rational(1, 4)}}, load, highest_s};
-    case 2: return {{{b, flat(up)}, {1, flat(0)}}, {{(b + 1) / 2, Rational(1, 4)}}, load, highest_s};
+    case 1: return {{{a, flat(0)}, {1, flat(up)}}, {{(a - 1) / 2, Rational(1, 4)}}, load};
+    case 2: return {{{b, flat(up)}, {1, flat(0)}}, {{(b + 1) / 2, Rational(1, 4)}}, load};
     case 3:
       return {{{a, flat(0)}, {b, flat(up)}, {1, flat(0)}},
               {{(a - 1) / 2, Rational(1, 8)}, {(b + 1) / 2, Rational(1, 8)}},
-              load,
-              highest_s};
-    case 4: return {{{a, flat(up)}, {b, flat(0)}, {1, flat(1)}}, {{(a + b) / 2, Rational(1, 8)}}, load, highest_s};
+              load};
+    case 4: return {{{a, flat(up)}, {b, flat(0)}, {1, flat(1)}}, {{(a + b) / 2, Rational(1, 8)}}, load};
     default: {
       const Polynomial parabola({0, 0, 1});
       const Rational& c = dice.chance(50) ? a : b;
       return {
           {{c, parabola + flat(c == a ? up / 4 : Rational(0))}, {1, parabola + flat(c == a ? Rational(0) : up / 4)}},
           {{0, reach(load, 0, 1)}},
-          load,
-          highest_s};
+          load};
     }
   }
 }
@@ -216,15 +212,13 @@ Elasticity any_elasticity(Dice& dice) {
   return Elasticity(Solid(nu, young), dice.chance(75) ? Plane::strain : Plane::stress);
 }
 
-/// One in five is zero, half of them are up to 1, the others up to 20 or as high as s may be.
-Rational any_friction(Dice& dice, const Rational& highest) {
+/// One in five is zero, half of them are up to 1, the others up to 20.
+Rational any_friction(Dice& dice) {
   const int kind = dice.whole(1, 20);
-  const Rational f = kind <= 4    ? Rational(0)
-                     : kind <= 14 ? dice.part(1, 100, 100)
-                     : kind <= 17 ? dice.part(10, 40, 10)
-                                  : Rational(dice.whole(2, 20));
-  const int eighths = dice.whole(1, 8);
-  return f <= highest ? f : Rational(highest * eighths / 8);
+  return kind <= 4    ? Rational(0)
+         : kind <= 14 ? dice.part(1, 100, 100)
+         : kind <= 17 ? dice.part(10, 40, 10)
+                      : Rational(dice.whole(2, 20));
 }
 
 /// Where friction changes on [-1, 1].
@@ -259,14 +253,10 @@ ContactProblem random_contact(std::uint64_t seed) {
   Dice dice(seed);
   Shape shape = any_shape(dice);
   if (!dice.chance(10)) shape.load_at.reset();
-  if (shape.load_at) shape.highest_s = std::min(shape.highest_s, Rational(3, 4));
   const Elasticity elasticity = any_elasticity(dice);
   const std::vector<Rational> jumps = any_jumps(dice, shape);
-  const Rational highest(Integer(numerator(shape.highest_s) * 100 * denominator(elasticity.gamma()) /
-                                 (denominator(shape.highest_s) * numerator(elasticity.gamma()))),
-                         100);
   std::vector<Rational> values;
-  for (std::size_t k = 0; k <= jumps.size(); ++k) values.push_back(any_friction(dice, highest));
+  for (std::size_t k = 0; k <= jumps.size(); ++k) values.push_back(any_friction(dice));
   const Rational height =
       dice.one_of_these({Rational(1, 1000), Rational(1, 100), Rational(1, 20), Rational(1, 4), 1, 3});
   const Sliding sliding = dice.chance(50) ? Sliding::plus_x : Sliding::minus_x;

@@ -12,9 +12,8 @@
 //
 // and one in ten of the bumps and punches may tilt. Jumps lie where contact is expected, at wedges, and anywhere.
 //
-// Some zones are smaller than any number of digits: next to a step or a wedge, contact and gaps are as long as
-// (small)^(1/(1/2 - |alpha|)), and a closing re-entrant wedge leaves a gap exponentially small in the load. Where a
-// profile has such places, |s| has a bound, and bumps that meet in a re-entrant wedge are not pressed together.
+// Nothing is kept out: next to a step or a wedge, contact and gaps are as long as (small)^(1/(1/2 - |alpha|)), which for
+// s = 10 can be less than the distance of two numbers.
 // With these shares, by a coarse variational solution of the list, four in five problems have a free end, two in five
 // several zones, one in three a wedge in the contact, and half of them a decreasing jump of s there.
 
