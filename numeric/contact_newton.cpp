@@ -181,21 +181,129 @@ bool is_finite(const std::vector<R>& values) {
   return true;
 }
 
-/// Beside a wedge the length of contact beyond it counts by its order of magnitude: the largest step of such an end, in
-/// units of that length.
+/// The iteration on one kind of contact set.
 template <Real R>
-R relative_step(const ReducedProblem<R>& problem, const ContactSet<R>& set, const std::vector<std::size_t>& free,
-                const std::vector<R>& steps) {
-  using std::abs;
-  R largest = 0;
-  for (std::size_t f = 0; f < free.size(); ++f) {
-    const bool begins = set.point(free[f]).kind == ContactSet<R>::Kind::begins;
-    const auto& neighbour = set.point(begins ? free[f] + 1 : free[f] - 1);
-    if (!neighbour.anchor || !problem.anchors()[*neighbour.anchor].is_break) continue;
-    largest = std::max(largest, R(abs(steps[f]) / set.length(begins ? free[f] : free[f] - 1)));
+class Newton {
+ public:
+  using Status = typename NewtonResult<R>::Status;
+
+  Newton(const ReducedProblem<R>& problem, ContactState<R> state, const std::vector<R>& limits, JacobiRules<R>& rules)
+      : problem_(problem), state_(std::move(state)), limits_(limits), rules_(rules) {}
+
+  NewtonResult<R> run() {
+    using std::abs, std::sqrt;
+    constexpr int max_steps = 100;
+    // Within this part of the hull quadratic convergence has left nothing but rounding.
+    const R rounding = 8 * epsilon<R>();
+    R previous = infinity<R>();
+    for (int iteration = 0; iteration < max_steps; ++iteration) {
+      const RiemannHilbertForm<R> form(problem_, state_.set, state_.q, state_.tilt, rules_);
+      Linearisation<R> linear(form);
+      if (!linear.solve()) break;
+      std::vector<R> ends = linear.end_steps();
+      const R tilt_step = linear.tilt_step();
+      if (!is_finite(ends) || !(abs(tilt_step) < infinity<R>())) break;
+
+      free_ = state_.set.movable();
+      R largest = 0;
+      for (const R& step : ends) largest = std::max(largest, R(abs(step)));
+      const R hull = state_.set.hull();
+      const R beside_wedges = follow_lengths(ends, hull);
+      const auto [part, tightest] = admissible_part(ends);
+      if (part < 1 && state_.set.length(tightest) < limits_[tightest] && largest > rounding * hull) {
+        return {std::move(state_), Status::collapse, tightest, largest};
+      }
+      for (R& step : ends) step *= part;
+      const std::vector<R> q_step = linear.q_step(ends, part);
+      state_.set.move(ends);
+      for (std::size_t k = 0; k < q_step.size(); ++k) state_.q[k] += q_step[k];
+      state_.tilt += part * tilt_step;
+
+      const R movement = std::max({R(largest / hull), relative_change(q_step, state_.q),
+                                   R(abs(tilt_step) / std::max(R(abs(state_.tilt)), R(1)))});
+      if (!(movement < infinity<R>())) break;
+      const bool settled = movement <= rounding && beside_wedges <= R(1e-7);
+      // Rounding may keep the last steps above that: they are small, and no longer shrink.
+      const bool ground = movement < sqrt(epsilon<R>()) && movement >= previous / 2 && beside_wedges <= R(1e-3);
+      if (part == 1 && (settled || ground)) return {std::move(state_), Status::converged, 0, R(movement * hull)};
+      previous = part == 1 ? movement : infinity<R>();
+    }
+    return {std::move(state_), Status::stalled};
   }
-  return largest;
-}
+
+ private:
+  /// The segment in contact at a free end.
+  std::size_t inside(std::size_t j) const {
+    return state_.set.point(j).kind == ContactSet<R>::Kind::begins ? j : j - 1;
+  }
+
+  /// Does contact at the free end j reach just beyond a break of the profile? There the length l of that piece counts
+  /// by its order of magnitude: it carries a load like l^(1 - p), and p may be near 1.
+  bool is_beside_break(std::size_t j, const R& hull) const {
+    const bool begins = state_.set.point(j).kind == ContactSet<R>::Kind::begins;
+    const auto& neighbour = state_.set.point(begins ? j + 1 : j - 1);
+    return neighbour.anchor && problem_.anchors()[*neighbour.anchor].is_break &&
+           state_.set.length(inside(j)) < R(0.05) * hull;
+  }
+
+  /// Steps of such ends are steps of log l. Returns the largest of them.
+  R follow_lengths(std::vector<R>& ends, const R& hull) const {
+    using std::abs, std::expm1;
+    R largest = 0;
+    for (std::size_t f = 0; f < free_.size(); ++f) {
+      const std::size_t j = free_[f];
+      if (!is_beside_break(j, hull)) continue;
+      const R& length = state_.set.length(inside(j));
+      const R outwards = state_.set.point(j).kind == ContactSet<R>::Kind::begins ? R(-1) : R(1);
+      const R growth = outwards * ends[f] / length;
+      largest = std::max(largest, R(abs(growth)));
+      ends[f] = outwards * length * expm1(std::clamp(growth, R(-7), R(3)));
+    }
+    return largest;
+  }
+
+  /// How much of the step leaves every segment a tenth of its length at least, and the segment that says so. The length
+  /// beyond a break counts as admissible until it is below its limit.
+  std::pair<R, std::size_t> admissible_part(const std::vector<R>& ends) const {
+    std::vector<R> change(state_.set.segments(), R(0));
+    for (std::size_t f = 0; f < free_.size(); ++f) {
+      change[free_[f] - 1] += ends[f];
+      change[free_[f]] -= ends[f];
+    }
+    const R hull = state_.set.hull();
+    std::vector<char> by_order(state_.set.segments(), 0);
+    for (const std::size_t j : free_) {
+      const std::size_t k = inside(j);
+      by_order[k] = is_beside_break(j, hull) && state_.set.length(k) >= limits_[k];
+    }
+    R part = 1;
+    std::size_t tightest = 0;
+    for (std::size_t k = 0; k < change.size(); ++k) {
+      if (by_order[k] || !(change[k] < 0)) continue;
+      const R allowed = -R(0.9) * state_.set.length(k) / change[k];
+      if (allowed < part) {
+        part = allowed;
+        tightest = k;
+      }
+    }
+    return {part, tightest};
+  }
+
+  R relative_change(const std::vector<R>& step, const std::vector<R>& q) const {
+    using std::abs;
+    R change = 0;
+    R size = problem_.load();
+    for (const R& c : step) change = std::max(change, R(abs(c)));
+    for (const R& c : q) size = std::max(size, R(abs(c)));
+    return change / size;
+  }
+
+  const ReducedProblem<R>& problem_;
+  ContactState<R> state_;
+  const std::vector<R>& limits_;
+  JacobiRules<R>& rules_;
+  std::vector<std::size_t> free_;
+};
 
 }  // namespace
 
@@ -211,67 +319,7 @@ ContactState<R> ContactState<R>::initial(const ReducedProblem<R>& problem, Conta
 template <Real R>
 NewtonResult<R> solve_newton(const ReducedProblem<R>& problem, ContactState<R> state, const std::vector<R>& limits,
                              JacobiRules<R>& rules) {
-  using std::abs;
-  using Status = typename NewtonResult<R>::Status;
-  constexpr int max_steps = 60;
-  // Within this part of the hull quadratic convergence has left nothing but rounding.
-  const R rounding = 8 * epsilon<R>();
-  R previous = infinity<R>();
-  for (int iteration = 0; iteration < max_steps; ++iteration) {
-    const RiemannHilbertForm<R> form(problem, state.set, state.q, state.tilt, rules);
-    Linearisation<R> linear(form);
-    if (!linear.solve()) return {std::move(state), Status::stalled};
-    std::vector<R> steps = linear.end_steps();
-    const R tilt_step = linear.tilt_step();
-    if (!is_finite(steps) || !is_finite(std::vector<R>{tilt_step})) return {std::move(state), Status::stalled};
-
-    // No segment may lose more than nine tenths at once.
-    const std::vector<std::size_t> free = state.set.movable();
-    std::vector<R> change(state.set.segments(), R(0));
-    R largest = 0;
-    for (std::size_t f = 0; f < free.size(); ++f) {
-      change[free[f] - 1] += steps[f];
-      change[free[f]] -= steps[f];
-      largest = std::max(largest, R(abs(steps[f])));
-    }
-    R part = 1;
-    std::size_t tightest = 0;
-    for (std::size_t k = 0; k < change.size(); ++k) {
-      const R allowed = -R(0.9) * state.set.length(k) / change[k];
-      if (change[k] < 0 && allowed < part) {
-        part = allowed;
-        tightest = k;
-      }
-    }
-    const R hull = state.set.hull();
-    const R beside_wedges = relative_step(problem, state.set, free, steps);
-    if (part < 1 && state.set.length(tightest) < limits[tightest] && largest > rounding * hull) {
-      return {std::move(state), Status::collapse, tightest, largest};
-    }
-    for (R& step : steps) step *= part;
-    const std::vector<R> q_step = linear.q_step(steps, part);
-    state.set.move(steps);
-    for (std::size_t k = 0; k < q_step.size(); ++k) state.q[k] += q_step[k];
-    state.tilt += part * tilt_step;
-    R tilt_scale = 1;
-    R q_change = 0;
-    for (std::size_t k = 0; k < q_step.size(); ++k) q_change = std::max(q_change, R(abs(q_step[k]) / problem.load()));
-    const R q_size = [&] {
-      R size = 1;
-      for (const R& c : state.q) size = std::max(size, R(abs(c) / problem.load()));
-      return size;
-    }();
-    tilt_scale = std::max(tilt_scale, R(abs(state.tilt)));
-    const R movement = std::max({R(largest / hull), R(q_change / q_size), R(abs(tilt_step) / tilt_scale)});
-    if (!(movement < infinity<R>())) return {std::move(state), Status::stalled};
-    const bool settled = movement <= rounding && beside_wedges <= R(1e-7);
-    // Rounding may keep the last steps above that: they are small, and no longer shrink.
-    using std::sqrt;
-    const bool ground = movement < sqrt(epsilon<R>()) && movement >= previous / 2 && beside_wedges <= R(1e-3);
-    if (part == 1 && (settled || ground)) return {std::move(state), Status::converged, 0, R(movement * hull)};
-    previous = part == 1 ? movement : infinity<R>();
-  }
-  return {std::move(state), Status::stalled};
+  return Newton<R>(problem, std::move(state), limits, rules).run();
 }
 
 #define STEADYSLIDE_INSTANTIATE(R)                                                                        \

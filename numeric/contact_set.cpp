@@ -9,6 +9,7 @@ ContactSet<R>::ContactSet(const ReducedProblem<R>& problem) : problem_(&problem)
   const std::size_t count = problem.anchors().size();
   for (std::size_t k = 0; k < count; ++k) {
     points_.push_back({k, Kind::passed, false});
+    x_.push_back(problem.anchors()[k].x);
     if (k + 1 < count) lengths_.push_back(problem.spacing(k));
   }
   refresh();
@@ -40,8 +41,13 @@ ContactSet<R>::ContactSet(const ReducedProblem<R>& problem, const std::vector<Zo
       from_left = lengths_[k];
     }
     const R margin = std::min(R(0.02 * width), R(lengths_[k] / 8));
+    const bool moved = from_left < margin || from_left > lengths_[k] - margin;
     from_left = std::clamp(from_left, margin, R(lengths_[k] - margin));
-    insert(k, from_left, {std::nullopt, kind, true});
+    if (moved) {
+      insert(k, from_left, {std::nullopt, kind, true});
+    } else {
+      insert(k, from_left, R(x_[k + 1] - place), place, {std::nullopt, kind, true});
+    }
     refresh();
   };
   for (const ZoneGuess& zone : zones) {
@@ -71,30 +77,40 @@ void ContactSet<R>::refresh() {
 
   contact_.assign(lengths_.size(), 0);
   intervals_.assign(lengths_.size(), 0);
-  x_.assign(points_.size(), R(0));
   bool contact = false;
-  for (std::size_t j = 0; j < points_.size(); ++j) {
+  for (std::size_t j = 0; j < lengths_.size(); ++j) {
     if (points_[j].kind == Kind::begins) contact = true;
     if (points_[j].kind == Kind::ends) contact = false;
-    if (points_[j].anchor) {
-      x_[j] = problem_->anchors()[*points_[j].anchor].x;
-    } else {
-      x_[j] = x_[j - 1] + lengths_[j - 1];
-    }
-    if (j < lengths_.size()) {
-      contact_[j] = contact;
-      intervals_[j] = points_[j].anchor ? *points_[j].anchor : intervals_[j - 1];
-    }
+    contact_[j] = contact;
+    intervals_[j] = points_[j].anchor ? *points_[j].anchor : intervals_[j - 1];
   }
-  // From the nearer anchor.
-  for (std::size_t j = points_.size(); j-- > 1;) {
-    if (points_[j].anchor || j + 1 == points_.size()) continue;
-    const R from_left = x_[j] - problem_->anchors()[intervals_[j]].x;
-    const R next = problem_->anchors()[intervals_[j] + 1].x;
-    if (from_left > problem_->spacing(intervals_[j]) / 2) {
-      R distance = lengths_[j];
-      for (std::size_t i = j + 1; !points_[i].anchor; ++i) distance += lengths_[i];
-      x_[j] = next - distance;
+  place_points();
+}
+
+template <Real R>
+void ContactSet<R>::place_points() {
+  // A place follows from what is near. Beside an anchor a million units away it has nothing to follow from: it is kept.
+  const R near = 1;
+  std::size_t left_anchor = 0;
+  R from_anchor = 0;
+  for (std::size_t j = 0; j < points_.size(); ++j) {
+    if (j > 0) from_anchor += lengths_[j - 1];
+    if (points_[j].anchor) {
+      left_anchor = j;
+      from_anchor = 0;
+      x_[j] = problem_->anchors()[*points_[j].anchor].x;
+      continue;
+    }
+    std::size_t right_anchor = j;
+    R to_anchor = 0;
+    while (!points_[right_anchor].anchor) to_anchor += lengths_[right_anchor++];
+    const auto anchor_x = [&](std::size_t point) { return problem_->anchors()[*points_[point].anchor].x; };
+    if (from_anchor <= near && from_anchor <= to_anchor) {
+      x_[j] = anchor_x(left_anchor) + from_anchor;
+    } else if (to_anchor <= near) {
+      x_[j] = anchor_x(right_anchor) - to_anchor;
+    } else if (!points_[j - 1].anchor && lengths_[j - 1] <= 4 * near) {
+      x_[j] = x_[j - 1] + lengths_[j - 1];
     }
   }
 }
@@ -146,16 +162,27 @@ void ContactSet<R>::move(const std::vector<R>& steps) {
   for (std::size_t i = 0; i < free.size(); ++i) {
     lengths_[free[i] - 1] += steps[i];
     lengths_[free[i]] -= steps[i];
+    x_[free[i]] += steps[i];
   }
   refresh();
 }
 
 template <Real R>
 std::size_t ContactSet<R>::insert(std::size_t segment, const R& from_left, Point point) {
-  const R rest = lengths_[segment] - from_left;
+  // Of a segment much longer than the contact only the places know what is left of it.
+  const bool by_places = lengths_[segment] > 4;
+  const R x = from_left <= lengths_[segment] / 2 || by_places ? R(x_[segment] + from_left)
+                                                              : R(x_[segment + 1] - (lengths_[segment] - from_left));
+  return insert(segment, from_left, by_places ? R(x_[segment + 1] - x) : R(lengths_[segment] - from_left), x, point);
+}
+
+template <Real R>
+std::size_t ContactSet<R>::insert(std::size_t segment, const R& from_left, const R& from_right, const R& x,
+                                  Point point) {
   lengths_[segment] = from_left;
-  lengths_.insert(lengths_.begin() + static_cast<std::ptrdiff_t>(segment) + 1, rest);
+  lengths_.insert(lengths_.begin() + static_cast<std::ptrdiff_t>(segment) + 1, from_right);
   points_.insert(points_.begin() + static_cast<std::ptrdiff_t>(segment) + 1, point);
+  x_.insert(x_.begin() + static_cast<std::ptrdiff_t>(segment) + 1, x);
   return segment + 1;
 }
 
@@ -169,6 +196,7 @@ void ContactSet<R>::erase(std::size_t j) {
   lengths_[j - 1] += lengths_[j];
   lengths_.erase(lengths_.begin() + static_cast<std::ptrdiff_t>(j));
   points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(j));
+  x_.erase(x_.begin() + static_cast<std::ptrdiff_t>(j));
 }
 
 template <Real R>
@@ -178,8 +206,7 @@ void ContactSet<R>::hop(std::size_t j, Side towards, const R& distance) {
   if (towards == Side::left) {
     // The anchor was j - 1 and still is.
     const R d = std::min(distance, R(lengths_[j - 2] / 2));
-    insert(j - 2, R(lengths_[j - 2] - d), end);
-    lengths_[j - 1] = d;
+    insert(j - 2, R(lengths_[j - 2] - d), d, R(x_[j - 1] - d), end);
   } else {
     const R d = std::min(distance, R(lengths_[j] / 2));
     insert(j, d, end);

@@ -79,7 +79,9 @@ class ContactSet {
 
  private:
   void refresh();
+  void place_points();
   std::size_t insert(std::size_t segment, const R& from_left, Point point);
+  std::size_t insert(std::size_t segment, const R& from_left, const R& from_right, const R& x, Point point);
   void erase(std::size_t j);
 
   const ReducedProblem<R>* problem_;
@@ -99,10 +101,12 @@ ContactSet<R> ContactSet<R>::converted(const ReducedProblem<R>& problem, const C
   ContactSet result(problem);
   result.points_.clear();
   result.lengths_.clear();
+  result.x_.clear();
   for (const auto& p : other.points_) {
     result.points_.push_back({p.anchor, static_cast<Kind>(static_cast<int>(p.kind)), p.vanishes});
   }
   for (const Other& length : other.lengths_) result.lengths_.push_back(static_cast<R>(length));
+  for (const Other& x : other.x_) result.x_.push_back(static_cast<R>(x));
   result.refresh();
   return result;
 }

@@ -462,11 +462,12 @@ SurfacePoint<R> RiemannHilbertSolution<R>::locate(const Rational& x) const {
   while (set.point(first).anchor != interval) ++first;
   std::size_t end = first + 1;
   while (!set.point(end).anchor) ++end;
-  // Distances from the points of the interval, each from the anchor that is nearer to it.
+  // Distances from the points of the interval, by way of the anchor that is nearer; by coordinates if both are far.
   const R left = from(interval);
   const R right = -from(interval + 1);
   const bool left_is_near = left < right;
   const auto to_point = [&](std::size_t j) {
+    if (!set.point(j).anchor && left > 1 && right > 1) return R(set.x(j) - xi);
     R d = left_is_near ? left : right;
     if (left_is_near) {
       for (std::size_t k = first; k < j; ++k) d -= set.length(k);

@@ -121,10 +121,10 @@ Shape wells(Dice& dice) {
 Shape punch(Dice& dice) {
   const Rational place = dice.part(-2, 2, 16);
   const int kind = dice.whole(1, 10);
-  if (kind <= 2) return {{{1, Polynomial()}}, {{0, 1}}, dice.decades(-30, 30), 20, place};
+  if (kind <= 2) return {{{1, Polynomial()}}, {{0, 1}}, dice.decades(-30, 30), place};
   if (kind <= 5) {
     const Rational slope = dice.chance(50) ? 1 : -1;
-    return {{{1, Polynomial({0, slope})}}, {{-slope, 1}}, dice.decades(-30, 30), 20};
+    return {{{1, Polynomial({0, slope})}}, {{-slope, 1}}, dice.decades(-30, 30)};
   }
   const Rational left = -dice.part(2, 7, 8);
   const Rational right = dice.part(2, 7, 8);
@@ -186,7 +186,7 @@ Shape steps(Dice& dice) {
 Shape any_polynomial(Dice& dice) {
   std::vector<Rational> coefficients;
   for (int degree = dice.whole(2, 6); degree >= 0; --degree) coefficients.push_back(dice.part(-8, 8, 8));
-  return {{{1, Polynomial(coefficients)}}, {{0, 1}}, dice.decades(-20, 20), 3};
+  return {{{1, Polynomial(coefficients)}}, {{0, 1}}, dice.decades(-20, 20)};
 }
 
 Shape any_shape(Dice& dice) {
