@@ -88,8 +88,10 @@ class Inspection {
     begin(first);
     for (std::size_t k = first; k < end; ++k) {
       for (const SurfacePoint<R>& at : places(set_, k, 5)) {
-        const Estimate<R> t = form_.traction(at);
-        note(What::tension, t.value > 4 * t.error, at, t.value);
+        // t has the sign of eps B, and B costs nothing where one polynomial rules.
+        const Estimate<R> b = form_.bracket(form_.slope_at(k), at);
+        const R value = form_.sign(at.segment) * b.value;
+        note(What::tension, value > 4 * b.error, at, value);
       }
     }
     if (open_) close(end - 1, set_.length(end - 1));

@@ -16,7 +16,7 @@ struct Violation {
   R from;  ///< distance from the left end of that segment
   std::size_t last_segment;
   R to;
-  R size;  ///< the largest t, or the deepest reduced penetration, in it
+  R size;  ///< the largest eps B, which has the sign of t, or the deepest reduced penetration, in it
 };
 
 /// Left to right; what rounding alone may have done is let pass. Sampled, not proved.

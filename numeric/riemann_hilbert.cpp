@@ -36,8 +36,34 @@ struct Start {
   }
 };
 
+/// The problem with at most `most` jumps of friction, every value the mean over several: a coarse solution cuts its
+/// cells at every jump and costs the cube of their number.
+ContactProblem with_fewer_jumps(const ContactProblem& problem, std::size_t most) {
+  const FrictionProfile& friction = problem.friction();
+  const std::size_t group = friction.jumps().size() / (most + 1) + 1;
+  if (group == 1) return problem;
+  std::vector<Rational> values;
+  std::vector<Rational> jumps;
+  Rational sum = 0;
+  Rational from = problem.indenter().left();
+  Rational left = from;
+  for (std::size_t k = 0; k < friction.values().size(); ++k) {
+    const bool last = k + 1 == friction.values().size();
+    const Rational right = last ? problem.indenter().right() : friction.jumps()[k];
+    sum += friction.values()[k] * (right - left);
+    left = right;
+    if (!last && (k + 1) % group != 0) continue;
+    values.push_back(sum / (right - from));
+    if (!last) jumps.push_back(right);
+    sum = 0;
+    from = right;
+  }
+  return ContactProblem(problem.elasticity(), FrictionProfile(std::move(values), std::move(jumps)), problem.indenter(),
+                        problem.load(), problem.sliding(), problem.load_at());
+}
+
 Start coarse_start(const ContactProblem& problem, int cells) {
-  const CoarseContact coarse = coarse_contact(problem, cells);
+  const CoarseContact coarse = coarse_contact(with_fewer_jumps(problem, static_cast<std::size_t>(cells) / 2), cells);
   Start start{coarse.origin, {}, coarse.tilt};
   for (const CoarseContact::Zone& z : coarse.zones) {
     start.zones.push_back({z.left, z.right, z.left_at_edge, z.right_at_edge});

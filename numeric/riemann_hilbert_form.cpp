@@ -215,7 +215,8 @@ std::vector<R> RiemannHilbertForm<R>::moments(std::size_t count) const {
     }
     return result;
   }
-  // One component: any k will do, and the polynomial's part is exact. The one of the longest segment is the smallest there.
+  // One component: any k will do, and the polynomial's part is exact. The one of the longest segment is the smallest
+  // there.
   std::size_t longest = set_.all(ContactSet<R>::Kind::begins).front();
   for (std::size_t segment = 0; segment < set_.segments(); ++segment) {
     if (set_.in_contact(segment) && set_.length(segment) > set_.length(longest)) longest = segment;
