@@ -90,7 +90,7 @@ void ContactSet<R>::refresh() {
 template <Real R>
 void ContactSet<R>::place_points() {
   // A place follows from what is near. Beside an anchor a million units away it has nothing to follow from: it is kept.
-  const R near = 1;
+  const R near = 4;
   std::size_t left_anchor = 0;
   R from_anchor = 0;
   for (std::size_t j = 0; j < points_.size(); ++j) {
@@ -109,9 +109,13 @@ void ContactSet<R>::place_points() {
       x_[j] = anchor_x(left_anchor) + from_anchor;
     } else if (to_anchor <= near) {
       x_[j] = anchor_x(right_anchor) - to_anchor;
-    } else if (!points_[j - 1].anchor && lengths_[j - 1] <= 4 * near) {
+    } else if (!points_[j - 1].anchor && lengths_[j - 1] <= near) {
       x_[j] = x_[j - 1] + lengths_[j - 1];
     }
+  }
+  // And a long way follows from its places.
+  for (std::size_t k = 0; k < lengths_.size(); ++k) {
+    if (lengths_[k] > near && !(points_[k].anchor && points_[k + 1].anchor)) lengths_[k] = x_[k + 1] - x_[k];
   }
 }
 

@@ -467,7 +467,7 @@ SurfacePoint<R> RiemannHilbertSolution<R>::locate(const Rational& x) const {
   const R right = -from(interval + 1);
   const bool left_is_near = left < right;
   const auto to_point = [&](std::size_t j) {
-    if (!set.point(j).anchor && left > 1 && right > 1) return R(set.x(j) - xi);
+    if (!set.point(j).anchor && left > 4 && right > 4) return R(set.x(j) - xi);
     R d = left_is_near ? left : right;
     if (left_is_near) {
       for (std::size_t k = first; k < j; ++k) d -= set.length(k);
