@@ -89,29 +89,30 @@ void ContactSet<R>::refresh() {
 
 template <Real R>
 void ContactSet<R>::place_points() {
-  // A place follows from what is near. Beside an anchor a million units away it has nothing to follow from: it is kept.
+  // A place follows from the nearer anchor, by way of the points between. If both are a long way off, the place is kept
+  // as it is, and those of the points beside it follow.
   const R near = 4;
-  std::size_t left_anchor = 0;
-  R from_anchor = 0;
-  for (std::size_t j = 0; j < points_.size(); ++j) {
-    if (j > 0) from_anchor += lengths_[j - 1];
+  const std::size_t count = points_.size();
+  std::vector<R> from_left(count, infinity<R>());
+  std::vector<R> from_right(count, infinity<R>());
+  for (std::size_t j = 0; j < count; ++j) {
     if (points_[j].anchor) {
-      left_anchor = j;
-      from_anchor = 0;
       x_[j] = problem_->anchors()[*points_[j].anchor].x;
-      continue;
+      from_left[j] = from_right[j] = 0;
+    } else if (lengths_[j - 1] <= near) {
+      from_left[j] = from_left[j - 1] + lengths_[j - 1];
     }
-    std::size_t right_anchor = j;
-    R to_anchor = 0;
-    while (!points_[right_anchor].anchor) to_anchor += lengths_[right_anchor++];
-    const auto anchor_x = [&](std::size_t point) { return problem_->anchors()[*points_[point].anchor].x; };
-    if (from_anchor <= near && from_anchor <= to_anchor) {
-      x_[j] = anchor_x(left_anchor) + from_anchor;
-    } else if (to_anchor <= near) {
-      x_[j] = anchor_x(right_anchor) - to_anchor;
-    } else if (!points_[j - 1].anchor && lengths_[j - 1] <= near) {
-      x_[j] = x_[j - 1] + lengths_[j - 1];
-    }
+  }
+  for (std::size_t j = count - 1; j-- > 0;) {
+    if (!points_[j].anchor && lengths_[j] <= near) from_right[j] = from_right[j + 1] + lengths_[j];
+  }
+  const auto is_known = [&](std::size_t j) { return std::min(from_left[j], from_right[j]) < infinity<R>(); };
+  for (std::size_t j = 1; j < count; ++j) {
+    if (points_[j].anchor) continue;
+    if (is_known(j) ? from_left[j] <= from_right[j] : lengths_[j - 1] <= near) x_[j] = x_[j - 1] + lengths_[j - 1];
+  }
+  for (std::size_t j = count - 1; j-- > 0;) {
+    if (!points_[j].anchor && from_right[j] < from_left[j]) x_[j] = x_[j + 1] - lengths_[j];
   }
   // And a long way follows from its places.
   for (std::size_t k = 0; k < lengths_.size(); ++k) {
