@@ -112,7 +112,7 @@ class CommandLine {
     solve_->add_option("PROBLEM", raw_.problem, "Problem file, or -")->required()->type_name("");
     solve_
         ->add_option("--method", raw_.method,
-                     "auto or closed-form (riemann-hilbert and variational: not available in this version)")
+                     "auto, closed-form or riemann-hilbert (variational: not available in this version)")
         ->type_name("METHOD");
     solve_->add_option("--at", raw_.at, "Results at these x, in your units; may lie outside the support")
         ->type_name("X,X,...");
@@ -185,18 +185,20 @@ class CommandLine {
     for (const char* option : {"--cells", "--load-steps", "--search-solutions"}) {
       if (given(solve_, option)) throw not_available(option);
     }
-    if (raw_.method == "riemann-hilbert" || raw_.method == "variational") {
-      throw not_available("--method " + raw_.method);
-    }
-    if (raw_.method != "auto" && raw_.method != "closed-form") {
-      throw bad_command_line("--method: unknown method", "it is one of auto, closed-form, riemann-hilbert, variational",
-                             raw_.method);
-    }
-    SolveOptions options{common(solve_, 16, {Format::text, Format::json, Format::csv}), raw_.problem, raw_.method,
-                         raw_.at, 0};
+    SolveOptions options{common(solve_, 16, {Format::text, Format::json, Format::csv}), raw_.problem, method(), raw_.at,
+                         0};
     if (given(solve_, "--at") && raw_.at.empty()) throw bad_command_line("--at: no value", "it is a list", raw_.at);
     if (given(solve_, "--samples")) options.samples = parse_count("--samples", raw_.samples, 1, 100000);
     return options;
+  }
+
+  Method method() const {
+    if (raw_.method == "auto") return Method::automatic;
+    if (raw_.method == "closed-form") return Method::closed_form;
+    if (raw_.method == "riemann-hilbert") return Method::riemann_hilbert;
+    if (raw_.method == "variational") throw not_available("--method " + raw_.method);
+    throw bad_command_line("--method: unknown method", "it is one of auto, closed-form, riemann-hilbert, variational",
+                           raw_.method);
   }
 
   Raw raw_;

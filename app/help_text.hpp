@@ -82,10 +82,18 @@ inline constexpr const char* solve_footer = R"(Results, in your units:
   gap        psi - u - C >= 0, a length; none outside the support
   slope      u', the slope of the surface
   intensity  theta in t = -theta d^exponent at the ends of contact, in
-             t = constant - theta cos(pi alpha) |x-c|^exponent at friction jumps
+             t = constant - theta cos(pi alpha) |x-c|^exponent at friction jumps;
+             at a wedge without jump the coefficient of log|x-c|/pi
+  tilt       the slope added to psi, where load_at lets the indenter tilt
 Where the two limits at a place differ, JSON says {"left", "right"} and CSV has two rows.
 CSV is the samples: those of --at and --samples, 101 a component if neither is given.
---method auto takes the closed form where there is one.)";
+Methods:
+  closed-form      a formula, for flat punches and parabolas that do not tilt
+  riemann-hilbert  any profile: the contact's ends by Newton's method, the pressure in the
+                   space of its own singular functions
+  auto             the first of the two that applies
+16 digits are found in double, and with 50 digits where double is not enough.
+A solve that does not converge is printed all the same, and the exit code is 1.)";
 
 inline constexpr const char* verify =
     R"(Checks the claims of the theory by unrelated routes and prints a verdict for each.)";

@@ -8,6 +8,7 @@
 namespace steadyslide::app {
 
 enum class Format { text, json, csv, markdown, latex };
+enum class Method { automatic, closed_form, riemann_hilbert };
 
 /// What every command takes.
 struct CommonOptions {
@@ -32,7 +33,7 @@ struct TableOptions {
 struct SolveOptions {
   CommonOptions common;
   std::string problem;
-  std::string method = "auto";
+  Method method = Method::automatic;
   std::string at;   ///< a list; empty: none
   int samples = 0;  ///< 0: none
 };
