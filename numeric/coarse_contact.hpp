@@ -4,7 +4,7 @@
 //
 //   u(x)/c = -(1/pi) int t(x') log|x - x'| dx' + int_left^x s t,      u/c + C <= psi/c, t <= 0, t (u/c + C - psi/c) = 0
 //
-// in the mean over each cell, int t = -P; an active-set method with dense LU; cells refined where contact may begin or
+// at one point of each cell, int t = -P; an active-set method with dense LU; cells refined where contact may begin or
 // end until every contact component has several. [Bal16, section 3.1]
 
 #include <optional>
