@@ -275,17 +275,16 @@ R RiemannHilbertForm<R>::Part::node_weight(std::size_t i) const {
 
 template <Real R>
 template <class PowerOf>
-std::vector<typename RiemannHilbertForm<R>::Part> RiemannHilbertForm<R>::parts(std::size_t segment, const R& from,
-                                                                               const R& length, Surroundings<R> around,
-                                                                               int nodes,
+std::vector<typename RiemannHilbertForm<R>::Part> RiemannHilbertForm<R>::parts(std::size_t segment,
+                                                                               const Stretch& stretch,
+                                                                               Surroundings<R> around, int nodes,
                                                                                const PowerOf& power_of) const {
-  const bool reaches_right = from + length >= set_.length(segment);
-  const R behind = reaches_right ? R(0) : R(set_.length(segment) - from - length);
+  const auto& [from, length, behind] = stretch;
   if (from > 0) {
     around.beyond_left = around.left_singular ? from : R(from + around.beyond_left);
     around.left_singular = false;
   }
-  if (!reaches_right) {
+  if (behind > 0) {
     around.beyond_right = around.right_singular ? behind : R(behind + around.beyond_right);
     around.right_singular = false;
   }
@@ -309,8 +308,7 @@ void RiemannHilbertForm<R>::make_panels() {
       const R& p = weight_.powers()[j].value;
       return Power<R>{R(-p), R(1 - p)};
     };
-    for (const Part& part :
-         parts(segment, R(0), set_.length(segment), surroundings(segment, false), nodes_per_panel(), power_of)) {
+    for (const Part& part : parts(segment, whole(segment), surroundings(segment, false), nodes_per_panel(), power_of)) {
       panels_.push_back({part, nodes_.size()});
       for (std::size_t i = 0; i < part.rule->size(); ++i) {
         nodes_.push_back(part.node(set_, i));
@@ -444,7 +442,7 @@ Estimate<R> RiemannHilbertForm<R>::load_on(std::size_t segment) const {
   const R amplitude = sign(static_cast<std::ptrdiff_t>(segment)) * problem_->cos_alpha(friction_at(segment));
   Estimate<R> sum;
   const auto power_of = [this](std::size_t j) { return weight_.powers()[j]; };
-  for (const Part& part : parts(segment, R(0), set_.length(segment), surroundings(segment, true),
+  for (const Part& part : parts(segment, whole(segment), surroundings(segment, true),
                                 nodes_per_panel() + std::max(-degree_, 0), power_of)) {
     for (std::size_t i = 0; i < part.rule->size(); ++i) {
       const SurfacePoint<R> at = part.node(set_, i);
@@ -499,14 +497,14 @@ std::size_t RiemannHilbertForm<R>::slope_for_gap(std::size_t segment, bool left_
 }
 
 template <Real R>
-void RiemannHilbertForm<R>::add_gap_nodes(std::size_t segment, const R& from, const R& length,
+void RiemannHilbertForm<R>::add_gap_nodes(std::size_t segment, const Stretch& stretch,
                                           std::vector<GapNode>& nodes) const {
-  const R& whole = set_.length(segment);
-  const R middle = whole / 2;
-  if (from < middle && from + length > middle && length < whole) {
+  const auto& [from, length, behind] = stretch;
+  const R middle = set_.length(segment) / 2;
+  if (from < middle && behind < middle && (from > 0 || behind > 0)) {
     // The k in use changes there.
-    add_gap_nodes(segment, from, R(middle - from), nodes);
-    add_gap_nodes(segment, middle, R(from + length - middle), nodes);
+    add_gap_nodes(segment, {from, R(middle - from), middle}, nodes);
+    add_gap_nodes(segment, {middle, R(middle - behind), behind}, nodes);
     return;
   }
   const auto power_of = [this](std::size_t j) {
@@ -514,8 +512,8 @@ void RiemannHilbertForm<R>::add_gap_nodes(std::size_t segment, const R& from, co
     return set_.point(j).vanishes ? Power<R>{R(p.value - 1), p.value} : p;
   };
   for (const Part& part :
-       parts(segment, from, length, surroundings(segment, true), nodes_per_panel() + std::max(-degree_, 0), power_of)) {
-    const std::size_t slope = slope_for_gap(segment, part.from_left + part.length <= middle);
+       parts(segment, stretch, surroundings(segment, true), nodes_per_panel() + std::max(-degree_, 0), power_of)) {
+    const std::size_t slope = slope_for_gap(segment, part.from_left + part.length / 2 < middle);
     for (std::size_t i = 0; i < part.rule->size(); ++i) {
       const SurfacePoint<R> at = part.node(set_, i);
       nodes.push_back({at, slope, part.node_weight(i), R(sign(at.segment) * modulus(at))});
@@ -545,7 +543,7 @@ template <Real R>
 std::vector<typename RiemannHilbertForm<R>::GapNode> RiemannHilbertForm<R>::gap_rule(std::size_t j) const {
   std::vector<GapNode> nodes;
   for (std::size_t k = j; k < set_.segments() && !set_.in_contact(k); ++k) {
-    add_gap_nodes(k, R(0), set_.length(k), nodes);
+    add_gap_nodes(k, whole(k), nodes);
   }
   return nodes;
 }
@@ -585,20 +583,20 @@ Estimate<R> RiemannHilbertForm<R>::opening(std::size_t j, const SurfacePoint<R>&
   if (rightwards) {
     for (std::size_t k = j; k < segment; ++k) {
       add_step(k);
-      add_gap_nodes(k, R(0), set_.length(k), nodes);
+      add_gap_nodes(k, whole(k), nodes);
       sum += slope_difference(k, R(0), set_.length(k));
     }
     add_step(segment);
-    add_gap_nodes(segment, R(0), at.node.from_left, nodes);
+    add_gap_nodes(segment, {R(0), at.node.from_left, at.node.from_right}, nodes);
     sum += slope_difference(segment, R(0), at.node.from_left);
   } else {
     for (std::size_t k = j; k-- > segment + 1;) {
       add_step(k + 1);
-      add_gap_nodes(k, R(0), set_.length(k), nodes);
+      add_gap_nodes(k, whole(k), nodes);
       sum += slope_difference(k, R(0), set_.length(k));
     }
     add_step(segment + 1);
-    add_gap_nodes(segment, at.node.from_left, at.node.from_right, nodes);
+    add_gap_nodes(segment, {at.node.from_left, at.node.from_right, R(0)}, nodes);
     sum += slope_difference(segment, at.node.from_left, at.node.from_right);
   }
   for (const GapNode& node : nodes) {

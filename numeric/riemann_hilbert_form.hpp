@@ -110,6 +110,13 @@ class RiemannHilbertForm {
     /// int f dxi = sum of node_weight(i) f(node(i)), for f = distance^power times a smooth function.
     R node_weight(std::size_t i) const;
   };
+  /// What lies before and behind is given too: whether a stretch reaches an end is not left to rounding.
+  struct Stretch {
+    R from;
+    R length;
+    R behind;
+  };
+  Stretch whole(std::size_t segment) const { return {R(0), set_.length(segment), R(0)}; }
   struct ContactPanel {
     Part part;
     std::size_t first;  ///< of its nodes
@@ -121,9 +128,9 @@ class RiemannHilbertForm {
   void expand_at_infinity();
   void make_panels();
   int nodes_per_panel() const;
-  /// A part of a segment cut into parts for the rules; `power_of(j)` is the integrand's power at point j.
+  /// A stretch of a segment cut into parts for the rules; `power_of(j)` is the integrand's power at point j.
   template <class PowerOf>
-  std::vector<Part> parts(std::size_t segment, const R& from, const R& length, Surroundings<R> around, int nodes,
+  std::vector<Part> parts(std::size_t segment, const Stretch& stretch, Surroundings<R> around, int nodes,
                           const PowerOf& power_of) const;
   /// Coefficients of [(g_k + tilt)/Y]_poly - q/pi.
   const std::vector<R>& polynomial(std::size_t slope) const;
@@ -134,7 +141,7 @@ class RiemannHilbertForm {
                            const std::vector<R>& density) const;
   Surroundings<R> surroundings(std::size_t segment, bool gap) const;
   bool is_singular(std::size_t j, bool gap) const;
-  void add_gap_nodes(std::size_t segment, const R& from, const R& length, std::vector<GapNode>& nodes) const;
+  void add_gap_nodes(std::size_t segment, const Stretch& stretch, std::vector<GapNode>& nodes) const;
   std::size_t slope_for_gap(std::size_t segment, bool left_half) const;
   R rate(const GapNode& node) const;
   /// int (profile slope - g_k) over a part of a gap segment, k as the gap's nodes use it.
