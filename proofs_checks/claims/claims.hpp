@@ -18,6 +18,7 @@ std::vector<Claim> integral_claims();
 std::vector<Claim> local_action_claims();
 std::vector<Claim> derivation_claims();
 std::vector<Claim> riemann_hilbert_claims();
+std::vector<Claim> contact_load_claims();
 std::vector<Claim> gap_claims();
 std::vector<Claim> linearisation_claims();
 std::vector<Claim> corner_claims();

@@ -44,8 +44,8 @@ struct Facing {
     return sum;
   }
 
-  /// Of the profile from the contact at the end to a place around `xi`.
-  R rise(const R& around, const R& xi) const {
+  /// Of the profile from the contact at the end to a place in the gap.
+  R rise(const R& xi) const {
     const R origin = numeric::to_real<R>(Trial::frame().origin);
     const R unit = numeric::to_real<R>(Trial::frame().unit);
     const std::size_t inside = rightwards() ? end - 1 : end;
@@ -53,7 +53,7 @@ struct Facing {
     const auto at = [&](const R& near, const R& place) {
       return R(height<R>(form.problem().problem(), R(origin + unit * near), R(origin + unit * place)) / unit);
     };
-    return at(around, xi) - at(contact, form.set().x(end)) + form.tilt() * distance(xi);
+    return at(xi, xi) - at(contact, form.set().x(end)) + form.tilt() * distance(xi);
   }
 };
 
@@ -66,42 +66,42 @@ class Comparison {
         form_(said.trial->form()),
         surface_(density_of(form_), friction_of(form_), [](std::size_t, const auto&) { return R(0); }) {}
 
-  /// `place` in a gap segment, seen from an end of contact that faces it.
-  void gap(const Facing<R>& from, std::size_t segment, const R& fraction) {
+  /// A place in a gap, seen from the contact ends that face it, and what they miss of each other: what the profile
+  /// misses there is the same for both.
+  void gap(const std::optional<Facing<R>>& left, const std::optional<Facing<R>>& right, std::size_t segment,
+           const R& fraction) {
     const Quantity quantity{"gap", {"int Y B_k", "logarithmic potential"}, tolerance<R>()};
+    const Quantity closure{"closure over a gap", {"int Y B_k", "logarithmic potential"}, tolerance<R>()};
     const R& length = form_.set().length(segment);
-    const R left = fraction * length;
+    const R from_left = fraction * length;
     const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(segment),
-                             {R(form_.set().x(segment) + left), left, R(length - left)}};
-    R gap = form_.opening(from.end, at).value;
-    adjust(gap, from, segment);
-    compare(quantity, gap, heights(from, at.node.x, at.node.x));
-  }
-
-  /// What the profile misses at the far end of a gap, here the sum of what both ends miss in its middle.
-  void closure(const Facing<R>& left, const Facing<R>& right) {
-    const Quantity quantity{"closure over a gap", {"int Y B_k", "logarithmic potential"}, tolerance<R>()};
-    R gap = form_.closure(left.end, form_.gap_rule(left.end));
-    adjust(gap, left, right.end);
-    const R middle = (form_.set().x(left.end) + form_.set().x(right.end)) / 2;
-    const Heights before = heights(left, middle, middle);
-    const Heights after = heights(right, middle, middle);
-    compare(quantity, gap, {before.profile - after.profile, before.surface - after.surface});
+                             {R(form_.set().x(segment) + from_left), from_left, R(length - from_left)}};
+    Heights difference;
+    for (const auto* from : {&left, &right}) {
+      if (!*from) continue;
+      const Heights h = heights(**from, at.node.x);
+      compare(quantity, said(form_.opening((*from)->end, at).value, **from, segment), h);
+      const int sign = from == &left ? 1 : -1;
+      difference.profile += sign * h.profile;
+      difference.surface += sign * h.surface;
+    }
+    if (!left || !right || left->end != segment) return;
+    compare(closure, said(form_.closure(left->end, form_.gap_rule(left->end)), *left, right->end), difference);
   }
 
  private:
-  void adjust(R& gap, const Facing<R>& from, std::size_t segment) const {
+  R said(R gap, const Facing<R>& from, std::size_t segment) const {
     if (said_.unsigned_y) gap *= form_.sign(static_cast<std::ptrdiff_t>(from.rightwards() ? from.end : from.end - 1));
-    gap = said_.scale * gap + (said_.steps - 1) * from.steps_to(segment);
+    return said_.scale * gap + (said_.steps - 1) * from.steps_to(segment);
   }
 
   struct Heights {
-    R profile;
-    R surface;
+    R profile = 0;
+    R surface = 0;
   };
 
   /// Of a place in a gap above the contact end.
-  Heights heights(const Facing<R>& from, const R& around, const R& xi) const {
+  Heights heights(const Facing<R>& from, const R& xi) const {
     using std::abs, std::pow;
     R surface =
         surface_.displacement(from.panel, from.rightwards() ? Side::right : Side::left, R(abs(from.distance(xi))));
@@ -110,7 +110,7 @@ class Comparison {
       const int n = static_cast<int>(j) + 1;
       surface += rest[j] * (pow(xi, n) - pow(form_.set().x(from.end), n)) / n;
     }
-    return {from.rise(around, xi), surface};
+    return {from.rise(xi), surface};
   }
 
   void compare(const Quantity& quantity, const R& gap, const Heights& h) {
@@ -127,7 +127,7 @@ class Comparison {
 
 /// Every gap, seen from both of its ends.
 template <Real R>
-void check_gaps(Findings& findings, const GapSaid<R>& said, Random& random) {
+void check_gaps(Findings& findings, const GapSaid<R>& said, Random& random, int places) {
   const RiemannHilbertForm<R>& form = said.trial->form();
   const auto& set = form.set();
   Comparison<R> comparison(findings, said);
@@ -138,13 +138,13 @@ void check_gaps(Findings& findings, const GapSaid<R>& said, Random& random) {
       left.emplace(Facing<R>{form, k + 1, panel++});
       continue;
     }
-    const R fraction = numeric::to_real<R>(random.between(0, 1));
-    if (left) comparison.gap(*left, k, fraction);
     std::size_t end = k + 1;
     while (end < set.segments() && !set.in_contact(end)) ++end;
-    if (end == set.segments()) continue;
-    comparison.gap({form, end, panel}, k, fraction);
-    if (left && left->end == k) comparison.closure(*left, {form, end, panel});
+    std::optional<Facing<R>> right;
+    if (end < set.segments()) right.emplace(Facing<R>{form, end, panel});
+    for (int i = 0; i < places; ++i) {
+      comparison.gap(left, right, k, numeric::to_real<R>(random.between(Rational(1, 20), Rational(19, 20))));
+    }
   }
 }
 
@@ -155,7 +155,7 @@ std::vector<Evidence> check(const Context& context, const GapFormula& formula) {
     Random random(context.seed, "rh-gap, places");
     for (const Trial& trial : all) {
       findings.begin_case(trial.name + ": " + text_of(trial.problem));
-      check_gaps(findings, formula.at<R>(trial), random);
+      check_gaps(findings, formula.at<R>(trial), random, context.quick ? 1 : 3);
     }
     return findings.evidence(detail_of(context, all));
   };

@@ -22,8 +22,8 @@ struct Trial {
 };
 
 /// Everywhere one polynomial and any ends; a wedge; a wedge and jump; steps; up to three components. The cheap ones
-/// first, `random` random ones last. At more than 16 digits a quick run has no random
-/// ones, and one with a corner only if `corners`.
+/// first, `random` random ones last. At more than 16 digits a quick run has two of them: one component, and two or, if
+/// `corners`, a corner.
 std::vector<Trial> trials(const Context& context, std::string_view stream, std::size_t random, bool corners = false);
 std::string detail_of(const Context& context, const std::vector<Trial>& trials);
 /// A component under a friction jump for every pair: is there an edge at its left end, at its right one?
@@ -65,6 +65,10 @@ R coefficient_at_infinity(const numeric::RiemannHilbertForm<R>& form, int power)
 /// Those of z^0, z^1, ...: none for a solution. What t leaves of psi'/c is A t = psi'/c + tilt - these.
 template <Real R>
 std::vector<R> excess(const numeric::RiemannHilbertForm<R>& form);
+
+/// The size of int |t|: int t may vanish.
+template <Real R>
+R load_scale(const numeric::RiemannHilbertForm<R>& form);
 
 /// t = bracket |Y|, Y from `weight`, panel by panel of the contact; segments_of says which they are.
 template <class R>
