@@ -156,11 +156,10 @@ std::shared_ptr<RiemannHilbertSolution<R>> refined(const ContactProblem& problem
 }
 
 /// The coarse solution, finer where that did not lead to a solution.
-template <Real R>
-std::shared_ptr<RiemannHilbertSolution<R>> search_from_nothing(const ContactProblem& problem) {
-  std::shared_ptr<RiemannHilbertSolution<R>> best;
+std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const ContactProblem& problem) {
+  std::shared_ptr<RiemannHilbertSolution<double>> best;
   for (const int cells : {48, 120, 300}) {
-    auto found = search<R>(problem, coarse_start(problem, cells));
+    auto found = search<double>(problem, coarse_start(problem, cells));
     if (found->shortcoming().empty()) return found;
     if (!best) best = std::move(found);
   }
@@ -171,16 +170,15 @@ std::shared_ptr<RiemannHilbertSolution<R>> search_from_nothing(const ContactProb
 
 template <Real R>
 Attempt<R> riemann_hilbert(const ContactProblem& problem, const ContactSolution<R>* start) {
+  // Whatever the precision, double finds where the contact is.
+  std::shared_ptr<RiemannHilbertSolution<double>> rough;
+  if (start) rough = search<double>(problem, start_from(problem, *start));
+  if (!rough || !rough->shortcoming().empty()) rough = search_from_nothing(problem);
   std::shared_ptr<RiemannHilbertSolution<R>> solution;
-  if (start) solution = search<R>(problem, start_from(problem, *start));
-  if (!solution || !solution->shortcoming().empty()) {
-    if constexpr (std::same_as<R, double>) {
-      solution = search_from_nothing<double>(problem);
-    } else {
-      const auto rough = search_from_nothing<double>(problem);
-      solution = refined<R>(problem, *rough);
-      if (!solution->shortcoming().empty()) solution = search_from_nothing<R>(problem);
-    }
+  if constexpr (std::same_as<R, double>) {
+    solution = std::move(rough);
+  } else {
+    solution = refined<R>(problem, *rough);
   }
   if (problem.elasticity().indenter() && solution->has_edge()) {
     return {nullptr, "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails"};
