@@ -93,6 +93,15 @@ Methods:
                    space of its own singular functions
   auto             the first of the two that applies
 16 digits are found in double, and with 50 digits where double is not enough.
+--load-steps LIST takes the loads 0.1,0.2 or 0.1:1:0.1 (first, last, step; each positive, at
+most 10000) instead of the file's, each solve starting from the one before. One row for each
+load and contact component, in every format:
+  load, component                     components are counted from 1, left to right
+  left, left_kind, left_intensity     its left end: edge, free or step
+  right, right_kind, right_intensity  its right end
+  effective_friction, centre_of_pressure, load_share, tilt
+                                      of the whole contact; shares left to right
+  shortcoming                         empty where the load is solved
 A solve that does not converge is printed all the same, and the exit code is 1.)";
 
 inline constexpr const char* verify =

@@ -34,8 +34,9 @@ struct SolveOptions {
   CommonOptions common;
   std::string problem;
   Method method = Method::automatic;
-  std::string at;   ///< a list; empty: none
-  int samples = 0;  ///< 0: none
+  std::string at;          ///< a list; empty: none
+  int samples = 0;         ///< 0: none
+  std::string load_steps;  ///< a list; empty: the file's load
 };
 
 struct VerifyOptions {

@@ -103,11 +103,11 @@ TEST_CASE("under a parabola the ends move outwards with the load, also where it 
 }
 
 TEST_CASE("each row is what a single solve says, whatever came before") {
-  for (const char* digits : {"16", "30"}) {
-    const Json steps = solve(bumps, "1,0.3,0.77,0.9", {"--digits", digits});
+  for (const auto& [digits, loads] : {std::pair("16", "1,0.3,0.77,0.9"), {"30", "1,0.3"}}) {
+    const Json steps = solve(bumps, loads, {"--digits", digits});
     std::map<std::string, std::vector<Json>> by_load;
     for (const Json& row : steps) by_load[row["load"]].push_back(row);
-    CHECK(by_load.size() == 4);
+    CHECK(by_load.size() == (digits == std::string("16") ? 4 : 2));
     const char* tolerance = digits == std::string("16") ? "1e-12" : "1e-28";
     for (const auto& [load, rows] : by_load) {
       CAPTURE(load);
