@@ -219,13 +219,14 @@ class Newton {
       for (std::size_t k = 0; k < q_step.size(); ++k) state_.q[k] += q_step[k];
       state_.tilt += part * tilt_step;
 
-      const R movement = std::max({R(largest / hull), relative_change(q_step, state_.q),
+      const R movement = std::max({R(largest / hull), R(relative_change(q_step, state_.q) / part),
                                    R(abs(tilt_step) / std::max(R(abs(state_.tilt)), R(1)))});
       if (!(movement < infinity<R>())) break;
       const bool settled = movement <= rounding && beside_wedges <= R(1e-7);
       // Rounding may keep the last steps above that: they are small, and no longer shrink.
       const bool ground = movement < sqrt(epsilon<R>()) && movement >= previous / 2 && beside_wedges <= R(1e-3);
-      if (part == 1 && (settled || ground)) return {std::move(state_), Status::converged, 0, R(movement * hull)};
+      // An end that rounding alone drives across an anchor takes part of the step for ever: it is where it belongs.
+      if (settled || (part == 1 && ground)) return {std::move(state_), Status::converged, 0, R(movement * hull)};
       previous = part == 1 ? movement : infinity<R>();
     }
     return {std::move(state_), Status::stalled};
