@@ -86,14 +86,59 @@ Start start_from(const ContactProblem& problem, const ContactSolution<R>& soluti
   return start;
 }
 
+/// What has been found, measured by its lengths: from an anchor if one is near.
+template <Real R>
+Start start_again(const RiemannHilbertSolution<R>& solution) {
+  using Kind = typename ContactSet<R>::Kind;
+  const ContactSet<R>& set = solution.state().set;
+  const Frame& frame = solution.problem().frame();
+  const std::vector<std::size_t> begins = set.all(Kind::begins);
+  const std::vector<std::size_t> ends = set.all(Kind::ends);
+  const R hull = set.hull();
+  std::size_t from = begins.front();
+  if (from > 0 && set.length(from - 1) <= hull) --from;
+  std::size_t to = ends.back();
+  if (to < set.segments() && set.length(to) <= hull) ++to;
+  std::size_t reference = from;
+  while (reference < to && !set.point(reference).anchor) ++reference;
+  const auto& anchor = set.point(reference).anchor;
+  const R unit = to_real<R>(frame.unit);
+  const auto offset = [&](std::size_t j) {
+    R sum = 0;
+    for (std::size_t k = j; k < reference; ++k) sum -= set.length(k);
+    for (std::size_t k = reference; k < j; ++k) sum += set.length(k);
+    return static_cast<double>(R(unit * sum));
+  };
+  Start start{
+      anchor ? solution.problem().place(*anchor) : Rational(frame.origin + frame.unit * Rational(set.x(reference))),
+      {},
+      static_cast<double>(solution.state().tilt)};
+  for (std::size_t i = 0; i < begins.size(); ++i) {
+    start.zones.push_back(
+        {offset(begins[i]), offset(ends[i]), !set.point(begins[i]).vanishes, !set.point(ends[i]).vanishes});
+  }
+  return start;
+}
+
 /// A problem in a frame with its rules: what a form points to.
 template <Real R>
-std::shared_ptr<RiemannHilbertSolution<R>> search(const ContactProblem& problem, const Start& start) {
+std::shared_ptr<RiemannHilbertSolution<R>> search_once(const ContactProblem& problem, const Start& start) {
   auto solution = std::make_shared<RiemannHilbertSolution<R>>(problem, start.frame());
   ContactSet<R> set(solution->problem(), start.in(solution->problem().frame()));
   solution->set(search_contact(solution->problem(),
                                ContactState<R>::initial(solution->problem(), std::move(set), R(start.tilt)),
                                solution->rules()));
+  return solution;
+}
+
+/// Of a contact far smaller than its frame the places are known too badly: a frame of its own.
+template <Real R>
+std::shared_ptr<RiemannHilbertSolution<R>> search(const ContactProblem& problem, const Start& start) {
+  constexpr int max_frames = 12;
+  auto solution = search_once<R>(problem, start);
+  for (int i = 0; i < max_frames && solution->state().set.hull() < R(0.01); ++i) {
+    solution = search_once<R>(problem, start_again(*solution));
+  }
   return solution;
 }
 
