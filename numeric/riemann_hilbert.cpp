@@ -149,6 +149,16 @@ std::shared_ptr<RiemannHilbertSolution<R>> refined(const ContactProblem& problem
   auto solution = std::make_shared<RiemannHilbertSolution<R>>(problem, rough.problem().frame());
   const ContactState<double>& state = rough.state();
   ContactSet<R> set = ContactSet<R>::converted(solution->problem(), state.set);
+  // A free end that lies on a jump as far as double can tell is free again.
+  using Kind = typename ContactSet<R>::Kind;
+  const R distance = epsilon<double>() * set.hull();
+  for (std::size_t j = set.points().size(); j-- > 0;) {
+    if (!set.point(j).is_free() || !set.point(j).anchor) continue;
+    const bool begins = set.point(j).kind == Kind::begins;
+    const std::size_t inside = begins ? j : j - 1;
+    const R d = std::min(distance, R(set.length(inside) / 2));
+    set.move_end(j, inside, begins ? d : R(set.length(inside) - d));
+  }
   std::vector<R> q(state.q.begin(), state.q.end());
   if (!q.empty()) q.back() = solution->problem().load();
   solution->set(search_contact(solution->problem(), {std::move(set), std::move(q), R(state.tilt)}, solution->rules()));
@@ -172,15 +182,22 @@ std::shared_ptr<RiemannHilbertSolution<R>> search_from_nothing(const ContactProb
 template <Real R>
 Attempt<R> riemann_hilbert(const ContactProblem& problem, const ContactSolution<R>* start) {
   std::shared_ptr<RiemannHilbertSolution<R>> solution;
-  if (start) solution = search<R>(problem, start_from(problem, *start));
-  if (!solution || !solution->shortcoming().empty()) {
+  const auto is_solved = [&] { return solution && solution->shortcoming().empty(); };
+  // The search takes place in double, whatever the digits: they are for the last steps.
+  const auto carry_on = [&](const std::shared_ptr<RiemannHilbertSolution<double>>& rough) {
     if constexpr (std::same_as<R, double>) {
-      solution = search_from_nothing<double>(problem);
+      solution = rough;
     } else {
-      const auto rough = search_from_nothing<double>(problem);
       solution = refined<R>(problem, *rough);
-      if (!solution->shortcoming().empty()) solution = search_from_nothing<R>(problem);
     }
+  };
+  if (start) {
+    const auto rough = search<double>(problem, start_from(problem, *start));
+    if (rough->shortcoming().empty()) carry_on(rough);
+  }
+  if (!is_solved()) carry_on(search_from_nothing<double>(problem));
+  if constexpr (!std::same_as<R, double>) {
+    if (!is_solved()) solution = search_from_nothing<R>(problem);
   }
   if (problem.elasticity().indenter() && solution->has_edge()) {
     return {nullptr, "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails"};
