@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace steadyslide::numeric {
 namespace {
@@ -90,16 +91,66 @@ class Inspection {
     open_ = false;
   }
 
+  struct Value {
+    SurfacePoint<R> at;
+    Estimate<R> b;
+  };
+
+  /// Tension between three places of one segment, by parabolas through the highest values: it may be as narrow as it
+  /// likes where contact is about to part.
+  std::optional<Value> peak_beside(Value left, Value middle, Value right) const {
+    const std::size_t k = static_cast<std::size_t>(middle.at.segment);
+    const auto height = [&](const Value& v) { return R(form_.sign(v.at.segment) * v.b.value); };
+    for (int i = 0; i < 8; ++i) {
+      const R top = height(middle);
+      if (top > 4 * middle.b.error) return i > 0 ? std::optional<Value>(middle) : std::nullopt;
+      if (height(left) > top || height(right) > top) return std::nullopt;
+      const R h = middle.at.node.from_left - left.at.node.from_left;
+      const R w = right.at.node.from_left - middle.at.node.from_left;
+      const R down = (top - height(left)) / h;
+      const R up = (top - height(right)) / w;
+      const R curvature = (down + up) / (h + w);
+      if (!(curvature > 0)) return std::nullopt;
+      const R slope = (down * w - up * h) / (h + w);
+      // Far from zero: nothing to be found.
+      if (top + slope * slope / (4 * curvature) < top / 2) return std::nullopt;
+      const R d = middle.at.node.from_left + slope / (2 * curvature);
+      Value next{{middle.at.segment, {set_.x(k) + d, d, set_.length(k) - d}}, {}};
+      next.b = form_.bracket(form_.slope_at(k), next.at);
+      const bool rightwards = d > middle.at.node.from_left;
+      if (height(next) < top) return std::nullopt;
+      (rightwards ? left : right) = middle;
+      middle = next;
+    }
+    return std::nullopt;
+  }
+
   void inspect_contact(std::size_t first, std::size_t end) {
     begin(first);
+    // t has the sign of eps B, and B costs nothing where one polynomial rules.
+    const auto inspect = [&](const SurfacePoint<R>& at, const Estimate<R>& b) {
+      const R value = form_.sign(at.segment) * b.value;
+      note(What::tension, value > 4 * b.error, at);
+    };
+    // At the ends themselves too: an edge that pulls, however little, is a free end before it.
+    const auto last = static_cast<std::ptrdiff_t>(end) - 1;
+    const R& length = set_.length(end - 1);
+    inspect({static_cast<std::ptrdiff_t>(first), {set_.x(first), R(0), set_.length(first)}},
+            form_.bracket_at(first, Side::right));
     for (std::size_t k = first; k < end; ++k) {
-      for (const SurfacePoint<R>& at : places(set_, k, 5, is_suspect(k), is_suspect(k + 1))) {
-        // t has the sign of eps B, and B costs nothing where one polynomial rules.
-        const Estimate<R> b = form_.bracket(form_.slope_at(k), at);
-        const R value = form_.sign(at.segment) * b.value;
-        note(What::tension, value > 4 * b.error, at);
+      std::vector<Value> values;
+      for (const SurfacePoint<R>& at : places(set_, k, 5, is_suspect(k), is_suspect(k + 1)))
+        values.push_back({at, form_.bracket(form_.slope_at(k), at)});
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const bool between = 0 < i && i + 1 < values.size();
+        const std::optional<Value> peak = between ? peak_beside(values[i - 1], values[i], values[i + 1]) : std::nullopt;
+        const bool before = peak && peak->at.node.from_left < values[i].at.node.from_left;
+        if (before) inspect(peak->at, peak->b);
+        inspect(values[i].at, values[i].b);
+        if (peak && !before) inspect(peak->at, peak->b);
       }
     }
+    inspect({last, {set_.x(end), length, R(0)}}, form_.bracket_at(end, Side::left));
     this->end(end - 1);
   }
 

@@ -61,6 +61,10 @@ class Linearisation {
     return true;
   }
 
+  /// The conditions beyond the number of unknowns: ends that have come to lie on a jump fulfil them, or are no
+  /// solution.
+  bool is_complete() const { return complete_; }
+
   std::vector<R> end_steps() const {
     std::vector<R> steps;
     for (std::size_t f = 0; f < free_.size(); ++f) {
@@ -96,8 +100,13 @@ class Linearisation {
     if (S_ < 0) return;
     const auto count = static_cast<std::size_t>(S_ + 1);
     const std::vector<R> m = form_.moments(count);
-    for (std::size_t j = 0; j < count; ++j, ++row_) {
-      if (row_ >= size_) return;
+    for (std::size_t j = 0; j < count; ++j) {
+      const R missing = (j + 1 == count ? R(form_.problem().load() / pi<R>()) : R(0)) - m[j];
+      if (row_ >= size_) {
+        using std::abs, std::sqrt;
+        if (!(abs(missing) <= sqrt(epsilon<R>()) * form_.problem().load())) complete_ = false;
+        continue;
+      }
       for (std::size_t f = 0; f < free_.size(); ++f) {
         using std::pow;
         R power = 1;
@@ -105,8 +114,7 @@ class Linearisation {
         at(f) = power;
       }
       if (tilts_) at(free_.size()) = form_.tilt_moment(j);
-      const R target = j + 1 == count ? R(form_.problem().load() / pi<R>()) : R(0);
-      right_(row_) = target - m[j];
+      right_(row_++) = missing;
     }
   }
 
@@ -170,6 +178,7 @@ class Linearisation {
   Vector<R> right_;
   Vector<R> solution_;
   Eigen::Index row_ = 0;
+  bool complete_ = true;
 };
 
 template <Real R>
@@ -226,7 +235,10 @@ class Newton {
       // Rounding may keep the last steps above that: they are small, and no longer shrink.
       const bool ground = movement < sqrt(epsilon<R>()) && movement >= previous / 2 && beside_wedges <= R(1e-3);
       // An end that rounding alone drives across an anchor takes part of the step for ever: it is where it belongs.
-      if (settled || (part == 1 && ground)) return {std::move(state_), Status::converged, 0, R(movement * hull)};
+      if (settled || (part == 1 && ground)) {
+        if (!linear.is_complete()) break;
+        return {std::move(state_), Status::converged, 0, R(movement * hull)};
+      }
       previous = part == 1 ? movement : infinity<R>();
     }
     return {std::move(state_), Status::stalled};

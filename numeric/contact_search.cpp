@@ -57,18 +57,21 @@ class Search {
   }
 
   /// An end that wants to cross an anchor may do so from this distance; every crossing makes the next one harder, so
-  /// that an end very near the anchor is approached and not jumped over for ever.
+  /// that an end very near the anchor is approached and not jumped over for ever. The same with gaps that close.
   std::vector<R> limits() const {
     const Set& set = state_.set;
     const R hull = set.hull();
     std::vector<R> result(set.segments(), R(1e-3) * hull);
+    using std::pow;
     for (std::size_t k = 0; k < set.segments(); ++k) {
+      if (!set.in_contact(k) && set.point(k).is_end() && set.point(k + 1).is_end()) {
+        result[k] = hull * pow(R(1e-3), closings_ + 1);
+      }
       if (cannot_vanish(k)) result[k] = 0;
       for (const std::size_t j : {k, k + 1}) {
         if (!set.point(j).anchor) continue;
         const auto found = crossings_.find(*set.point(j).anchor);
         if (found == crossings_.end()) continue;
-        using std::pow;
         result[k] = std::min(result[k], R(hull * pow(R(1e-3), found->second + 1)));
       }
     }
@@ -112,6 +115,7 @@ class Search {
     }
     if (left.is_end() && right.is_end()) {
       if (!left.is_free() || !right.is_free() || left.anchor || right.anchor) return false;
+      ++closings_;
       set.close(k);
       return renew(std::move(set));
     }
@@ -216,6 +220,7 @@ class Search {
   JacobiRules<R>& rules_;
   ContactState<R> state_;
   std::map<std::size_t, int> crossings_;
+  int closings_ = 0;
 };
 
 }  // namespace

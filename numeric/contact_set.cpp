@@ -243,14 +243,19 @@ void ContactSet<R>::settle(std::size_t j, Side towards, bool vanishes) {
 template <Real R>
 void ContactSet<R>::move_end(std::size_t j, std::size_t segment, const R& from_left) {
   const Point end{std::nullopt, points_[j].kind, true};
-  R place = from_left;
-  if (!points_[j].anchor && segment >= j) {
-    // The end's two segments become one.
-    if (segment == j) place += lengths_[j - 1];
-    --segment;
+  if (!points_[j].anchor && (segment == j || segment + 1 == j)) {
+    // Beside a long segment a short one is not formed as a difference.
+    const R step = segment == j ? from_left : R(from_left - lengths_[j - 1]);
+    lengths_[j - 1] = segment == j ? R(lengths_[j - 1] + step) : from_left;
+    lengths_[j] -= step;
+    x_[j] += step;
+    points_[j] = end;
+    refresh();
+    return;
   }
+  if (!points_[j].anchor && segment > j) --segment;  // the end's two segments become one
   erase(j);
-  insert(segment, place, end);
+  insert(segment, from_left, end);
   refresh();
 }
 

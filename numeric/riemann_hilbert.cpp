@@ -149,6 +149,16 @@ std::shared_ptr<RiemannHilbertSolution<R>> refined(const ContactProblem& problem
   auto solution = std::make_shared<RiemannHilbertSolution<R>>(problem, rough.problem().frame());
   const ContactState<double>& state = rough.state();
   ContactSet<R> set = ContactSet<R>::converted(solution->problem(), state.set);
+  // A free end that lies on a jump as far as double can tell is free again.
+  using Kind = typename ContactSet<R>::Kind;
+  const R distance = epsilon<double>() * set.hull();
+  for (std::size_t j = set.points().size(); j-- > 0;) {
+    if (!set.point(j).is_free() || !set.point(j).anchor) continue;
+    const bool begins = set.point(j).kind == Kind::begins;
+    const std::size_t inside = begins ? j : j - 1;
+    const R d = std::min(distance, R(set.length(inside) / 2));
+    set.move_end(j, inside, begins ? d : R(set.length(inside) - d));
+  }
   std::vector<R> q(state.q.begin(), state.q.end());
   if (!q.empty()) q.back() = solution->problem().load();
   solution->set(search_contact(solution->problem(), {std::move(set), std::move(q), R(state.tilt)}, solution->rules()));
