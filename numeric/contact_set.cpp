@@ -17,26 +17,31 @@ ContactSet<R>::ContactSet(const ReducedProblem<R>& problem) : problem_(&problem)
 
 template <Real R>
 ContactSet<R>::ContactSet(const ReducedProblem<R>& problem, const std::vector<ZoneGuess>& zones) : ContactSet(problem) {
-  const auto anchor_next_to = [&](double x) {
-    std::size_t best = 0;
-    for (std::size_t j = 0; j < points_.size(); ++j) {
-      if (!points_[j].anchor) continue;
-      using std::abs;
-      if (!points_[best].anchor || abs(x_[j] - R(x)) < abs(x_[best] - R(x))) best = j;
+  // Ends follow each other: a guess that rounding has put before the last one comes after it.
+  std::size_t last = 0;
+  const auto edge_next_to = [&](double x, Kind kind) {
+    using std::abs;
+    const End end = kind == Kind::begins ? End::left : End::right;
+    std::optional<std::size_t> best;
+    for (std::size_t j = last; j < points_.size(); ++j) {
+      if (!points_[j].anchor || points_[j].is_end() || !problem.edge_possible(end, *points_[j].anchor)) continue;
+      if (!best || abs(x_[j] - R(x)) < abs(x_[*best] - R(x))) best = j;
     }
     return best;
   };
   const auto add = [&](double x, bool at_edge, Kind kind, double width) {
-    if (at_edge) {
-      points_[anchor_next_to(x)].kind = kind;
+    const std::optional<std::size_t> edge = at_edge ? edge_next_to(x, kind) : std::nullopt;
+    if (edge) {
+      points_[*edge].kind = kind;
+      last = *edge;
       return;
     }
     // A guess on an anchor is moved off it, into the contact: on which side the end lies is to be found out.
-    std::size_t k = 0;
+    std::size_t k = std::min(last, segments() - 1);
     const R place = R(x);
     while (k + 1 < segments() && place >= x_[k + 1]) ++k;
     R from_left = place - x_[k];
-    if (kind == Kind::ends && from_left <= R(1e-9 * width) && k > 0 && !points_[k].is_end()) {
+    if (kind == Kind::ends && from_left <= R(1e-9 * width) && k > last && !points_[k].is_end()) {
       --k;
       from_left = lengths_[k];
     }
@@ -48,6 +53,7 @@ ContactSet<R>::ContactSet(const ReducedProblem<R>& problem, const std::vector<Zo
     } else {
       insert(k, from_left, R(x_[k + 1] - place), place, {std::nullopt, kind, true});
     }
+    last = k + 1;
     refresh();
   };
   for (const ZoneGuess& zone : zones) {

@@ -124,7 +124,12 @@ Start start_again(const RiemannHilbertSolution<R>& solution) {
 template <Real R>
 std::shared_ptr<RiemannHilbertSolution<R>> search_once(const ContactProblem& problem, const Start& start) {
   auto solution = std::make_shared<RiemannHilbertSolution<R>>(problem, start.frame());
-  ContactSet<R> set(solution->problem(), start.in(solution->problem().frame()));
+  const std::vector<ZoneGuess> zones = start.in(solution->problem().frame());
+  ContactSet<R> set(solution->problem(), zones);
+  // Zones that rounding has run into each other: one.
+  if (!set.is_consistent()) {
+    set = ContactSet<R>(solution->problem(), {{zones.front().left, zones.back().right, false, false}});
+  }
   solution->set(search_contact(solution->problem(),
                                ContactState<R>::initial(solution->problem(), std::move(set), R(start.tilt)),
                                solution->rules()));
