@@ -112,14 +112,15 @@ class CommandLine {
     solve_->add_option("PROBLEM", raw_.problem, "Problem file, or -")->required()->type_name("");
     solve_
         ->add_option("--method", raw_.method,
-                     "auto or closed-form (riemann-hilbert and variational: not available in this version)")
+                     "auto, closed-form or riemann-hilbert (variational: not available in this version)")
         ->type_name("METHOD");
     solve_->add_option("--at", raw_.at, "Results at these x, in your units; may lie outside the support")
         ->type_name("X,X,...");
     solve_->add_option("--samples", raw_.samples, "Results at N places a contact component and a gap, 1 to 100000")
         ->type_name("N");
     solve_->add_option("--cells", raw_.cells, "Not available in this version")->type_name("N");
-    solve_->add_option("--load-steps", raw_.load_steps, "Not available in this version")->type_name("LIST");
+    solve_->add_option("--load-steps", raw_.load_steps, "The contact under each of these loads, one row a component")
+        ->type_name("LIST");
     solve_->add_option("--search-solutions", raw_.search_solutions, "Not available in this version")->type_name("N");
     add_common(solve_, "Significant digits, 1 to 100; default 16", "text, json or csv");
     solve_->footer(std::string(help::solve_footer) + "\n" + help::problem);
@@ -182,21 +183,34 @@ class CommandLine {
   }
 
   SolveOptions solve() const {
-    for (const char* option : {"--cells", "--load-steps", "--search-solutions"}) {
+    for (const char* option : {"--cells", "--search-solutions"}) {
       if (given(solve_, option)) throw not_available(option);
     }
-    if (raw_.method == "riemann-hilbert" || raw_.method == "variational") {
-      throw not_available("--method " + raw_.method);
+    SolveOptions options;
+    options.common = common(solve_, 16, {Format::text, Format::json, Format::csv});
+    options.problem = raw_.problem;
+    options.method = method();
+    options.at = raw_.at;
+    options.load_steps = raw_.load_steps;
+    for (const auto& [option, list] : {std::pair("--at", raw_.at), {"--load-steps", raw_.load_steps}}) {
+      if (!given(solve_, option)) continue;
+      if (list.empty()) throw bad_command_line(std::string(option) + ": no value", "it is a list", list);
     }
-    if (raw_.method != "auto" && raw_.method != "closed-form") {
-      throw bad_command_line("--method: unknown method", "it is one of auto, closed-form, riemann-hilbert, variational",
-                             raw_.method);
-    }
-    SolveOptions options{common(solve_, 16, {Format::text, Format::json, Format::csv}), raw_.problem, raw_.method,
-                         raw_.at, 0};
-    if (given(solve_, "--at") && raw_.at.empty()) throw bad_command_line("--at: no value", "it is a list", raw_.at);
     if (given(solve_, "--samples")) options.samples = parse_count("--samples", raw_.samples, 1, 100000);
+    for (const char* option : {"--at", "--samples"}) {
+      if (!given(solve_, "--load-steps") || !given(solve_, option)) continue;
+      throw bad_command_line("--load-steps: conflicting option", "samples are those of one load", option);
+    }
     return options;
+  }
+
+  Method method() const {
+    if (raw_.method == "auto") return Method::automatic;
+    if (raw_.method == "closed-form") return Method::closed_form;
+    if (raw_.method == "riemann-hilbert") return Method::riemann_hilbert;
+    if (raw_.method == "variational") throw not_available("--method " + raw_.method);
+    throw bad_command_line("--method: unknown method", "it is one of auto, closed-form, riemann-hilbert, variational",
+                           raw_.method);
   }
 
   Raw raw_;

@@ -82,10 +82,27 @@ inline constexpr const char* solve_footer = R"(Results, in your units:
   gap        psi - u - C >= 0, a length; none outside the support
   slope      u', the slope of the surface
   intensity  theta in t = -theta d^exponent at the ends of contact, in
-             t = constant - theta cos(pi alpha) |x-c|^exponent at friction jumps
+             t = constant - theta cos(pi alpha) |x-c|^exponent at friction jumps;
+             at a wedge without jump the coefficient of log|x-c|/pi
+  tilt       the slope added to psi, where load_at lets the indenter tilt
 Where the two limits at a place differ, JSON says {"left", "right"} and CSV has two rows.
 CSV is the samples: those of --at and --samples, 101 a component if neither is given.
---method auto takes the closed form where there is one.)";
+Methods:
+  closed-form      a formula, for flat punches and parabolas that do not tilt
+  riemann-hilbert  any profile: the contact's ends by Newton's method, the pressure in the
+                   space of its own singular functions
+  auto             the first of the two that applies
+16 digits are found in double, and with 50 digits where double is not enough.
+--load-steps LIST takes the loads 0.1,0.2 or 0.1:1:0.1 (first, last, step; each positive, at
+most 10000) instead of the file's, each solve starting from the one before. One row for each
+load and contact component, in every format:
+  load, component                     components are counted from 1, left to right
+  left, left_kind, left_intensity     its left end: edge, free or step
+  right, right_kind, right_intensity  its right end
+  effective_friction, centre_of_pressure, load_share, tilt
+                                      of the whole contact; shares left to right
+  shortcoming                         empty where the load is solved
+A solve that does not converge is printed all the same, and the exit code is 1.)";
 
 inline constexpr const char* verify =
     R"(Checks the claims of the theory by unrelated routes and prints a verdict for each.)";

@@ -13,6 +13,7 @@ namespace {
 
 // A signal handler can reach static storage only. Written with signals held.
 char unfinished_file[PATH_MAX] = "";
+volatile std::sig_atomic_t line_to_erase = 0;
 
 sigset_t both_signals() {
   sigset_t set;
@@ -24,6 +25,9 @@ sigset_t both_signals() {
 
 extern "C" void end_interrupted(int) {
   if (unfinished_file[0] != '\0') ::unlink(unfinished_file);
+  if (line_to_erase != 0 && ::write(STDERR_FILENO, "\r\x1b[K", 4) < 0) {
+    // Nobody is left to be told.
+  }
   ::_exit(static_cast<int>(ExitCode::interrupted));
 }
 
@@ -53,5 +57,7 @@ void remove_when_interrupted(const std::string& file) {
   file.copy(unfinished_file, length);
   unfinished_file[length] = '\0';
 }
+
+void erase_line_when_interrupted(bool erase) { line_to_erase = erase ? 1 : 0; }
 
 }  // namespace steadyslide::app

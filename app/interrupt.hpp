@@ -1,5 +1,6 @@
 #pragma once
-// SIGINT and SIGTERM end the program with exit code 130, and take the unfinished output file with them.
+// SIGINT and SIGTERM end the program with exit code 130, and take the unfinished output file and
+// the progress bar with them.
 
 #include <string>
 
@@ -19,5 +20,8 @@ class SignalsHeld {
 
 /// The file to remove on a signal; empty: none. Call with signals held.
 void remove_when_interrupted(const std::string& file);
+
+/// Does a signal clear the line that the terminal on stderr is in?
+void erase_line_when_interrupted(bool erase);
 
 }  // namespace steadyslide::app

@@ -5,14 +5,17 @@
 namespace steadyslide::app {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 class JsonRows final : public RowWriter {
  public:
   JsonRows(std::vector<Column> columns, Output& output) : columns_(std::move(columns)), output_(output) {}
 
   void row(const std::vector<Cell>& cells) override {
-    nlohmann::ordered_json object;
+    Json object;
     for (std::size_t k = 0; k < cells.size(); ++k) {
-      std::visit([&](const auto& value) { object[columns_[k].name] = value; }, cells[k]);
+      std::visit([&](const auto& value) { object[columns_[k].name] = Json(value); }, cells[k]);
+      if (cells[k] == Cell("")) object[columns_[k].name] = nullptr;
     }
     output_.write((first_ ? "[\n  " : ",\n  ") + object.dump());
     first_ = false;

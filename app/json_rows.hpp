@@ -1,5 +1,5 @@
 #pragma once
-// Rows as a JSON array of objects, the columns' names as keys.
+// Rows as a JSON array of objects, the columns' names as keys; an empty text is null.
 
 #include "app/row_writer.hpp"
 

@@ -8,6 +8,7 @@
 namespace steadyslide::app {
 
 enum class Format { text, json, csv, markdown, latex };
+enum class Method { automatic, closed_form, riemann_hilbert };
 
 /// What every command takes.
 struct CommonOptions {
@@ -32,9 +33,10 @@ struct TableOptions {
 struct SolveOptions {
   CommonOptions common;
   std::string problem;
-  std::string method = "auto";
-  std::string at;   ///< a list; empty: none
-  int samples = 0;  ///< 0: none
+  Method method = Method::automatic;
+  std::string at;          ///< a list; empty: none
+  int samples = 0;         ///< 0: none
+  std::string load_steps;  ///< a list; empty: the file's load
 };
 
 struct VerifyOptions {

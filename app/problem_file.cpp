@@ -205,10 +205,9 @@ Problem parse_problem(std::string_view text, const std::string& name) {
   Elasticity elasticity = read_elasticity(reader);
   FrictionProfile friction = read_friction(reader);
   Indenter indenter = IndenterReader(reader).read();
-  const std::size_t load_at_line = load_at ? reader.line_of("load_at") : 0;
   try {
     return {ContactProblem(std::move(elasticity), std::move(friction), std::move(indenter), load, sliding, load_at),
-            name, load_at_line};
+            name};
   } catch (const InvalidData& invalid) {
     throw reader.error(invalid);
   }

@@ -14,7 +14,6 @@ inline constexpr std::size_t max_pieces = 1000;
 struct Problem {
   ContactProblem contact;
   std::string file;
-  std::size_t load_at_line = 0;  ///< where load_at stands; 0: absent
 };
 
 /// Throws Failure (exit code 2) "NAME:LINE: what is wrong; the rule; the value".

@@ -5,100 +5,95 @@
 #include <algorithm>
 
 #include "app/list_parser.hpp"
-#include "app/solve_report.hpp"
+#include "app/number_format.hpp"
+#include "app/progress.hpp"
 #include "app/solve_writers.hpp"
+#include "app/solver.hpp"
 
 namespace steadyslide::app {
 namespace {
 
 constexpr std::size_t max_places = 100000;
+constexpr std::size_t max_loads = 10000;
 constexpr int csv_samples = 101;
 
-/// Zero, or in a range where squares and quotients of doubles neither overflow nor vanish.
-bool is_comfortable(const Rational& value) {
-  static const Rational limit = parse_rational("1e150");
-  const Rational size = abs(value);
-  return size == 0 || (size < limit && size * limit > 1);
+Failure inapplicable(const Problem& problem, Method method, const std::string& why_not) {
+  if (method == Method::closed_form) {
+    return bad_command_line("--method closed-form: no closed form applies; " + why_not);
+  }
+  return {ExitCode::bad_input, problem.file + ": " + why_not};
 }
 
-bool fits_double(const ContactProblem& problem, const std::vector<Rational>& at) {
-  std::vector<Rational> data{problem.load(), problem.elasticity().compliance(), problem.elasticity().gamma(),
-                             problem.indenter().left()};
-  for (const Rational& f : problem.friction().values()) data.push_back(f);
-  for (const Rational& x : problem.friction().jumps()) data.push_back(x);
-  for (const Indenter::Piece& piece : problem.indenter().pieces()) {
-    data.push_back(piece.to);
-    for (const Rational& c : piece.profile.coefficients()) data.push_back(c);
+ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
+  Solver::Wanted wanted{options.method, options.common.digits, {}, options.samples};
+  if (!options.at.empty()) wanted.at = parse_list("--at", options.at, max_places);
+  const Format format = options.common.format;
+  if (format == Format::csv && wanted.at.empty() && wanted.samples == 0) wanted.samples = csv_samples;
+
+  Output output(options.common.output);
+  const SolveReport report = Solver(std::move(wanted)).solve(problem);
+  if (!report.why_not.empty()) throw inapplicable(problem, options.method, report.why_not);
+  switch (format) {
+    case Format::json: write_solve_json(problem, report, output); break;
+    case Format::csv: write_solve_csv(report, output); break;
+    default: write_solve_text(problem, report, output); break;
   }
-  data.insert(data.end(), at.begin(), at.end());
-  return std::all_of(data.begin(), data.end(), is_comfortable);
+  output.commit();
+  if (report.is_solved()) return ExitCode::done;
+  throw Failure(ExitCode::refuted, fmt::format("{}: the solve did not converge: {}; what was reached is printed",
+                                               problem.file, report.shortcoming));
 }
 
-class Solve {
- public:
-  Solve(const SolveOptions& options, Problem problem) : options_(options), problem_(std::move(problem)) {
-    if (!options.at.empty()) at_ = parse_list("--at", options.at, max_places);
-    samples_ = options.samples;
-    if (options.common.format == Format::csv && at_.empty() && samples_ == 0) samples_ = csv_samples;
+std::vector<Rational> load_list(const std::string& text) {
+  std::vector<Rational> loads = parse_list("--load-steps", text, max_loads);
+  for (const Rational& load : loads) {
+    if (load > 0) continue;
+    throw bad_command_line("--load-steps: load out of range", "the load is positive", to_string(load));
   }
+  return loads;
+}
 
-  SolveReport report() const {
-    const numeric::Digits digits = numeric::precision_for(options_.common.digits);
-    if (digits == numeric::Digits::sixteen) {
-      if (fits_double(problem_.contact, at_)) {
-        SolveReport report = report_at<double>();
-        if (report.in_range) return report;
-      }
-      return report_at<numeric::Real50>();
+Problem with_load(const Problem& problem, const Rational& load) {
+  const ContactProblem& contact = problem.contact;
+  return {ContactProblem(contact.elasticity(), contact.friction(), contact.indenter(), load, contact.sliding(),
+                         contact.load_at()),
+          problem.file};
+}
+
+ExitCode follow_loads(const SolveOptions& options, const Problem& problem) {
+  const std::vector<Rational> loads = load_list(options.load_steps);
+  Output output(options.common.output);
+  Solver solver({options.method, options.common.digits, {}, 0});
+  std::vector<LoadStep> steps;
+  {
+    Progress progress(loads.size());
+    for (const Rational& load : loads) {
+      steps.push_back({format_number(load, options.common.digits), solver.solve(with_load(problem, load))});
+      progress.show(steps.size());
     }
-    return numeric::at_precision(digits, [this]<numeric::Real R>() { return report_at<R>(); });
   }
-
-  void write(const SolveReport& report) const {
-    Output output(options_.common.output);
-    switch (options_.common.format) {
-      case Format::json: write_solve_json(problem_, report, output); break;
-      case Format::csv: write_solve_csv(report, output); break;
-      default: write_solve_text(problem_, report, output); break;
-    }
-    output.commit();
+  const auto applies = [](const LoadStep& step) { return step.report.why_not.empty(); };
+  if (std::none_of(steps.begin(), steps.end(), applies)) {
+    throw inapplicable(problem, options.method, steps.front().report.why_not);
   }
+  write_load_steps(options.common.format, steps, output);
+  output.commit();
 
- private:
-  template <numeric::Real R>
-  SolveReport report_at() const {
-    const numeric::Attempt<R> attempt = numeric::closed_form<R>(problem_.contact);
-    if (!attempt.solution) {
-      throw bad_command_line(
-          fmt::format("--method {}: no closed form applies; {}; other methods are not available in "
-                      "this version",
-                      options_.method, attempt.why_not));
-    }
-    return make_report(problem_, *attempt.solution, options_.common.digits, at_, samples_);
-  }
-
-  const SolveOptions& options_;
-  Problem problem_;
-  std::vector<Rational> at_;
-  int samples_ = 0;
-};
+  const auto fails = [](const LoadStep& step) { return !step.report.is_solved(); };
+  const auto first = std::find_if(steps.begin(), steps.end(), fails);
+  if (first == steps.end()) return ExitCode::done;
+  const SolveReport& report = first->report;
+  throw Failure(ExitCode::refuted,
+                fmt::format("{}: {} of {} loads not solved, first of all {}: {}; what was reached is printed",
+                            problem.file, std::count_if(first, steps.end(), fails), steps.size(), first->load,
+                            report.why_not.empty() ? report.shortcoming : report.why_not));
+}
 
 }  // namespace
 
 ExitCode run(const SolveOptions& options) {
-  Problem problem = read_problem(options.problem);
-  if (problem.contact.load_at()) {
-    throw Failure(ExitCode::bad_input,
-                  fmt::format("{}:{}: load_at: solving with a tilting indenter is not available in this version",
-                              problem.file, problem.load_at_line));
-  }
-  const Solve solve(options, std::move(problem));
-  const SolveReport report = solve.report();
-  solve.write(report);
-  if (!report.converged) {
-    throw Failure(ExitCode::refuted, options.problem + ": the solve did not converge; what was reached is printed");
-  }
-  return ExitCode::done;
+  const Problem problem = read_problem(options.problem);
+  return options.load_steps.empty() ? solve_once(options, problem) : follow_loads(options, problem);
 }
 
 }  // namespace steadyslide::app

@@ -78,11 +78,13 @@ Json singular_json(const SingularText& point) {
 Json resultants_json(const SolveReport& report) {
   Json shares = Json::array();
   for (const std::string& share : report.load_share) shares.push_back(number(share));
-  return {{"normal", number(report.normal)},
-          {"tangential", number(report.tangential)},
-          {"centre_of_pressure", number(report.centre_of_pressure)},
-          {"effective_friction", number(report.effective_friction)},
-          {"load_share", std::move(shares)}};
+  Json json{{"normal", number(report.normal)},
+            {"tangential", number(report.tangential)},
+            {"centre_of_pressure", number(report.centre_of_pressure)},
+            {"effective_friction", number(report.effective_friction)},
+            {"load_share", std::move(shares)}};
+  if (report.tilt) json["tilt"] = number(*report.tilt);
+  return json;
 }
 
 Json sample_json(const SampleText& sample) {

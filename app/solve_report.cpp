@@ -1,5 +1,7 @@
 #include "app/solve_report.hpp"
 
+#include <fmt/format.h>
+
 #include "app/number_format.hpp"
 
 namespace steadyslide::app {
@@ -10,6 +12,8 @@ using numeric::Real;
 using numeric::TwoSided;
 
 constexpr int error_digits = 2;
+/// A solution with a larger residual is none.
+constexpr double largest_residual = 1e-9;
 
 template <Real R>
 bool is_infinite(const R& value) {
@@ -39,9 +43,11 @@ class Writer {
     return limit_text(values, traction, digits_);
   }
 
+  bool converged() const { return converged_; }
+
  private:
   void notice(const Estimate<R>& estimate) {
-    if (estimate.convergence == numeric::Convergence::stalled) report_.converged = false;
+    if (estimate.convergence == numeric::Convergence::stalled) converged_ = false;
     notice(estimate.value);
   }
 
@@ -52,12 +58,28 @@ class Writer {
     // Also false for what is no number.
     const bool fine = magnitude < R(1e150) && magnitude > R(1e-150);
     if (!fine) report_.in_range = false;
-    if (isnan(value)) report_.converged = false;
+    if (isnan(value)) converged_ = false;
   }
 
   SolveReport& report_;
   int digits_;
+  bool converged_ = true;
 };
+
+/// What stands in the way of calling it a solution.
+template <Real R>
+std::string shortcoming(const numeric::ContactSolution<R>& solution, const numeric::Residuals<R>& residuals,
+                        bool converged) {
+  if (std::string text = solution.shortcoming(); !text.empty()) return text;
+  for (const auto& [name, value] : {std::pair("equation", residuals.equation),
+                                    {"load", residuals.load},
+                                    {"penetration", residuals.penetration},
+                                    {"tension", residuals.tension}}) {
+    const bool small = value <= largest_residual;  // no number is not
+    if (!small) return fmt::format("{} has the residual {}", name, format_number(value, error_digits));
+  }
+  return converged ? "" : "a value stalled before its tolerance";
+}
 
 template <Real R>
 EndText end_text(const numeric::ContactEnd<R>& end, int digits, Writer<R>& writer) {
@@ -119,6 +141,7 @@ SolveReport make_report(const Problem& problem, const numeric::ContactSolution<R
   report.centre_of_pressure = writer.text(resultants.centre_of_pressure);
   report.effective_friction = writer.text(resultants.effective_friction);
   for (const Estimate<R>& share : resultants.load_share) report.load_share.push_back(writer.text(share));
+  if (const auto tilt = solution.tilt()) report.tilt = writer.text(*tilt);
 
   for (const Rational& x : at) {
     report.samples.push_back(sample_text(solution.at(x), format_number(x, digits), writer));
@@ -134,6 +157,7 @@ SolveReport make_report(const Problem& problem, const numeric::ContactSolution<R
   report.error_traction = writer.size(error.traction);
   report.error_resultants = writer.size(error.resultants);
   const numeric::Residuals<R> residuals = solution.residuals();
+  report.shortcoming = shortcoming(solution, residuals, writer.converged());
   report.residual_equation = writer.size(residuals.equation);
   report.residual_load = writer.size(residuals.load);
   report.residual_penetration = writer.size(residuals.penetration);

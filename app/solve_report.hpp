@@ -50,13 +50,17 @@ struct SolveReport {
   std::vector<std::pair<EndText, EndText>> contact;
   std::vector<SingularText> singular_points;
   std::string normal, tangential, centre_of_pressure, effective_friction;
+  std::optional<std::string> tilt;  ///< absent unless the indenter may tilt
   std::vector<std::string> load_share;
   std::vector<SampleText> samples;
   std::string error_ends, error_traction, error_resultants;
   std::string residual_equation, residual_load, residual_penetration, residual_tension;
   Uniqueness uniqueness;
-  bool converged = true;  ///< false: some value stalled before its tolerance
-  bool in_range = true;   ///< false: some value is no number, or near the end of the range of its type
+  std::string why_not;      ///< not empty: the method does not apply, and nothing else is here
+  std::string shortcoming;  ///< not empty: the solve did not converge, in words
+  bool in_range = true;     ///< false: some value is no number, or near the end of the range of its type
+
+  bool is_solved() const { return why_not.empty() && shortcoming.empty(); }
 };
 
 /// Samples at the places `at`, then `count` a component and a gap (0: none).

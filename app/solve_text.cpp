@@ -26,7 +26,8 @@ void write_problem(const ContactProblem& problem, Output& output) {
 
 void write_singular_points(const SolveReport& report, Output& output) {
   output.write(
-      "\nsingular points (t = -intensity d^exponent; constant - intensity cos(pi alpha) d^exponent at jumps)\n");
+      "\nsingular points (t = -intensity d^exponent; constant - intensity cos(pi alpha) d^exponent at jumps;\n"
+      "constant + intensity log(d)/pi at wedges)\n");
   const auto rows =
       make_row_writer(Format::text, {{"  x"}, {"kind"}, {"exponent"}, {"intensity"}, {"constant"}, {"exact"}}, output);
   for (const SingularText& point : report.singular_points) {
@@ -42,6 +43,7 @@ void write_resultants(const Problem& problem, const SolveReport& report, Output&
   write_line(output, "tangential", report.tangential);
   write_line(output, "effective friction", report.effective_friction);
   write_line(output, "centre of pressure", report.centre_of_pressure);
+  if (report.tilt) write_line(output, "tilt", *report.tilt);
   for (std::size_t k = 0; k < report.load_share.size(); ++k) {
     write_line(output, k == 0 ? "load share" : "",
                fmt::format("{} under f = {}", shown(report.load_share[k]),

@@ -1,6 +1,10 @@
 #pragma once
 // The output formats of `steadyslide solve`.
 
+#include <string>
+#include <vector>
+
+#include "app/options.hpp"
 #include "app/output.hpp"
 #include "app/solve_report.hpp"
 
@@ -12,5 +16,13 @@ void write_solve_json(const Problem& problem, const SolveReport& report, Output&
 void write_solve_text(const Problem& problem, const SolveReport& report, Output& output);
 /// The samples: x,traction,shear,gap,slope; two rows where a limit differs from its other side.
 void write_solve_csv(const SolveReport& report, Output& output);
+
+struct LoadStep {
+  std::string load;
+  SolveReport report;
+};
+
+/// One row for each load and contact component; without a contact, one row for the load.
+void write_load_steps(Format format, const std::vector<LoadStep>& steps, Output& output);
 
 }  // namespace steadyslide::app

@@ -10,14 +10,23 @@ namespace {
 /// Places in ]0, 1[, as numerators over 10^9 from the nearer end: next to both ends, and between them.
 constexpr std::array<int, 8> near_end{1, 1000, 300'000, 3'000'000, 20'000'000, 70'000'000, 150'000'000, 250'000'000};
 
+/// Beside a re-entrant wedge the sign may change as near as numbers reach: decimal exponents.
+constexpr std::array<int, 20> near_wedge{-290, -250, -200, -160, -130, -105, -85, -70, -58, -48,
+                                         -40,  -34,  -29,  -25,  -22,  -19,  -17, -15, -13, -11};
+
 template <Real R>
-std::vector<SurfacePoint<R>> places(const ContactSet<R>& set, std::size_t segment, int between) {
+std::vector<SurfacePoint<R>> places(const ContactSet<R>& set, std::size_t segment, int between, bool left_wedge = false,
+                                    bool right_wedge = false) {
+  using std::pow;
   const R& length = set.length(segment);
   std::vector<SurfacePoint<R>> result;
   const auto add = [&](const R& from_left, const R& from_right) {
     const R x = from_left < from_right ? R(set.x(segment) + from_left) : R(set.x(segment + 1) - from_right);
     result.push_back({static_cast<std::ptrdiff_t>(segment), {x, from_left, from_right}});
   };
+  for (const int exponent : near_wedge) {
+    if (left_wedge) add(R(length * pow(R(10), R(exponent))), length);
+  }
   for (const int part : near_end) {
     const R d = length * R(part) / 1'000'000'000;
     add(d, R(length - d));
@@ -29,6 +38,9 @@ std::vector<SurfacePoint<R>> places(const ContactSet<R>& set, std::size_t segmen
   for (std::size_t i = near_end.size(); i-- > 0;) {
     const R d = length * R(near_end[i]) / 1'000'000'000;
     add(R(length - d), d);
+  }
+  for (std::size_t i = near_wedge.size(); i-- > 0;) {
+    if (right_wedge) add(length, R(length * pow(R(10), R(near_wedge[i]))));
   }
   return result;
 }
@@ -57,31 +69,25 @@ class Inspection {
   using What = typename Violation<R>::What;
 
   /// Gathers neighbouring places that fail.
-  void note(What what, bool fails, const SurfacePoint<R>& at, const R& size) {
-    const auto segment = static_cast<std::size_t>(at.segment);
-    if (!fails) {
-      if (open_) close(segment, at.node.from_left);
-      previous_ = {segment, at.node.from_left};
-      return;
-    }
-    if (!open_) {
-      found_.push_back({what, previous_.first, previous_.second, segment, at.node.from_left, size});
+  void note(What what, bool fails, const SurfacePoint<R>& at) {
+    if (fails) {
+      if (!open_) found_.push_back({what, previous_, at});
       open_ = true;
     }
-    found_.back().last_segment = segment;
-    found_.back().to = at.node.from_left;
-    found_.back().size = std::max(found_.back().size, size);
-    previous_ = {segment, at.node.from_left};
-  }
-
-  void close(std::size_t segment, const R& from_left) {
-    found_.back().last_segment = segment;
-    found_.back().to = from_left;
-    open_ = false;
+    if (open_) found_.back().to = at;
+    open_ = fails;
+    previous_ = at;
   }
 
   void begin(std::size_t segment) {
-    previous_ = {segment, R(0)};
+    previous_ = {static_cast<std::ptrdiff_t>(segment), {set_.x(segment), R(0), set_.length(segment)}};
+    open_ = false;
+  }
+
+  void end(std::size_t segment) {
+    if (open_) {
+      found_.back().to = {static_cast<std::ptrdiff_t>(segment), {set_.x(segment + 1), set_.length(segment), R(0)}};
+    }
     open_ = false;
   }
 
@@ -124,7 +130,7 @@ class Inspection {
     // t has the sign of eps B, and B costs nothing where one polynomial rules.
     const auto inspect = [&](const SurfacePoint<R>& at, const Estimate<R>& b) {
       const R value = form_.sign(at.segment) * b.value;
-      note(What::tension, value > 4 * b.error, at, value);
+      note(What::tension, value > 4 * b.error, at);
     };
     // At the ends themselves too: an edge that pulls, however little, is a free end before it.
     const auto last = static_cast<std::ptrdiff_t>(end) - 1;
@@ -133,7 +139,8 @@ class Inspection {
             form_.bracket_at(first, Side::right));
     for (std::size_t k = first; k < end; ++k) {
       std::vector<Value> values;
-      for (const SurfacePoint<R>& at : places(set_, k, 5)) values.push_back({at, form_.bracket(form_.slope_at(k), at)});
+      for (const SurfacePoint<R>& at : places(set_, k, 5, is_suspect(k), is_suspect(k + 1)))
+        values.push_back({at, form_.bracket(form_.slope_at(k), at)});
       for (std::size_t i = 0; i < values.size(); ++i) {
         const bool between = 0 < i && i + 1 < values.size();
         const std::optional<Value> peak = between ? peak_beside(values[i - 1], values[i], values[i + 1]) : std::nullopt;
@@ -144,7 +151,15 @@ class Inspection {
       }
     }
     inspect({last, {set_.x(end), length, R(0)}}, form_.bracket_at(end, Side::left));
-    if (open_) close(end - 1, set_.length(end - 1));
+    this->end(end - 1);
+  }
+
+  /// A re-entrant wedge in the contact, without friction that rises there, pulls in its corner.
+  bool is_suspect(std::size_t j) const {
+    if (!form_.is_kinked(j) || !form_.problem().anchors()[*set_.point(j).anchor].wedge) return false;
+    const R& x = set_.x(j);
+    const auto slope = [&](std::size_t segment) { return form_.problem().slope(form_.slope_at(segment), x); };
+    return slope(j) < slope(j - 1) && form_.exponent(j).sign() >= 0;
   }
 
   void inspect_gap(std::size_t first, std::size_t end) {
@@ -172,9 +187,9 @@ class Inspection {
     for (std::size_t i = 0; i < all.size(); ++i) {
       const bool from_left = contact_left && (!contact_right || i < middle);
       const Estimate<R> gap = form_.opening(from_left ? first : end, all[i]);
-      note(What::penetration, gap.value < -8 * gap.error, all[i], R(-gap.value));
+      note(What::penetration, gap.value < -8 * gap.error, all[i]);
     }
-    if (open_) close(end - 1, set_.length(end - 1));
+    this->end(end - 1);
   }
 
   R rate(const SurfacePoint<R>& at) const {
@@ -186,7 +201,7 @@ class Inspection {
   const ContactSet<R>& set_;
   std::vector<Violation<R>> found_;
   bool open_ = false;
-  std::pair<std::size_t, R> previous_;
+  SurfacePoint<R> previous_;
 };
 
 }  // namespace

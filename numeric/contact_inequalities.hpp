@@ -8,15 +8,12 @@
 
 namespace steadyslide::numeric {
 
-/// A stretch where an inequality fails: from a place in one segment to a place in the same or a later one.
+/// A stretch where an inequality fails.
 template <Real R>
 struct Violation {
   enum class What { tension, penetration } what;
-  std::size_t first_segment;
-  R from;  ///< distance from the left end of that segment
-  std::size_t last_segment;
-  R to;
-  R size;  ///< the largest eps B, which has the sign of t, or the deepest reduced penetration, in it
+  SurfacePoint<R> from;
+  SurfacePoint<R> to;
 };
 
 /// Left to right; what rounding alone may have done is let pass. Sampled, not proved.

@@ -67,6 +67,7 @@ class Search {
       if (!set.in_contact(k) && set.point(k).is_end() && set.point(k + 1).is_end()) {
         result[k] = hull * pow(R(1e-3), closings_ + 1);
       }
+      if (cannot_vanish(k)) result[k] = 0;
       for (const std::size_t j : {k, k + 1}) {
         if (!set.point(j).anchor) continue;
         const auto found = crossings_.find(*set.point(j).anchor);
@@ -77,7 +78,27 @@ class Search {
     return result;
   }
 
-  void renew(Set set) { state_ = ContactState<R>::initial(problem_, std::move(set), state_.tilt); }
+  /// The gap beside a step: whatever its length, it cannot close, nor can contact cross it.
+  bool cannot_vanish(std::size_t k) const {
+    const Set& set = state_.set;
+    if (set.in_contact(k)) return false;
+    for (const std::size_t j : {k, k + 1}) {
+      if (set.point(j).anchor && problem_.anchors()[*set.point(j).anchor].step_sign != 0) {
+        const std::size_t other = j == k ? k + 1 : k;
+        const bool end_of_ours = set.point(other).is_free() && !set.point(other).anchor;
+        const End end = other == k ? End::right : End::left;
+        if (end_of_ours && !problem_.edge_possible(end, *set.point(j).anchor)) return true;
+      }
+    }
+    return false;
+  }
+
+  /// False, and nothing changes, if the set makes no sense: two changes at once got into each other's way.
+  bool renew(Set set) {
+    if (!set.is_consistent()) return false;
+    state_ = ContactState<R>::initial(problem_, std::move(set), state_.tilt);
+    return true;
+  }
 
   bool collapse(std::size_t k) {
     Set set = state_.set;
@@ -88,8 +109,7 @@ class Search {
       if (left.is_end() && right.is_end()) {
         if (set.components() == 1) return false;
         set.close(k);
-        renew(std::move(set));
-        return true;
+        return renew(std::move(set));
       }
       return cross(left_moves ? k : k + 1, left_moves ? Side::right : Side::left);
     }
@@ -97,8 +117,7 @@ class Search {
       if (!left.is_free() || !right.is_free() || left.anchor || right.anchor) return false;
       ++closings_;
       set.close(k);
-      renew(std::move(set));
-      return true;
+      return renew(std::move(set));
     }
     const std::size_t j = left_moves ? k : k + 1;
     const Side towards = left_moves ? Side::right : Side::left;
@@ -109,8 +128,7 @@ class Search {
     if (!problem_.edge_possible(end, anchor)) return false;
     ++crossings_[anchor];
     set.settle(j, towards, false);
-    renew(std::move(set));
-    return true;
+    return renew(std::move(set));
   }
 
   bool cross(std::size_t j, Side towards) {
@@ -120,6 +138,7 @@ class Search {
     const R distance = set.length(towards == Side::left ? j - 1 : j);
     ++crossings_[*set.point(neighbour).anchor];
     set.hop(j, towards, distance);
+    if (!set.is_consistent()) return false;
     state_.set = std::move(set);
     return true;
   }
@@ -153,42 +172,46 @@ class Search {
         return false;
       }
     }
-    renew(std::move(set));
-    return true;
+    return renew(std::move(set));
+  }
+
+  using Place = typename Set::Place;
+  static Place place(const SurfacePoint<R>& at) {
+    return {static_cast<std::size_t>(at.segment), at.node.from_left, at.node.from_right};
+  }
+  static Place between(const Place& a, const Place& b, const R& part) {
+    return {a.segment, a.from_left + part * (b.from_left - a.from_left),
+            a.from_right + part * (b.from_right - a.from_right)};
   }
 
   void add_component(Set& set, const Violation<R>& v) {
-    R from = v.from;
-    R to = v.to;
-    if (v.first_segment == v.last_segment) {
-      // Contact takes less than what penetrates: the middle.
-      const R quarter = (to - from) / 4;
-      from += quarter;
-      to -= quarter;
-    } else {
-      from = (from + set.length(v.first_segment)) / 2;
-      to = to / 2;
-    }
-    set.open(v.first_segment, from, v.last_segment, to);
+    const Place from = place(v.from);
+    const Place to = place(v.to);
+    // Contact takes less than what penetrates: the middle.
+    const bool together = from.segment == to.segment;
+    const Place first_end = together ? to : Place{from.segment, R(from.from_left + from.from_right), R(0)};
+    const Place last_end = together ? from : Place{to.segment, R(0), R(to.from_left + to.from_right)};
+    const R part = together ? R(0.25) : R(0.5);
+    set.open(between(from, first_end, part), between(to, last_end, part));
   }
 
   bool remove_contact(Set& set, const Violation<R>& v) {
-    const std::size_t first = v.first_segment;
-    const std::size_t last = v.last_segment;
-    const bool at_left = v.from == 0 && set.point(first).is_end();
-    const bool at_right = v.to >= set.length(last) * (1 - R(1e-8)) && set.point(last + 1).is_end();
+    const Place from = place(v.from);
+    const Place to = place(v.to);
+    const bool at_left = from.from_left == 0 && set.point(from.segment).is_end();
+    const bool at_right = to.from_right == 0 && set.point(to.segment + 1).is_end();
     if (at_left && at_right) {
       if (set.components() == 1) return false;
-      set.close(first);
+      set.close(from.segment);
       return true;
     }
     // An end with tension beside it goes to where the tension stops.
     if (at_left) {
-      set.move_end(first, last, std::min(v.to, R(set.length(last) * R(0.9))));
+      set.move_end(from.segment, to.segment, std::min(to.from_left, R(set.length(to.segment) * R(0.9))));
     } else if (at_right) {
-      set.move_end(last + 1, first, std::max(v.from, R(set.length(first) * R(0.1))));
+      set.move_end(to.segment + 1, from.segment, std::max(from.from_left, R(set.length(from.segment) * R(0.1))));
     } else {
-      set.open(first, v.from, last, v.to);
+      set.open(from, to);
     }
     return true;
   }

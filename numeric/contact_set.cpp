@@ -152,6 +152,18 @@ std::vector<std::size_t> ContactSet<R>::movable() const {
 }
 
 template <Real R>
+bool ContactSet<R>::is_consistent() const {
+  bool contact = false;
+  for (const Point& point : points_) {
+    if (!point.is_end()) continue;
+    if ((point.kind == Kind::ends) != contact) return false;
+    contact = !contact;
+  }
+  const bool positive = std::all_of(lengths_.begin(), lengths_.end(), [](const R& length) { return length > 0; });
+  return !contact && positive && components() > 0;
+}
+
+template <Real R>
 R ContactSet<R>::hull() const {
   const std::vector<std::size_t> begins = all(Kind::begins);
   const std::vector<std::size_t> ends = all(Kind::ends);
@@ -257,15 +269,24 @@ void ContactSet<R>::close(std::size_t j) {
 }
 
 template <Real R>
-void ContactSet<R>::open(std::size_t k, const R& from, const R& to) {
-  open(k, from, k, to);
-}
-
-template <Real R>
-void ContactSet<R>::open(std::size_t first, const R& from, std::size_t last, const R& to) {
-  const bool gap = contact_[first];
-  insert(last, to, {std::nullopt, gap ? Kind::begins : Kind::ends, true});
-  insert(first, from, {std::nullopt, gap ? Kind::ends : Kind::begins, true});
+void ContactSet<R>::open(const Place& from, const Place& to) {
+  const bool gap = contact_[from.segment];
+  const Point first{std::nullopt, gap ? Kind::ends : Kind::begins, true};
+  const Point last{std::nullopt, gap ? Kind::begins : Kind::ends, true};
+  const auto place = [this](const Place& p) {
+    return p.from_left < p.from_right ? R(x_[p.segment] + p.from_left) : R(x_[p.segment + 1] - p.from_right);
+  };
+  const R x_first = place(from);
+  const R x_last = place(to);
+  if (from.segment == to.segment) {
+    const R between =
+        from.from_left < to.from_right ? R(to.from_left - from.from_left) : R(from.from_right - to.from_right);
+    insert(from.segment, from.from_left, from.from_right, x_first, first);
+    insert(from.segment + 1, between, to.from_right, x_last, last);
+  } else {
+    insert(to.segment, to.from_left, to.from_right, x_last, last);
+    insert(from.segment, from.from_left, from.from_right, x_first, first);
+  }
   refresh();
 }
 

@@ -57,6 +57,8 @@ class ContactSet {
   std::vector<std::size_t> all(Kind kind) const;
   /// Indices of the free ends that are not at an anchor.
   std::vector<std::size_t> movable() const;
+  /// Does contact begin and end in turns, at least once, with lengths > 0 between all points?
+  bool is_consistent() const;
   /// From the first end to the last one.
   R hull() const;
 
@@ -72,10 +74,15 @@ class ContactSet {
   void move_end(std::size_t j, std::size_t segment, const R& from_left);
   /// Removes the gap that begins at point j (an end of contact), or the component that begins there.
   void close(std::size_t j);
-  /// New free ends in segment k: a gap if it is in contact, a component if not. Distances from the segment's left end.
-  void open(std::size_t k, const R& from, const R& to);
-  /// The same between points of different segments; anchors between them are passed.
-  void open(std::size_t first, const R& from, std::size_t last, const R& to);
+  /// A place in a segment, by its distances from both ends.
+  struct Place {
+    std::size_t segment;
+    R from_left;
+    R from_right;
+  };
+  /// New free ends at two places: a gap between them if they are in contact, a component if not. Anchors between them
+  /// are passed.
+  void open(const Place& from, const Place& to);
 
  private:
   void refresh();

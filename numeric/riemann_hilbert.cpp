@@ -166,11 +166,10 @@ std::shared_ptr<RiemannHilbertSolution<R>> refined(const ContactProblem& problem
 }
 
 /// The coarse solution, finer where that did not lead to a solution.
-template <Real R>
-std::shared_ptr<RiemannHilbertSolution<R>> search_from_nothing(const ContactProblem& problem) {
-  std::shared_ptr<RiemannHilbertSolution<R>> best;
+std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const ContactProblem& problem) {
+  std::shared_ptr<RiemannHilbertSolution<double>> best;
   for (const int cells : {48, 120, 300}) {
-    auto found = search<R>(problem, coarse_start(problem, cells));
+    auto found = search<double>(problem, coarse_start(problem, cells));
     if (found->shortcoming().empty()) return found;
     if (!best) best = std::move(found);
   }
@@ -181,23 +180,15 @@ std::shared_ptr<RiemannHilbertSolution<R>> search_from_nothing(const ContactProb
 
 template <Real R>
 Attempt<R> riemann_hilbert(const ContactProblem& problem, const ContactSolution<R>* start) {
+  // Whatever the precision, double finds where the contact is.
+  std::shared_ptr<RiemannHilbertSolution<double>> rough;
+  if (start) rough = search<double>(problem, start_from(problem, *start));
+  if (!rough || !rough->shortcoming().empty()) rough = search_from_nothing(problem);
   std::shared_ptr<RiemannHilbertSolution<R>> solution;
-  const auto is_solved = [&] { return solution && solution->shortcoming().empty(); };
-  // The search takes place in double, whatever the digits: they are for the last steps.
-  const auto carry_on = [&](const std::shared_ptr<RiemannHilbertSolution<double>>& rough) {
-    if constexpr (std::same_as<R, double>) {
-      solution = rough;
-    } else {
-      solution = refined<R>(problem, *rough);
-    }
-  };
-  if (start) {
-    const auto rough = search<double>(problem, start_from(problem, *start));
-    if (rough->shortcoming().empty()) carry_on(rough);
-  }
-  if (!is_solved()) carry_on(search_from_nothing<double>(problem));
-  if constexpr (!std::same_as<R, double>) {
-    if (!is_solved()) solution = search_from_nothing<R>(problem);
+  if constexpr (std::same_as<R, double>) {
+    solution = std::move(rough);
+  } else {
+    solution = refined<R>(problem, *rough);
   }
   if (problem.elasticity().indenter() && solution->has_edge()) {
     return {nullptr, "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails"};

@@ -303,13 +303,53 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
 }
 
 template <Real R>
+R RiemannHilbertSolution<R>::shear_ratio(std::size_t segment) const {
+  // The body is dragged along: t_t = -f t towards the side to which the indenter slides.
+  const R f = to_real<R>(problem_.friction().values()[form_->friction_at(segment)]);
+  if (f == 0) return R(0);
+  return problem_.sliding() == Sliding::plus_x ? R(-f) : f;
+}
+
+template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::shear_of(const Estimate<R>& traction, std::size_t segment) const {
   using std::abs;
-  // The body is dragged along: t_t = -f t towards the side to which the indenter slides.
-  const Rational& f = problem_.friction().values()[form_->friction_at(segment)];
-  if (f == 0) return {};
-  const R factor = problem_.sliding() == Sliding::plus_x ? R(-to_real<R>(f)) : to_real<R>(f);
-  return {factor * traction.value, abs(factor) * traction.error};
+  const R ratio = shear_ratio(segment);
+  if (ratio == 0) return {};
+  return {ratio * traction.value, abs(ratio) * traction.error};
+}
+
+template <Real R>
+Estimate<R> RiemannHilbertSolution<R>::tangential_slope(const Rational& x) const {
+  using std::abs;
+  const SurfacePoint<R> at = locate(x);
+  // With one ratio r = t_t/t everywhere the integral would be r (u'/c - s t). What is left for other ratios keeps clear
+  // of x: no principal value.
+  std::size_t nearest = contact_set().all(ContactSet<R>::Kind::begins).front();
+  for (std::size_t k = 0; k < contact_set().segments(); ++k) {
+    const auto distance = [&](std::size_t segment) {
+      if (static_cast<std::ptrdiff_t>(segment) == at.segment) return R(0);
+      return std::min(R(abs(form_->distance(at, segment))), R(abs(form_->distance(at, segment + 1))));
+    };
+    if (contact_set().in_contact(k) && distance(k) < distance(nearest)) nearest = k;
+  }
+  const R ratio = shear_ratio(nearest);
+  const Estimate<R> t = form_->traction(at);
+  const Estimate<R> slope = form_->surface_slope(at);
+  const R gamma = to_real<R>(problem_.elasticity().gamma());
+  const R s = reduced_.s(form_->friction_at(nearest));
+  Estimate<R> sum{ratio * (slope.value - s * t.value) + gamma * t.value,
+                  abs(ratio) * slope.error + (abs(ratio * s) + abs(gamma)) * t.error};
+  for (std::size_t k = 0; k < contact_set().segments(); ++k) {
+    if (!contact_set().in_contact(k) || shear_ratio(k) == ratio) continue;
+    const bool on_right = static_cast<std::ptrdiff_t>(k) > at.segment;
+    const R distance = abs(form_->distance(at, on_right ? k : k + 1));
+    const Estimate<R> part = tanh_sinh::cauchy<R>({panel_density(k)}, on_right ? Side::left : Side::right, distance);
+    sum.value += (shear_ratio(k) - ratio) * part.value;
+    sum.error += abs(shear_ratio(k) - ratio) * part.error;
+    if (part.convergence == Convergence::stalled) sum.convergence = Convergence::stalled;
+  }
+  const R c = to_real<R>(problem_.elasticity().compliance());
+  return {c * sum.value, c * sum.error, sum.convergence};
 }
 
 template <Real R>

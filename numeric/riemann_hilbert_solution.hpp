@@ -37,6 +37,10 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   Sample<R> at(const Rational& x) const override;
   std::vector<Sample<R>> samples(int count) const override;
 
+  /// u_t', the slope of the tangential displacement, at a place that is no singular point:
+  /// u_t'/c = (1/pi) PV int t_t/(x'-x) dx' + gamma t [Bal16, (2)], t_t = -f t sliding towards +x, f t towards -x.
+  Estimate<R> tangential_slope(const Rational& x) const;
+
  private:
   const ContactSet<R>& contact_set() const { return form_->set(); }
   Estimate<R> coordinate(std::size_t j) const;
@@ -54,6 +58,8 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   Estimate<R> traction_limit(std::size_t j, Side side) const;
   Estimate<R> slope_limit(std::size_t j, Side side) const;
   Estimate<R> shear_of(const Estimate<R>& traction, std::size_t segment) const;
+  /// t_t/t on a segment.
+  R shear_ratio(std::size_t segment) const;
   Estimate<R> gap(const SurfacePoint<R>& at) const;
   std::optional<std::size_t> nearest_end(const SurfacePoint<R>& at) const;
 

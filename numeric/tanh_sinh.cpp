@@ -25,7 +25,13 @@ Estimate<R> unit_integral(const std::function<R(const R&)>& f) {
   static const R sufficient = sqrt(epsilon<R>());
   R error = 0;
   R l1 = 0;
-  const R value = rule<R>().integrate(f, R(0), R(1), tolerance, &error, &l1);
+  R value = 0;
+  try {
+    value = rule<R>().integrate(f, R(0), R(1), tolerance, &error, &l1);
+  } catch (const boost::math::evaluation_error&) {
+    // The integrand was infinite, or no number: of a state that is no solution.
+    return {std::numeric_limits<R>::quiet_NaN(), infinity<R>(), Convergence::stalled};
+  }
   const bool reached = error <= sufficient * l1;
   return {value, reached ? R(16 * epsilon<R>() * l1) : error, reached ? Convergence::reached : Convergence::stalled};
 }

@@ -25,7 +25,10 @@ double residual(const Surface<R>& surface, const PanelPoint<R>& at, const R& hil
 
 template <Real R>
 double load_error(const Surface<R>& surface, const R& integral) {
-  return relative_difference<R>(integral, surface.integral);
+  using std::abs, std::max;
+  if (integral == surface.integral) return 0;
+  const R scale = max({R(abs(integral)), R(abs(surface.integral)), surface.load_scale});
+  return static_cast<double>(R(abs(integral - surface.integral) / scale));
 }
 
 std::string list(const std::vector<Rational>& values) {

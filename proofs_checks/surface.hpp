@@ -15,6 +15,7 @@ struct Surface {
   std::vector<R> s;                  ///< per panel
   std::function<R(const R&)> slope;  ///< psi'/c
   R integral;                        ///< what int t has to be
+  R load_scale = 0;                  ///< what its error is measured by if int t is smaller
 };
 
 /// The surface under a form: s from the friction pieces `first_piece`, ... of the problem, int t = -load.

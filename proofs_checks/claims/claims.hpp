@@ -17,5 +17,11 @@ std::vector<Claim> outside_claims();
 std::vector<Claim> integral_claims();
 std::vector<Claim> local_action_claims();
 std::vector<Claim> derivation_claims();
+std::vector<Claim> riemann_hilbert_claims();
+std::vector<Claim> contact_load_claims();
+std::vector<Claim> gap_claims();
+std::vector<Claim> linearisation_claims();
+std::vector<Claim> corner_claims();
+std::vector<Claim> end_claims();
 
 }  // namespace steadyslide::proofs_checks

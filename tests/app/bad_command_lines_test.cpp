@@ -41,10 +41,23 @@ const std::vector<BadLine> bad_lines{
     {{"verify", "--format", "csv"}, "--format: unknown format; it is one of text, json, markdown; 'csv'"},
     {{"solve", "good.toml", "--method", "guess"},
      "--method: unknown method; it is one of auto, closed-form, riemann-hilbert, variational; 'guess'"},
-    {{"solve", "good.toml", "--method", "riemann-hilbert"}, "--method riemann-hilbert: not available in this version"},
     {{"solve", "good.toml", "--method", "variational"}, "--method variational: not available in this version"},
     {{"solve", "good.toml", "--cells", "100"}, "--cells: not available in this version"},
-    {{"solve", "good.toml", "--load-steps", "1,2"}, "--load-steps: not available in this version"},
+    {{"solve", "good.toml", "--load-steps="}, "--load-steps: 1 required LIST missing"},
+    {{"solve", "good.toml", "--load-steps", ""}, "--load-steps: no value; it is a list; ''"},
+    {{"solve", "good.toml", "--load-steps", "1,0,2"}, "--load-steps: load out of range; the load is positive; '0'"},
+    {{"solve", "good.toml", "--load-steps=-1/3"}, "--load-steps: load out of range; the load is positive; '-1/3'"},
+    {{"solve", "good.toml", "--load-steps", "0:1:0.1"}, "--load-steps: load out of range; the load is positive; '0'"},
+    {{"solve", "good.toml", "--load-steps", "1,heavy"}, "--load-steps: not a number; " + number_rule + "; 'heavy'"},
+    {{"solve", "good.toml", "--load-steps", "1:10001:1"},
+     "--load-steps: list too long; there are at most 10000 entries; '1:10001:1'"},
+    {{"solve", "good.toml", "--load-steps", "1,2", "--at", "0"},
+     "--load-steps: conflicting option; samples are those of one load; '--at'"},
+    {{"solve", "good.toml", "--load-steps", "1,2", "--samples", "5"},
+     "--load-steps: conflicting option; samples are those of one load; '--samples'"},
+    {{"solve", "good.toml", "--load-steps", "1,2", "--cells", "5"}, "--cells: not available in this version"},
+    {{"solve", "good.toml", "--load-steps", "1,2", "--format", "latex"},
+     "--format: unknown format; it is one of text, json, csv; 'latex'"},
     {{"solve", "good.toml", "--search-solutions", "3"}, "--search-solutions: not available in this version"},
     {{"exponents", "good.toml", "--derivation", "--format", "csv"},
      "--derivation: wrong format; a derivation is text or latex; 'csv'"},
@@ -57,13 +70,14 @@ const std::vector<BadLine> bad_lines{
     {{"solve", "good.toml", "--samples", "1e3"},
      "--samples: out of range; it is a whole number from 1 to 100000; '1e3'"},
     {{"solve", "good.toml", "-o", ""}, "--output: no file; it has a name; ''"},
-    {{"solve", "wedge.toml"},
-     "--method auto: no closed form applies; the profile is neither flat nor a parabola that opens away from the body; "
-     "other methods are not available in this version"},
     {{"solve", "wedge.toml", "--method", "closed-form"},
      "--method closed-form: no closed form applies; the profile is neither flat nor a parabola that opens away from "
-     "the "
-     "body; other methods are not available in this version"},
+     "the body"},
+    {{"solve", "wedge.toml", "--method", "closed-form", "--load-steps", "1,2"},
+     "--method closed-form: no closed form applies; the profile is neither flat nor a parabola that opens away from "
+     "the body"},
+    {{"solve", "tilt.toml", "--method", "closed-form"},
+     "--method closed-form: no closed form applies; the indenter may tilt"},
     {{"table", "--poisson", "0", "--rear", "0"}, "--front is required"},
     {table("0.5", "0", "0"), "--poisson: Poisson's ratio out of range; it lies in ]-1, 1/2[; 0.5"},
     {table("0:0.4:0", "0", "0"), "--poisson: step out of range; the step is positive; '0'"},
@@ -84,25 +98,15 @@ TEST_CASE("bad command lines: message, exit code, no output") {
   const std::string rest = "load = 1\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.2]\n[indenter]\n";
   folder.write("good.toml", rest + "profile = 0\n");
   folder.write("wedge.toml", rest + "pieces = [{to = 0, profile = \"-x\"}, {to = 1, profile = \"x\"}]\n");
+  folder.write("tilt.toml", "load_at = 0\n" + rest + "profile = 0\n");
   for (const BadLine& bad : bad_lines) {
+    CAPTURE(bad.message);
     const Finished finished = run_program(bad.arguments, folder.path());
     CHECK(finished.err == "steadyslide: command line: " + bad.message + "\n");
     CHECK(finished.code == 2);
     CHECK(finished.out == "");
   }
-  CHECK(folder.names() == std::vector<std::string>{"good.toml", "wedge.toml"});
-}
-
-TEST_CASE("a tilting indenter has exponents and no solution yet") {
-  const TemporaryFolder folder;
-  folder.write("tilt.toml",
-               "load = 1\n\nload_at = 0\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.2]\n"
-               "[indenter]\nprofile = 0\n");
-  CHECK(run_program({"exponents", "tilt.toml"}, folder.path()).code == 0);
-  const Finished finished = run_program({"solve", "tilt.toml"}, folder.path());
-  CHECK(finished.err ==
-        "steadyslide: tilt.toml:3: load_at: solving with a tilting indenter is not available in this version\n");
-  CHECK(finished.code == 2);
+  CHECK(folder.names() == std::vector<std::string>{"good.toml", "tilt.toml", "wedge.toml"});
 }
 
 TEST_CASE("help is complete at every level, and a result") {

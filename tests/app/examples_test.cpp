@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -67,14 +68,33 @@ TEST_CASE("every problem file: its command runs, its exponents are found, and it
 TEST_CASE("solved examples: effective friction is the sum of f times load share, residuals are small") {
   for (const char* name : {"flat_punch.toml", "two_coatings_forward.toml", "two_coatings_backward.toml",
                            "three_jumps.toml", "parabola.toml", "parabola_rough_front.toml", "parabola_rough_rear.toml",
-                           "nearly_incompressible.toml", "elastic_indenter.toml"}) {
+                           "nearly_incompressible.toml", "elastic_indenter.toml", "wedge.toml", "rounded_wedge.toml",
+                           "two_bumps.toml", "stepped_punch.toml", "tilting_punch.toml"}) {
     CAPTURE(name);
     const Json json = solve(name);
     const Json& resultants = json["resultants"];
     const Json& friction = json["problem"]["friction"]["values"];
     Rational sum = 0;
-    for (std::size_t k = 0; k < friction.size(); ++k) sum += number(friction[k]) * number(resultants["load_share"][k]);
+    Rational shares = 0;
+    for (std::size_t k = 0; k < friction.size(); ++k) {
+      sum += number(friction[k]) * number(resultants["load_share"][k]);
+      shares += number(resultants["load_share"][k]);
+      CHECK(number(resultants["load_share"][k]) >= 0);
+    }
     CHECK(abs(sum - number(resultants["effective_friction"])) < parse_rational("1e-11"));
+    CHECK(abs(shares - 1) < parse_rational("1e-11"));
+    const Rational load = number(json["problem"]["load"]);
+    CHECK(abs(number(resultants["normal"]) / load - 1) < parse_rational("1e-11"));
+    CHECK(number(json["residuals"]["penetration"]) <= parse_rational("1e-12"));
+    CHECK(number(json["residuals"]["tension"]) <= parse_rational("1e-12"));
+    for (const Json& component : json["contact"]) {
+      CHECK(number(component["left"]["x"]) < number(component["right"]["x"]));
+      for (const char* end : {"left", "right"}) {
+        CHECK(number(component[end]["intensity"]) > 0);
+        const bool is_free = component[end]["kind"] == "free";
+        CHECK((number(component[end]["exponent"]) > 0) == is_free);
+      }
+    }
     CHECK(number(json["residuals"]["equation"]) <= parse_rational("1e-12"));
     CHECK(number(json["residuals"]["load"]) <= parse_rational("1e-12"));
   }
@@ -86,4 +106,41 @@ TEST_CASE("two coatings: the friction of the README, sliding one way and the oth
   const Rational tolerance = parse_rational("0.00005");
   CHECK(abs(forward - parse_rational("0.2828")) < tolerance);
   CHECK(abs(backward - parse_rational("0.3159")) < tolerance);
+}
+
+namespace {
+
+/// "left_kind right_kind" of every contact component.
+std::vector<std::string> kinds(const Json& json) {
+  std::vector<std::string> result;
+  for (const Json& component : json["contact"]) {
+    result.push_back(component["left"]["kind"].get<std::string>() + " " +
+                     component["right"]["kind"].get<std::string>());
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("what the headers of the examples without a formula promise") {
+  const Json rounded = solve("rounded_wedge.toml");
+  CHECK(rounded["method"] == "riemann-hilbert");
+  CHECK(rounded["singular_points"][1]["kind"] == "wedge_and_jump");
+  CHECK(number(rounded["singular_points"][1]["exponent"]) < 0);
+  CHECK(number(rounded["singular_points"][1]["intensity"]) > 0);
+
+  CHECK(kinds(solve("two_bumps.toml")) == std::vector<std::string>{"free free", "free free"});
+  const Finished steps =
+      run_program({"solve", "two_bumps.toml", "--load-steps", "0.77,0.78", "--format", "csv"}, folder);
+  CHECK(std::count(steps.out.begin(), steps.out.end(), '\n') == 4);
+
+  CHECK(kinds(solve("stepped_punch.toml")) == std::vector<std::string>{"edge step", "free edge"});
+
+  const Json tilting = solve("tilting_punch.toml");
+  CHECK(kinds(tilting) == std::vector<std::string>{"edge edge"});
+  CHECK(number(tilting["resultants"]["tilt"]) < 0);
+  CHECK(abs(number(tilting["resultants"]["centre_of_pressure"]) - parse_rational("0.2")) < parse_rational("1e-12"));
+  const Finished lifted = run_other({"sed", "s/^load_at = .*/load_at = \"0.8\"/", "tilting_punch.toml"}, folder);
+  const Finished solved = run_program({"solve", "-", "--format", "json"}, folder, lifted.out);
+  CHECK(kinds(Json::parse(solved.out)) == std::vector<std::string>{"free edge"});
 }

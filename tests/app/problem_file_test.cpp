@@ -49,7 +49,6 @@ TEST_CASE("defaults") {
   CHECK(problem.contact.indenter().left() == -1);
   CHECK(problem.contact.indenter().right() == 1);
   CHECK_FALSE(problem.contact.load_at());
-  CHECK(problem.load_at_line == 0);
 }
 
 TEST_CASE("reduced data and an elastic indenter") {

@@ -8,6 +8,7 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -106,6 +107,26 @@ std::vector<std::string> program(const std::vector<std::string>& arguments) {
 Finished run_program(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& input,
                      Stdout where) {
   return run(program(arguments), folder, input, where);
+}
+
+Finished run_on_terminal(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& input) {
+  const Stream in(input);
+  const Stream out;
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) throw std::runtime_error("no terminal");
+  const int end = ::open(::ptsname(terminal), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (end < 0) throw std::runtime_error("no terminal");
+  const pid_t child = start(program(arguments), folder, in.descriptor(), out.descriptor(), end);
+  ::close(end);
+  std::string shown;
+  std::array<char, 4096> block;
+  // Ends with an error when the child has closed its end.
+  for (ssize_t n = 0; (n = ::read(terminal, block.data(), block.size())) > 0;) {
+    shown.append(block.data(), static_cast<std::size_t>(n));
+  }
+  const int code = wait_for(child);
+  ::close(terminal);
+  return {code, out.text(), shown};
 }
 
 Finished run_other(const std::vector<std::string>& command, const fs::path& folder) {

@@ -20,6 +20,10 @@ enum class Stdout { captured, closed_pipe, full_device };
 Finished run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
                      const std::string& input = "", Stdout where = Stdout::captured);
 
+/// The same with a terminal as its standard error: `err` is what the terminal was sent.
+Finished run_on_terminal(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                         const std::string& input);
+
 /// Runs another program found by PATH, the same way.
 Finished run_other(const std::vector<std::string>& command, const std::filesystem::path& folder);
 

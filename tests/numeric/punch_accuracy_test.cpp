@@ -105,6 +105,7 @@ TEST_CASE("control: a swapped pair of friction values is refuted by the same res
   const auto data = std::get<ClosedFormData<double>>(closed_form_data<double>(problem));
   const std::vector<double> swapped{to_real<double>(problem.coupled_friction(1)),
                                     to_real<double>(problem.coupled_friction(0))};
-  const SurfaceCheck<double> check(data.traction.density(), swapped, [](std::size_t, const Node<double>&) { return 0.0; });
+  const SurfaceCheck<double> check(data.traction.density(), swapped,
+                                   [](std::size_t, const Node<double>&) { return 0.0; });
   CHECK(check.equation() > 1e-3);
 }

@@ -12,10 +12,10 @@
 //
 // and one in ten of the bumps and punches may tilt. Jumps lie where contact is expected, at wedges, and anywhere.
 //
-// Nothing is kept out: next to a step or a wedge, contact and gaps are as long as (small)^(1/(1/2 - |alpha|)), which for
-// s = 10 can be less than the distance of two numbers.
-// With these shares, by a coarse variational solution of the list, four in five problems have a free end, two in five
-// several zones, one in three a wedge in the contact, and half of them a decreasing jump of s there.
+// Nothing is kept out: next to a step or a wedge, contact and gaps are as long as (small)^(1/(1/2 - |alpha|)), which
+// for s = 10 can be less than the distance of two numbers. With these shares, by a coarse variational solution of the
+// list, four in five problems have a free end, two in five several zones, one in three a wedge in the contact, and half
+// of them a decreasing jump of s there.
 
 #include <cstdint>
 

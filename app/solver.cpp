@@ -1,0 +1,67 @@
+#include "app/solver.hpp"
+
+#include <algorithm>
+
+#include "numeric/riemann_hilbert.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+/// Zero, or in a range where squares and quotients of doubles neither overflow nor vanish.
+bool is_comfortable(const Rational& value) {
+  static const Rational limit = parse_rational("1e150");
+  const Rational size = abs(value);
+  return size == 0 || (size < limit && size * limit > 1);
+}
+
+bool fits_double(const ContactProblem& problem, const std::vector<Rational>& at) {
+  std::vector<Rational> data{problem.load(), problem.elasticity().compliance(), problem.elasticity().gamma(),
+                             problem.indenter().left(), problem.load_at().value_or(0)};
+  for (const Rational& f : problem.friction().values()) data.push_back(f);
+  for (const Rational& x : problem.friction().jumps()) data.push_back(x);
+  for (const Indenter::Piece& piece : problem.indenter().pieces()) {
+    data.push_back(piece.to);
+    for (const Rational& c : piece.profile.coefficients()) data.push_back(c);
+  }
+  data.insert(data.end(), at.begin(), at.end());
+  return std::all_of(data.begin(), data.end(), is_comfortable);
+}
+
+template <numeric::Real R>
+numeric::Attempt<R> attempt(Method method, const ContactProblem& problem, const numeric::ContactSolution<R>* start) {
+  if (method != Method::riemann_hilbert) {
+    numeric::Attempt<R> formula = numeric::closed_form<R>(problem);
+    if (formula.solution || method == Method::closed_form) return formula;
+  }
+  return numeric::riemann_hilbert<R>(problem, start);
+}
+
+}  // namespace
+
+template <numeric::Real R>
+SolveReport Solver::solve_in(const Problem& problem) {
+  Solution<R>& last = std::get<Solution<R>>(last_);
+  const numeric::Attempt<R> found = attempt<R>(wanted_.method, problem.contact, last.get());
+  if (!found.solution) {
+    SolveReport report;
+    report.why_not = found.why_not;
+    return report;
+  }
+  SolveReport report = make_report(problem, *found.solution, wanted_.digits, wanted_.at, wanted_.samples);
+  if (report.is_solved()) last = found.solution;
+  return report;
+}
+
+SolveReport Solver::solve(const Problem& problem) {
+  numeric::Digits digits = numeric::precision_for(wanted_.digits);
+  if (digits == numeric::Digits::sixteen) {
+    if (fits_double(problem.contact, wanted_.at)) {
+      SolveReport report = solve_in<double>(problem);
+      if (!report.why_not.empty() || (report.is_solved() && report.in_range)) return report;
+    }
+    digits = numeric::Digits::fifty;
+  }
+  return numeric::at_precision(digits, [&]<numeric::Real R>() { return solve_in<R>(problem); });
+}
+
+}  // namespace steadyslide::app

@@ -1,0 +1,183 @@
+// The Riemann-Hilbert solver beside a coarse variational solution with 1,024 cells and beside the same formula
+// evaluated by GSL alone; and what a solve and a traction value cost by the number of friction jumps. Counters `ends`
+// and `traction` are the relative errors against 50 digits.
+
+#include <benchmark/benchmark.h>
+
+#include "numeric/closed_form.hpp"
+#include "numeric/coarse_contact.hpp"
+#include "numeric/gsl_quadrature.hpp"
+#include "numeric/riemann_hilbert.hpp"
+#include "numeric/riemann_hilbert_solution.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::numeric;
+
+namespace {
+
+/// A rounded punch: one polynomial, or two that meet in a wedge; friction jumps evenly over the support.
+ContactProblem punch(int jumps, bool wedge) {
+  std::vector<Rational> values;
+  std::vector<Rational> places;
+  for (int k = 0; k <= jumps; ++k) {
+    values.emplace_back((k * 37) % 19, 20);
+    if (k > 0) places.push_back(Rational(-9, 10) + Rational(18 * k, 10 * (jumps + 1)));
+  }
+  const Rational half(1, 2);
+  std::vector<Indenter::Piece> pieces;
+  if (wedge) {
+    pieces = {{0, Polynomial({0, Rational(-1, 4), half, 0, 1})}, {1, Polynomial({0, Rational(1, 4), half, half, 1})}};
+  } else {
+    pieces = {{1, Polynomial({0, Rational(1, 10), half, 0, 1})}};
+  }
+  return {Elasticity(Solid(Rational(3, 10), 1)), FrictionProfile(values, places), Indenter(-1, pieces), half};
+}
+
+constexpr int few = 3;
+
+template <Real R>
+const ContactSolution<R>& solution(int jumps, bool wedge) {
+  static std::map<std::pair<int, bool>, std::shared_ptr<const ContactSolution<R>>> known;
+  auto& slot = known[{jumps, wedge}];
+  if (!slot) slot = riemann_hilbert<R>(punch(jumps, wedge)).solution;
+  return *slot;
+}
+
+double error_of_ends(double left, double right, bool wedge) {
+  const auto exact = solution<Real50>(few, wedge).contact().front();
+  const Real50 width = exact.right.x.value - exact.left.x.value;
+  const Real50 worst = std::max<Real50>(abs(left - exact.left.x.value), abs(right - exact.right.x.value));
+  return static_cast<double>(Real50(worst / width));
+}
+
+void solve_cold(benchmark::State& state, bool wedge) {
+  const ContactProblem problem = punch(few, wedge);
+  for (auto _ : state) benchmark::DoNotOptimize(riemann_hilbert<double>(problem));
+  const auto zone = solution<double>(few, wedge).contact().front();
+  state.counters["ends"] = error_of_ends(zone.left.x.value, zone.right.x.value, wedge);
+}
+
+template <Real R>
+void warm(benchmark::State& state, bool wedge) {
+  const ContactProblem problem = punch(few, wedge);
+  const ContactSolution<R>& start = solution<R>(few, wedge);
+  for (auto _ : state) benchmark::DoNotOptimize(riemann_hilbert<R>(problem, &start));
+}
+
+template <Real R>
+void from_nothing(benchmark::State& state, bool wedge) {
+  const ContactProblem problem = punch(few, wedge);
+  for (auto _ : state) benchmark::DoNotOptimize(riemann_hilbert<R>(problem));
+}
+
+void solve_warm(benchmark::State& state, bool wedge) { warm<double>(state, wedge); }
+void solve_50_digits(benchmark::State& state, bool wedge) { from_nothing<Real50>(state, wedge); }
+void solve_50_digits_warm(benchmark::State& state, bool wedge) { warm<Real50>(state, wedge); }
+void solve_100_digits(benchmark::State& state, bool wedge) { from_nothing<Real100>(state, wedge); }
+
+void variational_1024(benchmark::State& state, bool wedge) {
+  const ContactProblem problem = punch(few, wedge);
+  CoarseContact coarse;
+  for (auto _ : state) coarse = coarse_contact(problem, 1024);
+  const double origin = to_real<double>(coarse.origin);
+  state.counters["ends"] = error_of_ends(origin + coarse.zones.front().left, origin + coarse.zones.back().right, wedge);
+}
+
+Rational place() { return {1, 7}; }
+
+void traction(benchmark::State& state, bool wedge) {
+  const ContactSolution<double>& s = solution<double>(few, wedge);
+  double t = 0;
+  for (auto _ : state) {
+    t = s.at(place()).traction.left.value;
+    benchmark::DoNotOptimize(t);
+  }
+  const Real50 exact = solution<Real50>(few, wedge).at(place()).traction.left.value;
+  state.counters["traction"] = static_cast<double>(Real50(abs(t - exact) / abs(exact)));
+}
+
+/// t = s g/(1+s^2) - eps cos(pi alpha) |Y| (1/pi) PV int eps cos(pi alpha) g/|Y| dx'/(x'-x), all of it by QAWS and
+/// QAWC.
+void traction_by_gsl(benchmark::State& state, bool wedge) {
+  const auto& s = dynamic_cast<const RiemannHilbertSolution<double>&>(solution<double>(few, wedge));
+  const RiemannHilbertForm<double>& form = s.form();
+  const ContactSet<double>& set = form.set();
+  PiecewiseDensity<double> density;
+  std::vector<std::size_t> segments;
+  for (std::size_t k = 0; k < set.segments(); ++k) {
+    if (!set.in_contact(k)) continue;
+    const auto inverse = [&](std::size_t j) {
+      const Power<double>& p = form.weight().powers()[j];
+      return Power<double>{-p.value, 1 - p.value};
+    };
+    const double factor = form.sign(static_cast<std::ptrdiff_t>(k)) * form.problem().cos_alpha(form.friction_at(k));
+    density.push_back({set.panels()[k], inverse(k), inverse(k + 1), [&form, k, factor](const Node<double>& node) {
+                         return factor * form.problem().slope(form.slope_at(k), node.x) /
+                                form.weight().smooth_modulus(k, node);
+                       }});
+    segments.push_back(k);
+  }
+  const Frame& frame = form.problem().frame();
+  const double xi = to_real<double>((place() - frame.origin) / frame.unit);
+  std::size_t panel = 0;
+  while (density[panel].panel.right < xi) ++panel;
+  const Node<double> node{xi, xi - density[panel].panel.left, density[panel].panel.right - xi};
+  const std::size_t segment = segments[panel];
+  const double friction = form.problem().s(form.friction_at(segment));
+  const double g = form.problem().slope(form.slope_at(segment), xi);
+  const double factor =
+      form.sign(static_cast<std::ptrdiff_t>(segment)) * form.problem().cos_alpha(form.friction_at(segment));
+  double t = 0;
+  for (auto _ : state) {
+    const double integral = gsl::hilbert(density, {panel, node}).value;
+    t = friction * g / (1 + friction * friction) - factor * form.weight().modulus(segment, node) * integral;
+    benchmark::DoNotOptimize(t);
+  }
+  const Real50 exact = solution<Real50>(few, wedge).at(place()).traction.left.value;
+  state.counters["traction"] = static_cast<double>(Real50(abs(t - exact) / abs(exact)));
+}
+
+void solve_by_jumps(benchmark::State& state, bool wedge) {
+  const ContactProblem problem = punch(static_cast<int>(state.range(0)), wedge);
+  const ContactSolution<double>& start = solution<double>(static_cast<int>(state.range(0)), wedge);
+  for (auto _ : state) benchmark::DoNotOptimize(riemann_hilbert<double>(problem, &start));
+  state.SetComplexityN(state.range(0));
+}
+
+void traction_by_jumps(benchmark::State& state, bool wedge) {
+  const ContactSolution<double>& s = solution<double>(static_cast<int>(state.range(0)), wedge);
+  for (auto _ : state) benchmark::DoNotOptimize(s.at(place()));
+  state.SetComplexityN(state.range(0));
+}
+
+}  // namespace
+
+#define STEADYSLIDE_BENCH(function)                                           \
+  BENCHMARK_CAPTURE(function, quartic, false)->Unit(benchmark::kMicrosecond); \
+  BENCHMARK_CAPTURE(function, wedge, true)->Unit(benchmark::kMicrosecond)
+STEADYSLIDE_BENCH(solve_cold);
+STEADYSLIDE_BENCH(solve_warm);
+STEADYSLIDE_BENCH(variational_1024);
+STEADYSLIDE_BENCH(solve_50_digits);
+STEADYSLIDE_BENCH(solve_50_digits_warm);
+STEADYSLIDE_BENCH(solve_100_digits);
+STEADYSLIDE_BENCH(traction);
+STEADYSLIDE_BENCH(traction_by_gsl);
+#undef STEADYSLIDE_BENCH
+
+#define STEADYSLIDE_BENCH(function)           \
+  BENCHMARK_CAPTURE(function, quartic, false) \
+      ->RangeMultiplier(4)                    \
+      ->Range(4, 1024)                        \
+      ->Unit(benchmark::kMicrosecond)         \
+      ->Complexity();                         \
+  BENCHMARK_CAPTURE(function, wedge, true)    \
+      ->RangeMultiplier(4)                    \
+      ->Range(4, 1024)                        \
+      ->Unit(benchmark::kMicrosecond)         \
+      ->Complexity()
+STEADYSLIDE_BENCH(solve_by_jumps);
+STEADYSLIDE_BENCH(traction_by_jumps);
+#undef STEADYSLIDE_BENCH
+
+BENCHMARK_MAIN();
