@@ -51,6 +51,11 @@ std::string fault(const ReducedProblem<R>& problem, const ContactSet<R>& set) {
   return "";
 }
 
+template <Real R>
+typename ContactSet<R>::Place place(const ContactSet<R>& set, std::size_t segment, const R& part) {
+  return {segment, part * set.length(segment), (1 - part) * set.length(segment)};
+}
+
 /// One random change of the set; free ends stay clear of each other by a thousandth of what is there.
 template <Real R>
 void change(ContactSet<R>& set) {
@@ -70,7 +75,7 @@ void change(ContactSet<R>& set) {
     }
     case 1: {
       if (set.components() > 4) return;
-      set.open(any_segment, part(1, 499) * set.length(any_segment), part(501, 999) * set.length(any_segment));
+      set.open(place(set, any_segment, part(1, 499)), place(set, any_segment, part(501, 999)));
       return;
     }
     case 2: {
@@ -150,14 +155,14 @@ TEST_CASE("an end settles at an anchor, and the set is closed and opened again")
   CHECK(!set.point(0).is_free());
   CHECK(set.movable().empty());
   // A gap from one segment into the next takes in the anchor between them.
-  set.open(0, 0.75, 1, 0.25);
+  set.open({0, 0.75, 0.25}, {1, 0.25, 0.25});
   CHECK(fault(problem, set) == "");
   CHECK(set.components() == 2U);
   CHECK(set.length(1) + set.length(2) == doctest::Approx(0.5));
   set.close(set.all(Kind<double>::ends).front());
   CHECK(set.components() == 1U);
   CHECK(set.hull() == doctest::Approx(1.5));
-  set.open(2, 0.1, 0.2);  // beyond the contact: a new component
+  set.open({2, 0.1, 0.4}, {2, 0.2, 0.3});  // beyond the contact: a new component
   CHECK(set.components() == 2U);
   CHECK(fault(problem, set) == "");
 }

@@ -41,7 +41,10 @@ RiemannHilbertForm<R> random_form(const ReducedProblem<R>& problem, JacobiRules<
   };
   for (int gaps = uniform(0, 2); gaps > 0; --gaps) {
     const std::size_t k = inside();
-    set.open(k, R(uniform(1, 49)) / 100 * set.length(k), R(uniform(51, 99)) / 100 * set.length(k));
+    const R a = R(uniform(1, 49)) / 100;
+    const R b = R(uniform(51, 99)) / 100;
+    const R& length = set.length(k);
+    set.open({k, a * length, (1 - a) * length}, {k, b * length, (1 - b) * length});
   }
   std::vector<R> q = ContactState<R>::initial(problem, set, R(0)).q;
   for (std::size_t k = 0; k + 1 < q.size(); ++k) q[k] = R(uniform(-100, 100)) / 30;
