@@ -1,0 +1,136 @@
+// What is not solved says so; and what is wrong is seen.
+
+#include <doctest/doctest.h>
+
+#include "numeric/contact_inequalities.hpp"
+#include "support/solved_contact.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::numeric;
+using testing::one_piece;
+using testing::reduced;
+using testing::solved;
+
+namespace {
+
+using Set = ContactSet<double>;
+using Form = RiemannHilbertForm<double>;
+
+const ContactProblem wells =
+    reduced({Rational(3, 10), 1}, {Rational(1, 10)}, one_piece(-3, 3, {1, Rational(1, 5), -2, 0, 1}), 3);
+
+double missing_load(const Form& form) {
+  const auto check = testing::check_of(form);
+  return std::abs(check.integral() + form.problem().load()) / form.problem().load();
+}
+
+SearchResult<double> converged(const ReducedProblem<double>& problem, const Set& set, JacobiRules<double>& rules) {
+  const std::vector<double> limits(set.segments(), 1e-3);
+  auto found = solve_newton(problem, ContactState<double>::initial(problem, set, 0), limits, rules);
+  REQUIRE(found.status == NewtonResult<double>::Status::converged);
+  return {std::move(found.state), 0, ""};
+}
+
+Form form_of(const ReducedProblem<double>& problem, const ContactState<double>& state, JacobiRules<double>& rules) {
+  return {problem, state.set, state.q, state.tilt, rules};
+}
+
+}  // namespace
+
+TEST_CASE("an elastic indenter whose contact reaches an edge") {
+  const Elasticity both(Solid(Rational(3, 10), 1), Solid(Rational(1, 5), 2));
+  const ContactProblem pressed(both, FrictionProfile({Rational(1, 2)}), one_piece(-1, 1, {0, 0, 1}), 100);
+  const Attempt<double> attempt = riemann_hilbert<double>(pressed);
+  CHECK(!attempt.solution);
+  CHECK(attempt.why_not.find("elastic indenter") != std::string::npos);
+  const ContactProblem touching(both, FrictionProfile({Rational(1, 2)}), one_piece(-1, 1, {0, 0, 1}), Rational(1, 100));
+  CHECK(solved<double>(touching)->contact()[0].left.kind == SingularKind::free);
+}
+
+TEST_CASE("a search that leads nowhere ends with a shortcoming") {
+  const ContactProblem p = reduced({Rational(3, 10)}, {}, one_piece(-1, 1, {0, 0, 1}), 1);
+  const ReducedProblem<double> problem(p, {0, 1});
+  JacobiRules<double> rules;
+  // Free ends that are fixed at the support's ends cannot bear the load.
+  Set set(problem, {{-0.5, 0.5, false, false}});
+  set.settle(1, Side::left, true);
+  set.settle(set.all(Set::Kind::ends).front(), Side::right, true);
+  const auto found = search_contact(problem, ContactState<double>::initial(problem, set, 0), rules);
+  CHECK(!found.solved());
+  CHECK(!found.shortcoming.empty());
+  RiemannHilbertSolution<double> solution(p, {0, 1});
+  solution.set(found);
+  CHECK(solution.shortcoming() == found.shortcoming);
+}
+
+TEST_CASE("control: a displaced end is seen in the load, the equation and the closure of the gap") {
+  const auto good = solved<double>(wells);
+  const ReducedProblem<double>& problem = good->problem();
+  JacobiRules<double> rules;
+  REQUIRE(good->contact().size() == 2U);
+  ContactState<double> state = good->state();
+  CHECK(missing_load(good->form()) < 1e-13);
+  const auto closure = [](const Form& form) {
+    const std::size_t j = form.set().all(Set::Kind::ends).front();
+    return std::abs(form.closure(j, form.gap_rule(j)));
+  };
+  CHECK(closure(good->form()) < 1e-13);
+  const double equation = testing::check_of(good->form()).equation();
+  CHECK(equation < 1e-12);
+  state.set.move({0, 1e-6, 0, 0});
+  const Form displaced = form_of(problem, state, rules);
+  CHECK(missing_load(displaced) > 1e-8);
+  CHECK(closure(displaced) > 1e-8);
+  // Without its vanishing moments the form is not the Cauchy integral of its traction.
+  CHECK(testing::check_of(displaced).equation() > 1e-8);
+}
+
+TEST_CASE("control: a set of the wrong kind has violations") {
+  JacobiRules<double> rules;
+  {
+    // One component where there have to be two: the traction pulls in the middle.
+    const ContactProblem p = reduced({Rational(3, 10), 1}, {Rational(1, 10)}, wells.indenter(), Rational(9, 2));
+    const ReducedProblem<double> problem(p, {0, 1});
+    const auto found = converged(problem, Set(problem, {{-1.5, 1.2, false, false}}), rules);
+    const auto seen = violations(form_of(problem, found.state, rules));
+    REQUIRE(!seen.empty());
+    CHECK(seen.front().what == Violation<double>::What::tension);
+  }
+  {
+    // One where there have to be two: the other bump penetrates.
+    const ContactProblem p = reduced({Rational(3, 10)}, {}, one_piece(-3, 3, {1, 0, -2, 0, 1}), Rational(1, 2));
+    const ReducedProblem<double> problem(p, {0, 1});
+    const auto found = converged(problem, Set(problem, {{-1.2, -0.8, false, false}}), rules);
+    const auto seen = violations(form_of(problem, found.state, rules));
+    REQUIRE(!seen.empty());
+    for (const auto& v : seen) CHECK(v.what == Violation<double>::What::penetration);
+  }
+  {
+    // Edges where the ends are free: an inclined punch that is fixed at both ends pulls at one of them.
+    const ContactProblem p = reduced({Rational(3, 10)}, {}, one_piece(-1, 1, {0, 1}), Rational(1, 2));
+    const ReducedProblem<double> problem(p, {0, 1});
+    const auto found = converged(problem, Set(problem, {{-1, 1, true, true}}), rules);
+    const auto seen = violations(form_of(problem, found.state, rules));
+    REQUIRE(seen.size() == 1U);
+    CHECK(seen.front().what == Violation<double>::What::tension);
+    // The search repairs it.
+    const auto repaired = search_contact(problem, found.state, rules);
+    CHECK(repaired.solved());
+    CHECK(violations(form_of(problem, repaired.state, rules)).empty());
+  }
+  const auto good = solved<double>(wells);
+  CHECK(violations(good->form()).empty());
+}
+
+// Inequalities are sampled segment by segment: a bump far narrower than its segment is not seen to penetrate.
+TEST_CASE("known limit: a second bump on a support much wider than it" * doctest::should_fail()) {
+  const Rational a = 1000;
+  const Indenter bumps(-100000, {{0, Polynomial({a * a, 2 * a, 1})}, {100000, Polynomial({a * a, -2 * a, 1})}});
+  CHECK(solved<double>(reduced({Rational(3, 10)}, {}, bumps, 1))->contact().size() == 2U);
+}
+
+// Beyond the wedge contact reaches less than a millionth of its length.
+TEST_CASE("known limit: a wedge under large friction" * doctest::should_fail()) {
+  const Indenter wedge(-1, {{0, Polynomial({0, -1})}, {1, Polynomial({0, 1})}});
+  solved<double>(reduced({8}, {}, wedge, Rational(1, 10)));
+}

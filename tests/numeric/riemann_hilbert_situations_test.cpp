@@ -1,0 +1,158 @@
+// Contact that changes its shape as the load grows: components merge, wedges, jumps and steps are reached; and contact
+// in a point.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "support/solved_contact.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::numeric;
+using testing::one_piece;
+using testing::reduced;
+using testing::solved;
+
+TYPE_TO_STRING(Real50);
+
+namespace {
+
+/// (x^2 - 1)^2 + slope x.
+ContactProblem wells(const Rational& slope, const Rational& load) {
+  return reduced({Rational(3, 10), 1}, {Rational(1, 10)}, one_piece(-3, 3, {1, slope, -2, 0, 1}), load);
+}
+
+std::size_t components(const ContactProblem& p) { return riemann_hilbert<double>(p).solution->contact().size(); }
+
+template <Real R>
+R width(const ContactComponent<R>& zone) {
+  return zone.right.x.value - zone.left.x.value;
+}
+
+}  // namespace
+
+TEST_CASE("two components merge") {
+  for (const Rational& slope : {Rational(0), Rational(1, 5)}) {
+    double two = 4;
+    double one = 6;
+    REQUIRE(components(wells(slope, 4)) == 2U);
+    REQUIRE(components(wells(slope, 6)) == 1U);
+    while (one - two > 4e-15) {
+      const double middle = (one + two) / 2;
+      (components(wells(slope, Rational(middle))) == 2 ? two : one) = middle;
+    }
+    double outer = 0;
+    for (const double change : {-0.1, -1e-3, -1e-6, -1e-9, -1e-12, 0., 1e-12, 1e-9, 1e-6, 1e-3, 0.1}) {
+      CAPTURE(change);
+      const auto found = solved<double>(wells(slope, Rational(two * (1 + change))));
+      const auto zones = found->contact();
+      if (std::abs(change) >= 1e-9) CHECK(zones.size() == (change < 0 ? 2U : 1U));
+      // The outer ends grow with the load, whatever happens between them.
+      const double now = zones.back().right.x.value - zones.front().left.x.value;
+      CHECK(now >= outer - 1e-14);
+      outer = now;
+      // Like a crack, the gap closes with the square root of the load that is missing.
+      if (zones.size() == 2 && change < 0) {
+        const double gap = zones[1].left.x.value - zones[0].right.x.value;
+        CHECK(gap > std::sqrt(-change));
+        CHECK(gap < 2 * std::sqrt(-change));
+      }
+    }
+  }
+  solved<Real50>(wells(0, 4));
+}
+
+TEST_CASE("contact grows across a jump and a wedge or a step in the same place") {
+  const Polynomial square({0, 0, 1});
+  const Polynomial steeper = square + Polynomial({-1, 1});
+  const Polynomial flatter({0, 1});
+  const Polynomial higher({Rational(1, 2), 0, 1});
+  const Polynomial lower({Rational(-1, 2), 0, 1});
+  for (const Polynomial& right : {square, steeper, flatter, higher, lower}) {
+    double left_end = 0;
+    bool at_step = false;
+    bool beyond = false;
+    for (const double load : {0.1, 1., 2., 2.5, 3., 3.1, 3.2, 3.5, 4., 5., 6., 8., 12., 20.}) {
+      CAPTURE(load);
+      const auto found = solved<double>(
+          reduced({Rational(3, 10), Rational(1, 10)}, {1}, Indenter(-10, {{1, square}, {10, right}}), Rational(load)));
+      const auto zones = found->contact();
+      // Under a heavier load the contact is larger.
+      CHECK(zones.front().left.x.value < left_end);
+      left_end = zones.front().left.x.value;
+      CHECK((zones.back().right.x.value > 1 || !beyond));
+      beyond = zones.back().right.x.value > 1;
+      for (const auto& zone : zones) {
+        for (const auto& end : {zone.left, zone.right}) {
+          if (end.kind != SingularKind::step) continue;
+          at_step = true;
+          CHECK(end.x.value == 1);
+          CHECK(end.intensity.value > 0);
+        }
+      }
+    }
+    CHECK(beyond);
+    CHECK(at_step == (right == higher || right == lower));
+  }
+}
+
+TEST_CASE_TEMPLATE("full contact under edges, and both faces of a step", R, double, Real50) {
+  const auto f = [](const Indenter& indenter, const Rational& load) {
+    return reduced({Rational(3, 10), 1, 0}, {Rational(-1, 2), Rational(1, 3)}, indenter, load);
+  };
+  const Indenter tent(-1, {{0, Polynomial({0, -1})}, {1, Polynomial({0, 1})}});
+  std::vector<Indenter> indenters{tent};
+  if (std::same_as<R, double>) {
+    indenters.push_back(one_piece(-1, 1, {0}));
+    indenters.push_back(one_piece(-1, 1, {0, Rational(1, 100)}));
+    indenters.push_back(one_piece(-1, 1, {0, 0, 1}));
+  }
+  for (const Indenter& indenter : indenters) {
+    const auto zones = solved<R>(f(indenter, 30))->contact();
+    REQUIRE(zones.size() == 1U);
+    CHECK(zones[0].left.kind == SingularKind::edge);
+    CHECK(zones[0].right.kind == SingularKind::edge);
+    CHECK(width(zones[0]) == 2);
+  }
+  const Indenter step(-1, {{0, Polynomial()}, {1, Polynomial({Rational(1, 10)})}});
+  const auto zones = solved<R>(f(step, 5))->contact();
+  REQUIRE(zones.size() == 2U);
+  CHECK(zones[0].right.kind == SingularKind::step);
+  CHECK(zones[0].right.x.value == 0);
+  CHECK(zones[1].left.kind == SingularKind::free);
+  CHECK(zones[1].left.x.value > 0);
+  CHECK(zones[1].right.kind == SingularKind::edge);
+}
+
+TEST_CASE_TEMPLATE("contact in a point: widths scale with the load as they must", R, double, Real50) {
+  // Near the vertex psi ~ |x|^n: width ~ P^(1/n).
+  struct Case {
+    Indenter indenter;
+    int power;
+    std::vector<Rational> jumps;
+  };
+  const Case cases[] = {
+      {one_piece(-100, 100, {0, 0, 1}), 2, {0}},
+      {one_piece(-1, 1, {Rational(1, 9), Rational(-2, 3), 1}), 2, {}},
+      {one_piece(-1, 1, {0, 0, 0, 0, 1}), 4, {0}},
+      {Indenter(-1, {{0, Polynomial({0, -1, 1})}, {1, Polynomial({0, 1})}}), 1, {0}},
+  };
+  for (const Case& c : cases) {
+    if (!std::same_as<R, double> && c.power != 1) continue;
+    std::vector<Rational> s{Rational(3, 10)};
+    if (!c.jumps.empty()) s.push_back(1);
+    const auto scaled_width = [&](const char* load) {
+      using std::pow;
+      const Rational P = parse_rational(load);
+      const auto found = solved<R>(reduced(s, c.jumps, c.indenter, P));
+      REQUIRE(found->contact().size() == 1U);
+      return R(found->state().set.hull() * to_real<R>(found->problem().frame().unit) /
+               pow(to_real<R>(P), R(1) / c.power));
+    };
+    // What is left of the profile's next term is as small as the contact.
+    const R limit = scaled_width("1e-30");
+    using std::abs;
+    CHECK(abs(scaled_width("1e-12") / limit - 1) < 1e-11);
+    CHECK(abs(scaled_width("1e-27") / limit - 1) < (std::same_as<R, double> ? R(1e-13) : R(1e-26)));
+  }
+}

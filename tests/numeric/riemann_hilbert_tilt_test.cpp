@@ -1,0 +1,97 @@
+// Indenters that may tilt.
+
+#include <doctest/doctest.h>
+
+#include "support/changed_problem.hpp"
+#include "support/solved_contact.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::numeric;
+using testing::one_piece;
+using testing::reduced;
+using testing::solved;
+
+TYPE_TO_STRING(Real50);
+
+namespace {
+
+const Indenter wells = one_piece(-3, 3, {1, Rational(1, 5), -2, 0, 1});
+
+ContactProblem on(const Indenter& indenter, const Rational& load, const std::optional<Rational>& load_at = {}) {
+  return reduced({Rational(3, 10), 1}, {Rational(1, 10)}, indenter, load, load_at);
+}
+
+template <Real R>
+R tolerance() {
+  return 2000 * epsilon<R>();
+}
+
+template <Real R>
+void close(const R& a, const R& b) {
+  using std::abs;
+  CHECK(abs(a - b) <= tolerance<R>());
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("load_at at the centre of pressure of the indenter that keeps its attitude: no tilt", R, double,
+                   Real50) {
+  const Indenter step(-1, {{0, Polynomial({0, 0, 1})}, {1, Polynomial({Rational(1, 10), 0, 1})}});
+  const Indenter tent(-1, {{0, Polynomial({0, -1})}, {1, Polynomial({0, 1})}});
+  const Indenter flat = one_piece(-1, 1, {0});
+  const auto indenters = std::same_as<R, double> ? std::vector{wells, step, tent, flat} : std::vector{wells};
+  for (const Indenter& indenter : indenters) {
+    const auto fixed = solved<R>(on(indenter, 3));
+    CHECK(!fixed->tilt());
+    const R centre = fixed->resultants().centre_of_pressure.value;
+    const auto free = solved<R>(on(indenter, 3, Rational(centre)));
+    close(free->tilt()->value, R(0));
+    close(free->resultants().centre_of_pressure.value, centre);
+    REQUIRE(free->contact().size() == fixed->contact().size());
+    for (std::size_t k = 0; k < free->contact().size(); ++k) {
+      close(free->contact()[k].left.x.value, fixed->contact()[k].left.x.value);
+      close(free->contact()[k].right.x.value, fixed->contact()[k].right.x.value);
+    }
+    for (const Rational& x : {Rational(-7, 8), Rational(1, 7), Rational(5, 6)}) {
+      close(free->at(x).traction.left.value, fixed->at(x).traction.left.value);
+    }
+  }
+}
+
+TEST_CASE("the load acts where it should; its moment by an unrelated quadrature; the mirror image") {
+  double last = 1e9;
+  for (int i = -8; i <= 8; ++i) {
+    for (const Indenter& indenter : {one_piece(-1, 1, {0, 0, 1}), one_piece(-1, 1, {0})}) {
+      CAPTURE(i);
+      const ContactProblem p = on(indenter, 1, Rational(i, 10));
+      const auto found = solved<double>(p);
+      close(found->resultants().centre_of_pressure.value, i / 10.);
+      // In the frame the load and load_at are the form's own data.
+      const trapezoidal::Grid<double> grid(testing::density_of(found->form()));
+      const double moment = grid.moment(0) / grid.integral();
+      close(moment, *found->problem().load_at());
+      close(found->form().moment_of_load() / found->problem().load(), moment);
+      const auto mirrored = solved<double>(testing::moved(p, -1, 0));
+      close(mirrored->tilt()->value, -found->tilt()->value);
+      close(mirrored->contact()[0].left.x.value, -found->contact()[0].right.x.value);
+      close(mirrored->contact()[0].right.x.value, -found->contact()[0].left.x.value);
+      close(mirrored->at(Rational(-1, 20)).traction.left.value, found->at(Rational(1, 20)).traction.left.value);
+      if (indenter.pieces()[0].profile.degree() < 0) {
+        // A load further to the right presses the right side down: psi + tilt x is lower there.
+        CHECK(found->tilt()->value < last);
+        last = found->tilt()->value;
+      }
+    }
+  }
+}
+
+TEST_CASE("tilting does what an incline of the profile does") {
+  const Rational load_at(1, 4);
+  const Indenter indenter = one_piece(-1, 1, {0, 0, 1});
+  const auto free = solved<Real50>(on(indenter, 1, load_at));
+  const Rational tilt(free->tilt()->value);
+  const auto fixed = solved<Real50>(on(one_piece(-1, 1, {0, tilt, 1}), 1));
+  close(fixed->resultants().centre_of_pressure.value, to_real<Real50>(load_at));
+  close(fixed->contact()[0].left.x.value, free->contact()[0].left.x.value);
+  close(fixed->contact()[0].right.x.value, free->contact()[0].right.x.value);
+}

@@ -1,0 +1,109 @@
+#pragma once
+// Contact problems in reduced data, solved, with all that every solution promises checked.
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "numeric/residuals.hpp"
+#include "numeric/riemann_hilbert.hpp"
+#include "numeric/riemann_hilbert_solution.hpp"
+
+namespace steadyslide::testing {
+
+/// c = 1, and s itself as data: gamma = 1/2 and f = 2 s.
+inline ContactProblem reduced(const std::vector<Rational>& s, const std::vector<Rational>& jumps,
+                              const Indenter& indenter, const Rational& load,
+                              const std::optional<Rational>& load_at = std::nullopt) {
+  std::vector<Rational> f;
+  for (const Rational& value : s) f.push_back(2 * value);
+  return {Elasticity::reduced(Rational(1, 2)), FrictionProfile(f, jumps), indenter, load, Sliding::plus_x, load_at};
+}
+
+inline Indenter one_piece(const Rational& left, const Rational& right, const std::vector<Rational>& coefficients) {
+  return {left, {{right, Polynomial(coefficients)}}};
+}
+
+/// How far residuals may be from zero.
+template <numeric::Real R>
+R residual_tolerance() {
+  if constexpr (std::same_as<R, double>) return 1e-11;
+  return std::same_as<R, numeric::Real50> ? R(1e-45) : R(1e-100);
+}
+
+/// What a solution does not keep of its promises, or nothing.
+template <numeric::Real R>
+std::string fault(const numeric::ContactSolution<R>& solution) {
+  if (!solution.shortcoming().empty()) return solution.shortcoming();
+  const numeric::Residuals<R> r = solution.residuals();
+  for (const auto& [name, value] :
+       {std::pair("equation", r.equation), {"load", r.load}, {"penetration", r.penetration}, {"tension", r.tension}}) {
+    // No number is no residual.
+    if (!(value <= residual_tolerance<R>())) return name + (' ' + std::to_string(static_cast<double>(value)));
+  }
+  return "";
+}
+
+template <numeric::Real R>
+using Solved = std::shared_ptr<const numeric::RiemannHilbertSolution<R>>;
+
+template <numeric::Real R>
+Solved<R> solved(const ContactProblem& problem, const numeric::ContactSolution<R>* start = nullptr) {
+  const numeric::Attempt<R> attempt = numeric::riemann_hilbert<R>(problem, start);
+  REQUIRE_MESSAGE(attempt.solution, attempt.why_not);
+  CHECK(fault(*attempt.solution) == "");
+  return std::dynamic_pointer_cast<const numeric::RiemannHilbertSolution<R>>(attempt.solution);
+}
+
+/// The form's traction panel by panel, for the quadrature routes that know nothing of the form.
+template <numeric::Real R>
+numeric::PiecewiseDensity<R> density_of(const numeric::RiemannHilbertForm<R>& form) {
+  using namespace numeric;
+  PiecewiseDensity<R> result;
+  const ContactSet<R>& set = form.set();
+  R gap = 0;
+  for (std::size_t k = 0; k < set.segments(); ++k) {
+    if (!set.in_contact(k)) {
+      gap += set.length(k);
+      continue;
+    }
+    // Where the profile's polynomial changes, a constant or a logarithm is larger than a power that vanishes.
+    const auto power = [&](std::size_t j) {
+      const Power<R>& p = form.weight().powers()[j];
+      return form.is_kinked(j) && p.value > 0 ? Power<R>{R(0), R(1)} : p;
+    };
+    const Power<R> left = power(k);
+    const Power<R> right = power(k + 1);
+    const auto smooth = [&form, k, left, right](const Node<R>& node) {
+      using std::pow;
+      const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(k), node};
+      const auto rest = [&](std::size_t j, const R& taken, const R& d) {
+        const R& p = form.weight().powers()[j].value;
+        return p == taken ? R(1) : R(pow(d, p));
+      };
+      return R(form.sign(at.segment) * form.problem().cos_alpha(form.friction_at(k)) *
+               form.weight().smooth_modulus(k, node) * form.bracket(form.slope_at(k), at).value *
+               rest(k, left.value, node.from_left) * rest(k + 1, right.value, node.from_right));
+    };
+    result.push_back({set.panels()[k], left, right, smooth, gap});
+    gap = 0;
+  }
+  result.front().gap = 0;
+  return result;
+}
+
+template <numeric::Real R>
+numeric::SurfaceCheck<R> check_of(const numeric::RiemannHilbertForm<R>& form) {
+  std::vector<R> s;
+  std::vector<std::size_t> segments;
+  for (std::size_t k = 0; k < form.set().segments(); ++k) {
+    if (!form.set().in_contact(k)) continue;
+    s.push_back(form.problem().s(form.friction_at(k)));
+    segments.push_back(k);
+  }
+  return {density_of(form), s, [&form, segments](std::size_t panel, const numeric::Node<R>& node) {
+            return R(form.problem().slope(form.slope_at(segments[panel]), node.x) + form.tilt());
+          }};
+}
+
+}  // namespace steadyslide::testing
