@@ -1,5 +1,6 @@
 #include "numeric/contact_inequalities.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -169,7 +170,15 @@ class Inspection {
     std::vector<SurfacePoint<R>> all;
     bool steps = false;
     for (std::size_t k = first; k < end; ++k) {
-      const std::vector<SurfacePoint<R>> more = places(set_, k, 5);
+      std::vector<SurfacePoint<R>> more = places(set_, k, 5);
+      const std::vector<SurfacePoint<R>> extremes = form_.extremes(k);
+      more.insert(more.end(), extremes.begin(), extremes.end());
+      if (!extremes.empty()) {
+        std::sort(more.begin(), more.end(), [](const SurfacePoint<R>& a, const SurfacePoint<R>& b) {
+          return a.node.from_left != b.node.from_left ? a.node.from_left < b.node.from_left
+                                                      : a.node.from_right > b.node.from_right;
+        });
+      }
       all.insert(all.end(), more.begin(), more.end());
     }
     for (std::size_t j = first; j <= end; ++j) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "numeric/polynomial_roots.hpp"
 #include "numeric/second_kind.hpp"
 
 namespace steadyslide::numeric {
@@ -630,6 +631,22 @@ Estimate<R> RiemannHilbertForm<R>::opening(std::size_t j, const SurfacePoint<R>&
     size += abs(node.weight * node.y) * (abs(b.value) + b.error / epsilon<R>());
   }
   return {rightwards ? sum : R(-sum), 4 * epsilon<R>() * size};
+}
+
+template <Real R>
+std::vector<SurfacePoint<R>> RiemannHilbertForm<R>::extremes(std::size_t segment) const {
+  std::vector<double> g;
+  for (const R& c : problem_->slopes()[slope_at(segment)]) g.push_back(static_cast<double>(c));
+  if (g.empty()) return {};
+  g[0] += static_cast<double>(tilt_);
+  std::vector<SurfacePoint<R>> result;
+  const R& left = set_.x(segment);
+  const R& right = set_.x(segment + 1);
+  for (const double x : sign_changes(g, static_cast<double>(left), static_cast<double>(right))) {
+    if (!(R(x) > left && R(x) < right)) continue;
+    result.push_back({static_cast<std::ptrdiff_t>(segment), {R(x), R(x - left), R(right - x)}});
+  }
+  return result;
 }
 
 template <Real R>

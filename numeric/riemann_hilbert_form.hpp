@@ -71,6 +71,10 @@ class RiemannHilbertForm {
   /// The tilted profile's height at a point off the contact minus that at contact end j, on the side of the contact.
   R profile_rise(std::size_t j, const SurfacePoint<R>& at) const;
 
+  /// Where the tilted profile over a segment has its valleys and peaks: the first places to look for contact, however
+  /// small they are beside the segment.
+  std::vector<SurfacePoint<R>> extremes(std::size_t segment) const;
+
   // What Newton's method asks for.
   /// c_i of 1/Y = z^-S (1 + c_1/z + ...), d_i of Y = z^S (1 + d_1/z + ...).
   const std::vector<R>& inverse_series() const { return inverse_series_; }

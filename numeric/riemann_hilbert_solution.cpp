@@ -279,13 +279,15 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
   constexpr int places = 8;
   for (std::size_t k = 0; k < contact_set().segments(); ++k) {
     if (contact_set().in_contact(k)) continue;
+    std::vector<SurfacePoint<R>> all = form_->extremes(k);
     for (int i = 0; i < places; ++i) {
       const auto [left, right] = clustered<R>(i, places);
       const R& length = contact_set().length(k);
-      const SurfacePoint<R> at{
-          static_cast<std::ptrdiff_t>(k),
-          {left < right ? R(contact_set().x(k) + left * length) : R(contact_set().x(k + 1) - right * length),
-           left * length, right * length}};
+      all.push_back({static_cast<std::ptrdiff_t>(k),
+                     {left < right ? R(contact_set().x(k) + left * length) : R(contact_set().x(k + 1) - right * length),
+                      left * length, right * length}});
+    }
+    for (const SurfacePoint<R>& at : all) {
       const std::optional<std::size_t> end = nearest_end(at);
       if (!end) continue;
       const bool on_left = contact_set().point(*end).kind == ContactSet<R>::Kind::ends;
