@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "numeric/clustered.hpp"
+#include "numeric/load_sharing.hpp"
 #include "numeric/residuals.hpp"
 #include "numeric/tanh_sinh.hpp"
 
@@ -69,33 +70,14 @@ template <Real R>
 Resultants<R> ClosedForm<R>::resultants() const {
   using std::abs;
   const PiecewiseDensity<R> density = data_.traction.density();
-  const std::vector<Rational>& friction = problem_.friction().values();
-  Resultants<R> result;
-  result.load_share.resize(friction.size());
+  std::vector<Estimate<R>> loads(problem_.friction().values().size());
   for (std::size_t k = 0; k < density.size(); ++k) {
     const Estimate<R> load = tanh_sinh::panel_integral(density[k]);
     const Panel<R>& panel = density[k].panel;
     const R relative = weight().relative_error(k, panel.node_from_left(panel.length / 2), 8 * data_.end_error);
-    Estimate<R>& share = result.load_share[data_.first_piece + k];
-    share = {-load.value, load.error + relative * abs(load.value), load.convergence};
-    result.normal.value += share.value;
-    result.normal.error += share.error;
-    if (load.convergence == Convergence::stalled) result.normal.convergence = Convergence::stalled;
+    loads[data_.first_piece + k] = {-load.value, load.error + relative * abs(load.value), load.convergence};
   }
-  const R relative = result.normal.error / result.normal.value;
-  result.effective_friction.convergence = result.normal.convergence;
-  for (std::size_t k = 0; k < friction.size(); ++k) {
-    Estimate<R>& share = result.load_share[k];
-    share.value /= result.normal.value;
-    share.error = share.error / result.normal.value + relative * share.value;
-    const R f = to_real<R>(friction[k]);
-    result.effective_friction.value += f * share.value;
-    result.effective_friction.error += f * share.error;
-  }
-  result.tangential = {
-      result.effective_friction.value * result.normal.value,
-      result.effective_friction.error * result.normal.value + result.effective_friction.value * result.normal.error,
-      result.normal.convergence};
+  Resultants<R> result = resultants_of(std::move(loads), problem_.friction().values());
 
   // The moments of t are the coefficients of u' at infinity, and those are power sums of the singular points.
   R sum1 = 0, sum2 = 0, sum3 = 0, size = 0;

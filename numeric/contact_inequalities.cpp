@@ -22,8 +22,7 @@ std::vector<SurfacePoint<R>> places(const ContactSet<R>& set, std::size_t segmen
   const R& length = set.length(segment);
   std::vector<SurfacePoint<R>> result;
   const auto add = [&](const R& from_left, const R& from_right) {
-    const R x = from_left < from_right ? R(set.x(segment) + from_left) : R(set.x(segment + 1) - from_right);
-    result.push_back({static_cast<std::ptrdiff_t>(segment), {x, from_left, from_right}});
+    result.push_back(surface_point(set, segment, from_left, from_right));
   };
   for (const int exponent : near_wedge) {
     if (left_wedge) add(R(length * pow(R(10), R(exponent))), length);

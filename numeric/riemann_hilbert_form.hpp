@@ -10,6 +10,7 @@
 // |Y|/((s+i) cos(pi alpha)). Taking k from the piece at x, the integral stays clear of x: there is no principal value,
 // and t has its exact local form next to ends, jumps and wedges. [Bal16, theorem 36, reconstructed]
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -27,6 +28,13 @@ struct SurfacePoint {
   std::ptrdiff_t segment;
   Node<R> node;
 };
+
+/// In a segment, the place taken from the nearer end.
+template <Real R>
+SurfacePoint<R> surface_point(const ContactSet<R>& set, std::size_t segment, const R& from_left, const R& from_right) {
+  const R x = from_left < from_right ? R(set.x(segment) + from_left) : R(set.x(segment + 1) - from_right);
+  return {static_cast<std::ptrdiff_t>(segment), {x, from_left, from_right}};
+}
 
 template <Real R>
 class RiemannHilbertForm {
@@ -132,9 +140,8 @@ class RiemannHilbertForm {
   void make_panels();
   int nodes_per_panel() const;
   /// A part of a segment cut into parts for the rules; `power_of(j)` is the integrand's power at point j.
-  template <class PowerOf>
   std::vector<Part> parts(std::size_t segment, const Stretch& stretch, Surroundings<R> around, int nodes,
-                          const PowerOf& power_of) const;
+                          const std::function<Power<R>(std::size_t)>& power_of) const;
   /// Coefficients of [(g_k + tilt)/Y]_poly - q/pi.
   const std::vector<R>& polynomial(std::size_t slope) const;
   /// eps cos(pi alpha) (g - g_k)/|Y| times the rule's weight, at every node of the contact.
