@@ -1,5 +1,5 @@
 # The libraries that steadyslide's own libraries link. Included by the build and by the installed package's config file,
-# so that both look for the same things. GMP, MPFR, CLN and GiNaC ship pkg-config files only.
+# so that both look for the same things. GMP, MPFR, FFTW, CLN and GiNaC ship pkg-config files only.
 
 # find_package() REQUIRED in a config file would make an optional find_package(steadyslide) fatal, and find_dependency()
 # outside a config file leaves in silence.
@@ -18,7 +18,7 @@ else()
   find_package(Eigen3 3.4 REQUIRED)
 endif()
 
-foreach(library IN ITEMS gmp mpfr cln ginac)
+foreach(library IN ITEMS gmp mpfr fftw3 cln ginac)
   if(NOT TARGET PkgConfig::${library})
     pkg_check_modules(${library} IMPORTED_TARGET GLOBAL ${library})
   endif()

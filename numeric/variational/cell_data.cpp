@@ -1,0 +1,117 @@
+#include "numeric/variational/cell_data.hpp"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+
+namespace steadyslide::numeric::variational {
+namespace {
+
+/// A piecewise function's part on one stretch of the support, in xi.
+struct Part {
+  double left;
+  double right;
+};
+
+/// Calls f(cell, piece, part) for every piece of a subdivision within every cell, left to right. `ends`: where the
+/// pieces end, but for the last one.
+template <class F>
+void for_each_part(const CellMesh& mesh, const std::vector<double>& ends, const F& f) {
+  std::size_t piece = 0;
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    double left = mesh.left(i);
+    while (piece < ends.size() && ends[piece] < mesh.right(i)) {
+      if (ends[piece] > left) f(i, piece, Part{left, ends[piece]});
+      left = std::max(left, ends[piece++]);
+    }
+    f(i, piece, Part{left, mesh.right(i)});
+  }
+}
+
+/// The profile's piece about a point of its own, in xi: nothing cancels far from the origin of x.
+struct LocalPiece {
+  double origin;
+  std::vector<double> coefficients;
+
+  double operator()(double xi) const {
+    double value = 0;
+    for (std::size_t k = coefficients.size(); k-- > 0;) value = value * (xi - origin) + coefficients[k];
+    return value;
+  }
+
+  /// Exact: a rule of so many points as the degree asks for.
+  double integral(const Part& part) const {
+    const auto by = [&]<unsigned points>() {
+      return boost::math::quadrature::gauss<double, points>::integrate(*this, part.left, part.right);
+    };
+    if (coefficients.size() <= 2) return (part.right - part.left) * (*this)((part.left + part.right) / 2);
+    if (coefficients.size() <= 14) return by.template operator()<7>();
+    return by.template operator()<40>();
+  }
+};
+
+LocalPiece local_piece(const Polynomial& profile, const Rational& left, const Rational& right, const CellMesh& mesh,
+                       const Rational& height, const Rational& scale) {
+  const Rational middle = (left + right) / 2;
+  const Polynomial x({middle, mesh.frame().unit});
+  Polynomial shifted;
+  for (int k = profile.degree(); k >= 0; --k) {
+    shifted = shifted * x + Polynomial::constant(profile.coefficient(static_cast<std::size_t>(k)));
+  }
+  shifted = shifted - Polynomial::constant(height);
+  LocalPiece result{mesh.place(middle), {}};
+  for (const Rational& c : shifted.coefficients()) result.coefficients.push_back(to_real<double>(c / scale));
+  return result;
+}
+
+Rational height_at(const Indenter& indenter, const Rational& x) {
+  const auto& pieces = indenter.pieces();
+  const auto at =
+      std::lower_bound(pieces.begin(), pieces.end() - 1, x,
+                       [](const Indenter::Piece& piece, const Rational& place) { return piece.to < place; });
+  return at->profile(x);
+}
+
+}  // namespace
+
+CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh) {
+  const FrictionProfile& friction = problem.friction();
+  std::vector<double> ends;
+  for (const Rational& c : friction.jumps()) ends.push_back(mesh.place(c));
+  std::vector<double> s;
+  for (std::size_t k = 0; k < friction.values().size(); ++k) s.push_back(to_real<double>(problem.coupled_friction(k)));
+
+  CellFriction result{std::vector<double>(mesh.size()), std::vector<double>(mesh.size()), 1};
+  if (std::any_of(s.begin(), s.end(), [](double value) { return value < 0; })) result.sign = -1;
+  for_each_part(mesh, ends, [&](std::size_t i, std::size_t piece, const Part& part) {
+    const double length = part.right - part.left;
+    const double middle = (part.left + part.right) / 2;
+    // s at x' is felt by all x on its other side within the cell.
+    const double reach = result.sign > 0 ? mesh.right(i) - middle : middle - mesh.left(i);
+    result.whole[i] += s[piece] * length;
+    result.own[i] += result.sign * s[piece] * length * reach / mesh.length(i);
+  });
+  return result;
+}
+
+std::vector<double> cell_profile(const ContactProblem& problem, const CellMesh& mesh) {
+  const Indenter& indenter = problem.indenter();
+  const Rational scale = problem.elasticity().compliance() * problem.load();
+  const Rational height = height_at(indenter, (indenter.left() + indenter.right()) / 2);
+  std::vector<double> ends;
+  std::vector<LocalPiece> pieces;
+  Rational left = indenter.left();
+  for (const Indenter::Piece& piece : indenter.pieces()) {
+    pieces.push_back(local_piece(piece.profile, left, piece.to, mesh, height, scale));
+    ends.push_back(mesh.place(piece.to));
+    left = piece.to;
+  }
+  ends.pop_back();
+
+  std::vector<double> result(mesh.size());
+  for_each_part(mesh, ends, [&](std::size_t i, std::size_t piece, const Part& part) {
+    result[i] += pieces[piece].integral(part) / mesh.length(i);
+  });
+  return result;
+}
+
+}  // namespace steadyslide::numeric::variational

@@ -1,0 +1,19 @@
+#include "numeric/variational/discrete_problem.hpp"
+
+namespace steadyslide::numeric::variational {
+
+DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh)
+    : mesh_(std::move(mesh)), influence_(mesh_, cell_friction(problem, mesh_)), profile_(cell_profile(problem, mesh_)) {
+  if (problem.load_at()) load_at_ = mesh_.place(*problem.load_at());
+}
+
+std::vector<double> gaps(const DiscreteProblem& problem, const DiscreteState& state) {
+  std::vector<double> g(problem.size());
+  problem.influence().multiply(state.pressure, g);
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    g[i] += problem.profile()[i] + state.tilt * problem.mesh().centre(i) - state.approach;
+  }
+  return g;
+}
+
+}  // namespace steadyslide::numeric::variational

@@ -1,0 +1,55 @@
+#pragma once
+// The contact problem on cells: pressures p_i >= 0 and mean gaps g_i >= 0 with p_i g_i = 0,
+//
+//   g = psi + tilt xi + B p - approach,   sum p_i h_i = 1,   and with load_at   sum p_i h_i xi_i = xi_load,
+//
+// p in units of P/unit, heights in units of c P. No exponent, no singular function is known here. [Bal16, section 3.1]
+
+#include <optional>
+#include <vector>
+
+#include "numeric/variational/galerkin_operator.hpp"
+
+namespace steadyslide::numeric::variational {
+
+class DiscreteProblem {
+ public:
+  DiscreteProblem(const ContactProblem& problem, CellMesh mesh);
+
+  const CellMesh& mesh() const { return mesh_; }
+  const GalerkinOperator& influence() const { return influence_; }
+  const std::vector<double>& profile() const { return profile_; }
+  /// xi of load_at.
+  const std::optional<double>& load_at() const { return load_at_; }
+  std::size_t size() const { return mesh_.size(); }
+
+ private:
+  CellMesh mesh_;
+  GalerkinOperator influence_;
+  std::vector<double> profile_;
+  std::optional<double> load_at_;
+};
+
+/// 1: contact, 0: gap, cell by cell.
+using CellSet = std::vector<char>;
+
+struct DiscreteState {
+  std::vector<double> pressure;
+  double approach = 0;
+  double tilt = 0;  ///< 0 without load_at
+};
+
+/// g of a state.
+std::vector<double> gaps(const DiscreteProblem& problem, const DiscreteState& state);
+
+/// The equations g = 0 on the cells of a contact set, p = 0 on the others, and the loads.
+struct SystemSolution {
+  DiscreteState state;
+  double residual = 0;  ///< the largest |g| left on the contact set
+  int products = 0;     ///< operator products taken, 0 for a factorisation
+};
+
+/// By LU of the matrix: n^3.
+SystemSolution solve_densely(const DiscreteProblem& problem, const CellSet& contact);
+
+}  // namespace steadyslide::numeric::variational

@@ -1,0 +1,37 @@
+#pragma once
+// The discrete Fourier transform of real data of one length (FFTW, double).
+//
+//   forward:  y_k = sum_j x_j exp(-2 pi i j k/n), k = 0..n/2;      backward: x_j = sum_k y_k exp(2 pi i j k/n), not
+//   divided by n; the y beyond n/2 are the conjugates of those before.
+
+#include <complex>
+#include <cstddef>
+#include <memory>
+#include <span>
+
+namespace steadyslide::numeric::variational {
+
+class Fourier {
+ public:
+  /// n even. FFTW chooses its way by the length alone, so that a result can be had again to the last digit.
+  explicit Fourier(std::size_t n);
+  ~Fourier();
+  Fourier(Fourier&&) noexcept;
+  Fourier& operator=(Fourier&&) noexcept;
+
+  std::size_t size() const { return size_; }
+  /// Room for x, n numbers, and for y, n/2 + 1 of them: what the transforms work on.
+  std::span<double> values() const;
+  std::span<std::complex<double>> modes() const;
+  /// values() to modes().
+  void forward() const;
+  /// modes() to values(); the modes are lost.
+  void backward() const;
+
+ private:
+  struct Plans;
+  std::size_t size_;
+  std::unique_ptr<Plans> plans_;
+};
+
+}  // namespace steadyslide::numeric::variational

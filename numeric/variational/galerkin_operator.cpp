@@ -1,0 +1,88 @@
+#include "numeric/variational/galerkin_operator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "numeric/variational/logarithmic_kernel.hpp"
+
+namespace steadyslide::numeric::variational {
+namespace {
+
+/// The smallest 2^k or 3 * 2^k that is >= n.
+std::size_t smooth_size(std::size_t n) {
+  std::size_t power = 4;
+  while (power < n) power *= 2;
+  return power / 4 * 3 >= n ? power / 4 * 3 : power;
+}
+
+}  // namespace
+
+GalerkinOperator::GalerkinOperator(const CellMesh& mesh, CellFriction friction) : friction_(std::move(friction)) {
+  const std::size_t n = mesh.size();
+  if (!mesh.is_uniform()) {
+    logarithm_.resize(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+    for (std::size_t j = 0; j < n; ++j) {
+      for (std::size_t i = 0; i <= j; ++i) {
+        const double mean = -mean_log(mesh.left(i), mesh.right(i), mesh.left(j), mesh.right(j)) / std::numbers::pi;
+        logarithm_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = mean * mesh.length(j);
+        logarithm_(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = mean * mesh.length(i);
+      }
+    }
+    return;
+  }
+  const double h = mesh.length(0);
+  toeplitz_.resize(n);
+  for (std::size_t k = 0; k < n; ++k) toeplitz_[k] = -h * (std::log(h) + mean_log_of_unit_cells(k)) / std::numbers::pi;
+
+  fourier_.emplace(smooth_size(2 * n));
+  const std::span<double> values = fourier_->values();
+  std::fill(values.begin(), values.end(), 0);
+  for (std::size_t k = 0; k < n; ++k) values[k] = values[(values.size() - k) % values.size()] = toeplitz_[k];
+  // Between the two branches nothing is asked; joined, the spectrum stays positive.
+  for (std::size_t k = n; k + n <= values.size(); ++k) values[k] = toeplitz_[n - 1];
+  fourier_->forward();
+  for (const std::complex<double>& mode : fourier_->modes()) spectrum_.push_back(mode.real());
+}
+
+double GalerkinOperator::logarithm(std::size_t i, std::size_t j) const {
+  if (fourier_) return toeplitz_[i > j ? i - j : j - i];
+  return logarithm_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+}
+
+double GalerkinOperator::slip(std::size_t i, std::size_t j) const {
+  if (i == j) return friction_.own[i];
+  const bool felt = friction_.sign > 0 ? j < i : j > i;
+  return felt ? friction_.sign * friction_.whole[j] : 0;
+}
+
+void GalerkinOperator::multiply_by_transform(std::span<const double> p, std::span<double> result) const {
+  const std::span<double> values = fourier_->values();
+  std::copy(p.begin(), p.end(), values.begin());
+  std::fill(values.begin() + static_cast<std::ptrdiff_t>(p.size()), values.end(), 0);
+  fourier_->forward();
+  const std::span<std::complex<double>> modes = fourier_->modes();
+  const double scale = 1 / static_cast<double>(values.size());
+  for (std::size_t k = 0; k < modes.size(); ++k) modes[k] *= spectrum_[k] * scale;
+  fourier_->backward();
+  std::copy(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(p.size()), result.begin());
+}
+
+void GalerkinOperator::multiply(std::span<const double> p, std::span<double> result) const {
+  const std::size_t n = size();
+  if (fourier_) {
+    multiply_by_transform(p, result);
+  } else {
+    const auto length = static_cast<Eigen::Index>(n);
+    Eigen::Map<Eigen::VectorXd>(result.data(), length).noalias() =
+        logarithm_ * Eigen::Map<const Eigen::VectorXd>(p.data(), length);
+  }
+  double before = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t i = friction_.sign > 0 ? k : n - 1 - k;
+    result[i] += before + friction_.own[i] * p[i];
+    before += friction_.sign * friction_.whole[i] * p[i];
+  }
+}
+
+}  // namespace steadyslide::numeric::variational
