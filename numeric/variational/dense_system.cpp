@@ -1,44 +1,68 @@
 #include <Eigen/LU>
 
-#include "numeric/variational/discrete_problem.hpp"
+#include "numeric/variational/bordered_system.hpp"
 
 namespace steadyslide::numeric::variational {
+namespace {
 
-SystemSolution solve_densely(const DiscreteProblem& problem, const CellSet& contact) {
-  const CellMesh& mesh = problem.mesh();
-  std::vector<std::size_t> cells;
-  for (std::size_t i = 0; i < contact.size(); ++i) {
-    if (contact[i]) cells.push_back(i);
-  }
-  const auto n = static_cast<Eigen::Index>(cells.size());
-  const Eigen::Index loads = problem.load_at() ? 2 : 1;
-  // Unknowns: pressures, approach, tilt. Equations: g = 0 on the cells, load, moment.
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + loads, n + loads);
-  Eigen::VectorXd right(n + loads);
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const std::size_t cell = cells[static_cast<std::size_t>(j)];
-    for (Eigen::Index i = 0; i < n; ++i) {
-      matrix(i, j) = problem.influence().entry(cells[static_cast<std::size_t>(i)], cell);
+/// Unknowns: pressures, approach, tilt. Equations: cells, load, moment.
+class Dense : public BorderedSystem {
+ public:
+  Dense(const DiscreteProblem& problem, const CellSet& contact) : size_(contact.size()) {
+    for (std::size_t i = 0; i < contact.size(); ++i) {
+      if (contact[i]) cells_.push_back(i);
     }
-    matrix(j, n) = -1;
-    matrix(n, j) = mesh.length(cell);
-    if (loads == 2) {
-      matrix(j, n + 1) = mesh.centre(cell);
-      matrix(n + 1, j) = mesh.length(cell) * mesh.centre(cell);
+    const CellMesh& mesh = problem.mesh();
+    const auto n = static_cast<Eigen::Index>(cells_.size());
+    loads_ = problem.load_at() ? 2 : 1;
+    matrix_ = Eigen::MatrixXd::Zero(n + loads_, n + loads_);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const std::size_t cell = cells_[static_cast<std::size_t>(j)];
+      for (Eigen::Index i = 0; i < n; ++i) {
+        matrix_(i, j) = problem.influence().entry(cells_[static_cast<std::size_t>(i)], cell);
+      }
+      matrix_(j, n) = -1;
+      matrix_(n, j) = mesh.length(cell);
+      if (loads_ == 1) continue;
+      matrix_(j, n + 1) = mesh.centre(cell);
+      matrix_(n + 1, j) = mesh.length(cell) * mesh.centre(cell);
     }
-    right(j) = -problem.profile()[cell];
+    lu_.compute(matrix_);
   }
-  right(n) = 1;
-  if (loads == 2) right(n + 1) = *problem.load_at();
 
-  const Eigen::VectorXd found = matrix.partialPivLu().solve(right);
-  SystemSolution result;
-  result.residual = n == 0 ? 0 : (matrix.topRows(n) * found - right.head(n)).cwiseAbs().maxCoeff();
-  result.state.pressure.assign(contact.size(), 0);
-  for (Eigen::Index j = 0; j < n; ++j) result.state.pressure[cells[static_cast<std::size_t>(j)]] = found(j);
-  result.state.approach = found(n);
-  if (loads == 2) result.state.tilt = found(n + 1);
-  return result;
+  SystemSolution solve(std::span<const double> rhs, std::array<double, 2> loads) override {
+    const auto n = static_cast<Eigen::Index>(cells_.size());
+    Eigen::VectorXd right(n + loads_);
+    for (Eigen::Index j = 0; j < n; ++j) right(j) = rhs[cells_[static_cast<std::size_t>(j)]];
+    for (Eigen::Index k = 0; k < loads_; ++k) right(n + k) = loads[static_cast<std::size_t>(k)];
+    const Eigen::VectorXd found = lu_.solve(right);
+    SystemSolution result;
+    result.residual = n == 0 ? 0 : (matrix_.topRows(n) * found - right.head(n)).cwiseAbs().maxCoeff();
+    result.state.pressure.assign(size_, 0);
+    for (Eigen::Index j = 0; j < n; ++j) result.state.pressure[cells_[static_cast<std::size_t>(j)]] = found(j);
+    result.state.approach = found(n);
+    if (loads_ == 2) result.state.tilt = found(n + 1);
+    return result;
+  }
+
+ private:
+  std::size_t size_;
+  std::vector<std::size_t> cells_;
+  Eigen::Index loads_ = 1;
+  Eigen::MatrixXd matrix_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+};
+
+}  // namespace
+
+std::unique_ptr<BorderedSystem> dense_system(const DiscreteProblem& problem, const CellSet& contact) {
+  return std::make_unique<Dense>(problem, contact);
+}
+
+SystemSolution solve(BorderedSystem& system, const DiscreteProblem& problem) {
+  std::vector<double> rhs(problem.size());
+  for (std::size_t i = 0; i < rhs.size(); ++i) rhs[i] = -problem.profile()[i];
+  return system.solve(rhs, {1, problem.load_at().value_or(0)});
 }
 
 }  // namespace steadyslide::numeric::variational

@@ -42,14 +42,4 @@ struct DiscreteState {
 /// g of a state.
 std::vector<double> gaps(const DiscreteProblem& problem, const DiscreteState& state);
 
-/// The equations g = 0 on the cells of a contact set, p = 0 on the others, and the loads.
-struct SystemSolution {
-  DiscreteState state;
-  double residual = 0;  ///< the largest |g| left on the contact set
-  int products = 0;     ///< operator products taken, 0 for a factorisation
-};
-
-/// By LU of the matrix: n^3.
-SystemSolution solve_densely(const DiscreteProblem& problem, const CellSet& contact);
-
 }  // namespace steadyslide::numeric::variational

@@ -1,0 +1,39 @@
+#pragma once
+// The equations of one contact set:
+//
+//   B p - approach + tilt xi = rhs on its cells, p = 0 on all others, sum p h = loads[0], and with load_at
+//   sum p h xi = loads[1]   (without it tilt = 0).
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "numeric/variational/discrete_problem.hpp"
+
+namespace steadyslide::numeric::variational {
+
+struct SystemSolution {
+  DiscreteState state;
+  double residual = 0;  ///< the largest |B p - approach + tilt xi - rhs| on the contact set
+  int products = 0;     ///< operator products taken; 0 for a factorisation
+};
+
+class BorderedSystem {
+ public:
+  virtual ~BorderedSystem() = default;
+  /// rhs has an entry for each cell of the mesh; those outside the contact set are not looked at.
+  virtual SystemSolution solve(std::span<const double> rhs, std::array<double, 2> loads) = 0;
+};
+
+/// LU of the whole matrix: the cube of the number of cells in contact, once.
+std::unique_ptr<BorderedSystem> dense_system(const DiscreteProblem& problem, const CellSet& contact);
+
+/// Krylov's method with products by FFT, on a uniform mesh. Starts from `guess`; stops at `tolerance` of the residual,
+/// or where it no longer falls.
+std::unique_ptr<BorderedSystem> krylov_system(const DiscreteProblem& problem, const CellSet& contact,
+                                              const DiscreteState& guess, double tolerance);
+
+/// rhs = -psi, loads those of the problem.
+SystemSolution solve(BorderedSystem& system, const DiscreteProblem& problem);
+
+}  // namespace steadyslide::numeric::variational

@@ -1,0 +1,74 @@
+#include "numeric/variational/surface_inverse.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace steadyslide::numeric::variational {
+namespace {
+
+/// Each zone costs a transform: values of s that are close share one.
+constexpr std::size_t most_zones = 4;
+
+/// Representative values: those that occur, or the means of most_zones groups of them by angle.
+std::vector<double> representatives(std::vector<double> s) {
+  std::sort(s.begin(), s.end());
+  s.erase(std::unique(s.begin(), s.end()), s.end());
+  if (s.size() <= most_zones) return s;
+  const double low = std::atan(s.front());
+  const double width = (std::atan(s.back()) - low) / most_zones;
+  std::vector<double> result;
+  for (std::size_t k = 0; k < most_zones; ++k) {
+    result.push_back(std::tan(low + (static_cast<double>(k) + 0.5) * width));
+  }
+  return result;
+}
+
+}  // namespace
+
+SurfaceInverse::SurfaceInverse(const DiscreteProblem& problem)
+    : zone_of_(problem.size()), fourier_(problem.influence().transform_size()) {
+  const double h = problem.mesh().length(0);
+  std::vector<double> s(problem.size());
+  for (std::size_t i = 0; i < s.size(); ++i) s[i] = problem.influence().friction().whole[i] / h;
+  const std::vector<double> values = representatives(s);
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const auto nearest = std::min_element(values.begin(), values.end(), [&](double a, double b) {
+      return std::abs(std::atan(a) - std::atan(s[i])) < std::abs(std::atan(b) - std::atan(s[i]));
+    });
+    zone_of_[i] = static_cast<unsigned char>(nearest - values.begin());
+  }
+
+  const std::vector<double>& logarithm = problem.influence().spectrum();
+  const auto n = static_cast<double>(fourier_.size());
+  modes_.resize(logarithm.size());
+  for (const double value : values) {
+    Zone zone;
+    for (std::size_t k = 0; k < logarithm.size(); ++k) {
+      // The symbol of sum over the cells before, half of the cell itself: -i h/2 cot(theta/2).
+      const double cot = k == 0 ? 0 : 1 / std::tan(std::numbers::pi * static_cast<double>(k) / n);
+      const std::complex<double> symbol(logarithm[k], -value * h / 2 * cot);
+      zone.reciprocal.push_back(1.0 / (symbol * n));
+    }
+    zones_.push_back(std::move(zone));
+  }
+}
+
+void SurfaceInverse::apply(std::span<const double> r, std::span<double> p) {
+  const std::span<double> values = fourier_.values();
+  const std::span<std::complex<double>> modes = fourier_.modes();
+  std::copy(r.begin(), r.end(), values.begin());
+  std::fill(values.begin() + static_cast<std::ptrdiff_t>(r.size()), values.end(), 0);
+  fourier_.forward();
+  if (zones_.size() > 1) std::copy(modes.begin(), modes.end(), modes_.begin());
+  for (std::size_t zone = 0; zone < zones_.size(); ++zone) {
+    const std::complex<double>* const from = zones_.size() > 1 ? modes_.data() : modes.data();
+    for (std::size_t k = 0; k < modes.size(); ++k) modes[k] = from[k] * zones_[zone].reciprocal[k];
+    fourier_.backward();
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (zone_of_[i] == zone) p[i] = values[i];
+    }
+  }
+}
+
+}  // namespace steadyslide::numeric::variational
