@@ -66,11 +66,11 @@ ActiveSetResult active_set(const DiscreteProblem& problem, CellSet start, const 
   constexpr double loose = 1e-5;
   double tolerance = loose;
   int products = 0;
-  // As long as the number of wrong cells falls now and then, all are changed; after that one at a time, the last one,
-  // which cannot cycle where all principal minors are positive. [JP94]
+  // As long as the number of wrong cells falls now and then, all are changed; after that one at a time, the worst one.
   constexpr int most_patience = 10;
   int patience = most_patience;
   std::size_t fewest = problem.size() + 1;
+  std::vector<int> last_wrong(problem.size(), 0);  // the step in which a cell was wrong last
   for (int step = 1; step <= options.most_steps; ++step) {
     const double scale = height(problem, contact);
     SystemSolution solution =
@@ -95,6 +95,7 @@ ActiveSetResult active_set(const DiscreteProblem& problem, CellSet start, const 
       tolerance = options.tolerance;
       continue;
     }
+    for (const std::size_t i : wrong.cells) last_wrong[i] = step;
     if (wrong.cells.size() < fewest) {
       fewest = wrong.cells.size();
       patience = most_patience;
@@ -109,9 +110,9 @@ ActiveSetResult active_set(const DiscreteProblem& problem, CellSet start, const 
     // Few wrong cells: the end is near, and what is nearly solved decides wrongly.
     if (wrong.cells.size() <= 16 || one_by_one) tolerance = options.tolerance;
     if (one_by_one) {
-      const double largest = *std::max_element(wrong.sizes.begin(), wrong.sizes.end());
-      for (std::size_t k = 0; k < wrong.cells.size(); ++k)
-        if (wrong.sizes[k] > 0.999 * largest) contact[wrong.cells[k]] ^= 1;
+      const auto worst = std::max_element(wrong.sizes.begin(), wrong.sizes.end());
+      char& cell = contact[wrong.cells[static_cast<std::size_t>(worst - wrong.sizes.begin())]];
+      cell = cell ? 0 : 1;
     } else {
       for (const std::size_t i : wrong.cells) contact[i] = contact[i] ? 0 : 1;
     }
@@ -122,6 +123,11 @@ ActiveSetResult active_set(const DiscreteProblem& problem, CellSet start, const 
     }
   }
   for (double& p : best.state.pressure) p = std::max(p, 0.0);
+  if (best.outcome != ActiveSetResult::Outcome::solved) {
+    for (std::size_t i = 0; i < last_wrong.size(); ++i) {
+      if (last_wrong[i] > 0 && last_wrong[i] + 2 * most_patience >= best.steps) best.contested.push_back(i);
+    }
+  }
   return best;
 }
 

@@ -21,9 +21,10 @@ struct ActiveSetResult {
 
   Outcome outcome = Outcome::out_of_steps;
   CellSet contact;
-  DiscreteState state;       ///< pressures clipped to p >= 0
-  std::vector<double> gaps;  ///< of the state before clipping
-  std::size_t wrong = 0;     ///< cells under tension or penetrating, of the set returned: the best one met
+  DiscreteState state;                 ///< pressures clipped to p >= 0
+  std::vector<double> gaps;            ///< of the state before clipping
+  std::size_t wrong = 0;               ///< cells under tension or penetrating, of the set returned: the best one met
+  std::vector<std::size_t> contested;  ///< where the active sets did not end: the cells that changed in the last steps
   int steps = 0;
   int products = 0;
 };
