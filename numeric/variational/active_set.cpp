@@ -2,33 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace steadyslide::numeric::variational {
 namespace {
 
-/// How wrong cells are: tension in units of P/(support), penetration in units of c P, and nothing below rounding.
-struct Violations {
-  std::vector<std::size_t> cells;
-  std::vector<double> sizes;
-};
-
-Violations violations(const CellSet& contact, const DiscreteState& state, const std::vector<double>& gaps,
-                      double rounding) {
-  Violations result;
-  for (std::size_t i = 0; i < contact.size(); ++i) {
-    const double size = contact[i] ? -state.pressure[i] : -gaps[i];
-    if (size <= (contact[i] ? 0 : rounding)) continue;
-    result.cells.push_back(i);
-    result.sizes.push_back(size);
-  }
-  return result;
+bool is_finite(const DiscreteState& state) {
+  const auto finite = [](double p) { return std::isfinite(p); };
+  return std::isfinite(state.approach) && std::isfinite(state.tilt) &&
+         std::all_of(state.pressure.begin(), state.pressure.end(), finite);
 }
 
-std::size_t hash_of(const CellSet& set) {
-  std::size_t hash = 1469598103934665603u;
-  for (const char cell : set) hash = (hash ^ static_cast<unsigned char>(cell)) * 1099511628211u;
-  return hash;
+/// Cells under tension, and cells that penetrate by more than rounding.
+std::vector<std::size_t> wrong_cells(const CellSet& contact, const DiscreteState& state,
+                                     const std::vector<double>& gaps, double rounding) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < contact.size(); ++i) {
+    if (contact[i] ? state.pressure[i] < 0 : gaps[i] < -rounding) result.push_back(i);
+  }
+  return result;
 }
 
 /// The height of the profile over the contact set: what rounding of the gaps is relative to.
@@ -58,76 +49,59 @@ SystemSolution solve_set(const DiscreteProblem& problem, const CellSet& contact,
 
 ActiveSetResult active_set(const DiscreteProblem& problem, CellSet start, const DiscreteState& guess,
                            const ActiveSetOptions& options) {
+  constexpr std::size_t few = 16;
   ActiveSetResult best;
-  best.wrong = problem.size() + 1;
+  best.outcome = ActiveSetResult::Outcome::cycled;
+  std::size_t fewest = problem.size() + 1;
   CellSet contact = std::move(start);
   DiscreteState state = guess;
-  std::set<std::size_t> seen;
-  constexpr double loose = 1e-5;
-  double tolerance = loose;
-  int products = 0;
-  // As long as the number of wrong cells falls now and then, all are changed; after that one at a time, the worst one.
-  constexpr int most_patience = 10;
-  int patience = most_patience;
-  std::size_t fewest = problem.size() + 1;
-  std::vector<int> last_wrong(problem.size(), 0);  // the step in which a cell was wrong last
-  for (int step = 1; step <= options.most_steps; ++step) {
+  double tolerance = options.first_tolerance;
+  int patience = options.patience;
+  while (true) {
+    if (best.steps == options.most_steps) {
+      best.outcome = ActiveSetResult::Outcome::out_of_steps;
+      break;
+    }
+    ++best.steps;
     const double scale = height(problem, contact);
-    SystemSolution solution =
-        solve_set(problem, contact, state, std::max(tolerance, options.tolerance) * scale, options.dense_cells);
-    products += solution.products;
+    SystemSolution solution = solve_set(problem, contact, state, tolerance * scale, options.dense_cells);
+    best.products += solution.products;
+    if (!is_finite(solution.state)) break;  // one cell alone cannot carry a load at another place
     state = std::move(solution.state);
-    std::vector<double> gap = gaps(problem, state);
-    const Violations wrong = violations(contact, state, gap, 4 * options.tolerance * scale);
-    if (options.after_step) options.after_step(wrong.cells.size());
+    const std::vector<double> gap = gaps(problem, state);
+    std::vector<std::size_t> wrong = wrong_cells(contact, state, gap, 4 * options.tolerance * scale);
+    if (options.after_step) options.after_step(wrong.size());
+
     const bool exact = solution.products == 0 || tolerance <= options.tolerance;
-    if (wrong.cells.size() < best.wrong || (exact && wrong.cells.empty())) {
-      best = {
-          ActiveSetResult::Outcome::out_of_steps, contact, state, std::move(gap), wrong.cells.size(), step, products};
+    if (wrong.size() < fewest || (wrong.empty() && exact)) {
+      fewest = wrong.size();
+      patience = options.patience;
+      best.contact = contact;
+      best.state = state;
+      best.wrong = wrong;
+    } else if (--patience < 0) {
+      break;
     }
-    best.steps = step;
-    best.products = products;
-    if (wrong.cells.empty()) {
-      if (exact) {
-        best.outcome = ActiveSetResult::Outcome::solved;
-        break;
-      }
-      tolerance = options.tolerance;
-      continue;
-    }
-    for (const std::size_t i : wrong.cells) last_wrong[i] = step;
-    if (wrong.cells.size() < fewest) {
-      fewest = wrong.cells.size();
-      patience = most_patience;
-    } else if (patience > 0) {
-      --patience;
-    }
-    const bool one_by_one = patience == 0;
-    if (!seen.insert(hash_of(contact)).second && one_by_one && exact) {
-      best.outcome = ActiveSetResult::Outcome::cycled;
+    if (wrong.empty() && exact) {
+      best.outcome = ActiveSetResult::Outcome::solved;
       break;
     }
     // Few wrong cells: the end is near, and what is nearly solved decides wrongly.
-    if (wrong.cells.size() <= 16 || one_by_one) tolerance = options.tolerance;
-    if (one_by_one) {
-      const auto worst = std::max_element(wrong.sizes.begin(), wrong.sizes.end());
-      char& cell = contact[wrong.cells[static_cast<std::size_t>(worst - wrong.sizes.begin())]];
-      cell = cell ? 0 : 1;
-    } else {
-      for (const std::size_t i : wrong.cells) contact[i] = contact[i] ? 0 : 1;
-    }
+    if (wrong.size() <= few) tolerance = options.tolerance;
+    for (const std::size_t i : wrong) contact[i] = contact[i] ? 0 : 1;
     if (std::none_of(contact.begin(), contact.end(), [](char c) { return c != 0; })) {
-      // All released: the one that is pressed least away.
-      const auto lowest = std::min_element(best.gaps.begin(), best.gaps.end());
-      contact[static_cast<std::size_t>(lowest - best.gaps.begin())] = 1;
+      // All are released: the lowest of them touches first.
+      const auto lowest = std::min_element(wrong.begin(), wrong.end(), [&](std::size_t a, std::size_t b) {
+        return problem.profile()[a] < problem.profile()[b];
+      });
+      contact[*lowest] = 1;
     }
+  }
+  if (best.contact.empty()) {
+    best.contact = std::move(contact);
+    best.state = std::move(state);
   }
   for (double& p : best.state.pressure) p = std::max(p, 0.0);
-  if (best.outcome != ActiveSetResult::Outcome::solved) {
-    for (std::size_t i = 0; i < last_wrong.size(); ++i) {
-      if (last_wrong[i] > 0 && last_wrong[i] + 2 * most_patience >= best.steps) best.contested.push_back(i);
-    }
-  }
   return best;
 }
 

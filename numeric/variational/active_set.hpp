@@ -10,7 +10,9 @@ namespace steadyslide::numeric::variational {
 
 struct ActiveSetOptions {
   int most_steps = 100;
+  int patience = 10;              ///< steps without a new lowest number of wrong cells: cycling, it is given up
   double tolerance = 1e-12;       ///< of the equations, relative to the profile's height where that exceeds c P
+  double first_tolerance = 1e-5;  ///< as long as many cells are wrong
   std::size_t dense_cells = 400;  ///< contact sets up to this size are factorised
   /// Called after each step, with the number of cells that were wrong; may throw to end the solve.
   std::function<void(std::size_t wrong)> after_step;
@@ -20,11 +22,10 @@ struct ActiveSetResult {
   enum class Outcome { solved, cycled, out_of_steps };
 
   Outcome outcome = Outcome::out_of_steps;
+  // Of the set with the fewest wrong cells:
   CellSet contact;
-  DiscreteState state;                 ///< pressures clipped to p >= 0
-  std::vector<double> gaps;            ///< of the state before clipping
-  std::size_t wrong = 0;               ///< cells under tension or penetrating, of the set returned: the best one met
-  std::vector<std::size_t> contested;  ///< where the active sets did not end: the cells that changed in the last steps
+  DiscreteState state;             ///< pressures clipped to p >= 0
+  std::vector<std::size_t> wrong;  ///< cells under tension or penetrating; none for a solution
   int steps = 0;
   int products = 0;
 };

@@ -1,6 +1,7 @@
 #include "numeric/variational/nested_solve.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "numeric/variational/lemke.hpp"
 
@@ -8,8 +9,10 @@ namespace steadyslide::numeric::variational {
 namespace {
 
 constexpr std::size_t coarsest = 64;
-constexpr std::size_t most_in_tableau = 512;
-constexpr std::size_t most_contested = 256;
+constexpr std::size_t most_in_tableau = 1024;
+constexpr std::size_t most_contested = 512;
+constexpr std::size_t most_factorised = 2000;  // for many right-hand sides
+constexpr int most_rounds = 30;
 
 /// The cell of another uniform mesh in which the middle of cell i lies.
 std::size_t coarse_cell(std::size_t i, std::size_t fine, std::size_t coarse) {
@@ -67,33 +70,38 @@ class Nested {
     return solution;
   }
 
-  /// Active sets that cycle: Lemke's method on the cells that could not decide, or on all of a small mesh; what it
-  /// finds is where the active sets begin again.
+  /// Where the active sets cycle, Lemke's method decides: on all of a small mesh, or on the cells that are wrong, and
+  /// on those that this turns wrong, until there are none.
   void go_on(MeshSolution& solution) {
     const DiscreteProblem& problem = *solution.problem;
     const std::size_t n = problem.size();
     if (n <= most_in_tableau) {
-      const LemkeResult found = lemke(problem, static_cast<int>(20 * n));
-      if (found.reached) accept(solution, found.contact, found.state);
-      if (solved(solution)) return;
+      const LemkeResult found = lemke(problem, static_cast<int>(200 * n));
+      if (found.reached) inspect(solution, found);
+      return;
     }
-    for (int attempt = 0; attempt < 3 && !solved(solution); ++attempt) {
-      const std::vector<std::size_t> contested = solution.found.contested;
-      if (contested.empty() || contested.size() > most_contested) return;
-      const auto system = [&](const DiscreteProblem& p, const CellSet& contact) {
-        const bool dense = n <= most_in_tableau;
-        return dense ? dense_system(p, contact) : krylov_system(p, contact, solution.found.state, 1e-13);
-      };
-      const LemkeResult found = lemke_on(problem, solution.found.contact, contested, system, 4000);
-      accept(solution, found.contact, found.state);
+    const BorderedSystemMaker system = [&](const DiscreteProblem& p, const CellSet& contact) {
+      const auto cells = static_cast<std::size_t>(std::count(contact.begin(), contact.end(), 1));
+      return cells <= most_factorised ? dense_system(p, contact)
+                                      : krylov_system(p, contact, solution.found.state, 1e-13);
+    };
+    std::set<std::size_t> contested;
+    for (int round = 0; round < most_rounds && !solved(solution); ++round) {
+      contested.insert(solution.found.wrong.begin(), solution.found.wrong.end());
+      if (contested.size() > most_contested) return;
+      inspect(solution, lemke_on(problem, solution.found.contact, {contested.begin(), contested.end()}, system,
+                                 static_cast<int>(100 + 20 * contested.size())));
     }
   }
 
-  void accept(MeshSolution& solution, const CellSet& contact, const DiscreteState& state) {
-    ActiveSetResult again = active_set(*solution.problem, contact, state, active_set_options());
+  /// Which cells are wrong in what Lemke's method has found?
+  void inspect(MeshSolution& solution, const LemkeResult& found) {
+    ActiveSetOptions options = active_set_options();
+    options.most_steps = 1;
+    options.first_tolerance = options.tolerance;
+    ActiveSetResult again = active_set(*solution.problem, found.contact, found.state, options);
     again.steps += solution.found.steps;
     again.products += solution.found.products;
-    if (again.outcome != ActiveSetResult::Outcome::solved && again.wrong >= solution.found.wrong) return;
     solution.found = std::move(again);
     solution.by_lemke = true;
   }
