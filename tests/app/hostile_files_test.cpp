@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <random>
 
@@ -168,5 +169,18 @@ TEST_CASE("a trace whose exact heights would fill the memory") {
   for (int k = 0; trace.size() < ten_megabytes; ++k) {
     trace += std::to_string(k) + (k % 2 == 0 ? ",1e-400\n" : ",1e400\n");
   }
-  check_trace_refused(trace, "steadyslide: t.csv:");
+  check_trace_refused(trace, "steadyslide: t.csv:124917: trace too complicated; all numbers together are limited in ");
+}
+
+TEST_CASE("a trace of a hundred thousand points with all digits of a double") {
+  std::mt19937_64 generator(1);
+  const auto digits = [&] { return std::to_string(generator() % 90000000000000000 + 10000000000000000); };
+  std::string trace = "x,psi\n";
+  constexpr int points = 100000;
+  for (int k = 0; k < points; ++k) trace += std::to_string(k) + "." + digits() + ",0." + digits() + "\n";
+  const Finished finished = run_with_trace(trace);
+  CHECK(finished.code == 0);
+  CHECK(finished.err == "");
+  // A header, four ends, a wedge at every point between the ends, two free ends anywhere.
+  CHECK(std::count(finished.out.begin(), finished.out.end(), '\n') == 1 + 4 + (points - 2) + 2);
 }

@@ -97,6 +97,11 @@ TEST_CASE("bad traces: the whole message") {
            {"0,1\n1,1\n1,2\n", "3: x: not increasing; x increases from line to line; 1 after 1"},
            {"0,1\n# down\n-0.5,1\n", "3: x: not increasing; x increases from line to line; -0.5 after 0"},
            {"x,psi\nx,psi\n", "2: x: not a number; " + number_rule + "; 'x'"},
+           // No headers: they begin like numbers.
+           {".5,one\n", "1: psi: not a number; " + number_rule + "; 'one'"},
+           {"-,1\n", "1: x: not a number; " + number_rule + "; '-'"},
+           {"+x,1\n", "1: x: not a number; " + number_rule + "; '+x'"},
+           {"5 mm,1\n", "1: x: not a number; " + number_rule + "; '5 mm'"},
            {"0,1\n1,nan\n", "2: psi: not a number; " + number_rule + "; 'nan'"},
            {"0,nan\n1,1\n", "1: psi: not a number; " + number_rule + "; 'nan'"},
            {"0,1\n1,\n", "2: psi: not a number; " + number_rule + "; ''"},
