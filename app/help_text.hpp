@@ -39,6 +39,8 @@ inline constexpr const char* problem = R"(PROBLEM is a TOML file, or - for the s
   support = ["-1", "1"]          # default
   profile = "x^2/2"              # psi(x), away from the body; degree at most 64
   # pieces = [ {to = "0", profile = "-x/2"}, {to = "1", profile = "x^2"} ]
+  # samples = "trace.csv"        # measured: points x,psi, one a line, x increasing, beside PROBLEM;
+                                 # straight lines join them, the support is their range by default
   # elastic = { poisson = "0.3", young = "2" }     an elastic indenter, smooth profiles only
 
 A number is a string or an integer: "1/3", "0.1" and "1e-3" are exact.)";

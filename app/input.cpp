@@ -34,7 +34,7 @@ class Descriptor {
 
 }  // namespace
 
-std::string read_input(const std::string& name) {
+std::string read_input(const std::string& name, const std::string& kind) {
   const auto unreadable = [&] {
     return Failure(ExitCode::failed, fmt::format("{}: cannot be read: {}", name, std::strerror(errno)));
   };
@@ -49,7 +49,7 @@ std::string read_input(const std::string& name) {
     if (count == 0) return text;
     text.append(block.data(), static_cast<std::size_t>(count));
     if (text.size() > max_size) {
-      throw Failure(ExitCode::bad_input, name + ":1: file too large; a problem file has at most 64 MiB; more");
+      throw Failure(ExitCode::bad_input, name + ":1: file too large; " + kind + " has at most 64 MiB; more");
     }
   }
 }

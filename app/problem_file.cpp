@@ -1,10 +1,8 @@
 #include "app/problem_file.hpp"
 
-#include <fmt/format.h>
-
 #include "app/document.hpp"
+#include "app/indenter_reader.hpp"
 #include "app/input.hpp"
-#include "app/polynomial_parser.hpp"
 #include "app/problem_reader.hpp"
 
 namespace steadyslide::app {
@@ -73,116 +71,6 @@ FrictionProfile read_friction(const ProblemReader& reader) {
   }
 }
 
-class IndenterReader {
- public:
-  explicit IndenterReader(const ProblemReader& reader) : reader_(reader) {}
-
-  Indenter read() {
-    reader_.check_table("indenter");
-    reader_.check_keys("indenter", {"support", "profile", "pieces", "samples", "elastic"});
-    check_one_shape();
-    read_support();
-    if (reader_.find("indenter.samples") != nullptr) {
-      throw reader_.error("indenter.samples", "not available in this version");
-    }
-    if (const Value* profile = reader_.find("indenter.profile")) {
-      return made({{right_, polynomial("indenter.profile", *profile)}});
-    }
-    return made(read_pieces(*reader_.find("indenter.pieces")));
-  }
-
- private:
-  void check_one_shape() const {
-    const std::string rule = "an indenter has exactly one of profile, pieces, samples";
-    std::string first;
-    for (const std::string key : {"profile", "pieces", "samples"}) {
-      if (reader_.find("indenter." + key) == nullptr) continue;
-      if (!first.empty())
-        throw reader_.error("indenter." + key, "conflicting key", rule, fmt::format("{} and {}", first, key));
-      first = key;
-    }
-    if (first.empty()) throw reader_.error("indenter", "no profile", rule, "none");
-  }
-
-  void read_support() {
-    const Value* support = reader_.find("indenter.support");
-    if (support == nullptr) return;
-    const std::vector<Rational> ends = reader_.numbers("indenter.support", *support, 2);
-    if (ends.size() != 2) {
-      throw reader_.error("indenter.support", "wrong number of ends", "a support is [left, right]",
-                          fmt::format("{} entries", ends.size()));
-    }
-    if (ends[0] >= ends[1]) {
-      throw reader_.error("indenter.support", "support of no length", "left is less than right",
-                          to_string(ends[0]) + ", " + to_string(ends[1]));
-    }
-    left_ = ends[0];
-    right_ = ends[1];
-  }
-
-  std::vector<Indenter::Piece> read_pieces(const Value& pieces) {
-    std::vector<Indenter::Piece> result;
-    for (const Value& piece : reader_.list("indenter.pieces", pieces, "tables {to, profile}", max_pieces)) {
-      const std::string field = fmt::format("indenter.pieces[{}]", result.size());
-      if (piece.kind != Value::Kind::table) {
-        throw reader_.error(field, "wrong type", "a piece is a table {to, profile}", std::string(name_of(piece.kind)));
-      }
-      reader_.check_keys(field, {"to", "profile"});
-      const Value& to = reader_.required(field + ".to", "a piece has its right end");
-      const Value& profile = reader_.required(field + ".profile", "a piece has a profile");
-      result.push_back({reader_.number(field + ".to", to), polynomial(field + ".profile", profile)});
-      check_cost(field, result.back());
-    }
-    if (!result.empty() && result.back().to != right_) {
-      throw reader_.error(fmt::format("indenter.pieces[{}].to", result.size() - 1), "pieces do not fill the support",
-                          "the last piece ends at the support's right end",
-                          fmt::format("{}, not {}", to_string(result.back().to), to_string(right_)));
-    }
-    return result;
-  }
-
-  /// Breaks are found exactly: values of the profile at the pieces' ends, with all their digits.
-  void check_cost(const std::string& field, const Indenter::Piece& piece) {
-    const std::size_t digits = exact_size(piece.to);
-    for (const Rational& c : piece.profile.coefficients()) cost_ += digits + exact_size(c);
-    if (cost_ <= max_cost) return;
-    throw reader_.error(field, "pieces too complicated", "all pieces together are limited in degree and in digits",
-                        "more");
-  }
-
-  static std::size_t exact_size(const Rational& value) {
-    const auto bits = [](const Integer& part) { return part == 0 ? 1 : msb(Integer(abs(part))) + 1; };
-    return bits(boost::multiprecision::numerator(value)) + bits(boost::multiprecision::denominator(value));
-  }
-
-  Polynomial polynomial(const std::string& field, const Value& value) {
-    if (value.kind == Value::Kind::integer || value.kind == Value::Kind::decimal) {
-      return Polynomial::constant(reader_.number(field, value));
-    }
-    try {
-      return parse_polynomial(reader_.text(field, value), budget_);
-    } catch (const InvalidData& invalid) {
-      throw reader_.error(field, invalid.what());
-    }
-  }
-
-  Indenter made(std::vector<Indenter::Piece> pieces) const {
-    try {
-      return {left_, std::move(pieces)};
-    } catch (const InvalidData& invalid) {
-      throw reader_.error(invalid);
-    }
-  }
-
-  static constexpr std::size_t max_cost = 20000000;
-
-  const ProblemReader& reader_;
-  Rational left_ = -1;
-  Rational right_ = 1;
-  PolynomialBudget budget_;
-  std::size_t cost_ = 0;
-};
-
 Sliding read_sliding(const ProblemReader& reader) {
   const Value* value = reader.find("sliding");
   if (value == nullptr) return Sliding::plus_x;
@@ -204,11 +92,16 @@ Problem parse_problem(std::string_view text, const std::string& name) {
   const Sliding sliding = read_sliding(reader);
   Elasticity elasticity = read_elasticity(reader);
   FrictionProfile friction = read_friction(reader);
-  Indenter indenter = IndenterReader(reader).read();
+  ReadIndenter indenter = read_indenter(reader, name);
   try {
-    return {ContactProblem(std::move(elasticity), std::move(friction), std::move(indenter), load, sliding, load_at),
-            name};
+    return {
+        ContactProblem(std::move(elasticity), std::move(friction), std::move(indenter.shape), load, sliding, load_at),
+        name, std::move(indenter.samples)};
   } catch (const InvalidData& invalid) {
+    // The model knows pieces; a file with samples has none.
+    if (indenter.samples && invalid.field() == "indenter.pieces") {
+      throw reader.error("indenter.samples", invalid.what());
+    }
     throw reader.error(invalid);
   }
 }

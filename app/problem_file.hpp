@@ -1,6 +1,7 @@
 #pragma once
 // A problem file, TOML, as an exact contact problem. The rules and the messages of bad files are here.
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,12 +12,20 @@ namespace steadyslide::app {
 inline constexpr std::size_t max_friction_values = 10000;
 inline constexpr std::size_t max_pieces = 1000;
 
+/// The measured profile that a problem's pieces come from.
+struct Samples {
+  std::string file;  ///< as the problem file names it
+  std::size_t points;
+};
+
 struct Problem {
   ContactProblem contact;
   std::string file;
+  std::optional<Samples> samples;
 };
 
-/// Throws Failure (exit code 2) "NAME:LINE: what is wrong; the rule; the value".
+/// Reads a trace, too, if there are samples, relative to `name`. Throws Failure (exit code 2) "NAME:LINE: what is
+/// wrong; the rule; the value".
 Problem parse_problem(std::string_view text, const std::string& name);
 
 /// Reads a file, or the standard input for "-". Throws Failure.

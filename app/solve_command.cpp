@@ -57,7 +57,7 @@ Problem with_load(const Problem& problem, const Rational& load) {
   const ContactProblem& contact = problem.contact;
   return {ContactProblem(contact.elasticity(), contact.friction(), contact.indenter(), load, contact.sliding(),
                          contact.load_at()),
-          problem.file};
+          problem.file, problem.samples};
 }
 
 ExitCode follow_loads(const SolveOptions& options, const Problem& problem) {

@@ -32,10 +32,14 @@ Json half_space(const Elasticity& elasticity) {
   return json;
 }
 
-Json indenter(const ContactProblem& problem) {
+Json indenter(const ContactProblem& problem, const std::optional<Samples>& samples) {
   const Indenter& shape = problem.indenter();
   Json json{{"support", numbers({shape.left(), shape.right()})}};
-  if (shape.pieces().size() == 1) {
+  if (samples) {
+    // The trace is named: its pieces can be many more than the results.
+    json["samples"] = samples->file;
+    json["points"] = samples->points;
+  } else if (shape.pieces().size() == 1) {
     json["profile"] = to_string(shape.pieces().front().profile);
   } else {
     for (const Indenter::Piece& piece : shape.pieces()) {
@@ -47,14 +51,14 @@ Json indenter(const ContactProblem& problem) {
 }
 
 /// The problem as read, exact, defaults filled in.
-Json problem_json(const ContactProblem& problem) {
+Json problem_json(const ContactProblem& problem, const std::optional<Samples>& samples) {
   Json json;
   json["load"] = exact_text(problem.load());
   if (problem.load_at()) json["load_at"] = exact_text(*problem.load_at());
   json["sliding"] = problem.sliding() == Sliding::plus_x ? "+x" : "-x";
   json["half_space"] = half_space(problem.elasticity());
   json["friction"] = {{"values", numbers(problem.friction().values())}, {"jumps", numbers(problem.friction().jumps())}};
-  json["indenter"] = indenter(problem);
+  json["indenter"] = indenter(problem, samples);
   return json;
 }
 
@@ -101,7 +105,7 @@ void write_solve_json(const Problem& problem, const SolveReport& report, Output&
   Json json;
   json["schema"] = 1;
   json["version"] = version;
-  json["problem"] = problem_json(problem.contact);
+  json["problem"] = problem_json(problem.contact, problem.samples);
   json["method"] = report.method;
   json["digits"] = report.digits;
   json["contact"] = Json::array();

@@ -1,6 +1,7 @@
 #include "app/solver.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "numeric/riemann_hilbert.hpp"
 
@@ -9,22 +10,22 @@ namespace {
 
 /// Zero, or in a range where squares and quotients of doubles neither overflow nor vanish.
 bool is_comfortable(const Rational& value) {
-  static const Rational limit = parse_rational("1e150");
-  const Rational size = abs(value);
-  return size == 0 || (size < limit && size * limit > 1);
+  if (value == 0) return true;
+  const double size = std::abs(value.convert_to<double>());  // 0 or infinity beyond its range
+  return size > 1e-150 && size < 1e150;
 }
 
 bool fits_double(const ContactProblem& problem, const std::vector<Rational>& at) {
-  std::vector<Rational> data{problem.load(), problem.elasticity().compliance(), problem.elasticity().gamma(),
-                             problem.indenter().left(), problem.load_at().value_or(0)};
-  for (const Rational& f : problem.friction().values()) data.push_back(f);
-  for (const Rational& x : problem.friction().jumps()) data.push_back(x);
-  for (const Indenter::Piece& piece : problem.indenter().pieces()) {
-    data.push_back(piece.to);
-    for (const Rational& c : piece.profile.coefficients()) data.push_back(c);
-  }
-  data.insert(data.end(), at.begin(), at.end());
-  return std::all_of(data.begin(), data.end(), is_comfortable);
+  const auto all = [](const std::vector<Rational>& data) {
+    return std::all_of(data.begin(), data.end(), is_comfortable);
+  };
+  const auto& pieces = problem.indenter().pieces();
+  return all({problem.load(), problem.elasticity().compliance(), problem.elasticity().gamma(),
+              problem.indenter().left(), problem.load_at().value_or(0)}) &&
+         all(problem.friction().values()) && all(problem.friction().jumps()) && all(at) &&
+         std::all_of(pieces.begin(), pieces.end(), [&](const Indenter::Piece& piece) {
+           return is_comfortable(piece.to) && all(piece.profile.coefficients());
+         });
 }
 
 template <numeric::Real R>

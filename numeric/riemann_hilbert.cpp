@@ -1,6 +1,7 @@
 #include "numeric/riemann_hilbert.hpp"
 
 #include <cmath>
+#include <string>
 
 #include "numeric/coarse_contact.hpp"
 #include "numeric/riemann_hilbert_solution.hpp"
@@ -185,6 +186,12 @@ std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const Contac
 
 template <Real R>
 Attempt<R> riemann_hilbert(const ContactProblem& problem, const ContactSolution<R>* start) {
+  if (const std::size_t breaks = problem.indenter().pieces().size() - 1; breaks > max_profile_breaks) {
+    return {nullptr,
+            "the profile has too many breaks for the Riemann-Hilbert method, take --method variational; it "
+            "has at most " +
+                std::to_string(max_profile_breaks) + "; " + std::to_string(breaks) + " breaks"};
+  }
   // Whatever the precision, double finds where the contact is.
   std::shared_ptr<RiemannHilbertSolution<double>> rough;
   if (start) rough = search<double>(problem, start_from(problem, *start));

@@ -1,5 +1,7 @@
 #include "symbolic/local_derivations.hpp"
 
+#include <algorithm>
+
 #include "model/singular_point.hpp"
 #include "symbolic/expression.hpp"
 #include "symbolic/local_form.hpp"
@@ -9,10 +11,11 @@ namespace {
 
 /// The profile on the given side of x; beyond the support, the piece next to it.
 const Polynomial& profile_at(const Indenter& indenter, const Rational& x, Side side) {
-  for (const Indenter::Piece& piece : indenter.pieces()) {
-    if (x < piece.to || (x == piece.to && side == Side::left)) return piece.profile;
-  }
-  return indenter.pieces().back().profile;
+  const auto& pieces = indenter.pieces();
+  const auto found = std::partition_point(pieces.begin(), pieces.end(), [&](const Indenter::Piece& piece) {
+    return piece.to < x || (piece.to == x && side == Side::right);
+  });
+  return found == pieces.end() ? pieces.back().profile : found->profile;
 }
 
 /// The first three Taylor coefficients of psi_bar' at x.

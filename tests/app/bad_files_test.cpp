@@ -20,6 +20,7 @@ const std::string body = "load = \"1\"\n" + half_space;  // lines 1 to 3
 const std::string body_and_friction = body + friction;   // lines 1 to 5
 const std::string number_rule = "a number is written like 2, -0.25, 1e-3 or 1/3";
 const std::string shape_rule = "an indenter has exactly one of profile, pieces, samples";
+const std::string trace_rule = "it names a file, relative to the problem file";
 const std::string type_rule = "a number is a string, an integer or a decimal";
 const std::string gamma_rule = "with half_space.gamma the data are reduced and this is left out";
 
@@ -108,7 +109,17 @@ const std::vector<BadFile> bad_files{
     {body_and_friction + "[indenter]\n", "6: indenter: no profile; " + shape_rule + "; none"},
     {body_and_friction + indenter + "samples = \"trace.csv\"\n",
      "8: indenter.samples: conflicting key; " + shape_rule + "; profile and samples"},
-    {body_and_friction + "[indenter]\nsamples = \"trace.csv\"\n", "7: indenter.samples: not available in this version"},
+    {body_and_friction + "[indenter]\nsamples = 3\n", "7: indenter.samples: wrong type; it is a string; an integer"},
+    {body_and_friction + "[indenter]\nsamples = \"none.csv\"\n",
+     "7: indenter.samples: no such trace; " + trace_rule + "; none.csv: cannot be read: No such file or directory"},
+    {body_and_friction + "[indenter]\nsamples = \"\"\n",
+     "7: indenter.samples: no such trace; " + trace_rule + "; : cannot be read: No such file or directory"},
+    {body_and_friction + "[indenter]\nsamples = \".\"\n",
+     "7: indenter.samples: no such trace; " + trace_rule + "; .: cannot be read: Is a directory"},
+    {body_and_friction + "[indenter]\nsamples = \"-\"\n",
+     "7: indenter.samples: no such trace; " + trace_rule + "; ./-: cannot be read: No such file or directory"},
+    {body_and_friction + "[indenter]\nsamples = \"bad.toml\\u0000\"\n",
+     "7: indenter.samples: no such trace; " + trace_rule + "; 'bad.toml\\x00'"},
     {body_and_friction + indenter + "support = [0]\n",
      "8: indenter.support: wrong number of ends; a support is [left, right]; 1 entries"},
     {body_and_friction + indenter + "support = [1, -1]\n",

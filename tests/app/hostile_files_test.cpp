@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <random>
 
@@ -20,9 +21,7 @@ std::string repeated(const std::string& part, std::size_t size) {
 }
 
 /// Runs with the memory limited to one gigabyte (not under a sanitizer, which reserves terabytes).
-Finished run_limited(const std::string& text) {
-  const TemporaryFolder folder;
-  folder.write("f.toml", text);
+Finished run_limited(const TemporaryFolder& folder) {
 #ifdef __SANITIZE_ADDRESS__
   const std::string limit;
 #else
@@ -32,13 +31,20 @@ Finished run_limited(const std::string& text) {
                    folder.path());
 }
 
-void check_refused(const std::string& text, const std::string& message) {
-  const Finished finished = run_limited(text);
+Finished run_limited(const std::string& text) {
+  const TemporaryFolder folder;
+  folder.write("f.toml", text);
+  return run_limited(folder);
+}
+
+void check_refusal(const Finished& finished, const std::string& message) {
   CHECK(finished.code == 2);
   CHECK(finished.err.substr(0, message.size()) == message);
   CHECK(finished.err.size() < 700);
   CHECK(finished.err.find('\n') == finished.err.size() - 1);
 }
+
+void check_refused(const std::string& text, const std::string& message) { check_refusal(run_limited(text), message); }
 
 std::string problem_with(const std::string& friction, const std::string& profile) {
   return "load = 1\n[half_space]\npoisson = 0.3\n[friction]\n" + friction + "[indenter]\n" + profile;
@@ -121,4 +127,60 @@ TEST_CASE("the most complicated pieces that are accepted do not take long") {
   const Finished finished = run_limited(problem_with("values = [0.1]\n", pieces + "]\n"));
   CHECK(finished.err == "");
   CHECK(finished.code == 0);
+}
+
+namespace {
+
+Finished run_with_trace(const std::string& trace) {
+  const TemporaryFolder folder;
+  folder.write("f.toml", problem_with("values = [0.1]\n", "samples = \"t.csv\"\n"));
+  folder.write("t.csv", trace);
+  return run_limited(folder);
+}
+
+void check_trace_refused(const std::string& trace, const std::string& message) {
+  check_refusal(run_with_trace(trace), message);
+}
+
+}  // namespace
+
+TEST_CASE("traces of ten megabytes that nobody measured") {
+  std::mt19937 generator(1);
+  std::string bytes(ten_megabytes, '\0');
+  for (char& c : bytes) c = static_cast<char>(generator());
+  check_trace_refused(bytes, "steadyslide: t.csv:");
+  const std::string alphabet = "0123456789.,-e/ ;\t#";
+  for (char& c : bytes) c = alphabet[generator() % alphabet.size()];
+  check_trace_refused(bytes, "steadyslide: t.csv:1: line too long;");
+  for (char& c : bytes) c = generator() % 9 == 0 ? '\n' : c;
+  check_trace_refused(bytes, "steadyslide: t.csv:");
+  check_trace_refused(std::string(ten_megabytes, '\0'), "steadyslide: t.csv:1: line too long;");
+  check_trace_refused(std::string(ten_megabytes, '1'), "steadyslide: t.csv:1: line too long;");
+  check_trace_refused(std::string(ten_megabytes, ','), "steadyslide: t.csv:1: line too long;");
+  check_trace_refused(std::string(ten_megabytes, '\n'), "steadyslide: t.csv:10485760: too few points;");
+  check_trace_refused(repeated("#\n", ten_megabytes), "steadyslide: t.csv:5242880: too few points;");
+  check_trace_refused(repeated("1,1\n", ten_megabytes), "steadyslide: t.csv:2: x: not increasing;");
+  check_trace_refused(std::string(65 << 20, '\n'),
+                      "steadyslide: t.csv:1: file too large; a trace has at most 64 MiB; more\n");
+}
+
+TEST_CASE("a trace whose exact heights would fill the memory") {
+  std::string trace;
+  for (int k = 0; trace.size() < ten_megabytes; ++k) {
+    trace += std::to_string(k) + (k % 2 == 0 ? ",1e-400\n" : ",1e400\n");
+  }
+  check_trace_refused(trace, "steadyslide: t.csv:124917: trace too complicated; all numbers together are limited in ");
+}
+
+TEST_CASE("a trace of a hundred thousand points with all digits of a double") {
+  std::mt19937_64 generator(1);
+  const auto digits = [&] { return std::to_string(generator() % 90000000000000000 + 10000000000000000); };
+  std::string trace = "x,psi\n";
+  constexpr int points = 100000;
+  for (int k = 0; k < points; ++k) trace += std::to_string(k) + "." + digits() + ",0." + digits() + "\n";
+  const Finished finished = run_with_trace(trace);
+  CHECK(finished.code == 0);
+  CHECK(finished.err == "");
+  // A header, four ends, a wedge at every point between the ends, two free ends anywhere.
+  CHECK(std::count(finished.out.begin(), finished.out.end(), '\n') == 1 + 4 + (points - 2) + 2);
 }

@@ -1,0 +1,97 @@
+// The measured profile among the examples is what its generator prints, and that is what it says.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <numbers>
+#include <sstream>
+
+#include "app/process.hpp"
+
+using namespace steadyslide::testing;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path folder = STEADYSLIDE_EXAMPLES;
+
+/// The numbers of a trace's lines after its header.
+std::vector<double> numbers(const std::string& trace) {
+  std::vector<double> result;
+  std::istringstream lines(trace.substr(trace.find("x,psi\n") + 6));
+  for (std::string text; std::getline(lines, text);) {
+    std::size_t comma = 0;
+    result.push_back(std::stod(text, &comma));
+    result.push_back(std::stod(text.substr(comma + 1)));
+  }
+  return result;
+}
+
+/// Infinite for traces of different lengths.
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, std::abs(a[k] - b[k]));
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("the rough surface is what its generator prints") {
+  std::ifstream stream(folder / "rough_surface.csv");
+  const std::string stored(std::istreambuf_iterator<char>(stream), {});
+  const auto generated = [](const std::string& parameter) {
+    std::vector<std::string> command{STEADYSLIDE_ROUGH_SURFACE};
+    if (!parameter.empty()) command.push_back(parameter);
+    return run_other(command, folder);
+  };
+  const Finished same = generated("");
+  CHECK(same.code == 0);
+  CHECK(same.out.substr(0, same.out.find('\n')) == stored.substr(0, stored.find('\n')));
+  CHECK(numbers(stored).size() == 2 * 4001);
+  CHECK(largest_difference(numbers(same.out), numbers(stored)) <= 1e-9);
+  for (const char* other : {"seed=2", "rms=0.00301", "hurst=0.81", "radius=8.01", "points=4000"}) {
+    CHECK(largest_difference(numbers(generated(other).out), numbers(stored)) > 1e-6);
+  }
+  for (const char* bad : {"sead=2", "rms", "rms=", "rms=-1", "rms=nan", "longest=5", "points=1"}) {
+    CAPTURE(bad);
+    const Finished refused = generated(bad);
+    CHECK(refused.code == 2);
+    CHECK(refused.out == "");
+    CHECK(std::count(refused.err.begin(), refused.err.end(), '\n') == 1);
+  }
+}
+
+TEST_CASE("the rough surface has its roughness and its waves") {
+  std::ifstream stream(folder / "rough_surface.csv");
+  const std::vector<double> trace = numbers(std::string(std::istreambuf_iterator<char>(stream), {}));
+  const std::size_t intervals = trace.size() / 2 - 1;
+  // One period: the last point is the first one's.
+  double power = 0;
+  std::vector<double> amplitude(300, 0);
+  for (std::size_t wave = 0; wave < amplitude.size(); ++wave) {
+    double cosine = 0;
+    double sine = 0;
+    for (std::size_t i = 0; i < intervals; ++i) {
+      const double x = trace[2 * i];
+      const double rough = trace[2 * i + 1] - x * x / 16;
+      const double angle = std::numbers::pi * static_cast<double>(wave) * x;
+      cosine += rough * std::cos(angle);
+      sine += rough * std::sin(angle);
+      if (wave == 0) power += rough * rough;
+    }
+    amplitude[wave] = 2 * std::hypot(cosine, sine) / static_cast<double>(intervals);
+  }
+  CHECK(std::abs(std::sqrt(power / static_cast<double>(intervals)) - 0.003) < 1e-9);
+  for (std::size_t wave = 0; wave < amplitude.size(); ++wave) {
+    CAPTURE(wave);
+    if (wave < 4 || wave > 200) CHECK(amplitude[wave] < 1e-10);
+    if (wave >= 4 && wave <= 200) {
+      CHECK(std::abs(amplitude[wave] / amplitude[4] - std::pow(static_cast<double>(wave) / 4, -1.3)) < 1e-6);
+    }
+  }
+}
