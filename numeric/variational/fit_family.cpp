@@ -13,7 +13,8 @@ double cell_length(const Cells& cells, double place, Side side) {
   return *right - *(right - 1);
 }
 
-std::vector<FamilyMember> family(const Cells& cells, const LocalPlace& place, std::span<const Side> sides) {
+std::vector<FamilyMember> family(const Cells& cells, const LocalPlace& place, std::span<const Side> sides,
+                                 bool crowded) {
   double cell = 0;
   double reach = std::numeric_limits<double>::infinity();
   for (const Side side : sides) {
@@ -23,12 +24,13 @@ std::vector<FamilyMember> family(const Cells& cells, const LocalPlace& place, st
                       right ? cells.edges.back() - place.x : place.x - cells.edges.front()});
   }
   std::vector<FamilyMember> result;
-  for (const double part : {0.4, 0.5, 0.6}) {
-    for (const double from : {8., 12., 18.}) {
+  for (const double part : {0.3, 0.4, 0.5}) {
+    for (const double from : {10., 16., 24.}) {
       const Window window{from * cell, part * reach};
       if (window.to < 6 * window.from) continue;
-      for (const int poles : {1, 2}) {
-        for (const int terms : {6, 8, 10}) result.push_back({window, poles, terms});
+      for (const int terms : {7, 9, 11}) {
+        if (!crowded || terms > 7) result.push_back({window, 2, terms});
+        if (!crowded) result.push_back({window, 3, terms});
       }
     }
   }
@@ -46,12 +48,19 @@ std::vector<Bin> gathered(const Cells& cells, double place, std::span<const Side
 }
 
 Estimate<double> summary(std::vector<double> values) {
-  if (values.size() < 3) {
-    return {values.empty() ? std::numeric_limits<double>::quiet_NaN() : values.front(),
-            std::numeric_limits<double>::infinity(), Convergence::stalled};
+  const std::size_t asked = values.size();
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  if (values.size() < 3 || 3 * values.size() < 2 * asked) {
+    return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), Convergence::stalled};
   }
   std::sort(values.begin(), values.end());
   return {values[values.size() / 2], values.back() - values.front(), Convergence::reached};
+}
+
+Estimate<double> moved_place(const Cells& cells, double start, Side side, double x, const Estimate<double>& step) {
+  if (step.convergence == Convergence::stalled) return {start, step.error, Convergence::stalled};
+  const double most = 2 * cell_length(cells, start, side);
+  return {std::clamp(x - step.value, start - most, start + most), step.error};
 }
 
 }  // namespace steadyslide::numeric::variational

@@ -8,34 +8,48 @@
 namespace steadyslide::numeric::variational {
 namespace {
 
-/// Where the least squares left are least, by variable projection: lambda alone is searched for.
-double best_exponent(std::span<const Bin> bins, LocalSeries series, double from, double to, double scaling) {
-  const auto square = [&](double lambda) {
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Where the least squares left are least, by variable projection: a search for lambda alone, all else is linear.
+class BestExponent {
+ public:
+  BestExponent(std::vector<Bin> bins, const LocalSeries& series, double scaling)
+      : bins_(std::move(bins)), series_(series), scaling_(scaling) {}
+
+  SeriesFit fit(double lambda) const {
+    LocalSeries series = series_;
     series.exponent = lambda;
-    return fitted(bins, series, scaling).square;
-  };
-  constexpr int bits = std::numeric_limits<double>::digits / 2;
-  return boost::math::tools::brent_find_minima(square, from, to, bits).first;
-}
-
-/// The least of the minima that a walk through ]from, to[ meets: there may be several.
-double best_of_walk(std::span<const Bin> bins, LocalSeries series, double from, double to, double scaling) {
-  constexpr int steps = 24;
-  const auto at = [&](int i) { return from + (to - from) * i / steps; };
-  int least = 0;
-  double square = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= steps; ++i) {
-    series.exponent = at(i);
-    const double here = fitted(bins, series, scaling).square;
-    if (here < square) {
-      square = here;
-      least = i;
-    }
+    return fitted(bins_, series, scaling_);
   }
-  return best_exponent(bins, series, at(std::max(least - 1, 0)), at(std::min(least + 1, steps)), scaling);
-}
 
-/// The slope of log|t| over log d. Series with poles know lambda but for an integer: this one decides it.
+  /// The least of the minima inside ]from, to[, of which there may be several; not a number if it is an end.
+  double search(double from, double to) const {
+    constexpr int steps = 16;
+    const auto at = [&](int i) { return from + (to - from) * i / steps; };
+    std::vector<double> squares;
+    for (int i = 0; i <= steps; ++i) squares.push_back(fit(at(i)).square);
+    const auto least = static_cast<int>(std::min_element(squares.begin(), squares.end()) - squares.begin());
+    if (least == 0 || least == steps) return nan;
+    constexpr int bits = std::numeric_limits<double>::digits / 2;
+    const auto square = [&](double lambda) { return fit(lambda).square; };
+    return boost::math::tools::brent_find_minima(square, at(least - 1), at(least + 1), bits).first;
+  }
+
+  /// The standard deviation of lambda if what is left were independent noise.
+  double deviation(double lambda) const {
+    constexpr double step = 1e-3;
+    const SeriesFit here = fit(lambda);
+    const double curvature = (fit(lambda - step).square - 2 * here.square + fit(lambda + step).square) / (step * step);
+    return std::sqrt(2 * here.square / (static_cast<double>(here.freedom) * curvature));
+  }
+
+ private:
+  std::vector<Bin> bins_;
+  LocalSeries series_;
+  double scaling_;
+};
+
+/// The slope of log|t| over log d. A series with poles knows lambda but for an integer: this one decides it.
 double rough_exponent(std::span<const Bin> bins) {
   double weights = 0;
   double x_mean = 0;
@@ -60,39 +74,37 @@ double rough_exponent(std::span<const Bin> bins) {
 
 FittedExponent fitted_exponent(const Cells& cells, const LocalPlace& place, Side side, int remainder, PlaceIs known) {
   const Side sides[] = {side};
-  const std::vector<FamilyMember> members = family(cells, place, sides);
-  const double cell = cell_length(cells, place.x, side);
-  FittedExponent result{summary({}), place.x};
+  const std::vector<FamilyMember> members = family(cells, place, sides, remainder >= 0);
+  FittedExponent result{summary({}), {place.x, 0}};
   if (members.empty()) return result;
 
   // With a polynomial beside the power no slope says anything; but there a jump is, and |beta| < 1/2.
-  const Window& window = members.front().window;
-  double rough = 0;
+  double about = 0;
+  double width = 0.5;
   if (remainder < 0) {
-    const Window near{window.from, std::max(window.to / 2, 5 * window.from)};
-    rough = rough_exponent(gathered(cells, place.x, sides, near));
+    const Window& window = members.front().window;
+    about = rough_exponent(gathered(cells, place.x, sides, {window.from, std::max(window.to / 2, 5 * window.from)}));
+    width = 0.4;
   }
-  double width = remainder < 0 ? 0.4 : 0.5;
-
-  for (int round = 0; round < (known == PlaceIs::exact ? 1 : 4); ++round) {
+  for (int i = 0; i < (known == PlaceIs::exact ? 1 : steps_to_place); ++i) {
     std::vector<double> exponents;
+    std::vector<double> deviations;
     std::vector<double> steps;
     for (const FamilyMember& member : members) {
-      const auto bins = gathered(cells, result.place, sides, member.window);
-      LocalSeries series{.poles = member.poles, .terms = member.terms, .remainder = remainder};
-      const double lambda = best_of_walk(bins, series, rough - width, rough + width, rough);
-      series.exponent = lambda;
-      const SeriesFit fit = fitted(bins, series, rough);
-      if (fit.freedom <= 0) continue;
-      exponents.push_back(lambda);
-      steps.push_back(fit.first_pole / (lambda * fit.amplitude));
+      const BestExponent best(gathered(cells, result.place.value, sides, member.window),
+                              {.poles = member.poles, .terms = member.terms, .remainder = remainder}, about);
+      exponents.push_back(best.search(about - width, about + width));
+      deviations.push_back(best.deviation(exponents.back()));
+      const SeriesFit fit = best.fit(exponents.back());
+      steps.push_back(fit.first_pole / (exponents.back() * fit.amplitude));
     }
     result.exponent = summary(exponents);
     if (result.exponent.convergence == Convergence::stalled) break;
-    rough = result.exponent.value;
-    width = 0.2;
+    result.exponent.error += summary(deviations).value;
+    about = result.exponent.value;
+    width = 0.1;
     if (known == PlaceIs::to_one_cell) {
-      result.place = std::clamp(result.place - summary(steps).value, place.x - 2 * cell, place.x + 2 * cell);
+      result.place = moved_place(cells, place.x, side, result.place.value, summary(steps));
     }
   }
   return result;

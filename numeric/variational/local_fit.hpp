@@ -29,7 +29,7 @@ enum class PlaceIs { exact, to_one_cell };
 
 struct FittedExponent {
   Estimate<double> exponent;
-  double place;  ///< as found if it was known to one cell
+  Estimate<double> place;  ///< as found if it was known to one cell
 };
 
 /// The power lambda in ]-1, 1[ of t on one side of c, if t = d^lambda (c_0 + c_1 y + ...) + a polynomial of degree
@@ -39,8 +39,8 @@ FittedExponent fitted_exponent(const Cells& cells, const LocalPlace& place, Side
 
 struct FittedIntensity {
   Estimate<double> intensity;
-  Estimate<double> constant;
-  double place;
+  Estimate<double> constant;  ///< zero where there is none
+  Estimate<double> place;
 };
 
 /// theta at an end whose contact lies on the side given.

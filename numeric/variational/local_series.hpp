@@ -45,7 +45,7 @@ struct Window {
 std::vector<Bin> gathered(const Cells& cells, double place, Side side, const Window& window);
 
 struct LocalSeries {
-  std::optional<double> exponent;  ///< absent: the logarithm
+  std::optional<double> exponent = std::nullopt;  ///< absent: the logarithm
   double left_factor = 1;
   double right_factor = 1;
   double s = 0;
@@ -55,14 +55,15 @@ struct LocalSeries {
 };
 
 struct SeriesFit {
-  double amplitude = 0;                                     ///< c_0
-  double first_pole = 0;                                    ///< c_-1, zero without poles
-  double remainder = 0;                                     ///< r_0
-  double square = std::numeric_limits<double>::infinity();  ///< weighted sum of the squares left
-  long freedom = 0;                                         ///< bins less coefficients; <= 0: nothing has been fitted
+  double amplitude = std::numeric_limits<double>::quiet_NaN();   ///< c_0
+  double first_pole = std::numeric_limits<double>::quiet_NaN();  ///< c_-1
+  double remainder = std::numeric_limits<double>::quiet_NaN();   ///< r_0
+  double square = std::numeric_limits<double>::infinity();       ///< weighted sum of the squares left
+  long freedom = 0;                                              ///< bins less coefficients
 };
 
-/// Rows are divided by |y|^scaling: with scaling = lambda errors are relative to the singular term.
+/// Rows are divided by |y|^scaling: with scaling = lambda errors are relative to the singular term. Bins that are no
+/// more than the coefficients are not fitted.
 SeriesFit fitted(std::span<const Bin> bins, const LocalSeries& series, double scaling);
 
 }  // namespace steadyslide::numeric::variational
