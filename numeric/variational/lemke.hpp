@@ -1,0 +1,55 @@
+#pragma once
+// The discrete contact problem by complementary pivots, for contacts on which active sets cycle.
+//
+// Unknown forces q_i = p_i h_i >= 0 and gaps g_i >= 0 with q_i g_i = 0. No entry of B is negative and no diagonal entry
+// is zero, so q.Bq > 0 for every q >= 0 but 0, whatever the friction (B is strictly copositive).
+//
+// Attitude given. Let the approach be Lemke's artificial variable: g = psi + B q - approach. Far below the lowest psi
+// there is no contact. From there the path of complementary pivots cannot come back, so it ends in a ray, with a
+// direction q', g' >= 0, q'.g' = 0, g' = B q' - approach'. If q' were 0, it would be the ray it came from; so the load
+// sum q goes to infinity, continuously, from 0. It passes through 1: a loading path, and a solution for every load.
+//
+// With load_at. Now the load is 1 all along and the tilt goes from -infinity, where the last cell carries everything.
+// In a ray sum q' = 0, q' = 0, g' = tilt' xi - approach' >= 0 with g' = 0 where there is contact: contact in the first
+// cell alone, tilt' > 0, or the ray it came from. So the centre of pressure goes continuously from the last cell to the
+// first one and passes through load_at, if that lies between their centres: an indenter that rolls over the support.
+// [CPS92, section 4.4], [Bal16, section 3.1]
+
+#include <functional>
+#include <vector>
+
+#include "numeric/variational/bordered_system.hpp"
+
+namespace steadyslide::numeric::variational {
+
+struct LemkeResult {
+  CellSet contact;
+  DiscreteState state;
+  int pivots = 0;
+  /// The set is complementary: natural_residual() is below complementary_within.
+  bool reached = false;
+};
+
+/// Natural residuals up to this one are rounding errors, in units of P/unit and c P.
+inline constexpr double complementary_within = 1e-8;
+
+/// max_i |min(p_i, g_i)|: zero for a solution and for nothing else, given the loads. Over all cells, or over some.
+double natural_residual(const DiscreteProblem& problem, const DiscreteState& state);
+double natural_residual(const DiscreteProblem& problem, const DiscreteState& state,
+                        const std::vector<std::size_t>& cells);
+
+/// Makes the system of a contact set; the problem outlives it.
+using BorderedSystemMaker =
+    std::function<std::unique_ptr<BorderedSystem>(const DiscreteProblem& problem, const CellSet& contact)>;
+
+/// The whole mesh in one tableau: n^2 numbers, n^2 operations a pivot, about n to 3 n pivots.
+LemkeResult lemke(const DiscreteProblem& problem, int most_pivots);
+
+/// Only the contested cells may change, the others are in contact or not as `contact` says. One solution with the
+/// contact set less the contested cells for each contested cell, then Lemke's method on the Schur complement, with the
+/// covering vector of ones. That matrix need not be copositive: the path may end in a ray, then reached = false.
+/// reached: the contested cells are complementary; whether the others are is for the caller to see.
+LemkeResult lemke_on(const DiscreteProblem& problem, const CellSet& contact, const std::vector<std::size_t>& contested,
+                     const BorderedSystemMaker& bordered_system, int most_pivots);
+
+}  // namespace steadyslide::numeric::variational
