@@ -27,9 +27,9 @@ std::vector<FamilyMember> family(const Cells& cells, const LocalPlace& place, st
   for (const double part : {0.3, 0.4, 0.5}) {
     for (const double from : {10., 16., 24.}) {
       const Window window{from * cell, part * reach};
-      if (window.to < 6 * window.from) continue;
+      if (window.to < 6 * window.from || (crowded && from == 10)) continue;
       for (const int terms : {7, 9, 11}) {
-        if (!crowded || terms > 7) result.push_back({window, 2, terms});
+        result.push_back({window, 2, terms});
         if (!crowded) result.push_back({window, 3, terms});
       }
     }

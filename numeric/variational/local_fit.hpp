@@ -8,16 +8,19 @@
 //           part at c, with lengths in the unit of the cells
 //
 // Each result is the median over a family of fits, which differ in window and in number of terms; the error is the
-// spread of the family, no bound. Where the cells are too few for the family, `stalled` with an infinite error.
-// Nothing here knows of problems or solvers.
+// spread of the family, for exponents plus what noise from cell to cell does to one fit: an estimate, no bound. It is
+// the error of reading. An intensity may be off by more, if the cells hold a contact whose ends are a part of a cell
+// away; a second mesh shows that. An exponent is not: it depends on nothing but the equation nearby. Where the cells
+// are too few for the family, `stalled` with an infinite error. Nothing here knows of problems or solvers.
 
 #include "numeric/estimate.hpp"
 #include "numeric/variational/local_series.hpp"
 
 namespace steadyslide::numeric::variational {
 
-/// Where the point is, and how far on either side the next singular point lies, ends of other contact included: what
-/// the radius of convergence of the local form depends on, and where the windows end.
+/// Where the point is, and how far on either side the next singular point lies: what the radius of convergence of the
+/// local form depends on, and where the windows end. Ends of other contact are such points, and so is every place of
+/// the contact where the profile changes its polynomial, with a wedge or without.
 struct LocalPlace {
   double x;
   double left = std::numeric_limits<double>::infinity();

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "numeric/variational/local_fit.hpp"
+#include "numeric/variational/nested_solve.hpp"
 #include "support/solved_contact.hpp"
 
 namespace steadyslide::testing {
@@ -46,6 +47,30 @@ inline CellMeans cell_means(const ContactProblem& problem, const numeric::Rieman
   return result;
 }
 
+/// The variational solver's cells, in the user's x and units.
+inline CellMeans variational_means(const ContactProblem& problem, std::size_t count) {
+  using namespace numeric::variational;
+  const NestedResult found = solve_nested(problem, {.cells = count, .start = std::nullopt, .progress = {}});
+  REQUIRE(found.fine.found.wrong == 0U);
+  const CellMesh& mesh = found.fine.problem->mesh();
+  const double unit = numeric::to_real<double>(mesh.frame().unit);
+  const double origin = numeric::to_real<double>(mesh.frame().origin);
+  CellMeans result{{}, {}, unit * mesh.length(0)};
+  for (const double xi : mesh.edges()) result.edges.push_back(origin + unit * xi);
+  const double pressure = numeric::to_real<double>(problem.load()) / unit;
+  for (const double p : found.fine.found.state.pressure) result.mean.push_back(-pressure * p);
+  return result;
+}
+
+/// Where contact that begins or ends near x does so on the cells.
+inline double end_on_cells(const CellMeans& cells, double x, Side contact) {
+  auto i = static_cast<std::size_t>((x - cells.edges.front()) / cells.length);
+  const bool right = contact == Side::right;
+  for (i += right ? 5 : -5; cells.mean[i] != 0; i += right ? -1 : 1) {
+  }
+  return cells.edges[right ? i + 1 : i];
+}
+
 /// The next singular points of the contact on either side of point j.
 inline numeric::variational::LocalPlace local_place(const std::vector<numeric::SolvedSingularPoint<double>>& points,
                                                     std::size_t j) {
@@ -55,18 +80,16 @@ inline numeric::variational::LocalPlace local_place(const std::vector<numeric::S
   return result;
 }
 
-/// Errors as large as the values themselves in the four cells next to each singular point, falling with the square of
-/// the distance: a random half that forgets from cell to cell, and a half of one sign.
-inline void spoil(CellMeans& cells, const std::vector<numeric::SolvedSingularPoint<double>>& points, double random,
-                  double steady) {
+/// Errors of half the value in the four cells next to each singular point that fall with the square of the distance,
+/// another error as smooth as the cells' length, and 16 `random`/d^2 at d cells that forgets itself from cell to cell.
+inline void spoil(CellMeans& cells, const std::vector<numeric::SolvedSingularPoint<double>>& points, double random) {
   std::mt19937 generator(2016);
   std::uniform_real_distribution<double> sign(-1, 1);
   for (std::size_t i = 0; i < cells.mean.size(); ++i) {
     double error = 1e-3 * cells.length * std::cos(cells.edges[i]);
     for (const auto& point : points) {
       const double distance = std::abs((cells.edges[i] + cells.edges[i + 1]) / 2 - point.x.value) / cells.length;
-      const double size = std::min(1.0, 16 / (distance * distance));
-      error += size * (random * sign(generator) + steady);
+      error += std::min(1.0, 16 / (distance * distance)) * (0.5 + random * sign(generator));
     }
     cells.mean[i] *= 1 + error;
   }
