@@ -1,0 +1,60 @@
+#pragma once
+// What cells say about a singular point of the traction: the exponent itself by one who does not know it, and, where it
+// is known, the intensity. Signs and factors as in contact_solution.hpp:
+//
+//   ends:   t = -theta d^lambda (1 + c_1 d + ...)
+//   jumps:  t = D(x)/(s+ - s-) - theta cos(pi alpha) |x-c|^beta (1 + b_1 (x-c) + ...), D = 0 without wedge
+//   wedge:  t = D(x)/(1+s^2) (log|x-c|/pi + s H(x-c)) + analytic;  intensity D(c)/(1+s^2), constant the analytic
+//           part at c, with lengths in the unit of the cells
+//
+// Each result is the median over a family of fits, which differ in window and in number of terms; the error is the
+// spread of the family, for exponents plus what noise from cell to cell does to one fit: an estimate, no bound. It is
+// the error of reading. An intensity may be off by more, if the cells hold a contact whose ends are a part of a cell
+// away; a second mesh shows that. An exponent is not: it depends on nothing but the equation nearby. Where the cells
+// are too few for the family, `stalled` with an infinite error. Nothing here knows of problems or solvers.
+
+#include "numeric/estimate.hpp"
+#include "numeric/variational/local_series.hpp"
+
+namespace steadyslide::numeric::variational {
+
+/// Where the point is, and how far on either side the next singular point lies: what the radius of convergence of the
+/// local form depends on, and where the windows end. Ends of other contact are such points, and so is every place of
+/// the contact where the profile changes its polynomial, with a wedge or without.
+struct LocalPlace {
+  double x;
+  double left = std::numeric_limits<double>::infinity();
+  double right = std::numeric_limits<double>::infinity();
+};
+
+/// Is the place as given, or is it a free end which cells know to about one cell's length only?
+enum class PlaceIs { exact, to_one_cell };
+
+struct FittedExponent {
+  Estimate<double> exponent;
+  Estimate<double> place;  ///< as found if it was known to one cell
+};
+
+/// The power lambda in ]-1, 1[ of t on one side of c, if t = d^lambda (c_0 + c_1 y + ...) + a polynomial of degree
+/// `remainder` (none without wedge).
+FittedExponent fitted_exponent(const Cells& cells, const LocalPlace& place, Side side, int remainder = -1,
+                               PlaceIs known = PlaceIs::exact);
+
+struct FittedIntensity {
+  Estimate<double> intensity;
+  Estimate<double> constant;  ///< zero where there is none
+  Estimate<double> place;
+};
+
+/// theta at an end whose contact lies on the side given.
+FittedIntensity fitted_end(const Cells& cells, const LocalPlace& place, Side contact, double exponent,
+                           PlaceIs known = PlaceIs::exact);
+
+/// theta, and the constant with a wedge, whose jump of slope D is a polynomial of degree `wedge` (-1: none).
+FittedIntensity fitted_jump(const Cells& cells, const LocalPlace& place, double exponent, double cos_left,
+                            double cos_right, int wedge = -1);
+
+/// The coefficient of log|x-c|/pi, and the constant.
+FittedIntensity fitted_wedge(const Cells& cells, const LocalPlace& place, double s, int wedge);
+
+}  // namespace steadyslide::numeric::variational
