@@ -45,9 +45,14 @@ using BorderedSystemMaker =
 /// The whole mesh in one tableau: n^2 numbers, n^2 operations a pivot, about n to 3 n pivots.
 LemkeResult lemke(const DiscreteProblem& problem, int most_pivots);
 
+/// The same with a gap everywhere but on `cells`, which increase: what holds for the whole matrix holds for theirs.
+/// reached: these cells are complementary; whether others penetrate is for the caller to see.
+LemkeResult lemke_among(const DiscreteProblem& problem, const std::vector<std::size_t>& cells, int most_pivots);
+
 /// Only the contested cells may change, the others are in contact or not as `contact` says. One solution with the
 /// contact set less the contested cells for each contested cell, then Lemke's method on the Schur complement, with the
-/// covering vector of ones. That matrix need not be copositive: the path may end in a ray, then reached = false.
+/// covering vector of ones. That matrix need not be copositive: the path may end in a ray, then reached = false and
+/// `contact` is what was certain. Where what is certain cannot bear the load alone: lemke_among() all of these cells.
 /// reached: the contested cells are complementary; whether the others are is for the caller to see.
 LemkeResult lemke_on(const DiscreteProblem& problem, const CellSet& contact, const std::vector<std::size_t>& contested,
                      const BorderedSystemMaker& bordered_system, int most_pivots);
