@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "numeric/variational/complementary_tableau.hpp"
 
@@ -29,34 +30,36 @@ std::vector<Index> numbers(Index first, Index count) {
 }
 
 /// The set's own solution; a few cells that the slight curvature has misled change sides.
-void finish(const DiscreteProblem& problem, LemkeResult& result) {
+void finish(const DiscreteProblem& problem, const std::vector<std::size_t>& cells, LemkeResult& result) {
   constexpr int most_changes = 6;
   double best = HUGE_VAL;
   CellSet contact = result.contact;
   for (int k = 0; k < most_changes; ++k) {
     const DiscreteState state = solve(*dense_system(problem, contact), problem).state;
-    const double residual = natural_residual(problem, state);
+    const double residual = natural_residual(problem, state, cells);
     if (!(residual < best)) break;
     best = residual;
     result.contact = contact;
     result.state = state;
     const std::vector<double> g = gaps(problem, state);
-    for (std::size_t i = 0; i < contact.size(); ++i) contact[i] = contact[i] ? state.pressure[i] >= 0 : g[i] < 0;
+    for (std::size_t i : cells) contact[i] = contact[i] ? state.pressure[i] >= 0 : g[i] < 0;
     if (contact == result.contact) break;
   }
   result.reached = best <= complementary_within;
 }
 
-/// Variables: q (0..n-1), g (n..2n-1), approach, load.
-ComplementaryTableau::End load_path(const DiscreteProblem& problem, int most_pivots, LemkeResult& result) {
+/// The path of loads from none. Variables: q (0..n-1), g (n..2n-1), approach, load.
+End load_path(const DiscreteProblem& problem, const std::vector<std::size_t>& cells, int most_pivots,
+              LemkeResult& result) {
   const CellMesh& mesh = problem.mesh();
-  const auto n = static_cast<Index>(problem.size());
+  const auto n = static_cast<Index>(cells.size());
   Eigen::MatrixXd matrix(n + 1, n + 1);
   Eigen::VectorXd constants = Eigen::VectorXd::Zero(n + 1);
   for (Index j = 0; j < n; ++j) {
-    for (Index i = 0; i < n; ++i) matrix(i, j) = problem.influence().entry(at(i), at(j)) / mesh.length(at(j));
+    for (Index i = 0; i < n; ++i)
+      matrix(i, j) = problem.influence().entry(cells[at(i)], cells[at(j)]) / mesh.length(cells[at(j)]);
     matrix(n, j) = 1;
-    constants(j) = problem.profile()[at(j)] + order(mesh, at(j));
+    constants(j) = problem.profile()[cells[at(j)]] + order(mesh, cells[at(j)]);
   }
   matrix.col(n).setConstant(-1);
   matrix(n, n) = 0;
@@ -70,53 +73,70 @@ ComplementaryTableau::End load_path(const DiscreteProblem& problem, int most_piv
   ComplementaryTableau tableau(n, left, right, std::move(matrix), std::move(constants));
   tableau.exchange(n + lowest, 2 * n);
   const End end = tableau.follow(lowest, 2 * n + 1, 1, most_pivots);
-  for (Index i = 0; i < n; ++i) result.contact[at(i)] = tableau.is_positive(i);
-  result.pivots = tableau.pivots();
+  for (Index i = 0; i < n; ++i) result.contact[cells[at(i)]] = tableau.is_positive(i);
+  result.pivots += tableau.pivots();
   return end;
 }
 
-/// Variables: q (0..n-1), g (n..2n-1), approach, tilt, moment.
-ComplementaryTableau::End tilt_path(const DiscreteProblem& problem, int most_pivots, LemkeResult& result) {
+enum class From { left, right };
+
+/// The path of tilts from where the end cell on one side bears all load. Variables: q (0..n-1), g (n..2n-1), approach,
+/// tilt (minus the tilt from the left: it grows from -infinity), moment.
+End rolling_path(const DiscreteProblem& problem, const std::vector<std::size_t>& cells, From from, int most_pivots,
+                 LemkeResult& result) {
   const CellMesh& mesh = problem.mesh();
-  const auto n = static_cast<Index>(problem.size());
-  const Index last = n - 1;
-  // The last force is 1 less the others.
+  const auto n = static_cast<Index>(cells.size());
+  const Index last = from == From::right ? n - 1 : 0;
+  const double sense = from == From::right ? 1 : -1;
+  const auto xi = [&](Index i) { return mesh.centre(cells[at(i)]); };
+  const auto entry = [&](Index i, Index j) {
+    return problem.influence().entry(cells[at(i)], cells[at(j)]) / mesh.length(cells[at(j)]);
+  };
+  // The force on the end cell is 1 less the others.
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + 2, n + 1);
   Eigen::VectorXd constants(n + 2);
-  const auto entry = [&](Index i, Index j) { return problem.influence().entry(at(i), at(j)) / mesh.length(at(j)); };
-  for (Index i = 0; i < n; ++i) {
-    for (Index j = 0; j < last; ++j) matrix(i, j) = entry(i, j) - entry(i, last);
-    matrix(i, last) = -1;
-    matrix(i, n) = mesh.centre(at(i));
-    constants(i) = problem.profile()[at(i)] + order(mesh, at(i)) + entry(i, last);
+  std::vector<Index> right;
+  for (Index j = 0; j < n; ++j) {
+    constants(j) = problem.profile()[cells[at(j)]] + order(mesh, cells[at(j)]) + entry(j, last);
+    if (j == last) continue;
+    const auto column = static_cast<Index>(right.size());
+    for (Index i = 0; i < n; ++i) matrix(i, column) = entry(i, j) - entry(i, last);
+    matrix(n, column) = -1;
+    matrix(n + 1, column) = xi(j) - xi(last);
+    right.push_back(j);
   }
-  for (Index j = 0; j < last; ++j) {
-    matrix(n, j) = -1;
-    matrix(n + 1, j) = mesh.centre(at(j)) - mesh.centre(at(last));
+  for (Index i = 0; i < n; ++i) {
+    matrix(i, n - 1) = -1;
+    matrix(i, n) = sense * xi(i);
   }
   constants(n) = 1;
-  constants(n + 1) = mesh.centre(at(last));
+  constants(n + 1) = xi(last);
+  right.insert(right.end(), {2 * n, 2 * n + 1});
+  std::vector<Index> left = numbers(n, n);
+  left.insert(left.end(), {last, 2 * n + 2});
+
   // The tilt at which a second cell touches.
-  Index second = 0;
+  Index second = last;
   double tilt = HUGE_VAL;
-  for (Index i = 0; i < last; ++i) {
-    const double until = (constants(i) - constants(last)) / (mesh.centre(at(last)) - mesh.centre(at(i)));
+  for (Index i = 0; i < n; ++i) {
+    if (i == last) continue;
+    const double until = (constants(i) - constants(last)) / std::abs(xi(last) - xi(i));
     if (until < tilt) {
       tilt = until;
       second = i;
     }
   }
-  std::vector<Index> left = numbers(n, n);
-  std::vector<Index> right = numbers(0, last);
-  left.insert(left.end(), {last, 2 * n + 2});
-  right.insert(right.end(), {2 * n, 2 * n + 1});
-
+  if (!problem.load_at() && tilt >= 0) {
+    result.contact[cells[at(last)]] = 1;
+    return End::reached;
+  }
   ComplementaryTableau tableau(n, left, right, std::move(matrix), std::move(constants));
   tableau.exchange(n + last, 2 * n);
   tableau.exchange(n + second, 2 * n + 1);
-  const End end = tableau.follow(second, 2 * n + 2, *problem.load_at(), most_pivots);
-  for (Index i = 0; i < n; ++i) result.contact[at(i)] = tableau.is_positive(i);
-  result.pivots = tableau.pivots();
+  const End end = problem.load_at() ? tableau.follow(second, 2 * n + 2, *problem.load_at(), most_pivots)
+                                    : tableau.follow(second, 2 * n + 1, 0, most_pivots);
+  for (Index i = 0; i < n; ++i) result.contact[cells[at(i)]] = tableau.is_positive(i);
+  result.pivots += tableau.pivots();
   return end;
 }
 
@@ -140,13 +160,32 @@ double natural_residual(const DiscreteProblem& problem, const DiscreteState& sta
   return natural_residual(problem, state, cells);
 }
 
-LemkeResult lemke(const DiscreteProblem& problem, int most_pivots) {
+LemkeResult lemke_among(const DiscreteProblem& problem, const std::vector<std::size_t>& cells, int most_pivots) {
   LemkeResult result;
+  // Enough for most; where it is not, another path may be much shorter.
+  int allowed = std::min(most_pivots, 4 * static_cast<int>(cells.size()) + 16);
+  while (cells.size() >= (problem.load_at() ? 2U : 1U)) {
+    for (const auto& path : {std::optional<From>(), std::optional(From::right), std::optional(From::left)}) {
+      if (!path && problem.load_at()) continue;
+      if (path && cells.size() < 2) continue;
+      result.contact.assign(problem.size(), 0);
+      const int left = std::min(allowed, most_pivots - result.pivots);
+      const End end =
+          path ? rolling_path(problem, cells, *path, left, result) : load_path(problem, cells, left, result);
+      if (end == End::reached) finish(problem, cells, result);
+      if (result.reached) return result;
+    }
+    if (result.pivots >= most_pivots || allowed >= most_pivots) break;
+    allowed *= 4;
+  }
   result.contact.assign(problem.size(), 0);
-  if (problem.load_at() && problem.size() < 2) return result;
-  const End end = problem.load_at() ? tilt_path(problem, most_pivots, result) : load_path(problem, most_pivots, result);
-  if (end == End::reached) finish(problem, result);
   return result;
+}
+
+LemkeResult lemke(const DiscreteProblem& problem, int most_pivots) {
+  std::vector<std::size_t> cells(problem.size());
+  std::iota(cells.begin(), cells.end(), std::size_t{0});
+  return lemke_among(problem, cells, most_pivots);
 }
 
 }  // namespace steadyslide::numeric::variational

@@ -9,10 +9,16 @@
 // direction q', g' >= 0, q'.g' = 0, g' = B q' - approach'. If q' were 0, it would be the ray it came from; so the load
 // sum q goes to infinity, continuously, from 0. It passes through 1: a loading path, and a solution for every load.
 //
-// With load_at. Now the load is 1 all along and the tilt goes from -infinity, where the last cell carries everything.
-// In a ray sum q' = 0, q' = 0, g' = tilt' xi - approach' >= 0 with g' = 0 where there is contact: contact in the first
-// cell alone, tilt' > 0, or the ray it came from. So the centre of pressure goes continuously from the last cell to the
-// first one and passes through load_at, if that lies between their centres: an indenter that rolls over the support.
+// Load given. With sum q = 1 all along, let the tilt go from -infinity, where the last cell carries everything. In a
+// ray sum q' = 0, so q' = 0, g' = tilt' xi - approach' >= 0 with g' = 0 where there is contact: contact in the first
+// cell alone, tilt' > 0, or the ray it came from. So the tilt goes to +infinity and the centre of pressure from the
+// last cell to the first one, both continuously: an indenter that rolls over the support. With load_at the path is left
+// where the centre of pressure is there, if that lies between the centres of the outermost cells; else where the tilt
+// is 0. It can be followed from the other side as well.
+//
+// These paths exist; how long they are is another matter. Where friction is strong (s of 5 and more) and cells are so
+// short that p h s exceeds the logarithm's part, they turn back again and again, and other paths may be short: the
+// loading path and the rolling ones are followed by turns, with a number of pivots that grows from turn to turn.
 // [CPS92, section 4.4], [Bal16, section 3.1]
 
 #include <functional>
@@ -42,12 +48,18 @@ double natural_residual(const DiscreteProblem& problem, const DiscreteState& sta
 using BorderedSystemMaker =
     std::function<std::unique_ptr<BorderedSystem>(const DiscreteProblem& problem, const CellSet& contact)>;
 
-/// The whole mesh in one tableau: n^2 numbers, n^2 operations a pivot, about n to 3 n pivots.
+/// The whole mesh in one tableau: n^2 numbers, 2 n^2 operations a pivot, most often fewer than n pivots. `most_pivots`
+/// is for all paths together: 100 n is a good choice.
 LemkeResult lemke(const DiscreteProblem& problem, int most_pivots);
+
+/// The same with a gap everywhere but on `cells`, which increase: what holds for the whole matrix holds for theirs.
+/// reached: these cells are complementary; whether others penetrate is for the caller to see.
+LemkeResult lemke_among(const DiscreteProblem& problem, const std::vector<std::size_t>& cells, int most_pivots);
 
 /// Only the contested cells may change, the others are in contact or not as `contact` says. One solution with the
 /// contact set less the contested cells for each contested cell, then Lemke's method on the Schur complement, with the
-/// covering vector of ones. That matrix need not be copositive: the path may end in a ray, then reached = false.
+/// covering vector of ones. That matrix need not be copositive: the path may end in a ray, then reached = false and
+/// `contact` is what was certain. Where what is certain cannot bear the load alone: lemke_among() all of these cells.
 /// reached: the contested cells are complementary; whether the others are is for the caller to see.
 LemkeResult lemke_on(const DiscreteProblem& problem, const CellSet& contact, const std::vector<std::size_t>& contested,
                      const BorderedSystemMaker& bordered_system, int most_pivots);

@@ -49,9 +49,16 @@ LemkeResult lemke_on(const DiscreteProblem& problem, const CellSet& contact, con
   LemkeResult result;
   result.contact = contact;
   for (std::size_t cell : contested) result.contact[cell] = 0;
-  // What is certainly in contact has to bear the loads.
   const auto certain = std::count_if(result.contact.begin(), result.contact.end(), [](char c) { return c != 0; });
-  if (certain < (problem.load_at() ? 2 : 1)) return result;
+  if (certain < (problem.load_at() ? 2 : 1)) {
+    CellSet possible = result.contact;
+    for (std::size_t cell : contested) possible[cell] = 1;
+    std::vector<std::size_t> cells;
+    for (std::size_t i = 0; i < possible.size(); ++i) {
+      if (possible[i]) cells.push_back(i);
+    }
+    return lemke_among(problem, cells, most_pivots);
+  }
   const std::unique_ptr<BorderedSystem> system = bordered_system(problem, result.contact);
   result.state = solve(*system, problem).state;
   const SchurComplement schur = schur_complement(problem, contested, *system, result.state);

@@ -36,17 +36,27 @@ constexpr double apart = 2;
 
 double mean_log(double a, double b, double c, double d) {
   if (b - a > d - c) return mean_log(c, d, a, b);
-  const double distance = std::max({c - b, a - d, 0.0});
   const double length = d - c;
+  if (a == c) return std::log(length) - 1.5;
+  // What remains is the mean of log(distance + u + v) over 0 < u < shorter, 0 < v < length: no place is left to round.
+  const double shorter = b - a;
+  const double distance = std::max({c - b, a - d, 0.0});
   if (distance >= apart * length) {
-    return mean(a, b, [&](double x) { return mean(c, d, [x](double y) { return std::log(std::abs(x - y)); }); });
+    return mean(0, shorter,
+                [&](double u) { return mean(0, length, [&](double v) { return std::log(distance + u + v); }); });
   }
-  if (distance >= apart * (b - a)) {
-    // The longer cell exactly, the shorter one, [a, b], by points.
-    return mean(a, b, [&](double x) { return once(d - x) - once(c - x); }) / length;
+  const double beyond = distance + length;
+  if (distance >= apart * shorter) {
+    // The longer cell exactly, the shorter one by points.
+    return mean(0, shorter, [&](double u) { return once(beyond + u) - once(distance + u); }) / length;
   }
-  const long double sum = twice(b - c) - twice(b - d) - twice(a - c) + twice(a - d);
-  return static_cast<double>(sum / (static_cast<long double>(b - a) * length));
+  const long double near = (twice(static_cast<long double>(distance) + shorter) - twice(distance)) / shorter;
+  if (length >= apart * shorter) {
+    // The longer cell's far end by points: the exact second difference would be the smaller, the shorter the cell.
+    return static_cast<double>((mean(0, shorter, [&](double u) { return once(beyond + u); }) - near) / length);
+  }
+  const long double far = (twice(static_cast<long double>(beyond) + shorter) - twice(beyond)) / shorter;
+  return static_cast<double>((far - near) / length);
 }
 
 double mean_log_of_unit_cells(std::size_t k) {
@@ -57,7 +67,7 @@ double mean_log_of_unit_cells(std::size_t k) {
     return static_cast<double>(twice(u + 1) - 2 * twice(u) + twice(u - 1));
   }
   const double r = 1 / (x * x);
-  return std::log(x) - r * (1.0 / 12 + r * (1.0 / 60 + r * (1.0 / 168 + r / 360)));
+  return std::log(x) - r * (1.0 / 12 + r * (1.0 / 60 + r * (1.0 / 168 + r * (1.0 / 360 + r / 660))));
 }
 
 }  // namespace steadyslide::numeric::variational

@@ -7,7 +7,7 @@
 
 namespace steadyslide::numeric::variational {
 
-/// Two cells that are the same, meet, or are apart; none cuts into another. To about 1e-14, whatever the ratio of the
+/// Two cells that are the same, meet, or are apart; none cuts into another. To about 1e-15, whatever the ratio of the
 /// lengths and of the distance to them.
 double mean_log(double a, double b, double c, double d);
 
