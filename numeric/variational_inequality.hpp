@@ -36,7 +36,7 @@ struct FoundSolution {
 
 struct SolutionSearch {
   int starts = 0;
-  int unsolved = 0;  ///< starts that led to no solution
+  int unsolved = 0;                      ///< starts that led to no solution
   std::vector<FoundSolution> solutions;  ///< those met most often first
   std::string why_not;
 };

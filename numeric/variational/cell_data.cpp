@@ -63,6 +63,8 @@ LocalPiece local_piece(const Polynomial& profile, const Rational& left, const Ra
   return result;
 }
 
+Rational middle_of(const Indenter& indenter) { return (indenter.left() + indenter.right()) / 2; }
+
 Rational height_at(const Indenter& indenter, const Rational& x) {
   const auto& pieces = indenter.pieces();
   const auto at =
@@ -93,10 +95,14 @@ CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh) 
   return result;
 }
 
+Rational profile_above_middle(const ContactProblem& problem, const Rational& x) {
+  return height_at(problem.indenter(), x) - height_at(problem.indenter(), middle_of(problem.indenter()));
+}
+
 std::vector<double> cell_profile(const ContactProblem& problem, const CellMesh& mesh) {
   const Indenter& indenter = problem.indenter();
   const Rational scale = problem.elasticity().compliance() * problem.load();
-  const Rational height = height_at(indenter, (indenter.left() + indenter.right()) / 2);
+  const Rational height = height_at(indenter, middle_of(indenter));
   std::vector<double> ends;
   std::vector<LocalPiece> pieces;
   Rational left = indenter.left();

@@ -20,7 +20,10 @@ struct CellFriction {
 };
 CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh);
 
-/// Means of psi/(c P) over each cell, less its value at the middle of the support: only differences matter.
+/// psi(x) less its value at the middle of the support: only differences matter, and these are small near the contact.
+Rational profile_above_middle(const ContactProblem& problem, const Rational& x);
+
+/// Means of profile_above_middle/(c P) over each cell.
 std::vector<double> cell_profile(const ContactProblem& problem, const CellMesh& mesh);
 
 }  // namespace steadyslide::numeric::variational

@@ -9,9 +9,9 @@
 namespace steadyslide::numeric::variational {
 namespace {
 
-/// The smallest 2^k or 3 * 2^k that is >= n.
+/// The smallest 2^k or 3 * 2^k that is >= n and even.
 std::size_t smooth_size(std::size_t n) {
-  std::size_t power = 4;
+  std::size_t power = 8;
   while (power < n) power *= 2;
   return power / 4 * 3 >= n ? power / 4 * 3 : power;
 }
