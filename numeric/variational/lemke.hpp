@@ -17,7 +17,7 @@
 // is 0. It can be followed from the other side as well.
 //
 // These paths exist; how long they are is another matter. With s = 5 on cells from 1e-9 to 1/50 (a parabola) each of
-// them takes more than 10^4 pivots. Where one is long another may be short: the loading path and the rolling ones are
+// them takes more than 9000 pivots. Where one is long another may be short: the loading path and the rolling ones are
 // followed by turns, with a number of pivots that grows from turn to turn. [CPS92, section 4.4], [Bal16, section 3.1]
 
 #include <functional>
