@@ -51,13 +51,9 @@ std::vector<std::size_t> next_to_changes(const CellSet& set, std::size_t reach) 
   return cells_of(near);
 }
 
-ContactProblem punch(const Polynomial& profile, const Rational& f, const std::optional<Rational>& load_at) {
-  return {Elasticity::reduced(Rational(1, 2)),
-          FrictionProfile({f}),
-          Indenter(-1, {{1, profile}}),
-          1,
-          Sliding::plus_x,
-          load_at};
+ContactProblem punch(const Polynomial& profile, const Rational& f, const std::optional<Rational>& load_at,
+                     Sliding sliding = Sliding::plus_x) {
+  return {Elasticity::reduced(Rational(1, 2)), FrictionProfile({f}), Indenter(-1, {{1, profile}}), 1, sliding, load_at};
 }
 
 }  // namespace
@@ -155,11 +151,41 @@ TEST_CASE("strong friction, cells of very different lengths") {
   }
 }
 
+TEST_CASE("mirrored problems have mirrored solutions, from whichever side the path comes") {
+  // Pivots after which the first path on 64 cells gives way to the next one.
+  constexpr int given_up = 4 * 64 + 16;
+  int longest = 0;
+  for (const Rational& f : {Rational(1), Rational(20)}) {
+    for (const auto& [load_at, mirrored] : {std::pair(std::optional<Rational>(), std::optional<Rational>()),
+                                            {std::optional<Rational>({1, 3}), std::optional<Rational>({-1, 3})}}) {
+      CAPTURE(f);
+      const std::vector<double> edges = graded_edges(-0.5, 0.5, 1e-3, 1.4, 0.02);
+      const ContactProblem to_right = punch(Polynomial({0, 0, 3}), f, load_at);
+      const ContactProblem to_left = punch(Polynomial({0, 0, 3}), f, mirrored, Sliding::minus_x);
+      const DiscreteProblem one(to_right, CellMesh(to_right, Rational(0), edges));
+      const DiscreteProblem other(to_left, CellMesh(to_left, Rational(0), edges));
+      const LemkeResult found = lemke(one, 10000);
+      const LemkeResult reflected = lemke(other, 10000);
+      REQUIRE(found.reached);
+      REQUIRE(reflected.reached);
+      meets_its_loads(other, reflected.state);
+      CHECK(std::equal(found.contact.begin(), found.contact.end(), reflected.contact.rbegin()));
+      // Control: the problem itself is not its mirror image.
+      if (load_at) CHECK(found.contact != reflected.contact);
+      // At most one path is given up, then comes the mirrored one.
+      if (load_at) CHECK(reflected.pivots <= given_up + found.pivots);
+      longest = std::max(longest, reflected.pivots);
+    }
+  }
+  CHECK(longest > given_up);
+}
+
 TEST_CASE("contested cells find their places again, alone or around what is certain") {
   const BorderedSystemMaker dense = dense_system;
   int solved = 0;
   int around = 0;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  int tilting = 0;
+  for (std::uint64_t seed = 0; seed < 160; ++seed) {
     CAPTURE(seed);
     const ContactProblem problem = random_contact(first_listed_seed + seed);
     const DiscreteProblem discrete(problem, CellMesh(problem, 64));
@@ -168,10 +194,17 @@ TEST_CASE("contested cells find their places again, alone or around what is cert
     CellSet start = whole.contact;
     for (std::size_t cell : contested) start[cell] = cell % 2 == 0;
     const LemkeResult part = lemke_on(discrete, start, contested, dense, 1000);
-    solved += part.reached && natural_residual(discrete, part.state) <= 1e-12;
+    const bool found = part.reached && natural_residual(discrete, part.state) <= 1e-12;
+    solved += found;
     CellSet certain = start;
     for (std::size_t cell : contested) certain[cell] = 0;
-    around += cells_of(certain).size() >= 2 && !contested.empty();
+    if (cells_of(certain).size() >= 2 && part.pivots > 0) {
+      ++around;
+      if (discrete.load_at()) {
+        ++tilting;
+        CHECK(found);
+      }
+    }
     // Control: what was given to begin with is no solution.
     if (start != whole.contact) CHECK(residual_of(discrete, start) > 1e-6);
 
@@ -179,8 +212,9 @@ TEST_CASE("contested cells find their places again, alone or around what is cert
     CHECK(among.reached);
     CHECK(natural_residual(discrete, among.state, cells_of(whole.contact)) <= 1e-12);
   }
-  CHECK(solved >= 58);
-  CHECK(around >= 20);
+  CHECK(solved >= 156);
+  CHECK(around >= 50);
+  CHECK(tilting >= 2);
 }
 
 TEST_CASE("without enough pivots, or with a load beyond the cells, nothing is claimed") {
