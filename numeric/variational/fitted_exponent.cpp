@@ -22,17 +22,33 @@ class BestExponent {
     return fitted(bins_, series, scaling_);
   }
 
-  /// The least of the minima inside ]from, to[, of which there may be several; not a number if it is an end.
+  /// The least of the minima inside ]from, to[, of which there may be several; not a number if there is none.
   double search(double from, double to) const {
-    constexpr int steps = 16;
+    const int steps = 4 + static_cast<int>(16 * (to - from));
     const auto at = [&](int i) { return from + (to - from) * i / steps; };
     std::vector<double> squares;
     for (int i = 0; i <= steps; ++i) squares.push_back(fit(at(i)).square);
-    const auto least = static_cast<int>(std::min_element(squares.begin(), squares.end()) - squares.begin());
-    if (least == 0 || least == steps) return nan;
+    int least = 0;
+    for (int i = 1; i < steps; ++i) {
+      const auto at_step = [&](int k) { return squares[static_cast<std::size_t>(k)]; };
+      const bool valley = at_step(i) < at_step(i - 1) && at_step(i) <= at_step(i + 1);
+      if (valley && (least == 0 || at_step(i) < at_step(least))) least = i;
+    }
+    if (least == 0) return nan;
     constexpr int bits = std::numeric_limits<double>::digits / 2;
     const auto square = [&](double lambda) { return fit(lambda).square; };
     return boost::math::tools::brent_find_minima(square, at(least - 1), at(least + 1), bits).first;
+  }
+
+  /// The same in ]-1, 1[ for a power that stands alone. With poles lambda is known but for an integer: c_-1/c_0 decides
+  /// it, a length. What cells make of it is a part of their length `cell`, a leading term is more; not a number
+  /// between.
+  double search_alone(double cell) const {
+    const double lambda = search(-0.15, 1.15);
+    const SeriesFit found = fit(lambda);
+    const double length = std::abs(found.first_pole / found.amplitude);
+    if (length < 2 * cell) return lambda;
+    return length > 6 * cell ? search(lambda - 1.15, lambda - 0.85) : nan;
   }
 
   /// The standard deviation of lambda if what is left were independent noise.
@@ -49,7 +65,7 @@ class BestExponent {
   double scaling_;
 };
 
-/// The slope of log|t| over log d. A series with poles knows lambda but for an integer: this one decides it.
+/// The slope of log|t| over log d: what rows are scaled by.
 double rough_exponent(std::span<const Bin> bins) {
   double weights = 0;
   double x_mean = 0;
@@ -78,14 +94,8 @@ FittedExponent fitted_exponent(const Cells& cells, const LocalPlace& place, Side
   FittedExponent result{summary({}), {place.x, 0}};
   if (members.empty()) return result;
 
-  // With a polynomial beside the power no slope says anything; but there a jump is, and |beta| < 1/2.
-  double about = 0;
-  double width = 0.5;
-  if (remainder < 0) {
-    const Window& window = members.front().window;
-    about = rough_exponent(gathered(cells, place.x, sides, {window.from, std::max(window.to / 2, 5 * window.from)}));
-    width = 0.4;
-  }
+  const double cell = cell_length(cells, place.x, side);
+  double about = rough_exponent(gathered(cells, place.x, sides, members.front().window));
   for (int i = 0; i < (known == PlaceIs::exact ? 1 : steps_to_place); ++i) {
     std::vector<double> exponents;
     std::vector<double> deviations;
@@ -93,16 +103,18 @@ FittedExponent fitted_exponent(const Cells& cells, const LocalPlace& place, Side
     for (const FamilyMember& member : members) {
       const BestExponent best(gathered(cells, result.place.value, sides, member.window),
                               {.poles = member.poles, .terms = member.terms, .remainder = remainder}, about);
-      exponents.push_back(best.search(about - width, about + width));
-      deviations.push_back(best.deviation(exponents.back()));
-      const SeriesFit fit = best.fit(exponents.back());
-      steps.push_back(fit.first_pole / (exponents.back() * fit.amplitude));
+      const double lambda = i > 0            ? best.search(about - 0.2, about + 0.2)
+                            : remainder >= 0 ? best.search(-0.5, 0.5)
+                                             : best.search_alone(cell);
+      const SeriesFit fit = best.fit(lambda);
+      exponents.push_back(lambda);
+      deviations.push_back(best.deviation(lambda));
+      steps.push_back(fit.first_pole / (lambda * fit.amplitude));
     }
     result.exponent = summary(exponents);
     if (result.exponent.convergence == Convergence::stalled) break;
     result.exponent.error += summary(deviations).value;
     about = result.exponent.value;
-    width = 0.1;
     if (known == PlaceIs::to_one_cell) {
       result.place = moved_place(cells, place.x, side, result.place.value, summary(steps));
     }

@@ -35,8 +35,9 @@ struct FittedExponent {
   Estimate<double> place;  ///< as found if it was known to one cell
 };
 
-/// The power lambda in ]-1, 1[ of t on one side of c, if t = d^lambda (c_0 + c_1 y + ...) + a polynomial of degree
-/// `remainder` (none without wedge).
+/// The power lambda of t on one side of c, if t = d^lambda (c_0 + c_1 y + ...): in ]-1, 1[, t of one sign; or beside a
+/// polynomial of degree `remainder`, as at a jump with a wedge: |lambda| < 1/2.
+/// A leading term that outweighs the next one only within a few cells of c is not seen: lambda is then one too large.
 FittedExponent fitted_exponent(const Cells& cells, const LocalPlace& place, Side side, int remainder = -1,
                                PlaceIs known = PlaceIs::exact);
 

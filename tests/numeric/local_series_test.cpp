@@ -101,3 +101,21 @@ TEST_CASE("left and right are mirror images") {
   const FittedIntensity theta = fitted_end({mirrored_places, mirrored}, {0, 1, 2}, Side::left, -0.3);
   CHECK(theta.intensity.value == doctest::Approx(2).epsilon(1e-8));
 }
+
+TEST_CASE("a peak so small that t grows over most of the window is seen") {
+  const std::vector<double> places = edges(0);
+  for (const double lambda : {-0.8, -0.66, -0.3}) {
+    CAPTURE(lambda);
+    std::vector<double> mean(count);
+    std::vector<double> without(count);
+    for (std::size_t i = 1; i < count; ++i) {
+      without[i] = -mean_power(i, lambda + 1);
+      mean[i] = without[i] - 0.01 * mean_power(i, lambda);
+    }
+    const LocalPlace place{0, 2, 1};
+    CHECK(fitted_exponent({places, mean}, place, Side::right).exponent.value == doctest::Approx(lambda).epsilon(1e-6));
+    // Without the peak it is the next power.
+    CHECK(fitted_exponent({places, without}, place, Side::right).exponent.value ==
+          doctest::Approx(lambda + 1).epsilon(1e-6));
+  }
+}
