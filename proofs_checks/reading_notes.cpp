@@ -80,6 +80,7 @@ std::string evidence_of(const Entry& entry, std::span<const Report> reports) {
 
 std::vector<ReadingNote> reading_notes(std::span<const Report> reports) {
   std::vector<ReadingNote> notes;
+  notes.reserve(entries.size());
   for (const Entry& e : entries) {
     notes.push_back({std::string(e.id), std::string(e.place), std::string(e.printed), std::string(e.derived),
                      evidence_of(e, reports) + ". " + std::string(e.fault), std::string(e.claim)});
