@@ -154,9 +154,9 @@ std::vector<Claim> cell_indefiniteness_claims() {
   claims.push_back(make_claim(
       {"vi-definiteness-lost", "[Bal16, section 3.1]: what fails where s decreases, on equal cells",
        "on N equal cells of [-1, 1] sup T(c)^2/E = (log(N (1-c^2)) + I + log pi + Euler's constant)/pi + O(1/N), "
-       "I = int_0^pi (|T^|^2/Lambda - 1/theta) dtheta; for c = 0 between two cells 0.8449 + log(N)/pi. The symmetric "
-       "part "
-       "turns indefinite on tractions of zero mean where this passes 2/|s+ - s-|: with N = 38 for 1, N = 556 for 7/10",
+       "I = int_0^pi (|T^|^2/Lambda - 1/theta) dtheta; for c = 0 between two cells 0.8449 + log(N)/pi. Where this "
+       "passes "
+       "2/|s+ - s-| the symmetric part turns indefinite on tractions of zero mean: N = 38 for 1, N = 556 for 7/10",
        "one falling jump, at c; the signs are examined at N 10 % above and below"},
       check_lost, L(),
       std::vector<Wrong<L>>{
