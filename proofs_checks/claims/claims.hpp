@@ -23,5 +23,10 @@ std::vector<Claim> gap_claims();
 std::vector<Claim> linearisation_claims();
 std::vector<Claim> corner_claims();
 std::vector<Claim> end_claims();
+std::vector<Claim> cell_energy_claims();
+std::vector<Claim> cell_definiteness_claims();
+std::vector<Claim> cell_indefiniteness_claims();
+std::vector<Claim> cell_solution_claims();
+std::vector<Claim> cell_loading_claims();
 
 }  // namespace steadyslide::proofs_checks
