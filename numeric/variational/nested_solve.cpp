@@ -66,7 +66,7 @@ class Nested {
       start = prolonged(*options_.start, n);
     }
     solution.found = active_set(*solution.problem, std::move(start), guess, active_set_options());
-    if (solution.found.outcome != ActiveSetResult::Outcome::solved) go_on(solution);
+    if (solution.found.outcome == ActiveSetResult::Outcome::cycled) go_on(solution);
     return solution;
   }
 
