@@ -51,9 +51,17 @@ ExitCode run(const VerifyOptions& options) {
       });
   if (on_terminal) show_progress("");
   result.notes = checks::reading_notes(result.reports);
+  if (!options.claims.empty()) leave_out_other_notes(result);
   write_verify(options.common.format, result, output);
   output.commit();
   return exit_code_of(count(result.reports));
+}
+
+void leave_out_other_notes(VerifyResult& result) {
+  const auto is_other = [&](const checks::ReadingNote& note) {
+    return std::ranges::none_of(result.reports, [&](const checks::Report& r) { return r.claim.id == note.claim; });
+  };
+  result.notes_left_out += std::erase_if(result.notes, is_other);
 }
 
 ExitCode exit_code_of(const checks::Counts& counts) {

@@ -50,6 +50,7 @@ void write_verify_json(const VerifyResult& result, Output& output) {
                                      {"derived", note.derived},
                                      {"evidence", note.evidence}});
   }
+  json["reading_notes_left_out"] = result.notes_left_out;
   output.write(json.dump(2) + "\n");
 }
 

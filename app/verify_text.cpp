@@ -19,8 +19,18 @@ std::string counts_text(const VerifyResult& result) {
                      counts.undecided, counts.refuted);
 }
 
+/// "1 claim", "2 claims".
+std::string numbered(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::string left_out_text(const VerifyResult& result) {
+  return fmt::format("{} left out: `steadyslide verify` without --claim shows all.",
+                     numbered(result.notes_left_out, "reading note"));
+}
+
 std::string head_text(const VerifyResult& result) {
-  return fmt::format("steadyslide {}: {} claims at {} digits, seed {}{}", version, result.reports.size(),
+  return fmt::format("steadyslide {}: {} at {} digits, seed {}{}", version, numbered(result.reports.size(), "claim"),
                      static_cast<int>(result.context.digits), result.context.seed,
                      result.context.quick ? ", quick" : "");
 }
@@ -45,6 +55,7 @@ void write_verify_text(const VerifyResult& result, Output& output) {
     if (!report.note.empty()) output.write(fmt::format("  {}\n", report.note));
   }
   output.write("\n" + counts_text(result) + "\n");
+  if (result.notes_left_out > 0) output.write("\n" + left_out_text(result) + "\n");
   if (result.notes.empty()) return;
   output.write("\nplaces where the text at hand and the mathematics disagree\n");
   for (const checks::ReadingNote& note : result.notes) {
@@ -78,6 +89,7 @@ void write_verify_markdown(const VerifyResult& result, Output& output) {
                cell(report.claim.hypotheses), std::string(name_of(report.verdict)), controls_text(report), evidence});
   }
   rows->end();
+  if (result.notes_left_out > 0) output.write("\n" + left_out_text(result) + "\n");
   if (result.notes.empty()) return;
   output.write("\n## Reading notes\n\n");
   const auto notes =

@@ -1,6 +1,7 @@
 #pragma once
 // The output formats of `steadyslide verify`.
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -15,7 +16,11 @@ struct VerifyResult {
   proofs_checks::Context context;
   std::vector<proofs_checks::Report> reports;
   std::vector<proofs_checks::ReadingNote> notes;
+  std::size_t notes_left_out = 0;  ///< those that belong to none of the claims asked for
 };
+
+/// Takes out the notes that belong to none of the claims reported, and counts them.
+void leave_out_other_notes(VerifyResult& result);
 
 /// The claims with their verdicts, then the reading notes.
 void write_verify(Format format, const VerifyResult& result, Output& output);

@@ -10,6 +10,8 @@
 namespace steadyslide::numeric {
 namespace {
 
+using variational::DiscreteState;
+
 /// t_t / t: the body is dragged along, t_t = -f t towards the side to which the indenter slides.
 double shear_ratio(const ContactProblem& problem, std::size_t friction_piece) {
   const double f = to_real<double>(problem.friction().values()[friction_piece]);
@@ -89,7 +91,10 @@ Sample<double> VariationalSolution::at(const Rational& x) const {
     const double height = to_real<double>(Rational(variational::profile_above_middle(problem_, x) /
                                                    (problem_.elasticity().compliance() * problem_.load())));
     const double gap = height + state().tilt * xi + displacement(xi) - state().approach;
-    result.gap = Estimate<double>{height_ * gap, height_ * (curvature(right) + 1e-15 * std::abs(height))};
+    // What a straight line between cells misses, and how far the coarser mesh has the indenter elsewhere.
+    const DiscreteState& coarse = found_.coarse.found.state;
+    const double shift = std::abs(state().approach - coarse.approach) + std::abs((state().tilt - coarse.tilt) * xi);
+    result.gap = Estimate<double>{height_ * gap, height_ * (curvature(right) + shift + 1e-15 * std::abs(height))};
   }
   const auto slope = [&](std::size_t cell, Side side) -> Estimate<double> {
     if (contact[cell]) {

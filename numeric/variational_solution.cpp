@@ -81,7 +81,8 @@ std::string VariationalSolution::shortcoming() const {
       std::to_string(last.wrong.size()) + " of " + std::to_string(mesh().size()) + " cells are wrong";
   switch (last.outcome) {
     case ActiveSetResult::Outcome::out_of_steps:
-      return "the active sets have not settled after " + std::to_string(last.steps) + " iterations: " + wrong;
+      return "the active sets have not settled after " + std::to_string(last.steps) +
+             (last.steps == 1 ? " iteration: " : " iterations: ") + wrong;
     case ActiveSetResult::Outcome::cycled:
       return "the active sets cycle, and complementary pivots do not end it: " + wrong;
     case ActiveSetResult::Outcome::solved: break;

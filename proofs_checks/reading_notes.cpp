@@ -80,14 +80,15 @@ std::string evidence_of(const Entry& entry, std::span<const Report> reports) {
 
 std::vector<ReadingNote> reading_notes(std::span<const Report> reports) {
   std::vector<ReadingNote> notes;
+  notes.reserve(entries.size());
   for (const Entry& e : entries) {
     notes.push_back({std::string(e.id), std::string(e.place), std::string(e.printed), std::string(e.derived),
-                     evidence_of(e, reports) + ". " + std::string(e.fault)});
+                     evidence_of(e, reports) + ". " + std::string(e.fault), std::string(e.claim)});
   }
   // Those that the local equation alone decides; the places above have been weighed by calculation already.
   for (const symbolic::ReadingNote& note : symbolic::reading_notes()) {
     if (std::ranges::find(weighed_above, note.id) != weighed_above.end()) continue;
-    notes.push_back({note.id, "[Bal16] " + note.place, note.printed, note.derived, note.evidence});
+    notes.push_back({note.id, "[Bal16] " + note.place, note.printed, note.derived, note.evidence, {}});
   }
   return notes;
 }

@@ -17,6 +17,7 @@ struct ReadingNote {
   std::string printed;
   std::string derived;
   std::string evidence;
+  std::string claim;  ///< whose control the printed reading is; empty where the local equation alone decides
 };
 
 /// The evidence is taken from the reports: the control that is the printed reading, and what refuted it; then a

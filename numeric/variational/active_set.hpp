@@ -1,6 +1,6 @@
 #pragma once
 // The discrete contact problem by a primal-dual active set, Newton's method for min(p, g) = 0: solve the equations of a
-// contact set, release its cells under tension, take in the others that penetrate, until there are none.
+// contact set, release its cells under tension, take in the others that penetrate, until there are none. [HIK03]
 
 #include <functional>
 

@@ -27,42 +27,6 @@ void for_each_part(const CellMesh& mesh, const std::vector<double>& ends, const 
   }
 }
 
-/// The profile's piece about a point of its own, in xi: nothing cancels far from the origin of x.
-struct LocalPiece {
-  double origin;
-  std::vector<double> coefficients;
-
-  double operator()(double xi) const {
-    double value = 0;
-    for (std::size_t k = coefficients.size(); k-- > 0;) value = value * (xi - origin) + coefficients[k];
-    return value;
-  }
-
-  /// Exact: a rule of so many points as the degree asks for.
-  double integral(const Part& part) const {
-    const auto by = [&]<unsigned points>() {
-      return boost::math::quadrature::gauss<double, points>::integrate(*this, part.left, part.right);
-    };
-    if (coefficients.size() <= 2) return (part.right - part.left) * (*this)((part.left + part.right) / 2);
-    if (coefficients.size() <= 14) return by.template operator()<7>();
-    return by.template operator()<40>();
-  }
-};
-
-LocalPiece local_piece(const Polynomial& profile, const Rational& left, const Rational& right, const CellMesh& mesh,
-                       const Rational& height, const Rational& scale) {
-  const Rational middle = (left + right) / 2;
-  const Polynomial x({middle, mesh.frame().unit});
-  Polynomial shifted;
-  for (int k = profile.degree(); k >= 0; --k) {
-    shifted = shifted * x + Polynomial::constant(profile.coefficient(static_cast<std::size_t>(k)));
-  }
-  shifted = shifted - Polynomial::constant(height);
-  LocalPiece result{mesh.place(middle), {}};
-  for (const Rational& c : shifted.coefficients()) result.coefficients.push_back(to_real<double>(c / scale));
-  return result;
-}
-
 Rational middle_of(const Indenter& indenter) { return (indenter.left() + indenter.right()) / 2; }
 
 Rational height_at(const Indenter& indenter, const Rational& x) {
@@ -99,23 +63,52 @@ Rational profile_above_middle(const ContactProblem& problem, const Rational& x) 
   return height_at(problem.indenter(), x) - height_at(problem.indenter(), middle_of(problem.indenter()));
 }
 
-std::vector<double> cell_profile(const ContactProblem& problem, const CellMesh& mesh) {
+double CellProfile::LocalPiece::operator()(double xi) const {
+  double value = 0;
+  for (std::size_t k = coefficients.size(); k-- > 0;) value = value * (xi - origin) + coefficients[k];
+  return value;
+}
+
+/// Exact: a rule of so many points as the degree asks for.
+double CellProfile::LocalPiece::integral(double left, double right) const {
+  const auto by = [&]<unsigned points>() {
+    return boost::math::quadrature::gauss<double, points>::integrate(*this, left, right);
+  };
+  if (coefficients.size() <= 2) return (right - left) * (*this)((left + right) / 2);
+  if (coefficients.size() <= 14) return by.template operator()<7>();
+  return by.template operator()<40>();
+}
+
+CellProfile::LocalPiece CellProfile::local_piece(const Polynomial& profile, const Rational& middle, const Frame& frame,
+                                                 const Rational& height, const Rational& scale) {
+  const Polynomial x({middle, frame.unit});
+  Polynomial shifted;
+  for (int k = profile.degree(); k >= 0; --k) {
+    shifted = shifted * x + Polynomial::constant(profile.coefficient(static_cast<std::size_t>(k)));
+  }
+  shifted = shifted - Polynomial::constant(height);
+  LocalPiece result{to_real<double>((middle - frame.origin) / frame.unit), {}};
+  for (const Rational& c : shifted.coefficients()) result.coefficients.push_back(to_real<double>(c / scale));
+  return result;
+}
+
+CellProfile::CellProfile(const ContactProblem& problem, const Frame& frame) {
   const Indenter& indenter = problem.indenter();
   const Rational scale = problem.elasticity().compliance() * problem.load();
   const Rational height = height_at(indenter, middle_of(indenter));
-  std::vector<double> ends;
-  std::vector<LocalPiece> pieces;
   Rational left = indenter.left();
   for (const Indenter::Piece& piece : indenter.pieces()) {
-    pieces.push_back(local_piece(piece.profile, left, piece.to, mesh, height, scale));
-    ends.push_back(mesh.place(piece.to));
+    pieces_.push_back(local_piece(piece.profile, (left + piece.to) / 2, frame, height, scale));
+    ends_.push_back(to_real<double>((piece.to - frame.origin) / frame.unit));
     left = piece.to;
   }
-  ends.pop_back();
+  ends_.pop_back();
+}
 
+std::vector<double> CellProfile::means(const CellMesh& mesh) const {
   std::vector<double> result(mesh.size());
-  for_each_part(mesh, ends, [&](std::size_t i, std::size_t piece, const Part& part) {
-    result[i] += pieces[piece].integral(part) / mesh.length(i);
+  for_each_part(mesh, ends_, [&](std::size_t i, std::size_t piece, const Part& part) {
+    result[i] += pieces_[piece].integral(part.left, part.right) / mesh.length(i);
   });
   return result;
 }

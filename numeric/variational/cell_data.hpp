@@ -23,7 +23,27 @@ CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh);
 /// psi(x) less its value at the middle of the support: only differences matter, and these are small near the contact.
 Rational profile_above_middle(const ContactProblem& problem, const Rational& x);
 
-/// Means of profile_above_middle/(c P) over each cell.
-std::vector<double> cell_profile(const ContactProblem& problem, const CellMesh& mesh);
+/// profile_above_middle/(c P) in xi of uniform meshes, ready for means over cells.
+class CellProfile {
+ public:
+  CellProfile(const ContactProblem& problem, const Frame& frame);
+  /// Means over each cell of a mesh with the frame given.
+  std::vector<double> means(const CellMesh& mesh) const;
+
+ private:
+  /// A piece about a point of its own: nothing cancels far from the origin of x.
+  struct LocalPiece {
+    double origin;
+    std::vector<double> coefficients;
+
+    double operator()(double xi) const;
+    double integral(double left, double right) const;
+  };
+  static LocalPiece local_piece(const Polynomial& profile, const Rational& middle, const Frame& frame,
+                                const Rational& height, const Rational& scale);
+
+  std::vector<LocalPiece> pieces_;
+  std::vector<double> ends_;  ///< of all but the last piece
+};
 
 }  // namespace steadyslide::numeric::variational

@@ -3,7 +3,10 @@
 namespace steadyslide::numeric::variational {
 
 DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh)
-    : mesh_(std::move(mesh)), influence_(mesh_, cell_friction(problem, mesh_)), profile_(cell_profile(problem, mesh_)) {
+    : DiscreteProblem(problem, mesh, CellProfile(problem, mesh.frame())) {}
+
+DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh, const CellProfile& profile)
+    : mesh_(std::move(mesh)), influence_(mesh_, cell_friction(problem, mesh_)), profile_(profile.means(mesh_)) {
   if (problem.load_at()) load_at_ = mesh_.place(*problem.load_at());
 }
 

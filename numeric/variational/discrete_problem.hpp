@@ -15,6 +15,8 @@ namespace steadyslide::numeric::variational {
 class DiscreteProblem {
  public:
   DiscreteProblem(const ContactProblem& problem, CellMesh mesh);
+  /// With a profile made before, in the mesh's frame: meshes share one.
+  DiscreteProblem(const ContactProblem& problem, CellMesh mesh, const CellProfile& profile);
 
   const CellMesh& mesh() const { return mesh_; }
   const GalerkinOperator& influence() const { return influence_; }

@@ -2,7 +2,9 @@
 
 #include <fftw3.h>
 
+#include <algorithm>
 #include <mutex>
+#include <thread>
 
 namespace steadyslide::numeric::variational {
 namespace {
@@ -11,6 +13,12 @@ namespace {
 std::mutex& planner() {
   static std::mutex mutex;
   return mutex;
+}
+
+/// Threads of one transform: short ones are over before a second thread has begun.
+int threads(std::size_t n) {
+  constexpr std::size_t longest_alone = std::size_t{1} << 16;
+  return n <= longest_alone ? 1 : static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 4U));
 }
 
 }  // namespace
@@ -23,6 +31,8 @@ struct Fourier::Plans {
 
   explicit Plans(std::size_t n) {
     const std::lock_guard lock(planner());
+    static const int available = fftw_init_threads();
+    if (available != 0) fftw_plan_with_nthreads(threads(n));
     values = fftw_alloc_real(n);
     modes = fftw_alloc_complex(n / 2 + 1);
     if (values == nullptr || modes == nullptr) throw std::bad_alloc();

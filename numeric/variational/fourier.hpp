@@ -1,5 +1,5 @@
 #pragma once
-// The discrete Fourier transform of real data of one length (FFTW, double).
+// The discrete Fourier transform of real data of one length (FFTW, double). [FJ05]
 //
 //   forward:  y_k = sum_j x_j exp(-2 pi i j k/n), k = 0..n/2;      backward: x_j = sum_k y_k exp(2 pi i j k/n), not
 //   divided by n; the y beyond n/2 are the conjugates of those before.

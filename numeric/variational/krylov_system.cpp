@@ -17,7 +17,7 @@ constexpr int most_restarts = 12;
 
 /// GMRES for B p - E c = rhs, W^T p = loads, E the columns 1 and -xi and W = h E up to the sign, preconditioned by the
 /// same system with the surface's approximate inverse M^-1 in place of B^-1: the loads are then met exactly throughout,
-/// and the Krylov space is one of residuals on the contact cells.
+/// and the Krylov space is one of residuals on the contact cells. [SS86]
 class Krylov : public BorderedSystem {
  public:
   Krylov(const DiscreteProblem& problem, const CellSet& contact, const DiscreteState& guess, double tolerance)

@@ -33,7 +33,10 @@ std::vector<std::size_t> mesh_sizes(std::size_t cells) {
 class Nested {
  public:
   Nested(const ContactProblem& problem, const NestedOptions& options)
-      : problem_(problem), options_(options), sizes_(mesh_sizes(options.cells)) {
+      : problem_(problem),
+        profile_(problem, CellMesh(problem, 1).frame()),
+        options_(options),
+        sizes_(mesh_sizes(options.cells)) {
     for (const std::size_t n : sizes_) total_ += n;
   }
 
@@ -52,7 +55,7 @@ class Nested {
 
  private:
   MeshSolution solve_on(std::size_t n, const MeshSolution& coarse) {
-    MeshSolution solution{std::make_shared<DiscreteProblem>(problem_, CellMesh(problem_, n)), {}, false};
+    MeshSolution solution{std::make_shared<DiscreteProblem>(problem_, CellMesh(problem_, n), profile_), {}, false};
     CellSet start(n, 1);
     DiscreteState guess;
     guess.pressure.assign(n, 0);
@@ -120,6 +123,7 @@ class Nested {
   }
 
   const ContactProblem& problem_;
+  CellProfile profile_;
   const NestedOptions& options_;
   std::vector<std::size_t> sizes_;
   std::size_t done_ = 0;

@@ -33,6 +33,18 @@ TEST_CASE("one claim, checked") {
   CHECK(json["claims"][0]["verdict"] == "proved");
   CHECK(json["claims"][0]["controls"]["total"] == json["claims"][0]["controls"]["refuted"]);
   CHECK(json["counts"]["proved"] == 1);
+  CHECK(json["reading_notes"].empty());
+  CHECK(json["reading_notes_left_out"] >= 14);
+}
+
+TEST_CASE("a claim comes with its own reading notes") {
+  const TemporaryFolder folder;
+  const Finished finished = run_program(
+      {"verify", "--claim", "eq-04-flat-punch", "--quick", "--digits", "16", "--format", "json"}, folder.path());
+  const Json json = Json::parse(finished.out);
+  REQUIRE(json["reading_notes"].size() == 1);
+  CHECK(json["reading_notes"][0]["id"] == "eq-04-exponent");
+  CHECK(json["reading_notes_left_out"] >= 13);
 }
 
 TEST_CASE("a pattern that no claim matches is an error") {

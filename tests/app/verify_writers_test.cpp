@@ -31,7 +31,7 @@ VerifyResult bad_result() {
                             "the control survives",
                             {{"swap", false, ""}},
                             1});
-  result.notes.push_back({"note-1", "(4)", "(1+x)^{1/2}", "(1+x)^{1/2+alpha}", "refuted"});
+  result.notes.push_back({"note-1", "(4)", "(1+x)^{1/2}", "(1+x)^{1/2+alpha}", "refuted", "a-claim"});
   return result;
 }
 
@@ -76,6 +76,35 @@ TEST_CASE("Markdown escapes what would end a cell") {
   const std::string text = written(Format::markdown, bad_result());
   CHECK(text.find("| a-claim | [Bal16, (1)] | x \\| y\\_1 \\< 2 | always | refuted | 1/1 | counterexample: ") !=
         std::string::npos);
+}
+
+TEST_CASE("one claim is one claim") {
+  VerifyResult result = bad_result();
+  CHECK(written(Format::text, result).find(": 2 claims at ") != std::string::npos);
+  result.reports.pop_back();
+  CHECK(written(Format::text, result).find(": 1 claim at ") != std::string::npos);
+}
+
+TEST_CASE("notes of other claims are counted, not shown") {
+  VerifyResult result = bad_result();
+  leave_out_other_notes(result);
+  CHECK(result.notes.size() == 1);
+  CHECK(written(Format::text, result).find("left out") == std::string::npos);
+
+  // One of a claim that was not asked for, and one that belongs to no claim.
+  result.notes.push_back({"note-2", "(5)", "x", "y", "refuted", "c-claim"});
+  result.notes.push_back({"note-3", "theorem 3", "x", "y", "leaves x", ""});
+  leave_out_other_notes(result);
+  REQUIRE(result.notes.size() == 1);
+  CHECK(result.notes.front().id == "note-1");
+  CHECK(result.notes_left_out == 2);
+  for (const Format format : {Format::text, Format::markdown}) {
+    const std::string text = written(format, result);
+    CHECK(text.find("\n2 reading notes left out: ") != std::string::npos);
+    CHECK(text.find("note-1") != std::string::npos);
+    CHECK(text.find("note-2") == std::string::npos);
+  }
+  CHECK(written(Format::json, result).find("\"reading_notes_left_out\": 2\n") != std::string::npos);
 }
 
 TEST_CASE("only a ledger without refuted and undecided claims ends well") {

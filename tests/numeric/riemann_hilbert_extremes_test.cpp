@@ -4,9 +4,11 @@
 
 #include "support/changed_problem.hpp"
 #include "support/solved_contact.hpp"
+#include "support/two_wells.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;
+using testing::on_two_coatings;
 using testing::one_piece;
 using testing::reduced;
 using testing::solved;
@@ -15,11 +17,7 @@ TYPE_TO_STRING(Real50);
 
 namespace {
 
-ContactProblem two_frictions(const Indenter& indenter, const Rational& load) {
-  return reduced({Rational(3, 10), 1}, {Rational(1, 10)}, indenter, load);
-}
-
-const Indenter wells = one_piece(-3, 3, {1, Rational(1, 5), -2, 0, 1});
+const Indenter wells = testing::two_wells();
 const Indenter bent(-1, {{0, Polynomial({0, -1, 1})}, {1, Polynomial({0, Rational(1, 2)})}});
 const Indenter step(-1, {{0, Polynomial({0, 0, 1})}, {1, Polynomial({Rational(1, 10), 0, 1})}});
 
@@ -73,7 +71,7 @@ TEST_CASE("degree 64") {
   std::vector<Rational> dense(65, Rational(0));
   for (int k = 2; k <= 64; ++k) dense[static_cast<std::size_t>(k)] = Rational(1, k * k);
   for (const auto& coefficients : {high, mixed, dense}) {
-    const ContactProblem p = two_frictions(one_piece(-1, 1, coefficients), Rational(1, 10));
+    const ContactProblem p = on_two_coatings(one_piece(-1, 1, coefficients), Rational(1, 10));
     const auto found = solved<double>(p);
     agree<double, Real50>(*found, *riemann_hilbert<Real50>(p).solution, Real50(1e-12));
   }
@@ -82,22 +80,22 @@ TEST_CASE("degree 64") {
 TEST_CASE("wide supports and supports far away from the origin") {
   const Indenter near = one_piece(-1, 1, {0, 0, 1});
   const Indenter wide = one_piece(-1000000, 1000000, {0, 0, 1});
-  const auto base = solved<double>(two_frictions(near, 1));
-  agree<double, double>(*base, *solved<double>(two_frictions(wide, 1)), 1e-14);
+  const auto base = solved<double>(on_two_coatings(near, 1));
+  agree<double, double>(*base, *solved<double>(on_two_coatings(wide, 1)), 1e-14);
   const std::vector<Indenter> indenters{near, wide, wells, bent, step};
   for (const Indenter& indenter : indenters) {
-    const ContactProblem p = two_frictions(indenter, 1);
+    const ContactProblem p = on_two_coatings(indenter, 1);
     const Rational far = 1000000;
     agree<double, double>(*solved<double>(p), *solved<double>(testing::moved(p, 1, far)), 1e-14, far);
     if (&indenter == &indenters[3]) solved<Real50>(testing::moved(p, 1, far));
   }
   // Wide gaps beside two components.
-  solved<double>(two_frictions(one_piece(-1000000, 1000000, {1, 0, -2, 0, 1}), 1));
+  solved<double>(on_two_coatings(one_piece(-1000000, 1000000, {1, 0, -2, 0, 1}), 1));
 }
 
 TEST_CASE("16, 50 and 100 digits agree") {
   for (const Indenter& indenter : {wells, bent, step}) {
-    const ContactProblem p = two_frictions(indenter, 3);
+    const ContactProblem p = on_two_coatings(indenter, 3);
     const auto a = solved<double>(p);
     const auto b = riemann_hilbert<Real50>(p).solution;
     const auto c = riemann_hilbert<Real100>(p).solution;
@@ -113,14 +111,14 @@ TEST_CASE_TEMPLATE("a neighbouring solution to start from leads to the same one"
   for (const Indenter& indenter : indenters) {
     std::shared_ptr<const ContactSolution<R>> last;
     for (const int load : {1, 4, 3}) {
-      const ContactProblem p = two_frictions(indenter, load);
+      const ContactProblem p = on_two_coatings(indenter, load);
       const auto alone = riemann_hilbert<R>(p).solution;
       if (last) agree<R, R>(*alone, *riemann_hilbert<R>(p, last.get()).solution, 1000 * epsilon<R>());
       last = alone;
     }
   }
   // Nothing to be learned from it: a component in the wrong place.
-  const auto right = solved<R>(two_frictions(one_piece(-3, 3, {0, 0, 1}), 1));
-  const ContactProblem left = two_frictions(one_piece(-3, 3, {4, 4, 1}), 1);
+  const auto right = solved<R>(on_two_coatings(one_piece(-3, 3, {0, 0, 1}), 1));
+  const ContactProblem left = on_two_coatings(one_piece(-3, 3, {4, 4, 1}), 1);
   agree<R, R>(*solved<R>(left), *solved<R>(left, right.get()), 1000 * epsilon<R>());
 }

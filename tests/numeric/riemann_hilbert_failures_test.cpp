@@ -4,9 +4,11 @@
 
 #include "numeric/contact_inequalities.hpp"
 #include "support/solved_contact.hpp"
+#include "support/two_wells.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;
+using testing::on_two_coatings;
 using testing::one_piece;
 using testing::reduced;
 using testing::solved;
@@ -16,8 +18,7 @@ namespace {
 using Set = ContactSet<double>;
 using Form = RiemannHilbertForm<double>;
 
-const ContactProblem wells =
-    reduced({Rational(3, 10), 1}, {Rational(1, 10)}, one_piece(-3, 3, {1, Rational(1, 5), -2, 0, 1}), 3);
+const ContactProblem wells = on_two_coatings(testing::two_wells(), 3);
 
 double missing_load(const Form& form) {
   const auto check = testing::check_of(form);
@@ -89,7 +90,7 @@ TEST_CASE("control: a set of the wrong kind has violations") {
   JacobiRules<double> rules;
   {
     // One component where there have to be two: the traction pulls in the middle.
-    const ContactProblem p = reduced({Rational(3, 10), 1}, {Rational(1, 10)}, wells.indenter(), Rational(9, 2));
+    const ContactProblem p = on_two_coatings(wells.indenter(), Rational(9, 2));
     const ReducedProblem<double> problem(p, {0, 1});
     const auto found = converged(problem, Set(problem, {{-1.5, 1.2, false, false}}), rules);
     const auto seen = violations(form_of(problem, found.state, rules));

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "support/solved_contact.hpp"
+#include "support/two_wells.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;
@@ -17,9 +18,8 @@ TYPE_TO_STRING(Real50);
 
 namespace {
 
-/// (x^2 - 1)^2 + slope x.
 ContactProblem wells(const Rational& slope, const Rational& load) {
-  return reduced({Rational(3, 10), 1}, {Rational(1, 10)}, one_piece(-3, 3, {1, slope, -2, 0, 1}), load);
+  return testing::on_two_coatings(testing::two_wells(slope), load);
 }
 
 std::size_t components(const ContactProblem& p) { return riemann_hilbert<double>(p).solution->contact().size(); }

@@ -4,22 +4,19 @@
 
 #include "support/changed_problem.hpp"
 #include "support/solved_contact.hpp"
+#include "support/two_wells.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;
+using testing::on_two_coatings;
 using testing::one_piece;
-using testing::reduced;
 using testing::solved;
 
 TYPE_TO_STRING(Real50);
 
 namespace {
 
-const Indenter wells = one_piece(-3, 3, {1, Rational(1, 5), -2, 0, 1});
-
-ContactProblem on(const Indenter& indenter, const Rational& load, const std::optional<Rational>& load_at = {}) {
-  return reduced({Rational(3, 10), 1}, {Rational(1, 10)}, indenter, load, load_at);
-}
+const Indenter wells = testing::two_wells();
 
 template <Real R>
 R tolerance() {
@@ -41,10 +38,10 @@ TEST_CASE_TEMPLATE("load_at at the centre of pressure of the indenter that keeps
   const Indenter flat = one_piece(-1, 1, {0});
   const auto indenters = std::same_as<R, double> ? std::vector{wells, step, tent, flat} : std::vector{wells};
   for (const Indenter& indenter : indenters) {
-    const auto fixed = solved<R>(on(indenter, 3));
+    const auto fixed = solved<R>(on_two_coatings(indenter, 3));
     CHECK(!fixed->tilt());
     const R centre = fixed->resultants().centre_of_pressure.value;
-    const auto free = solved<R>(on(indenter, 3, Rational(centre)));
+    const auto free = solved<R>(on_two_coatings(indenter, 3, Rational(centre)));
     close(free->tilt()->value, R(0));
     close(free->resultants().centre_of_pressure.value, centre);
     REQUIRE(free->contact().size() == fixed->contact().size());
@@ -63,7 +60,7 @@ TEST_CASE("the load acts where it should; its moment by an unrelated quadrature;
   for (int i = -8; i <= 8; ++i) {
     for (const Indenter& indenter : {one_piece(-1, 1, {0, 0, 1}), one_piece(-1, 1, {0})}) {
       CAPTURE(i);
-      const ContactProblem p = on(indenter, 1, Rational(i, 10));
+      const ContactProblem p = on_two_coatings(indenter, 1, Rational(i, 10));
       const auto found = solved<double>(p);
       close(found->resultants().centre_of_pressure.value, i / 10.);
       // In the frame the load and load_at are the form's own data.
@@ -88,9 +85,9 @@ TEST_CASE("the load acts where it should; its moment by an unrelated quadrature;
 TEST_CASE("tilting does what an incline of the profile does") {
   const Rational load_at(1, 4);
   const Indenter indenter = one_piece(-1, 1, {0, 0, 1});
-  const auto free = solved<Real50>(on(indenter, 1, load_at));
+  const auto free = solved<Real50>(on_two_coatings(indenter, 1, load_at));
   const Rational tilt(free->tilt()->value);
-  const auto fixed = solved<Real50>(on(one_piece(-1, 1, {0, tilt, 1}), 1));
+  const auto fixed = solved<Real50>(on_two_coatings(one_piece(-1, 1, {0, tilt, 1}), 1));
   close(fixed->resultants().centre_of_pressure.value, to_real<Real50>(load_at));
   close(fixed->contact()[0].left.x.value, free->contact()[0].left.x.value);
   close(fixed->contact()[0].right.x.value, free->contact()[0].right.x.value);

@@ -1,0 +1,89 @@
+// How much the variational solver can do: the first problems of the random list, on cells. The certificate accepts, or
+// the problem stands in variational_unsolved.txt, seed by seed.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+#include "numeric/variational/nested_solve.hpp"
+#include "support/random_contact.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::numeric::variational;
+using steadyslide::testing::first_listed_seed;
+
+namespace {
+
+std::set<std::uint64_t> listed() {
+  std::set<std::uint64_t> seeds;
+  std::ifstream file(STEADYSLIDE_UNSOLVED);
+  REQUIRE(file);
+  for (std::string line; std::getline(file, line);) {
+    if (!line.empty() && line[0] != '#') seeds.insert(std::stoull(line));
+  }
+  return seeds;
+}
+
+bool decreases(const ContactProblem& problem) {
+  for (std::size_t k = 1; k < problem.friction().values().size(); ++k) {
+    if (problem.coupled_friction(k) < problem.coupled_friction(k - 1)) return true;
+  }
+  return false;
+}
+
+void solve_the_first(int count, std::size_t cells) {
+  const std::set<std::uint64_t> unsolved = listed();
+  int accepted = 0;
+  int by_lemke = 0;
+  int decreasing = 0;
+  double worst = 0;
+  for (int i = 0; i < count; ++i) {
+    const std::uint64_t seed = first_listed_seed + static_cast<std::uint64_t>(i);
+    const ContactProblem problem = testing::random_contact(seed);
+    const NestedResult result = solve_nested(problem, {.cells = cells});
+    const Certificate& certificate = result.certificate;
+    if (certificate.accepted()) {
+      ++accepted;
+      worst = std::max(worst, certificate.natural / certificate.allowed);
+    }
+    if (certificate.accepted() == (unsolved.count(seed) != 0)) FAIL_CHECK(seed);
+    by_lemke += result.fine.by_lemke ? 1 : 0;
+    decreasing += decreases(problem) ? 1 : 0;
+    // The contact set is the one that carries the pressures.
+    for (std::size_t k = 0; k < cells; ++k) {
+      if (result.fine.found.state.pressure[k] > 0) REQUIRE(result.fine.found.contact[k]);
+    }
+  }
+  MESSAGE("accepted ", accepted, " of ", count, ", s decreasing somewhere in ", decreasing, ", by Lemke's method ",
+          by_lemke, ", largest natural residual ", worst, " of what is allowed");
+  CHECK(2 * decreasing >= count);
+  CHECK(50 * by_lemke >= count);
+}
+
+}  // namespace
+
+TEST_CASE("the first 300 on 256 cells") { solve_the_first(300, 256); }
+
+TEST_CASE("slow: the first 1000 on 1024 cells" * doctest::skip()) { solve_the_first(1000, 1024); }
+
+TEST_CASE("control: a state that is not a solution is not accepted") {
+  const ContactProblem problem = testing::random_contact(first_listed_seed);
+  const NestedResult result = solve_nested(problem, {.cells = 128});
+  REQUIRE(result.certificate.accepted());
+  const auto spoilt = [&](const auto& change) {
+    DiscreteState state = result.fine.found.state;
+    change(state);
+    return certify(*result.fine.problem, state).accepted();
+  };
+  CHECK(spoilt([](DiscreteState&) {}));
+  const auto pressed = static_cast<std::size_t>(
+      std::max_element(result.fine.found.state.pressure.begin(), result.fine.found.state.pressure.end()) -
+      result.fine.found.state.pressure.begin());
+  CHECK_FALSE(spoilt([&](DiscreteState& state) { state.pressure[pressed] *= 1 + 1e-7; }));
+  CHECK_FALSE(spoilt([](DiscreteState& state) { state.approach += 1e-9; }));
+  CHECK_FALSE(spoilt([&](DiscreteState& state) { state.pressure[pressed] = std::nan(""); }));
+  CHECK_FALSE(spoilt([](DiscreteState& state) { state.approach = std::nan(""); }));
+  CHECK_FALSE(spoilt([](DiscreteState& state) { std::fill(state.pressure.begin(), state.pressure.end(), 0.0); }));
+}
