@@ -124,7 +124,7 @@ TEST_CASE("running out of steps is said, the best state is printed, and the exit
   const Finished finished = run("two_bumps.toml", {"--method", "variational", "--iterations", "1"});
   CHECK(finished.code == 1);
   const std::string begins =
-      "steadyslide: two_bumps.toml: the solve did not converge: the active sets have not settled after 1 iterations: ";
+      "steadyslide: two_bumps.toml: the solve did not converge: the active sets have not settled after 1 iteration: ";
   const std::string ends = " of 4096 cells are wrong; what was reached is printed\n";
   CHECK(finished.err.rfind(begins, 0) == 0);
   CHECK(finished.err.find(ends) == finished.err.size() - ends.size());
