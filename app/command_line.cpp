@@ -10,6 +10,7 @@
 #include "app/help_text.hpp"
 #include "app/list_parser.hpp"
 #include "app/version.hpp"
+#include "numeric/variational_inequality.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -22,7 +23,7 @@ constexpr std::array<std::pair<std::string_view, Format>, 5> all_formats{{{"text
 
 /// The texts behind the options, as CLI11 leaves them.
 struct Raw {
-  std::string problem, method = "auto", digits, format = "text", output, at, samples, cells, load_steps,
+  std::string problem, method = "auto", digits, format = "text", output, at, samples, cells, iterations, load_steps,
                        search_solutions, poisson, rear, front, seed;
   std::vector<std::string> claims;
   bool derivation = false, list = false, quick = false;
@@ -110,18 +111,25 @@ class CommandLine {
   void add_solve() {
     solve_ = app_.add_subcommand("solve", help::solve);
     solve_->add_option("PROBLEM", raw_.problem, "Problem file, or -")->required()->type_name("");
-    solve_
-        ->add_option("--method", raw_.method,
-                     "auto, closed-form or riemann-hilbert (variational: not available in this version)")
+    solve_->add_option("--method", raw_.method, "auto, closed-form, riemann-hilbert or variational")
         ->type_name("METHOD");
     solve_->add_option("--at", raw_.at, "Results at these x, in your units; may lie outside the support")
         ->type_name("X,X,...");
     solve_->add_option("--samples", raw_.samples, "Results at N places a contact component and a gap, 1 to 100000")
         ->type_name("N");
-    solve_->add_option("--cells", raw_.cells, "Not available in this version")->type_name("N");
+    solve_
+        ->add_option("--cells", raw_.cells, "Equal cells on the support, 16 to 4194304; default 4096: variational only")
+        ->type_name("N");
+    solve_
+        ->add_option("--iterations", raw_.iterations,
+                     "Most steps of the active sets on each mesh, 1 to 10000; default 100: variational only")
+        ->type_name("N");
     solve_->add_option("--load-steps", raw_.load_steps, "The contact under each of these loads, one row a component")
         ->type_name("LIST");
-    solve_->add_option("--search-solutions", raw_.search_solutions, "Not available in this version")->type_name("N");
+    solve_
+        ->add_option("--search-solutions", raw_.search_solutions,
+                     "Start from N contact sets, 1 to 1000: do all lead to one solution? By the variational method")
+        ->type_name("N");
     add_common(solve_, "Significant digits, 1 to 100; default 16", "text, json or csv");
     solve_->footer(std::string(help::solve_footer) + "\n" + help::problem);
   }
@@ -183,9 +191,6 @@ class CommandLine {
   }
 
   SolveOptions solve() const {
-    for (const char* option : {"--cells", "--search-solutions"}) {
-      if (given(solve_, option)) throw not_available(option);
-    }
     SolveOptions options;
     options.common = common(solve_, 16, {Format::text, Format::json, Format::csv});
     options.problem = raw_.problem;
@@ -197,18 +202,39 @@ class CommandLine {
       if (list.empty()) throw bad_command_line(std::string(option) + ": no value", "it is a list", list);
     }
     if (given(solve_, "--samples")) options.samples = parse_count("--samples", raw_.samples, 1, 100000);
+    if (given(solve_, "--cells")) {
+      options.cells = parse_count("--cells", raw_.cells, numeric::fewest_cells, numeric::most_cells);
+    }
+    if (given(solve_, "--iterations")) options.iterations = parse_count("--iterations", raw_.iterations, 1, 10000);
+    if (given(solve_, "--search-solutions")) {
+      options.search_starts = parse_count("--search-solutions", raw_.search_solutions, 1, 1000);
+    }
+    refuse_conflicts(options.method);
+    return options;
+  }
+
+  void refuse_conflicts(Method method) const {
     for (const char* option : {"--at", "--samples"}) {
       if (!given(solve_, "--load-steps") || !given(solve_, option)) continue;
       throw bad_command_line("--load-steps: conflicting option", "samples are those of one load", option);
     }
-    return options;
+    if (!given(solve_, "--search-solutions")) return;
+    for (const char* option : {"--at", "--samples", "--load-steps"}) {
+      if (!given(solve_, option)) continue;
+      throw bad_command_line("--search-solutions: conflicting option",
+                             "it compares contact zones and resultants under the file's load", option);
+    }
+    if (method == Method::closed_form || method == Method::riemann_hilbert) {
+      throw bad_command_line("--search-solutions: conflicting option", "it searches by the variational method",
+                             "--method " + raw_.method);
+    }
   }
 
   Method method() const {
     if (raw_.method == "auto") return Method::automatic;
     if (raw_.method == "closed-form") return Method::closed_form;
     if (raw_.method == "riemann-hilbert") return Method::riemann_hilbert;
-    if (raw_.method == "variational") throw not_available("--method " + raw_.method);
+    if (raw_.method == "variational") return Method::variational;
     throw bad_command_line("--method: unknown method", "it is one of auto, closed-form, riemann-hilbert, variational",
                            raw_.method);
   }

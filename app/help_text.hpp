@@ -93,8 +93,14 @@ Methods:
   closed-form      a formula, for flat punches and parabolas that do not tilt
   riemann-hilbert  any profile: the contact's ends by Newton's method, the pressure in the
                    space of its own singular functions
-  auto             the first of the two that applies
+  variational      any profile, measured ones above all: pressures on N equal cells, in double;
+                   ends of contact to one cell, 16 digits at most
+  auto             the first of the three that applies
 16 digits are found in double, and with 50 digits where double is not enough.
+--cells and --iterations go with --method variational, with auto where that takes it (a
+profile with more than 200 breaks), and with --search-solutions.
+What cells cannot show, the intensity at an end of a short zone say, has no number: - in the
+text, empty in CSV, null in JSON.
 --load-steps LIST takes the loads 0.1,0.2 or 0.1:1:0.1 (first, last, step; each positive, at
 most 10000) instead of the file's, each solve starting from the one before. One row for each
 load and contact component, in every format:
@@ -104,6 +110,10 @@ load and contact component, in every format:
   effective_friction, centre_of_pressure, load_share, tilt
                                       of the whole contact; shares left to right
   shortcoming                         empty where the load is solved
+--search-solutions N starts from N contact sets: the whole support, then random ones. Shown
+are the different solutions, how often each was met, their residuals, and whether the
+Riemann-Hilbert method finds a solution there too. CSV: one row for each solution and
+component; exit code 1 if no start leads to a solution.
 A solve that does not converge is printed all the same, and the exit code is 1.)";
 
 inline constexpr const char* verify =

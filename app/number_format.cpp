@@ -90,9 +90,10 @@ template <numeric::Real R>
 std::string format_number(const numeric::Estimate<R>& estimate, int digits) {
   using std::abs;
   const R& value = estimate.value;
-  if (is_nan(value) || value == 0 || is_infinite(value)) return format_number(value, digits);
+  if (is_nan(value) || is_infinite(value)) return format_number(value, digits);
   const R error = abs(estimate.error);
-  if (is_nan(error)) return "";
+  if (is_nan(error) || is_infinite(error)) return "";
+  if (value == 0) return "0";
   if (error >= abs(value)) return "0";
   if (error == 0) return format_number(value, digits);
   const long supported = scientific(value, 17).exponent - last_place(error) + 1;

@@ -12,7 +12,8 @@ template <numeric::Real R>
 std::string format_number(const R& value, int digits);
 
 /// Only digits that the error supports: the last one printed is worth at least the error. One digit is left to a value
-/// larger than its error; a value that does not exceed its error is not distinguished from 0 and printed as such.
+/// larger than its error; a value that does not exceed its error is not distinguished from 0 and printed as such. An
+/// infinite error says that the value is not known: no text, unless the value is infinite itself.
 template <numeric::Real R>
 std::string format_number(const numeric::Estimate<R>& estimate, int digits);
 

@@ -8,7 +8,7 @@
 namespace steadyslide::app {
 
 enum class Format { text, json, csv, markdown, latex };
-enum class Method { automatic, closed_form, riemann_hilbert };
+enum class Method { automatic, closed_form, riemann_hilbert, variational };
 
 /// What every command takes.
 struct CommonOptions {
@@ -37,6 +37,9 @@ struct SolveOptions {
   std::string at;          ///< a list; empty: none
   int samples = 0;         ///< 0: none
   std::string load_steps;  ///< a list; empty: the file's load
+  int search_starts = 0;   ///< of a search for several solutions; 0: one solve
+  std::optional<int> cells;
+  std::optional<int> iterations;
 };
 
 struct VerifyOptions {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -33,17 +34,19 @@ Progress::~Progress() {
   erase_line_when_interrupted(false);
 }
 
-void Progress::show(std::size_t done) {
+void Progress::show(std::size_t done, double part) {
   if (!on_terminal_) return;
   const Clock::time_point now = Clock::now();
   if (now - shown_ < pause) return;
   shown_ = now;
-  const std::size_t full = done * width / total_;
-  std::string line = fmt::format("\r\x1b[K[{}{}] {}/{} {} %", std::string(full, '#'), std::string(width - full, '.'),
-                                 done, total_, done * 100 / total_);
-  if (done > 0) {
+  const double ratio = std::clamp((static_cast<double>(done) + part) / static_cast<double>(total_), 0.0, 1.0);
+  const auto full = static_cast<std::size_t>(ratio * width);
+  std::string line = fmt::format("\r\x1b[K[{}{}]", std::string(full, '#'), std::string(width - full, '.'));
+  if (total_ > 1) line += fmt::format(" {}/{}", done, total_);
+  line += fmt::format(" {} %", static_cast<int>(ratio * 100));
+  if (ratio > 0) {
     const double seconds = std::chrono::duration<double>(now - start_).count();
-    const double left = seconds / static_cast<double>(done) * static_cast<double>(total_ - done);
+    const double left = seconds / ratio * (1 - ratio);
     line += " ETA " + clock_text(static_cast<long>(left + 0.5));
   }
   std::fputs(line.c_str(), stderr);

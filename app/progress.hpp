@@ -13,8 +13,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// So many of the total are done.
-  void show(std::size_t done);
+  /// So many of the total are done, and of the next one this part, in [0, 1].
+  void show(std::size_t done, double part = 0);
 
  private:
   using Clock = std::chrono::steady_clock;

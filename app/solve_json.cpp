@@ -99,13 +99,8 @@ Json sample_json(const SampleText& sample) {
           {"slope", limits(sample.slope)}};
 }
 
-}  // namespace
-
-void write_solve_json(const Problem& problem, const SolveReport& report, Output& output) {
+Json solution_json(const SolveReport& report) {
   Json json;
-  json["schema"] = 1;
-  json["version"] = version;
-  json["problem"] = problem_json(problem.contact, problem.samples);
   json["method"] = report.method;
   json["digits"] = report.digits;
   json["contact"] = Json::array();
@@ -124,8 +119,44 @@ void write_solve_json(const Problem& problem, const SolveReport& report, Output&
                        {"load", number(report.residual_load)},
                        {"penetration", number(report.residual_penetration)},
                        {"tension", number(report.residual_tension)}};
-  json["uniqueness"] = {{"status", report.uniqueness.proved ? "proved" : "not_covered"},
-                        {"reason", report.uniqueness.reason}};
+  return json;
+}
+
+Json uniqueness_json(const Uniqueness& uniqueness) {
+  return {{"status", uniqueness.proved ? "proved" : "not_covered"}, {"reason", uniqueness.reason}};
+}
+
+/// What opens every result.
+Json heading(const Problem& problem) {
+  return {{"schema", 1}, {"version", version}, {"problem", problem_json(problem.contact, problem.samples)}};
+}
+
+/// A solution of a search: it has no samples.
+Json found_json(const SolveReport& report) {
+  Json json = solution_json(report);
+  json.erase("samples");
+  return json;
+}
+
+}  // namespace
+
+void write_solve_json(const Problem& problem, const SolveReport& report, Output& output) {
+  Json json = heading(problem);
+  json.update(solution_json(report));
+  json["uniqueness"] = uniqueness_json(report.uniqueness);
+  output.write(json.dump(2) + "\n");
+}
+
+void write_search_json(const Problem& problem, const SearchReport& report, Output& output) {
+  Json json = heading(problem);
+  json["search"] = {{"starts", report.starts}, {"unsolved", report.unsolved}, {"agreed", report.agreed()}};
+  json["solutions"] = Json::array();
+  for (const FoundReport& found : report.solutions) {
+    json["solutions"].push_back({{"times", found.times},
+                                 {"variational", found_json(found.variational)},
+                                 {"refined", found.refined ? found_json(*found.refined) : Json()}});
+  }
+  json["uniqueness"] = uniqueness_json(report.uniqueness);
   output.write(json.dump(2) + "\n");
 }
 

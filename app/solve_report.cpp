@@ -12,8 +12,6 @@ using numeric::Real;
 using numeric::TwoSided;
 
 constexpr int error_digits = 2;
-/// A solution with a larger residual is none.
-constexpr double largest_residual = 1e-9;
 
 template <Real R>
 bool is_infinite(const R& value) {
@@ -48,6 +46,7 @@ class Writer {
  private:
   void notice(const Estimate<R>& estimate) {
     if (estimate.convergence == numeric::Convergence::stalled) converged_ = false;
+    if (is_infinite(estimate.error)) return;  // not known, and printed as such
     notice(estimate.value);
   }
 
@@ -69,7 +68,7 @@ class Writer {
 /// What stands in the way of calling it a solution.
 template <Real R>
 std::string shortcoming(const numeric::ContactSolution<R>& solution, const numeric::Residuals<R>& residuals,
-                        bool converged) {
+                        double largest_residual, bool converged) {
   if (std::string text = solution.shortcoming(); !text.empty()) return text;
   for (const auto& [name, value] : {std::pair("equation", residuals.equation),
                                     {"load", residuals.load},
@@ -116,13 +115,15 @@ LimitText limit_text(const TwoSided<R>& limits, const TwoSided<R>& traction, int
     return opposite || blows_up_alone ? text : infinite;
   }
   const R difference = abs(left.value - right.value);
-  if (text.two_sided() && difference <= left.error + right.error) text.right = text.left;
+  const bool known = !text.left.empty() && !text.right.empty();
+  if (known && text.two_sided() && difference <= left.error + right.error) text.right = text.left;
   return text;
 }
 
 template <Real R>
-SolveReport make_report(const Problem& problem, const numeric::ContactSolution<R>& solution, int digits,
-                        const std::vector<Rational>& at, int count) {
+SolveReport make_report(const Problem& problem, const numeric::ContactSolution<R>& solution,
+                        const ReportWanted& wanted) {
+  const int digits = wanted.digits;
   SolveReport report;
   Writer<R> writer(report, digits);
   report.method = solution.method();
@@ -143,11 +144,11 @@ SolveReport make_report(const Problem& problem, const numeric::ContactSolution<R
   for (const Estimate<R>& share : resultants.load_share) report.load_share.push_back(writer.text(share));
   if (const auto tilt = solution.tilt()) report.tilt = writer.text(*tilt);
 
-  for (const Rational& x : at) {
+  for (const Rational& x : wanted.at) {
     report.samples.push_back(sample_text(solution.at(x), format_number(x, digits), writer));
   }
-  if (count > 0) {
-    for (const numeric::Sample<R>& sample : solution.samples(count)) {
+  if (wanted.samples > 0) {
+    for (const numeric::Sample<R>& sample : solution.samples(wanted.samples)) {
       report.samples.push_back(sample_text(sample, format_number(sample.x, digits), writer));
     }
   }
@@ -157,7 +158,7 @@ SolveReport make_report(const Problem& problem, const numeric::ContactSolution<R
   report.error_traction = writer.size(error.traction);
   report.error_resultants = writer.size(error.resultants);
   const numeric::Residuals<R> residuals = solution.residuals();
-  report.shortcoming = shortcoming(solution, residuals, writer.converged());
+  report.shortcoming = shortcoming(solution, residuals, wanted.largest_residual, writer.converged());
   report.residual_equation = writer.size(residuals.equation);
   report.residual_load = writer.size(residuals.load);
   report.residual_penetration = writer.size(residuals.penetration);
@@ -166,9 +167,8 @@ SolveReport make_report(const Problem& problem, const numeric::ContactSolution<R
   return report;
 }
 
-#define STEADYSLIDE_REPORT_AT(R)                                                            \
-  template SolveReport make_report(const Problem&, const numeric::ContactSolution<R>&, int, \
-                                   const std::vector<Rational>&, int);                      \
+#define STEADYSLIDE_REPORT_AT(R)                                                                             \
+  template SolveReport make_report(const Problem&, const numeric::ContactSolution<R>&, const ReportWanted&); \
   template LimitText limit_text(const TwoSided<R>&, const TwoSided<R>&, int)
 STEADYSLIDE_REPORT_AT(double);
 STEADYSLIDE_REPORT_AT(numeric::Real50);

@@ -13,7 +13,8 @@
 
 namespace steadyslide::app {
 
-/// One text, or two where the limits from left and right differ. An empty text: no number.
+/// One text, or two where the limits from left and right differ. An empty text, here and below: no number, or not
+/// known.
 struct LimitText {
   std::string left;
   std::string right;
@@ -63,10 +64,18 @@ struct SolveReport {
   bool is_solved() const { return why_not.empty() && shortcoming.empty(); }
 };
 
-/// Samples at the places `at`, then `count` a component and a gap (0: none).
+/// What of a solution is told, and what makes it one.
+struct ReportWanted {
+  int digits = 16;
+  std::vector<Rational> at{};  ///< samples at these places,
+  int samples = 0;             ///< and so many a component and a gap
+  /// A solution with a larger residual is none. Infinite for a method whose own shortcoming() weighs its residuals.
+  double largest_residual = 1e-9;
+};
+
 template <numeric::Real R>
-SolveReport make_report(const Problem& problem, const numeric::ContactSolution<R>& solution, int digits,
-                        const std::vector<Rational>& at, int count);
+SolveReport make_report(const Problem& problem, const numeric::ContactSolution<R>& solution,
+                        const ReportWanted& wanted);
 
 /// The limits as one text or two: a blow-up from one side only, at an edge, is one infinite text.
 template <numeric::Real R>

@@ -2,27 +2,11 @@
 
 #include "app/number_format.hpp"
 #include "app/row_writer.hpp"
+#include "app/solve_text_lines.hpp"
 #include "app/solve_writers.hpp"
 
 namespace steadyslide::app {
 namespace {
-
-/// "no number" must not look like nothing.
-std::string shown(const std::string& text) { return text.empty() ? "?" : text; }
-
-std::string shown(const LimitText& limits) {
-  return limits.two_sided() ? shown(limits.left) + " | " + shown(limits.right) : shown(limits.left);
-}
-
-void write_line(Output& output, const std::string& name, const std::string& value) {
-  output.write(fmt::format("  {:<22}{}\n", name, shown(value)));
-}
-
-void write_problem(const ContactProblem& problem, Output& output) {
-  output.write(fmt::format("load {}, indenter sliding towards {}, gamma = {}\n", exact_text(problem.load()),
-                           problem.sliding() == Sliding::plus_x ? "+x" : "-x",
-                           exact_text(problem.elasticity().gamma())));
-}
 
 void write_singular_points(const SolveReport& report, Output& output) {
   output.write(
@@ -67,10 +51,7 @@ void write_samples(const SolveReport& report, Output& output) {
 void write_solve_text(const Problem& problem, const SolveReport& report, Output& output) {
   write_problem(problem.contact, output);
   output.write(fmt::format("method {}, {} digits\n\ncontact\n", report.method, report.digits));
-  for (const auto& [left, right] : report.contact) {
-    output.write(
-        fmt::format("  from x = {} ({}) to x = {} ({})\n", shown(left.x), left.kind, shown(right.x), right.kind));
-  }
+  write_contact(report, output);
   write_singular_points(report, output);
   write_resultants(problem, report, output);
   write_samples(report, output);

@@ -22,6 +22,28 @@ struct LoadStep {
   SolveReport report;
 };
 
+/// One of the solutions that a search has met.
+struct FoundReport {
+  int times;
+  SolveReport variational;
+  std::optional<SolveReport> refined;  ///< by the Riemann-Hilbert method; absent where that leads to no solution
+};
+
+struct SearchReport {
+  int starts;
+  int unsolved;
+  std::vector<FoundReport> solutions;
+  Uniqueness uniqueness;
+
+  /// Did every start lead to the same solution?
+  bool agreed() const { return solutions.size() == 1 && unsolved == 0; }
+};
+
+void write_search_text(const Problem& problem, const SearchReport& report, Output& output);
+void write_search_json(const Problem& problem, const SearchReport& report, Output& output);
+/// One row for each solution and contact component.
+void write_search_csv(const SearchReport& report, Output& output);
+
 /// One row for each load and contact component; without a contact, one row for the load.
 void write_load_steps(Format format, const std::vector<LoadStep>& steps, Output& output);
 

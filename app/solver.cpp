@@ -37,26 +37,50 @@ numeric::Attempt<R> attempt(Method method, const ContactProblem& problem, const 
   return numeric::riemann_hilbert<R>(problem, start);
 }
 
+SolveReport inapplicable(const std::string& why_not) {
+  SolveReport report;
+  report.why_not = why_not;
+  return report;
+}
+
 }  // namespace
+
+bool takes_variational(Method method, const ContactProblem& problem) {
+  if (method == Method::variational) return true;
+  const std::size_t breaks = problem.indenter().pieces().size() - 1;
+  if (method != Method::automatic || breaks <= numeric::max_profile_breaks) return false;
+  return !numeric::closed_form<double>(problem).solution;  // pieces can all be the same polynomial
+}
+
+SolveReport report_of_cells(const Problem& problem, const numeric::ContactSolution<double>& solution,
+                            ReportWanted wanted) {
+  wanted.largest_residual = numeric::infinity<double>();
+  SolveReport report = make_report(problem, solution, wanted);
+  if (report.is_solved() && !report.in_range) report.shortcoming = "values out of the range of double";
+  return report;
+}
+
+SolveReport Solver::solve_on_cells(const Problem& problem) const {
+  const auto found = numeric::variational_inequality(problem.contact, wanted_.variational);
+  if (!found.solution) return inapplicable(found.why_not);
+  return report_of_cells(problem, *found.solution, wanted_.report);
+}
 
 template <numeric::Real R>
 SolveReport Solver::solve_in(const Problem& problem) {
   Solution<R>& last = std::get<Solution<R>>(last_);
   const numeric::Attempt<R> found = attempt<R>(wanted_.method, problem.contact, last.get());
-  if (!found.solution) {
-    SolveReport report;
-    report.why_not = found.why_not;
-    return report;
-  }
-  SolveReport report = make_report(problem, *found.solution, wanted_.digits, wanted_.at, wanted_.samples);
+  if (!found.solution) return inapplicable(found.why_not);
+  SolveReport report = make_report(problem, *found.solution, wanted_.report);
   if (report.is_solved()) last = found.solution;
   return report;
 }
 
 SolveReport Solver::solve(const Problem& problem) {
-  numeric::Digits digits = numeric::precision_for(wanted_.digits);
+  if (takes_variational(wanted_.method, problem.contact)) return solve_on_cells(problem);
+  numeric::Digits digits = numeric::precision_for(wanted_.report.digits);
   if (digits == numeric::Digits::sixteen) {
-    if (fits_double(problem.contact, wanted_.at)) {
+    if (fits_double(problem.contact, wanted_.report.at)) {
       SolveReport report = solve_in<double>(problem);
       if (!report.why_not.empty() || (report.is_solved() && report.in_range)) return report;
     }

@@ -20,6 +20,13 @@ std::vector<std::string> table(const std::string& poisson, const std::string& re
 const std::string number_rule = "a number is written like 2, -0.25, 1e-3 or 1/3";
 const std::string digits_rule = "--digits: out of range; it is a whole number from 1 to 100; ";
 
+const std::string double_rule = "--digits: out of range; the variational method works in double, 16 digits at most; ";
+const std::string cells_rule =
+    "method without cells; it goes with --method variational, with auto where that takes it, and with "
+    "--search-solutions; ";
+const std::string search_rule =
+    "--search-solutions: conflicting option; it compares contact zones and resultants under the file's load; ";
+
 const std::vector<BadLine> bad_lines{
     {{}, "no command; it is one of verify, exponents, table, solve, figures, report; see --help"},
     {{"solv"}, "The following argument was not expected: solv"},
@@ -41,8 +48,21 @@ const std::vector<BadLine> bad_lines{
     {{"verify", "--format", "csv"}, "--format: unknown format; it is one of text, json, markdown; 'csv'"},
     {{"solve", "good.toml", "--method", "guess"},
      "--method: unknown method; it is one of auto, closed-form, riemann-hilbert, variational; 'guess'"},
-    {{"solve", "good.toml", "--method", "variational"}, "--method variational: not available in this version"},
-    {{"solve", "good.toml", "--cells", "100"}, "--cells: not available in this version"},
+    {{"solve", "good.toml", "--cells", "100"}, "--cells: " + cells_rule + "'--method auto'"},
+    {{"solve", "good.toml", "--iterations", "9"}, "--iterations: " + cells_rule + "'--method auto'"},
+    {{"solve", "good.toml", "--method", "closed-form", "--cells", "100"},
+     "--cells: " + cells_rule + "'--method closed-form'"},
+    {{"solve", "good.toml", "--method", "riemann-hilbert", "--iterations", "9"},
+     "--iterations: " + cells_rule + "'--method riemann-hilbert'"},
+    {{"solve", "good.toml", "--method", "variational", "--cells", "15"},
+     "--cells: out of range; it is a whole number from 16 to 4194304; '15'"},
+    {{"solve", "good.toml", "--method", "variational", "--cells", "4194305"},
+     "--cells: out of range; it is a whole number from 16 to 4194304; '4194305'"},
+    {{"solve", "good.toml", "--method", "variational", "--iterations", "0"},
+     "--iterations: out of range; it is a whole number from 1 to 10000; '0'"},
+    {{"solve", "good.toml", "--method", "variational", "--digits", "17"}, double_rule + "'17'"},
+    {{"solve", "rough.toml", "--digits", "50"}, double_rule + "'50'"},
+    {{"solve", "good.toml", "--search-solutions", "3", "--digits", "17"}, double_rule + "'17'"},
     {{"solve", "good.toml", "--load-steps="}, "--load-steps: 1 required LIST missing"},
     {{"solve", "good.toml", "--load-steps", ""}, "--load-steps: no value; it is a list; ''"},
     {{"solve", "good.toml", "--load-steps", "1,0,2"}, "--load-steps: load out of range; the load is positive; '0'"},
@@ -55,10 +75,18 @@ const std::vector<BadLine> bad_lines{
      "--load-steps: conflicting option; samples are those of one load; '--at'"},
     {{"solve", "good.toml", "--load-steps", "1,2", "--samples", "5"},
      "--load-steps: conflicting option; samples are those of one load; '--samples'"},
-    {{"solve", "good.toml", "--load-steps", "1,2", "--cells", "5"}, "--cells: not available in this version"},
+    {{"solve", "good.toml", "--load-steps", "1,2", "--cells", "50"}, "--cells: " + cells_rule + "'--method auto'"},
     {{"solve", "good.toml", "--load-steps", "1,2", "--format", "latex"},
      "--format: unknown format; it is one of text, json, csv; 'latex'"},
-    {{"solve", "good.toml", "--search-solutions", "3"}, "--search-solutions: not available in this version"},
+    {{"solve", "good.toml", "--search-solutions", "0"},
+     "--search-solutions: out of range; it is a whole number from 1 to 1000; '0'"},
+    {{"solve", "good.toml", "--search-solutions", "1001"},
+     "--search-solutions: out of range; it is a whole number from 1 to 1000; '1001'"},
+    {{"solve", "good.toml", "--search-solutions", "3", "--at", "0"}, search_rule + "'--at'"},
+    {{"solve", "good.toml", "--search-solutions", "3", "--samples", "5"}, search_rule + "'--samples'"},
+    {{"solve", "good.toml", "--search-solutions", "3", "--load-steps", "1,2"}, search_rule + "'--load-steps'"},
+    {{"solve", "good.toml", "--search-solutions", "3", "--method", "riemann-hilbert"},
+     "--search-solutions: conflicting option; it searches by the variational method; '--method riemann-hilbert'"},
     {{"exponents", "good.toml", "--derivation", "--format", "csv"},
      "--derivation: wrong format; a derivation is text or latex; 'csv'"},
     {{"figures"}, "figures: not available in this version"},
@@ -99,6 +127,10 @@ TEST_CASE("bad command lines: message, exit code, no output") {
   folder.write("good.toml", rest + "profile = 0\n");
   folder.write("wedge.toml", rest + "pieces = [{to = 0, profile = \"-x\"}, {to = 1, profile = \"x\"}]\n");
   folder.write("tilt.toml", "load_at = 0\n" + rest + "profile = 0\n");
+  std::string trace;  // of more breaks than the Riemann-Hilbert method takes
+  for (int k = -101; k <= 101; ++k) trace += std::to_string(k) + "e-2," + std::to_string(k * k) + "e-4\n";
+  folder.write("rough.csv", trace);
+  folder.write("rough.toml", rest + "samples = \"rough.csv\"\n");
   for (const BadLine& bad : bad_lines) {
     CAPTURE(bad.message);
     const Finished finished = run_program(bad.arguments, folder.path());
@@ -106,7 +138,7 @@ TEST_CASE("bad command lines: message, exit code, no output") {
     CHECK(finished.code == 2);
     CHECK(finished.out == "");
   }
-  CHECK(folder.names() == std::vector<std::string>{"good.toml", "tilt.toml", "wedge.toml"});
+  CHECK(folder.names() == std::vector<std::string>{"good.toml", "rough.csv", "rough.toml", "tilt.toml", "wedge.toml"});
 }
 
 TEST_CASE("help is complete at every level, and a result") {

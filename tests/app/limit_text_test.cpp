@@ -36,6 +36,13 @@ TEST_CASE("infinities of both signs are two texts") {
   CHECK(slope.right == "inf");
 }
 
+TEST_CASE("a limit that is not known does not hide the other one") {
+  const TwoSided values{{1, infinity<double>()}, {2, 0}};
+  const LimitText text = limit_text(values, values, 16);
+  CHECK(text.left == "");
+  CHECK(text.right == "2");
+}
+
 TEST_CASE("finite limits are two texts only if they differ by more than their errors") {
   const auto limits = [](double a, double b, double error) {
     const TwoSided values{{a, error}, {b, error}};

@@ -57,10 +57,18 @@ TEST_CASE("digits that the error does not support are not printed") {
   CHECK(format_number(Estimate<double>{1.23456789, 1e-4}, 3) == "1.23");
   CHECK(format_number(Estimate<double>{3, 2}, 16) == "3");
   CHECK(format_number(Estimate<double>{1e-17, 1e-16}, 16) == "0");
-  CHECK(format_number(Estimate<double>{1.5, std::numeric_limits<double>::infinity()}, 16) == "0");
   CHECK(format_number(Estimate<double>{1.5, std::nan("")}, 16) == "");
   CHECK(format_number(Estimate<double>{-std::numeric_limits<double>::infinity(), 0}, 16) == "-inf");
   CHECK(format_number(Estimate<Real50>{Real50(1) / 3, Real50("1e-40")}, 50) == "0." + std::string(40, '3'));
+}
+
+TEST_CASE("a value with an infinite error is not known, and has no text") {
+  const double infinite = std::numeric_limits<double>::infinity();
+  CHECK(format_number(Estimate<double>{1.5, infinite}, 16) == "");
+  CHECK(format_number(Estimate<double>{0, infinite}, 16) == "");
+  CHECK(format_number(Estimate<double>{1.5, 1e300}, 16) == "0");
+  CHECK(format_number(Estimate<double>{-infinite, infinite}, 16) == "-inf");
+  CHECK(format_number(Estimate<Real50>{1, numeric::infinity<Real50>()}, 50) == "");
 }
 
 TEST_CASE("17 digits bring any double back") {

@@ -109,7 +109,12 @@ Finished run_program(const std::vector<std::string>& arguments, const fs::path& 
   return run(program(arguments), folder, input, where);
 }
 
-Finished run_on_terminal(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& input) {
+namespace {
+
+/// `watch` sees the child and all that the terminal has been sent so far.
+template <class Watch>
+Finished run_watched(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& input,
+                     Watch watch) {
   const Stream in(input);
   const Stream out;
   const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
@@ -123,10 +128,27 @@ Finished run_on_terminal(const std::vector<std::string>& arguments, const fs::pa
   // Ends with an error when the child has closed its end.
   for (ssize_t n = 0; (n = ::read(terminal, block.data(), block.size())) > 0;) {
     shown.append(block.data(), static_cast<std::size_t>(n));
+    watch(child, shown);
   }
   const int code = wait_for(child);
   ::close(terminal);
   return {code, out.text(), shown};
+}
+
+}  // namespace
+
+Finished run_on_terminal(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& input) {
+  return run_watched(arguments, folder, input, [](pid_t, const std::string&) {});
+}
+
+Finished interrupt_on_terminal(const std::vector<std::string>& arguments, const fs::path& folder,
+                               const std::string& sign, int signal) {
+  bool sent = false;
+  return run_watched(arguments, folder, "", [&](pid_t child, const std::string& shown) {
+    if (sent || shown.find(sign) == std::string::npos) return;
+    ::kill(child, signal);
+    sent = true;
+  });
 }
 
 Finished run_other(const std::vector<std::string>& command, const fs::path& folder) {
@@ -160,7 +182,8 @@ std::vector<std::string> TemporaryFolder::names() const {
   return result;
 }
 
-Finished run_and_interrupt(const std::vector<std::string>& arguments, const TemporaryFolder& folder, int signal) {
+Finished run_and_interrupt(const std::vector<std::string>& arguments, const TemporaryFolder& folder, int signal,
+                           std::chrono::milliseconds later) {
   const Stream in;
   const Stream out;
   const Stream err;
@@ -170,6 +193,7 @@ Finished run_and_interrupt(const std::vector<std::string>& arguments, const Temp
   while (folder.names().size() == before && std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
+  std::this_thread::sleep_for(later);
   ::kill(child, signal);
   return {wait_for(child), out.text(), err.text()};
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Runs the built executable as a user does.
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -45,7 +46,13 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// Starts the program, sends it a signal as soon as `folder` holds a new file, and waits.
-Finished run_and_interrupt(const std::vector<std::string>& arguments, const TemporaryFolder& folder, int signal);
+/// Starts the program, sends it a signal so long after `folder` holds a new file, and waits.
+Finished run_and_interrupt(const std::vector<std::string>& arguments, const TemporaryFolder& folder, int signal,
+                           std::chrono::milliseconds later = std::chrono::milliseconds(0));
+
+/// Starts the program with a terminal as its standard error, sends it a signal as soon as the terminal has been sent
+/// `sign`, and waits.
+Finished interrupt_on_terminal(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                               const std::string& sign, int signal);
 
 }  // namespace steadyslide::testing

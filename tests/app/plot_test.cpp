@@ -1,0 +1,84 @@
+// The picture of the rough surface: the commands of examples/README.md draw it.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "app/process.hpp"
+
+using namespace steadyslide::testing;
+
+namespace {
+
+const std::string examples = STEADYSLIDE_EXAMPLES;
+
+Finished draw(const TemporaryFolder& folder, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"gnuplot", "-c", examples + "/plot_rough_surface.gp"});
+  return run_other(arguments, folder.path());
+}
+
+/// Is every element closed, in order, and nothing else left open?
+bool is_well_formed(const std::string& xml) {
+  std::vector<std::string> open;
+  std::size_t at = 0;
+  while ((at = xml.find('<', at)) != std::string::npos) {
+    const bool comment = xml.compare(at, 4, "<!--") == 0;
+    const std::size_t end = xml.find(comment ? "-->" : ">", at);
+    if (end == std::string::npos) return false;
+    const std::string tag = xml.substr(at + 1, end - at - 1);
+    at = end;
+    if (comment || tag.front() == '?' || tag.front() == '!' || tag.back() == '/') continue;
+    const std::string name = tag.substr(0, tag.find_first_of(" \t\n"));
+    if (name.front() != '/') {
+      open.push_back(name);
+    } else if (open.empty() || "/" + open.back() != name) {
+      return false;
+    } else {
+      open.pop_back();
+    }
+  }
+  return open.empty();
+}
+
+/// The lengths of the longest paths of a colour, counted in characters.
+std::size_t longest_path(const std::string& svg, const std::string& colour) {
+  std::size_t longest = 0;
+  for (std::size_t at = 0; (at = svg.find("<path", at)) != std::string::npos; ++at) {
+    const std::string path = svg.substr(at, svg.find("/>", at) - at);
+    const std::string before = svg.substr(svg.rfind("<g", at), at - svg.rfind("<g", at));
+    if ((before + path).find(colour) != std::string::npos) longest = std::max(longest, path.size());
+  }
+  return longest;
+}
+
+}  // namespace
+
+TEST_CASE("the script draws what was solved, well-formed, every curve with its points") {
+  const TemporaryFolder folder;
+  const Finished solved = run_program({"solve", examples + "/rough_surface.toml", "--method", "variational", "--cells",
+                                       "65536", "--at=-0.99975:0.99975:0.0005", "--format", "csv", "-o", "solved.csv"},
+                                      folder.path());
+  CHECK(solved.code == 0);
+  const Finished drawn = draw(folder, {"solved.csv", examples + "/rough_surface.csv", "picture.svg"});
+  CHECK(drawn.err == "");
+  CHECK(drawn.code == 0);
+  const std::string svg = folder.read("picture.svg");
+  CHECK(is_well_formed(svg));
+  for (const char* text : {"profile", "surface u + C", "contact zones", "pressure", "x (unit of length)"}) {
+    CAPTURE(text);
+    CHECK(svg.find(text) != std::string::npos);
+  }
+  // 2000 points each, in the colours of profile and of surface and pressure.
+  CHECK(longest_path(svg, "176,  48,  48") > 10000);
+  CHECK(longest_path(svg, " 32,  96, 160") > 10000);
+  // The control.
+  CHECK(longest_path(svg, "1,   2,   3") == 0);
+  CHECK_FALSE(is_well_formed(svg.substr(0, svg.size() / 2)));
+  CHECK_FALSE(is_well_formed("<a><b></a></b>"));
+
+  const Finished incomplete = draw(folder, {"solved.csv"});
+  CHECK(incomplete.code == 2);
+  CHECK(incomplete.err == "usage: gnuplot -c plot_rough_surface.gp SOLVED TRACE PICTURE\n");
+}

@@ -1,0 +1,74 @@
+// solve --search-solutions: one solution or several, in three formats.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/process.hpp"
+#include "model/rational.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::testing;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Finished run(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"solve", "two_bumps.toml", "--cells", "512"});
+  return run_program(arguments, STEADYSLIDE_EXAMPLES);
+}
+
+}  // namespace
+
+TEST_CASE("JSON: every start agrees, and the Riemann-Hilbert method refines what it has found") {
+  const Finished finished = run({"--search-solutions", "6", "--format", "json"});
+  CHECK(finished.err == "");
+  REQUIRE(finished.code == 0);
+  const Json json = Json::parse(finished.out);
+  std::string keys;
+  for (const auto& [key, value] : json.items()) keys += key + " ";
+  CHECK(keys == "schema version problem search solutions uniqueness ");
+  CHECK(json["search"] == Json{{"starts", 6}, {"unsolved", 0}, {"agreed", true}});
+  REQUIRE(json["solutions"].size() == 1);
+  const Json& solution = json["solutions"][0];
+  CHECK(solution["times"] == 6);
+  CHECK(solution["variational"]["method"] == "variational");
+  CHECK(solution["refined"]["method"] == "riemann-hilbert");
+  for (const char* route : {"variational", "refined"}) {
+    CHECK(solution[route]["contact"].size() == 2);
+    CHECK(solution[route]["residuals"]["equation"].is_string());
+    CHECK(solution[route]["estimated_error"]["ends"].is_string());
+    CHECK_FALSE(solution[route].contains("samples"));
+  }
+  CHECK(json["uniqueness"]["status"] == "proved");
+}
+
+TEST_CASE("text: how many starts, how often each solution, its zones") {
+  const std::string text = run({"--search-solutions", "6", "--digits", "6"}).out;
+  for (const char* part : {"\n6 starts, one solution\n\nsolution 1, met 6 times, on cells\n  from x = -1.1",
+                           "\n  residuals             equation ",
+                           "\nrefined by the Riemann-Hilbert method\n  from x = "
+                           "-1.16388 (free) to x = -0.809503 (free)\n",
+                           "\nuniqueness: proved, "}) {
+    CAPTURE(part);
+    CHECK(text.find(part) != std::string::npos);
+  }
+}
+
+TEST_CASE("CSV: one row for each solution and component") {
+  const std::string rows = run({"--search-solutions", "2", "--format", "csv"}).out;
+  CHECK(rows.rfind("solution,times,component,left,left_kind,left_intensity,right,right_kind,right_intensity,"
+                   "effective_friction,centre_of_pressure,load_share,tilt,equation,load,penetration,tension,refined\n"
+                   "1,2,1,-1.1",
+                   0) == 0);
+  CHECK(std::count(rows.begin(), rows.end(), '\n') == 3);
+  CHECK(rows.find("\n1,2,2,0.") != std::string::npos);
+}
+
+TEST_CASE("no start leads to a solution: exit code 1") {
+  const Finished finished = run({"--search-solutions", "2", "--iterations", "1", "--format", "json"});
+  CHECK(finished.code == 1);
+  CHECK(finished.err == "steadyslide: two_bumps.toml: the search found no solution: none of 2 starts led to one\n");
+  CHECK(Json::parse(finished.out)["search"] == Json{{"starts", 2}, {"unsolved", 2}, {"agreed", false}});
+}

@@ -1,0 +1,133 @@
+// solve --method variational: against the other methods, what it does not know, and how it ends unsolved.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/process.hpp"
+#include "model/rational.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::testing;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+const std::filesystem::path examples = STEADYSLIDE_EXAMPLES;
+
+Finished run(const std::string& file, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"solve", file});
+  return run_program(arguments, examples);
+}
+
+Json solve(const std::string& file, std::vector<std::string> arguments = {}) {
+  arguments.insert(arguments.end(), {"--format", "json"});
+  const Finished finished = run(file, arguments);
+  CHECK(finished.err == "");
+  REQUIRE(finished.code == 0);
+  return Json::parse(finished.out);
+}
+
+Json on_cells(const std::string& file, std::vector<std::string> arguments = {}) {
+  arguments.insert(arguments.end(), {"--method", "variational"});
+  return solve(file, arguments);
+}
+
+Rational number(const Json& text) { return parse_rational(text.get<std::string>()); }
+
+Rational distance(const Json& a, const Json& b) { return abs(number(a) - number(b)); }
+
+/// Of one of the 4096 cells, and half a digit of what is printed of it.
+Rational reach(const Json& json) {
+  const Json& support = json["problem"]["indenter"]["support"];
+  return (number(support[1]) - number(support[0])) / 4096 + parse_rational("0.0005");
+}
+
+}  // namespace
+
+TEST_CASE("the contact's ends are those of the other methods to a cell, and the friction is theirs") {
+  for (const char* file :
+       {"parabola_rough_rear.toml", "two_bumps.toml", "tilting_punch.toml", "stepped_punch.toml", "wedge.toml"}) {
+    CAPTURE(file);
+    const Json cells = on_cells(file);
+    const Json exact = solve(file);
+    CHECK(cells["method"] == "variational");
+    CHECK(exact["method"] != "variational");
+    CHECK(cells["problem"] == exact["problem"]);
+    CHECK(cells["uniqueness"] == exact["uniqueness"]);
+    REQUIRE(cells["contact"].size() == exact["contact"].size());
+    for (std::size_t k = 0; k < cells["contact"].size(); ++k) {
+      for (const char* end : {"left", "right"}) {
+        CHECK(distance(cells["contact"][k][end]["x"], exact["contact"][k][end]["x"]) < reach(cells));
+        CHECK(cells["contact"][k][end]["kind"] == exact["contact"][k][end]["kind"]);
+        CHECK(cells["contact"][k][end]["exponent"] == exact["contact"][k][end]["exponent"]);
+      }
+    }
+    const auto friction = [](const Json& json) { return json["resultants"]["effective_friction"]; };
+    CHECK(distance(friction(cells), friction(exact)) < parse_rational("1e-4"));
+  }
+  // The control: another problem's friction and ends are told apart.
+  const Json rear = on_cells("parabola_rough_rear.toml");
+  const Json front = solve("parabola_rough_front.toml");
+  CHECK(distance(rear["contact"][0]["left"]["x"], front["contact"][0]["left"]["x"]) > reach(rear));
+}
+
+TEST_CASE("a tilting punch tilts alike, and its centre of pressure lies under the load") {
+  const Json cells = on_cells("tilting_punch.toml")["resultants"];
+  const Json exact = solve("tilting_punch.toml")["resultants"];
+  CHECK(distance(cells["tilt"], exact["tilt"]) < parse_rational("0.001"));
+  CHECK(number(cells["tilt"]) < 0);
+  CHECK(distance(cells["centre_of_pressure"], Json("0.2")) < parse_rational("1e-9"));
+}
+
+TEST_CASE("what cells cannot show is null in JSON, - in the text, and no shortcoming") {
+  const Json json = on_cells("rough_surface.toml");
+  std::size_t unknown = 0;
+  for (const Json& component : json["contact"]) {
+    unknown += component["left"]["intensity"].is_null() ? 1 : 0;
+    CHECK(component["left"]["x"].is_string());
+  }
+  CHECK(unknown > 0);
+  CHECK(run("rough_surface.toml", {"--digits", "6"}).out.find("  -0.458  free            0.490908   -  ") !=
+        std::string::npos);
+  const Finished rows = run("rough_surface.toml", {"--load-steps", "0.03", "--format", "csv"});
+  CHECK(rows.code == 0);
+  CHECK(rows.out.find("0.03,1,-0.458,free,,-0.45,free,,") != std::string::npos);
+}
+
+TEST_CASE("CSV: as many samples a component and a gap as are asked for") {
+  const Finished finished =
+      run("parabola_rough_rear.toml", {"--method", "variational", "--samples", "7", "--format", "csv"});
+  CHECK(finished.code == 0);
+  CHECK(finished.out.rfind("x,traction,shear,gap,slope\n", 0) == 0);
+  CHECK(std::count(finished.out.begin(), finished.out.end(), '\n') >= 1 + 3 * 7);
+}
+
+TEST_CASE("loads one after the other, on cells") {
+  const Finished finished =
+      run("two_bumps.toml", {"--method", "variational", "--load-steps", "0.7,0.8", "--format", "csv"});
+  CHECK(finished.err == "");
+  CHECK(finished.code == 0);
+  CHECK(std::count(finished.out.begin(), finished.out.end(), '\n') == 4);
+}
+
+TEST_CASE("more cells, a smaller error") {
+  const auto error = [](const char* cells) {
+    return number(on_cells("two_bumps.toml", {"--cells", cells})["estimated_error"]["ends"]);
+  };
+  CHECK(error("16384") < error("1024") / 8);
+}
+
+TEST_CASE("running out of steps is said, the best state is printed, and the exit code is 1") {
+  const Finished finished = run("two_bumps.toml", {"--method", "variational", "--iterations", "1"});
+  CHECK(finished.code == 1);
+  const std::string begins =
+      "steadyslide: two_bumps.toml: the solve did not converge: the active sets have not settled after 1 iteration: ";
+  const std::string ends = " of 4096 cells are wrong; what was reached is printed\n";
+  CHECK(finished.err.rfind(begins, 0) == 0);
+  CHECK(finished.err.find(ends) == finished.err.size() - ends.size());
+  CHECK(finished.out.find("\ncontact\n  from x = ") != std::string::npos);
+  CHECK(run("two_bumps.toml", {"--method", "variational", "--iterations", "50"}).code == 0);
+}
