@@ -17,7 +17,7 @@ struct VariationalOptions {
   std::size_t cells = 4096;  ///< equal cells on the support, fewest_cells to most_cells
   int most_steps = 100;      ///< of the active sets, on each of the nested meshes
   /// Called now and then: how much of the work is done, of how much. May throw to end the solve.
-  std::function<void(std::size_t done, std::size_t total)> progress;
+  std::function<void(std::size_t done, std::size_t total)> progress = {};
 };
 
 /// Any profile. In double whatever else is asked for: the error is that of the cells. What the certificate of the

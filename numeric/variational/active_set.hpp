@@ -15,7 +15,7 @@ struct ActiveSetOptions {
   double first_tolerance = 1e-5;  ///< as long as many cells are wrong
   std::size_t dense_cells = 400;  ///< contact sets up to this size are factorised
   /// Called after each step, with the number of cells that were wrong; may throw to end the solve.
-  std::function<void(std::size_t wrong)> after_step;
+  std::function<void(std::size_t wrong)> after_step = {};
 };
 
 struct ActiveSetResult {

@@ -13,9 +13,9 @@ struct NestedOptions {
   std::size_t cells = 4096;  ///< of the finest mesh
   int most_steps = 100;      ///< of the active sets, on each mesh
   /// The contact that the coarsest mesh starts from, on equal cells of any number; absent: contact everywhere.
-  std::optional<CellSet> start;
+  std::optional<CellSet> start = {};
   /// Called after each step: how many of the work's parts are done, of how many, in a measure of their cost.
-  std::function<void(std::size_t done, std::size_t total)> progress;
+  std::function<void(std::size_t done, std::size_t total)> progress = {};
 };
 
 /// The solution on one mesh.
