@@ -9,10 +9,10 @@ namespace steadyslide::proofs_checks {
 const std::vector<Claim>& registry() {
   static const std::vector<Claim> all = [] {
     std::vector<Claim> claims;
-    for (const auto make :
-         {constants_claims, elastic_indenter_claims, flat_punch_claims, friction_jump_claims, parabola_claims,
-          plemelj_claims, outside_claims, integral_claims, local_action_claims, derivation_claims,
-          riemann_hilbert_claims, contact_load_claims, gap_claims, linearisation_claims, corner_claims, end_claims}) {
+    for (const auto make : {constants_claims, elastic_indenter_claims, flat_punch_claims, friction_jump_claims,
+                            parabola_claims, plemelj_claims, outside_claims, integral_claims, local_action_claims,
+                            derivation_claims, riemann_hilbert_claims, contact_load_claims, gap_claims,
+                            linearisation_claims, corner_claims, end_claims, convergence_claims}) {
       std::vector<Claim> some = make();
       std::move(some.begin(), some.end(), std::back_inserter(claims));
     }
