@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "numeric/riemann_hilbert.hpp"
@@ -75,13 +76,18 @@ Exponent reversed(const Place& place, const ContactProblem& problem) {
   return place.kind == SingularKind::free ? free_exponent(end, s) : edge_exponent(end, s);
 }
 
-std::vector<ReadExponent> read_exponents(const ContactProblem& problem, const VariationalSolution& solution) {
+std::vector<ReadExponent> read_exponents(const ContactProblem& problem, const VariationalSolution& solution,
+                                         StudyPlan::Exponents which) {
   std::vector<ReadExponent> result;
+  if (which == StudyPlan::Exponents::none) return result;
   const double middle = numeric::to_real<double>((problem.indenter().left() + problem.indenter().right()) / 2);
+  std::set<SingularKind> kinds;
   for (const Place& place : solution.places()) {
     if (!place.exponent || place.exponent->sign() == 0) continue;
     for (const Side side : {Side::left, Side::right}) {
       if (place.is_end() && side != place.contact) continue;
+      const bool another = !kinds.insert(place.kind).second;
+      if (another && which == StudyPlan::Exponents::one_of_a_kind) continue;
       const auto known =
           place.exact ? numeric::variational::PlaceIs::exact : numeric::variational::PlaceIs::to_one_cell;
       const auto found =
@@ -134,17 +140,18 @@ SolvedReference reference(const ContactProblem& problem) {
   return result;
 }
 
-ConvergenceStudy study(const ContactProblem& problem, bool quick) {
-  const std::size_t fine = std::size_t{1} << (quick ? 12 : 14);
-  const std::size_t last = std::size_t{1} << (quick ? 10 : 14);
-  const auto finest = on_cells(problem, fine);
-  ConvergenceStudy result{
-      expected_rate(problem, finest->places()), {}, on_mesh(problem, *finest, fine), read_exponents(problem, *finest)};
+ConvergenceStudy study(const ContactProblem& problem, const StudyPlan& plan) {
+  const auto finest = on_cells(problem, plan.fine);
+  ConvergenceStudy result{expected_rate(problem, finest->places()),
+                          {},
+                          on_mesh(problem, *finest, plan.fine),
+                          read_exponents(problem, *finest, plan.exponents)};
   const std::size_t meshes = result.rate < 2 ? 7 : 21;
-  for (std::size_t cells = std::size_t{1} << 6; cells <= last; cells *= 2) {
+  for (std::size_t cells = 64; cells <= plan.last; cells *= 2) {
     MeshLevel level{cells, {}};
-    for (std::size_t n = cells; n < cells + meshes; ++n)
+    for (std::size_t n = cells; n < cells + meshes; ++n) {
       level.meshes.push_back(on_mesh(problem, *on_cells(problem, n), n));
+    }
     result.levels.push_back(std::move(level));
   }
   return result;

@@ -6,8 +6,7 @@
 
 namespace steadyslide::proofs_checks {
 
-/// Of all problems. Quick: only what a quick run computes and the full one computes the same way, the rows of the ends
-/// and the resultants up to 2^10 cells.
+/// Of all problems. `quick`: the rows up to 2^9 cells of the tables of ends and resultants, and nothing else.
 std::string convergence_document(bool quick);
 
 }  // namespace steadyslide::proofs_checks
