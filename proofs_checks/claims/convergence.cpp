@@ -62,8 +62,8 @@ class Comparison {
     const Quantity quantity{"intensity", {"fit to the cells", "Riemann-Hilbert"}, tolerance};
     const std::vector<double>& found = study_.fine.solved.intensities;
     findings_.require(found.size() == exact_.intensities.size(), "another number of singular points");
-    findings_.begin_case("on " + std::to_string(study_.fine.cells) + " cells");
     for (std::size_t k = 0; k < found.size(); ++k) {
+      findings_.begin_case(std::to_string(study_.fine.cells) + " cells, intensity " + std::to_string(k + 1));
       const double exact = exact_.intensities[k] * (1 + said_.intensity_offset * tolerance);
       findings_.compare(quantity, relative_difference(found[k], exact));
     }
@@ -75,7 +75,7 @@ class Comparison {
     const Quantity edge{"edge or step", routes, 1e-14};
     for (const MeshLevel& level : study_.levels) {
       for (const OnMesh& mesh : level.meshes) {
-        findings_.begin_case("on " + std::to_string(mesh.cells) + " cells");
+        findings_.begin_case(std::to_string(mesh.cells) + " cells");
         const auto& found = mesh.solved.ends;
         findings_.require(found.size() == exact_.ends.size(), "another number of contact ends");
         for (std::size_t i = 0; i < found.size(); ++i) {
@@ -93,7 +93,7 @@ class Comparison {
     const Quantity agrees{"exponent, in error bars", routes, 1};
     const Quantity excludes{"error bar over the distance to the exponent of alpha's other sign", {}, 1};
     for (const ReadExponent& read : study_.exponents) {
-      findings_.begin_case("the exponent at " + std::to_string(read.x));
+      findings_.begin_case("x = " + std::to_string(read.x));
       const double right = numeric::to_real<double>(said_.angle_reversed ? read.reversed : read.derived);
       const double wrong = numeric::to_real<double>(said_.angle_reversed ? read.derived : read.reversed);
       const double value = read.found.value;
