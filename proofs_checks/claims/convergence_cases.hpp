@@ -5,8 +5,9 @@
 // Piecewise constants, Galerkin: with a(t, v) = -<log * t, v>/pi + <int s t, v> the error of a linear functional F is
 // a(t - t_h, t* - v) for any piecewise constant v, where t* solves a(v, t*) = F(v). Where t ~ d^lambda and t* ~
 // d^lambda*, cells of length h next to the point contribute h^(lambda + lambda* + 2), a smooth part h^3. The adjoint's
-// powers are those of s with the other sign on the contact as it is, with one more condition at a friction jump: int s
-// v brings the jump of s times int_c^1 t*, and only lambda* = -1 - beta can take it up. [Bal16, section 4]
+// powers are those of s with the other sign on the contact as it is, with one more condition at a friction jump: as
+// <int s v, t*> = <v, s int_x^1 t*>, the jump of s asks for int_c^1 t* = 0, and takes a part of |x-c|^(-1-beta) to meet
+// it. [Bal16, section 4]
 //
 //   edge, step       lambda* = edge exponent of -s                   sum -1, rate 1
 //   free end         lambda* = edge exponent of -s: the contact is   sum  0, rate 2
