@@ -1,5 +1,7 @@
 #include "proofs_checks/evidence.hpp"
 
+#include <cstdio>
+
 namespace steadyslide::proofs_checks {
 namespace {
 
@@ -11,6 +13,12 @@ std::string joined(const std::vector<std::string>& parts, std::string_view separ
 
 std::string with(std::string text, std::string_view before, const std::string& more) {
   return more.empty() ? text : text.append(before).append(more);
+}
+
+std::string text_of(double rate) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", rate);
+  return text;
 }
 
 struct Kind {
@@ -31,7 +39,9 @@ struct Describe {
     return with(std::move(text), "; ", e.detail);
   }
   std::string operator()(const ConvergenceRate& e) const {
-    return with(e.what + ": rate " + e.measured + " +- " + e.error_bar + ", expected " + e.expected, "; ", e.detail);
+    return with(e.what + ": rate " + text_of(e.measured) + " +- " + text_of(e.error_bar) + ", expected " +
+                    text_of(e.expected) + " +- " + text_of(e.tolerance),
+                "; ", e.detail);
   }
   std::string operator()(const Counterexample& e) const { return with(e.detail, " at ", e.where); }
 };

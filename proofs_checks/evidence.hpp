@@ -33,12 +33,13 @@ struct Agreement {
   std::string detail;        ///< where the cases come from, seed included
 };
 
-/// An error that falls as it should.
+/// An error that falls as a power of the number of cells: it should be within `tolerance` of the power expected.
 struct ConvergenceRate {
   std::string what;
-  std::string measured;
-  std::string error_bar;
-  std::string expected;
+  double measured = 0;
+  double error_bar = 0;  ///< one standard deviation
+  double expected = 0;
+  double tolerance = 0;
   std::string detail;
 };
 

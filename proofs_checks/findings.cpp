@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "proofs_checks/verdict.hpp"
+
 namespace steadyslide::proofs_checks {
 
 std::string short_text(double value) {
@@ -57,6 +59,11 @@ void Findings::decide(const std::string& statement, bool holds) {
   decisions_.emplace_back(statement, 1);
 }
 
+void Findings::measure(ConvergenceRate rate) {
+  if (refutes(rate)) throw Refutation{{where_, describe(rate)}};
+  rates_.push_back(std::move(rate));
+}
+
 void Findings::require(bool holds, const std::string& what_fails) {
   if (!holds) throw Refutation{{where_, what_fails}};
 }
@@ -76,6 +83,7 @@ std::vector<Evidence> Findings::evidence(const std::string& cases) const {
                                short_text(t.quantity.tolerance), t.cases, t.effective,
                                std::max<std::size_t>(required, 1), cases});
   }
+  for (const ConvergenceRate& rate : rates_) all.emplace_back(rate);
   return all;
 }
 

@@ -34,10 +34,13 @@ class Findings {
   void skip(const Quantity& quantity);
   /// An exact decision. Throws Refutation unless it holds.
   void decide(const std::string& statement, bool holds);
+  /// How fast an error falls. Throws Refutation if the rate refutes.
+  void measure(ConvergenceRate rate);
   /// A requirement that is not evidence by itself. Throws Refutation unless it holds.
   void require(bool holds, const std::string& what_fails);
 
-  /// One piece of evidence for each quantity and one for all exact decisions; `cases` says where the cases come from.
+  /// One piece of evidence for each quantity and each rate, and one for all exact decisions; `cases` says where the
+  /// cases come from.
   std::vector<Evidence> evidence(const std::string& cases) const;
 
  private:
@@ -55,6 +58,7 @@ class Findings {
   std::string where_;
   std::vector<Tally> tallies_;  // few: in the order in which they came
   std::vector<std::pair<std::string, std::size_t>> decisions_;
+  std::vector<ConvergenceRate> rates_;
 };
 
 /// Runs a walk; its evidence, or the counterexample that ended it.

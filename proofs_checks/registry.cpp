@@ -25,6 +25,7 @@ const std::vector<Claim>& registry() {
                             linearisation_claims,
                             corner_claims,
                             end_claims,
+                            convergence_claims,
                             cell_energy_claims,
                             cell_definiteness_claims,
                             cell_indefiniteness_claims,

@@ -25,7 +25,7 @@ Outcome examine(const Examination& examination, const Context& context) {
 ControlReport run(const Control& control, const Context& context) {
   const Outcome outcome = examine(control.examine, context);
   for (const Evidence& e : outcome.evidence) {
-    if (std::holds_alternative<Counterexample>(e)) return {control.name, true, describe(e)};
+    if (refutes(e)) return {control.name, true, describe(e)};
   }
   if (!outcome.failure.empty()) return {control.name, false, outcome.failure};
   return {control.name, false, outcome.evidence.empty() ? "no evidence" : describe(outcome.evidence.front())};

@@ -1,11 +1,10 @@
 #include "proofs_checks/verdict.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace steadyslide::proofs_checks {
 namespace {
-
-bool is_counterexample(const Evidence& evidence) { return std::holds_alternative<Counterexample>(evidence); }
 
 bool covers_the_claim(const Evidence& evidence) {
   const auto* identity = std::get_if<ExactIdentity>(&evidence);
@@ -18,6 +17,8 @@ bool is_empty(const Evidence& evidence) {
   if (const auto* agreement = std::get_if<Agreement>(&evidence)) {
     return agreement->effective < std::max<std::size_t>(agreement->required, 1);
   }
+  // Not a comparison the other way round: a bar that is no number shows nothing.
+  if (const auto* rate = std::get_if<ConvergenceRate>(&evidence)) return !(rate->error_bar <= rate->tolerance);
   return false;
 }
 
@@ -32,8 +33,15 @@ std::string_view name_of(Verdict verdict) {
   }
 }
 
+bool refutes(const Evidence& evidence) {
+  if (const auto* rate = std::get_if<ConvergenceRate>(&evidence)) {
+    return std::abs(rate->measured - rate->expected) > std::max(rate->tolerance, rate->error_bar);
+  }
+  return std::holds_alternative<Counterexample>(evidence);
+}
+
 Verdict weigh(std::span<const Evidence> evidence) {
-  if (std::ranges::any_of(evidence, is_counterexample)) return Verdict::refuted;
+  if (std::ranges::any_of(evidence, refutes)) return Verdict::refuted;
   if (std::ranges::any_of(evidence, covers_the_claim)) return Verdict::proved;
   if (evidence.empty() || std::ranges::any_of(evidence, is_empty)) return Verdict::undecided;
   return Verdict::supported;

@@ -13,7 +13,7 @@ struct ActiveSetOptions {
   int patience = 10;              ///< steps without a new lowest number of wrong cells: cycling, it is given up
   double tolerance = 1e-12;       ///< of the equations, relative to the profile's height where that exceeds c P
   double first_tolerance = 1e-5;  ///< as long as many cells are wrong
-  std::size_t dense_cells = 400;  ///< contact sets up to this size are factorised
+  std::size_t dense_cells = 160;  ///< contact sets up to this size are factorised: Krylov is no slower beyond
   /// Called after each step, with the number of cells that were wrong; may throw to end the solve.
   std::function<void(std::size_t wrong)> after_step = {};
 };

@@ -22,6 +22,7 @@ std::vector<Claim> contact_load_claims();
 std::vector<Claim> gap_claims();
 std::vector<Claim> linearisation_claims();
 std::vector<Claim> corner_claims();
+std::vector<Claim> convergence_claims();
 std::vector<Claim> end_claims();
 std::vector<Claim> cell_energy_claims();
 std::vector<Claim> cell_definiteness_claims();

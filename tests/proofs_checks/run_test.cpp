@@ -50,6 +50,36 @@ TEST_CASE("run: a wrong claim is refuted, NaN included") {
   CHECK(run(claim_about(std::numeric_limits<double>::quiet_NaN(), {{"two", 2.0}}), {}).verdict == Verdict::refuted);
 }
 
+TEST_CASE("run: a rate off the expected one refutes, and one too vague does not") {
+  const auto check = [](const Context&, const double& rate) {
+    return gather([&] {
+      Findings findings;
+      findings.begin_case("all levels");
+      findings.measure({"error", rate, 0.05, 1, 0.1, ""});
+      return findings.evidence("");
+    });
+  };
+  const auto claim = [&](double rate, double wrong) {
+    return make_claim<double>({"rate", "", "", ""}, check, rate, {{"wrong", wrong}});
+  };
+  const Report report = run(claim(1.05, 2), {});
+  CHECK(report.verdict == Verdict::supported);
+  CHECK(report.controls[0].detail == "error: rate 2 +- 0.05, expected 1 +- 0.1 at all levels");
+  CHECK(run(claim(1.2, 2), {}).verdict == Verdict::refuted);
+  CHECK(run(claim(1.05, 0.95), {}).verdict == Verdict::undecided);
+
+  // Evidence that nobody has thrown.
+  Claim vague = claim(1, 2);
+  vague.controls[0].examine = [](const Context&) -> std::vector<Evidence> {
+    return {ConvergenceRate{"error", 2, 1.5, 1, 0.1, ""}};
+  };
+  CHECK(run(vague, {}).verdict == Verdict::undecided);
+  vague.controls[0].examine = [](const Context&) -> std::vector<Evidence> {
+    return {ConvergenceRate{"error", 2, 0.5, 1, 0.1, ""}};
+  };
+  CHECK(run(vague, {}).verdict == Verdict::supported);
+}
+
 TEST_CASE("run: exceptions decide nothing") {
   Claim claim = claim_about(1, {{"two", 2.0}});
   claim.examine = [](const Context&) -> std::vector<Evidence> { throw std::runtime_error("out of luck"); };

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 
 using namespace steadyslide::proofs_checks;
@@ -14,7 +15,10 @@ const ExactIdentity empty_identity{"", {}, ExactIdentity::Covers::claim};
 const Agreement agreement{"load", {"one", "other"}, "1e-50", "1e-45", 10, 8, 5, ""};
 const Agreement too_few{"load", {"one", "other"}, "1e-50", "1e-45", 10, 4, 5, ""};
 const Agreement no_case{"load", {"one", "other"}, "0", "1e-45", 0, 0, 0, ""};
-const ConvergenceRate rate{"error", "1.99", "0.02", "2", ""};
+const ConvergenceRate rate{"error", 1.99, 0.02, 2, 0.1, ""};
+const ConvergenceRate other_rate{"error", 1.85, 0.02, 2, 0.1, ""};
+const ConvergenceRate wide_rate{"error", 1.85, 0.2, 2, 0.1, ""};
+const ConvergenceRate no_rate{"error", std::nan(""), std::nan(""), 2, 0.1, ""};
 const Counterexample counterexample{"f = 1", "load"};
 
 Verdict verdict_of(std::vector<Evidence> evidence) { return weigh(evidence); }
@@ -28,6 +32,9 @@ TEST_CASE("weigh: the truth table") {
   CHECK(verdict_of({empty_identity}) == Verdict::undecided);
   CHECK(verdict_of({agreement}) == Verdict::supported);
   CHECK(verdict_of({rate}) == Verdict::supported);
+  CHECK(verdict_of({other_rate}) == Verdict::refuted);
+  CHECK(verdict_of({wide_rate}) == Verdict::undecided);
+  CHECK(verdict_of({no_rate}) == Verdict::undecided);
   CHECK(verdict_of({too_few}) == Verdict::undecided);
   CHECK(verdict_of({no_case}) == Verdict::undecided);
   CHECK(verdict_of({counterexample}) == Verdict::refuted);
@@ -38,6 +45,8 @@ TEST_CASE("weigh: what stands beside") {
   CHECK(verdict_of({agreement, whole}) == Verdict::proved);
   CHECK(verdict_of({part, agreement, rate}) == Verdict::supported);
   CHECK(verdict_of({agreement, too_few}) == Verdict::undecided);
+  CHECK(verdict_of({rate, wide_rate}) == Verdict::undecided);
+  CHECK(verdict_of({whole, rate, other_rate}) == Verdict::refuted);
   CHECK(verdict_of({part, no_case}) == Verdict::undecided);
   for (const Evidence& e : std::vector<Evidence>{whole, part, agreement, too_few, rate}) {
     CHECK(verdict_of({e, counterexample}) == Verdict::refuted);
@@ -65,5 +74,5 @@ TEST_CASE("evidence says its kind and its numbers") {
         "load (one against other): largest relative difference 1e-50, tolerance 1e-45, 8 of 10 cases effective");
   CHECK(describe(too_few).find("(5 required)") != std::string::npos);
   CHECK(describe(counterexample) == "load at f = 1");
-  CHECK(describe(rate) == "error: rate 1.99 +- 0.02, expected 2");
+  CHECK(describe(rate) == "error: rate 1.99 +- 0.02, expected 2 +- 0.1");
 }
