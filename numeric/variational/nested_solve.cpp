@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t coarsest = 64;
 constexpr std::size_t most_in_tableau = 1024;
+constexpr std::size_t tableau_work = 20'000'000'000;  // numbers changed by pivots: half a minute
 constexpr std::size_t most_contested = 512;
 constexpr std::size_t most_factorised = 2000;  // for many right-hand sides
 constexpr int most_rounds = 30;
@@ -79,7 +80,7 @@ class Nested {
     const DiscreteProblem& problem = *solution.problem;
     const std::size_t n = problem.size();
     if (n <= most_in_tableau) {
-      const LemkeResult found = lemke(problem, static_cast<int>(200 * n));
+      const LemkeResult found = lemke(problem, static_cast<int>(std::min(200 * n, tableau_work / (n * n))));
       if (found.reached) inspect(solution, found);
       return;
     }

@@ -62,13 +62,6 @@ std::vector<Evidence> check_pencil(const Context& context, const PencilSaid& sai
   });
 }
 
-template <class Said, class Change>
-Said changed(Change change) {
-  Said said;
-  change(said);
-  return said;
-}
-
 }  // namespace
 
 std::vector<Claim> cell_definiteness_claims() {

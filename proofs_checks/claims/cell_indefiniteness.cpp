@@ -138,13 +138,6 @@ std::vector<Evidence> check_graded(const Context& context, const GradedSaid& sai
   });
 }
 
-template <class Said, class Change>
-Said changed(Change change) {
-  Said said;
-  change(said);
-  return said;
-}
-
 }  // namespace
 
 std::vector<Claim> cell_indefiniteness_claims() {

@@ -186,13 +186,6 @@ std::vector<Evidence> check_uniqueness(const Context& context, const UniquenessS
   });
 }
 
-template <class Said, class Change>
-Said changed(Change change) {
-  Said said;
-  change(said);
-  return said;
-}
-
 }  // namespace
 
 std::vector<Claim> cell_solution_claims() {
