@@ -16,25 +16,23 @@ std::size_t smooth_size(std::size_t n) {
   return power / 4 * 3 >= n ? power / 4 * 3 : power;
 }
 
+/// The logarithm's entries by i - j.
+std::vector<double> toeplitz_entries(const CellMesh& mesh) {
+  if (!mesh.is_uniform()) return {};
+  const double h = mesh.length(0);
+  std::vector<double> entries(mesh.size());
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    entries[k] = -h * (std::log(h) + mean_log_of_unit_cells(k)) / std::numbers::pi;
+  }
+  return entries;
+}
+
 }  // namespace
 
-GalerkinOperator::GalerkinOperator(const CellMesh& mesh, CellFriction friction) : friction_(std::move(friction)) {
-  const std::size_t n = mesh.size();
-  if (!mesh.is_uniform()) {
-    logarithm_.resize(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
-    for (std::size_t j = 0; j < n; ++j) {
-      for (std::size_t i = 0; i <= j; ++i) {
-        const double mean = -mean_log(mesh.left(i), mesh.right(i), mesh.left(j), mesh.right(j)) / std::numbers::pi;
-        logarithm_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = mean * mesh.length(j);
-        logarithm_(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = mean * mesh.length(i);
-      }
-    }
-    return;
-  }
-  const double h = mesh.length(0);
-  toeplitz_.resize(n);
-  for (std::size_t k = 0; k < n; ++k) toeplitz_[k] = -h * (std::log(h) + mean_log_of_unit_cells(k)) / std::numbers::pi;
-
+GalerkinOperator::GalerkinOperator(std::vector<double> toeplitz, CellFriction friction)
+    : friction_(std::move(friction)), toeplitz_(std::move(toeplitz)) {
+  if (toeplitz_.empty()) return;
+  const std::size_t n = toeplitz_.size();
   fourier_.emplace(smooth_size(2 * n));
   const std::span<double> values = fourier_->values();
   std::fill(values.begin(), values.end(), 0);
@@ -43,6 +41,30 @@ GalerkinOperator::GalerkinOperator(const CellMesh& mesh, CellFriction friction) 
   for (std::size_t k = n; k + n <= values.size(); ++k) values[k] = toeplitz_[n - 1];
   fourier_->forward();
   for (const std::complex<double>& mode : fourier_->modes()) spectrum_.push_back(mode.real());
+}
+
+GalerkinOperator::GalerkinOperator(const CellMesh& mesh, CellFriction friction)
+    : GalerkinOperator(toeplitz_entries(mesh), std::move(friction)) {
+  if (mesh.is_uniform()) return;
+  const auto n = static_cast<Eigen::Index>(mesh.size());
+  logarithm_.resize(n, n);
+  for (std::size_t j = 0; j < mesh.size(); ++j) {
+    for (std::size_t i = 0; i <= j; ++i) {
+      const double mean = -mean_log(mesh.left(i), mesh.right(i), mesh.left(j), mesh.right(j)) / std::numbers::pi;
+      logarithm_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = mean * mesh.length(j);
+      logarithm_(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = mean * mesh.length(i);
+    }
+  }
+}
+
+GalerkinOperator GalerkinOperator::part(std::size_t first, std::size_t count) const {
+  const auto slice = [&](const std::vector<double>& all) {
+    const auto from = all.begin() + static_cast<std::ptrdiff_t>(first);
+    return std::vector<double>(from, from + static_cast<std::ptrdiff_t>(count));
+  };
+  const auto entries = toeplitz_.begin() + static_cast<std::ptrdiff_t>(count);
+  return {std::vector<double>(toeplitz_.begin(), entries),
+          CellFriction{slice(friction_.whole), slice(friction_.own), friction_.sign}};
 }
 
 double GalerkinOperator::logarithm(std::size_t i, std::size_t j) const {

@@ -18,6 +18,8 @@ namespace steadyslide::numeric::variational {
 class GalerkinOperator {
  public:
   GalerkinOperator(const CellMesh& mesh, CellFriction friction);
+  /// The same for pressures on neighbouring cells alone, looked at on these, up to a constant; on a uniform mesh only.
+  GalerkinOperator part(std::size_t first, std::size_t count) const;
 
   std::size_t size() const { return friction_.whole.size(); }
   double entry(std::size_t i, std::size_t j) const { return logarithm(i, j) + slip(i, j); }
@@ -34,6 +36,8 @@ class GalerkinOperator {
   const std::vector<double>& spectrum() const { return spectrum_; }
 
  private:
+  /// On equal cells.
+  GalerkinOperator(std::vector<double> toeplitz, CellFriction friction);
   void multiply_by_transform(std::span<const double> p, std::span<double> result) const;
 
   CellFriction friction_;

@@ -12,6 +12,7 @@ constexpr std::size_t most_zones = 4;
 
 /// Representative values: those that occur, or the means of most_zones groups of them by angle.
 std::vector<double> representatives(std::vector<double> s) {
+  s.erase(std::unique(s.begin(), s.end()), s.end());  // neighbours: few are left to sort
   std::sort(s.begin(), s.end());
   s.erase(std::unique(s.begin(), s.end()), s.end());
   if (s.size() <= most_zones) return s;
@@ -26,20 +27,23 @@ std::vector<double> representatives(std::vector<double> s) {
 
 }  // namespace
 
-SurfaceInverse::SurfaceInverse(const DiscreteProblem& problem)
-    : zone_of_(problem.size()), fourier_(problem.influence().transform_size()) {
-  const double h = problem.mesh().length(0);
-  std::vector<double> s(problem.size());
-  for (std::size_t i = 0; i < s.size(); ++i) s[i] = problem.influence().friction().whole[i] / h;
+SurfaceInverse::SurfaceInverse(const GalerkinOperator& influence, double length)
+    : zone_of_(influence.size()), fourier_(influence.transform_size()) {
+  std::vector<double> s = influence.friction().whole;
+  for (double& value : s) value /= length;
   const std::vector<double> values = representatives(s);
   for (std::size_t i = 0; i < s.size(); ++i) {
+    if (i > 0 && s[i] == s[i - 1]) {
+      zone_of_[i] = zone_of_[i - 1];
+      continue;
+    }
     const auto nearest = std::min_element(values.begin(), values.end(), [&](double a, double b) {
       return std::abs(std::atan(a) - std::atan(s[i])) < std::abs(std::atan(b) - std::atan(s[i]));
     });
     zone_of_[i] = static_cast<unsigned char>(nearest - values.begin());
   }
 
-  const std::vector<double>& logarithm = problem.influence().spectrum();
+  const std::vector<double>& logarithm = influence.spectrum();
   const auto n = static_cast<double>(fourier_.size());
   modes_.resize(logarithm.size());
   for (const double value : values) {
@@ -47,8 +51,8 @@ SurfaceInverse::SurfaceInverse(const DiscreteProblem& problem)
     for (std::size_t k = 0; k < logarithm.size(); ++k) {
       // The symbol of sum over the cells before, half of the cell itself: -i h/2 cot(theta/2).
       const double cot = k == 0 ? 0 : 1 / std::tan(std::numbers::pi * static_cast<double>(k) / n);
-      const std::complex<double> symbol(logarithm[k], -value * h / 2 * cot);
-      zone.reciprocal.push_back(1.0 / (symbol * n));
+      const std::complex<double> symbol(logarithm[k], -value * length / 2 * cot);
+      zone.reciprocal.push_back(std::conj(symbol) / (std::norm(symbol) * n));
     }
     zones_.push_back(std::move(zone));
   }

@@ -5,13 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "numeric/variational/discrete_problem.hpp"
+#include "numeric/variational/galerkin_operator.hpp"
 
 namespace steadyslide::numeric::variational {
 
 class SurfaceInverse {
  public:
-  explicit SurfaceInverse(const DiscreteProblem& problem);
+  /// `length`: of a cell.
+  SurfaceInverse(const GalerkinOperator& influence, double length);
   /// The pressure that pushes the surface down by about r (both over all cells).
   void apply(std::span<const double> r, std::span<double> p);
 
