@@ -106,7 +106,8 @@ void InteriorStress<R>::add(const Stretch& stretch, Sum& sum) const {
       const SurfacePoint<R> at =
           surface_point(form.set(), segment, R(stretch.from_left + left), R(stretch.from_right + right));
       const Estimate<R> t = form.traction(at);
-      const R relative = 16 * epsilon<R>() + solution_->relative_end_error(at);
+      // The place of x among the free ends is as uncertain as they are: twice their error.
+      const R relative = 16 * epsilon<R>() + 2 * solution_->relative_end_error(at);
       R error = weight * (t.error + relative * abs(t.value));
       if (kinked && i == 0) {
         // What lies between the end and the first node.

@@ -28,14 +28,14 @@ StressComponents<R> strip(const R& p, const R& q, const R& a, const R& x, const 
           (-p * (angle - sines) + q * cosines) / twice, (p * cosines - q * (angle + sines)) / twice};
 }
 
-/// C of the traction 1 on [-a, a]: log((a - zeta)/(-a - zeta))/pi.
+/// C of a uniform traction on [-a, a]: log((zeta - a)/(zeta + a))/pi, times the traction.
 template <Real R>
 Potential<R> strip_potential(const R& a, const R& x, const R& z, const R& traction) {
   using std::atan2, std::log;
   const R right = (x - a) * (x - a) + z * z;
   const R left = (x + a) * (x + a) + z * z;
   const R f = traction / pi<R>();
-  // 1/(a + zeta) - 1/(a - zeta)... : the derivative is (1/(zeta - a) - 1/(zeta + a))/pi.
+  // C' = (1/(zeta - a) - 1/(zeta + a))/pi.
   return {{f * log(right / left) / 2, f * (atan2(z, R(x - a)) - atan2(z, R(x + a)))},
           {f * ((x - a) / right - (x + a) / left), f * (-z / right + z / left)}};
 }

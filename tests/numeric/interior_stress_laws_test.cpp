@@ -3,6 +3,7 @@
 
 #include <array>
 #include <stdexcept>
+#include <string>
 
 #include "interior_stress_problems.hpp"
 
@@ -82,7 +83,7 @@ TEST_CASE("the tractions are reached at the surface, at the rate that equilibriu
         const R size_of_t = abs(limit.zz);
         R last = infinity<R>();
         for (const char* depth : {"1/100", "1/10000", "1/100000000"}) {
-          CAPTURE(depth);
+          CAPTURE(std::string(depth));
           const Rational z = Rational(solved.length()) * parse_rational(depth);
           const R zr = to_real<R>(z);
           const StressComponents<R> s = components(interior.at(x, z));
@@ -111,6 +112,8 @@ TEST_CASE("beside the contact the surface is free") {
   const Solved<R> solved(corners());
   const RiemannHilbertSolution<R>& solution = solved.solution();
   const InteriorStress<R> interior(solution);
+  const Solved<double> rough(corners());
+  const InteriorStress<double> in_double(rough.solution());
   const R c = to_real<R>(solution.problem().problem().elasticity().compliance());
   for (const double fraction : {-0.3, 1.01, 1.5}) {
     CAPTURE(fraction);
@@ -125,6 +128,11 @@ TEST_CASE("beside the contact the surface is free") {
     CHECK(static_cast<double>(R(ratio_of(nearer.xz.value, near.xz.value) * R(1e6))) ==
           doctest::Approx(1).epsilon(0.01));
     CHECK(abs(nearer.zz.value) < R(1e-18) * abs(stretch));
+    // Small as they are, double has every digit of them; sums of sigma_xx's size would not.
+    const StressState<double> coarse = in_double.at(x, millionth);
+    CHECK(coarse.zz.value == doctest::Approx(static_cast<double>(near.zz.value)).scale(0).epsilon(1e-12));
+    CHECK(coarse.xz.value == doctest::Approx(static_cast<double>(near.xz.value)).scale(0).epsilon(1e-12));
+    CHECK(abs(near.zz.value) < R(1e-9) * abs(stretch));
   }
 }
 
@@ -148,7 +156,8 @@ TEST_CASE("far away there are two forces") {
       const R far = error(direction, 1 / (millionth * millionth), forces.normal.value, along);
       CHECK(near < R(1e-5));
       CHECK(static_cast<double>(R(near / far)) == doctest::Approx(1e6).epsilon(0.01));
-      CHECK(error(direction, Rational(1) / millionth, forces.normal.value, R(-along)) > R(0.01));
+      // Controls: straight below the load the tangential force has no part.
+      if (direction > 0) CHECK(error(direction, Rational(1) / millionth, forces.normal.value, R(-along)) > R(0.01));
       CHECK(error(direction, Rational(1) / millionth, R(forces.normal.value * R(1.01)), along) > R(0.001));
     }
   }

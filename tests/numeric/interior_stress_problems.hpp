@@ -74,11 +74,11 @@ R size(const StressComponents<R>& a) {
   return difference(a, {R(0), R(0), R(0)});
 }
 
-/// By the adaptive tanh-sinh rule on every segment, cut at x. `factor` multiplies the shear.
+/// By the adaptive tanh-sinh rule on every segment, cut at x and next to it. `factor` multiplies the shear.
 template <Real R>
 StressComponents<R> by_quadrature(const RiemannHilbertSolution<R>& solution, const Rational& x, const Rational& z,
                                   const R& factor = R(1)) {
-  using std::pow;
+  using std::abs, std::pow;
   const RiemannHilbertForm<R>& form = solution.form();
   const ContactSet<R>& set = form.set();
   const SurfacePoint<R> above = solution.locate(x);
@@ -96,7 +96,8 @@ StressComponents<R> by_quadrature(const RiemannHilbertSolution<R>& solution, con
         const auto smooth = [&, i](const Node<R>& node) {
           const R t =
               form.traction(surface_point(set, k, R(before + node.from_left), R(behind + node.from_right))).value;
-          const R offset = to == 0 ? node.from_right : R(from - node.from_left);
+          const bool by_left = abs(from) + node.from_left < abs(to) + node.from_right;
+          const R offset = by_left ? R(from - node.from_left) : R(to + node.from_right);
           const StressComponents<R> s = stress_of_force<R>(t, shear * t, offset, depth);
           const R value = i == 0 ? s.xx : i == 1 ? s.zz : s.xz;
           return R(value / (pow(node.from_left, left.value) * pow(node.from_right, right.value)));
@@ -108,8 +109,16 @@ StressComponents<R> by_quadrature(const RiemannHilbertSolution<R>& solution, con
     const R& l = above.node.from_left;
     const R& r = above.node.from_right;
     if (static_cast<std::ptrdiff_t>(k) == above.segment && l > 0 && r > 0) {
-      add({whole.left, R(whole.left + l), l}, R(0), r, l, R(0));
-      add({R(whole.left + l), whole.right, r}, l, R(0), R(0), R(-r));
+      // Once more at four depths from x: the adaptive rule likes one scale a panel.
+      const R near_left = std::min(R(l / 2), R(4 * depth));
+      const R near_right = std::min(R(r / 2), R(4 * depth));
+      const R x_left = whole.left + l;
+      const R far_left = l - near_left;
+      const R far_right = r - near_right;
+      add({whole.left, R(x_left - near_left), far_left}, R(0), R(r + near_left), l, near_left);
+      add({R(x_left - near_left), x_left, near_left}, far_left, r, near_left, R(0));
+      add({x_left, R(x_left + near_right), near_right}, l, far_right, R(0), R(-near_right));
+      add({R(x_left + near_right), whole.right, far_right}, R(l + near_right), R(0), R(-near_right), R(-r));
     } else {
       add(whole, R(0), R(0), form.distance(above, k), form.distance(above, k + 1));
     }

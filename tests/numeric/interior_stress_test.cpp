@@ -4,6 +4,7 @@
 #include "numeric/interior_stress.hpp"
 
 #include <random>
+#include <string>
 
 #include "interior_stress_problems.hpp"
 
@@ -56,7 +57,7 @@ TEST_CASE("closed potentials: constant friction under a punch and a parabola, at
       for (const double fraction : {-0.5, 1e-9, 0.25, 0.5, 0.999, 1 + 1e-9, 1.25}) {
         for (const char* depth : depths) {
           CAPTURE(fraction);
-          CAPTURE(depth);
+          CAPTURE(std::string(depth));
           const Rational x = solved.place(fraction);
           const Rational z = parse_rational(depth);
           const StressState<R> found = interior.at(x, z);
@@ -70,32 +71,44 @@ TEST_CASE("closed potentials: constant friction under a punch and a parabola, at
   }
 }
 
-TEST_CASE_TEMPLATE("quadrature of the tractions: jumps, wedges, edges, at every depth", R, double, Real50) {
+TEST_CASE("quadrature of the tractions: jumps, wedges, edges, at every depth") {
   std::minstd_rand random(2016);
   std::uniform_real_distribution<double> between(-0.3, 1.3);
   for (const ContactProblem& problem : {jumps(), corners(), corners(Sliding::minus_x), punch()}) {
-    const Solved<R> solved(problem);
-    const InteriorStress<R> interior(solved.solution());
+    const Solved<double> solved(problem);
+    const InteriorStress<double> interior(solved.solution());
     std::vector<Rational> places{
         0, Rational(1e-9), Rational(-1e-7), Rational(1, 4), solved.place(1e-6), solved.place(1 - 1e-9)};
-    for (int i = 0; i < (std::same_as<R, double> ? 12 : 2); ++i) places.push_back(solved.place(between(random)));
+    for (int i = 0; i < 12; ++i) places.push_back(solved.place(between(random)));
     for (const Rational& x : places) {
       for (const char* depth : depths) {
         CAPTURE(to_real<double>(x));
-        CAPTURE(depth);
+        CAPTURE(std::string(depth));
         const Rational z = parse_rational(depth);
-        const StressComponents<R> found = components(interior.at(x, z));
-        const StressComponents<R> expected = by_quadrature(solved.solution(), x, z);
-        const R tolerance = std::same_as<R, double> ? R(1e-10) : R(1e-30);
-        CHECK(difference(found, expected) < tolerance * size(expected));
+        const StressComponents<double> found = components(interior.at(x, z));
+        const StressComponents<double> expected = by_quadrature(solved.solution(), x, z);
+        CHECK(difference(found, expected) < 1e-10 * size(expected));
       }
       // Controls: the shear reversed, and one percent more of it.
       const Rational z(1, 2);
-      const StressComponents<R> found = components(interior.at(x, z));
-      for (const R& factor : {R(-1), R(1.01)}) {
-        CHECK(difference(found, by_quadrature(solved.solution(), x, z, factor)) > R(1e-4) * size(found));
+      const StressComponents<double> found = components(interior.at(x, z));
+      for (const double factor : {-1.0, 1.01}) {
+        CHECK(difference(found, by_quadrature(solved.solution(), x, z, factor)) > 1e-4 * size(found));
       }
     }
+  }
+}
+
+TEST_CASE("quadrature of the tractions at 50 digits, next to a jump and a wedge") {
+  using R = Real50;
+  const Rational z = parse_rational("1/100000000");
+  const Rational x(1e-9);
+  for (const ContactProblem& problem : {jumps(), corners()}) {
+    const Solved<R> solved(problem);
+    const StressComponents<R> found = components(InteriorStress<R>(solved.solution()).at(x, z));
+    CHECK(difference(found, by_quadrature(solved.solution(), x, z)) < R(1e-40) * size(found));
+    // Control: one percent more shear.
+    CHECK(difference(found, by_quadrature(solved.solution(), x, z, R(1.01))) > R(1e-4) * size(found));
   }
 }
 
@@ -107,12 +120,12 @@ TEST_CASE("double agrees with 50 digits to what its errors say") {
     const Solved<Real50> fine(problem);
     const InteriorStress<double> in_double(rough.solution());
     const InteriorStress<Real50> in_fifty(fine.solution());
-    for (int i = 0; i < 10; ++i) {
+    for (int i = 0; i < 6; ++i) {
       const double fraction = i == 0 ? 1e-9 : i == 1 ? 1 - 1e-7 : between(random);
       const Rational x = rough.place(fraction);
       for (const char* depth : depths) {
         CAPTURE(fraction);
-        CAPTURE(depth);
+        CAPTURE(std::string(depth));
         const Rational z = parse_rational(depth);
         const StressState<double> found = in_double.at(x, z);
         const StressState<Real50> expected = in_fifty.at(x, z);
