@@ -7,7 +7,7 @@
 //
 // As z -> 0 at a point of contact: sigma_zz -> t, sigma_xz -> -t_t = -r t, and with u_t'/c = H t_t + gamma t
 // [Bal16, (2)] sigma_xx -> t + 2 H t_t = (1 - 2 gamma) t + 2 u_t'/c; where one ratio r rules the whole contact that is
-// t + 2 r (u'/c - s t), s = gamma f with its sign. Off the contact sigma_zz and sigma_xz -> 0.
+// t + 2 r (u'/c + gamma r t). Off the contact sigma_zz and sigma_xz -> 0.
 //
 // Every segment of the contact is cut at x and graded towards it with z as the smallest scale, and towards the singular
 // points of t; a panel with a power at its end has a Gauss-Jacobi rule, one that ends where the profile changes within

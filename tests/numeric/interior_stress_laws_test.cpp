@@ -81,6 +81,13 @@ TEST_CASE("the tractions are reached at the surface, at the rate that equilibriu
         const StressComponents<R> behind = surface(x + dx);
         const R step = 2 * to_real<R>(dx);
         const R size_of_t = abs(limit.zz);
+        if (problem.friction().jumps().empty()) {
+          // One ratio r = t_t/t: by the slope of the normal displacement.
+          const R r = -limit.xz / limit.zz;
+          const R slope = solution.at(x).slope.left.value / c;
+          CHECK(abs(limit.zz + 2 * r * (slope + gamma * r * limit.zz) - limit.xx) < R(1e-40) * size_of_t);
+          CHECK(abs(limit.zz + 2 * r * (slope - gamma * r * limit.zz) - limit.xx) > R(0.1) * size_of_t);
+        }
         R last = infinity<R>();
         for (const char* depth : {"1/100", "1/10000", "1/100000000"}) {
           CAPTURE(std::string(depth));
