@@ -41,6 +41,13 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   /// u_t'/c = (1/pi) PV int t_t/(x'-x) dx' + gamma t [Bal16, (2)], t_t = -f t sliding towards +x, f t towards -x.
   Estimate<R> tangential_slope(const Rational& x) const;
 
+  // What integrals of the traction ask for.
+  SurfacePoint<R> locate(const Rational& x) const;
+  /// t_t/t on a segment.
+  R shear_ratio(std::size_t segment) const;
+  /// What the free ends' error may do to the traction at a place, relative to it.
+  R relative_end_error(const SurfacePoint<R>& at) const;
+
  private:
   const ContactSet<R>& contact_set() const { return form_->set(); }
   Estimate<R> coordinate(std::size_t j) const;
@@ -49,17 +56,13 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   Estimate<R> constant(std::size_t j) const;
   R profile_jump(std::size_t j) const;
   bool in_contact_at(std::size_t j, Side side) const;
-  R relative_end_error(const SurfacePoint<R>& at) const;
 
-  SurfacePoint<R> locate(const Rational& x) const;
   std::optional<std::size_t> point_at(const SurfacePoint<R>& at) const;
   Sample<R> sample(const SurfacePoint<R>& at) const;
   Sample<R> sample_at_point(std::size_t j) const;
   Estimate<R> traction_limit(std::size_t j, Side side) const;
   Estimate<R> slope_limit(std::size_t j, Side side) const;
   Estimate<R> shear_of(const Estimate<R>& traction, std::size_t segment) const;
-  /// t_t/t on a segment.
-  R shear_ratio(std::size_t segment) const;
   Estimate<R> gap(const SurfacePoint<R>& at) const;
   std::optional<std::size_t> nearest_end(const SurfacePoint<R>& at) const;
 

@@ -1,0 +1,129 @@
+#pragma once
+// What the tests of the stresses below the surface solve, and a second route to these stresses.
+
+#include <doctest/doctest.h>
+
+#include "numeric/half_plane_stress.hpp"
+#include "numeric/interior_stress.hpp"
+#include "numeric/riemann_hilbert.hpp"
+#include "numeric/tanh_sinh.hpp"
+
+namespace steadyslide::numeric::stress_test {
+
+inline Elasticity body() { return Elasticity(Solid(Rational(1, 5), 2)); }
+
+/// Four friction values under a smooth indenter, free ends.
+inline ContactProblem jumps(Sliding sliding = Sliding::plus_x) {
+  return {body(), FrictionProfile({Rational(1, 2), 3, 0, 1}, {Rational(-1, 3), 0, Rational(1, 4)}),
+          Indenter(-2, {{2, Polynomial({0, Rational(1, 10), 1, 0, Rational(1, 2)})}}), 1, sliding};
+}
+
+/// A flat punch on [1, 3] with constant friction.
+inline ContactProblem punch(Sliding sliding = Sliding::plus_x) {
+  return {body(), FrictionProfile({Rational(3, 2)}), Indenter(1, {{3, Polynomial({0})}}), 2, sliding};
+}
+
+inline ContactProblem parabola(Sliding sliding = Sliding::plus_x) {
+  return {body(), FrictionProfile({Rational(3, 2)}), Indenter(-2, {{2, Polynomial({0, Rational(1, 10), 1})}}), 1,
+          sliding};
+}
+
+/// A wedge with a friction jump, a wedge, and a change of curvature, all in the contact.
+inline ContactProblem corners(Sliding sliding = Sliding::plus_x) {
+  const Polynomial left({0, Rational(-1, 10), 1});
+  const Polynomial middle({0, Rational(1, 10), 1});
+  const Polynomial wedge = middle + Polynomial({Rational(-1, 80), Rational(1, 10)});
+  const Polynomial bent = wedge + Polynomial({Rational(1, 16), Rational(-1, 2), 1});
+  return {body(), FrictionProfile({2, Rational(1, 2)}, {0}),
+          Indenter(-2, {{0, left}, {Rational(1, 8), middle}, {Rational(1, 4), wedge}, {2, bent}}), 1, sliding};
+}
+
+template <Real R>
+class Solved {
+ public:
+  explicit Solved(const ContactProblem& problem) : attempt_(riemann_hilbert<R>(problem)) {
+    REQUIRE(attempt_.solution);
+    REQUIRE(attempt_.solution->shortcoming().empty());
+  }
+
+  const RiemannHilbertSolution<R>& solution() const {
+    return dynamic_cast<const RiemannHilbertSolution<R>&>(*attempt_.solution);
+  }
+  double left() const { return static_cast<double>(solution().contact().front().left.x.value); }
+  double right() const { return static_cast<double>(solution().contact().back().right.x.value); }
+  double length() const { return right() - left(); }
+  Rational place(double fraction) const { return Rational(left() + fraction * length()); }
+
+ private:
+  Attempt<R> attempt_;
+};
+
+template <Real R>
+StressComponents<R> components(const StressState<R>& stress) {
+  return {stress.xx.value, stress.zz.value, stress.xz.value};
+}
+
+template <Real R>
+R difference(const StressComponents<R>& a, const StressComponents<R>& b) {
+  using std::abs, std::max;
+  return max(max(R(abs(a.xx - b.xx)), R(abs(a.zz - b.zz))), R(abs(a.xz - b.xz)));
+}
+
+template <Real R>
+R size(const StressComponents<R>& a) {
+  return difference(a, {R(0), R(0), R(0)});
+}
+
+/// By the adaptive tanh-sinh rule on every segment, cut at x and next to it. `factor` multiplies the shear.
+template <Real R>
+StressComponents<R> by_quadrature(const RiemannHilbertSolution<R>& solution, const Rational& x, const Rational& z,
+                                  const R& factor = R(1)) {
+  using std::abs, std::pow;
+  const RiemannHilbertForm<R>& form = solution.form();
+  const ContactSet<R>& set = form.set();
+  const SurfacePoint<R> above = solution.locate(x);
+  const R depth = to_real<R>(z / solution.problem().frame().unit);
+  R sums[3] = {0, 0, 0};
+  for (std::size_t k = 0; k < set.segments(); ++k) {
+    if (!set.in_contact(k)) continue;
+    const R shear = factor * solution.shear_ratio(k);
+    // x' = (left end) + node; `from`: x minus the panel's left end, `to`: x minus its right end.
+    const auto add = [&](const Panel<R>& panel, const R& before, const R& behind, const R& from, const R& to) {
+      const Power<R> none{R(0), R(1)};
+      const Power<R> left = before == 0 ? form.weight().powers()[k] : none;
+      const Power<R> right = behind == 0 ? form.weight().powers()[k + 1] : none;
+      for (int i = 0; i < 3; ++i) {
+        const auto smooth = [&, i](const Node<R>& node) {
+          const R t =
+              form.traction(surface_point(set, k, R(before + node.from_left), R(behind + node.from_right))).value;
+          const bool by_left = abs(from) + node.from_left < abs(to) + node.from_right;
+          const R offset = by_left ? R(from - node.from_left) : R(to + node.from_right);
+          const StressComponents<R> s = stress_of_force<R>(t, shear * t, offset, depth);
+          const R value = i == 0 ? s.xx : i == 1 ? s.zz : s.xz;
+          return R(value / (pow(node.from_left, left.value) * pow(node.from_right, right.value)));
+        };
+        sums[i] += tanh_sinh::panel_integral<R>({panel, left, right, smooth}).value;
+      }
+    };
+    const Panel<R>& whole = set.panels()[k];
+    const R& l = above.node.from_left;
+    const R& r = above.node.from_right;
+    if (static_cast<std::ptrdiff_t>(k) == above.segment && l > 0 && r > 0) {
+      // Once more at four depths from x: the adaptive rule likes one scale a panel.
+      const R near_left = std::min(R(l / 2), R(4 * depth));
+      const R near_right = std::min(R(r / 2), R(4 * depth));
+      const R x_left = whole.left + l;
+      const R far_left = l - near_left;
+      const R far_right = r - near_right;
+      add({whole.left, R(x_left - near_left), far_left}, R(0), R(r + near_left), l, near_left);
+      add({R(x_left - near_left), x_left, near_left}, far_left, r, near_left, R(0));
+      add({x_left, R(x_left + near_right), near_right}, l, far_right, R(0), R(-near_right));
+      add({R(x_left + near_right), whole.right, far_right}, R(l + near_right), R(0), R(-near_right), R(-r));
+    } else {
+      add(whole, R(0), R(0), form.distance(above, k), form.distance(above, k + 1));
+    }
+  }
+  return {sums[0], sums[1], sums[2]};
+}
+
+}  // namespace steadyslide::numeric::stress_test
