@@ -153,7 +153,7 @@ SearchReport search_shown(const SolveOptions& options, const Problem& problem) {
     found = numeric::search_solutions(problem.contact, options.search_starts, variational);
   }
   if (!found.why_not.empty()) throw inapplicable(problem, options.method, found.why_not);
-  SearchReport report{found.starts, found.unsolved, {}, uniqueness(problem.contact)};
+  SearchReport report{found.starts, found.unsolved, found.refinements, {}, uniqueness(problem.contact)};
   const ReportWanted wanted{options.common.digits};
   for (const numeric::FoundSolution& solution : found.solutions) {
     FoundReport shown{solution.times, report_of_cells(problem, *solution.variational, wanted), std::nullopt};

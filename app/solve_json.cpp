@@ -149,7 +149,10 @@ void write_solve_json(const Problem& problem, const SolveReport& report, Output&
 
 void write_search_json(const Problem& problem, const SearchReport& report, Output& output) {
   Json json = heading(problem);
-  json["search"] = {{"starts", report.starts}, {"unsolved", report.unsolved}, {"agreed", report.agreed()}};
+  json["search"] = {{"starts", report.starts},
+                    {"unsolved", report.unsolved},
+                    {"agreed", report.agreed()},
+                    {"different_refinements", report.refinements}};
   json["solutions"] = Json::array();
   for (const FoundReport& found : report.solutions) {
     json["solutions"].push_back({{"times", found.times},

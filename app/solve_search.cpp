@@ -41,6 +41,9 @@ void write_search_text(const Problem& problem, const SearchReport& report, Outpu
                                : "the Riemann-Hilbert method finds no solution there\n");
     if (found.refined) write_found(*found.refined, output);
   }
+  if (report.solutions.size() > 1 && report.refinements == 1) {
+    output.write("\nthe refinements are one solution: more cells tell whether there are several\n");
+  }
   output.write(fmt::format("\nuniqueness: {}, {}\n", report.uniqueness.proved ? "proved" : "not covered",
                            report.uniqueness.reason));
 }

@@ -32,6 +32,7 @@ struct FoundReport {
 struct SearchReport {
   int starts;
   int unsolved;
+  int refinements;  ///< different ones
   std::vector<FoundReport> solutions;
   Uniqueness uniqueness;
 

@@ -53,6 +53,30 @@ std::shared_ptr<const ContactSolution<double>> refined(const ContactProblem& pro
   return attempt.solution;
 }
 
+bool same_ends(const ContactSolution<double>& a, const ContactSolution<double>& b) {
+  const auto ends = a.contact();
+  const auto others = b.contact();
+  if (ends.size() != others.size()) return false;
+  constexpr double rounding = 1e-9;
+  const double length = ends.back().right.x.value - ends.front().left.x.value;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (std::abs(ends[k].left.x.value - others[k].left.x.value) > rounding * length) return false;
+    if (std::abs(ends[k].right.x.value - others[k].right.x.value) > rounding * length) return false;
+  }
+  return true;
+}
+
+int different_refinements(const std::vector<FoundSolution>& solutions) {
+  std::vector<const ContactSolution<double>*> different;
+  for (const FoundSolution& found : solutions) {
+    if (!found.refined) continue;
+    const auto known = std::any_of(different.begin(), different.end(),
+                                   [&](const auto* other) { return same_ends(*found.refined, *other); });
+    if (!known) different.push_back(found.refined.get());
+  }
+  return static_cast<int>(different.size());
+}
+
 }  // namespace
 
 SolutionSearch search_solutions(const ContactProblem& problem, int starts, const VariationalOptions& options,
@@ -96,6 +120,7 @@ SolutionSearch search_solutions(const ContactProblem& problem, int starts, const
   }
   std::stable_sort(met.begin(), met.end(), [](const Met& a, const Met& b) { return a.times > b.times; });
   for (const Met& m : met) search.solutions.push_back({m.solution, refined(problem, *m.solution), m.times});
+  search.refinements = different_refinements(search.solutions);
   return search;
 }
 

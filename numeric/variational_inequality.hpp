@@ -38,6 +38,9 @@ struct SolutionSearch {
   int starts = 0;
   int unsolved = 0;                      ///< starts that led to no solution
   std::vector<FoundSolution> solutions;  ///< those met most often first
+  /// How many different ones the refinements are: few cells under a strong fall of s can have several solutions where
+  /// finer ones have one.
+  int refinements = 0;
   std::string why_not;
 };
 

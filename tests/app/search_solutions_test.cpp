@@ -29,7 +29,7 @@ TEST_CASE("JSON: every start agrees, and the Riemann-Hilbert method refines what
   std::string keys;
   for (const auto& [key, value] : json.items()) keys += key + " ";
   CHECK(keys == "schema version problem search solutions uniqueness ");
-  CHECK(json["search"] == Json{{"starts", 6}, {"unsolved", 0}, {"agreed", true}});
+  CHECK(json["search"] == Json{{"starts", 6}, {"unsolved", 0}, {"agreed", true}, {"different_refinements", 1}});
   REQUIRE(json["solutions"].size() == 1);
   const Json& solution = json["solutions"][0];
   CHECK(solution["times"] == 6);
@@ -70,5 +70,19 @@ TEST_CASE("no start leads to a solution: exit code 1") {
   const Finished finished = run({"--search-solutions", "2", "--iterations", "1", "--format", "json"});
   CHECK(finished.code == 1);
   CHECK(finished.err == "steadyslide: two_bumps.toml: the search found no solution: none of 2 starts led to one\n");
-  CHECK(Json::parse(finished.out)["search"] == Json{{"starts", 2}, {"unsolved", 2}, {"agreed", false}});
+  CHECK(Json::parse(finished.out)["search"] ==
+        Json{{"starts", 2}, {"unsolved", 2}, {"agreed", false}, {"different_refinements", 0}});
+}
+
+TEST_CASE("several solutions on few cells, whose refinements are one") {
+  const std::string problem =
+      "load = \"1/2\"\n[half_space]\ngamma = \"1/2\"\n[friction]\nvalues = [\"17\", \"0\"]\njumps = [\"0\"]\n"
+      "[indenter]\nprofile = \"x^4 + 2*x^2 - x\"\n";
+  const std::string text =
+      run_program({"solve", "-", "--search-solutions", "60", "--cells", "16"}, STEADYSLIDE_EXAMPLES, problem).out;
+  CHECK(text.find("60 starts, ") != std::string::npos);
+  CHECK(text.find("\nsolution 2, met ") != std::string::npos);
+  CHECK(text.find("\nthe refinements are one solution: more cells tell whether there are several\n") !=
+        std::string::npos);
+  CHECK(text.find("\nuniqueness: not covered, ") != std::string::npos);
 }

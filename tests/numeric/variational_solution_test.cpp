@@ -202,3 +202,16 @@ TEST_CASE("a search: where s does not decrease all starts agree, and what they a
   CHECK(hurried.unsolved == 3);
   CHECK(hurried.solutions.empty());
 }
+
+TEST_CASE("a search: few cells under a strong fall of s have several solutions, finer ones have one") {
+  const ContactProblem problem = reduced({Rational(17, 2), 0}, {0}, one_piece(-1, 1, {0, -1, 2, 0, 1}), Rational(1, 2));
+  const SolutionSearch coarse = search_solutions(problem, 60, {.cells = 16});
+  CHECK(coarse.solutions.size() >= 2);
+  CHECK(coarse.solutions.front().times >= coarse.solutions.back().times);
+  for (const FoundSolution& found : coarse.solutions) {
+    CHECK(found.variational->shortcoming() == "");
+    CHECK(found.refined);
+  }
+  CHECK(coarse.refinements == 1);
+  CHECK(search_solutions(problem, 20, {.cells = 512}).solutions.size() == 1);
+}
