@@ -93,8 +93,11 @@ class Nested {
     for (int round = 0; round < most_rounds && !solved(solution); ++round) {
       contested.insert(solution.found.wrong.begin(), solution.found.wrong.end());
       if (contested.size() > most_contested) return;
-      inspect(solution, lemke_on(problem, solution.found.contact, {contested.begin(), contested.end()}, system,
-                                 static_cast<int>(100 + 20 * contested.size())));
+      const LemkeResult found = lemke_on(problem, solution.found.contact, {contested.begin(), contested.end()}, system,
+                                         static_cast<int>(100 + 20 * contested.size()));
+      // A path that did not end where nothing else is in contact leaves no state to go on from.
+      if (found.state.pressure.empty()) return;
+      inspect(solution, found);
     }
   }
 

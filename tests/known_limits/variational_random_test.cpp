@@ -66,6 +66,7 @@ void solve_the_first(int count, std::size_t cells) {
 
 TEST_CASE("the first 300 on 256 cells") { solve_the_first(300, 256); }
 
+// Slow: 40 s.
 TEST_CASE("slow: the first 1000 on 1024 cells" * doctest::skip()) { solve_the_first(1000, 1024); }
 
 TEST_CASE("control: a state that is not a solution is not accepted") {

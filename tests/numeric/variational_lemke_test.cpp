@@ -209,7 +209,7 @@ TEST_CASE("contested cells find their places again, alone or around what is cert
     if (start != whole.contact) CHECK(residual_of(discrete, start) > 1e-6);
 
     const LemkeResult among = lemke_among(discrete, cells_of(whole.contact), 2000);
-    CHECK(among.reached);
+    REQUIRE(among.reached);
     CHECK(natural_residual(discrete, among.state, cells_of(whole.contact)) <= 1e-12);
   }
   CHECK(solved >= 156);
