@@ -25,11 +25,9 @@ constexpr std::array<std::pair<std::string_view, Format>, 5> all_formats{{{"text
 struct Raw {
   std::string problem, method = "auto", digits, format = "text", output, at, samples, cells, iterations, load_steps,
                        search_solutions, poisson, rear, front, seed;
-  std::vector<std::string> claims;
+  std::vector<std::string> claims, figures;
   bool derivation = false, list = false, quick = false;
 };
-
-Failure not_available(const std::string& what) { return bad_command_line(what + ": not available in this version"); }
 
 class CommandLine {
  public:
@@ -43,10 +41,8 @@ class CommandLine {
     add_exponents();
     add_table();
     add_solve();
-    add_later(figures_ =
-                  app_.add_subcommand("figures", "Figures as SVG, from computed data (not available in this version)"));
-    add_later(report_ =
-                  app_.add_subcommand("report", "The verification report as HTML (not available in this version)"));
+    add_figures();
+    add_report();
   }
 
   Command parse(int argc, const char* const* argv) {
@@ -62,8 +58,8 @@ class CommandLine {
     if (app_.get_subcommands().empty()) {
       throw bad_command_line("no command; it is one of verify, exponents, table, solve, figures, report; see --help");
     }
-    if (*figures_) throw not_available("figures");
-    if (*report_) throw not_available("report");
+    if (*figures_) return figures();
+    if (*report_) return report();
     if (*verify_) return verify();
     if (*exponents_) return exponents();
     if (*table_) return table();
@@ -134,8 +130,29 @@ class CommandLine {
     solve_->footer(std::string(help::solve_footer) + "\n" + help::problem);
   }
 
-  void add_later(CLI::App* command) {
-    command->add_option("-o,--output", raw_.output, "Write into DIR")->type_name("DIR");
+  void add_figures() {
+    figures_ = app_.add_subcommand("figures", help::figures);
+    figures_
+        ->add_option("--figure", raw_.figures, "Only figures whose name matches, * and ? being wildcards; repeatable")
+        ->type_name("GLOB")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_folder(figures_);
+    figures_->footer(help::figures_footer);
+  }
+
+  void add_report() {
+    report_ = app_.add_subcommand("report", help::report);
+    report_->add_flag("--quick", raw_.quick, "Fewer parameters");
+    report_->add_option("--seed", raw_.seed, "Seed of the random parameters, a whole number")->type_name("N");
+    report_->add_option("--digits", raw_.digits, "Digits to work with, 1 to 100; default 50")->type_name("N");
+    add_folder(report_);
+    report_->footer(help::report_footer);
+  }
+
+  void add_folder(CLI::App* command) {
+    command->add_option("-o,--output", raw_.output, "Write into DIR, which is made if need be; default: here")
+        ->type_name("DIR");
   }
 
   static bool given(const CLI::App* command, const char* option) { return command->get_option(option)->count() > 0; }
@@ -163,15 +180,35 @@ class CommandLine {
   VerifyOptions verify() const {
     VerifyOptions options{common(verify_, 50, {Format::text, Format::json, Format::markdown}), raw_.list, raw_.quick,
                           raw_.claims, std::nullopt};
-    if (given(verify_, "--seed")) {
-      unsigned long long seed = 0;
-      const char* const end = raw_.seed.data() + raw_.seed.size();
-      const auto [after, error] = std::from_chars(raw_.seed.data(), end, seed);
-      if (error != std::errc() || after != end) {
-        throw bad_command_line("--seed: out of range", "it is a whole number from 0 to 2^64-1", raw_.seed);
-      }
-      options.seed = seed;
+    options.seed = seed(verify_);
+    return options;
+  }
+
+  std::optional<unsigned long long> seed(const CLI::App* command) const {
+    if (!given(command, "--seed")) return std::nullopt;
+    unsigned long long seed = 0;
+    const char* const end = raw_.seed.data() + raw_.seed.size();
+    const auto [after, error] = std::from_chars(raw_.seed.data(), end, seed);
+    if (error != std::errc() || after != end) {
+      throw bad_command_line("--seed: out of range", "it is a whole number from 0 to 2^64-1", raw_.seed);
     }
+    return seed;
+  }
+
+  std::string folder(const CLI::App* command) const {
+    if (!given(command, "--output")) return ".";
+    if (raw_.output.empty()) throw bad_command_line("--output: no folder", "it has a name", raw_.output);
+    return raw_.output;
+  }
+
+  FiguresOptions figures() const { return {folder(figures_), raw_.figures}; }
+
+  ReportOptions report() const {
+    ReportOptions options;
+    options.folder = folder(report_);
+    options.verify.quick = raw_.quick;
+    options.verify.seed = seed(report_);
+    options.verify.common.digits = given(report_, "--digits") ? parse_count("--digits", raw_.digits, 1, 100) : 50;
     return options;
   }
 

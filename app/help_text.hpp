@@ -124,4 +124,19 @@ inline constexpr const char* verify_footer =
 refuted. Every claim is also checked with deliberately wrong variants, its controls, each of
 which must be refuted. Exit code 1 if a claim is refuted or undecided.)";
 
+inline constexpr const char* figures =
+    R"(Draws the figures of the theory as SVG, from data computed on the spot; gnuplot draws.)";
+
+inline constexpr const char* figures_footer =
+    R"(One file for each figure, NAME.svg, whole or not at all.)";
+
+inline constexpr const char* report =
+    R"(Runs the whole ledger and writes the verification report: one HTML page that needs no
+network, DIR/report.html.)";
+
+inline constexpr const char* report_footer =
+    R"(The page holds every statement with its evidence, controls and verdict, the places where
+the paper's text needs care, figures and tables. Exit code 1 if a claim is refuted or
+undecided, unless no calculation can decide it; the page is written all the same.)";
+
 }  // namespace steadyslide::app::help

@@ -5,8 +5,10 @@
 
 #include "app/command_line.hpp"
 #include "app/exponents_command.hpp"
+#include "app/figures/figures_command.hpp"
 #include "app/interrupt.hpp"
 #include "app/output.hpp"
+#include "app/report/report_command.hpp"
 #include "app/solve_command.hpp"
 #include "app/table_command.hpp"
 #include "app/verify_command.hpp"

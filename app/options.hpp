@@ -50,4 +50,14 @@ struct VerifyOptions {
   std::optional<unsigned long long> seed;
 };
 
+struct FiguresOptions {
+  std::string folder = ".";
+  std::vector<std::string> figures;  ///< patterns of names; empty: all
+};
+
+struct ReportOptions {
+  VerifyOptions verify;  ///< what is run; its format, output and list are not looked at
+  std::string folder = ".";
+};
+
 }  // namespace steadyslide::app

@@ -26,17 +26,9 @@ void show_progress(const std::string& line) { fmt::print(stderr, "\r\x1b[K{}", l
 
 }  // namespace
 
-ExitCode run(const VerifyOptions& options) {
+VerifyResult examine(const VerifyOptions& options) {
   check_patterns(options.claims);
   const std::vector<checks::Claim> claims = checks::select(checks::registry(), options.claims);
-  // Opened first: a run may be long, and should not end in a folder that does not exist.
-  Output output(options.common.output);
-  if (options.list) {
-    write_claims(options.common.format, claims, output);
-    output.commit();
-    return ExitCode::done;
-  }
-
   VerifyResult result;
   result.context.digits = numeric::precision_for(options.common.digits);
   result.context.seed = options.seed.value_or(result.context.seed);
@@ -52,9 +44,22 @@ ExitCode run(const VerifyOptions& options) {
   if (on_terminal) show_progress("");
   result.notes = checks::reading_notes(result.reports);
   if (!options.claims.empty()) leave_out_other_notes(result);
+  return result;
+}
+
+ExitCode run(const VerifyOptions& options) {
+  check_patterns(options.claims);
+  // Opened first: a run may be long, and should not end in a folder that does not exist.
+  Output output(options.common.output);
+  if (options.list) {
+    write_claims(options.common.format, checks::select(checks::registry(), options.claims), output);
+    output.commit();
+    return ExitCode::done;
+  }
+  const VerifyResult result = examine(options);
   write_verify(options.common.format, result, output);
   output.commit();
-  return exit_code_of(count(result.reports));
+  return exit_code_of(result.reports);
 }
 
 void leave_out_other_notes(VerifyResult& result) {
@@ -64,8 +69,8 @@ void leave_out_other_notes(VerifyResult& result) {
   result.notes_left_out += std::erase_if(result.notes, is_other);
 }
 
-ExitCode exit_code_of(const checks::Counts& counts) {
-  return counts.refuted + counts.undecided == 0 ? ExitCode::done : ExitCode::refuted;
+ExitCode exit_code_of(std::span<const checks::Report> reports) {
+  return checks::settled(reports) ? ExitCode::done : ExitCode::refuted;
 }
 
 }  // namespace steadyslide::app

@@ -1,6 +1,8 @@
 #pragma once
 // steadyslide verify
 
+#include <span>
+
 #include "app/failure.hpp"
 #include "app/options.hpp"
 #include "proofs_checks/run.hpp"
@@ -9,7 +11,12 @@ namespace steadyslide::app {
 
 ExitCode run(const VerifyOptions& options);
 
-/// Done only if nothing is refuted and nothing undecided.
-ExitCode exit_code_of(const proofs_checks::Counts& counts);
+struct VerifyResult;
+
+/// Runs the claims, with progress on stderr where that is a terminal. Throws Failure for a pattern that names no claim.
+VerifyResult examine(const VerifyOptions& options);
+
+/// Done only if nothing is refuted, and nothing undecided but what is beyond calculation.
+ExitCode exit_code_of(std::span<const proofs_checks::Report> reports);
 
 }  // namespace steadyslide::app

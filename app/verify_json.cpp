@@ -11,7 +11,11 @@ using Json = nlohmann::ordered_json;
 namespace checks = proofs_checks;
 
 Json claim_json(const checks::ClaimText& claim) {
-  return {{"id", claim.id}, {"source", claim.source}, {"statement", claim.statement}, {"hypotheses", claim.hypotheses}};
+  return {{"id", claim.id},
+          {"source", claim.source},
+          {"statement", claim.statement},
+          {"hypotheses", claim.hypotheses},
+          {"derivation", claim.derivation}};
 }
 
 Json report_json(const checks::Report& report) {

@@ -19,6 +19,15 @@ std::string counts_text(const VerifyResult& result) {
                      counts.undecided, counts.refuted);
 }
 
+/// "beyond calculation: thm-16, thm-17"; empty if there is none.
+std::string beyond_text(const VerifyResult& result) {
+  std::string ids;
+  for (const checks::Report& report : result.reports) {
+    if (report.beyond_calculation()) ids += (ids.empty() ? "" : ", ") + report.claim.id;
+  }
+  return ids.empty() ? ids : "undecided because beyond calculation: " + ids;
+}
+
 /// "1 claim", "2 claims".
 std::string numbered(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
@@ -47,7 +56,7 @@ void write_verify_text(const VerifyResult& result, Output& output) {
   rows->end();
   for (const checks::Report& report : result.reports) {
     const bool settled = report.verdict == checks::Verdict::proved || report.verdict == checks::Verdict::supported;
-    if (settled && report.note.empty()) continue;
+    if ((settled || report.beyond_calculation()) && report.note.empty()) continue;
     output.write(fmt::format("\n{} {}\n", report.claim.id, name_of(report.verdict)));
     for (const checks::Evidence& evidence : report.evidence) {
       output.write(fmt::format("  {}: {}\n", kind_of(evidence), describe(evidence)));
@@ -55,6 +64,7 @@ void write_verify_text(const VerifyResult& result, Output& output) {
     if (!report.note.empty()) output.write(fmt::format("  {}\n", report.note));
   }
   output.write("\n" + counts_text(result) + "\n");
+  if (const std::string beyond = beyond_text(result); !beyond.empty()) output.write(beyond + "\n");
   if (result.notes_left_out > 0) output.write("\n" + left_out_text(result) + "\n");
   if (result.notes.empty()) return;
   output.write("\nplaces where the text at hand and the mathematics disagree\n");

@@ -27,11 +27,13 @@ struct Control {
   Examination examine;
 };
 
+/// Formulas stand between backticks, in the notation of docs/notation.md: readable as they are, typeset in the report.
 struct ClaimText {
   std::string id;         ///< permanent: "eq-04-flat-punch"
   std::string source;     ///< "[Bal16, (4)]: ..."
   std::string statement;  ///< our own words, with the formula
   std::string hypotheses;
+  std::string derivation = {};  ///< how it follows; empty where no calculation says
 };
 
 struct Claim : ClaimText {
@@ -61,5 +63,8 @@ Claim make_claim(ClaimText text, Check check, Formula right, std::vector<Wrong<F
   };
   return claim;
 }
+
+/// A statement that no calculation decides: it stays undecided, and is listed as such.
+Claim claim_beyond_calculation(ClaimText text, BeyondCalculation why);
 
 }  // namespace steadyslide::proofs_checks

@@ -26,6 +26,7 @@ struct Kind {
   std::string_view operator()(const Agreement&) const { return "agreement"; }
   std::string_view operator()(const ConvergenceRate&) const { return "convergence-rate"; }
   std::string_view operator()(const Counterexample&) const { return "counterexample"; }
+  std::string_view operator()(const BeyondCalculation&) const { return "beyond-calculation"; }
 };
 
 struct Describe {
@@ -44,6 +45,9 @@ struct Describe {
                 "; ", e.detail);
   }
   std::string operator()(const Counterexample& e) const { return with(e.detail, " at ", e.where); }
+  std::string operator()(const BeyondCalculation& e) const {
+    return with(e.reason, "; consequences checked: ", joined(e.consequences, ", "));
+  }
 };
 
 }  // namespace

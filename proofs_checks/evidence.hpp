@@ -49,9 +49,15 @@ struct Counterexample {
   std::string detail;
 };
 
-using Evidence = std::variant<ExactIdentity, Agreement, ConvergenceRate, Counterexample>;
+/// No calculation decides the statement: an abstract existence proof, or one that the text at hand does not contain.
+struct BeyondCalculation {
+  std::string reason;
+  std::vector<std::string> consequences;  ///< ids of the claims that check what follows from it and can be calculated
+};
 
-/// "exact-identity", "agreement", "convergence-rate", "counterexample".
+using Evidence = std::variant<ExactIdentity, Agreement, ConvergenceRate, Counterexample, BeyondCalculation>;
+
+/// "exact-identity", "agreement", "convergence-rate", "counterexample", "beyond-calculation".
 std::string_view kind_of(const Evidence& evidence);
 
 /// One line for a reader, with the numbers.

@@ -37,6 +37,11 @@ std::size_t Report::controls_refuted() const {
   return static_cast<std::size_t>(std::ranges::count_if(controls, &ControlReport::refuted));
 }
 
+bool Report::beyond_calculation() const {
+  return verdict == Verdict::undecided &&
+         std::ranges::any_of(evidence, [](const Evidence& e) { return std::holds_alternative<BeyondCalculation>(e); });
+}
+
 std::vector<std::string> Report::survivors() const {
   std::vector<std::string> names;
   for (const ControlReport& control : controls) {
@@ -54,7 +59,7 @@ Report run(const Claim& claim, const Context& context) {
   const std::vector<std::string> survivors = report.survivors();
   const bool checked = !claim.controls.empty() && survivors.empty();
   report.verdict = weigh(report.evidence, checked);
-  if (claim.controls.empty()) report.note += "not checked: the claim has no controls";
+  if (claim.controls.empty() && !report.beyond_calculation()) report.note += "not checked: the claim has no controls";
   for (const std::string& name : survivors) {
     report.note += (report.note.empty() ? "" : "; ") + ("not checked: the control survives: " + name);
   }
@@ -101,6 +106,18 @@ std::vector<Report> run_all(std::span<const Claim> claims, const Context& contex
     reports.push_back(run(claim, context));
   }
   return reports;
+}
+
+Claim claim_beyond_calculation(ClaimText text, BeyondCalculation why) {
+  Claim claim{std::move(text), {}, {}};
+  claim.examine = [why = std::move(why)](const Context&) { return std::vector<Evidence>{why}; };
+  return claim;
+}
+
+bool settled(std::span<const Report> reports) {
+  return std::ranges::all_of(reports, [](const Report& r) {
+    return r.verdict == Verdict::proved || r.verdict == Verdict::supported || r.beyond_calculation();
+  });
 }
 
 Counts count(std::span<const Report> reports) {

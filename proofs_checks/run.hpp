@@ -27,6 +27,8 @@ struct Report {
   double seconds;
 
   std::size_t controls_refuted() const;
+  /// No calculation decides it: an undecided claim that is no failure.
+  bool beyond_calculation() const;
   std::vector<std::string> survivors() const;
 };
 
@@ -53,5 +55,8 @@ struct Counts {
   std::size_t refuted = 0;
 };
 Counts count(std::span<const Report> reports);
+
+/// Nothing refuted, and nothing undecided but what is beyond calculation.
+bool settled(std::span<const Report> reports);
 
 }  // namespace steadyslide::proofs_checks

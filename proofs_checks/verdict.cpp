@@ -17,6 +17,7 @@ bool is_empty(const Evidence& evidence) {
   if (const auto* agreement = std::get_if<Agreement>(&evidence)) {
     return agreement->effective < std::max<std::size_t>(agreement->required, 1);
   }
+  if (std::holds_alternative<BeyondCalculation>(evidence)) return true;
   // Not a comparison the other way round: a bar that is no number shows nothing.
   if (const auto* rate = std::get_if<ConvergenceRate>(&evidence)) return !(rate->error_bar <= rate->tolerance);
   return false;

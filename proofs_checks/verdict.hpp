@@ -6,8 +6,8 @@
 //   proved     otherwise, if exact identities cover the whole claim; agreements beside them change nothing
 //   supported  otherwise, if there is evidence and every piece of it says something. Exact identities that cover a part
 //              only, or the examined cases, support: the claim is as strong as its weakest part.
-//   undecided  otherwise: no evidence, an agreement with too few effective cases, or a rate whose error bar is wider
-//              than its tolerance
+//   undecided  otherwise: no evidence, an agreement with too few effective cases, a rate whose error bar is wider than
+//              its tolerance, or a statement beyond calculation
 //
 // A claim whose controls are not all refuted was not checked: its verdict is undecided unless it is refuted.
 

@@ -29,5 +29,15 @@ std::vector<Claim> cell_definiteness_claims();
 std::vector<Claim> cell_indefiniteness_claims();
 std::vector<Claim> cell_solution_claims();
 std::vector<Claim> cell_loading_claims();
+std::vector<Claim> proof_step_claims();
+std::vector<Claim> paper_figure_claims();
+std::vector<Claim> remark_claims();
+std::vector<Claim> words_claims();
+std::vector<Claim> beyond_calculation_claims();
+std::vector<Claim> dual_problem_claims();
+std::vector<Claim> functional_claims();
+std::vector<Claim> bilinear_form_claims();
+std::vector<Claim> problem_claims();
+std::vector<Claim> surface_displacement_claims();
 
 }  // namespace steadyslide::proofs_checks
