@@ -13,7 +13,8 @@ struct Message {
   std::string text;
 };
 
-using Command = std::variant<Message, VerifyOptions, ExponentsOptions, TableOptions, SolveOptions>;
+using Command =
+    std::variant<Message, VerifyOptions, ExponentsOptions, TableOptions, SolveOptions, FiguresOptions, ReportOptions>;
 
 /// Throws Failure (exit code 2) "command line: ...".
 Command parse_command_line(int argc, const char* const* argv);
