@@ -1,5 +1,7 @@
 #include "numeric/trapezoidal.hpp"
 
+#include <cstdlib>
+
 namespace steadyslide::numeric::trapezoidal {
 namespace {
 
@@ -33,25 +35,86 @@ class CompensatedSum {
   R compensation_ = 0;
 };
 
+/// What every panel's nodes at +-tau, tau >= 0, are made of.
 template <Real R>
-Node<R> node_at(const Panel<R>& panel, const R& tau) {
-  using std::exp;
+struct UnitNode {
+  R exponential;  ///< e^-tau
+  R sum;          ///< 1 + e^-tau
+  R logarithm;    ///< log(1 + e^-tau)
+
+  static UnitNode at(const R& tau) {
+    using std::exp, std::log;
+    const R e = exp(R(-tau));
+    return {e, R(1 + e), log(R(1 + e))};
+  }
+};
+
+/// A step of few bits makes every k h exact: nodes that jitter by a rounding would be the largest error of all.
+template <Real R>
+R step_length() {
+  using std::floor;
+  // The integrand is analytic for |Im tau| < pi, with branch points on the border: a little more than the accuracy.
+  return floor(R(1024 * 2 * pi<R>() * pi<R>() / (accuracy<R>() + 12))) / 1024;
+}
+
+/// At 0, h, 2h, ...: the same for all grids, and logarithms are what costs most in them.
+template <Real R>
+const std::vector<UnitNode<R>>& unit_nodes() {
+  static const std::vector<UnitNode<R>> nodes = [] {
+    std::vector<UnitNode<R>> result;
+    const R last = accuracy<R>() + 2 * margin<R>();
+    for (R tau = 0; tau < last; tau += step_length<R>()) result.push_back(UnitNode<R>::at(tau));
+    return result;
+  }();
+  return nodes;
+}
+
+template <Real R>
+Node<R> node_at(const Panel<R>& panel, const UnitNode<R>& unit, bool right_half) {
   // Both distances from the smaller exponential: neither overflows, neither cancels.
-  const bool right_half = tau > 0;
-  const R e = exp(right_half ? R(-tau) : tau);
-  const R far = panel.length / (1 + e);
-  const R near = far * e;
+  const R far = panel.length / unit.sum;
+  const R near = far * unit.exponential;
   return right_half ? Node<R>{panel.right - near, far, near} : Node<R>{panel.left + near, near, far};
 }
+
+template <Real R>
+Node<R> node_at(const Panel<R>& panel, const R& tau) {
+  using std::abs;
+  return node_at(panel, UnitNode<R>::at(abs(tau)), tau > 0);
+}
+
+/// from_left^(1+lambda) from_right^(1+mu), lambda and mu the density's end powers. In higher precision it is one
+/// exponential. Its argument costs digits where it is large, but then it is negative: the factor is as small as they
+/// are few, and the sums do not feel it.
+template <Real R>
+class EndPowers {
+ public:
+  explicit EndPowers(const PanelDensity<R>& density) : left_(density.left.plus_one), right_(density.right.plus_one) {
+    using std::log;
+    if constexpr (!std::same_as<R, double>) log_length_ = log(density.panel.length);
+  }
+
+  R at(const Node<R>& node, const UnitNode<R>& unit, const R& tau) const {
+    using std::exp, std::pow;
+    if (left_ == 1 && right_ == 1) return node.from_left * node.from_right;
+    if constexpr (std::same_as<R, double>) {
+      return pow(node.from_left, left_) * pow(node.from_right, right_);
+    } else {
+      // log(from_left/from_right) is tau.
+      return exp(R((left_ + right_) * (log_length_ - unit.logarithm) + (tau > 0 ? R(-right_ * tau) : R(left_ * tau))));
+    }
+  }
+
+ private:
+  R left_;
+  R right_;
+  R log_length_ = 0;
+};
 
 }  // namespace
 
 template <Real R>
-Grid<R>::Grid(PiecewiseDensity<R> density) : density_(std::move(density)) {
-  // The integrand is analytic for |Im tau| < pi, with branch points on the border: a little more than the accuracy.
-  // A step of few bits makes every k h exact: nodes that jitter by a rounding would be the largest error of all.
-  using std::floor;
-  step_ = floor(R(1024 * 2 * pi<R>() * pi<R>() / (accuracy<R>() + 12))) / 1024;
+Grid<R>::Grid(PiecewiseDensity<R> density) : density_(std::move(density)), step_(step_length<R>()) {
   samples_.reserve(density_.size());
   for (const PanelDensity<R>& panel : density_) samples_.push_back(sample(panel, R(0)));
 }
@@ -67,7 +130,7 @@ R Grid<R>::reach_for_others(const PanelDensity<R>& density) const {
 
 template <Real R>
 typename Grid<R>::Samples Grid<R>::sample(const PanelDensity<R>& density, const R& offset) const {
-  using std::ceil, std::exp, std::min, std::pow;
+  using std::ceil, std::min;
   const Panel<R>& panel = density.panel;
   // Beyond this tau the density is its end power to full accuracy, and so is its product with a Cauchy kernel.
   const R constant_beyond = accuracy<R>() + margin<R>() + reach_for_others(density);
@@ -80,12 +143,15 @@ typename Grid<R>::Samples Grid<R>::sample(const PanelDensity<R>& density, const 
   Samples samples;
   samples.inner.reserve(static_cast<std::size_t>(highest - lowest + 1));
   const R factor = step_ / panel.length;
+  const EndPowers<R> powers(density);
+  const std::vector<UnitNode<R>>& units = unit_nodes<R>();
   for (long k = lowest; k <= highest; ++k) {
-    const Node<R> node = node_at(panel, R(offset + static_cast<int>(k) * step_));
-    R weighted = factor * density.smooth(node);
-    weighted *= density.left.value == 0 ? node.from_left : R(pow(node.from_left, density.left.plus_one));
-    weighted *= density.right.value == 0 ? node.from_right : R(pow(node.from_right, density.right.plus_one));
-    samples.inner.push_back({node, weighted});
+    using std::abs;
+    const R tau = offset + static_cast<int>(k) * step_;
+    const auto index = static_cast<std::size_t>(std::labs(k));
+    const UnitNode<R> unit = offset == 0 && index < units.size() ? units[index] : UnitNode<R>::at(abs(tau));
+    const Node<R> node = node_at(panel, unit, tau > 0);
+    samples.inner.push_back({node, R(factor * density.smooth(node) * powers.at(node, unit, tau))});
   }
   const auto tail = [&](const R& last, const Power<R>& power) {
     using std::expm1;
