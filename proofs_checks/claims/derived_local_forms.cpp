@@ -52,7 +52,8 @@ Claim jumps_and_wedges() {
        "the "
        "constant `[psi_bar']/[s]` stands beside it. At a wedge under one friction value the traction has "
        "`([psi_bar']/(1+s^2)) (log|x-c|/pi + s H(x-c))`.",
-       "Contact on both sides of `c`; `[ ]` is the value in front of `c` less that behind it; next to `c` the traction "
+       "Contact on both sides of `c`; brackets mean the value in front of `c` less that behind it; next to `c` the "
+       "traction "
        "is a sum of powers of `|x-c|`, with logarithms; the amplitude `theta` is not determined by the local equation.",
        "The integral `(1/pi) PV int t/(x'-x) dx'` takes `|x-c|^lambda`, carried by one side, to "
        "`-cot(pi lambda) |x-c|^lambda` on that side and to `-+|x-c|^lambda/sin(pi lambda)` on the other one, up to one "
