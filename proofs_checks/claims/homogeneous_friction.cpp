@@ -1,6 +1,9 @@
 // The complete solution under constant friction. [Bal16, theorem 8]
 
 #include <cmath>
+#include <map>
+#include <memory>
+#include <tuple>
 
 #include "numeric/closed_form.hpp"
 #include "numeric/riemann_hilbert.hpp"
@@ -33,7 +36,8 @@ struct Case {
 std::vector<Case> cases(const Context& context) {
   Random random(context.seed, "thm-08-homogeneous");
   std::vector<Case> all;
-  for (int k = 0; k < (context.quick ? 2 : 8); ++k) {
+  const int quick = context.digits == numeric::Digits::sixteen ? 4 : 1;
+  for (int k = 0; k < (context.quick ? quick : 8); ++k) {
     const Rational s = random.between(Rational(1, 5), 1) * (k % 4 < 2 ? 1 : -1);
     const Rational load = random.between(Rational(1, 5), Rational(1, 2));
     switch (k % 4) {
@@ -78,18 +82,28 @@ void compare(Findings& findings, const Quantity& quantity, const ContactSolution
   }
 }
 
-std::vector<Evidence> check(const Context& context, const HomogeneousSaid& said) {
+/// Residuals take longer than solutions: found once for the claim and its controls.
+template <class R>
+using KnownResiduals = std::map<std::string, numeric::Residuals<R>>;
+using AllKnownResiduals =
+    std::tuple<KnownResiduals<double>, KnownResiduals<numeric::Real50>, KnownResiduals<numeric::Real100>>;
+
+std::vector<Evidence> check(const Context& context, const HomogeneousSaid& said, AllKnownResiduals& all_known) {
   const auto walk = [&]<Real R>() {
+    auto& known = std::get<KnownResiduals<R>>(all_known);
     // Residuals come from rules that lose a digit or two.
     const Quantity residual{"equation, load, penetration and tension", {"unrelated rule", "zero"}, tolerance<R>()};
     const Quantity solvers{"ends, traction and gap", {"Riemann-Hilbert", "closed form"}, tolerance<R>(), 0.4};
     const Quantity shifted{"ends, traction and gap, psi + C", {"psi", "psi + C"}, tolerance<R>()};
     Findings findings;
     for (const Case& c : cases(context)) {
-      findings.begin_case("s = " + to_string(c.s) + ", psi = " + to_string(c.profile) + ", P = " + to_string(c.load));
+      const std::string name =
+          "s = " + to_string(c.s) + ", psi = " + to_string(c.profile) + ", P = " + to_string(c.load);
+      findings.begin_case(name);
       const R load = numeric::to_real<R>(c.load);
       const auto solution = solve<R>(findings, cell_problem({{c.s}, {}}, c.profile, c.load));
-      const numeric::Residuals<R> left = solution->residuals();
+      if (!known.contains(name)) known.emplace(name, solution->residuals());
+      const numeric::Residuals<R>& left = known.at(name);
       for (const R& value : {left.equation, left.load, left.penetration, left.tension}) {
         findings.compare(residual, static_cast<double>(value));
       }
@@ -118,6 +132,9 @@ std::vector<Evidence> check(const Context& context, const HomogeneousSaid& said)
 
 Claim homogeneous_friction_claim() {
   using S = HomogeneousSaid;
+  const auto examine = [known = std::make_shared<AllKnownResiduals>()](const Context& context, const S& said) {
+    return check(context, said, *known);
+  };
   return make_claim(
       {"thm-08-homogeneous", "[Bal16, theorem 8]",
        "there is exactly one `(u_bar_n, t_n)` with `-(1/pi) t_n * pv(1/x) + gamma f t_n = u_bar_n'`, `u_bar_n <= "
@@ -132,7 +149,7 @@ Claim homogeneous_friction_claim() {
        "those "
        "of proposition 5. Only `u_bar_n - psi_bar` and `psi_bar'` enter, so a constant in `psi_bar` goes to "
        "`u_bar_n`."},
-      check, S(),
+      examine, S(),
       std::vector<Wrong<S>>{
           {"the second solver with the friction's sign reversed", changed<S>([](S& said) { said.friction = -1; })},
           {"the second solver with twice the load", changed<S>([](S& said) { said.load = 2; })},
@@ -141,8 +158,8 @@ Claim homogeneous_friction_claim() {
              said.added = Polynomial({0, Rational(1, 10)});
            })},
           {"psi + C and u_n, not u_n + C", changed<S>([](S& said) { said.equal = false; })},
-          {"near miss: the second solver's load moved by a hundred times the tolerance",
-           changed<S>([](S& said) { said.moved = 100; })}});
+          {"near miss: the second solver's load moved by ten times the tolerance",
+           changed<S>([](S& said) { said.moved = 10; })}});
 }
 
 }  // namespace steadyslide::proofs_checks

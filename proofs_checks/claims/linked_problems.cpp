@@ -28,8 +28,9 @@ void check_full_contact(Findings& findings, const Context& context, const LinkSa
   Random random(context.seed, "prop-07-problems-linked");
   for (int k = 0; k < (context.quick ? 1 : 4); ++k) {
     const Rational s = random.between(Rational(1, 4), 2) * (k % 2 == 0 ? 1 : -1);
-    const Polynomial profile({0, random.between(Rational(-1, 50), Rational(1, 50)), random.between(0, Rational(1, 30)),
-                              random.between(Rational(-1, 100), Rational(1, 100))});
+    const Rational cubic = context.quick ? Rational(0) : random.between(Rational(-1, 100), Rational(1, 100));
+    const Polynomial profile(
+        {0, random.between(Rational(-1, 50), Rational(1, 50)), random.between(0, Rational(1, 30)), cubic});
     const ContactProblem problem = cell_problem({{s}, {}}, profile);
     findings.begin_case("s = " + to_string(s) + ", " + to_string(profile));
     const auto attempt = numeric::riemann_hilbert<R>(problem);
@@ -38,7 +39,7 @@ void check_full_contact(Findings& findings, const Context& context, const LinkSa
                      "not in full contact");
     const R unit = numeric::to_real<R>(solution->problem().frame().unit);
     const R origin = numeric::to_real<R>(solution->problem().frame().origin);
-    const DisplacementOperator<R> a(s, 5, said.displacement.inverse);
+    const DisplacementOperator<R> a(s, profile.degree() + 1, said.displacement.inverse);
     std::vector<R> psi;
     for (std::size_t i = 0; i < a.size(); ++i) {
       R value = 0;
@@ -92,15 +93,19 @@ void check_convergence(Findings& findings, Solved& solved, const Context& contex
   const DisplacementSaid& d = said.displacement;
   const bool right = d.load == 1 && d.profile == 1 && !d.other_angle && d.inverse.friction == 1 && !d.inverse.printed;
   const std::vector<DualCase> cases = dual_cases();
-  const std::vector<int> first = context.quick ? std::vector<int>{12, 24, 48} : std::vector<int>{16, 32, 64, 128};
+  const std::vector<int> first = context.quick ? std::vector<int>{12, 24, 36} : std::vector<int>{16, 32, 64, 128};
   const int meshes = context.quick ? 7 : 14;
   const double tolerance = context.quick ? 0.35 : 0.2;
   for (std::size_t k = 0; k < (context.quick ? 2 : cases.size()); ++k) {
     const DualCase& c = cases[k];
     findings.begin_case(c.name);
     const auto load = numeric::to_real<double>(c.load);
-    const auto polynomials = [&](int n) {
-      return right ? solved.polynomials(k, n) : displacement_moments(c, n, said.displacement);
+    std::map<int, Moments> wrong;
+    const auto polynomials = [&](int n) -> const Moments& {
+      if (right) return solved.polynomials(k, n);
+      Moments& moments = wrong[n];
+      if (moments.empty()) moments = displacement_moments(c, n, said.displacement);
+      return moments;
     };
     const auto measure = [&](const std::string& what, const std::vector<Level>& levels, double expected) {
       const Rate rate = fitted_rate(levels);
@@ -129,7 +134,12 @@ Claim linked_problems_claim() {
   const auto check = [solved = std::make_shared<Solved>()](const Context& context, const S& said) {
     const auto walk = [&]<Real R>() {
       Findings findings;
-      check_full_contact<R>(findings, context, said);
+      // Principal values at 50 digits take a tenth of a second.
+      if (context.quick) {
+        check_full_contact<double>(findings, context, said);
+      } else {
+        check_full_contact<R>(findings, context, said);
+      }
       check_convergence(findings, *solved, context, said);
       return findings.evidence("random s of both signs and profiles, seed " + std::to_string(context.seed));
     };
@@ -143,7 +153,7 @@ Claim linked_problems_claim() {
        "contact the forces of problem I are those of the Riemann-Hilbert solution; with free ends and edges "
        "`L(u_bar_n)` "
        "tends to it as `1/n^2`, and to the solution on `4 n` cells as fast as the cells allow",
-       "constant `f`, either direction; rates in double, within `+-0.2` (quick: `+-0.35`), each level the root mean "
+       "constant `f`, either direction; rates and quick runs in double, rates within `+-0.2` (quick: `+-0.35`), each level the root mean "
        "square of 14 (quick: 7) neighbouring `n`",
        "Let `t_tilde_n` solve problem I0 and `u_bar_n = L^{-1}(t_tilde_n)`. Then `b(t_tilde_n, t_hat - t_tilde_n) = "
        "<<u_bar_n, t_hat - t_tilde_n>>`, so problem I0 is (i) of proposition 5 for the pair. By (ii) `<<t_tilde_n, "
