@@ -24,7 +24,7 @@ constexpr std::array<std::pair<std::string_view, Format>, 5> all_formats{{{"text
 /// The texts behind the options, as CLI11 leaves them.
 struct Raw {
   std::string problem, method = "auto", digits, format = "text", output, at, samples, cells, iterations, load_steps,
-                       search_solutions, poisson, rear, front, seed;
+                       search_solutions, poisson, rear, front, seed, report;
   std::vector<std::string> claims, figures;
   bool derivation = false, list = false, quick = false;
 };
@@ -83,6 +83,8 @@ class CommandLine {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     verify_->add_flag("--quick", raw_.quick, "Fewer parameters");
     verify_->add_option("--seed", raw_.seed, "Seed of the random parameters, a whole number")->type_name("N");
+    verify_->add_option("--report", raw_.report, "Write the report on this run as well: DIR/report.html")
+        ->type_name("DIR");
     add_common(verify_, "Digits to work with, 1 to 100; default 50", "text, json or markdown");
     verify_->footer(help::verify_footer);
   }
@@ -181,6 +183,10 @@ class CommandLine {
     VerifyOptions options{common(verify_, 50, {Format::text, Format::json, Format::markdown}), raw_.list, raw_.quick,
                           raw_.claims, std::nullopt};
     options.seed = seed(verify_);
+    if (!given(verify_, "--report")) return options;
+    if (raw_.report.empty()) throw bad_command_line("--report: no folder", "it has a name", raw_.report);
+    if (raw_.list) throw bad_command_line("--list: conflicting option", "it checks nothing to report", "--report");
+    options.report = raw_.report;
     return options;
   }
 

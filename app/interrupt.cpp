@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <climits>
 #include <csignal>
+#include <iterator>
 
 #include "app/failure.hpp"
 
@@ -12,7 +13,8 @@ namespace steadyslide::app {
 namespace {
 
 // A signal handler can reach static storage only. Written with signals held.
-char unfinished_file[PATH_MAX] = "";
+constexpr std::size_t most_files = 4;
+char unfinished_files[most_files][PATH_MAX] = {};
 volatile std::sig_atomic_t line_to_erase = 0;
 
 sigset_t both_signals() {
@@ -24,7 +26,9 @@ sigset_t both_signals() {
 }
 
 extern "C" void end_interrupted(int) {
-  if (unfinished_file[0] != '\0') ::unlink(unfinished_file);
+  for (const auto& file : unfinished_files) {
+    if (file[0] != '\0') ::unlink(file);
+  }
   if (line_to_erase != 0 && ::write(STDERR_FILENO, "\r\x1b[K", 4) < 0) {
     // Nobody is left to be told.
   }
@@ -53,9 +57,16 @@ SignalsHeld::~SignalsHeld() {
 }
 
 void remove_when_interrupted(const std::string& file) {
-  const std::size_t length = std::min<std::size_t>(file.size(), PATH_MAX - 1);
-  file.copy(unfinished_file, length);
-  unfinished_file[length] = '\0';
+  const auto slot = std::ranges::find_if(unfinished_files, [](const auto& name) { return name[0] == '\0'; });
+  if (slot == std::end(unfinished_files) || file.size() >= PATH_MAX) return;
+  file.copy(*slot, file.size());
+  (*slot)[file.size()] = '\0';
+}
+
+void keep_when_interrupted(const std::string& file) {
+  for (auto& name : unfinished_files) {
+    if (file == name) name[0] = '\0';
+  }
 }
 
 void erase_line_when_interrupted(bool erase) { line_to_erase = erase ? 1 : 0; }

@@ -1,5 +1,5 @@
 #pragma once
-// SIGINT and SIGTERM end the program with exit code 130, and take the unfinished output file and
+// SIGINT and SIGTERM end the program with exit code 130, and take unfinished output files and
 // the progress bar with them.
 
 #include <string>
@@ -18,8 +18,9 @@ class SignalsHeld {
   SignalsHeld& operator=(const SignalsHeld&) = delete;
 };
 
-/// The file to remove on a signal; empty: none. Call with signals held.
+/// A file to remove on a signal, one of at most four at a time; no longer so. Call with signals held.
 void remove_when_interrupted(const std::string& file);
+void keep_when_interrupted(const std::string& file);
 
 /// Does a signal clear the line that the terminal on stderr is in?
 void erase_line_when_interrupted(bool erase);

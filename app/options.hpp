@@ -48,6 +48,7 @@ struct VerifyOptions {
   bool quick = false;
   std::vector<std::string> claims;
   std::optional<unsigned long long> seed;
+  std::optional<std::string> report = {};  ///< folder of the HTML report on the same run
 };
 
 struct FiguresOptions {

@@ -61,7 +61,7 @@ Output::~Output() {
   if (temporary_.empty()) return;
   const SignalsHeld held;
   ::unlink(temporary_.c_str());
-  remove_when_interrupted("");
+  keep_when_interrupted(temporary_);
 }
 
 void Output::write(std::string_view text) {
@@ -86,8 +86,8 @@ void Output::commit() {
   if (::fsync(descriptor_) != 0) fail("cannot be written");
   const SignalsHeld held;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot be written");
+  keep_when_interrupted(temporary_);
   temporary_.clear();
-  remove_when_interrupted("");
 }
 
 void Output::fail(const std::string& what) const {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/report/report_command.hpp"
 #include "app/verify_writers.hpp"
 #include "proofs_checks/registry.hpp"
 
@@ -56,8 +57,11 @@ ExitCode run(const VerifyOptions& options) {
     output.commit();
     return ExitCode::done;
   }
+  std::optional<Output> page;
+  if (options.report) page.emplace(report_file(*options.report));
   const VerifyResult result = examine(options);
   write_verify(options.common.format, result, output);
+  if (page) write_report(result, *page);
   output.commit();
   return exit_code_of(result.reports);
 }

@@ -1,0 +1,146 @@
+#include "app/report/evidence_html.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "app/report/html.hpp"
+#include "app/report/mathml.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+namespace checks = proofs_checks;
+
+template <class Kind>
+std::vector<const Kind*> all_of(const checks::Report& report) {
+  std::vector<const Kind*> found;
+  for (const checks::Evidence& evidence : report.evidence) {
+    if (const Kind* piece = std::get_if<Kind>(&evidence)) found.push_back(piece);
+  }
+  return found;
+}
+
+std::string heading(std::string_view text) { return element("h5", text) + "\n"; }
+
+std::string paragraph(std::string_view text) { return text.empty() ? "" : element("p", prose(text)) + "\n"; }
+
+/// 3.1e-52 with a power of ten; what is no number as it is.
+std::string number(const std::string& text) {
+  const bool negative = text.starts_with('-');
+  const auto typeset = text.find_first_not_of("0123456789.e+-") == std::string::npos ? mathml(text) : std::nullopt;
+  return typeset && (negative || !text.empty()) ? *typeset : escaped(text);
+}
+
+std::string list(const std::vector<std::string>& items) {
+  std::string html;
+  for (const std::string& item : items) html += element("li", item) + "\n";
+  return element("ul", "\n" + html) + "\n";
+}
+
+/// Said once, however many pieces of evidence say it.
+template <class Kind>
+std::string details(const std::vector<const Kind*>& pieces) {
+  std::vector<std::string> seen;
+  for (const Kind* piece : pieces) {
+    if (std::ranges::find(seen, piece->detail) == seen.end()) seen.push_back(piece->detail);
+  }
+  std::string html;
+  for (const std::string& detail : seen) html += paragraph(detail);
+  return html;
+}
+
+std::string identities(const std::vector<const checks::ExactIdentity*>& pieces) {
+  std::string html;
+  for (const checks::ExactIdentity* piece : pieces) {
+    const bool whole = piece->covers == checks::ExactIdentity::Covers::claim;
+    html += heading(whole ? "Exact identities, which establish the statement"
+                          : "Exact identities, for a part of the statement or the cases examined");
+    html += paragraph(piece->detail);
+    std::vector<std::string> items;
+    for (const std::string& identity : piece->identities) items.push_back(prose(identity));
+    if (!items.empty()) html += list(items);
+  }
+  return html;
+}
+
+std::string agreements(const std::vector<const checks::Agreement*>& pieces) {
+  if (pieces.empty()) return "";
+  std::vector<std::vector<std::string>> rows;
+  for (const checks::Agreement* a : pieces) {
+    std::string routes;
+    for (const std::string& route : a->routes) {
+      routes += (routes.empty() ? "" : "<span class=\"against\">against</span> ") + prose(route) + " ";
+    }
+    std::string cases = fmt::format("{} of {}", a->effective, a->cases);
+    if (a->effective < a->required) cases += fmt::format(" ({} required)", a->required);
+    rows.push_back({prose(a->what), routes, number(a->worst), number(a->tolerance), cases});
+  }
+  return heading("Agreement of unrelated routes") +
+         table_element("Agreement of unrelated routes",
+                       {"quantity", "routes", "largest relative difference", "tolerance", "effective cases"}, rows) +
+         details(pieces);
+}
+
+std::string rates(const std::vector<const checks::ConvergenceRate*>& pieces) {
+  if (pieces.empty()) return "";
+  std::vector<std::vector<std::string>> rows;
+  for (const checks::ConvergenceRate* r : pieces) {
+    rows.push_back({prose(r->what), fmt::format("{:.3g} ± {:.2g}", r->measured, r->error_bar),
+                    fmt::format("{:.3g} ± {:.2g}", r->expected, r->tolerance)});
+  }
+  return heading("Rates of convergence") +
+         table_element("Rates of convergence", {"error of", "power measured", "power expected"}, rows) +
+         details(pieces);
+}
+
+std::string counterexamples(const std::vector<const checks::Counterexample*>& pieces) {
+  if (pieces.empty()) return "";
+  std::vector<std::string> items;
+  for (const checks::Counterexample* c : pieces) items.push_back(prose(c->detail + " at " + c->where));
+  return heading("Counterexample") + list(items);
+}
+
+std::string beyond(const std::vector<const checks::BeyondCalculation*>& pieces,
+                   std::span<const checks::Report> reports) {
+  std::string html;
+  for (const checks::BeyondCalculation* b : pieces) {
+    html += heading("Beyond calculation") + paragraph(b->reason);
+    std::vector<std::string> items;
+    for (const std::string& id : b->consequences) {
+      const auto found = std::ranges::find(reports, id, [](const checks::Report& r) { return r.claim.id; });
+      items.push_back(found == reports.end() ? element("code", escaped(id)) + " (not in this run)"
+                                             : element("a", element("code", escaped(id)), {{"href", "#" + id}}) + ": " +
+                                                   std::string(name_of(found->verdict)));
+    }
+    if (!items.empty()) html += element("p", "What follows from it and can be calculated:") + "\n" + list(items);
+  }
+  return html;
+}
+
+}  // namespace
+
+std::string evidence_html(const checks::Report& report, std::span<const checks::Report> reports) {
+  std::string html = counterexamples(all_of<checks::Counterexample>(report)) +
+                     identities(all_of<checks::ExactIdentity>(report)) + agreements(all_of<checks::Agreement>(report)) +
+                     rates(all_of<checks::ConvergenceRate>(report)) +
+                     beyond(all_of<checks::BeyondCalculation>(report), reports);
+  if (!report.note.empty()) html += element("p", prose(report.note), {{"class", "note"}}) + "\n";
+  return html;
+}
+
+std::string controls_html(const checks::Report& report) {
+  if (report.controls.empty()) return "";
+  std::string items;
+  for (const checks::ControlReport& control : report.controls) {
+    const std::string_view mark = control.refuted ? "refuted" : "not refuted";
+    const std::string detail = control.detail.empty() ? "" : element("span", prose(control.detail), {{"class", "by"}});
+    items += element("li", element("span", mark, {{"class", control.refuted ? "mark" : "mark survived"}}) + " " +
+                               prose(control.name) + " " + detail) +
+             "\n";
+  }
+  return element("ul", "\n" + items, {{"class", "controls"}}) + "\n";
+}
+
+}  // namespace steadyslide::app

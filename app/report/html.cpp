@@ -1,0 +1,60 @@
+#include "app/report/html.hpp"
+
+#include <fmt/format.h>
+
+#include "app/utf8.hpp"
+
+namespace steadyslide::app {
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  while (!text.empty()) {
+    const Utf8Character character = first_character(text);
+    const std::size_t length = character.length == 0 ? 1 : character.length;
+    const char c = text.front();
+    if (character.length == 0) {
+      result += "\xef\xbf\xbd";
+    } else if (length > 1) {
+      // C1 controls and the two noncharacters that XML refuses.
+      const bool allowed = character.code >= 0xa0 && character.code != 0xfffe && character.code != 0xffff;
+      if (allowed) result += text.substr(0, length);
+    } else if (c == '<') {
+      result += "&lt;";
+    } else if (c == '>') {
+      result += "&gt;";
+    } else if (c == '&') {
+      result += "&amp;";
+    } else if (c == '"') {
+      result += "&quot;";
+    } else if (c == '\n' || c == '\t' || (c >= ' ' && c != '\x7f')) {
+      result += c;
+    }
+    text.remove_prefix(length);
+  }
+  return result;
+}
+
+std::string element(std::string_view tag, std::string_view content, std::initializer_list<Attribute> attributes) {
+  std::string result = fmt::format("<{}", tag);
+  for (const Attribute& a : attributes) result += fmt::format(" {}=\"{}\"", a.name, escaped(a.value));
+  return result + fmt::format(">{}</{}>", content, tag);
+}
+
+std::string table_element(std::string_view label, const std::vector<std::string>& columns,
+                          const std::vector<std::vector<std::string>>& rows) {
+  std::string head;
+  for (const std::string& column : columns) head += element("th", column, {{"scope", "col"}});
+  std::string body;
+  for (const std::vector<std::string>& row : rows) {
+    std::string cells;
+    for (const std::string& cell : row) cells += element("td", cell);
+    body += element("tr", cells) + "\n";
+  }
+  const std::string table =
+      element("table", element("thead", element("tr", head)) + "\n" + element("tbody", "\n" + body));
+  return element("div", table, {{"class", "wide"}, {"tabindex", "0"}, {"role", "region"}, {"aria-label", label}}) +
+         "\n";
+}
+
+}  // namespace steadyslide::app

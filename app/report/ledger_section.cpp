@@ -1,0 +1,131 @@
+#include "app/report/ledger_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/report/evidence_html.hpp"
+#include "app/report/mathml.hpp"
+#include "app/report/references.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+namespace checks = proofs_checks;
+
+/// What the filter looks through: as it is typed, not as it is typeset.
+std::string searched(const checks::ClaimText& claim) {
+  std::string text = claim.id + " " + claim.source + " " + claim.statement;
+  std::erase(text, '`');
+  return text;
+}
+
+std::string controls_text(const checks::Report& report) {
+  if (report.controls.empty()) return "no controls";
+  return fmt::format("controls {}/{}", report.controls_refuted(), report.controls.size());
+}
+
+std::string summary(const checks::Report& report) {
+  const std::string_view verdict = name_of(report.verdict);
+  std::string badges = element("span", verdict, {{"class", "badge " + std::string(verdict)}});
+  if (report.beyond_calculation()) badges += " " + element("span", "beyond calculation", {{"class", "badge"}});
+  const std::string head = element("h3", escaped(report.claim.id)) + badges +
+                           element("span", controls_text(report), {{"class", "meta"}}) +
+                           element("span", fmt::format("{:.2f} s", report.seconds), {{"class", "meta seconds"}});
+  return element("summary", element("span", head, {{"class", "head"}}) +
+                                element("span", prose(report.claim.source), {{"class", "source"}}) +
+                                element("span", prose(report.claim.statement), {{"class", "statement"}}));
+}
+
+std::string part(std::string_view title, const std::string& html) {
+  return html.empty() ? "" : element("h4", title) + "\n" + html + "\n";
+}
+
+std::string paragraph(const std::string& text) { return text.empty() ? "" : element("p", cited_prose(text)); }
+
+std::string entry(const checks::Report& report, std::size_t order, const VerifyResult& result) {
+  const checks::ClaimText& claim = report.claim;
+  const std::string link = element("a", "link to this entry", {{"href", "#" + claim.id}});
+  const std::string again =
+      element("code", escaped(fmt::format("steadyslide verify --claim {} --digits {} --seed {}{}", claim.id,
+                                          static_cast<int>(result.context.digits), result.context.seed,
+                                          result.context.quick ? " --quick" : "")));
+  const std::string body = part("Holds for", paragraph(claim.hypotheses)) +
+                           part("How it follows", paragraph(claim.derivation)) +
+                           part("Evidence", evidence_html(report, result.reports)) +
+                           part("Controls: wrong variants of the statement", controls_html(report)) +
+                           element("p", again + " · " + link, {{"class", "again"}});
+  return element("details",
+                 "\n" + summary(report) + "\n" + element("div", "\n" + body + "\n", {{"class", "body"}}) + "\n",
+                 {{"class", "claim"},
+                  {"id", claim.id},
+                  {"data-order", std::to_string(order)},
+                  {"data-verdict", name_of(report.verdict)},
+                  {"data-seconds", fmt::format("{:.6f}", report.seconds)},
+                  {"data-text", searched(claim)}}) +
+         "\n";
+}
+
+std::string verdict_boxes(const VerifyResult& result) {
+  const checks::Counts counts = count(result.reports);
+  std::string boxes = element("legend", "Verdict");
+  for (const auto& [verdict, n] : {std::pair("proved", counts.proved),
+                                   {"supported", counts.supported},
+                                   {"undecided", counts.undecided},
+                                   {"refuted", counts.refuted}}) {
+    boxes += element(
+        "label", fmt::format("<input type=\"checkbox\" name=\"verdict\" value=\"{0}\" checked> {0} ({1})", verdict, n));
+  }
+  return element("fieldset", boxes);
+}
+
+std::string sort_buttons() {
+  std::string buttons = element("legend", "Sort by");
+  for (const char* key : {"order", "id", "verdict", "seconds"}) {
+    buttons += element("button", key, {{"type", "button"}, {"data-sort", key}, {"aria-pressed", "false"}});
+  }
+  return element("fieldset", buttons, {{"id", "sort"}});
+}
+
+/// Of no use without JavaScript, and hidden without it.
+std::string tools(const VerifyResult& result) {
+  const std::string filter =
+      "<label for=\"filter\">Filter</label><input id=\"filter\" type=\"search\" placeholder=\"id, place or words of "
+      "the "
+      "statement\" autocomplete=\"off\" spellcheck=\"false\">";
+  const std::string folds = element("button", "open all", {{"type", "button"}, {"id", "open-all"}}) +
+                            element("button", "close all", {{"type", "button"}, {"id", "close-all"}}) +
+                            element("span", "", {{"id", "shown"}, {"role", "status"}, {"aria-live", "polite"}});
+  return element("form",
+                 element("p", filter, {{"class", "filter"}}) + verdict_boxes(result) + sort_buttons() +
+                     element("p", folds, {{"class", "folds"}}),
+                 {{"id", "tools"}, {"hidden", "hidden"}}) +
+         "\n";
+}
+
+}  // namespace
+
+Section ledger_section(const VerifyResult& result) {
+  std::string entries;
+  for (std::size_t k = 0; k < result.reports.size(); ++k) entries += entry(result.reports[k], k, result);
+  return {"ledger", "The ledger",
+          entries.empty() ? "" : tools(result) + element("div", "\n" + entries, {{"id", "claims"}}) + "\n"};
+}
+
+std::string counts_line(const VerifyResult& result) {
+  const checks::Counts counts = count(result.reports);
+  return fmt::format("{} proved, {} supported, {} undecided, {} refuted", counts.proved, counts.supported,
+                     counts.undecided, counts.refuted);
+}
+
+std::string controls_line(const VerifyResult& result) {
+  std::size_t total = 0;
+  std::size_t refuted = 0;
+  for (const checks::Report& report : result.reports) {
+    total += report.controls.size();
+    refuted += report.controls_refuted();
+  }
+  return fmt::format("{} of {} controls refuted", refuted, total);
+}
+
+}  // namespace steadyslide::app

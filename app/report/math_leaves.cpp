@@ -1,0 +1,134 @@
+#include "app/report/math_leaves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace steadyslide::app {
+namespace {
+
+using Shape = MathItem::Shape;
+
+/// One letter is set in italics by every browser, several are not.
+std::string identifier(std::string_view glyph, bool upright = false) {
+  return fmt::format("<mi{}>{}</mi>", upright ? " mathvariant=\"normal\"" : "", glyph);
+}
+
+bool is_letter_name(std::string_view name) {
+  const auto symbol = math_name(name);
+  return symbol ? symbol->role == MathRole::operand && !symbol->upright : name.size() == 1;
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string xml;
+  for (const std::string& part : parts) xml += part;
+  return xml;
+}
+
+std::string bracket(std::string_view sign, bool opens, bool stretches) {
+  const std::string_view glyph = sign == "<<" ? "⟨" : sign == ">>" ? "⟩" : sign;
+  return fmt::format("<mo form=\"{}\" stretchy=\"{}\" lspace=\"0\" rspace=\"0\">{}</mo>", opens ? "prefix" : "postfix",
+                     stretches, glyph);
+}
+
+}  // namespace
+
+MathItem number_item(std::string_view digits) {
+  const std::size_t e = digits.find('e');
+  if (e == std::string_view::npos) {
+    return {fmt::format("<mn>{}</mn>", digits), MathRole::operand, Shape::number, digits.size()};
+  }
+  const std::string_view exponent = digits.substr(e + 1);
+  const bool negative = exponent.starts_with('-');
+  const std::string_view size = exponent.substr(negative || exponent.starts_with('+') ? 1 : 0);
+  const std::string power =
+      fmt::format("<msup><mn>10</mn><mrow>{}<mn>{}</mn></mrow></msup>", negative ? "<mo>−</mo>" : "", size);
+  const std::string_view mantissa = digits.substr(0, e);
+  const std::string xml =
+      mantissa == "1"
+          ? power
+          : fmt::format("<mrow><mn>{}</mn><mo lspace=\"0.1em\" rspace=\"0.1em\">×</mo>{}</mrow>", mantissa, power);
+  return {xml, MathRole::operand, Shape::number, digits.size() + 2};
+}
+
+MathItem name_item(std::string_view name) {
+  if (const auto symbol = math_name(name)) {
+    return {identifier(symbol->glyph, symbol->upright), MathRole::operand, Shape::plain, 1};
+  }
+  if (name.size() == 1) return {identifier(name), MathRole::operand, Shape::plain, 1};
+  if (name == "PV") return {identifier(name), MathRole::big, Shape::upright, 2};
+  if (name.front() == 'd' && is_letter_name(name.substr(1))) {
+    const std::string xml = "<mi>d</mi>" + name_item(name.substr(1)).xml;
+    return {fmt::format("<mrow>{}</mrow>", xml), MathRole::operand, Shape::differential, 2};
+  }
+  return {identifier(name), MathRole::operand, Shape::upright, name.size()};
+}
+
+MathItem function_item(const MathSymbol& symbol) {
+  return {identifier(symbol.glyph), MathRole::function, Shape::plain, symbol.glyph.size()};
+}
+
+MathItem big_item(const MathSymbol& symbol) {
+  return {fmt::format("<mo lspace=\"0\" rspace=\"0\" movablelimits=\"false\">{}</mo>", symbol.glyph), MathRole::big};
+}
+
+MathItem word_item(const MathSymbol& symbol) {
+  return {fmt::format("<mtext>{}</mtext>", symbol.glyph), MathRole::word, Shape::upright, symbol.glyph.size()};
+}
+
+MathItem prefix_item(const MathSymbol& symbol) {
+  return {fmt::format("<mo form=\"prefix\" lspace=\"0\" rspace=\"0\">{}</mo>", symbol.glyph), MathRole::binary,
+          Shape::prefix};
+}
+
+MathItem postfix_item(const MathSymbol& symbol) {
+  return {fmt::format("<mo form=\"postfix\" lspace=\"0\" rspace=\"0\">{}</mo>", symbol.glyph)};
+}
+
+MathItem group_item(std::string_view open, MathRow row, std::string_view close) {
+  // Brackets of one size around letters: stretching would only move them apart.
+  const bool stretches =
+      std::ranges::any_of(row, [](const MathItem& item) { return item.tall || item.shape == Shape::group; });
+  MathItem item{fmt::format("<mrow>{}{}{}</mrow>", bracket(open, true, stretches), row_xml(row),
+                            bracket(close, false, stretches))};
+  item.shape = Shape::group;
+  item.width = row_width(row) + 2;
+  item.tall = std::ranges::any_of(row, &MathItem::tall);
+  if (open == "(" && close == ")") item.inside = std::move(row);
+  return item;
+}
+
+MathItem scripted(MathItem base, const Scripts& scripts) {
+  const std::string primes = scripts.primes == 0
+                                 ? ""
+                                 : fmt::format("<mo lspace=\"0\" rspace=\"0\">{}</mo>", scripts.primes == 1   ? "′"
+                                                                                        : scripts.primes == 2 ? "″"
+                                                                                                              : "‴");
+  const std::string sub = joined(scripts.sub);
+  const std::string sup = primes + joined(scripts.sup);
+  if (sub.empty()) {
+    base.xml = math_element("msup", {base.xml, sup});
+  } else if (sup.empty()) {
+    base.xml = math_element("msub", {base.xml, sub});
+  } else {
+    base.xml = math_element("msubsup", {base.xml, sub, sup});
+  }
+  base.inside.clear();
+  base.width += 1 + scripts.sub.size() + scripts.sup.size();
+  return base;
+}
+
+MathItem accented(MathItem base, std::string_view accent) {
+  base.xml =
+      fmt::format("<mover accent=\"true\"><mrow>{}</mrow><mo stretchy=\"false\">{}</mo></mover>", base.xml, accent);
+  base.inside.clear();
+  return base;
+}
+
+std::string script_name(std::string_view name) {
+  const bool axes = name.size() == 2 && std::ranges::all_of(name, [](char c) { return c >= 'i' && c <= 'z'; });
+  if (!axes || math_name(name)) return name_item(name).xml;
+  return identifier(name.substr(0, 1)) + identifier(name.substr(1));
+}
+
+}  // namespace steadyslide::app

@@ -1,0 +1,227 @@
+#include "app/report/math_parser.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "app/report/math_fraction.hpp"
+#include "app/report/math_leaves.hpp"
+#include "app/report/math_tokens.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+using Shape = MathItem::Shape;
+
+constexpr int deepest = 40;
+
+struct NoFormula {};
+
+/// What a row stands in.
+struct Surroundings {
+  std::string_view open;  ///< the bracket; empty: none
+  bool list = false;      ///< a comma was seen
+};
+
+class Parser {
+ public:
+  explicit Parser(const std::vector<MathToken>& tokens) : tokens_(tokens) {}
+
+  MathRow whole() {
+    MathRow row = read_row("", false);
+    if (token().kind != MathToken::Kind::end || row.empty()) throw NoFormula();
+    return row;
+  }
+
+ private:
+  const MathToken& token(std::size_t ahead = 0) const { return tokens_[std::min(at_ + ahead, tokens_.size() - 1)]; }
+  bool at(std::string_view sign) const { return token().is(sign); }
+  bool take(std::string_view sign) {
+    if (!at(sign)) return false;
+    ++at_;
+    return true;
+  }
+
+  static bool after_operand(const MathRow& row) { return !row.empty() && row.back().role == MathRole::operand; }
+
+  bool closes(const Surroundings& around, const MathRow& row) const {
+    const bool bracket = around.open == "[" || around.open == "]";
+    if (at(")")) return around.open == "(" || (bracket && around.list);
+    if (at("]")) return (bracket && (around.open == "[" || after_operand(row))) || (around.open == "(" && around.list);
+    if (at("[")) return bracket && around.list && after_operand(row);
+    if (at("|")) return around.open == "|" && after_operand(row);
+    return (at("}") && around.open == "{") || (at(">>") && around.open == "<<");
+  }
+
+  /// Nothing more follows that the sign could stand before: c+, Y- = .
+  bool is_postfix() const {
+    const MathToken& next = token(1);
+    if (next.kind == MathToken::Kind::end) return true;
+    if (next.kind == MathToken::Kind::name) {
+      const auto name = math_name(next.text);
+      return name && (name->role == MathRole::relation || name->role == MathRole::word);
+    }
+    if (next.kind != MathToken::Kind::sign) return false;
+    const auto sign = math_sign(next.text);
+    if (!token().space_before && sign && (next.space_before || at("*"))) return true;
+    return next.is(")") || next.is("}") || next.is(">>") || (next.is("|") && !next.space_before) ||
+           (sign && sign->role != MathRole::binary);
+  }
+
+  MathRow read_row(std::string_view open, bool small) {
+    if (++depth_ > deepest) throw NoFormula();
+    Surroundings around{open};
+    MathRow row;
+    while (token().kind != MathToken::Kind::end && !closes(around, row)) {
+      const bool space = token().space_before;
+      if (take("/")) {
+        add_quotient(row, small || open == "[" || open == "]");
+        continue;
+      }
+      around.list = around.list || at(",");
+      row.push_back(read_item(row, small));
+      row.back().space_before = space;
+      drop_idle_brackets(row);
+    }
+    --depth_;
+    return row;
+  }
+
+  MathItem read_item(const MathRow& row, bool small) {
+    const MathToken& t = token();
+    const auto symbol = t.kind == MathToken::Kind::name ? math_name(t.text) : math_sign(t.text);
+    if (!symbol || t.kind == MathToken::Kind::number || symbol->role == MathRole::operand) return read_operand(small);
+    if (symbol->role == MathRole::binary) return read_sign(row, *symbol, small);
+    ++at_;
+    switch (symbol->role) {
+      case MathRole::function: return with_scripts(function_item(*symbol));
+      case MathRole::big: return with_scripts(big_item(*symbol));
+      case MathRole::word: return word_item(*symbol);
+      default: return math_operator(*symbol, small);
+    }
+  }
+
+  MathItem read_sign(const MathRow& row, const MathSymbol& symbol, bool small) {
+    const bool postfix = after_operand(row) && is_postfix();
+    ++at_;
+    if (postfix) return postfix_item(symbol);
+    if (!row.empty() && row.back().shape == Shape::prefix) throw NoFormula();
+    const bool prefix = row.empty() || (!after_operand(row) && row.back().role != MathRole::big);
+    return prefix ? prefix_item(symbol) : math_operator(symbol, small);
+  }
+
+  void add_quotient(MathRow& row, bool small) {
+    if (!after_operand(row)) throw NoFormula();
+    MathRow denominator{read_operand(true)};
+    const MathItem& below = denominator.front();
+    const bool call =
+        at("(") && !token().space_before && below.shape == Shape::plain && below.xml != name_item("pi").xml;
+    if (call || below.role == MathRole::function) denominator.push_back(read_operand(true));
+    divide(row, std::move(denominator), small);
+  }
+
+  MathItem read_operand(bool small) {
+    if (++depth_ > deepest) throw NoFormula();
+    const MathToken t = token();
+    MathItem item;
+    if (t.kind == MathToken::Kind::number) {
+      ++at_;
+      item = number_item(t.text);
+    } else if (t.kind == MathToken::Kind::name) {
+      ++at_;
+      item = read_name(t, small);
+    } else if (take("...")) {
+      item = {"<mo lspace=\"0\" rspace=\"0\">…</mo>"};
+    } else {
+      item = read_group(small);
+    }
+    --depth_;
+    return with_scripts(std::move(item));
+  }
+
+  MathItem read_name(const MathToken& t, bool small) {
+    if (t.text == "sqrt") {
+      const MathItem under = read_operand(small);
+      const std::string inside = under.inside.empty() ? under.xml : row_xml(under.inside);
+      return {fmt::format("<msqrt>{}</msqrt>", inside), MathRole::operand, Shape::plain, under.width + 1};
+    }
+    const auto symbol = math_name(t.text);
+    if (symbol && symbol->role == MathRole::function) return function_item(*symbol);
+    if (symbol && symbol->role != MathRole::operand) throw NoFormula();
+    return name_item(t.text);
+  }
+
+  MathItem read_group(bool small) {
+    const std::string open = token().text;
+    if (open != "(" && open != "[" && open != "]" && open != "{" && open != "|" && open != "<<") throw NoFormula();
+    ++at_;
+    MathRow row = read_row(open, small);
+    if (token().kind != MathToken::Kind::sign || row.empty()) throw NoFormula();
+    const std::string close = token().text;
+    ++at_;
+    return group_item(open, std::move(row), close);
+  }
+
+  MathItem with_scripts(MathItem item) {
+    Scripts scripts;
+    while (at("_") || at("^") || (at("'") && !token().space_before)) {
+      if (take("'")) {
+        ++scripts.primes;
+      } else if (at("_") && token(1).kind == MathToken::Kind::name && math_accent(token(1).text) && scripts.empty()) {
+        item = accented(std::move(item), *math_accent(token(1).text));
+        at_ += 2;
+      } else {
+        const bool sub = take("_");
+        if (!sub) ++at_;
+        (sub ? scripts.sub : scripts.sup).push_back(read_script(sub));
+      }
+    }
+    return scripts.empty() ? item : scripted(std::move(item), scripts);
+  }
+
+  std::string read_script(bool sub) {
+    if (take("{")) {
+      const MathRow row = read_row("{", true);
+      if (!take("}") || row.empty()) throw NoFormula();
+      return row_xml(row);
+    }
+    const MathToken t = token();
+    const auto symbol = t.kind == MathToken::Kind::sign ? math_sign(t.text) : std::nullopt;
+    if (symbol && symbol->role == MathRole::binary) {
+      ++at_;
+      const bool alone =
+          sub || token().space_before || token().kind == MathToken::Kind::sign || token().kind == MathToken::Kind::end;
+      const std::string sign = prefix_item(*symbol).xml;
+      return alone ? sign : sign + script_leaf();
+    }
+    return script_leaf();
+  }
+
+  std::string script_leaf() {
+    const MathToken t = token();
+    if (t.kind == MathToken::Kind::sign && t.text != "(") throw NoFormula();
+    if (t.kind == MathToken::Kind::sign) return read_group(true).xml;
+    if (t.kind == MathToken::Kind::end) throw NoFormula();
+    ++at_;
+    return t.kind == MathToken::Kind::number ? number_item(t.text).xml : script_name(t.text);
+  }
+
+  const std::vector<MathToken>& tokens_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+std::optional<MathRow> parse_math(std::string_view formula) {
+  const auto tokens = math_tokens(formula);
+  if (!tokens) return std::nullopt;
+  try {
+    return Parser(*tokens).whole();
+  } catch (const NoFormula&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace steadyslide::app

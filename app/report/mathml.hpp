@@ -1,0 +1,16 @@
+#pragma once
+// Text with formulas between backticks, for a page: formulas as presentation MathML, all else as it is.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace steadyslide::app {
+
+/// A formula as one or more <math> elements; a line may break between them. Nothing for what is no formula.
+std::optional<std::string> mathml(std::string_view formula);
+
+/// HTML: formulas typeset, what looks like none of them as <code>, a lone backtick as itself.
+std::string prose(std::string_view text);
+
+}  // namespace steadyslide::app

@@ -1,0 +1,23 @@
+#include <fmt/format.h>
+
+#include "app/report/references.hpp"
+#include "app/report/sections.hpp"
+
+namespace steadyslide::app {
+
+Section mutants_section(const std::vector<Mutant>& mutants) {
+  Section section{"mutants", "Faults put into the program", ""};
+  if (mutants.empty()) return section;
+  std::vector<std::vector<std::string>> rows;
+  for (const Mutant& m : mutants) {
+    rows.push_back({element("code", escaped(m.id)), element("code", escaped(m.file)), cited_prose(m.change),
+                    element("code", escaped(m.killer)), cited_prose(m.evidence)});
+  }
+  section.html = element("p", fmt::format("Controls change a statement; these changes, {} of them, were made in the "
+                                          "program itself, one at a time, and each was noticed.",
+                                          mutants.size())) +
+                 "\n" + table_element(section.title, {"id", "file", "change", "noticed by", "evidence"}, rows);
+  return section;
+}
+
+}  // namespace steadyslide::app

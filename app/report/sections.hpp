@@ -1,0 +1,17 @@
+#pragma once
+// The parts of the page around the ledger.
+
+#include "app/report/html.hpp"
+#include "app/report/report_page.hpp"
+
+namespace steadyslide::app {
+
+/// What the verdicts and the controls mean.
+Section guide_section();
+Section notes_section(const VerifyResult& result);
+Section figures_section(const Supplement& supplement);
+Section tables_section(const std::vector<TextTable>& tables);
+Section mutants_section(const std::vector<Mutant>& mutants);
+Section reproduce_section(const VerifyResult& result);
+
+}  // namespace steadyslide::app

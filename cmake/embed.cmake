@@ -1,0 +1,13 @@
+# cmake -D INPUT=FILE -D NAME=identifier -D OUTPUT=FILE.cpp -P embed.cmake: the file's bytes as a text in C++, declared in
+# app/report/embedded.hpp.
+file(READ "${INPUT}" bytes HEX)
+string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
+file(WRITE "${OUTPUT}" "#include \"app/report/embedded.hpp\"
+
+namespace steadyslide::app::embedded {
+namespace {
+constexpr unsigned char bytes[]{${bytes}0};
+}
+const std::string_view ${NAME}{reinterpret_cast<const char*>(bytes), sizeof bytes - 1};
+}
+")
