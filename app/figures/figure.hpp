@@ -70,7 +70,17 @@ struct HeatMap {
   std::vector<double> contours;
 };
 
-enum class LegendAt { none, top_left, top_centre, top_right, bottom_left, bottom_centre, bottom_right, below };
+enum class LegendAt {
+  none,
+  top_left,
+  top_centre,
+  top_right,
+  bottom_left,
+  bottom_centre,
+  bottom_right,
+  right_of_centre,
+  below
+};
 
 /// Where a panel's axes are, as parts of the figure's width and height.
 struct Frame {

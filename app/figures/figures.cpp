@@ -14,17 +14,16 @@ namespace steadyslide::app {
 namespace {
 
 std::vector<FigureMaker> selected(const std::vector<std::string>& patterns) {
-  std::vector<FigureMaker> result;
-  const auto matches = [](const FigureMaker& figure) {
-    return [&](const std::string& pattern) { return proofs_checks::matches_glob(figure.name, pattern); };
-  };
+  using proofs_checks::matches_glob;
   for (const std::string& pattern : patterns) {
-    const auto named = [&](const FigureMaker& figure) { return proofs_checks::matches_glob(figure.name, pattern); };
+    const auto named = [&](const FigureMaker& figure) { return matches_glob(figure.name, pattern); };
     if (std::ranges::any_of(figures(), named)) continue;
     throw bad_command_line("--figure: no such figure", "figures --help names them", pattern);
   }
+  std::vector<FigureMaker> result;
   for (const FigureMaker& figure : figures()) {
-    if (patterns.empty() || std::ranges::any_of(patterns, matches(figure))) result.push_back(figure);
+    const auto names_it = [&](const std::string& pattern) { return matches_glob(figure.name, pattern); };
+    if (patterns.empty() || std::ranges::any_of(patterns, names_it)) result.push_back(figure);
   }
   return result;
 }

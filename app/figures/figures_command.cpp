@@ -9,11 +9,16 @@
 namespace steadyslide::app {
 
 ExitCode run(const FiguresOptions& options) {
-  const std::vector<DrawnFigure> drawn = draw_figures(options.figures);
-  const std::filesystem::path folder(options.folder);
+  namespace fs = std::filesystem;
+  const fs::path folder(options.folder);
+  const auto fail = [&](const std::string& what) -> Failure {
+    return {ExitCode::failed, folder.string() + ": " + what};
+  };
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw Failure(ExitCode::failed, folder.string() + ": no folder can be made: " + error.message());
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) throw fail("is no folder");
+  const std::vector<DrawnFigure> drawn = draw_figures(options.figures);
+  fs::create_directories(folder, error);
+  if (error) throw fail("cannot be made: " + error.message());
   for (const DrawnFigure& figure : drawn) {
     Output output((folder / (figure.name + ".svg")).string());
     output.write(figure.svg);

@@ -35,7 +35,7 @@ Panel two_coatings(Sliding sliding) {
       {"two coatings", Look::line, 1, with_jump(*solved(problem))},
       {"the same, on 800 cells", Look::marks, 1, pressure_of_cells(*solved_on_cells(problem, 800), 40)},
       {"one coating, " + friction_text((low + high) / 2), Look::line, 2, pressure_curve(*solved(uniform), 401)}};
-  panel.legend = LegendAt::top_centre;
+  panel.legend = LegendAt::right_of_centre;
   const bool forward = sliding == Sliding::plus_x;
   panel.notes = {{{-0.5, 0.09, false, true}, friction_text(low), Align::centre},
                  {{0.5, 0.09, false, true}, friction_text(high), Align::centre},

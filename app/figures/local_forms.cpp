@@ -109,10 +109,10 @@ Figure make_local_forms() {
 
   const Axis distance{"distance {/:Italic d} / {/:Italic L}", 1e-5, 0.3, true};
   Panel strong =
-      empty_panel({0.095, 0.49, 0.38, 0.92}, distance,
+      empty_panel({0.095, 0.49, 0.405, 0.92}, distance,
                   {"pressure −{/:Italic t}_n  ({/:Italic P}/{/:Italic L}; wedge: {/:Italic E})", 0.1, 1000, true});
   Panel weak =
-      empty_panel({0.59, 0.985, 0.38, 0.92}, distance,
+      empty_panel({0.59, 0.985, 0.405, 0.92}, distance,
                   {"pressure −{/:Italic t}_n  ({/:Italic E}; jump: {/:Italic P}/{/:Italic L})", 1e-4, 1, true});
   strong.legend = LegendAt::below;
   weak.legend = LegendAt::below;
@@ -130,7 +130,7 @@ Figure make_local_forms() {
           "derived power of `d` (of the logarithm its factor) and what is read off the cells by a fit that does not "
           "know it. Left what blows up: the edges of a flat punch, a friction jump up, a wedge; right what vanishes: "
           "the free ends under a parabola, a friction jump down. Units: `P/L` under the flat punches, `E` elsewhere.",
-          540,
+          560,
           {strong, weak}};
 }
 

@@ -87,7 +87,7 @@ Figure make_stress_map() {
           " and more) below a flat punch on `]-1, 1[` that slides to the right, `f = 0.1` on its left half and 1 on "
           "its right one, `nu = 1/5`; lines at 0.1 to 0.6 and 0.8. The row at the surface is made from the tractions "
           "and from the slope of the tangential displacement. At the depth `z = 0.001 L`, at a distance of 0.25 "
-          "from the singular points, `sigma_zz` and `sigma_xz` differ from `t_n` and `-t_t` by at most " +
+          "from the singular points, `sigma_{zz}` and `sigma_{xz}` differ from `t_n` and `-t_t` by at most " +
           error + " in these units.",
       450,
       {panel}};
