@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/failure.hpp"
+#include "app/figures/figures.hpp"
 #include "app/help_text.hpp"
 #include "app/list_parser.hpp"
 #include "app/version.hpp"
@@ -140,7 +141,9 @@ class CommandLine {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     add_folder(figures_);
-    figures_->footer(help::figures_footer);
+    std::string names = "Figures:";
+    for (const FigureMaker& figure : app::figures()) names += "\n  " + figure.name;
+    figures_->footer(std::string(help::figures_footer) + "\n" + names);
   }
 
   void add_report() {

@@ -1,7 +1,61 @@
 #include "app/figures/figures.hpp"
 
-namespace steadyslide::app {
+#include <algorithm>
 
-std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& /*patterns*/) { return {}; }
+#include "app/failure.hpp"
+#include "app/figures/gnuplot.hpp"
+#include "app/figures/gnuplot_script.hpp"
+#include "app/figures/makers.hpp"
+#include "app/figures/svg.hpp"
+#include "app/progress.hpp"
+#include "proofs_checks/run.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+std::vector<FigureMaker> selected(const std::vector<std::string>& patterns) {
+  using proofs_checks::matches_glob;
+  for (const std::string& pattern : patterns) {
+    const auto named = [&](const FigureMaker& figure) { return matches_glob(figure.name, pattern); };
+    if (std::ranges::any_of(figures(), named)) continue;
+    throw bad_command_line("--figure: no such figure", "figures --help names them", pattern);
+  }
+  std::vector<FigureMaker> result;
+  for (const FigureMaker& figure : figures()) {
+    const auto names_it = [&](const std::string& pattern) { return matches_glob(figure.name, pattern); };
+    if (patterns.empty() || std::ranges::any_of(patterns, names_it)) result.push_back(figure);
+  }
+  return result;
+}
+
+}  // namespace
+
+const std::vector<FigureMaker>& figures() {
+  static const std::vector<FigureMaker> all{{"flat-punch", make_flat_punch},
+                                            {"friction-jump-rising", make_friction_jump_rising},
+                                            {"friction-jump-falling", make_friction_jump_falling},
+                                            {"parabola", make_parabola},
+                                            {"local-forms", make_local_forms},
+                                            {"contact-load", make_contact_load},
+                                            {"effective-friction", make_effective_friction},
+                                            {"convergence", make_convergence},
+                                            {"stress-map", make_stress_map}};
+  return all;
+}
+
+std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns) {
+  const std::vector<FigureMaker> wanted = selected(patterns);
+  // Before the work: without gnuplot it would be for nothing.
+  run_gnuplot("");
+  Progress progress(wanted.size());
+  std::vector<DrawnFigure> result;
+  for (const FigureMaker& maker : wanted) {
+    progress.show(result.size());
+    const Figure figure = maker.make();
+    result.push_back({figure.name, figure.title, figure.caption, command_of(figure),
+                      finished_svg(run_gnuplot(gnuplot_script(figure)), figure)});
+  }
+  return result;
+}
 
 }  // namespace steadyslide::app

@@ -1,20 +1,32 @@
 #pragma once
-// The figures as SVG text.
+// The figures of the theory: computed from data on the spot, drawn by gnuplot.
 
 #include <string>
 #include <vector>
 
+#include "app/figures/figure.hpp"
+
 namespace steadyslide::app {
+
+struct FigureMaker {
+  std::string name;
+  Figure (*make)();
+};
+
+/// All of them, in their order.
+const std::vector<FigureMaker>& figures();
 
 struct DrawnFigure {
   std::string name;
   std::string title;
-  std::string caption;
-  std::string command;  ///< draws it again
-  std::string svg;
+  std::string caption;  ///< formulas between backticks, in the notation of claims
+  std::string command;  ///< that makes it
+  std::string svg;      ///< begins with the XML declaration; no scripts; ids begin with the name
 };
 
-/// Those whose name matches one of the patterns; all of them if there is no pattern.
+/// Those whose name matches one of the patterns, * and ? being wildcards; all without patterns. Progress on stderr,
+/// where that is a terminal. Throws Failure: exit code 2 for a pattern that names no figure, 3 where gnuplot is missing
+/// or fails; std::runtime_error if a problem is not solved.
 std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns);
 
 }  // namespace steadyslide::app

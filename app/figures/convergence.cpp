@@ -1,0 +1,110 @@
+// How both solvers converge: cells as a power of their number, the Riemann-Hilbert method's rules geometrically.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "app/figures/makers.hpp"
+#include "app/figures/moment_rule.hpp"
+#include "app/figures/solved.hpp"
+#include "numeric/riemann_hilbert.hpp"
+#include "proofs_checks/claims/convergence_cases.hpp"
+#include "proofs_checks/rate.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+namespace checks = proofs_checks;
+using Resultants = numeric::Resultants<double>;
+
+constexpr std::size_t most_cells = 4096;
+
+checks::ConvergenceCase case_named(const std::string& name) {
+  for (checks::ConvergenceCase& c : checks::convergence_cases()) {
+    if (c.name == name) return c;
+  }
+  throw std::logic_error("no such case: " + name);
+}
+
+using Resultant = numeric::Estimate<double> numeric::Resultants<double>::*;
+
+/// Consecutive numbers of cells, so that ends and jumps fall everywhere within a cell; more of them where the error is
+/// that of a free end in its cell, and scatters.
+double error_on_cells(const ContactProblem& problem, std::size_t cells, Resultant resultant, double exact,
+                      double rate) {
+  std::vector<double> errors;
+  for (std::size_t n = cells; n < cells + (rate < 2 ? 7 : 21); ++n) {
+    errors.push_back((solved_on_cells(problem, n)->resultants().*resultant).value - exact);
+  }
+  return checks::root_mean_square(errors);
+}
+
+/// The error of a case's resultant against the number of cells, and a line with the derived rate.
+void add(Panel& panel, const std::string& name, const std::string& legend, Resultant resultant, int style) {
+  const ContactProblem problem = case_named(name).problem;
+  const double exact = (solved(problem)->resultants().*resultant).value;
+  const double rate = checks::expected_rate(problem, solved_on_cells(problem, most_cells)->places());
+  Series marks{"", Look::marks, style, {}};
+  std::vector<checks::Level> levels;
+  for (std::size_t cells = 64; cells <= most_cells; cells *= 2) {
+    const double error = error_on_cells(problem, cells, resultant, exact, rate);
+    levels.push_back({static_cast<double>(cells), error});
+    marks.points.push_back({static_cast<double>(cells), error});
+  }
+  marks.legend =
+      fmt::format("{}: rate {}, derived {}", legend, decimal(checks::fitted_rate(levels).value, 2), decimal(rate, 0));
+  // With the derived rate, through the middle of the measured errors.
+  double mean = 0;
+  for (const Point& p : marks.points) mean += std::log(p.y * std::pow(p.x, rate)) / double(marks.points.size());
+  Series line{"", Look::line, style, {}};
+  for (const double cells : {50.0, 5300.0}) {
+    line.points.push_back({cells, std::exp(mean - rate * std::log(cells))});
+  }
+  panel.series.push_back(std::move(marks));
+  panel.series.push_back(std::move(line));
+}
+
+}  // namespace
+
+Figure make_convergence() {
+  Panel cells = empty_panel({0.1, 0.485, 0.395, 0.915}, {"cells {/:Italic N}", 40, 6500, true},
+                            {"error of a resultant", 1e-8, 0.1, true});
+  cells.legend = LegendAt::below;
+  add(cells, "jump-down", "friction jump, edges", &Resultants::effective_friction, 2);
+  add(cells, "step", "step", &Resultants::centre_of_pressure, 1);
+  add(cells, "two-zones", "free ends", &Resultants::centre_of_pressure, 3);
+
+  using R = numeric::Real50;
+  const auto solution = std::dynamic_pointer_cast<const numeric::RiemannHilbertSolution<R>>(
+      numeric::riemann_hilbert<R>(case_named("wedge-and-jump").problem).solution);
+  if (!solution || !solution->shortcoming().empty()) throw std::runtime_error("a figure's problem is not solved");
+  Panel rules = empty_panel({0.6, 0.975, 0.395, 0.915}, {"nodes {/:Italic n} of a rule", 0, 35, false, 5},
+                            {"relative error of an equation", 1e-52, 1, true});
+  Series condition{"moment ∫ {/:Italic h} = 0", Look::marks, 1, {}};
+  Series load{"load ∫ {/:Italic xh} = −{/:Italic cP}", Look::marks, 2, {}};
+  for (int n = 1; n <= 33; n += 2) {
+    const MomentErrors errors = moment_errors(*solution, n);
+    condition.points.push_back({double(n), static_cast<double>(errors.condition)});
+    load.points.push_back({double(n), static_cast<double>(errors.load)});
+  }
+  Series bound{"derived rate (3 + √8)^{−2{/:Italic n}}", Look::line, 3, {}};
+  for (const double n : {0.0, 34.0}) bound.points.push_back({n, std::pow(3 + std::sqrt(8.0), -2 * n)});
+  rules.legend = LegendAt::below;
+  rules.series = {condition, load, bound};
+  return {
+      "convergence",
+      "How the two solvers converge",
+      "Left: errors of the solver on `N` equal cells against the Riemann-Hilbert solution, root mean squares over "
+      "neighbouring meshes: effective friction of a flat punch over a friction jump, centre of pressure of a "
+      "parabola with a step, and of two bumps with free ends; lines with the derived rates. Right: what "
+      "Gauss-Jacobi rules of `n` nodes a panel leave of the two equations of the Riemann-Hilbert method, the moment "
+      "`int h = 0` and the load, for a wedge on a friction jump, at 50 digits; the line has the rate "
+      "`(3+sqrt(8))^{-2n}` "
+      "of panels no longer than their distance from singular points.",
+      445,
+      {cells, rules}};
+}
+
+}  // namespace steadyslide::app

@@ -1,0 +1,87 @@
+// The effective friction of a flat punch with two coatings: tangential over normal force, for both directions.
+
+#include "app/figures/makers.hpp"
+#include "app/figures/solved.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+const Rational nu(1, 5);
+
+double effective(const numeric::ContactSolution<double>& solution) {
+  return solution.resultants().effective_friction.value;
+}
+
+/// Curves over t in [0, 1], with the problem's abscissa and punch made from t; marks by the solver on cells.
+template <class Abscissa, class Punch>
+std::vector<Series> curves(Abscissa abscissa, Punch punch) {
+  std::vector<Series> result;
+  int style = 0;
+  for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {
+    const char* legend = sliding == Sliding::plus_x ? "right coating in front" : "right coating at the rear";
+    Series line{legend, Look::line, ++style, {}};
+    Series marks{"", Look::marks, style, {}};
+    for (int i = 1; i < 100; ++i) {
+      const Rational t(i, 100);
+      const ContactProblem problem = punch(t, sliding);
+      const double x = numeric::to_real<double>(abscissa(t));
+      line.points.push_back({x, effective(*solved(problem))});
+      if (i % 10 == 0) marks.points.push_back({x, effective(*solved_on_cells(problem, 1000))});
+    }
+    result.push_back(std::move(line));
+    result.push_back(std::move(marks));
+  }
+  return result;
+}
+
+}  // namespace
+
+Figure make_effective_friction() {
+  const Rational low(1, 10);
+  const Rational high(1);
+  const Axis friction{"effective friction {/:Italic T}/{/:Italic P}", 0, 1.05, false, 0.2};
+
+  // Denser towards the ends, where a root of the distance is what changes.
+  const auto smooth = [](const Rational& t) { return Rational(t * t * (3 - 2 * t)); };
+  const auto place = [&](const Rational& t) { return Rational(2 * smooth(smooth(t)) - 1); };
+  const auto moved = [&](const Rational& t, Sliding sliding) {
+    return flat_punch(nu, {low, high}, {place(t)}, sliding);
+  };
+  Panel by_place = empty_panel({0.085, 0.49, 0.175, 0.9},
+                               {"place of the jump {/:Italic c} / {/:Italic L}", -1, 1, false, 0.5}, friction);
+  by_place.legend = LegendAt::none;
+  by_place.series = curves(place, moved);
+  Series mean{"plain mean", Look::line, 3, {}};
+  for (const double c : {-1.0, 1.0}) {
+    mean.points.push_back(
+        {c, (numeric::to_real<double>(low) * (1 + c) + numeric::to_real<double>(high) * (1 - c)) / 2});
+  }
+  by_place.series.push_back(mean);
+  by_place.notes = {{{0.04, 0.06, true, true}, "{/:Italic f} = 0.1 on the left, 1 on the right"}};
+
+  const Rational largest(3);
+  const auto value = [&](const Rational& t) { return Rational(largest * t); };
+  const auto rougher = [&](const Rational& t, Sliding sliding) {
+    return flat_punch(nu, {low, value(t)}, {0}, sliding);
+  };
+  Panel by_value =
+      empty_panel({0.585, 0.985, 0.175, 0.9}, {"friction of the right coating {/:Italic f}", 0, 3, false, 0.5},
+                  {"effective friction {/:Italic T}/{/:Italic P}", 0, 2, false, 0.5});
+  by_value.legend = LegendAt::top_left;
+  by_value.series = curves(value, rougher);
+  mean.points.clear();
+  for (const double f : {0.0, 3.0}) mean.points.push_back({f, (numeric::to_real<double>(low) + f) / 2});
+  by_value.series.push_back(mean);
+  by_value.notes = {{{0.96, 0.06, true, true}, "{/:Italic f} = 0.1 on the left half", Align::right}};
+  return {
+      "effective-friction",
+      "Effective friction of a punch with two coatings",
+      "Tangential over normal force, `T/P`, of a flat punch with two coatings, `nu = 1/5`, for both directions of "
+      "sliding: against the place of the friction jump (left, `f = 0.1` and 1), and against the right coating's "
+      "friction with the jump in the middle (right, `f = 0.1` on the left half). Lines by the closed form, marks by "
+      "the solver on 1000 cells. The plain mean weighs the coefficients by length; the pressure does not.",
+      430,
+      {by_place, by_value}};
+}
+
+}  // namespace steadyslide::app

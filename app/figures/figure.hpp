@@ -1,0 +1,111 @@
+#pragma once
+// A figure as data: what is drawn, and nothing about how. Numbers are in the units that the axis labels name.
+//
+// Labels, legends and notes are in gnuplot's enhanced text: "{/:Italic t}_n" is an italic t with the index n. Title and
+// name are plain text; captions have formulas between backticks in the notation of claims.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace steadyslide::app {
+
+struct Point {
+  double x;
+  double y;
+};
+
+/// No number: a curve is interrupted here.
+extern const Point gap_in_curve;
+
+struct Axis {
+  std::string label;
+  double from;
+  double to;
+  bool logarithmic = false;
+  double tics = 0;       ///< their distance; 0: as gnuplot has them
+  bool labelled = true;  ///< numbers at the tics
+};
+
+enum class Look { line, marks, line_and_marks };
+
+struct Series {
+  std::string legend;  ///< empty: none
+  Look look;
+  int style;  ///< colour, dashes and marks, from 1; styles differ in all three
+  std::vector<Point> points;
+};
+
+/// A place in a panel: in the units of the axes or, where `of_panel_` says so, as a part of the panel's width or
+/// height.
+struct Place {
+  double x;
+  double y;
+  bool of_panel_x = false;
+  bool of_panel_y = false;
+};
+
+enum class Align { left, centre, right };
+
+struct Note {
+  Place at;
+  std::string text;
+  Align align = Align::left;
+};
+
+/// A thin line, or an arrow.
+struct Guide {
+  Place from;
+  Place to;
+  bool arrow = false;
+};
+
+/// A function on a grid, row after row; values beyond `to` are drawn like `to`.
+struct HeatMap {
+  std::vector<double> x;
+  std::vector<double> y;
+  std::vector<double> values;
+  double to;  ///< colours go from 0 to this
+  std::string label;
+  std::vector<double> contours;
+};
+
+enum class LegendAt {
+  none,
+  top_left,
+  top_centre,
+  top_right,
+  bottom_left,
+  bottom_centre,
+  bottom_right,
+  right_of_centre,
+  below
+};
+
+/// Where a panel's axes are, as parts of the figure's width and height.
+struct Frame {
+  double left, right, bottom, top;
+};
+
+struct Panel {
+  Frame frame;
+  Axis x;
+  Axis y;
+  std::vector<Series> series{};
+  LegendAt legend = LegendAt::top_right;
+  std::vector<Note> notes{};
+  std::vector<Guide> guides{};
+  std::optional<HeatMap> map{};
+};
+
+Panel empty_panel(const Frame& frame, const Axis& x, const Axis& y);
+
+struct Figure {
+  std::string name;
+  std::string title;
+  std::string caption;
+  int height;  ///< the width is 800
+  std::vector<Panel> panels;
+};
+
+}  // namespace steadyslide::app

@@ -1,0 +1,33 @@
+#pragma once
+// Problems of the figures, and their solutions by the two unrelated solvers.
+
+#include <memory>
+#include <vector>
+
+#include "app/figures/figure.hpp"
+#include "numeric/riemann_hilbert_solution.hpp"
+#include "numeric/variational_solution.hpp"
+
+namespace steadyslide::app {
+
+/// A rigid flat punch on [-1, 1] under the load 1, E = 1, plane strain: lengths in units of L, tractions of P/L.
+ContactProblem flat_punch(const Rational& poisson, std::vector<Rational> friction, std::vector<Rational> jumps = {},
+                          Sliding sliding = Sliding::plus_x);
+
+/// By a closed form, or by the Riemann-Hilbert method where there is none. This and the next two throw
+/// std::runtime_error where the problem is not solved.
+std::shared_ptr<const numeric::ContactSolution<double>> solved(const ContactProblem& problem);
+std::shared_ptr<const numeric::RiemannHilbertSolution<double>> solved_by_singular_functions(
+    const ContactProblem& problem, const numeric::ContactSolution<double>* start = nullptr);
+std::shared_ptr<const numeric::VariationalSolution> solved_on_cells(const ContactProblem& problem, std::size_t cells);
+
+/// -t against x at so many places of each contact zone, a gap in the curve after each. Places where t blows up are
+/// left out: the curve goes on beyond the frame.
+std::vector<Point> pressure_curve(const numeric::ContactSolution<double>& solution, int samples);
+/// -t against x of every `step`th cell in contact.
+std::vector<Point> pressure_of_cells(const numeric::VariationalSolution& solution, std::size_t step);
+
+/// A decimal with so many places, the minus sign as printed.
+std::string decimal(double value, int places);
+
+}  // namespace steadyslide::app
