@@ -153,7 +153,8 @@ Claim linked_problems_claim() {
        "contact the forces of problem I are those of the Riemann-Hilbert solution; with free ends and edges "
        "`L(u_bar_n)` "
        "tends to it as `1/n^2`, and to the solution on `4 n` cells as fast as the cells allow",
-       "constant `f`, either direction; rates and quick runs in double, rates within `+-0.2` (quick: `+-0.35`), each level the root mean "
+       "constant `f`, either direction; rates and quick runs in double, rates within `+-0.2` (quick: `+-0.35`), each "
+       "level the root mean "
        "square of 14 (quick: 7) neighbouring `n`",
        "Let `t_tilde_n` solve problem I0 and `u_bar_n = L^{-1}(t_tilde_n)`. Then `b(t_tilde_n, t_hat - t_tilde_n) = "
        "<<u_bar_n, t_hat - t_tilde_n>>`, so problem I0 is (i) of proposition 5 for the pair. By (ii) `<<t_tilde_n, "
