@@ -47,10 +47,11 @@ class Parser {
 
   bool closes(const Surroundings& around, const MathRow& row) const {
     const bool bracket = around.open == "[" || around.open == "]";
+    const bool after = after_operand(row);
     if (at(")")) return around.open == "(" || (bracket && around.list);
-    if (at("]")) return (bracket && (around.open == "[" || after_operand(row))) || (around.open == "(" && around.list);
-    if (at("[")) return bracket && around.list && after_operand(row);
-    if (at("|")) return around.open == "|" && after_operand(row);
+    if (at("]")) return around.open == "[" || (after && (bracket || (around.open == "(" && around.list)));
+    if (at("[")) return after && bracket && around.list;
+    if (at("|")) return after && around.open == "|";
     return (at("}") && around.open == "{") || (at(">>") && around.open == "<<");
   }
 
@@ -76,7 +77,8 @@ class Parser {
     while (token().kind != MathToken::Kind::end && !closes(around, row)) {
       const bool space = token().space_before;
       if (take("/")) {
-        add_quotient(row, small || open == "[" || open == "]");
+        const bool in_interval = (open == "[" || open == "]") && token().kind == MathToken::Kind::number;
+        add_quotient(row, small || in_interval);
         continue;
       }
       around.list = around.list || at(",");
@@ -90,7 +92,8 @@ class Parser {
 
   MathItem read_item(const MathRow& row, bool small) {
     const MathToken& t = token();
-    const auto symbol = t.kind == MathToken::Kind::name ? math_name(t.text) : math_sign(t.text);
+    auto symbol = t.kind == MathToken::Kind::name ? math_name(t.text) : math_sign(t.text);
+    if (t.is(":") && t.space_before) symbol->role = MathRole::relation;  // a ratio
     if (!symbol || t.kind == MathToken::Kind::number || symbol->role == MathRole::operand) return read_operand(small);
     if (symbol->role == MathRole::binary) return read_sign(row, *symbol, small);
     ++at_;
