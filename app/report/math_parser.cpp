@@ -70,6 +70,20 @@ class Parser {
            (sign && sign->role != MathRole::binary);
   }
 
+  /// Behind the solidus of 1/2 where no factor stands before or after: as clear in one line, and not taller than it.
+  bool is_plain_number(const MathRow& row) const {
+    const bool numbers = after_operand(row) && row.back().shape == Shape::number &&
+                         token().kind == MathToken::Kind::number && token(1).kind != MathToken::Kind::number;
+    if (!numbers || (row.size() > 1 && row[row.size() - 2].role == MathRole::operand)) return false;
+    const MathToken& next = token(1);
+    if (next.kind == MathToken::Kind::name) {
+      const auto name = math_name(next.text);
+      return name && (name->role == MathRole::relation || name->role == MathRole::word);
+    }
+    const bool bracket = next.is(")") || next.is("]") || next.is("[") || next.is("}") || next.is(">>");
+    return next.kind == MathToken::Kind::end || bracket || math_sign(next.text).has_value();
+  }
+
   MathRow read_row(std::string_view open, bool small) {
     if (++depth_ > deepest) throw NoFormula();
     Surroundings around{open};
@@ -77,8 +91,7 @@ class Parser {
     while (token().kind != MathToken::Kind::end && !closes(around, row)) {
       const bool space = token().space_before;
       if (take("/")) {
-        const bool in_interval = (open == "[" || open == "]") && token().kind == MathToken::Kind::number;
-        add_quotient(row, small || in_interval);
+        add_quotient(row, small || is_plain_number(row));
         continue;
       }
       around.list = around.list || at(",");

@@ -136,7 +136,8 @@ TEST_CASE("formulas and their MathML") {
       {"t_tilde_n", "<math><msub><mover><mi>t</mi><mo>˜</mo></mover><mi>n</mi></msub></math>"},
       {"sigma_xx", "<math><msub><mi>σ</mi><mi>x</mi><mi>x</mi></msub></math>"},
       {"q_poly", "<math><msub><mi>q</mi><mi>poly</mi></msub></math>"},
-      {"1/2", "<math><mfrac><mn>1</mn><mn>2</mn></mfrac></math>"},
+      {"1/2", "<math><mn>1</mn><mo>/</mo><mn>2</mn></math>"},
+      {"1/2 x", "<math><mfrac><mn>1</mn><mn>2</mn></mfrac><mi>x</mi></math>"},
       {"x^{1/2}", "<math><msup><mi>x</mi><mn>1</mn><mo>/</mo><mn>2</mn></msup></math>"},
       {"P R/(2 pi)", "<math><mfrac><mi>P</mi><mi>R</mi><mn>2</mn><mi>π</mi></mfrac></math>"},
       {"a/b/c", "<math><mfrac><mi>a</mi><mi>b</mi></mfrac><mo>/</mo><mi>c</mi></math>"},
@@ -144,8 +145,8 @@ TEST_CASE("formulas and their MathML") {
       {"1/f(x)", "<math><mfrac><mn>1</mn><mi>f</mi><mo>(</mo><mi>x</mi><mo>)</mo></mfrac></math>"},
       {"1/pi (x)", "<math><mfrac><mn>1</mn><mi>π</mi></mfrac><mo>(</mo><mi>x</mi><mo>)</mo></math>"},
       {"(1/pi) x", "<math><mfrac><mn>1</mn><mi>π</mi></mfrac><mi>x</mi></math>"},
-      {"f(1/2)", "<math><mi>f</mi><mo>(</mo><mfrac><mn>1</mn><mn>2</mn></mfrac><mo>)</mo></math>"},
-      {"2(1/3)", "<math><mn>2</mn><mo>(</mo><mfrac><mn>1</mn><mn>3</mn></mfrac><mo>)</mo></math>"},
+      {"f(a/2)", "<math><mi>f</mi><mo>(</mo><mfrac><mi>a</mi><mn>2</mn></mfrac><mo>)</mo></math>"},
+      {"2(a/3)", "<math><mn>2</mn><mo>(</mo><mfrac><mi>a</mi><mn>3</mn></mfrac><mo>)</mo></math>"},
       {"]-1, 1/2[", "<math><mo>]</mo><mo>−</mo><mn>1</mn><mo>,</mo><mn>1</mn><mo>/</mo><mn>2</mn><mo>[</mo></math>"},
       {"[psi']", "<math><mo>[</mo><msup><mi>ψ</mi><mo>′</mo></msup><mo>]</mo></math>"},
       {"|x-c|", "<math><mo>|</mo><mi>x</mi><mo>−</mo><mi>c</mi><mo>|</mo></math>"},
@@ -184,6 +185,9 @@ TEST_CASE("what is no formula is shown as it is") {
     CHECK_FALSE(mathml(text).has_value());
   }
   CHECK(prose("a `((` & `x` b") == "a <code>((</code> &amp; <math><mi>x</mi></math> b");
+  CHECK(prose("(`x`), `y`z") ==
+        "<span class=\"tie\">(<span class=\"tie\"><math><mi>x</mi></math>),</span></span> "
+        "<math><mi>y</mi></math>z");
   CHECK(prose("a lone ` < b") == "a lone ` &lt; b");
   CHECK(prose("``") == "<code></code>");
   CHECK_FALSE(mathml(std::string(100000, '(')).has_value());
