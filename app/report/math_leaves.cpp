@@ -86,14 +86,13 @@ MathItem postfix_item(const MathSymbol& symbol) {
 }
 
 MathItem group_item(std::string_view open, MathRow row, std::string_view close) {
-  // Brackets of one size around letters: stretching would only move them apart.
-  const bool stretches =
-      std::ranges::any_of(row, [](const MathItem& item) { return item.tall || item.shape == Shape::group; });
-  MathItem item{fmt::format("<mrow>{}{}{}</mrow>", bracket(open, true, stretches), row_xml(row),
-                            bracket(close, false, stretches))};
+  // Around letters brackets have their own size: stretching would only move them apart.
+  const bool tall = std::ranges::any_of(row, &MathItem::tall);
+  MathItem item{
+      fmt::format("<mrow>{}{}{}</mrow>", bracket(open, true, tall), row_xml(row), bracket(close, false, tall))};
   item.shape = Shape::group;
   item.width = row_width(row) + 2;
-  item.tall = std::ranges::any_of(row, &MathItem::tall);
+  item.tall = tall;
   if (open == "(" && close == ")") item.inside = std::move(row);
   return item;
 }

@@ -47,10 +47,11 @@ class Parser {
 
   bool closes(const Surroundings& around, const MathRow& row) const {
     const bool bracket = around.open == "[" || around.open == "]";
+    const bool after = after_operand(row);
     if (at(")")) return around.open == "(" || (bracket && around.list);
-    if (at("]")) return (bracket && (around.open == "[" || after_operand(row))) || (around.open == "(" && around.list);
-    if (at("[")) return bracket && around.list && after_operand(row);
-    if (at("|")) return around.open == "|" && after_operand(row);
+    if (at("]")) return around.open == "[" || (after && (bracket || (around.open == "(" && around.list)));
+    if (at("[")) return after && bracket && around.list;
+    if (at("|")) return after && around.open == "|";
     return (at("}") && around.open == "{") || (at(">>") && around.open == "<<");
   }
 
@@ -69,6 +70,20 @@ class Parser {
            (sign && sign->role != MathRole::binary);
   }
 
+  /// Behind the solidus of 1/2 where no factor stands before or after: as clear in one line, and not taller than it.
+  bool is_plain_number(const MathRow& row) const {
+    const bool numbers = after_operand(row) && row.back().shape == Shape::number &&
+                         token().kind == MathToken::Kind::number && token(1).kind != MathToken::Kind::number;
+    if (!numbers || (row.size() > 1 && row[row.size() - 2].role == MathRole::operand)) return false;
+    const MathToken& next = token(1);
+    if (next.kind == MathToken::Kind::name) {
+      const auto name = math_name(next.text);
+      return name && (name->role == MathRole::relation || name->role == MathRole::word);
+    }
+    const bool bracket = next.is(")") || next.is("]") || next.is("[") || next.is("}") || next.is(">>");
+    return next.kind == MathToken::Kind::end || bracket || math_sign(next.text).has_value();
+  }
+
   MathRow read_row(std::string_view open, bool small) {
     if (++depth_ > deepest) throw NoFormula();
     Surroundings around{open};
@@ -76,7 +91,7 @@ class Parser {
     while (token().kind != MathToken::Kind::end && !closes(around, row)) {
       const bool space = token().space_before;
       if (take("/")) {
-        add_quotient(row, small || open == "[" || open == "]");
+        add_quotient(row, small || is_plain_number(row));
         continue;
       }
       around.list = around.list || at(",");
@@ -90,7 +105,8 @@ class Parser {
 
   MathItem read_item(const MathRow& row, bool small) {
     const MathToken& t = token();
-    const auto symbol = t.kind == MathToken::Kind::name ? math_name(t.text) : math_sign(t.text);
+    auto symbol = t.kind == MathToken::Kind::name ? math_name(t.text) : math_sign(t.text);
+    if (t.is(":") && t.space_before) symbol->role = MathRole::relation;  // a ratio
     if (!symbol || t.kind == MathToken::Kind::number || symbol->role == MathRole::operand) return read_operand(small);
     if (symbol->role == MathRole::binary) return read_sign(row, *symbol, small);
     ++at_;

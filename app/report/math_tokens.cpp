@@ -36,7 +36,8 @@ std::size_t name_length(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::find_if_not(text, is_letter) - text.begin());
 }
 
-std::size_t sign_length(std::string_view text) {
+std::size_t sign_length(std::string_view text, bool script) {
+  if (script && text.starts_with("->")) return 1;  // <<1, t_->>
   for (const std::string_view sign : long_signs) {
     if (text.starts_with(sign)) return sign.size();
   }
@@ -49,6 +50,7 @@ std::optional<std::vector<MathToken>> math_tokens(std::string_view formula) {
   using Kind = MathToken::Kind;
   std::vector<MathToken> tokens;
   bool space = false;
+  const auto in_script = [&] { return !tokens.empty() && (tokens.back().is("_") || tokens.back().is("^")); };
   while (!formula.empty()) {
     if (formula.front() == ' ' || formula.front() == '\n' || formula.front() == '\t') {
       space = true;
@@ -57,7 +59,7 @@ std::optional<std::vector<MathToken>> math_tokens(std::string_view formula) {
     }
     const auto [kind, length] = is_digit(formula.front())    ? std::pair(Kind::number, number_length(formula))
                                 : is_letter(formula.front()) ? std::pair(Kind::name, name_length(formula))
-                                                             : std::pair(Kind::sign, sign_length(formula));
+                                                             : std::pair(Kind::sign, sign_length(formula, in_script()));
     if (length == 0) return std::nullopt;
     tokens.push_back({kind, std::string(formula.substr(0, length)), space});
     space = false;

@@ -1,5 +1,7 @@
 #include "app/report/mathml.hpp"
 
+#include <algorithm>
+
 #include "app/report/html.hpp"
 #include "app/report/math_parser.hpp"
 
@@ -13,17 +15,48 @@ std::optional<std::string> mathml(std::string_view formula) {
   return result;
 }
 
+namespace {
+
+/// How many characters at the end of a text stick to what follows, and at the beginning to what precedes: a line may
+/// not break between a formula and its comma.
+std::size_t opening(std::string_view text) {
+  const std::size_t last = text.find_last_not_of("([");
+  return text.size() - (last == std::string_view::npos ? 0 : last + 1);
+}
+std::size_t closing(std::string_view text) { return std::min(text.find_first_not_of(".,;:)]!?"), text.size()); }
+
+std::string tied(const std::string& before, std::string maths, const std::string& after) {
+  if (!after.empty()) {
+    const std::size_t last = maths.rfind("<math>");
+    maths = maths.substr(0, last) + "<span class=\"tie\">" + maths.substr(last) + after + "</span>";
+  }
+  if (before.empty()) return maths;
+  const std::size_t first = maths.find("</math>") + 7;
+  // One formula between both: the inner span ends behind the first one.
+  if (maths.find("<span") < first) return "<span class=\"tie\">" + before + maths + "</span>";
+  return "<span class=\"tie\">" + before + maths.substr(0, first) + "</span>" + maths.substr(first);
+}
+
+}  // namespace
+
 std::string prose(std::string_view text) {
   std::string html;
   while (true) {
     const std::size_t begin = text.find('`');
     const std::size_t end = begin == std::string_view::npos ? begin : text.find('`', begin + 1);
     if (end == std::string_view::npos) return html + escaped(text);
-    html += escaped(text.substr(0, begin));
     const std::string_view formula = text.substr(begin + 1, end - begin - 1);
-    const auto typeset = mathml(formula);
-    html += typeset ? *typeset : element("code", escaped(formula));
+    std::string_view before = text.substr(0, begin);
     text.remove_prefix(end + 1);
+    if (const auto maths = mathml(formula)) {
+      const std::size_t open = opening(before);
+      const std::size_t close = closing(text);
+      html += escaped(before.substr(0, before.size() - open)) +
+              tied(escaped(before.substr(before.size() - open)), *maths, escaped(text.substr(0, close)));
+      text.remove_prefix(close);
+    } else {
+      html += escaped(before) + element("code", escaped(formula));
+    }
   }
 }
 
