@@ -60,7 +60,6 @@ std::string section_html(const Section& s) {
 
 std::string report_html(const VerifyResult& result, const Supplement& supplement) {
   std::vector<Section> sections{guide_section(),
-                                statements_section(result),
                                 ledger_section(result),
                                 notes_section(result),
                                 figures_section(supplement),

@@ -8,8 +8,6 @@ namespace steadyslide::app {
 
 /// What the verdicts and the controls mean.
 Section guide_section();
-/// Which entries examine what.
-Section statements_section(const VerifyResult& result);
 Section notes_section(const VerifyResult& result);
 Section figures_section(const Supplement& supplement);
 Section tables_section(const std::vector<TextTable>& tables);
