@@ -33,7 +33,7 @@ struct Report {
 };
 
 /// An exception inside the check leaves the claim undecided with its message as note; one inside a control leaves that
-/// control unrefuted.
+/// control unrefuted. A quick run examines controls in double first, and those at its own digits that survive this.
 Report run(const Claim& claim, const Context& context);
 
 /// Does the whole text match a pattern of literal characters, `*` (any text) and `?` (any character)?

@@ -49,7 +49,6 @@ Surface<R> surface_of(const PowerForm<R>& form, const ContactProblem& problem, s
   return surface;
 }
 
-/// Nothing is sampled before this is known.
 template <Real R>
 void require_integrable(Findings& findings, const Surface<R>& surface) {
   for (const numeric::PanelDensity<R>& panel : surface.traction) {

@@ -28,15 +28,16 @@ Surface<R> surface_of(const PowerForm<R>& form, const ContactProblem& problem, s
 /// panels: that route costs a hundred times the other one.
 template <Real R>
 void check_surface(Findings& findings, const Surface<R>& surface, std::size_t tanh_sinh_points);
-/// All panels have a length, all powers are above -1: to be required before a traction is sampled.
-template <Real R>
-void require_integrable(Findings& findings, const Surface<R>& surface);
 /// The same with samples of its traction that are there already.
 template <Real R>
 void check_surface(Findings& findings, const Surface<R>& surface, const numeric::trapezoidal::Grid<R>& grid,
                    std::size_t tanh_sinh_points);
 
-/// The same by GSL, where it converges, to 1e-11.
+/// All panels have a length, all powers are above -1: to be required before a traction is sampled.
+template <Real R>
+void require_integrable(Findings& findings, const Surface<R>& surface);
+
+/// Load and equation by GSL, where it converges, to 1e-11.
 void check_surface_by_gsl(Findings& findings, const Surface<double>& surface);
 
 /// "nu = 3/10, f = 1/5, 3/5, jump at 0, load 1"

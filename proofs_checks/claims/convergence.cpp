@@ -45,7 +45,7 @@ class Comparison {
   void resultants(const std::vector<std::string>& names) {
     const std::size_t first = std::size_t{1} << (quick_ ? 6 : 8);
     for (std::size_t k = 0; k < names.size(); ++k) {
-      rate(names[k], first, [&](const MeshLevel& level) { return resultant_error(level, exact_, k); });
+      rate("error of the " + names[k], first, [&](const MeshLevel& level) { return resultant_error(level, exact_, k); });
     }
   }
 

@@ -204,7 +204,7 @@ std::vector<Evidence> check_inverse(const Context& context, const InverseFormula
                           c.problem.coupled_friction(0) != 0);
       check_inverse_case(findings, formula.at<R>(c), c);
     }
-    return findings.evidence("4 cases of a grid, " + std::to_string(count) + " random with seed " +
+    return findings.evidence("4 of a grid, " + std::to_string(count) + " random with seed " +
                              std::to_string(context.seed));
   };
   return gather([&] { return numeric::at_precision(context.digits, walk); });

@@ -184,7 +184,7 @@ std::vector<Evidence> check_step(const Context& context, const StepFormula& form
       const auto no_slope = [](const R&) { return R(0); };
       check_surface(findings, surface_of<R>(formula.at<R>(c), problem, 0, no_slope), 1);
     }
-    return findings.evidence("4 cases of a grid, " + std::to_string(count) + " random with seed " +
+    return findings.evidence("4 of a grid, " + std::to_string(count) + " random with seed " +
                              std::to_string(context.seed));
   };
   return gather([&] { return numeric::at_precision(context.digits, walk); });

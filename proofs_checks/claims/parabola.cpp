@@ -98,7 +98,7 @@ std::vector<Evidence> check_constant_friction(const Context& context, const Para
       check_parabola_by_numeric(findings, form, problem);
       check_parabola_by_cln(findings, form, problem);
     }
-    return findings.evidence(std::to_string(fixed) + " cases of a grid, " + std::to_string(count) +
+    return findings.evidence(std::to_string(fixed) + " of a grid, " + std::to_string(count) +
                              " random with seed " + std::to_string(context.seed));
   };
   return gather([&] { return numeric::at_precision(context.digits, walk); });
@@ -134,7 +134,7 @@ std::vector<Evidence> check_jumps(const Context& context, const ParabolaFormula&
       check_parabola(findings, form, problem, points_for(context));
       check_parabola_by_cln(findings, form, problem);
     }
-    return findings.evidence(std::to_string(fixed) + " cases of a grid, " + std::to_string(count) +
+    return findings.evidence(std::to_string(fixed) + " of a grid, " + std::to_string(count) +
                              " random with seed " + std::to_string(context.seed));
   };
   return gather([&] { return numeric::at_precision(context.digits, walk); });

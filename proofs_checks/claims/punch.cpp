@@ -39,7 +39,7 @@ Cases punch_cases(const Context& context, std::string_view stream, std::vector<C
     const Rational load = random.between(0, 100);
     cases.problems.push_back(punch(nu, std::move(friction), random_jumps(random, m), load));
   }
-  cases.detail = std::to_string(fixed) + " cases of a grid, " + std::to_string(random_count) + " random with seed " +
+  cases.detail = std::to_string(fixed) + " of a grid, " + std::to_string(random_count) + " random with seed " +
                  std::to_string(context.seed);
   return cases;
 }
