@@ -10,14 +10,13 @@ std::vector<Claim> beyond_calculation_claims() {
   claims.push_back(claim_beyond_calculation(
       {"thm-01-existence", "[Bal16, theorem 1], existence",
        "for every load `P > 0`, every piecewise Lipschitz profile `psi_bar` and every piecewise constant friction `f "
-       ">= "
-       "0` there are a measure `t_n` and a displacement `u_bar_n in H^{1/2}` with `A t_n = u_bar_n'`, `u_bar_n + C <= "
-       "psi_bar`, `t_n <= 0`, `t_n (u_bar_n + C - psi_bar) = 0` and `int_{-1}^1 t_n = -P`",
+       ">= 0` there are a measure `t_n` and a displacement `u_bar_n in H^{1/2}` with `A t_n = u_bar_n'`, `u_bar_n + C "
+       "<= psi_bar`, `t_n <= 0`, `t_n (u_bar_n + C - psi_bar) = 0` and `int_{-1}^1 t_n = -P`",
        "`-1 < nu < 1/2`, one support `[-1, 1]`",
-       "The paper adapts the proofs of its theorems 16 and 23, of section 4. Where `f` jumps, the term `s_k - s_{k-1}` "
-       "times `T^2(c_k)/2` in the energy is not bounded in `H^{-1/2}`, and where `f` falls it is negative: the theorem "
-       "of Lions and Stampacchia does not apply. On cells the same statement is a theorem on strictly copositive "
-       "matrices, with no bound that would survive the limit."},
+       "The paper adapts the proofs of its theorems 16 and 23, of section 4. Where `f` jumps, the term `(s_k - "
+       "s_{k-1}) T(c_k)^2/2` of the energy is not bounded in `H^{-1/2}`, and where `f` falls it is negative: the "
+       "theorem of Lions and Stampacchia does not apply. On cells the same statement is a theorem on strictly "
+       "copositive matrices, which gives no bound that is independent of the cells."},
       {"existence for all data in a space of measures: a limit of approximations by compactness, which examples do not "
        "replace",
        {"vi-discrete-existence", "rh-form", "rh-count", "vi-convergence-jump-up", "vi-convergence-jump-down",
@@ -25,12 +24,10 @@ std::vector<Claim> beyond_calculation_claims() {
   claims.push_back(claim_beyond_calculation(
       {"thm-16", "[Bal16, theorem 16], cited in the proof of theorem 1",
        "existence for one friction jump, of section 4: theorem 1's existence is said to follow from it and from "
-       "theorem "
-       "23 by a straightforward adaptation",
+       "theorem 23 by a straightforward adaptation",
        "`s(x) = s_-` for `x < 0`, `s_+` for `x > 0`; the exact statement is not known here",
        "The text at hand ends where section 4 begins. What is known is the problem, `A t_n = u_bar_n'` with one jump "
-       "at "
-       "`0`, and the use that theorem 1 makes of the result."},
+       "at `0`, and the use that theorem 1 makes of the result."},
       {"its statement and proof are not in the text at hand; what theorem 1 needs of it is existence",
        {"vi-discrete-existence", "vi-convergence-jump-up", "vi-convergence-jump-down", "rh-form"}}));
   claims.push_back(claim_beyond_calculation(
@@ -50,10 +47,9 @@ std::vector<Claim> beyond_calculation_claims() {
        "where `f` is nondecreasing, or existence where theorem 16 does not reach",
        "the exact statement is not known here",
        "The text at hand ends where section 4 begins. Two solutions differ by a traction `t` of zero mean with `b(t, "
-       "t) "
-       "<= 0`; with `b(t, t) = -(1/pi) <<t * log|x|, t>> + sum_k (s_k - s_{k-1}) T^2(c_k)/2` and rising `s` that "
-       "leaves "
-       "`t = 0`. In `H^{-1/2}` the values `T(c_k)` have no meaning: to give them one is what the theorem has to do."},
+       "t) <= 0`; with `b(t, t) = -(1/pi) <<t * log|x|, t>> + sum_k (s_k - s_{k-1}) T(c_k)^2/2` and rising `s` that "
+       "leaves `t = 0`. In `H^{-1/2}` the values `T(c_k)` have no meaning: to give them one is what the theorem has to "
+       "do."},
       {"its statement and proof are not in the text at hand",
        {"energy-identity", "vi-energy-identity", "vi-definite-rising", "thm-01-uniqueness-on-cells",
         "vi-discrete-existence"}}));
@@ -62,18 +58,15 @@ std::vector<Claim> beyond_calculation_claims() {
        "of section 4, one of the three theorems from which the local forms of theorem 2 are said to follow",
        "the exact statement is not known here",
        "The text at hand ends where section 4 begins. What theorem 2 says of any solution is checked on solved "
-       "problems: "
-       "the powers, the constants and the logarithms at jumps and wedges inside the contact."},
+       "problems: the powers, the constants and the logarithms at jumps and wedges inside the contact."},
       {"its statement and proof are not in the text at hand",
        {"thm-02-local-forms", "thm-02-solved-wedge-and-jump", "thm-09-solved-wedge", "vi-convergence-jump-up",
         "vi-convergence-wedge"}}));
   claims.push_back(claim_beyond_calculation(
       {"thm-25", "[Bal16, theorem 25, appendix A]: the theorem of Lions and Stampacchia with a functional",
        "for a continuous and coercive form `a`, not necessarily symmetric, on a Hilbert space, and a proper, convex "
-       "and "
-       "lower semicontinuous functional `phi`, there is exactly one `u` with `a(u_hat-u, u) + phi(u_hat) - phi(u) >= "
-       "0` "
-       "for all `u_hat`",
+       "and lower semicontinuous functional `phi`, there is exactly one `u` with `a(u_hat-u, u) + phi(u_hat) - phi(u) "
+       ">= 0` for all `u_hat`",
        "as section 3.2 uses it; the appendix is not in the text at hand",
        "Uniqueness takes two lines: of two solutions `u_1`, `u_2` each is put into the other's inequality, and the sum "
        "is `-a(u_1-u_2, u_1-u_2) >= 0`. Existence is that of a fixed point of `u -> u_hat`, the proximal point of `u` "

@@ -10,7 +10,8 @@
 //   p = P tau - force psi + force g,   p >= 0,   g >= 0,   p_i g_i = 0.
 //
 // `force` has the constants as its kernel on both sides, so that sum p = P by itself; where some g_i is zero what is
-// left of it is positive definite. Solved in double by active sets from any start, or by least-index pivots [Mur74].
+// left of it is positive definite. Solved in double by active sets from any start, or by Murty's least-index pivots
+// [CPS92, chapter 4].
 
 #include <Eigen/Core>
 #include <functional>

@@ -5,6 +5,8 @@
 
 namespace steadyslide::proofs_checks {
 
-std::vector<Claim> functional_claims() { return {functional_claim()}; }
+std::vector<Claim> functional_claims() {
+  return {functional_claim(), contact_conditions_claim(), conjugate_functional_claim()};
+}
 
 }  // namespace steadyslide::proofs_checks

@@ -3,8 +3,10 @@
 //
 //   u = (2/n) P_n^{(-p,-q)}   ->   L(u) = 2 cos(pi alpha) P_n^{(-q,-p)}/W,   n >= 1,
 //
-// from u' = P_{n-1}^{(q,p)} and A(P_n^{(-q,-p)}/W) = P_{n-1}^{(q,p)}/(2 cos(pi alpha)) [Erd69], [DLMF, 18.9.15].
-// (P_n^{(a,b)}: the power a at x = 1, b at x = -1.)
+// (P_n^{(a,b)}: the power a at x = 1, b at x = -1). For u' = P_{n-1}^{(q,p)} [DLMF, 18.9.15]; and by Plemelj's formulas
+// cos(pi alpha) A(P_n^{(-q,-p)}/W) is the polynomial part at infinity of P_n^{(-q,-p)} (z+1)^{-p} (z-1)^{-q}, which has
+// the degree n - 1, the leading coefficient of P_n^{(-q,-p)}, half of P_{n-1}^{(q,p)}'s, and is orthogonal to lower
+// degrees under W: P_{n-1}^{(q,p)}/2.
 
 #include "numeric/node.hpp"
 

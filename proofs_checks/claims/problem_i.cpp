@@ -108,12 +108,9 @@ Claim problem_i_claim() {
        "constant `f`, either direction, `P > 0`; `t_0` and `L` exact, the essential supremum over `n` nodes; in double",
        "The form is continuous and coercive and `phi` is proper, convex and lower semicontinuous: that is what theorem "
        "25 asks for. Of two solutions `u_1`, `u_2` each is put into the other's inequality; the sum says `-a(u_1 - "
-       "u_2, "
-       "u_1 - u_2) >= 0`, and coercivity leaves `u_1 = u_2` in the quotient. On polynomials `phi` is the largest of "
-       "`n` "
-       "linear functions, and the inequality is a linear complementarity problem for contact forces `p_i >= 0` and "
-       "gaps "
-       "`g_i >= 0`, with a matrix that is positive definite as soon as some gap is zero."},
+       "u_2, u_1 - u_2) >= 0`, and coercivity leaves `u_1 = u_2` in the quotient. On polynomials `phi` is the largest "
+       "of `n` linear functions, and the inequality is a linear complementarity problem for contact forces `p_i >= 0` "
+       "and gaps `g_i >= 0`, with a matrix that is positive definite as soon as some gap is zero."},
       check, S(),
       std::vector<Wrong<S>>{
           {"the friction's sign reversed in L", changed<S>([](S& said) { said.displacement.inverse.friction = -1; })},

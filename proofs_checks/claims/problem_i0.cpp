@@ -57,10 +57,10 @@ void check_form(Findings& findings, const DiscreteProblem& problem, bool with_lo
   findings.require(solver.eigenvalues().minCoeff() > 0, "b(t, t) is not positive");
 }
 
-/// sum g_i (p^_i - p_i) h_i >= 0 for random pressures p^ >= 0 of the same load.
+/// sum g_i (p_hat_i - p_i) h_i >= 0 for random pressures p_hat >= 0 of the same load.
 void check_inequality(Findings& findings, Random& random, const DiscreteProblem& problem, const DiscreteState& state) {
   const Quantity inequality{
-      "b(t, t^-t) - <psi, t^-t> below zero", {"random t^ in K_0'", "none"}, 100 * tolerance<double>()};
+      "b(t, t_hat-t) - <<psi, t_hat-t>> below zero", {"random t_hat in K_0'", "none"}, 100 * tolerance<double>()};
   const std::vector<double> g = gaps(problem, state);
   const std::size_t n = problem.size();
   double scale = 1;
@@ -188,8 +188,8 @@ Claim problem_i0_claim() {
        "For constant `s` and `t` of zero mean with integral `T`, the friction's part of `b(t, t)` is `s int T T' = 0`, "
        "so `b(t, t) = -(1/pi) <<t * log|x|, t>>`: positive, a norm of `H^{-1/2}`, whatever `s`. `K_0'` is convex and "
        "closed and not empty, and the theorem of Lions and Stampacchia applies. On cells the same form is positive on "
-       "the same simplex of forces. The rates are those of `lambda + lambda^* + 2` over the ends of contact, "
-       "`lambda` the exponent there and `lambda^*` that of the friction reversed."},
+       "the same simplex of forces. The rates are those of `lambda + mu + 2` over the ends of contact, `lambda` the "
+       "exponent of the traction there and `mu` that of the edge under the friction reversed."},
       check, S(),
       std::vector<Wrong<S>>{
           {"the friction reversed in the Riemann-Hilbert solution", changed<S>([](S& said) { said.reversed = true; })},
