@@ -23,7 +23,7 @@ std::vector<R> cosines(int highest, const R& cosine) {
 }
 
 template <class R>
-constexpr int gauss_nodes = std::same_as<R, double>            ? 16
+constexpr int gauss_nodes = std::same_as<R, double>            ? 24
                             : std::same_as<R, numeric::Real50> ? 44
                                                                : 80;
 

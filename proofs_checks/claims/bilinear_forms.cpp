@@ -61,7 +61,7 @@ void check_expansion(Findings& findings, const Rational& length, const LogSaid& 
     R term = pi * pi * numeric::to_real<R>(said.first) * c[i] * d[i];
     for (int m = 0; m < said.power; ++m) term /= k;
     value += term;
-    scale += term;
+    scale += abs(term);
   }
   if (said.near_miss) value *= 1 + near_miss<R>();
   findings.compare(expansion, static_cast<double>(R(abs(value_of(form, c, d) - value) / scale)));

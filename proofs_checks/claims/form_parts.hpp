@@ -10,5 +10,6 @@ namespace steadyslide::proofs_checks {
 std::vector<Claim> sign_form_claims();
 /// The form b under a constant friction coefficient, and its inverse.
 std::vector<Claim> constant_friction_claims();
+Claim inverse_claim();
 
 }  // namespace steadyslide::proofs_checks
