@@ -24,24 +24,35 @@ Polynomial moved(const Polynomial& p, const Law& law) {
   return result;
 }
 
-/// To a 1000th; the jumps of random problems have other denominators. Throws Refutation if nothing is solved.
-Rational place_in_contact(const ContactProblem& problem) {
+/// At this part of the last component, to a 1000th; the jumps of random problems have other denominators. Throws
+/// Refutation if nothing is solved.
+Rational place_in_contact(const ContactProblem& problem, double part) {
   const auto solution = numeric::riemann_hilbert<double>(problem).solution;
   if (!solution) throw Refutation{{"a problem to be changed", "not solved"}};
   const auto component = solution->contact().back();
-  const double x = 0.6 * component.left.x.value + 0.4 * component.right.x.value;
+  const double x = (1 - part) * component.left.x.value + part * component.right.x.value;
   return Rational(std::lround(1000 * x), 1000) + Rational(1, 10'007);
 }
 
-ContactProblem changed_problem(const ContactProblem& p, const Law& law) {
+/// Friction larger by `height` between c and the next jump.
+ContactProblem with_jump(const ContactProblem& p, const Rational& c, const Rational& height) {
   std::vector<Rational> values = p.friction().values();
   std::vector<Rational> jumps = p.friction().jumps();
+  const std::size_t piece = p.friction().piece(c, Side::left);
+  const auto at = static_cast<std::ptrdiff_t>(piece);
+  jumps.insert(jumps.begin() + at, c);
+  values.insert(values.begin() + at + 1, values[piece] + height);
+  return {p.elasticity(), FrictionProfile(values, jumps), p.indenter(), p.load(), p.sliding()};
+}
+
+ContactProblem changed_problem(const ContactProblem& p, const Law& law) {
   if (law.jump) {
-    const Rational c = place_in_contact(p);
-    const auto piece = static_cast<std::ptrdiff_t>(p.friction().piece(c, Side::left));
-    jumps.insert(jumps.begin() + piece, c);
-    values.insert(values.begin() + piece + 1, values[static_cast<std::size_t>(piece)] + *law.jump);
+    Law rest = law;
+    rest.jump.reset();
+    return changed_problem(with_jump(p, place_in_contact(p, 0.3), *law.jump), rest);
   }
+  std::vector<Rational> values = p.friction().values();
+  std::vector<Rational> jumps = p.friction().jumps();
   if (!law.keeps_friction) {
     for (Rational& c : jumps) c = law.scale * c + law.shift;
   }
@@ -61,10 +72,13 @@ ContactProblem changed_problem(const ContactProblem& p, const Law& law) {
           plus ? Sliding::plus_x : Sliding::minus_x};
 }
 
+/// With a jump of friction in the contact: where there is none, mirrors know no difference.
 ContactProblem random_problem(Random& random, std::size_t k) {
   CellFrictionSteps steps = random_steps(random, Trend::any, 2, 2);
   if (k % 2 == 1) steps = mirrored(steps);
-  return cell_problem(steps, random_profile(random, k % 3 != 2), random.between(Rational(1, 4), 2));
+  const ContactProblem problem =
+      cell_problem(steps, random_profile(random, k % 3 != 2), random.between(Rational(1, 4), 2));
+  return with_jump(problem, place_in_contact(problem, 0.4), random.between(Rational(1, 2), 1));
 }
 
 /// What is compared at one place.
