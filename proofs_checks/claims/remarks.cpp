@@ -1,9 +1,12 @@
-// The remarks of section 2. [Bal16, remarks 1, 2]
+#include "proofs_checks/claims/remarks.hpp"
 
 #include "proofs_checks/claims/claims.hpp"
 
 namespace steadyslide::proofs_checks {
 
-std::vector<Claim> remark_claims() { return {}; }
+std::vector<Claim> remark_claims() {
+  return {remark_front_rear(), remark_incompressible(), remark_neglect(), remark_vanishing_dundurs(),
+          remark_same_singularities()};
+}
 
 }  // namespace steadyslide::proofs_checks

@@ -65,13 +65,11 @@ struct StepProblems {
   std::vector<CellPower> cells;
 };
 
-Side other(Side side) { return side == Side::left ? Side::right : Side::left; }
-
 template <Real R>
 EndFacts<R> measure_end(const EndCase& c) {
   const auto solution = solve<R>(c.problem);
-  const std::size_t j = c.place ? point_at(*solution, *c.place) : contact_end(*solution, other(c.contact));
-  if (!in_contact(*solution, j, c.contact) || in_contact(*solution, j, other(c.contact))) {
+  const std::size_t j = c.place ? point_at(*solution, *c.place) : contact_end(*solution, opposite(c.contact));
+  if (!in_contact(*solution, j, c.contact) || in_contact(*solution, j, opposite(c.contact))) {
     throw Refutation{{c.name, "the contact does not end there"}};
   }
   Rational step = 0;
@@ -84,7 +82,7 @@ EndFacts<R> measure_end(const EndCase& c) {
           c.problem.coupled_friction(0),
           step,
           power_beside(*solution, j, c.contact),
-          gap_beside(*solution, j, other(c.contact), d)};
+          gap_beside(*solution, j, opposite(c.contact), d)};
 }
 
 std::vector<CellPower> powers_on_cells() {
