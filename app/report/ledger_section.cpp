@@ -50,11 +50,11 @@ std::string entry(const checks::Report& report, std::size_t order, const VerifyR
       element("code", escaped(fmt::format("steadyslide verify --claim {} --digits {} --seed {}{}", claim.id,
                                           static_cast<int>(result.context.digits), result.context.seed,
                                           result.context.quick ? " --quick" : "")));
-  const std::string body = part("Holds for", paragraph(claim.hypotheses)) +
-                           part("How it follows", paragraph(claim.derivation)) +
-                           part("Evidence", evidence_html(report, result.reports)) +
-                           part("Controls: wrong variants of the statement", controls_html(report)) +
-                           element("p", again + " · " + link, {{"class", "again"}});
+  const std::string body =
+      part("Holds for", paragraph(claim.hypotheses)) + part("How it follows", paragraph(claim.derivation)) +
+      part("Evidence", evidence_html(report, result.reports)) +
+      part("Controls: wrong variants of the statement", controls_html(report)) +
+      element("p", again + element("span", " · " + link, {{"class", "link"}}), {{"class", "again"}});
   return element("details",
                  "\n" + summary(report) + "\n" + element("div", "\n" + body + "\n", {{"class", "body"}}) + "\n",
                  {{"class", "claim"},
