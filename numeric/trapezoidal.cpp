@@ -1,20 +1,11 @@
 #include "numeric/trapezoidal.hpp"
 
+#include <cstdlib>
+
+#include "numeric/trapezoidal_nodes.hpp"
+
 namespace steadyslide::numeric::trapezoidal {
 namespace {
-
-/// -log(epsilon): the accuracy to be reached, as an exponent.
-template <Real R>
-R accuracy() {
-  using std::log;
-  return -log(epsilon<R>());
-}
-
-/// Principal values may be taken as near as e^-margin of a panel to its ends.
-template <Real R>
-R margin() {
-  return 20;
-}
 
 /// Neumaier's summation: next to a zero of the traction principal values cancel by three digits and more.
 template <Real R>
@@ -33,25 +24,10 @@ class CompensatedSum {
   R compensation_ = 0;
 };
 
-template <Real R>
-Node<R> node_at(const Panel<R>& panel, const R& tau) {
-  using std::exp;
-  // Both distances from the smaller exponential: neither overflows, neither cancels.
-  const bool right_half = tau > 0;
-  const R e = exp(right_half ? R(-tau) : tau);
-  const R far = panel.length / (1 + e);
-  const R near = far * e;
-  return right_half ? Node<R>{panel.right - near, far, near} : Node<R>{panel.left + near, near, far};
-}
-
 }  // namespace
 
 template <Real R>
-Grid<R>::Grid(PiecewiseDensity<R> density) : density_(std::move(density)) {
-  // The integrand is analytic for |Im tau| < pi, with branch points on the border: a little more than the accuracy.
-  // A step of few bits makes every k h exact: nodes that jitter by a rounding would be the largest error of all.
-  using std::floor;
-  step_ = floor(R(1024 * 2 * pi<R>() * pi<R>() / (accuracy<R>() + 12))) / 1024;
+Grid<R>::Grid(PiecewiseDensity<R> density) : density_(std::move(density)), step_(step_length<R>()) {
   samples_.reserve(density_.size());
   for (const PanelDensity<R>& panel : density_) samples_.push_back(sample(panel, R(0)));
 }
@@ -67,7 +43,7 @@ R Grid<R>::reach_for_others(const PanelDensity<R>& density) const {
 
 template <Real R>
 typename Grid<R>::Samples Grid<R>::sample(const PanelDensity<R>& density, const R& offset) const {
-  using std::ceil, std::exp, std::min, std::pow;
+  using std::ceil, std::min;
   const Panel<R>& panel = density.panel;
   // Beyond this tau the density is its end power to full accuracy, and so is its product with a Cauchy kernel.
   const R constant_beyond = accuracy<R>() + margin<R>() + reach_for_others(density);
@@ -80,12 +56,15 @@ typename Grid<R>::Samples Grid<R>::sample(const PanelDensity<R>& density, const 
   Samples samples;
   samples.inner.reserve(static_cast<std::size_t>(highest - lowest + 1));
   const R factor = step_ / panel.length;
+  const EndPowers<R> powers(density);
+  const std::vector<UnitNode<R>>& units = unit_nodes<R>();
   for (long k = lowest; k <= highest; ++k) {
-    const Node<R> node = node_at(panel, R(offset + static_cast<int>(k) * step_));
-    R weighted = factor * density.smooth(node);
-    weighted *= density.left.value == 0 ? node.from_left : R(pow(node.from_left, density.left.plus_one));
-    weighted *= density.right.value == 0 ? node.from_right : R(pow(node.from_right, density.right.plus_one));
-    samples.inner.push_back({node, weighted});
+    using std::abs;
+    const R tau = offset + static_cast<int>(k) * step_;
+    const auto index = static_cast<std::size_t>(std::labs(k));
+    const UnitNode<R> unit = offset == 0 && index < units.size() ? units[index] : UnitNode<R>::at(abs(tau));
+    const Node<R> node = node_at(panel, unit, tau > 0);
+    samples.inner.push_back({node, R(factor * density.smooth(node) * powers.at(node, unit, tau))});
   }
   const auto tail = [&](const R& last, const Power<R>& power) {
     using std::expm1;

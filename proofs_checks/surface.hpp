@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "numeric/trapezoidal.hpp"
 #include "proofs_checks/findings.hpp"
 #include "proofs_checks/power_form.hpp"
 
@@ -27,6 +28,13 @@ Surface<R> surface_of(const PowerForm<R>& form, const ContactProblem& problem, s
 /// panels: that route costs a hundred times the other one.
 template <Real R>
 void check_surface(Findings& findings, const Surface<R>& surface, std::size_t tanh_sinh_points);
+/// All panels have a length, all powers are above -1: to be required before a traction is sampled.
+template <Real R>
+void require_integrable(Findings& findings, const Surface<R>& surface);
+/// The same with samples of its traction that are there already.
+template <Real R>
+void check_surface(Findings& findings, const Surface<R>& surface, const numeric::trapezoidal::Grid<R>& grid,
+                   std::size_t tanh_sinh_points);
 
 /// The same by GSL, where it converges, to 1e-11.
 void check_surface_by_gsl(Findings& findings, const Surface<double>& surface);

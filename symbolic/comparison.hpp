@@ -1,5 +1,9 @@
 #pragma once
-// Several equations that are decided together, in one field of phases: an ExactIdentity whose two sides are tuples.
+// Several equations that are decided together, in one field of phases: an ExactIdentity whose two sides are tuples, or
+// the first equation that does not hold: what follows it is not looked at, and texts are made of nothing else.
+
+#include <string>
+#include <vector>
 
 #include "symbolic/exact_identities.hpp"
 #include "symbolic/phase_field.hpp"
@@ -17,9 +21,13 @@ class Comparison {
 
  private:
   const PhaseField& field_;
+  struct Equation {
+    std::string what;
+    GiNaC::ex lhs;
+    GiNaC::ex rhs;
+  };
   bool holds_ = true;
-  std::string lhs_;
-  std::string rhs_;
+  std::vector<Equation> equations_;  ///< all, or the one that does not hold
   std::set<std::string> nonvanishing_;
 };
 

@@ -24,11 +24,11 @@ struct PencilSaid {
 };
 
 std::vector<Evidence> check_pencil(const Context& context, const PencilSaid& said) {
-  const Quantity one{"smallest eigenvalue, one jump",
-                     {"eigenvalues of the entries", "1 + (s+ - s-) sup T(c)^2/(2 E)"},
+  const Quantity one{"smallest eigenvalue relative to E, one jump",
+                     {"eigenvalues of the matrix of entries", "1 + (s_+ - s_-) sup(T(c)^2/E)/2"},
                      tolerance<double>()};
-  const Quantity all{"smallest eigenvalue below 1, s nondecreasing",
-                     {"eigenvalues of the entries", "energy identity"},
+  const Quantity all{"how far the smallest eigenvalue relative to E is below 1, s nondecreasing",
+                     {"eigenvalues of the matrix of entries", "0, from the energy's formula"},
                      tolerance<double>()};
   return gather([&] {
     Random random(context.seed, "vi-definite-rising");
@@ -69,18 +69,25 @@ std::vector<Claim> cell_definiteness_claims() {
   std::vector<Claim> claims;
   claims.push_back(make_claim(
       {"vi-definite-rising", "[Bal16, theorem 1], the positive form behind it, on cells",
-       "on tractions of zero mean the symmetric part of Galerkin's operator is at least the logarithm's energy E where "
-       "s "
-       "is nondecreasing; with one jump its smallest eigenvalue relative to E is min(1, 1 + (s+ - s-) sup T(c)^2/(2 "
-       "E))",
-       "at least three cells, of any lengths; several jumps: rising"},
+       "On tractions of zero mean the symmetric part of Galerkin's operator is at least `E = -(1/pi) <<t * "
+       "log|x|, t>>` where `s` is nondecreasing. With one jump its smallest eigenvalue relative to `E` is "
+       "`min(1, 1 + (s_+ - s_-) sup(T(c)^2/E)/2)`, `T(c)` the force to the left of the jump, the supremum over the "
+       "tractions of zero mean on these cells.",
+       "At least three cells, equal, unequal or graded to a jump; one jump of either sign, or several that "
+       "rise.",
+       "The energy is `E + (1/2) sum_k (s_k - s_{k-1}) T(c_k)^2`. With no negative term it is at least `E`. "
+       "One jump adds a form of rank one: relative to `E` all eigenvalues are 1 but one, which is `1 + (1/2) (s_+ - "
+       "s_-) <<w, E^{-1} w>>` with `T(c) = <<w, t>>`, and `<<w, E^{-1} w>>` is the supremum of `T(c)^2/E`. With three "
+       "cells or more there is a traction with `T(c) = 0`, and the eigenvalue 1 remains."},
       check_pencil, P(),
-      std::vector<Wrong<P>>{{"several jumps that fall", changed<P>([](P& said) { said.several = Trend::falling; })},
-                            {"without the half", changed<P>([](P& said) { said.factor = 1; })},
-                            {"the jump with the other sign", changed<P>([](P& said) { said.factor = -0.5; })},
-                            {"the supremum over all tractions", changed<P>([](P& said) { said.zero_mean = false; })},
-                            {"near miss: the eigenvalue moved by ten times the tolerance",
-                             changed<P>([](P& said) { said.moved = near_miss<double>(); })}}));
+      std::vector<Wrong<P>>{
+          {"several jumps, falling instead of rising", changed<P>([](P& said) { said.several = Trend::falling; })},
+          {"the jump without the factor 1/2", changed<P>([](P& said) { said.factor = 1; })},
+          {"s_- - s_+ instead of s_+ - s_-", changed<P>([](P& said) { said.factor = -0.5; })},
+          {"the supremum over all tractions, not those of zero mean",
+           changed<P>([](P& said) { said.zero_mean = false; })},
+          {"near miss: the eigenvalue moved by ten times the tolerance",
+           changed<P>([](P& said) { said.moved = near_miss<double>(); })}}));
   return claims;
 }
 

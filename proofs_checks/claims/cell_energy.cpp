@@ -149,10 +149,17 @@ double by_fourier(const EnergyCase& c) {
 }
 
 std::vector<Evidence> check(const Context& context, const EnergySaid& said) {
-  const std::string identity = "-(1/pi) <t * log|x|, t> + sum (s_k - s_{k-1}) T(c_k)^2/2";
-  const Quantity entries{"energy, entries of B", {"sum of entries", identity}, tolerance<double>(), 0.9};
-  const Quantity products{"energy, products with B", {"products", identity}, tolerance<double>(), 0.9};
-  const Quantity logarithm{"energy without friction", {"int |t^|^2/|k|", "jumps of t"}, tolerance<double>(), 0.3};
+  const std::string identity = "-(1/pi) <<t * log|x|, t>> + (1/2) sum_k (s_k - s_{k-1}) T(c_k)^2";
+  const Quantity entries{
+      "energy of a random traction, entry by entry", {"sum of q_i B_ij t_j", identity}, tolerance<double>(), 0.9};
+  const Quantity products{"energy of a random traction, by products with the operator",
+                          {"the operator's product with t", identity},
+                          tolerance<double>(),
+                          0.9};
+  const Quantity logarithm{"energy without friction, on equal cells",
+                           {"(1/pi) int |t_hat(k)|^2/k dk", "sum over the jumps of t"},
+                           tolerance<double>(),
+                           0.3};
   return gather([&] {
     Random random(context.seed, "vi-energy-identity");
     Findings findings;
@@ -183,18 +190,27 @@ std::vector<Claim> cell_energy_claims() {
   };
   return {make_claim(
       {"vi-energy-identity", "[Bal16, section 3.1], with jumps, on cells",
-       "b(t,t) = -(1/pi) <t * log|x|, t> + sum_k (s_k - s_{k-1}) T(c_k)^2/2 for tractions t of zero mean, T the "
-       "integral "
-       "of t from the left end: only the jumps of s are felt, and rising ones have a positive energy; Galerkin's "
-       "operator has this energy without error, wherever the jumps lie in the cells",
-       "piecewise constant t, int t = 0; piecewise constant s, of either sign"},
+       "For tractions of zero mean `b(t, t) = -(1/pi) <<t * log|x|, t>> + (1/2) sum_k (s_k - s_{k-1}) "
+       "T(c_k)^2`, `T` the integral of `t` from the left end: of the friction only its jumps are felt, and "
+       "where `s` rises their energy is positive. Galerkin's operator on cells has this energy without error, "
+       "wherever in the cells the jumps lie.",
+       "`t` constant on each cell, `int t = 0`; equal, unequal and graded cells; `s` piecewise constant, of "
+       "either sign, with up to three jumps.",
+       "By parts `<<int s t, t>> = -int s t T = -(1/2) int s (T^2)'`, which leaves the jumps of `s` times "
+       "`T^2/2`. On cells `t` is a sum of steps of heights `J_i`, and `-(1/pi) <<t * log|x|, t>>` becomes "
+       "`(1/pi) sum_{i<j} J_i J_j r_{ij}^2 log(r_{ij})`, `r_{ij}` the distances of the steps, because `log|x|` "
+       "is the fourth derivative of `x^2 log|x|/2` up to a polynomial that `sum J = 0` and `sum J x = 0` "
+       "remove. On equal cells the same is `(1/pi) int_0^oo |t_hat(k)|^2/k dk`."},
       check, EnergySaid{},
       std::vector<Wrong<EnergySaid>>{
-          {"without the half", wrong([](EnergySaid& said) { said.factor_jump = 1; })},
-          {"jumps with the other sign", wrong([](EnergySaid& said) { said.factor_jump = -said.factor_jump; })},
-          {"jumps without sign", wrong([](EnergySaid& said) { said.modulus = true; })},
-          {"T at the end of the jump's cell", wrong([](EnergySaid& said) { said.at = EnergySaid::At::cell_end; })},
-          {"1/(2 pi) of the logarithm", wrong([](EnergySaid& said) { said.factor_log /= 2; })},
+          {"the jumps without the factor 1/2", wrong([](EnergySaid& said) { said.factor_jump = 1; })},
+          {"s_{k-1} - s_k instead of s_k - s_{k-1}",
+           wrong([](EnergySaid& said) { said.factor_jump = -said.factor_jump; })},
+          {"|s_k - s_{k-1}| instead of s_k - s_{k-1}", wrong([](EnergySaid& said) { said.modulus = true; })},
+          {"T taken at the end of the jump's cell",
+           wrong([](EnergySaid& said) { said.at = EnergySaid::At::cell_end; })},
+          {"1/(2 pi) instead of 1/pi before the logarithmic term",
+           wrong([](EnergySaid& said) { said.factor_log /= 2; })},
           {"near miss: the logarithm's part moved by ten times the tolerance",
            wrong([](EnergySaid& said) { said.factor_log *= 1 + Real50(near_miss<double>()); })}})};
 }

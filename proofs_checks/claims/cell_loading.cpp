@@ -33,8 +33,12 @@ struct LoadingSaid {
 
 /// The punch of a random set: t0 of one sign, and no penetration.
 void check_punch(Findings& findings, Random& random, const LoadingSaid& said) {
-  const Quantity pressure{"tension under the punch of a contact set", {"entries of B", "t0 <= 0"}, tolerance<double>()};
-  const Quantity gap{"penetration off the contact set", {"entries of B", "level punch"}, tolerance<double>()};
+  const Quantity pressure{"tension under the punch of a random contact set, over its largest pressure",
+                          {"linear system of the entries", "none: t_0 is of one sign"},
+                          tolerance<double>()};
+  const Quantity gap{"penetration of the punch on the other cells, over its depth",
+                     {"linear system of the entries", "none: the punch is level"},
+                     tolerance<double>()};
   CellFrictionSteps steps = random_steps(random, Trend::any, said.largest, 3);
   if (random.below(2) == 0) steps = mirrored(steps);
   const ContactProblem problem = cell_problem(steps);
@@ -63,8 +67,9 @@ void check_punch(Findings& findings, Random& random, const LoadingSaid& said) {
 
 /// The contact under a load, and under a larger one.
 void check_loads(Findings& findings, Random& random, const LoadingSaid& said, bool convex) {
-  const Quantity pressure{
-      "pressure that falls as the load grows", {"Lemke's method", "Lemke's method, larger load"}, tolerance<double>()};
+  const Quantity pressure{"fall of a pressure as the load grows, over the largest one",
+                          {"Lemke's method", "Lemke's method under the larger load"},
+                          tolerance<double>()};
   CellFrictionSteps steps = random_steps(random, Trend::any, said.largest, 3);
   if (random.below(2) == 0) steps = mirrored(steps);
   Polynomial profile = random_profile(random, convex);
@@ -127,19 +132,22 @@ std::vector<Claim> cell_loading_claims() {
   };
   return {make_claim(
       {"vi-monotone-contact", "[Bal16, (8)]: t0 of one sign, and what follows for growing loads, on cells",
-       "the punch of every contact set has pressure in all of its cells and penetrates none of the others; so the "
-       "contact "
-       "under a load contains that under a smaller one, and no pressure falls, whether s rises or falls, in one zone "
-       "or in "
-       "several",
-       "attitude given; equal cells; |s| <= 1/2. Beyond these, on cells, there are counterexamples: see the controls"},
+       "The punch of every set of cells has pressure in all of its cells and penetrates none of the others. "
+       "Therefore the contact under a load contains that under a smaller load, and no pressure falls as the "
+       "load grows, whether `s` rises or falls, in one contact zone or in several.",
+       "Attitude given; equal cells, 8 to 47 of them; `|s| <= 1/2`. Beyond these bounds there are "
+       "counterexamples on cells, which are among the controls.",
+       "While the set `K` of cells in contact stays, a growing load adds the pressures `x` with `B_{KK} x = "
+       "1`, the punch of `K`. If `x > 0`, and `(B x)_i < 1` off `K`, no pressure falls and cells are taken in "
+       "only. In the continuum this is the function `t_0` of (8), which is of one sign for any number of zones "
+       "and jumps. On cells it is examined, not proved."},
       check, LoadingSaid{},
       std::vector<Wrong<LoadingSaid>>{
           {"the smaller load taken for the larger one",
            wrong([](LoadingSaid& said) { said.larger_load = Rational(1, 2); })},
-          {"s up to 5", wrong([](LoadingSaid& said) { said.largest = 5; })},
+          {"friction up to s = 5", wrong([](LoadingSaid& said) { said.largest = 5; })},
           {"cells of alternating lengths", wrong([](LoadingSaid& said) { said.cells = Cells::alternating; })},
-          {"the indenter tilts", wrong([](LoadingSaid& said) { said.tilts = true; })},
+          {"an indenter that may tilt", wrong([](LoadingSaid& said) { said.tilts = true; })},
           {"near miss: the larger load less by ten times the tolerance",
            wrong([](LoadingSaid& said) { said.larger_load = 1 - Rational(1, 100'000'000'000); })}})};
 }

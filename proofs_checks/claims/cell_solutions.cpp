@@ -60,9 +60,12 @@ struct ExistenceSaid {
 };
 
 std::vector<Evidence> check_existence(const Context& context, const ExistenceSaid& said) {
-  const Quantity entries{"negative entries of B, over the largest", {"entries", "none"}, tolerance<double>()};
-  const Quantity residual{
-      "residuals, in units of what the certificate allows", {"Lemke's method", "certificate"}, 1, 0.75};
+  const Quantity entries{
+      "size of negative entries of the operator, over the largest entry", {"its entries", "none"}, tolerance<double>()};
+  const Quantity residual{"residuals of the state found, in units of what the certificate allows",
+                          {"Lemke's method", "the certificate, from the state alone"},
+                          1,
+                          0.75};
   return gather([&] {
     Random random(context.seed, "vi-discrete-existence");
     Findings findings;
@@ -156,7 +159,8 @@ Pair falling_pair() {
 }
 
 std::vector<Evidence> check_uniqueness(const Context& context, const UniquenessSaid& said) {
-  const Quantity pressures{"pressures", {"active sets from random sets", "Lemke's method"}, tolerance<double>(), 0.5};
+  const Quantity pressures{
+      "pressures on all cells", {"active sets, from random sets of cells", "Lemke's method"}, tolerance<double>(), 0.5};
   return gather([&] {
     Random random(context.seed, "thm-01-uniqueness-on-cells");
     Findings findings;
@@ -194,14 +198,17 @@ std::vector<Claim> cell_solution_claims() {
   std::vector<Claim> claims;
   claims.push_back(make_claim(
       {"vi-discrete-existence", "[Bal16, theorem 1], existence, on cells; [CPS92, section 4.4]",
-       "no entry of Galerkin's operator is negative and its diagonal is positive: it is strictly copositive, and "
-       "Lemke's "
-       "path of complementary pivots, which cannot end in a ray, reaches every load whatever the friction. Examined: "
-       "the "
-       "entries, and paths in rounded arithmetic of at most 2000 pivots a cell: the certificate accepts what they "
-       "reach",
-       "any cells, s of one sign, lengths in units of the support's; a load between the centres of the outermost cells "
-       "where the indenter tilts"},
+       "No entry of Galerkin's operator `B` is negative and its diagonal is positive, so that `<<B q, q>> > 0` for "
+       "every `q >= 0` but 0 (`B` is strictly copositive). Lemke's path of complementary pivots can then not "
+       "end in a ray, and it reaches every load whatever the friction. Examined are the entries, and paths in "
+       "rounded arithmetic of at most 2000 pivots a cell: the certificate accepts the states that they reach.",
+       "Any cells, `s` of one sign and up to 20, lengths in units of the support's length; a load between the "
+       "centres of the outermost cells where the indenter tilts.",
+       "`(B p)_i` is the mean over a cell of `-(1/pi) int p log|x-x'| dx' + int s p`. Within a support of "
+       "length 1 the logarithm is negative; `int s p` is taken from the left end where `s >= 0` and from the "
+       "right end, with `-s`, where `s <= 0`: no term is negative, and those of the diagonal are not 0. In a "
+       "ray of the path there would be a direction `q >= 0` with `<<B q, q>> <= 0`, hence `q = 0`, which is the ray "
+       "that the path came from; so the load goes continuously from 0 to `oo`."},
       check_existence, E(),
       std::vector<Wrong<E>>{
           {"the logarithm with the other sign", changed<E>([](E& said) { said.logarithm = -1; })},
@@ -211,16 +218,18 @@ std::vector<Claim> cell_solution_claims() {
            changed<E>([](E& said) { said.moved = 10; })}}));
   claims.push_back(make_claim(
       {"thm-01-uniqueness-on-cells", "[Bal16, theorem 1], uniqueness: what follows from it on cells",
-       "where s is nondecreasing the discrete problem has one solution: active sets from random sets of cells and "
-       "Lemke's "
-       "method end in the same one. (Two would differ by a traction of zero mean and of no positive energy.) Support "
-       "of "
-       "what the theorem's argument says of cells, not of the theorem itself",
-       "attitude given; s nondecreasing, of one sign; any cells; starts from which active sets cycle are left out"},
+       "Where `s` is nondecreasing the discrete problem has one solution: active sets that start from random "
+       "sets of cells, and Lemke's method, end in the same pressures. This supports what the argument of "
+       "theorem 1 says of cells; it is no proof of the theorem itself.",
+       "Attitude of the indenter given; `s` nondecreasing, of one sign, up to 3; any cells; starts from which "
+       "active sets cycle are left out.",
+       "Let `p` and `q` be two solutions under the same load. From `p_i g_i = 0`, `p_i >= 0` and `g_i >= 0` "
+       "for both, `<<B (p-q), p-q>> <= 0`. But `p - q` has zero mean, and there the energy is `E + (1/2) sum_k "
+       "(s_k - s_{k-1}) T(c_k)^2`, which is positive unless `p = q`."},
       check_uniqueness, U(),
       std::vector<Wrong<U>>{
-          {"a falling jump: a problem of three solutions", changed<U>([](U& said) { said.rising = false; })},
-          {"twice the load", changed<U>([](U& said) { said.doubled = true; })},
+          {"s falling by 5: a problem with three solutions", changed<U>([](U& said) { said.rising = false; })},
+          {"twice the load for one of the methods", changed<U>([](U& said) { said.doubled = true; })},
           {"near miss: pressures moved by ten times the tolerance",
            changed<U>([](U& said) { said.moved = near_miss<double>(); })}}));
   return claims;

@@ -21,10 +21,12 @@ using LoadFormula = Formula<LoadSaid, Trial>;
 std::vector<Evidence> check_load(const Context& context, const LoadFormula& formula) {
   const auto walk = [&]<Real R>() {
     using std::abs, std::max;
-    const Quantity load{"int t", {"trapezoidal rule", "coefficient of 1/z"}, tolerance<R>()};
-    const Quantity moment{"int xi t", {"trapezoidal rule", "coefficient of 1/z^2"}, tolerance<R>()};
-    const Quantity given{"int t where S < 0", {"coefficient of 1/z", "-q_{-S-1}"}, tolerance<R>()};
-    const Quantity part{"int t over a segment", {"trapezoidal rule", "Gauss-Jacobi"}, tolerance<R>()};
+    const Quantity load{"load int t", {"trapezoidal rule", "coefficient of 1/z at infinity"}, tolerance<R>()};
+    const Quantity moment{"moment int x t", {"trapezoidal rule", "coefficient of 1/z^2 at infinity"}, tolerance<R>()};
+    const Quantity given{
+        "load where S < 0", {"coefficient of 1/z at infinity", "leading coefficient of q"}, tolerance<R>()};
+    const Quantity part{
+        "load on one segment of the contact", {"trapezoidal rule", "Gauss-Jacobi rule"}, tolerance<R>()};
     const std::vector<Trial> all = trials(context, "rh-load", count_for(context, 20, 2, 1));
     Findings findings;
     for (const Trial& trial : all) {
@@ -58,9 +60,14 @@ Claim load_claim() {
   });
   return make_claim(
       {"rh-load", "[Bal16, theorem 36], reconstructed: load and centre of pressure from infinity",
-       "int t = -pi [z^-1] and int xi t = -pi [z^-2] of Y (m_0/z + m_1/z^2 + ... + q/pi); where S < 0 the load is the "
-       "leading coefficient of q",
-       "any contact set, any q"},
+       "`int t = -pi [z^{-1}]` and `int x t = -pi [z^{-2}]`, the coefficients at infinity of `Y (m_0/z + "
+       "m_1/z^2 + ... + q/pi)`. Where `S < 0` the load is the leading coefficient of `q`: `int t = -q_{-S-1}`.",
+       "Any contact set of up to three components, any `q` and tilt; piecewise polynomial profile, `s` "
+       "piecewise constant.",
+       "Far away `F = (1/pi) int t(x')/(x'-z) dx' = -(1/pi) sum_n z^{-n-1} int x^n t`, and `F` is the series "
+       "of `Y (m_0/z + m_1/z^2 + ... + q/pi)`, whose moments `m_j` come from the integrals over the contact. "
+       "If `S < 0`, `Y` behaves as `z^S` and `q` as `q_{-S-1} z^{-S-1}`: their product begins with "
+       "`q_{-S-1}/(pi z)`."},
       check_load, right,
       std::vector<Wrong<LoadFormula>>{
           {"Y's expansion cut after its first term", right.changed([]<class R>(LoadSaid<R>& said, const Trial&) {
@@ -69,9 +76,9 @@ Claim load_claim() {
              said.moment = S >= -1 ? R(-numeric::pi<R>() * form.moments(static_cast<std::size_t>(S + 2)).back())
                                    : R(-form.q()[static_cast<std::size_t>(-S - 2)]);
            })},
-          {"pi missing",
+          {"int t = -[z^-1], pi missing",
            right.changed([]<class R>(LoadSaid<R>& said, const Trial&) { said.load /= numeric::pi<R>(); })},
-          {"the sign of the moment", right.changed([](auto& said, const Trial&) { said.moment = -said.moment; })},
+          {"int x t = +pi [z^-2]", right.changed([](auto& said, const Trial&) { said.moment = -said.moment; })},
           {"near miss: the load moved by ten times the tolerance",
            right.changed([]<class R>(LoadSaid<R>& said, const Trial&) { said.load *= 1 + near_miss<R>(); })},
           {"near miss: the moment moved by ten times the tolerance",
@@ -114,19 +121,28 @@ std::vector<Evidence> check_count(const Context& context, const Count& count) {
         findings.decide("as many unknowns as conditions", free + coefficients == conditions);
       }
     }
-    return findings.evidence("every kind of end of up to four components");
+    return findings.evidence("every choice of edges and free ends, " +
+                             std::string(context.quick ? "one or two" : "one to four") + " components");
   });
 }
 
 Claim count_claim() {
-  return make_claim<Count>({"rh-count", "[Bal16, theorem 36], reconstructed: unknowns and conditions, counted",
-                            "Y ~ z^S with S = (free ends) - (components); the free ends and the -S coefficients of q "
-                            "are as many as the load, the S moments and the gaps between components",
-                            "one to four components, every choice of edges and free ends, a friction jump in each"},
-                           check_count, {-1, 0, -1},
-                           {{"wrong variant: q of degree -S", {0, 0, -1}},
-                            {"wrong variant: a moment too many", {-1, 1, -1}},
-                            {"wrong variant: a condition for every component", {-1, 0, 0}}});
+  return make_claim<Count>(
+      {"rh-count", "[Bal16, theorem 36], reconstructed: unknowns and conditions, counted",
+       "The exponents of `Y` sum to `S` = (free ends) - (components). The free ends and the `-S` coefficients "
+       "of `q`, none if `S >= 0`, are as many as the conditions: the load, the `S` moments, none if `S <= 0`, "
+       "and the gaps between components.",
+       "One to four components (in a quick run one or two), every choice of edges and free ends, a friction "
+       "jump in each component.",
+       "A component contributes -1 to the sum of the exponents, plus 1 for each of its free ends; its angles "
+       "cancel. With `n` components and `k` free ends `S = k - n`. If `S >= 0` there are `k` unknowns and `1 + "
+       "S + (n-1) = k` conditions; if `S < 0` there are `k - S = n` unknowns and `1 + (n-1) = n` conditions. "
+       "Here the sums are formed with exact angles and the coefficients of `q` counted in the solver's own "
+       "form."},
+      check_count, {-1, 0, -1},
+      {{"q of degree -S", {0, 0, -1}},
+       {"one moment too many", {-1, 1, -1}},
+       {"a condition for every component, not every gap", {-1, 0, 0}}});
 }
 
 }  // namespace

@@ -52,14 +52,16 @@ class Comparison {
   /// Reading adds an error of its own, of first order: what is of second order is not seen beside it.
   void intensities() {
     if (!quick_ && study_.rate < 2) {
-      rate("intensities", first_with_intensities, [&](const MeshLevel& level) {
+      rate("error of the stress intensities, root mean square", first_with_intensities, [&](const MeshLevel& level) {
         std::vector<double> errors;
         for (std::size_t k = 0; k < exact_.intensities.size(); ++k) errors.push_back(intensity_error(level, exact_, k));
         return root_mean_square(errors);
       });
     }
     const double tolerance = 1 / static_cast<double>(study_.fine.cells);
-    const Quantity quantity{"intensity", {"fit to the cells", "Riemann-Hilbert"}, tolerance};
+    const Quantity quantity{"stress intensity on the finest mesh",
+                            {"fit to the cells", "solution of the Riemann-Hilbert problem"},
+                            tolerance};
     const std::vector<double>& found = study_.fine.solved.intensities;
     findings_.require(found.size() == exact_.intensities.size(), "another number of singular points");
     for (std::size_t k = 0; k < found.size(); ++k) {
@@ -70,9 +72,9 @@ class Comparison {
   }
 
   void ends() {
-    const std::vector<std::string> routes{"cells in contact", "Riemann-Hilbert"};
-    const Quantity free{"free end, in cells", routes, 1};
-    const Quantity edge{"edge or step", routes, 1e-14};
+    const std::vector<std::string> routes{"cells in contact", "solution of the Riemann-Hilbert problem"};
+    const Quantity free{"place of a free end of contact, in cells", routes, 1};
+    const Quantity edge{"place of an end at an edge or step", routes, 1e-14};
     for (const MeshLevel& level : study_.levels) {
       for (const OnMesh& mesh : level.meshes) {
         findings_.begin_case(std::to_string(mesh.cells) + " cells");
@@ -88,10 +90,10 @@ class Comparison {
   }
 
   void exponents() {
-    const std::vector<std::string> routes{"fit to the cells", "local analysis"};
-    const Quantity bar{"error bar of an exponent", {}, quick_ ? 0.05 : 0.01};
-    const Quantity agrees{"exponent, in error bars", routes, 1};
-    const Quantity excludes{"error bar over the distance to the exponent of alpha's other sign", {}, 1};
+    const std::vector<std::string> routes{"fit to the cells", "local equation"};
+    const Quantity bar{"error bar of an exponent that is read off the cells", {}, quick_ ? 0.05 : 0.01};
+    const Quantity agrees{"distance of the exponents, in error bars", routes, 1};
+    const Quantity excludes{"error bar over the distance to the exponent with alpha of the other sign", {}, 1};
     for (const ReadExponent& read : study_.exponents) {
       findings_.begin_case("x = " + std::to_string(read.x));
       const double right = numeric::to_real<double>(said_.angle_reversed ? read.reversed : read.derived);
@@ -149,18 +151,23 @@ Claim convergence_claim(const ConvergenceCase& the_case) {
   const bool jumps = problem.friction().values().size() > 1;
   return make_claim<ConvergenceSaid>(
       {"vi-convergence-" + the_case.name, "[Bal16, sections 3.1 and 4], two methods: " + the_case.what,
-       "the solver on N equal cells, which knows no exponents, tends to the Riemann-Hilbert solution: ends to one "
-       "cell; "
-       "each resultant, and the intensities in the mean, as N^-r, r the least of lambda + lambda* + 2 over the "
-       "singular "
-       "points of the contact, lambda* the adjoint problem's exponent (edge, step, friction jump: 1; free end: 2; "
-       "wedge: "
-       "3), +- 0.1 (quick: 0.25), by least squares over all levels N = 2^k from 2^8 on (quick: 2^6; intensities: "
-       "2^11), "
-       "each the root mean square of 7 consecutive N, of 21 for r = 2; intensities to 1/N, and their rate only for r = "
-       "1, since reading them off adds an error of about first order; exponents within error bars of at most 0.01 "
-       "(quick: 0.05)",
-       "reduced data, s between 0 and 0.6; in double whatever the digits asked for"},
+       "The solver on `N` equal cells, which knows no exponents, tends to the solution of the Riemann-Hilbert "
+       "problem: ends of contact to one cell; each resultant, and the intensities in the mean, as `N^{-r}`; "
+       "intensities to `1/N` on the finest mesh; exponents read off the cells within their error bars. The "
+       "rate `r` is the least of `lambda + lambda^* + 2` over the singular points of the contact, `lambda^*` "
+       "the exponent of the adjoint problem; the sum is 1 at an edge, a step and a friction jump, 2 at a free end, 3 "
+       "at a wedge.",
+       "Reduced data, `s` between 0 and 3/5; in double whatever the digits asked for. Rates to 0.1 (quick: "
+       "0.25) by least squares over all levels `N = 2^k` from `2^8` on (quick: `2^6`; intensities: `2^11`, and "
+       "only where `r = 1`, since reading them off adds an error of about first order), each the root mean "
+       "square of 7 consecutive `N`, of 21 for `r = 2`; error bars of exponents of 0.01 at most (quick: 0.05).",
+       "The error of a functional of a Galerkin solution is a product of two errors, of the solution and of "
+       "the adjoint problem's, in the energy norm. Next to a singular point where `t ~ d^lambda` piecewise "
+       "constants on cells of length `h` miss an energy of order `h^{2 lambda + 2}`, so that the product has "
+       "`h^{lambda + lambda^* + 2}`. The adjoint problem is that of friction `-s`: at an edge `lambda + "
+       "lambda^* = -1`, at a free end the contact of the adjoint problem has an edge and the sum is 0, at a "
+       "jump `lambda = beta` and `lambda^* = -beta - 1`. That the sums follow these local estimates is "
+       "assumed, and measured."},
       check, {},
       {{"a rate higher by one", {.rate_offset = 1}},
        {jumps ? "the reference with the friction values in the other order" : "the reference sliding the other way",

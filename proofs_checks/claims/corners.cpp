@@ -148,10 +148,12 @@ R regular_part(const CornerSaid<R>& said, Side side, const R& d) {
 template <Real R>
 void check_corner(Findings& findings, const CornerSaid<R>& said) {
   using std::abs, std::max;
-  const Quantity across{
-      "what is left of t, across c", {"measured on one side", "measured on the other"}, tolerance<R>()};
-  const Quantity at_c{
-      "what is left of t, at c", {"measured on both sides", "the solution's constants"}, tolerance<R>()};
+  const Quantity across{"t without its singular part, across c",
+                        {"continued from one side by polynomials", "values on the other side"},
+                        tolerance<R>()};
+  const Quantity at_c{"t without its singular part, at c",
+                      {"continued from both sides by polynomials", "-theta or the constant that the solver gives"},
+                      tolerance<R>()};
   std::vector<R> left, right;
   for (int i = 1; i <= extrapolation_values<R>; ++i) {
     left.push_back(regular_part(said, Side::left, R(i * extrapolation_step<R>())));
@@ -171,8 +173,9 @@ void check_corner(Findings& findings, const CornerSaid<R>& said) {
 /// The constants that the solution gives, and the signs that t <= 0 forces.
 template <Real R>
 void check_constants(Findings& findings, const CornerSaid<R>& said, const Corner& c) {
-  const Quantity constant{
-      "the constant of the solution", {"solution", "D/[s], D/(1+s^2) before the logarithm"}, tolerance<R>()};
+  const Quantity constant{"constant or coefficient of the logarithm at the wedge",
+                          {"the solver's", "D(c)/[s] or D(c)/(1+s^2)"},
+                          tolerance<R>()};
   const R& x = said.point.x.value;
   const R d = slope<R>(c.problem, R(x + 1), x) - slope<R>(c.problem, R(x - 1), x);
   const R expected = c.is_jump ? R(d * said.step[1]) : R(d * said.log_factor * numeric::pi<R>());
@@ -213,10 +216,17 @@ Claim wedge_and_jump() {
   const CornerFormula right = jump_formula();
   return make_claim(
       {"thm-02-solved-wedge-and-jump", "[Bal16, theorem 2]: a wedge where the friction jumps, in solved problems",
-       "t = D(x)/[s] + cos(pi alpha(x)) |x-c|^beta B(x), D = psi'_+ - psi'_-, beta = alpha_- - alpha_+, B analytic "
-       "across c and -theta there; beta < 0, or beta > 0 without a wedge, demand theta >= 0, beta > 0 with one D >= 0 "
-       "and theta of either sign",
-       "contact on both sides of c; at 50 digits or more"},
+       "At a wedge where the friction jumps, `t = D(x)/[s] + cos(pi alpha(x)) |x-c|^beta B(x)`, `D = "
+       "psi_bar'_+ - psi_bar'_-` continued as polynomials, `beta = alpha_- - alpha_+`, `B` analytic across `c` "
+       "with `B(c) = -theta`. `t <= 0` demands `theta >= 0` for `beta < 0`, and for `beta > 0` without a "
+       "wedge; with a wedge and `beta > 0` it demands `D(c) >= 0` and leaves `theta` either sign.",
+       "Solved contact problems with contact on both sides of `c`, profiles of two parabolas; five of them "
+       "(two in a quick run), at 50 digits or more.",
+       "`D/[s]` on both sides satisfies the equation up to an analytic function, since `s D/[s]` jumps by `D`. "
+       "What is left solves the equation without a jump of the slope, and there Mellin's symbols allow `A_-+ "
+       "|x-c|^lambda` with `cot(pi lambda) = -cot(pi (alpha_+ - alpha_-))` and `A_- : A_+ = cos(pi alpha_-) : "
+       "cos(pi alpha_+)` only. Measured: `(t - D/[s])/(cos(pi alpha) |x-c|^beta)` on one side of `c` is "
+       "continued by polynomials to the other side, and has to agree there."},
       [](const Context& context, const CornerFormula& formula) {
         return check(context, formula, jump_corners(context));
       },
@@ -225,12 +235,13 @@ Claim wedge_and_jump() {
           {"[s] of the other sign", right.changed([](auto& said, const Corner&) {
              for (auto& s : said.step) s = -s;
            })},
-          {"beta's sign", right.changed([](auto& said, const Corner&) { said.power = -said.power; })},
-          {"no constant", right.changed([](auto& said, const Corner&) { said.step[0] = said.step[1] = 0; })},
+          {"beta = alpha_+ - alpha_-", right.changed([](auto& said, const Corner&) { said.power = -said.power; })},
+          {"the constant D/[s] missing",
+           right.changed([](auto& said, const Corner&) { said.step[0] = said.step[1] = 0; })},
           {"cos(pi alpha) of the other side",
            right.changed([](auto& said, const Corner&) { std::swap(said.cosine[0], said.cosine[1]); })},
-          {"the constant D(c)/[s] alone", right.changed([](auto& said, const Corner&) { said.continued = false; })},
-          {"the sign of theta", right.changed([](auto& said, const Corner&) { said.limit = -said.limit; })},
+          {"D(c)/[s] instead of D(x)/[s]", right.changed([](auto& said, const Corner&) { said.continued = false; })},
+          {"B(c) = +theta", right.changed([](auto& said, const Corner&) { said.limit = -said.limit; })},
           {"near miss: beta moved by ten times the tolerance",
            right.changed([]<class R>(CornerSaid<R>& said, const Corner&) { said.power += near_miss<R>(); })},
           {"near miss: theta moved by ten times the tolerance",
@@ -241,8 +252,15 @@ Claim wedge() {
   const CornerFormula right = plain_formula();
   return make_claim(
       {"thm-09-solved-wedge", "[Bal16, theorems 2 and 9]: a wedge without a jump, in solved problems",
-       "t = D(x)/(1+s^2) (log|x-c|/pi + s H(x-c)) + one analytic function on both sides",
-       "contact on both sides of c; at 50 digits or more"},
+       "At a wedge under one friction value `t = (D(x)/(1+s^2)) (log|x-c|/pi + s H(x-c))` + one function "
+       "analytic across `c`, `D = psi_bar'_+ - psi_bar'_-` continued as polynomials.",
+       "Solved contact problems with contact on both sides of `c`; three of them (one in a quick run), also "
+       "without friction and with a jump of the curvature alone; at 50 digits or more.",
+       "For `a log|x-c| + b H(x-c)` the equation leaves `(pi a + s b) H(x-c) + (s a - b/pi) log|x-c|`: the "
+       "logarithm has to vanish and the step to be `D`, so that `a = D/(pi (1+s^2))` and `b = s D/(1+s^2)`. "
+       "Multiplying by `x` changes the integral by a constant only: `D(c)` may be replaced by `D(x)`. "
+       "Measured: `t` less the singular part, on one side of `c`, is continued by polynomials to the other "
+       "side, and has to agree there."},
       [](const Context& context, const CornerFormula& formula) {
         return check(context, formula, plain_corners(context));
       },
@@ -255,7 +273,7 @@ Claim wedge() {
              said.log_factor *= 1 + s * s;
              said.step[1] *= 1 + s * s;
            })},
-          {"the logarithm's sign",
+          {"the logarithm with the other sign",
            right.changed([](auto& said, const Corner&) { said.log_factor = -said.log_factor; })},
           {"1/pi missing",
            right.changed([]<class R>(CornerSaid<R>& said, const Corner&) { said.log_factor *= numeric::pi<R>(); })},

@@ -66,8 +66,8 @@ std::vector<Evidence> check(const Context& context, const BodiesFormula& formula
       return {Counterexample{where, "a stiff indenter does not tend to the rigid one"}};
     }
   }
-  return {decided, Agreement{"gamma and compliance in exact arithmetic",
-                             {"the formulas", "the model"},
+  return {decided, Agreement{"values of gamma and of the compliance, in exact arithmetic",
+                             {"the formulas", "the constants that problems are solved with"},
                              "0",
                              "0",
                              cases,
@@ -95,7 +95,7 @@ std::vector<Claim> elastic_indenter_claims() {
       {"kappa + 1 in gamma's numerator", right.with_gamma([](const Q& m1, const Q& k1, const Q& m2, const Q& k2) {
          return Q((m2 * (k1 + 1) - m1 * (k2 + 1)) / (m2 * (k1 + 1) + m1 * (k2 + 1)));
        })},
-      {"the half-space's compliance alone",
+      {"the compliance of the half-space alone",
        right.with_compliance([](const Q& m1, const Q& k1, const Q&, const Q&) { return Q((k1 + 1) / (4 * m1)); })},
       {"near miss: gamma moved by 1e-94", right.with_gamma([right](const Q& m1, const Q& k1, const Q& m2, const Q& k2) {
          return Q(right.gamma(m1, k1, m2, k2) + tiny());
@@ -107,14 +107,18 @@ std::vector<Claim> elastic_indenter_claims() {
   }
   return {make_claim(
       {"rem-01-elastic-indenter", "[Bal16, remark 1]: an elastic indenter, derived",
-       "of gamma = (mu_2 (kappa_1-1) - mu_1 (kappa_2-1))/(mu_2 (kappa_1+1) + mu_1 (kappa_2+1)), Dundurs' constant, and "
-       "the "
-       "compliance (kappa_1+1)/(4 mu_1) + (kappa_2+1)/(4 mu_2): both tend to those of the rigid indenter as mu_2 "
-       "grows; "
-       "gamma changes its sign when the bodies are exchanged and is 0 for equal ones",
-       "isotropic bodies, body 1 the half-space, kappa = 3-4nu (plane strain) or (3-nu)/(1+nu) (plane stress); that "
-       "these "
-       "constants take the place of the rigid indenter's in (3) follows from the sum of both surfaces' equations"},
+       "For two elastic bodies the constants of the rigid indenter are replaced by `gamma = (mu_2 (kappa_1-1) "
+       "- mu_1 (kappa_2-1))/(mu_2 (kappa_1+1) + mu_1 (kappa_2+1))`, Dundurs' constant, and by the compliance "
+       "`c = (kappa_1+1)/(4 mu_1) + (kappa_2+1)/(4 mu_2)`. As `mu_2` grows both tend to those of the rigid "
+       "indenter; `gamma` changes its sign when the bodies are exchanged, and is 0 for equal ones.",
+       "Isotropic bodies, body 1 the half-space; shear moduli `mu`, Kolosov's constants `kappa = 3-4 nu` in "
+       "plane strain and `(3-nu)/(1+nu)` in plane stress. That the surface of the indenter may be treated as "
+       "that of a half-plane is assumed.",
+       "The slope of a half-plane's surface is `((kappa+1)/(4 mu)) H t` plus or minus `((kappa-1)/(4 mu)) f "
+       "t`, `H t = (1/pi) PV int t(x')/(x'-x) dx'`, with opposite signs of the second term above and below. "
+       "Adding both surfaces gives `c (H t + gamma f t)` with `c gamma = ((kappa_1-1)/mu_1 - "
+       "(kappa_2-1)/mu_2)/4`. The limits, the exchange of the bodies and the case of equal ones are identities "
+       "between rational functions of `mu_1`, `mu_2`, `kappa_1`, `kappa_2`."},
       check, right, std::move(wrong))};
 }
 

@@ -104,9 +104,13 @@ template <Real R>
 void check_ends(Findings& findings, const EndsSaid<R>& said) {
   using std::pow;
   const Quantity by_rule{
-      "u' - psi' beyond an end, trapezoidal rule", {"(1/pi) int t/(x'-x)", "t continued from within"}, tolerance<R>()};
-  const Quantity by_form{"u' - psi' beyond an end, form", {"Y B", "t continued from within"}, tolerance<R>()};
-  const Quantity intensity{"t/d^p at an end", {"t continued", "the solution's intensity"}, tolerance<R>()};
+      "u' - psi' beyond an end, by quadrature",
+      {"(1/pi) int t(x')/(x'-x) dx', trapezoidal rule", "t/d^p continued from inside of the contact"},
+      tolerance<R>()};
+  const Quantity by_form{
+      "u' - psi' beyond an end, by the solver", {"-Y B", "t/d^p continued from inside of the contact"}, tolerance<R>()};
+  const Quantity intensity{
+      "intensity theta at an end", {"-t/d^p continued to the end", "the solver's intensity"}, tolerance<R>()};
   const RiemannHilbertForm<R>& form = said.solution->form();
   const auto segments = segments_of(form);
   const auto components = said.solution->contact();
@@ -158,15 +162,22 @@ std::vector<Claim> end_claims() {
   const EndsFormula right = ends_formula();
   return {make_claim(
       {"thm-03-solved-ends", "[Bal16, theorems 3 and 10]: slope beyond the ends of contact, in solved problems",
-       "with t = -theta(x) d^p within, theta analytic, u' - psi' = -+theta(x) sqrt(1+s^2) d^p beyond a rear/front edge "
-       "and +-theta(x) sqrt(1+s^2) d^p beyond a free rear/front end, to every order; p = -(1/2+alpha), -(1/2-alpha) at "
-       "edges and 1/2-alpha, 1/2+alpha at free ends, alpha of the contact side",
-       "outer ends of the contact; a friction jump and a wedge inside; at 50 digits or more"},
+       "With `t = -theta(x) d^p` next to an outer end of the contact, `theta` analytic, the surface beyond has "
+       "`u_bar' - psi_bar' = -+theta(x) sqrt(1+s^2) d^p` at a rear and a front edge, `+-theta(x) sqrt(1+s^2) "
+       "d^p` at a rear and a front free end, to every order in `d`. Here `p = -(1/2+alpha)` and `-(1/2-alpha)` "
+       "at edges, `1/2-alpha` and `1/2+alpha` at free ends, `alpha` and `s` of the contact side.",
+       "Outer ends of the contact in three solved problems (one in a quick run), with a friction jump and a "
+       "wedge inside; at 50 digits or more.",
+       "Next to the end `2 i Phi = psi_bar' - Y B` with `B` analytic at the end: in the "
+       "contact `t = epsilon cos(pi alpha) |Y| B`, beyond it `u_bar' - psi_bar' = -Y B`, where `psi_bar'` is "
+       "continued. `|Y| B` is `d^p` times one analytic function on both sides, so the ratio is `-+1/cos(pi "
+       "alpha) = -+sqrt(1+s^2)` at every distance. The sign is that of `Y`, which is positive to the right of "
+       "all ends, times `epsilon`."},
       check, right,
       std::vector<Wrong<EndsFormula>>{
-          {"the sign at the rear",
+          {"the other sign of u' - psi' behind the rear end",
            right.changed([](auto& said, const Solvable&) { said.ends[0].coefficient = -said.ends[0].coefficient; })},
-          {"the sign at a free end", right.changed([](auto& said, const Solvable&) {
+          {"the other sign of u' - psi' beyond a free end", right.changed([](auto& said, const Solvable&) {
              for (auto& end : said.ends) end.coefficient *= end.free ? -1 : 1;
            })},
           {"sqrt(1+s^2) missing", right.changed([](auto& said, const Solvable&) {

@@ -57,18 +57,18 @@ std::vector<Wrong<PunchFormula>> wrong_variants(const PunchFormula& right) {
   return {
       {"the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha}",
        right.changed([](auto& form, const ContactProblem&) { form.set_exponent(0, -half); })},
-      {"alpha's sign at the rear edge",
+      {"the power -(1/2-alpha) at the rear edge",
        right.changed([](auto& form, const ContactProblem& p) { form.set_exponent(0, -(half - alpha(p, 0))); })},
-      {"edges swapped", right.changed([](auto& form, const ContactProblem& p) {
+      {"the powers of both edges exchanged", right.changed([](auto& form, const ContactProblem& p) {
          form.set_exponent(0, -(half - alpha(p, 0)));
          form.set_exponent(1, -(half + alpha(p, 0)));
        })},
       {"cos(pi alpha) missing", right.changed([]<Real R>(PowerForm<R>& form, const ContactProblem& p) {
          form.scale(1 / numeric::cos_pi_alpha<R>(p.coupled_friction(0)));
        })},
-      {"pi missing",
+      {"1/pi missing",
        right.changed([]<Real R>(PowerForm<R>& form, const ContactProblem&) { form.scale(numeric::pi<R>()); })},
-      {"gamma missing in alpha", right.changed([](auto& form, const ContactProblem& p) {
+      {"alpha = arctan(f)/pi, gamma missing", right.changed([](auto& form, const ContactProblem& p) {
          const Exponent angle = Exponent::angle(p.friction().values()[0]);
          form.set_exponent(0, -(half + angle));
          form.set_exponent(1, -(half - angle));
@@ -89,16 +89,30 @@ std::vector<Wrong<PunchFormula>> wrong_variants(const PunchFormula& right) {
 std::vector<Claim> flat_punch_claims() {
   const PunchFormula traction = on_the_whole_punch([](const ContactProblem& p) { return Rational(-p.load()); });
   const PunchFormula unit = on_the_whole_punch([](const ContactProblem&) { return Rational(1); });
-  return {
-      make_claim({"eq-04-flat-punch", "[Bal16, (4)]: flat punch, constant friction",
-                  "t = -(P cos(pi alpha)/pi) (1+x)^{-(1/2+alpha)} (1-x)^{-(1/2-alpha)}, alpha = arctan(gamma f)/pi, "
-                  "solves A t = 0 on ]-1, 1[ with load P",
-                  "plane strain, rigid flat punch, -1 < nu < 1/2, f >= 0 constant, P > 0"},
-                 check(false), traction, wrong_variants(traction)),
-      make_claim({"eq-08-unit-solution", "[Bal16, (8)]: the function t_0 of section 3",
-                  "t_0 = (cos(pi alpha)/pi) (1+x)^{-(1/2+alpha)} (1-x)^{-(1/2-alpha)} has A t_0 = 0 and integral 1",
-                  "f >= 0 constant"},
-                 check(true), unit, wrong_variants(unit))};
+  return {make_claim(
+              {"eq-04-flat-punch", "[Bal16, (4)]: flat punch, constant friction",
+               "The flat punch under constant friction has the traction `t = -(P cos(pi alpha)/pi) "
+               "(1+x)^{-(1/2+alpha)} (1-x)^{-(1/2-alpha)}`, `alpha = arctan(gamma f)/pi`: it satisfies `A t = 0` on "
+               "`]-1, 1[` and carries the load `P`.",
+               "Plane strain, rigid flat punch on `]-1, 1[` moving towards `+x`, `-1 < nu < 1/2`, `f >= 0` constant, "
+               "`P > 0`; examined for `f` from 0 to 50.",
+               "`Y(z) = (z+1)^{-(1/2+alpha)} (z-1)^{-(1/2-alpha)}` has `Y^+ = -exp(2 pi i alpha) Y^-` on `]-1, 1[` and "
+               "behaves as `1/z` at infinity. With `Phi = P Y/(2 pi i)` the equation `A t = 0`, which is `(s+i) Phi^+ "
+               "= (s-i) Phi^-`, holds for `t = Phi^+ - Phi^- = -(P/pi) cos(pi alpha) |Y|`, and the coefficient of "
+               "`1/z` in `Phi` makes `int t = -P`. Here `A t` and `int t` are computed by quadratures that know "
+               "nothing of this."},
+              check(false), traction, wrong_variants(traction)),
+          make_claim(
+              {"eq-08-unit-solution", "[Bal16, (8)]: the function t_0 of section 3",
+               "`t_0 = (cos(pi alpha)/pi) (1+x)^{-(1/2+alpha)} (1-x)^{-(1/2-alpha)}` has `A t_0 = 0` on `]-1, 1[` and "
+               "`int t_0 = 1`.",
+               "`s = gamma f >= 0` constant, `alpha = arctan(s)/pi`; examined for `-1 < nu < 1/2` and `f` from 0 to "
+               "50.",
+               "`t_0` is the traction of the flat punch under the load -1: the jump of `-Y/(2 pi i)` with `Y(z) = "
+               "(z+1)^{-(1/2+alpha)} (z-1)^{-(1/2-alpha)}`, which behaves as `1/z` at infinity. It spans the kernel of "
+               "`A` among integrable tractions: any other solution of `A t = 0` would be `Y` times a function without "
+               "poles that is bounded at infinity, a constant."},
+              check(true), unit, wrong_variants(unit))};
 }
 
 }  // namespace steadyslide::proofs_checks

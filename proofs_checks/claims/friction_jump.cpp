@@ -19,7 +19,7 @@ std::vector<ContactProblem> one_jump_grid() {
 }
 
 /// 0, 1, ..., 8 jumps, towards +x and -x, Poisson ratios and friction over their whole ranges. In this order the
-/// controls meet two jumps first, and a quick run, which takes every fourth or eighth, the cheap ones.
+/// controls meet two jumps first, and a quick run, which takes every fourth or sixteenth, the cheap ones.
 std::vector<ContactProblem> many_jump_grid() {
   const std::vector<Rational> friction{Rational(1, 5), 2,  Rational(1, 2), 0, 50, 1,
                                        Rational(7, 3), 10, Rational(1, 10)};
@@ -67,9 +67,11 @@ PunchFormula many_jump_formula() {
 template <Real R>
 void check_local_form(Findings& findings, const PowerForm<R>& form, const ContactProblem& problem) {
   using std::abs, std::log;
-  const Quantity power{"power of |x| at the jump", {"measured on both sides", "beta"}, tolerance<R>()};
-  const Quantity ratio{
-      "ratio of both sides' amplitudes", {"measured", "cos(pi alpha_-) : cos(pi alpha_+)"}, tolerance<R>()};
+  const Quantity power{
+      "power of the distance to the jump", {"measured on both sides, next to it", "beta"}, tolerance<R>()};
+  const Quantity ratio{"ratio of the amplitudes behind and in front of the jump",
+                       {"measured next to it", "cos(pi alpha_-)/cos(pi alpha_+)"},
+                       tolerance<R>()};
   const Rational left = problem.coupled_friction(0);
   const Rational right = problem.coupled_friction(1);
   findings.decide("beta has the sign of f_- - f_+", form.exponents[1].sign() == sign(left - right));
@@ -146,14 +148,21 @@ std::vector<Evidence> check_many_jumps(const Context& context, const PunchFormul
 Claim one_jump() {
   const PunchFormula right = one_jump_formula();
   return make_claim(
-      {"eq-05-07-friction-jump", "[Bal16, (5)-(7)]: flat punch, friction f_- behind x = 0 and f_+ before it",
-       "t = -(P/(pi sqrt(1+gamma^2 f^2(x)))) |x|^beta (1+x)^{-(1/2+alpha_-)} (1-x)^{-(1/2-alpha_+)} with beta = "
-       "alpha_- - "
-       "alpha_+ solves A t = 0 with load P; at the jump it blows up where f_+ > f_- and vanishes where f_+ < f_-",
-       "plane strain, rigid flat punch, -1 < nu < 1/2, f_-, f_+ >= 0, P > 0"},
+      {"eq-05-07-friction-jump", "[Bal16, (5)-(7)]: flat punch, friction f_- behind x = 0 and f_+ in front of it",
+       "The flat punch with one friction jump has the traction `t = -(P/(pi sqrt(1+gamma^2 f(x)^2))) |x|^beta "
+       "(1+x)^{-(1/2+alpha_-)} (1-x)^{-(1/2-alpha_+)}`, `beta = alpha_- - alpha_+`: it satisfies `A t = 0` on "
+       "both sides of the jump and carries the load `P`. At the jump the pressure is unbounded where `f_+ > "
+       "f_-` and vanishes where `f_+ < f_-`.",
+       "Plane strain, rigid flat punch on `]-1, 1[` moving towards `+x`, `-1 < nu < 1/2`; friction `f_- >= 0` "
+       "for `x < 0` and `f_+ >= 0` for `x > 0`; `P > 0`; examined for frictions up to 50.",
+       "`Y(z) = (z+1)^{-(1/2+alpha_-)} z^beta (z-1)^{-(1/2-alpha_+)}` has `Y^+ = -exp(2 pi i alpha_-) Y^-` "
+       "behind the jump and `Y^+ = -exp(2 pi i alpha_+) Y^-` in front of it, since crossing 0 multiplies "
+       "`Y^+/Y^-` by `exp(-2 pi i beta)`. The powers sum to -1, so that `Phi = P Y/(2 pi i)` carries the load, "
+       "and `t = Phi^+ - Phi^- = -(P/pi) cos(pi alpha(x)) |Y|`. `beta` has the sign of `f_- - f_+`, because "
+       "`arctan` increases."},
       check_one_jump, right,
       std::vector<Wrong<PunchFormula>>{
-          {"beta's sign",
+          {"beta = alpha_+ - alpha_-",
            right.changed([](auto& form, const ContactProblem& p) { form.set_exponent(1, alpha(p, 1) - alpha(p, 0)); })},
           {"the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha_-}",
            right.changed([](auto& form, const ContactProblem&) { form.set_exponent(0, -half); })},
@@ -184,9 +193,16 @@ Claim many_jumps() {
   const PunchFormula right = many_jump_formula();
   return make_claim(
       {"n-jump-punch", "beyond [Bal16, (5)-(7)]: derived from the Riemann-Hilbert problem",
-       "t = -(P cos(pi alpha(x))/pi) prod_j |x - e_j|^{p_j} with p = -(1/2+alpha_0), alpha_0-alpha_1, ..., "
-       "-(1/2-alpha_m), which sum to -1, solves A t = 0 in every panel with load P, for any number of friction jumps",
-       "rigid flat punch, s = +-gamma f piecewise constant, 0 to 8 jumps examined, P > 0"},
+       "The flat punch with `m` friction jumps `e_1 < ... < e_m` between its edges `e_0` and `e_{m+1}` has the "
+       "traction `t = -(P cos(pi alpha(x))/pi) prod_j |x-e_j|^{p_j}` with `p_0 = -(1/2+alpha_0)`, `p_j = "
+       "alpha_{j-1} - alpha_j`, `p_{m+1} = -(1/2-alpha_m)`, which sum to -1: it satisfies `A t = 0` between "
+       "the jumps and carries the load `P`.",
+       "Rigid flat punch in full contact, `s = +-gamma f` piecewise constant (both directions of sliding), `P "
+       "> 0`; examined for 0 to 8 jumps and frictions up to 50.",
+       "`Y(z) = prod_j (z-e_j)^{p_j}` has the ratio `Y^+/Y^- = exp(2 pi i sigma)` with `sigma` the sum of the "
+       "powers to the right, which on the panel `k` is `-(1/2-alpha_k)`: this is `G = -exp(2 pi i alpha_k)`. "
+       "All angles cancel in the sum of the powers, so that `Y` behaves as `1/z` and `Phi = P Y/(2 pi i)` "
+       "carries the load. Then `t = Phi^+ - Phi^- = (P/pi) |Y| sin(pi sigma)`."},
       check_many_jumps, right,
       std::vector<Wrong<PunchFormula>>{
           {"the exponent of one jump missing",
@@ -212,7 +228,8 @@ Claim many_jumps() {
           {"one amplitude on all panels", right.changed([](auto& form, const ContactProblem&) {
              for (auto& amplitude : form.amplitudes) amplitude = form.amplitudes[0];
            })},
-          {"the sign of the direction of sliding", right.changed([](auto& form, const ContactProblem& p) {
+          {"the other direction of sliding: alpha of the other sign",
+           right.changed([](auto& form, const ContactProblem& p) {
              const std::size_t m = p.friction().jumps().size();
              form.set_exponent(0, -(half - alpha(p, 0)));
              for (std::size_t k = 1; k <= m; ++k) form.set_exponent(k, alpha(p, k) - alpha(p, k - 1));

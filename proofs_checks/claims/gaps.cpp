@@ -70,8 +70,10 @@ class Comparison {
   /// misses there is the same for both.
   void gap(const std::optional<Facing<R>>& left, const std::optional<Facing<R>>& right, std::size_t segment,
            const R& fraction) {
-    const Quantity quantity{"gap", {"int Y B_k", "logarithmic potential"}, tolerance<R>()};
-    const Quantity closure{"closure over a gap", {"int Y B_k", "logarithmic potential"}, tolerance<R>()};
+    const Quantity quantity{
+        "gap at a random place", {"steps and int Y B_k", "logarithmic potential of t"}, tolerance<R>()};
+    const Quantity closure{
+        "what closes over a whole gap", {"steps and int Y B_k", "logarithmic potential of t"}, tolerance<R>()};
     const R& length = form_.set().length(segment);
     const R from_left = fraction * length;
     const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(segment),
@@ -169,13 +171,21 @@ std::vector<Claim> gap_claims() {
       []<Real R>(const Trial& trial) { return GapSaid<R>{std::make_shared<const TrialForm<R>>(trial)}; });
   return {make_claim(
       {"rh-gap", "[Bal16, theorem 36], reconstructed: the gap beside the contact and between its components",
-       "psi/c - u/c at a place off the contact, less that at a contact end, is the steps between plus int Y B_k, u/c = "
-       "-(1/pi) t * log|x|; over a whole gap this is what closes for a solution",
-       "any contact set; steps and wedges in the gap"},
+       "The gap at a place off the contact is the sum of the steps of the indenter on the way there from a "
+       "contact end, plus `int Y B_k` over that way. Over a whole gap between two components this sum is what "
+       "closes for a solution. The other route is `psi/c - u/c` with `u/c = -(1/pi) int t(x') log|x-x'| dx'`.",
+       "Any contact set of up to three components, with steps and wedges in the gaps; no condition of contact "
+       "need hold. Where the set is no solution, the polynomial left at infinity is integrated with the "
+       "potential.",
+       "Off the contact the slope of the surface is `u'/c = g_k + delta - Y B_k`, so that the gap `psi/c + "
+       "delta x - u/c` grows by `int Y B_k`, and by a step of `psi` where there is one. The friction term of "
+       "`A t` vanishes off the contact: there `u/c` is the logarithmic potential of `t`, up to a constant that "
+       "the difference between two places does not see."},
       check, right,
       std::vector<Wrong<GapFormula>>{
-          {"the sign of the integral", right.changed([](auto& said, const Trial&) { said.scale = -1; })},
-          {"half of 2 i Phi", right.changed([]<class R>(GapSaid<R>& said, const Trial&) { said.scale = R(1) / 2; })},
+          {"the integral with the other sign", right.changed([](auto& said, const Trial&) { said.scale = -1; })},
+          {"half of the integral",
+           right.changed([]<class R>(GapSaid<R>& said, const Trial&) { said.scale = R(1) / 2; })},
           {"|Y| instead of Y", right.changed([](auto& said, const Trial&) { said.unsigned_y = true; })},
           {"steps not counted", right.changed([](auto& said, const Trial&) { said.steps = 0; })},
           {"steps counted with the other sign", right.changed([](auto& said, const Trial&) { said.steps = -1; })},

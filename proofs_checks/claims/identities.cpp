@@ -5,15 +5,24 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
+/// pi, a real number plus a multiple of i, s^2 + 1: nothing to be assumed of real data.
+bool never_vanishes(std::string_view divisor) {
+  return divisor == "1" || divisor == "pi" || divisor.starts_with("i + ") || divisor.find("*i + ") != divisor.npos ||
+         divisor.find("*i - ") != divisor.npos || divisor.ends_with("^2 + 1");
+}
+
+constexpr std::size_t longest_condition = 120;
+
 std::string text_of(const symbolic::ExactIdentity& identity) {
-  std::string text = identity.statement;
-  std::string_view before = " where ";
+  std::string conditions;
+  std::size_t count = 0;
   for (const std::string& divisor : identity.nonvanishing) {
-    if (divisor == "1") continue;
-    text.append(before).append(divisor).append(" != 0");
-    before = ", ";
+    if (never_vanishes(divisor)) continue;
+    conditions += (count++ == 0 ? "" : ", ") + divisor + " != 0";
   }
-  return text;
+  if (count == 0) return identity.statement;
+  if (conditions.size() > longest_condition) conditions = "none of " + std::to_string(count) + " divisors is 0";
+  return identity.statement + ", where " + conditions;
 }
 
 }  // namespace

@@ -42,17 +42,19 @@ std::vector<Evidence> check_published_at(const IntegralFormula& formula) {
           form.exponents == std::vector<Exponent>{-(half + Exponent::angle(1)), -(half - Exponent::angle(1))});
   const R pi = numeric::pi<R>();
   findings.compare(
-      {"trapezoidal rule", {"trapezoidal rule", "-pi sqrt(2)/3^{3/4}"}, tolerance<R>()},
+      {"value of the integral, trapezoidal rule", {"trapezoidal rule", "-pi sqrt(2)/3^{3/4}"}, tolerance<R>()},
       relative_difference<R>(pi * numeric::trapezoidal::Grid<R>(density).cauchy(Side::right, R(1)), form.value));
   findings.compare(
-      {"tanh-sinh", {"tanh-sinh with absorbed powers", "-pi sqrt(2)/3^{3/4}"}, tolerance<R>()},
+      {"value of the integral, tanh-sinh rule",
+       {"tanh-sinh rule with absorbed powers", "-pi sqrt(2)/3^{3/4}"},
+       tolerance<R>()},
       relative_difference<R>(pi * numeric::tanh_sinh::cauchy<R>(density, Side::right, R(1)).value, form.value));
 
   const IntegralForm<double> in_double = formula.at<double>({});
   numeric::PiecewiseDensity<double> with_kernel = in_double.traction().density();
   with_kernel[0].smooth = [](const numeric::Node<double>& node) { return 1 / (node.x - 2); };
   const auto by_gsl = numeric::gsl::integral(with_kernel);
-  const Quantity gsl{"GSL in double", {"QAWS", "-pi sqrt(2)/3^{3/4}"}, 1e-12};
+  const Quantity gsl{"value of the integral, GSL in double", {"GSL's QAWS", "-pi sqrt(2)/3^{3/4}"}, 1e-12};
   if (by_gsl.convergence == numeric::Convergence::reached) {
     findings.compare(gsl, relative_difference<double>(by_gsl.value, in_double.value));
   } else {
@@ -70,12 +72,19 @@ Claim published_integral() {
   };
   return make_claim(
       {"published-galin-at-2", "a published integral: Galin's punch with gamma f = 1, its Cauchy integral at x = 2",
-       "int_{-1}^{1} dx/((x-2) ((1-x)(1+x)^3)^{1/4}) = -pi sqrt(2)/3^{3/4} = -1.949054259166747...", "none"},
+       "`int_{-1}^1 dx/((x-2) ((1-x) (1+x)^3)^{1/4}) = -pi sqrt(2)/3^{3/4} = -1.949054259166747...`",
+       "None: there is no parameter. It is the Cauchy integral at `x = 2` of the flat punch with `gamma f = "
+       "1`, up to a factor.",
+       "With `gamma f = 1` the angle is `alpha = 1/4`, and the integrand is `|Y|/(x-2)` with `|Y| = "
+       "(1+x)^{-3/4} (1-x)^{-1/4}`. Since `Y(z) = (z+1)^{-3/4} (z-1)^{-1/4}` vanishes at infinity it is the "
+       "Cauchy integral of its own jump, `-i sqrt(2) |Y|` on `]-1, 1[`: `Y(2) = -(1/(pi sqrt(2))) int_{-1}^1 "
+       "|Y|/(x-2) dx`, and `Y(2) = 3^{-3/4}`."},
       check, right,
       std::vector<Wrong<IntegralFormula>>{
-          {"the edges swapped: (1-x)^3 (1+x)",
+          {"the edges exchanged: ((1-x)^3 (1+x))^{1/4}",
            right.changed([](auto& form, const Nothing&) { std::swap(form.powers[0], form.powers[1]); })},
-          {"the sign", right.changed([](auto& form, const Nothing&) { form.value = -form.value; })},
+          {"the value with the other sign",
+           right.changed([](auto& form, const Nothing&) { form.value = -form.value; })},
           {"3^{1/4} for 3^{3/4}", right.changed([]<Real R>(IntegralForm<R>& form, const Nothing&) {
              using std::sqrt;
              form.value *= sqrt(R(3));
@@ -135,10 +144,12 @@ numeric::PiecewiseDensity<R> closed_inverse(const SlopeCase& c) {
 template <Real R>
 void check_inverse_case(Findings& findings, const InverseForm<R>& form, const SlopeCase& c) {
   using std::abs, std::max;
-  const Quantity equation{"A t = u' for the closed form of L(u)", {"trapezoidal rule", "u'"}, tolerance<R>()};
+  const Quantity equation{"A t = u' for the closed form of L(u)",
+                          {"(1/pi) PV int t/(x'-x) dx' + s t, trapezoidal rule", "u'"},
+                          tolerance<R>()};
   const Quantity load{"L(u) carries no load", {"trapezoidal rule", "0"}, tolerance<R>()};
   const Quantity inverse_1{"L(u), trapezoidal rule", {"the formula by quadrature", "its closed form"}, tolerance<R>()};
-  const Quantity inverse_2{"L(u), tanh-sinh", {"the formula by quadrature", "its closed form"}, tolerance<R>()};
+  const Quantity inverse_2{"L(u), tanh-sinh rule", {"the formula by quadrature", "its closed form"}, tolerance<R>()};
   const R constant = numeric::to_real<R>(c.constant);
   const R linear = numeric::to_real<R>(c.linear);
   const auto slope = [=](const R& x) { return R(constant + linear * x); };
@@ -203,15 +214,23 @@ Claim inverse_operator() {
   const InverseFormula right = inverse_formula();
   return make_claim(
       {"eq-10-inverse", "[Bal16, (10)]: the inverse L of the operator, constant friction, for linear u'",
-       "L(u) = s u'/(1+s^2) - (1/(1+s^2)) W(x) (1/pi) PV int u'(x')/(W(x') (x'-x)) dx' with W = (1+x)^{-(1/2+alpha)} "
-       "(1-x)^{-(1/2-alpha)} has A L(u) = u' and carries no load",
-       "f >= 0 constant; examined for u' a polynomial of degree 1"},
+       "Under constant friction the inverse of the operator is `L(u) = s u_bar'/(1+s^2) - (W(x)/(1+s^2)) "
+       "(1/pi) PV int u_bar'(x')/(W(x') (x'-x)) dx'` with `W = (1+x)^{-(1/2+alpha)} (1-x)^{-(1/2-alpha)}`: `A "
+       "L(u) = u_bar'` on `]-1, 1[`, and `L(u)` carries no load.",
+       "`s = gamma f >= 0` constant, examined up to `f = 50`, `-1 < nu < 1/2`; `u_bar'` a polynomial of degree "
+       "1.",
+       "With `Y` of two edges, `V = u_bar'/Y - Q`, `Q` the polynomial part at infinity, is the Cauchy integral "
+       "of its own jump, which gives `(1/pi) PV int u_bar'/(W (x'-x)) dx' = s u_bar'/W - Q/cos(pi alpha)`. So "
+       "`L(u) = cos(pi alpha) W Q`: for `u_bar' = a + b x` this is `Q = a (x + 2 alpha) + b (x^2 + 2 alpha x + "
+       "(4 alpha^2-1)/2)`. Both are examined: that this closed form solves `A t = u_bar'`, and that the "
+       "formula with its integral has the same values."},
       check_inverse, right,
       std::vector<Wrong<InverseFormula>>{
           {"the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha}, in both places",
            right.changed(
                []<Real R>(InverseForm<R>& form, const SlopeCase&) { form.rear = numeric::Power<R>::of(-half); })},
-          {"alpha's sign", right.changed([](auto& form, const SlopeCase&) { std::swap(form.rear, form.front); })},
+          {"alpha of the other sign in the weight",
+           right.changed([](auto& form, const SlopeCase&) { std::swap(form.rear, form.front); })},
           {"the sign of the local term", right.changed([](auto& form, const SlopeCase&) { form.local = -form.local; })},
           {"1/(1+s^2) missing before the integral",
            right.changed([](auto& form, const SlopeCase&) { form.nonlocal = 1; })},

@@ -112,8 +112,9 @@ std::vector<R> differences(const TrialForm<R>& trial, std::size_t f, const std::
 
 template <Real R>
 void check_ends(Findings& findings, const LinearSaid<R>& said) {
-  const Quantity quantity{
-      "derivative of u'/c and t by an end", {"Y (p B(e)/(z-e) - (p/pi)[q/(z-e)])", "differences"}, tolerance<R>()};
+  const Quantity quantity{"derivative of u'/c and t with respect to a free end",
+                          {"the formula", "differences of neighbouring solutions"},
+                          tolerance<R>()};
   const RiemannHilbertForm<R>& form = said.trial->form();
   const std::vector<SurfacePoint<R>> at = places(form.set());
   for (std::size_t f = 0; f < said.neighbours.size(); ++f) {
@@ -132,7 +133,9 @@ void check_ends(Findings& findings, const LinearSaid<R>& said) {
 
 template <Real R>
 void check_tilt(Findings& findings, const LinearSaid<R>& said) {
-  const Quantity quantity{"derivative of u'/c and t by the tilt", {"1 - Y [1/Y]_poly", "a difference"}, tolerance<R>()};
+  const Quantity quantity{"derivative of u'/c and t with respect to the tilt",
+                          {"the formula", "difference of two solutions"},
+                          tolerance<R>()};
   const RiemannHilbertForm<R>& form = said.trial->form();
   const RiemannHilbertForm<R> tilted = said.trial->form_on(form.set(), R(form.tilt() + 1));
   for (const SurfacePoint<R>& at : places(form.set())) {
@@ -180,21 +183,31 @@ std::vector<Claim> linearisation_claims() {
   const LinearFormula right = linear_formula();
   return {make_claim(
       {"rh-linearisation", "derived from [Bal16, theorem 36]: neighbouring contact sets",
-       "at fixed q and tilt d(u'/c)/de = Y (p B(e)/(z-e) - (p/pi) [q/(z-e)]_poly) for a free end e of power p, and "
-       "d(u'/c)/dtilt = 1 - Y [1/Y]_poly",
-       "any contact set; differences of order ten, at 50 digits or more"},
+       "As a free end `e` with power `p` moves, at fixed `q` and tilt, `partial(u'/c)/(partial e) = Y (p B(e)/(z-e) - "
+       "(p/pi) "
+       "[q/(z-e)]_{poly})`; as the tilt `delta` changes, `partial(u'/c)/(partial delta) = 1 - Y [1/Y]_{poly}`. In the "
+       "contact the traction changes by the same functions, with `-epsilon cos(pi alpha) |Y|` for `Y`.",
+       "Any contact set of up to three components; derivatives by central differences of order ten, at 50 "
+       "digits or more.",
+       "`partial(u'/c)/(partial e)` satisfies the homogeneous equation on the contact, and is no more singular than "
+       "`(z-e)^{p-1}` at `e`: divided by `Y` it has a simple pole there and no other, so that it is `Y "
+       "(rho/(z-e) + r(z))` with a polynomial `r` (Liouville). From `partial Y/(partial e) = -p Y/(z-e)` the residue "
+       "is `rho = "
+       "p B(e)`, and the growth at infinity of `Y q/pi` gives `r = -(p/pi) [q/(z-e)]_{poly}`. Adding 1 to the "
+       "slope adds `1 - Y N` with `N` the polynomial part of `1/Y`."},
       check, right,
       std::vector<Wrong<LinearFormula>>{
-          {"p's sign", changed_ends(right, [](const auto&, auto& n) { n.pole = -n.pole; })},
-          {"p missing",
+          {"the residue -p B(e)", changed_ends(right, [](const auto&, auto& n) { n.pole = -n.pole; })},
+          {"the residue B(e), p missing",
            changed_ends(right, [](const auto& form, auto& n) { n.pole /= form.weight().powers()[n.end].value; })},
-          {"alpha's sign in p", changed_ends(right,
-                                             [](const auto& form, auto& n) {
-                                               const auto& p = form.weight().powers()[n.end].value;
-                                               n.pole *= (1 - p) / p;
-                                             })},
-          {"the polynomial left out", changed_ends(right, [](const auto&, auto& n) { n.polynomial.clear(); })},
-          {"the polynomial without 1/pi", changed_ends(right,
+          {"alpha of the other sign in the residue's p", changed_ends(right,
+                                                                      [](const auto& form, auto& n) {
+                                                                        const auto& p =
+                                                                            form.weight().powers()[n.end].value;
+                                                                        n.pole *= (1 - p) / p;
+                                                                      })},
+          {"[q/(z-e)]_poly left out", changed_ends(right, [](const auto&, auto& n) { n.polynomial.clear(); })},
+          {"[q/(z-e)]_poly without 1/pi", changed_ends(right,
                                                        []<class R>(const RiemannHilbertForm<R>&, Neighbour<R>& n) {
                                                          for (R& c : n.polynomial) c *= numeric::pi<R>();
                                                        })},

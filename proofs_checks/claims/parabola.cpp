@@ -52,7 +52,8 @@ ParabolaFormula jumps_formula() {
 template <Real R>
 void check_peak(Findings& findings, const ParabolaForm<R>& form, const ContactProblem& problem) {
   using std::abs;
-  const Quantity peak{"largest pressure", {"-4 alpha a", "zero of the logarithmic derivative"}, tolerance<R>()};
+  const Quantity peak{
+      "place of the largest pressure", {"-4 alpha a", "zero of the logarithmic derivative of t"}, tolerance<R>()};
   const Quantity factor{"both printed factors of the traction", {"P/(2 pi a^2 (1/4-alpha^2))", "1/R"}, tolerance<R>()};
   const std::vector<R> r = form.points();
   const auto derivative = [&](const R& x) {
@@ -70,6 +71,8 @@ void check_peak(Findings& findings, const ParabolaForm<R>& form, const ContactPr
   }
 }
 
+ParabolaPoints points_for(const Context& context) { return {count_for(context, 9, 2, 2), context.quick ? 5 : 1}; }
+
 std::vector<Evidence> check_constant_friction(const Context& context, const ParabolaFormula& formula) {
   const auto walk = [&]<Real R>() {
     std::vector<ContactProblem> problems;
@@ -78,7 +81,7 @@ std::vector<Evidence> check_constant_friction(const Context& context, const Para
         problems.push_back(parabola(nu, {f}, {}, Rational(4, 5), Rational(3, 2)));
       }
     }
-    if (context.quick) problems.erase(problems.begin() + 3, problems.end());
+    if (context.quick) problems.erase(problems.begin() + 2, problems.end());
     const std::size_t fixed = problems.size();
     const std::size_t count = context.quick ? 1 : count_for(context, 20, 6, 3);
     Random random(context.seed, "parabola");
@@ -90,7 +93,7 @@ std::vector<Evidence> check_constant_friction(const Context& context, const Para
     for (const ContactProblem& problem : problems) {
       findings.begin_case(text_of(problem), problem.coupled_friction(0) != 0);
       const ParabolaForm<R> form = formula.at<R>(problem);
-      check_parabola(findings, form, problem, count_for(context, 9, 2, 2));
+      check_parabola(findings, form, problem, points_for(context));
       check_peak(findings, form, problem);
       check_parabola_by_numeric(findings, form, problem);
       check_parabola_by_cln(findings, form, problem);
@@ -128,7 +131,7 @@ std::vector<Evidence> check_jumps(const Context& context, const ParabolaFormula&
       bool jumps_inside = false;
       for (std::size_t j = 1; j + 1 < form.exponents.size(); ++j) jumps_inside |= form.exponents[j].sign() != 0;
       findings.begin_case(text_of(problem), jumps_inside);
-      check_parabola(findings, form, problem, count_for(context, 9, 2, 2));
+      check_parabola(findings, form, problem, points_for(context));
       check_parabola_by_cln(findings, form, problem);
     }
     return findings.evidence(std::to_string(fixed) + " cases of a grid, " + std::to_string(count) +
@@ -141,12 +144,18 @@ Claim constant_friction() {
   const ParabolaFormula right = constant_friction_formula();
   return make_claim(
       {"parabola-galin", "[Bal16, section 2]: the parabola psi = x^2/(2R), constant friction, Galin's solution",
-       "contact on [-(1+2alpha)a, (1-2alpha)a] with a^2 = P R/(2 pi (1/4-alpha^2)); t = -(cos(pi alpha)/R) "
-       "((1+2alpha)a+x)^{1/2-alpha} ((1-2alpha)a-x)^{1/2+alpha}, 1/R = P/(2 pi a^2 (1/4-alpha^2)), solves A t = x/R "
-       "with load "
-       "P; the pressure is largest at x = -4 alpha a, in the rear half; the surface stays clear of the parabola "
-       "outside",
-       "plane strain, rigid parabola, contact inside the support, f >= 0 constant, P > 0"},
+       "The parabola `psi_bar = x^2/(2R)` touches on `[-(1+2 alpha) a, (1-2 alpha) a]`, `a^2 = P R/(2 pi "
+       "(1/4-alpha^2))`, with `t = -(cos(pi alpha)/R) ((1+2 alpha) a + x)^{1/2-alpha} ((1-2 alpha) a - "
+       "x)^{1/2+alpha}`, where `1/R = P/(2 pi a^2 (1/4-alpha^2))`: `A t = x/R` and the load is `P`. The "
+       "pressure is largest at `x = -4 alpha a`, behind the middle of a zone that is itself shifted to the "
+       "rear. Outside of the zone the surface stays below the parabola.",
+       "Plane strain, rigid parabola moving towards `+x`, contact inside the support, `f >= 0` constant, `P > "
+       "0`; the gap is examined within two contact lengths of each end.",
+       "Both ends are free, so that `Y = (z-r_0)^{1/2-alpha} (z-r_1)^{1/2+alpha}` grows as `z`, and `x/(R Y) = "
+       "1/R + c_1/z + c_2/z^2 + ...`. The conditions are `c_1 = 0` and `c_2 = P/pi`, that is `sum_j p_j r_j = "
+       "0` and `sum_j p_j r_j^2 = 2 P R/pi`; they give the zone and `a`. Then `t = -cos(pi alpha) |Y|/R`, and "
+       "its logarithmic derivative `(1/2-alpha)/(x-r_0) + (1/2+alpha)/(x-r_1)` vanishes at `x = (1/2+alpha) "
+       "r_0 + (1/2-alpha) r_1 = -4 alpha a`."},
       check_constant_friction, right,
       std::vector<Wrong<ParabolaFormula>>{
           {"the zone shifted to the front", right.changed([](auto& form, const ContactProblem&) {
@@ -178,7 +187,7 @@ Claim constant_friction() {
            right.changed([](auto& form, const ContactProblem&) { form.peak /= 2; })},
           {"the largest pressure at +4 alpha a",
            right.changed([](auto& form, const ContactProblem&) { form.peak = -form.peak; })},
-          {"4 for 2 in the first printed factor",
+          {"P/(4 pi a^2 (1/4-alpha^2)) for the printed factor",
            right.changed([](auto& form, const ContactProblem&) { form.factor /= 2; })},
           {"near miss: the half-width moved by ten times the tolerance",
            right.changed([]<Real R>(ParabolaForm<R>& form, const ContactProblem&) {
@@ -199,19 +208,24 @@ Claim with_jumps() {
   const ParabolaFormula right = jumps_formula();
   return make_claim(
       {"parabola-n-jumps", "beyond [Bal16, section 2]: the parabola with friction jumps inside the contact, derived",
-       "with p = (1/2-alpha_0, alpha_0-alpha_1, ..., 1/2+alpha_m) at r = (a, c_1, ..., c_m, b): sum p_j r_j = 0, sum "
-       "p_j "
-       "r_j^2 = 2 P R/pi, and t = -(cos(pi alpha(x))/R) prod_j |x - r_j|^{p_j} solves A t = x/R with load P and leaves "
-       "the "
-       "surface clear of the parabola outside",
-       "rigid parabola, contact inside the support, s = +-gamma f piecewise constant, P > 0"},
+       "With friction jumps inside the contact of a parabola `psi_bar = x^2/(2R)`, powers `p = 1/2-alpha_0`, "
+       "`alpha_{k-1} - alpha_k`, `1/2+alpha_m` at `r = a`, `c_k`, `b` satisfy `sum_j p_j r_j = 0` and `sum_j "
+       "p_j r_j^2 = 2 P R/pi`, which place the free ends; `t = -(cos(pi alpha(x))/R) prod_j |x-r_j|^{p_j}` has "
+       "`A t = x/R` and the load `P`, and outside of the contact the surface stays below the parabola.",
+       "Rigid parabola with its vertex at 0, contact inside the support, `s = +-gamma f` piecewise constant, "
+       "`P > 0`; examined for 1 to 4 jumps, of which some may lie outside of the contact; the gap within two "
+       "contact lengths of each end.",
+       "`Y = prod_j (z-r_j)^{p_j}` has the powers of two free ends and of the jumps, and behaves as `z` at "
+       "infinity whatever the jumps are. From `1/Y = z^{-1} exp(sum_k sigma_k/(k z^k))`, `sigma_k = sum_j p_j "
+       "r_j^k`, the expansion `x/(R Y) = (1/R) (1 + sigma_1/z + (sigma_1^2+sigma_2)/(2 z^2) + ...)` leaves the "
+       "conditions `sigma_1 = 0` and `sigma_2/(2R) = P/pi`, and `t = -cos(pi alpha) |Y|/R`."},
       check_jumps, right,
       std::vector<Wrong<ParabolaFormula>>{
           {"the zone shifted to the front",
            right.changed([](auto& form, const ContactProblem&) { form.left_end += form.lengths[0] / 20; })},
           {"the exponent of one jump missing",
            right.changed([](auto& form, const ContactProblem&) { form.set_exponent(1, Exponent(0)); })},
-          {"the sign of every jump's exponent", right.changed([](auto& form, const ContactProblem&) {
+          {"every jump's exponent with the other sign", right.changed([](auto& form, const ContactProblem&) {
              for (std::size_t j = 1; j + 1 < form.exponents.size(); ++j) form.set_exponent(j, -form.exponents[j]);
            })},
           {"the powers of both free ends exchanged", right.changed([](auto& form, const ContactProblem&) {

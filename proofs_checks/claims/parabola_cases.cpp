@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "numeric/closed_form.hpp"
-#include "numeric/residuals.hpp"
 #include "symbolic/cln_closed_form.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -36,38 +35,38 @@ Rational vertex_of(const ContactProblem& problem) {
 
 template <Real R>
 void check_parabola(Findings& findings, const ParabolaForm<R>& form, const ContactProblem& problem,
-                    std::size_t tanh_sinh_points) {
+                    const ParabolaPoints& points) {
   using std::abs;
-  const Quantity first{"first moment equation", {"sum p_j r_j", "0"}, tolerance<R>()};
-  const Quantity second{"second moment equation", {"sum p_j r_j^2", "2 P R/pi"}, tolerance<R>()};
+  const Quantity first{"equation for the middle of the contact", {"sum p_j r_j", "0"}, tolerance<R>()};
+  const Quantity second{"equation for the width of the contact", {"sum p_j r_j^2", "2 P R/pi"}, tolerance<R>()};
   const R radius = numeric::to_real<R>(radius_of(problem));
   const std::function<R(const R&)> slope = [radius](const R& x) { return R(x / radius); };
   const Surface<R> surface = surface_of<R>(form, problem, form.first_piece, slope);
-  check_surface(findings, surface, tanh_sinh_points);
+  require_integrable(findings, surface);
+  const numeric::trapezoidal::Grid<R> grid(surface.traction);
+  check_surface(findings, surface, grid, points.tanh_sinh);
 
   R sum1 = 0, size1 = 0, sum2 = 0;
-  const std::vector<R> points = form.points();
-  for (std::size_t j = 0; j < points.size(); ++j) {
-    const R term = form.powers[j].value * points[j];
+  const std::vector<R> r = form.points();
+  for (std::size_t j = 0; j < r.size(); ++j) {
+    const R term = form.powers[j].value * r[j];
     sum1 += term;
     size1 += abs(term);
-    sum2 += term * points[j];
+    sum2 += term * r[j];
   }
   findings.compare(first, static_cast<double>(R(abs(sum1) / size1)));
   findings.compare(
       second, relative_difference<R>(sum2, R(2 * numeric::to_real<R>(problem.load()) * radius / numeric::pi<R>())));
-  const numeric::SurfaceCheck<R> outside(surface.traction, surface.s,
-                                         [slope](std::size_t, const auto& node) { return slope(node.x); });
-  const R width = points.back() - points.front();
+  const R width = r.back() - r.front();
   const R allowed = R(-tolerance<R>()) * width * width / radius;
   for (const Side side : {Side::left, Side::right}) {
     const bool left = side == Side::left;
-    const R end = left ? points.front() : points.back();
-    for (int i = 1; i <= 16; ++i) {
+    const R end = left ? r.front() : r.back();
+    for (int i = 1; i <= 16; i += points.gap_step) {
       const R distance = 2 * width * i * i / 256;
       const R x = left ? R(end - distance) : R(end + distance);
       const R rise = (left ? R(-distance) : distance) * (slope(end) + slope(x)) / 2;
-      const R gap = rise - outside.displacement(left ? 0 : surface.traction.size() - 1, side, distance);
+      const R gap = rise - grid.displacement(left ? 0 : surface.traction.size() - 1, side, distance);
       findings.require(gap >= allowed, left ? "the surface penetrates left of the contact"
                                             : "the surface penetrates right of the contact");
     }
@@ -104,10 +103,11 @@ void visit_values(const ParabolaForm<R>& form, const Visit& visit) {
 
 template <Real R>
 void check_parabola_by_cln(Findings& findings, const ParabolaForm<R>& form, const ContactProblem& problem) {
-  const Quantity ends{"ends of the contact, CLN", {"the formula", "Newton's method in CLN"}, tolerance<R>()};
+  const Quantity ends{"ends of the contact, in CLN", {"the formula", "Newton's method in CLN"}, tolerance<R>()};
   // Next to a free end that all but touches a jump the traction is as ill-conditioned as their distance is small.
-  const Quantity values{
-      "values of the traction times shortest panel over width, CLN", {"the formula", "CLN"}, tolerance<R>()};
+  const Quantity values{"values of the traction, in CLN, times shortest panel over width",
+                        {"the formula", "closed form in CLN"},
+                        tolerance<R>()};
   const R conditioning = std::ranges::min(form.lengths) / (form.points().back() - form.left_end);
   const Rational vertex = vertex_of(problem);
   // CLN rounds its ends in the user's x: with the vertex far away digits go there.
@@ -124,8 +124,9 @@ void check_parabola_by_cln(Findings& findings, const ParabolaForm<R>& form, cons
 
 template <Real R>
 void check_parabola_by_numeric(Findings& findings, const ParabolaForm<R>& form, const ContactProblem& problem) {
-  const Quantity quantity{
-      "ends and values, numeric layer", {"the formula", "the closed form that `solve` uses"}, tolerance<R>()};
+  const Quantity quantity{"ends of the contact and values of the traction, as solved",
+                          {"the formula", "the closed form that `solve` uses"},
+                          tolerance<R>()};
   const auto data = numeric::closed_form_data<R>(problem);
   const auto* closed_form = std::get_if<numeric::ClosedFormData<R>>(&data);
   findings.require(closed_form != nullptr, "the numeric layer knows no closed form");
@@ -136,9 +137,9 @@ void check_parabola_by_numeric(Findings& findings, const ParabolaForm<R>& form, 
   });
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                                                     \
-  template void check_parabola(Findings&, const ParabolaForm<R>&, const ContactProblem&, std::size_t); \
-  template void check_parabola_by_cln(Findings&, const ParabolaForm<R>&, const ContactProblem&);       \
+#define STEADYSLIDE_INSTANTIATE(R)                                                                               \
+  template void check_parabola(Findings&, const ParabolaForm<R>&, const ContactProblem&, const ParabolaPoints&); \
+  template void check_parabola_by_cln(Findings&, const ParabolaForm<R>&, const ContactProblem&);                 \
   template void check_parabola_by_numeric(Findings&, const ParabolaForm<R>&, const ContactProblem&);
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)

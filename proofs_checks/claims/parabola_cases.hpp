@@ -24,10 +24,16 @@ struct ParabolaForm : PowerForm<R> {
 
 using ParabolaFormula = Formula<ParabolaForm, ContactProblem>;
 
+/// Where a parabola is examined.
+struct ParabolaPoints {
+  std::size_t tanh_sinh;  ///< points of the equation by that rule
+  int gap_step;           ///< of 16 places on either side of the contact, every one or every fifth
+};
+
 /// sum p_j r_j = 0 and sum p_j r_j^2 = 2 P R/pi, equation, load, and the gap beyond both ends.
 template <Real R>
 void check_parabola(Findings& findings, const ParabolaForm<R>& form, const ContactProblem& problem,
-                    std::size_t tanh_sinh_points);
+                    const ParabolaPoints& points);
 
 /// Ends and tractions against CLN's Newton solution.
 template <Real R>

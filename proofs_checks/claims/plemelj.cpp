@@ -60,12 +60,14 @@ JumpFormula plemelj_formula() {
 template <Real R>
 void check_case(Findings& findings, const JumpForm<R>& form, const ContactProblem& problem) {
   using std::abs, std::cos, std::sin;
-  const Quantity jump{"Y+ = G Y-", {"the banks of Y", "G = (s-i)/(s+i)"}, tolerance<R>()};
-  const Quantity angle{"G = -exp(2 pi i alpha)", {"rational in s", "the angle alpha"}, tolerance<R>()};
+  const Quantity jump{
+      "Y^+ = G Y^- on the contact", {"Y on the upper bank", "(s-i)/(s+i) times Y on the lower bank"}, tolerance<R>()};
+  const Quantity angle{"value of G", {"(s-i)/(s+i)", "-exp(2 pi i alpha)"}, tolerance<R>()};
   const Quantity traction{
-      "t = Phi+ - Phi-", {"the banks of Phi = P Y/(2 pi i)", "the closed form of t"}, tolerance<R>()};
-  const Quantity limit{"Y at the contact as a limit", {"Y off the real axis", "the banks of Y"}, tolerance<R>()};
-  const Quantity infinity{"z Phi at infinity", {"z Y/i far away", "P/(2 pi i)"}, tolerance<R>()};
+      "value of the traction", {"Phi^+ - Phi^- with Phi = P Y/(2 pi i)", "closed form"}, tolerance<R>()};
+  const Quantity limit{
+      "Y on both banks of the contact", {"Y close to the real axis", "its boundary values"}, tolerance<R>()};
+  const Quantity infinity{"z Phi(z) at infinity", {"far away", "P/(2 pi i)"}, tolerance<R>()};
   const numeric::PowerTraction<R> t = form.traction();
   const auto& y = t.weight;
   const R small = R(tolerance<R>()) / 1000;
@@ -123,19 +125,24 @@ std::vector<Claim> plemelj_claims() {
   const JumpFormula right = plemelj_formula();
   return {make_claim(
       {"plemelj", "[Bal16, theorem 36 in appendix C], reconstructed: the homogeneous Riemann-Hilbert problem",
-       "Y(z) = prod_j (z-e_j)^{p_j} satisfies Y+ = G Y- with G = (s-i)/(s+i) = -exp(2 pi i alpha) on every panel of a "
-       "flat "
-       "punch, t = Phi+ - Phi- for Phi = P Y/(2 pi i), and z Phi tends to P/(2 pi i)",
-       "edges at both ends, s = +-gamma f piecewise constant"},
+       "`Y(z) = prod_j (z-e_j)^{p_j}` with the powers of a flat punch satisfies `Y^+ = G Y^-` on every panel, "
+       "`G = (s-i)/(s+i) = -exp(2 pi i alpha)`; for `Phi = P Y/(2 pi i)` one has `t = Phi^+ - Phi^-`, and `z "
+       "Phi -> P/(2 pi i)` at infinity.",
+       "Edges at both ends, `s = +-gamma f` piecewise constant, examined with 0 to 5 jumps and frictions up to "
+       "50.",
+       "Plemelj's formulas turn `A t = 0` into `(s+i) Phi^+ = (s-i) Phi^-`. On the banks of the panel `k` the "
+       "phases of `Y` are `+-pi sigma`, `sigma = -(1/2-alpha_k)` the sum of the powers to the right, so that "
+       "`Y^+/Y^- = exp(2 pi i sigma) = -exp(2 pi i alpha_k)`; and `(s-i)/(s+i) = -exp(2 pi i alpha)` for `s = "
+       "tan(pi alpha)`. The powers sum to -1."},
       check, right,
       std::vector<Wrong<JumpFormula>>{
-          {"G upside down", right.changed([](auto& form, const ContactProblem&) {
+          {"G = (s+i)/(s-i)", right.changed([](auto& form, const ContactProblem&) {
              for (auto& ratio : form.ratios) ratio.im = -ratio.im;
            })},
-          {"the sign of G", right.changed([](auto& form, const ContactProblem&) {
+          {"G = -(s-i)/(s+i)", right.changed([](auto& form, const ContactProblem&) {
              for (auto& ratio : form.ratios) ratio = {-ratio.re, -ratio.im};
            })},
-          {"the edges' powers exchanged", right.changed([](auto& form, const ContactProblem&) {
+          {"the powers of both edges exchanged", right.changed([](auto& form, const ContactProblem&) {
              const Exponent rear = form.exponents.front();
              form.set_exponent(0, form.exponents.back());
              form.set_exponent(form.exponents.size() - 1, rear);

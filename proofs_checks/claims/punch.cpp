@@ -26,7 +26,7 @@ std::vector<Rational> random_jumps(Random& random, std::size_t m) {
 Cases punch_cases(const Context& context, std::string_view stream, std::vector<ContactProblem> grid,
                   std::size_t random_count, const std::function<std::size_t(Random&)>& jumps) {
   Cases cases;
-  const std::size_t stride = !context.quick ? 1 : context.digits == numeric::Digits::sixteen ? 4 : 8;
+  const std::size_t stride = !context.quick ? 1 : context.digits == numeric::Digits::sixteen ? 4 : 16;
   for (std::size_t k = 0; k < grid.size(); k += stride) cases.problems.push_back(std::move(grid[k]));
   const std::size_t fixed = cases.problems.size();
   if (context.quick) random_count = std::min<std::size_t>(random_count, 1);
@@ -64,9 +64,9 @@ Exponent alpha(const ContactProblem& problem, std::size_t piece) {
 
 template <Real R>
 void check_punch_values(Findings& findings, const PowerForm<R>& form, const ContactProblem& problem) {
-  const Quantity by_cln{"values of the traction, CLN", {"the formula", "CLN"}, tolerance<R>()};
+  const Quantity by_cln{"values of the traction, in CLN", {"the formula", "closed form in CLN"}, tolerance<R>()};
   const Quantity by_numeric{
-      "values of the traction, numeric layer", {"the formula", "the closed form that `solve` uses"}, tolerance<R>()};
+      "values of the traction, as solved", {"the formula", "the closed form that `solve` uses"}, tolerance<R>()};
   const auto cln = symbolic::ClnClosedForm::flat_punch(problem, numeric::digits_served<R> + 5);
   const auto data = numeric::closed_form_data<R>(problem);
   const auto* closed_form = std::get_if<numeric::ClosedFormData<R>>(&data);

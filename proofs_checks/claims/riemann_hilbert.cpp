@@ -111,11 +111,18 @@ Claim form_claim() {
   const FormFormula right = form_formula();
   return make_claim(
       {"rh-form", "[Bal16, theorem 36], reconstructed: the traction on any contact set",
-       "t = eps cos(pi alpha) |Y| B_k with B_k = [(g_k + tilt)/Y]_poly - q/pi - (1/pi) int eps cos(pi alpha) (g - "
-       "g_k)/|Y| dx'/(x'-x) has A t = psi'/c + tilt less the polynomial that Y (m_0/z + m_1/z^2 + ...) has at infinity "
-       "(0 for a solution), and int t from the coefficient of 1/z",
-       "piecewise polynomial profile with wedges and steps, s piecewise constant; any components, ends and q, whether "
-       "they solve a contact problem or not"},
+       "On any contact set, with the slope of the profile a polynomial `g_k` on each piece, `t = epsilon "
+       "cos(pi alpha) |Y| B_k` with `B_k = [(g_k + delta)/Y]_{poly} - q/pi - (1/pi) int epsilon cos(pi alpha) "
+       "(g - g_k)/(|Y| (x'-x)) dx'` satisfies `A t = g + delta` up to a polynomial: the one that `Y (m_0/z + "
+       "m_1/z^2 + ... + q/pi)` has at infinity, which is 0 for a solution. `int t` follows from the "
+       "coefficient of `1/z` there. `delta` is the tilt, the index poly means the polynomial part at infinity.",
+       "Piecewise polynomial profile with wedges and steps, `s` piecewise constant; up to three components "
+       "with any ends and any polynomial `q`, whether or not they solve a contact problem.",
+       "`F = 2 i Phi` has to satisfy `(F^+ + F^-)/2 + s (F^+ - F^-)/(2i) = g + delta`. Put `F = g_k + delta - "
+       "Y B_k` for one `k`: `(s+i) Y^+ = epsilon |Y|/cos(pi alpha)` is real, so that `B_k` must jump by a "
+       "multiple of `epsilon cos(pi alpha) (g - g_k)/|Y|`, which the integral does. The polynomial part takes "
+       "away what grows at infinity, and `q` is free. All `B_k` describe one function; taking `k` from the "
+       "piece at `x` the integral stays clear of `x`."},
       check_form, right,
       std::vector<Wrong<FormFormula>>{
           {"eps of the other sign on one component", right.changed([](auto& said, const Trial&) {
@@ -123,7 +130,7 @@ Claim form_claim() {
              while (!said.form().set().in_contact(k)) ++k;
              for (; k < said.eps.size() && said.form().set().in_contact(k); ++k) said.eps[k] = -said.eps[k];
            })},
-          {"alpha's sign in the power of the first end", right.changed([](auto& said, const Trial&) {
+          {"alpha of the other sign in the power of the first end", right.changed([](auto& said, const Trial&) {
              std::size_t j = 0;
              while (!said.form().set().point(j).is_end()) ++j;
              turn_alpha(said, j);
@@ -141,10 +148,10 @@ Claim form_claim() {
                if (said.form().is_kinked(j)) said.slope[j] = said.slope[j - 1];
              }
            })},
-          {"the integral's sign", right.changed([](auto& said, const Trial&) { said.integral = -1; })},
+          {"the integral with the other sign", right.changed([](auto& said, const Trial&) { said.integral = -1; })},
           {"the polynomial at infinity forgotten",
            right.changed([](auto& said, const Trial&) { said.excess = false; })},
-          {"[(g + tilt)/Y]_poly left out", right.changed([](auto& said, const Trial&) { said.polynomial = false; })},
+          {"[(g_k + delta)/Y]_poly left out", right.changed([](auto& said, const Trial&) { said.polynomial = false; })},
           {"near miss: the last panel's traction moved by ten times the tolerance",
            right.changed([]<class R>(FormSaid<R>& said, const Trial&) {
              said.cosine[segments_of(said.form()).back()] *= 1 + near_miss<R>();

@@ -165,7 +165,9 @@ numeric::PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>& form) {
 
 template <Real R>
 void check_equation(Findings& findings, const RiemannHilbertForm<R>& solution) {
-  const Quantity equation{"equation for the solution examined", {"trapezoidal rule", "psi'/c"}, tolerance<R>()};
+  const Quantity equation{"A t = psi'/c for the solved problem",
+                          {"(1/pi) PV int t/(x'-x) dx' + s t, trapezoidal rule", "psi'/c"},
+                          tolerance<R>()};
   const std::vector<std::size_t> segments = segments_of(solution);
   const numeric::SurfaceCheck<R> check(
       density_of(solution), friction_of(solution), [&](std::size_t k, const Node<R>& node) {

@@ -97,7 +97,9 @@ Finished run(const std::vector<std::string>& command, const fs::path& folder, co
 }
 
 std::vector<std::string> program(const std::vector<std::string>& arguments) {
-  std::vector<std::string> command{STEADYSLIDE_EXECUTABLE};
+  // Another program than the one built, where the environment names it: a mutant of it.
+  const char* const other = std::getenv("STEADYSLIDE_EXECUTABLE");
+  std::vector<std::string> command{other != nullptr ? other : STEADYSLIDE_EXECUTABLE};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return command;
 }

@@ -1,0 +1,76 @@
+"""A build directory of Ninja: one source compiled anew and linked in, with nothing in the directory changed."""
+
+import json
+import shlex
+import subprocess
+from pathlib import Path
+
+
+class BuildFailed(Exception):
+    """A command of the build failed; the text says which and how."""
+
+
+def run_build_command(command, directory):
+    done = subprocess.run(command, cwd=directory, capture_output=True, text=True, errors="replace", check=False)
+    if done.returncode != 0:
+        lines = (done.stderr or done.stdout).strip().splitlines()
+        first = next((line for line in lines if "error" in line), lines[0] if lines else "no message")
+        raise BuildFailed(first)
+    return done.stdout
+
+
+def after_option(command, option):
+    return command.index(option) + 1
+
+
+class BuildTree:
+    def __init__(self, directory, root):
+        self.directory = Path(directory)
+        self.root = Path(root)
+        entries = json.loads((self.directory / "compile_commands.json").read_text(encoding="utf-8"))
+        self.compilations = {entry["file"]: shlex.split(entry["command"]) for entry in entries}
+        self.links = {}
+
+    def executable(self, name):
+        return self.directory / "bin" / name
+
+    def compile(self, file, text, folder):
+        """Compiles `text` in the place of the source `file`; returns the object. Includes are named from the root, so
+        that the copy may lie anywhere."""
+        source = str(self.root / file)
+        if source not in self.compilations:
+            raise BuildFailed(f"{file} is not compiled in this build")
+        copy = folder / Path(file).name
+        copy.write_text(text, encoding="utf-8")
+        target = folder / (copy.name + ".o")
+        # A mutant may leave a variable unused.
+        command = [word for word in self.compilations[source] if word != "-Werror"]
+        command[after_option(command, "-o")] = str(target)
+        command[after_option(command, "-c")] = str(copy)
+        run_build_command(command, self.directory)
+        return target
+
+    def link_command(self, name):
+        if name not in self.links:
+            output = f"bin/{name}"
+            commands = run_build_command(["ninja", "-t", "commands", output], self.directory).splitlines()
+            line = commands[-1].removeprefix(": && ").removesuffix(" && :")
+            if f"-o {output}" not in line:
+                raise BuildFailed(f"the last command for {output} does not link it")
+            self.links[name] = shlex.split(line)
+        return self.links[name]
+
+    def contains(self, name, file):
+        """Is the library of this source linked into the executable?"""
+        library = f"libsteadyslide_{file.split('/')[0]}.a"
+        return any(word.endswith(library) for word in self.link_command(name))
+
+    def link(self, name, mutated_object, folder):
+        """Links the executable with the object before the libraries: what it defines is not taken from them."""
+        command = list(self.link_command(name))
+        target = folder / name
+        command[after_option(command, "-o")] = str(target)
+        first_library = next(k for k, word in enumerate(command) if word.endswith(".a"))
+        command.insert(first_library, str(mutated_object))
+        run_build_command(command, self.directory)
+        return target

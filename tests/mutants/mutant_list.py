@@ -1,0 +1,96 @@
+"""The list of mutants, tests/mutants/mutants.toml, and the table docs/mutants.csv of what refutes them."""
+
+import csv
+import io
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+
+COLUMNS = ["id", "file", "change", "killer", "evidence"]
+PARTS = ("model", "symbolic", "numeric", "app")
+
+
+class BadList(Exception):
+    """A list that cannot be run: nothing has been learnt about any mutant."""
+
+
+@dataclass(frozen=True)
+class Mutant:
+    id: str
+    file: str  # a source of the program, from the project's root
+    original: str  # occurs exactly once in it
+    mutated: str
+    change: str  # what is wrong, in words
+    killer: str  # an executable of bin/ and its arguments
+    sample: bool = False  # one of those that ./check runs
+
+    def applied_to(self, text):
+        return text.replace(self.original, self.mutated)
+
+
+def faults(mutant, root):
+    """What makes this entry of the list no mutant."""
+    path = root / mutant.file
+    if not mutant.file.startswith(tuple(part + "/" for part in PARTS)) or path.suffix != ".cpp":
+        return [f"{mutant.id}: {mutant.file} is no source of {', '.join(PARTS)}"]
+    if not path.is_file():
+        return [f"{mutant.id}: there is no {mutant.file}"]
+    count = path.read_text(encoding="utf-8").count(mutant.original) if mutant.original else 0
+    result = []
+    if count != 1:
+        result.append(f"{mutant.id}: its original text occurs {count} times in {mutant.file}, not once")
+    if mutant.original == mutant.mutated:
+        result.append(f"{mutant.id}: changes nothing")
+    return result
+
+
+def read_list(path, root):
+    """All mutants, in the order of the file. Raises BadList."""
+    try:
+        entries = tomllib.loads(path.read_text(encoding="utf-8"))["mutant"]
+        mutants = [Mutant(**entry) for entry in entries]
+    except (OSError, tomllib.TOMLDecodeError, KeyError, TypeError) as error:
+        raise BadList(f"{path.name}: {error}") from error
+    wrong = [fault for mutant in mutants for fault in faults(mutant, root)]
+    ids = [mutant.id for mutant in mutants]
+    wrong += [f"{name}: listed more than once" for name in sorted(set(ids)) if ids.count(name) > 1]
+    if wrong:
+        raise BadList("\n".join(wrong))
+    return mutants
+
+
+def read_table(path):
+    """The rows by id; none if there is no table yet."""
+    if not path.is_file():
+        return {}
+    with path.open(encoding="utf-8", newline="") as file:
+        return {row["id"]: row for row in csv.DictReader(file)}
+
+
+def table_text(mutants, evidence, known):
+    """The table in the list's order: new evidence first, else the row that was there; mutants without either are left
+    out."""
+    stream = io.StringIO()
+    writer = csv.DictWriter(stream, COLUMNS, lineterminator="\n")
+    writer.writeheader()
+    for mutant in mutants:
+        seen = evidence.get(mutant.id) or known.get(mutant.id, {}).get("evidence")
+        if seen:
+            writer.writerow({"id": mutant.id, "file": mutant.file, "change": mutant.change, "killer": mutant.killer,
+                             "evidence": seen})
+    return stream.getvalue()
+
+
+def disagreements(mutants, table):
+    """Where the list and the table do not say the same."""
+    result = [f"{name}: in the table only" for name in table if name not in {mutant.id for mutant in mutants}]
+    for mutant in mutants:
+        row = table.get(mutant.id)
+        if row is None:
+            result.append(f"{mutant.id}: not in the table of refuted mutants")
+        elif not row["evidence"]:
+            result.append(f"{mutant.id}: refuted by nothing")
+        else:
+            result += [f"{mutant.id}: the table has another {name}" for name in ("file", "change", "killer")
+                       if row[name] != getattr(mutant, name)]
+    return result
