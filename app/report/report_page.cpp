@@ -60,6 +60,7 @@ std::string section_html(const Section& s) {
 
 std::string report_html(const VerifyResult& result, const Supplement& supplement) {
   std::vector<Section> sections{guide_section(),
+                                paper_section(result),
                                 ledger_section(result),
                                 notes_section(result),
                                 figures_section(supplement),
