@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <csignal>
+
 #include "app/process.hpp"
 #include "app/report/inline_svg.hpp"
 #include "app/report/references.hpp"
@@ -142,5 +144,17 @@ TEST_CASE("verify --report: what it refuses") {
   CHECK(error({"--report", ""}) == "2 steadyslide: command line: --report: no folder; it has a name; ''\n");
   folder.write("file", "");
   CHECK(holds(error({"--claim", "gamma-range", "--report", "file"}), "3 steadyslide: file: cannot be made"));
+  const testing::Finished report = testing::run_program({"report", "-o", "file"}, folder.path());
+  CHECK(report.code == 3);
+  CHECK(holds(report.err, "steadyslide: file: cannot be made"));
   CHECK(folder.names() == std::vector<std::string>{"file"});
+}
+
+TEST_CASE("a signal takes both unfinished files along") {
+  const testing::TemporaryFolder folder;
+  const testing::Finished finished =
+      testing::run_and_interrupt({"verify", "--claim", "vi-convergence-*", "--report", ".", "-o", "out.txt"}, folder,
+                                 SIGINT, std::chrono::milliseconds(300));
+  CHECK(finished.code == 130);
+  CHECK(folder.names().empty());
 }
