@@ -154,8 +154,8 @@ TEST_CASE("on a phone nothing is wider than the page, in both colours") {
       if (e.closest("svg, math, .wide, .drawing, pre")) return;
       if (e.getBoundingClientRect().right > 390.5) wide.push(e.tagName + "." + e.className);
     });
-    result = JSON.stringify({ width: inner.documentElement.scrollWidth, open: inner.querySelectorAll("details[open]").length,
-                              wide: wide });
+    result = JSON.stringify({ width: inner.documentElement.scrollWidth, wide: wide,
+                              open: inner.querySelectorAll("details[open]").length });
   )JS";
   const Browsed browsed = browse(page.folder.path(), "phone.html", script);
   CAPTURE(browsed.result);
@@ -204,7 +204,8 @@ TEST_CASE("page and JSON of one run agree") {
   const Browsed browsed = browse(folder.path(), "report.html", tools + R"JS(
     var count = {};
     all.forEach(function (c) { count[c.dataset.verdict] = (count[c.dataset.verdict] || 0) + 1; });
-    result = JSON.stringify({ shown: visible().length, count: count, summary: document.getElementById("summary").textContent,
+    result = JSON.stringify({ shown: visible().length, count: count,
+                              summary: document.getElementById("summary").textContent,
                               tiles: Array.prototype.map.call(document.querySelectorAll(".tile b"),
                                                               function (b) { return Number(b.textContent); }) });
   )JS");
