@@ -6,6 +6,7 @@
 namespace steadyslide::app::embedded {
 
 extern const std::string_view report_css;
+extern const std::string_view report_print_css;
 extern const std::string_view report_js;
 extern const std::string_view references_md;
 extern const std::string_view mutants_csv;

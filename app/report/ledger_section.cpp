@@ -7,6 +7,7 @@
 #include "app/report/evidence_html.hpp"
 #include "app/report/mathml.hpp"
 #include "app/report/references.hpp"
+#include "proofs_checks/paper_statements.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -18,6 +19,18 @@ std::string searched(const checks::ClaimText& claim) {
   std::string text = claim.id + " " + claim.source + " " + claim.statement;
   std::erase(text, '`');
   return text;
+}
+
+/// The paper's order; what it does not have comes last.
+std::vector<const checks::Report*> in_order(std::span<const checks::Report> reports) {
+  std::vector<std::string_view> ids;
+  for (const checks::PaperStatement& s : checks::paper_statements())
+    ids.insert(ids.end(), s.claims.begin(), s.claims.end());
+  std::vector<const checks::Report*> ordered;
+  for (const checks::Report& report : reports) ordered.push_back(&report);
+  std::ranges::stable_sort(ordered, {},
+                           [&](const checks::Report* r) { return std::ranges::find(ids, r->claim.id) - ids.begin(); });
+  return ordered;
 }
 
 std::string controls_text(const checks::Report& report) {
@@ -50,11 +63,11 @@ std::string entry(const checks::Report& report, std::size_t order, const VerifyR
       element("code", escaped(fmt::format("steadyslide verify --claim {} --digits {} --seed {}{}", claim.id,
                                           static_cast<int>(result.context.digits), result.context.seed,
                                           result.context.quick ? " --quick" : "")));
-  const std::string body = part("Holds for", paragraph(claim.hypotheses)) +
-                           part("How it follows", paragraph(claim.derivation)) +
-                           part("Evidence", evidence_html(report, result.reports)) +
-                           part("Controls: wrong variants of the statement", controls_html(report)) +
-                           element("p", again + " · " + link, {{"class", "again"}});
+  const std::string body =
+      part("Holds for", paragraph(claim.hypotheses)) + part("How it follows", paragraph(claim.derivation)) +
+      part("Evidence", evidence_html(report, result.reports)) +
+      part("Controls: wrong variants of the statement", controls_html(report)) +
+      element("p", again + element("span", " · " + link, {{"class", "link"}}), {{"class", "again"}});
   return element("details",
                  "\n" + summary(report) + "\n" + element("div", "\n" + body + "\n", {{"class", "body"}}) + "\n",
                  {{"class", "claim"},
@@ -81,7 +94,7 @@ std::string verdict_boxes(const VerifyResult& result) {
 
 std::string sort_buttons() {
   std::string buttons = element("legend", "Sort by");
-  for (const char* key : {"order", "id", "verdict", "seconds"}) {
+  for (const char* key : {"place", "id", "verdict", "seconds"}) {
     buttons += element("button", key, {{"type", "button"}, {"data-sort", key}, {"aria-pressed", "false"}});
   }
   return element("fieldset", buttons, {{"id", "sort"}});
@@ -107,7 +120,8 @@ std::string tools(const VerifyResult& result) {
 
 Section ledger_section(const VerifyResult& result) {
   std::string entries;
-  for (std::size_t k = 0; k < result.reports.size(); ++k) entries += entry(result.reports[k], k, result);
+  std::size_t order = 0;
+  for (const checks::Report* report : in_order(result.reports)) entries += entry(*report, order++, result);
   return {"ledger", "The ledger",
           entries.empty() ? "" : tools(result) + element("div", "\n" + entries, {{"id", "claims"}}) + "\n"};
 }

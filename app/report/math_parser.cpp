@@ -76,6 +76,7 @@ class Parser {
                          token().kind == MathToken::Kind::number && token(1).kind != MathToken::Kind::number;
     if (!numbers || (row.size() > 1 && row[row.size() - 2].role == MathRole::operand)) return false;
     const MathToken& next = token(1);
+    if (next.is(")") && row.size() == 1) return false;  // (1/2) x
     if (next.kind == MathToken::Kind::name) {
       const auto name = math_name(next.text);
       return name && (name->role == MathRole::relation || name->role == MathRole::word);

@@ -1,4 +1,4 @@
-// The ledger's filter, order and folds. Without it the page is complete, in the ledger's own order.
+// The ledger's filter, order and folds. Without it the page is complete, in the paper's order.
 (function () {
   "use strict";
   var tools = document.getElementById("tools");
@@ -26,13 +26,13 @@
   }
 
   var before = {
-    order: function (a, b) { return a.dataset.order - b.dataset.order; },
+    place: function (a, b) { return a.dataset.order - b.dataset.order; },
     id: function (a, b) { return a.id < b.id ? -1 : a.id > b.id ? 1 : 0; },
     verdict: function (a, b) { return severity[a.dataset.verdict] - severity[b.dataset.verdict]; },
     seconds: function (a, b) { return b.dataset.seconds - a.dataset.seconds; }
   };
 
-  // A second click on the same button turns the order round; equal ones stay in the ledger's order.
+  // A second click on the same button turns the order round; equal ones stay in the paper's.
   function sort(button) {
     var down = button.dataset.direction === "up";
     buttons.forEach(function (other) {
@@ -41,7 +41,7 @@
     });
     button.dataset.direction = down ? "down" : "up";
     claims.sort(function (a, b) {
-      return (down ? -1 : 1) * before[button.dataset.sort](a, b) || before.order(a, b);
+      return (down ? -1 : 1) * before[button.dataset.sort](a, b) || before.place(a, b);
     });
     claims.forEach(function (claim) { list.appendChild(claim); });
   }

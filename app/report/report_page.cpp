@@ -60,6 +60,7 @@ std::string section_html(const Section& s) {
 
 std::string report_html(const VerifyResult& result, const Supplement& supplement) {
   std::vector<Section> sections{guide_section(),
+                                paper_section(result),
                                 ledger_section(result),
                                 notes_section(result),
                                 figures_section(supplement),
@@ -74,9 +75,10 @@ std::string report_html(const VerifyResult& result, const Supplement& supplement
       "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"generator\" content=\"steadyslide {}\">\n<link rel=\"icon\" href=\"data:,\">\n"
-      "<title>Verification report – steadyslide</title>\n<style>\n{}</style>\n</head>\n<body>\n{}{}"
+      "<title>Verification report – steadyslide</title>\n<style>\n{}{}</style>\n</head>\n<body>\n{}{}"
       "<main>\n{}</main>\n<script>\n{}</script>\n</body>\n</html>\n",
-      version, embedded::report_css, head(result), contents(sections), body, embedded::report_js);
+      version, embedded::report_css, embedded::report_print_css, head(result), contents(sections), body,
+      embedded::report_js);
 }
 
 }  // namespace steadyslide::app

@@ -8,6 +8,8 @@ namespace steadyslide::app {
 
 /// What the verdicts and the controls mean.
 Section guide_section();
+/// The paper's statements in its order, with the verdicts on them.
+Section paper_section(const VerifyResult& result);
 Section notes_section(const VerifyResult& result);
 Section figures_section(const Supplement& supplement);
 Section tables_section(const std::vector<TextTable>& tables);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
 #include <regex>
 #include <string>
 #include <vector>
@@ -167,6 +168,27 @@ TEST_CASE("formulas and their MathML") {
     CAPTURE(c.formula);
     CHECK(bare(c.formula) == c.xml);
   }
+}
+
+TEST_CASE("docs/notation.md: all that it writes is a formula") {
+  std::ifstream file(STEADYSLIDE_EXAMPLES "/../docs/notation.md");
+  std::string line;
+  while (std::getline(file, line) && line != "## Formulas in text") continue;
+  std::size_t examples = 0;
+  while (std::getline(file, line)) {
+    if (!line.starts_with("| `")) continue;
+    std::string written = std::regex_replace(line, std::regex(R"(\\\|)"), "\x01");
+    written.resize(written.find('|', 1));
+    std::ranges::replace(written, '\x01', '|');
+    const std::regex quoted("`([^`]*)`");
+    for (std::sregex_iterator match(written.begin(), written.end(), quoted), end; match != end; ++match) {
+      const std::string formula = (*match)[1];
+      CAPTURE(formula);
+      CHECK(mathml(formula).has_value());
+      ++examples;
+    }
+  }
+  CHECK(examples > 50);
 }
 
 TEST_CASE("a long formula may break before relations and sums, and loses nothing by it") {

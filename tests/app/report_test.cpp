@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <csignal>
+
 #include "app/process.hpp"
 #include "app/report/inline_svg.hpp"
 #include "app/report/references.hpp"
@@ -31,12 +33,26 @@ TEST_CASE("the page has every statement with its verdict, evidence and controls"
               "calculation: 1."));
   CHECK(times(page, "<details class=\"claim\"") == 5);
   CHECK(holds(page, "50 digits · seed 7 · quick"));
-  for (const char* part :
-       {"<details class=\"claim\" id=\"eq-04-flat-punch\"", "data-verdict=\"supported\"", "controls 2/2",
-        "controls 0/1", "20 of 24", "Exact identities, which establish the statement", "Agreement of unrelated routes",
-        "0.98 ± 0.02", "1 ± 0.1", "an abstract proof of existence", "<a href=\"#eq-04-flat-punch\">",
-        "<code>not-here</code> (not in this run)", "a control survives", "not refuted", "Reading notes",
-        "Powers at a jump", "m-01", "<a href=\"#ref-Mus53\">Mus53</a>", "id=\"ref-Bal16\""}) {
+  for (const char* part : {"<details class=\"claim\" id=\"eq-04-flat-punch\"",
+                           "data-verdict=\"supported\"",
+                           "controls 2/2",
+                           "controls 0/1",
+                           "20 of 24",
+                           "Exact identities, which establish the statement",
+                           "Agreement of unrelated routes",
+                           "0.98 ± 0.02",
+                           "1 ± 0.1",
+                           "an abstract proof of existence",
+                           "<a href=\"#eq-04-flat-punch\">",
+                           "<code>not-here</code> (not in this run)",
+                           "a control survives",
+                           "not refuted",
+                           "Reading notes",
+                           "The paper, statement by statement",
+                           "Powers at a jump",
+                           "m-01",
+                           "<a href=\"#ref-Mus53\">Mus53</a>",
+                           "id=\"ref-Bal16\""}) {
     CAPTURE(part);
     CHECK(holds(page, part));
   }
@@ -102,8 +118,8 @@ TEST_CASE("references: paragraphs with a key, tables left out") {
   CHECK(html ==
         "<dl class=\"references\">\n<dt id=\"ref-A1\">[A1]</dt><dd> One, <em>A &lt;title&gt;</em>, "
         "<a href=\"https://doi.org/1\">doi:1</a>. More:</dd>\n<dt id=\"ref-B2\">[B2]</dt><dd> Two.</dd>\n</dl>\n");
-  CHECK(cited_prose("[Bal16, (4)], [Bal17] and [Joh85]") ==
-        "[<a href=\"#ref-Bal16\">Bal16</a>, (4)], [Bal17] and [<a href=\"#ref-Joh85\">Joh85</a>]");
+  CHECK(cited_prose("[Bal16, (4)], [Bal] and [Joh85]") ==
+        "[<a href=\"#ref-Bal16\">Bal16</a>, (4)], [Bal] and [<a href=\"#ref-Joh85\">Joh85</a>]");
 }
 
 TEST_CASE("verify --report writes the page beside its own output, from one run") {
@@ -128,5 +144,17 @@ TEST_CASE("verify --report: what it refuses") {
   CHECK(error({"--report", ""}) == "2 steadyslide: command line: --report: no folder; it has a name; ''\n");
   folder.write("file", "");
   CHECK(holds(error({"--claim", "gamma-range", "--report", "file"}), "3 steadyslide: file: cannot be made"));
+  const testing::Finished report = testing::run_program({"report", "-o", "file"}, folder.path());
+  CHECK(report.code == 3);
+  CHECK(holds(report.err, "steadyslide: file: cannot be made"));
   CHECK(folder.names() == std::vector<std::string>{"file"});
+}
+
+TEST_CASE("a signal takes both unfinished files along") {
+  const testing::TemporaryFolder folder;
+  const testing::Finished finished =
+      testing::run_and_interrupt({"verify", "--claim", "vi-convergence-*", "--report", ".", "-o", "out.txt"}, folder,
+                                 SIGINT, std::chrono::milliseconds(300));
+  CHECK(finished.code == 130);
+  CHECK(folder.names().empty());
 }
