@@ -103,7 +103,7 @@ Figure make_convergence() {
       "`int h = 0` and the load, for a wedge on a friction jump, at 50 digits; the line has the rate "
       "`(3+sqrt(8))^{-2n}` "
       "of panels no longer than their distance from singular points.",
-      445,
+      500,
       {cells, rules}};
 }
 
