@@ -121,10 +121,11 @@ Figure make_contact_load() {
       "contact-load",
       "Contact zones that grow over a friction jump",
       "Where the contact begins and ends as the load grows, sliding to the right, `nu = 3/10`; `L` is the unit of "
-      "length, `E` Young's modulus. Left: a parabola of radius `L` beside a friction jump at `0.15 L`, for a rougher "
-      "surface on either side: the front end has a kink where it passes the jump, because the power with which the "
-      "pressure vanishes there changes. Right: two bumps `psi = (x^2-1)^2/4` with `f = 0.1` on the left and 0.7 on "
-      "the right of the jump at 0: two zones become one, and from then on the jump is under contact.",
+      "length, `E` Young's modulus. Left: a parabola of radius `R = L` beside a friction jump at `0.15 L`, with the "
+      "rougher coating on either side. Its front end `b` moves by `db/dP = R c/(pi (1/2+alpha)(b-a))`, `c = "
+      "2(1-nu^2)/E`, with the angle `alpha` of the coating at this end: where it passes the jump, the curve has a "
+      "kink. Right: two bumps `psi = (x^2-1)^2/4` with `f = 0.1` on the left and 0.7 on the right of the jump at 0. "
+      "Two zones become one, and from then on the jump is under contact.",
       445,
       {growing_zone(body), merging_zones(body)}};
 }

@@ -69,7 +69,7 @@ void add(Panel& panel, const std::string& name, const std::string& legend, Resul
 }  // namespace
 
 Figure make_convergence() {
-  Panel cells = empty_panel({0.1, 0.485, 0.395, 0.915}, {"cells {/:Italic N}", 40, 6500, true},
+  Panel cells = empty_panel({0.1, 0.485, 0.33, 0.915}, {"cells {/:Italic N}", 40, 6500, true},
                             {"error of a resultant", 1e-8, 0.1, true});
   cells.legend = LegendAt::below;
   add(cells, "jump-down", "friction jump, edges", &Resultants::effective_friction, 2);
@@ -80,7 +80,7 @@ Figure make_convergence() {
   const auto solution = std::dynamic_pointer_cast<const numeric::RiemannHilbertSolution<R>>(
       numeric::riemann_hilbert<R>(case_named("wedge-and-jump").problem).solution);
   if (!solution || !solution->shortcoming().empty()) throw std::runtime_error("a figure's problem is not solved");
-  Panel rules = empty_panel({0.6, 0.975, 0.395, 0.915}, {"nodes {/:Italic n} of a rule", 0, 35, false, 5},
+  Panel rules = empty_panel({0.6, 0.975, 0.33, 0.915}, {"nodes {/:Italic n} of a rule", 0, 35, false, 5},
                             {"relative error of an equation", 1e-52, 1, true});
   Series condition{"moment ∫ {/:Italic h} = 0", Look::marks, 1, {}};
   Series load{"load ∫ {/:Italic xh} = −{/:Italic cP}", Look::marks, 2, {}};
@@ -103,7 +103,7 @@ Figure make_convergence() {
       "`int h = 0` and the load, for a wedge on a friction jump, at 50 digits; the line has the rate "
       "`(3+sqrt(8))^{-2n}` "
       "of panels no longer than their distance from singular points.",
-      445,
+      500,
       {cells, rules}};
 }
 

@@ -43,6 +43,11 @@ const std::vector<FigureMaker>& figures() {
   return all;
 }
 
+DrawnFigure draw(const Figure& figure) {
+  return {figure.name, figure.title, figure.caption, command_of(figure),
+          finished_svg(run_gnuplot(gnuplot_script(figure)), figure)};
+}
+
 std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns) {
   const std::vector<FigureMaker> wanted = selected(patterns);
   // Before the work: without gnuplot it would be for nothing.
@@ -51,9 +56,7 @@ std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns) 
   std::vector<DrawnFigure> result;
   for (const FigureMaker& maker : wanted) {
     progress.show(result.size());
-    const Figure figure = maker.make();
-    result.push_back({figure.name, figure.title, figure.caption, command_of(figure),
-                      finished_svg(run_gnuplot(gnuplot_script(figure)), figure)});
+    result.push_back(draw(maker.make()));
   }
   return result;
 }

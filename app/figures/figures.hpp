@@ -24,6 +24,9 @@ struct DrawnFigure {
   std::string svg;      ///< begins with the XML declaration; no scripts; ids begin with the name
 };
 
+/// Throws Failure where gnuplot is missing or fails.
+DrawnFigure draw(const Figure& figure);
+
 /// Those whose name matches one of the patterns, * and ? being wildcards; all without patterns. Progress on stderr,
 /// where that is a terminal. Throws Failure: exit code 2 for a pattern that names no figure, 3 where gnuplot is missing
 /// or fails; std::runtime_error if a problem is not solved.

@@ -52,7 +52,6 @@ const char* text_of(LegendAt place) {
     case LegendAt::bottom_centre: return "inside bottom center Left reverse";
     case LegendAt::bottom_right: return "inside bottom right Left reverse";
     case LegendAt::right_of_centre: return "at graph 0.56, graph 0.97 left top Left reverse";
-    case LegendAt::below: return "bmargin center Left reverse maxcols 1";
     case LegendAt::none: break;
   }
   return "off";
@@ -107,7 +106,8 @@ class Script {
     }
     line("set {}tics {}", name, tics);
     line("set format {} '{}'", name, !axis.labelled ? "" : decades > 1.5 ? "10^{%T}" : "%g");
-    line("{} m{}tics{}", by_tens ? "set" : "unset", name, by_tens ? " default" : "");
+    const bool finer = by_tens && decades <= 6;
+    line("{} m{}tics{}", finer ? "set" : "unset", name, finer ? " default" : "");
   }
 
   void panel(const Panel& panel, std::size_t k) {
@@ -117,7 +117,7 @@ class Script {
     line("set tmargin at screen {}", number(panel.frame.top));
     axis('x', panel.x);
     axis('y', panel.y);
-    line("set key {} samplen 3.2 spacing 1.15 width 0 font ',14'", text_of(panel.legend));
+    line("set key {} samplen 3.2 spacing 1.15 width 0 font ',14'", legend_place(panel));
     if (panel.legend == LegendAt::none) line("unset key");
     for (const Note& note : panel.notes) {
       line("set label {} at {} {} front font ',14'", quoted(note.text), text_of(note.at), text_of(note.align));
@@ -145,6 +145,13 @@ class Script {
     line("plot {}", fmt::join(plots, ", "));
     line("unset label");
     line("unset arrow");
+  }
+
+  std::string legend_place(const Panel& panel) const {
+    if (panel.legend != LegendAt::below) return text_of(panel.legend);
+    // Below the axis's label.
+    return fmt::format("at screen {}, screen {} left top Left reverse", number(panel.frame.left - 0.06),
+                       number(panel.frame.bottom - 64.0 / figure_.height));
   }
 
   void data(const std::string& name, const std::vector<Point>& points) {

@@ -109,10 +109,10 @@ Figure make_local_forms() {
 
   const Axis distance{"distance {/:Italic d} / {/:Italic L}", 1e-5, 0.3, true};
   Panel strong =
-      empty_panel({0.095, 0.49, 0.405, 0.92}, distance,
+      empty_panel({0.095, 0.49, 0.34, 0.92}, distance,
                   {"pressure −{/:Italic t}_n  ({/:Italic P}/{/:Italic L}; wedge: {/:Italic E})", 0.1, 1000, true});
   Panel weak =
-      empty_panel({0.59, 0.985, 0.405, 0.92}, distance,
+      empty_panel({0.59, 0.985, 0.34, 0.92}, distance,
                   {"pressure −{/:Italic t}_n  ({/:Italic E}; jump: {/:Italic P}/{/:Italic L})", 1e-4, 1, true});
   strong.legend = LegendAt::below;
   weak.legend = LegendAt::below;

@@ -2,8 +2,6 @@
 
 #include "app/figures/stress_map.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -79,7 +77,8 @@ Figure make_stress_map() {
                  {{1.2, 1.035, false, true}, "sliding"}};
   for (const double x : {-1.0, 0.0, 1.0}) panel.guides.push_back({{x, 1, false, true}, {x, 1.06, false, true}});
   panel.guides.push_back({{1.55, 1.035, false, true}, {1.9, 1.035, false, true}, true});
-  const std::string error = fmt::format("{:.0e}", surface_error(*solution, problem, Rational(1, 1000)));
+  // Rounded up.
+  const double error = std::ceil(1e4 * surface_error(*solution, problem, Rational(1, 1000))) / 1e4;
   return {
       "stress-map",
       "Stress below a flat punch with two coatings",
@@ -88,7 +87,7 @@ Figure make_stress_map() {
           "its right one, `nu = 1/5`; lines at 0.1 to 0.6 and 0.8. The row at the surface is made from the tractions "
           "and from the slope of the tangential displacement. At the depth `z = 0.001 L`, at a distance of 0.25 "
           "from the singular points, `sigma_{zz}` and `sigma_{xz}` differ from `t_n` and `-t_t` by at most " +
-          error + " in these units.",
+          decimal(error, 4) + " in these units.",
       450,
       {panel}};
 }

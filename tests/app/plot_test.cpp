@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/process.hpp"
+#include "app/svg.hpp"
 
 using namespace steadyslide::testing;
 
@@ -17,29 +18,6 @@ const std::string examples = STEADYSLIDE_EXAMPLES;
 Finished draw(const TemporaryFolder& folder, std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"gnuplot", "-c", examples + "/plot_rough_surface.gp"});
   return run_other(arguments, folder.path());
-}
-
-/// Is every element closed, in order, and nothing else left open?
-bool is_well_formed(const std::string& xml) {
-  std::vector<std::string> open;
-  std::size_t at = 0;
-  while ((at = xml.find('<', at)) != std::string::npos) {
-    const bool comment = xml.compare(at, 4, "<!--") == 0;
-    const std::size_t end = xml.find(comment ? "-->" : ">", at);
-    if (end == std::string::npos) return false;
-    const std::string tag = xml.substr(at + 1, end - at - 1);
-    at = end;
-    if (comment || tag.front() == '?' || tag.front() == '!' || tag.back() == '/') continue;
-    const std::string name = tag.substr(0, tag.find_first_of(" \t\n"));
-    if (name.front() != '/') {
-      open.push_back(name);
-    } else if (open.empty() || "/" + open.back() != name) {
-      return false;
-    } else {
-      open.pop_back();
-    }
-  }
-  return open.empty();
 }
 
 /// The lengths of the longest paths of a colour, counted in characters.
