@@ -12,7 +12,7 @@ struct TextTable {
   std::string note;  ///< paragraphs, each on one line
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;  ///< as many cells as columns
-  std::vector<std::string> references;         ///< works cited in note or rows, "[Key00] author, title, ..."
+  std::vector<std::string> references;         ///< works cited in note or rows, a key, author, title, ...
 };
 
 /// A document in Markdown: the formulas stay as they are.
