@@ -10,6 +10,18 @@ using namespace steadyslide::testing;
 
 namespace {
 
+/// t.tex of the folder.
+void compile(const TemporaryFolder& folder, bool fits) {
+  if (run_other({"sh", "-c", "command -v pdflatex"}, folder.path()).code != 0) {
+    MESSAGE("pdflatex is absent: not compiled");
+    return;
+  }
+  const Finished latex = run_other({"pdflatex", "-interaction=nonstopmode", "-halt-on-error", "t.tex"}, folder.path());
+  CHECK_MESSAGE(latex.code == 0, latex.out);
+  if (fits) CHECK(latex.out.find("Overfull \\hbox") == std::string::npos);
+  CHECK(std::filesystem::exists(folder.path() / "t.pdf"));
+}
+
 void check_compiles(std::vector<std::string> arguments, const std::string& input = "",
                     const std::string& last_environment = "longtable") {
   const TemporaryFolder folder;
@@ -18,14 +30,7 @@ void check_compiles(std::vector<std::string> arguments, const std::string& input
   const std::string text = folder.read("t.tex");
   CHECK(text.substr(0, 24) == "\\documentclass{article}\n");
   CHECK(text.ends_with("\\end{" + last_environment + "}\n\\end{document}\n"));
-  if (run_other({"sh", "-c", "command -v pdflatex"}, folder.path()).code != 0) {
-    MESSAGE("pdflatex is absent: not compiled");
-    return;
-  }
-  const Finished latex = run_other({"pdflatex", "-interaction=nonstopmode", "-halt-on-error", "t.tex"}, folder.path());
-  CHECK_MESSAGE(latex.code == 0, latex.out);
-  if (last_environment == "longtable") CHECK(latex.out.find("Overfull \\hbox") == std::string::npos);
-  CHECK(std::filesystem::exists(folder.path() / "t.pdf"));
+  compile(folder, last_environment == "longtable");
 }
 
 }  // namespace
@@ -55,4 +60,10 @@ TEST_CASE("derivations compile: jumps, a wedge with a jump, a wedge alone, steps
                  "load = 1\n[half_space]\ngamma = \"1/2\"\n[friction]\nvalues = [2, 0]\njumps = [0]\n"
                  "[indenter]\nsupport = [-9, 9]\nprofile = \"x^2\"\n",
                  "enumerate");
+}
+
+TEST_CASE("the tables of exponents compile, and fit on their pages") {
+  const TemporaryFolder folder;
+  std::filesystem::copy_file(STEADYSLIDE_DOCS "/exponents.tex", folder.path() / "t.tex");
+  compile(folder, true);
 }

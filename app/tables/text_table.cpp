@@ -1,0 +1,154 @@
+#include "app/tables/text_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace steadyslide::app {
+namespace {
+
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// "-0.25", "1e-06": no word and no formula.
+bool is_number(const std::string& text) {
+  return std::any_of(text.begin(), text.end(), is_digit) &&
+         text.find_first_not_of("0123456789+-.e") == std::string::npos;
+}
+
+/// The formulas of these tables: names, with a sign or a digit as subscript, and operators.
+std::string latex_formula(const std::string& formula) {
+  static const std::vector<std::string> greek{"alpha", "beta", "gamma", "nu", "mu", "kappa"};
+  std::string result;
+  for (std::size_t i = 0; i < formula.size();) {
+    if (is_letter(formula[i])) {
+      std::size_t end = i;
+      while (end < formula.size() && is_letter(formula[end])) ++end;
+      const std::string name = formula.substr(i, end - i);
+      const bool known = std::find(greek.begin(), greek.end(), name) != greek.end() || name == "arctan" || name == "pi";
+      result += known ? "\\" + name + " " : name;
+      i = end;
+    } else if (formula[i] == '_' && i + 1 < formula.size()) {
+      result += fmt::format("_{{{}}}", formula[i + 1]);
+      i += 2;
+    } else {
+      result += formula[i++];
+    }
+  }
+  return result;
+}
+
+std::string latex_text(const std::string& text) {
+  if (is_number(text)) return "$" + text + "$";
+  std::string result;
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::size_t end = text[at] == '`' ? text.find('`', at + 1) : std::string::npos;
+    if (end != std::string::npos) {
+      result += "$" + latex_formula(text.substr(at + 1, end - at - 1)) + "$";
+      at = end + 1;
+      continue;
+    }
+    if (std::string("_%&#${}").find(text[at]) != std::string::npos) result += '\\';
+    result += text[at++];
+  }
+  return result;
+}
+
+std::string without_backticks(std::string text) {
+  std::erase(text, '`');
+  return text;
+}
+
+std::string quoted(const std::string& cell) {
+  if (cell.find_first_of(",\"\n\r") == std::string::npos) return cell;
+  std::string result = "\"";
+  for (const char c : cell) result += c == '"' ? "\"\"" : std::string(1, c);
+  return result + "\"";
+}
+
+std::string markdown_row(const std::vector<std::string>& cells) {
+  return fmt::format("| {} |\n", fmt::join(cells, " | "));
+}
+
+std::string latex_row(const std::vector<std::string>& cells) {
+  std::vector<std::string> texts;
+  texts.reserve(cells.size());
+  for (const std::string& cell : cells) texts.push_back(latex_text(cell));
+  return fmt::format("{} \\\\", fmt::join(texts, " & "));
+}
+
+/// Paragraphs apart, a note is one on each line.
+std::string paragraphs(const std::string& note, std::string (*text)(const std::string&)) {
+  std::string result;
+  for (std::size_t at = 0; at < note.size();) {
+    const std::size_t end = std::min(note.find('\n', at), note.size());
+    result += text(note.substr(at, end - at)) + "\n\n";
+    at = end + 1;
+  }
+  return result;
+}
+
+std::string unchanged(const std::string& text) { return text; }
+
+}  // namespace
+
+std::string markdown_document(const std::string& title, const std::vector<TextTable>& tables) {
+  std::string result = "# " + title + "\n";
+  for (const TextTable& table : tables) {
+    result += "\n## " + table.title + "\n\n" + paragraphs(table.note, unchanged) + markdown_row(table.columns);
+    result += "|";
+    for (std::size_t k = 0; k < table.columns.size(); ++k) result += " --- |";
+    result += "\n";
+    for (const auto& row : table.rows) result += markdown_row(row);
+    for (const std::string& reference : table.references) result += "\n" + reference + "\n";
+  }
+  return result;
+}
+
+std::string latex_document(const std::string& title, const std::vector<TextTable>& tables) {
+  std::string result = fmt::format(
+      "% A document of its own: pdflatex compiles it. To take a table over, copy its longtable "
+      "(\\usepackage{{longtable}}).\n"
+      "\\documentclass[a4paper]{{article}}\n"
+      "\\usepackage{{longtable}}\n"
+      "\\setlength{{\\paperwidth}}{{297mm}}\n"
+      "\\setlength{{\\paperheight}}{{210mm}}\n"
+      "\\setlength{{\\pdfpagewidth}}{{297mm}}\n"
+      "\\setlength{{\\pdfpageheight}}{{210mm}}\n"
+      "\\setlength{{\\textwidth}}{{277mm}}\n"
+      "\\setlength{{\\textheight}}{{160mm}}\n"
+      "\\setlength{{\\oddsidemargin}}{{-15mm}}\n"
+      "\\setlength{{\\topmargin}}{{-15mm}}\n"
+      "\\setlength{{\\tabcolsep}}{{3pt}}\n"
+      "\\setlength{{\\parindent}}{{0pt}}\n"
+      "\\setlength{{\\parskip}}{{1ex}}\n"
+      "\\begin{{document}}\n"
+      "\\section*{{{}}}\n",
+      latex_text(title));
+  for (const TextTable& table : tables) {
+    result += fmt::format("\n\\subsection*{{{}}}\n\n", latex_text(table.title)) + paragraphs(table.note, latex_text);
+    result += fmt::format("{{\\footnotesize\n\\begin{{longtable}}{{{}}}\n", std::string(table.columns.size(), 'l'));
+    result += latex_row(table.columns) + " \\hline\n\\endhead\n";
+    for (const auto& row : table.rows) result += latex_row(row) + "\n";
+    result += "\\end{longtable}}\n";
+    for (const std::string& reference : table.references) result += "\n" + latex_text(reference) + "\n";
+  }
+  return result + "\\end{document}\n";
+}
+
+std::string csv_document(const std::vector<TextTable>& tables) {
+  std::string result = "table,row,column,value\n";
+  for (const TextTable& table : tables) {
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      for (std::size_t k = 0; k < table.columns.size(); ++k) {
+        result += fmt::format("{},{},{},{}\n", quoted(without_backticks(table.title)), i + 1,
+                              quoted(without_backticks(table.columns[k])), quoted(without_backticks(table.rows[i][k])));
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace steadyslide::app

@@ -1,0 +1,27 @@
+#pragma once
+// A table of a document, as texts: what is computed has been formatted already. Words are plain text; formulas stand
+// between backticks in ASCII, `alpha_-`, `1/2 - alpha`.
+
+#include <string>
+#include <vector>
+
+namespace steadyslide::app {
+
+struct TextTable {
+  std::string title;
+  std::string note;  ///< paragraphs, each on one line
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;  ///< as many cells as columns
+  std::vector<std::string> references;         ///< works cited in note or rows, a key, author, title, ...
+};
+
+/// A document in Markdown: the formulas stay as they are.
+std::string markdown_document(const std::string& title, const std::vector<TextTable>& tables);
+
+/// A LaTeX document that compiles as it is, formulas in math mode. Needs longtable, and nothing beyond ASCII.
+std::string latex_document(const std::string& title, const std::vector<TextTable>& tables);
+
+/// RFC 4180, one line for each cell: table, row (from 1), column, value. The formulas have lost their backticks.
+std::string csv_document(const std::vector<TextTable>& tables);
+
+}  // namespace steadyslide::app

@@ -1,0 +1,74 @@
+// Gaps beside a contact that ends at a break of the profile, where the indenter goes on with another polynomial:
+// heights by the form against the profile less the displacement that the traction makes.
+
+#include <doctest/doctest.h>
+
+#include "support/solved_contact.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::numeric;
+using testing::reduced;
+using testing::solved;
+
+namespace {
+
+struct Case {
+  const char* name;
+  Indenter indenter;
+  Rational load;
+  std::size_t components;
+};
+
+std::vector<Case> cases() {
+  const Polynomial bowl({0, 0, 1});
+  const Polynomial high({1, 1});
+  const Polynomial flat;
+  const Polynomial between({Rational(1, 2), 0, Rational(1, 4)});
+  return {{"a step up, an incline beyond", Indenter(-1, {{0, bowl}, {1, high}}), 1, 1},
+          {"a step down, a bowl before it", Indenter(-1, {{0, Polynomial({1, 0, 2})}, {1, bowl}}), 1, 1},
+          {"a step up, two polynomials beyond", Indenter(-1, {{0, bowl}, {Rational(1, 2), high}, {1, between}}), 1, 1},
+          {"two feet, an arch between", Indenter(-1, {{Rational(-1, 3), flat}, {Rational(1, 4), between}, {1, flat}}),
+           2, 2}};
+}
+
+}  // namespace
+
+TEST_CASE("gaps beside a step whose other face is another polynomial") {
+  int wrong_by_one_polynomial = 0;
+  for (const Case& c : cases()) {
+    CAPTURE(c.name);
+    const auto solution = solved<double>(reduced({1, Rational(1, 2)}, {Rational(-1, 2)}, c.indenter, c.load));
+    REQUIRE(solution->contact().size() == c.components);
+    const RiemannHilbertForm<double>& form = solution->form();
+    const ContactSet<double>& set = form.set();
+    const auto check = testing::check_of(form);
+    std::size_t panel = 0;
+    for (std::size_t k = 0; k < set.segments(); ++k) {
+      if (set.in_contact(k)) {
+        ++panel;
+        continue;
+      }
+      for (const double part : {1e-6, 0.03, 0.2, 0.45, 0.55, 0.8, 0.999}) {
+        const double d = part * set.length(k);
+        const SurfacePoint<double> at{static_cast<std::ptrdiff_t>(k), {set.x(k) + d, d, set.length(k) - d}};
+        for (const End side : {End::left, End::right}) {
+          // The contact's end that the place is seen from.
+          std::size_t j = side == End::right ? k : k + 1;
+          while (j > 0 && j < set.segments() && !set.point(j).is_end()) side == End::right ? --j : ++j;
+          if (!set.point(j).is_end()) continue;
+          const double surface =
+              check.displacement(side == End::right ? panel - 1 : panel, side, std::abs(form.distance(at, j)));
+          const double expected = form.profile_rise(j, at) - surface;
+          CAPTURE(at.node.x);
+          CHECK(form.opening(j, at).value == doctest::Approx(expected).epsilon(1e-10));
+          // The control: as if the polynomial of the contact went on.
+          const std::size_t inside = side == End::right ? j - 1 : j;
+          const double end = set.x(j);
+          const double gone_on = form.problem().rise(form.slope_at(inside), end, at.node.x) - surface;
+          if (std::abs(gone_on - expected) > 1e-3) ++wrong_by_one_polynomial;
+        }
+      }
+    }
+  }
+  CHECK(wrong_by_one_polynomial > 20);
+}
