@@ -115,7 +115,7 @@ DisplacementOperator<R>::DisplacementOperator(const Rational& s, int n, const In
     const R kernel = w.hilbert({0, nodes_[i]});
     const R at_node = pow(nodes_[i].from_left, left.value) * pow(nodes_[i].from_right, right.value);
     for (std::size_t j = 0; j < count; ++j) {
-      const R here = slope[i * count + j];
+      const R& here = slope[i * count + j];
       R sum = 0;
       for (std::size_t k = 0; k < y.size(); ++k) {
         sum += w_rule.weights[k] * (slope_at_y[k * count + j] - here) / apart(y[k], nodes_[i]);

@@ -1,6 +1,7 @@
 #include "proofs_checks/claims/displacement_problem.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 namespace steadyslide::proofs_checks {
@@ -68,7 +69,7 @@ std::optional<DisplacementProblem::State> DisplacementProblem::by_active_sets(st
     const auto wrong = wrong_nodes(state, contact, gap_scale, load_);
     state.steps = step;
     if (wrong.empty()) return state;
-    for (const std::size_t i : wrong) contact[i] = contact[i] == 0;
+    for (const std::size_t i : wrong) contact[i] = contact[i] == 0 ? 1 : 0;
     // Contact somewhere: the last of those that were let go.
     if (std::ranges::none_of(contact, [](char c) { return c != 0; })) contact[wrong.back()] = 1;
   }
@@ -83,7 +84,7 @@ std::optional<DisplacementProblem::State> DisplacementProblem::by_pivots(std::ve
     const auto wrong = wrong_nodes(state, contact, gap_scale, load_);
     state.steps = step;
     if (wrong.empty()) return state;
-    contact[wrong.front()] = contact[wrong.front()] == 0;
+    contact[wrong.front()] = contact[wrong.front()] == 0 ? 1 : 0;
     if (std::ranges::none_of(contact, [](char c) { return c != 0; })) return std::nullopt;
   }
   return std::nullopt;

@@ -56,6 +56,7 @@ PiecewiseFunction PiecewiseFunction::constant(const Rational& value, std::vector
 PiecewiseFunction PiecewiseFunction::combined(const Rational& a, const PiecewiseFunction& f, const Rational& b,
                                               const PiecewiseFunction& g) {
   PiecewiseFunction sum{f.points, {}};
+  sum.pieces.reserve(f.pieces.size());
   for (std::size_t k = 0; k < f.pieces.size(); ++k) {
     sum.pieces.push_back(Polynomial::constant(a) * f.pieces[k] + Polynomial::constant(b) * g.pieces[k]);
   }

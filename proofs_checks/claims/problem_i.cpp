@@ -22,7 +22,7 @@ struct ProblemSaid {
 
 std::vector<char> random_start(Random& random, std::size_t n) {
   std::vector<char> contact(n, 0);
-  for (char& c : contact) c = random.below(2) == 0;
+  for (char& c : contact) c = random.below(2) == 0 ? 1 : 0;
   contact[random.below(n)] = 1;
   return contact;
 }

@@ -117,7 +117,8 @@ void check_steps(Findings& findings, const Context& context, const EquivalenceSa
     const R rest = p - p * pairing(s, part.set);
     const R level = said.test_function * rest / numeric::to_real<R>(part.measure);
     findings.compare(mean, static_cast<double>(R(abs(outside + level * numeric::to_real<R>(integral(part.set))) / p)));
-    findings.require(part.measure > 0 && part.measure < 2 && level < 0, "the test traction is not in K_0'");
+    findings.require(part.measure > 0, "u_n - psi + C is nowhere positive");
+    findings.require(level < 0, "the test traction is not in K_0'");
     // <t_hat - P t_0, v> = int_S (level - P t_0) v
     const R contradiction = level * numeric::to_real<R>(integral(part.values)) - p * pairing(s, part.values);
     findings.require(contradiction < 0, "(15) is not contradicted");
