@@ -127,8 +127,7 @@ which must be refuted. Exit code 1 if a claim is refuted or undecided.)";
 inline constexpr const char* figures =
     R"(Draws the figures of the theory as SVG, from data computed on the spot; gnuplot draws.)";
 
-inline constexpr const char* figures_footer =
-    R"(One file for each figure, NAME.svg, whole or not at all.)";
+inline constexpr const char* figures_footer = R"(One file for each figure, NAME.svg, whole or not at all.)";
 
 inline constexpr const char* report =
     R"(Runs the whole ledger and writes the verification report: one HTML page that needs no

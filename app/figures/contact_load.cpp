@@ -106,7 +106,7 @@ Panel growing_zone(const Elasticity& body) {
     panel.series.push_back(std::move(rear));
     panel.series.push_back(std::move(front));
   }
-  const double c = numeric::to_real<double>(jump);
+  const auto c = numeric::to_real<double>(jump);
   panel.legend = LegendAt::top_left;
   panel.guides = {{{0, c, true}, {1, c, true}}};
   panel.notes = {{{0.97, c + 0.04, true}, "friction jump", Align::right}};

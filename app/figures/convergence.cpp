@@ -70,7 +70,7 @@ void add(Panel& panel, const std::string& name, const std::string& legend, Resul
 
 Figure make_convergence() {
   Panel cells = empty_panel({0.1, 0.485, 0.33, 0.915}, {"cells {/:Italic N}", 40, 6500, true},
-                            {"error of a resultant", 1e-8, 0.1, true});
+                            {"error of a resultant  (1; places: {/:Italic L})", 1e-8, 0.1, true});
   cells.legend = LegendAt::below;
   add(cells, "jump-down", "friction jump, edges", &Resultants::effective_friction, 2);
   add(cells, "step", "step", &Resultants::centre_of_pressure, 1);

@@ -24,7 +24,7 @@ std::vector<Series> curves(Abscissa abscissa, Punch punch) {
     for (int i = 1; i < 100; ++i) {
       const Rational t(i, 100);
       const ContactProblem problem = punch(t, sliding);
-      const double x = numeric::to_real<double>(abscissa(t));
+      const auto x = numeric::to_real<double>(abscissa(t));
       line.points.push_back({x, effective(*solved(problem))});
       if (i % 10 == 0) marks.points.push_back({x, effective(*solved_on_cells(problem, 1000))});
     }

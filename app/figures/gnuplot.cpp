@@ -33,7 +33,7 @@ class Stream {
 
   int descriptor() const { return descriptor_; }
 
-  void write(std::string_view text) {
+  void write(std::string_view text) const {
     while (!text.empty()) {
       const ssize_t count = ::write(descriptor_, text.data(), text.size());
       if (count < 0 && errno == EINTR) continue;
@@ -99,7 +99,7 @@ int trouble_of(const Stream& trouble) {
 }  // namespace
 
 std::string run_gnuplot(const std::string& script) {
-  Stream in;
+  const Stream in;
   in.write(script);
   const Stream out;
   const Stream err;

@@ -52,6 +52,7 @@ const char* text_of(LegendAt place) {
     case LegendAt::bottom_centre: return "inside bottom center Left reverse";
     case LegendAt::bottom_right: return "inside bottom right Left reverse";
     case LegendAt::right_of_centre: return "at graph 0.56, graph 0.97 left top Left reverse";
+    case LegendAt::below:
     case LegendAt::none: break;
   }
   return "off";
