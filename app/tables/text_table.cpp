@@ -109,8 +109,8 @@ std::string markdown_document(const std::string& title, const std::vector<TextTa
 
 std::string latex_document(const std::string& title, const std::vector<TextTable>& tables) {
   std::string result = fmt::format(
-      "% A document of its own: pdflatex compiles it. To take a table over, copy its longtable "
-      "(\\usepackage{{longtable}}).\n"
+      "% A document of its own; pdflatex, twice for the widths of the columns.\n"
+      "% To take a table over, copy its longtable (\\usepackage{{longtable}}).\n"
       "\\documentclass[a4paper]{{article}}\n"
       "\\usepackage{{longtable}}\n"
       "\\setlength{{\\paperwidth}}{{297mm}}\n"
