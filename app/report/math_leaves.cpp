@@ -38,15 +38,15 @@ MathItem number_item(std::string_view digits) {
   if (e == std::string_view::npos) {
     return {fmt::format("<mn>{}</mn>", digits), MathRole::operand, Shape::number, digits.size()};
   }
-  const std::string_view exponent = digits.substr(e + 1);
-  const bool negative = exponent.starts_with('-');
-  const std::string_view size = exponent.substr(negative || exponent.starts_with('+') ? 1 : 0);
-  const std::string power =
-      fmt::format("<msup><mn>10</mn><mrow>{}<mn>{}</mn></mrow></msup>", negative ? "<mo>−</mo>" : "", size);
   const std::string_view mantissa = digits.substr(0, e);
+  const std::string_view exponent = digits.substr(e + 1);
+  const std::size_t first = exponent.find_first_not_of("+-0");
+  if (first == std::string_view::npos) return number_item(mantissa);
+  const std::string power = fmt::format("<msup><mn>10</mn><mrow>{}<mn>{}</mn></mrow></msup>",
+                                        exponent.starts_with('-') ? "<mo>−</mo>" : "", exponent.substr(first));
+  const bool one = mantissa == "1" || mantissa == "1.0";
   const std::string xml =
-      mantissa == "1"
-          ? power
+      one ? power
           : fmt::format("<mrow><mn>{}</mn><mo lspace=\"0.1em\" rspace=\"0.1em\">×</mo>{}</mrow>", mantissa, power);
   return {xml, MathRole::operand, Shape::number, digits.size() + 2};
 }

@@ -163,6 +163,8 @@ TEST_CASE("formulas and their MathML") {
       {"t * u <= oo", "<math><mi>t</mi><mo>∗</mo><mi>u</mi><mo>≤</mo><mi>∞</mi></math>"},
       {"3.1e-52", "<math><mn>3.1</mn><mo>×</mo><msup><mn>10</mn><mo>−</mo><mn>52</mn></msup></math>"},
       {"1e5", "<math><msup><mn>10</mn><mn>5</mn></msup></math>"},
+      {"1.0e-05", "<math><msup><mn>10</mn><mo>−</mo><mn>5</mn></msup></math>"},
+      {"2.0e+00", "<math><mn>2.0</mn></math>"},
       {"1.9...", "<math><mn>1.9</mn><mo>…</mo></math>"}};
   for (const Case& c : cases) {
     CAPTURE(c.formula);
