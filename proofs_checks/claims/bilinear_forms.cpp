@@ -133,7 +133,7 @@ Wrong<LogSaid> wrong(std::string name, Change change) {
 Claim log_form_claim() {
   return make_claim(
       {"sec-31-log-form", "[Bal16, section 3.1]: the logarithmic form",
-       "`(t_1, t_2) -> -<<t_1 * log|x|, t_2>>` is symmetric and positive definite on ]-1, 1[, without a condition on "
+       "`(t_1, t_2) -> -<<t_1 * log|x|, t_2>>` is symmetric and positive definite on `]-1, 1[`, without a condition on "
        "the "
        "mean: for `t_1 = sum_k c_k T_k/sqrt(1-x^2)`, `t_2 = sum_k d_k T_k/sqrt(1-x^2)` it is `pi^2 log 2 c_0 d_0 + "
        "sum_k "

@@ -14,6 +14,7 @@ using numeric::to_real;
 template <class R>
 std::vector<R> coefficients(const Polynomial& p) {
   std::vector<R> result;
+  result.reserve(p.coefficients().size());
   for (const Rational& c : p.coefficients()) result.push_back(to_real<R>(c));
   return result;
 }
@@ -39,6 +40,7 @@ std::vector<R> remainder_polynomial(const TractionPiece& piece) {
     }
   }
   std::vector<R> result;
+  result.reserve(q.size());
   for (const Rational& c : q) result.push_back(to_real<R>(c));
   return result;
 }
