@@ -86,6 +86,7 @@ std::string agreements(const std::vector<const checks::Agreement*>& pieces) {
 std::string rates(const std::vector<const checks::ConvergenceRate*>& pieces) {
   if (pieces.empty()) return "";
   std::vector<std::vector<std::string>> rows;
+  rows.reserve(pieces.size());
   for (const checks::ConvergenceRate* r : pieces) {
     rows.push_back({prose(r->what), fmt::format("{:.3g} ± {:.2g}", r->measured, r->error_bar),
                     fmt::format("{:.3g} ± {:.2g}", r->expected, r->tolerance)});
@@ -98,6 +99,7 @@ std::string rates(const std::vector<const checks::ConvergenceRate*>& pieces) {
 std::string counterexamples(const std::vector<const checks::Counterexample*>& pieces) {
   if (pieces.empty()) return "";
   std::vector<std::string> items;
+  items.reserve(pieces.size());
   for (const checks::Counterexample* c : pieces) items.push_back(prose(c->detail + " at " + c->where));
   return heading("Counterexample") + list(items);
 }

@@ -40,10 +40,10 @@ std::string inline_svg(std::string_view svg, std::string_view prefix, std::strin
   std::string result(svg.substr(begin, end + 6 - begin));
   for (const char* tag : {"title", "script"}) remove_elements(result, tag);
   const std::string start = std::string(prefix) + "-";
-  for (const char* reference : {" id=\"", " id='", "href=\"#", "href='#", "url(#"}) {
+  for (const char* reference : {R"( id=")", " id='", R"(href="#)", "href='#", "url(#"}) {
     insert_after_all(result, reference, start);
   }
-  result.insert(4, " role=\"img\" aria-label=\"" + escaped(title) + "\"");
+  result.insert(4, R"( role="img" aria-label=")" + escaped(title) + R"(")");
   return result;
 }
 

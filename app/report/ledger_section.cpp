@@ -87,7 +87,7 @@ std::string verdict_boxes(const VerifyResult& result) {
                                    {"undecided", counts.undecided},
                                    {"refuted", counts.refuted}}) {
     boxes += element(
-        "label", fmt::format("<input type=\"checkbox\" name=\"verdict\" value=\"{0}\" checked> {0} ({1})", verdict, n));
+        "label", fmt::format(R"(<input type="checkbox" name="verdict" value="{0}" checked> {0} ({1}))", verdict, n));
   }
   return element("fieldset", boxes);
 }
@@ -103,9 +103,9 @@ std::string sort_buttons() {
 /// Of no use without JavaScript, and hidden without it.
 std::string tools(const VerifyResult& result) {
   const std::string filter =
-      "<label for=\"filter\">Filter</label><input id=\"filter\" type=\"search\" placeholder=\"id, place or words of "
+      R"(<label for="filter">Filter</label><input id="filter" type="search" placeholder="id, place or words of )"
       "the "
-      "statement\" autocomplete=\"off\" spellcheck=\"false\">";
+      R"(statement" autocomplete="off" spellcheck="false">)";
   const std::string folds = element("button", "open all", {{"type", "button"}, {"id", "open-all"}}) +
                             element("button", "close all", {{"type", "button"}, {"id", "close-all"}}) +
                             element("span", "", {{"id", "shown"}, {"role", "status"}, {"aria-live", "polite"}});

@@ -50,7 +50,7 @@ void divide(MathRow& row, MathRow denominator, bool small) {
                       !has_bare_argument(denominator.begin(), denominator.end());
   if (!stacks) {
     row.push_back(
-        {"<mo form=\"infix\" stretchy=\"false\" lspace=\"0\" rspace=\"0\">/</mo>", MathRole::binary, Shape::prefix});
+        {R"(<mo form="infix" stretchy="false" lspace="0" rspace="0">/</mo>)", MathRole::binary, Shape::prefix});
     std::ranges::move(denominator, std::back_inserter(row));
     return;
   }

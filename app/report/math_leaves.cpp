@@ -11,7 +11,7 @@ using Shape = MathItem::Shape;
 
 /// One letter is set in italics by every browser, several are not.
 std::string identifier(std::string_view glyph, bool upright = false) {
-  return fmt::format("<mi{}>{}</mi>", upright ? " mathvariant=\"normal\"" : "", glyph);
+  return fmt::format("<mi{}>{}</mi>", upright ? R"( mathvariant="normal")" : "", glyph);
 }
 
 bool is_letter_name(std::string_view name) {
@@ -27,7 +27,7 @@ std::string joined(const std::vector<std::string>& parts) {
 
 std::string bracket(std::string_view sign, bool opens, bool stretches) {
   const std::string_view glyph = sign == "<<" ? "⟨" : sign == ">>" ? "⟩" : sign;
-  return fmt::format("<mo form=\"{}\" stretchy=\"{}\" lspace=\"0\" rspace=\"0\">{}</mo>", opens ? "prefix" : "postfix",
+  return fmt::format(R"(<mo form="{}" stretchy="{}" lspace="0" rspace="0">{}</mo>)", opens ? "prefix" : "postfix",
                      stretches, glyph);
 }
 
@@ -47,7 +47,7 @@ MathItem number_item(std::string_view digits) {
   const bool one = mantissa == "1" || mantissa == "1.0";
   const std::string xml =
       one ? power
-          : fmt::format("<mrow><mn>{}</mn><mo lspace=\"0.1em\" rspace=\"0.1em\">×</mo>{}</mrow>", mantissa, power);
+          : fmt::format(R"(<mrow><mn>{}</mn><mo lspace="0.1em" rspace="0.1em">×</mo>{}</mrow>)", mantissa, power);
   return {xml, MathRole::operand, Shape::number, digits.size() + 2};
 }
 
@@ -69,7 +69,7 @@ MathItem function_item(const MathSymbol& symbol) {
 }
 
 MathItem big_item(const MathSymbol& symbol) {
-  return {fmt::format("<mo lspace=\"0\" rspace=\"0\" movablelimits=\"false\">{}</mo>", symbol.glyph), MathRole::big};
+  return {fmt::format(R"(<mo lspace="0" rspace="0" movablelimits="false">{}</mo>)", symbol.glyph), MathRole::big};
 }
 
 MathItem word_item(const MathSymbol& symbol) {
@@ -77,12 +77,12 @@ MathItem word_item(const MathSymbol& symbol) {
 }
 
 MathItem prefix_item(const MathSymbol& symbol) {
-  return {fmt::format("<mo form=\"prefix\" lspace=\"0\" rspace=\"0\">{}</mo>", symbol.glyph), MathRole::binary,
+  return {fmt::format(R"(<mo form="prefix" lspace="0" rspace="0">{}</mo>)", symbol.glyph), MathRole::binary,
           Shape::prefix};
 }
 
 MathItem postfix_item(const MathSymbol& symbol) {
-  return {fmt::format("<mo form=\"postfix\" lspace=\"0\" rspace=\"0\">{}</mo>", symbol.glyph)};
+  return {fmt::format(R"(<mo form="postfix" lspace="0" rspace="0">{}</mo>)", symbol.glyph)};
 }
 
 MathItem group_item(std::string_view open, MathRow row, std::string_view close) {
@@ -100,9 +100,9 @@ MathItem group_item(std::string_view open, MathRow row, std::string_view close) 
 MathItem scripted(MathItem base, const Scripts& scripts) {
   const std::string primes = scripts.primes == 0
                                  ? ""
-                                 : fmt::format("<mo lspace=\"0\" rspace=\"0\">{}</mo>", scripts.primes == 1   ? "′"
-                                                                                        : scripts.primes == 2 ? "″"
-                                                                                                              : "‴");
+                                 : fmt::format(R"(<mo lspace="0" rspace="0">{}</mo>)", scripts.primes == 1   ? "′"
+                                                                                       : scripts.primes == 2 ? "″"
+                                                                                                             : "‴");
   const std::string sub = joined(scripts.sub);
   const std::string sup = primes + joined(scripts.sup);
   if (sub.empty()) {
@@ -119,7 +119,7 @@ MathItem scripted(MathItem base, const Scripts& scripts) {
 
 MathItem accented(MathItem base, std::string_view accent) {
   base.xml =
-      fmt::format("<mover accent=\"true\"><mrow>{}</mrow><mo stretchy=\"false\">{}</mo></mover>", base.xml, accent);
+      fmt::format(R"(<mover accent="true"><mrow>{}</mrow><mo stretchy="false">{}</mo></mover>)", base.xml, accent);
   base.inside.clear();
   return base;
 }

@@ -149,7 +149,7 @@ class Parser {
       ++at_;
       item = read_name(t, small);
     } else if (take("...")) {
-      item = {"<mo lspace=\"0\" rspace=\"0\">…</mo>"};
+      item = {R"(<mo lspace="0" rspace="0">…</mo>)"};
     } else {
       item = read_group(small);
     }

@@ -31,7 +31,7 @@ double space_between(const MathItem& left, const MathItem& right) {
 
 std::string space_xml(const MathItem& left, const MathItem& right) {
   const double space = space_between(left, right);
-  return space > 0 ? fmt::format("<mspace width=\"{}em\"/>", space) : "";
+  return space > 0 ? fmt::format(R"(<mspace width="{}em"/>)", space) : "";
 }
 
 bool may_break_before(const MathRow& row, std::size_t at, std::size_t width) {
@@ -71,11 +71,11 @@ MathItem math_operator(const MathSymbol& symbol, bool small) {
   MathItem item{"", symbol.role};
   const bool relation = symbol.role == MathRole::relation;
   if (symbol.role == MathRole::punctuation) {
-    item.xml = fmt::format("<mo form=\"infix\" lspace=\"0\" rspace=\"{}em\">{}</mo>", small ? 0.1 : 0.3, symbol.glyph);
+    item.xml = fmt::format(R"(<mo form="infix" lspace="0" rspace="{}em">{}</mo>)", small ? 0.1 : 0.3, symbol.glyph);
   } else {
     const double space = small ? 0.08 : relation ? 0.28 : 0.22;
-    item.xml = fmt::format("<mo form=\"infix\" stretchy=\"false\" lspace=\"{0}em\" rspace=\"{0}em\">{1}</mo>", space,
-                           symbol.glyph);
+    item.xml =
+        fmt::format(R"(<mo form="infix" stretchy="false" lspace="{0}em" rspace="{0}em">{1}</mo>)", space, symbol.glyph);
   }
   return item;
 }

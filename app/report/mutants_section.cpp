@@ -9,6 +9,7 @@ Section mutants_section(const std::vector<Mutant>& mutants) {
   Section section{"mutants", "Faults put into the program", ""};
   if (mutants.empty()) return section;
   std::vector<std::vector<std::string>> rows;
+  rows.reserve(mutants.size());
   for (const Mutant& m : mutants) {
     rows.push_back({element("code", escaped(m.id)), element("code", escaped(m.file)), cited_prose(m.change),
                     element("code", escaped(m.killer)), cited_prose(m.evidence)});

@@ -19,11 +19,10 @@ Section notes_section(const VerifyResult& result) {
   }
   std::vector<std::vector<std::string>> rows;
   for (const proofs_checks::ReadingNote& note : result.notes) {
-    const std::string name = element("code", escaped(note.id), {{"id", "note-" + note.id}});
-    const std::string claim =
-        note.claim.empty() ? "" : "<br>" + element("a", "the statement", {{"href", "#" + note.claim}});
-    rows.push_back({name + "<br>" + cited_prose(note.place) + claim, cited_prose(note.printed),
-                    cited_prose(note.derived), cited_prose(note.evidence)});
+    std::string place = element("code", escaped(note.id), {{"id", "note-" + note.id}});
+    place.append("<br>").append(cited_prose(note.place));
+    if (!note.claim.empty()) place.append("<br>").append(element("a", "the statement", {{"href", "#" + note.claim}}));
+    rows.push_back({place, cited_prose(note.printed), cited_prose(note.derived), cited_prose(note.evidence)});
   }
   if (!rows.empty()) {
     section.html +=
