@@ -52,6 +52,7 @@ R traction_at(const numeric::RiemannHilbertSolution<R>& solution, const R& x) {
 
 template <Real R>
 ShapeList<R> measure(bool quick) {
+  using std::sin;
   ShapeList<R> all;
   for (const ContactProblem& problem : problems(quick)) {
     ShapeFacts<R> facts{
@@ -63,7 +64,9 @@ ShapeList<R> measure(bool quick) {
       int sense = 0;
       R before = 0;
       for (int k = 1; k < points; ++k) {
-        const R x = R(k) / points;
+        // Denser towards the jump and the edge: an extreme may lie close to either.
+        const R sine = sin(R(numeric::pi<R>() * k / (2 * points)));
+        const R x = sine * sine;
         const R t = traction_at(*facts.solution, i == 0 ? R(-x) : x);
         const int now = t > before ? 1 : -1;
         if (k > 2 && now != sense) ++facts.turns[i];
