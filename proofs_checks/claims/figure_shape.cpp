@@ -139,7 +139,7 @@ Claim figure_shape() {
        "Under a flat punch with `f_-` on `]-1, 0[` and `f_+` on `]0, 1[` the pressure blows up at `0` for `f_- < f_+` "
        "and vanishes there for `f_- > f_+`, as `|x|^beta`. `|t_n|` is extreme where `x^2 - (alpha_- + alpha_+) x + "
        "beta = 0`: for `f_- < f_+` at one minimum on each half; for `f_- > f_+` nowhere, as in the figure, if "
-       "`(alpha_- + alpha_+)^2 < 4 beta`, and otherwise at a maximum and a minimum on the front half.",
+       "`(alpha_- + alpha_+)^2 <= 4 beta`, and otherwise at a maximum and a minimum on the front half.",
        "`gamma > 0`, `f_- != f_+`. Half-width `1`. The last case, which the figure does not show, asks for large "
        "`gamma f` on both sides: `gamma f_- = 3`, `gamma f_+ = 7/5` is one.",
        "`t_n'/t_n = -(1/2+alpha_-)/(1+x) + beta/x + (1/2-alpha_+)/(1-x)`; times `x (1-x^2)` this is `x^2 - (alpha_- + "

@@ -1,5 +1,5 @@
 #pragma once
-// Steps of the proofs of theorems 9 and 10 as claims, and the operator L they are made with. [Bal16, section 3.3]
+// Steps of the proofs of theorems 9 and 10 as claims, and the operator L they are made with. [Bal16, section 3]
 
 #include "numeric/trapezoidal.hpp"
 #include "proofs_checks/claims/near.hpp"

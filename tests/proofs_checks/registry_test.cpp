@@ -94,7 +94,8 @@ TEST_CASE("every reading note with a claim names one that exists, and a control 
     // Decided by the local equation, whatever was run: their own test is in tests/symbolic.
     if (note.claim.empty()) continue;
     const auto claim = std::ranges::find(registry(), note.claim, [](const Claim& c) { return c.id; });
-    REQUIRE(claim != registry().end());
+    CHECK(claim != registry().end());
+    if (claim == registry().end()) continue;
     CHECK(note.evidence.find("claim " + note.claim + " is ") == 0);
     CHECK(note.evidence.find(" as derived") != std::string::npos);
     if (note.control.empty()) continue;
