@@ -17,11 +17,14 @@ struct ReadingNote {
   std::string printed;
   std::string derived;
   std::string evidence;
-  std::string claim;  ///< whose control the printed reading is; empty where the local equation alone decides
+  std::string claim;  ///< that examines the derived reading; empty where the local equation alone decides
+  std::string control =
+      {};  ///< of the claim: the printed reading; empty where it is no formula that a check could take
 };
 
 /// The evidence is taken from the reports: the control that is the printed reading, and what refuted it; then a
-/// sentence on whether extraction may have done it. A note whose claim was not run says so.
+/// sentence on whether extraction may have done it. A note whose claim was not run says so. Formulas stand between
+/// backticks, as in claims.
 std::vector<ReadingNote> reading_notes(std::span<const Report> reports);
 
 }  // namespace steadyslide::proofs_checks

@@ -55,26 +55,28 @@ void add_theorem_3(std::vector<ReadingNote>& notes) {
   const End front(Side::left);
   const std::string minus = "Extraction may have lost a superscript minus here. ";
   const std::string plus = "The superscript plus survives extraction, so that this may be the printed text. ";
-  const std::string side = "The friction on the side without contact multiplies t = 0.";
-  notes.push_back(compared({"theorem-3-angle-rear", "theorem 3, contact on the right of c, a step",
-                            "t = -theta/|x-c|^(1/2+alpha), alpha by (5): the friction on the left of c",
-                            "alpha by the friction on the right of c, the side in contact", minus + side, false, false},
-                           rear.candidate(-1, -1, 0), rear.candidate(-1, 0, -1)));
-  notes.push_back(compared({"theorem-3-free-rear", "theorem 3, contact on the right of c, psi_bar continuous",
-                            "t = -|c-x|^(1/2-alpha) theta, alpha by (5): the friction on the left of c",
-                            "alpha by the friction on the right of c", minus + side, false, false},
+  const std::string side = "The friction on the side without contact multiplies `t = 0`.";
+  notes.push_back(
+      compared({"theorem-3-angle-rear", "theorem 3, contact on the right of `c`, a step",
+                "`t = -theta/|x-c|^{1/2+alpha}`, `alpha` by (5): the friction on the left of `c`",
+                "`alpha` by the friction on the right of `c`, the side in contact", minus + side, false, false},
+               rear.candidate(-1, -1, 0), rear.candidate(-1, 0, -1)));
+  notes.push_back(compared({"theorem-3-free-rear", "theorem 3, contact on the right of `c`, `psi_bar` continuous",
+                            "`t = -|c-x|^{1/2-alpha} theta`, `alpha` by (5): the friction on the left of `c`",
+                            "`alpha` by the friction on the right of `c`", minus + side, false, false},
                            rear.candidate(1, -1, 0), rear.candidate(1, 0, -1)));
-  notes.push_back(compared({"theorem-3-angle-front", "theorem 3, contact on the left of c, a step",
-                            "t = -theta/|x-c|^(1/2-alpha_+), alpha_+ by (6): the friction on the right of c",
-                            "alpha by the friction on the left of c, the side in contact", plus + side, false, false},
-                           front.candidate(-1, 0, 1), front.candidate(-1, 1, 0)));
-  notes.push_back(compared({"theorem-3-free-front", "theorem 3, contact on the left of c, psi_bar continuous",
-                            "t = -|c-x|^(1/2+alpha_+) theta, alpha_+ by (6): the friction on the right of c",
-                            "alpha by the friction on the left of c", plus + side, false, false},
+  notes.push_back(
+      compared({"theorem-3-angle-front", "theorem 3, contact on the left of `c`, a step",
+                "`t = -theta/|x-c|^{1/2-alpha_+}`, `alpha_+` by (6): the friction on the right of `c`",
+                "`alpha` by the friction on the left of `c`, the side in contact", plus + side, false, false},
+               front.candidate(-1, 0, 1), front.candidate(-1, 1, 0)));
+  notes.push_back(compared({"theorem-3-free-front", "theorem 3, contact on the left of `c`, `psi_bar` continuous",
+                            "`t = -|c-x|^{1/2+alpha_+} theta`, `alpha_+` by (6): the friction on the right of `c`",
+                            "`alpha` by the friction on the left of `c`", plus + side, false, false},
                            front.candidate(1, 0, 1), front.candidate(1, 1, 0)));
-  notes.push_back(compared({"theorem-3-slope-factor-front", "theorem 3, estimate of u_bar' beyond the front",
-                            "sqrt(1 + gamma^2 f_+^2), even with the right power",
-                            "sqrt(1 + s^2) with the friction on the left of c", plus, false, false},
+  notes.push_back(compared({"theorem-3-slope-factor-front", "theorem 3, estimate of `u_bar'` beyond the front",
+                            "`sqrt(1 + gamma^2 f_+^2)`, even with the right power",
+                            "`sqrt(1 + s^2)` with the friction on the left of `c`", plus, false, false},
                            front.with_slope(front.candidate(-1, 1, 0), front.r(Side::right)),
                            front.with_slope(front.candidate(-1, 1, 0), front.r(Side::left))));
 
@@ -84,11 +86,13 @@ void add_theorem_3(std::vector<ReadingNote>& notes) {
       local_equations(form.place, form.frame.constants(*form.exponent), form.density);
   const bool bounded = form.frame.field().is_identically_zero(inside.front().lhs).holds;
   notes.push_back(
-      {"theorem-3-limit-front", "theorem 3, estimate of u_bar' at the front", "as x -> c-", "as x -> c+",
-       "On the left of c there is contact and u_bar' = psi_bar' is bounded: the coefficient of the power in "
-       "H t + s t there is " +
+      {"theorem-3-limit-front", "theorem 3, estimate of `u_bar'` at the front", "as `x -> c-`", "as `x -> c+`",
+       "On the left of `c` there is contact and `u_bar' = psi_bar'` is bounded: the coefficient of the power in "
+       "`H t + s t` there is " +
            form.frame.text(inside.front().lhs).text +
-           "; beyond the end it is sqrt(1 + s^2) theta. Theorem 10 has x -> 1+ in the same place.",
+           "; beyond the end it is `sqrt(1 + s^2) theta`. Theorem 10 has `x -> 1+` in the same place. Extraction loses "
+           "signs and "
+           "turns none into another: more likely the print's.",
        !bounded, first_mismatch(front.with_slope(form, front.r(Side::left))).empty()});
 }
 
@@ -98,9 +102,9 @@ void add_lost_exponents(std::vector<ReadingNote>& notes) {
        {std::pair("formula-4-exponent", "(4)"), std::pair("formula-7-exponent", "above (5)-(7)"),
         std::pair("formula-8-exponent", "(8)"), std::pair("formula-10-exponent", "(10) and the formula before it")}) {
     notes.push_back(
-        compared({id, where, "the weight (1+x)^(1/2) at the rear end", "(1+x)^(1/2+alpha)",
-                  "Theorem 10 has 1/2+alpha at the same end, and both exponents have to add up to 1 with the "
-                  "front's 1/2-alpha (where friction does not jump): extraction lost it.",
+        compared({id, where, "the weight `(1+x)^{1/2}` at the rear end", "`(1+x)^{1/2+alpha}`",
+                  "Theorem 10 has `1/2+alpha` at the same end, and both exponents have to add up to `1` with the "
+                  "front's `1/2-alpha` (where friction does not jump): extraction lost it.",
                   false, false},
                  rear.candidate(-1, 0, 0), rear.candidate(-1, 0, -1)));
   }
@@ -120,9 +124,9 @@ void add_theorem_2(std::vector<ReadingNote>& notes) {
              {{Side::right, false, 0, 0}, s * d / one}}};
   };
   notes.push_back(
-      compared({"theorem-2-square", "theorem 2, second case, the denominator", "1 + (gamma f(c)2: read 1 + 2s",
-                "1 + (gamma f(c))^2", "Theorem 9 has the square: extraction lost the parenthesis and the superscript.",
-                false, false},
+      compared({"theorem-2-square", "theorem 2, second case, the denominator", "1 + (gamma f(c)2: read `1 + 2 s`",
+                "`1 + (gamma f(c))^2`",
+                "Theorem 9 has the square: extraction lost the parenthesis and the superscript.", false, false},
                wedge(1 + 2 * s), wedge(1 + s * s)));
 }
 
@@ -139,26 +143,31 @@ void add_words(std::vector<ReadingNote>& notes) {
   notes.push_back(
       {"theorem-2-words-re-entrant", "the words after theorem 2, first item",
        "around a re-entrant wedge the vertex is never an interior point of the contact zone",
-       "so it is where s does not jump or decreases to the right; where s increases a re-entrant wedge is "
+       "so it is where `s` does not jump or decreases to the right; where `s` increases a re-entrant wedge is "
        "admitted",
-       "The forced constant [psi_bar']/[s] has the wrong sign there, but the power, unbounded, covers it. The "
-       "words are said of the case without a jump; taken without it they fail.",
+       "Where `s` increases both parts of the local form press: the forced constant `[psi_bar']/[s]` is negative, and "
+       "so "
+       "is the power's part. The words are said of the case without a jump; taken without it they fail. Words are not "
+       "changed by extraction: the print's.",
        !admitted(low, high, -1), !admitted(low, low, -1) && !admitted(high, low, -1) && admitted(low, high, -1)});
   notes.push_back(
       {"theorem-2-words-limit", "the words after theorem 2, third item",
-       "with a wedge, where f decreases the traction has a negative limit at c",
-       "negative for [psi_bar'] > 0; with [psi_bar'] < 0 the limit [psi_bar']/[s] would be positive: there is "
-       "no contact around c then",
-       "The constant leads where s decreases, and t <= 0 decides its sign.", admitted(high, low, -1),
-       admitted(high, low, 1) && !admitted(high, low, -1)});
+       "with a wedge, where `f` decreases the traction has a negative limit at `c`",
+       "negative for `[psi_bar'] > 0`; with `[psi_bar'] < 0` the limit `[psi_bar']/[s]` would be positive: there is "
+       "no contact around `c` then",
+       "The constant leads where `s` decreases, and `t <= 0` decides its sign. Words are not changed by extraction: "
+       "the "
+       "print's.",
+       admitted(high, low, -1), admitted(high, low, 1) && !admitted(high, low, -1)});
   const symbol s_l("s_l");
   const symbol s_r("s_r");
   const LocalForm form = derive_local_form({ContactSide::both, {s_l}, {s_r}, Beyond::indenter, true});
   const bool free_amplitude = !form.terms.front().forced && form.terms.front().left.has(form.theta);
   notes.push_back({"theorem-2-words-infinity", "the words after theorem 2, second item",
-                   "where f increases the traction goes to infinity",
-                   "so it does where its amplitude theta(c) is not zero; the local equation leaves theta free",
-                   "The amplitude of the power is no datum of the place: the whole problem decides it.",
+                   "where `f` increases the traction goes to infinity",
+                   "so it does where its amplitude `theta(c)` is not zero; the local equation leaves `theta` free",
+                   "The amplitude of the power is no datum of the place: the whole problem decides it. Words are not "
+                   "changed by extraction: the print's.",
                    !free_amplitude, free_amplitude});
 }
 

@@ -58,8 +58,13 @@ bool in_contact(const RiemannHilbertSolution<R>& solution, std::size_t point, Si
 
 template <Real R>
 numeric::SurfacePoint<R> beside(const RiemannHilbertSolution<R>& solution, std::size_t point, Side side, const R& d) {
-  const ContactSet<R>& set = solution.form().set();
-  const R distance = d / numeric::to_real<R>(solution.problem().frame().unit);
+  return beside(solution.form(), point, side, d);
+}
+
+template <Real R>
+numeric::SurfacePoint<R> beside(const numeric::RiemannHilbertForm<R>& form, std::size_t point, Side side, const R& d) {
+  const ContactSet<R>& set = form.set();
+  const R distance = d / numeric::to_real<R>(form.problem().frame().unit);
   const std::ptrdiff_t k = segment_beside(point, side);
   const bool in_support = k >= 0 && k < static_cast<std::ptrdiff_t>(set.segments());
   const R rest = in_support ? R(set.length(static_cast<std::size_t>(k)) - distance) : numeric::infinity<R>();
@@ -137,18 +142,20 @@ numeric::Estimate<double> power_on_cells(const numeric::VariationalSolution& sol
       .exponent;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                                                         \
-  template Solved<R> solve(const ContactProblem&);                                                         \
-  template std::size_t point_at(const RiemannHilbertSolution<R>&, const Rational&);                        \
-  template std::size_t contact_end(const RiemannHilbertSolution<R>&, Side);                                \
-  template bool in_contact(const RiemannHilbertSolution<R>&, std::size_t, Side);                           \
-  template numeric::SurfacePoint<R> beside(const RiemannHilbertSolution<R>&, std::size_t, Side, const R&); \
-  template R traction_beside(const RiemannHilbertSolution<R>&, std::size_t, Side, const R&);               \
-  template R gap_beside(const RiemannHilbertSolution<R>&, std::size_t, Side, const R&);                    \
-  template R very_near();                                                                                  \
-  template R power_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);                            \
-  template LimitAndPower<R> limit_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);             \
+#define STEADYSLIDE_INSTANTIATE(R)                                                                              \
+  template Solved<R> solve(const ContactProblem&);                                                              \
+  template std::size_t point_at(const RiemannHilbertSolution<R>&, const Rational&);                             \
+  template std::size_t contact_end(const RiemannHilbertSolution<R>&, Side);                                     \
+  template bool in_contact(const RiemannHilbertSolution<R>&, std::size_t, Side);                                \
+  template numeric::SurfacePoint<R> beside(const numeric::RiemannHilbertForm<R>&, std::size_t, Side, const R&); \
+  template numeric::SurfacePoint<R> beside(const RiemannHilbertSolution<R>&, std::size_t, Side, const R&);      \
+  template R traction_beside(const RiemannHilbertSolution<R>&, std::size_t, Side, const R&);                    \
+  template R gap_beside(const RiemannHilbertSolution<R>&, std::size_t, Side, const R&);                         \
+  template R very_near();                                                                                       \
+  template R power_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);                                 \
+  template LimitAndPower<R> limit_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);                  \
   template R logarithm_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);
+STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)
 STEADYSLIDE_INSTANTIATE(Real100)
 #undef STEADYSLIDE_INSTANTIATE

@@ -34,6 +34,8 @@ template <Real R>
 bool in_contact(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side);
 
 template <Real R>
+numeric::SurfacePoint<R> beside(const numeric::RiemannHilbertForm<R>& form, std::size_t point, Side side, const R& d);
+template <Real R>
 numeric::SurfacePoint<R> beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side,
                                 const R& d);
 template <Real R>
@@ -61,6 +63,15 @@ LimitAndPower<R> limit_beside(const numeric::RiemannHilbertSolution<R>& solution
 template <Real R>
 R logarithm_beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side);
 
+/// f'(x), by central differences of eighth order; `scale`: the distance to the next singular point.
+template <Real R, class F>
+R derivative(const F& f, const R& x, const R& scale) {
+  using std::pow;
+  const R h = scale * pow(R(10), -R(numeric::digits_served<R>) / 8 - 1);
+  const auto difference = [&](int k) { return R(f(R(x + k * h)) - f(R(x - k * h))); };
+  return (4 * difference(1) / 5 - difference(2) / 5 + 4 * difference(3) / 105 - difference(4) / 280) / h;
+}
+
 /// The problem of this name among those that the claims about convergence solve on cells.
 ContactProblem cell_case(std::string_view name);
 /// On cells, accepted by its certificate. Throws Refutation otherwise.
@@ -83,8 +94,16 @@ class Once {
   }
 
  private:
-  std::tuple<std::map<bool, Value<Real50>>, std::map<bool, Value<Real100>>> slots_;
+  std::tuple<std::map<bool, Value<double>>, std::map<bool, Value<Real50>>, std::map<bool, Value<Real100>>> slots_;
 };
+
+/// walk.operator()<R>(): in double for a quick run, since principal values take their time, else at the digits asked
+/// for.
+template <class Walk>
+std::vector<Evidence> gather_quick_in_double(const Context& context, const Walk& walk) {
+  const numeric::Digits digits = context.quick ? numeric::Digits::sixteen : context.digits;
+  return gather([&] { return numeric::at_precision(digits, walk); });
+}
 
 /// walk.operator()<R>() with at least 50 digits.
 template <class Walk>

@@ -1,9 +1,8 @@
-// What the figures of the paper show. [Bal16, figures 3-5]
-
 #include "proofs_checks/claims/claims.hpp"
+#include "proofs_checks/claims/figures.hpp"
 
 namespace steadyslide::proofs_checks {
 
-std::vector<Claim> paper_figure_claims() { return {}; }
+std::vector<Claim> paper_figure_claims() { return {figure_rear_loaded(), figure_shape(), figure_parabola()}; }
 
 }  // namespace steadyslide::proofs_checks

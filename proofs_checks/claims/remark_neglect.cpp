@@ -167,7 +167,8 @@ Claim remark_neglect() {
       },
       NeglectSaid{},
       std::vector<Wrong<NeglectSaid>>{
-          {"the powers of the frictionless problem", wrong([](NeglectSaid& said) { said.exponents_change = false; })},
+          {"the printed 'of': no other power unless the indenter is nonsmooth and friction not constant",
+           wrong([](NeglectSaid& said) { said.exponents_change = false; })},
           {"the largest pressure lost at first order", wrong([](NeglectSaid& said) { said.peak_rate = 1; })},
           {"the contact shifted at second order", wrong([](NeglectSaid& said) { said.centre_rate = 2; })},
           {"the contact shifted to the front", wrong([](NeglectSaid& said) { said.angle_sign = -1; })},

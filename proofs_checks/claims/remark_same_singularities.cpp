@@ -126,9 +126,7 @@ void check_row(Findings& findings, const RowCase& c, const RowSaid& said) {
 }
 
 std::vector<Evidence> check(const Context& context, const RowSaid& said) {
-  // A principal value at 50 digits takes its time.
-  const numeric::Digits digits = context.quick ? numeric::Digits::sixteen : context.digits;
-  const auto walk = [&]<Real R>() {
+  return gather_quick_in_double(context, [&]<Real R>() {
     Findings findings;
     const auto all = rows(context.quick);
     for (const RowCase& c : all) {
@@ -141,8 +139,7 @@ std::vector<Evidence> check(const Context& context, const RowSaid& said) {
       }());
     }
     return findings.evidence(std::to_string(all.size()) + " rows of punches");
-  };
-  return gather([&] { return numeric::at_precision(digits, walk); });
+  });
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ Exponent power_of(bool edge, Side contact, const Rational& s, const StepSaid& sa
 }
 
 std::vector<Evidence> check(const Context& context, Once<StepProblems>& once, const StepSaid& said) {
-  return gather_at_fifty(context, [&]<Real R>() {
+  return gather_quick_in_double(context, [&]<Real R>() {
     const Quantity power{"power at an end of contact, solved problems", {"t at d and 2d", "theorem 3"}, tolerance<R>()};
     const Quantity gap{"gap next to the end", {"solved problems", "psi beyond less psi in contact"}, tolerance<R>()};
     const Quantity cells{"power on cells, in its error bars", {"fit", "theorem 3"}, 3};

@@ -144,7 +144,7 @@ Exponent power_of(const Rational (&s)[2], const JumpSaid& said) {
 }
 
 std::vector<Evidence> check(const Context& context, Once<JumpProblems>& once, const JumpSaid& said) {
-  return gather_at_fifty(context, [&]<Real R>() {
+  return gather_quick_in_double(context, [&]<Real R>() {
     const Quantity power{"power of |x-c| in solved problems", {"t at d and 2d, on both sides", "beta"}, tolerance<R>()};
     const Quantity cells{"power of |x-c| on cells, in its error bars", {"fit", "beta"}, 3};
     const Quantity bar{"its error bar", {}, 0.02};

@@ -149,7 +149,7 @@ void check_wedges(Findings& findings, const std::vector<WedgeFacts<R>>& all, con
 }
 
 std::vector<Evidence> check(const Context& context, Once<WedgeProblems>& once, const WedgeSaid& said) {
-  return gather_at_fifty(context, [&]<Real R>() {
+  return gather_quick_in_double(context, [&]<Real R>() {
     const WedgeProblems<R>& facts = once.at<R>(context.quick, [&] { return measure<R>(context.quick); });
     const Quantity inside{"is the vertex of a re-entrant corner inside the contact? (differences)",
                           {"solved problems", "where f rises"},

@@ -129,7 +129,7 @@ void check_corner(Findings& findings, const CornerFacts<R>& c, const CornerSaid&
 }
 
 std::vector<Evidence> check(const Context& context, Once<CornerProblems>& once, const CornerSaid& said) {
-  return gather_at_fifty(context, [&]<Real R>() {
+  return gather_quick_in_double(context, [&]<Real R>() {
     const CornerProblems<R>& facts = once.at<R>(context.quick, [&] { return measure<R>(context.quick); });
     Findings findings;
     for (const CornerFacts<R>& c : facts.corners) {

@@ -78,20 +78,42 @@ TEST_CASE("at 50 digits the differences are those of 50 digits") {
   check_all_hold(reports);
 }
 
-TEST_CASE("every reading note rests on a control that exists and is refuted") {
+TEST_CASE("every reading note with a claim names one that exists, and a control of it that is refuted") {
   const std::vector<ReadingNote> notes = reading_notes(run_all(registry(), quick(1)));
-  CHECK(notes.size() >= 14);
+  CHECK(notes.size() >= 27);
   std::set<std::string> ids;
   for (const ReadingNote& note : notes) {
     CAPTURE(note.id);
+    CAPTURE(note.claim);
+    CAPTURE(note.control);
     CHECK(ids.insert(note.id).second);
     CHECK_FALSE(note.evidence.empty());
+    CHECK(note.printed != note.derived);
     // Decided by the local equation, whatever was run: their own test is in tests/symbolic.
-    if (note.id.starts_with("theorem-")) continue;
-    CHECK(note.evidence.find("is supported as derived; the printed reading is refuted (") != std::string::npos);
+    if (note.claim.empty()) continue;
+    const auto claim = std::ranges::find(registry(), note.claim, [](const Claim& c) { return c.id; });
+    CHECK(claim != registry().end());
+    if (claim == registry().end()) continue;
+    CHECK(note.evidence.find("claim " + note.claim + " is ") == 0);
+    CHECK(note.evidence.find(" as derived") != std::string::npos);
+    if (note.control.empty()) continue;
+    CHECK(std::ranges::find(claim->controls, note.control, [](const Control& c) { return c.name; }) !=
+          claim->controls.end());
+    CHECK(note.evidence.find(" as derived; the printed reading is refuted (") != std::string::npos);
   }
   for (const ReadingNote& note : reading_notes({})) {
-    if (note.id.starts_with("theorem-")) continue;
+    if (note.claim.empty()) continue;
     CHECK(note.evidence.find("not examined in this run") != std::string::npos);
+  }
+}
+
+TEST_CASE("every reading note weighs print against extraction, with its formulas between backticks") {
+  for (const ReadingNote& note : reading_notes({})) {
+    CAPTURE(note.id);
+    const auto says = [&](const char* word) { return note.evidence.find(word) != std::string::npos; };
+    CHECK((says("xtraction") || says("the print's")));
+    for (const std::string* text : {&note.place, &note.printed, &note.derived, &note.evidence}) {
+      CHECK(std::ranges::count(*text, '`') % 2 == 0);
+    }
   }
 }
