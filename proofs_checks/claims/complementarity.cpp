@@ -192,7 +192,7 @@ Claim complementarity_claim() {
   using Which = Candidate::Which;
   return make_claim(
       {"eq-03-complementarity", "[Bal16, (3)]: the conditions of contact",
-       "the solutions found satisfy `u_bar + C <= psi_bar`, `t <= 0`, `t (u_bar + C - psi_bar) = 0` with one `C` for "
+       "The solutions found satisfy `u_bar + C <= psi_bar`, `t <= 0`, `t (u_bar + C - psi_bar) = 0` with one `C` for "
        "all components of the contact, and `int t = -P`",
        "attitude given; random frictions with jumps, profiles with one and two wells; at 50 digits or more, in a quick "
        "run in double",

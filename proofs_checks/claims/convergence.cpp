@@ -45,7 +45,8 @@ class Comparison {
   void resultants(const std::vector<std::string>& names) {
     const std::size_t first = std::size_t{1} << (quick_ ? 6 : 8);
     for (std::size_t k = 0; k < names.size(); ++k) {
-      rate("error of the " + names[k], first, [&](const MeshLevel& level) { return resultant_error(level, exact_, k); });
+      rate("error of the " + names[k], first,
+           [&](const MeshLevel& level) { return resultant_error(level, exact_, k); });
     }
   }
 
@@ -151,23 +152,21 @@ Claim convergence_claim(const ConvergenceCase& the_case) {
   const bool jumps = problem.friction().values().size() > 1;
   return make_claim<ConvergenceSaid>(
       {"vi-convergence-" + the_case.name, "[Bal16, sections 3.1 and 4], two methods: " + the_case.what,
-       "The solver on `N` equal cells, which knows no exponents, tends to the solution of the Riemann-Hilbert "
-       "problem: ends of contact to one cell; each resultant, and the intensities in the mean, as `N^{-r}`; "
-       "intensities to `1/N` on the finest mesh; exponents read off the cells within their error bars. The "
-       "rate `r` is the least of `lambda + lambda^* + 2` over the singular points of the contact, `lambda^*` "
-       "the exponent of the adjoint problem; the sum is 1 at an edge, a step and a friction jump, 2 at a free end, 3 "
-       "at a wedge.",
-       "Reduced data, `s` between 0 and 3/5; in double whatever the digits asked for. Rates to 0.1 (quick: "
-       "0.25) by least squares over all levels `N = 2^k` from `2^8` on (quick: `2^6`; intensities: `2^11`, and "
-       "only where `r = 1`, since reading them off adds an error of about first order), each the root mean "
-       "square of 7 consecutive `N`, of 21 for `r = 2`; error bars of exponents of 0.01 at most (quick: 0.05).",
-       "The error of a functional of a Galerkin solution is a product of two errors, of the solution and of "
-       "the adjoint problem's, in the energy norm. Next to a singular point where `t ~ d^lambda` piecewise "
-       "constants on cells of length `h` miss an energy of order `h^{2 lambda + 2}`, so that the product has "
-       "`h^{lambda + lambda^* + 2}`. The adjoint problem is that of friction `-s`: at an edge `lambda + "
-       "lambda^* = -1`, at a free end the contact of the adjoint problem has an edge and the sum is 0, at a "
-       "jump `lambda = beta` and `lambda^* = -beta - 1`. That the sums follow these local estimates is "
-       "assumed, and measured."},
+       "The solver on `N` equal cells, which knows no exponents, tends to the solution of the Riemann-Hilbert problem: "
+       "ends of contact to one cell; each resultant, and the intensities in the mean, as `N^{-r}`; intensities to "
+       "`1/N` on the finest mesh; exponents read off the cells within their error bars. The rate `r` is the least of "
+       "`lambda + lambda^* + 2` over the singular points of the contact, `lambda^*` the exponent of the adjoint "
+       "problem; the sum is 1 at an edge, a step and a friction jump, 2 at a free end, 3 at a wedge.",
+       "Reduced data, `s` between 0 and 3/5; in double whatever the digits asked for. Rates to 0.1 (quick: 0.25) by "
+       "least squares over all levels `N = 2^k` from `2^8` on (quick: `2^6`; intensities: `2^11`, and only where `r = "
+       "1`, since reading them off adds an error of about first order), each the root mean square of 7 consecutive "
+       "`N`, of 21 for `r = 2`; error bars of exponents of 0.01 at most (quick: 0.05).",
+       "The error of a functional of a Galerkin solution is a product of two errors, of the solution and of the "
+       "adjoint problem's, in the energy norm. Next to a singular point where `t ~ d^lambda` piecewise constants on "
+       "cells of length `h` miss an energy of order `h^{2 lambda + 2}`, so that the product has `h^{lambda + lambda^* "
+       "+ 2}`. The adjoint problem is that of friction `-s`: at an edge `lambda + lambda^* = -1`, at a free end the "
+       "contact of the adjoint problem has an edge and the sum is 0, at a jump `lambda = beta` and `lambda^* = -beta - "
+       "1`. That the sums follow these local estimates is assumed, and measured."},
       check, {},
       {{"a rate higher by one", {.rate_offset = 1}},
        {jumps ? "the reference with the friction values in the other order" : "the reference sliding the other way",

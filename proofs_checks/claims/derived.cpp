@@ -49,8 +49,8 @@ std::vector<Evidence> examine_right(const Selection& selection) {
     std::ranges::move(right_identities(statements), std::back_inserter(identities));
   }
   return {weigh_identities(identities,
-                           "decided for frictions s that are symbols, as equations between rational functions of s, "
-                           "r = sqrt(1+s^2) and i; no number is put in")};
+                           "decided for frictions s that are symbols, as equations between rational functions of s, r "
+                           "= sqrt(1+s^2) and i; no number is put in")};
 }
 
 /// Refuted only if it is refuted of every statement that has it.

@@ -122,8 +122,8 @@ Claim figure_rear_loaded() {
        "of `(P cos(pi alpha)/pi) (1+2 alpha)^{-(1/2+alpha)} (1-2 alpha)^{-(1/2-alpha)}`.",
        "`gamma f > 0`, constant; for `f = 0` the pressure is even and its minimum at the centre. Half-width `1`.",
        "`t_n'/t_n = -(1/2+alpha)/(1+x) + (1/2-alpha)/(1-x)`, which vanishes where `(1/2+alpha) (1-x) = (1/2-alpha) "
-       "(1+x)`, that is at `x = 2 alpha` alone. `t_0(-x)/t_0(x) = ((1+x)/(1-x))^{2 alpha} > 1` for `x > 0`: each "
-       "point of the rear half carries more than its mirror image. With `v^2 = (1+x)/(1-x)` the load on the rear half "
+       "(1+x)`, that is at `x = 2 alpha` alone. `t_0(-x)/t_0(x) = ((1+x)/(1-x))^{2 alpha} > 1` for `x > 0`: each point "
+       "of the rear half carries more than its mirror image. With `v^2 = (1+x)/(1-x)` the load on the rear half "
        "becomes `(2 cos(pi alpha)/pi) int_0^1 v^{-2 alpha}/(1+v^2) dv`, a difference of digamma functions."},
       [once = std::make_shared<Once<RearList>>()](const Context& context, const RearSaid& said) {
         return check(context, *once, said);

@@ -89,30 +89,29 @@ std::vector<Wrong<PunchFormula>> wrong_variants(const PunchFormula& right) {
 std::vector<Claim> flat_punch_claims() {
   const PunchFormula traction = on_the_whole_punch([](const ContactProblem& p) { return Rational(-p.load()); });
   const PunchFormula unit = on_the_whole_punch([](const ContactProblem&) { return Rational(1); });
-  return {make_claim(
-              {"eq-04-flat-punch", "[Bal16, (4)]: flat punch, constant friction",
-               "The flat punch under constant friction has the traction `t = -(P cos(pi alpha)/pi) "
-               "(1+x)^{-(1/2+alpha)} (1-x)^{-(1/2-alpha)}`, `alpha = arctan(gamma f)/pi`: it satisfies `A t = 0` on "
-               "`]-1, 1[` and carries the load `P`.",
-               "Plane strain, rigid flat punch on `]-1, 1[` moving towards `+x`, `-1 < nu < 1/2`, `f >= 0` constant, "
-               "`P > 0`; examined for `f` from 0 to 50.",
-               "`Y(z) = (z+1)^{-(1/2+alpha)} (z-1)^{-(1/2-alpha)}` has `Y^+ = -exp(2 pi i alpha) Y^-` on `]-1, 1[` and "
-               "behaves as `1/z` at infinity. With `Phi = P Y/(2 pi i)` the equation `A t = 0`, which is `(s+i) Phi^+ "
-               "= (s-i) Phi^-`, holds for `t = Phi^+ - Phi^- = -(P/pi) cos(pi alpha) |Y|`, and the coefficient of "
-               "`1/z` in `Phi` makes `int t = -P`. Here `A t` and `int t` are computed by quadratures that know "
-               "nothing of this."},
-              check(false), traction, wrong_variants(traction)),
-          make_claim(
-              {"eq-08-unit-solution", "[Bal16, (8)]: the function t_0 of section 3",
-               "`t_0 = (cos(pi alpha)/pi) (1+x)^{-(1/2+alpha)} (1-x)^{-(1/2-alpha)}` has `A t_0 = 0` on `]-1, 1[` and "
-               "`int t_0 = 1`.",
-               "`s = gamma f >= 0` constant, `alpha = arctan(s)/pi`; examined for `-1 < nu < 1/2` and `f` from 0 to "
-               "50.",
-               "`t_0` is the traction of the flat punch under the load -1: the jump of `-Y/(2 pi i)` with `Y(z) = "
-               "(z+1)^{-(1/2+alpha)} (z-1)^{-(1/2-alpha)}`, which behaves as `1/z` at infinity. It spans the kernel of "
-               "`A` among integrable tractions: any other solution of `A t = 0` would be `Y` times a function without "
-               "poles that is bounded at infinity, a constant."},
-              check(true), unit, wrong_variants(unit))};
+  return {
+      make_claim(
+          {"eq-04-flat-punch", "[Bal16, (4)]: flat punch, constant friction",
+           "The flat punch under constant friction has the traction `t = -(P cos(pi alpha)/pi) (1+x)^{-(1/2+alpha)} "
+           "(1-x)^{-(1/2-alpha)}`, `alpha = arctan(gamma f)/pi`: it satisfies `A t = 0` on `]-1, 1[` and carries the "
+           "load `P`.",
+           "Plane strain, rigid flat punch on `]-1, 1[` moving towards `+x`, `-1 < nu < 1/2`, `f >= 0` constant, `P > "
+           "0`; examined for `f` from 0 to 50.",
+           "`Y(z) = (z+1)^{-(1/2+alpha)} (z-1)^{-(1/2-alpha)}` has `Y^+ = -exp(2 pi i alpha) Y^-` on `]-1, 1[` and "
+           "behaves as `1/z` at infinity. With `Phi = P Y/(2 pi i)` the equation `A t = 0`, which is `(s+i) Phi^+ = "
+           "(s-i) Phi^-`, holds for `t = Phi^+ - Phi^- = -(P/pi) cos(pi alpha) |Y|`, and the coefficient of `1/z` in "
+           "`Phi` makes `int t = -P`. Here `A t` and `int t` are computed by quadratures that know nothing of this."},
+          check(false), traction, wrong_variants(traction)),
+      make_claim(
+          {"eq-08-unit-solution", "[Bal16, (8)]: the function t_0 of section 3",
+           "`t_0 = (cos(pi alpha)/pi) (1+x)^{-(1/2+alpha)} (1-x)^{-(1/2-alpha)}` has `A t_0 = 0` on `]-1, 1[` and `int "
+           "t_0 = 1`.",
+           "`s = gamma f >= 0` constant, `alpha = arctan(s)/pi`; examined for `-1 < nu < 1/2` and `f` from 0 to 50.",
+           "`t_0` is the traction of the flat punch under the load -1: the jump of `-Y/(2 pi i)` with `Y(z) = "
+           "(z+1)^{-(1/2+alpha)} (z-1)^{-(1/2-alpha)}`, which behaves as `1/z` at infinity. It spans the kernel of `A` "
+           "among integrable tractions: any other solution of `A t = 0` would be `Y` times a function without poles "
+           "that is bounded at infinity, a constant."},
+          check(true), unit, wrong_variants(unit))};
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -137,7 +137,7 @@ Claim homogeneous_friction_claim() {
   };
   return make_claim(
       {"thm-08-homogeneous", "[Bal16, theorem 8]",
-       "there is exactly one pair `u_bar_n`, `t_n` with `(1/pi) PV int_{-1}^1 t_n(y)/(y-x) dy + gamma f t_n(x) = "
+       "There is exactly one pair `u_bar_n`, `t_n` with `(1/pi) PV int_{-1}^1 t_n(y)/(y-x) dy + gamma f t_n(x) = "
        "u_bar_n'(x)`, `u_bar_n <= psi_bar`, `t_n <= 0`, `t_n (u_bar_n - psi_bar) = 0` and `int t_n = -P`; with "
        "`psi_bar + C` it is `u_bar_n + C`, `t_n`. Examined: solutions by singular functions satisfy all conditions, "
        "the closed forms are the same, and `psi_bar + C` changes neither traction nor gap",

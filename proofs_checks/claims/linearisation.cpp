@@ -184,17 +184,15 @@ std::vector<Claim> linearisation_claims() {
   return {make_claim(
       {"rh-linearisation", "derived from [Bal16, theorem 36]: neighbouring contact sets",
        "As a free end `e` with power `p` moves, at fixed `q` and tilt, `partial(u'/c)/(partial e) = Y (p B(e)/(z-e) - "
-       "(p/pi) "
-       "[q/(z-e)]_{poly})`; as the tilt `delta` changes, `partial(u'/c)/(partial delta) = 1 - Y [1/Y]_{poly}`. In the "
-       "contact the traction changes by the same functions, with `-epsilon cos(pi alpha) |Y|` for `Y`.",
-       "Any contact set of up to three components; derivatives by central differences of order ten, at 50 "
-       "digits or more.",
+       "(p/pi) [q/(z-e)]_{poly})`; as the tilt `delta` changes, `partial(u'/c)/(partial delta) = 1 - Y [1/Y]_{poly}`. "
+       "In the contact the traction changes by the same functions, with `-epsilon cos(pi alpha) |Y|` for `Y`.",
+       "Any contact set of up to three components; derivatives by central differences of order ten, at 50 digits or "
+       "more.",
        "`partial(u'/c)/(partial e)` satisfies the homogeneous equation on the contact, and is no more singular than "
-       "`(z-e)^{p-1}` at `e`: divided by `Y` it has a simple pole there and no other, so that it is `Y "
-       "(rho/(z-e) + r(z))` with a polynomial `r` (Liouville). From `partial Y/(partial e) = -p Y/(z-e)` the residue "
-       "is `rho = "
-       "p B(e)`, and the growth at infinity of `Y q/pi` gives `r = -(p/pi) [q/(z-e)]_{poly}`. Adding 1 to the "
-       "slope adds `1 - Y N` with `N` the polynomial part of `1/Y`."},
+       "`(z-e)^{p-1}` at `e`: divided by `Y` it has a simple pole there and no other, so that it is `Y (rho/(z-e) + "
+       "r(z))` with a polynomial `r` (Liouville). From `partial Y/(partial e) = -p Y/(z-e)` the residue is `rho = p "
+       "B(e)`, and the growth at infinity of `Y q/pi` gives `r = -(p/pi) [q/(z-e)]_{poly}`. Adding 1 to the slope adds "
+       "`1 - Y N` with `N` the polynomial part of `1/Y`."},
       check, right,
       std::vector<Wrong<LinearFormula>>{
           {"the residue -p B(e)", changed_ends(right, [](const auto&, auto& n) { n.pole = -n.pole; })},

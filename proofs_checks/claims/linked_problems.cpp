@@ -148,7 +148,7 @@ Claim linked_problems_claim() {
   const auto in_form = [](auto change) { return changed<S>([&](S& said) { change(said.displacement); }); };
   return make_claim(
       {"prop-07-problems-linked", "[Bal16, proposition 7]: what links problems I and I0",
-       "the solutions of problems I and I0 are linked by `t_tilde_n = L(u_bar_n)`. Examined with discretisations that "
+       "The solutions of problems I and I0 are linked by `t_tilde_n = L(u_bar_n)`. Examined with discretisations that "
        "share nothing: `u_bar_n` by polynomials and formula (10), `t_tilde_n` on cells and by the logarithm. In full "
        "contact the forces of problem I are those of the Riemann-Hilbert solution; with free ends and edges "
        "`L(u_bar_n)` tends to it as `1/n^2`, and to the solution on `4 n` cells as fast as the cells allow",

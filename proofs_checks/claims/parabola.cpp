@@ -98,8 +98,8 @@ std::vector<Evidence> check_constant_friction(const Context& context, const Para
       check_parabola_by_numeric(findings, form, problem);
       check_parabola_by_cln(findings, form, problem);
     }
-    return findings.evidence(std::to_string(fixed) + " of a grid, " + std::to_string(count) +
-                             " random with seed " + std::to_string(context.seed));
+    return findings.evidence(std::to_string(fixed) + " of a grid, " + std::to_string(count) + " random with seed " +
+                             std::to_string(context.seed));
   };
   return gather([&] { return numeric::at_precision(context.digits, walk); });
 }
@@ -134,8 +134,8 @@ std::vector<Evidence> check_jumps(const Context& context, const ParabolaFormula&
       check_parabola(findings, form, problem, points_for(context));
       check_parabola_by_cln(findings, form, problem);
     }
-    return findings.evidence(std::to_string(fixed) + " of a grid, " + std::to_string(count) +
-                             " random with seed " + std::to_string(context.seed));
+    return findings.evidence(std::to_string(fixed) + " of a grid, " + std::to_string(count) + " random with seed " +
+                             std::to_string(context.seed));
   };
   return gather([&] { return numeric::at_precision(context.digits, walk); });
 }

@@ -125,15 +125,14 @@ std::vector<Claim> plemelj_claims() {
   const JumpFormula right = plemelj_formula();
   return {make_claim(
       {"plemelj", "[Bal16, theorem 36 in appendix C], reconstructed: the homogeneous Riemann-Hilbert problem",
-       "`Y(z) = prod_j (z-e_j)^{p_j}` with the powers of a flat punch satisfies `Y^+ = G Y^-` on every panel, "
-       "`G = (s-i)/(s+i) = -exp(2 pi i alpha)`; for `Phi = P Y/(2 pi i)` one has `t = Phi^+ - Phi^-`, and `z "
-       "Phi -> P/(2 pi i)` at infinity.",
-       "Edges at both ends, `s = +-gamma f` piecewise constant, examined with 0 to 5 jumps and frictions up to "
-       "50.",
-       "Plemelj's formulas turn `A t = 0` into `(s+i) Phi^+ = (s-i) Phi^-`. On the banks of the panel `k` the "
-       "phases of `Y` are `+-pi sigma`, `sigma = -(1/2-alpha_k)` the sum of the powers to the right, so that "
-       "`Y^+/Y^- = exp(2 pi i sigma) = -exp(2 pi i alpha_k)`; and `(s-i)/(s+i) = -exp(2 pi i alpha)` for `s = "
-       "tan(pi alpha)`. The powers sum to -1."},
+       "`Y(z) = prod_j (z-e_j)^{p_j}` with the powers of a flat punch satisfies `Y^+ = G Y^-` on every panel, `G = "
+       "(s-i)/(s+i) = -exp(2 pi i alpha)`; for `Phi = P Y/(2 pi i)` one has `t = Phi^+ - Phi^-`, and `z Phi -> P/(2 pi "
+       "i)` at infinity.",
+       "Edges at both ends, `s = +-gamma f` piecewise constant, examined with 0 to 5 jumps and frictions up to 50.",
+       "Plemelj's formulas turn `A t = 0` into `(s+i) Phi^+ = (s-i) Phi^-`. On the banks of the panel `k` the phases "
+       "of `Y` are `+-pi sigma`, `sigma = -(1/2-alpha_k)` the sum of the powers to the right, so that `Y^+/Y^- = exp(2 "
+       "pi i sigma) = -exp(2 pi i alpha_k)`; and `(s-i)/(s+i) = -exp(2 pi i alpha)` for `s = tan(pi alpha)`. The "
+       "powers sum to -1."},
       check, right,
       std::vector<Wrong<JumpFormula>>{
           {"G = (s+i)/(s-i)", right.changed([](auto& form, const ContactProblem&) {

@@ -102,7 +102,7 @@ Claim problem_i_claim() {
   using S = ProblemSaid;
   return make_claim(
       {"prop-07-problem-I", "[Bal16, proposition 7]: problem I has one solution",
-       "there is exactly one `u_bar_n in K_0` with `a(u_hat - u_bar_n, u_bar_n) + phi(u_hat) - phi(u_bar_n) >= 0` for "
+       "There is exactly one `u_bar_n in K_0` with `a(u_hat - u_bar_n, u_bar_n) + phi(u_hat) - phi(u_bar_n) >= 0` for "
        "all `u_hat in K_0`; examined on polynomials of degree below `n`: active sets from random sets and least-index "
        "pivots end in the same one, and it satisfies the inequality for random `u_hat`",
        "constant `f`, either direction, `P > 0`; `t_0` and `L` exact, the essential supremum over `n` nodes; in double",

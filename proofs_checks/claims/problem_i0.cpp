@@ -179,7 +179,7 @@ Claim problem_i0_claim() {
   };
   return make_claim(
       {"prop-06-problem-I0", "[Bal16, proposition 6]: problem I0 has one solution",
-       "there is exactly one `t_tilde_n in K_0'` with `b(t_tilde_n, t_hat - t_tilde_n) >= <<psi_bar, t_hat - "
+       "There is exactly one `t_tilde_n in K_0'` with `b(t_tilde_n, t_hat - t_tilde_n) >= <<psi_bar, t_hat - "
        "t_tilde_n>>` for all `t_hat in K_0'`; examined on piecewise constant tractions: active sets from random sets "
        "and Lemke's method end in the same one, it satisfies the inequality, and as the cells get shorter it tends to "
        "the Riemann-Hilbert solution, as `1/N` with an edge and `1/N^2` with free ends alone",

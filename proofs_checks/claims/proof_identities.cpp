@@ -181,12 +181,10 @@ Claim proof_splitting() {
       {"thm-10-proof-splitting", "[Bal16, theorem 10], proof: how a power is taken out of the integral",
        "`(1+x')^{1+b} = (1+x) (1+x')^b + (x'-x) (1+x')^b`, so that `PV int_{-1}^1 (1+x')^{1+b} eta(x')/(x'-x) dx' = "
        "(1+x) PV int_{-1}^1 (1+x')^b eta(x')/(x'-x) dx' + int_{-1}^1 (1+x')^b eta(x') dx'`: a constant, and `1+x` "
-       "times "
-       "a function that is bounded at `-1`.",
+       "times a function that is bounded at `-1`.",
        "`b > 0` (here `1/2+alpha`, from the weight in (10)), `eta` integrable, Hoelder-continuous inside.",
        "`1+x' = (1+x) + (x'-x)`, multiplied by `(1+x')^b`; the factor `x'-x` cancels the kernel and leaves a number. "
-       "In "
-       "the proof it is the constant `a'` in `L(psi_bar - phi_bar) = (a' + (1+x) theta) t_0`."},
+       "In the proof it is the constant `a'` in `L(psi_bar - phi_bar) = (a' + (1+x) theta) t_0`."},
       check_splitting, Said{},
       std::vector<Wrong<Said>>{
           {"the last term's sign", wrong<Said>([](Said& said) { said.last_sign = -1; })},
@@ -201,8 +199,7 @@ Claim proof_linear() {
   return make_claim(
       {"thm-10-proof-linear", "[Bal16, theorem 10], proof: L of a linear function",
        "For `phi_bar = k (1+x)`, `L(phi_bar) = (a + b (1+x)) t_0` with `b = pi k` and `a = -pi k (1-2 alpha)`; the "
-       "proof "
-       "says no more than that `a` and `b` are constants.",
+       "proof says no more than that `a` and `b` are constants.",
        "`f` constant, `L` by (10) on `]-1, 1[`.",
        "With `Y = (z+1)^{-(1/2+alpha)} (z-1)^{-(1/2-alpha)}` the polynomial part of `k/Y` at infinity is `k (z + 2 "
        "alpha)`, since `1/Y = z (1 + 2 alpha/z + ...)`. The traction without load for the slope `k` is `cos(pi alpha) "
@@ -227,8 +224,7 @@ Claim proof_slope() {
        "`alpha = arctan(gamma f)/pi`, `a` the limit of `-t_n (1+x)^{1/2+alpha}`.",
        "`sin(pi/2 + pi alpha) = cos(arctan s) = 1/sqrt(1+s^2)`, positive because `|alpha| < 1/2`. With `d = -1-x > 0`, "
        "`(1/pi) int_0^oo y^p/(y+d) dy = d^p/sin(-pi p)` for `-1 < p < 0`; on `]0, 1[` there is less by the power "
-       "series "
-       "`(1/pi) sum_k (-d)^k/(k-p)`, bounded at `d = 0`. Take `p = -(1/2+alpha)`."},
+       "series `(1/pi) sum_k (-d)^k/(k-p)`, bounded at `d = 0`. Take `p = -(1/2+alpha)`."},
       check_slope, Said{},
       std::vector<Wrong<Said>>{
           {"without the sine", wrong<Said>([](Said& said) { said.sine = false; })},

@@ -106,10 +106,10 @@ Claim proof_reduction() {
        "`f` constant; no contact on `]c-epsilon, c[`. The printed formula has `u_tilde` where its derivative must "
        "stand.",
        "The equation is linear: `H t_n + s t_n = psi_bar'` on a contact in `]c, 1[`, where `t_tilde = 0`, reads `H "
-       "(t_n "
-       "- t_tilde) + s (t_n - t_tilde) = psi_bar' - H t_tilde`, and `H t_tilde = u_tilde'`. The distance of `x` from "
-       "the support of `t_tilde` is at least `epsilon`: all derivatives of the kernel are bounded there. `-int (t_n - "
-       "t_tilde) = P + int t_tilde`, and `u_bar_n - u_tilde <= psi_bar - u_tilde` with contact at the same places."},
+       "(t_n - t_tilde) + s (t_n - t_tilde) = psi_bar' - H t_tilde`, and `H t_tilde = u_tilde'`. The distance of `x` "
+       "from the support of `t_tilde` is at least `epsilon`: all derivatives of the kernel are bounded there. `-int "
+       "(t_n - t_tilde) = P + int t_tilde`, and `u_bar_n - u_tilde <= psi_bar - u_tilde` with contact at the same "
+       "places."},
       [once = std::make_shared<Once<ReductionFacts>>()](const Context& context, const Said& said) {
         return check_reduction(context, *once, said);
       },

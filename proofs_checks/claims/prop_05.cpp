@@ -142,7 +142,7 @@ Claim contact_conditions_claim() {
   using C = ConditionsSaid;
   return make_claim(
       {"prop-05-equivalence", "[Bal16, proposition 5]: the contact conditions as inequalities",
-       "for `u_bar_n in H_0`, `t_tilde_n in H_0'` and `P > 0` these are equivalent: (11) there is a `C` with `u_bar_n "
+       "For `u_bar_n in H_0`, `t_tilde_n in H_0'` and `P > 0` these are equivalent: (11) there is a `C` with `u_bar_n "
        "- psi_bar + C <= 0`, `t_tilde_n - P t_0 <= 0` and product `0`; (i) `t_tilde_n in K_0'` and `<<t_hat - "
        "t_tilde_n, u_bar_n - psi_bar>> >= 0` for all `t_hat in K_0'`; (ii) `u_bar_n in K_0` and `<<t_tilde_n, u_hat - "
        "u_bar_n>> + phi(u_hat) - phi(u_bar_n) >= 0` for all `u_hat in K_0`",

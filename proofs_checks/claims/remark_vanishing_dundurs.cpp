@@ -62,9 +62,8 @@ std::vector<R> values(const numeric::RiemannHilbertSolution<R>& solution) {
 
 std::vector<Evidence> check(const Context& context, const DundursSaid& said) {
   return gather_at_fifty(context, [&]<Real R>() {
-    const Quantity pressure{"pressure with and without friction",
-                            {"solved with friction", "solved without"},
-                            tolerance<R>()};
+    const Quantity pressure{
+        "pressure with and without friction", {"solved with friction", "solved without"}, tolerance<R>()};
     const Quantity shear{
         "tangential traction", {"solved with friction", "-f t of the frictionless one"}, tolerance<R>()};
     const Quantity power{"power at the friction jump", {"solved with friction", "0"}, tolerance<R>()};
@@ -108,9 +107,8 @@ Claim remark_vanishing_dundurs() {
   return make_claim(
       {"rem-01-vanishing-dundurs", "[Bal16, remark 1]: Dundurs' constant zero",
        "If Dundurs' constant of the two bodies vanishes, `mu_2 (kappa_1-1) = mu_1 (kappa_2-1)`, the normal traction "
-       "and "
-       "the contact are those of the frictionless problem for any friction coefficient, jumps included; the tangential "
-       "traction is `-f t_n` with that `t_n`.",
+       "and the contact are those of the frictionless problem for any friction coefficient, jumps included; the "
+       "tangential traction is `-f t_n` with that `t_n`.",
        "Isotropic bodies, smooth profiles whose contact ends freely; plane strain or plane stress. In plane strain the "
        "condition reads `(1-2 nu_1)/mu_1 = (1-2 nu_2)/mu_2`: equal bodies, or two incompressible ones in the limit.",
        "Friction enters the normal equation by `s = gamma f` alone, with Dundurs' constant for `gamma`: with `gamma = "
