@@ -12,9 +12,12 @@
 #include "numeric/riemann_hilbert_solution.hpp"
 #include "numeric/variational_solution.hpp"
 #include "proofs_checks/findings.hpp"
-#include "proofs_checks/power_form.hpp"
 
 namespace steadyslide::proofs_checks {
+
+using numeric::Real;
+using numeric::Real100;
+using numeric::Real50;
 
 template <Real R>
 using Solved = std::shared_ptr<const numeric::RiemannHilbertSolution<R>>;

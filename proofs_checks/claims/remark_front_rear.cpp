@@ -10,7 +10,7 @@ namespace {
 /// gamma given as it is: it vanishes for no rigid indenter.
 ContactProblem reduced_problem(const Rational& gamma, std::vector<Rational> f, const Polynomial& profile) {
   std::vector<Rational> jumps;
-  if (f.size() > 1) jumps.push_back(Rational(-1, 8));
+  if (f.size() > 1) jumps.emplace_back(-1, 8);
   return {Elasticity::reduced(gamma), FrictionProfile(std::move(f), std::move(jumps)), Indenter(-1, {{1, profile}}), 1};
 }
 

@@ -18,7 +18,7 @@ struct LimitCase {
     std::vector<Rational> values = f;
     if (!with_friction) values.assign(f.size(), 0);
     std::vector<Rational> jumps;
-    if (f.size() > 1) jumps.push_back(Rational(1, 8));
+    if (f.size() > 1) jumps.emplace_back(1, 8);
     return {elasticity, FrictionProfile(std::move(values), std::move(jumps)), indenter, Rational(3, 2)};
   }
 };

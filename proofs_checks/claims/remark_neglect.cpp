@@ -105,7 +105,7 @@ void check_smooth(Findings& findings, const std::vector<Smooth<R>>& all, const N
     findings.compare(peak, relative_difference<R>(one.peak, R(ratio * miss)));
     findings.compare(width, relative_difference<R>(one.width, R(1 / sqrt(R(1 - 4 * alpha * alpha)))));
     if (abs(one.s) > Rational(1, 1000)) continue;
-    const double inverse = numeric::to_real<double>(Rational(1 / one.s));
+    const auto inverse = numeric::to_real<double>(Rational(1 / one.s));
     peaks.push_back({inverse, static_cast<double>(R(1 - one.peak))});
     centres.push_back({inverse, static_cast<double>(R(abs(one.centre)))});
     middles.push_back({inverse, static_cast<double>(R(abs(one.middle - 1)))});

@@ -144,7 +144,7 @@ std::vector<Evidence> check(const Context& context, Once<StepProblems>& once, co
       findings.begin_case(found.where + ", on cells");
       findings.compare(bar, found.power.error);
       const bool edge = found.edge ? said.edge_at_high : said.edge_if_continuous;
-      const double expected = numeric::to_real<double>(power_of(edge, found.contact, found.s, said));
+      const auto expected = numeric::to_real<double>(power_of(edge, found.contact, found.s, said));
       findings.compare(cells, std::abs(found.power.value - expected) / found.power.error);
     }
     return findings.evidence(std::to_string(facts.ends.size()) + " ends of contact in solved problems");

@@ -92,7 +92,7 @@ double coefficient_on_cells() {
   const auto solution = solve_on_cells(problem, 8192);
   const Rational s = problem.coupled_friction(0);
   const Rational wedge = problem.indenter().breaks().front().wedge;
-  const double expected = numeric::to_real<double>(wedge / (1 + s * s));
+  const auto expected = numeric::to_real<double>(wedge / (1 + s * s));
   for (const auto& point : solution->singular_points()) {
     if (point.kind == SingularKind::wedge) return relative_difference(point.intensity.value, expected);
   }

@@ -71,7 +71,7 @@ double constant_on_cells(const CornerSaid& said) {
   const ContactProblem problem = with_friction_reversed(cell_case("wedge-and-jump"));
   const auto solution = solve_on_cells(problem, 8192);
   const Rational s[2] = {problem.coupled_friction(0), problem.coupled_friction(1)};
-  const double expected = numeric::to_real<double>(limit_of(problem.indenter().breaks().front().wedge, s, said));
+  const auto expected = numeric::to_real<double>(limit_of(problem.indenter().breaks().front().wedge, s, said));
   for (const auto& point : solution->singular_points()) {
     if (point.kind == SingularKind::wedge_and_jump) return relative_difference(point.constant.value, expected);
   }
