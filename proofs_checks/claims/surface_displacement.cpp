@@ -1,13 +1,13 @@
 // The displacements of the surface under given tractions, from the field in the body. [Bal16, (1)]
 
 #include <algorithm>
-#include <array>
 #include <memory>
 
 #include "numeric/trapezoidal.hpp"
 #include "proofs_checks/claims/claims.hpp"
 #include "proofs_checks/claims/far_field.hpp"
 #include "proofs_checks/claims/half_plane_field.hpp"
+#include "proofs_checks/claims/near.hpp"
 #include "proofs_checks/findings.hpp"
 #include "proofs_checks/power_form.hpp"
 #include "proofs_checks/random.hpp"
@@ -59,20 +59,6 @@ double difference(const StressComponents<R>& a, const StressComponents<R>& b) {
   return static_cast<double>(R(max({R(abs(a.xx - b.xx)), R(abs(a.zz - b.zz)), R(abs(a.xz - b.xz))}) / largest));
 }
 
-/// The derivative of f at 0 from eight values.
-template <Real R, class F>
-R derivative(const F& f) {
-  const R h = R(1) / 10'000'000;
-  constexpr std::array<int, 4> numerators{4, -1, 4, -1};
-  constexpr std::array<int, 4> denominators{5, 5, 105, 280};
-  R sum = 0;
-  for (int k = 1; k <= 4; ++k) {
-    const auto i = static_cast<std::size_t>(k - 1);
-    sum += R(numerators[i]) / denominators[i] * (f(R(k * h)) - f(R(-k * h)));
-  }
-  return sum / h;
-}
-
 /// Is it the elastic field of these tractions? Equilibrium, compatibility (sigma_xx + sigma_zz is harmonic: its mean
 /// over a circle is its value in the centre), the tractions on the surface, and the sum of radial fields.
 template <Real R>
@@ -90,8 +76,8 @@ void check_field(Findings& findings, const HalfPlaneField<R>& field, const Piece
   findings.compare(radial, difference(at, field.superposed_stress(x, z)));
   const R size = abs(at.xx) + abs(at.zz) + abs(at.xz);
   const StressComponents<R> rate = field.stress_rate(x, z);
-  const R zz = derivative<R>([&](const R& h) { return field.stress(x, z + h).zz; });
-  const R xz = derivative<R>([&](const R& h) { return field.stress(x, z + h).xz; });
+  const R zz = derivative([&](const R& at) { return field.stress(x, at).zz; }, z, R(1));
+  const R xz = derivative([&](const R& at) { return field.stress(x, at).xz; }, z, R(1));
   findings.compare(equilibrium, static_cast<double>(R(abs(rate.xx + xz) / size)));
   findings.compare(equilibrium, static_cast<double>(R(abs(rate.xz + zz) / size)));
   constexpr int points = 64;
