@@ -73,7 +73,8 @@ class RiemannHilbertForm {
   R moment_of_load() const;
   /// The reduced slope u'/c.
   Estimate<R> surface_slope(const SurfacePoint<R>& at) const;
-  /// Reduced gap at a point off the contact, measured from the contact end j, which faces it.
+  /// Reduced gap at a point off the contact, measured from the contact end j, which faces it. Throws std::domain_error
+  /// off the support, where there is no indenter.
   Estimate<R> opening(std::size_t j, const SurfacePoint<R>& at) const;
 
   /// The tilted profile's height at a point off the contact minus that at contact end j, on the side of the contact.

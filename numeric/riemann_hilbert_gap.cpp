@@ -1,6 +1,7 @@
 // The Riemann-Hilbert form over gaps: heights by exact integration of Y B.
 
 #include <cmath>
+#include <stdexcept>
 
 #include "numeric/polynomial_roots.hpp"
 #include "numeric/riemann_hilbert_form.hpp"
@@ -101,6 +102,9 @@ R RiemannHilbertForm<R>::closure(std::size_t j, const std::vector<GapNode>& rule
 template <Real R>
 Estimate<R> RiemannHilbertForm<R>::opening(std::size_t j, const SurfacePoint<R>& at) const {
   using std::abs;
+  if (at.segment < 0 || at.segment >= static_cast<std::ptrdiff_t>(set_.segments())) {
+    throw std::domain_error("a gap off the support: there is no indenter");
+  }
   const bool rightwards = static_cast<std::ptrdiff_t>(j) <= at.segment;
   std::vector<GapNode> nodes;
   R sum = 0;

@@ -72,3 +72,11 @@ TEST_CASE("gaps beside a step whose other face is another polynomial") {
   }
   CHECK(wrong_by_one_polynomial > 20);
 }
+
+TEST_CASE("off the support there is no gap") {
+  const auto solution = solved<double>(reduced({1}, {}, Indenter(-1, {{1, Polynomial({0, 0, 1})}}), 1));
+  const auto& form = solution->form();
+  const std::size_t end = form.set().segments();
+  const SurfacePoint<double> beyond{static_cast<std::ptrdiff_t>(end), {form.set().x(end) + 1, 1, infinity<double>()}};
+  CHECK_THROWS_AS((void)form.opening(end - 1, beyond), std::domain_error);
+}
