@@ -68,7 +68,7 @@ constexpr std::array entries{
                      "an elastic indenter is covered by replacing `gamma` by Dundurs' constant",
                      "and the compliance `2 (1-nu^2)/E` in `u_bar` and `psi_bar` by the sum of both bodies'; at the "
                      "elastic indenter's own edges and steps the half-plane does not hold",
-                     "rem-01-elastic-indenter", "the half-space's compliance alone", "", words},
+                     "rem-01-elastic-indenter", "the compliance of the half-space alone", "", words},
     ReadingNoteEntry{"eq-08-exponent", "[Bal16, (8)]", "`t_0 = (cos(pi alpha)/pi) / ((1+x)^{1/2} (1-x)^{1/2-alpha})`",
                      "the exponent of `1+x` is `1/2+alpha`", "eq-08-unit-solution",
                      "the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha}", "", lost_superscript},

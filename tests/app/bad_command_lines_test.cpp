@@ -89,7 +89,6 @@ const std::vector<BadLine> bad_lines{
      "--search-solutions: conflicting option; it searches by the variational method; '--method riemann-hilbert'"},
     {{"exponents", "good.toml", "--derivation", "--format", "csv"},
      "--derivation: wrong format; a derivation is text or latex; 'csv'"},
-    {{"report", "-o", "folder"}, "report: not available in this version"},
     {{"solve", "good.toml", "--at", "0,,1"}, "--at: not a number; " + number_rule + "; ''"},
     {{"solve", "good.toml", "--at", "here"}, "--at: not a number; " + number_rule + "; 'here'"},
     {{"solve", "good.toml", "--at="}, "--at: 1 required X,X,... missing"},
