@@ -27,19 +27,28 @@ constexpr std::array entries{
                      "the denominator `(1+x)^{1/2} (1-x)^{1/2-alpha_+}`", "the exponent of `1+x` is `1/2+alpha_-`",
                      "eq-05-07-friction-jump", "the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha_-}", "",
                      lost_superscript},
-    ReadingNoteEntry{"thm-03-angle-rear", "[Bal16, theorem 3], contact on the right of `c`",
-                     "the power `-(1/2+alpha)` with `alpha` of (5), the angle of the friction on the left of `c`",
-                     "the angle of the friction on the contact side, the right", "thm-03-contact-side",
-                     "the printed angle (5), of the friction behind c, for contact in front of c", "",
-                     "The reference to (5) is plain text, which extraction does not turn from (6); but a lost "
-                     "superscript makes this half doubtful. At the rear edge of a punch with two coatings, for which "
-                     "(5) was introduced, both readings coincide."},
+    ReadingNoteEntry{
+        "thm-02-beta", "[Bal16, theorem 2], the power `beta`",
+        "`beta` of (7), with the friction values `f_-` and `f_+` of a punch with its only jump at `0`",
+        "`f(c-)` and `f(c+)` in their places: `beta = alpha(c-) - alpha(c+)`", "thm-02-local-forms", "",
+        "The constant beside the power has `f(c+)` and `f(c-)`, and the theorem admits any number of jumps.",
+        "The reference is plain text, which extraction does not change: the print's."},
+    ReadingNoteEntry{
+        "thm-03-angle-rear", "[Bal16, theorem 3], contact on the right of `c`",
+        "the power `-(1/2+alpha)` with `alpha` of (5), the angle of the friction on the left of `c`",
+        "the angle of the friction on the contact side, the right", "thm-03-contact-side",
+        "the printed angle (5), of the friction behind c, for contact in front of c", "",
+        "The reference to (5) is plain text, which extraction does not turn from (6); but a lost superscript makes "
+        "this half doubtful. At the rear edge of a punch with two coatings, for which (5) was introduced, both "
+        "readings coincide; at `c = -1`, which the theorem admits, there is no friction on the left of `c`. The factor "
+        "`sqrt(1+gamma^2 f^2)` of the slope behind `c` is to be read in the same way."},
     ReadingNoteEntry{"thm-03-angle-front", "[Bal16, theorem 3], contact on the left of `c`",
                      "the power `-(1/2-alpha_+)` with `alpha_+` of (6), the angle of the friction on the right of `c`",
                      "the angle of the friction on the contact side, the left", "thm-03-contact-side",
                      "the printed angle (6), of the friction in front of c, for contact behind c", "",
                      "The plus signs have survived extraction, so that this reading is the print's. At the front edge "
-                     "of a punch with two coatings, for which (6) was introduced, both readings coincide."},
+                     "of a punch with two coatings, for which (6) was introduced, both readings coincide; at `c = 1`, "
+                     "which the theorem admits, there is no friction on the right of `c`."},
     ReadingNoteEntry{"thm-03-front-limit", "[Bal16, theorem 3], the estimate of `u'` next to a front end of contact",
                      "as `x -> c-`", "as `x -> c+`: outside of the contact; inside of it `u'` is the indenter's slope",
                      "thm-03-outside-slope",
@@ -88,6 +97,14 @@ constexpr std::array entries{
                      "The proof of lemma 4 uses the line with the argument of `phi` in both places.",
                      "Extraction moves hats and bars off their letters but turns no `u_hat` into `u_bar_n`, with its "
                      "index: more likely the print's."},
+    ReadingNoteEntry{"prop-05-support", "[Bal16, proposition 5], proof, the set `S`",
+                     "`S` is the support of the positive part of `u_bar_n - psi_bar + C`",
+                     "`S` is the set where `u_bar_n - psi_bar + C` is positive", "", "",
+                     "A support is closed, and a function of `H^{1/2}` need not be continuous: a negative constant "
+                     "with small spikes at all rational places is positive on a dense set of small measure, and its "
+                     "positive part has all of `[-1, 1]` for its support. Then the function that (15) is tried with is "
+                     "`0` and contradicts nothing. With the set itself the proof is complete.",
+                     "Words and abbreviations survive extraction: the print's."},
     ReadingNoteEntry{
         "prop-05-test-function", "[Bal16, proposition 5], proof, the function that (15) is tried with",
         "on `S` the positive value `(1/meas S) int P t_0` over the rest of `]-1, 1[`",

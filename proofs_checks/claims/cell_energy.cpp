@@ -199,8 +199,9 @@ std::vector<Claim> cell_energy_claims() {
                   "By parts `<<int s t, t>> = -int s t T = -(1/2) int s (T^2)'`, which leaves the jumps of `s` times "
                   "`T^2/2`. On cells `t` is a sum of steps of heights `J_i`, and `-(1/pi) <<t * log|x|, t>>` becomes "
                   "`(1/pi) sum_{i<j} J_i J_j r_{ij}^2 log(r_{ij})`, `r_{ij}` the distances of the steps, because "
-                  "`log|x|` is the fourth derivative of `x^2 log|x|/2` up to a polynomial that `sum J = 0` and `sum J "
-                  "x = 0` remove. On equal cells the same is `(1/pi) int_0^oo |t_hat(k)|^2/k dk`."},
+                  "`log|x|` is the second derivative of `x^2 log|x|/2 - 3 x^2/4`, by parts once in each variable, and "
+                  "`sum J = 0`, `sum J x = 0` remove `x^2`. On equal cells the same is `(1/pi) int_0^oo "
+                  "|t_hat(k)|^2/k dk`."},
                  check, EnergySaid{},
                  std::vector<Wrong<EnergySaid>>{
                      {"the jumps without the factor 1/2", wrong([](EnergySaid& said) { said.factor_jump = 1; })},

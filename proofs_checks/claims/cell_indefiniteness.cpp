@@ -157,7 +157,7 @@ std::vector<Claim> cell_indefiniteness_claims() {
        "On `N` equal cells of `[-1, 1]`, over tractions of zero mean, `sup(T(c)^2/E) = (log(N (1-c^2)) + I + log(pi) + "
        "C)/pi + O(1/N)` with Euler's constant `C` and `I = int_0^pi (|T_hat|^2/Lambda - 1/phi) d phi`; for a jump `c = "
        "0` between two cells this is `0.8449 + log(N)/pi`. Where it passes `2/(s_- - s_+)` the symmetric part turns "
-       "indefinite: at `N = 38` for a fall of `s` by 1, at `N = 556` for 7/10.",
+       "indefinite: by this law at `N = 37.7` for a fall of `s` by 1, at `N = 556.5` for 7/10.",
        "One falling jump, at `c`; the signs of the smallest eigenvalues are examined at `N` 10 % above and below the "
        "number foretold, the rate of the law for `c = 0`.",
        "With one falling jump the smallest eigenvalue relative to `E` is `1 - (s_- - s_+) sup(T(c)^2/E)/2`, which "

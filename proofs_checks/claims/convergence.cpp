@@ -166,7 +166,8 @@ Claim convergence_claim(const ConvergenceCase& the_case) {
        "cells of length `h` miss an energy of order `h^{2 lambda + 2}`, so that the product has `h^{lambda + lambda^* "
        "+ 2}`. The adjoint problem is that of friction `-s`: at an edge `lambda + lambda^* = -1`, at a free end the "
        "contact of the adjoint problem has an edge and the sum is 0, at a jump `lambda = beta` and `lambda^* = -beta - "
-       "1`. That the sums follow these local estimates is assumed, and measured."},
+       "1`; at a wedge there is the logarithm, `lambda = 0`, and the adjoint solution is smooth, `lambda^* = 1`, the "
+       "first power that constants miss. That the sums follow these local estimates is assumed, and measured."},
       check, {},
       {{"a rate higher by one", {.rate_offset = 1}},
        {jumps ? "the reference with the friction values in the other order" : "the reference sliding the other way",

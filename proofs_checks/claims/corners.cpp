@@ -224,9 +224,10 @@ Claim wedge_and_jump() {
        "quick run), at 50 digits or more.",
        "`D/[s]` on both sides satisfies the equation up to an analytic function, since `s D/[s]` jumps by `D`. What is "
        "left solves the equation without a jump of the slope, and there Mellin's symbols allow `A_-+ |x-c|^lambda` "
-       "with `cot(pi lambda) = -cot(pi (alpha_+ - alpha_-))` and `A_- : A_+ = cos(pi alpha_-) : cos(pi alpha_+)` only. "
-       "Measured: `(t - D/[s])/(cos(pi alpha) |x-c|^beta)` on one side of `c` is continued by polynomials to the other "
-       "side, and has to agree there."},
+       "with `cot(pi lambda) = -cot(pi (alpha_+ - alpha_-))` only: `lambda = beta + k` with `A_- : A_+ = (-1)^k cos(pi "
+       "alpha_-) : cos(pi alpha_+)`, that is `cos(pi alpha) |x-c|^beta` times `(x-c)^k`. `k < 0` is not integrable, "
+       "or, with `beta > 0` and `k = -1`, a tension on one side. Measured: `(t - D/[s])/(cos(pi alpha) |x-c|^beta)` on "
+       "one side of `c` is continued by polynomials to the other side, and has to agree there."},
       [](const Context& context, const CornerFormula& formula) {
         return check(context, formula, jump_corners(context));
       },

@@ -63,9 +63,10 @@ Claim general_solution() {
        "and one more jump next to the right end changes nothing, since `alpha_- - alpha_+` and `1/2 + alpha_+` sum to "
        "`1/2 + alpha_-`. On a panel `Y^+ = |Y| exp(i pi sigma)` with `sigma` the sum of the powers to its right, and "
        "`s+i = i exp(-i pi alpha)/cos(pi alpha)`; the product has the phase of `i exp(i pi (sigma - alpha))`, which is "
-       "+1 next to a right edge, -1 next to a free right end, and does not change at a jump. Dividing `Phi^+ - G Phi^- "
-       "= psi_bar'/(s+i)` by `Y^+ = G Y^-` gives `X^+ - X^-`. With `n` components and `k` free ends `S = k - n`, and "
-       "`k + max(0, -S) = 1 + max(0, S) + (n-1)`."},
+       "+1 next to a right edge, -1 next to a free right end, times `(-1)^m` where the powers of all components "
+       "further right sum to `m`, and does not change at a jump. Dividing `Phi^+ - G Phi^- = psi_bar'/(s+i)` by `Y^+ = "
+       "G Y^-` gives `X^+ - X^-`. With `n` components and `k` free ends `S = k - n`, and `k + max(0, -S) = 1 + max(0, "
+       "S) + (n-1)`."},
       decided_riemann_hilbert,
       {{"the sum of the exponents",
         {"rh-exponent-sum"},
@@ -92,9 +93,9 @@ Claim polynomial_profile() {
        "components and jumps, which enter by their power sums alone.",
        "`F = psi_bar' - Y N` with a polynomial `N` has `(F^+ + F^-)/2 + s (F^+ - F^-)/(2i) = psi_bar'` on the contact, "
        "because `(s+i) Y^+` is real there; `F` is `2i Phi` if it falls off as `P/(pi z)` at infinity, and then `t = "
-       "(F^+ - F^-)/(2i) = epsilon cos(pi alpha) |Y| N`. So `N` is the polynomial part of `psi_bar'/Y`, plus the "
-       "coefficients that the load fixes. The series of `Y` is `prod_j (1 - e_j/z)^{p_j} = exp(-sum_k sigma_k/(k "
-       "z^k))`."},
+       "(F^+ - F^-)/(2i) = epsilon cos(pi alpha) |Y| N`. So `N` is the polynomial part of `psi_bar'/Y`, plus `q`, "
+       "whose coefficients the load and the gaps fix. The series of `Y` is `z^S prod_j (1 - e_j/z)^{p_j} = z^S "
+       "exp(-sum_k sigma_k/(k z^k))`."},
       decided_riemann_hilbert,
       {{"psi' - Y N",
         {"rh-polynomial-substitution"},

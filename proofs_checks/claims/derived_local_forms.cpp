@@ -58,8 +58,10 @@ Claim jumps_and_wedges() {
        "|x-c|^lambda` on that side and to `-+|x-c|^lambda/sin(pi lambda)` on the other one, up to one power series. "
        "With amplitudes `A_-` and `A_+` the equation leaves two linear conditions, whose determinant `1 + s_- s_+ + "
        "(s_+ - s_-) cot(pi lambda)` vanishes for `lambda = beta`, with `A_- : A_+ = cos(pi alpha_-) : cos(pi "
-       "alpha_+)`. A jump of `psi_bar'` is met by a constant traction `A`, since `s A` jumps by `[s] A`; where `[s] = "
-       "0` it takes a logarithm, whose image under the integral jumps."},
+       "alpha_+)`, and for `lambda = beta + k` with `(-1)^k` times this ratio. Where `beta > 0` the power `beta - 1` "
+       "is integrable as well; its amplitudes have opposite signs, and `t <= 0` excludes it. A jump of `psi_bar'` is "
+       "met by a constant traction `A`, since `s A` jumps by `[s] A`; where `[s] = 0` it takes a logarithm, whose "
+       "image under the integral jumps."},
       local_forms, {jump, both, wedge({"theorem-2-wedge"})});
 }
 
@@ -68,15 +70,17 @@ Claim contact_ends() {
       {"thm-03-local-forms", "[Bal16, theorem 3]: traction and slope at the ends of contact",
        "At a left end of contact `t = -theta d^p` with `p = -1/2 - alpha` at an edge or step and `p = 1/2 - alpha` at "
        "a free end; at a right end `p = -1/2 + alpha` and `p = 1/2 + alpha`; `d` is the distance to the end. Beyond "
-       "the end the slope `u_bar'` has a power of the same exponent, `sqrt(1+s^2)` times the amplitude, with the sign "
-       "that keeps the surface below the indenter. Everywhere `alpha` and `s` are those of the contact side.",
+       "the end the slope `u_bar'` has a power of the same exponent, with the amplitude `-theta sqrt(1+s^2)` at a left "
+       "and `theta sqrt(1+s^2)` at a right edge, `theta sqrt(1+s^2)` at a left and `-theta sqrt(1+s^2)` at a right "
+       "free end. Everywhere `alpha` and `s` are those of the contact side.",
        "Contact on one side of the point, none on the other; the friction may jump there; next to the point the "
        "traction is a sum of powers of `d`, with logarithms.",
        "A traction `d^p` on one side must not leave a power of its own exponent in the equation on that side: `-cot(pi "
        "p) + s = 0` for contact in front of the end, so that `cot(pi p) = tan(pi alpha)` and `p = -+1/2 - alpha`; "
        "contact behind the end is the mirror image with `s -> -s`. On the side without contact the integral is "
-       "`-+d^p/sin(pi p)`, and `|1/sin(pi p)| = sqrt(1+s^2)`. The friction on that side multiplies no traction: it "
-       "does not enter."},
+       "`-d^p/sin(pi p)` left of a left end and `d^p/sin(pi p)` right of a right end, and `1/sin(pi p)` is "
+       "`-sqrt(1+s^2)` at edges, `sqrt(1+s^2)` at free ends. The friction on that side multiplies no traction: it does "
+       "not enter."},
       local_forms, {ends("theorem-3", false, true), ends("theorem-3", true, true)});
 }
 
@@ -99,7 +103,7 @@ Claim one_friction() {
       {"thm-10-local-forms", "[Bal16, theorem 10]: the ends of contact under constant friction",
        "Under one friction value the powers at the ends of contact are `-1/2 - alpha` and `-1/2 + alpha` at a left and "
        "a right edge, `1/2 - alpha` and `1/2 + alpha` at free ends; the slope `u_bar'` beyond has `sqrt(1+s^2)` times "
-       "the amplitude.",
+       "the amplitude, with the signs of theorem 3.",
        "Contact on one side of the point, none on the other; `s` constant; next to the point the traction is a sum of "
        "powers of the distance, with logarithms.",
        "As for theorem 3, with the same `s` on both sides: `cot(pi p) = tan(pi alpha)` on the left end and `cot(pi p) "

@@ -185,7 +185,8 @@ std::vector<Claim> linearisation_claims() {
       {"rh-linearisation", "derived from [Bal16, theorem 36]: neighbouring contact sets",
        "As a free end `e` with power `p` moves, at fixed `q` and tilt, `partial(u'/c)/(partial e) = Y (p B(e)/(z-e) - "
        "(p/pi) [q/(z-e)]_{poly})`; as the tilt `delta` changes, `partial(u'/c)/(partial delta) = 1 - Y [1/Y]_{poly}`. "
-       "In the contact the traction changes by the same functions, with `-epsilon cos(pi alpha) |Y|` for `Y`.",
+       "In the contact the traction changes by the terms with `Y`, `-epsilon cos(pi alpha) |Y|` standing for it: "
+       "without the 1.",
        "Any contact set of up to three components; derivatives by central differences of order ten, at 50 digits or "
        "more.",
        "`partial(u'/c)/(partial e)` satisfies the homogeneous equation on the contact, and is no more singular than "

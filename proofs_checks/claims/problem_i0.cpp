@@ -186,10 +186,10 @@ Claim problem_i0_claim() {
        "constant `f`, either direction, `P > 0`; in double. Eight moments in the norm of `H^{-1/2}`, rates within "
        "`+-0.15` (quick: `+-0.3`)",
        "For constant `s` and `t` of zero mean with integral `T`, the friction's part of `b(t, t)` is `s int T T' = 0`, "
-       "so `b(t, t) = -(1/pi) <<t * log|x|, t>>`: positive, a norm of `H^{-1/2}`, whatever `s`. `K_0'` is convex and "
-       "closed and not empty, and the theorem of Lions and Stampacchia applies. On cells the same form is positive on "
-       "the same simplex of forces. The rates are those of `lambda + mu + 2` over the ends of contact, `lambda` the "
-       "exponent of the traction there and `mu` that of the edge under the friction reversed."},
+       "so `b(t, t) = -(1/pi) <<t * log|x|, t>>`: positive, the square of a norm of `H^{-1/2}`, whatever `s`. `K_0'` "
+       "is convex and closed and not empty, and the theorem of Lions and Stampacchia applies. On cells the same form "
+       "is positive on the same simplex of forces. The rates are those of `lambda + mu + 2` over the ends of contact, "
+       "`lambda` the exponent of the traction there and `mu` that of the edge under the friction reversed."},
       check, S(),
       std::vector<Wrong<S>>{
           {"the friction reversed in the Riemann-Hilbert solution", changed<S>([](S& said) { said.reversed = true; })},

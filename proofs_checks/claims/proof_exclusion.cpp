@@ -132,8 +132,8 @@ Claim proof_exclusion() {
        "`psi_bar'` bounded beside `c`, no step of `psi` at `c`: with the step of theorem 3 the gap begins with a "
        "positive constant and `a > 0` is admitted.",
        "`u_bar_n' - psi_bar' ~ -a sqrt(1+s^2) (c-x)^{-(1/2+alpha)}` behind `c`, integrated from `c`, where the gap is "
-       "`0`. `-(1/2+alpha) > -1` makes the integral finite, and `1/2-alpha < 1` makes it outweigh every bounded slope "
-       "of the profile. `t_n <= 0` demands `a >= 0`, the gap `a <= 0`."},
+       "`0`. `-(1/2+alpha) > -1` makes the integral finite, and `1/2-alpha < 1` makes it outweigh what a bounded slope "
+       "of the profile leaves, which is of first order in `c-x`. `t_n <= 0` demands `a >= 0`, the gap `a <= 0`."},
       [once = std::make_shared<Once<ForcedList>>()](const Context& context, const Said& said) {
         return check_exclusion(context, *once, said);
       },

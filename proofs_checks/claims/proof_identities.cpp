@@ -182,7 +182,9 @@ Claim proof_splitting() {
        "`(1+x')^{1+b} = (1+x) (1+x')^b + (x'-x) (1+x')^b`, so that `PV int_{-1}^1 (1+x')^{1+b} eta(x')/(x'-x) dx' = "
        "(1+x) PV int_{-1}^1 (1+x')^b eta(x')/(x'-x) dx' + int_{-1}^1 (1+x')^b eta(x') dx'`: a constant, and `1+x` "
        "times a function that is bounded at `-1`.",
-       "`b > 0` (here `1/2+alpha`, from the weight in (10)), `eta` integrable, Hoelder-continuous inside.",
+       "`b > 0`, `eta` integrable, Hoelder-continuous inside and at `-1`. Examined with `b = 1/2+alpha`, the power of "
+       "the weight in (10), which is the proof's where `(psi_bar'-phi_bar')/(1+x)` is Hoelder-continuous; where "
+       "`psi_bar'` is Lipschitz-continuous only, `b` is smaller.",
        "`1+x' = (1+x) + (x'-x)`, multiplied by `(1+x')^b`; the factor `x'-x` cancels the kernel and leaves a number. "
        "In the proof it is the constant `a'` in `L(psi_bar - phi_bar) = (a' + (1+x) theta) t_0`."},
       check_splitting, Said{},
