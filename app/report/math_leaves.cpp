@@ -118,8 +118,10 @@ MathItem scripted(MathItem base, const Scripts& scripts) {
 }
 
 MathItem accented(MathItem base, std::string_view accent) {
-  base.xml =
-      fmt::format(R"(<mover accent="true"><mrow>{}</mrow><mo stretchy="false">{}</mo></mover>)", base.xml, accent);
+  // Set as an accent, a bar touches its letter in common fonts.
+  const bool bar = accent == math_accent("bar");
+  base.xml = fmt::format(R"(<mover accent="{}"><mrow>{}</mrow><mo stretchy="{}">{}</mo></mover>)", !bar, base.xml, bar,
+                         accent);
   base.inside.clear();
   return base;
 }

@@ -11,7 +11,7 @@ std::vector<Claim> beyond_calculation_claims() {
       {"thm-01-existence", "[Bal16, theorem 1], existence",
        "For every load `P > 0`, every piecewise Lipschitz profile `psi_bar` and every piecewise constant friction `f "
        ">= 0` there are a measure `t_n` and a displacement `u_bar_n in H^{1/2}` with `A t_n = u_bar_n'`, `u_bar_n + C "
-       "<= psi_bar`, `t_n <= 0`, `t_n (u_bar_n + C - psi_bar) = 0` and `int_{-1}^1 t_n = -P`",
+       "<= psi_bar`, `t_n <= 0`, `t_n (u_bar_n + C - psi_bar) = 0` and `int_{-1}^1 t_n = -P`.",
        "`-1 < nu < 1/2`, one support `[-1, 1]`",
        "The paper adapts the proofs of its theorems 16 and 23, of section 4. Where `f` jumps, the term `(s_k - "
        "s_{k-1}) T(c_k)^2/2` of the energy is not bounded in `H^{-1/2}`, and where `f` falls it is negative: the "
@@ -24,7 +24,7 @@ std::vector<Claim> beyond_calculation_claims() {
   claims.push_back(claim_beyond_calculation(
       {"thm-16", "[Bal16, theorem 16], cited in the proof of theorem 1",
        "Existence for one friction jump, of section 4: theorem 1's existence is said to follow from it and from "
-       "theorem 23 by a straightforward adaptation",
+       "theorem 23 by a straightforward adaptation.",
        "`s(x) = s_-` for `x < 0`, `s_+` for `x > 0`; the exact statement is not known here",
        "The text at hand ends where section 4 begins. What is known is the problem, `A t_n = u_bar_n'` with one jump "
        "at `0`, and the use that theorem 1 makes of the result."},
@@ -33,7 +33,7 @@ std::vector<Claim> beyond_calculation_claims() {
   claims.push_back(claim_beyond_calculation(
       {"thm-17", "[Bal16, theorem 17], cited in the proof of theorem 2",
        "The form of the traction at a friction jump inside the contact, of section 4: theorem 2 is said to follow from "
-       "it, from theorem 9 and from theorem 24",
+       "it, from theorem 9 and from theorem 24.",
        "`s(x) = s_-` for `x < 0`, `s_+` for `x > 0`; the exact statement is not known here",
        "The text at hand ends where section 4 begins. The remainder in theorem 2 is `|x-c|^beta` times a continuous "
        "function for every solution and every piecewise Lipschitz profile, a statement on regularity. For piecewise "
@@ -44,7 +44,7 @@ std::vector<Claim> beyond_calculation_claims() {
   claims.push_back(claim_beyond_calculation(
       {"thm-23", "[Bal16, theorem 23], cited in the proof of theorem 1",
        "Of section 4, the second of the two theorems from which theorem 1 is said to follow: by that role, uniqueness "
-       "where `f` is nondecreasing, or existence where theorem 16 does not reach",
+       "where `f` is nondecreasing, or existence where theorem 16 does not reach.",
        "the exact statement is not known here",
        "The text at hand ends where section 4 begins. Two solutions differ by a traction `t` of zero mean with `b(t, "
        "t) <= 0`; with `b(t, t) = -(1/pi) <<t * log|x|, t>> + sum_k (s_k - s_{k-1}) T(c_k)^2/2` and rising `s` that "
@@ -55,7 +55,7 @@ std::vector<Claim> beyond_calculation_claims() {
         "vi-discrete-existence"}}));
   claims.push_back(claim_beyond_calculation(
       {"thm-24", "[Bal16, theorem 24], cited in the proof of theorem 2",
-       "Of section 4, one of the three theorems from which the local forms of theorem 2 are said to follow",
+       "Of section 4, one of the three theorems from which the local forms of theorem 2 are said to follow.",
        "the exact statement is not known here",
        "The text at hand ends where section 4 begins. What theorem 2 says of any solution is checked on solved "
        "problems: the powers, the constants and the logarithms at jumps and wedges inside the contact."},
@@ -66,7 +66,7 @@ std::vector<Claim> beyond_calculation_claims() {
       {"thm-25", "[Bal16, theorem 25, appendix A]: the theorem of Lions and Stampacchia with a functional",
        "For a continuous and coercive form `a`, not necessarily symmetric, on a Hilbert space, and a proper, convex "
        "and lower semicontinuous functional `phi`, there is exactly one `u` with `a(u_hat-u, u) + phi(u_hat) - phi(u) "
-       ">= 0` for all `u_hat`",
+       ">= 0` for all `u_hat`.",
        "as section 3.2 uses it; the appendix is not in the text at hand",
        "Uniqueness takes two lines: of two solutions `u_1`, `u_2` each is put into the other's inequality, and the sum "
        "is `-a(u_1-u_2, u_1-u_2) >= 0`. Existence is that of a fixed point of `u -> u_hat`, the proximal point of `u` "

@@ -135,7 +135,7 @@ Claim log_form_claim() {
       {"sec-31-log-form", "[Bal16, section 3.1]: the logarithmic form",
        "`(t_1, t_2) -> -<<t_1 * log|x|, t_2>>` is symmetric and positive definite on `]-1, 1[`, without a condition on "
        "the mean: for `t_1 = sum_k c_k T_k/sqrt(1-x^2)`, `t_2 = sum_k d_k T_k/sqrt(1-x^2)` it is `pi^2 log 2 c_0 d_0 + "
-       "sum_k pi^2 c_k d_k/(2 k)`, `k >= 1`",
+       "sum_k pi^2 c_k d_k/(2 k)`, `k >= 1`.",
        "`c_k`, `d_k` with `sum_k c_k^2/k` finite, which is `H^{-1/2}(-1, 1)`; examined for finite sums and on cells",
        "With `x = cos theta`, `x' = cos phi`: `log|x-x'| = -log 2 - 2 sum_k cos(k theta) cos(k phi)/k`, `k >= 1`, "
        "since `|x-x'|` is half of `|1 - e^{i (theta-phi)}| |1 - e^{i (theta+phi)}|`. In `int int cos(j phi) cos(k "
@@ -154,7 +154,7 @@ Claim length_claim() {
   return make_claim(
       {"sec-31-log-form-length", "[Bal16, section 3.1]: the logarithmic form on other intervals",
        "On an interval of length `L` the coefficient of `c_0 d_0` is `pi^2 log(4/L)`: the form is positive definite on "
-       "all tractions for `L < 4` only; for `L >= 4` on those of zero mean",
+       "all tractions for `L < 4` only; for `L >= 4` on those of zero mean.",
        "`t dx = sum_k c_k cos(k theta) d theta`, `x = (L/2) cos theta`; the unit of length is that of the logarithm",
        "`log|x-x'| = log(L/2) + log|cos theta - cos phi|` adds `-log(L/2) <<t_1, 1>> <<t_2, 1>>`, and `<<t, 1>> = pi "
        "c_0`. So `pi^2 (log 2 - log(L/2)) = pi^2 log(4/L)`; the other coefficients do not know `L`. The equilibrium `t "

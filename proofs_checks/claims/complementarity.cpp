@@ -193,7 +193,7 @@ Claim complementarity_claim() {
   return make_claim(
       {"eq-03-complementarity", "[Bal16, (3)]: the conditions of contact",
        "The solutions found satisfy `u_bar + C <= psi_bar`, `t <= 0`, `t (u_bar + C - psi_bar) = 0` with one `C` for "
-       "all components of the contact, and `int t = -P`",
+       "all components of the contact, and `int t = -P`.",
        "attitude given; random frictions with jumps, profiles with one and two wells; at 50 digits or more, in a quick "
        "run in double",
        "The solver gives `t` on a set of intervals and zero elsewhere. On them `A t = psi_bar'`, so that `u_bar - "

@@ -164,7 +164,7 @@ Claim form_of_displacements_claim() {
       {"sec-32-form-a", "[Bal16, section 3.2]: the form of problem I",
        "`a(u_1, u_2) = <<u_1, L(u_2)>> = b(L(u_1), L(u_2))` is continuous and coercive on `H_0`: with `a_0` the form "
        "without friction, `a_0(u, u)/(1+s^2) <= a(u, u) <= a_0(u, u)` and `|a(u_1, u_2)| <= sqrt(a_0(u_1, u_1) "
-       "a_0(u_2, u_2))`, and on polynomials of high degree the lower bound is approached",
+       "a_0(u_2, u_2))`, and on polynomials of high degree the lower bound is approached.",
        "constant `s = gamma f`, of either sign; examined on polynomials, the bounds and quick runs in double",
        "`L(u_1)` has the displacement `u_1` up to a constant, which a traction of zero mean does not feel: so "
        "`b(L(u_1), L(u_2)) = <<u_1, L(u_2)>>`. For `t` of zero mean, with integral `T` and Fourier transform `F(k)`, "

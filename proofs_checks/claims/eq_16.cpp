@@ -88,7 +88,7 @@ Claim conjugate_functional_claim() {
   return make_claim({"eq-16-conjugate", "[Bal16, (16)]: the conjugate of phi",
                      "The Legendre-Fenchel conjugate of `phi` at `-t_hat`, the supremum of `<<-t_hat, u_hat>> - "
                      "phi(u_hat)` over `u_hat`, is `-<<psi_bar, t_hat>>` for `t_hat in K_0'` and infinite elsewhere, "
-                     "with no further constant; and `phi` is its conjugate in turn",
+                     "with no further constant; and `phi` is its conjugate in turn.",
                      "`t_hat` of zero mean, `P > 0`; examined exactly, on up to six nodes with any positive weights of "
                      "sum `1` for `t_0`",
                      "With `v = u_hat - psi_bar` the supremum is `-<<psi_bar, t_hat>>` plus that of `<<P t_0 - t_hat, "

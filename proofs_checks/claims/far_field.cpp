@@ -135,7 +135,7 @@ Claim infinite_energy_claim() {
        "Far from the contact the stresses fall like `1/r` only: the elastic energy between the radii `R` and `2 R` "
        "tends to `(1-nu^2) (P^2+F^2) log 2/(pi E)`, `F = int t_t`, so that the energy of the half-plane is infinite; "
        "the surface outside rises by `c P log 2/pi` from `R` to `2 R`, `c = 2 (1-nu^2)/E`, so that no displacement at "
-       "infinity can be prescribed; both with errors like `1/R`",
+       "infinity can be prescribed; both with errors like `1/R`.",
        "plane strain, `P > 0`; examined for solved contact problems",
        "Seen from afar the tractions are two concentrated forces, with the radial stress `sigma_rr = -2 (P sin theta + "
        "F cos theta)/(pi r)` and no other component, `theta` counted from the surface. In plane strain the energy per "

@@ -72,7 +72,7 @@ Claim published_integral() {
   };
   return make_claim(
       {"published-galin-at-2", "a published integral: Galin's punch with gamma f = 1, its Cauchy integral at x = 2",
-       "`int_{-1}^1 dx/((x-2) ((1-x) (1+x)^3)^{1/4}) = -pi sqrt(2)/3^{3/4} = -1.949054259166747...`",
+       "`int_{-1}^1 dx/((x-2) ((1-x) (1+x)^3)^{1/4}) = -pi sqrt(2)/3^{3/4} = -1.949054259166747...`.",
        "None: there is no parameter. It is the Cauchy integral at `x = 2` of the flat punch with `gamma f = 1`, up to "
        "a factor.",
        "With `gamma f = 1` the angle is `alpha = 1/4`, and the integrand is `|Y|/(x-2)` with `|Y| = (1+x)^{-3/4} "

@@ -175,7 +175,7 @@ Claim inverse_claim() {
       {"sec-31-inverse", "[Bal16, section 3.1, (10)]: the inverse of the operator",
        "`L(u) = s u'/(1+s^2) - (W/(1+s^2)) (1/pi) PV int u'(x')/(W(x') (x'-x)) dx'`, `W = (1+x)^{-(1/2+alpha)} "
        "(1-x)^{-(1/2-alpha)}`, has `A L(u) = u'` and `int L(u) = 0`, and is the solution of `b(L(u), t_hat) = <<u, "
-       "t_hat>>` for all `t_hat` of zero mean",
+       "t_hat>>` for all `t_hat` of zero mean.",
        "`]-1, 1[`, constant `s` of either sign; examined for polynomials `u`, and `t_hat = T_k/sqrt(1-x^2)`",
        "`Phi(z) = (1/(2 i pi)) int t/(x'-z) dx'` turns `A t = u'` into `Phi_+ = G Phi_- + u'/(s+i)`, `G = "
        "(s-i)/(s+i)`; `Y = (z+1)^{-(1/2+alpha)} (z-1)^{-(1/2-alpha)}` solves it without `u'`. So `Phi/Y` is the Cauchy "

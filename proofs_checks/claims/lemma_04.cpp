@@ -153,7 +153,7 @@ Claim functional_claim() {
        "is `<<P t_0, sup(u_hat - psi_bar) - (u_hat - psi_bar)>>`, `sup` the essential supremum; it is proper, `phi >= "
        "0` and `phi(psi_bar) = 0`, convex, positively homogeneous in `u_hat - psi_bar`, and lower semicontinuous on "
        "`H_0` but not continuous: spikes `w_L` of height `1`, standing where `u_hat - psi_bar` is largest, tend to `0` "
-       "in `H^{1/2}`, and `phi(u_hat + w_L) -> phi(u_hat) + P`",
+       "in `H^{1/2}`, and `phi(u_hat + w_L) -> phi(u_hat) + P`.",
        "`P > 0`, constant `s` of either sign; examined on polygons and cubics, spikes in double",
        "`t_0 >= 0` has the integral `1`, so `<<-P t_0, v + C>>` falls with `C` at the rate `P` and is least at the "
        "largest `C` allowed, `-sup v`. `sup v` is a supremum of linear functions of `v`, hence convex, and lower "

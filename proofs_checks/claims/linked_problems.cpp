@@ -151,7 +151,7 @@ Claim linked_problems_claim() {
        "The solutions of problems I and I0 are linked by `t_tilde_n = L(u_bar_n)`. Examined with discretisations that "
        "share nothing: `u_bar_n` by polynomials and formula (10), `t_tilde_n` on cells and by the logarithm. In full "
        "contact the forces of problem I are those of the Riemann-Hilbert solution; with free ends and edges "
-       "`L(u_bar_n)` tends to it as `1/n^2`, and to the solution on `4 n` cells as fast as the cells allow",
+       "`L(u_bar_n)` tends to it as `1/n^2`, and to the solution on `4 n` cells as fast as the cells allow.",
        "constant `f`, either direction; rates and quick runs in double, rates within `+-0.2` (quick: `+-0.35`), each "
        "level the root mean square of 14 (quick: 7) neighbouring `n`",
        "Let `t_tilde_n` solve problem I0 and `u_bar_n = L^{-1}(t_tilde_n)`. Then `b(t_tilde_n, t_hat - t_tilde_n) = "

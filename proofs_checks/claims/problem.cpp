@@ -99,7 +99,7 @@ Claim reduction_claim() {
   return make_claim(
       {"eq-02-03-reduction", "[Bal16, (2), (3)]: the equation for the normal traction alone",
        "With `t_t = -f t_n` the normal equation of the surface is `(1/pi) PV int_{-1}^1 t_n(x')/(x'-x) dx' + s t_n = "
-       "u_bar_n'`, `s = gamma f`; with `t_t = f t_n`, sliding towards `-x`, `s = -gamma f`",
+       "u_bar_n'`, `s = gamma f`; with `t_t = f t_n`, sliding towards `-x`, `s = -gamma f`.",
        "plane strain, rigid indenter, `f` with or without jumps; examined for polynomials, away from the jumps",
        "In `u_bar_n' = H t_n - gamma t_t` the shear stands without an integral: `-gamma t_t = gamma f t_n` at each "
        "point, whatever `f` is elsewhere. So the tangential equation is decoupled: `u_bar_t' = H t_t + gamma t_n` "

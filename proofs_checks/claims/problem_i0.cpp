@@ -182,7 +182,7 @@ Claim problem_i0_claim() {
        "There is exactly one `t_tilde_n in K_0'` with `b(t_tilde_n, t_hat - t_tilde_n) >= <<psi_bar, t_hat - "
        "t_tilde_n>>` for all `t_hat in K_0'`; examined on piecewise constant tractions: active sets from random sets "
        "and Lemke's method end in the same one, it satisfies the inequality, and as the cells get shorter it tends to "
-       "the Riemann-Hilbert solution, as `1/N` with an edge and `1/N^2` with free ends alone",
+       "the Riemann-Hilbert solution, as `1/N` with an edge and `1/N^2` with free ends alone.",
        "constant `f`, either direction, `P > 0`; in double. Eight moments in the norm of `H^{-1/2}`, rates within "
        "`+-0.15` (quick: `+-0.3`)",
        "For constant `s` and `t` of zero mean with integral `T`, the friction's part of `b(t, t)` is `s int T T' = 0`, "

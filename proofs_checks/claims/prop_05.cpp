@@ -145,7 +145,7 @@ Claim contact_conditions_claim() {
        "For `u_bar_n in H_0`, `t_tilde_n in H_0'` and `P > 0` these are equivalent: (11) there is a `C` with `u_bar_n "
        "- psi_bar + C <= 0`, `t_tilde_n - P t_0 <= 0` and product `0`; (i) `t_tilde_n in K_0'` and `<<t_hat - "
        "t_tilde_n, u_bar_n - psi_bar>> >= 0` for all `t_hat in K_0'`; (ii) `u_bar_n in K_0` and `<<t_tilde_n, u_hat - "
-       "u_bar_n>> + phi(u_hat) - phi(u_bar_n) >= 0` for all `u_hat in K_0`",
+       "u_bar_n>> + phi(u_hat) - phi(u_bar_n) >= 0` for all `u_hat in K_0`.",
        "examined exactly on nodes, with pairs that satisfy (11) and pairs that miss it by little; the steps of the "
        "proof on polygons",
        "With contact forces `p >= 0` of sum `P` in the place of `P t_0 - t_tilde_n`, (i) says that `<<p, u_bar_n - "

@@ -152,7 +152,7 @@ std::vector<Claim> sign_form_claims() {
        "`T_j/sqrt(1-x^2)` it is `sum_j sum_k 2 (1-(-1)^{j+k}) c_j d_k/(k^2-j^2)`. It is bounded: `|<<t_1 * sgn, t_2>>| "
        "<= (2/pi) |t_1| |t_2|` on zero mean, `|t|^2 = -<<t * log|x|, t>>`, and on all tractions on `]-1, 1[` with "
        "`1/pi + sqrt(1/pi^2 + 28 zeta(3)/(pi^4 log 2))` for `2/pi`. Where `s` jumps the form `<<int s t_1, t_2>>` is "
-       "not bounded: on `N` cells its symmetric part grows like `log N`",
+       "not bounded: on `N` cells its symmetric part grows like `log N`.",
        "`]-1, 1[`; examined for finite sums and on cells",
        "The kernel `sgn(x-x')` is odd, and exchanging the arguments changes its sign. In the angles, `sgn(x-x') = "
        "sgn(theta'-theta)`: `int_0^pi cos(j theta') sgn(theta'-theta) d theta' = -2 sin(j theta)/j` for `j >= 1`, and "

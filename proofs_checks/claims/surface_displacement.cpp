@@ -156,7 +156,7 @@ Claim slopes_claim() {
       {"eq-01-surface-displacement", "[Bal16, (1)]: the surface under given tractions",
        "Tractions `t_n`, `t_t` on `]-1, 1[` give the surface the slopes `u_bar_n' = (1/pi) PV int_{-1}^1 "
        "t_n(x')/(x'-x) dx' - gamma t_t` and `u_bar_t' = (1/pi) PV int_{-1}^1 t_t(x')/(x'-x) dx' + gamma t_n`, where "
-       "`u_bar = E u/(2 (1-nu^2))` and `gamma = (1-2 nu)/(2 (1-nu))`",
+       "`u_bar = E u/(2 (1-nu^2))` and `gamma = (1-2 nu)/(2 (1-nu))`.",
        "plane strain, body `z > 0`, outward normal along `-z`, `t_n < 0` in compression, `t_t` along `+x`, stresses "
        "and rotation vanish at infinity; examined for polynomials",
        "A force with components `N` along the outward normal and `T` along `x` makes the radial stress `sigma_rr = 2 "
