@@ -125,11 +125,6 @@ std::vector<Evidence> check(const Context& context, const LoadingSaid& said) {
 }  // namespace
 
 std::vector<Claim> cell_loading_claims() {
-  const auto wrong = [](auto change) {
-    LoadingSaid said;
-    change(said);
-    return said;
-  };
   return {make_claim(
       {"vi-monotone-contact", "[Bal16, (8)]: t0 of one sign, and what follows for growing loads, on cells",
        "The punch of every set of cells has pressure in all of its cells and penetrates none of the others. Therefore "
@@ -145,12 +140,13 @@ std::vector<Claim> cell_loading_claims() {
       check, LoadingSaid{},
       std::vector<Wrong<LoadingSaid>>{
           {"the smaller load taken for the larger one",
-           wrong([](LoadingSaid& said) { said.larger_load = Rational(1, 2); })},
-          {"friction up to s = 5", wrong([](LoadingSaid& said) { said.largest = 5; })},
-          {"cells of alternating lengths", wrong([](LoadingSaid& said) { said.cells = Cells::alternating; })},
-          {"an indenter that may tilt", wrong([](LoadingSaid& said) { said.tilts = true; })},
+           changed<LoadingSaid>([](LoadingSaid& said) { said.larger_load = Rational(1, 2); })},
+          {"friction up to s = 5", changed<LoadingSaid>([](LoadingSaid& said) { said.largest = 5; })},
+          {"cells of alternating lengths",
+           changed<LoadingSaid>([](LoadingSaid& said) { said.cells = Cells::alternating; })},
+          {"an indenter that may tilt", changed<LoadingSaid>([](LoadingSaid& said) { said.tilts = true; })},
           {"near miss: the larger load less by ten times the tolerance",
-           wrong([](LoadingSaid& said) { said.larger_load = 1 - Rational(1, 100'000'000'000); })}})};
+           changed<LoadingSaid>([](LoadingSaid& said) { said.larger_load = 1 - Rational(1, 100'000'000'000); })}})};
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -48,12 +48,4 @@ Eigen::VectorXd weights_of(const numeric::variational::CellMesh& mesh, double c)
 
 std::string text_of(const CellFrictionSteps& steps);
 
-/// What a claim says, with one thing changed: for its wrong variants.
-template <class Said, class Change>
-Said changed(Change change) {
-  Said said;
-  change(said);
-  return said;
-}
-
 }  // namespace steadyslide::proofs_checks

@@ -105,11 +105,6 @@ std::vector<Evidence> check(const Context& context, Once<ZoneList>& once, const 
 }  // namespace
 
 Claim figure_parabola() {
-  const auto wrong = [](auto change) {
-    ZoneSaid said;
-    change(said);
-    return said;
-  };
   return make_claim(
       {"fig-05-parabola", "[Bal16, figure 5 and the text before it]: contact and largest pressure under a parabola",
        "Under a parabola and constant friction the contact `[-(1+2 alpha) a, (1-2 alpha) a]` is shifted to the rear by "
@@ -125,15 +120,16 @@ Claim figure_parabola() {
       },
       ZoneSaid{},
       std::vector<Wrong<ZoneSaid>>{
-          {"shifted to the front", wrong([](ZoneSaid& said) { said.sign = -1; })},
-          {"the largest pressure at the contact's centre", wrong([](ZoneSaid& said) { said.largest = -2; })},
-          {"the largest pressure at the vertex", wrong([](ZoneSaid& said) { said.largest = 0; })},
-          {"the same power at both ends", wrong([](ZoneSaid& said) { said.same_powers = true; })},
-          {"the frictionless half-width", wrong([](ZoneSaid& said) { said.friction_widens = false; })},
+          {"shifted to the front", changed<ZoneSaid>([](ZoneSaid& said) { said.sign = -1; })},
+          {"the largest pressure at the contact's centre",
+           changed<ZoneSaid>([](ZoneSaid& said) { said.largest = -2; })},
+          {"the largest pressure at the vertex", changed<ZoneSaid>([](ZoneSaid& said) { said.largest = 0; })},
+          {"the same power at both ends", changed<ZoneSaid>([](ZoneSaid& said) { said.same_powers = true; })},
+          {"the frictionless half-width", changed<ZoneSaid>([](ZoneSaid& said) { said.friction_widens = false; })},
           {"near miss: the rear end moved by ten times the tolerance",
-           wrong([](ZoneSaid& said) { said.miss_end = 10; })},
+           changed<ZoneSaid>([](ZoneSaid& said) { said.miss_end = 10; })},
           {"near miss: the largest pressure's place moved by ten times the tolerance",
-           wrong([](ZoneSaid& said) { said.miss_largest = 10; })}});
+           changed<ZoneSaid>([](ZoneSaid& said) { said.miss_largest = 10; })}});
 }
 
 }  // namespace steadyslide::proofs_checks

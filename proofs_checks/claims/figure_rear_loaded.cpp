@@ -109,11 +109,6 @@ std::vector<Evidence> check(const Context& context, Once<RearList>& once, const 
 }  // namespace
 
 Claim figure_rear_loaded() {
-  const auto wrong = [](auto change) {
-    RearSaid said;
-    change(said);
-    return said;
-  };
   return make_claim(
       {"fig-03-rear-loaded", "[Bal16, figure 3 and the text before it]: the flat punch carries more at its rear",
        "For `f > 0` the rear half of the flat punch carries more than half of the load, `(cos(pi alpha)/(2 pi)) "
@@ -130,15 +125,15 @@ Claim figure_rear_loaded() {
       },
       RearSaid{},
       std::vector<Wrong<RearSaid>>{
-          {"more at the front: alpha's sign", wrong([](RearSaid& said) { said.sign = -1; })},
-          {"half of the load on each half", wrong([](RearSaid& said) { said.half_each = true; })},
-          {"cos(pi alpha) missing in the share", wrong([](RearSaid& said) { said.cosine = false; })},
-          {"the minimum at the centre", wrong([](RearSaid& said) { said.least = 0; })},
-          {"the minimum at x = alpha", wrong([](RearSaid& said) { said.least = 1; })},
+          {"more at the front: alpha's sign", changed<RearSaid>([](RearSaid& said) { said.sign = -1; })},
+          {"half of the load on each half", changed<RearSaid>([](RearSaid& said) { said.half_each = true; })},
+          {"cos(pi alpha) missing in the share", changed<RearSaid>([](RearSaid& said) { said.cosine = false; })},
+          {"the minimum at the centre", changed<RearSaid>([](RearSaid& said) { said.least = 0; })},
+          {"the minimum at x = alpha", changed<RearSaid>([](RearSaid& said) { said.least = 1; })},
           {"near miss: the share moved by ten times the tolerance",
-           wrong([](RearSaid& said) { said.miss_share = 10; })},
+           changed<RearSaid>([](RearSaid& said) { said.miss_share = 10; })},
           {"near miss: the minimum moved by ten times the tolerance",
-           wrong([](RearSaid& said) { said.miss_least = 10; })}});
+           changed<RearSaid>([](RearSaid& said) { said.miss_least = 10; })}});
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -129,11 +129,6 @@ std::vector<Evidence> check(const Context& context, Once<ShapeList>& once, const
 }  // namespace
 
 Claim figure_shape() {
-  const auto wrong = [](auto change) {
-    ShapeSaid said;
-    change(said);
-    return said;
-  };
   return make_claim(
       {"fig-04-shape", "[Bal16, figure 4]: the pressure under a punch with two coatings",
        "Under a flat punch with `f_-` on `]-1, 0[` and `f_+` on `]0, 1[` the pressure blows up at `0` for `f_- < f_+` "
@@ -151,11 +146,11 @@ Claim figure_shape() {
       },
       ShapeSaid{},
       std::vector<Wrong<ShapeSaid>>{
-          {"the figures exchanged: beta's sign", wrong([](ShapeSaid& said) { said.beta_sign = -1; })},
-          {"alpha_- - alpha_+ in the middle term", wrong([](ShapeSaid& said) { said.sum = false; })},
-          {"no extreme ever for f_- > f_+", wrong([](ShapeSaid& said) { said.falling_monotone = true; })},
+          {"the figures exchanged: beta's sign", changed<ShapeSaid>([](ShapeSaid& said) { said.beta_sign = -1; })},
+          {"alpha_- - alpha_+ in the middle term", changed<ShapeSaid>([](ShapeSaid& said) { said.sum = false; })},
+          {"no extreme ever for f_- > f_+", changed<ShapeSaid>([](ShapeSaid& said) { said.falling_monotone = true; })},
           {"near miss: the extremes moved by ten times the tolerance",
-           wrong([](ShapeSaid& said) { said.miss = 10; })}});
+           changed<ShapeSaid>([](ShapeSaid& said) { said.miss = 10; })}});
 }
 
 }  // namespace steadyslide::proofs_checks

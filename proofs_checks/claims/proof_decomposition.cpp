@@ -203,11 +203,6 @@ std::vector<Evidence> check(const Context& context, Once<DecompositionFacts>& on
 }  // namespace
 
 Claim proof_decomposition() {
-  const auto wrong = [](auto change) {
-    DecompositionSaid said;
-    change(said);
-    return said;
-  };
   return make_claim(
       {"thm-09-proof-decomposition", "[Bal16, theorem 9], proof: the solution as a sum of four terms",
        "`t_n = L(phi_bar) + L(psi_bar - phi_bar) + L(u_bar - psi_bar) - P t_0` with `phi_bar' = psi_bar'(c-)` on the "
@@ -225,14 +220,15 @@ Claim proof_decomposition() {
       },
       DecompositionSaid{},
       std::vector<Wrong<DecompositionSaid>>{
-          {"P t_0 added", wrong([](DecompositionSaid& said) { said.load_sign = 1; })},
-          {"P t_0 left out", wrong([](DecompositionSaid& said) { said.load_sign = 0; })},
-          {"L(psi - phi) left out", wrong([](DecompositionSaid& said) { said.rest = false; })},
-          {"L(u - psi) left out", wrong([](DecompositionSaid& said) { said.beyond = false; })},
-          {"the logarithm in another term", wrong([](DecompositionSaid& said) { said.in_first = false; })},
-          {"the step's sign", wrong([](DecompositionSaid& said) { said.step_sign = -1; })},
+          {"P t_0 added", changed<DecompositionSaid>([](DecompositionSaid& said) { said.load_sign = 1; })},
+          {"P t_0 left out", changed<DecompositionSaid>([](DecompositionSaid& said) { said.load_sign = 0; })},
+          {"L(psi - phi) left out", changed<DecompositionSaid>([](DecompositionSaid& said) { said.rest = false; })},
+          {"L(u - psi) left out", changed<DecompositionSaid>([](DecompositionSaid& said) { said.beyond = false; })},
+          {"the logarithm in another term",
+           changed<DecompositionSaid>([](DecompositionSaid& said) { said.in_first = false; })},
+          {"the step's sign", changed<DecompositionSaid>([](DecompositionSaid& said) { said.step_sign = -1; })},
           {"near miss: P t_0 moved by ten times the tolerance",
-           wrong([](DecompositionSaid& said) { said.miss = 10; })}});
+           changed<DecompositionSaid>([](DecompositionSaid& said) { said.miss = 10; })}});
 }
 
 }  // namespace steadyslide::proofs_checks

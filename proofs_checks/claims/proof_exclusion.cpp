@@ -112,13 +112,6 @@ std::vector<Evidence> check_exclusion(const Context& context, Once<ForcedList>& 
   });
 }
 
-template <class Said, class Change>
-Said wrong(Change change) {
-  Said said;
-  change(said);
-  return said;
-}
-
 }  // namespace
 
 Claim proof_exclusion() {
@@ -139,10 +132,10 @@ Claim proof_exclusion() {
       },
       Said{},
       std::vector<Wrong<Said>>{
-          {"the surface below the indenter for a > 0", wrong<Said>([](Said& said) { said.sign = 1; })},
-          {"sqrt(1+s^2) missing", wrong<Said>([](Said& said) { said.root = false; })},
-          {"1/(1/2-alpha) missing", wrong<Said>([](Said& said) { said.over_power = false; })},
-          {"near miss: the gap moved by ten times the tolerance", wrong<Said>([](Said& said) { said.miss = 10; })}});
+          {"the surface below the indenter for a > 0", changed<Said>([](Said& said) { said.sign = 1; })},
+          {"sqrt(1+s^2) missing", changed<Said>([](Said& said) { said.root = false; })},
+          {"1/(1/2-alpha) missing", changed<Said>([](Said& said) { said.over_power = false; })},
+          {"near miss: the gap moved by ten times the tolerance", changed<Said>([](Said& said) { said.miss = 10; })}});
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -166,13 +166,6 @@ std::vector<Evidence> check_slope(const Context& context, const SlopeSaid& said)
   });
 }
 
-template <class Said, class Change>
-Said wrong(Change change) {
-  Said said;
-  change(said);
-  return said;
-}
-
 }  // namespace
 
 Claim proof_splitting() {
@@ -189,11 +182,11 @@ Claim proof_splitting() {
        "In the proof it is the constant `a'` in `L(psi_bar - phi_bar) = (a' + (1+x) theta) t_0`."},
       check_splitting, Said{},
       std::vector<Wrong<Said>>{
-          {"the last term's sign", wrong<Said>([](Said& said) { said.last_sign = -1; })},
-          {"1+x missing before the second term", wrong<Said>([](Said& said) { said.factor = false; })},
-          {"another power in the last term", wrong<Said>([](Said& said) { said.same_power = false; })},
+          {"the last term's sign", changed<Said>([](Said& said) { said.last_sign = -1; })},
+          {"1+x missing before the second term", changed<Said>([](Said& said) { said.factor = false; })},
+          {"another power in the last term", changed<Said>([](Said& said) { said.same_power = false; })},
           {"near miss: the second integral moved by ten times the tolerance",
-           wrong<Said>([](Said& said) { said.miss = 10; })}});
+           changed<Said>([](Said& said) { said.miss = 10; })}});
 }
 
 Claim proof_linear() {
@@ -209,12 +202,12 @@ Claim proof_linear() {
        "(1-2 alpha)`."},
       check_linear, Said{},
       std::vector<Wrong<Said>>{
-          {"the sign of a", wrong<Said>([](Said& said) { said.a_sign = 1; })},
-          {"alpha's sign in a", wrong<Said>([](Said& said) { said.a_angle = -2; })},
-          {"alpha for 2 alpha in a", wrong<Said>([](Said& said) { said.a_angle = 1; })},
-          {"pi missing", wrong<Said>([](Said& said) { said.pi = false; })},
-          {"the printed (1+x)^{1/2} in t_0", wrong<Said>([](Said& said) { said.printed = true; })},
-          {"near miss: a and b moved by ten times the tolerance", wrong<Said>([](Said& said) { said.miss = 10; })}});
+          {"the sign of a", changed<Said>([](Said& said) { said.a_sign = 1; })},
+          {"alpha's sign in a", changed<Said>([](Said& said) { said.a_angle = -2; })},
+          {"alpha for 2 alpha in a", changed<Said>([](Said& said) { said.a_angle = 1; })},
+          {"pi missing", changed<Said>([](Said& said) { said.pi = false; })},
+          {"the printed (1+x)^{1/2} in t_0", changed<Said>([](Said& said) { said.printed = true; })},
+          {"near miss: a and b moved by ten times the tolerance", changed<Said>([](Said& said) { said.miss = 10; })}});
 }
 
 Claim proof_slope() {
@@ -229,9 +222,9 @@ Claim proof_slope() {
        "series `(1/pi) sum_k (-d)^k/(k-p)`, bounded at `d = 0`. Take `p = -(1/2+alpha)`."},
       check_slope, Said{},
       std::vector<Wrong<Said>>{
-          {"without the sine", wrong<Said>([](Said& said) { said.sine = false; })},
-          {"the sine of pi alpha", wrong<Said>([](Said& said) { said.sine_of_alpha = true; })},
-          {"near miss: the sine moved by ten times the tolerance", wrong<Said>([](Said& said) { said.miss = 10; })}});
+          {"without the sine", changed<Said>([](Said& said) { said.sine = false; })},
+          {"the sine of pi alpha", changed<Said>([](Said& said) { said.sine_of_alpha = true; })},
+          {"near miss: the sine moved by ten times the tolerance", changed<Said>([](Said& said) { said.miss = 10; })}});
 }
 
 }  // namespace steadyslide::proofs_checks

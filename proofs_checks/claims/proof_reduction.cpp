@@ -87,13 +87,6 @@ std::vector<Evidence> check_reduction(const Context& context, Once<ReductionFact
   });
 }
 
-template <class Said, class Change>
-Said wrong(Change change) {
-  Said said;
-  change(said);
-  return said;
-}
-
 }  // namespace
 
 Claim proof_reduction() {
@@ -115,12 +108,12 @@ Claim proof_reduction() {
       },
       Said{},
       std::vector<Wrong<Said>>{
-          {"the printed u~ where its derivative must stand", wrong<Said>([](Said& said) { said.printed = true; })},
-          {"psi_bar + u~", wrong<Said>([](Said& said) { said.sign = 1; })},
-          {"psi_bar unchanged", wrong<Said>([](Said& said) { said.sign = 0; })},
-          {"P unchanged", wrong<Said>([](Said& said) { said.load_sign = 0; })},
-          {"P - int t~", wrong<Said>([](Said& said) { said.load_sign = -1; })},
-          {"near miss: u~' moved by ten times the tolerance", wrong<Said>([](Said& said) { said.miss = 10; })}});
+          {"the printed u~ where its derivative must stand", changed<Said>([](Said& said) { said.printed = true; })},
+          {"psi_bar + u~", changed<Said>([](Said& said) { said.sign = 1; })},
+          {"psi_bar unchanged", changed<Said>([](Said& said) { said.sign = 0; })},
+          {"P unchanged", changed<Said>([](Said& said) { said.load_sign = 0; })},
+          {"P - int t~", changed<Said>([](Said& said) { said.load_sign = -1; })},
+          {"near miss: u~' moved by ten times the tolerance", changed<Said>([](Said& said) { said.miss = 10; })}});
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -131,11 +131,6 @@ std::vector<Evidence> check(const Context& context, Once<PowersList>& once, cons
 }  // namespace
 
 Claim remark_front_rear() {
-  const auto wrong = [](auto change) {
-    PowersSaid said;
-    change(said);
-    return said;
-  };
   return make_claim(
       {"rem-01-front-rear", "[Bal16, remark 1]: front and rear, and friction jumps",
        "Under constant friction the powers at the front and at the rear differ by `2 alpha`, at edges and at free ends "
@@ -153,11 +148,13 @@ Claim remark_front_rear() {
       PowersSaid{},
       std::vector<Wrong<PowersSaid>>{
           {"they differ whenever there is friction, gamma = 0 included",
-           wrong([](PowersSaid& said) { said.needs_gamma = false; })},
-          {"they differ without friction", wrong([](PowersSaid& said) { said.needs_friction = false; })},
-          {"they never differ", wrong([](PowersSaid& said) { said.never = true; })},
-          {"the front is the stronger one for gamma f > 0", wrong([](PowersSaid& said) { said.front_sign = -1; })},
-          {"near miss: 2 alpha moved by ten times the tolerance", wrong([](PowersSaid& said) { said.miss = 10; })}});
+           changed<PowersSaid>([](PowersSaid& said) { said.needs_gamma = false; })},
+          {"they differ without friction", changed<PowersSaid>([](PowersSaid& said) { said.needs_friction = false; })},
+          {"they never differ", changed<PowersSaid>([](PowersSaid& said) { said.never = true; })},
+          {"the front is the stronger one for gamma f > 0",
+           changed<PowersSaid>([](PowersSaid& said) { said.front_sign = -1; })},
+          {"near miss: 2 alpha moved by ten times the tolerance",
+           changed<PowersSaid>([](PowersSaid& said) { said.miss = 10; })}});
 }
 
 }  // namespace steadyslide::proofs_checks

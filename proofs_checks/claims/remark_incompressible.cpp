@@ -135,11 +135,6 @@ std::vector<Evidence> check(const Context& context, Once<LimitList>& once, const
 }  // namespace
 
 Claim remark_incompressible() {
-  const auto wrong = [](auto change) {
-    LimitSaid said;
-    change(said);
-    return said;
-  };
   return make_claim(
       {"rem-01-incompressible", "[Bal16, remark 1]: the limit of incompressibility",
        "As `gamma -> 0`, with everything else fixed, the pressure tends to the frictionless one: at every fixed point "
@@ -161,13 +156,13 @@ Claim remark_incompressible() {
       },
       LimitSaid{},
       std::vector<Wrong<LimitSaid>>{
-          {"a difference of the order gamma^2", wrong([](LimitSaid& said) { said.rate = 2; })},
-          {"a difference of the order sqrt(gamma)", wrong([](LimitSaid& said) { said.rate = 0.5; })},
-          {"the sign of the first order", wrong([](LimitSaid& said) { said.sign = -1; })},
-          {"the first order without f", wrong([](LimitSaid& said) { said.has_friction = false; })},
-          {"the first order without 1/pi", wrong([](LimitSaid& said) { said.over_pi = false; })},
+          {"a difference of the order gamma^2", changed<LimitSaid>([](LimitSaid& said) { said.rate = 2; })},
+          {"a difference of the order sqrt(gamma)", changed<LimitSaid>([](LimitSaid& said) { said.rate = 0.5; })},
+          {"the sign of the first order", changed<LimitSaid>([](LimitSaid& said) { said.sign = -1; })},
+          {"the first order without f", changed<LimitSaid>([](LimitSaid& said) { said.has_friction = false; })},
+          {"the first order without 1/pi", changed<LimitSaid>([](LimitSaid& said) { said.over_pi = false; })},
           {"near miss: the first order moved by ten times the tolerance",
-           wrong([](LimitSaid& said) { said.miss = 10; })}});
+           changed<LimitSaid>([](LimitSaid& said) { said.miss = 10; })}});
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -142,11 +142,6 @@ std::vector<Evidence> check(const Context& context, Once<NeglectFacts>& once, co
 }  // namespace
 
 Claim remark_neglect() {
-  const auto wrong = [](auto change) {
-    NeglectSaid said;
-    change(said);
-    return said;
-  };
   return make_claim(
       {"rem-01-neglect", "[Bal16, remark 1]: neglecting the influence of friction on the pressure",
        "With `s = gamma f != 0` the powers at edges, `-1/2 -+ alpha` for `-1/2`, and at jumps of `f`, `beta` for `0`, "
@@ -168,12 +163,14 @@ Claim remark_neglect() {
       NeglectSaid{},
       std::vector<Wrong<NeglectSaid>>{
           {"the printed 'of': no other power unless the indenter is nonsmooth and friction not constant",
-           wrong([](NeglectSaid& said) { said.exponents_change = false; })},
-          {"the largest pressure lost at first order", wrong([](NeglectSaid& said) { said.peak_rate = 1; })},
-          {"the contact shifted at second order", wrong([](NeglectSaid& said) { said.centre_rate = 2; })},
-          {"the contact shifted to the front", wrong([](NeglectSaid& said) { said.angle_sign = -1; })},
+           changed<NeglectSaid>([](NeglectSaid& said) { said.exponents_change = false; })},
+          {"the largest pressure lost at first order",
+           changed<NeglectSaid>([](NeglectSaid& said) { said.peak_rate = 1; })},
+          {"the contact shifted at second order",
+           changed<NeglectSaid>([](NeglectSaid& said) { said.centre_rate = 2; })},
+          {"the contact shifted to the front", changed<NeglectSaid>([](NeglectSaid& said) { said.angle_sign = -1; })},
           {"near miss: the largest pressure moved by ten times the tolerance",
-           wrong([](NeglectSaid& said) { said.miss = 10; })}});
+           changed<NeglectSaid>([](NeglectSaid& said) { said.miss = 10; })}});
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -145,11 +145,6 @@ std::vector<Evidence> check(const Context& context, const RowSaid& said) {
 }  // namespace
 
 Claim remark_same_singularities() {
-  const auto wrong = [](auto change) {
-    RowSaid said;
-    change(said);
-    return said;
-  };
   return make_claim(
       {"rem-02-same-singularities", "[Bal16, remark 2]: the same singularities where the kernel differs smoothly",
        "A row of flat punches with the period `2 pi` has the kernel `(1/2) cot((x'-x)/2)` for `1/(x'-x)`, and the "
@@ -166,14 +161,14 @@ Claim remark_same_singularities() {
        "is `y -> +-i`, gives `A + i B = -i P/(2 pi Y(i))`."},
       check, RowSaid{},
       std::vector<Wrong<RowSaid>>{
-          {"the powers at edges without friction", wrong([](RowSaid& said) { said.angles = false; })},
-          {"no singularity at the friction jumps", wrong([](RowSaid& said) { said.jumps = false; })},
-          {"the angles' sign", wrong([](RowSaid& said) { said.sign = -1; })},
-          {"the half-space's traction", wrong([](RowSaid& said) { said.circular = said.centred = false; })},
-          {"the last factor centred at 0", wrong([](RowSaid& said) { said.centred = false; })},
-          {"the half-space's kernel", wrong([](RowSaid& said) { said.kernel = false; })},
+          {"the powers at edges without friction", changed<RowSaid>([](RowSaid& said) { said.angles = false; })},
+          {"no singularity at the friction jumps", changed<RowSaid>([](RowSaid& said) { said.jumps = false; })},
+          {"the angles' sign", changed<RowSaid>([](RowSaid& said) { said.sign = -1; })},
+          {"the half-space's traction", changed<RowSaid>([](RowSaid& said) { said.circular = said.centred = false; })},
+          {"the last factor centred at 0", changed<RowSaid>([](RowSaid& said) { said.centred = false; })},
+          {"the half-space's kernel", changed<RowSaid>([](RowSaid& said) { said.kernel = false; })},
           {"near miss: the power at the rear moved by ten times the tolerance",
-           wrong([](RowSaid& said) { said.miss = 10; })}});
+           changed<RowSaid>([](RowSaid& said) { said.miss = 10; })}});
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -98,11 +98,6 @@ std::vector<Evidence> check(const Context& context, const DundursSaid& said) {
 }  // namespace
 
 Claim remark_vanishing_dundurs() {
-  const auto wrong = [](auto change) {
-    DundursSaid said;
-    change(said);
-    return said;
-  };
   using Elastic = DundursSaid::Elastic;
   return make_claim(
       {"rem-01-vanishing-dundurs", "[Bal16, remark 1]: Dundurs' constant zero",
@@ -117,12 +112,12 @@ Claim remark_vanishing_dundurs() {
        "the frictionless one."},
       check, DundursSaid{},
       std::vector<Wrong<DundursSaid>>{
-          {"a rigid indenter", wrong([](DundursSaid& said) { said.bodies = Elastic::rigid; })},
+          {"a rigid indenter", changed<DundursSaid>([](DundursSaid& said) { said.bodies = Elastic::rigid; })},
           {"Poisson's ratios equal, shear moduli not",
-           wrong([](DundursSaid& said) { said.bodies = Elastic::second_dundurs; })},
-          {"no tangential traction", wrong([](DundursSaid& said) { said.shear = false; })},
+           changed<DundursSaid>([](DundursSaid& said) { said.bodies = Elastic::second_dundurs; })},
+          {"no tangential traction", changed<DundursSaid>([](DundursSaid& said) { said.shear = false; })},
           {"near miss: Dundurs' constant is ten times the tolerance",
-           wrong([](DundursSaid& said) { said.bodies = Elastic::tiny; })}});
+           changed<DundursSaid>([](DundursSaid& said) { said.bodies = Elastic::tiny; })}});
 }
 
 }  // namespace steadyslide::proofs_checks

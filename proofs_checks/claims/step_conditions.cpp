@@ -154,11 +154,6 @@ std::vector<Evidence> check(const Context& context, Once<StepProblems>& once, co
 }  // namespace
 
 Claim step_conditions() {
-  const auto wrong = [](auto change) {
-    StepSaid said;
-    change(said);
-    return said;
-  };
   return make_claim(
       {"thm-03-step-conditions", "[Bal16, theorem 3], and in words: ends of contact at a step of the profile",
        "Contact on the right of `c` and detachment on its left: if `psi(c-) > psi(c+)`, `t_n` has the power "
@@ -177,12 +172,13 @@ Claim step_conditions() {
       },
       StepSaid{},
       std::vector<Wrong<StepSaid>>{
-          {"the power of a free end at a step", wrong([](StepSaid& said) { said.edge_at_high = false; })},
+          {"the power of a free end at a step", changed<StepSaid>([](StepSaid& said) { said.edge_at_high = false; })},
           {"the power of an edge where psi is continuous",
-           wrong([](StepSaid& said) { said.edge_if_continuous = true; })},
-          {"contact on the side of the higher profile", wrong([](StepSaid& said) { said.third = true; })},
-          {"the same powers at front and rear", wrong([](StepSaid& said) { said.sides_alike = true; })},
-          {"near miss: the power moved by ten times the tolerance", wrong([](StepSaid& said) { said.miss = 10; })}});
+           changed<StepSaid>([](StepSaid& said) { said.edge_if_continuous = true; })},
+          {"contact on the side of the higher profile", changed<StepSaid>([](StepSaid& said) { said.third = true; })},
+          {"the same powers at front and rear", changed<StepSaid>([](StepSaid& said) { said.sides_alike = true; })},
+          {"near miss: the power moved by ten times the tolerance",
+           changed<StepSaid>([](StepSaid& said) { said.miss = 10; })}});
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -182,11 +182,6 @@ std::vector<Evidence> check(const Context& context, Once<JumpProblems>& once, co
 }  // namespace
 
 Claim words_jump() {
-  const auto wrong = [](auto change) {
-    JumpSaid said;
-    change(said);
-    return said;
-  };
   return make_claim(
       {
           "thm-02-words-jump",
@@ -209,12 +204,13 @@ Claim words_jump() {
       JumpSaid{},
       std::vector<Wrong<JumpSaid>>{
           {"infinite where f falls, zero where it rises: the sign of beta",
-           wrong([](JumpSaid& said) { said.sign = -1; })},
-          {"gamma left out of alpha", wrong([](JumpSaid& said) { said.gamma = false; })},
+           changed<JumpSaid>([](JumpSaid& said) { said.sign = -1; })},
+          {"gamma left out of alpha", changed<JumpSaid>([](JumpSaid& said) { said.gamma = false; })},
           {"infinite wherever f rises, with theta(c) = 0 as well",
-           wrong([](JumpSaid& said) { said.theta_matters = false; })},
-          {"theta fixed by what is near c", wrong([](JumpSaid& said) { said.local_theta = true; })},
-          {"near miss: beta moved by ten times the tolerance", wrong([](JumpSaid& said) { said.miss = 10; })}});
+           changed<JumpSaid>([](JumpSaid& said) { said.theta_matters = false; })},
+          {"theta fixed by what is near c", changed<JumpSaid>([](JumpSaid& said) { said.local_theta = true; })},
+          {"near miss: beta moved by ten times the tolerance",
+           changed<JumpSaid>([](JumpSaid& said) { said.miss = 10; })}});
 }
 
 }  // namespace steadyslide::proofs_checks

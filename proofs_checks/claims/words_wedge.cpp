@@ -174,11 +174,6 @@ std::vector<Evidence> check(const Context& context, Once<WedgeProblems>& once, c
 }  // namespace
 
 Claim words_wedge() {
-  const auto wrong = [](auto change) {
-    WedgeSaid said;
-    change(said);
-    return said;
-  };
   return make_claim(
       {"thm-02-words-wedge", "[Bal16, theorem 2], in words: a wedge where the friction does not jump",
        "Where the contact surrounds the vertex `c` of a wedge, `psi'(c+) > psi'(c-)`, and `f` does not jump there, "
@@ -198,17 +193,17 @@ Claim words_wedge() {
       },
       WedgeSaid{},
       std::vector<Wrong<WedgeSaid>>{
-          {"a coefficient that grows with the load", wrong([](WedgeSaid& said) { said.load_power = 1; })},
-          {"1/(1+s^2) missing", wrong([](WedgeSaid& said) { said.over_square = false; })},
-          {"the logarithm's sign", wrong([](WedgeSaid& said) { said.sign = -1; })},
-          {"1/pi missing", wrong([](WedgeSaid& said) { said.pi_power = 1; })},
-          {"the step's sign: H(c-x)", wrong([](WedgeSaid& said) { said.step_sign = -1; })},
+          {"a coefficient that grows with the load", changed<WedgeSaid>([](WedgeSaid& said) { said.load_power = 1; })},
+          {"1/(1+s^2) missing", changed<WedgeSaid>([](WedgeSaid& said) { said.over_square = false; })},
+          {"the logarithm's sign", changed<WedgeSaid>([](WedgeSaid& said) { said.sign = -1; })},
+          {"1/pi missing", changed<WedgeSaid>([](WedgeSaid& said) { said.pi_power = 1; })},
+          {"the step's sign: H(c-x)", changed<WedgeSaid>([](WedgeSaid& said) { said.step_sign = -1; })},
           {"a re-entrant corner excluded where f rises as well",
-           wrong([](WedgeSaid& said) { said.rise_admits = false; })},
+           changed<WedgeSaid>([](WedgeSaid& said) { said.rise_admits = false; })},
           {"a re-entrant corner admitted where f does not jump",
-           wrong([](WedgeSaid& said) { said.plain_admits = true; })},
+           changed<WedgeSaid>([](WedgeSaid& said) { said.plain_admits = true; })},
           {"near miss: the coefficient moved by ten times the tolerance",
-           wrong([](WedgeSaid& said) { said.miss = 10; })}});
+           changed<WedgeSaid>([](WedgeSaid& said) { said.miss = 10; })}});
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -148,11 +148,6 @@ std::vector<Evidence> check(const Context& context, Once<CornerProblems>& once, 
 }  // namespace
 
 Claim words_wedge_and_jump() {
-  const auto wrong = [](auto change) {
-    CornerSaid said;
-    change(said);
-    return said;
-  };
   using Limit = CornerSaid::Limit;
   return make_claim(
       {"thm-02-words-wedge-and-jump", "[Bal16, theorem 2], in words: a wedge where the friction jumps",
@@ -171,16 +166,19 @@ Claim words_wedge_and_jump() {
       },
       CornerSaid{},
       std::vector<Wrong<CornerSaid>>{
-          {"zero where f falls, as without the wedge", wrong([](CornerSaid& said) { said.limit = Limit::zero; })},
-          {"the sign of [s]", wrong([](CornerSaid& said) { said.limit = Limit::other_sign; })},
-          {"D/(1+s^2), as for the logarithm", wrong([](CornerSaid& said) { said.limit = Limit::logarithm; })},
-          {"the wedge changes the power where f rises", wrong([](CornerSaid& said) { said.power_feels_wedge = true; })},
+          {"zero where f falls, as without the wedge",
+           changed<CornerSaid>([](CornerSaid& said) { said.limit = Limit::zero; })},
+          {"the sign of [s]", changed<CornerSaid>([](CornerSaid& said) { said.limit = Limit::other_sign; })},
+          {"D/(1+s^2), as for the logarithm",
+           changed<CornerSaid>([](CornerSaid& said) { said.limit = Limit::logarithm; })},
+          {"the wedge changes the power where f rises",
+           changed<CornerSaid>([](CornerSaid& said) { said.power_feels_wedge = true; })},
           {"a negative limit for any wedge: contact at a re-entrant corner where f falls",
-           wrong([](CornerSaid& said) { said.notch_stays = true; })},
+           changed<CornerSaid>([](CornerSaid& said) { said.notch_stays = true; })},
           {"near miss: the limit moved by ten times the tolerance",
-           wrong([](CornerSaid& said) { said.miss_limit = 10; })},
+           changed<CornerSaid>([](CornerSaid& said) { said.miss_limit = 10; })},
           {"near miss: the power moved by ten times the tolerance",
-           wrong([](CornerSaid& said) { said.miss_power = 10; })}});
+           changed<CornerSaid>([](CornerSaid& said) { said.miss_power = 10; })}});
 }
 
 }  // namespace steadyslide::proofs_checks
