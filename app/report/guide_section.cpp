@@ -32,6 +32,13 @@ Section guide_section() {
                   "wrong variants of its formula (a sign, a factor, an exchanged side, a number moved by ten times the "
                   "tolerance), and the same check has to refute each of them. Where a control survives, the statement "
                   "counts as undecided, whatever else was found.") +
+          "\n" +
+          element("p",
+                  "Formulas in plain letters, in quantities, controls and counterexamples, are written as in a "
+                  "terminal: <code>A t</code> is the operator on the left-hand side of (3), applied to the traction, "
+                  "<code>u'/c</code> the slope of the surface over the compliance, <code>psi</code> the profile. A "
+                  "case is <em>effective</em> where the statement says something of its own and every route gives a "
+                  "value; where friction jumps by zero, for example, it does not.") +
           "\n"};
 }
 
