@@ -53,12 +53,12 @@ class CommandLine {
       return Message{app_.help()};
     } catch (const CLI::CallForVersion& call) {
       return Message{std::string(call.what()) + "\n"};
+    } catch (const CLI::ExtrasError&) {
+      throw unexpected(app_.remaining(true).front());
     } catch (const CLI::ParseError& error) {
       throw bad_command_line(error.what());
     }
-    if (app_.get_subcommands().empty()) {
-      throw bad_command_line("no command; it is one of verify, exponents, table, solve, figures, report; see --help");
-    }
+    if (app_.get_subcommands().empty()) throw no_command();
     if (*figures_) return figures();
     if (*report_) return report();
     if (*verify_) return verify();
@@ -68,6 +68,18 @@ class CommandLine {
   }
 
  private:
+  static constexpr const char* commands_rule = "it is one of verify, exponents, table, solve, figures, report";
+
+  static Failure no_command() { return bad_command_line(std::string("no command; ") + commands_rule + "; see --help"); }
+
+  Failure unexpected(const std::string& argument) const {
+    const bool option = !argument.empty() && argument.front() == '-';
+    const std::vector<CLI::App*> commands = app_.get_subcommands();
+    if (commands.empty() && !option) return bad_command_line("unknown command", commands_rule, argument);
+    const std::string help = commands.empty() ? "--help" : commands.front()->get_name() + " --help";
+    return bad_command_line(option ? "unknown option" : "one argument too many", help + " lists them", argument);
+  }
+
   void add_common(CLI::App* command, const char* digits, const char* formats) {
     command->add_option("--digits", raw_.digits, digits)->type_name("N");
     command->add_option("--format", raw_.format, formats)->type_name("FORMAT");
@@ -113,8 +125,8 @@ class CommandLine {
     solve_->add_option("--method", raw_.method, "auto, closed-form, riemann-hilbert or variational")
         ->type_name("METHOD");
     solve_->add_option("--at", raw_.at, "Results at these x, in your units; may lie outside the support")
-        ->type_name("X,X,...");
-    solve_->add_option("--samples", raw_.samples, "Results at N places a contact component and a gap, 1 to 100000")
+        ->type_name("LIST");
+    solve_->add_option("--samples", raw_.samples, "Results at N places in each contact component and gap, 1 to 100000")
         ->type_name("N");
     solve_
         ->add_option("--cells", raw_.cells, "Equal cells on the support, 16 to 4194304; default 4096: variational only")
@@ -123,7 +135,9 @@ class CommandLine {
         ->add_option("--iterations", raw_.iterations,
                      "Most steps of the active sets on each mesh, 1 to 10000; default 100: variational only")
         ->type_name("N");
-    solve_->add_option("--load-steps", raw_.load_steps, "The contact under each of these loads, one row a component")
+    solve_
+        ->add_option("--load-steps", raw_.load_steps,
+                     "The contact under each of these loads, one row for each component")
         ->type_name("LIST");
     solve_
         ->add_option("--search-solutions", raw_.search_solutions,

@@ -17,9 +17,9 @@ Signs      x runs left to right in all data and results. The profile psi points 
 Numbers    Decimal strings, rounded to nearest; digits that the estimated error does not
            support are not printed.
 Errors     One line on stderr: FILE:LINE: what is wrong; the rule; the value.
-Exit code  0 done; 1 the mathematics said no: a claim refuted or undecided, a solve that
-           did not converge; 2 bad input, or a method that does not apply; 3 input or output
-           failed; 130 interrupted.)";
+Exit code  0 done; 1 the mathematics said no: a claim refuted, or undecided where calculation
+           could decide it, or a solve that did not converge; 2 bad input, or a method that does
+           not apply; 3 a file cannot be read or written; 130 interrupted.)";
 
 inline constexpr const char* problem = R"(PROBLEM is a TOML file, or - for the standard input:
 
@@ -88,7 +88,9 @@ inline constexpr const char* solve_footer = R"(Results, in your units:
              at a wedge without jump the coefficient of log|x-c|/pi
   tilt       the slope added to psi, where load_at lets the indenter tilt
 Where the two limits at a place differ, JSON says {"left", "right"} and CSV has two rows.
-CSV is the samples: those of --at and --samples, 101 a component if neither is given.
+--at takes a list, -0.5,0,0.5 or -0.5:0.5:0.1 (first, last, step). CSV is the samples and nothing
+else: those of --at and --samples, 101 in each component and gap if neither is given. Text and
+JSON have samples only where they are asked for.
 Methods:
   closed-form      a formula, for flat punches and parabolas that do not tilt
   riemann-hilbert  any profile: the contact's ends by Newton's method, the pressure in the
@@ -122,7 +124,8 @@ inline constexpr const char* verify =
 inline constexpr const char* verify_footer =
     R"(Verdicts: proved (an exact identity), supported (unrelated routes agree), undecided,
 refuted. Every claim is also checked with deliberately wrong variants, its controls, each of
-which must be refuted. Exit code 1 if a claim is refuted or undecided.)";
+which must be refuted. Exit code 1 if a claim is refuted or undecided, unless no calculation
+can decide it.)";
 
 inline constexpr const char* figures =
     R"(Draws the figures of the theory as SVG, from data computed on the spot; gnuplot draws.)";

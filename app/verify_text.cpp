@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
+#include <string_view>
+
 #include "app/row_writer.hpp"
 #include "app/verify_writers.hpp"
 #include "app/version.hpp"
@@ -44,6 +48,27 @@ std::string head_text(const VerifyResult& result) {
                      result.context.quick ? ", quick" : "");
 }
 
+/// `head` and the text after it, in lines of 100 columns as far as words allow; further lines begin below the text.
+std::string wrapped(const std::string& head, std::string_view text) {
+  constexpr std::size_t columns = 100;
+  std::string result = head;
+  std::size_t width = head.size();
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    if (width > head.size() && width + 1 + end > columns) {
+      result += "\n" + std::string(head.size(), ' ');
+      width = head.size();
+    } else if (width > head.size()) {
+      result += ' ';
+      ++width;
+    }
+    result += text.substr(0, end);
+    width += end;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return result + "\n";
+}
+
 /// One line a claim; what was found, for those that are not settled. verify --list has the statements.
 void write_verify_text(const VerifyResult& result, Output& output) {
   output.write(head_text(result) + "\n\n");
@@ -69,8 +94,10 @@ void write_verify_text(const VerifyResult& result, Output& output) {
   if (result.notes.empty()) return;
   output.write("\nplaces where the text at hand and the mathematics disagree\n");
   for (const checks::ReadingNote& note : result.notes) {
-    output.write(fmt::format("\n{}, {}\n  printed   {}\n  derived   {}\n  evidence  {}\n", note.id, note.place,
-                             note.printed, note.derived, note.evidence));
+    output.write(fmt::format("\n{}, {}\n", note.id, note.place));
+    output.write(wrapped("  printed   ", note.printed));
+    output.write(wrapped("  derived   ", note.derived));
+    output.write(wrapped("  evidence  ", note.evidence));
   }
 }
 

@@ -28,10 +28,17 @@ Section guide_section() {
               "verdict; nobody writes it down.") +
           "\n" + element("dl", "\n" + verdicts, {{"class", "meanings"}}) + "\n" +
           element("p",
-                  "A check could also be blind. Every statement therefore comes with <em>controls</em>, deliberately "
-                  "wrong variants of its formula (a sign, a factor, an exchanged side, a number moved by ten times the "
-                  "tolerance), and the same check has to refute each of them. Where a control survives, the statement "
-                  "counts as undecided, whatever else was found.") +
+                  "A check could also be blind. Every statement that can be calculated therefore comes with "
+                  "<em>controls</em>, deliberately wrong variants of its formula (a sign, a factor, an exchanged "
+                  "side, a number moved by ten times the tolerance), and the same check has to refute each of them. "
+                  "Where a control survives, the statement counts as undecided, whatever else was found.") +
+          "\n" +
+          element("p",
+                  "Formulas in plain letters, in quantities, controls and counterexamples, are written as in a "
+                  "terminal: <code>A t</code> is the operator on the left-hand side of (3), applied to the traction, "
+                  "<code>u'/c</code> the slope of the surface over the compliance, <code>psi</code> the profile. A "
+                  "case is <em>effective</em> where the statement says something of its own and every route gives a "
+                  "value; where friction jumps by zero, for example, it does not.") +
           "\n"};
 }
 

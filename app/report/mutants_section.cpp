@@ -15,7 +15,8 @@ Section mutants_section(const std::vector<Mutant>& mutants) {
                     element("code", escaped(m.killer)), cited_prose(m.evidence)});
   }
   section.html = element("p", fmt::format("Controls change a statement; these changes, {} of them, were made in the "
-                                          "program itself, one at a time, and each was noticed.",
+                                          "program itself, one at a time, and each was noticed by the "
+                                          "executable named, a test or a part of the checks, with its arguments.",
                                           mutants.size())) +
                  "\n" + table_element(section.title, {"id", "file", "change", "noticed by", "evidence"}, rows);
   return section;

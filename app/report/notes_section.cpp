@@ -10,7 +10,8 @@ Section notes_section(const VerifyResult& result) {
   if (result.notes.empty() && result.notes_left_out == 0) return section;
   section.html = element("p",
                          "Places where the text of the paper at hand and the mathematics disagree. That text was "
-                         "extracted from a PDF; each note says what extraction may have done.") +
+                         "extracted from a PDF: each note says whether that may have made the difference, or whether "
+                         "it is more likely <em>the print's</em>, a slip in the paper itself.") +
                  "\n";
   if (result.notes_left_out > 0) {
     section.html += element("p", fmt::format("Left out are {} notes on statements that were not examined in this run.",
@@ -26,7 +27,7 @@ Section notes_section(const VerifyResult& result) {
   }
   if (!rows.empty()) {
     section.html +=
-        table_element("Reading notes", {"place", "printed", "derived", "evidence, and the part of extraction"}, rows);
+        table_element("Reading notes", {"place", "printed", "derived", "evidence, and the likely origin"}, rows);
   }
   return section;
 }
