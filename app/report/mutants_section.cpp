@@ -4,6 +4,19 @@
 #include "app/report/sections.hpp"
 
 namespace steadyslide::app {
+namespace {
+
+/// A path, which may go on in the next line after a part of it.
+std::string path(std::string_view file) {
+  std::string html;
+  for (const char c : file) {
+    html += escaped({&c, 1});
+    if (c == '/' || c == '_') html += "<wbr>";
+  }
+  return element("code", html);
+}
+
+}  // namespace
 
 Section mutants_section(const std::vector<Mutant>& mutants) {
   Section section{"mutants", "Faults put into the program", ""};
@@ -11,7 +24,7 @@ Section mutants_section(const std::vector<Mutant>& mutants) {
   std::vector<std::vector<std::string>> rows;
   rows.reserve(mutants.size());
   for (const Mutant& m : mutants) {
-    rows.push_back({element("code", escaped(m.id)), element("code", escaped(m.file)), cited_prose(m.change),
+    rows.push_back({element("code", escaped(m.id)), path(m.file), cited_prose(m.change),
                     element("code", escaped(m.killer)), cited_prose(m.evidence)});
   }
   section.html = element("p", fmt::format("Controls change a statement; these changes, {} of them, were made in the "
