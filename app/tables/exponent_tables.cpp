@@ -80,13 +80,15 @@ TextTable by_poisson() {
 }
 
 TextTable constants() {
-  TextTable table{"Elastic constants of the materials",
-                  "As published, for isotropic solids at room temperature; `mu` is printed only where the source gives "
-                  "it. Of the ranges in [Ger01] one value each: nylon from 2.1 to 3.4 GPa, rubber from 0.0007 to 0.004 "
-                  "GPa and from 0.45 to 0.50.",
-                  {"material", "`E` in GPa", "`nu`", "`mu` in GPa", "source"},
-                  {},
-                  {kl95, ger01}};
+  TextTable table{
+      "Elastic constants of the materials",
+      "Isotropic solids at room temperature. The values of [KL95] are as they are quoted from it; they were "
+      "not compared with the book. In each of its rows `E = 2 mu (1+nu)` within 0.4 percent. Of the ranges in "
+      "[Ger01] one value each: nylon from 2.1 to 3.4 GPa, rubber from 0.0007 to 0.004 GPa and from 0.45 to "
+      "0.50.",
+      {"material", "`E` in GPa", "`nu`", "`mu` in GPa", "source"},
+      {},
+      {kl95, ger01}};
   for (const Material& m : materials())
     table.rows.push_back({m.name, m.young, m.poisson, m.shear.value_or("-"), m.source});
   return table;
@@ -102,8 +104,8 @@ TextTable by_pair() {
       "Exponents by pairs of materials",
       "Plane strain; the first material is the half-plane, the second the indenter. `gamma` is Dundurs' second "
       "constant "
-      "(his `beta`), for a rigid indenter `(1-2nu)/(2(1-nu))`; it is negative where the indenter is the more compliant "
-      "body in shear, and everything then turns round with the sense of sliding. Powers of the distance to a free end "
+      "(his `beta`), for a rigid indenter `(1-2nu)/(2(1-nu))`; it is negative where `(1-2nu)/mu` is the larger one of "
+      "the indenter, and everything then turns round with the sense of sliding. Powers of the distance to a free end "
       "of "
       "the contact, `1/2 - alpha` on the left and `1/2 + alpha` on the right, sliding to `+x`; sliding to `-x` they "
       "change places. The traction vanishes there.\n"

@@ -7,8 +7,9 @@ namespace steadyslide::app {
 Solid Material::solid() const { return {parse_rational(poisson), parse_rational(young)}; }
 
 const std::vector<Material>& materials() {
-  // [KL95]: values at 20 degrees. [Ger01] gives ranges: of nylon the middle of 2.1 to 3.4 GPa, rubber within 0.7 to
-  // 4 MPa and 0.45 to 0.50.
+  // [KL95]: values at 20 degrees, as they are quoted from it, not compared with the book; a test asks that E, nu and mu
+  // of a row agree. [Ger01] gives ranges: of nylon the middle of 2.1 to 3.4 GPa, rubber within 0.7 to 4 MPa and 0.45 to
+  // 0.50.
   static const std::vector<Material> all{
       {"aluminium", "70.3", "0.345", "26.1", "[KL95]"},
       {"brass (70 Cu 30 Zn)", "100.6", "0.350", "37.3", "[KL95]"},
