@@ -3,15 +3,15 @@
 #include <cstdio>
 #include <exception>
 
-#include "app/command_line.hpp"
-#include "app/exponents_command.hpp"
-#include "app/figures/figures_command.hpp"
-#include "app/interrupt.hpp"
-#include "app/output.hpp"
-#include "app/report/report_command.hpp"
-#include "app/solve_command.hpp"
-#include "app/table_command.hpp"
-#include "app/verify_command.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/commands/exponents_command.hpp"
+#include "app/commands/figures_command.hpp"
+#include "app/commands/report_command.hpp"
+#include "app/commands/solve_command.hpp"
+#include "app/commands/table_command.hpp"
+#include "app/commands/verify_command.hpp"
+#include "app/terminal/interrupt.hpp"
+#include "app/terminal/output.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "symbolic/closed_form_derivation.hpp"
-#include "symbolic/local_derivations.hpp"
+#include "symbolic/local/local_derivations.hpp"
+#include "symbolic/riemann_hilbert/closed_form_derivation.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::symbolic;

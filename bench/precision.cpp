@@ -5,7 +5,7 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include "numeric/real.hpp"
+#include "numeric/number/real.hpp"
 
 namespace {
 

@@ -4,11 +4,11 @@
 
 #include <benchmark/benchmark.h>
 
-#include "numeric/closed_form.hpp"
-#include "numeric/coarse_contact.hpp"
-#include "numeric/gsl_quadrature.hpp"
-#include "numeric/riemann_hilbert.hpp"
-#include "numeric/riemann_hilbert_solution.hpp"
+#include "numeric/closed_form/closed_form.hpp"
+#include "numeric/coarse/coarse_contact.hpp"
+#include "numeric/quadrature/gsl_quadrature.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;

@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "numeric/closed_form.hpp"
+#include "numeric/closed_form/closed_form.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;

@@ -1,3 +1,4 @@
+# steadyslide_sources(<variable>)
 # steadyslide_library(<layer> SOURCES ... [PUBLIC libs...] [PRIVATE libs...])
 # steadyslide_executable(<name> SOURCES ... LIBRARIES ...)
 # steadyslide_precompile(<target> HEADERS ...), steadyslide_precompile(<target> LIKE <other target>)
@@ -36,6 +37,13 @@ function(steadyslide_precompile target)
     # libstdc++ silences these three inside <string> with pragmas, which g++ 12 forgets when the header is precompiled.
     target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
   endif()
+endfunction()
+
+# All sources below the current folder, but programs (main.cpp, *_main.cpp): a new file is in the build by being there.
+function(steadyslide_sources variable)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "*.cpp")
+  list(FILTER sources EXCLUDE REGEX "(^|/|_)main\\.cpp$")
+  set(${variable} ${sources} PARENT_SCOPE)
 endfunction()
 
 function(steadyslide_library layer)

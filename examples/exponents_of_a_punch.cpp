@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "model/singular_point.hpp"
-#include "numeric/real.hpp"
+#include "numeric/number/real.hpp"
 
 using namespace steadyslide;
 

@@ -3,7 +3,7 @@
 
 #include <iostream>
 
-#include "numeric/contact_solution.hpp"
+#include "numeric/solution/contact_solution.hpp"
 
 using namespace steadyslide;
 using numeric::Real50;

@@ -9,9 +9,9 @@
 #include "app/figures/makers.hpp"
 #include "app/figures/moment_rule.hpp"
 #include "app/figures/solved.hpp"
-#include "numeric/riemann_hilbert.hpp"
-#include "proofs_checks/claims/convergence_cases.hpp"
-#include "proofs_checks/rate.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "proofs_checks/instruments/convergence_cases.hpp"
+#include "proofs_checks/kit/rate.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "app/failure.hpp"
 #include "app/figures/gnuplot.hpp"
 #include "app/figures/gnuplot_script.hpp"
 #include "app/figures/makers.hpp"
 #include "app/figures/svg.hpp"
-#include "app/progress.hpp"
-#include "proofs_checks/run.hpp"
+#include "app/terminal/failure.hpp"
+#include "app/terminal/progress.hpp"
+#include "proofs_checks/kit/run.hpp"
 
 namespace steadyslide::app {
 namespace {

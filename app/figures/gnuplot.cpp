@@ -13,8 +13,8 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "app/failure.hpp"
-#include "app/interrupt.hpp"
+#include "app/terminal/failure.hpp"
+#include "app/terminal/interrupt.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "numeric/graded_panels.hpp"
-#include "numeric/jacobi_rule.hpp"
+#include "numeric/quadrature/graded_panels.hpp"
+#include "numeric/quadrature/jacobi_rule.hpp"
 
 namespace steadyslide::app {
 namespace {

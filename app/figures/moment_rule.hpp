@@ -7,7 +7,7 @@
 // No panel is longer than its distance from the next singular point: Bernstein's ellipse through that has the parameter
 // 3 + sqrt 8 or more, and what n nodes leave falls at least like (3 + sqrt 8)^(-2n). [Bal16, theorem 36, reconstructed]
 
-#include "numeric/riemann_hilbert_solution.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 
 namespace steadyslide::app {
 

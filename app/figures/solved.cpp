@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "numeric/riemann_hilbert.hpp"
-#include "numeric/variational_inequality.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "numeric/variational/variational_inequality.hpp"
 
 namespace steadyslide::app {
 namespace {

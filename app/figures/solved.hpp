@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/figures/figure.hpp"
-#include "numeric/riemann_hilbert_solution.hpp"
-#include "numeric/variational_solution.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "numeric/variational/variational_solution.hpp"
 
 namespace steadyslide::app {
 

@@ -1,7 +1,7 @@
 #pragma once
 // What the map of stresses is made of, for its test.
 
-#include "numeric/interior_stress.hpp"
+#include "numeric/interior/interior_stress.hpp"
 
 namespace steadyslide::app {
 

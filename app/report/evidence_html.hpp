@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "proofs_checks/run.hpp"
+#include "proofs_checks/kit/run.hpp"
 
 namespace steadyslide::app {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/utf8.hpp"
+#include "app/terminal/utf8.hpp"
 
 namespace steadyslide::app {
 

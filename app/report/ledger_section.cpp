@@ -7,7 +7,7 @@
 #include "app/report/evidence_html.hpp"
 #include "app/report/mathml.hpp"
 #include "app/report/references.hpp"
-#include "proofs_checks/paper_statements.hpp"
+#include "proofs_checks/statements/paper_statements.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -2,7 +2,7 @@
 // The ledger: every claim with its verdict, to be opened.
 
 #include "app/report/html.hpp"
-#include "app/verify_writers.hpp"
+#include "app/results/verify_writers.hpp"
 
 namespace steadyslide::app {
 

@@ -2,7 +2,7 @@
 
 #include "app/report/mathml.hpp"
 #include "app/report/sections.hpp"
-#include "proofs_checks/paper_statements.hpp"
+#include "proofs_checks/statements/paper_statements.hpp"
 
 namespace steadyslide::app {
 namespace {

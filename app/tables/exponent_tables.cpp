@@ -1,7 +1,7 @@
 #include "app/tables/exponent_tables.hpp"
 
-#include "app/exponent_text.hpp"
-#include "app/number_format.hpp"
+#include "app/results/exponent_text.hpp"
+#include "app/results/number_format.hpp"
 #include "app/tables/materials.hpp"
 #include "model/singular_point.hpp"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "app/output.hpp"
 #include "app/tables/exponent_tables.hpp"
+#include "app/terminal/output.hpp"
 
 int main(int argc, char** argv) {
   using namespace steadyslide::app;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/contact_problem.hpp"
-#include "numeric/reduced_problem.hpp"
+#include "numeric/riemann_hilbert/reduced_problem.hpp"
 
 namespace steadyslide::numeric::variational {
 

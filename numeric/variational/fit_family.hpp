@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "numeric/estimate.hpp"
+#include "numeric/number/estimate.hpp"
 #include "numeric/variational/local_fit.hpp"
 
 namespace steadyslide::numeric::variational {

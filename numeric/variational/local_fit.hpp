@@ -13,7 +13,7 @@
 // away; a second mesh shows that. An exponent is not: it depends on nothing but the equation nearby. Where the cells
 // are too few for the family, `stalled` with an infinite error. Nothing here knows of problems or solvers.
 
-#include "numeric/estimate.hpp"
+#include "numeric/number/estimate.hpp"
 #include "numeric/variational/local_series.hpp"
 
 namespace steadyslide::numeric::variational {

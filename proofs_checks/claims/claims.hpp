@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "proofs_checks/claim.hpp"
+#include "proofs_checks/kit/claim.hpp"
 
 namespace steadyslide::proofs_checks {
 

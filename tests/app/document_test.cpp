@@ -1,9 +1,9 @@
-#include "app/document.hpp"
+#include "app/results/document.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "app/failure.hpp"
+#include "app/terminal/failure.hpp"
 
 using namespace steadyslide::app;
 

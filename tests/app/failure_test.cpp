@@ -1,4 +1,4 @@
-#include "app/failure.hpp"
+#include "app/terminal/failure.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

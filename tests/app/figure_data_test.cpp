@@ -12,8 +12,8 @@
 #include "app/figures/solved.hpp"
 #include "app/figures/stress_map.hpp"
 #include "app/process.hpp"
-#include "numeric/riemann_hilbert.hpp"
-#include "proofs_checks/claims/convergence_cases.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "proofs_checks/instruments/convergence_cases.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::app;

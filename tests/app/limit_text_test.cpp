@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "app/solve_report.hpp"
+#include "app/results/solve_report.hpp"
 
 using namespace steadyslide::app;
 using steadyslide::numeric::Estimate;

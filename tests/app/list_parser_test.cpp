@@ -1,9 +1,9 @@
-#include "app/list_parser.hpp"
+#include "app/problem_file/list_parser.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "app/failure.hpp"
+#include "app/terminal/failure.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::app;

@@ -12,7 +12,7 @@
 
 #include "app/report/math_symbols.hpp"
 #include "app/report/math_tokens.hpp"
-#include "app/utf8.hpp"
+#include "app/terminal/utf8.hpp"
 
 using namespace steadyslide::app;
 

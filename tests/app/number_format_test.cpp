@@ -1,4 +1,4 @@
-#include "app/number_format.hpp"
+#include "app/results/number_format.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

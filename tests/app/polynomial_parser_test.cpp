@@ -1,4 +1,4 @@
-#include "app/polynomial_parser.hpp"
+#include "app/problem_file/polynomial_parser.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

@@ -1,8 +1,8 @@
-#include "app/problem_file.hpp"
+#include "app/problem_file/problem_file.hpp"
 
 #include <doctest/doctest.h>
 
-#include "app/failure.hpp"
+#include "app/terminal/failure.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::app;

@@ -1,8 +1,8 @@
-#include "app/profile_trace.hpp"
+#include "app/problem_file/profile_trace.hpp"
 
 #include <doctest/doctest.h>
 
-#include "app/failure.hpp"
+#include "app/terminal/failure.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::app;

@@ -1,12 +1,12 @@
-#include "app/verify_writers.hpp"
+#include "app/results/verify_writers.hpp"
 
 #include <doctest/doctest.h>
 
 #include <fstream>
 #include <iterator>
 
+#include "app/commands/verify_command.hpp"
 #include "app/process.hpp"
-#include "app/verify_command.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::app;

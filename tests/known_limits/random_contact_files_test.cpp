@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/problem_file.hpp"
+#include "app/problem_file/problem_file.hpp"
 #include "support/problem_toml.hpp"
 #include "support/random_contact.hpp"
 

@@ -9,7 +9,7 @@
 #include <map>
 #include <sstream>
 
-#include "numeric/riemann_hilbert.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "support/random_contact.hpp"
 
 using namespace steadyslide;

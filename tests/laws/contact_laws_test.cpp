@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numeric/riemann_hilbert.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "support/changed_problem.hpp"
 #include "support/random_contact.hpp"
 #include "support/random_problem.hpp"

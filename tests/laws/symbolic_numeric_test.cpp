@@ -2,9 +2,9 @@
 
 #include <doctest/doctest.h>
 
-#include "numeric/closed_form.hpp"
+#include "numeric/closed_form/closed_form.hpp"
 #include "support/random_problem.hpp"
-#include "symbolic/derived_contact.hpp"
+#include "symbolic/riemann_hilbert/derived_contact.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;

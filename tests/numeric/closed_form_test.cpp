@@ -1,9 +1,9 @@
-#include "numeric/closed_form.hpp"
+#include "numeric/closed_form/closed_form.hpp"
 
 #include <doctest/doctest.h>
 
-#include "numeric/tanh_sinh.hpp"
-#include "numeric/trapezoidal.hpp"
+#include "numeric/quadrature/tanh_sinh.hpp"
+#include "numeric/quadrature/trapezoidal.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;

@@ -1,6 +1,6 @@
 // The coarse contact zone: against closed forms, against an own quadrature, and where the scales lie far apart.
 
-#include "numeric/coarse_contact.hpp"
+#include "numeric/coarse/coarse_contact.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/closed_form.hpp"
-#include "numeric/coarse_equilibrium.hpp"
+#include "numeric/closed_form/closed_form.hpp"
+#include "numeric/coarse/coarse_equilibrium.hpp"
 #include "support/random_problem.hpp"
 
 using namespace steadyslide;

@@ -1,4 +1,4 @@
-#include "numeric/contact_set.hpp"
+#include "numeric/riemann_hilbert/contact_set.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,10 +1,10 @@
-#include "numeric/graded_panels.hpp"
+#include "numeric/quadrature/graded_panels.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "numeric/real.hpp"
+#include "numeric/number/real.hpp"
 #include "uniform.hpp"
 
 using namespace steadyslide;

@@ -1,11 +1,11 @@
 // The fields that the stresses below the surface are made of: a force's, and the same through potentials, against the
 // closed forms of a uniform strip [Joh85, chapter 2].
 
-#include "numeric/half_plane_stress.hpp"
+#include "numeric/interior/half_plane_stress.hpp"
 
 #include <doctest/doctest.h>
 
-#include "numeric/jacobi_rule.hpp"
+#include "numeric/quadrature/jacobi_rule.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;

@@ -3,10 +3,10 @@
 
 #include <doctest/doctest.h>
 
-#include "numeric/half_plane_stress.hpp"
-#include "numeric/interior_stress.hpp"
-#include "numeric/riemann_hilbert.hpp"
-#include "numeric/tanh_sinh.hpp"
+#include "numeric/interior/half_plane_stress.hpp"
+#include "numeric/interior/interior_stress.hpp"
+#include "numeric/quadrature/tanh_sinh.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 
 namespace steadyslide::numeric::stress_test {
 

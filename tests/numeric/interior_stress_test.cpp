@@ -1,7 +1,7 @@
 // The stresses below the surface by unrelated routes: the adaptive tanh-sinh rule, and where one friction value and one
 // polynomial rule, potentials in closed form; and what they have to be next to the surface and far from it.
 
-#include "numeric/interior_stress.hpp"
+#include "numeric/interior/interior_stress.hpp"
 
 #include <random>
 #include <string>

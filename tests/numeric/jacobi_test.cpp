@@ -1,6 +1,6 @@
 // Gauss-Jacobi rules against closed forms.
 
-#include "numeric/jacobi_rule.hpp"
+#include "numeric/quadrature/jacobi_rule.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,8 @@
-#include "numeric/parabola.hpp"
+#include "numeric/closed_form/parabola.hpp"
 
 #include <doctest/doctest.h>
 
-#include "numeric/closed_form.hpp"
+#include "numeric/closed_form/closed_form.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;

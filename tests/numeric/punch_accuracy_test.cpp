@@ -3,10 +3,10 @@
 
 #include <doctest/doctest.h>
 
-#include "numeric/closed_form.hpp"
-#include "numeric/gsl_quadrature.hpp"
-#include "numeric/residuals.hpp"
-#include "numeric/tanh_sinh.hpp"
+#include "numeric/cauchy/residuals.hpp"
+#include "numeric/closed_form/closed_form.hpp"
+#include "numeric/quadrature/gsl_quadrature.hpp"
+#include "numeric/quadrature/tanh_sinh.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;

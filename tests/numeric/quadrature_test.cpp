@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "numeric/gsl_quadrature.hpp"
-#include "numeric/sliding_operator.hpp"
-#include "numeric/tanh_sinh.hpp"
-#include "numeric/trapezoidal.hpp"
+#include "numeric/cauchy/sliding_operator.hpp"
+#include "numeric/quadrature/gsl_quadrature.hpp"
+#include "numeric/quadrature/tanh_sinh.hpp"
+#include "numeric/quadrature/trapezoidal.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;

@@ -1,8 +1,8 @@
-#include "numeric/real.hpp"
+#include "numeric/number/real.hpp"
 
 #include <doctest/doctest.h>
 
-#include "numeric/power.hpp"
+#include "numeric/number/power.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;

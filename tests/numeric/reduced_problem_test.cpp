@@ -1,4 +1,4 @@
-#include "numeric/reduced_problem.hpp"
+#include "numeric/riemann_hilbert/reduced_problem.hpp"
 
 #include <doctest/doctest.h>
 

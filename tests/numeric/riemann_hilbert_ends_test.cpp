@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "numeric/closed_form.hpp"
+#include "numeric/closed_form/closed_form.hpp"
 #include "support/solved_contact.hpp"
 
 using namespace steadyslide;

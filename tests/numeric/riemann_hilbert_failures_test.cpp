@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "numeric/contact_inequalities.hpp"
+#include "numeric/riemann_hilbert/contact_inequalities.hpp"
 #include "support/solved_contact.hpp"
 #include "support/two_wells.hpp"
 

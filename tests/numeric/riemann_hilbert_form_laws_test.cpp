@@ -1,10 +1,10 @@
 // The Riemann-Hilbert form on contact sets of every kind, right or wrong: what holds for all of them.
 
-#include "numeric/riemann_hilbert_form.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
 
 #include <doctest/doctest.h>
 
-#include "numeric/tanh_sinh.hpp"
+#include "numeric/quadrature/tanh_sinh.hpp"
 #include "support/solved_contact.hpp"
 #include "uniform.hpp"
 

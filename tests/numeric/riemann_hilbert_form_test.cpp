@@ -1,4 +1,4 @@
-#include "numeric/riemann_hilbert_form.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,14 +1,14 @@
 // Cauchy integrals of powers against closed forms, three unrelated quadratures and the relations between them.
 
-#include "numeric/second_kind.hpp"
+#include "numeric/cauchy/second_kind.hpp"
 
 #include <doctest/doctest.h>
 
 #include <type_traits>
 
-#include "numeric/jacobi_rule.hpp"
-#include "numeric/tanh_sinh.hpp"
-#include "numeric/trapezoidal.hpp"
+#include "numeric/quadrature/jacobi_rule.hpp"
+#include "numeric/quadrature/tanh_sinh.hpp"
+#include "numeric/quadrature/trapezoidal.hpp"
 #include "uniform.hpp"
 
 using namespace steadyslide;

@@ -3,9 +3,9 @@
 
 #include <doctest/doctest.h>
 
-#include "numeric/riemann_hilbert.hpp"
-#include "numeric/riemann_hilbert_solution.hpp"
-#include "numeric/trapezoidal.hpp"
+#include "numeric/quadrature/trapezoidal.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;

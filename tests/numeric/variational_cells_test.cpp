@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "numeric/real.hpp"
+#include "numeric/number/real.hpp"
 #include "numeric/variational/cell_data.hpp"
 
 using namespace steadyslide;

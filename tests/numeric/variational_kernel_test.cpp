@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "numeric/real.hpp"
+#include "numeric/number/real.hpp"
 #include "numeric/variational/logarithmic_kernel.hpp"
 
 using namespace steadyslide::numeric;

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "numeric/variational_inequality.hpp"
-#include "numeric/variational_solution.hpp"
+#include "numeric/variational/variational_inequality.hpp"
+#include "numeric/variational/variational_solution.hpp"
 #include "support/solved_contact.hpp"
 #include "support/two_wells.hpp"
 

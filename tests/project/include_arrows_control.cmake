@@ -3,15 +3,15 @@
 cmake_minimum_required(VERSION 3.25)
 
 set(wrong
-  "model/a.hpp" "#include \"numeric/real.hpp\""
-  "model/a.cpp" "#  include <symbolic/expression.hpp>"
-  "symbolic/a.cpp" "#include \"numeric/real.hpp\""
+  "model/a.hpp" "#include \"numeric/number/real.hpp\""
+  "model/a.cpp" "#  include <symbolic/field/expression.hpp>"
+  "symbolic/a.cpp" "#include \"numeric/number/real.hpp\""
   "symbolic/a.hpp" "#include <ginac/ginac.h>"
-  "numeric/a.cpp" "#include \"symbolic/expression.hpp\""
+  "numeric/a.cpp" "#include \"symbolic/field/expression.hpp\""
   "numeric/a.cpp" "#include \"../model/rational.hpp\""
   "numeric/a.cpp" "#include <cln/cln.h>"
-  "enclosure/a.cpp" "#include \"numeric/real.hpp\""
-  "numeric/a.hpp" "#include \"proofs_checks/claim.hpp\""
+  "enclosure/a.cpp" "#include \"numeric/number/real.hpp\""
+  "numeric/a.hpp" "#include \"proofs_checks/kit/claim.hpp\""
   "proofs_checks/claims/a.cpp" "#include \"app/table.hpp\""
   "app/a.cpp" "#include <ginac/ginac.h>"
   "app/a.cpp" "#include \"tests/helpers.hpp\"")
@@ -19,8 +19,8 @@ set(right
   "model/a.cpp" "#include <numeric>"
   "model/a.hpp" "#include \"model/rational.hpp\""
   "symbolic/a.cpp" "#include <ginac/ginac.h>"
-  "proofs_checks/claims/a.cpp" "#include \"symbolic/expression.hpp\""
-  "app/a.cpp" "#include \"proofs_checks/claim.hpp\"")
+  "proofs_checks/claims/a.cpp" "#include \"symbolic/field/expression.hpp\""
+  "app/a.cpp" "#include \"proofs_checks/kit/claim.hpp\"")
 
 foreach(kind IN ITEMS wrong right)
   while(${kind})

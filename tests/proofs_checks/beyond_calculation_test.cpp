@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "proofs_checks/registry.hpp"
-#include "proofs_checks/run.hpp"
+#include "proofs_checks/kit/registry.hpp"
+#include "proofs_checks/kit/run.hpp"
 
 using namespace steadyslide::proofs_checks;
 

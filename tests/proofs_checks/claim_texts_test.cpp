@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "proofs_checks/registry.hpp"
-#include "proofs_checks/run.hpp"
+#include "proofs_checks/kit/registry.hpp"
+#include "proofs_checks/kit/run.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::proofs_checks;

@@ -1,11 +1,11 @@
-#include "proofs_checks/paper_statements.hpp"
+#include "proofs_checks/statements/paper_statements.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "proofs_checks/registry.hpp"
+#include "proofs_checks/kit/registry.hpp"
 
 using namespace steadyslide::proofs_checks;
 

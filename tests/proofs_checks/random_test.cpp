@@ -1,4 +1,4 @@
-#include "proofs_checks/random.hpp"
+#include "proofs_checks/kit/random.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "proofs_checks/rate.hpp"
+#include "proofs_checks/kit/rate.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "proofs_checks/claims/convergence_cases.hpp"
+#include "proofs_checks/instruments/convergence_cases.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::proofs_checks;

@@ -1,11 +1,11 @@
-#include "proofs_checks/registry.hpp"
+#include "proofs_checks/kit/registry.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "proofs_checks/reading_notes.hpp"
+#include "proofs_checks/statements/reading_notes.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::proofs_checks;

@@ -1,10 +1,10 @@
-#include "proofs_checks/run.hpp"
+#include "proofs_checks/kit/run.hpp"
 
 #include <doctest/doctest.h>
 
 #include <stdexcept>
 
-#include "proofs_checks/findings.hpp"
+#include "proofs_checks/kit/findings.hpp"
 
 using namespace steadyslide::proofs_checks;
 

@@ -1,4 +1,4 @@
-#include "proofs_checks/verdict.hpp"
+#include "proofs_checks/kit/verdict.hpp"
 
 #include <doctest/doctest.h>
 

@@ -5,9 +5,9 @@
 
 #include <string>
 
-#include "numeric/residuals.hpp"
-#include "numeric/riemann_hilbert.hpp"
-#include "numeric/riemann_hilbert_solution.hpp"
+#include "numeric/cauchy/residuals.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 
 namespace steadyslide::testing {
 

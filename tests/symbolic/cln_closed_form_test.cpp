@@ -1,4 +1,4 @@
-#include "symbolic/cln_closed_form.hpp"
+#include "symbolic/cln/cln_closed_form.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "model/singular_point.hpp"
-#include "symbolic/cln_evaluation.hpp"
+#include "symbolic/cln/cln_evaluation.hpp"
 #include "uniform.hpp"
 
 using namespace steadyslide;

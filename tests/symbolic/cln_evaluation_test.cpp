@@ -1,4 +1,4 @@
-#include "symbolic/cln_evaluation.hpp"
+#include "symbolic/cln/cln_evaluation.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

@@ -1,4 +1,4 @@
-#include "symbolic/closed_form_derivation.hpp"
+#include "symbolic/riemann_hilbert/closed_form_derivation.hpp"
 
 #include <doctest/doctest.h>
 

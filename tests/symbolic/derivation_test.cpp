@@ -1,4 +1,4 @@
-#include "symbolic/derivation.hpp"
+#include "symbolic/field/derivation.hpp"
 
 #include <doctest/doctest.h>
 

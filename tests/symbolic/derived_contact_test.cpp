@@ -1,12 +1,12 @@
-#include "symbolic/derived_contact.hpp"
+#include "symbolic/riemann_hilbert/derived_contact.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include <stdexcept>
 
-#include "symbolic/cln_closed_form.hpp"
-#include "symbolic/cln_evaluation.hpp"
+#include "symbolic/cln/cln_closed_form.hpp"
+#include "symbolic/cln/cln_evaluation.hpp"
 #include "uniform.hpp"
 
 using namespace steadyslide;

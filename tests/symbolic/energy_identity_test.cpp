@@ -1,8 +1,8 @@
-#include "symbolic/energy_identity.hpp"
+#include "symbolic/statements/energy_identity.hpp"
 
 #include <doctest/doctest.h>
 
-#include "symbolic/polynomial_families.hpp"
+#include "symbolic/riemann_hilbert/polynomial_families.hpp"
 
 using namespace steadyslide::symbolic;
 using GiNaC::ex;

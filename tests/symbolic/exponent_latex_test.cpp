@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "model/singular_point.hpp"
-#include "symbolic/exponent_expression.hpp"
+#include "symbolic/field/exponent_expression.hpp"
 
 using namespace steadyslide;
 using symbolic::latex;

@@ -1,4 +1,4 @@
-#include "symbolic/expression.hpp"
+#include "symbolic/field/expression.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -8,7 +8,7 @@
 
 #include "model/elasticity.hpp"
 #include "model/singular_point.hpp"
-#include "symbolic/coupling.hpp"
+#include "symbolic/local/coupling.hpp"
 #include "uniform.hpp"
 
 using namespace steadyslide;

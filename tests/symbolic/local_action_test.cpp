@@ -1,11 +1,11 @@
-#include "symbolic/local_action.hpp"
+#include "symbolic/local/local_action.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <set>
 
-#include "numeric/tanh_sinh.hpp"
+#include "numeric/quadrature/tanh_sinh.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::symbolic;

@@ -1,10 +1,10 @@
-#include "symbolic/local_form_statements.hpp"
+#include "symbolic/statements/local_form_statements.hpp"
 
 #include <doctest/doctest.h>
 
 #include <set>
 
-#include "symbolic/reading_notes.hpp"
+#include "symbolic/statements/reading_notes.hpp"
 
 using namespace steadyslide::symbolic;
 

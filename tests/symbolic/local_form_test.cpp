@@ -1,4 +1,4 @@
-#include "symbolic/local_form.hpp"
+#include "symbolic/local/local_form.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -6,9 +6,9 @@
 #include <chrono>
 
 #include "model/singular_point.hpp"
-#include "symbolic/expression.hpp"
-#include "symbolic/field_linear.hpp"
-#include "symbolic/local_derivations.hpp"
+#include "symbolic/field/expression.hpp"
+#include "symbolic/field/field_linear.hpp"
+#include "symbolic/local/local_derivations.hpp"
 #include "uniform.hpp"
 
 using namespace steadyslide;

@@ -1,4 +1,4 @@
-#include "symbolic/phase_field.hpp"
+#include "symbolic/field/phase_field.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

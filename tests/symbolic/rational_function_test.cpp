@@ -1,4 +1,4 @@
-#include "symbolic/rational_function.hpp"
+#include "symbolic/field/rational_function.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "symbolic/exact_identities.hpp"
+#include "symbolic/statements/exact_identities.hpp"
 #include "uniform.hpp"
 
 using namespace steadyslide::symbolic;

@@ -1,13 +1,13 @@
-#include "symbolic/riemann_hilbert.hpp"
+#include "symbolic/riemann_hilbert/riemann_hilbert.hpp"
 
 #include <doctest/doctest.h>
 
 #include <set>
 
 #include "model/singular_point.hpp"
-#include "symbolic/contact_symbols.hpp"
-#include "symbolic/expression.hpp"
-#include "symbolic/riemann_hilbert_statements.hpp"
+#include "symbolic/field/expression.hpp"
+#include "symbolic/riemann_hilbert/contact_symbols.hpp"
+#include "symbolic/statements/riemann_hilbert_statements.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::symbolic;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "numeric/contact_solution.hpp"
+#include "numeric/solution/contact_solution.hpp"
 
 int main() {
   using namespace steadyslide;

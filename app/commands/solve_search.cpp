@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include "app/results/row_writer.hpp"
+#include "app/results/solve_text_lines.hpp"
+#include "app/results/solve_writers.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+std::string counted(int n, const std::string& what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+
+std::string outcome(const SearchReport& report) {
+  const int solutions = static_cast<int>(report.solutions.size());
+  if (report.agreed()) return fmt::format("{}, one solution", counted(report.starts, "start"));
+  std::string text = fmt::format("{}, {}", counted(report.starts, "start"), counted(solutions, "solution"));
+  if (report.unsolved > 0) text += fmt::format("; {} led to none", report.unsolved);
+  return text;
+}
+
+void write_found(const SolveReport& report, Output& output) {
+  write_contact(report, output);
+  write_line(output, "effective friction", report.effective_friction);
+  write_line(output, "centre of pressure", report.centre_of_pressure);
+  if (report.tilt) write_line(output, "tilt", *report.tilt);
+  write_line(
+      output, "residuals",
+      fmt::format("equation {}, load {}, penetration {}, tension {}", shown(report.residual_equation),
+                  shown(report.residual_load), shown(report.residual_penetration), shown(report.residual_tension)));
+}
+
+}  // namespace
+
+void write_search_text(const Problem& problem, const SearchReport& report, Output& output) {
+  write_problem(problem.contact, output);
+  output.write(outcome(report) + "\n");
+  int number = 0;
+  for (const FoundReport& found : report.solutions) {
+    output.write(fmt::format("\nsolution {}, met {}, on cells\n", ++number, counted(found.times, "time")));
+    write_found(found.variational, output);
+    output.write(found.refined ? "refined by the Riemann-Hilbert method\n"
+                               : "the Riemann-Hilbert method finds no solution there\n");
+    if (found.refined) write_found(*found.refined, output);
+  }
+  if (report.solutions.size() > 1 && report.refinements == 1) {
+    output.write("\nthe refinements are one solution: more cells tell whether there are several\n");
+  }
+  output.write(fmt::format("\nuniqueness: {}, {}\n", report.uniqueness.proved ? "proved" : "not covered",
+                           report.uniqueness.reason));
+}
+
+void write_search_csv(const SearchReport& report, Output& output) {
+  std::vector<Column> columns{{"solution"},
+                              {"times"},
+                              {"component"},
+                              {"left"},
+                              {"left_kind"},
+                              {"left_intensity"},
+                              {"right"},
+                              {"right_kind"},
+                              {"right_intensity"},
+                              {"effective_friction"},
+                              {"centre_of_pressure"},
+                              {"load_share"},
+                              {"tilt"},
+                              {"equation"},
+                              {"load"},
+                              {"penetration"},
+                              {"tension"},
+                              {"refined"}};
+  const auto rows = make_row_writer(Format::csv, std::move(columns), output);
+  int number = 0;
+  for (const FoundReport& found : report.solutions) {
+    const SolveReport& shape = found.variational;
+    ++number;
+    int component = 0;
+    for (const auto& [left, right] : shape.contact) {
+      rows->row({std::to_string(number), std::to_string(found.times), std::to_string(++component), left.x, left.kind,
+                 left.intensity, right.x, right.kind, right.intensity, shape.effective_friction,
+                 shape.centre_of_pressure, shape.load_share, shape.tilt.value_or(""), shape.residual_equation,
+                 shape.residual_load, shape.residual_penetration, shape.residual_tension,
+                 found.refined ? "yes" : "no"});
+    }
+  }
+  rows->end();
+}
+
+}  // namespace steadyslide::app

@@ -1,0 +1,92 @@
+#include "app/commands/solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+/// Zero, or in a range where squares and quotients of doubles neither overflow nor vanish.
+bool is_comfortable(const Rational& value) {
+  if (value == 0) return true;
+  const double size = std::abs(value.convert_to<double>());  // 0 or infinity beyond its range
+  return size > 1e-150 && size < 1e150;
+}
+
+bool fits_double(const ContactProblem& problem, const std::vector<Rational>& at) {
+  const auto all = [](const std::vector<Rational>& data) {
+    return std::all_of(data.begin(), data.end(), is_comfortable);
+  };
+  const auto& pieces = problem.indenter().pieces();
+  return all({problem.load(), problem.elasticity().compliance(), problem.elasticity().gamma(),
+              problem.indenter().left(), problem.load_at().value_or(0)}) &&
+         all(problem.friction().values()) && all(problem.friction().jumps()) && all(at) &&
+         std::all_of(pieces.begin(), pieces.end(), [&](const Indenter::Piece& piece) {
+           return is_comfortable(piece.to) && all(piece.profile.coefficients());
+         });
+}
+
+template <numeric::Real R>
+numeric::Attempt<R> attempt(Method method, const ContactProblem& problem, const numeric::ContactSolution<R>* start) {
+  if (method != Method::riemann_hilbert) {
+    numeric::Attempt<R> formula = numeric::closed_form<R>(problem);
+    if (formula.solution || method == Method::closed_form) return formula;
+  }
+  return numeric::riemann_hilbert<R>(problem, start);
+}
+
+SolveReport inapplicable(const std::string& why_not) {
+  SolveReport report;
+  report.why_not = why_not;
+  return report;
+}
+
+}  // namespace
+
+bool takes_variational(Method method, const ContactProblem& problem) {
+  if (method == Method::variational) return true;
+  const std::size_t breaks = problem.indenter().pieces().size() - 1;
+  if (method != Method::automatic || breaks <= numeric::max_profile_breaks) return false;
+  return !numeric::closed_form<double>(problem).solution;  // pieces can all be the same polynomial
+}
+
+SolveReport report_of_cells(const Problem& problem, const numeric::ContactSolution<double>& solution,
+                            ReportWanted wanted) {
+  wanted.largest_residual = numeric::infinity<double>();
+  SolveReport report = make_report(problem, solution, wanted);
+  if (report.is_solved() && !report.in_range) report.shortcoming = "values out of the range of double";
+  return report;
+}
+
+SolveReport Solver::solve_on_cells(const Problem& problem) const {
+  const auto found = numeric::variational_inequality(problem.contact, wanted_.variational);
+  if (!found.solution) return inapplicable(found.why_not);
+  return report_of_cells(problem, *found.solution, wanted_.report);
+}
+
+template <numeric::Real R>
+SolveReport Solver::solve_in(const Problem& problem) {
+  Solution<R>& last = std::get<Solution<R>>(last_);
+  const numeric::Attempt<R> found = attempt<R>(wanted_.method, problem.contact, last.get());
+  if (!found.solution) return inapplicable(found.why_not);
+  SolveReport report = make_report(problem, *found.solution, wanted_.report);
+  if (report.is_solved()) last = found.solution;
+  return report;
+}
+
+SolveReport Solver::solve(const Problem& problem) {
+  if (takes_variational(wanted_.method, problem.contact)) return solve_on_cells(problem);
+  numeric::Digits digits = numeric::precision_for(wanted_.report.digits);
+  if (digits == numeric::Digits::sixteen) {
+    if (fits_double(problem.contact, wanted_.report.at)) {
+      SolveReport report = solve_in<double>(problem);
+      if (!report.why_not.empty() || (report.is_solved() && report.in_range)) return report;
+    }
+    digits = numeric::Digits::fifty;
+  }
+  return numeric::at_precision(digits, [&]<numeric::Real R>() { return solve_in<R>(problem); });
+}
+
+}  // namespace steadyslide::app

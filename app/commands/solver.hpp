@@ -1,0 +1,50 @@
+#pragma once
+// Problems solved: the method that is asked for, in the precision that it takes.
+
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "app/commands/options.hpp"
+#include "app/results/solve_report.hpp"
+#include "numeric/variational/variational_inequality.hpp"
+
+namespace steadyslide::app {
+
+/// Is it the variational method that solves this problem? Always if asked for; `automatic` takes it where the profile
+/// has more breaks than the Riemann-Hilbert method takes.
+bool takes_variational(Method method, const ContactProblem& problem);
+
+/// Solves one problem after the other; the solver that iterates starts each from the solution before it, so that
+/// neighbouring problems in a row cost less and stay on one branch.
+class Solver {
+ public:
+  struct Wanted {
+    Method method = Method::automatic;
+    ReportWanted report;
+    numeric::VariationalOptions variational;
+  };
+
+  explicit Solver(Wanted wanted) : wanted_(std::move(wanted)) {}
+
+  /// 16 digits are found in double; where double is not enough, 50 digits are found and 16 of them told. The
+  /// variational method knows double only.
+  SolveReport solve(const Problem& problem);
+
+ private:
+  template <numeric::Real R>
+  using Solution = std::shared_ptr<const numeric::ContactSolution<R>>;
+
+  template <numeric::Real R>
+  SolveReport solve_in(const Problem& problem);
+  SolveReport solve_on_cells(const Problem& problem) const;
+
+  Wanted wanted_;
+  std::tuple<Solution<double>, Solution<numeric::Real50>, Solution<numeric::Real100>> last_;
+};
+
+/// The report of a variational solution, whose certificate weighs its residuals.
+SolveReport report_of_cells(const Problem& problem, const numeric::ContactSolution<double>& solution,
+                            ReportWanted wanted);
+
+}  // namespace steadyslide::app

@@ -1,0 +1,162 @@
+#include "app/problem_file/indenter_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/problem_file/input.hpp"
+#include "app/problem_file/polynomial_parser.hpp"
+#include "app/problem_file/profile_trace.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+class IndenterReader {
+ public:
+  IndenterReader(const ProblemReader& reader, const std::string& file) : reader_(reader), file_(file) {}
+
+  ReadIndenter read() {
+    reader_.check_table("indenter");
+    reader_.check_keys("indenter", {"support", "profile", "pieces", "samples", "elastic"});
+    check_one_shape();
+    read_support();
+    if (const Value* samples = reader_.find("indenter.samples")) return read_samples(*samples);
+    if (const Value* profile = reader_.find("indenter.profile")) {
+      return {made({{support().right, polynomial("indenter.profile", *profile)}}), std::nullopt};
+    }
+    return {made(read_pieces(*reader_.find("indenter.pieces"))), std::nullopt};
+  }
+
+ private:
+  void check_one_shape() const {
+    const std::string rule = "an indenter has exactly one of profile, pieces, samples";
+    std::string first;
+    for (const std::string key : {"profile", "pieces", "samples"}) {
+      if (reader_.find("indenter." + key) == nullptr) continue;
+      if (!first.empty())
+        throw reader_.error("indenter." + key, "conflicting key", rule, fmt::format("{} and {}", first, key));
+      first = key;
+    }
+    if (first.empty()) throw reader_.error("indenter", "no profile", rule, "none");
+  }
+
+  void read_support() {
+    const Value* support = reader_.find("indenter.support");
+    if (support == nullptr) return;
+    const std::vector<Rational> ends = reader_.numbers("indenter.support", *support, 2);
+    if (ends.size() != 2) {
+      throw reader_.error("indenter.support", "wrong number of ends", "a support is [left, right]",
+                          fmt::format("{} entries", ends.size()));
+    }
+    if (ends[0] >= ends[1]) {
+      throw reader_.error("indenter.support", "support of no length", "left is less than right",
+                          to_string(ends[0]) + ", " + to_string(ends[1]));
+    }
+    support_ = {ends[0], ends[1]};
+  }
+
+  /// The support of a profile and of pieces.
+  Support support() const { return support_.value_or(Support{-1, 1}); }
+
+  ReadIndenter read_samples(const Value& value) {
+    const std::string& given = reader_.text("indenter.samples", value);
+    const std::string path = path_of(given);
+    ProfileTrace trace = parse_trace(contents(path), path, support_);
+    const auto& [first, last] = trace.range;
+    if (support_ && (support_->left < first || support_->right > last)) {
+      throw reader_.error("indenter.support", "support beyond the samples",
+                          fmt::format("they reach from {} to {}", to_string(first), to_string(last)),
+                          to_string(support_->left) + ", " + to_string(support_->right));
+    }
+    return {Indenter(support_ ? support_->left : first, std::move(trace.pieces)), Samples{given, trace.points}};
+  }
+
+  /// Beside the problem file; beside nothing for the standard input.
+  std::string path_of(const std::string& given) const {
+    const std::string path = (std::filesystem::path(file_).parent_path() / given).string();
+    return path == "-" ? "./-" : path;
+  }
+
+  std::string contents(const std::string& path) const {
+    const auto unreadable = [this](const std::string& value) {
+      return reader_.error("indenter.samples", "no such trace", "it names a file, relative to the problem file", value);
+    };
+    if (path.find('\0') != path.npos) throw unreadable(excerpt(path));
+    try {
+      return read_input(path, "a trace");
+    } catch (const Failure& failure) {
+      if (failure.code() == ExitCode::failed) throw unreadable(failure.what());
+      throw;
+    }
+  }
+
+  std::vector<Indenter::Piece> read_pieces(const Value& pieces) {
+    std::vector<Indenter::Piece> result;
+    for (const Value& piece : reader_.list("indenter.pieces", pieces, "tables {to, profile}", max_pieces)) {
+      const std::string field = fmt::format("indenter.pieces[{}]", result.size());
+      if (piece.kind != Value::Kind::table) {
+        throw reader_.error(field, "wrong type", "a piece is a table {to, profile}", std::string(name_of(piece.kind)));
+      }
+      reader_.check_keys(field, {"to", "profile"});
+      const Value& to = reader_.required(field + ".to", "a piece has its right end");
+      const Value& profile = reader_.required(field + ".profile", "a piece has a profile");
+      result.push_back({reader_.number(field + ".to", to), polynomial(field + ".profile", profile)});
+      check_cost(field, result.back());
+    }
+    if (!result.empty() && result.back().to != support().right) {
+      throw reader_.error(fmt::format("indenter.pieces[{}].to", result.size() - 1), "pieces do not fill the support",
+                          "the last piece ends at the support's right end",
+                          fmt::format("{}, not {}", to_string(result.back().to), to_string(support().right)));
+    }
+    return result;
+  }
+
+  /// Breaks are found exactly: values of the profile at the pieces' ends, with all their digits.
+  void check_cost(const std::string& field, const Indenter::Piece& piece) {
+    const std::size_t digits = exact_size(piece.to);
+    for (const Rational& c : piece.profile.coefficients()) cost_ += digits + exact_size(c);
+    if (cost_ <= max_cost) return;
+    throw reader_.error(field, "pieces too complicated", "all pieces together are limited in degree and in digits",
+                        "more");
+  }
+
+  static std::size_t exact_size(const Rational& value) {
+    const auto bits = [](const Integer& part) { return part == 0 ? 1 : msb(Integer(abs(part))) + 1; };
+    return bits(boost::multiprecision::numerator(value)) + bits(boost::multiprecision::denominator(value));
+  }
+
+  Polynomial polynomial(const std::string& field, const Value& value) {
+    if (value.kind == Value::Kind::integer || value.kind == Value::Kind::decimal) {
+      return Polynomial::constant(reader_.number(field, value));
+    }
+    try {
+      return parse_polynomial(reader_.text(field, value), budget_);
+    } catch (const InvalidData& invalid) {
+      throw reader_.error(field, invalid.what());
+    }
+  }
+
+  Indenter made(std::vector<Indenter::Piece> pieces) const {
+    try {
+      return {support().left, std::move(pieces)};
+    } catch (const InvalidData& invalid) {
+      throw reader_.error(invalid);
+    }
+  }
+
+  static constexpr std::size_t max_cost = 20000000;
+
+  const ProblemReader& reader_;
+  const std::string& file_;
+  std::optional<Support> support_;
+  PolynomialBudget budget_;
+  std::size_t cost_ = 0;
+};
+
+}  // namespace
+
+ReadIndenter read_indenter(const ProblemReader& reader, const std::string& file) {
+  return IndenterReader(reader, file).read();
+}
+
+}  // namespace steadyslide::app

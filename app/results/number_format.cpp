@@ -1,0 +1,135 @@
+#include "app/results/number_format.hpp"
+
+#include <mpfr.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+namespace steadyslide::app {
+namespace {
+
+/// +-d.ddd * 10^exponent, the digits without the point.
+struct Scientific {
+  bool negative = false;
+  std::string digits;
+  long exponent = 0;
+};
+
+Scientific scientific(double value, int digits) {
+  std::array<char, 160> buffer;
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific, digits - 1).ptr;
+  const std::string text(buffer.data(), end);
+  const std::size_t e = text.find('e');
+  Scientific result{value < 0, text.substr(0, e), std::strtol(text.c_str() + e + 1, nullptr, 10)};
+  std::erase_if(result.digits, [](char c) { return c == '-' || c == '.'; });
+  return result;
+}
+
+template <numeric::Real R>
+Scientific scientific(const R& value, int digits) {
+  std::array<char, 160> buffer;
+  mpfr_exp_t exponent = 0;
+  mpfr_get_str(buffer.data(), &exponent, 10, static_cast<std::size_t>(digits), value.backend().data(), MPFR_RNDN);
+  const bool negative = buffer[0] == '-';
+  return {negative, buffer.data() + (negative ? 1 : 0), exponent - 1};
+}
+
+std::string lay_out(const Scientific& number, int digits) {
+  std::string mantissa = number.digits;
+  mantissa.erase(mantissa.find_last_not_of('0') + 1);
+  const auto length = static_cast<long>(mantissa.size());
+  std::string text = number.negative ? "-" : "";
+  if (number.exponent < -5 || number.exponent >= digits) {
+    text += mantissa.substr(0, 1);
+    if (length > 1) text += "." + mantissa.substr(1);
+    return text + "e" + std::to_string(number.exponent);
+  }
+  if (number.exponent < 0) {
+    return text + "0." + std::string(static_cast<std::size_t>(-number.exponent - 1), '0') + mantissa;
+  }
+  const auto whole = static_cast<std::size_t>(number.exponent + 1);
+  if (length <= number.exponent + 1) return text + mantissa + std::string(whole - mantissa.size(), '0');
+  return text + mantissa.substr(0, whole) + "." + mantissa.substr(whole);
+}
+
+template <numeric::Real R>
+bool is_nan(const R& value) {
+  using std::isnan;
+  return isnan(value);
+}
+
+template <numeric::Real R>
+bool is_infinite(const R& value) {
+  using std::abs;
+  return abs(value) == numeric::infinity<R>();
+}
+
+/// The smallest p with error <= 10^p.
+template <numeric::Real R>
+long last_place(const R& error) {
+  const Scientific e = scientific(error, 17);
+  const bool power_of_ten = e.digits.find_last_not_of('0') == 0 && e.digits[0] == '1';
+  return power_of_ten ? e.exponent : e.exponent + 1;
+}
+
+}  // namespace
+
+template <numeric::Real R>
+std::string format_number(const R& value, int digits) {
+  if (is_nan(value)) return "";
+  if (value == 0) return "0";
+  if (is_infinite(value)) return value > 0 ? "inf" : "-inf";
+  return lay_out(scientific(value, digits), digits);
+}
+
+template <numeric::Real R>
+std::string format_number(const numeric::Estimate<R>& estimate, int digits) {
+  using std::abs;
+  const R& value = estimate.value;
+  if (is_nan(value) || is_infinite(value)) return format_number(value, digits);
+  const R error = abs(estimate.error);
+  if (is_nan(error) || is_infinite(error)) return "";
+  if (value == 0) return "0";
+  if (error >= abs(value)) return "0";
+  if (error == 0) return format_number(value, digits);
+  const long supported = scientific(value, 17).exponent - last_place(error) + 1;
+  const long shown = std::clamp<long>(supported, 1, digits);
+  return lay_out(scientific(value, static_cast<int>(shown)), digits);
+}
+
+std::string format_number(const Rational& value, int digits) {
+  return format_number(numeric::to_real<numeric::Real100>(value), digits);
+}
+
+std::string exact_text(const Rational& value) {
+  std::string text = to_string(value);
+  if (text.size() <= 60) return text;
+  // A decimal, if there is one: digits * 10^-places.
+  Integer rest = boost::multiprecision::denominator(value);
+  int twos = 0;
+  int fives = 0;
+  for (; rest % 2 == 0; ++twos) rest /= 2;
+  for (; rest % 5 == 0; ++fives) rest /= 5;
+  if (rest != 1) return text;
+  const int places = std::max(twos, fives);
+  const Integer power = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(places));
+  std::string digits = boost::multiprecision::numerator(Rational(value * power)).str();
+  const std::size_t kept = digits.find_last_not_of('0') + 1;
+  const long exponent = static_cast<long>(digits.size() - kept) - places;
+  digits.erase(kept);
+  if (exponent != 0) digits += "e" + std::to_string(exponent);
+  return digits.size() < text.size() ? digits : text;
+}
+
+template std::string format_number(const double&, int);
+template std::string format_number(const numeric::Real50&, int);
+template std::string format_number(const numeric::Real100&, int);
+template std::string format_number(const numeric::Estimate<double>&, int);
+template std::string format_number(const numeric::Estimate<numeric::Real50>&, int);
+template std::string format_number(const numeric::Estimate<numeric::Real100>&, int);
+
+}  // namespace steadyslide::app

@@ -1,0 +1,26 @@
+#pragma once
+// Numbers as text: N significant digits rounded to nearest, zeros at the end dropped; plain where the decimal exponent
+// lies in [-5, N[, else like 1.5e-30; zero as 0, infinities as inf and -inf, and no text for what is no number.
+
+#include <string>
+
+#include "numeric/number/estimate.hpp"
+
+namespace steadyslide::app {
+
+template <numeric::Real R>
+std::string format_number(const R& value, int digits);
+
+/// Only digits that the error supports: the last one printed is worth at least the error. One digit is left to a value
+/// larger than its error; a value that does not exceed its error is not distinguished from 0 and printed as such. An
+/// infinite error says that the value is not known: no text, unless the value is infinite itself.
+template <numeric::Real R>
+std::string format_number(const numeric::Estimate<R>& estimate, int digits);
+
+/// The exact value rounded to `digits` <= 100.
+std::string format_number(const Rational& value, int digits);
+
+/// Exactly the value, in a form that parse_rational reads back: "-0.25", "1/3", "1e-400".
+std::string exact_text(const Rational& value);
+
+}  // namespace steadyslide::app

@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "app/results/row_writer.hpp"
+#include "app/results/verify_writers.hpp"
+#include "app/version.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+namespace checks = proofs_checks;
+
+std::string controls_text(const checks::Report& report) {
+  return fmt::format("{}/{}", report.controls_refuted(), report.controls.size());
+}
+
+std::string counts_text(const VerifyResult& result) {
+  const checks::Counts counts = count(result.reports);
+  return fmt::format("{} proved, {} supported, {} undecided, {} refuted", counts.proved, counts.supported,
+                     counts.undecided, counts.refuted);
+}
+
+/// "beyond calculation: thm-16, thm-17"; empty if there is none.
+std::string beyond_text(const VerifyResult& result) {
+  std::string ids;
+  for (const checks::Report& report : result.reports) {
+    if (report.beyond_calculation()) ids += (ids.empty() ? "" : ", ") + report.claim.id;
+  }
+  return ids.empty() ? ids : "undecided because beyond calculation: " + ids;
+}
+
+/// "1 claim", "2 claims".
+std::string numbered(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::string left_out_text(const VerifyResult& result) {
+  return fmt::format("{} left out: `steadyslide verify` without --claim shows all.",
+                     numbered(result.notes_left_out, "reading note"));
+}
+
+std::string head_text(const VerifyResult& result) {
+  return fmt::format("steadyslide {}: {} at {} digits, seed {}{}", version, numbered(result.reports.size(), "claim"),
+                     static_cast<int>(result.context.digits), result.context.seed,
+                     result.context.quick ? ", quick" : "");
+}
+
+/// `head` and the text after it, in lines of 100 columns as far as words allow; further lines begin below the text.
+std::string wrapped(const std::string& head, std::string_view text) {
+  constexpr std::size_t columns = 100;
+  std::string result = head;
+  std::size_t width = head.size();
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    if (width > head.size() && width + 1 + end > columns) {
+      result += "\n" + std::string(head.size(), ' ');
+      width = head.size();
+    } else if (width > head.size()) {
+      result += ' ';
+      ++width;
+    }
+    result += text.substr(0, end);
+    width += end;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return result + "\n";
+}
+
+/// One line a claim; what was found, for those that are not settled. verify --list has the statements.
+void write_verify_text(const VerifyResult& result, Output& output) {
+  output.write(head_text(result) + "\n\n");
+  const auto rows =
+      make_row_writer(Format::text, {{"verdict"}, {"controls"}, {"seconds"}, {"claim"}, {"place"}}, output);
+  for (const checks::Report& report : result.reports) {
+    rows->row({std::string(name_of(report.verdict)), controls_text(report), fmt::format("{:.2f}", report.seconds),
+               report.claim.id, report.claim.source});
+  }
+  rows->end();
+  for (const checks::Report& report : result.reports) {
+    const bool settled = report.verdict == checks::Verdict::proved || report.verdict == checks::Verdict::supported;
+    if ((settled || report.beyond_calculation()) && report.note.empty()) continue;
+    output.write(fmt::format("\n{} {}\n", report.claim.id, name_of(report.verdict)));
+    for (const checks::Evidence& evidence : report.evidence) {
+      output.write(fmt::format("  {}: {}\n", kind_of(evidence), describe(evidence)));
+    }
+    if (!report.note.empty()) output.write(fmt::format("  {}\n", report.note));
+  }
+  output.write("\n" + counts_text(result) + "\n");
+  if (const std::string beyond = beyond_text(result); !beyond.empty()) output.write(beyond + "\n");
+  if (result.notes_left_out > 0) output.write("\n" + left_out_text(result) + "\n");
+  if (result.notes.empty()) return;
+  output.write("\nplaces where the text at hand and the mathematics disagree\n");
+  for (const checks::ReadingNote& note : result.notes) {
+    output.write(fmt::format("\n{}, {}\n", note.id, note.place));
+    output.write(wrapped("  printed   ", note.printed));
+    output.write(wrapped("  derived   ", note.derived));
+    output.write(wrapped("  evidence  ", note.evidence));
+  }
+}
+
+/// A text that stands in a cell of a Markdown table.
+std::string cell(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (std::string_view("|*_<`").find(c) != std::string_view::npos) result += '\\';
+    result += c == '\n' ? ' ' : c;
+  }
+  return result;
+}
+
+void write_verify_markdown(const VerifyResult& result, Output& output) {
+  output.write(fmt::format("# Verification\n\n{}: {}.\n\n", head_text(result), counts_text(result)));
+  const auto rows = make_row_writer(
+      Format::markdown, {{"claim"}, {"source"}, {"statement"}, {"hypotheses"}, {"verdict"}, {"controls"}, {"evidence"}},
+      output);
+  for (const checks::Report& report : result.reports) {
+    std::string evidence;
+    for (const checks::Evidence& e : report.evidence) {
+      evidence += fmt::format("{}{}: {}", evidence.empty() ? "" : "<br>", kind_of(e), cell(describe(e)));
+    }
+    if (!report.note.empty()) evidence += (evidence.empty() ? "" : "<br>") + cell(report.note);
+    rows->row({cell(report.claim.id), cell(report.claim.source), cell(report.claim.statement),
+               cell(report.claim.hypotheses), std::string(name_of(report.verdict)), controls_text(report), evidence});
+  }
+  rows->end();
+  if (result.notes_left_out > 0) output.write("\n" + left_out_text(result) + "\n");
+  if (result.notes.empty()) return;
+  output.write("\n## Reading notes\n\n");
+  const auto notes =
+      make_row_writer(Format::markdown, {{"note"}, {"place"}, {"printed"}, {"derived"}, {"evidence"}}, output);
+  for (const checks::ReadingNote& note : result.notes) {
+    notes->row({cell(note.id), cell(note.place), cell(note.printed), cell(note.derived), cell(note.evidence)});
+  }
+  notes->end();
+}
+
+}  // namespace
+
+void write_verify(Format format, const VerifyResult& result, Output& output) {
+  switch (format) {
+    case Format::json: write_verify_json(result, output); break;
+    case Format::markdown: write_verify_markdown(result, output); break;
+    default: write_verify_text(result, output); break;
+  }
+}
+
+void write_claims(Format format, std::span<const checks::Claim> claims, Output& output) {
+  if (format == Format::json) return write_claims_json(claims, output);
+  if (format == Format::text) {
+    for (const checks::Claim& claim : claims) {
+      output.write(
+          fmt::format("{}\n  {}\n  {}\n  for {}\n\n", claim.id, claim.source, claim.statement, claim.hypotheses));
+    }
+    return;
+  }
+  const auto rows = make_row_writer(format, {{"claim"}, {"source"}, {"statement"}, {"hypotheses"}}, output);
+  for (const checks::Claim& claim : claims) {
+    rows->row({cell(claim.id), cell(claim.source), cell(claim.statement), cell(claim.hypotheses)});
+  }
+  rows->end();
+}
+
+}  // namespace steadyslide::app

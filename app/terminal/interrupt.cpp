@@ -1,0 +1,74 @@
+#include "app/terminal/interrupt.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <climits>
+#include <csignal>
+#include <iterator>
+
+#include "app/terminal/failure.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+// A signal handler can reach static storage only. Written with signals held.
+constexpr std::size_t most_files = 4;
+char unfinished_files[most_files][PATH_MAX] = {};
+volatile std::sig_atomic_t line_to_erase = 0;
+
+sigset_t both_signals() {
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, SIGINT);
+  sigaddset(&set, SIGTERM);
+  return set;
+}
+
+extern "C" void end_interrupted(int) {
+  for (const auto& file : unfinished_files) {
+    if (file[0] != '\0') ::unlink(file);
+  }
+  if (line_to_erase != 0 && ::write(STDERR_FILENO, "\r\x1b[K", 4) < 0) {
+    // Nobody is left to be told.
+  }
+  ::_exit(static_cast<int>(ExitCode::interrupted));
+}
+
+}  // namespace
+
+void handle_signals() {
+  struct sigaction action {};
+  action.sa_handler = end_interrupted;
+  action.sa_mask = both_signals();
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+SignalsHeld::SignalsHeld() {
+  const sigset_t set = both_signals();
+  sigprocmask(SIG_BLOCK, &set, nullptr);
+}
+
+SignalsHeld::~SignalsHeld() {
+  const sigset_t set = both_signals();
+  sigprocmask(SIG_UNBLOCK, &set, nullptr);
+}
+
+void remove_when_interrupted(const std::string& file) {
+  const auto slot = std::ranges::find_if(unfinished_files, [](const auto& name) { return name[0] == '\0'; });
+  if (slot == std::end(unfinished_files) || file.size() >= PATH_MAX) return;
+  file.copy(*slot, file.size());
+  (*slot)[file.size()] = '\0';
+}
+
+void keep_when_interrupted(const std::string& file) {
+  for (auto& name : unfinished_files) {
+    if (file == name) name[0] = '\0';
+  }
+}
+
+void erase_line_when_interrupted(bool erase) { line_to_erase = erase ? 1 : 0; }
+
+}  // namespace steadyslide::app

@@ -1,0 +1,55 @@
+#pragma once
+// A traction given panel by panel: on each panel a product of powers of the distances to its two ends and of a function
+// that is analytic up to them. What every quadrature route integrates.
+
+#include <functional>
+#include <vector>
+
+#include "numeric/number/node.hpp"
+#include "numeric/number/power.hpp"
+
+namespace steadyslide::numeric {
+
+/// t(x) = from_left^{left.value} from_right^{right.value} smooth(node), both powers > -1.
+/// `smooth` may have branch points on the real axis outside the closed panel, no singularity elsewhere.
+template <Real R>
+struct PanelDensity {
+  Panel<R> panel;
+  Power<R> left;
+  Power<R> right;
+  std::function<R(const Node<R>&)> smooth;
+  R gap = 0;  ///< from the panel before: without contact
+
+  R operator()(const Node<R>& node) const {
+    using std::pow;
+    R value = smooth(node);
+    if (left.value != 0) value *= pow(node.from_left, left.value);
+    if (right.value != 0) value *= pow(node.from_right, right.value);
+    return value;
+  }
+};
+
+/// Panels from left to right, not overlapping; gaps between them are places without contact.
+template <Real R>
+using PiecewiseDensity = std::vector<PanelDensity<R>>;
+
+/// A point inside panel `panel` of a density.
+template <Real R>
+struct PanelPoint {
+  std::size_t panel;
+  Node<R> node;
+};
+
+/// The distance between the ends of panels j and k that face each other, j != k: a sum of positive numbers.
+template <Real R>
+R distance_between(const PiecewiseDensity<R>& density, std::size_t j, std::size_t k) {
+  const auto [first, last] = std::minmax(j, k);
+  R distance = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    if (i > first) distance += density[i].panel.length;
+    distance += density[i + 1].gap;
+  }
+  return distance;
+}
+
+}  // namespace steadyslide::numeric

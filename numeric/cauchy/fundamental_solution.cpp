@@ -1,0 +1,159 @@
+#include "numeric/cauchy/fundamental_solution.hpp"
+
+namespace steadyslide::numeric {
+namespace {
+
+/// Gathers prod d^p: in double as powers, in higher precision as one exponential of a sum of logarithms.
+template <Real R>
+class PowerProduct {
+ public:
+  void multiply(const R& distance, const R& power) {
+    using std::log, std::pow;
+    if (power == 0) return;
+    if constexpr (std::same_as<R, double>) {
+      value_ *= pow(distance, power);
+    } else {
+      value_ += power * log(distance);
+    }
+  }
+  R value() const {
+    using std::exp;
+    if constexpr (std::same_as<R, double>) {
+      return value_;
+    } else {
+      return exp(value_);
+    }
+  }
+
+ private:
+  R value_ = std::same_as<R, double> ? 1 : 0;
+};
+
+/// Calls visit(j, |e_j - e|) for all j < count to the left, given the distance from e to e_{count-1}, and likewise to
+/// the right. Distances grow by adding lengths: sums of positive numbers lose nothing.
+template <Real R, class Visit>
+void visit_leftwards(const std::vector<Panel<R>>& panels, std::size_t count, R distance, Visit visit) {
+  for (std::size_t j = count; j-- > 0;) {
+    visit(j, distance);
+    if (j > 0) distance += panels[j - 1].length;
+  }
+}
+
+template <Real R, class Visit>
+void visit_rightwards(const std::vector<Panel<R>>& panels, std::size_t first, R distance, Visit visit) {
+  for (std::size_t j = first; j <= panels.size(); ++j) {
+    visit(j, distance);
+    if (j < panels.size()) distance += panels[j].length;
+  }
+}
+
+}  // namespace
+
+template <Real R>
+FundamentalSolution<R>::FundamentalSolution(const R& left_end, std::vector<R> lengths, std::vector<Power<R>> powers)
+    : powers_(std::move(powers)) {
+  panels_.reserve(lengths.size());
+  R left = left_end;
+  for (R& length : lengths) {
+    R right = left + length;
+    panels_.push_back({std::move(left), right, std::move(length)});
+    left = std::move(right);
+  }
+}
+
+template <Real R>
+R FundamentalSolution<R>::modulus(std::size_t k, const Node<R>& node) const {
+  PowerProduct<R> product;
+  const auto multiply = [&](std::size_t j, const R& d) { product.multiply(d, powers_[j].value); };
+  visit_leftwards(panels_, k + 1, node.from_left, multiply);
+  visit_rightwards(panels_, k + 1, node.from_right, multiply);
+  return product.value();
+}
+
+template <Real R>
+R FundamentalSolution<R>::smooth_modulus(std::size_t k, const Node<R>& node) const {
+  PowerProduct<R> product;
+  const auto multiply = [&](std::size_t j, const R& d) { product.multiply(d, powers_[j].value); };
+  if (k > 0) visit_leftwards(panels_, k, R(node.from_left + panels_[k - 1].length), multiply);
+  if (k + 1 < panels_.size()) visit_rightwards(panels_, k + 2, R(node.from_right + panels_[k + 1].length), multiply);
+  return product.value();
+}
+
+template <Real R>
+R FundamentalSolution<R>::modulus_beyond(Side side, const R& distance) const {
+  using std::pow;
+  const Power<R>& end = side == Side::left ? powers_.front() : powers_.back();
+  return pow(distance, end.value) * smooth_modulus_beyond(side, distance);
+}
+
+template <Real R>
+R FundamentalSolution<R>::smooth_modulus_beyond(Side side, const R& distance) const {
+  PowerProduct<R> product;
+  const auto multiply = [&](std::size_t j, const R& d) { product.multiply(d, powers_[j].value); };
+  if (side == Side::left) {
+    visit_rightwards(panels_, 1, R(distance + panels_.front().length), multiply);
+  } else {
+    visit_leftwards(panels_, panels_.size(), R(distance + panels_.back().length), multiply);
+  }
+  return product.value();
+}
+
+template <Real R>
+R FundamentalSolution<R>::amplitude(std::size_t j) const {
+  PowerProduct<R> product;
+  const auto multiply = [&](std::size_t i, const R& d) { product.multiply(d, powers_[i].value); };
+  if (j > 0) visit_leftwards(panels_, j, panels_[j - 1].length, multiply);
+  if (j < panels_.size()) visit_rightwards(panels_, j + 1, panels_[j].length, multiply);
+  return product.value();
+}
+
+template <Real R>
+R FundamentalSolution<R>::phase(std::size_t k) const {
+  R sum = 0;
+  for (std::size_t j = powers_.size(); j-- > k + 1;) sum += powers_[j].value;
+  return sum;
+}
+
+template <Real R>
+Complex<R> FundamentalSolution<R>::boundary(std::size_t k, const Node<R>& node, Bank bank) const {
+  using std::cos, std::sin;
+  const R size = modulus(k, node);
+  const R angle = pi<R>() * phase(k) * (bank == Bank::above ? 1 : -1);
+  return {size * cos(angle), size * sin(angle)};
+}
+
+template <Real R>
+Complex<R> FundamentalSolution<R>::at(const Complex<R>& z) const {
+  using std::atan2, std::cos, std::exp, std::log, std::sin;
+  R log_modulus = 0;
+  R argument = 0;
+  for (std::size_t j = 0; j < powers_.size(); ++j) {
+    const R re = z.re - point(j);
+    log_modulus += powers_[j].value * log(re * re + z.im * z.im) / 2;
+    argument += powers_[j].value * atan2(z.im, re);
+  }
+  const R size = exp(log_modulus);
+  return {size * cos(argument), size * sin(argument)};
+}
+
+template <Real R>
+R FundamentalSolution<R>::relative_error(std::size_t k, const Node<R>& node, const R& end_error) const {
+  using std::abs, std::log;
+  R rounding = 2;
+  R ends = 0;
+  const auto add = [&](std::size_t j, const R& d) {
+    const R& p = powers_[j].value;
+    if (p == 0) return;
+    rounding += 2 + abs(p) * (2 + abs(log(d)));
+    if (j == 0 || j == panels_.size()) ends += abs(p) * end_error / d;
+  };
+  visit_leftwards(panels_, k + 1, node.from_left, add);
+  visit_rightwards(panels_, k + 1, node.from_right, add);
+  return epsilon<R>() * rounding + ends;
+}
+
+template class FundamentalSolution<double>;
+template class FundamentalSolution<Real50>;
+template class FundamentalSolution<Real100>;
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,67 @@
+#pragma once
+// The fundamental solution of the Riemann-Hilbert problem on one contact component,
+//
+//   Y(z) = prod_j (z - e_j)^{p_j},   e_0 < e_1 < ... < e_n: left end, friction jumps, right end,
+//
+// cut along the contact [e_0, e_n] when the p_j sum to an integer S; Y ~ z^S at infinity. Panel k is ]e_k, e_{k+1}[.
+// On it Y+- = |Y| exp(+-i pi sigma_k), sigma_k = sum of p_j over e_j > x. [Bal16, theorem 36, reconstructed]
+
+#include <vector>
+
+#include "model/direction.hpp"
+#include "numeric/number/node.hpp"
+#include "numeric/number/power.hpp"
+
+namespace steadyslide::numeric {
+
+/// Y+ is the limit on the cut from above (Im z > 0), Y- from below.
+enum class Bank { above, below };
+
+template <Real R>
+struct Complex {
+  R re;
+  R im;
+};
+
+template <Real R>
+class FundamentalSolution {
+ public:
+  /// lengths[k] = e_{k+1} - e_k > 0, as exactly as it is known; one power more than lengths.
+  FundamentalSolution(const R& left_end, std::vector<R> lengths, std::vector<Power<R>> powers);
+
+  /// Panels that follow each other, with one power more; powers may be zero.
+  FundamentalSolution(std::vector<Panel<R>> panels, std::vector<Power<R>> powers)
+      : panels_(std::move(panels)), powers_(std::move(powers)) {}
+
+  std::size_t panel_count() const { return panels_.size(); }
+  const Panel<R>& panel(std::size_t k) const { return panels_[k]; }
+  const std::vector<Power<R>>& powers() const { return powers_; }
+  R point(std::size_t j) const { return j == 0 ? panels_.front().left : panels_[j - 1].right; }
+
+  /// |Y| at a node of panel k.
+  R modulus(std::size_t k, const Node<R>& node) const;
+  /// |Y| at a node of panel k without the powers of the panel's two ends: analytic there.
+  R smooth_modulus(std::size_t k, const Node<R>& node) const;
+  /// |Y| at the distance d > 0 to the left of e_0 (Side::left) or to the right of e_n.
+  R modulus_beyond(Side side, const R& distance) const;
+  /// The same without the power of that end.
+  R smooth_modulus_beyond(Side side, const R& distance) const;
+  /// prod_{i != j} |e_j - e_i|^{p_i}: the amplitude of |x - e_j|^{p_j} at e_j.
+  R amplitude(std::size_t j) const;
+
+  /// sigma_k.
+  R phase(std::size_t k) const;
+  Complex<R> boundary(std::size_t k, const Node<R>& node, Bank bank) const;
+  /// Off the real axis.
+  Complex<R> at(const Complex<R>& z) const;
+
+  /// An estimate of the relative error of |Y| at a node: rounding of every power, and `end_error`, the absolute error
+  /// of e_0 and e_n.
+  R relative_error(std::size_t k, const Node<R>& node, const R& end_error) const;
+
+ private:
+  std::vector<Panel<R>> panels_;
+  std::vector<Power<R>> powers_;
+};
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,309 @@
+#include "numeric/closed_form/closed_form.hpp"
+
+#include <algorithm>
+
+#include "numeric/cauchy/residuals.hpp"
+#include "numeric/number/clustered.hpp"
+#include "numeric/quadrature/tanh_sinh.hpp"
+#include "numeric/solution/load_sharing.hpp"
+
+namespace steadyslide::numeric {
+namespace {
+
+template <Real R>
+TwoSided<R> both(const Estimate<R>& value) {
+  return {value, value};
+}
+
+}  // namespace
+
+template <Real R>
+ClosedForm<R>::ClosedForm(ContactProblem problem, ClosedFormData<R> data)
+    : problem_(std::move(problem)), data_(std::move(data)) {}
+
+template <Real R>
+Estimate<R> ClosedForm<R>::coordinate(std::size_t j) const {
+  using std::abs;
+  if (data_.exact[j]) {
+    const R x = to_real<R>(data_.origin + *data_.exact[j]);
+    return {x, epsilon<R>() * abs(x)};
+  }
+  const R x = to_real<R>(data_.origin) + weight().point(j);
+  return {x, data_.end_error + epsilon<R>() * (abs(x) + abs(weight().point(j)))};
+}
+
+template <Real R>
+Estimate<R> ClosedForm<R>::intensity(std::size_t j) const {
+  using std::abs, std::log;
+  const std::size_t last = weight().panel_count();
+  R theta = abs(data_.factor) * weight().amplitude(j);
+  // At an end theta carries the cos(pi alpha) of the contact side; at a jump the definition takes it out.
+  if (j == 0) theta = abs(data_.traction.amplitudes.front()) * weight().amplitude(j);
+  if (j == last) theta = abs(data_.traction.amplitudes.back()) * weight().amplitude(j);
+  const Panel<R>& panel = weight().panel(std::min(j, last - 1));
+  const R relative =
+      weight().relative_error(std::min(j, last - 1), panel.node_from_left(panel.length / 2), data_.end_error * 4);
+  return {theta, theta * relative};
+}
+
+template <Real R>
+std::vector<ContactComponent<R>> ClosedForm<R>::contact() const {
+  const std::size_t last = weight().panel_count();
+  return {{{coordinate(0), data_.ends, data_.exponents.front(), intensity(0)},
+           {coordinate(last), data_.ends, data_.exponents.back(), intensity(last)}}};
+}
+
+template <Real R>
+std::vector<SolvedSingularPoint<R>> ClosedForm<R>::singular_points() const {
+  std::vector<SolvedSingularPoint<R>> points;
+  const std::size_t last = weight().panel_count();
+  for (std::size_t j = 0; j <= last; ++j) {
+    const bool is_end = j == 0 || j == last;
+    if (!is_end && data_.exponents[j].sign() == 0) continue;
+    points.push_back({coordinate(j), is_end ? data_.ends : SingularKind::friction_jump, data_.exponents[j],
+                      intensity(j), Estimate<R>{}});
+  }
+  return points;
+}
+
+template <Real R>
+Resultants<R> ClosedForm<R>::resultants() const {
+  using std::abs;
+  const PiecewiseDensity<R> density = data_.traction.density();
+  std::vector<Estimate<R>> loads(problem_.friction().values().size());
+  for (std::size_t k = 0; k < density.size(); ++k) {
+    const Estimate<R> load = tanh_sinh::panel_integral(density[k]);
+    const Panel<R>& panel = density[k].panel;
+    const R relative = weight().relative_error(k, panel.node_from_left(panel.length / 2), 8 * data_.end_error);
+    loads[data_.first_piece + k] = {-load.value, load.error + relative * abs(load.value), load.convergence};
+  }
+  Resultants<R> result = resultants_of(std::move(loads), problem_.friction().values());
+
+  // The moments of t are the coefficients of u' at infinity, and those are power sums of the singular points.
+  R sum1 = 0, sum2 = 0, sum3 = 0, size = 0;
+  for (std::size_t j = 0; j < data_.exponents.size(); ++j) {
+    const R& p = weight().powers()[j].value;
+    const R x = weight().point(j);
+    sum1 += p * x;
+    sum2 += p * x * x;
+    sum3 += p * x * x * x;
+    size = std::max(size, R(abs(x)));
+  }
+  const R offset = data_.ends == SingularKind::edge ? R(-sum1) : R(2 * sum3 / (3 * sum2));
+  const R points = R(static_cast<double>(data_.exponents.size()));
+  result.centre_of_pressure = {to_real<R>(data_.origin) + offset, 8 * points * (epsilon<R>() * size + data_.end_error) +
+                                                                      epsilon<R>() * abs(to_real<R>(data_.origin))};
+  return result;
+}
+
+template <Real R>
+EstimatedError<R> ClosedForm<R>::estimated_error() const {
+  using std::abs, std::max;
+  EstimatedError<R> worst{0, 0, 0};
+  const R width = weight().point(weight().panel_count()) - weight().point(0);
+  worst.ends = max(R(data_.end_error / width), epsilon<R>());
+  for (std::size_t k = 0; k < weight().panel_count(); ++k) {
+    const Panel<R>& panel = weight().panel(k);
+    worst.traction =
+        max(worst.traction, weight().relative_error(k, panel.node_from_left(panel.length / 2), data_.end_error));
+  }
+  const Resultants<R> r = resultants();
+  worst.resultants = r.normal.error / r.normal.value;
+  return worst;
+}
+
+template <Real R>
+R ClosedForm<R>::profile_slope(const R& from_origin) const {
+  return data_.ends == SingularKind::edge ? R(0) : R(data_.factor * from_origin);
+}
+
+template <Real R>
+R ClosedForm<R>::gap_length(Side side) const {
+  if (data_.ends == SingularKind::edge) return 0;
+  const Indenter& indenter = problem_.indenter();
+  const R length = side == Side::left
+                       ? R(weight().point(0) - to_real<R>(indenter.left() - data_.origin))
+                       : R(to_real<R>(indenter.right() - data_.origin) - weight().point(weight().panel_count()));
+  return std::max(length, R(0));
+}
+
+template <Real R>
+Residuals<R> ClosedForm<R>::residuals() const {
+  using std::abs, std::max;
+  std::vector<R> s;
+  for (std::size_t k = 0; k < weight().panel_count(); ++k) {
+    s.push_back(to_real<R>(problem_.coupled_friction(data_.first_piece + k)));
+  }
+  const SurfaceCheck<R> check(data_.traction.density(), s,
+                              [this](std::size_t, const Node<R>& node) { return profile_slope(node.x); });
+  const R load = to_real<R>(problem_.load());
+  const R width = weight().point(weight().panel_count()) - weight().point(0);
+  Residuals<R> result;
+  result.equation = check.equation();
+  result.load = abs(check.integral() + load) / load;
+  R deepest = 0;
+  for (const Side side : {Side::left, Side::right}) {
+    constexpr int places = 8;
+    for (int i = 0; i < places; ++i) {
+      const R distance = gap_length(side) * clustered<R>(i, places).first;
+      if (distance == 0) continue;
+      const std::size_t panel = side == Side::left ? 0 : weight().panel_count() - 1;
+      const R end = weight().point(side == Side::left ? 0 : weight().panel_count());
+      const R x = side == Side::left ? R(end - distance) : R(end + distance);
+      const R rise = distance * (side == Side::left ? R(-1) : R(1)) * (profile_slope(end) + profile_slope(x)) / 2;
+      deepest = max(deepest, R(check.displacement(panel, side, distance) - rise));
+    }
+  }
+  // Reduced (divided by c), and so is the bound c P / c.
+  result.penetration = deepest / load;
+  result.tension = max(check.highest_traction(), R(0)) * width / load;
+  return result;
+}
+
+template <Real R>
+Estimate<R> ClosedForm<R>::shear_of(const Estimate<R>& traction, std::size_t panel) const {
+  // The body is dragged along: t_t = -f t towards the side to which the indenter slides.
+  const Rational& f = problem_.friction().values()[data_.first_piece + panel];
+  if (f == 0) return {};
+  const R factor = problem_.sliding() == Sliding::plus_x ? R(-to_real<R>(f)) : to_real<R>(f);
+  using std::abs;
+  return {factor * traction.value, abs(factor) * traction.error};
+}
+
+template <Real R>
+Sample<R> ClosedForm<R>::inside(std::size_t panel, const Node<R>& node) const {
+  using std::abs;
+  const R t = traction(panel, node);
+  const Estimate<R> estimate{t, abs(t) * weight().relative_error(panel, node, data_.end_error)};
+  const R slope = to_real<R>(problem_.elasticity().compliance()) * profile_slope(node.x);
+  return {to_real<R>(data_.origin) + node.x, both(estimate), both(shear_of(estimate, panel)), Estimate<R>{},
+          both(Estimate<R>{slope, 4 * epsilon<R>() * abs(slope)})};
+}
+
+template <Real R>
+Estimate<R> ClosedForm<R>::limit_at_point(std::size_t j, Side side) const {
+  if (side == Side::left ? j == 0 : j == weight().panel_count()) return {};  // no contact on that side
+  const int sign = data_.exponents[j].sign();
+  if (sign > 0) return {};
+  if (sign < 0) return {-infinity<R>(), 0};
+  const std::size_t panel = side == Side::left ? j - 1 : j;
+  const Panel<R>& p = weight().panel(panel);
+  const Node<R> node = side == Side::left ? p.node_from_right(R(0)) : p.node_from_left(R(0));
+  const R t = traction(panel, node);
+  using std::abs;
+  return {t, abs(t) * weight().relative_error(panel, p.node_from_left(p.length / 2), 4 * data_.end_error)};
+}
+
+template <Real R>
+Sample<R> ClosedForm<R>::at_point(std::size_t j) const {
+  const std::size_t last = weight().panel_count();
+  Sample<R> sample;
+  sample.x = coordinate(j).value;
+  sample.traction = {limit_at_point(j, Side::left), limit_at_point(j, Side::right)};
+  sample.shear = {j == 0 ? Estimate<R>{} : shear_of(sample.traction.left, j - 1),
+                  j == last ? Estimate<R>{} : shear_of(sample.traction.right, j)};
+  sample.gap = Estimate<R>{};
+  using std::abs;
+  const R slope = to_real<R>(problem_.elasticity().compliance()) * profile_slope(weight().point(j));
+  sample.slope = both(Estimate<R>{slope, 4 * epsilon<R>() * abs(slope)});
+  if (data_.ends == SingularKind::edge) {
+    if (j == 0) sample.slope.left = {-infinity<R>(), 0};
+    if (j == last) sample.slope.right = {infinity<R>(), 0};
+  }
+  return sample;
+}
+
+template <Real R>
+Sample<R> ClosedForm<R>::outside(Side side, const R& distance) const {
+  using std::abs, std::pow;
+  const std::size_t last = weight().panel_count();
+  const R x = side == Side::left ? R(weight().point(0) - distance) : R(weight().point(last) + distance);
+  const R c = to_real<R>(problem_.elasticity().compliance());
+  // u'/c = psi'/c - N Y, and Y is -|Y| to the left of the contact: the powers sum to an odd number.
+  const R ny = data_.factor * weight().modulus_beyond(side, distance);
+  const R profile = profile_slope(x);
+  const R slope = c * (side == Side::left ? R(profile + ny) : R(profile - ny));
+  const Panel<R>& nearest = weight().panel(side == Side::left ? 0 : last - 1);
+  const R relative = weight().relative_error(side == Side::left ? 0 : last - 1,
+                                             nearest.node_from_left(nearest.length / 2), data_.end_error) +
+                     data_.end_error / distance;
+  const R slope_error = c * (4 * epsilon<R>() * abs(profile) + relative * abs(ny));
+
+  Sample<R> sample;
+  sample.x = to_real<R>(data_.origin) + x;
+  sample.slope = both(Estimate<R>{slope, slope_error});
+  if (distance <= gap_length(side)) {
+    // gap' = c N |Y| away from the contact, with the power of the free end absorbed by the rule.
+    const PanelDensity<R> integrand{
+        {R(0), distance, distance},
+        side == Side::left ? weight().powers().front() : weight().powers().back(),
+        {R(0), R(1)},
+        [&](const Node<R>& node) { return R(data_.factor * weight().smooth_modulus_beyond(side, node.from_left)); }};
+    const Estimate<R> gap = tanh_sinh::panel_integral(integrand);
+    sample.gap = Estimate<R>{c * gap.value, c * (gap.error + 4 * relative * abs(gap.value)), gap.convergence};
+  }
+  return sample;
+}
+
+template <Real R>
+Sample<R> ClosedForm<R>::at(const Rational& x) const {
+  const Rational exact = x - data_.origin;
+  const R from_origin = to_real<R>(exact);
+  const std::size_t last = weight().panel_count();
+  const auto distance_from = [&](std::size_t j) {
+    return data_.exact[j] ? to_real<R>(exact - *data_.exact[j]) : R(from_origin - weight().point(j));
+  };
+  const auto in_users_x = [&](Sample<R> sample) {
+    sample.x = to_real<R>(x);
+    return sample;
+  };
+  if (distance_from(0) < 0) return in_users_x(outside(Side::left, -distance_from(0)));
+  if (distance_from(last) > 0) return in_users_x(outside(Side::right, distance_from(last)));
+  std::size_t k = 0;
+  while (k < last && distance_from(k + 1) > 0) ++k;
+  for (const std::size_t j : {k, k + 1}) {
+    if (distance_from(j) == 0) return in_users_x(at_point(j));
+  }
+  return in_users_x(inside(k, {from_origin, distance_from(k), -distance_from(k + 1)}));
+}
+
+template <Real R>
+std::vector<Sample<R>> ClosedForm<R>::samples(int count) const {
+  std::vector<Sample<R>> result;
+  const auto add_gap = [&](Side side) {
+    const R length = gap_length(side);
+    if (length == 0) return;
+    for (int i = 0; i < count; ++i) {
+      // From left to right: towards the contact on the left of it, away from it on the right.
+      const auto [forth, back] = clustered<R>(i, count);
+      result.push_back(outside(side, R(length * (side == Side::left ? back : forth))));
+    }
+  };
+  add_gap(Side::left);
+  const std::size_t panels = weight().panel_count();
+  const R width = weight().point(panels) - weight().point(0);
+  // Each panel gets its part of the count, half of it by number and half by length.
+  const auto points_before = [&](std::size_t k) {
+    const R part = R(static_cast<double>(k)) / static_cast<double>(panels);
+    const R length = (weight().point(k) - weight().point(0)) / width;
+    return k == panels ? count : static_cast<int>(R(count * (part + length) / 2));
+  };
+  for (std::size_t k = 0; k < panels; ++k) {
+    const int n = points_before(k + 1) - points_before(k);
+    const Panel<R>& panel = weight().panel(k);
+    for (int i = 0; i < n; ++i) {
+      const auto [left, right] = clustered<R>(i, n);
+      const Node<R> node{left < right ? R(panel.left + left * panel.length) : R(panel.right - right * panel.length),
+                         left * panel.length, right * panel.length};
+      result.push_back(inside(k, node));
+    }
+  }
+  add_gap(Side::right);
+  return result;
+}
+
+template class ClosedForm<double>;
+template class ClosedForm<Real50>;
+template class ClosedForm<Real100>;
+
+}  // namespace steadyslide::numeric

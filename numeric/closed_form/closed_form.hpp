@@ -1,0 +1,72 @@
+#pragma once
+// Closed forms on one contact component [e_0, e_n], for profiles that leave no integral: with Y of
+// fundamental_solution.hpp and N a constant,
+//
+//   u'/c = psi'/c - N Y off the contact,   t = -|N| cos(pi alpha) |Y| on it.
+//
+//   flat punch: the whole support in contact, edges at both ends, N = -P/pi. Contains [Bal16, (4)] and [Bal16,
+//   (5)-(7)]. parabola:   free ends, N = 1/R. Contains Galin's parabola [Bal16, section 2].
+//
+// Lengths are measured from an exact origin (the punch's centre, the parabola's vertex).
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "numeric/cauchy/power_traction.hpp"
+#include "numeric/solution/contact_solution.hpp"
+
+namespace steadyslide::numeric {
+
+/// What a closed form consists of.
+template <Real R>
+struct ClosedFormData {
+  Rational origin;
+  SingularKind ends;                           ///< edge or free, both alike
+  std::size_t first_piece;                     ///< the friction piece at the left end
+  std::vector<Exponent> exponents;             ///< at e_0..e_n
+  std::vector<std::optional<Rational>> exact;  ///< e_0..e_n from the origin, where they are data
+  R left_end;                                  ///< e_0 from the origin
+  R end_error;                                 ///< estimated absolute error of e_0 and e_n
+  R factor;                                    ///< N
+  PowerTraction<R> traction;
+};
+
+/// The data of the closed form that applies, or the reason why none does.
+template <Real R>
+std::variant<ClosedFormData<R>, std::string> closed_form_data(const ContactProblem& problem);
+
+template <Real R>
+class ClosedForm : public ContactSolution<R> {
+ public:
+  ClosedForm(ContactProblem problem, ClosedFormData<R> data);
+
+  const ClosedFormData<R>& data() const { return data_; }
+  R traction(std::size_t panel, const Node<R>& node) const { return data_.traction(panel, node); }
+
+  std::string method() const override { return "closed-form"; }
+  std::vector<ContactComponent<R>> contact() const override;
+  std::vector<SolvedSingularPoint<R>> singular_points() const override;
+  Resultants<R> resultants() const override;
+  EstimatedError<R> estimated_error() const override;
+  Residuals<R> residuals() const override;
+  Sample<R> at(const Rational& x) const override;
+  std::vector<Sample<R>> samples(int count) const override;
+
+ private:
+  const FundamentalSolution<R>& weight() const { return data_.traction.weight; }
+  Estimate<R> coordinate(std::size_t j) const;
+  Estimate<R> intensity(std::size_t j) const;
+  R profile_slope(const R& from_origin) const;
+  Sample<R> inside(std::size_t panel, const Node<R>& node) const;
+  Sample<R> at_point(std::size_t j) const;
+  Sample<R> outside(Side side, const R& distance) const;
+  Estimate<R> limit_at_point(std::size_t j, Side side) const;
+  Estimate<R> shear_of(const Estimate<R>& traction, std::size_t panel) const;
+  R gap_length(Side side) const;
+
+  ContactProblem problem_;
+  ClosedFormData<R> data_;
+};
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,124 @@
+#include "numeric/coarse/coarse_equilibrium.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace steadyslide::numeric::coarse {
+
+namespace {
+
+constexpr int most_rounds = 40;
+
+/// Signs are decided up to this multiple of the load: what rounding of the forces and of the profile leaves open.
+double sign_tolerance(const Influence& influence, const Load& load, const std::vector<char>& active) {
+  double highest = 0;
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    if (active[i]) highest = std::max(highest, std::abs(influence.profile(i)));
+  }
+  return 1e-13 + 1e-15 * highest / load.force;
+}
+
+std::vector<std::size_t> indices(const std::vector<char>& active) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    if (active[i]) result.push_back(i);
+  }
+  return result;
+}
+
+/// Contact leaves where it pulls and begins where bodies overlap; cells that carry the most stay if too few are left.
+std::vector<char> corrected(const Influence& influence, const Equilibrium& state, const Load& load) {
+  const double tolerance = sign_tolerance(influence, load, state.active) * load.force;
+  const std::size_t least = load.at ? 2 : 1;
+  std::vector<char> active(state.active.size());
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    active[i] = state.active[i] ? state.force[i] >= -tolerance : state.gap[i] < -tolerance;
+  }
+  auto count = static_cast<std::size_t>(std::count(active.begin(), active.end(), 1));
+  for (; count < std::min(least, active.size()); ++count) {
+    std::size_t best = active.size();
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      if (!active[i] &&
+          (best == active.size() || state.force[i] - state.gap[i] > state.force[best] - state.gap[best])) {
+        best = i;
+      }
+    }
+    active[best] = 1;
+  }
+  return active;
+}
+
+}  // namespace
+
+Equilibrium with_contact_on(Influence& influence, const Load& load, const std::vector<char>& active) {
+  const Eigen::Index rest = load.at ? 2 : 1;  // unknowns C and tilt
+  const std::vector<std::size_t> cells = indices(active);
+  const auto count = static_cast<Eigen::Index>(cells.size());
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count + rest, count + rest);
+  Eigen::VectorXd right(count + rest);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const std::size_t j = cells[static_cast<std::size_t>(k)];
+    const double* column = influence.column(j);
+    for (Eigen::Index i = 0; i < count; ++i) matrix(i, k) = column[cells[static_cast<std::size_t>(i)]];
+    matrix(k, count) = -1;
+    matrix(count, k) = 1;
+    right(k) = -influence.profile(j);
+    if (load.at) {
+      matrix(k, count + 1) = influence.point(j);
+      matrix(count + 1, k) = influence.mesh().centre(j) - *load.at;
+    }
+  }
+  right(count) = load.force;
+  if (load.at) right(count + 1) = 0;
+  const Eigen::VectorXd solution = matrix.partialPivLu().solve(right);
+
+  Equilibrium state;
+  state.active = active;
+  state.force.assign(active.size(), 0);
+  state.tilt = load.at ? solution(count + 1) : 0;
+  Eigen::VectorXd gap(static_cast<Eigen::Index>(active.size()));
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    gap(static_cast<Eigen::Index>(i)) = influence.profile(i) - solution(count) + state.tilt * influence.point(i);
+  }
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const std::size_t j = cells[static_cast<std::size_t>(k)];
+    state.force[j] = solution(k);
+    gap += solution(k) * Eigen::Map<const Eigen::VectorXd>(influence.column(j), gap.size());
+  }
+  for (std::size_t j : cells) gap(static_cast<Eigen::Index>(j)) = 0;
+  state.gap.assign(gap.begin(), gap.end());
+  if (!solution.allFinite() || !gap.allFinite()) {
+    state.violation = HUGE_VAL;
+    return state;
+  }
+  const double worst = std::min(*std::min_element(state.force.begin(), state.force.end()), gap.minCoeff());
+  state.violation = std::max(0.0, -worst / load.force);
+  state.converged = state.violation <= sign_tolerance(influence, load, active);
+  return state;
+}
+
+Equilibrium equilibrium(Influence& influence, const Load& load, std::vector<char> guess) {
+  if (guess.empty()) guess.assign(influence.size(), 1);
+  Equilibrium best;
+  best.violation = HUGE_VAL;
+  std::set<std::vector<char>> seen;
+  const auto settle = [&](std::vector<char> active) {
+    for (int round = 0; round < most_rounds && seen.insert(active).second; ++round) {
+      Equilibrium state = with_contact_on(influence, load, active);
+      if (state.violation < best.violation || best.active.empty()) best = state;
+      if (state.converged || !std::isfinite(state.violation)) return;
+      active = corrected(influence, state, load);
+    }
+  };
+  settle(std::move(guess));
+  if (best.converged) return best;
+  if (std::vector<char> reached = load_path(influence, load); !reached.empty()) {
+    seen.clear();
+    settle(std::move(reached));
+  }
+  return best;
+}
+
+}  // namespace steadyslide::numeric::coarse

@@ -1,0 +1,159 @@
+#include "numeric/interior/interior_stress.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "numeric/interior/half_plane_stress.hpp"
+#include "numeric/quadrature/double_exponential_rule.hpp"
+
+namespace steadyslide::numeric {
+
+template <Real R>
+int InteriorStress<R>::nodes_per_panel() const {
+  // As for the panels of the form (a pole at the distance of a panel's length, also above it); more nodes because the
+  // pole is a double one here.
+  using std::log, std::sqrt;
+  static const int geometric = static_cast<int>(-log(epsilon<R>()) / (2 * log(2 + sqrt(R(3))))) + 4;
+  return geometric + (solution_->problem().highest_degree() + 1) / 2;
+}
+
+template <Real R>
+bool InteriorStress<R>::is_singular(std::size_t j) const {
+  const RiemannHilbertForm<R>& form = solution_->form();
+  return form.weight().powers()[j].value != 0 || form.is_kinked(j);
+}
+
+template <Real R>
+R InteriorStress<R>::beyond(std::size_t segment, Side side) const {
+  const ContactSet<R>& set = solution_->form().set();
+  R distance = 0;
+  if (side == Side::left) {
+    for (std::size_t j = segment; j-- > 0;) {
+      distance += set.length(j);
+      if (is_singular(j)) return distance;
+    }
+  } else {
+    for (std::size_t j = segment + 1; j < set.segments(); ++j) {
+      distance += set.length(j);
+      if (is_singular(j + 1)) return distance;
+    }
+  }
+  return infinity<R>();
+}
+
+template <Real R>
+Surroundings<R> InteriorStress<R>::surroundings(const Stretch& stretch, const R& depth) const {
+  using std::sqrt;
+  const auto to_point = [&](const R& x) { return R(sqrt(x * x + depth * depth)); };
+  const bool at_left = stretch.from_left == 0;
+  const bool at_right = stretch.from_right == 0;
+  Surroundings<R> around{at_left && is_singular(stretch.segment), at_right && is_singular(stretch.segment + 1),
+                         at_left ? beyond(stretch.segment, Side::left) : stretch.from_left,
+                         at_right ? beyond(stretch.segment, Side::right) : stretch.from_right};
+  if (stretch.x_left <= 0) around.beyond_left = std::min(around.beyond_left, to_point(stretch.x_left));
+  if (stretch.x_right >= 0) around.beyond_right = std::min(around.beyond_right, to_point(stretch.x_right));
+  return around;
+}
+
+template <Real R>
+const JacobiRule<R>& InteriorStress<R>::double_exponential(const Power<R>& power) const {
+  const auto found = double_exponential_rules_.find(power.plus_one);
+  if (found != double_exponential_rules_.end()) return found->second;
+  return double_exponential_rules_.emplace(power.plus_one, double_exponential_rule(power.plus_one)).first->second;
+}
+
+template <Real R>
+void InteriorStress<R>::add_force(const Estimate<R>& force, const R& ratio, const R& x, Sum& sum) const {
+  using std::abs;
+  StressState<R>& stress = sum.stress;
+  const StressComponents<R> value = stress_of_force(force.value, R(ratio * force.value), x, sum.depth);
+  stress.xx.value += value.xx;
+  stress.zz.value += value.zz;
+  stress.xz.value += value.xz;
+  // As if the two forces' fields had the same sign: where they cancel, rounding does not.
+  const R away = x < 0 ? R(-x) : x;
+  const StressComponents<R> error = stress_of_force(force.error, R(-abs(ratio) * force.error), away, sum.depth);
+  stress.xx.error += error.xx;
+  stress.zz.error += error.zz;
+  stress.xz.error += error.xz;
+}
+
+template <Real R>
+void InteriorStress<R>::add(const Stretch& stretch, Sum& sum) const {
+  using std::abs, std::pow;
+  const RiemannHilbertForm<R>& form = solution_->form();
+  const std::size_t segment = stretch.segment;
+  const R ratio = solution_->shear_ratio(segment);
+  for (const GradedPanel<R>& panel : graded_panels(stretch.length, surroundings(stretch, sum.depth))) {
+    Power<R> power{R(0), R(1)};
+    bool kinked = false;
+    if (panel.singular_end) {
+      const std::size_t j = *panel.singular_end == Side::left ? segment : segment + 1;
+      power = form.weight().powers()[j];
+      kinked = form.is_kinked(j);
+    }
+    const JacobiRule<R>& rule = kinked ? double_exponential(power) : rules_.get(power, {R(0), R(1)}, nodes_per_panel());
+    const bool mirrored = panel.singular_end == Side::right;
+    for (std::size_t i = 0; i < rule.size(); ++i) {
+      const R left = panel.from_left + panel.length * (mirrored ? rule.from_right[i] : rule.from_left[i]);
+      const R right = panel.from_right + panel.length * (mirrored ? rule.from_left[i] : rule.from_right[i]);
+      // From the end of the stretch from which less is lost: from x itself if it ends there.
+      const bool by_left = abs(stretch.x_left) + left < abs(stretch.x_right) + right;
+      const R x = by_left ? R(stretch.x_left - left) : R(stretch.x_right + right);
+      R weight = panel.length * rule.weights[i];
+      if (!kinked && power.value != 0) weight /= pow(rule.from_left[i], power.value);
+      const SurfacePoint<R> at =
+          surface_point(form.set(), segment, R(stretch.from_left + left), R(stretch.from_right + right));
+      const Estimate<R> t = form.traction(at);
+      // The place of x among the free ends is as uncertain as they are: twice their error.
+      const R relative = 16 * epsilon<R>() + 2 * solution_->relative_end_error(at);
+      R error = weight * (t.error + relative * abs(t.value));
+      if (kinked && i == 0) {
+        // What lies between the end and the first node.
+        const R missing = abs(t.value) * panel.length * rule.from_left[i] / std::min(R(1), power.plus_one);
+        error += missing;
+      }
+      add_force({weight * t.value, error}, ratio, x, sum);
+    }
+  }
+}
+
+template <Real R>
+StressState<R> InteriorStress<R>::at(const Rational& x, const Rational& z) const {
+  using std::abs, std::sqrt;
+  if (z <= 0) throw std::invalid_argument("the depth of a point below the surface is positive");
+  const RiemannHilbertForm<R>& form = solution_->form();
+  const ContactSet<R>& set = form.set();
+  const SurfacePoint<R> above = solution_->locate(x);
+  Sum sum{{}, to_real<R>(z / solution_->problem().frame().unit)};
+  for (std::size_t k = 0; k < set.segments(); ++k) {
+    if (!set.in_contact(k)) continue;
+    const R& left = above.node.from_left;
+    const R& right = above.node.from_right;
+    if (static_cast<std::ptrdiff_t>(k) == above.segment && left > 0 && right > 0) {
+      add({k, R(0), left, right, left, R(0)}, sum);
+      add({k, left, right, R(0), R(0), R(-right)}, sum);
+    } else {
+      add({k, R(0), set.length(k), R(0), form.distance(above, k), form.distance(above, k + 1)}, sum);
+    }
+  }
+  StressState<R>& stress = sum.stress;
+  const R scale = sqrt(epsilon<R>()) * (abs(stress.xx.value) + abs(stress.zz.value) + abs(stress.xz.value));
+  for (Estimate<R>* part : {&stress.xx, &stress.zz, &stress.xz}) {
+    if (!(part->error <= scale)) part->convergence = Convergence::stalled;
+  }
+  const Elasticity& elasticity = solution_->problem().problem().elasticity();
+  if (elasticity.half_space()) {
+    const R nu = elasticity.plane() == Plane::strain ? to_real<R>(elasticity.half_space()->poisson()) : R(0);
+    stress.yy = Estimate<R>{nu * (stress.xx.value + stress.zz.value), abs(nu) * (stress.xx.error + stress.zz.error),
+                            stress.xx.convergence};
+  }
+  return stress;
+}
+
+template class InteriorStress<double>;
+template class InteriorStress<Real50>;
+template class InteriorStress<Real100>;
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,41 @@
+#pragma once
+// A double-exponential rule for the unit interval, for functions like y^p or log y at 0 (also a sum of such terms) and
+// analytic at 1, with no other singular point closer than 1 to the interval:
+//
+//   y = 1/(1 + e^{-2u}), u = (pi/2) sinh tau, the trapezoidal rule in tau [TM74].
+//
+// The step follows from the strip |Im tau| < 0.77 that such points leave free: an error like e^{-2 pi 0.77/h}. Below
+// the first node lies the part y^(1+p) of int_0^1 y^p dy: under epsilon, unless y there would be too small a number.
+
+#include <algorithm>
+#include <cmath>
+
+#include "numeric/quadrature/jacobi_rule.hpp"
+
+namespace steadyslide::numeric {
+
+/// Nodes and weights for int_0^1 f(y) dy; `plus_one` = 1 + p > 0.
+template <Real R>
+JacobiRule<R> double_exponential_rule(const R& plus_one) {
+  using std::asinh, std::ceil, std::cosh, std::exp, std::log, std::sinh;
+  const R digits = -log(epsilon<R>());
+  const R h = 2 * pi<R>() * R(0.7) / digits;
+  // Logarithms of y at the first and of 1 - y at the last node, with a margin for log y.
+  R left = (digits + log(digits)) / std::min(plus_one, R(1));
+  if constexpr (std::same_as<R, double>) left = std::min(left, 600.0);
+  const auto first = -static_cast<int>(ceil(asinh(left / pi<R>()) / h));
+  const auto last = static_cast<int>(ceil(asinh(digits / pi<R>()) / h));
+  JacobiRule<R> rule;
+  for (int i = first; i <= last; ++i) {
+    const R tau = i * h;
+    const R e = exp(-pi<R>() * sinh(tau));  // e^{-2u}
+    const R y = 1 / (1 + e);
+    const R rest = e < 1 ? R(e / (1 + e)) : R(1 / (1 + 1 / e));
+    rule.from_left.push_back(y);
+    rule.from_right.push_back(rest);
+    rule.weights.push_back(h * pi<R>() * cosh(tau) * y * rest);
+  }
+  return rule;
+}
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,149 @@
+#include "numeric/quadrature/gsl_quadrature.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+
+#include <memory>
+#include <mutex>
+#include <numbers>
+
+namespace steadyslide::numeric::gsl {
+namespace {
+
+constexpr std::size_t max_intervals = 400;
+constexpr double relative_tolerance = 1e-13;
+
+/// GSL aborts the process on an error unless its one global handler is off: here, and nowhere else.
+void disable_error_handler() {
+  static std::once_flag once;
+  std::call_once(once, [] { gsl_set_error_handler_off(); });
+}
+
+struct WorkspaceDeleter {
+  void operator()(gsl_integration_workspace* w) const { gsl_integration_workspace_free(w); }
+};
+using Workspace = std::unique_ptr<gsl_integration_workspace, WorkspaceDeleter>;
+
+struct TableDeleter {
+  void operator()(gsl_integration_qaws_table* t) const { gsl_integration_qaws_table_free(t); }
+};
+using Table = std::unique_ptr<gsl_integration_qaws_table, TableDeleter>;
+
+template <class F>
+gsl_function wrap(const F& f) {
+  return {[](double x, void* data) { return (*static_cast<const F*>(data))(x); }, const_cast<F*>(&f)};
+}
+
+/// Round-off met at the tolerance asked for is not a failure: the error estimate says what was reached.
+Estimate<double> estimate_of(int status, double value, double error) {
+  const bool reached = status == GSL_SUCCESS || status == GSL_EROUND;
+  return {value, error, reached && std::isfinite(value) ? Convergence::reached : Convergence::stalled};
+}
+
+/// int_0^length d^power g(d) dd, 0 for an empty interval. QAWS wants power > -1, which 1 + lambda below 1e-16 no longer
+/// is.
+template <class G>
+Estimate<double> qaws(double length, double power, const G& g) {
+  if (length <= 0) return {};
+  disable_error_handler();
+  const Table table(gsl_integration_qaws_table_alloc(power, 0, 0, 0));
+  if (!table) return {0, 0, Convergence::stalled};
+  const Workspace workspace(gsl_integration_workspace_alloc(max_intervals));
+  gsl_function f = wrap(g);
+  double value = 0;
+  double error = 0;
+  const int status = gsl_integration_qaws(&f, 0, length, table.get(), 0, relative_tolerance, max_intervals,
+                                          workspace.get(), &value, &error);
+  return estimate_of(status, value, error);
+}
+
+/// PV int_{-radius}^{radius} g(y)/y dy.
+template <class G>
+Estimate<double> qawc(double radius, const G& g) {
+  disable_error_handler();
+  const Workspace workspace(gsl_integration_workspace_alloc(max_intervals));
+  gsl_function f = wrap(g);
+  double value = 0;
+  double error = 0;
+  const int status = gsl_integration_qawc(&f, -radius, radius, 0, 0, relative_tolerance, max_intervals, workspace.get(),
+                                          &value, &error);
+  return estimate_of(status, value, error);
+}
+
+void add(Estimate<double>& sum, const Estimate<double>& term) {
+  sum.value += term.value;
+  sum.error += term.error;
+  if (term.convergence == Convergence::stalled) sum.convergence = Convergence::stalled;
+}
+
+/// From each end to the middle, so that a kernel that is nearly singular at an end sees the exact distance to it.
+template <class Kernel>
+Estimate<double> weighted_panel(const PanelDensity<double>& density, const Kernel& kernel) {
+  using std::pow;
+  const Panel<double>& panel = density.panel;
+  Estimate<double> sum = qaws(panel.length / 2, density.left.value, [&](double d) {
+    const Node<double> node = panel.node_from_left(d);
+    return pow(node.from_right, density.right.value) * density.smooth(node) * kernel(node);
+  });
+  add(sum, qaws(panel.length / 2, density.right.value, [&](double d) {
+        const Node<double> node = panel.node_from_right(d);
+        return pow(node.from_left, density.left.value) * density.smooth(node) * kernel(node);
+      }));
+  return sum;
+}
+
+Estimate<double> own_panel(const PanelDensity<double>& density, const Node<double>& at) {
+  using std::pow;
+  const double radius = std::min(at.from_left, at.from_right) / 2;  // makes one of the two middle parts empty
+  const Panel<double>& panel = density.panel;
+  Estimate<double> sum = qawc(radius, [&](double y) {
+    return density({at.x + y, at.from_left + y, at.from_right - y});
+  });
+  // What is left of x - radius and right of x + radius: half of it seen from x, and the rest from the end with its
+  // power.
+  add(sum, qaws(at.from_left / 2, density.left.value, [&](double d) {
+        const Node<double> node = panel.node_from_left(d);
+        return pow(node.from_right, density.right.value) * density.smooth(node) / (d - at.from_left);
+      }));
+  add(sum, qaws(at.from_left / 2 - radius, 0, [&](double y) {
+        const double beyond = radius + y;
+        return -density({at.x - beyond, at.from_left - beyond, at.from_right + beyond}) / beyond;
+      }));
+  add(sum, qaws(at.from_right / 2 - radius, 0, [&](double y) {
+        const double beyond = radius + y;
+        return density({at.x + beyond, at.from_left + beyond, at.from_right - beyond}) / beyond;
+      }));
+  add(sum, qaws(at.from_right / 2, density.right.value, [&](double d) {
+        const Node<double> node = panel.node_from_right(d);
+        return pow(node.from_left, density.left.value) * density.smooth(node) / (at.from_right - d);
+      }));
+  return sum;
+}
+
+}  // namespace
+
+Estimate<double> panel_integral(const PanelDensity<double>& density) {
+  return weighted_panel(density, [](const Node<double>&) { return 1.0; });
+}
+
+Estimate<double> integral(const PiecewiseDensity<double>& density) {
+  Estimate<double> sum;
+  for (const PanelDensity<double>& panel : density) add(sum, panel_integral(panel));
+  return sum;
+}
+
+Estimate<double> hilbert(const PiecewiseDensity<double>& density, const PanelPoint<double>& at) {
+  Estimate<double> sum = own_panel(density[at.panel], at.node);
+  for (std::size_t j = 0; j < density.size(); ++j) {
+    if (j == at.panel) continue;
+    const bool to_the_right = j > at.panel;
+    const double between =
+        (to_the_right ? at.node.from_right : at.node.from_left) + distance_between(density, j, at.panel);
+    add(sum, weighted_panel(density[j], [&](const Node<double>& node) {
+          return to_the_right ? 1 / (between + node.from_left) : -1 / (between + node.from_right);
+        }));
+  }
+  return {sum.value / std::numbers::pi, sum.error / std::numbers::pi, sum.convergence};
+}
+
+}  // namespace steadyslide::numeric::gsl

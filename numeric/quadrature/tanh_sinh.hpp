@@ -1,0 +1,30 @@
+#pragma once
+// First quadrature route: Boost.Math's tanh-sinh rule, with the powers at the ends of a panel absorbed.
+//
+// On each half of a panel d = h v^{1/(1+lambda)} turns int_0^h d^lambda g(d) dd into h^{1+lambda}/(1+lambda) int_0^1 g
+// dv: the integrand is bounded however strong the singularity, and no mass hides below the smallest number of the type.
+// Principal values: t(x') - t(x) near x, and the logarithm that belongs to it.
+
+#include "model/direction.hpp"
+#include "numeric/cauchy/density.hpp"
+#include "numeric/number/estimate.hpp"
+
+namespace steadyslide::numeric::tanh_sinh {
+
+/// int t over one panel.
+template <Real R>
+Estimate<R> panel_integral(const PanelDensity<R>& density);
+
+/// int t over all panels.
+template <Real R>
+Estimate<R> integral(const PiecewiseDensity<R>& density);
+
+/// H t = (1/pi) PV int t(x')/(x'-x) dx' at a point inside a panel.
+template <Real R>
+Estimate<R> hilbert(const PiecewiseDensity<R>& density, const PanelPoint<R>& at);
+
+/// The same integral at the distance d > 0 to the left of the first panel (Side::left) or right of the last one.
+template <Real R>
+Estimate<R> cauchy(const PiecewiseDensity<R>& density, Side side, const R& distance);
+
+}  // namespace steadyslide::numeric::tanh_sinh

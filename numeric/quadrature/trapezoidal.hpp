@@ -1,0 +1,67 @@
+#pragma once
+// Second quadrature route, sharing nothing with the first: the trapezoidal rule in tau, x = tanh(tau/2) on each panel.
+//
+//   from_left = length/(1+e^-tau), from_right = length/(1+e^tau), dx = from_left from_right/length dtau
+//
+// A density becomes a function that decays exponentially at both ends and is analytic for |Im tau| < pi, so that the
+// error falls like e^{-2 pi^2/h}. Beyond the cut-off the terms form a geometric series, which is summed exactly: an end
+// power next to -1 costs nothing. With the nodes staggered half a step off the pole the rule gives the principal value.
+// (Heuristic: the cut-off and the step assume branch points on the real axis and nothing else.)
+
+#include "model/direction.hpp"
+#include "numeric/cauchy/density.hpp"
+#include "numeric/number/estimate.hpp"
+
+namespace steadyslide::numeric::trapezoidal {
+
+/// Samples of a density, taken once and used for any number of integrals.
+template <Real R>
+class Grid {
+ public:
+  explicit Grid(PiecewiseDensity<R> density);
+
+  const PiecewiseDensity<R>& density() const { return density_; }
+
+  R panel_integral(std::size_t k) const;
+  /// int t.
+  R integral() const;
+  /// int (x - origin) t.
+  R moment(const R& origin) const;
+
+  /// The point halfway (in tau) between two samples of panel k that is next to the given fraction of its length.
+  /// Principal values there need no new samples.
+  PanelPoint<R> midpoint_near(std::size_t k, const R& fraction) const;
+
+  /// H t = (1/pi) PV int t(x')/(x'-x) dx' at a point inside a panel.
+  R hilbert(const PanelPoint<R>& at) const;
+  /// The same integral at the distance d > 0 to the left of the first panel (Side::left) or right of the last one.
+  R cauchy(Side side, const R& distance) const;
+
+  /// -(1/pi) int t(x') log(|x - x'|/|e - x'|) dx': what the surface rises from the end e of panel k (where contact ends
+  /// on that side) to the point x at the distance d > 0 beyond it, within the gap there.
+  R displacement(std::size_t k, Side end, const R& distance) const;
+
+ private:
+  struct Sample {
+    Node<R> node;
+    R weighted;  ///< t(x) dx/dtau h
+  };
+  /// Samples at tau = offset + k h, and the sums of the geometric tails beyond the first and the last one.
+  struct Samples {
+    std::vector<Sample> inner;
+    R left_tail;
+    R right_tail;
+  };
+
+  Samples sample(const PanelDensity<R>& density, const R& offset) const;
+  /// How far beyond a panel's own scale, in tau, its samples have to reach for the sake of shorter panels.
+  R reach_for_others(const PanelDensity<R>& density) const;
+  template <class Kernel>
+  R sum(const Panel<R>& panel, const Samples& samples, const Kernel& kernel) const;
+
+  PiecewiseDensity<R> density_;
+  R step_;
+  std::vector<Samples> samples_;
+};
+
+}  // namespace steadyslide::numeric::trapezoidal

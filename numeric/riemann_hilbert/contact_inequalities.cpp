@@ -1,0 +1,226 @@
+#include "numeric/riemann_hilbert/contact_inequalities.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace steadyslide::numeric {
+namespace {
+
+/// Places in ]0, 1[, as numerators over 10^9 from the nearer end: next to both ends, and between them.
+constexpr std::array<int, 8> near_end{1, 1000, 300'000, 3'000'000, 20'000'000, 70'000'000, 150'000'000, 250'000'000};
+
+/// Beside a re-entrant wedge the sign may change as near as numbers reach: decimal exponents.
+constexpr std::array<int, 20> near_wedge{-290, -250, -200, -160, -130, -105, -85, -70, -58, -48,
+                                         -40,  -34,  -29,  -25,  -22,  -19,  -17, -15, -13, -11};
+
+template <Real R>
+std::vector<SurfacePoint<R>> places(const ContactSet<R>& set, std::size_t segment, int between, bool left_wedge = false,
+                                    bool right_wedge = false) {
+  using std::pow;
+  const R& length = set.length(segment);
+  std::vector<SurfacePoint<R>> result;
+  const auto add = [&](const R& from_left, const R& from_right) {
+    result.push_back(surface_point(set, segment, from_left, from_right));
+  };
+  for (const int exponent : near_wedge) {
+    if (left_wedge) add(R(length * pow(R(10), R(exponent))), length);
+  }
+  for (const int part : near_end) {
+    const R d = length * R(part) / 1'000'000'000;
+    add(d, R(length - d));
+  }
+  for (int i = 0; i < between; ++i) {
+    const R d = length * (R(0.35) + R(0.3) * i / std::max(between - 1, 1));
+    add(d, R(length - d));
+  }
+  for (std::size_t i = near_end.size(); i-- > 0;) {
+    const R d = length * R(near_end[i]) / 1'000'000'000;
+    add(R(length - d), d);
+  }
+  for (std::size_t i = near_wedge.size(); i-- > 0;) {
+    if (right_wedge) add(length, R(length * pow(R(10), R(near_wedge[i]))));
+  }
+  return result;
+}
+
+template <Real R>
+class Inspection {
+ public:
+  explicit Inspection(const RiemannHilbertForm<R>& form) : form_(form), set_(form.set()) {}
+
+  std::vector<Violation<R>> run() {
+    std::size_t j = 0;
+    while (j < set_.segments()) {
+      std::size_t end = j + 1;
+      while (end < set_.segments() && set_.in_contact(end) == set_.in_contact(j)) ++end;
+      if (set_.in_contact(j)) {
+        inspect_contact(j, end);
+      } else {
+        inspect_gap(j, end);
+      }
+      j = end;
+    }
+    return std::move(found_);
+  }
+
+ private:
+  using What = typename Violation<R>::What;
+
+  /// Gathers neighbouring places that fail.
+  void note(What what, bool fails, const SurfacePoint<R>& at) {
+    if (fails) {
+      if (!open_) found_.push_back({what, previous_, at});
+      open_ = true;
+    }
+    if (open_) found_.back().to = at;
+    open_ = fails;
+    previous_ = at;
+  }
+
+  void begin(std::size_t segment) {
+    previous_ = {static_cast<std::ptrdiff_t>(segment), {set_.x(segment), R(0), set_.length(segment)}};
+    open_ = false;
+  }
+
+  void end(std::size_t segment) {
+    if (open_) {
+      found_.back().to = {static_cast<std::ptrdiff_t>(segment), {set_.x(segment + 1), set_.length(segment), R(0)}};
+    }
+    open_ = false;
+  }
+
+  struct Value {
+    SurfacePoint<R> at;
+    Estimate<R> b;
+  };
+
+  /// Tension between three places of one segment, by parabolas through the highest values: it may be as narrow as it
+  /// likes where contact is about to part.
+  std::optional<Value> peak_beside(Value left, Value middle, Value right) const {
+    const std::size_t k = static_cast<std::size_t>(middle.at.segment);
+    const auto height = [&](const Value& v) { return R(form_.sign(v.at.segment) * v.b.value); };
+    for (int i = 0; i < 8; ++i) {
+      const R top = height(middle);
+      if (top > 4 * middle.b.error) return i > 0 ? std::optional<Value>(middle) : std::nullopt;
+      if (height(left) > top || height(right) > top) return std::nullopt;
+      const R h = middle.at.node.from_left - left.at.node.from_left;
+      const R w = right.at.node.from_left - middle.at.node.from_left;
+      const R down = (top - height(left)) / h;
+      const R up = (top - height(right)) / w;
+      const R curvature = (down + up) / (h + w);
+      if (!(curvature > 0)) return std::nullopt;
+      const R slope = (down * w - up * h) / (h + w);
+      // Far from zero: nothing to be found.
+      if (top + slope * slope / (4 * curvature) < top / 2) return std::nullopt;
+      const R d = middle.at.node.from_left + slope / (2 * curvature);
+      Value next{{middle.at.segment, {set_.x(k) + d, d, set_.length(k) - d}}, {}};
+      next.b = form_.bracket(form_.slope_at(k), next.at);
+      const bool rightwards = d > middle.at.node.from_left;
+      if (height(next) < top) return std::nullopt;
+      (rightwards ? left : right) = middle;
+      middle = next;
+    }
+    return std::nullopt;
+  }
+
+  void inspect_contact(std::size_t first, std::size_t end) {
+    begin(first);
+    // t has the sign of eps B, and B costs nothing where one polynomial rules.
+    const auto inspect = [&](const SurfacePoint<R>& at, const Estimate<R>& b) {
+      const R value = form_.sign(at.segment) * b.value;
+      note(What::tension, value > 4 * b.error, at);
+    };
+    // At the ends themselves too: an edge that pulls, however little, is a free end before it.
+    const auto last = static_cast<std::ptrdiff_t>(end) - 1;
+    const R& length = set_.length(end - 1);
+    inspect({static_cast<std::ptrdiff_t>(first), {set_.x(first), R(0), set_.length(first)}},
+            form_.bracket_at(first, Side::right));
+    for (std::size_t k = first; k < end; ++k) {
+      std::vector<Value> values;
+      for (const SurfacePoint<R>& at : places(set_, k, 5, is_suspect(k), is_suspect(k + 1)))
+        values.push_back({at, form_.bracket(form_.slope_at(k), at)});
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const bool between = 0 < i && i + 1 < values.size();
+        const std::optional<Value> peak = between ? peak_beside(values[i - 1], values[i], values[i + 1]) : std::nullopt;
+        const bool before = peak && peak->at.node.from_left < values[i].at.node.from_left;
+        if (before) inspect(peak->at, peak->b);
+        inspect(values[i].at, values[i].b);
+        if (peak && !before) inspect(peak->at, peak->b);
+      }
+    }
+    inspect({last, {set_.x(end), length, R(0)}}, form_.bracket_at(end, Side::left));
+    this->end(end - 1);
+  }
+
+  /// A re-entrant wedge in the contact, without friction that rises there, pulls in its corner.
+  bool is_suspect(std::size_t j) const {
+    if (!form_.is_kinked(j) || !form_.problem().anchors()[*set_.point(j).anchor].wedge) return false;
+    const R& x = set_.x(j);
+    const auto slope = [&](std::size_t segment) { return form_.problem().slope(form_.slope_at(segment), x); };
+    return slope(j) < slope(j - 1) && form_.exponent(j).sign() >= 0;
+  }
+
+  void inspect_gap(std::size_t first, std::size_t end) {
+    const bool contact_left = first > 0;
+    const bool contact_right = end < set_.segments();
+    if (!contact_left && !contact_right) return;
+    std::vector<SurfacePoint<R>> all;
+    bool steps = false;
+    for (std::size_t k = first; k < end; ++k) {
+      std::vector<SurfacePoint<R>> more = places(set_, k, 5);
+      const std::vector<SurfacePoint<R>> extremes = form_.extremes(k);
+      more.insert(more.end(), extremes.begin(), extremes.end());
+      if (!extremes.empty()) {
+        std::sort(more.begin(), more.end(), [](const SurfacePoint<R>& a, const SurfacePoint<R>& b) {
+          return a.node.from_left != b.node.from_left ? a.node.from_left < b.node.from_left
+                                                      : a.node.from_right > b.node.from_right;
+        });
+      }
+      all.insert(all.end(), more.begin(), more.end());
+    }
+    for (std::size_t j = first; j <= end; ++j) {
+      if (set_.point(j).anchor && form_.problem().anchors()[*set_.point(j).anchor].step_sign != 0) steps = true;
+    }
+    // A gap that opens, and at its other end closes, is positive in between: no need to integrate.
+    if (!steps) {
+      std::size_t i = 0;
+      while (contact_left && i < all.size() && rate(all[i]) >= 0) ++i;
+      while (contact_right && i < all.size() && rate(all[i]) <= 0) ++i;
+      if (i == all.size()) return;
+    }
+    begin(first);
+    const auto middle = all.size() / 2;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const bool from_left = contact_left && (!contact_right || i < middle);
+      const Estimate<R> gap = form_.opening(from_left ? first : end, all[i]);
+      note(What::penetration, gap.value < -8 * gap.error, all[i]);
+    }
+    this->end(end - 1);
+  }
+
+  R rate(const SurfacePoint<R>& at) const {
+    const auto segment = static_cast<std::size_t>(at.segment);
+    return form_.sign(at.segment) * form_.bracket(form_.slope_at(segment), at).value;
+  }
+
+  const RiemannHilbertForm<R>& form_;
+  const ContactSet<R>& set_;
+  std::vector<Violation<R>> found_;
+  bool open_ = false;
+  SurfacePoint<R> previous_;
+};
+
+}  // namespace
+
+template <Real R>
+std::vector<Violation<R>> violations(const RiemannHilbertForm<R>& form) {
+  return Inspection<R>(form).run();
+}
+
+template std::vector<Violation<double>> violations(const RiemannHilbertForm<double>&);
+template std::vector<Violation<Real50>> violations(const RiemannHilbertForm<Real50>&);
+template std::vector<Violation<Real100>> violations(const RiemannHilbertForm<Real100>&);
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,347 @@
+#include "numeric/riemann_hilbert/contact_newton.hpp"
+
+#include <Eigen/LU>
+#include <boost/multiprecision/eigen.hpp>
+#include <cmath>
+
+namespace steadyslide::numeric {
+namespace {
+
+template <Real R>
+using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
+template <Real R>
+using Vector = Eigen::Matrix<R, Eigen::Dynamic, 1>;
+
+/// q(z)/(z - e) without its remainder.
+template <Real R>
+std::vector<R> quotient(const std::vector<R>& q, const R& e) {
+  std::vector<R> result(q.empty() ? 0 : q.size() - 1, R(0));
+  R carry = 0;
+  for (std::size_t k = q.size(); k-- > 1;) {
+    carry = carry * e + q[k];
+    result[k - 1] = carry;
+  }
+  return result;
+}
+
+/// One linearisation: the unknowns rho_f, r and the change of the tilt.
+template <Real R>
+class Linearisation {
+ public:
+  explicit Linearisation(const RiemannHilbertForm<R>& form)
+      : form_(form),
+        S_(form.degree_at_infinity()),
+        free_(form.set().movable()),
+        coefficients_(static_cast<std::size_t>(std::max(-S_ - 1, 0))),
+        tilts_(form.problem().load_at().has_value()),
+        size_(static_cast<Eigen::Index>(free_.size() + coefficients_ + (tilts_ ? 1 : 0))),
+        matrix_(Matrix<R>::Zero(size_, size_)),
+        right_(Vector<R>::Zero(size_)) {
+    add_moments();
+    add_gaps();
+    if (tilts_) add_centre();
+  }
+
+  /// False where the number of conditions is not that of the unknowns (ends that cannot move, though they are free).
+  bool solve() {
+    if (row_ != size_) return false;
+    if (size_ == 0) return true;
+    // Rows of very different size: each is scaled to one.
+    for (Eigen::Index i = 0; i < size_; ++i) {
+      R largest = 0;
+      for (Eigen::Index j = 0; j < size_; ++j) {
+        using std::abs;
+        largest = std::max(largest, R(abs(matrix_(i, j))));
+      }
+      if (!(largest > 0)) return false;
+      matrix_.row(i) /= largest;
+      right_(i) /= largest;
+    }
+    solution_ = matrix_.partialPivLu().solve(right_);
+    return true;
+  }
+
+  /// The conditions beyond the number of unknowns: ends that have come to lie on a jump fulfil them, or are no
+  /// solution.
+  bool is_complete() const { return complete_; }
+
+  std::vector<R> end_steps() const {
+    std::vector<R> steps;
+    for (std::size_t f = 0; f < free_.size(); ++f) {
+      const std::size_t j = free_[f];
+      const Side inside = form_.set().point(j).kind == ContactSet<R>::Kind::begins ? Side::right : Side::left;
+      const R b = form_.bracket_at(j, inside).value;
+      steps.push_back(solution_(static_cast<Eigen::Index>(f)) / (form_.weight().powers()[j].value * b));
+    }
+    return steps;
+  }
+
+  R tilt_step() const { return tilts_ ? solution_(size_ - 1) : R(0); }
+
+  /// The change of q that goes with ends moved by `moved`, when `part` of the step is taken.
+  std::vector<R> q_step(const std::vector<R>& moved, const R& part) const {
+    std::vector<R> step(form_.q().size(), R(0));
+    for (std::size_t k = 0; k < coefficients_; ++k) {
+      step[k] += part * pi<R>() * solution_(static_cast<Eigen::Index>(free_.size() + k));
+    }
+    for (std::size_t f = 0; f < free_.size(); ++f) {
+      const std::vector<R> quot = quotient(form_.q(), form_.set().x(free_[f]));
+      const R factor = form_.weight().powers()[free_[f]].value * moved[f];
+      for (std::size_t k = 0; k < quot.size(); ++k) step[k] += factor * quot[k];
+    }
+    return step;
+  }
+
+ private:
+  R& at(std::size_t column) { return matrix_(row_, static_cast<Eigen::Index>(column)); }
+  R end(std::size_t f) const { return form_.set().x(free_[f]); }
+
+  void add_moments() {
+    if (S_ < 0) return;
+    const auto count = static_cast<std::size_t>(S_ + 1);
+    const std::vector<R> m = form_.moments(count);
+    for (std::size_t j = 0; j < count; ++j) {
+      const R missing = (j + 1 == count ? R(form_.problem().load() / pi<R>()) : R(0)) - m[j];
+      if (row_ >= size_) {
+        using std::abs, std::sqrt;
+        if (!(abs(missing) <= sqrt(epsilon<R>()) * form_.problem().load())) complete_ = false;
+        continue;
+      }
+      for (std::size_t f = 0; f < free_.size(); ++f) {
+        using std::pow;
+        R power = 1;
+        for (std::size_t i = 0; i < j; ++i) power *= end(f);
+        at(f) = power;
+      }
+      if (tilts_) at(free_.size()) = form_.tilt_moment(j);
+      right_(row_++) = missing;
+    }
+  }
+
+  void add_gaps() {
+    const ContactSet<R>& set = form_.set();
+    std::vector<std::size_t> ends = set.all(ContactSet<R>::Kind::ends);
+    ends.pop_back();
+    for (const std::size_t j : ends) {
+      if (row_ >= size_) {
+        ++row_;
+        continue;
+      }
+      const auto rule = form_.gap_rule(j);
+      for (const auto& node : rule) {
+        const R weight = node.weight * node.y;
+        for (std::size_t f = 0; f < free_.size(); ++f) at(f) -= weight / form_.distance(node.at, free_[f]);
+        R power = weight;
+        for (std::size_t k = 0; k < coefficients_; ++k) {
+          at(free_.size() + k) -= power;
+          power *= node.at.node.x;
+        }
+        if (tilts_) at(free_.size() + coefficients_) += weight * form_.tilt_polynomial(node.at.node.x);
+      }
+      right_(row_) = -form_.closure(j, rule);
+      ++row_;
+    }
+  }
+
+  /// The coefficient of z^-2 of u'/c is P load_at/pi.
+  void add_centre() {
+    if (row_ >= size_) {
+      ++row_;
+      return;
+    }
+    const std::vector<R>& d = form_.series();
+    const auto count = static_cast<std::size_t>(std::max(S_ + 2, 0));
+    const auto series = [&](std::size_t j) { return d[static_cast<std::size_t>(S_ + 1) - j]; };
+    for (std::size_t l = 0; l < coefficients_; ++l) {
+      const int index = S_ + 2 + static_cast<int>(l);
+      if (index >= 0) at(free_.size() + l) += d[static_cast<std::size_t>(index)];
+    }
+    for (std::size_t f = 0; f < free_.size(); ++f) {
+      R power = 1;
+      for (std::size_t j = 0; j < count; ++j) {
+        at(f) += power * series(j);
+        power *= end(f);
+      }
+    }
+    for (std::size_t j = 0; j < count; ++j) at(free_.size() + coefficients_) += form_.tilt_moment(j) * series(j);
+    right_(row_) = (form_.problem().load() * *form_.problem().load_at() - form_.moment_of_load()) / pi<R>();
+    ++row_;
+  }
+
+  const RiemannHilbertForm<R>& form_;
+  int S_;
+  std::vector<std::size_t> free_;
+  std::size_t coefficients_;  ///< of r
+  bool tilts_;
+  Eigen::Index size_;
+  Matrix<R> matrix_;
+  Vector<R> right_;
+  Vector<R> solution_;
+  Eigen::Index row_ = 0;
+  bool complete_ = true;
+};
+
+template <Real R>
+bool is_finite(const std::vector<R>& values) {
+  using std::abs;
+  for (const R& v : values) {
+    if (!(abs(v) < infinity<R>())) return false;
+  }
+  return true;
+}
+
+/// The iteration on one kind of contact set.
+template <Real R>
+class Newton {
+ public:
+  using Status = typename NewtonResult<R>::Status;
+
+  Newton(const ReducedProblem<R>& problem, ContactState<R> state, const std::vector<R>& limits, JacobiRules<R>& rules)
+      : problem_(problem), state_(std::move(state)), limits_(limits), rules_(rules) {}
+
+  NewtonResult<R> run() {
+    using std::abs, std::sqrt;
+    constexpr int max_steps = 100;
+    // Within this part of the hull quadratic convergence has left nothing but rounding.
+    const R rounding = 8 * epsilon<R>();
+    R previous = infinity<R>();
+    for (int iteration = 0; iteration < max_steps; ++iteration) {
+      const RiemannHilbertForm<R> form(problem_, state_.set, state_.q, state_.tilt, rules_);
+      Linearisation<R> linear(form);
+      if (!linear.solve()) break;
+      std::vector<R> ends = linear.end_steps();
+      const R tilt_step = linear.tilt_step();
+      if (!is_finite(ends) || !(abs(tilt_step) < infinity<R>())) break;
+
+      free_ = state_.set.movable();
+      R largest = 0;
+      for (const R& step : ends) largest = std::max(largest, R(abs(step)));
+      const R hull = state_.set.hull();
+      const R beside_wedges = follow_lengths(ends, hull);
+      const auto [part, tightest] = admissible_part(ends);
+      if (part < 1 && state_.set.length(tightest) < limits_[tightest] && largest > rounding * hull) {
+        return {std::move(state_), Status::collapse, tightest, largest};
+      }
+      for (R& step : ends) step *= part;
+      const std::vector<R> q_step = linear.q_step(ends, part);
+      state_.set.move(ends);
+      for (std::size_t k = 0; k < q_step.size(); ++k) state_.q[k] += q_step[k];
+      state_.tilt += part * tilt_step;
+
+      const R movement = std::max({R(largest / hull), R(relative_change(q_step, state_.q) / part),
+                                   R(abs(tilt_step) / std::max(R(abs(state_.tilt)), R(1)))});
+      if (!(movement < infinity<R>())) break;
+      const bool settled = movement <= rounding && beside_wedges <= R(1e-7);
+      // Rounding may keep the last steps above that: they are small, and no longer shrink.
+      const bool ground = movement < sqrt(epsilon<R>()) && movement >= previous / 2 && beside_wedges <= R(1e-3);
+      // An end that rounding alone drives across an anchor takes part of the step for ever: it is where it belongs.
+      if (settled || (part == 1 && ground)) {
+        if (!linear.is_complete()) break;
+        return {std::move(state_), Status::converged, 0, R(movement * hull)};
+      }
+      previous = part == 1 ? movement : infinity<R>();
+    }
+    return {std::move(state_), Status::stalled};
+  }
+
+ private:
+  /// The segment in contact at a free end.
+  std::size_t inside(std::size_t j) const {
+    return state_.set.point(j).kind == ContactSet<R>::Kind::begins ? j : j - 1;
+  }
+
+  /// Does contact at the free end j reach just beyond a break of the profile? There the length l of that piece counts
+  /// by its order of magnitude: it carries a load like l^(1 - p), and p may be near 1.
+  bool is_beside_break(std::size_t j, const R& hull) const {
+    const bool begins = state_.set.point(j).kind == ContactSet<R>::Kind::begins;
+    const auto& neighbour = state_.set.point(begins ? j + 1 : j - 1);
+    return neighbour.anchor && problem_.anchors()[*neighbour.anchor].is_break &&
+           state_.set.length(inside(j)) < R(0.05) * hull;
+  }
+
+  /// Steps of such ends are steps of log l. Returns the largest of them.
+  R follow_lengths(std::vector<R>& ends, const R& hull) const {
+    using std::abs, std::expm1;
+    R largest = 0;
+    for (std::size_t f = 0; f < free_.size(); ++f) {
+      const std::size_t j = free_[f];
+      if (!is_beside_break(j, hull)) continue;
+      const R& length = state_.set.length(inside(j));
+      const R outwards = state_.set.point(j).kind == ContactSet<R>::Kind::begins ? R(-1) : R(1);
+      const R growth = outwards * ends[f] / length;
+      largest = std::max(largest, R(abs(growth)));
+      ends[f] = outwards * length * expm1(std::clamp(growth, R(-7), R(3)));
+    }
+    return largest;
+  }
+
+  /// How much of the step leaves every segment a tenth of its length at least, and the segment that says so. The length
+  /// beyond a break counts as admissible until it is below its limit.
+  std::pair<R, std::size_t> admissible_part(const std::vector<R>& ends) const {
+    std::vector<R> change(state_.set.segments(), R(0));
+    for (std::size_t f = 0; f < free_.size(); ++f) {
+      change[free_[f] - 1] += ends[f];
+      change[free_[f]] -= ends[f];
+    }
+    const R hull = state_.set.hull();
+    std::vector<char> by_order(state_.set.segments(), 0);
+    for (const std::size_t j : free_) {
+      const std::size_t k = inside(j);
+      by_order[k] = is_beside_break(j, hull) && state_.set.length(k) >= limits_[k];
+    }
+    R part = 1;
+    std::size_t tightest = 0;
+    for (std::size_t k = 0; k < change.size(); ++k) {
+      if (by_order[k] || !(change[k] < 0)) continue;
+      const R allowed = -R(0.9) * state_.set.length(k) / change[k];
+      if (allowed < part) {
+        part = allowed;
+        tightest = k;
+      }
+    }
+    return {part, tightest};
+  }
+
+  R relative_change(const std::vector<R>& step, const std::vector<R>& q) const {
+    using std::abs;
+    R change = 0;
+    R size = problem_.load();
+    for (const R& c : step) change = std::max(change, R(abs(c)));
+    for (const R& c : q) size = std::max(size, R(abs(c)));
+    return change / size;
+  }
+
+  const ReducedProblem<R>& problem_;
+  ContactState<R> state_;
+  const std::vector<R>& limits_;
+  JacobiRules<R>& rules_;
+  std::vector<std::size_t> free_;
+};
+
+}  // namespace
+
+template <Real R>
+ContactState<R> ContactState<R>::initial(const ReducedProblem<R>& problem, ContactSet<R> set, const R& tilt) {
+  int degree = -static_cast<int>(set.components());
+  for (const auto& point : set.points()) degree += point.is_free() ? 1 : 0;
+  std::vector<R> q(static_cast<std::size_t>(std::max(-degree, 0)), R(0));
+  if (!q.empty()) q.back() = problem.load();
+  return {std::move(set), std::move(q), tilt};
+}
+
+template <Real R>
+NewtonResult<R> solve_newton(const ReducedProblem<R>& problem, ContactState<R> state, const std::vector<R>& limits,
+                             JacobiRules<R>& rules) {
+  return Newton<R>(problem, std::move(state), limits, rules).run();
+}
+
+#define STEADYSLIDE_INSTANTIATE(R)                                                                        \
+  template struct ContactState<R>;                                                                        \
+  template NewtonResult<R> solve_newton(const ReducedProblem<R>&, ContactState<R>, const std::vector<R>&, \
+                                        JacobiRules<R>&);
+STEADYSLIDE_INSTANTIATE(double)
+STEADYSLIDE_INSTANTIATE(Real50)
+STEADYSLIDE_INSTANTIATE(Real100)
+#undef STEADYSLIDE_INSTANTIATE
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,41 @@
+#pragma once
+// Newton's method for the contact set: its free ends e_f, the polynomial q and the tilt, such that
+//
+//   u'/(c Y) = m_0/z + m_1/z^2 + ... + q/pi has m_j = 0 for j < S and the load P/pi as the coefficient that belongs to
+//   1/z of u'/c; the profile's height closes over every gap; the centre of pressure lies under load_at.
+//
+// The Jacobian needs no difference and no derivative of an integral: every neighbouring solution differs from the
+// current one by Y (sum_f rho_f/(z - e_f) + r(z)), rho_f = p_f B(e_f) de_f, deg r < -S-1, and by a multiple of 1 - Y
+// [1/Y]_poly for the tilt. (The growth at infinity leaves nothing else: Liouville's theorem.)
+
+#include <string>
+
+#include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
+
+namespace steadyslide::numeric {
+
+/// What a solution of the local problem consists of.
+template <Real R>
+struct ContactState {
+  ContactSet<R> set;
+  std::vector<R> q;
+  R tilt;
+
+  /// For a set that is new: the load alone.
+  static ContactState initial(const ReducedProblem<R>& problem, ContactSet<R> set, const R& tilt);
+};
+
+template <Real R>
+struct NewtonResult {
+  ContactState<R> state;
+  enum class Status { converged, collapse, stalled } status;
+  std::size_t collapsing = 0;  ///< the segment that wants to vanish
+  R step = 0;                  ///< the last movement of an end, at the end of the iteration
+};
+
+/// `limit[k]`: a segment that shrinks below this length and wants to go on is reported as collapsing.
+template <Real R>
+NewtonResult<R> solve_newton(const ReducedProblem<R>& problem, ContactState<R> state, const std::vector<R>& limits,
+                             JacobiRules<R>& rules);
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,238 @@
+#include "numeric/riemann_hilbert/contact_search.hpp"
+
+#include <cmath>
+#include <map>
+
+#include "numeric/riemann_hilbert/contact_inequalities.hpp"
+
+namespace steadyslide::numeric {
+namespace {
+
+template <Real R>
+class Search {
+ public:
+  Search(const ReducedProblem<R>& problem, ContactState<R> start, JacobiRules<R>& rules)
+      : problem_(problem), rules_(rules), state_(std::move(start)) {}
+
+  SearchResult<R> run() {
+    constexpr int max_rounds = 60;
+    std::string why = "the contact set kept changing";
+    for (int round = 0; round < max_rounds; ++round) {
+      NewtonResult<R> newton = solve_newton(problem_, state_, limits(), rules_);
+      state_ = std::move(newton.state);
+      switch (newton.status) {
+        case NewtonResult<R>::Status::stalled: return result("Newton's method for the contact's ends stalled", R(0));
+        case NewtonResult<R>::Status::collapse:
+          if (!collapse(newton.collapsing)) return result("an end of the contact has nowhere to go", R(0));
+          break;
+        case NewtonResult<R>::Status::converged: {
+          snap();
+          const RiemannHilbertForm<R> form(problem_, state_.set, state_.q, state_.tilt, rules_);
+          const std::vector<Violation<R>> found = violations(form);
+          if (found.empty()) return result({}, newton.step);
+          why = in_words(found);
+          if (round + 1 == max_rounds || !repair(found)) return result(why, newton.step);
+          break;
+        }
+      }
+    }
+    return result(why, R(0));
+  }
+
+ private:
+  using Set = ContactSet<R>;
+  using Kind = typename Set::Kind;
+  using What = typename Violation<R>::What;
+
+  SearchResult<R> result(std::string shortcoming, const R& step) const {
+    return {state_, std::max(step, R(epsilon<R>() * state_.set.hull())), std::move(shortcoming)};
+  }
+
+  static std::string in_words(const std::vector<Violation<R>>& found) {
+    bool tension = false;
+    bool penetration = false;
+    for (const Violation<R>& v : found) (v.what == What::tension ? tension : penetration) = true;
+    if (tension && penetration) return "the traction pulls and the surfaces penetrate";
+    return tension ? "the traction pulls in part of the contact" : "the surfaces penetrate outside the contact";
+  }
+
+  /// An end that wants to cross an anchor may do so from this distance; every crossing makes the next one harder, so
+  /// that an end very near the anchor is approached and not jumped over for ever. The same with gaps that close.
+  std::vector<R> limits() const {
+    const Set& set = state_.set;
+    const R hull = set.hull();
+    std::vector<R> result(set.segments(), R(1e-3) * hull);
+    using std::pow;
+    for (std::size_t k = 0; k < set.segments(); ++k) {
+      if (!set.in_contact(k) && set.point(k).is_end() && set.point(k + 1).is_end()) {
+        result[k] = hull * pow(R(1e-3), closings_ + 1);
+      }
+      if (cannot_vanish(k)) result[k] = 0;
+      for (const std::size_t j : {k, k + 1}) {
+        if (!set.point(j).anchor) continue;
+        const auto found = crossings_.find(*set.point(j).anchor);
+        if (found == crossings_.end()) continue;
+        result[k] = std::min(result[k], R(hull * pow(R(1e-3), found->second + 1)));
+      }
+    }
+    return result;
+  }
+
+  /// The gap beside a step: whatever its length, it cannot close, nor can contact cross it.
+  bool cannot_vanish(std::size_t k) const {
+    const Set& set = state_.set;
+    if (set.in_contact(k)) return false;
+    for (const std::size_t j : {k, k + 1}) {
+      if (set.point(j).anchor && problem_.anchors()[*set.point(j).anchor].step_sign != 0) {
+        const std::size_t other = j == k ? k + 1 : k;
+        const bool end_of_ours = set.point(other).is_free() && !set.point(other).anchor;
+        const End end = other == k ? End::right : End::left;
+        if (end_of_ours && !problem_.edge_possible(end, *set.point(j).anchor)) return true;
+      }
+    }
+    return false;
+  }
+
+  /// False, and nothing changes, if the set makes no sense: two changes at once got into each other's way.
+  bool renew(Set set) {
+    if (!set.is_consistent()) return false;
+    state_ = ContactState<R>::initial(problem_, std::move(set), state_.tilt);
+    return true;
+  }
+
+  bool collapse(std::size_t k) {
+    Set set = state_.set;
+    const auto left = set.point(k);
+    const auto right = set.point(k + 1);
+    const bool left_moves = left.is_free() && !left.anchor;
+    if (set.in_contact(k)) {
+      if (left.is_end() && right.is_end()) {
+        if (set.components() == 1) return false;
+        set.close(k);
+        return renew(std::move(set));
+      }
+      return cross(left_moves ? k : k + 1, left_moves ? Side::right : Side::left);
+    }
+    if (left.is_end() && right.is_end()) {
+      if (!left.is_free() || !right.is_free() || left.anchor || right.anchor) return false;
+      ++closings_;
+      set.close(k);
+      return renew(std::move(set));
+    }
+    const std::size_t j = left_moves ? k : k + 1;
+    const Side towards = left_moves ? Side::right : Side::left;
+    const std::size_t anchor = *(left_moves ? right : left).anchor;
+    const bool is_support_end = anchor == 0 || anchor + 1 == problem_.anchors().size();
+    if (!is_support_end && problem_.anchors()[anchor].step_sign == 0) return cross(j, towards);
+    const End end = left_moves ? End::right : End::left;
+    if (!problem_.edge_possible(end, anchor)) return false;
+    ++crossings_[anchor];
+    set.settle(j, towards, false);
+    return renew(std::move(set));
+  }
+
+  bool cross(std::size_t j, Side towards) {
+    Set set = state_.set;
+    const std::size_t neighbour = towards == Side::left ? j - 1 : j + 1;
+    if (!set.point(neighbour).anchor || set.point(neighbour).is_end()) return false;
+    const R distance = set.length(towards == Side::left ? j - 1 : j);
+    ++crossings_[*set.point(neighbour).anchor];
+    set.hop(j, towards, distance);
+    if (!set.is_consistent()) return false;
+    state_.set = std::move(set);
+    return true;
+  }
+
+  /// Free ends that have come to lie on a friction jump but for rounding are there. Not on a wedge: a contact that
+  /// reaches beyond it by a length l carries a load of the order of l^(1/2 - |alpha|), much though l may be nothing.
+  void snap() {
+    const R rounding = 4 * epsilon<R>() * state_.set.hull();
+    for (const std::size_t j : state_.set.movable()) {
+      const auto& point = state_.set.point(j);
+      const bool begins = point.kind == Kind::begins;
+      const std::size_t inside = begins ? j : j - 1;
+      const std::size_t neighbour = begins ? j + 1 : j - 1;
+      if (state_.set.length(inside) > rounding || !state_.set.point(neighbour).anchor ||
+          state_.set.point(neighbour).is_end() || problem_.anchors()[*state_.set.point(neighbour).anchor].is_break) {
+        continue;
+      }
+      state_.set.settle(j, begins ? Side::right : Side::left, true);
+      return snap();
+    }
+  }
+
+  bool repair(const std::vector<Violation<R>>& found) {
+    Set set = state_.set;
+    // From right to left: indices on the left stay.
+    for (std::size_t i = found.size(); i-- > 0;) {
+      const Violation<R>& v = found[i];
+      if (v.what == What::penetration) {
+        add_component(set, v);
+      } else if (!remove_contact(set, v)) {
+        return false;
+      }
+    }
+    return renew(std::move(set));
+  }
+
+  using Place = typename Set::Place;
+  static Place place(const SurfacePoint<R>& at) {
+    return {static_cast<std::size_t>(at.segment), at.node.from_left, at.node.from_right};
+  }
+  static Place between(const Place& a, const Place& b, const R& part) {
+    return {a.segment, a.from_left + part * (b.from_left - a.from_left),
+            a.from_right + part * (b.from_right - a.from_right)};
+  }
+
+  void add_component(Set& set, const Violation<R>& v) {
+    const Place from = place(v.from);
+    const Place to = place(v.to);
+    // Contact takes less than what penetrates: the middle.
+    const bool together = from.segment == to.segment;
+    const Place first_end = together ? to : Place{from.segment, R(from.from_left + from.from_right), R(0)};
+    const Place last_end = together ? from : Place{to.segment, R(0), R(to.from_left + to.from_right)};
+    const R part = together ? R(0.25) : R(0.5);
+    set.open(between(from, first_end, part), between(to, last_end, part));
+  }
+
+  bool remove_contact(Set& set, const Violation<R>& v) {
+    const Place from = place(v.from);
+    const Place to = place(v.to);
+    const bool at_left = from.from_left == 0 && set.point(from.segment).is_end();
+    const bool at_right = to.from_right == 0 && set.point(to.segment + 1).is_end();
+    if (at_left && at_right) {
+      if (set.components() == 1) return false;
+      set.close(from.segment);
+      return true;
+    }
+    // An end with tension beside it goes to where the tension stops.
+    if (at_left) {
+      set.move_end(from.segment, to.segment, std::min(to.from_left, R(set.length(to.segment) * R(0.9))));
+    } else if (at_right) {
+      set.move_end(to.segment + 1, from.segment, std::max(from.from_left, R(set.length(from.segment) * R(0.1))));
+    } else {
+      set.open(from, to);
+    }
+    return true;
+  }
+
+  const ReducedProblem<R>& problem_;
+  JacobiRules<R>& rules_;
+  ContactState<R> state_;
+  std::map<std::size_t, int> crossings_;
+  int closings_ = 0;
+};
+
+}  // namespace
+
+template <Real R>
+SearchResult<R> search_contact(const ReducedProblem<R>& problem, ContactState<R> start, JacobiRules<R>& rules) {
+  return Search<R>(problem, std::move(start), rules).run();
+}
+
+template SearchResult<double> search_contact(const ReducedProblem<double>&, ContactState<double>, JacobiRules<double>&);
+template SearchResult<Real50> search_contact(const ReducedProblem<Real50>&, ContactState<Real50>, JacobiRules<Real50>&);
+template SearchResult<Real100> search_contact(const ReducedProblem<Real100>&, ContactState<Real100>,
+                                              JacobiRules<Real100>&);
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,24 @@
+#pragma once
+// Finds the contact set: Newton's method for the ends, then every inequality; where one fails, or where an end runs
+// into a jump, an edge or another end, the set changes and Newton's method goes on.
+
+#include <string>
+
+#include "numeric/riemann_hilbert/contact_newton.hpp"
+
+namespace steadyslide::numeric {
+
+template <Real R>
+struct SearchResult {
+  ContactState<R> state;
+  R end_error;              ///< estimated absolute error of the free ends, in xi
+  std::string shortcoming;  ///< empty: every condition holds
+
+  bool solved() const { return shortcoming.empty(); }
+};
+
+/// From a set that may be wrong in place and in kind.
+template <Real R>
+SearchResult<R> search_contact(const ReducedProblem<R>& problem, ContactState<R> start, JacobiRules<R>& rules);
+
+}  // namespace steadyslide::numeric

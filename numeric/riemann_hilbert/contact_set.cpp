@@ -1,0 +1,302 @@
+#include "numeric/riemann_hilbert/contact_set.hpp"
+
+#include <cmath>
+
+namespace steadyslide::numeric {
+
+template <Real R>
+ContactSet<R>::ContactSet(const ReducedProblem<R>& problem) : problem_(&problem) {
+  const std::size_t count = problem.anchors().size();
+  for (std::size_t k = 0; k < count; ++k) {
+    points_.push_back({k, Kind::passed, false});
+    x_.push_back(problem.anchors()[k].x);
+    if (k + 1 < count) lengths_.push_back(problem.spacing(k));
+  }
+  refresh();
+}
+
+template <Real R>
+ContactSet<R>::ContactSet(const ReducedProblem<R>& problem, const std::vector<ZoneGuess>& zones) : ContactSet(problem) {
+  // Ends follow each other: a guess that rounding has put before the last one comes after it.
+  std::size_t last = 0;
+  const auto edge_next_to = [&](double x) {
+    using std::abs;
+    std::optional<std::size_t> best;
+    for (std::size_t j = last; j < points_.size(); ++j) {
+      if (!points_[j].anchor || points_[j].is_end()) continue;
+      if (!best || abs(x_[j] - R(x)) < abs(x_[*best] - R(x))) best = j;
+    }
+    return best;
+  };
+  const auto add = [&](double x, bool at_edge, Kind kind, double width) {
+    const std::optional<std::size_t> edge = at_edge ? edge_next_to(x) : std::nullopt;
+    if (edge) {
+      points_[*edge].kind = kind;
+      last = *edge;
+      return;
+    }
+    // A guess on an anchor is moved off it, into the contact: on which side the end lies is to be found out.
+    std::size_t k = std::min(last, segments() - 1);
+    const R place = R(x);
+    while (k + 1 < segments() && place >= x_[k + 1]) ++k;
+    R from_left = place - x_[k];
+    if (kind == Kind::ends && from_left <= R(1e-9 * width) && k > last && !points_[k].is_end()) {
+      --k;
+      from_left = lengths_[k];
+    }
+    const R margin = std::min(R(0.02 * width), R(lengths_[k] / 8));
+    const bool moved = from_left < margin || from_left > lengths_[k] - margin;
+    from_left = std::clamp(from_left, margin, R(lengths_[k] - margin));
+    if (moved) {
+      insert(k, from_left, {std::nullopt, kind, true});
+    } else {
+      insert(k, from_left, R(x_[k + 1] - place), place, {std::nullopt, kind, true});
+    }
+    last = k + 1;
+    refresh();
+  };
+  for (const ZoneGuess& zone : zones) {
+    add(zone.left, zone.left_at_edge, Kind::begins, zone.right - zone.left);
+    add(zone.right, zone.right_at_edge, Kind::ends, zone.right - zone.left);
+  }
+  refresh();
+}
+
+template <Real R>
+void ContactSet<R>::refresh() {
+  // Between two anchors the lengths add up to what is exact: the longest takes what rounding has left over.
+  std::size_t first = 0;
+  for (std::size_t j = 1; j < points_.size(); ++j) {
+    if (!points_[j].anchor) continue;
+    std::size_t longest = first;
+    for (std::size_t k = first; k < j; ++k) {
+      if (lengths_[k] > lengths_[longest]) longest = k;
+    }
+    R rest = problem_->spacing(*points_[first].anchor);
+    for (std::size_t k = first; k < j; ++k) {
+      if (k != longest) rest -= lengths_[k];
+    }
+    lengths_[longest] = rest;
+    first = j;
+  }
+
+  contact_.assign(lengths_.size(), 0);
+  intervals_.assign(lengths_.size(), 0);
+  bool contact = false;
+  for (std::size_t j = 0; j < lengths_.size(); ++j) {
+    if (points_[j].kind == Kind::begins) contact = true;
+    if (points_[j].kind == Kind::ends) contact = false;
+    contact_[j] = contact;
+    intervals_[j] = points_[j].anchor ? *points_[j].anchor : intervals_[j - 1];
+  }
+  place_points();
+}
+
+template <Real R>
+void ContactSet<R>::place_points() {
+  // A place follows from the nearer anchor, by way of the points between. If both are a long way off, the place is kept
+  // as it is, and those of the points beside it follow.
+  const R near = 4;
+  const std::size_t count = points_.size();
+  std::vector<R> from_left(count, infinity<R>());
+  std::vector<R> from_right(count, infinity<R>());
+  for (std::size_t j = 0; j < count; ++j) {
+    if (points_[j].anchor) {
+      x_[j] = problem_->anchors()[*points_[j].anchor].x;
+      from_left[j] = from_right[j] = 0;
+    } else if (lengths_[j - 1] <= near) {
+      from_left[j] = from_left[j - 1] + lengths_[j - 1];
+    }
+  }
+  for (std::size_t j = count - 1; j-- > 0;) {
+    if (!points_[j].anchor && lengths_[j] <= near) from_right[j] = from_right[j + 1] + lengths_[j];
+  }
+  const auto is_known = [&](std::size_t j) { return std::min(from_left[j], from_right[j]) < infinity<R>(); };
+  for (std::size_t j = 1; j < count; ++j) {
+    if (points_[j].anchor) continue;
+    if (is_known(j) ? from_left[j] <= from_right[j] : lengths_[j - 1] <= near) x_[j] = x_[j - 1] + lengths_[j - 1];
+  }
+  for (std::size_t j = count - 1; j-- > 0;) {
+    if (!points_[j].anchor && from_right[j] < from_left[j]) x_[j] = x_[j + 1] - lengths_[j];
+  }
+  // And a long way follows from its places.
+  for (std::size_t k = 0; k < lengths_.size(); ++k) {
+    if (lengths_[k] > near && !(points_[k].anchor && points_[k + 1].anchor)) lengths_[k] = x_[k + 1] - x_[k];
+  }
+}
+
+template <Real R>
+std::vector<Panel<R>> ContactSet<R>::panels() const {
+  std::vector<Panel<R>> result;
+  result.reserve(segments());
+  for (std::size_t k = 0; k < segments(); ++k) result.push_back({x_[k], x_[k + 1], lengths_[k]});
+  return result;
+}
+
+template <Real R>
+std::size_t ContactSet<R>::components() const {
+  return all(Kind::begins).size();
+}
+
+template <Real R>
+std::vector<std::size_t> ContactSet<R>::all(Kind kind) const {
+  std::vector<std::size_t> result;
+  for (std::size_t j = 0; j < points_.size(); ++j) {
+    if (points_[j].kind == kind) result.push_back(j);
+  }
+  return result;
+}
+
+template <Real R>
+std::vector<std::size_t> ContactSet<R>::movable() const {
+  std::vector<std::size_t> result;
+  for (std::size_t j = 0; j < points_.size(); ++j) {
+    if (points_[j].is_free() && !points_[j].anchor) result.push_back(j);
+  }
+  return result;
+}
+
+template <Real R>
+bool ContactSet<R>::is_consistent() const {
+  bool contact = false;
+  for (const Point& point : points_) {
+    if (!point.is_end()) continue;
+    if ((point.kind == Kind::ends) != contact) return false;
+    contact = !contact;
+  }
+  const bool positive = std::all_of(lengths_.begin(), lengths_.end(), [](const R& length) { return length > 0; });
+  return !contact && positive && components() > 0;
+}
+
+template <Real R>
+R ContactSet<R>::hull() const {
+  const std::vector<std::size_t> begins = all(Kind::begins);
+  const std::vector<std::size_t> ends = all(Kind::ends);
+  if (begins.empty()) return R(0);
+  R sum = 0;
+  for (std::size_t k = begins.front(); k < ends.back(); ++k) sum += lengths_[k];
+  return sum;
+}
+
+template <Real R>
+void ContactSet<R>::move(const std::vector<R>& steps) {
+  const std::vector<std::size_t> free = movable();
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    lengths_[free[i] - 1] += steps[i];
+    lengths_[free[i]] -= steps[i];
+    x_[free[i]] += steps[i];
+  }
+  refresh();
+}
+
+template <Real R>
+std::size_t ContactSet<R>::insert(std::size_t segment, const R& from_left, Point point) {
+  // Of a segment much longer than the contact only the places know what is left of it.
+  const bool by_places = lengths_[segment] > 4;
+  const R x = from_left <= lengths_[segment] / 2 || by_places ? R(x_[segment] + from_left)
+                                                              : R(x_[segment + 1] - (lengths_[segment] - from_left));
+  return insert(segment, from_left, by_places ? R(x_[segment + 1] - x) : R(lengths_[segment] - from_left), x, point);
+}
+
+template <Real R>
+std::size_t ContactSet<R>::insert(std::size_t segment, const R& from_left, const R& from_right, const R& x,
+                                  Point point) {
+  lengths_[segment] = from_left;
+  lengths_.insert(lengths_.begin() + static_cast<std::ptrdiff_t>(segment) + 1, from_right);
+  points_.insert(points_.begin() + static_cast<std::ptrdiff_t>(segment) + 1, point);
+  x_.insert(x_.begin() + static_cast<std::ptrdiff_t>(segment) + 1, x);
+  return segment + 1;
+}
+
+template <Real R>
+void ContactSet<R>::erase(std::size_t j) {
+  if (points_[j].anchor) {
+    points_[j].kind = Kind::passed;
+    points_[j].vanishes = false;
+    return;
+  }
+  lengths_[j - 1] += lengths_[j];
+  lengths_.erase(lengths_.begin() + static_cast<std::ptrdiff_t>(j));
+  points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(j));
+  x_.erase(x_.begin() + static_cast<std::ptrdiff_t>(j));
+}
+
+template <Real R>
+void ContactSet<R>::hop(std::size_t j, Side towards, const R& distance) {
+  const Point end{std::nullopt, points_[j].kind, true};
+  erase(j);
+  if (towards == Side::left) {
+    // The anchor was j - 1 and still is.
+    const R d = std::min(distance, R(lengths_[j - 2] / 2));
+    insert(j - 2, R(lengths_[j - 2] - d), d, R(x_[j - 1] - d), end);
+  } else {
+    const R d = std::min(distance, R(lengths_[j] / 2));
+    insert(j, d, end);
+  }
+  refresh();
+}
+
+template <Real R>
+void ContactSet<R>::settle(std::size_t j, Side towards, bool vanishes) {
+  Point& anchor = points_[towards == Side::left ? j - 1 : j + 1];
+  anchor.kind = points_[j].kind;
+  anchor.vanishes = vanishes;
+  erase(j);
+  refresh();
+}
+
+template <Real R>
+void ContactSet<R>::move_end(std::size_t j, std::size_t segment, const R& from_left) {
+  const Point end{std::nullopt, points_[j].kind, true};
+  if (!points_[j].anchor && (segment == j || segment + 1 == j)) {
+    // Beside a long segment a short one is not formed as a difference.
+    const R step = segment == j ? from_left : R(from_left - lengths_[j - 1]);
+    lengths_[j - 1] = segment == j ? R(lengths_[j - 1] + step) : from_left;
+    lengths_[j] -= step;
+    x_[j] += step;
+    points_[j] = end;
+    refresh();
+    return;
+  }
+  if (!points_[j].anchor && segment > j) --segment;  // the end's two segments become one
+  erase(j);
+  insert(segment, from_left, end);
+  refresh();
+}
+
+template <Real R>
+void ContactSet<R>::close(std::size_t j) {
+  std::size_t other = j + 1;
+  while (!points_[other].is_end()) ++other;
+  erase(other);
+  erase(j);
+  refresh();
+}
+
+template <Real R>
+void ContactSet<R>::open(const Place& from, const Place& to) {
+  const bool gap = contact_[from.segment];
+  const Point first{std::nullopt, gap ? Kind::ends : Kind::begins, true};
+  const Point last{std::nullopt, gap ? Kind::begins : Kind::ends, true};
+  const auto place = [this](const Place& p) {
+    return p.from_left < p.from_right ? R(x_[p.segment] + p.from_left) : R(x_[p.segment + 1] - p.from_right);
+  };
+  const R x_first = place(from);
+  const R x_last = place(to);
+  if (from.segment == to.segment) {
+    const R between =
+        from.from_left < to.from_right ? R(to.from_left - from.from_left) : R(from.from_right - to.from_right);
+    insert(from.segment, from.from_left, from.from_right, x_first, first);
+    insert(from.segment + 1, between, to.from_right, x_last, last);
+  } else {
+    insert(to.segment, to.from_left, to.from_right, x_last, last);
+    insert(from.segment, from.from_left, from.from_right, x_first, first);
+  }
+  refresh();
+}
+
+template class ContactSet<double>;
+template class ContactSet<Real50>;
+template class ContactSet<Real100>;
+
+}  // namespace steadyslide::numeric

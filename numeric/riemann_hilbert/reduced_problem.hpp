@@ -1,0 +1,103 @@
+#pragma once
+// The contact problem as the Riemann-Hilbert solver sees it: reduced quantities in xi = (x - origin)/unit,
+//
+//   A t = g + tilt on the contact, g(xi) = psi'(x)/c,   int t dxi = -load,   load = P/unit,
+//
+// with heights psi/(c unit), so that their slope is g. Every place that is data (ends of the support, friction jumps,
+// breaks of the profile) is an anchor; its distance to the next one is rounded once, from the exact difference.
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "model/contact_problem.hpp"
+#include "numeric/cauchy/fundamental_solution.hpp"
+
+namespace steadyslide::numeric {
+
+/// A frame for xi. Dilation leaves A, t and g as they are.
+struct Frame {
+  Rational origin;
+  Rational unit;  ///< > 0
+};
+
+template <Real R>
+class ReducedProblem {
+ public:
+  ReducedProblem(const ContactProblem& problem, const Frame& frame);
+
+  struct Anchor {
+    R x;     ///< xi
+    R step;  ///< height on the right minus height on the left; 0 at the support's ends
+    int step_sign;
+    bool is_break;  ///< the profile changes here
+    bool wedge;     ///< its slope jumps
+  };
+
+  const ContactProblem& problem() const { return *problem_; }
+  const Frame& frame() const { return frame_; }
+  /// The first and the last one are the support's ends.
+  const std::vector<Anchor>& anchors() const { return anchors_; }
+  /// Of anchor k in the user's x.
+  const Rational& place(std::size_t k) const { return places_[k]; }
+  /// From anchor k to the next one.
+  const R& spacing(std::size_t k) const { return spacing_[k]; }
+
+  /// Interval k reaches from anchor k to the next one: which of slopes() and which friction piece hold there.
+  std::size_t slope_of(std::size_t interval) const { return slope_of_[interval]; }
+  std::size_t friction_of(std::size_t interval) const { return friction_of_[interval]; }
+  /// The different polynomials g, coefficients of 1, xi, xi^2, ...
+  const std::vector<std::vector<R>>& slopes() const { return slopes_; }
+  R slope(std::size_t index, const R& x) const;
+  /// int_from^to g dxi.
+  R rise(std::size_t index, const R& from, const R& to) const;
+  int highest_degree() const { return highest_degree_; }
+
+  const R& s(std::size_t friction) const { return s_[friction]; }
+  const R& cos_alpha(std::size_t friction) const { return cos_alpha_[friction]; }
+  const R& load() const { return load_; }
+  /// Where the load acts, if the indenter may tilt.
+  const std::optional<R>& load_at() const { return load_at_; }
+
+  /// May the traction blow up where contact ends at this anchor? At the support's ends and on the protruding side of a
+  /// step.
+  bool edge_possible(End end, std::size_t anchor) const;
+
+  const Exponent& edge_exponent(End end, std::size_t friction) const;
+  const Exponent& free_exponent(End end, std::size_t friction) const;
+  /// Of the jump between two neighbouring intervals: 0 where the friction does not change.
+  const Exponent& jump_exponent(std::size_t anchor) const;
+  const Power<R>& edge_power(End end, std::size_t friction) const;
+  const Power<R>& free_power(End end, std::size_t friction) const;
+  const Power<R>& jump_power(std::size_t anchor) const;
+
+ private:
+  struct Singularity {
+    Exponent exponent;
+    Power<R> power;
+  };
+  using Slot = std::optional<Singularity>;
+  template <class Make>
+  const Singularity& cached(Slot& slot, const Make& make) const;
+  const Singularity& end(End end, bool edge, std::size_t friction) const;
+  const Singularity& jump(std::size_t anchor) const;
+
+  const ContactProblem* problem_;
+  Frame frame_;
+  std::vector<Rational> places_;
+  std::vector<Anchor> anchors_;
+  std::vector<R> spacing_;
+  std::vector<std::size_t> slope_of_;
+  std::vector<std::size_t> friction_of_;
+  std::vector<std::vector<R>> slopes_;
+  int highest_degree_ = 0;
+  std::vector<R> s_;
+  std::vector<R> cos_alpha_;
+  R load_;
+  std::optional<R> load_at_;
+  // An exponent costs more than a solve has steps: made when first asked for.
+  mutable std::vector<std::array<Slot, 4>> ends_;
+  mutable std::vector<Slot> jumps_;
+};
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,215 @@
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "numeric/coarse/coarse_contact.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+
+namespace steadyslide::numeric {
+namespace {
+
+/// A frame with its origin in the middle of the contact and the half-width of it near 1; lengths from `origin`.
+Frame frame_of(const Rational& origin, double left, double right) {
+  const double width = right > left ? right - left : 1;
+  int exponent = 0;
+  std::frexp(width / 2, &exponent);
+  const Integer power = Integer(1) << std::abs(exponent);
+  return {origin + Rational((left + right) / 2), exponent >= 0 ? Rational(power) : Rational(1, power)};
+}
+
+/// What a search starts from: zones measured from `origin`, in the problem's unit of length.
+struct Start {
+  Rational origin;
+  std::vector<ZoneGuess> zones;
+  double tilt = 0;
+
+  Frame frame() const { return frame_of(origin, zones.front().left, zones.back().right); }
+
+  std::vector<ZoneGuess> in(const Frame& frame) const {
+    const double shift = to_real<double>((origin - frame.origin) / frame.unit);
+    const double unit = to_real<double>(frame.unit);
+    std::vector<ZoneGuess> result;
+    for (const ZoneGuess& zone : zones) {
+      result.push_back({shift + zone.left / unit, shift + zone.right / unit, zone.left_at_edge, zone.right_at_edge});
+    }
+    return result;
+  }
+};
+
+/// The problem with at most `most` jumps of friction, every value the mean over several: a coarse solution cuts its
+/// cells at every jump and costs the cube of their number.
+ContactProblem with_fewer_jumps(const ContactProblem& problem, std::size_t most) {
+  const FrictionProfile& friction = problem.friction();
+  const std::size_t group = friction.jumps().size() / (most + 1) + 1;
+  if (group == 1) return problem;
+  std::vector<Rational> values;
+  std::vector<Rational> jumps;
+  Rational sum = 0;
+  Rational from = problem.indenter().left();
+  Rational left = from;
+  for (std::size_t k = 0; k < friction.values().size(); ++k) {
+    const bool last = k + 1 == friction.values().size();
+    const Rational right = last ? problem.indenter().right() : friction.jumps()[k];
+    sum += friction.values()[k] * (right - left);
+    left = right;
+    if (!last && (k + 1) % group != 0) continue;
+    values.push_back(sum / (right - from));
+    if (!last) jumps.push_back(right);
+    sum = 0;
+    from = right;
+  }
+  return ContactProblem(problem.elasticity(), FrictionProfile(std::move(values), std::move(jumps)), problem.indenter(),
+                        problem.load(), problem.sliding(), problem.load_at());
+}
+
+Start coarse_start(const ContactProblem& problem, int cells) {
+  const CoarseContact coarse = coarse_contact(with_fewer_jumps(problem, static_cast<std::size_t>(cells) / 2), cells);
+  Start start{coarse.origin, {}, coarse.tilt};
+  for (const CoarseContact::Zone& z : coarse.zones) {
+    start.zones.push_back({z.left, z.right, z.left_at_edge, z.right_at_edge});
+  }
+  return start;
+}
+
+template <Real R>
+Start start_from(const ContactProblem& problem, const ContactSolution<R>& solution) {
+  Start start{(problem.indenter().left() + problem.indenter().right()) / 2, {}, 0};
+  const R origin = to_real<R>(start.origin);
+  for (const ContactComponent<R>& component : solution.contact()) {
+    start.zones.push_back({static_cast<double>(R(component.left.x.value - origin)),
+                           static_cast<double>(R(component.right.x.value - origin)),
+                           component.left.kind != SingularKind::free, component.right.kind != SingularKind::free});
+  }
+  if (const auto tilt = solution.tilt()) {
+    start.tilt = static_cast<double>(R(tilt->value / to_real<R>(problem.elasticity().compliance())));
+  }
+  return start;
+}
+
+/// What has been found, measured by its lengths: from an anchor if one is near.
+template <Real R>
+Start start_again(const RiemannHilbertSolution<R>& solution) {
+  using Kind = typename ContactSet<R>::Kind;
+  const ContactSet<R>& set = solution.state().set;
+  const Frame& frame = solution.problem().frame();
+  const std::vector<std::size_t> begins = set.all(Kind::begins);
+  const std::vector<std::size_t> ends = set.all(Kind::ends);
+  const R hull = set.hull();
+  std::size_t from = begins.front();
+  if (from > 0 && set.length(from - 1) <= hull) --from;
+  std::size_t to = ends.back();
+  if (to < set.segments() && set.length(to) <= hull) ++to;
+  std::size_t reference = from;
+  while (reference < to && !set.point(reference).anchor) ++reference;
+  const auto& anchor = set.point(reference).anchor;
+  const R unit = to_real<R>(frame.unit);
+  const auto offset = [&](std::size_t j) {
+    R sum = 0;
+    for (std::size_t k = j; k < reference; ++k) sum -= set.length(k);
+    for (std::size_t k = reference; k < j; ++k) sum += set.length(k);
+    return static_cast<double>(R(unit * sum));
+  };
+  Start start{
+      anchor ? solution.problem().place(*anchor) : Rational(frame.origin + frame.unit * Rational(set.x(reference))),
+      {},
+      static_cast<double>(solution.state().tilt)};
+  for (std::size_t i = 0; i < begins.size(); ++i) {
+    start.zones.push_back(
+        {offset(begins[i]), offset(ends[i]), !set.point(begins[i]).vanishes, !set.point(ends[i]).vanishes});
+  }
+  return start;
+}
+
+/// A problem in a frame with its rules: what a form points to.
+template <Real R>
+std::shared_ptr<RiemannHilbertSolution<R>> search_once(const ContactProblem& problem, const Start& start) {
+  auto solution = std::make_shared<RiemannHilbertSolution<R>>(problem, start.frame());
+  const std::vector<ZoneGuess> zones = start.in(solution->problem().frame());
+  ContactSet<R> set(solution->problem(), zones);
+  // Zones that rounding has run into each other: one.
+  if (!set.is_consistent()) {
+    set = ContactSet<R>(solution->problem(), {{zones.front().left, zones.back().right, false, false}});
+  }
+  solution->set(search_contact(solution->problem(),
+                               ContactState<R>::initial(solution->problem(), std::move(set), R(start.tilt)),
+                               solution->rules()));
+  return solution;
+}
+
+/// Of a contact far smaller than its frame the places are known too badly: a frame of its own.
+template <Real R>
+std::shared_ptr<RiemannHilbertSolution<R>> search(const ContactProblem& problem, const Start& start) {
+  constexpr int max_frames = 12;
+  auto solution = search_once<R>(problem, start);
+  for (int i = 0; i < max_frames && solution->state().set.hull() < R(0.01); ++i) {
+    solution = search_once<R>(problem, start_again(*solution));
+  }
+  return solution;
+}
+
+/// The solution in double carried on in R.
+template <Real R>
+std::shared_ptr<RiemannHilbertSolution<R>> refined(const ContactProblem& problem,
+                                                   const RiemannHilbertSolution<double>& rough) {
+  auto solution = std::make_shared<RiemannHilbertSolution<R>>(problem, rough.problem().frame());
+  const ContactState<double>& state = rough.state();
+  ContactSet<R> set = ContactSet<R>::converted(solution->problem(), state.set);
+  // A free end that lies on a jump as far as double can tell is free again.
+  using Kind = typename ContactSet<R>::Kind;
+  const R distance = epsilon<double>() * set.hull();
+  for (std::size_t j = set.points().size(); j-- > 0;) {
+    if (!set.point(j).is_free() || !set.point(j).anchor) continue;
+    const bool begins = set.point(j).kind == Kind::begins;
+    const std::size_t inside = begins ? j : j - 1;
+    const R d = std::min(distance, R(set.length(inside) / 2));
+    set.move_end(j, inside, begins ? d : R(set.length(inside) - d));
+  }
+  std::vector<R> q(state.q.begin(), state.q.end());
+  if (!q.empty()) q.back() = solution->problem().load();
+  solution->set(search_contact(solution->problem(), {std::move(set), std::move(q), R(state.tilt)}, solution->rules()));
+  return solution;
+}
+
+/// The coarse solution, finer where that did not lead to a solution.
+std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const ContactProblem& problem) {
+  std::shared_ptr<RiemannHilbertSolution<double>> best;
+  for (const int cells : {48, 120, 300}) {
+    auto found = search<double>(problem, coarse_start(problem, cells));
+    if (found->shortcoming().empty()) return found;
+    if (!best) best = std::move(found);
+  }
+  return best;
+}
+
+}  // namespace
+
+template <Real R>
+Attempt<R> riemann_hilbert(const ContactProblem& problem, const ContactSolution<R>* start) {
+  if (const std::size_t breaks = problem.indenter().pieces().size() - 1; breaks > max_profile_breaks) {
+    return {nullptr,
+            "the profile has too many breaks for the Riemann-Hilbert method, take --method variational; it "
+            "has at most " +
+                std::to_string(max_profile_breaks) + "; " + std::to_string(breaks) + " breaks"};
+  }
+  // Whatever the precision, double finds where the contact is.
+  std::shared_ptr<RiemannHilbertSolution<double>> rough;
+  if (start) rough = search<double>(problem, start_from(problem, *start));
+  if (!rough || !rough->shortcoming().empty()) rough = search_from_nothing(problem);
+  std::shared_ptr<RiemannHilbertSolution<R>> solution;
+  if constexpr (std::same_as<R, double>) {
+    solution = std::move(rough);
+  } else {
+    solution = refined<R>(problem, *rough);
+  }
+  if (problem.elasticity().indenter() && solution->has_edge()) {
+    return {nullptr, "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails"};
+  }
+  return {solution, {}};
+}
+
+template Attempt<double> riemann_hilbert(const ContactProblem&, const ContactSolution<double>*);
+template Attempt<Real50> riemann_hilbert(const ContactProblem&, const ContactSolution<Real50>*);
+template Attempt<Real100> riemann_hilbert(const ContactProblem&, const ContactSolution<Real100>*);
+
+}  // namespace steadyslide::numeric

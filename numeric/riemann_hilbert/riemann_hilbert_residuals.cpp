@@ -1,0 +1,100 @@
+// The solution's residuals, by the trapezoidal rule on its traction.
+
+#include <algorithm>
+#include <cmath>
+
+#include "numeric/cauchy/residuals.hpp"
+#include "numeric/number/clustered.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+
+namespace steadyslide::numeric {
+
+template <Real R>
+Power<R> RiemannHilbertSolution<R>::traction_power(std::size_t j) const {
+  const Power<R>& p = form_->weight().powers()[j];
+  // At a wedge the constant, or the logarithm, is larger than a power that vanishes.
+  if (form_->is_kinked(j) && p.value > 0) return {R(0), R(1)};
+  return p;
+}
+
+template <Real R>
+PanelDensity<R> RiemannHilbertSolution<R>::panel_density(std::size_t segment) const {
+  const Power<R> left = traction_power(segment);
+  const Power<R> right = traction_power(segment + 1);
+  const auto smooth = [this, segment, left, right](const Node<R>& node) {
+    using std::pow;
+    const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(segment), node};
+    const R& p_left = form_->weight().powers()[segment].value;
+    const R& p_right = form_->weight().powers()[segment + 1].value;
+    R value = form_->sign(at.segment) * reduced_.cos_alpha(form_->friction_at(segment)) *
+              form_->weight().smooth_modulus(segment, node) * form_->bracket(form_->slope_at(segment), at).value;
+    if (p_left != left.value) value *= pow(node.from_left, p_left);
+    if (p_right != right.value) value *= pow(node.from_right, p_right);
+    return value;
+  };
+  PanelDensity<R> density{contact_set().panels()[segment], left, right, smooth, R(0)};
+  for (std::size_t k = segment; k-- > 0 && !contact_set().in_contact(k);) density.gap += contact_set().length(k);
+  return density;
+}
+
+template <Real R>
+Residuals<R> RiemannHilbertSolution<R>::residuals() const {
+  using std::abs, std::max;
+  PiecewiseDensity<R> density;
+  std::vector<R> s;
+  std::vector<std::size_t> segments;
+  R contact_length = 0;
+  for (std::size_t k = 0; k < contact_set().segments(); ++k) {
+    if (!contact_set().in_contact(k)) continue;
+    density.push_back(panel_density(k));
+    s.push_back(reduced_.s(form_->friction_at(k)));
+    segments.push_back(k);
+    contact_length += contact_set().length(k);
+  }
+  const SurfaceCheck<R> check(std::move(density), s, [&](std::size_t panel, const Node<R>& node) {
+    return R(reduced_.slope(form_->slope_at(segments[panel]), node.x) + form_->tilt());
+  });
+  const R& load = reduced_.load();
+  Residuals<R> result;
+  result.equation = check.equation();
+  result.load = abs(check.integral() + load) / load;
+  result.tension = max(check.highest_traction(), R(0)) * contact_length / load;
+
+  // Gaps: the profile against the displacement, both from the end of the contact that is next to the place.
+  R deepest = 0;
+  constexpr int places = 8;
+  for (std::size_t k = 0; k < contact_set().segments(); ++k) {
+    if (contact_set().in_contact(k)) continue;
+    std::vector<SurfacePoint<R>> all = form_->extremes(k);
+    for (int i = 0; i < places; ++i) {
+      const auto [left, right] = clustered<R>(i, places);
+      const R& length = contact_set().length(k);
+      all.push_back(surface_point(contact_set(), k, R(left * length), R(right * length)));
+    }
+    for (const SurfacePoint<R>& at : all) {
+      const std::optional<std::size_t> end = nearest_end(at);
+      if (!end) continue;
+      const bool on_left = contact_set().point(*end).kind == ContactSet<R>::Kind::ends;
+      const std::size_t segment = on_left ? *end - 1 : *end;
+      const auto panel =
+          static_cast<std::size_t>(std::find(segments.begin(), segments.end(), segment) - segments.begin());
+      const R distance = abs(form_->distance(at, *end));
+      const R surface = check.displacement(panel, on_left ? Side::right : Side::left, distance);
+      const R gap = form_->profile_rise(*end, at) - surface;
+      deepest = max(deepest, R(-gap));
+    }
+  }
+  result.penetration = deepest / load;
+  return result;
+}
+
+#define STEADYSLIDE_INSTANTIATE(R)                                                              \
+  template Power<R> RiemannHilbertSolution<R>::traction_power(std::size_t j) const;             \
+  template PanelDensity<R> RiemannHilbertSolution<R>::panel_density(std::size_t segment) const; \
+  template Residuals<R> RiemannHilbertSolution<R>::residuals() const;
+STEADYSLIDE_INSTANTIATE(double)
+STEADYSLIDE_INSTANTIATE(Real50)
+STEADYSLIDE_INSTANTIATE(Real100)
+#undef STEADYSLIDE_INSTANTIATE
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,296 @@
+// The solution at places of the surface.
+
+#include <algorithm>
+#include <cmath>
+
+#include "numeric/number/clustered.hpp"
+#include "numeric/quadrature/tanh_sinh.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+
+namespace steadyslide::numeric {
+
+template <Real R>
+R RiemannHilbertSolution<R>::shear_ratio(std::size_t segment) const {
+  // The body is dragged along: t_t = -f t towards the side to which the indenter slides.
+  const R f = to_real<R>(problem_.friction().values()[form_->friction_at(segment)]);
+  if (f == 0) return R(0);
+  return problem_.sliding() == Sliding::plus_x ? R(-f) : f;
+}
+
+template <Real R>
+Estimate<R> RiemannHilbertSolution<R>::shear_of(const Estimate<R>& traction, std::size_t segment) const {
+  using std::abs;
+  const R ratio = shear_ratio(segment);
+  if (ratio == 0) return {};
+  return {ratio * traction.value, abs(ratio) * traction.error};
+}
+
+template <Real R>
+Estimate<R> RiemannHilbertSolution<R>::tangential_slope(const Rational& x) const {
+  using std::abs;
+  const SurfacePoint<R> at = locate(x);
+  // With one ratio r = t_t/t everywhere the integral would be r (u'/c - s t). What is left for other ratios keeps clear
+  // of x: no principal value.
+  std::size_t nearest = contact_set().all(ContactSet<R>::Kind::begins).front();
+  for (std::size_t k = 0; k < contact_set().segments(); ++k) {
+    const auto distance = [&](std::size_t segment) {
+      if (static_cast<std::ptrdiff_t>(segment) == at.segment) return R(0);
+      return std::min(R(abs(form_->distance(at, segment))), R(abs(form_->distance(at, segment + 1))));
+    };
+    if (contact_set().in_contact(k) && distance(k) < distance(nearest)) nearest = k;
+  }
+  const R ratio = shear_ratio(nearest);
+  const Estimate<R> t = form_->traction(at);
+  const Estimate<R> slope = form_->surface_slope(at);
+  const R gamma = to_real<R>(problem_.elasticity().gamma());
+  const R s = reduced_.s(form_->friction_at(nearest));
+  Estimate<R> sum{ratio * (slope.value - s * t.value) + gamma * t.value,
+                  abs(ratio) * slope.error + (abs(ratio * s) + abs(gamma)) * t.error};
+  for (std::size_t k = 0; k < contact_set().segments(); ++k) {
+    if (!contact_set().in_contact(k) || shear_ratio(k) == ratio) continue;
+    const bool on_right = static_cast<std::ptrdiff_t>(k) > at.segment;
+    const R distance = abs(form_->distance(at, on_right ? k : k + 1));
+    const Estimate<R> part = tanh_sinh::cauchy<R>({panel_density(k)}, on_right ? Side::left : Side::right, distance);
+    sum.value += (shear_ratio(k) - ratio) * part.value;
+    sum.error += abs(shear_ratio(k) - ratio) * part.error;
+    if (part.convergence == Convergence::stalled) sum.convergence = Convergence::stalled;
+  }
+  const R c = to_real<R>(problem_.elasticity().compliance());
+  return {c * sum.value, c * sum.error, sum.convergence};
+}
+
+template <Real R>
+std::optional<std::size_t> RiemannHilbertSolution<R>::nearest_end(const SurfacePoint<R>& at) const {
+  std::optional<std::size_t> left, right;
+  const std::size_t points = contact_set().points().size();
+  for (std::size_t j = 0; j < points; ++j) {
+    if (!contact_set().point(j).is_end()) continue;
+    if (static_cast<std::ptrdiff_t>(j) <= at.segment) left = j;
+    if (static_cast<std::ptrdiff_t>(j) > at.segment && !right) right = j;
+  }
+  if (!left || !right) return left ? left : right;
+  return form_->distance(at, *left) <= -form_->distance(at, *right) ? left : right;
+}
+
+template <Real R>
+Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const {
+  using std::abs;
+  if (contact_set().in_contact(static_cast<std::size_t>(at.segment))) return {};
+  const std::optional<std::size_t> end = nearest_end(at);
+  if (!end) return {};
+  const Estimate<R> opening = form_->opening(*end, at);
+  const R scale = to_real<R>(problem_.elasticity().compliance()) * to_real<R>(reduced_.frame().unit);
+  const R distance = abs(form_->distance(at, *end));
+  const R ends = distance > 0 ? R(2 * found_->end_error / distance) : R(0);
+  return {scale * opening.value, scale * (opening.error + ends * abs(opening.value))};
+}
+
+template <Real R>
+Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const {
+  using std::abs;
+  const R c = to_real<R>(problem_.elasticity().compliance());
+  Sample<R> result;
+  result.x = to_real<R>(reduced_.frame().origin) + to_real<R>(reduced_.frame().unit) * at.node.x;
+  const R ends = relative_end_error(at);
+  Estimate<R> slope = form_->surface_slope(at);
+  const bool in_support = at.segment >= 0 && at.segment < static_cast<std::ptrdiff_t>(contact_set().segments());
+  if (in_support) result.gap = gap(at);
+  if (in_support && contact_set().in_contact(static_cast<std::size_t>(at.segment))) {
+    Estimate<R> t = form_->traction(at);
+    t.error += ends * abs(t.value);
+    const Estimate<R> shear = shear_of(t, static_cast<std::size_t>(at.segment));
+    result.traction = {t, t};
+    result.shear = {shear, shear};
+  } else {
+    slope.error += ends * abs(slope.value);
+  }
+  slope = {c * slope.value, c * slope.error};
+  result.slope = {slope, slope};
+  return result;
+}
+
+template <Real R>
+Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) const {
+  if (!in_contact_at(j, side)) return {};
+  const Exponent& p = form_->weight().powers()[j].value == 0 ? Exponent(0) : form_->exponent(j);
+  if (p.sign() < 0) return {-infinity<R>(), R(0)};
+  if (form_->is_kinked(j)) {
+    const R d = profile_jump(j);
+    if (p.sign() > 0) return constant(j);
+    // Without a corner (only the curvature changes) the logarithm is multiplied by zero.
+    if (reduced_.anchors()[*contact_set().point(j).anchor].wedge) {
+      return {d > 0 ? R(-infinity<R>()) : infinity<R>(), R(0)};
+    }
+  }
+  if (p.sign() > 0) return {};
+  const std::size_t segment = side == Side::left ? j - 1 : j;
+  const R& length = contact_set().length(segment);
+  const R factor = form_->sign(static_cast<std::ptrdiff_t>(segment)) * form_->weight().amplitude(j) *
+                   reduced_.cos_alpha(form_->friction_at(segment));
+  const Estimate<R> b = form_->bracket_at(j, side);
+  using std::abs;
+  const Node<R> node{contact_set().x(segment) + length / 2, length / 2, length / 2};
+  const R relative = form_->weight().relative_error(segment, node, R(0)) +
+                     4 * relative_end_error({static_cast<std::ptrdiff_t>(segment), node});
+  return {factor * b.value, abs(factor) * (b.error + relative * abs(b.value))};
+}
+
+template <Real R>
+Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) const {
+  using std::abs;
+  const R c = to_real<R>(problem_.elasticity().compliance());
+  const auto& point = contact_set().point(j);
+  const bool contact = in_contact_at(j, side);
+  if (!contact && point.is_end() && !point.vanishes) {
+    return {side == Side::left ? R(-infinity<R>()) : infinity<R>(), R(0)};
+  }
+  const auto segments = static_cast<std::ptrdiff_t>(contact_set().segments());
+  std::ptrdiff_t segment = static_cast<std::ptrdiff_t>(j) - (side == Side::left ? 1 : 0);
+  if (contact || point.is_end()) {
+    // The surface leaves a free end along the profile of the contact.
+    if (!contact) segment += side == Side::left ? 1 : -1;
+    const R slope =
+        reduced_.slope(form_->slope_at(static_cast<std::size_t>(segment)), contact_set().x(j)) + form_->tilt();
+    return {c * slope, 8 * epsilon<R>() * c * abs(slope)};
+  }
+  // Off the contact the surface is smooth, whatever the profile does above it.
+  const R zero = 0;
+  SurfacePoint<R> at{segment, {contact_set().x(j), zero, zero}};
+  if (segment >= 0 && segment < segments) {
+    const R& length = contact_set().length(static_cast<std::size_t>(segment));
+    (side == Side::left ? at.node.from_left : at.node.from_right) = length;
+  }
+  const Estimate<R> slope = form_->surface_slope(at);
+  return {c * slope.value, c * slope.error};
+}
+
+template <Real R>
+Sample<R> RiemannHilbertSolution<R>::sample_at_point(std::size_t j) const {
+  Sample<R> result;
+  result.x = coordinate(j).value;
+  result.traction = {traction_limit(j, Side::left), traction_limit(j, Side::right)};
+  result.shear = {j == 0 ? Estimate<R>{} : shear_of(result.traction.left, j - 1),
+                  j == contact_set().segments() ? Estimate<R>{} : shear_of(result.traction.right, j)};
+  result.slope = {slope_limit(j, Side::left), slope_limit(j, Side::right)};
+  if (in_contact_at(j, Side::left) || in_contact_at(j, Side::right)) {
+    result.gap = Estimate<R>{};
+  } else {
+    // At the support's ends the only segment is the inner one; at a step, the side of the lower gap.
+    const std::size_t segments = contact_set().segments();
+    std::optional<Estimate<R>> lowest;
+    for (const Side side : {Side::left, Side::right}) {
+      if ((side == Side::left && j == 0) || (side == Side::right && j == segments)) continue;
+      const std::size_t k = side == Side::left ? j - 1 : j;
+      const R& length = contact_set().length(k);
+      const SurfacePoint<R> at{
+          static_cast<std::ptrdiff_t>(k),
+          {contact_set().x(j), side == Side::left ? length : R(0), side == Side::left ? R(0) : length}};
+      const Estimate<R> here = gap(at);
+      if (!lowest || here.value < lowest->value) lowest = here;
+    }
+    result.gap = lowest;
+  }
+  return result;
+}
+
+template <Real R>
+SurfacePoint<R> RiemannHilbertSolution<R>::locate(const Rational& x) const {
+  const Frame& frame = reduced_.frame();
+  const R xi = to_real<R>((x - frame.origin) / frame.unit);
+  const std::size_t last = reduced_.anchors().size() - 1;
+  const auto from = [&](std::size_t anchor) { return to_real<R>((x - reduced_.place(anchor)) / frame.unit); };
+  const ContactSet<R>& set = contact_set();
+  if (x < reduced_.place(0)) return {-1, {xi, infinity<R>(), R(-from(0))}};
+  if (x > reduced_.place(last)) return {static_cast<std::ptrdiff_t>(set.segments()), {xi, from(last), infinity<R>()}};
+
+  std::size_t interval = 0;
+  while (interval + 1 < last && x > reduced_.place(interval + 1)) ++interval;
+  std::size_t first = 0;
+  while (set.point(first).anchor != interval) ++first;
+  std::size_t end = first + 1;
+  while (!set.point(end).anchor) ++end;
+  // Distances from the points of the interval, by way of the anchor that is nearer; by coordinates if both are far.
+  const R left = from(interval);
+  const R right = -from(interval + 1);
+  const bool left_is_near = left < right;
+  const auto to_point = [&](std::size_t j) {
+    if (!set.point(j).anchor && left > 4 && right > 4) return R(set.x(j) - xi);
+    R d = left_is_near ? left : right;
+    if (left_is_near) {
+      for (std::size_t k = first; k < j; ++k) d -= set.length(k);
+      return R(-d);
+    }
+    for (std::size_t k = j; k < end; ++k) d -= set.length(k);
+    return d;
+  };
+  std::size_t segment = first;
+  while (segment + 1 < end && to_point(segment + 1) < 0) ++segment;
+  return {static_cast<std::ptrdiff_t>(segment), {xi, R(-to_point(segment)), to_point(segment + 1)}};
+}
+
+template <Real R>
+std::optional<std::size_t> RiemannHilbertSolution<R>::point_at(const SurfacePoint<R>& at) const {
+  if (at.segment < 0 || at.segment >= static_cast<std::ptrdiff_t>(contact_set().segments())) return std::nullopt;
+  if (at.node.from_left <= 0) return static_cast<std::size_t>(at.segment);
+  if (at.node.from_right <= 0) return static_cast<std::size_t>(at.segment + 1);
+  return std::nullopt;
+}
+
+template <Real R>
+Sample<R> RiemannHilbertSolution<R>::at(const Rational& x) const {
+  const SurfacePoint<R> place = locate(x);
+  const std::optional<std::size_t> point = point_at(place);
+  Sample<R> result = point ? sample_at_point(*point) : sample(place);
+  result.x = to_real<R>(x);
+  return result;
+}
+
+template <Real R>
+std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const {
+  std::vector<Sample<R>> result;
+  const ContactSet<R>& set = contact_set();
+  std::size_t first = 0;
+  while (first < set.segments()) {
+    std::size_t end = first + 1;
+    while (end < set.segments() && set.in_contact(end) == set.in_contact(first)) ++end;
+    R width = 0;
+    for (std::size_t k = first; k < end; ++k) width += set.length(k);
+    // Each segment gets its part of the count, half of it by number and half by length.
+    R before = 0;
+    int done = 0;
+    for (std::size_t k = first; k < end; ++k) {
+      before += set.length(k);
+      const R part = R(static_cast<double>(k + 1 - first)) / static_cast<double>(end - first);
+      const int until = k + 1 == end ? count : static_cast<int>(R(count * (part + before / width) / 2));
+      const int n = until - done;
+      for (int i = 0; i < n; ++i) {
+        const auto [left, right] = clustered<R>(i, n);
+        result.push_back(sample(surface_point(set, k, R(left * set.length(k)), R(right * set.length(k)))));
+      }
+      done = until;
+    }
+    first = end;
+  }
+  return result;
+}
+
+#define STEADYSLIDE_INSTANTIATE(R)                                                                                  \
+  template R RiemannHilbertSolution<R>::shear_ratio(std::size_t segment) const;                                     \
+  template Estimate<R> RiemannHilbertSolution<R>::shear_of(const Estimate<R>& traction, std::size_t segment) const; \
+  template Estimate<R> RiemannHilbertSolution<R>::tangential_slope(const Rational& x) const;                        \
+  template std::optional<std::size_t> RiemannHilbertSolution<R>::nearest_end(const SurfacePoint<R>& at) const;      \
+  template Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const;                             \
+  template Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const;                            \
+  template Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) const;                   \
+  template Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) const;                      \
+  template Sample<R> RiemannHilbertSolution<R>::sample_at_point(std::size_t j) const;                               \
+  template SurfacePoint<R> RiemannHilbertSolution<R>::locate(const Rational& x) const;                              \
+  template std::optional<std::size_t> RiemannHilbertSolution<R>::point_at(const SurfacePoint<R>& at) const;         \
+  template Sample<R> RiemannHilbertSolution<R>::at(const Rational& x) const;                                        \
+  template std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const;
+STEADYSLIDE_INSTANTIATE(double)
+STEADYSLIDE_INSTANTIATE(Real50)
+STEADYSLIDE_INSTANTIATE(Real100)
+#undef STEADYSLIDE_INSTANTIATE
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,80 @@
+#pragma once
+// The Riemann-Hilbert form of a contact problem in the user's units and x: what riemann_hilbert() returns.
+
+#include <memory>
+
+#include "numeric/cauchy/density.hpp"
+#include "numeric/riemann_hilbert/contact_search.hpp"
+#include "numeric/solution/contact_solution.hpp"
+
+namespace steadyslide::numeric {
+
+template <Real R>
+class RiemannHilbertSolution : public ContactSolution<R> {
+ public:
+  RiemannHilbertSolution(ContactProblem problem, const Frame& frame);
+  // The form points into this object.
+  RiemannHilbertSolution(const RiemannHilbertSolution&) = delete;
+  RiemannHilbertSolution& operator=(const RiemannHilbertSolution&) = delete;
+
+  const ReducedProblem<R>& problem() const { return reduced_; }
+  JacobiRules<R>& rules() { return rules_; }
+  /// To be called once, with what the search has found; before, only the two functions above may be.
+  void set(SearchResult<R> found);
+  const ContactState<R>& state() const { return found_->state; }
+  const RiemannHilbertForm<R>& form() const { return *form_; }
+  /// Does the traction blow up at an end?
+  bool has_edge() const;
+
+  std::string method() const override { return "riemann-hilbert"; }
+  std::string shortcoming() const override { return found_->shortcoming; }
+  std::vector<ContactComponent<R>> contact() const override;
+  std::vector<SolvedSingularPoint<R>> singular_points() const override;
+  Resultants<R> resultants() const override;
+  std::optional<Estimate<R>> tilt() const override;
+  EstimatedError<R> estimated_error() const override;
+  Residuals<R> residuals() const override;
+  Sample<R> at(const Rational& x) const override;
+  std::vector<Sample<R>> samples(int count) const override;
+
+  /// u_t', the slope of the tangential displacement, at a place that is no singular point:
+  /// u_t'/c = (1/pi) PV int t_t/(x'-x) dx' + gamma t [Bal16, (2)], t_t = -f t sliding towards +x, f t towards -x.
+  Estimate<R> tangential_slope(const Rational& x) const;
+
+  // What integrals of the traction ask for.
+  SurfacePoint<R> locate(const Rational& x) const;
+  /// t_t/t on a segment.
+  R shear_ratio(std::size_t segment) const;
+  /// What the free ends' error may do to the traction at a place, relative to it.
+  R relative_end_error(const SurfacePoint<R>& at) const;
+
+ private:
+  const ContactSet<R>& contact_set() const { return form_->set(); }
+  Estimate<R> coordinate(std::size_t j) const;
+  ContactEnd<R> contact_end(std::size_t j) const;
+  Estimate<R> intensity(std::size_t j) const;
+  Estimate<R> constant(std::size_t j) const;
+  R profile_jump(std::size_t j) const;
+  bool in_contact_at(std::size_t j, Side side) const;
+
+  std::optional<std::size_t> point_at(const SurfacePoint<R>& at) const;
+  Sample<R> sample(const SurfacePoint<R>& at) const;
+  Sample<R> sample_at_point(std::size_t j) const;
+  Estimate<R> traction_limit(std::size_t j, Side side) const;
+  Estimate<R> slope_limit(std::size_t j, Side side) const;
+  Estimate<R> shear_of(const Estimate<R>& traction, std::size_t segment) const;
+  Estimate<R> gap(const SurfacePoint<R>& at) const;
+  std::optional<std::size_t> nearest_end(const SurfacePoint<R>& at) const;
+
+  Estimate<R> load_on(std::size_t segment) const;
+  PanelDensity<R> panel_density(std::size_t segment) const;
+  Power<R> traction_power(std::size_t j) const;
+
+  ContactProblem problem_;
+  ReducedProblem<R> reduced_;
+  JacobiRules<R> rules_;
+  std::optional<SearchResult<R>> found_;
+  std::optional<RiemannHilbertForm<R>> form_;
+};
+
+}  // namespace steadyslide::numeric

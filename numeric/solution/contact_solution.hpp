@@ -1,0 +1,118 @@
+#pragma once
+// The solution of a contact problem, as a closed form and every solver return it. All values in the user's units and x.
+//
+// Signs: traction t <= 0; shear is the tangential traction's component along +x; gap = psi - u - C >= 0; slope = u'.
+// Intensities theta >= 0 where t <= 0 demands it: t = -theta d^lambda at ends, t = constant - theta |x-c|^beta cos(pi
+// alpha) at friction jumps.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/contact_problem.hpp"
+#include "model/singular_point.hpp"
+#include "numeric/number/estimate.hpp"
+
+namespace steadyslide::numeric {
+
+template <Real R>
+struct ContactEnd {
+  Estimate<R> x;
+  SingularKind kind;
+  Exponent exponent;
+  Estimate<R> intensity;
+};
+
+template <Real R>
+struct ContactComponent {
+  ContactEnd<R> left;
+  ContactEnd<R> right;
+};
+
+/// A singular point inside the contact or at its ends, left to right.
+template <Real R>
+struct SolvedSingularPoint {
+  Estimate<R> x;
+  SingularKind kind;
+  std::optional<Exponent> exponent;  ///< absent: logarithm
+  Estimate<R> intensity;
+  Estimate<R> constant;
+};
+
+template <Real R>
+struct Resultants {
+  Estimate<R> normal;                   ///< -int t, the load as it comes out of the traction
+  Estimate<R> tangential;               ///< |int f t| >= 0
+  Estimate<R> centre_of_pressure;       ///< int x t / int t
+  Estimate<R> effective_friction;       ///< tangential / normal
+  std::vector<Estimate<R>> load_share;  ///< the part of the load under each friction value, left to right, sum 1
+};
+
+/// Relative residuals, measured by a rule unrelated to the one that found the solution.
+template <Real R>
+struct Residuals {
+  R equation;     ///< max |A t - u'/c| / max(|u'/c|, |s t|, |H t|, |t|) over points of every panel
+  R load;         ///< |int t + P| / P
+  R penetration;  ///< max(-gap, 0) / (c P)
+  R tension;      ///< max(t, 0) (contact length) / P
+};
+
+/// Largest relative errors that the method itself expects.
+template <Real R>
+struct EstimatedError {
+  R ends;
+  R traction;
+  R resultants;
+};
+
+/// The limits from both sides; equal where the function is continuous; infinite where it blows up.
+template <Real R>
+struct TwoSided {
+  Estimate<R> left;
+  Estimate<R> right;
+};
+
+template <Real R>
+struct Sample {
+  R x;
+  TwoSided<R> traction;
+  TwoSided<R> shear;
+  std::optional<Estimate<R>> gap;  ///< absent outside the support
+  TwoSided<R> slope;
+};
+
+template <Real R>
+class ContactSolution {
+ public:
+  virtual ~ContactSolution() = default;
+
+  virtual std::string method() const = 0;
+  /// Empty where every condition of the problem holds; otherwise what the best state reached violates, in words.
+  virtual std::string shortcoming() const { return {}; }
+  virtual std::vector<ContactComponent<R>> contact() const = 0;
+  virtual std::vector<SolvedSingularPoint<R>> singular_points() const = 0;
+  virtual Resultants<R> resultants() const = 0;
+  /// The slope added to psi where the indenter may tilt; absent where it may not.
+  virtual std::optional<Estimate<R>> tilt() const { return std::nullopt; }
+  virtual EstimatedError<R> estimated_error() const = 0;
+  virtual Residuals<R> residuals() const = 0;
+  /// Everything at one place of the surface, inside the support or not.
+  virtual Sample<R> at(const Rational& x) const = 0;
+  /// `count` places in each contact component and in each gap of the support, denser towards singular points.
+  virtual std::vector<Sample<R>> samples(int count) const = 0;
+};
+
+/// A solution, or why the method does not apply to the problem.
+template <Real R>
+struct Attempt {
+  std::shared_ptr<const ContactSolution<R>> solution;
+  std::string why_not;
+};
+
+/// The closed forms known so far: the flat punch in full contact, and the parabola whose contact stays inside the
+/// support, both with any number of friction jumps.
+template <Real R>
+Attempt<R> closed_form(const ContactProblem& problem);
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,127 @@
+// Does the contact problem have more than one solution? Different contact sets lead to what they lead to.
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "numeric/variational/variational_inequality.hpp"
+#include "numeric/variational/variational_solution.hpp"
+
+namespace steadyslide::numeric {
+namespace {
+
+constexpr std::size_t start_cells = 64;
+
+/// Start number 0 is the whole support; others have one to four stretches of contact of any lengths.
+variational::CellSet start_set(int number, std::mt19937_64& random) {
+  variational::CellSet set(start_cells, number == 0 ? 1 : 0);
+  if (number == 0) return set;
+  // By hand: the distributions of the standard library differ from one to the next.
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+  for (std::size_t stretches = 1 + below(4); stretches-- > 0;) {
+    const std::size_t from = below(start_cells);
+    const std::size_t length = std::size_t{1} << below(6);
+    for (std::size_t i = from; i < std::min(from + length, start_cells); ++i) set[i] = 1;
+  }
+  return set;
+}
+
+/// int |t - t'| / P.
+double difference(const VariationalSolution& a, const VariationalSolution& b) {
+  const std::vector<double>& p = a.found().fine.found.state.pressure;
+  const std::vector<double>& q = b.found().fine.found.state.pressure;
+  double sum = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) sum += std::abs(p[i] - q[i]);
+  return sum / static_cast<double>(p.size());
+}
+
+/// The Riemann-Hilbert solution of the same contact; none if it went elsewhere.
+std::shared_ptr<const ContactSolution<double>> refined(const ContactProblem& problem,
+                                                       const VariationalSolution& rough) {
+  const Attempt<double> attempt = riemann_hilbert<double>(problem, &rough);
+  if (!attempt.solution || !attempt.solution->shortcoming().empty()) return nullptr;
+  // The same to within a few cells: a loose bound, solutions that are two are far from each other.
+  const Resultants<double> a = attempt.solution->resultants();
+  const Resultants<double> b = rough.resultants();
+  const double error = rough.estimated_error().resultants + 8 * rough.estimated_error().ends;
+  for (std::size_t k = 0; k < a.load_share.size(); ++k) {
+    if (std::abs(a.load_share[k].value - b.load_share[k].value) > error) return nullptr;
+  }
+  const double span = rough.cell_length() / rough.estimated_error().ends;  // the contact's
+  if (std::abs(a.centre_of_pressure.value - b.centre_of_pressure.value) > error * span) return nullptr;
+  return attempt.solution;
+}
+
+bool same_ends(const ContactSolution<double>& a, const ContactSolution<double>& b) {
+  const auto ends = a.contact();
+  const auto others = b.contact();
+  if (ends.size() != others.size()) return false;
+  constexpr double rounding = 1e-9;
+  const double length = ends.back().right.x.value - ends.front().left.x.value;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (std::abs(ends[k].left.x.value - others[k].left.x.value) > rounding * length) return false;
+    if (std::abs(ends[k].right.x.value - others[k].right.x.value) > rounding * length) return false;
+  }
+  return true;
+}
+
+int different_refinements(const std::vector<FoundSolution>& solutions) {
+  std::vector<const ContactSolution<double>*> different;
+  for (const FoundSolution& found : solutions) {
+    if (!found.refined) continue;
+    const auto known = std::any_of(different.begin(), different.end(),
+                                   [&](const auto* other) { return same_ends(*found.refined, *other); });
+    if (!known) different.push_back(found.refined.get());
+  }
+  return static_cast<int>(different.size());
+}
+
+}  // namespace
+
+SolutionSearch search_solutions(const ContactProblem& problem, int starts, const VariationalOptions& options,
+                                std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  SolutionSearch search;
+  struct Met {
+    std::shared_ptr<const VariationalSolution> solution;
+    int times;
+  };
+  std::vector<Met> met;
+  for (int number = 0; number < starts; ++number) {
+    variational::NestedOptions nested;
+    nested.cells = options.cells;
+    nested.most_steps = options.most_steps;
+    nested.start = start_set(number, random);
+    if (options.progress) {
+      nested.progress = [&](std::size_t done, std::size_t total) {
+        options.progress(static_cast<std::size_t>(number) * total + done, static_cast<std::size_t>(starts) * total);
+      };
+    }
+    auto solution = std::make_shared<VariationalSolution>(problem, variational::solve_nested(problem, nested));
+    if (problem.elasticity().indenter() && solution->reaches_edge()) {
+      search.why_not = "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails";
+      return search;
+    }
+    ++search.starts;
+    if (!solution->shortcoming().empty()) {
+      ++search.unsolved;
+      continue;
+    }
+    const auto same = std::find_if(met.begin(), met.end(), [&](const Met& other) {
+      const double allowed = std::max(0.01, solution->estimated_error().traction);
+      return difference(*solution, *other.solution) <= allowed;
+    });
+    if (same != met.end()) {
+      ++same->times;
+    } else {
+      met.push_back({std::move(solution), 1});
+    }
+  }
+  std::stable_sort(met.begin(), met.end(), [](const Met& a, const Met& b) { return a.times > b.times; });
+  for (const Met& m : met) search.solutions.push_back({m.solution, refined(problem, *m.solution), m.times});
+  search.refinements = different_refinements(search.solutions);
+  return search;
+}
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,171 @@
+// Where the traction of a solution on cells is singular, and how strongly.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "numeric/variational/variational_solution.hpp"
+
+namespace steadyslide::numeric {
+namespace {
+
+using variational::FittedIntensity;
+using variational::PlaceIs;
+
+constexpr Estimate<double> unknown{0, std::numeric_limits<double>::infinity()};
+/// Closer to each other than so many cells, places are not told apart.
+constexpr double fewest_between = 12;
+
+/// Its error: that of reading it off the cells, and what the next coarser mesh has it otherwise.
+Estimate<double> known(const Estimate<double>& fine, const Estimate<double>& coarse) {
+  const auto is_read = [](const Estimate<double>& fitted) {
+    return fitted.convergence == Convergence::reached && std::isfinite(fitted.value) && std::isfinite(fitted.error);
+  };
+  if (!is_read(fine) || !is_read(coarse)) return unknown;
+  return {fine.value, fine.error + std::abs(fine.value - coarse.value)};
+}
+
+}  // namespace
+
+VariationalSolution::Place VariationalSolution::end_place(const Run& run, End end) const {
+  const std::size_t cell = end == End::left ? run.begin : run.end - 1;
+  const double boundary = end == End::left ? edges_[cell] : edges_[cell + 1];
+  const bool at_support = end == End::left ? cell == 0 : cell + 1 == mesh().size();
+  // The friction piece on the contact's side of a place.
+  const Side inside = opposite(end);
+  const auto make = [&](double x, const Rational& exact, SingularKind kind) {
+    const std::size_t piece = problem_.friction().piece(exact, inside);
+    const Rational s = problem_.coupled_friction(piece);
+    const Exponent exponent = kind == SingularKind::free ? free_exponent(end, s) : edge_exponent(end, s);
+    return Place{x, kind, exponent, {x}, inside, piece, piece, -1, kind != SingularKind::free};
+  };
+  if (at_support) {
+    const Rational& x = end == End::left ? problem_.indenter().left() : problem_.indenter().right();
+    return make(boundary, x, SingularKind::edge);
+  }
+  // A step whose protruding side is the contact's, in the cell next to the end.
+  const auto& pieces = problem_.indenter().pieces();
+  const Rational low = mesh().frame().origin + mesh().frame().unit * Rational(mesh().left(cell - (end == End::left)));
+  const auto first = std::lower_bound(pieces.begin(), pieces.end() - 1, low,
+                                      [](const Indenter::Piece& p, const Rational& x) { return p.to < x; });
+  for (auto piece = first; piece + 1 < pieces.end(); ++piece) {
+    const double x = unit_ * mesh().place(piece->to);
+    if (x > boundary + 1.01 * cell_length()) break;
+    const Rational step = (piece + 1)->profile(piece->to) - piece->profile(piece->to);
+    if ((end == End::left ? step < 0 : step > 0) && std::abs(x - boundary) <= 1.01 * cell_length()) {
+      return make(x, piece->to, SingularKind::step);
+    }
+  }
+  return make(boundary, Rational(origin_ + boundary), SingularKind::free);
+}
+
+void VariationalSolution::find_places() {
+  const Indenter& indenter = problem_.indenter();
+  struct Anchor {
+    Rational x;
+    int wedge_degree;
+    bool wedge;
+    bool step;
+  };
+  std::vector<Anchor> anchors;
+  for (std::size_t k = 0; k + 1 < indenter.pieces().size(); ++k) {
+    const Rational& x = indenter.pieces()[k].to;
+    const Polynomial difference = indenter.pieces()[k + 1].profile - indenter.pieces()[k].profile;
+    const Polynomial slope = difference.derivative();
+    anchors.push_back({x, slope.degree(), slope(x) != 0, difference(x) != 0});
+  }
+  for (const Rational& c : problem_.friction().jumps()) anchors.push_back({c, -1, false, false});
+  std::stable_sort(anchors.begin(), anchors.end(), [](const Anchor& a, const Anchor& b) { return a.x < b.x; });
+
+  std::size_t next = 0;
+  for (const Run& run : runs_) {
+    places_.push_back(end_place(run, End::left));
+    // Strictly inside the run, with a cell of contact on either side of the anchor's own.
+    const double from = edges_[run.begin] + cell_length();
+    const double to = edges_[run.end] - cell_length();
+    for (; next < anchors.size(); ++next) {
+      const Anchor& anchor = anchors[next];
+      const double x = unit_ * mesh().place(anchor.x);
+      if (x > to) break;
+      if (x < from) continue;
+      const std::size_t left = problem_.friction().piece(anchor.x, Side::left);
+      const std::size_t right = problem_.friction().piece(anchor.x, Side::right);
+      const Exponent beta = jump_exponent(problem_.coupled_friction(left), problem_.coupled_friction(right));
+      Place place{x, SingularKind::wedge, std::nullopt, {x}, Side::left, left, right, anchor.wedge_degree, true};
+      if (beta.sign() != 0) {
+        place.kind = anchor.wedge ? SingularKind::wedge_and_jump : SingularKind::friction_jump;
+        place.exponent = beta;
+      } else if (!anchor.wedge) {
+        place.exponent = Exponent(0);  // nothing blows up or vanishes; the polynomial changes
+      }
+      const bool repeated = !places_.back().is_end() && places_.back().x == x;
+      if (repeated && place.wedge_degree < 0) continue;  // the break at the same place has been seen
+      if (repeated) places_.pop_back();
+      places_.push_back(place);
+    }
+    places_.push_back(end_place(run, End::right));
+  }
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    if (k > 0) places_[k].surroundings.left = places_[k].x - places_[k - 1].x;
+    if (k + 1 < places_.size()) places_[k].surroundings.right = places_[k + 1].x - places_[k].x;
+  }
+}
+
+FittedIntensity VariationalSolution::fitted(const Place& place, const variational::Cells& cells) const {
+  const auto s = [&](std::size_t piece) { return problem_.coupled_friction(piece); };
+  if (place.is_end()) {
+    return variational::fitted_end(cells, place.surroundings, place.contact, to_real<double>(*place.exponent),
+                                   place.exact ? PlaceIs::exact : PlaceIs::to_one_cell);
+  }
+  if (!place.exponent) {
+    return variational::fitted_wedge(cells, place.surroundings, to_real<double>(s(place.friction_left)),
+                                     place.wedge_degree);
+  }
+  return variational::fitted_jump(cells, place.surroundings, to_real<double>(*place.exponent),
+                                  cos_pi_alpha<double>(s(place.friction_left)),
+                                  cos_pi_alpha<double>(s(place.friction_right)), place.wedge_degree);
+}
+
+SolvedSingularPoint<double> VariationalSolution::solved_point(const Place& place) const {
+  const double error = place.exact ? 1e-15 * (std::abs(origin_) + unit_) : cell_length();
+  SolvedSingularPoint<double> result{{origin_ + place.x, error}, place.kind, place.exponent, unknown, {}};
+  if (!place.is_end() && place.wedge_degree >= 0) result.constant = unknown;
+  if (std::min(place.surroundings.left, place.surroundings.right) < fewest_between * cell_length()) return result;
+  const FittedIntensity fine = fitted(place, cells());
+  const FittedIntensity coarse = fitted(place, coarse_cells());
+  result.intensity = known(fine.intensity, coarse.intensity);
+  if (!place.is_end() && place.wedge_degree >= 0) result.constant = known(fine.constant, coarse.constant);
+  return result;
+}
+
+std::vector<SolvedSingularPoint<double>> VariationalSolution::singular_points() const {
+  std::vector<SolvedSingularPoint<double>> result;
+  for (const Place& place : places_) {
+    const bool wedge_only = place.kind == SingularKind::wedge;
+    // Where only a curvature changes nothing is singular; a measured profile has a wedge at every point, which cells
+    // can show only if it stands alone.
+    if (wedge_only && place.exponent) continue;
+    const auto& around = place.surroundings;
+    if (wedge_only && std::min(around.left, around.right) < fewest_between * cell_length()) continue;
+    result.push_back(solved_point(place));
+  }
+  return result;
+}
+
+std::vector<ContactComponent<double>> VariationalSolution::contact() const {
+  std::vector<ContactComponent<double>> result;
+  std::optional<ContactEnd<double>> left;
+  for (const Place& place : places_) {
+    if (!place.is_end()) continue;
+    const SolvedSingularPoint<double> point = solved_point(place);
+    ContactEnd<double> end{point.x, point.kind, *point.exponent, point.intensity};
+    if (place.contact == Side::right) {
+      left = std::move(end);
+    } else {
+      result.push_back({std::move(*left), std::move(end)});
+    }
+  }
+  return result;
+}
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,133 @@
+// A solution on cells at places of the surface.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "numeric/number/clustered.hpp"
+#include "numeric/variational/variational_solution.hpp"
+
+namespace steadyslide::numeric {
+namespace {
+
+using variational::DiscreteState;
+
+/// t_t / t: the body is dragged along, t_t = -f t towards the side to which the indenter slides.
+double shear_ratio(const ContactProblem& problem, std::size_t friction_piece) {
+  const double f = to_real<double>(problem.friction().values()[friction_piece]);
+  return problem.sliding() == Sliding::plus_x ? -f : f;
+}
+
+Estimate<double> scaled(const Estimate<double>& value, double factor) {
+  if (factor == 0 || value.value == 0) return {};
+  return {factor * value.value, std::abs(factor) * value.error};
+}
+
+/// psi' at a place, from one side.
+double profile_slope(const Indenter& indenter, const Rational& x, Side side) {
+  const auto& pieces = indenter.pieces();
+  const auto at =
+      std::lower_bound(pieces.begin(), pieces.end() - 1, x, [side](const auto& piece, const Rational& place) {
+        return side == Side::left ? piece.to < place : piece.to <= place;
+      });
+  return to_real<double>(at->profile.derivative()(x));
+}
+
+}  // namespace
+
+Estimate<double> VariationalSolution::traction(std::size_t cell) const {
+  const double t = traction_[cell];
+  if (t == 0) return {};
+  // What the next mesh would change, and how much t varies within the cell.
+  const double before = cell > 0 ? traction_[cell - 1] : t;
+  const double after = cell + 1 < traction_.size() ? traction_[cell + 1] : t;
+  const double variation = std::max(std::abs(t - before), std::abs(t - after)) / 2;
+  return {t, std::max(std::abs(t - coarse_traction(cell)), variation)};
+}
+
+double VariationalSolution::displacement(double xi) const {
+  const std::size_t n = displacement_.size();
+  const double place = (xi - mesh().left(0)) / mesh().length(0) - 0.5;
+  const std::size_t i = place <= 0 ? 0 : std::min(static_cast<std::size_t>(place), n - 2);
+  const double part = place - static_cast<double>(i);
+  return displacement_[i] + part * (displacement_[i + 1] - displacement_[i]);
+}
+
+Sample<double> VariationalSolution::outside(const Rational& x) const {
+  const double xi = mesh().place(x);
+  double sum = 0;
+  for (const Run& run : runs_) {
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      sum += state().pressure[i] * std::log(std::abs((mesh().right(i) - xi) / (mesh().left(i) - xi)));
+    }
+  }
+  // u' = (c/pi) int t/(x'-x) dx'.
+  const double slope = -height_ / unit_ * sum / std::numbers::pi;
+  Sample<double> result{to_real<double>(x), {}, {}, std::nullopt, {}};
+  const Estimate<double> estimate{slope, std::abs(slope) * estimated_error().traction};
+  result.slope = {estimate, estimate};
+  return result;
+}
+
+Sample<double> VariationalSolution::at(const Rational& x) const {
+  if (x < problem_.indenter().left() || x > problem_.indenter().right()) return outside(x);
+  const double xi = mesh().place(x);
+  const std::size_t right = mesh().cell_at(xi);
+  const std::size_t left = right > 0 && xi == mesh().left(right) ? right - 1 : right;
+  const variational::CellSet& contact = found_.fine.found.contact;
+  Sample<double> result{to_real<double>(x), {}, {}, std::nullopt, {}};
+  result.traction = {traction(left), traction(right)};
+  const FrictionProfile& friction = problem_.friction();
+  result.shear = {scaled(result.traction.left, shear_ratio(problem_, friction.piece(x, Side::left))),
+                  scaled(result.traction.right, shear_ratio(problem_, friction.piece(x, Side::right)))};
+
+  const auto curvature = [&](std::size_t i) {
+    const std::size_t k = std::clamp<std::size_t>(i, 1, displacement_.size() - 2);
+    return std::abs(displacement_[k - 1] - 2 * displacement_[k] + displacement_[k + 1]);
+  };
+  if (contact[left] || contact[right]) {
+    result.gap = Estimate<double>{};
+  } else {
+    const double height = to_real<double>(Rational(variational::profile_above_middle(problem_, x) /
+                                                   (problem_.elasticity().compliance() * problem_.load())));
+    const double gap = height + state().tilt * xi + displacement(xi) - state().approach;
+    // What a straight line between cells misses, and how far the coarser mesh has the indenter elsewhere.
+    const DiscreteState& coarse = found_.coarse.found.state;
+    const double shift = std::abs(state().approach - coarse.approach) + std::abs((state().tilt - coarse.tilt) * xi);
+    result.gap = Estimate<double>{height_ * gap, height_ * (curvature(right) + shift + 1e-15 * std::abs(height))};
+  }
+  const auto slope = [&](std::size_t cell, Side side) -> Estimate<double> {
+    if (contact[cell]) {
+      const double value = profile_slope(problem_.indenter(), x, side) + height_ / unit_ * state().tilt;
+      return {value, 4e-16 * std::abs(value)};
+    }
+    // Off the contact u' = -(c P/unit) d(B p)/dxi, by differences.
+    const std::size_t k = std::clamp<std::size_t>(cell, 1, displacement_.size() - 2);
+    const double scale = -height_ / (unit_ * mesh().length(0));
+    return {scale * (displacement_[k + 1] - displacement_[k - 1]) / 2, std::abs(scale) * curvature(k)};
+  };
+  result.slope = {slope(left, Side::left), slope(right, Side::right)};
+  return result;
+}
+
+std::vector<Sample<double>> VariationalSolution::samples(int count) const {
+  std::vector<Sample<double>> result;
+  const Rational origin = mesh().frame().origin;
+  const auto sample_between = [&](double from, double to) {
+    for (int i = 0; i < count && from < to; ++i) {
+      const auto [before, after] = clustered<double>(i, count);
+      const double x = before < after ? from + before * (to - from) : to - after * (to - from);
+      result.push_back(at(origin + Rational(x)));
+    }
+  };
+  double end = edges_.front();
+  for (const Run& run : runs_) {
+    sample_between(end, edges_[run.begin]);
+    sample_between(edges_[run.begin], edges_[run.end]);
+    end = edges_[run.end];
+  }
+  sample_between(end, edges_.back());
+  return result;
+}
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,91 @@
+#pragma once
+// A solution on cells in the user's units and x: what variational_inequality() returns.
+
+#include "numeric/solution/contact_solution.hpp"
+#include "numeric/variational/local_fit.hpp"
+#include "numeric/variational/nested_solve.hpp"
+
+namespace steadyslide::numeric {
+
+class VariationalSolution : public ContactSolution<double> {
+ public:
+  VariationalSolution(ContactProblem problem, variational::NestedResult found);
+
+  const variational::NestedResult& found() const { return found_; }
+  /// Runs of cells in contact, left to right: from the first cell to the one after the last.
+  struct Run {
+    std::size_t begin;
+    std::size_t end;
+  };
+  const std::vector<Run>& runs() const { return runs_; }
+  /// Does the contact reach an end of the support?
+  bool reaches_edge() const;
+  /// Of a cell, in the user's unit of length.
+  double cell_length() const { return unit_ * mesh().length(0); }
+  /// Places and means of t, in the user's units, x less the middle of the support: what local fits look at.
+  variational::Cells cells() const { return {edges_, traction_}; }
+  /// The same on half as many cells.
+  variational::Cells coarse_cells() const { return {coarse_edges_, coarse_traction_}; }
+
+  std::string method() const override { return "variational"; }
+  std::string shortcoming() const override;
+  std::vector<ContactComponent<double>> contact() const override;
+  std::vector<SolvedSingularPoint<double>> singular_points() const override;
+  Resultants<double> resultants() const override;
+  std::optional<Estimate<double>> tilt() const override;
+  EstimatedError<double> estimated_error() const override;
+  /// From the certificate. Equation: the largest mean gap of a cell in contact, in units of c P.
+  Residuals<double> residuals() const override;
+  Sample<double> at(const Rational& x) const override;
+  std::vector<Sample<double>> samples(int count) const override;
+
+  /// A place where the traction is singular or changes its polynomial, as the cells see it.
+  struct Place {
+    double x;  ///< less the middle of the support
+    SingularKind kind;
+    std::optional<Exponent> exponent;      ///< absent: logarithm, or nothing singular
+    variational::LocalPlace surroundings;  ///< for local fits; x as above
+    Side contact;                          ///< of an end
+    std::size_t friction_left;             ///< pieces
+    std::size_t friction_right;
+    int wedge_degree;  ///< of the jump of the slope, a polynomial; -1: none
+    bool exact;        ///< x is known exactly: not a free end
+    bool is_end() const {
+      return kind == SingularKind::edge || kind == SingularKind::free || kind == SingularKind::step;
+    }
+  };
+  /// All of them, left to right.
+  const std::vector<Place>& places() const { return places_; }
+
+ private:
+  const variational::DiscreteProblem& discrete() const { return *found_.fine.problem; }
+  const variational::CellMesh& mesh() const { return discrete().mesh(); }
+  const variational::DiscreteState& state() const { return found_.fine.found.state; }
+
+  void find_runs();
+  void find_places();
+  Place end_place(const Run& run, End end) const;
+  variational::FittedIntensity fitted(const Place& place, const variational::Cells& cells) const;
+  SolvedSingularPoint<double> solved_point(const Place& place) const;
+  /// t of the coarser mesh where cell i has its middle.
+  double coarse_traction(std::size_t i) const;
+  Estimate<double> traction(std::size_t cell) const;
+  double displacement(double xi) const;
+  Sample<double> outside(const Rational& x) const;
+
+  ContactProblem problem_;
+  variational::NestedResult found_;
+  double origin_;
+  double unit_;
+  double stress_;  ///< P/unit
+  double height_;  ///< c P
+  std::vector<double> edges_;
+  std::vector<double> traction_;
+  std::vector<double> coarse_edges_;
+  std::vector<double> coarse_traction_;
+  std::vector<double> displacement_;  ///< B p of each cell
+  std::vector<Run> runs_;
+  std::vector<Place> places_;
+};
+
+}  // namespace steadyslide::numeric

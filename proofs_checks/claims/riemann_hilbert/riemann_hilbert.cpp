@@ -1,0 +1,165 @@
+// The Riemann-Hilbert form on any contact set satisfies the equation.
+
+#include "proofs_checks/claims/claims.hpp"
+#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/trial.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+using numeric::Node;
+using numeric::RiemannHilbertForm;
+
+/// t = eps cos(pi alpha) prod |x - e_j|^{p_j} B_k on every segment.
+template <class R>
+struct FormSaid {
+  std::shared_ptr<const TrialForm<R>> trial;
+  std::vector<int> eps;
+  std::vector<R> cosine;
+  std::vector<numeric::Power<R>> powers;
+  std::vector<std::size_t> slope;  ///< k
+  bool polynomial = true;          ///< is [(g_k + tilt)/Y]_poly there?
+  int integral = 1;                ///< the integral's sign
+  bool excess = true;              ///< does A t miss what Y (m_0/z + ...) leaves at infinity?
+
+  const RiemannHilbertForm<R>& form() const { return trial->form(); }
+};
+using FormFormula = Formula<FormSaid, Trial>;
+
+FormFormula form_formula() {
+  return FormFormula::from([]<Real R>(const Trial& trial) {
+    FormSaid<R> said{std::make_shared<const TrialForm<R>>(trial), {}, {}, {}, {}};
+    const RiemannHilbertForm<R>& form = said.form();
+    said.powers = form.weight().powers();
+    for (std::size_t k = 0; k < form.set().segments(); ++k) {
+      said.eps.push_back(form.sign(static_cast<std::ptrdiff_t>(k)));
+      said.cosine.push_back(form.problem().cos_alpha(form.friction_at(k)));
+      said.slope.push_back(form.slope_at(k));
+    }
+    return said;
+  });
+}
+
+/// [(g_k + tilt)/Y]_poly at x.
+template <Real R>
+R polynomial_part(const RiemannHilbertForm<R>& form, std::size_t slope, const R& x) {
+  std::vector<R> g = form.problem().slopes()[slope];
+  g.resize(std::max<std::size_t>(g.size(), 1), R(0));
+  g[0] += form.tilt();
+  const int degree = static_cast<int>(g.size()) - 1 - form.degree_at_infinity();
+  R value = 0;
+  for (int j = degree; j >= 0; --j) {
+    value *= x;
+    for (int i = 0; i <= degree - j; ++i) {
+      const int l = form.degree_at_infinity() + j + i;
+      if (l >= 0) value += g[static_cast<std::size_t>(l)] * form.inverse_series()[static_cast<std::size_t>(i)];
+    }
+  }
+  return value;
+}
+
+template <Real R>
+Surface<R> surface_of(const FormSaid<R>& said) {
+  const RiemannHilbertForm<R>& form = said.form();
+  const auto bracket = [&said, &form](std::size_t k, const Node<R>& node) {
+    R b = form.bracket(said.slope[k], {static_cast<std::ptrdiff_t>(k), node}).value;
+    if (!said.polynomial || said.integral < 0) {
+      const R poly = polynomial_part(form, said.slope[k], node.x);
+      R q = 0;
+      for (std::size_t j = form.q().size(); j-- > 0;) q = q * node.x + form.q()[j];
+      if (said.integral < 0) b = 2 * (poly - q / numeric::pi<R>()) - b;
+      if (!said.polynomial) b -= poly;
+    }
+    return R(said.eps[k] * said.cosine[k] * b);
+  };
+  const numeric::FundamentalSolution<R> weight(form.set().panels(), said.powers);
+  const std::vector<R> rest = said.excess ? excess(form) : std::vector<R>{};
+  const auto slope_at = [&form, rest](const R& xi) {
+    const R x = numeric::to_real<R>(Trial::frame().origin) + numeric::to_real<R>(Trial::frame().unit) * xi;
+    R left = 0;
+    for (std::size_t j = rest.size(); j-- > 0;) left = left * xi + rest[j];
+    return R(slope<R>(form.problem().problem(), x, x) + form.tilt() - left);
+  };
+  return {density_of<R>(form, weight, bracket), friction_of(form), slope_at,
+          R(-numeric::pi<R>() * coefficient_at_infinity(form, -1)), load_scale(form)};
+}
+
+std::vector<Evidence> check_form(const Context& context, const FormFormula& formula) {
+  const auto walk = [&]<Real R>() {
+    const std::vector<Trial> all = trials(context, "rh-form", count_for(context, 20, 2, 1), true);
+    Findings findings;
+    for (const Trial& trial : all) {
+      findings.begin_case(trial.name + ": " + text_of(trial.problem), has_friction(trial.problem));
+      const FormSaid<R> said = formula.at<R>(trial);
+      check_surface(findings, surface_of(said), context.quick ? 1 : 2);
+    }
+    return findings.evidence(detail_of(context, all));
+  };
+  return gather([&] { return numeric::at_precision(context.digits, walk); });
+}
+
+/// Replaces the power of end j by that of the friction sliding the other way.
+template <class R>
+void turn_alpha(FormSaid<R>& said, std::size_t j) {
+  const auto& point = said.form().set().point(j);
+  const Exponent& exponent = said.form().exponent(j);
+  const Exponent base(Rational(point.vanishes ? 1 : -1, 2));
+  said.powers[j] = numeric::Power<R>::of(base + base - exponent);
+}
+
+Claim form_claim() {
+  const FormFormula right = form_formula();
+  return make_claim(
+      {"rh-form", "[Bal16, theorem 36], reconstructed: the traction on any contact set",
+       "On any contact set, with the slope of the profile a polynomial `g_k` on each piece, `t = epsilon cos(pi alpha) "
+       "|Y| B_k` with `B_k = [(g_k + delta)/Y]_{poly} - q/pi - (1/pi) int epsilon cos(pi alpha) (g - g_k)/(|Y| (x'-x)) "
+       "dx'` satisfies `A t = g + delta` up to a polynomial: the one that `Y (m_0/z + m_1/z^2 + ... + q/pi)` has at "
+       "infinity, which is 0 for a solution. `int t` follows from the coefficient of `1/z` there. `delta` is the tilt, "
+       "the index poly means the polynomial part at infinity.",
+       "Piecewise polynomial profile with wedges and steps, `s` piecewise constant; up to three components with any "
+       "ends and any polynomial `q`, whether or not they solve a contact problem.",
+       "`F = 2 i Phi` has to satisfy `(F^+ + F^-)/2 + s (F^+ - F^-)/(2i) = g + delta`. Put `F = g_k + delta - Y B_k` "
+       "for one `k`: `(s+i) Y^+ = epsilon |Y|/cos(pi alpha)` is real, so that `B_k` must jump by a multiple of "
+       "`epsilon cos(pi alpha) (g - g_k)/|Y|`, which the integral does. The polynomial part takes away what grows at "
+       "infinity, and `q` is free. All `B_k` describe one function; taking `k` from the piece at `x` the integral "
+       "stays clear of `x`."},
+      check_form, right,
+      std::vector<Wrong<FormFormula>>{
+          {"eps of the other sign on one component", right.changed([](auto& said, const Trial&) {
+             std::size_t k = 0;
+             while (!said.form().set().in_contact(k)) ++k;
+             for (; k < said.eps.size() && said.form().set().in_contact(k); ++k) said.eps[k] = -said.eps[k];
+           })},
+          {"alpha of the other sign in the power of the first end", right.changed([](auto& said, const Trial&) {
+             std::size_t j = 0;
+             while (!said.form().set().point(j).is_end()) ++j;
+             turn_alpha(said, j);
+           })},
+          {"cos(pi alpha) left out", right.changed([]<class R>(FormSaid<R>& said, const Trial&) {
+             for (R& c : said.cosine) c = 1;
+           })},
+          {"the power of the jump left out", right.changed([]<class R>(FormSaid<R>& said, const Trial&) {
+             for (std::size_t j = 0; j < said.powers.size(); ++j) {
+               if (!said.form().set().point(j).is_end()) said.powers[j] = {R(0), R(1)};
+             }
+           })},
+          {"the slope of the other side of a wedge", right.changed([](auto& said, const Trial&) {
+             for (std::size_t j = 1; j < said.slope.size(); ++j) {
+               if (said.form().is_kinked(j)) said.slope[j] = said.slope[j - 1];
+             }
+           })},
+          {"the integral with the other sign", right.changed([](auto& said, const Trial&) { said.integral = -1; })},
+          {"the polynomial at infinity forgotten",
+           right.changed([](auto& said, const Trial&) { said.excess = false; })},
+          {"[(g_k + delta)/Y]_poly left out", right.changed([](auto& said, const Trial&) { said.polynomial = false; })},
+          {"near miss: the last panel's traction moved by ten times the tolerance",
+           right.changed([]<class R>(FormSaid<R>& said, const Trial&) {
+             said.cosine[segments_of(said.form()).back()] *= 1 + near_miss<R>();
+           })}});
+}
+
+}  // namespace
+
+std::vector<Claim> riemann_hilbert_claims() { return {form_claim()}; }
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,251 @@
+// What the surface does outside of the contact, next to an edge [Bal16, theorem 3], and which side's friction governs
+// an end of contact that lies on a friction jump.
+
+#include <algorithm>
+
+#include "numeric/quadrature/tanh_sinh.hpp"
+#include "numeric/quadrature/trapezoidal.hpp"
+#include "proofs_checks/claims/claims.hpp"
+#include "proofs_checks/instruments/punch.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+/// One end: u' = factor |Y| outside, and u' ~ coefficient theta d^power next to it, t ~ -theta d^power inside.
+template <class R>
+struct EndForm {
+  R factor;
+  R coefficient;
+  numeric::Power<R> power;
+  bool from_inside = false;  ///< the estimate is read inside of the contact
+};
+
+template <class R>
+struct OutsideForm : PowerForm<R> {
+  EndForm<R> rear;
+  EndForm<R> front;
+};
+using OutsideFormula = Formula<OutsideForm, ContactProblem>;
+
+OutsideFormula outside_formula() {
+  return OutsideFormula::from([]<Real R>(const ContactProblem& p) {
+    const std::size_t m = p.friction().jumps().size();
+    std::vector<Rational> points{-1};
+    std::vector<Exponent> exponents{-(half + alpha(p, 0))};
+    std::vector<R> amplitudes{punch_amplitude<R>(p, 0)};
+    for (std::size_t k = 1; k <= m; ++k) {
+      points.push_back(p.friction().jumps()[k - 1]);
+      exponents.push_back(alpha(p, k - 1) - alpha(p, k));
+      amplitudes.push_back(punch_amplitude<R>(p, k));
+    }
+    points.push_back(1);
+    exponents.push_back(-(half - alpha(p, m)));
+    OutsideForm<R> form{power_form<R>(points, exponents, std::move(amplitudes)), {}, {}};
+    const R over_pi = numeric::to_real<R>(p.load()) / numeric::pi<R>();
+    const R rear_root = 1 / numeric::cos_pi_alpha<R>(p.coupled_friction(0));
+    const R front_root = 1 / numeric::cos_pi_alpha<R>(p.coupled_friction(m));
+    form.rear = {R(-over_pi), R(-rear_root), form.powers.front()};
+    form.front = {over_pi, front_root, form.powers.back()};
+    return form;
+  });
+}
+
+template <Real R>
+void check_outside(Findings& findings, const OutsideForm<R>& form, const ContactProblem& problem) {
+  using std::pow;
+  const Quantity slope_1{
+      "u' outside of the contact, trapezoidal rule", {"(1/pi) int t(x')/(x'-x) dx'", "-+(P/pi) |Y|"}, tolerance<R>()};
+  const Quantity slope_2{
+      "u' outside of the contact, tanh-sinh rule", {"(1/pi) int t(x')/(x'-x) dx'", "-+(P/pi) |Y|"}, tolerance<R>()};
+  const Quantity estimate{"u' over theta d^p next to the edges", {"measured", "-+sqrt(1+s^2)"}, tolerance<R>()};
+  const numeric::PowerTraction<R> traction = form.traction();
+  const numeric::PiecewiseDensity<R> density = traction.density();
+  const numeric::trapezoidal::Grid<R> grid(density);
+  // The estimate's error is the distance over the length to the next singular point.
+  const R near = R(tolerance<R>()) / 1000 * std::ranges::min(form.lengths);
+
+  for (const Side side : {Side::left, Side::right}) {
+    const EndForm<R>& end = side == Side::left ? form.rear : form.front;
+    const std::size_t last = side == Side::left ? 0 : form.lengths.size() - 1;
+    for (const Rational& distance : {Rational(1, 1000), Rational(1, 10), Rational(2), Rational(50)}) {
+      const R d = numeric::to_real<R>(distance);
+      const R expected = end.factor * traction.weight.modulus_beyond(side, d);
+      findings.compare(slope_1, relative_difference<R>(grid.cauchy(side, d), expected));
+      if (distance == Rational(1, 10)) {
+        findings.compare(slope_2,
+                         relative_difference<R>(numeric::tanh_sinh::cauchy<R>(density, side, d).value, expected));
+      }
+    }
+    const R theta = -form.amplitudes[last] * traction.weight.amplitude(side == Side::left ? 0 : form.lengths.size());
+    R slope = end.factor * traction.weight.modulus_beyond(side, near);
+    if (end.from_inside) {
+      const auto at = grid.midpoint_near(last, side == Side::left ? R(1) / 1'000'000 : R(999'999) / 1'000'000);
+      slope = grid.hilbert(at) + numeric::to_real<R>(problem.coupled_friction(last)) * density[last](at.node);
+    }
+    findings.compare(estimate, relative_difference<R>(slope / (theta * pow(near, end.power.value)), end.coefficient));
+  }
+}
+
+std::vector<Evidence> check(const Context& context, const OutsideFormula& formula) {
+  const auto walk = [&]<Real R>() {
+    std::vector<ContactProblem> grid{
+        punch(Rational(3, 10), {Rational(1, 2), 2}, {Rational(1, 4)}, 3), punch(Rational(3, 10), {1}), punch(0, {0}),
+        punch(Rational(-9, 10), {50, 1, 10}, {0, Rational(1, 2)}), punch(Rational(499, 1000), {3})};
+    const Cases cases = punch_cases(context, "outside", std::move(grid), count_for(context, 30, 8, 3),
+                                    [](Random& random) { return random.below(3); });
+    Findings findings;
+    for (const ContactProblem& problem : cases.problems) {
+      findings.begin_case(text_of(problem), has_friction(problem));
+      check_outside(findings, formula.at<R>(problem), problem);
+    }
+    return findings.evidence(cases.detail);
+  };
+  return gather([&] { return numeric::at_precision(context.digits, walk); });
+}
+
+Claim outside_slope() {
+  const OutsideFormula right = outside_formula();
+  return make_claim(
+      {"thm-03-outside-slope", "[Bal16, theorem 3]: u' outside of the contact, as far as the flat punch shows it",
+       "Outside of a flat punch `u_bar' = -(P/pi) |Y|` behind it and `+(P/pi) |Y|` in front of it, `Y = prod_j "
+       "(x-e_j)^{p_j}`. So where `t ~ -theta d^{-(1/2+alpha)}` at the rear edge, `u_bar' ~ -theta sqrt(1+s^2) "
+       "d^{-(1/2+alpha)}` behind it; where `t ~ -theta d^{-(1/2-alpha)}` at the front edge, `u_bar' ~ theta "
+       "sqrt(1+s^2) d^{-(1/2-alpha)}` in front of it: `alpha` and `s` are those of the contact side.",
+       "Rigid flat punch on `]-1, 1[`, `s = gamma f` piecewise constant, examined with 0 to 2 jumps and frictions up "
+       "to 50; distances from 1/1000 to 50, and the estimates at one far below the tolerance.",
+       "Off the contact `A t` has no friction term, and `u_bar' = (1/pi) int t(x')/(x'-x) dx' = 2 i Phi` with `Phi = P "
+       "Y/(2 pi i)`: `u_bar' = (P/pi) Y`, where `Y` is positive in front, and negative behind, because the powers sum "
+       "to -1. Inside `t = -(P/pi) cos(pi alpha) |Y|`, so that across an edge the power of the distance is the same "
+       "and the amplitude of `u_bar'` is `1/cos(pi alpha) = sqrt(1+s^2)` times that of `t`. On the other side of the "
+       "front edge, in the contact, `u_bar'` is the slope of the indenter."},
+      check, right,
+      std::vector<Wrong<OutsideFormula>>{
+          {"the printed x -> c- at the front: the estimate read inside of the contact",
+           right.changed([](auto& form, const ContactProblem&) { form.front.from_inside = true; })},
+          {"the other sign of u' in front", right.changed([](auto& form, const ContactProblem&) {
+             form.front.factor = -form.front.factor;
+             form.front.coefficient = -form.front.coefficient;
+           })},
+          {"sqrt(1+s^2) missing at the rear",
+           right.changed([](auto& form, const ContactProblem&) { form.rear.coefficient = -1; })},
+          {"sqrt(1+s^2) of the front at the rear",
+           right.changed([](auto& form, const ContactProblem&) { form.rear.coefficient = -form.front.coefficient; })},
+          {"the powers of both edges exchanged in the estimate",
+           right.changed([](auto& form, const ContactProblem&) { std::swap(form.rear.power, form.front.power); })},
+          {"the power of the other side's friction at the rear",
+           right.changed([]<Real R>(OutsideForm<R>& form, const ContactProblem& p) {
+             form.rear.power = numeric::Power<R>::of(-(half + alpha(p, p.friction().values().size() - 1)));
+           })},
+          {"near miss: the power at the front moved by ten times the tolerance",
+           right.changed(
+               []<Real R>(OutsideForm<R>& form, const ContactProblem&) { form.front.power.value += near_miss<R>(); })},
+          {"near miss: u' behind moved by ten times the tolerance",
+           right.changed(
+               []<Real R>(OutsideForm<R>& form, const ContactProblem&) { form.rear.factor *= 1 + near_miss<R>(); })}});
+}
+
+/// A step at c = 0, where the friction jumps too; contact on one side of it alone.
+struct StepCase {
+  Rational nu;
+  Rational rear_friction;
+  Rational front_friction;
+  Side contact;
+
+  ContactProblem punch_in_contact() const {
+    return punch(nu, {contact == Side::left ? rear_friction : front_friction});
+  }
+};
+using StepFormula = Formula<PowerForm, StepCase>;
+
+std::string text_of(const StepCase& c) {
+  return "nu = " + to_string(c.nu) + ", f = " + to_string(c.rear_friction) + " behind and " +
+         to_string(c.front_friction) + " in front of the step, contact " +
+         (c.contact == Side::left ? "behind it" : "in front of it");
+}
+
+std::vector<Evidence> check_step(const Context& context, const StepFormula& formula) {
+  const auto walk = [&]<Real R>() {
+    std::vector<StepCase> cases{{Rational(3, 10), Rational(1, 2), 2, Side::right},
+                                {Rational(3, 10), Rational(1, 2), 2, Side::left},
+                                {Rational(-9, 10), 10, 1, Side::right},
+                                {Rational(-9, 10), 10, 1, Side::left}};
+    Random random(context.seed, "contact-side");
+    const std::size_t count = context.quick ? 2 : count_for(context, 30, 10, 4);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Rational rear = random.friction(50);
+      const Rational front = random.friction(50);
+      cases.push_back({random.poisson(), rear, front, k % 2 == 0 ? Side::left : Side::right});
+    }
+    Findings findings;
+    for (const StepCase& c : cases) {
+      findings.begin_case(text_of(c), c.rear_friction != c.front_friction);
+      const ContactProblem problem = c.punch_in_contact();
+      const auto no_slope = [](const R&) { return R(0); };
+      check_surface(findings, surface_of<R>(formula.at<R>(c), problem, 0, no_slope), 1);
+    }
+    return findings.evidence("4 of a grid, " + std::to_string(count) + " random with seed " +
+                             std::to_string(context.seed));
+  };
+  return gather([&] { return numeric::at_precision(context.digits, walk); });
+}
+
+/// The angle at the end of contact that lies on the step.
+Exponent contact_angle(const StepCase& c) { return alpha(c.punch_in_contact(), 0); }
+Exponent other_angle(const StepCase& c) {
+  const Rational& f = c.contact == Side::left ? c.front_friction : c.rear_friction;
+  return alpha(punch(c.nu, {f}), 0);
+}
+
+/// Gives the end at the step the power with that angle.
+void set_step_power(auto& form, const StepCase& c, const Exponent& angle) {
+  if (c.contact == Side::right) {
+    form.set_exponent(0, -(half + angle));
+  } else {
+    form.set_exponent(1, -(half - angle));
+  }
+}
+
+Claim contact_side() {
+  const StepFormula right = StepFormula::from([]<Real R>(const StepCase& c) {
+    const Exponent angle = contact_angle(c);
+    const std::vector<Rational> points =
+        c.contact == Side::right ? std::vector<Rational>{0, 1} : std::vector<Rational>{-1, 0};
+    return power_form<R>(points, {-(half + angle), -(half - angle)}, {punch_amplitude<R>(c.punch_in_contact(), 0)});
+  });
+  const auto to_the_other = [](auto& form, const StepCase& c) { set_step_power(form, c, other_angle(c)); };
+  return make_claim(
+      {"thm-03-contact-side", "[Bal16, theorem 3]: an end of contact on a step, the friction jumping there as well",
+       "Where the contact ends on a step of the indenter and the friction jumps there as well, the power of the "
+       "traction at that end is `-(1/2+alpha)` for contact in front of the step and `-(1/2-alpha)` for contact behind "
+       "it, `alpha` the angle of the friction on the contact side. The friction on the other side has no influence.",
+       "Two flat levels with a step between them, so high that the upper one does not touch; friction constant on "
+       "each, from 0 to 50; plane strain, `-1 < nu < 1/2`.",
+       "On the side without contact `t = 0`, and `s t` is zero there whatever `s` is: the problem is that of a flat "
+       "punch whose edge lies at the step. Its powers follow from `Y^+ = G Y^-` with `G = -exp(2 pi i alpha)` of the "
+       "contact, `Y^+ = Y^-` beyond. With the angle of the other side the equation `A t = 0` fails in the contact, "
+       "next to the step."},
+      check_step, right,
+      std::vector<Wrong<StepFormula>>{
+          {"the printed angle (5), of the friction behind c, for contact in front of c",
+           right.changed([to_the_other](auto& form, const StepCase& c) {
+             if (c.contact == Side::right) to_the_other(form, c);
+           })},
+          {"the printed angle (6), of the friction in front of c, for contact behind c",
+           right.changed([to_the_other](auto& form, const StepCase& c) {
+             if (c.contact == Side::left) to_the_other(form, c);
+           })},
+          {"the mean of both angles' powers", right.changed([]<Real R>(PowerForm<R>& form, const StepCase& c) {
+             const R step = (numeric::to_real<R>(contact_angle(c)) - numeric::to_real<R>(other_angle(c))) / 2;
+             form.move_power(c.contact == Side::right ? 0 : 1, step);
+           })},
+          {"near miss: the power at the step moved by ten times the tolerance",
+           right.changed([]<Real R>(PowerForm<R>& form, const StepCase& c) {
+             form.move_power(c.contact == Side::right ? 0 : 1, near_miss<R>());
+           })}});
+}
+
+}  // namespace
+
+std::vector<Claim> outside_claims() { return {outside_slope(), contact_side()}; }
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,141 @@
+// Why a free end has no edge singularity: the last step in the proof of theorem 10. [Bal16, theorem 10]
+
+#include "proofs_checks/instruments/proofs.hpp"
+#include "proofs_checks/instruments/trial.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+/// A contact that is made to end at 0 with an edge, where the profile is continuous: no solution, but the equation
+/// holds.
+struct ForcedEnd {
+  std::string name;
+  Side beyond;  ///< of 0
+  double other_end;
+  Rational slope;
+};
+
+std::vector<ForcedEnd> forced_ends(bool quick) {
+  std::vector<ForcedEnd> all{{"contact on the right, pressed", Side::left, 0.4, Rational(-1, 4)},
+                             {"contact on the right, drawn", Side::left, 0.4, Rational(1)},
+                             {"contact on the left, pressed", Side::right, -0.4, Rational(1, 4)}};
+  if (quick) return all;
+  all.push_back({"contact on the left, drawn", Side::right, -0.4, -1});
+  all.push_back({"contact on the right, longer", Side::left, 1.1, Rational(-1, 2)});
+  return all;
+}
+
+Trial trial_of(const ForcedEnd& c, const Rational& s) {
+  const Polynomial profile({0, c.slope, Rational(1, 2), Rational(1, 12)});
+  const auto place = numeric::to_real<double>(-Trial::frame().origin / Trial::frame().unit);
+  const numeric::ZoneGuess zone = c.beyond == Side::left ? numeric::ZoneGuess{place, c.other_end, true, false}
+                                                         : numeric::ZoneGuess{c.other_end, place, false, true};
+  return {
+      c.name,
+      {Elasticity::reduced(Rational(1, 2)), FrictionProfile({2 * s}), Indenter(-4, {{0, profile}, {4, profile}}), 1},
+      {zone},
+      {1, 1},
+      0};
+}
+
+template <class R>
+struct ForcedFacts {
+  std::string name;
+  Rational s;
+  Side beyond;
+  R a;            ///< of t ~ -a d^p
+  R gap;          ///< very near the end, over d^{p+1}
+  double routes;  ///< what the gap differs by from the trapezoidal rule's, over its size
+};
+template <class R>
+using ForcedList = std::vector<ForcedFacts<R>>;
+
+Exponent edge_power(const ForcedEnd& c, const Rational& s) {
+  return c.beyond == Side::left ? -(half + Exponent::angle(s)) : -(half - Exponent::angle(s));
+}
+
+template <Real R>
+ForcedFacts<R> measure_forced(const ForcedEnd& c) {
+  using std::abs, std::pow;
+  const Rational s(3, 4);
+  const TrialForm<R> trial(trial_of(c, s));
+  const auto& form = trial.form();
+  std::size_t j = 0;
+  while (!(form.set().point(j).anchor && form.problem().place(*form.set().point(j).anchor) == 0)) ++j;
+  const R unit = numeric::to_real<R>(Trial::frame().unit);
+  const R d = very_near<R>();
+  const R p = numeric::to_real<R>(edge_power(c, s));
+  const Side inside = opposite(c.beyond);
+  const R a = -form.traction(beside(form, j, inside, R(d * unit))).value / pow(d, p);
+  const R gap = form.opening(j, beside(form, j, c.beyond, R(d * unit))).value / pow(d, R(p + 1));
+  // A place where nothing is small.
+  const R far = R(1) / 50;
+  const auto at = beside(form, j, c.beyond, R(far * unit));
+  const numeric::trapezoidal::Grid<R> grid(density_of(form));
+  const R by_rule = form.profile_rise(j, at) - grid.displacement(0, c.beyond, far);
+  const R by_form = form.opening(j, at).value;
+  return {c.name, s, c.beyond, a, gap, relative_difference<R>(by_rule, by_form)};
+}
+
+struct ExclusionSaid {
+  int sign = -1;
+  bool root = true;
+  bool over_power = true;  ///< the integral's 1/(1/2 -+ alpha)
+  int miss = 0;
+};
+
+std::vector<Evidence> check_exclusion(const Context& context, Once<ForcedList>& once, const ExclusionSaid& said) {
+  return gather_quick_in_double(context, [&]<Real R>() {
+    const Quantity gap{"gap beyond a forced end over d^{p+1}", {"form", "-a sqrt(1+s^2)/(p+1)"}, tolerance<R>()};
+    const Quantity routes{"gap at d = 1/50", {"trapezoidal rule", "form"}, tolerance<R>()};
+    const ForcedList<R>& all = once.at<R>(context.quick, [&] {
+      ForcedList<R> list;
+      for (const ForcedEnd& c : forced_ends(context.quick)) list.push_back(measure_forced<R>(c));
+      return list;
+    });
+    bool signs[2] = {false, false};
+    Findings findings;
+    for (const ForcedFacts<R>& facts : all) {
+      findings.begin_case(facts.name);
+      const R p = numeric::to_real<R>(
+          (facts.beyond == Side::left ? -Exponent::angle(facts.s) : Exponent::angle(facts.s)) - half);
+      R expected = said.sign * facts.a * (1 + said.miss * R(tolerance<R>()));
+      if (said.root) expected /= numeric::cos_pi_alpha<R>(facts.s);
+      if (said.over_power) expected /= p + 1;
+      findings.compare(gap, relative_difference<R>(facts.gap, expected));
+      findings.compare(routes, facts.routes);
+      signs[facts.a > 0 ? 1 : 0] = true;
+      findings.require((facts.gap < 0) == (facts.a > 0), "a > 0 without penetration beyond the end");
+    }
+    findings.require(signs[0] && signs[1], "a has one sign only in these cases");
+    return findings.evidence("contacts made to end where the profile is continuous");
+  });
+}
+
+}  // namespace
+
+Claim proof_exclusion() {
+  using Said = ExclusionSaid;
+  return make_claim(
+      {"thm-10-proof-exclusion", "[Bal16, theorem 10], proof: no edge singularity where the profile is continuous",
+       "Contact on the right of `c` with `t_n ~ -a (x-c)^{-(1/2+alpha)}` and a profile that is continuous at `c` "
+       "leaves the gap `~ -a sqrt(1+s^2) (c-x)^{1/2-alpha}/(1/2-alpha)` behind `c`: for `a > 0` the surface is above "
+       "the indenter, for `a < 0` the traction is a tension. So `a = 0`. Mirrored at a front end, with `-(1/2-alpha)` "
+       "and `1/2+alpha`.",
+       "`psi_bar'` bounded beside `c`, no step of `psi` at `c`: with the step of theorem 3 the gap begins with a "
+       "positive constant and `a > 0` is admitted.",
+       "`u_bar_n' - psi_bar' ~ -a sqrt(1+s^2) (c-x)^{-(1/2+alpha)}` behind `c`, integrated from `c`, where the gap is "
+       "`0`. `-(1/2+alpha) > -1` makes the integral finite, and `1/2-alpha < 1` makes it outweigh what a bounded slope "
+       "of the profile leaves, which is of first order in `c-x`. `t_n <= 0` demands `a >= 0`, the gap `a <= 0`."},
+      [once = std::make_shared<Once<ForcedList>>()](const Context& context, const Said& said) {
+        return check_exclusion(context, *once, said);
+      },
+      Said{},
+      std::vector<Wrong<Said>>{
+          {"the surface below the indenter for a > 0", changed<Said>([](Said& said) { said.sign = 1; })},
+          {"sqrt(1+s^2) missing", changed<Said>([](Said& said) { said.root = false; })},
+          {"1/(1/2-alpha) missing", changed<Said>([](Said& said) { said.over_power = false; })},
+          {"near miss: the gap moved by ten times the tolerance", changed<Said>([](Said& said) { said.miss = 10; })}});
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,83 @@
+#pragma once
+// The field in the half-plane z > 0 of tractions that are polynomials on intervals of the surface, for the claims about
+// surface displacements: the potentials have exact integrals. On [a, b], with L = log((b-zeta)/(a-zeta)),
+//
+//   C(zeta) = (1/pi) int_a^b t/(x'-zeta) dx' = (t(zeta) L + Q(zeta))/pi,   Q = int_a^b (t(x')-t(zeta))/(x'-zeta) dx',
+//
+// Q a polynomial, zeta = x + iz, the arguments of the logarithm in [0, pi]: on the surface the limit from within the
+// body. Stresses as in half_plane_stress.hpp, strains by Hooke's law in plane strain.
+
+#include <tuple>
+#include <vector>
+
+#include "model/elasticity.hpp"
+#include "model/polynomial.hpp"
+#include "numeric/cauchy/density.hpp"
+#include "numeric/interior/half_plane_stress.hpp"
+#include "numeric/quadrature/jacobi_rule.hpp"
+#include "proofs_checks/instruments/complex_jet.hpp"
+
+namespace steadyslide::proofs_checks {
+
+/// A polynomial on an interval.
+struct TractionPiece {
+  Rational from;
+  Rational to;
+  Polynomial t;
+};
+/// From left to right; zero elsewhere.
+using PiecewiseTraction = std::vector<TractionPiece>;
+
+/// Times a number on each interval.
+PiecewiseTraction scaled_pieces(const PiecewiseTraction& traction, const std::vector<Rational>& factors);
+
+template <class R>
+numeric::PiecewiseDensity<R> density_of(const PiecewiseTraction& traction);
+/// At x inside an interval.
+template <class R>
+R value_at(const PiecewiseTraction& traction, const R& x);
+
+/// Gauss rules at every precision, made once for a claim and its controls.
+using GaussRules = std::tuple<numeric::JacobiRules<double>, numeric::JacobiRules<numeric::Real50>,
+                              numeric::JacobiRules<numeric::Real100>>;
+
+template <class R>
+class HalfPlaneField {
+ public:
+  /// Tractions t_n and t_t on the surface of a body.
+  HalfPlaneField(Solid body, const PiecewiseTraction& normal, const PiecewiseTraction& tangential, GaussRules& rules);
+
+  /// z >= 0; on the surface inside an interval or outside of all.
+  numeric::StressComponents<R> stress(const R& x, const R& z) const;
+  /// Derivatives of the stresses with respect to x.
+  numeric::StressComponents<R> stress_rate(const R& x, const R& z) const;
+  /// The radial fields of all forces t dx', added up by a Gauss rule: z > 0 not small.
+  numeric::StressComponents<R> superposed_stress(const R& x, const R& z) const;
+
+  /// u_t' = epsilon_xx on the surface, at x inside an interval.
+  R tangential_slope(const R& x) const;
+  /// u_n' = -d u_z/dx = int_0^oo d epsilon_zz/dx dz: the strains alone, and a rotation that vanishes deep below.
+  R normal_slope(const R& x) const;
+
+ private:
+  struct Piece {
+    R from;
+    R to;
+    std::vector<R> t;       ///< coefficients
+    std::vector<R> q;       ///< of Q
+    std::vector<R> places;  ///< of Gauss' rule
+    std::vector<R> forces;
+  };
+  std::vector<Piece> pieces_of(const PiecewiseTraction& traction) const;
+  static Jet<R> jet(const std::vector<Piece>& pieces, const numeric::Complex<R>& zeta);
+  static Jet<R> far_jet(const Piece& piece, const numeric::Complex<R>& zeta);
+  R strain_xx(const numeric::StressComponents<R>& stress) const;
+  R strain_zz(const numeric::StressComponents<R>& stress) const;
+
+  Solid body_;
+  const numeric::JacobiRule<R>& rule_;  ///< Gauss' rule for [0, 1]
+  std::vector<Piece> normal_;
+  std::vector<Piece> tangential_;
+};
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,120 @@
+#pragma once
+// What a solved problem does at a distance d from a point of its contact set, d as small as one likes: the solver's
+// points carry their distances, so that 1e-60 is as exact as 1/10. Nothing here knows an exponent: powers, limits and
+// coefficients of logarithms are read off values of the traction at d, 2d and 4d.
+//
+// Lengths and tractions are the user's.
+
+#include <map>
+#include <memory>
+#include <tuple>
+
+#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "numeric/variational/variational_solution.hpp"
+#include "proofs_checks/kit/findings.hpp"
+
+namespace steadyslide::proofs_checks {
+
+using numeric::Real;
+using numeric::Real100;
+using numeric::Real50;
+
+template <Real R>
+using Solved = std::shared_ptr<const numeric::RiemannHilbertSolution<R>>;
+
+/// Throws Refutation unless a solution is found that meets every condition.
+template <Real R>
+Solved<R> solve(const ContactProblem& problem);
+
+/// The point of the contact set at a place of the data. Throws Refutation if there is none.
+template <Real R>
+std::size_t point_at(const numeric::RiemannHilbertSolution<R>& solution, const Rational& place);
+/// The outermost end of the contact.
+template <Real R>
+std::size_t contact_end(const numeric::RiemannHilbertSolution<R>& solution, Side side);
+/// Is there contact next to the point, on this side?
+template <Real R>
+bool in_contact(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side);
+
+template <Real R>
+numeric::SurfacePoint<R> beside(const numeric::RiemannHilbertForm<R>& form, std::size_t point, Side side, const R& d);
+template <Real R>
+numeric::SurfacePoint<R> beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side,
+                                const R& d);
+template <Real R>
+R traction_beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side, const R& d);
+/// psi - u - C beside an end of contact, off the contact, in the user's units.
+template <Real R>
+R gap_beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side, const R& d);
+
+/// 10^-(digits + 10): t at such distances is its leading term to all digits, if the next one is a whole power smaller.
+template <Real R>
+R very_near();
+
+/// p of t ~ d^p.
+template <Real R>
+R power_beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side);
+/// p and A of t ~ A + b d^p.
+template <class R>
+struct LimitAndPower {
+  R limit;
+  R power;
+};
+template <Real R>
+LimitAndPower<R> limit_beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side);
+/// K of t ~ K log(d)/pi.
+template <Real R>
+R logarithm_beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side);
+
+/// f'(x), by central differences of eighth order; `scale`: the distance to the next singular point.
+template <Real R, class F>
+R derivative(const F& f, const R& x, const R& scale) {
+  using std::pow;
+  const R h = scale * pow(R(10), -R(numeric::digits_served<R>) / 8 - 1);
+  const auto difference = [&](int k) { return R(f(R(x + k * h)) - f(R(x - k * h))); };
+  return (4 * difference(1) / 5 - difference(2) / 5 + 4 * difference(3) / 105 - difference(4) / 280) / h;
+}
+
+/// The problem of this name among those that the claims about convergence solve on cells.
+ContactProblem cell_case(std::string_view name);
+/// On cells, accepted by its certificate. Throws Refutation otherwise.
+std::shared_ptr<const numeric::VariationalSolution> solve_on_cells(const ContactProblem& problem, std::size_t cells);
+/// The power that the cells show on one side of a singular point.
+numeric::Estimate<double> power_on_cells(const numeric::VariationalSolution& solution,
+                                         const numeric::VariationalSolution::Place& place, Side side);
+
+/// What a claim and all its controls look at: made when first asked for, once at each precision.
+/// (g++ 12 takes this for one type in two files that name their Value alike, in unnamed namespaces as well.)
+template <template <class> class Value>
+class Once {
+ public:
+  template <Real R, class Make>
+  const Value<R>& at(bool quick, const Make& make) {
+    auto& slot = std::get<std::map<bool, Value<R>>>(slots_);
+    auto found = slot.find(quick);
+    if (found == slot.end()) found = slot.emplace(quick, make()).first;
+    return found->second;
+  }
+
+ private:
+  std::tuple<std::map<bool, Value<double>>, std::map<bool, Value<Real50>>, std::map<bool, Value<Real100>>> slots_;
+};
+
+/// walk.operator()<R>(): in double for a quick run, since principal values take their time, else at the digits asked
+/// for.
+template <class Walk>
+std::vector<Evidence> gather_quick_in_double(const Context& context, const Walk& walk) {
+  const numeric::Digits digits = context.quick ? numeric::Digits::sixteen : context.digits;
+  return gather([&] { return numeric::at_precision(digits, walk); });
+}
+
+/// walk.operator()<R>() with at least 50 digits.
+template <class Walk>
+std::vector<Evidence> gather_at_fifty(const Context& context, const Walk& walk) {
+  if (context.digits == numeric::Digits::hundred) {
+    return gather([&] { return walk.template operator()<Real100>(); });
+  }
+  return gather([&] { return walk.template operator()<Real50>(); });
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,78 @@
+#pragma once
+// A claim: a statement with its place in the paper, the check that examines it, and its controls: wrong variants of the
+// formula that the same check must refute. A check that lets a control pass has checked nothing.
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "numeric/number/real.hpp"
+#include "proofs_checks/kit/evidence.hpp"
+
+namespace steadyslide::proofs_checks {
+
+struct Context {
+  numeric::Digits digits = numeric::Digits::fifty;
+  std::uint64_t seed = 1;  ///< of the random parameters
+  bool quick = false;      ///< fewer parameters
+};
+
+/// Deterministic for a context. May throw: that leaves the claim undecided.
+using Examination = std::function<std::vector<Evidence>(const Context&)>;
+
+struct Control {
+  std::string name;  ///< what is wrong in it
+  Examination examine;
+};
+
+/// Formulas stand between backticks, in the notation of docs/notation.md: readable as they are, typeset in the report.
+struct ClaimText {
+  std::string id;         ///< permanent: "eq-04-flat-punch"
+  std::string source;     ///< "[Bal16, (4)]: ..."
+  std::string statement;  ///< our own words, with the formula
+  std::string hypotheses;
+  std::string derivation = {};  ///< how it follows; empty where no calculation says
+};
+
+struct Claim : ClaimText {
+  Examination examine;
+  std::vector<Control> controls;
+};
+
+/// A wrong variant of a formula and what is wrong in it.
+template <class Formula>
+struct Wrong {
+  std::string name;
+  Formula formula;
+};
+
+/// What a claim says, with one thing changed: for its wrong variants.
+template <class Said, class Change>
+Said changed(Change change) {
+  Said said;
+  change(said);
+  return said;
+}
+
+/// check(context, formula) is the claim for the right formula and a control for each wrong one: check and formula never
+/// mix. The check returns at its first counterexample.
+template <class Formula, class Check>
+Claim make_claim(ClaimText text, Check check, Formula right, std::vector<Wrong<Formula>> wrong) {
+  Claim claim{std::move(text), {}, {}};
+  for (Wrong<Formula>& w : wrong) {
+    claim.controls.push_back({std::move(w.name), [check, formula = std::move(w.formula)](const Context& context) {
+                                return check(context, formula);
+                              }});
+  }
+  claim.examine = [check = std::move(check), formula = std::move(right)](const Context& context) {
+    return check(context, formula);
+  };
+  return claim;
+}
+
+/// A statement that no calculation decides: it stays undecided, and is listed as such.
+Claim claim_beyond_calculation(ClaimText text, BeyondCalculation why);
+
+}  // namespace steadyslide::proofs_checks

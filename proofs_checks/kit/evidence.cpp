@@ -1,0 +1,59 @@
+#include "proofs_checks/kit/evidence.hpp"
+
+#include <cstdio>
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+std::string joined(const std::vector<std::string>& parts, std::string_view separator) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : std::string(separator)) + part;
+  return text;
+}
+
+std::string with(std::string text, std::string_view before, const std::string& more) {
+  return more.empty() ? text : text.append(before).append(more);
+}
+
+std::string text_of(double rate) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", rate);
+  return text;
+}
+
+struct Kind {
+  std::string_view operator()(const ExactIdentity&) const { return "exact-identity"; }
+  std::string_view operator()(const Agreement&) const { return "agreement"; }
+  std::string_view operator()(const ConvergenceRate&) const { return "convergence-rate"; }
+  std::string_view operator()(const Counterexample&) const { return "counterexample"; }
+  std::string_view operator()(const BeyondCalculation&) const { return "beyond-calculation"; }
+};
+
+struct Describe {
+  std::string operator()(const ExactIdentity& e) const { return with(e.detail, ": ", joined(e.identities, "; ")); }
+  std::string operator()(const Agreement& e) const {
+    std::string text = e.what;
+    if (!e.routes.empty()) text += " (" + joined(e.routes, " against ") + ")";
+    text += ": largest relative difference " + e.worst + ", tolerance " + e.tolerance + ", " +
+            std::to_string(e.effective) + " of " + std::to_string(e.cases) + " cases effective";
+    if (e.effective < e.required) text += " (" + std::to_string(e.required) + " required)";
+    return with(std::move(text), "; ", e.detail);
+  }
+  std::string operator()(const ConvergenceRate& e) const {
+    return with(e.what + ": rate " + text_of(e.measured) + " +- " + text_of(e.error_bar) + ", expected " +
+                    text_of(e.expected) + " +- " + text_of(e.tolerance),
+                "; ", e.detail);
+  }
+  std::string operator()(const Counterexample& e) const { return with(e.detail, " at ", e.where); }
+  std::string operator()(const BeyondCalculation& e) const {
+    return with(e.reason, "; consequences checked: ", joined(e.consequences, ", "));
+  }
+};
+
+}  // namespace
+
+std::string_view kind_of(const Evidence& evidence) { return std::visit(Kind{}, evidence); }
+
+std::string describe(const Evidence& evidence) { return std::visit(Describe{}, evidence); }
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,97 @@
+#pragma once
+// What a check gathers while it walks through its cases. The first counterexample ends the walk.
+
+#include <string>
+#include <vector>
+
+#include "numeric/number/real.hpp"
+#include "proofs_checks/kit/claim.hpp"
+
+namespace steadyslide::proofs_checks {
+
+/// A quantity that unrelated routes have to agree on.
+struct Quantity {
+  std::string what;
+  std::vector<std::string> routes;
+  double tolerance;
+  /// Of the cases, this part has to be effective.
+  double required = 0.5;
+};
+
+/// Thrown inside a check by Findings, caught by gather().
+struct Refutation {
+  Counterexample counterexample;
+};
+
+class Findings {
+ public:
+  /// The next case; not effective: the statement says nothing special there (a jump of height zero).
+  void begin_case(std::string where, bool effective = true);
+
+  /// A relative difference. Throws Refutation unless it is a number within the tolerance.
+  void compare(const Quantity& quantity, double difference);
+  /// No value from a route in this case: it counts as a case without effect.
+  void skip(const Quantity& quantity);
+  /// An exact decision. Throws Refutation unless it holds.
+  void decide(const std::string& statement, bool holds);
+  /// How fast an error falls. Throws Refutation if the rate refutes.
+  void measure(ConvergenceRate rate);
+  /// A requirement that is not evidence by itself. Throws Refutation unless it holds.
+  void require(bool holds, const std::string& what_fails);
+
+  /// One piece of evidence for each quantity and each rate, and one for all exact decisions; `cases` says where the
+  /// cases come from.
+  std::vector<Evidence> evidence(const std::string& cases) const;
+
+ private:
+  struct Tally {
+    double worst = 0;
+    std::size_t cases = 0;
+    std::size_t effective = 0;
+    std::size_t last_case = 0;
+    Quantity quantity;
+  };
+  Tally& tally(const Quantity& quantity);
+
+  std::size_t case_number_ = 0;
+  bool effective_ = true;
+  std::string where_;
+  std::vector<Tally> tallies_;  // few: in the order in which they came
+  std::vector<std::pair<std::string, std::size_t>> decisions_;
+  std::vector<ConvergenceRate> rates_;
+};
+
+/// Runs a walk; its evidence, or the counterexample that ended it.
+template <class Walk>
+std::vector<Evidence> gather(Walk walk) {
+  try {
+    return walk();
+  } catch (const Refutation& refutation) {
+    return {refutation.counterexample};
+  }
+}
+
+/// "3.1e-52"
+std::string short_text(double value);
+
+/// |a - b| / max(|a|, |b|).
+template <numeric::Real R>
+double relative_difference(const R& a, const R& b) {
+  using std::abs, std::max;
+  if (a == b) return 0;
+  return static_cast<double>(R(abs(a - b) / max(R(abs(a)), R(abs(b)))));
+}
+
+/// Relative tolerance of every numerical claim.
+template <numeric::Real R>
+double tolerance() {
+  return std::same_as<R, double> ? 1e-12 : std::same_as<R, numeric::Real50> ? 1e-45 : 1e-95;
+}
+
+/// Ten times the tolerance: a near miss.
+template <numeric::Real R>
+R near_miss() {
+  return R(10) * R(tolerance<R>());
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,147 @@
+#include "proofs_checks/kit/run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <optional>
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+struct Outcome {
+  std::vector<Evidence> evidence;
+  std::string failure;  ///< an exception's message
+};
+
+Outcome examine(const Examination& examination, const Context& context) {
+  try {
+    return {examination(context), {}};
+  } catch (const std::exception& e) {
+    return {{}, std::string("the check failed: ") + e.what()};
+  } catch (...) {
+    return {{}, "the check failed: unknown exception"};
+  }
+}
+
+std::optional<ControlReport> refuted(const Control& control, const Outcome& outcome) {
+  for (const Evidence& e : outcome.evidence) {
+    if (refutes(e)) return ControlReport{control.name, true, describe(e)};
+  }
+  return std::nullopt;
+}
+
+/// A quick run begins in double, where most wrong variants fail already: what a check refutes to 1e-12 needs no digits.
+ControlReport run(const Control& control, const Context& context) {
+  if (context.quick && context.digits != numeric::Digits::sixteen) {
+    const Context in_double{numeric::Digits::sixteen, context.seed, true};
+    if (auto report = refuted(control, examine(control.examine, in_double))) return *report;
+  }
+  const Outcome outcome = examine(control.examine, context);
+  if (auto report = refuted(control, outcome)) return *report;
+  if (!outcome.failure.empty()) return {control.name, false, outcome.failure};
+  return {control.name, false, outcome.evidence.empty() ? "no evidence" : describe(outcome.evidence.front())};
+}
+
+}  // namespace
+
+std::size_t Report::controls_refuted() const {
+  return static_cast<std::size_t>(std::ranges::count_if(controls, &ControlReport::refuted));
+}
+
+bool Report::beyond_calculation() const {
+  return verdict == Verdict::undecided &&
+         std::ranges::any_of(evidence, [](const Evidence& e) { return std::holds_alternative<BeyondCalculation>(e); });
+}
+
+std::vector<std::string> Report::survivors() const {
+  std::vector<std::string> names;
+  for (const ControlReport& control : controls) {
+    if (!control.refuted) names.push_back(control.name);
+  }
+  return names;
+}
+
+Report run(const Claim& claim, const Context& context) {
+  const auto start = std::chrono::steady_clock::now();
+  Outcome outcome = examine(claim.examine, context);
+  Report report{claim, Verdict::undecided, std::move(outcome.evidence), std::move(outcome.failure), {}, 0};
+  for (const Control& control : claim.controls) report.controls.push_back(run(control, context));
+
+  const std::vector<std::string> survivors = report.survivors();
+  const bool checked = !claim.controls.empty() && survivors.empty();
+  report.verdict = weigh(report.evidence, checked);
+  if (claim.controls.empty() && !report.beyond_calculation()) report.note += "not checked: the claim has no controls";
+  for (const std::string& name : survivors) {
+    report.note += (report.note.empty() ? "" : "; ") + ("not checked: the control survives: " + name);
+  }
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
+bool matches_glob(std::string_view text, std::string_view pattern) {
+  // Where the last `*` stands, and how much of the text it has been given.
+  std::size_t star = std::string_view::npos;
+  std::size_t given = 0;
+  std::size_t t = 0;
+  std::size_t p = 0;
+  while (t < text.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      given = t;
+    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == text[t])) {
+      ++p;
+      ++t;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      t = ++given;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', p) == std::string_view::npos;
+}
+
+std::vector<Claim> select(std::span<const Claim> claims, std::span<const std::string> patterns) {
+  std::vector<Claim> selected;
+  for (const Claim& claim : claims) {
+    const auto matches = [&](const std::string& pattern) { return matches_glob(claim.id, pattern); };
+    if (patterns.empty() || std::ranges::any_of(patterns, matches)) selected.push_back(claim);
+  }
+  return selected;
+}
+
+std::vector<Report> run_all(std::span<const Claim> claims, const Context& context, const Progress& progress) {
+  std::vector<Report> reports;
+  for (const Claim& claim : claims) {
+    if (progress && !progress(reports.size(), claims.size(), claim)) break;
+    reports.push_back(run(claim, context));
+  }
+  return reports;
+}
+
+Claim claim_beyond_calculation(ClaimText text, BeyondCalculation why) {
+  Claim claim{std::move(text), {}, {}};
+  claim.examine = [why = std::move(why)](const Context&) { return std::vector<Evidence>{why}; };
+  return claim;
+}
+
+bool settled(std::span<const Report> reports) {
+  return std::ranges::all_of(reports, [](const Report& r) {
+    return r.verdict == Verdict::proved || r.verdict == Verdict::supported || r.beyond_calculation();
+  });
+}
+
+Counts count(std::span<const Report> reports) {
+  Counts counts;
+  for (const Report& report : reports) {
+    switch (report.verdict) {
+      case Verdict::refuted: ++counts.refuted; break;
+      case Verdict::undecided: ++counts.undecided; break;
+      case Verdict::supported: ++counts.supported; break;
+      case Verdict::proved: ++counts.proved; break;
+    }
+  }
+  return counts;
+}
+
+}  // namespace steadyslide::proofs_checks

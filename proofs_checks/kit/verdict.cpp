@@ -1,0 +1,56 @@
+#include "proofs_checks/kit/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+bool covers_the_claim(const Evidence& evidence) {
+  const auto* identity = std::get_if<ExactIdentity>(&evidence);
+  return identity && identity->covers == ExactIdentity::Covers::claim && !identity->identities.empty();
+}
+
+/// Evidence that shows nothing: no identity decided, or too few cases at which the statement says something.
+bool is_empty(const Evidence& evidence) {
+  if (const auto* identity = std::get_if<ExactIdentity>(&evidence)) return identity->identities.empty();
+  if (const auto* agreement = std::get_if<Agreement>(&evidence)) {
+    return agreement->effective < std::max<std::size_t>(agreement->required, 1);
+  }
+  if (std::holds_alternative<BeyondCalculation>(evidence)) return true;
+  // Not a comparison the other way round: a bar that is no number shows nothing.
+  if (const auto* rate = std::get_if<ConvergenceRate>(&evidence)) return !(rate->error_bar <= rate->tolerance);
+  return false;
+}
+
+}  // namespace
+
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::refuted: return "refuted";
+    case Verdict::undecided: return "undecided";
+    case Verdict::supported: return "supported";
+    default: return "proved";
+  }
+}
+
+bool refutes(const Evidence& evidence) {
+  if (const auto* rate = std::get_if<ConvergenceRate>(&evidence)) {
+    return std::abs(rate->measured - rate->expected) > std::max(rate->tolerance, rate->error_bar);
+  }
+  return std::holds_alternative<Counterexample>(evidence);
+}
+
+Verdict weigh(std::span<const Evidence> evidence) {
+  if (std::ranges::any_of(evidence, refutes)) return Verdict::refuted;
+  if (std::ranges::any_of(evidence, covers_the_claim)) return Verdict::proved;
+  if (evidence.empty() || std::ranges::any_of(evidence, is_empty)) return Verdict::undecided;
+  return Verdict::supported;
+}
+
+Verdict weigh(std::span<const Evidence> evidence, bool all_controls_refuted) {
+  const Verdict verdict = weigh(evidence);
+  return all_controls_refuted || verdict == Verdict::refuted ? verdict : Verdict::undecided;
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,31 @@
+#pragma once
+// The one place where evidence becomes a verdict.
+//
+//   refuted    some counterexample, whatever stands beside it, or a rate off the expected one by more than both its
+//              tolerance and its error bar
+//   proved     otherwise, if exact identities cover the whole claim; agreements beside them change nothing
+//   supported  otherwise, if there is evidence and every piece of it says something. Exact identities that cover a part
+//              only, or the examined cases, support: the claim is as strong as its weakest part.
+//   undecided  otherwise: no evidence, an agreement with too few effective cases, a rate whose error bar is wider than
+//              its tolerance, or a statement beyond calculation
+//
+// A claim whose controls are not all refuted was not checked: its verdict is undecided unless it is refuted.
+
+#include <span>
+#include <string_view>
+
+#include "proofs_checks/kit/evidence.hpp"
+
+namespace steadyslide::proofs_checks {
+
+enum class Verdict { refuted, undecided, supported, proved };
+/// "refuted", "undecided", "supported", "proved".
+std::string_view name_of(Verdict verdict);
+
+/// Does this piece alone refute?
+[[nodiscard]] bool refutes(const Evidence& evidence);
+
+[[nodiscard]] Verdict weigh(std::span<const Evidence> evidence);
+[[nodiscard]] Verdict weigh(std::span<const Evidence> evidence, bool all_controls_refuted);
+
+}  // namespace steadyslide::proofs_checks

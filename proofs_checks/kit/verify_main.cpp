@@ -1,0 +1,77 @@
+// verify-<group> [--digits N] [--seed N] [--quick]: runs one file of claims and prints a table. Exit code 0 only if
+// every claim is proved, supported or beyond calculation, 1 if one is not, 2 for a wrong command line.
+
+#include <charconv>
+#include <cstdio>
+#include <exception>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+#include "proofs_checks/claims/claims.hpp"
+#include "proofs_checks/kit/run.hpp"
+
+namespace {
+
+using namespace steadyslide;
+
+template <class Number>
+Number number(std::string_view option, std::string_view text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw std::invalid_argument(std::string(option) + ": not a number: " + std::string(text));
+  }
+  return value;
+}
+
+proofs_checks::Context context_from(int argc, char** argv) {
+  proofs_checks::Context context;
+  for (int k = 1; k < argc; ++k) {
+    const std::string_view option = argv[k];
+    if (option == "--quick") {
+      context.quick = true;
+    } else if ((option == "--digits" || option == "--seed") && k + 1 < argc) {
+      const std::string_view value = argv[++k];
+      if (option == "--seed") {
+        context.seed = number<std::uint64_t>(option, value);
+      } else {
+        const int digits = number<int>(option, value);
+        if (digits < 1 || digits > 100) throw std::invalid_argument("--digits: 1 to 100");
+        context.digits = numeric::precision_for(digits);
+      }
+    } else {
+      throw std::invalid_argument("usage: [--digits N] [--seed N] [--quick]; not understood: " + std::string(option));
+    }
+  }
+  return context;
+}
+
+void print(const proofs_checks::Report& report) {
+  std::printf("%-24s %-10s %2zu of %2zu controls refuted  %7.2f s\n", report.claim.id.c_str(),
+              std::string(name_of(report.verdict)).c_str(), report.controls_refuted(), report.controls.size(),
+              report.seconds);
+  for (const proofs_checks::Evidence& e : report.evidence) {
+    std::printf("    %s: %s\n", std::string(kind_of(e)).c_str(), describe(e).c_str());
+  }
+  if (!report.note.empty()) std::printf("    note: %s\n", report.note.c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const proofs_checks::Context context = context_from(argc, argv);
+    std::printf("%d digits, seed %llu%s\n", static_cast<int>(context.digits),
+                static_cast<unsigned long long>(context.seed), context.quick ? ", quick" : "");
+    const std::vector<proofs_checks::Report> reports = run_all(proofs_checks::STEADYSLIDE_CLAIMS(), context);
+    for (const proofs_checks::Report& report : reports) print(report);
+    const proofs_checks::Counts counts = count(reports);
+    std::printf("%zu proved, %zu supported, %zu undecided, %zu refuted\n", counts.proved, counts.supported,
+                counts.undecided, counts.refuted);
+    return settled(reports) ? 0 : 1;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "%s: %s\n", argv[0], e.what());
+    return 2;
+  }
+}

@@ -1,0 +1,30 @@
+#pragma once
+// Places where the text of the paper that this project holds and the mathematics disagree: the printed reading, the
+// derived one, and the evidence. That text was extracted from a PDF: each note says whether extraction may have done
+// it.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "proofs_checks/kit/run.hpp"
+
+namespace steadyslide::proofs_checks {
+
+struct ReadingNote {
+  std::string id;
+  std::string place;
+  std::string printed;
+  std::string derived;
+  std::string evidence;
+  std::string claim;  ///< that examines the derived reading; empty where the local equation alone decides
+  std::string control =
+      {};  ///< of the claim: the printed reading; empty where it is no formula that a check could take
+};
+
+/// The evidence is taken from the reports: the control that is the printed reading, and what refuted it; then a
+/// sentence on whether extraction may have done it. A note whose claim was not run says so. Formulas stand between
+/// backticks, as in claims.
+std::vector<ReadingNote> reading_notes(std::span<const Report> reports);
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,118 @@
+#include "symbolic/field/derivation.hpp"
+
+#include <string_view>
+#include <utility>
+
+namespace steadyslide::symbolic {
+namespace {
+
+constexpr std::size_t width = 100;
+
+/// Words broken into lines of the given width, every line after the first indented.
+std::string wrapped(std::string_view words, std::size_t indent, std::size_t first_column) {
+  std::string result;
+  std::size_t column = first_column;
+  while (!words.empty()) {
+    const std::size_t space = words.find(' ');
+    const std::string_view word = words.substr(0, space);
+    if (column > indent && column + word.size() + 1 > width) {
+      result += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (!result.empty()) {
+      result += ' ';
+      ++column;
+    }
+    result += word;
+    column += word.size();
+    words.remove_prefix(space == std::string_view::npos ? words.size() : space + 1);
+  }
+  return result;
+}
+
+std::string_view label(DerivationStep::Kind kind) {
+  switch (kind) {
+    case DerivationStep::Kind::assumption: return "assume";
+    case DerivationStep::Kind::action: return "do";
+    case DerivationStep::Kind::result: return "find";
+  }
+  return "";
+}
+
+/// Plain words as LaTeX: the characters that LaTeX would read otherwise.
+std::string escaped(std::string_view words) {
+  std::string result;
+  for (const char c : words) {
+    switch (c) {
+      case '\\': result += "\\textbackslash{}"; break;
+      case '^': result += "\\textasciicircum{}"; break;
+      case '~': result += "\\textasciitilde{}"; break;
+      case '<': result += "\\textless{}"; break;
+      case '>': result += "\\textgreater{}"; break;
+      case '|': result += "\\textbar{}"; break;
+      case '_':
+      case '#':
+      case '$':
+      case '%':
+      case '&':
+      case '{':
+      case '}':
+        result += '\\';
+        result += c;
+        break;
+      default: result += c;
+    }
+  }
+  return result;
+}
+
+Derivation& add(Derivation& derivation, DerivationStep::Kind kind, std::string words, Formula formula) {
+  derivation.steps.push_back({kind, std::move(words), std::move(formula)});
+  return derivation;
+}
+
+}  // namespace
+
+Derivation& Derivation::assume(std::string words, Formula formula) {
+  return add(*this, DerivationStep::Kind::assumption, std::move(words), std::move(formula));
+}
+
+Derivation& Derivation::act(std::string words, Formula formula) {
+  return add(*this, DerivationStep::Kind::action, std::move(words), std::move(formula));
+}
+
+Derivation& Derivation::conclude(std::string words, Formula formula) {
+  return add(*this, DerivationStep::Kind::result, std::move(words), std::move(formula));
+}
+
+std::string to_text(const Derivation& derivation) {
+  std::string text = derivation.title + "\n" + std::string(derivation.title.size(), '-') + "\n";
+  std::size_t number = 0;
+  for (const DerivationStep& step : derivation.steps) {
+    std::string head = std::to_string(++number) + ".";
+    head.resize(4, ' ');
+    head += label(step.kind);
+    head.resize(12, ' ');
+    text += head + wrapped(step.words, 12, 12) + "\n";
+    if (!step.formula.text.empty()) text += std::string(16, ' ') + wrapped(step.formula.text, 18, 16) + "\n";
+  }
+  return text;
+}
+
+std::string to_latex(const Derivation& derivation) {
+  std::string text = "\\section*{" + escaped(derivation.title) + "}\n\\begin{enumerate}\n";
+  for (const DerivationStep& step : derivation.steps) {
+    text += "\\item \\emph{" + std::string(label(step.kind)) + ":} " + escaped(step.words) + "\n";
+    if (!step.formula.latex.empty()) text += "\\[ " + step.formula.latex + " \\]\n";
+  }
+  return text + "\\end{enumerate}\n";
+}
+
+std::string latex_document(const std::vector<Derivation>& derivations) {
+  std::string text =
+      "\\documentclass{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage[T1]{fontenc}\n\\usepackage{amsmath}\n"
+      "\\begin{document}\n";
+  for (const Derivation& derivation : derivations) text += to_latex(derivation);
+  return text + "\\end{document}\n";
+}
+
+}  // namespace steadyslide::symbolic

@@ -1,0 +1,34 @@
+#include "symbolic/field/expression.hpp"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace steadyslide::symbolic {
+
+GiNaC::numeric to_expression(const Rational& value) {
+  const GiNaC::numeric numerator(boost::multiprecision::numerator(value).str().c_str());
+  const GiNaC::numeric denominator(boost::multiprecision::denominator(value).str().c_str());
+  return numerator / denominator;
+}
+
+GiNaC::ex to_expression(const Exponent& exponent) {
+  GiNaC::ex sum = to_expression(exponent.offset());
+  for (const Exponent::Angle& angle : exponent.angles()) {
+    sum += angle.times * GiNaC::atan(GiNaC::ex(to_expression(angle.slope))) / GiNaC::Pi;
+  }
+  return sum;
+}
+
+Rational to_rational(const GiNaC::numeric& value) {
+  std::ostringstream numerator;
+  std::ostringstream denominator;
+  if (!value.is_rational()) {
+    numerator << value;
+    throw std::domain_error("to_rational: the number is rational; " + numerator.str());
+  }
+  numerator << value.numer();
+  denominator << value.denom();
+  return Rational(Integer(numerator.str()), Integer(denominator.str()));
+}
+
+}  // namespace steadyslide::symbolic

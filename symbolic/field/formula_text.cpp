@@ -1,0 +1,120 @@
+#include "symbolic/field/formula_text.hpp"
+
+#include <cctype>
+
+namespace steadyslide::symbolic {
+namespace {
+
+bool starts_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+std::string latex_name(const std::string& name, const LatexNames& names) {
+  const auto known = names.find(name);
+  if (known != names.end()) return known->second;
+  if (name.starts_with("sqrt")) return "\\sqrt{" + name.substr(4) + "}";
+  return name;
+}
+
+/// A sum of products without parentheses.
+std::string latex_sum(const std::string& text, const LatexNames& names) {
+  std::string result;
+  for (std::size_t k = 0; k < text.size();) {
+    const char c = text[k];
+    if (starts_name(c)) {
+      std::size_t end = k;
+      while (end < text.size() && (starts_name(text[end]) || is_digit(text[end]) || text[end] == '_')) ++end;
+      result += latex_name(text.substr(k, end - k), names);
+      k = end;
+    } else if (c == '^') {
+      std::size_t end = k + 1;
+      while (end < text.size() && is_digit(text[end])) ++end;
+      result += "^{" + text.substr(k + 1, end - k - 1) + "}";
+      k = end;
+    } else {
+      if (c == '*') result += ' ';
+      if (c != '*' && c != ' ') result += c;
+      ++k;
+    }
+  }
+  return result;
+}
+
+/// A sum of two terms or more, at the level of the text itself.
+bool is_sum(const std::string& text) {
+  return text.find(" + ") != std::string::npos || text.find(" - ") != std::string::npos;
+}
+
+struct Fraction {
+  std::string above;
+  std::string below;  ///< empty: no fraction
+};
+
+Fraction fraction(const std::string& text) {
+  const std::size_t bar = text.find(")/(");
+  if (bar == std::string::npos) return {text, ""};
+  return {text.substr(1, bar - 1), text.substr(bar + 3, text.size() - bar - 4)};
+}
+
+/// Radicals by what they are: "r_s", if it has a LaTeX name, to "sqrt(1+s^2)", and "sqrt7" to "sqrt(7)".
+std::string readable(const std::string& text, const LatexNames& names) {
+  std::string result;
+  for (std::size_t k = 0; k < text.size();) {
+    std::size_t end = k;
+    while (end < text.size() && (starts_name(text[end]) || is_digit(text[end]) || text[end] == '_')) ++end;
+    const std::string name = text.substr(k, end - k);
+    if (name.empty()) {
+      result += text[k++];
+      continue;
+    }
+    if (name.starts_with("r_") && names.contains(name)) {
+      result += "sqrt(1+" + name.substr(2) + "^2)";
+    } else if (name.starts_with("sqrt")) {
+      result += "sqrt(" + name.substr(4) + ")";
+    } else {
+      result += name;
+    }
+    k = end;
+  }
+  return result;
+}
+
+std::string parenthesized(const std::string& text) {
+  return is_sum(text) || text.find('*') != std::string::npos ? "(" + text + ")" : text;
+}
+
+}  // namespace
+
+std::string latex_of(const std::string& canonical_text, const LatexNames& names) {
+  const auto [above, below] = fraction(canonical_text);
+  if (below.empty()) return latex_sum(above, names);
+  const bool minus = above[0] == '-' && !is_sum(above);
+  return (minus ? "-\\frac{" : "\\frac{") + latex_sum(minus ? above.substr(1) : above, names) + "}{" +
+         latex_sum(below, names) + "}";
+}
+
+Formula product(const std::string& canonical_text, const Formula& factor, const LatexNames& names) {
+  if (canonical_text == "0") return {"0", "0"};
+  const auto [above, below] = fraction(canonical_text);
+  const bool minus = above[0] == '-' && !is_sum(above);
+  const std::string size = minus ? above.substr(1) : above;
+  const std::string sign = minus ? "-" : "";
+  const std::string divisor = below.empty() ? "" : "/" + parenthesized(readable(below, names));
+  const bool in_parentheses = is_sum(size) && !(below.empty() && factor.text.empty());
+  std::string text = in_parentheses ? "(" + readable(size, names) + ")" : readable(size, names);
+  if (!factor.text.empty()) text = size == "1" ? factor.text : text + "*" + factor.text;
+  std::string head = latex_of(canonical_text, names);
+  if (!factor.latex.empty()) {
+    if (below.empty()) head = size == "1" ? sign : in_parentheses ? "(" + head + ") " : head + " ";
+    head += factor.latex;
+  }
+  return {sign + text + divisor, head};
+}
+
+Formula sum(const Formula& a, const Formula& b) {
+  if (a.text.empty() || a.text == "0") return b;
+  if (b.text.empty() || b.text == "0") return a;
+  const bool minus = b.text[0] == '-';
+  return {a.text + (minus ? " - " + b.text.substr(1) : " + " + b.text), a.latex + (minus ? "" : "+") + b.latex};
+}
+
+}  // namespace steadyslide::symbolic

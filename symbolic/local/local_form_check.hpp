@@ -1,0 +1,31 @@
+#pragma once
+// A local form that someone claims, put into the local equation: does it satisfy it? The same procedure confirms the
+// right form and refutes wrong ones. For sources of this layer, proofs_checks and tests only.
+
+#include <ginac/ginac.h>
+
+#include <optional>
+#include <string>
+
+#include "symbolic/local/local_place.hpp"
+#include "symbolic/statements/exact_identities.hpp"
+
+namespace steadyslide::symbolic {
+
+/// t = density with |x|^lambda, and, at an end, the slope u_bar' = outside d^lambda that it is said to leave beyond.
+struct LocalCandidate {
+  LocalPlace place;
+  LocalFrame frame;  ///< of the same place: its radicals are those of the density
+  std::optional<LocalExponent> exponent;
+  LocalDensity density;
+  std::optional<GiNaC::ex> outside = std::nullopt;
+};
+
+/// All coefficients of the local equation and of the slope outside, lhs as computed from the density, rhs as the data
+/// or the candidate have it, in canonical text and in one order. Throws std::domain_error where lambda is an integer.
+ExactIdentity verify_local_form(const std::string& statement, const LocalCandidate& candidate);
+
+/// The first coefficient that is wrong: "x > 0: s_l - s_r in place of 0"; empty if the form holds.
+std::string first_mismatch(const LocalCandidate& candidate);
+
+}  // namespace steadyslide::symbolic

@@ -1,0 +1,24 @@
+#pragma once
+// The steps from A t = psi' to t = epsilon cos(pi alpha) |Y| N on one contact, told with the expressions that the
+// computation uses; each step that is a decision is decided while it is told.
+
+#include "symbolic/field/derivation.hpp"
+#include "symbolic/field/formula_text.hpp"
+#include "symbolic/riemann_hilbert/contact_symbols.hpp"
+
+namespace steadyslide::symbolic {
+
+struct ContactStory {
+  std::string title;
+  FundamentalSolution solution;      ///< one component
+  std::vector<GiNaC::ex> frictions;  ///< symbols or rational numbers
+  std::vector<Formula> places;       ///< of the ends and jumps, as a reader is to see them
+  std::vector<GiNaC::ex> slope;      ///< psi', by coefficients of 1, x, ...
+  GiNaC::ex load_over_pi;
+  LatexNames names = {};  ///< more symbols in slope and load
+};
+
+/// Throws std::domain_error where the contact and psi' admit no traction (N = 0).
+Derivation tell(const ContactStory& story);
+
+}  // namespace steadyslide::symbolic
