@@ -1,6 +1,7 @@
 # steadyslide_sources(<variable>)
 # steadyslide_library(<layer> SOURCES ... [PUBLIC libs...] [PRIVATE libs...])
 # steadyslide_executable(<name> SOURCES ... LIBRARIES ...)
+# steadyslide_compile_quickly(<target>)
 # steadyslide_precompile(<target> HEADERS ...), steadyslide_precompile(<target> LIKE <other target>)
 # Every target of the project is made here, so that warnings and sanitizers are said once and reach no consumer.
 
@@ -26,6 +27,11 @@ endfunction()
 # so that a header of ours that is not included is missed at once; one of theirs that is not included is missed in the
 # sanitize build and by clang-tidy, which both read every file by itself. LIKE takes the headers that another target has
 # precompiled; both have to be compiled alike.
+# Code that is compiled more often than it runs: the time goes into the numeric layer's loops, which it calls.
+function(steadyslide_compile_quickly target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 function(steadyslide_precompile target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "LIKE" "HEADERS")
   if(STEADYSLIDE_PRECOMPILED_HEADERS AND arg_LIKE)

@@ -25,7 +25,7 @@ constexpr std::array<std::pair<std::string_view, Format>, 5> all_formats{{{"text
 /// The texts behind the options, as CLI11 leaves them.
 struct Raw {
   std::string problem, method = "auto", digits, format = "text", output, at, samples, cells, iterations, load_steps,
-                       search_solutions, poisson, rear, front, seed, report;
+                       search_solutions, poisson, rear, front, seed, report, group;
   std::vector<std::string> claims, figures;
   bool derivation = false, list = false, quick = false;
 };
@@ -94,6 +94,8 @@ class CommandLine {
         ->type_name("GLOB")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    verify_->add_option("--group", raw_.group, "Only claims of one place in the paper, theorem-2; --list names them")
+        ->type_name("NAME");
     verify_->add_flag("--quick", raw_.quick, "Fewer parameters");
     verify_->add_option("--seed", raw_.seed, "Seed of the random parameters, a whole number")->type_name("N");
     verify_->add_option("--report", raw_.report, "Write the report on this run as well: DIR/report.html")
@@ -197,8 +199,12 @@ class CommandLine {
   }
 
   VerifyOptions verify() const {
-    VerifyOptions options{common(verify_, 50, {Format::text, Format::json, Format::markdown}), raw_.list, raw_.quick,
-                          raw_.claims, std::nullopt};
+    VerifyOptions options{common(verify_, 50, {Format::text, Format::json, Format::markdown}),
+                          raw_.list,
+                          raw_.quick,
+                          raw_.claims,
+                          raw_.group,
+                          std::nullopt};
     options.seed = seed(verify_);
     if (!given(verify_, "--report")) return options;
     if (raw_.report.empty()) throw bad_command_line("--report: no folder", "it has a name", raw_.report);

@@ -47,6 +47,7 @@ struct VerifyOptions {
   bool list = false;
   bool quick = false;
   std::vector<std::string> claims;
+  std::string group = {};  ///< empty: all places of the paper
   std::optional<unsigned long long> seed;
   std::optional<std::string> report = {};  ///< folder of the HTML report on the same run
 };

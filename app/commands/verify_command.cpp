@@ -22,14 +22,26 @@ void check_patterns(const std::vector<std::string>& patterns) {
   }
 }
 
+std::vector<checks::Claim> selected(const VerifyOptions& options) {
+  check_patterns(options.claims);
+  std::vector<checks::Claim> claims = checks::select(checks::registry(), options.claims);
+  if (options.group.empty()) return claims;
+  const std::vector<std::string> groups = checks::groups();
+  if (std::ranges::find(groups, options.group) == groups.end()) {
+    throw bad_command_line("--group: no such place in the paper",
+                           "one of " + fmt::format("{}", fmt::join(groups, ", ")), options.group);
+  }
+  std::erase_if(claims, [&](const checks::Claim& claim) { return claim.group != options.group; });
+  return claims;
+}
+
 /// On a terminal only: a line that the next one overwrites.
 void show_progress(const std::string& line) { fmt::print(stderr, "\r\x1b[K{}", line); }
 
 }  // namespace
 
 VerifyResult examine(const VerifyOptions& options) {
-  check_patterns(options.claims);
-  const std::vector<checks::Claim> claims = checks::select(checks::registry(), options.claims);
+  const std::vector<checks::Claim> claims = selected(options);
   VerifyResult result;
   result.context.digits = numeric::precision_for(options.common.digits);
   result.context.seed = options.seed.value_or(result.context.seed);
@@ -44,16 +56,16 @@ VerifyResult examine(const VerifyOptions& options) {
       });
   if (on_terminal) show_progress("");
   result.notes = checks::reading_notes(result.reports);
-  if (!options.claims.empty()) leave_out_other_notes(result);
+  if (!options.claims.empty() || !options.group.empty()) leave_out_other_notes(result);
   return result;
 }
 
 ExitCode run(const VerifyOptions& options) {
-  check_patterns(options.claims);
+  const std::vector<checks::Claim> claims = selected(options);
   // Opened first: a run may be long, and should not end in a folder that does not exist.
   Output output(options.common.output);
   if (options.list) {
-    write_claims(options.common.format, checks::select(checks::registry(), options.claims), output);
+    write_claims(options.common.format, claims, output);
     output.commit();
     return ExitCode::done;
   }

@@ -63,7 +63,10 @@ void write_claims_json(std::span<const checks::Claim> claims, Output& output) {
   json["schema"] = 1;
   json["version"] = version;
   json["claims"] = Json::array();
-  for (const checks::Claim& claim : claims) json["claims"].push_back(claim_json(claim));
+  for (const checks::Claim& claim : claims) {
+    json["claims"].push_back(claim_json(claim));
+    json["claims"].back()["group"] = claim.group;
+  }
   output.write(json.dump(2) + "\n");
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The claims, file by file. Each function makes the claims of the source file that bears its name.
+// The claims that share a source file with others.
 
 #include <vector>
 
@@ -9,20 +9,16 @@ namespace steadyslide::proofs_checks {
 
 std::vector<Claim> constants_claims();
 std::vector<Claim> elastic_indenter_claims();
-std::vector<Claim> flat_punch_claims();
 std::vector<Claim> friction_jump_claims();
 std::vector<Claim> parabola_claims();
-std::vector<Claim> plemelj_claims();
 std::vector<Claim> outside_claims();
 std::vector<Claim> integral_claims();
-std::vector<Claim> local_action_claims();
 std::vector<Claim> derivation_claims();
 std::vector<Claim> riemann_hilbert_claims();
 std::vector<Claim> contact_load_claims();
 std::vector<Claim> gap_claims();
 std::vector<Claim> linearisation_claims();
 std::vector<Claim> corner_claims();
-std::vector<Claim> convergence_claims();
 std::vector<Claim> end_claims();
 std::vector<Claim> cell_energy_claims();
 std::vector<Claim> cell_definiteness_claims();
@@ -33,11 +29,42 @@ std::vector<Claim> proof_step_claims();
 std::vector<Claim> paper_figure_claims();
 std::vector<Claim> remark_claims();
 std::vector<Claim> words_claims();
-std::vector<Claim> beyond_calculation_claims();
 std::vector<Claim> dual_problem_claims();
 std::vector<Claim> functional_claims();
 std::vector<Claim> bilinear_form_claims();
 std::vector<Claim> problem_claims();
 std::vector<Claim> surface_displacement_claims();
+
+inline std::vector<std::vector<Claim> (*)()> older_claims() {
+  return {
+      constants_claims,
+      elastic_indenter_claims,
+      friction_jump_claims,
+      parabola_claims,
+      outside_claims,
+      integral_claims,
+      derivation_claims,
+      riemann_hilbert_claims,
+      contact_load_claims,
+      gap_claims,
+      linearisation_claims,
+      corner_claims,
+      end_claims,
+      cell_energy_claims,
+      cell_definiteness_claims,
+      cell_indefiniteness_claims,
+      cell_solution_claims,
+      cell_loading_claims,
+      proof_step_claims,
+      paper_figure_claims,
+      remark_claims,
+      words_claims,
+      dual_problem_claims,
+      functional_claims,
+      bilinear_form_claims,
+      problem_claims,
+      surface_displacement_claims,
+  };
+}
 
 }  // namespace steadyslide::proofs_checks

@@ -207,4 +207,22 @@ std::vector<Evidence> check_law(const Context& context, const Law& said) {
   return gather([&] { return numeric::at_precision(context.digits, walk); });
 }
 
+Claim law_claim(std::string_view id, const Law& right, std::vector<Wrong<Law>> wrong) {
+  return make_claim(claim_text(id), check_law, right, std::move(wrong));
+}
+
+void miss_on_cells(Law& law) { law.missed_on_cells = true; }
+void miss_of_load(Law& law) {
+  law.miss = [](Law& l, const Rational& by) { l.load *= 1 + by; };
+}
+void miss_of_height(Law& law) {
+  law.miss = [](Law& l, const Rational& by) { l.height *= 1 + by; };
+}
+void miss_of_traction(Law& law) {
+  law.miss = [](Law& l, const Rational& by) { l.traction *= 1 + by; };
+}
+void miss_of_jump(Law& law) {
+  law.miss = [](Law& l, const Rational& by) { l.jump = 100 * by; };
+}
+
 }  // namespace steadyslide::proofs_checks

@@ -31,4 +31,21 @@ struct Law {
 
 std::vector<Evidence> check_law(const Context& context, const Law& law);
 
+/// Plain, not compared: the law is what is put to the solvers, and a wrong one is another problem.
+Claim law_claim(std::string_view id, const Law& right, std::vector<Wrong<Law>> wrong);
+
+/// The law with something in it changed.
+template <class Change>
+Wrong<Law> variant(std::string name, Law law, Change change) {
+  change(law);
+  return {std::move(name), law};
+}
+
+// Near misses: what is moved.
+void miss_on_cells(Law& law);
+void miss_of_load(Law& law);
+void miss_of_height(Law& law);
+void miss_of_traction(Law& law);
+void miss_of_jump(Law& law);
+
 }  // namespace steadyslide::proofs_checks

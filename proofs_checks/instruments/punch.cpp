@@ -23,6 +23,14 @@ std::vector<Rational> random_jumps(Random& random, std::size_t m) {
   return jumps;
 }
 
+ContactProblem random_punch(const Context& context, Random& random, std::size_t jumps) {
+  std::vector<Rational> friction;
+  for (std::size_t piece = 0; piece <= jumps; ++piece) friction.push_back(random.friction(largest_friction(context)));
+  const Rational nu = random.poisson();
+  const Rational load = random.between(0, 100);
+  return punch(nu, std::move(friction), random_jumps(random, jumps), load);
+}
+
 Cases punch_cases(const Context& context, std::string_view stream, std::vector<ContactProblem> grid,
                   std::size_t random_count, const std::function<std::size_t(Random&)>& jumps) {
   Cases cases;
@@ -32,12 +40,7 @@ Cases punch_cases(const Context& context, std::string_view stream, std::vector<C
   if (context.quick) random_count = std::min<std::size_t>(random_count, 1);
   Random random(context.seed, stream);
   for (std::size_t k = 0; k < random_count; ++k) {
-    const std::size_t m = jumps(random);
-    std::vector<Rational> friction;
-    for (std::size_t piece = 0; piece <= m; ++piece) friction.push_back(random.friction(largest_friction(context)));
-    const Rational nu = random.poisson();
-    const Rational load = random.between(0, 100);
-    cases.problems.push_back(punch(nu, std::move(friction), random_jumps(random, m), load));
+    cases.problems.push_back(random_punch(context, random, jumps(random)));
   }
   cases.detail = std::to_string(fixed) + " of a grid, " + std::to_string(random_count) + " random with seed " +
                  std::to_string(context.seed);

@@ -15,6 +15,9 @@ using PunchFormula = Formula<PowerForm, ContactProblem>;
 ContactProblem punch(const Rational& nu, std::vector<Rational> friction, std::vector<Rational> jumps = {},
                      const Rational& load = 1, Sliding sliding = Sliding::plus_x);
 
+/// Random nu, friction and load, `jumps` friction jumps at random places.
+ContactProblem random_punch(const Context& context, Random& random, std::size_t jumps);
+
 struct Cases {
   std::vector<ContactProblem> problems;
   std::string detail;  ///< where they come from

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "numeric/number/real.hpp"
+#include "proofs_checks/kit/claim_text.hpp"
 #include "proofs_checks/kit/evidence.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -27,18 +28,10 @@ struct Control {
   Examination examine;
 };
 
-/// Formulas stand between backticks, in the notation of docs/notation.md: readable as they are, typeset in the report.
-struct ClaimText {
-  std::string id;         ///< permanent: "eq-04-flat-punch"
-  std::string source;     ///< "[Bal16, (4)]: ..."
-  std::string statement;  ///< our own words, with the formula
-  std::string hypotheses;
-  std::string derivation = {};  ///< how it follows; empty where no calculation says
-};
-
 struct Claim : ClaimText {
   Examination examine;
   std::vector<Control> controls;
+  std::string group = {};  ///< its place in the paper, the folder of its source: "theorem-3"
 };
 
 /// A wrong variant of a formula and what is wrong in it.
@@ -73,6 +66,6 @@ Claim make_claim(ClaimText text, Check check, Formula right, std::vector<Wrong<F
 }
 
 /// A statement that no calculation decides: it stays undecided, and is listed as such.
-Claim claim_beyond_calculation(ClaimText text, BeyondCalculation why);
+Claim beyond_calculation(std::string_view id, BeyondCalculation why);
 
 }  // namespace steadyslide::proofs_checks

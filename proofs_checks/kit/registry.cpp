@@ -1,52 +1,66 @@
 #include "proofs_checks/kit/registry.hpp"
 
+#include <algorithm>
 #include <iterator>
+#include <stdexcept>
 
 #include "proofs_checks/claims/claims.hpp"
+#include "proofs_checks/kit/claim_list.hpp"
+#include "proofs_checks/statements/paper_statements.hpp"
 
 namespace steadyslide::proofs_checks {
+namespace {
+
+/// Where the paper's statements name the claim; behind all others where none does.
+std::size_t position_of(const std::string& id) {
+  std::size_t position = 0;
+  for (const PaperStatement& statement : paper_statements()) {
+    for (const std::string_view named : statement.claims) {
+      if (named == id) return position;
+      ++position;
+    }
+  }
+  return position;
+}
+
+std::string group_of(const std::string& id) {
+  const auto entry = std::ranges::find(claim_list(), id, &ClaimEntry::id);
+  return entry == claim_list().end() ? std::string() : std::string(entry->group);
+}
+
+}  // namespace
 
 const std::vector<Claim>& registry() {
   static const std::vector<Claim> all = [] {
     std::vector<Claim> claims;
-    for (const auto make : {constants_claims,
-                            surface_displacement_claims,
-                            problem_claims,
-                            elastic_indenter_claims,
-                            flat_punch_claims,
-                            friction_jump_claims,
-                            paper_figure_claims,
-                            parabola_claims,
-                            words_claims,
-                            outside_claims,
-                            remark_claims,
-                            bilinear_form_claims,
-                            functional_claims,
-                            dual_problem_claims,
-                            plemelj_claims,
-                            integral_claims,
-                            local_action_claims,
-                            proof_step_claims,
-                            derivation_claims,
-                            riemann_hilbert_claims,
-                            contact_load_claims,
-                            gap_claims,
-                            linearisation_claims,
-                            corner_claims,
-                            end_claims,
-                            convergence_claims,
-                            cell_energy_claims,
-                            cell_definiteness_claims,
-                            cell_indefiniteness_claims,
-                            cell_solution_claims,
-                            cell_loading_claims,
-                            beyond_calculation_claims}) {
+    for (const ClaimEntry& entry : claim_list()) {
+      if (entry.make) claims.push_back(entry.make());
+    }
+    for (const auto make : older_claims()) {
       std::vector<Claim> some = make();
       std::move(some.begin(), some.end(), std::back_inserter(claims));
     }
+    for (Claim& claim : claims) claim.group = group_of(claim.id);
+    std::ranges::stable_sort(claims, {}, [](const Claim& claim) { return position_of(claim.id); });
     return claims;
   }();
   return all;
+}
+
+std::vector<std::string> groups() {
+  std::vector<std::string> names;
+  for (const ClaimEntry& entry : claim_list()) names.emplace_back(entry.group);
+  std::ranges::sort(names);
+  const auto rest = std::ranges::unique(names);
+  names.erase(rest.begin(), rest.end());
+  return names;
+}
+
+std::vector<Claim> claims_of_group(std::string_view group) {
+  std::vector<Claim> claims;
+  std::ranges::copy_if(registry(), std::back_inserter(claims), [&](const Claim& c) { return c.group == group; });
+  if (claims.empty()) throw std::invalid_argument("no claims stand under " + std::string(group));
+  return claims;
 }
 
 }  // namespace steadyslide::proofs_checks

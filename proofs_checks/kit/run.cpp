@@ -119,8 +119,8 @@ std::vector<Report> run_all(std::span<const Claim> claims, const Context& contex
   return reports;
 }
 
-Claim claim_beyond_calculation(ClaimText text, BeyondCalculation why) {
-  Claim claim{std::move(text), {}, {}};
+Claim beyond_calculation(std::string_view id, BeyondCalculation why) {
+  Claim claim{claim_text(id), {}, {}};
   claim.examine = [why = std::move(why)](const Context&) { return std::vector<Evidence>{why}; };
   return claim;
 }

@@ -1,5 +1,5 @@
-// verify-<group> [--digits N] [--seed N] [--quick]: runs one file of claims and prints a table. Exit code 0 only if
-// every claim is proved, supported or beyond calculation, 1 if one is not, 2 for a wrong command line.
+// verify-<group> [--digits N] [--seed N] [--quick]: runs the claims of one place in the paper and prints a table. Exit
+// code 0 only if every claim is proved, supported or beyond calculation, 1 if one is not, 2 for a wrong command line.
 
 #include <charconv>
 #include <cstdio>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "proofs_checks/claims/claims.hpp"
+#include "proofs_checks/kit/registry.hpp"
 #include "proofs_checks/kit/run.hpp"
 
 namespace {
@@ -64,7 +64,8 @@ int main(int argc, char** argv) {
     const proofs_checks::Context context = context_from(argc, argv);
     std::printf("%d digits, seed %llu%s\n", static_cast<int>(context.digits),
                 static_cast<unsigned long long>(context.seed), context.quick ? ", quick" : "");
-    const std::vector<proofs_checks::Report> reports = run_all(proofs_checks::STEADYSLIDE_CLAIMS(), context);
+    const std::vector<proofs_checks::Report> reports =
+        run_all(proofs_checks::claims_of_group(STEADYSLIDE_GROUP), context);
     for (const proofs_checks::Report& report : reports) print(report);
     const proofs_checks::Counts counts = count(reports);
     std::printf("%zu proved, %zu supported, %zu undecided, %zu refuted\n", counts.proved, counts.supported,

@@ -106,15 +106,7 @@ std::vector<Evidence> check(const Context& context, Once<ZoneList>& once, const 
 
 Claim figure_parabola() {
   return make_claim(
-      {"fig-05-parabola", "[Bal16, figure 5 and the text before it]: contact and largest pressure under a parabola",
-       "Under a parabola and constant friction the contact `[-(1+2 alpha) a, (1-2 alpha) a]` is shifted to the rear by "
-       "`2 alpha a`; the pressure vanishes at both its ends, with the power `1/2-alpha` at the rear and `1/2+alpha` at "
-       "the front, and is largest at `x = -4 alpha a`, in the rear half of the contact.",
-       "`gamma f > 0`, constant: for `f = 0` everything is symmetric and the maximum at the centre. The contact lies "
-       "inside the indenter: `(1+2 alpha) a <= 1` for the paper's `]-1, 1[`. Sliding the other way mirrors it.",
-       "With `e_- = -(1+2 alpha) a` and `e_+ = (1-2 alpha) a`, `t_n'/t_n = (1/2-alpha)/(x-e_-) + (1/2+alpha)/(x-e_+)` "
-       "vanishes at `x = (1/2-alpha) e_+ + (1/2+alpha) e_- = -4 alpha a`. The centre is `(e_- + e_+)/2 = -2 alpha a`, "
-       "and `e_- < -4 alpha a < -2 alpha a` for `0 < alpha < 1/2`."},
+      claim_text("fig-05-parabola"),
       [once = std::make_shared<Once<ZoneList>>()](const Context& context, const ZoneSaid& said) {
         return check(context, *once, said);
       },

@@ -110,16 +110,7 @@ std::vector<Evidence> check(const Context& context, Once<RearList>& once, const 
 
 Claim figure_rear_loaded() {
   return make_claim(
-      {"fig-03-rear-loaded", "[Bal16, figure 3 and the text before it]: the flat punch carries more at its rear",
-       "For `f > 0` the rear half of the flat punch carries more than half of the load, `(cos(pi alpha)/(2 pi)) "
-       "(digamma(3/4-alpha/2) - digamma(1/4-alpha/2)) P`; the singularity at the rear edge, `-(1/2+alpha)`, is "
-       "stronger than that at the front, `-(1/2-alpha)`; `|t_n|` has one minimum, in the front half at `x = 2 alpha`, "
-       "of `(P cos(pi alpha)/pi) (1+2 alpha)^{-(1/2+alpha)} (1-2 alpha)^{-(1/2-alpha)}`.",
-       "`gamma f > 0`, constant; for `f = 0` the pressure is even and its minimum at the centre. Half-width `1`.",
-       "`t_n'/t_n = -(1/2+alpha)/(1+x) + (1/2-alpha)/(1-x)`, which vanishes where `(1/2+alpha) (1-x) = (1/2-alpha) "
-       "(1+x)`, that is at `x = 2 alpha` alone. `t_0(-x)/t_0(x) = ((1+x)/(1-x))^{2 alpha} > 1` for `x > 0`: each point "
-       "of the rear half carries more than its mirror image. With `v^2 = (1+x)/(1-x)` the load on the rear half "
-       "becomes `(2 cos(pi alpha)/pi) int_0^1 v^{-2 alpha}/(1+v^2) dv`, a difference of digamma functions."},
+      claim_text("fig-03-rear-loaded"),
       [once = std::make_shared<Once<RearList>>()](const Context& context, const RearSaid& said) {
         return check(context, *once, said);
       },

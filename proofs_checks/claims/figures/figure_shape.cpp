@@ -130,17 +130,7 @@ std::vector<Evidence> check(const Context& context, Once<ShapeList>& once, const
 
 Claim figure_shape() {
   return make_claim(
-      {"fig-04-shape", "[Bal16, figure 4]: the pressure under a punch with two coatings",
-       "Under a flat punch with `f_-` on `]-1, 0[` and `f_+` on `]0, 1[` the pressure blows up at `0` for `f_- < f_+` "
-       "and vanishes there for `f_- > f_+`, as `|x|^beta`. `|t_n|` is extreme where `x^2 - (alpha_- + alpha_+) x + "
-       "beta = 0`: for `f_- < f_+` at one minimum on each half; for `f_- > f_+` nowhere, as in the figure, if "
-       "`(alpha_- + alpha_+)^2 <= 4 beta`, and otherwise at a maximum and a minimum on the front half.",
-       "`gamma > 0`, `f_- != f_+`. Half-width `1`. The last case, which the figure does not show, asks for large "
-       "`gamma f` on both sides: `gamma f_- = 3`, `gamma f_+ = 7/5` is one.",
-       "`t_n'/t_n = -(1/2+alpha_-)/(1+x) + beta/x + (1/2-alpha_+)/(1-x)`; times `x (1-x^2)` this is `x^2 - (alpha_- + "
-       "alpha_+) x + beta`, because `(1/2+alpha_-) - beta + (1/2-alpha_+) = 1`. The product of its roots is `beta`: "
-       "for `beta < 0` one lies on each half. For `beta > 0` both are positive or none is real. The values `1 + 2 "
-       "alpha_-` at `-1` and `1 - 2 alpha_+` at `1` are positive, so that no root leaves the punch."},
+      claim_text("fig-04-shape"),
       [once = std::make_shared<Once<ShapeList>>()](const Context& context, const ShapeSaid& said) {
         return check(context, *once, said);
       },

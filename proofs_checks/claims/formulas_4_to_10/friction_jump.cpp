@@ -148,18 +148,7 @@ std::vector<Evidence> check_many_jumps(const Context& context, const PunchFormul
 Claim one_jump() {
   const PunchFormula right = one_jump_formula();
   return make_claim(
-      {"eq-05-07-friction-jump", "[Bal16, (5)-(7)]: flat punch, friction f_- behind x = 0 and f_+ in front of it",
-       "The flat punch with one friction jump has the traction `t = -(P/(pi sqrt(1+gamma^2 f(x)^2))) |x|^beta "
-       "(1+x)^{-(1/2+alpha_-)} (1-x)^{-(1/2-alpha_+)}`, `beta = alpha_- - alpha_+`: it satisfies `A t = 0` on both "
-       "sides of the jump and carries the load `P`. At the jump the pressure is unbounded where `f_+ > f_-` and "
-       "vanishes where `f_+ < f_-`.",
-       "Plane strain, rigid flat punch on `]-1, 1[` moving towards `+x`, `-1 < nu < 1/2`; friction `f_- >= 0` for `x < "
-       "0` and `f_+ >= 0` for `x > 0`; `P > 0`; examined for frictions up to 50.",
-       "`Y(z) = (z+1)^{-(1/2+alpha_-)} z^beta (z-1)^{-(1/2-alpha_+)}` has `Y^+ = -exp(2 pi i alpha_-) Y^-` behind the "
-       "jump and `Y^+ = -exp(2 pi i alpha_+) Y^-` in front of it, since crossing 0 multiplies `Y^+/Y^-` by `exp(-2 pi "
-       "i beta)`. The powers sum to -1, so that `Phi = P Y/(2 pi i)` carries the load, and `t = Phi^+ - Phi^- = "
-       "-(P/pi) cos(pi alpha(x)) |Y|`. `beta` has the sign of `f_- - f_+`, because `arctan` increases."},
-      check_one_jump, right,
+      claim_text("eq-05-07-friction-jump"), check_one_jump, right,
       std::vector<Wrong<PunchFormula>>{
           {"beta = alpha_+ - alpha_-",
            right.changed([](auto& form, const ContactProblem& p) { form.set_exponent(1, alpha(p, 1) - alpha(p, 0)); })},
@@ -191,18 +180,7 @@ Claim one_jump() {
 Claim many_jumps() {
   const PunchFormula right = many_jump_formula();
   return make_claim(
-      {"n-jump-punch", "beyond [Bal16, (5)-(7)]: derived from the Riemann-Hilbert problem",
-       "The flat punch with `m` friction jumps `e_1 < ... < e_m` between its edges `e_0` and `e_{m+1}` has the "
-       "traction `t = -(P cos(pi alpha(x))/pi) prod_j |x-e_j|^{p_j}` with `p_0 = -(1/2+alpha_0)`, `p_j = alpha_{j-1} - "
-       "alpha_j`, `p_{m+1} = -(1/2-alpha_m)`, which sum to -1: it satisfies `A t = 0` between the jumps and carries "
-       "the load `P`.",
-       "Rigid flat punch in full contact, `s = +-gamma f` piecewise constant (both directions of sliding), `P > 0`; "
-       "examined for 0 to 8 jumps and frictions up to 50.",
-       "`Y(z) = prod_j (z-e_j)^{p_j}` has the ratio `Y^+/Y^- = exp(2 pi i sigma)` with `sigma` the sum of the powers "
-       "to the right, which on the panel `k` is `-(1/2-alpha_k)`: this is `G = -exp(2 pi i alpha_k)`. All angles "
-       "cancel in the sum of the powers, so that `Y` behaves as `1/z` and `Phi = P Y/(2 pi i)` carries the load. Then "
-       "`t = Phi^+ - Phi^- = (P/pi) |Y| sin(pi sigma)`."},
-      check_many_jumps, right,
+      claim_text("n-jump-punch"), check_many_jumps, right,
       std::vector<Wrong<PunchFormula>>{
           {"the exponent of one jump missing",
            right.changed([](auto& form, const ContactProblem&) { form.set_exponent(1, Exponent(0)); })},

@@ -71,15 +71,7 @@ Claim published_integral() {
     });
   };
   return make_claim(
-      {"published-galin-at-2", "a published integral: Galin's punch with gamma f = 1, its Cauchy integral at x = 2",
-       "`int_{-1}^1 dx/((x-2) ((1-x) (1+x)^3)^{1/4}) = -pi sqrt(2)/3^{3/4} = -1.949054259166747...`.",
-       "None: there is no parameter. It is the Cauchy integral at `x = 2` of the flat punch with `gamma f = 1`, up to "
-       "a factor.",
-       "With `gamma f = 1` the angle is `alpha = 1/4`, and the integrand is `|Y|/(x-2)` with `|Y| = (1+x)^{-3/4} "
-       "(1-x)^{-1/4}`. Since `Y(z) = (z+1)^{-3/4} (z-1)^{-1/4}` vanishes at infinity it is the Cauchy integral of its "
-       "own jump, `-i sqrt(2) |Y|` on `]-1, 1[`: `Y(2) = -(1/(pi sqrt(2))) int_{-1}^1 |Y|/(x-2) dx`, and `Y(2) = "
-       "3^{-3/4}`."},
-      check, right,
+      claim_text("published-galin-at-2"), check, right,
       std::vector<Wrong<IntegralFormula>>{
           {"the edges exchanged: ((1-x)^3 (1+x))^{1/4}",
            right.changed([](auto& form, const Nothing&) { std::swap(form.powers[0], form.powers[1]); })},
@@ -213,17 +205,7 @@ std::vector<Evidence> check_inverse(const Context& context, const InverseFormula
 Claim inverse_operator() {
   const InverseFormula right = inverse_formula();
   return make_claim(
-      {"eq-10-inverse", "[Bal16, (10)]: the inverse L of the operator, constant friction, for linear u'",
-       "Under constant friction the inverse of the operator is `L(u) = s u_bar'/(1+s^2) - (W(x)/(1+s^2)) (1/pi) PV int "
-       "u_bar'(x')/(W(x') (x'-x)) dx'` with `W = (1+x)^{-(1/2+alpha)} (1-x)^{-(1/2-alpha)}`: `A L(u) = u_bar'` on "
-       "`]-1, 1[`, and `L(u)` carries no load.",
-       "`s = gamma f >= 0` constant, examined up to `f = 50`, `-1 < nu < 1/2`; `u_bar'` a polynomial of degree 1.",
-       "With `Y` of two edges, `V = u_bar'/Y - Q`, `Q` the polynomial part at infinity, is the Cauchy integral of its "
-       "own jump, which gives `(1/pi) PV int u_bar'/(W (x'-x)) dx' = s u_bar'/W - Q/cos(pi alpha)`. So `L(u) = cos(pi "
-       "alpha) W Q`: for `u_bar' = a + b x` this is `Q = a (x + 2 alpha) + b (x^2 + 2 alpha x + (4 alpha^2-1)/2)`. "
-       "Both are examined: that this closed form solves `A t = u_bar'`, and that the formula with its integral has the "
-       "same values."},
-      check_inverse, right,
+      claim_text("eq-10-inverse"), check_inverse, right,
       std::vector<Wrong<InverseFormula>>{
           {"the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha}, in both places",
            right.changed(

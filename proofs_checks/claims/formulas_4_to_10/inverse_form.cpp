@@ -172,19 +172,7 @@ Claim inverse_claim() {
     return Wrong<InverseFormula>{std::move(name), right.changed(change)};
   };
   return make_claim(
-      {"sec-31-inverse", "[Bal16, section 3.1, (10)]: the inverse of the operator",
-       "`L(u) = s u'/(1+s^2) - (W/(1+s^2)) (1/pi) PV int u'(x')/(W(x') (x'-x)) dx'`, `W = (1+x)^{-(1/2+alpha)} "
-       "(1-x)^{-(1/2-alpha)}`, has `A L(u) = u'` and `int L(u) = 0`, and is the solution of `b(L(u), t_hat) = <<u, "
-       "t_hat>>` for all `t_hat` of zero mean.",
-       "`]-1, 1[`, constant `s` of either sign; examined for polynomials `u`, and `t_hat = T_k/sqrt(1-x^2)`",
-       "`Phi(z) = (1/(2 i pi)) int t/(x'-z) dx'` turns `A t = u'` into `Phi_+ = G Phi_- + u'/(s+i)`, `G = "
-       "(s-i)/(s+i)`; `Y = (z+1)^{-(1/2+alpha)} (z-1)^{-(1/2-alpha)}` solves it without `u'`. So `Phi/Y` is the Cauchy "
-       "integral of `u'/((s+i) Y_+)`, plus a constant that the zero mean makes zero, and `t = Phi_+ - Phi_-` is (10). "
-       "For a polynomial `u'` the integral is `u'/Y` less its polynomial part `Q` at infinity, which leaves `L(u) = "
-       "cos(pi alpha) W Q`: the other route. `b(t, t_hat) = <<u_t, t_hat>>` where `u_t' = A t`, and a constant does "
-       "not matter to `t_hat`; where `b(t, t_hat) = 0` for all of them, `b(t, t) = 0` and `t = 0`, so that `L` is the "
-       "inverse on zero mean, and onto"},
-      check, right,
+      claim_text("sec-31-inverse"), check, right,
       std::vector<Wrong<InverseFormula>>{
           wrong("the sign of the integral", [](auto& said, const InverseCase&) { said.integral = -said.integral; }),
           wrong("the sign of s u'", [](auto& said, const InverseCase&) { said.local = -said.local; }),

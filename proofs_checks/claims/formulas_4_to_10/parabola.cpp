@@ -143,20 +143,7 @@ std::vector<Evidence> check_jumps(const Context& context, const ParabolaFormula&
 Claim constant_friction() {
   const ParabolaFormula right = constant_friction_formula();
   return make_claim(
-      {"parabola-galin", "[Bal16, section 2]: the parabola psi = x^2/(2R), constant friction, Galin's solution",
-       "The parabola `psi_bar = x^2/(2R)` touches on `[-(1+2 alpha) a, (1-2 alpha) a]`, `a^2 = P R/(2 pi "
-       "(1/4-alpha^2))`, with `t = -(cos(pi alpha)/R) ((1+2 alpha) a + x)^{1/2-alpha} ((1-2 alpha) a - "
-       "x)^{1/2+alpha}`, where `1/R = P/(2 pi a^2 (1/4-alpha^2))`: `A t = x/R` and the load is `P`. The "
-       "pressure is largest at `x = -4 alpha a`, behind the middle of a zone that is itself shifted to the "
-       "rear. Outside of the zone the surface stays below the parabola.",
-       "Plane strain, rigid parabola moving towards `+x`, contact inside the support, `f >= 0` constant, `P > "
-       "0`; the gap is examined within two contact lengths of each end.",
-       "Both ends are free, so that `Y = (z-r_0)^{1/2-alpha} (z-r_1)^{1/2+alpha}` grows as `z`, and `x/(R Y) = "
-       "1/R + c_1/z + c_2/z^2 + ...`. The conditions are `c_1 = 0` and `c_2 = P/pi`, that is `sum_j p_j r_j = "
-       "0` and `sum_j p_j r_j^2 = 2 P R/pi`; they give the zone and `a`. Then `t = -cos(pi alpha) |Y|/R`, and "
-       "its logarithmic derivative `(1/2-alpha)/(x-r_0) + (1/2+alpha)/(x-r_1)` vanishes at `x = (1/2+alpha) "
-       "r_0 + (1/2-alpha) r_1 = -4 alpha a`."},
-      check_constant_friction, right,
+      claim_text("parabola-galin"), check_constant_friction, right,
       std::vector<Wrong<ParabolaFormula>>{
           {"the zone shifted to the front", right.changed([](auto& form, const ContactProblem&) {
              form.left_end = -(form.left_end + form.lengths[0]);
@@ -207,19 +194,7 @@ Claim constant_friction() {
 Claim with_jumps() {
   const ParabolaFormula right = jumps_formula();
   return make_claim(
-      {"parabola-n-jumps", "beyond [Bal16, section 2]: the parabola with friction jumps inside the contact, derived",
-       "With friction jumps inside the contact of a parabola `psi_bar = x^2/(2R)`, powers `p = 1/2-alpha_0`, "
-       "`alpha_{k-1} - alpha_k`, `1/2+alpha_m` at `r = a`, `c_k`, `b` satisfy `sum_j p_j r_j = 0` and `sum_j "
-       "p_j r_j^2 = 2 P R/pi`, which place the free ends; `t = -(cos(pi alpha(x))/R) prod_j |x-r_j|^{p_j}` has "
-       "`A t = x/R` and the load `P`, and outside of the contact the surface stays below the parabola.",
-       "Rigid parabola with its vertex at 0, contact inside the support, `s = +-gamma f` piecewise constant, "
-       "`P > 0`; examined for 1 to 4 jumps, of which some may lie outside of the contact; the gap within two "
-       "contact lengths of each end.",
-       "`Y = prod_j (z-r_j)^{p_j}` has the powers of two free ends and of the jumps, and behaves as `z` at "
-       "infinity whatever the jumps are. From `1/Y = z^{-1} exp(sum_k sigma_k/(k z^k))`, `sigma_k = sum_j p_j "
-       "r_j^k`, the expansion `x/(R Y) = (1/R) (1 + sigma_1/z + (sigma_1^2+sigma_2)/(2 z^2) + ...)` leaves the "
-       "conditions `sigma_1 = 0` and `sigma_2/(2R) = P/pi`, and `t = -cos(pi alpha) |Y|/R`."},
-      check_jumps, right,
+      claim_text("parabola-n-jumps"), check_jumps, right,
       std::vector<Wrong<ParabolaFormula>>{
           {"the zone shifted to the front",
            right.changed([](auto& form, const ContactProblem&) { form.left_end += form.lengths[0] / 20; })},

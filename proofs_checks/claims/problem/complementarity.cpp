@@ -191,17 +191,7 @@ Wrong<Candidate> wrong(std::string name, const Candidate& candidate) { return {s
 Claim complementarity_claim() {
   using Which = Candidate::Which;
   return make_claim(
-      {"eq-03-complementarity", "[Bal16, (3)]: the conditions of contact",
-       "The solutions found satisfy `u_bar + C <= psi_bar`, `t <= 0`, `t (u_bar + C - psi_bar) = 0` with one `C` for "
-       "all components of the contact, and `int t = -P`.",
-       "attitude given; random frictions with jumps, profiles with one and two wells; at 50 digits or more, in a quick "
-       "run in double",
-       "The solver gives `t` on a set of intervals and zero elsewhere. On them `A t = psi_bar'`, so that `u_bar - "
-       "psi_bar` is constant on each; off them `u_bar' = H t` is integrated from one end of the contact to the next "
-       "point, with `int H t dx = -(1/pi) int t log|x-x'| dx'` between the two: this must leave a gap `>= 0`, and "
-       "exactly none where the next component begins. The product is then zero everywhere. Residuals are taken by a "
-       "trapezoidal rule that knows nothing of the solver's form"},
-      check, Candidate{},
+      claim_text("eq-03-complementarity"), check, Candidate{},
       std::vector<Wrong<Candidate>>{
           wrong("an end moved by a hundredth of the contact", {.which = Which::moved_end}),
           wrong("edges within the contact: equation and load right, but the surface penetrates",

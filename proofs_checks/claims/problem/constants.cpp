@@ -112,16 +112,7 @@ Claim gamma_range() {
       wrong.push_back({s.identity.statement + ", wrongly: " + w.statement, right.with_identity(w)});
     }
   }
-  return make_claim(
-      {"gamma-range", "[Bal16, section 2]: the constant gamma",
-       "`gamma = (1-2 nu)/(2 (1-nu))` decreases strictly from 3/4, approached as `nu -> -1`, to 0, approached as `nu "
-       "-> 1/2`: the coupling constant takes every value of `]0, 3/4[` once and no other.",
-       "Plane strain, isotropic half-space, rigid indenter, `-1 < nu < 1/2`.",
-       "In plane strain Kolosov's constant is `kappa = 3-4 nu`, and next to a rigid indenter `gamma = "
-       "(kappa-1)/(kappa+1)`, which is the formula stated. `d gamma/(d nu) = -1/(2 (1-nu)^2)` is negative, `3/4 - "
-       "gamma = (1+nu)/(4 (1-nu))` and `gamma` itself are positive for `-1 < nu < 1/2`; at the ends `gamma` is 3/4 and "
-       "0."},
-      check_range, right, std::move(wrong));
+  return make_claim(claim_text("gamma-range"), check_range, right, std::move(wrong));
 }
 
 Claim gamma_plane_stress() {
@@ -143,14 +134,7 @@ Claim gamma_plane_stress() {
   for (const symbolic::ExactIdentity& w : chosen.front().controls) {
     wrong.push_back({"wrongly: " + w.statement, right.with_identity(w)});
   }
-  return make_claim(
-      {"gamma-plane-stress", "the constant of [Bal16, section 2] carried over to plane stress",
-       "In plane stress `gamma = (1-nu)/2`; it decreases strictly from 1, approached as `nu -> -1`, to 1/4, approached "
-       "as `nu -> 1/2`.",
-       "Plane stress, isotropic half-space, rigid indenter, `-1 < nu < 1/2`.",
-       "In plane stress Kolosov's constant is `kappa = (3-nu)/(1+nu)`, so that `gamma = (kappa-1)/(kappa+1) = (2-2 "
-       "nu)/4`. This is linear in `nu` with slope -1/2 and has the values 1 and 1/4 at the ends."},
-      check_range, right, std::move(wrong));
+  return make_claim(claim_text("gamma-plane-stress"), check_range, right, std::move(wrong));
 }
 
 /// alpha as an exact number, and the interval [0, supremum[.
@@ -195,28 +179,20 @@ std::vector<Evidence> check_angle(const Context& context, const AngleFormula& fo
 Claim alpha_range() {
   const AngleFormula right{[](const Rational& gamma, const Rational& f) { return Exponent::angle(gamma * f); }, half};
   const auto with = [](auto alpha) { return AngleFormula{alpha, half}; };
-  return make_claim(
-      {"alpha-range", "[Bal16, (4)]: the angle alpha",
-       "The angle `alpha = arctan(gamma f)/pi` lies in `[0, 1/2[`: it is 0 for `f = 0` alone, increases with `f` and "
-       "tends to 1/2; and `cos(pi alpha) = 1/sqrt(1+gamma^2 f^2)`.",
-       "`gamma > 0`, `f >= 0`; examined for `-1 < nu < 1/2` in plane strain and `f` up to 50.",
-       "`arctan` increases strictly from 0 at 0 towards `pi/2`, and `gamma f` from 0 to `oo`. From `tan(pi alpha) = "
-       "gamma f` and `cos^2 = 1/(1+tan^2)` with `0 <= pi alpha < pi/2` follows the cosine. Signs of differences of "
-       "angles are decided exactly, as those of arctangents of rational numbers; values are compared with CLN's."},
-      check_angle, right,
-      std::vector<Wrong<AngleFormula>>{
-          {"the interval [0, 1/4[", {right.alpha, Exponent(Rational(1, 4))}},
-          {"the interval [0, 1[", {right.alpha, Exponent(1)}},
-          {"alpha = arctan(f)/pi, gamma missing",
-           with([](const Rational&, const Rational& f) { return Exponent::angle(f); })},
-          {"alpha = -arctan(gamma f)/pi",
-           with([](const Rational& gamma, const Rational& f) { return -Exponent::angle(gamma * f); })},
-          {"alpha = 2 arctan(gamma f)/pi", with([](const Rational& gamma, const Rational& f) {
-             return Exponent::angle(gamma * f) + Exponent::angle(gamma * f);
-           })},
-          {"near miss: alpha moved by 1e-94", with([](const Rational& gamma, const Rational& f) {
-             return Exponent::angle(gamma * f) + Exponent::angle(tiny());
-           })}});
+  return make_claim(claim_text("alpha-range"), check_angle, right,
+                    std::vector<Wrong<AngleFormula>>{
+                        {"the interval [0, 1/4[", {right.alpha, Exponent(Rational(1, 4))}},
+                        {"the interval [0, 1[", {right.alpha, Exponent(1)}},
+                        {"alpha = arctan(f)/pi, gamma missing",
+                         with([](const Rational&, const Rational& f) { return Exponent::angle(f); })},
+                        {"alpha = -arctan(gamma f)/pi",
+                         with([](const Rational& gamma, const Rational& f) { return -Exponent::angle(gamma * f); })},
+                        {"alpha = 2 arctan(gamma f)/pi", with([](const Rational& gamma, const Rational& f) {
+                           return Exponent::angle(gamma * f) + Exponent::angle(gamma * f);
+                         })},
+                        {"near miss: alpha moved by 1e-94", with([](const Rational& gamma, const Rational& f) {
+                           return Exponent::angle(gamma * f) + Exponent::angle(tiny());
+                         })}});
 }
 
 }  // namespace

@@ -105,21 +105,7 @@ std::vector<Claim> elastic_indenter_claims() {
       wrong.push_back({s.identity.statement + ", wrongly: " + w.statement, right.with_identity(w)});
     }
   }
-  return {make_claim(
-      {"rem-01-elastic-indenter", "[Bal16, remark 1]: an elastic indenter, derived",
-       "For two elastic bodies the constants of the rigid indenter are replaced by `gamma = (mu_2 (kappa_1-1) - mu_1 "
-       "(kappa_2-1))/(mu_2 (kappa_1+1) + mu_1 (kappa_2+1))`, Dundurs' constant, and by the compliance `c = "
-       "(kappa_1+1)/(4 mu_1) + (kappa_2+1)/(4 mu_2)`. As `mu_2` grows both tend to those of the rigid indenter; "
-       "`gamma` changes its sign when the bodies are exchanged, and is 0 for equal ones.",
-       "Isotropic bodies, body 1 the half-space; shear moduli `mu`, Kolosov's constants `kappa = 3-4 nu` in plane "
-       "strain and `(3-nu)/(1+nu)` in plane stress. That the surface of the indenter may be treated as that of a "
-       "half-plane is assumed.",
-       "The slope of a half-plane's surface is `((kappa+1)/(4 mu)) H t` plus or minus `((kappa-1)/(4 mu)) f t`, `H t = "
-       "(1/pi) PV int t(x')/(x'-x) dx'`, with opposite signs of the second term above and below. Adding both surfaces "
-       "gives `c (H t + gamma f t)` with `c gamma = ((kappa_1-1)/mu_1 - (kappa_2-1)/mu_2)/4`. The limits, the exchange "
-       "of the bodies and the case of equal ones are identities between rational functions of `mu_1`, `mu_2`, "
-       "`kappa_1`, `kappa_2`."},
-      check, right, std::move(wrong))};
+  return {make_claim(claim_text("rem-01-elastic-indenter"), check, right, std::move(wrong))};
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -121,19 +121,10 @@ std::vector<Evidence> check(const Context& context, const JumpFormula& formula) 
 
 }  // namespace
 
-std::vector<Claim> plemelj_claims() {
+Claim plemelj() {
   const JumpFormula right = plemelj_formula();
-  return {make_claim(
-      {"plemelj", "[Bal16, theorem 36 in appendix C], reconstructed: the homogeneous Riemann-Hilbert problem",
-       "`Y(z) = prod_j (z-e_j)^{p_j}` with the powers of a flat punch satisfies `Y^+ = G Y^-` on every panel, `G = "
-       "(s-i)/(s+i) = -exp(2 pi i alpha)`; for `Phi = P Y/(2 pi i)` one has `t = Phi^+ - Phi^-`, and `z Phi -> P/(2 pi "
-       "i)` at infinity.",
-       "Edges at both ends, `s = +-gamma f` piecewise constant, examined with 0 to 5 jumps and frictions up to 50.",
-       "Plemelj's formulas turn `A t = 0` into `(s+i) Phi^+ = (s-i) Phi^-`. On the banks of the panel `k` the phases "
-       "of `Y` are `+-pi sigma`, `sigma = -(1/2-alpha_k)` the sum of the powers to the right, so that `Y^+/Y^- = exp(2 "
-       "pi i sigma) = -exp(2 pi i alpha_k)`; and `(s-i)/(s+i) = -exp(2 pi i alpha)` for `s = tan(pi alpha)`. The "
-       "powers sum to -1."},
-      check, right,
+  return make_claim(
+      claim_text("plemelj"), check, right,
       std::vector<Wrong<JumpFormula>>{
           {"G = (s+i)/(s-i)", right.changed([](auto& form, const ContactProblem&) {
              for (auto& ratio : form.ratios) ratio.im = -ratio.im;
@@ -156,7 +147,7 @@ std::vector<Claim> plemelj_claims() {
            right.changed([]<Real R>(JumpForm<R>& form, const ContactProblem&) { form.move_power(1, near_miss<R>()); })},
           {"near miss: Phi moved by ten times the tolerance",
            right.changed(
-               []<Real R>(JumpForm<R>& form, const ContactProblem&) { form.potential *= 1 + near_miss<R>(); })}})};
+               []<Real R>(JumpForm<R>& form, const ContactProblem&) { form.potential *= 1 + near_miss<R>(); })}});
 }
 
 }  // namespace steadyslide::proofs_checks

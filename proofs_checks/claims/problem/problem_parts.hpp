@@ -8,7 +8,6 @@
 namespace steadyslide::proofs_checks {
 
 /// What leaves the problem unchanged, or changes its solution in a known way.
-std::vector<Claim> problem_law_claims();
 Claim complementarity_claim();
 
 }  // namespace steadyslide::proofs_checks

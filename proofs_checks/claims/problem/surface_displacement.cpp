@@ -153,20 +153,7 @@ Claim slopes_claim() {
                                 right.changed([change](auto& said, const Body& b) { change(said, b); })};
   };
   return make_claim(
-      {"eq-01-surface-displacement", "[Bal16, (1)]: the surface under given tractions",
-       "Tractions `t_n`, `t_t` on `]-1, 1[` give the surface the slopes `u_bar_n' = (1/pi) PV int_{-1}^1 "
-       "t_n(x')/(x'-x) dx' - gamma t_t` and `u_bar_t' = (1/pi) PV int_{-1}^1 t_t(x')/(x'-x) dx' + gamma t_n`, where "
-       "`u_bar = E u/(2 (1-nu^2))` and `gamma = (1-2 nu)/(2 (1-nu))`.",
-       "plane strain, body `z > 0`, outward normal along `-z`, `t_n < 0` in compression, `t_t` along `+x`, stresses "
-       "and rotation vanish at infinity; examined for polynomials",
-       "A force with components `N` along the outward normal and `T` along `x` makes the radial stress `sigma_rr = 2 "
-       "(N sin theta - T cos theta)/(pi r)`, `theta` counted from the surface. With `C_n(zeta) = (1/pi) int "
-       "t_n(x')/(x'-zeta) dx'`, `zeta = x + i z`, and `C_t` likewise, the sum of these fields has `sigma_xx + sigma_zz "
-       "= 2 Re F`, `F = C_t - i C_n`. At the surface `C_n` tends to `H t_n + i t_n`, so that `sigma_zz = t_n`, "
-       "`sigma_xz = -t_t` and `sigma_xx = t_n + 2 H t_t`. Hooke's law turns `sigma_xx` into `u_t' = epsilon_xx = (2 "
-       "(1-nu^2)/E) (H t_t + gamma t_n)`. Equilibrium makes the rotation the conjugate of the mean stress: `d u_z/dx - "
-       "d u_x/dz = 4 (1-nu^2) Im F/E`, which with `epsilon_xz = -(1+nu) t_t/E` gives `u_n' = -d u_z/dx = (2 "
-       "(1-nu^2)/E) (H t_n - gamma t_t)`"},
+      claim_text("eq-01-surface-displacement"),
       [rules = std::make_shared<GaussRules>()](const Context& context, const SlopesFormula& formula) {
         return check_slopes(context, formula, *rules);
       },

@@ -132,16 +132,7 @@ std::vector<Evidence> check(const Context& context, Once<PowersList>& once, cons
 
 Claim remark_front_rear() {
   return make_claim(
-      {"rem-01-front-rear", "[Bal16, remark 1]: front and rear, and friction jumps",
-       "Under constant friction the powers at the front and at the rear differ by `2 alpha`, at edges and at free ends "
-       "alike: they differ exactly if `gamma f != 0`. A jump of `f` inside the contact is singular exactly if `gamma "
-       "!= 0`: its power is `alpha(c-) - alpha(c+)`, `alpha = arctan(gamma f)/pi`.",
-       "`f` constant for the first part; contact on both sides of the jump, with `f(c-) != f(c+)`, for the second. The "
-       "rear is the stronger singularity only for `gamma > 0`: with an indenter more compliant than the body `gamma < "
-       "0`, and it is the front.",
-       "Edges have `-(1/2+alpha)` at the rear and `-(1/2-alpha)` at the front, free ends `1/2-alpha` and `1/2+alpha`: "
-       "the difference is `2 alpha` both times. `arctan` is injective and `arctan(0) = 0`, so that `alpha = 0` exactly "
-       "if `gamma f = 0`, and `alpha(c-) = alpha(c+)` exactly if `gamma f(c-) = gamma f(c+)`."},
+      claim_text("rem-01-front-rear"),
       [once = std::make_shared<Once<PowersList>>()](const Context& context, const PowersSaid& said) {
         return check(context, *once, said);
       },

@@ -136,21 +136,7 @@ std::vector<Evidence> check(const Context& context, Once<LimitList>& once, const
 
 Claim remark_incompressible() {
   return make_claim(
-      {"rem-01-incompressible", "[Bal16, remark 1]: the limit of incompressibility",
-       "As `gamma -> 0`, with everything else fixed, the pressure tends to the frictionless one: at every fixed point "
-       "of the contact that is not singular the difference is `O(gamma)`, and in general no smaller; under a flat "
-       "punch with one `f` it is `-gamma (f/pi) log((1+x)/(1-x)) + O(gamma^2)` of the pressure, of first order "
-       "everywhere but at `x = 0`, and the contact under a parabola moves by `-gamma (2 f/pi) a + O(gamma^2)`, `a` its "
-       "half-width.",
-       "`f` fixed, bounded. Not uniform up to singular points: next to an edge or a friction jump the relative "
-       "difference grows like `gamma f |log d|` with the distance `d -> 0`. At a wedge with a friction jump the "
-       "constant `D/(gamma (f_+ - f_-))` and the power's amplitude both grow without bound, and their sum tends to the "
-       "logarithm.",
-       "`gamma` and `f` enter by `s = gamma f` alone, and the solution on a given contact is analytic in `s`: `t_0 = "
-       "(cos(pi alpha)/pi) (1+x)^{-(1/2+alpha)} (1-x)^{-(1/2-alpha)}` has the derivative `-log((1+x)/(1-x)) t_0` in "
-       "`alpha` at `alpha = 0`, and `alpha = gamma f/pi + O(gamma^3)`. The contact under a parabola has its centre at "
-       "`-2 alpha a`. These derivatives do not vanish, the first one for `x != 0`, so that the order is `gamma` and "
-       "not `gamma^2`."},
+      claim_text("rem-01-incompressible"),
       [once = std::make_shared<Once<LimitList>>()](const Context& context, const LimitSaid& said) {
         return check(context, *once, said);
       },

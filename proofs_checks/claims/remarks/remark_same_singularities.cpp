@@ -146,20 +146,7 @@ std::vector<Evidence> check(const Context& context, const RowSaid& said) {
 
 Claim remark_same_singularities() {
   return make_claim(
-      {"rem-02-same-singularities", "[Bal16, remark 2]: the same singularities where the kernel differs smoothly",
-       "A row of flat punches with the period `2 pi` has the kernel `(1/2) cot((x'-x)/2)` for `1/(x'-x)`, and the "
-       "closed solution `t = -(P/(2 pi)) cos(pi alpha(x)) prod_j |sin((x-x_j)/2)|^{p_j} cos((x + sum_j p_j x_j)/2)`, "
-       "`x_j` its edges and friction jumps: the powers `p_j` are `-(1/2+alpha)` at the rear, `alpha(c-) - alpha(c+)` "
-       "at jumps and `-(1/2-alpha)` at the front, those of the half-space.",
-       "An instance: a kernel that differs from the half-space's by a smooth function, as it does on the smooth "
-       "boundary of a bounded isotropic body. That such a body has a solution, for `f` small enough, is an existence "
-       "statement out of the reach of a calculation, and no part of this claim; neither is the limit on `f`.",
-       "`(1/2) cot(w/2) - 1/w` is analytic for `|w| < 2 pi`: its integral with `t` is a smooth function of `x`, which "
-       "can be added to `psi_bar'` on the right-hand side, and a smooth `psi_bar'` takes no part in any local form. "
-       "The closed form comes by `y = tan(x/2)`: with `Phi(z) = (1/(4 pi i)) int t cot((x'-z)/2) dx'` the solution is "
-       "`2 i Phi = Y(y) (A + B y)`, `Y = prod_j (y-y_j)^{p_j}`, and `2 i Phi -> -+i P/(2 pi)` as `z -> +-i oo`, which "
-       "is `y -> +-i`, gives `A + i B = -i P/(2 pi Y(i))`."},
-      check, RowSaid{},
+      claim_text("rem-02-same-singularities"), check, RowSaid{},
       std::vector<Wrong<RowSaid>>{
           {"the powers at edges without friction", changed<RowSaid>([](RowSaid& said) { said.angles = false; })},
           {"no singularity at the friction jumps", changed<RowSaid>([](RowSaid& said) { said.jumps = false; })},

@@ -100,17 +100,7 @@ std::vector<Evidence> check(const Context& context, const DundursSaid& said) {
 Claim remark_vanishing_dundurs() {
   using Elastic = DundursSaid::Elastic;
   return make_claim(
-      {"rem-01-vanishing-dundurs", "[Bal16, remark 1]: Dundurs' constant zero",
-       "If Dundurs' constant of the two bodies vanishes, `mu_2 (kappa_1-1) = mu_1 (kappa_2-1)`, the normal traction "
-       "and the contact are those of the frictionless problem for any friction coefficient, jumps included; the "
-       "tangential traction is `-f t_n` with that `t_n`.",
-       "Isotropic bodies, smooth profiles whose contact ends freely; plane strain or plane stress. In plane strain the "
-       "condition reads `(1-2 nu_1)/mu_1 = (1-2 nu_2)/mu_2`: equal bodies, or two incompressible ones in the limit.",
-       "Friction enters the normal equation by `s = gamma f` alone, with Dundurs' constant for `gamma`: with `gamma = "
-       "0` it reads `H t = u_bar'` whatever `f` is, with the same inequalities and the same load. All angles `alpha` "
-       "are `0`, and with them all powers `alpha(c-) - alpha(c+)` at jumps of `f`. The tangential displacement is not "
-       "the frictionless one."},
-      check, DundursSaid{},
+      claim_text("rem-01-vanishing-dundurs"), check, DundursSaid{},
       std::vector<Wrong<DundursSaid>>{
           {"a rigid indenter", changed<DundursSaid>([](DundursSaid& said) { said.bodies = Elastic::rigid; })},
           {"Poisson's ratios equal, shear moduli not",

@@ -5,8 +5,7 @@
 namespace steadyslide::proofs_checks {
 
 std::vector<Claim> remark_claims() {
-  return {remark_front_rear(), remark_incompressible(), remark_neglect(), remark_vanishing_dundurs(),
-          remark_same_singularities()};
+  return {remark_front_rear(), remark_incompressible(), remark_vanishing_dundurs(), remark_same_singularities()};
 }
 
 }  // namespace steadyslide::proofs_checks

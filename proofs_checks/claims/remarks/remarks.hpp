@@ -7,7 +7,6 @@ namespace steadyslide::proofs_checks {
 
 Claim remark_front_rear();
 Claim remark_incompressible();
-Claim remark_neglect();
 Claim remark_vanishing_dundurs();
 Claim remark_same_singularities();
 

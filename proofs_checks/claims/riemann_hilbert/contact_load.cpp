@@ -59,15 +59,7 @@ Claim load_claim() {
                        R(minus_pi * coefficient_at_infinity(form->form(), -2))};
   });
   return make_claim(
-      {"rh-load", "[Bal16, theorem 36], reconstructed: load and centre of pressure from infinity",
-       "`int t = -pi [z^{-1}]` and `int x t = -pi [z^{-2}]`, the coefficients at infinity of `Y (m_0/z + m_1/z^2 + ... "
-       "+ q/pi)`. Where `S < 0` the load is the leading coefficient of `q`: `int t = -q_{-S-1}`.",
-       "Any contact set of up to three components, any `q` and tilt; piecewise polynomial profile, `s` piecewise "
-       "constant.",
-       "Far away `F = (1/pi) int t(x')/(x'-z) dx' = -(1/pi) sum_n z^{-n-1} int x^n t`, and `F` is the series of `Y "
-       "(m_0/z + m_1/z^2 + ... + q/pi)`, whose moments `m_j` come from the integrals over the contact. If `S < 0`, `Y` "
-       "behaves as `z^S` and `q` as `q_{-S-1} z^{-S-1}`: their product begins with `q_{-S-1}/(pi z)`."},
-      check_load, right,
+      claim_text("rh-load"), check_load, right,
       std::vector<Wrong<LoadFormula>>{
           {"Y's expansion cut after its first term", right.changed([]<class R>(LoadSaid<R>& said, const Trial&) {
              const RiemannHilbertForm<R>& form = said.trial->form();
@@ -126,21 +118,10 @@ std::vector<Evidence> check_count(const Context& context, const Count& count) {
 }
 
 Claim count_claim() {
-  return make_claim<Count>(
-      {"rh-count", "[Bal16, theorem 36], reconstructed: unknowns and conditions, counted",
-       "The exponents of `Y` sum to `S` = (free ends) - (components). The free ends and the `-S` coefficients of `q`, "
-       "none if `S >= 0`, are as many as the conditions: the load, the `S` moments, none if `S <= 0`, and the gaps "
-       "between components.",
-       "One to four components (in a quick run one or two), every choice of edges and free ends, a friction jump in "
-       "each component.",
-       "A component contributes -1 to the sum of the exponents, plus 1 for each of its free ends; its angles cancel. "
-       "With `n` components and `k` free ends `S = k - n`. If `S >= 0` there are `k` unknowns and `1 + S + (n-1) = k` "
-       "conditions; if `S < 0` there are `k - S = n` unknowns and `1 + (n-1) = n` conditions. Here the sums are formed "
-       "with exact angles and the coefficients of `q` counted in the solver's own form."},
-      check_count, {-1, 0, -1},
-      {{"q of degree -S", {0, 0, -1}},
-       {"one moment too many", {-1, 1, -1}},
-       {"a condition for every component, not every gap", {-1, 0, 0}}});
+  return make_claim<Count>(claim_text("rh-count"), check_count, {-1, 0, -1},
+                           {{"q of degree -S", {0, 0, -1}},
+                            {"one moment too many", {-1, 1, -1}},
+                            {"a condition for every component, not every gap", {-1, 0, 0}}});
 }
 
 }  // namespace

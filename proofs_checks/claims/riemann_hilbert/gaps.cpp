@@ -170,17 +170,7 @@ std::vector<Claim> gap_claims() {
   const GapFormula right = GapFormula::from(
       []<Real R>(const Trial& trial) { return GapSaid<R>{std::make_shared<const TrialForm<R>>(trial)}; });
   return {make_claim(
-      {"rh-gap", "[Bal16, theorem 36], reconstructed: the gap beside the contact and between its components",
-       "The gap at a place off the contact is the sum of the steps of the indenter on the way there from a contact "
-       "end, plus `int Y B_k` over that way. Over a whole gap between two components this sum is what closes for a "
-       "solution. The other route is `psi/c - u/c` with `u/c = -(1/pi) int t(x') log|x-x'| dx'`.",
-       "Any contact set of up to three components, with steps and wedges in the gaps; no condition of contact need "
-       "hold. Where the set is no solution, the polynomial left at infinity is integrated with the potential.",
-       "Off the contact the slope of the surface is `u'/c = g_k + delta - Y B_k`, so that the gap `psi/c + delta x - "
-       "u/c` grows by `int Y B_k`, and by a step of `psi` where there is one. The friction term of `A t` vanishes off "
-       "the contact: there `u/c` is the logarithmic potential of `t`, up to a constant that the difference between two "
-       "places does not see."},
-      check, right,
+      claim_text("rh-gap"), check, right,
       std::vector<Wrong<GapFormula>>{
           {"the integral with the other sign", right.changed([](auto& said, const Trial&) { said.scale = -1; })},
           {"half of the integral",

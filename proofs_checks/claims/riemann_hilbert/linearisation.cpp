@@ -182,19 +182,7 @@ LinearFormula changed_ends(const LinearFormula& right, auto change) {
 std::vector<Claim> linearisation_claims() {
   const LinearFormula right = linear_formula();
   return {make_claim(
-      {"rh-linearisation", "derived from [Bal16, theorem 36]: neighbouring contact sets",
-       "As a free end `e` with power `p` moves, at fixed `q` and tilt, `partial(u'/c)/(partial e) = Y (p B(e)/(z-e) - "
-       "(p/pi) [q/(z-e)]_{poly})`; as the tilt `delta` changes, `partial(u'/c)/(partial delta) = 1 - Y [1/Y]_{poly}`. "
-       "In the contact the traction changes by the terms with `Y`, `-epsilon cos(pi alpha) |Y|` standing for it: "
-       "without the 1.",
-       "Any contact set of up to three components; derivatives by central differences of order ten, at 50 digits or "
-       "more.",
-       "`partial(u'/c)/(partial e)` satisfies the homogeneous equation on the contact, and is no more singular than "
-       "`(z-e)^{p-1}` at `e`: divided by `Y` it has a simple pole there and no other, so that it is `Y (rho/(z-e) + "
-       "r(z))` with a polynomial `r` (Liouville). From `partial Y/(partial e) = -p Y/(z-e)` the residue is `rho = p "
-       "B(e)`, and the growth at infinity of `Y q/pi` gives `r = -(p/pi) [q/(z-e)]_{poly}`. Adding 1 to the slope adds "
-       "`1 - Y N` with `N` the polynomial part of `1/Y`."},
-      check, right,
+      claim_text("rh-linearisation"), check, right,
       std::vector<Wrong<LinearFormula>>{
           {"the residue -p B(e)", changed_ends(right, [](const auto&, auto& n) { n.pole = -n.pole; })},
           {"the residue B(e), p missing",

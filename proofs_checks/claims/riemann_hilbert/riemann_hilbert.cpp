@@ -110,20 +110,7 @@ void turn_alpha(FormSaid<R>& said, std::size_t j) {
 Claim form_claim() {
   const FormFormula right = form_formula();
   return make_claim(
-      {"rh-form", "[Bal16, theorem 36], reconstructed: the traction on any contact set",
-       "On any contact set, with the slope of the profile a polynomial `g_k` on each piece, `t = epsilon cos(pi alpha) "
-       "|Y| B_k` with `B_k = [(g_k + delta)/Y]_{poly} - q/pi - (1/pi) int epsilon cos(pi alpha) (g - g_k)/(|Y| (x'-x)) "
-       "dx'` satisfies `A t = g + delta` up to a polynomial: the one that `Y (m_0/z + m_1/z^2 + ... + q/pi)` has at "
-       "infinity, which is 0 for a solution. `int t` follows from the coefficient of `1/z` there. `delta` is the tilt, "
-       "the index poly means the polynomial part at infinity.",
-       "Piecewise polynomial profile with wedges and steps, `s` piecewise constant; up to three components with any "
-       "ends and any polynomial `q`, whether or not they solve a contact problem.",
-       "`F = 2 i Phi` has to satisfy `(F^+ + F^-)/2 + s (F^+ - F^-)/(2i) = g + delta`. Put `F = g_k + delta - Y B_k` "
-       "for one `k`: `(s+i) Y^+ = epsilon |Y|/cos(pi alpha)` is real, so that `B_k` must jump by a multiple of "
-       "`epsilon cos(pi alpha) (g - g_k)/|Y|`, which the integral does. The polynomial part takes away what grows at "
-       "infinity, and `q` is free. All `B_k` describe one function; taking `k` from the piece at `x` the integral "
-       "stays clear of `x`."},
-      check_form, right,
+      claim_text("rh-form"), check_form, right,
       std::vector<Wrong<FormFormula>>{
           {"eps of the other sign on one component", right.changed([](auto& said, const Trial&) {
              std::size_t k = 0;

@@ -132,17 +132,7 @@ Wrong<LogSaid> wrong(std::string name, Change change) {
 
 Claim log_form_claim() {
   return make_claim(
-      {"sec-31-log-form", "[Bal16, section 3.1]: the logarithmic form",
-       "`(t_1, t_2) -> -<<t_1 * log|x|, t_2>>` is symmetric and positive definite on `]-1, 1[`, without a condition on "
-       "the mean: for `t_1 = sum_k c_k T_k/sqrt(1-x^2)`, `t_2 = sum_k d_k T_k/sqrt(1-x^2)` it is `pi^2 log 2 c_0 d_0 + "
-       "sum_k pi^2 c_k d_k/(2 k)`, `k >= 1`.",
-       "`c_k`, `d_k` with `sum_k c_k^2/k` finite, which is `H^{-1/2}(-1, 1)`; examined for finite sums and on cells",
-       "With `x = cos theta`, `x' = cos phi`: `log|x-x'| = -log 2 - 2 sum_k cos(k theta) cos(k phi)/k`, `k >= 1`, "
-       "since `|x-x'|` is half of `|1 - e^{i (theta-phi)}| |1 - e^{i (theta+phi)}|`. In `int int cos(j phi) cos(k "
-       "theta) log|x-x'|` the orthogonality of the cosines leaves `-pi^2 log 2` for `j = k = 0`, `-pi^2/(2 k)` for `j "
-       "= k >= 1`, and nothing else. All coefficients of the squares are positive, the first because `log 2 > 0`: the "
-       "interval is shorter than 4"},
-      check_with({2}), LogSaid{},
+      claim_text("sec-31-log-form"), check_with({2}), LogSaid{},
       std::vector<Wrong<LogSaid>>{
           wrong("log 2 missing", [](LogSaid& s) { s.critical = 2; }), wrong("pi^2/k", [](LogSaid& s) { s.first = 1; }),
           wrong("pi^2/2 for all k", [](LogSaid& s) { s.power = 0; }),
@@ -152,15 +142,8 @@ Claim log_form_claim() {
 
 Claim length_claim() {
   return make_claim(
-      {"sec-31-log-form-length", "[Bal16, section 3.1]: the logarithmic form on other intervals",
-       "On an interval of length `L` the coefficient of `c_0 d_0` is `pi^2 log(4/L)`: the form is positive definite on "
-       "all tractions for `L < 4` only; for `L >= 4` on those of zero mean.",
-       "`t dx = sum_k c_k cos(k theta) d theta`, `x = (L/2) cos theta`; the unit of length is that of the logarithm",
-       "`log|x-x'| = log(L/2) + log|cos theta - cos phi|` adds `-log(L/2) <<t_1, 1>> <<t_2, 1>>`, and `<<t, 1>> = pi "
-       "c_0`. So `pi^2 (log 2 - log(L/2)) = pi^2 log(4/L)`; the other coefficients do not know `L`. The equilibrium `t "
-       "= 1/sqrt(L^2/4-x^2)` has no energy at `L = 4` and a negative one beyond: `L/4` is the interval's capacity. "
-       "Zero mean is `c_0 = 0`"},
-      check_with({5, Rational(7, 2), Rational(1, 2), Rational(9, 2), 20}), LogSaid{},
+      claim_text("sec-31-log-form-length"), check_with({5, Rational(7, 2), Rational(1, 2), Rational(9, 2), 20}),
+      LogSaid{},
       std::vector<Wrong<LogSaid>>{
           wrong("positive up to length 8", [](LogSaid& s) { s.critical = 8; }),
           wrong("positive up to length 2", [](LogSaid& s) { s.critical = 2; }),

@@ -85,17 +85,7 @@ Claim decomposition_claim() {
     return Wrong<UnitFormula>{std::move(name), right.changed(change)};
   };
   return make_claim(
-      {"sec-31-decomposition", "[Bal16, section 3.1, (8)]: tractions split by t_0",
-       "Every `t` is `t_tilde + t_0 <<t, 1>>` with `t_tilde` of zero mean, and `b(t_0, t_hat) = 0` for all `t_hat` of "
-       "zero mean: `b(t, t_hat) = b(t_tilde, t_hat)`. For any `t`, `b(t_0, t) = K <<t, 1>>`, `K = -(log 2 + C_E + "
-       "(Psi(1/2+alpha) + Psi(1/2-alpha))/2)/pi`, `Psi` the digamma function, `C_E` Euler's constant.",
-       "`]-1, 1[`, constant `s` of either sign",
-       "`int t_0 = 1`, so that `t - t_0 <<t, 1>>` has zero mean. `b(t_1, t_2) = <<u_1, t_2>>` where `u_1 = -(1/pi) t_1 "
-       "* log|x| + (s/2) t_1 * sgn` has the slope `A t_1`. `A t_0 = 0`: `u_0` is a constant `K`, and `<<K, t_hat>> = K "
-       "<<t_hat, 1>> = 0`. At `x = 1` it is `K = -(1/pi) int t_0 log(1-x) dx + s/2`; the integral is the derivative of "
-       "a Beta function, `log 2 + Psi(1/2+alpha) + C_E`, and `Psi(1/2+alpha) - Psi(1/2-alpha) = pi tan(pi alpha) = pi "
-       "s` makes it symmetric"},
-      check_unit, right,
+      claim_text("sec-31-decomposition"), check_unit, right,
       std::vector<Wrong<UnitFormula>>{
           wrong("alpha's sign in t_0", [](auto& said, const Rational&) { std::swap(said.t.left, said.t.right); }),
           wrong("arguments exchanged: b(t_hat, t_0)", [](auto& said, const Rational&) { said.s = -said.s; }),
@@ -203,15 +193,7 @@ Claim coercive_claim() {
     return Wrong<CoerciveSaid>{std::move(name), changed<CoerciveSaid>(change)};
   };
   return make_claim(
-      {"sec-31-coercive", "[Bal16, section 3.1]: b is coercive whatever the constant friction",
-       "For constant `s` and zero mean `b(t, t) = |t|^2/pi`, `|t|^2 = -<<t * log|x|, t>>`: friction does not enter; "
-       "and `|b(t_1, t_2)| <= sqrt(1+s^2) |t_1| |t_2|/pi`.",
-       "`]-1, 1[`, `s` of either sign; examined for finite sums of `T_k/sqrt(1-x^2)` and on cells. `|t|` is equivalent "
-       "to the norm of `H^{-1/2}` [Bal16, section 3.1]",
-       "`<<t * sgn, t>> = 0`, since the kernel is odd: of `b(t, t)` the logarithmic part is left. On zero mean the "
-       "Fourier transform of `b`'s kernel is `(1 - i s sgn(k))/|k|`, of modulus `sqrt(1+s^2)/|k|`, where that of "
-       "`-log|x|` is `pi/|k|`; Cauchy-Schwarz gives the bound. The two constants are those of Lax and Milgram: their "
-       "ratio is `1/cos(pi alpha)`"},
+      claim_text("sec-31-coercive"),
       [forms = std::make_shared<std::pair<Forms, Forms>>()](const Context& context, const CoerciveSaid& said) {
         return check_coercive(context, said, *forms);
       },

@@ -161,18 +161,7 @@ std::vector<Evidence> check(const Context& context, const FormSaid& said) {
 Claim form_of_displacements_claim() {
   using F = FormSaid;
   return make_claim(
-      {"sec-32-form-a", "[Bal16, section 3.2]: the form of problem I",
-       "`a(u_1, u_2) = <<u_1, L(u_2)>> = b(L(u_1), L(u_2))` is continuous and coercive on `H_0`: with `a_0` the form "
-       "without friction, `a_0(u, u)/(1+s^2) <= a(u, u) <= a_0(u, u)` and `|a(u_1, u_2)| <= sqrt(a_0(u_1, u_1) "
-       "a_0(u_2, u_2))`, and on polynomials of high degree the lower bound is approached.",
-       "constant `s = gamma f`, of either sign; examined on polynomials, the bounds and quick runs in double",
-       "`L(u_1)` has the displacement `u_1` up to a constant, which a traction of zero mean does not feel: so "
-       "`b(L(u_1), L(u_2)) = <<u_1, L(u_2)>>`. For `t` of zero mean, with integral `T` and Fourier transform `F(k)`, "
-       "`b(t, t)` is `int |F(k)|^2/|k|` up to a factor, so that `|int T_1 t_2|^2 <= b(t_1, t_1) b(t_2, t_2)`. So `b` "
-       "is the scalar product `b_0` times `1 + K` with `K` skew and of norm at most `|s|`; `a` is the inverse, in "
-       "`a_0` it is `(1+K)^{-1}`, with the symmetric part `(1-K^2)^{-1}`. In Chebyshev's polynomials `a_0(T_j, T_k) = "
-       "pi k/2` for `j = k` and `0` otherwise."},
-      check, F(),
+      claim_text("sec-32-form-a"), check, F(),
       std::vector<Wrong<F>>{
           {"L with the printed (1+x)^{1/2}", changed<F>([](F& said) { said.inverse.printed = true; })},
           {"L with the friction's sign reversed", changed<F>([](F& said) { said.inverse.friction = -1; })},

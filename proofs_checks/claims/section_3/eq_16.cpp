@@ -85,18 +85,7 @@ std::vector<Evidence> check(const Context& context, const ConjugateSaid& said) {
 
 Claim conjugate_functional_claim() {
   using S = ConjugateSaid;
-  return make_claim({"eq-16-conjugate", "[Bal16, (16)]: the conjugate of phi",
-                     "The Legendre-Fenchel conjugate of `phi` at `-t_hat`, the supremum of `<<-t_hat, u_hat>> - "
-                     "phi(u_hat)` over `u_hat`, is `-<<psi_bar, t_hat>>` for `t_hat in K_0'` and infinite elsewhere, "
-                     "with no further constant; and `phi` is its conjugate in turn.",
-                     "`t_hat` of zero mean, `P > 0`; examined exactly, on up to six nodes with any positive weights of "
-                     "sum `1` for `t_0`",
-                     "With `v = u_hat - psi_bar` the supremum is `-<<psi_bar, t_hat>>` plus that of `<<P t_0 - t_hat, "
-                     "v>> - P max v`. `P t_0 - t_hat` has the integral `P`: where it is nonnegative the difference is "
-                     "`<= 0`, and `0` for `v = 0`; where it is negative somewhere, `v` large and negative there makes "
-                     "it as large as one likes. Back, `<<-t_hat, v>>` over `K_0'` is largest where all of the load "
-                     "acts at the maximum of `v`, and there it is `phi`."},
-                    check, S(),
+  return make_claim(claim_text("eq-16-conjugate"), check, S(),
                     std::vector<Wrong<S>>{
                         {"+<<psi, t_hat>>", changed<S>([](S& said) { said.profile = 1; })},
                         {"without <<psi, t_hat>>", changed<S>([](S& said) { said.profile = 0; })},

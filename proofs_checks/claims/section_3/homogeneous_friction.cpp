@@ -136,18 +136,7 @@ Claim homogeneous_friction_claim() {
     return check(context, said, *known);
   };
   return make_claim(
-      {"thm-08-homogeneous", "[Bal16, theorem 8]",
-       "There is exactly one pair `u_bar_n`, `t_n` with `(1/pi) PV int_{-1}^1 t_n(y)/(y-x) dy + gamma f t_n(x) = "
-       "u_bar_n'(x)`, `u_bar_n <= psi_bar`, `t_n <= 0`, `t_n (u_bar_n - psi_bar) = 0` and `int t_n = -P`; with "
-       "`psi_bar + C` it is `u_bar_n + C`, `t_n`. Examined: solutions by singular functions satisfy all conditions, "
-       "the closed forms are the same, and `psi_bar + C` changes neither traction nor gap.",
-       "constant `f`, either direction, `P > 0`; free ends, edges at the rear and at the front, flat punches",
-       "`u_bar_n in H^{1/2}` is fixed up to a constant by problem I, and the constant by `max(u_bar_n - psi_bar) = 0`: "
-       "contact somewhere, since `P > 0`. `t_n = L(u_bar_n) - P t_0` then satisfies the equation because `L(u_bar_n)` "
-       "does and `A t_0 = 0`, and the load because `int L(u_bar_n) = 0` and `int t_0 = 1`. The conditions (11) are "
-       "those of proposition 5. Only `u_bar_n - psi_bar` and `psi_bar'` enter, so a constant in `psi_bar` goes to "
-       "`u_bar_n`."},
-      examine, S(),
+      claim_text("thm-08-homogeneous"), examine, S(),
       std::vector<Wrong<S>>{
           {"the second solver with the friction's sign reversed", changed<S>([](S& said) { said.friction = -1; })},
           {"the second solver with twice the load", changed<S>([](S& said) { said.load = 2; })},

@@ -148,19 +148,7 @@ Claim functional_claim() {
     return check(context, said, *pairings);
   };
   return make_claim(
-      {"lemma-04-functional", "[Bal16, (13) and lemma 4]: the functional of the displacement form",
-       "`phi(u_hat)`, the infimum of `<<-P t_0, u_hat - psi_bar + C>>` over all `C` with `u_hat - psi_bar + C <= 0`, "
-       "is `<<P t_0, sup(u_hat - psi_bar) - (u_hat - psi_bar)>>`, `sup` the essential supremum; it is proper, `phi >= "
-       "0` and `phi(psi_bar) = 0`, convex, positively homogeneous in `u_hat - psi_bar`, and lower semicontinuous on "
-       "`H_0` but not continuous: spikes `w_L` of height `1`, standing where `u_hat - psi_bar` is largest, tend to `0` "
-       "in `H^{1/2}`, and `phi(u_hat + w_L) -> phi(u_hat) + P`.",
-       "`P > 0`, constant `s` of either sign; examined on polygons and cubics, spikes in double",
-       "`t_0 >= 0` has the integral `1`, so `<<-P t_0, v + C>>` falls with `C` at the rate `P` and is least at the "
-       "largest `C` allowed, `-sup v`. `sup v` is a supremum of linear functions of `v`, hence convex, and lower "
-       "semicontinuous even in `L^2`: where `v_n <= M` almost everywhere, so is a limit of a subsequence. `<<t_0, v>>` "
-       "is continuous because `t_0 in H^{-1/2}`. A point has no capacity in `H^{1/2}`: `w_L(x) = log(1/|2x|)/L`, cut "
-       "at `1`, has at most the energy `pi/L` of its extension to the half-plane."},
-      examine, S(),
+      claim_text("lemma-04-functional"), examine, S(),
       std::vector<Wrong<S>>{
           {"the printed u_bar_n instead of u_hat in the second line of (13)",
            changed<S>([](S& said) { said.own_displacement = false; })},

@@ -147,19 +147,7 @@ Claim linked_problems_claim() {
   };
   const auto in_form = [](auto change) { return changed<S>([&](S& said) { change(said.displacement); }); };
   return make_claim(
-      {"prop-07-problems-linked", "[Bal16, proposition 7]: what links problems I and I0",
-       "The solutions of problems I and I0 are linked by `t_tilde_n = L(u_bar_n)`. Examined with discretisations that "
-       "share nothing: `u_bar_n` by polynomials and formula (10), `t_tilde_n` on cells and by the logarithm. In full "
-       "contact the forces of problem I are those of the Riemann-Hilbert solution; with free ends and edges "
-       "`L(u_bar_n)` tends to it as `1/n^2`, and to the solution on `4 n` cells as fast as the cells allow.",
-       "constant `f`, either direction; rates and quick runs in double, rates within `+-0.2` (quick: `+-0.35`), each "
-       "level the root mean square of 14 (quick: 7) neighbouring `n`",
-       "Let `t_tilde_n` solve problem I0 and `u_bar_n = L^{-1}(t_tilde_n)`. Then `b(t_tilde_n, t_hat - t_tilde_n) = "
-       "<<u_bar_n, t_hat - t_tilde_n>>`, so problem I0 is (i) of proposition 5 for the pair. By (ii) `<<t_tilde_n, "
-       "u_hat - u_bar_n>> + phi(u_hat) - phi(u_bar_n) >= 0`, and `<<t_tilde_n, u_hat - u_bar_n>> = a(u_hat - u_bar_n, "
-       "u_bar_n)`: this is problem I. The rate `2` is that of a free end within the distance of two nodes; an edge "
-       "costs nothing, since `L(u)` has the edge's powers built in."},
-      check, S(),
+      claim_text("prop-07-problems-linked"), check, S(),
       std::vector<Wrong<S>>{
           {"problem I with the friction's sign reversed",
            in_form([](DisplacementSaid& said) { said.inverse.friction = -1; })},

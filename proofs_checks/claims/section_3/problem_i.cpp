@@ -101,17 +101,7 @@ std::vector<Evidence> check(const Context& context, const ProblemSaid& said) {
 Claim problem_i_claim() {
   using S = ProblemSaid;
   return make_claim(
-      {"prop-07-problem-I", "[Bal16, proposition 7]: problem I has one solution",
-       "There is exactly one `u_bar_n in K_0` with `a(u_hat - u_bar_n, u_bar_n) + phi(u_hat) - phi(u_bar_n) >= 0` for "
-       "all `u_hat in K_0`; examined on polynomials of degree below `n`: active sets from random sets and least-index "
-       "pivots end in the same one, and it satisfies the inequality for random `u_hat`.",
-       "constant `f`, either direction, `P > 0`; `t_0` and `L` exact, the essential supremum over `n` nodes; in double",
-       "The form is continuous and coercive and `phi` is proper, convex and lower semicontinuous: that is what theorem "
-       "25 asks for. Of two solutions `u_1`, `u_2` each is put into the other's inequality; the sum says `-a(u_1 - "
-       "u_2, u_1 - u_2) >= 0`, and coercivity leaves `u_1 = u_2` in the quotient. On polynomials `phi` is the largest "
-       "of `n` linear functions, and the inequality is a linear complementarity problem for contact forces `p_i >= 0` "
-       "and gaps `g_i >= 0`, with a matrix that is positive definite as soon as some gap is zero."},
-      check, S(),
+      claim_text("prop-07-problem-I"), check, S(),
       std::vector<Wrong<S>>{
           {"the friction's sign reversed in L", changed<S>([](S& said) { said.displacement.inverse.friction = -1; })},
           {"L with the printed (1+x)^{1/2}", changed<S>([](S& said) { said.displacement.inverse.printed = true; })},

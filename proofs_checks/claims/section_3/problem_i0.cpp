@@ -178,19 +178,7 @@ Claim problem_i0_claim() {
     });
   };
   return make_claim(
-      {"prop-06-problem-I0", "[Bal16, proposition 6]: problem I0 has one solution",
-       "There is exactly one `t_tilde_n in K_0'` with `b(t_tilde_n, t_hat - t_tilde_n) >= <<psi_bar, t_hat - "
-       "t_tilde_n>>` for all `t_hat in K_0'`; examined on piecewise constant tractions: active sets from random sets "
-       "and Lemke's method end in the same one, it satisfies the inequality, and as the cells get shorter it tends to "
-       "the Riemann-Hilbert solution, as `1/N` with an edge and `1/N^2` with free ends alone.",
-       "constant `f`, either direction, `P > 0`; in double. Eight moments in the norm of `H^{-1/2}`, rates within "
-       "`+-0.15` (quick: `+-0.3`)",
-       "For constant `s` and `t` of zero mean with integral `T`, the friction's part of `b(t, t)` is `s int T T' = 0`, "
-       "so `b(t, t) = -(1/pi) <<t * log|x|, t>>`: positive, the square of a norm of `H^{-1/2}`, whatever `s`. `K_0'` "
-       "is convex and closed and not empty, and the theorem of Lions and Stampacchia applies. On cells the same form "
-       "is positive on the same simplex of forces. The rates are those of `lambda + mu + 2` over the ends of contact, "
-       "`lambda` the exponent of the traction there and `mu` that of the edge under the friction reversed."},
-      check, S(),
+      claim_text("prop-06-problem-I0"), check, S(),
       std::vector<Wrong<S>>{
           {"the friction reversed in the Riemann-Hilbert solution", changed<S>([](S& said) { said.reversed = true; })},
           {"twice the load", changed<S>([](S& said) { said.load = 2; })},

@@ -141,20 +141,7 @@ Claim contact_conditions_claim() {
   const auto in_conditions = [](auto change) { return changed<S>([&](S& said) { change(said.conditions); }); };
   using C = ConditionsSaid;
   return make_claim(
-      {"prop-05-equivalence", "[Bal16, proposition 5]: the contact conditions as inequalities",
-       "For `u_bar_n in H_0`, `t_tilde_n in H_0'` and `P > 0` these are equivalent: (11) there is a `C` with `u_bar_n "
-       "- psi_bar + C <= 0`, `t_tilde_n - P t_0 <= 0` and product `0`; (i) `t_tilde_n in K_0'` and `<<t_hat - "
-       "t_tilde_n, u_bar_n - psi_bar>> >= 0` for all `t_hat in K_0'`; (ii) `u_bar_n in K_0` and `<<t_tilde_n, u_hat - "
-       "u_bar_n>> + phi(u_hat) - phi(u_bar_n) >= 0` for all `u_hat in K_0`.",
-       "examined exactly on nodes, with pairs that satisfy (11) and pairs that miss it by little; the steps of the "
-       "proof on polygons",
-       "With contact forces `p >= 0` of sum `P` in the place of `P t_0 - t_tilde_n`, (i) says that `<<p, u_bar_n - "
-       "psi_bar>>` is the largest that such a `p` allows, `P max(u_bar_n - psi_bar)`: `p` acts only where the maximum "
-       "is. In (ii) `u_hat = psi_bar` and `u_hat = psi_bar + 2(u_bar_n - psi_bar)` give `P max(u_bar_n - psi_bar) = "
-       "<<p, u_bar_n - psi_bar>>`, and any `u_hat <= psi_bar` then gives `p >= 0`. In the continuous proof of (i) the "
-       "set `S` of `u_bar_n - psi_bar + C > 0` has no measure, else `t_hat = P t_0` off `S` and `t_hat = -(1/m) int P "
-       "t_0`, over the complement, on `S` of measure `m` is in `K_0'` and violates (i)."},
-      check, S(),
+      claim_text("prop-05-equivalence"), check, S(),
       std::vector<Wrong<S>>{
           {"the printed test function without the minus sign", changed<S>([](S& said) { said.test_function = 1; })},
           {"-C instead of C in (14)", changed<S>([](S& said) { said.constant = -1; })},

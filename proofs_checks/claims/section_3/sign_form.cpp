@@ -147,21 +147,7 @@ Wrong<SignSaid> wrong(std::string name, Change change) {
 
 std::vector<Claim> sign_form_claims() {
   return {make_claim(
-      {"sec-31-sign-form", "[Bal16, section 3.1]: the form with the sign function",
-       "`<<t_1 * sgn, t_2>> = -<<t_2 * sgn, t_1>>`, so that it is zero for `t_1 = t_2`; with the coefficients of "
-       "`T_j/sqrt(1-x^2)` it is `sum_j sum_k 2 (1-(-1)^{j+k}) c_j d_k/(k^2-j^2)`. It is bounded: `|<<t_1 * sgn, t_2>>| "
-       "<= (2/pi) |t_1| |t_2|` on zero mean, `|t|^2 = -<<t * log|x|, t>>`, and on all tractions on `]-1, 1[` with "
-       "`1/pi + sqrt(1/pi^2 + 28 zeta(3)/(pi^4 log 2))` for `2/pi`. Where `s` jumps the form `<<int s t_1, t_2>>` is "
-       "not bounded: on `N` cells its symmetric part grows like `log N`.",
-       "`]-1, 1[`; examined for finite sums and on cells",
-       "The kernel `sgn(x-x')` is odd, and exchanging the arguments changes its sign. In the angles, `sgn(x-x') = "
-       "sgn(theta'-theta)`: `int_0^pi cos(j theta') sgn(theta'-theta) d theta' = -2 sin(j theta)/j` for `j >= 1`, and "
-       "`int_0^pi sin(j theta) cos(k theta) d theta = j (1-(-1)^{j+k})/(j^2-k^2)`. The Fourier transforms of `-log|x|` "
-       "and `sgn` are `pi/|k|` and `2/(i k)` away from `k = 0`: for zero mean the form is `2/pi` times that of a "
-       "factor of modulus 1, and Cauchy-Schwarz gives the bound. What zero mean leaves out is `1/(pi sqrt(1-x^2))`, "
-       "orthogonal to it in the logarithmic form, and its products with `T_k/sqrt(1-x^2)` sum up to `28 zeta(3)/(pi^4 "
-       "log 2)`. A jump of `s` at `c` adds `(s_+ - s_-) T(c)^2/2` to `<<int s t, t>>`, `T = int_{-1}^x t`, and no norm "
-       "of `H^{1/2}` bounds a value of `T` at a place"},
+      claim_text("sec-31-sign-form"),
       [forms = std::make_shared<SignForms>()](const Context& context, const SignSaid& said) {
         return check(context, said, *forms);
       },

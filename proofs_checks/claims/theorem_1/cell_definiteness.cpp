@@ -68,17 +68,7 @@ std::vector<Claim> cell_definiteness_claims() {
   using P = PencilSaid;
   std::vector<Claim> claims;
   claims.push_back(make_claim(
-      {"vi-definite-rising", "[Bal16, theorem 1], the positive form behind it, on cells",
-       "On tractions of zero mean the symmetric part of Galerkin's operator is at least `E = -(1/pi) <<t * log|x|, "
-       "t>>` where `s` is nondecreasing. With one jump its smallest eigenvalue relative to `E` is `min(1, 1 + (s_+ - "
-       "s_-) sup(T(c)^2/E)/2)`, `T(c)` the force to the left of the jump, the supremum over the tractions of zero mean "
-       "on these cells.",
-       "At least three cells, equal, unequal or graded to a jump; one jump of either sign, or several that rise.",
-       "The energy is `E + (1/2) sum_k (s_k - s_{k-1}) T(c_k)^2`. With no negative term it is at least `E`. One jump "
-       "adds a form of rank one: relative to `E` all eigenvalues are 1 but one, which is `1 + (1/2) (s_+ - s_-) <<w, "
-       "E^{-1} w>>` with `T(c) = <<w, t>>`, and `<<w, E^{-1} w>>` is the supremum of `T(c)^2/E`. With three cells or "
-       "more there is a traction with `T(c) = 0`, and the eigenvalue 1 remains."},
-      check_pencil, P(),
+      claim_text("vi-definite-rising"), check_pencil, P(),
       std::vector<Wrong<P>>{
           {"several jumps, falling instead of rising", changed<P>([](P& said) { said.several = Trend::falling; })},
           {"the jump without the factor 1/2", changed<P>([](P& said) { said.factor = 1; })},

@@ -184,20 +184,7 @@ std::vector<Evidence> check(const Context& context, const EnergySaid& said) {
 
 std::vector<Claim> cell_energy_claims() {
   return {make_claim(
-      {"vi-energy-identity", "[Bal16, section 3.1], with jumps, on cells",
-       "For tractions of zero mean `b(t, t) = -(1/pi) <<t * log|x|, t>> + (1/2) sum_k (s_k - s_{k-1}) "
-       "T(c_k)^2`, `T` the integral of `t` from the left end: of the friction only its jumps are felt, and "
-       "where `s` rises their energy is positive. Galerkin's operator on cells has this energy without "
-       "error, wherever in the cells the jumps lie.",
-       "`t` constant on each cell, `int t = 0`; equal, unequal and graded cells; `s` piecewise constant, of "
-       "either sign, with up to three jumps.",
-       "By parts `<<int s t, t>> = -int s t T = -(1/2) int s (T^2)'`, which leaves the jumps of `s` times "
-       "`T^2/2`. On cells `t` is a sum of steps of heights `J_i`, and `-(1/pi) <<t * log|x|, t>>` becomes "
-       "`(1/pi) sum_{i<j} J_i J_j r_{ij}^2 log(r_{ij})`, `r_{ij}` the distances of the steps, because "
-       "`log|x|` is the second derivative of `x^2 log|x|/2 - 3 x^2/4`, by parts once in each variable, and "
-       "`sum J = 0`, `sum J x = 0` remove `x^2`. On equal cells the same is `(1/pi) int_0^oo "
-       "|t_hat(k)|^2/k dk`."},
-      check, EnergySaid{},
+      claim_text("vi-energy-identity"), check, EnergySaid{},
       std::vector<Wrong<EnergySaid>>{
           {"the jumps without the factor 1/2", changed<EnergySaid>([](EnergySaid& said) { said.factor_jump = 1; })},
           {"s_{k-1} - s_k instead of s_k - s_{k-1}",

@@ -152,45 +152,22 @@ std::vector<Claim> cell_indefiniteness_claims() {
   using L = LostSaid;
   using G = GradedSaid;
   std::vector<Claim> claims;
-  claims.push_back(make_claim(
-      {"vi-definiteness-lost", "[Bal16, section 3.1]: what fails where s decreases, on equal cells",
-       "On `N` equal cells of `[-1, 1]`, over tractions of zero mean, `sup(T(c)^2/E) = (log(N (1-c^2)) + I + log(pi) + "
-       "C)/pi + O(1/N)` with Euler's constant `C` and `I = int_0^pi (|T_hat|^2/Lambda - 1/phi) d phi`; for a jump `c = "
-       "0` between two cells this is `0.8449 + log(N)/pi`. Where it passes `2/(s_- - s_+)` the symmetric part turns "
-       "indefinite: by this law at `N = 37.7` for a fall of `s` by 1, at `N = 556.5` for 7/10.",
-       "One falling jump, at `c`; the signs of the smallest eigenvalues are examined at `N` 10 % above and below the "
-       "number foretold, the rate of the law for `c = 0`.",
-       "With one falling jump the smallest eigenvalue relative to `E` is `1 - (s_- - s_+) sup(T(c)^2/E)/2`, which "
-       "vanishes at the value stated. `E` is the square of an `H^{1/2}` norm of `T`, in which a point has capacity "
-       "zero: Green's function is `(1/pi) log(2 (1-c^2)/|x-c|)` next to `c`. Cells cut the logarithm off: on the whole "
-       "line `E` has the symbol `Lambda(phi) = 16 sin(phi/2)^4 sum_m |phi + 2 pi m|^{-3}` for the values of `T` at the "
-       "cells' ends, and `|T_hat|^2 = 1 - 2 v (1-v) (1 - cos phi)` for `c` at the part `v` of its cell."},
-      check_lost, L(),
-      std::vector<Wrong<L>>{
-          {"half the slope: log(N)/(2 pi)", changed<L>([](L& said) { said.law.slope /= 2; })},
-          {"the logarithm alone, no constant", changed<L>([](L& said) { said.law.constant = false; })},
-          {"s rising instead of falling", changed<L>([](L& said) { said.sign = -1; })},
-          {"Lambda = phi, as without cells", changed<L>([](L& said) { said.law.cells_form = false; })},
-          {"near miss: the constant moved by 1/1000", changed<L>([](L& said) { said.law.moved = 1e-3; })}}));
-  claims.push_back(make_claim(
-      {"vi-definiteness-lost-graded", "[Bal16, section 3.1]: what fails where s decreases, on graded cells",
-       "On cells graded to the jump by the ratio 2, `sup(T(c)^2/E)` grows as `log(1/h)/pi` with the smallest cell `h`, "
-       "over the length of the support. With the constant measured at `h = 1/1000` and `1/10000` this foretells to 10 "
-       "% at which `h` the symmetric part turns indefinite on tractions of zero mean: `1.1e-8` for a fall of `s` by "
-       "3/10.",
-       "One falling jump in the middle of the support, by 1/4 to 9/25; the signs are examined at `h` 10 % above and "
-       "below. Cells so graded miss a little of the supremum at every scale, so that the true slope is 0.2 % less.",
-       "The capacity of an interval of length `h` in the `H^{1/2}` energy of `T` is about `pi/log(1/h)`: a unit `T(c)` "
-       "costs that much energy, and the supremum is its reciprocal up to a constant. Graded cells resolve the scales "
-       "from `h` to the length of the support by a number of cells that is proportional to `log(1/h)`. The symmetric "
-       "part turns indefinite where `(s_- - s_+) sup(T(c)^2/E) = 2`."},
-      check_graded, G(),
-      std::vector<Wrong<G>>{
-          {"half the slope: log(1/h)/(2 pi)", changed<G>([](G& said) { said.slope /= 2; })},
-          {"the logarithm alone, no constant", changed<G>([](G& said) { said.constant = false; })},
-          {"s rising instead of falling", changed<G>([](G& said) { said.sign = -1; })},
-          {"near miss: h foretold a sixth too large", changed<G>([](G& said) { said.moved = 0.05; })},
-          {"near miss: h foretold a sixth too small", changed<G>([](G& said) { said.moved = -0.05; })}}));
+  claims.push_back(
+      make_claim(claim_text("vi-definiteness-lost"), check_lost, L(),
+                 std::vector<Wrong<L>>{
+                     {"half the slope: log(N)/(2 pi)", changed<L>([](L& said) { said.law.slope /= 2; })},
+                     {"the logarithm alone, no constant", changed<L>([](L& said) { said.law.constant = false; })},
+                     {"s rising instead of falling", changed<L>([](L& said) { said.sign = -1; })},
+                     {"Lambda = phi, as without cells", changed<L>([](L& said) { said.law.cells_form = false; })},
+                     {"near miss: the constant moved by 1/1000", changed<L>([](L& said) { said.law.moved = 1e-3; })}}));
+  claims.push_back(
+      make_claim(claim_text("vi-definiteness-lost-graded"), check_graded, G(),
+                 std::vector<Wrong<G>>{
+                     {"half the slope: log(1/h)/(2 pi)", changed<G>([](G& said) { said.slope /= 2; })},
+                     {"the logarithm alone, no constant", changed<G>([](G& said) { said.constant = false; })},
+                     {"s rising instead of falling", changed<G>([](G& said) { said.sign = -1; })},
+                     {"near miss: h foretold a sixth too large", changed<G>([](G& said) { said.moved = 0.05; })},
+                     {"near miss: h foretold a sixth too small", changed<G>([](G& said) { said.moved = -0.05; })}}));
   return claims;
 }
 

@@ -126,18 +126,7 @@ std::vector<Evidence> check(const Context& context, const LoadingSaid& said) {
 
 std::vector<Claim> cell_loading_claims() {
   return {make_claim(
-      {"vi-monotone-contact", "[Bal16, (8)]: t0 of one sign, and what follows for growing loads, on cells",
-       "The punch of every set of cells has pressure in all of its cells and penetrates none of the others. Therefore "
-       "the contact under a load contains that under a smaller load, and no pressure falls as the load grows, whether "
-       "`s` rises or falls, in one contact zone or in several.",
-       "Attitude given; equal cells; `|s| <= 1/2`; examined on random sets, frictions and loads with 8 to 47 cells. "
-       "With an indenter that tilts, cells of alternating lengths or `s` up to 5 there are counterexamples on cells, "
-       "which are among the controls.",
-       "While the set `K` of cells in contact stays, a growing load adds the pressures `x` with `B_{KK} x = 1`, the "
-       "punch of `K`. If `x > 0`, and `(B x)_i < 1` off `K`, no pressure falls and cells are taken in only. In the "
-       "continuum this is the function `t_0` of (8), which is of one sign for any number of zones and jumps. On cells "
-       "it is examined, not proved."},
-      check, LoadingSaid{},
+      claim_text("vi-monotone-contact"), check, LoadingSaid{},
       std::vector<Wrong<LoadingSaid>>{
           {"the smaller load taken for the larger one",
            changed<LoadingSaid>([](LoadingSaid& said) { said.larger_load = Rational(1, 2); })},

@@ -196,37 +196,16 @@ std::vector<Claim> cell_solution_claims() {
   using E = ExistenceSaid;
   using U = UniquenessSaid;
   std::vector<Claim> claims;
+  claims.push_back(
+      make_claim(claim_text("vi-discrete-existence"), check_existence, E(),
+                 std::vector<Wrong<E>>{
+                     {"the logarithm with the other sign", changed<E>([](E& said) { said.logarithm = -1; })},
+                     {"negative s integrated from the left end", changed<E>([](E& said) { said.from_left = true; })},
+                     {"lengths in units of half the support's", changed<E>([](E& said) { said.unit = 0.5; })},
+                     {"near miss: pressures moved by ten times what the certificate allows",
+                      changed<E>([](E& said) { said.moved = 10; })}}));
   claims.push_back(make_claim(
-      {"vi-discrete-existence", "[Bal16, theorem 1], existence, on cells; [CPS92, section 4.4]",
-       "No entry of Galerkin's operator `B` is negative and its diagonal is positive, so that `<<B q, q>> > 0` for "
-       "every `q >= 0` but 0 (`B` is strictly copositive). Lemke's path of complementary pivots can then not end in a "
-       "ray, and it reaches every load whatever the friction. Examined are the entries, and paths in rounded "
-       "arithmetic of at most 2000 pivots a cell: the certificate accepts the states that they reach.",
-       "Any cells, `s` of one sign and up to 20, lengths in units of the support's length; a load between the centres "
-       "of the outermost cells where the indenter tilts.",
-       "`(B p)_i` is the mean over a cell of `-(1/pi) int p log|x-x'| dx' + int s p`. Within a support of length 1 the "
-       "logarithm is negative; `int s p` is taken from the left end where `s >= 0` and from the right end, with `-s`, "
-       "where `s <= 0`: no term is negative, and those of the diagonal are not 0. In a ray of the path there would be "
-       "a direction `q >= 0` with `<<B q, q>> <= 0`, hence `q = 0`, which is the ray that the path came from; so the "
-       "load goes continuously from 0 to `oo`."},
-      check_existence, E(),
-      std::vector<Wrong<E>>{
-          {"the logarithm with the other sign", changed<E>([](E& said) { said.logarithm = -1; })},
-          {"negative s integrated from the left end", changed<E>([](E& said) { said.from_left = true; })},
-          {"lengths in units of half the support's", changed<E>([](E& said) { said.unit = 0.5; })},
-          {"near miss: pressures moved by ten times what the certificate allows",
-           changed<E>([](E& said) { said.moved = 10; })}}));
-  claims.push_back(make_claim(
-      {"thm-01-uniqueness-on-cells", "[Bal16, theorem 1], uniqueness: what follows from it on cells",
-       "Where `s` is nondecreasing the discrete problem has one solution: active sets that start from random sets of "
-       "cells, and Lemke's method, end in the same pressures. This supports what the argument of theorem 1 says of "
-       "cells; it is no proof of the theorem itself.",
-       "Attitude of the indenter given; `s` nondecreasing, of one sign, up to 3; any cells; starts from which active "
-       "sets cycle are left out.",
-       "Let `p` and `q` be two solutions under the same load. From `p_i g_i = 0`, `p_i >= 0` and `g_i >= 0` for both, "
-       "`<<B (p-q), p-q>> <= 0`. But `p - q` has zero mean, and there the energy is `E + (1/2) sum_k (s_k - s_{k-1}) "
-       "T(c_k)^2`, which is positive unless `p = q`."},
-      check_uniqueness, U(),
+      claim_text("thm-01-uniqueness-on-cells"), check_uniqueness, U(),
       std::vector<Wrong<U>>{
           {"s falling by 5: a problem with three solutions", changed<U>([](U& said) { said.rising = false; })},
           {"twice the load for one of the methods", changed<U>([](U& said) { said.doubled = true; })},

@@ -15,17 +15,7 @@ const std::vector<symbolic::DecidedStatement>& energies() {
 
 Claim derived_energy() {
   return derived(
-      {"energy-identity", "[Bal16, sections 3.1 and 4]: the energy of a traction of zero mean",
-       "`b(t, t) = -(1/pi) <<t * log|x|, t>> + (1/2) sum_k (s_k - s_{k-1}) T(c_k)^2`, `T(x) = int_{-1}^x t`: of the "
-       "friction only its jumps are felt. One friction value gives a skew-symmetric form, and the logarithmic one is "
-       "`(pi/2) sum_n a_n^2/n` for `t = sum_n a_n T_n(x)/sqrt(1-x^2)`, `T_n` Chebyshev's polynomials.",
-       "`int t = 0`; `s` constant between its jumps. Decided for two jumps and piecewise polynomials, and for three "
-       "jumps and `n <= 5`, with coefficients, frictions and places of the jumps as symbols.",
-       "`T` vanishes at both ends, so that integration by parts gives `<<int_{-1}^x s t, t>> = -int s t T`, and `t T = "
-       "(T^2)'/2`. Between two jumps `s` is constant and the integral is a difference of values of `T^2`; the sum over "
-       "the panels leaves `(1/2) sum_k (s_k - s_{k-1}) T(c_k)^2`. The logarithm takes `T_n(x)/sqrt(1-x^2)` to `-(pi/n) "
-       "T_n(x)`, and Chebyshev's polynomials are orthogonal with the weight `1/sqrt(1-x^2)`."},
-      energies,
+      claim_text("energy-identity"), energies,
       {{"piecewise polynomials",
         {"energy-piecewise-polynomial"},
         {"without 1/2", "jumps of the other sign", "the sum for the difference", "T for T^2",

@@ -215,19 +215,7 @@ std::vector<Evidence> check(const Context& context, const CornerFormula& formula
 Claim wedge_and_jump() {
   const CornerFormula right = jump_formula();
   return make_claim(
-      {"thm-02-solved-wedge-and-jump", "[Bal16, theorem 2]: a wedge where the friction jumps, in solved problems",
-       "At a wedge where the friction jumps, `t = D(x)/[s] + cos(pi alpha(x)) |x-c|^beta B(x)`, `D = psi_bar'_+ - "
-       "psi_bar'_-` continued as polynomials, `beta = alpha_- - alpha_+`, `B` analytic across `c` with `B(c) = "
-       "-theta`. `t <= 0` demands `theta >= 0` for `beta < 0`, and for `beta > 0` without a wedge; with a wedge and "
-       "`beta > 0` it demands `D(c) >= 0` and leaves `theta` either sign.",
-       "Solved contact problems with contact on both sides of `c`, profiles of two parabolas; five of them (two in a "
-       "quick run), at 50 digits or more.",
-       "`D/[s]` on both sides satisfies the equation up to an analytic function, since `s D/[s]` jumps by `D`. What is "
-       "left solves the equation without a jump of the slope, and there Mellin's symbols allow `A_-+ |x-c|^lambda` "
-       "with `cot(pi lambda) = -cot(pi (alpha_+ - alpha_-))` only: `lambda = beta + k` with `A_- : A_+ = (-1)^k cos(pi "
-       "alpha_-) : cos(pi alpha_+)`, that is `cos(pi alpha) |x-c|^beta` times `(x-c)^k`. `k < 0` is not integrable, "
-       "or, with `beta > 0` and `k = -1`, a tension on one side. Measured: `(t - D/[s])/(cos(pi alpha) |x-c|^beta)` on "
-       "one side of `c` is continued by polynomials to the other side, and has to agree there."},
+      claim_text("thm-02-solved-wedge-and-jump"),
       [](const Context& context, const CornerFormula& formula) {
         return check(context, formula, jump_corners(context));
       },
@@ -252,15 +240,7 @@ Claim wedge_and_jump() {
 Claim wedge() {
   const CornerFormula right = plain_formula();
   return make_claim(
-      {"thm-09-solved-wedge", "[Bal16, theorems 2 and 9]: a wedge without a jump, in solved problems",
-       "At a wedge under one friction value `t = (D(x)/(1+s^2)) (log|x-c|/pi + s H(x-c))` + one function analytic "
-       "across `c`, `D = psi_bar'_+ - psi_bar'_-` continued as polynomials.",
-       "Solved contact problems with contact on both sides of `c`; three of them (one in a quick run), also without "
-       "friction and with a jump of the curvature alone; at 50 digits or more.",
-       "For `a log|x-c| + b H(x-c)` the equation leaves `(pi a + s b) H(x-c) + (s a - b/pi) log|x-c|`: the logarithm "
-       "has to vanish and the step to be `D`, so that `a = D/(pi (1+s^2))` and `b = s D/(1+s^2)`. Multiplying by `x` "
-       "changes the integral by a constant only: `D(c)` may be replaced by `D(x)`. Measured: `t` less the singular "
-       "part, on one side of `c`, is continued by polynomials to the other side, and has to agree there."},
+      claim_text("thm-09-solved-wedge"),
       [](const Context& context, const CornerFormula& formula) {
         return check(context, formula, plain_corners(context));
       },

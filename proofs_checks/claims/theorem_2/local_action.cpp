@@ -108,25 +108,13 @@ std::vector<Evidence> check_at(const Context& context, const Formula& formula) {
 
 }  // namespace
 
-std::vector<Claim> local_action_claims() {
-  return {make_claim<Formula>(
-      {"local-action", "[Bal16, proofs of theorems 9 and 10]: the operator on powers, logarithms and steps",
-       "`H t = (1/pi) PV int t(x')/(x'-x) dx'` takes `|x|^lambda`, carried by `x > 0`, to `-cot(pi lambda) |x|^lambda` "
-       "for `x > 0` and to `-|x|^lambda/sin(pi lambda)` for `x < 0`, up to one power series on both sides. Likewise "
-       "with factors `x^n` and `log|x|`, for integer powers, and for densities on `x < 0`.",
-       "Densities cut off at `|x| = 1`, powers above -1; examined for `-4/5 <= lambda <= -1/10`, `n <= 2` and up to "
-       "two factors `log|x|` (in a quick run one of either), at `1/100 <= |x| <= 1/4`.",
-       "On the half-line the integral is Mellin's: `(1/pi) PV int_0^oo y^lambda/(y-1) dy = -cot(pi lambda)` and "
-       "`(1/pi) int_0^oo y^lambda/(y+1) dy = -1/sin(pi lambda)` for `-1 < lambda < 0`; the part beyond the cut-off is "
-       "a power series in `x`. Multiplication of the density by `x` changes `H t` by a constant only, derivatives with "
-       "respect to `lambda` give the logarithms, and finite parts at integer `lambda` the integer powers. `x -> -x` "
-       "changes the sign of `H`."},
-      check_at, {},
-      {{"+cot(pi lambda) on the density's side", {WrongSymbol::cotangent_sign}},
-       {"+1/sin(pi lambda) on the other side", {WrongSymbol::cosecant_sign}},
-       {"cotangent and sine on each other's side", {WrongSymbol::sides_exchanged}},
-       {"1/pi missing", {WrongSymbol::pi_missing}},
-       {"near miss: the value moved by ten times the tolerance", {std::nullopt, true}}})};
+Claim local_action() {
+  return make_claim<Formula>(claim_text("local-action"), check_at, {},
+                             {{"+cot(pi lambda) on the density's side", {WrongSymbol::cotangent_sign}},
+                              {"+1/sin(pi lambda) on the other side", {WrongSymbol::cosecant_sign}},
+                              {"cotangent and sine on each other's side", {WrongSymbol::sides_exchanged}},
+                              {"1/pi missing", {WrongSymbol::pi_missing}},
+                              {"near miss: the value moved by ten times the tolerance", {std::nullopt, true}}});
 }
 
 }  // namespace steadyslide::proofs_checks

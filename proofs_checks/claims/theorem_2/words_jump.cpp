@@ -183,21 +183,7 @@ std::vector<Evidence> check(const Context& context, Once<JumpProblems>& once, co
 
 Claim words_jump() {
   return make_claim(
-      {
-          "thm-02-words-jump",
-          "[Bal16, theorem 2], in words: a friction jump without a wedge",
-          "Where the contact surrounds a jump of `f` at `c` and the profile has no wedge there, `t_n = -theta(x) "
-          "cos(pi alpha(x)) |x-c|^beta` with `beta = alpha(c-) - alpha(c+)`: if `f` rises towards the front, `f(c+) > "
-          "f(c-)`, `beta < 0` and `t_n -> -oo` as far as `theta(c) != 0`; if `f` falls, `beta > 0` and `t_n -> 0`.",
-          "`gamma > 0`; contact on both sides of `c`; `psi'` continuous at `c`. The printed sentence leaves out "
-          "`theta(c) != 0` in the first case: `theta(c)` is decided by the whole problem, not by what is near `c`.",
-          "`alpha = arctan(gamma f)/pi` increases with `f`, so that `beta = alpha(c-) - alpha(c+)` has the sign of "
-          "`f(c-) - f(c+)`; `theta` is bounded, which gives the limit `0` for `beta > 0`, and `-oo` for `beta < 0` "
-          "wherever `theta(c) > 0`. That `theta(c) = 0` can happen is seen on a punch with edges at `-1` and `1`: `t = "
-          "-cos(pi alpha) |Y| (x-c)^2`, `Y = (z+1)^{-(1/2+alpha_-)} (z-c)^beta (z-1)^{-(1/2-alpha_+)}`, is a pressure "
-          "everywhere and the solution for the hollow punch `psi_bar' = -(x - sum_j p_j e_j - 2 c)` with `p_j` the "
-          "powers in `Y` and `e_j` their places.",
-      },
+      claim_text("thm-02-words-jump"),
       [once = std::make_shared<Once<JumpProblems>>()](const Context& context, const JumpSaid& said) {
         return check(context, *once, said);
       },

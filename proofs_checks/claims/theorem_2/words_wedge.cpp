@@ -175,19 +175,7 @@ std::vector<Evidence> check(const Context& context, Once<WedgeProblems>& once, c
 
 Claim words_wedge() {
   return make_claim(
-      {"thm-02-words-wedge", "[Bal16, theorem 2], in words: a wedge where the friction does not jump",
-       "Where the contact surrounds the vertex `c` of a wedge, `psi'(c+) > psi'(c-)`, and `f` does not jump there, "
-       "`t_n` has the logarithm `(D/(1+s^2)) log|x-c|/pi` with `D = psi_bar'(c+) - psi_bar'(c-)` and `s = gamma f(c)`: "
-       "no other part of the profile, no friction elsewhere and no load has an influence on its coefficient. The "
-       "vertex of a re-entrant corner, `psi'(c+) < psi'(c-)`, is never inside the contact unless `f` jumps upwards at "
-       "it.",
-       "`gamma >= 0`; contact on both sides of `c`; `D != 0`. The printed sentence leaves out that a re-entrant corner "
-       "is excluded by `t_n <= 0` only if `f` does not rise at `c`.",
-       "On both sides of `c` the equation is `H t + s t = psi_bar'`. A step `D` of the right-hand side is met by `K "
-       "log|x-c|/pi + K s H(x-c)` alone, since the transform of `log|x-c|/pi` steps by `1` and that of the step "
-       "`H(x-c)` is `-log|x-c|/pi` up to continuous functions: this gives `K + s^2 K = D`. Every other part of the "
-       "solution is continuous at `c`, so nothing that is far away can change `K`. For `D < 0` the logarithm would "
-       "make `t_n -> +oo`; where `f` rises there is no logarithm, and both `D/(s_+ - s_-) < 0` and the power press."},
+      claim_text("thm-02-words-wedge"),
       [once = std::make_shared<Once<WedgeProblems>>()](const Context& context, const WedgeSaid& said) {
         return check(context, *once, said);
       },

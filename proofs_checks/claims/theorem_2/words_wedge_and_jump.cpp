@@ -150,17 +150,7 @@ std::vector<Evidence> check(const Context& context, Once<CornerProblems>& once, 
 Claim words_wedge_and_jump() {
   using Limit = CornerSaid::Limit;
   return make_claim(
-      {"thm-02-words-wedge-and-jump", "[Bal16, theorem 2], in words: a wedge where the friction jumps",
-       "Where the contact surrounds a point `c` with a wedge, `D = psi_bar'(c+) - psi_bar'(c-) != 0`, and a jump of `s "
-       "= gamma f`: if `f` rises towards the front, the power `beta = alpha(c-) - alpha(c+) < 0` is the one without "
-       "the wedge; if `f` falls, `t_n` has the limit `D/(s(c+) - s(c-))` from both sides, negative for `D > 0`, in "
-       "place of zero. For `D < 0` there is no contact at the vertex where `f` falls.",
-       "`gamma > 0`; contact on both sides of `c`. The printed sentence leaves out the sign of the wedge: only `D > 0` "
-       "gives a negative limit.",
-       "A constant `A` on both sides solves the local equation if `H t` of it has no step and `[s] A = D`: so `t_n = "
-       "D/[s]` plus a solution for no wedge, `-theta cos(pi alpha) |x-c|^beta`. For `beta < 0` the constant is bounded "
-       "beside the power, which remains; for `beta > 0` the power vanishes and the constant is the limit. `[s] < 0` "
-       "where `f` falls, so that `D/[s]` has the sign of `-D`, and `t_n <= 0` excludes `D < 0`."},
+      claim_text("thm-02-words-wedge-and-jump"),
       [once = std::make_shared<Once<CornerProblems>>()](const Context& context, const CornerSaid& said) {
         return check(context, *once, said);
       },

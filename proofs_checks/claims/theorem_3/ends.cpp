@@ -161,18 +161,7 @@ std::vector<Evidence> check(const Context& context, const EndsFormula& formula) 
 std::vector<Claim> end_claims() {
   const EndsFormula right = ends_formula();
   return {make_claim(
-      {"thm-03-solved-ends", "[Bal16, theorems 3 and 10]: slope beyond the ends of contact, in solved problems",
-       "With `t = -theta(x) d^p` next to an outer end of the contact, `theta` analytic, the surface beyond has `u_bar' "
-       "- psi_bar' = -+theta(x) sqrt(1+s^2) d^p` at a rear and a front edge, `+-theta(x) sqrt(1+s^2) d^p` at a rear "
-       "and a front free end, to every order in `d`. Here `p = -(1/2+alpha)` and `-(1/2-alpha)` at edges, `1/2-alpha` "
-       "and `1/2+alpha` at free ends, `alpha` and `s` of the contact side.",
-       "Outer ends of the contact in three solved problems (one in a quick run), with a friction jump and a wedge "
-       "inside; at 50 digits or more.",
-       "Next to the end `2 i Phi = psi_bar' - Y B` with `B` analytic at the end: in the contact `t = epsilon cos(pi "
-       "alpha) |Y| B`, beyond it `u_bar' - psi_bar' = -Y B`, where `psi_bar'` is continued. `|Y| B` is `d^p` times one "
-       "analytic function on both sides, so the ratio is `-+1/cos(pi alpha) = -+sqrt(1+s^2)` at every distance. The "
-       "sign is that of `Y`, which is positive to the right of all ends, times `epsilon`."},
-      check, right,
+      claim_text("thm-03-solved-ends"), check, right,
       std::vector<Wrong<EndsFormula>>{
           {"the other sign of u' - psi' behind the rear end",
            right.changed([](auto& said, const Solvable&) { said.ends[0].coefficient = -said.ends[0].coefficient; })},

@@ -106,19 +106,7 @@ std::vector<Evidence> check(const Context& context, const OutsideFormula& formul
 Claim outside_slope() {
   const OutsideFormula right = outside_formula();
   return make_claim(
-      {"thm-03-outside-slope", "[Bal16, theorem 3]: u' outside of the contact, as far as the flat punch shows it",
-       "Outside of a flat punch `u_bar' = -(P/pi) |Y|` behind it and `+(P/pi) |Y|` in front of it, `Y = prod_j "
-       "(x-e_j)^{p_j}`. So where `t ~ -theta d^{-(1/2+alpha)}` at the rear edge, `u_bar' ~ -theta sqrt(1+s^2) "
-       "d^{-(1/2+alpha)}` behind it; where `t ~ -theta d^{-(1/2-alpha)}` at the front edge, `u_bar' ~ theta "
-       "sqrt(1+s^2) d^{-(1/2-alpha)}` in front of it: `alpha` and `s` are those of the contact side.",
-       "Rigid flat punch on `]-1, 1[`, `s = gamma f` piecewise constant, examined with 0 to 2 jumps and frictions up "
-       "to 50; distances from 1/1000 to 50, and the estimates at one far below the tolerance.",
-       "Off the contact `A t` has no friction term, and `u_bar' = (1/pi) int t(x')/(x'-x) dx' = 2 i Phi` with `Phi = P "
-       "Y/(2 pi i)`: `u_bar' = (P/pi) Y`, where `Y` is positive in front, and negative behind, because the powers sum "
-       "to -1. Inside `t = -(P/pi) cos(pi alpha) |Y|`, so that across an edge the power of the distance is the same "
-       "and the amplitude of `u_bar'` is `1/cos(pi alpha) = sqrt(1+s^2)` times that of `t`. On the other side of the "
-       "front edge, in the contact, `u_bar'` is the slope of the indenter."},
-      check, right,
+      claim_text("thm-03-outside-slope"), check, right,
       std::vector<Wrong<OutsideFormula>>{
           {"the printed x -> c- at the front: the estimate read inside of the contact",
            right.changed([](auto& form, const ContactProblem&) { form.front.from_inside = true; })},
@@ -214,17 +202,7 @@ Claim contact_side() {
   });
   const auto to_the_other = [](auto& form, const StepCase& c) { set_step_power(form, c, other_angle(c)); };
   return make_claim(
-      {"thm-03-contact-side", "[Bal16, theorem 3]: an end of contact on a step, the friction jumping there as well",
-       "Where the contact ends on a step of the indenter and the friction jumps there as well, the power of the "
-       "traction at that end is `-(1/2+alpha)` for contact in front of the step and `-(1/2-alpha)` for contact behind "
-       "it, `alpha` the angle of the friction on the contact side. The friction on the other side has no influence.",
-       "Two flat levels with a step between them, so high that the upper one does not touch; friction constant on "
-       "each, from 0 to 50; plane strain, `-1 < nu < 1/2`.",
-       "On the side without contact `t = 0`, and `s t` is zero there whatever `s` is: the problem is that of a flat "
-       "punch whose edge lies at the step. Its powers follow from `Y^+ = G Y^-` with `G = -exp(2 pi i alpha)` of the "
-       "contact, `Y^+ = Y^-` beyond. With the angle of the other side the equation `A t = 0` fails in the contact, "
-       "next to the step."},
-      check_step, right,
+      claim_text("thm-03-contact-side"), check_step, right,
       std::vector<Wrong<StepFormula>>{
           {"the printed angle (5), of the friction behind c, for contact in front of c",
            right.changed([to_the_other](auto& form, const StepCase& c) {

@@ -155,18 +155,7 @@ std::vector<Evidence> check(const Context& context, Once<StepProblems>& once, co
 
 Claim step_conditions() {
   return make_claim(
-      {"thm-03-step-conditions", "[Bal16, theorem 3], and in words: ends of contact at a step of the profile",
-       "Contact on the right of `c` and detachment on its left: if `psi(c-) > psi(c+)`, `t_n` has the power "
-       "`-(1/2+alpha)` of an edge; if `psi` is continuous at `c`, the power `1/2-alpha` of a free end; `psi(c-) < "
-       "psi(c+)` does not occur. Contact on the left and detachment on the right: `psi(c-) < psi(c+)` with "
-       "`-(1/2-alpha)`, `psi` continuous with `1/2+alpha`, and `psi(c-) > psi(c+)` does not occur.",
-       "`f` constant next to `c` on the side in contact, `alpha` its angle; `psi'` Lipschitz-continuous on both sides. "
-       "The coefficient of the power of an edge may vanish; then the power is larger by `1`.",
-       "`u` is continuous at `c`, since `t_n` is integrable with a power: so `u(c) + C = psi` on the side of the "
-       "contact, and the gap on the other side begins with the difference of `psi` there and `psi` in contact. That "
-       "difference must be `>= 0`, which excludes the two cases that do not occur. If it is `> 0` the infinite slope "
-       "of `u` next to an edge does no harm; if it is `0` that slope would carry the surface above the indenter, so "
-       "that the coefficient of the edge's power is `0` and the next power leads."},
+      claim_text("thm-03-step-conditions"),
       [once = std::make_shared<Once<StepProblems>>()](const Context& context, const StepSaid& said) {
         return check(context, *once, said);
       },

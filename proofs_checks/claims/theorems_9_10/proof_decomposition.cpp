@@ -204,17 +204,7 @@ std::vector<Evidence> check(const Context& context, Once<DecompositionFacts>& on
 
 Claim proof_decomposition() {
   return make_claim(
-      {"thm-09-proof-decomposition", "[Bal16, theorem 9], proof: the solution as a sum of four terms",
-       "`t_n = L(phi_bar) + L(psi_bar - phi_bar) + L(u_bar - psi_bar) - P t_0` with `phi_bar' = psi_bar'(c-)` on the "
-       "left of `c` and `psi_bar'(c+)` on its right. The logarithm `(D/(1+s^2)) log|x-c|/pi` and the step `s "
-       "D/(1+s^2)` are those of `L(phi_bar)`; the other three terms are continuous at `c`.",
-       "`f` constant on `]-1, 1[`; contact around `c`; `L` by (10). Examined for one problem in full contact, where "
-       "`u_bar = psi_bar`, and one with two free ends.",
-       "`L` is linear and inverts the operator on `]-1, 1[`, and `t_n = L(u_bar) - P t_0`: insert `u_bar = phi_bar + "
-       "(psi_bar - phi_bar) + (u_bar - psi_bar)`. `u_bar - psi_bar` vanishes around `c`, so that its integral in (10) "
-       "is smooth there; `psi_bar' - phi_bar'` is Lipschitz-continuous and vanishes at `c`, so that both its terms are "
-       "continuous. There remains the step of `phi_bar'`, which makes the logarithm in the integral and the step in "
-       "the local term."},
+      claim_text("thm-09-proof-decomposition"),
       [once = std::make_shared<Once<DecompositionFacts>>()](const Context& context, const DecompositionSaid& said) {
         return check(context, *once, said);
       },

@@ -117,16 +117,7 @@ std::vector<Evidence> check_exclusion(const Context& context, Once<ForcedList>& 
 Claim proof_exclusion() {
   using Said = ExclusionSaid;
   return make_claim(
-      {"thm-10-proof-exclusion", "[Bal16, theorem 10], proof: no edge singularity where the profile is continuous",
-       "Contact on the right of `c` with `t_n ~ -a (x-c)^{-(1/2+alpha)}` and a profile that is continuous at `c` "
-       "leaves the gap `~ -a sqrt(1+s^2) (c-x)^{1/2-alpha}/(1/2-alpha)` behind `c`: for `a > 0` the surface is above "
-       "the indenter, for `a < 0` the traction is a tension. So `a = 0`. Mirrored at a front end, with `-(1/2-alpha)` "
-       "and `1/2+alpha`.",
-       "`psi_bar'` bounded beside `c`, no step of `psi` at `c`: with the step of theorem 3 the gap begins with a "
-       "positive constant and `a > 0` is admitted.",
-       "`u_bar_n' - psi_bar' ~ -a sqrt(1+s^2) (c-x)^{-(1/2+alpha)}` behind `c`, integrated from `c`, where the gap is "
-       "`0`. `-(1/2+alpha) > -1` makes the integral finite, and `1/2-alpha < 1` makes it outweigh what a bounded slope "
-       "of the profile leaves, which is of first order in `c-x`. `t_n <= 0` demands `a >= 0`, the gap `a <= 0`."},
+      claim_text("thm-10-proof-exclusion"),
       [once = std::make_shared<Once<ForcedList>>()](const Context& context, const Said& said) {
         return check_exclusion(context, *once, said);
       },

@@ -170,37 +170,19 @@ std::vector<Evidence> check_slope(const Context& context, const SlopeSaid& said)
 
 Claim proof_splitting() {
   using Said = SplittingSaid;
-  return make_claim(
-      {"thm-10-proof-splitting", "[Bal16, theorem 10], proof: how a power is taken out of the integral",
-       "`(1+x')^{1+b} = (1+x) (1+x')^b + (x'-x) (1+x')^b`, so that `PV int_{-1}^1 (1+x')^{1+b} eta(x')/(x'-x) dx' = "
-       "(1+x) PV int_{-1}^1 (1+x')^b eta(x')/(x'-x) dx' + int_{-1}^1 (1+x')^b eta(x') dx'`: a constant, and `1+x` "
-       "times a function that is bounded at `-1`.",
-       "`b > 0`, `eta` integrable, Hoelder-continuous inside and at `-1`. Examined with `b = 1/2+alpha`, the power of "
-       "the weight in (10), which is the proof's where `(psi_bar'-phi_bar')/(1+x)` is Hoelder-continuous; where "
-       "`psi_bar'` is Lipschitz-continuous only, `b` is smaller.",
-       "`1+x' = (1+x) + (x'-x)`, multiplied by `(1+x')^b`; the factor `x'-x` cancels the kernel and leaves a number. "
-       "In the proof it is the constant `a'` in `L(psi_bar - phi_bar) = (a' + (1+x) theta) t_0`."},
-      check_splitting, Said{},
-      std::vector<Wrong<Said>>{
-          {"the last term's sign", changed<Said>([](Said& said) { said.last_sign = -1; })},
-          {"1+x missing before the second term", changed<Said>([](Said& said) { said.factor = false; })},
-          {"another power in the last term", changed<Said>([](Said& said) { said.same_power = false; })},
-          {"near miss: the second integral moved by ten times the tolerance",
-           changed<Said>([](Said& said) { said.miss = 10; })}});
+  return make_claim(claim_text("thm-10-proof-splitting"), check_splitting, Said{},
+                    std::vector<Wrong<Said>>{
+                        {"the last term's sign", changed<Said>([](Said& said) { said.last_sign = -1; })},
+                        {"1+x missing before the second term", changed<Said>([](Said& said) { said.factor = false; })},
+                        {"another power in the last term", changed<Said>([](Said& said) { said.same_power = false; })},
+                        {"near miss: the second integral moved by ten times the tolerance",
+                         changed<Said>([](Said& said) { said.miss = 10; })}});
 }
 
 Claim proof_linear() {
   using Said = LinearSaid;
   return make_claim(
-      {"thm-10-proof-linear", "[Bal16, theorem 10], proof: L of a linear function",
-       "For `phi_bar = k (1+x)`, `L(phi_bar) = (a + b (1+x)) t_0` with `b = pi k` and `a = -pi k (1-2 alpha)`; the "
-       "proof says no more than that `a` and `b` are constants.",
-       "`f` constant, `L` by (10) on `]-1, 1[`.",
-       "With `Y = (z+1)^{-(1/2+alpha)} (z-1)^{-(1/2-alpha)}` the polynomial part of `k/Y` at infinity is `k (z + 2 "
-       "alpha)`, since `1/Y = z (1 + 2 alpha/z + ...)`. The traction without load for the slope `k` is `cos(pi alpha) "
-       "|Y|` times it, and `t_0 = cos(pi alpha) |Y|/pi`: this is `pi k (x + 2 alpha) t_0`, and `x + 2 alpha = (1+x) - "
-       "(1-2 alpha)`."},
-      check_linear, Said{},
+      claim_text("thm-10-proof-linear"), check_linear, Said{},
       std::vector<Wrong<Said>>{
           {"the sign of a", changed<Said>([](Said& said) { said.a_sign = 1; })},
           {"alpha's sign in a", changed<Said>([](Said& said) { said.a_angle = -2; })},
@@ -213,14 +195,7 @@ Claim proof_linear() {
 Claim proof_slope() {
   using Said = SlopeSaid;
   return make_claim(
-      {"thm-10-proof-slope", "[Bal16, theorem 10], proof: the slope outside from the amplitude inside",
-       "`sin(pi (1/2+alpha)) = 1/sqrt(1+(gamma f)^2)`, and behind an edge at `-1` with `t_n ~ -a (1+x)^{-(1/2+alpha)}` "
-       "the slope is `u_bar_n' ~ -a sqrt(1+(gamma f)^2) |1+x|^{-(1/2+alpha)}`.",
-       "`alpha = arctan(gamma f)/pi`, `a` the limit of `-t_n (1+x)^{1/2+alpha}`.",
-       "`sin(pi/2 + pi alpha) = cos(arctan s) = 1/sqrt(1+s^2)`, positive because `|alpha| < 1/2`. With `d = -1-x > 0`, "
-       "`(1/pi) int_0^oo y^p/(y+d) dy = d^p/sin(-pi p)` for `-1 < p < 0`; on `]0, 1[` there is less by the power "
-       "series `(1/pi) sum_k (-d)^k/(k-p)`, bounded at `d = 0`. Take `p = -(1/2+alpha)`."},
-      check_slope, Said{},
+      claim_text("thm-10-proof-slope"), check_slope, Said{},
       std::vector<Wrong<Said>>{
           {"without the sine", changed<Said>([](Said& said) { said.sine = false; })},
           {"the sine of pi alpha", changed<Said>([](Said& said) { said.sine_of_alpha = true; })},

@@ -92,17 +92,7 @@ std::vector<Evidence> check_reduction(const Context& context, Once<ReductionFact
 Claim proof_reduction() {
   using Said = ReductionSaid;
   return make_claim(
-      {"thm-10-proof-reduction", "[Bal16, theorem 10], proof: an inner end as the left edge of ]c, 1[",
-       "With `t_tilde` the part of `t_n` on the left of a gap that ends at `c`, and `u_tilde' = (1/pi) int "
-       "t_tilde(x')/(x'-x) dx'` on `[c, 1]`, the rest of `t_n` solves the contact problem on `]c, 1[` with `psi_bar - "
-       "u_tilde` for `psi_bar` and `P + int t_tilde` for `P`; `u_tilde` is smooth on `[c, 1]`.",
-       "`f` constant; no contact on `]c-epsilon, c[`. The printed formula has `u_tilde` where its derivative must "
-       "stand.",
-       "The equation is linear: `H t_n + s t_n = psi_bar'` on a contact in `]c, 1[`, where `t_tilde = 0`, reads `H "
-       "(t_n - t_tilde) + s (t_n - t_tilde) = psi_bar' - H t_tilde`, and `H t_tilde = u_tilde'`. The distance of `x` "
-       "from the support of `t_tilde` is at least `epsilon`: all derivatives of the kernel are bounded there. `-int "
-       "(t_n - t_tilde) = P + int t_tilde`, and `u_bar_n - u_tilde <= psi_bar - u_tilde` with contact at the same "
-       "places."},
+      claim_text("thm-10-proof-reduction"),
       [once = std::make_shared<Once<ReductionFacts>>()](const Context& context, const Said& said) {
         return check_reduction(context, *once, said);
       },

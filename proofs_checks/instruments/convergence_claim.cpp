@@ -3,8 +3,9 @@
 
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
-#include "proofs_checks/claims/claims.hpp"
+#include "proofs_checks/instruments/convergence_claim.hpp"
 #include "proofs_checks/instruments/convergence_study.hpp"
 #include "proofs_checks/kit/findings.hpp"
 
@@ -132,7 +133,7 @@ class Comparison {
   bool quick_;
 };
 
-Claim convergence_claim(const ConvergenceCase& the_case) {
+Claim claim_of_case(const ConvergenceCase& the_case) {
   const auto studies = std::make_shared<Studies>(the_case.problem);
   const ContactProblem& problem = the_case.problem;
   const auto check = [problem, studies](const Context& context, const ConvergenceSaid& said) {
@@ -151,24 +152,7 @@ Claim convergence_claim(const ConvergenceCase& the_case) {
   };
   const bool jumps = problem.friction().values().size() > 1;
   return make_claim<ConvergenceSaid>(
-      {"vi-convergence-" + the_case.name, "[Bal16, sections 3.1 and 4], two methods: " + the_case.what,
-       "The solver on `N` equal cells, which knows no exponents, tends to the solution of the Riemann-Hilbert problem: "
-       "ends of contact to one cell; each resultant, and the intensities in the mean, as `N^{-r}`; intensities to "
-       "`1/N` on the finest mesh; exponents read off the cells within their error bars. The rate `r` is the least of "
-       "`lambda + lambda^* + 2` over the singular points of the contact, `lambda^*` the exponent of the adjoint "
-       "problem; the sum is 1 at an edge, a step and a friction jump, 2 at a free end, 3 at a wedge.",
-       "Reduced data, `s` between 0 and 3/5; in double whatever the digits asked for. Rates to 0.1 (quick: 0.25) by "
-       "least squares over all levels `N = 2^k` from `2^8` on (quick: `2^6`; intensities: `2^11`, and only where `r = "
-       "1`, since reading them off adds an error of about first order), each the root mean square of 7 consecutive "
-       "`N`, of 21 for `r = 2`; error bars of exponents of 0.01 at most (quick: 0.05).",
-       "The error of a functional of a Galerkin solution is a product of two errors, of the solution and of the "
-       "adjoint problem's, in the energy norm. Next to a singular point where `t ~ d^lambda` piecewise constants on "
-       "cells of length `h` miss an energy of order `h^{2 lambda + 2}`, so that the product has `h^{lambda + lambda^* "
-       "+ 2}`. The adjoint problem is that of friction `-s`: at an edge `lambda + lambda^* = -1`, at a free end the "
-       "contact of the adjoint problem has an edge and the sum is 0, at a jump `lambda = beta` and `lambda^* = -beta - "
-       "1`; at a wedge there is the logarithm, `lambda = 0`, and the adjoint solution is smooth, `lambda^* = 1`, the "
-       "first power that constants miss. That the sums follow these local estimates is assumed, and measured."},
-      check, {},
+      claim_text("vi-convergence-" + the_case.name), check, {},
       {{"a rate higher by one", {.rate_offset = 1}},
        {jumps ? "the reference with the friction values in the other order" : "the reference sliding the other way",
         {.friction_reversed = true}},
@@ -179,10 +163,11 @@ Claim convergence_claim(const ConvergenceCase& the_case) {
 
 }  // namespace
 
-std::vector<Claim> convergence_claims() {
-  std::vector<Claim> claims;
-  for (const ConvergenceCase& the_case : convergence_cases()) claims.push_back(convergence_claim(the_case));
-  return claims;
+Claim convergence_claim(std::string_view name) {
+  for (const ConvergenceCase& the_case : convergence_cases()) {
+    if (the_case.name == name) return claim_of_case(the_case);
+  }
+  throw std::logic_error("no such case: " + std::string(name));
 }
 
 }  // namespace steadyslide::proofs_checks

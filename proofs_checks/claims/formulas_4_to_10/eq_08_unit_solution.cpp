@@ -1,0 +1,7 @@
+#include "proofs_checks/instruments/constant_punch.hpp"
+
+namespace steadyslide::proofs_checks {
+
+Claim eq_08_unit_solution() { return constant_punch_claim("eq-08-unit-solution", PunchLoad::minus_one); }
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,85 @@
+#pragma once
+// The parameters at which a claim is examined: a grid and random ones, both cut for a quick run and where more digits
+// make each case dearer.
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "proofs_checks/kit/claim.hpp"
+#include "proofs_checks/kit/random.hpp"
+
+namespace steadyslide::proofs_checks {
+
+template <class Case>
+struct CaseList {
+  std::vector<Case> cases;
+  std::string detail;  ///< where they come from, seed included
+};
+
+/// The same without its type, for the runner.
+struct ExaminedCase {
+  std::shared_ptr<const void> data;
+  std::string where;
+  bool effective = true;
+};
+struct Examples {
+  std::vector<ExaminedCase> cases;
+  std::string detail;
+};
+using CaseSource = std::function<Examples(const Context&)>;
+
+/// text_of(c) names a case.
+template <class Case>
+CaseSource case_source(std::function<CaseList<Case>(const Context&)> list, std::function<bool(const Case&)> effective) {
+  return [list = std::move(list), effective = std::move(effective)](const Context& context) {
+    CaseList<Case> all = list(context);
+    Examples examples{{}, std::move(all.detail)};
+    for (Case& c : all.cases) {
+      auto data = std::make_shared<const Case>(std::move(c));
+      examples.cases.push_back({data, text_of(*data), !effective || effective(*data)});
+    }
+    return examples;
+  };
+}
+
+/// In which number type a claim is examined, for a run at a number of digits.
+enum class Precision {
+  as_asked,
+  quick_in_double,  ///< double in a quick run: where principal values or solved problems take their time
+  at_least_fifty,
+  in_double
+};
+numeric::Digits digits_at(Precision precision, const Context& context);
+
+/// How many of something, by the number of digits.
+struct CountByDigits {
+  std::size_t sixteen;
+  std::size_t fifty;
+  std::size_t hundred;
+};
+
+/// One in a quick run, but in double.
+std::size_t count_for(const Context& context, const CountByDigits& count);
+
+/// `grid` (every 4th of it in a quick run in double, every 16th in one with more digits), then `count` times
+/// make(random), one of them in a quick run.
+template <class Case, class Make>
+CaseList<Case> grid_and_random(const Context& context, std::string_view stream, const std::vector<Case>& grid,
+                               const CountByDigits& count, const Make& make) {
+  CaseList<Case> list;
+  const std::size_t stride = !context.quick ? 1 : context.digits == numeric::Digits::sixteen ? 4 : 16;
+  for (std::size_t k = 0; k < grid.size(); k += stride) list.cases.push_back(grid[k]);
+  const std::size_t fixed = list.cases.size();
+  std::size_t random_count = count_for(context, count);
+  if (context.quick) random_count = std::min<std::size_t>(random_count, 1);
+  Random random(context.seed, stream);
+  for (std::size_t k = 0; k < random_count; ++k) list.cases.push_back(make(random));
+  list.detail = std::to_string(fixed) + " of a grid, " + std::to_string(random_count) + " random with seed " +
+                std::to_string(context.seed);
+  return list;
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,61 @@
+#pragma once
+// What a check measures, and what a formula predicts: values by name. The runner compares them without knowing how
+// either was made, and whatever the precision of the measurement it compares in one type, so that it is compiled once.
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "numeric/number/real.hpp"
+
+namespace steadyslide::proofs_checks {
+
+/// Every number of the numeric layer is one of these, exactly.
+using Number = numeric::Real100;
+
+/// A rate of convergence, measured.
+struct Order {
+  double rate = 0;
+  double error_bar = 0;  ///< one standard deviation
+  std::string detail = {};
+
+  bool operator==(const Order&) const = default;
+};
+
+/// Numbers are compared to a tolerance, orders within their error bars; everything else is decided.
+using Value = std::variant<Number, Order, Exponent, Rational, bool>;
+
+class Values {
+ public:
+  struct Named {
+    Named(std::string n, Value v) : name(std::move(n)), value(std::move(v)) {}
+    template <numeric::Real R>
+    Named(std::string n, const R& number) : Named(std::move(n), Value(Number(number))) {}
+
+    std::string name;
+    Value value;
+  };
+
+  Values() = default;
+  Values(std::initializer_list<Named> all) : all_(all) {}
+  void add(Named value) { all_.push_back(std::move(value)); }
+
+  /// Null if there is none of this name.
+  const Value* find(std::string_view name) const;
+  /// The number of this name, to be changed. Throws std::logic_error if there is none.
+  Number& operator[](std::string_view name);
+  /// Replaces the value of this name. Throws std::logic_error if there is none.
+  void set(std::string_view name, Value value);
+
+  auto begin() const { return all_.begin(); }
+  auto end() const { return all_.end(); }
+
+ private:
+  Value& existing(std::string_view name);
+
+  std::vector<Named> all_;
+};
+
+}  // namespace steadyslide::proofs_checks
