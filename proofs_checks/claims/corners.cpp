@@ -17,7 +17,7 @@ using numeric::SurfacePoint;
 struct Corner {
   std::string name;
   ContactProblem problem;
-  std::vector<numeric::ZoneGuess> zones;
+  std::vector<numeric::ContactInterval> zones;
   int theta;     ///< its sign, where t <= 0 leaves it open
   bool is_jump;  ///< does the friction jump at c?
 };
@@ -26,17 +26,9 @@ Corner corner(std::string name, const Rational& rear, const Rational& front, con
               const Polynomial& right, const Rational& load, int theta = 1) {
   const Rational c(1, 8);
   const FrictionProfile friction = rear == front ? FrictionProfile({rear}) : FrictionProfile({rear, front}, {c});
-  const Polynomial shift({-c, 1});
-  const auto around = [&](const Polynomial& p) {
-    Polynomial result;
-    for (int k = p.degree(); k >= 0; --k) {
-      result = result * shift + Polynomial::constant(p.coefficient(static_cast<std::size_t>(k)));
-    }
-    return result;
-  };
   return {std::move(name),
           ContactProblem(Elasticity(Solid(Rational(3, 10), 1)), friction,
-                         Indenter(-4, {{c, around(left)}, {4, around(right)}}), load),
+                         Indenter(-4, {{c, left.composed(1, -c)}, {4, right.composed(1, -c)}}), load),
           {{-0.7, 0.6, false, false}},
           theta,
           rear != front};

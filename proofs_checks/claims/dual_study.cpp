@@ -4,6 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "numeric/polynomial.hpp"
 #include "numeric/riemann_hilbert.hpp"
 #include "numeric/variational/active_set.hpp"
 #include "numeric/variational/lemke.hpp"
@@ -29,11 +30,7 @@ ContactProblem DualCase::problem(int friction_sign) const {
 }
 
 std::function<double(double)> DualCase::height() const {
-  return [p = profile](double x) {
-    double sum = 0;
-    for (std::size_t k = p.coefficients().size(); k-- > 0;) sum = sum * x + numeric::to_real<double>(p.coefficient(k));
-    return sum;
-  };
+  return [p = numeric::coefficients_of<double>(profile)](double x) { return numeric::value_of(p, x); };
 }
 
 std::vector<DualCase> dual_cases() {

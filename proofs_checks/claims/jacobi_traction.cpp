@@ -5,6 +5,7 @@
 #include <boost/math/special_functions/digamma.hpp>
 
 #include "numeric/jacobi_rule.hpp"
+#include "numeric/polynomial.hpp"
 #include "numeric/tanh_sinh.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -13,13 +14,7 @@ namespace {
 using numeric::Node;
 using numeric::Power;
 using numeric::Real;
-
-template <class R>
-R value_of(const std::vector<R>& p, const R& x) {
-  R value = 0;
-  for (std::size_t k = p.size(); k-- > 0;) value = value * x + p[k];
-  return value;
-}
+using numeric::value_of;
 
 /// int_{-1}^1 (1+x)^left (1-x)^right f(x) dx, f a polynomial of degree below 2 nodes.
 template <class R, class F>

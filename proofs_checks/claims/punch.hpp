@@ -52,6 +52,4 @@ Rational largest_friction(const Context& context);
 /// A number of cases or points by the number of digits; one in a quick run, but in double.
 std::size_t count_for(const Context& context, std::size_t sixteen, std::size_t fifty, std::size_t hundred);
 
-inline const Exponent half{Rational(1, 2)};
-
 }  // namespace steadyslide::proofs_checks

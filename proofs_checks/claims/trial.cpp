@@ -2,12 +2,15 @@
 
 #include <algorithm>
 
+#include "numeric/polynomial.hpp"
+
 namespace steadyslide::proofs_checks {
 namespace {
 
+using numeric::ContactInterval;
 using numeric::Node;
 using numeric::RiemannHilbertForm;
-using numeric::ZoneGuess;
+using numeric::value_of;
 
 /// Which piece of the profile lies around a place.
 template <Real R>
@@ -16,15 +19,6 @@ const Polynomial& piece_around(const ContactProblem& problem, const R& x) {
   std::size_t k = 0;
   while (k + 1 < pieces.size() && x > numeric::to_real<R>(pieces[k].to)) ++k;
   return pieces[k].profile;
-}
-
-template <Real R>
-R value_of(const Polynomial& p, const R& x) {
-  R value = 0;
-  for (int k = p.degree(); k >= 0; --k) {
-    value = value * x + numeric::to_real<R>(p.coefficient(static_cast<std::size_t>(k)));
-  }
-  return value;
 }
 
 }  // namespace
@@ -55,7 +49,7 @@ RiemannHilbertForm<R> TrialForm<R>::form_on(numeric::ContactSet<R> set, const R&
 
 template <Real R>
 std::unique_ptr<numeric::RiemannHilbertSolution<R>> solved(const ContactProblem& problem,
-                                                           const std::vector<ZoneGuess>& zones) {
+                                                           const std::vector<ContactInterval>& zones) {
   auto solution = std::make_unique<numeric::RiemannHilbertSolution<R>>(problem, Trial::frame());
   const auto& reduced = solution->problem();
   solution->set(
@@ -195,7 +189,7 @@ R extrapolated(const std::vector<R>& f, int to) {
   template R slope(const ContactProblem&, const R&, const R&);                                                 \
   template class TrialForm<R>;                                                                                 \
   template std::unique_ptr<numeric::RiemannHilbertSolution<R>> solved(const ContactProblem&,                   \
-                                                                      const std::vector<ZoneGuess>&);          \
+                                                                      const std::vector<ContactInterval>&);    \
   template R coefficient_at_infinity(const RiemannHilbertForm<R>&, int);                                       \
   template R load_scale(const RiemannHilbertForm<R>&);                                                         \
   template std::vector<R> excess(const RiemannHilbertForm<R>&);                                                \

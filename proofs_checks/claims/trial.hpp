@@ -14,8 +14,8 @@ namespace steadyslide::proofs_checks {
 struct Trial {
   std::string name;
   ContactProblem problem;
-  std::vector<numeric::ZoneGuess> zones;  ///< in xi of frame()
-  std::vector<Rational> q;                ///< as many of them as the form has coefficients are used
+  std::vector<numeric::ContactInterval> zones;  ///< in xi of frame()
+  std::vector<Rational> q;                      ///< as many of them as the form has coefficients are used
   Rational tilt;
 
   static numeric::Frame frame() { return {Rational(1, 8), 2}; }
@@ -57,7 +57,7 @@ class TrialForm {
 /// Solved from these zones. Throws Refutation unless every condition holds.
 template <Real R>
 std::unique_ptr<numeric::RiemannHilbertSolution<R>> solved(const ContactProblem& problem,
-                                                           const std::vector<numeric::ZoneGuess>& zones);
+                                                           const std::vector<numeric::ContactInterval>& zones);
 
 /// The coefficient of z^power of u'/c = Y (m_0/z + m_1/z^2 + ... + q/pi) at infinity.
 template <Real R>
