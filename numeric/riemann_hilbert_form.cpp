@@ -197,11 +197,7 @@ Estimate<R> RiemannHilbertForm<R>::bracket(std::size_t slope, const SurfacePoint
 
 template <Real R>
 Estimate<R> RiemannHilbertForm<R>::bracket_at(std::size_t j, Side side) const {
-  const std::size_t segment = side == Side::left ? j - 1 : j;
-  const R& length = set_.length(segment);
-  const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(segment),
-                           {set_.x(j), side == Side::left ? length : R(0), side == Side::left ? R(0) : length}};
-  return bracket(slope_at(segment), at);
+  return bracket(slope_at(side == Side::left ? j - 1 : j), beside(set_, j, side, R(0)));
 }
 
 template <Real R>

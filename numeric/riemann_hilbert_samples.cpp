@@ -6,6 +6,7 @@
 #include "numeric/clustered.hpp"
 #include "numeric/riemann_hilbert_solution.hpp"
 #include "numeric/tanh_sinh.hpp"
+#include "numeric/traction_density.hpp"
 
 namespace steadyslide::numeric {
 
@@ -46,7 +47,7 @@ Estimate<R> RiemannHilbertSolution<R>::tangential_slope(const Rational& x) const
     const bool on_right = static_cast<std::ptrdiff_t>(k) > at.segment;
     const R distance = abs(form_->distance(at, on_right ? k : k + 1));
     sum += (shear_ratio(k) - ratio) *
-           tanh_sinh::cauchy<R>({panel_density(k)}, on_right ? Side::left : Side::right, distance);
+           tanh_sinh::cauchy<R>({panel_density(*form_, k)}, on_right ? Side::left : Side::right, distance);
   }
   return to_real<R>(problem_.elasticity().compliance()) * sum;
 }
@@ -135,7 +136,6 @@ Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) con
   if (!contact && point.is_end() && !point.vanishes) {
     return {side == Side::left ? R(-infinity<R>()) : infinity<R>(), R(0)};
   }
-  const auto segments = static_cast<std::ptrdiff_t>(contact_set().segments());
   std::ptrdiff_t segment = static_cast<std::ptrdiff_t>(j) - (side == Side::left ? 1 : 0);
   if (contact || point.is_end()) {
     // The surface leaves a free end along the profile of the contact.
@@ -145,13 +145,7 @@ Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) con
     return {c * slope, 8 * epsilon<R>() * c * abs(slope)};
   }
   // Off the contact the surface is smooth, whatever the profile does above it.
-  const R zero = 0;
-  SurfacePoint<R> at{segment, {contact_set().x(j), zero, zero}};
-  if (segment >= 0 && segment < segments) {
-    const R& length = contact_set().length(static_cast<std::size_t>(segment));
-    (side == Side::left ? at.node.from_left : at.node.from_right) = length;
-  }
-  return c * form_->surface_slope(at);
+  return c * form_->surface_slope(beside(contact_set(), j, side, R(0)));
 }
 
 template <Real R>
@@ -170,12 +164,7 @@ Sample<R> RiemannHilbertSolution<R>::sample_at_point(std::size_t j) const {
     std::optional<Estimate<R>> lowest;
     for (const Side side : {Side::left, Side::right}) {
       if ((side == Side::left && j == 0) || (side == Side::right && j == segments)) continue;
-      const std::size_t k = side == Side::left ? j - 1 : j;
-      const R& length = contact_set().length(k);
-      const SurfacePoint<R> at{
-          static_cast<std::ptrdiff_t>(k),
-          {contact_set().x(j), side == Side::left ? length : R(0), side == Side::left ? R(0) : length}};
-      const Estimate<R> here = gap(at);
+      const Estimate<R> here = gap(beside(contact_set(), j, side, R(0)));
       if (!lowest || here.value < lowest->value) lowest = here;
     }
     result.gap = lowest;

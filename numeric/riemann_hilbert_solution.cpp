@@ -5,6 +5,7 @@
 
 #include "numeric/load_sharing.hpp"
 #include "numeric/tanh_sinh.hpp"
+#include "numeric/traction_density.hpp"
 
 namespace steadyslide::numeric {
 
@@ -153,7 +154,7 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::load_on(std::size_t segment) const {
   if (!form_->is_kinked(segment) && !form_->is_kinked(segment + 1)) return form_->load_on(segment);
-  return tanh_sinh::panel_integral(panel_density(segment));
+  return tanh_sinh::panel_integral(panel_density(*form_, segment));
 }
 
 template <Real R>

@@ -5,7 +5,6 @@
 
 #include "numeric/contact_search.hpp"
 #include "numeric/contact_solution.hpp"
-#include "numeric/density.hpp"
 
 namespace steadyslide::numeric {
 
@@ -67,8 +66,6 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   std::optional<std::size_t> nearest_end(const SurfacePoint<R>& at) const;
 
   Estimate<R> load_on(std::size_t segment) const;
-  PanelDensity<R> panel_density(std::size_t segment) const;
-  Power<R> traction_power(std::size_t j) const;
 
   ContactProblem problem_;
   ReducedProblem<R> reduced_;

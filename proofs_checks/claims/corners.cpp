@@ -120,13 +120,7 @@ template <Real R>
 R regular_part(const CornerSaid<R>& said, Side side, const R& d) {
   using std::log, std::pow;
   const RiemannHilbertForm<R>& form = said.solution->form();
-  const auto& set = form.set();
-  const R distance = d / numeric::to_real<R>(Trial::frame().unit);
-  const std::size_t k = side == Side::left ? said.j - 1 : said.j;
-  const R rest = set.length(k) - distance;
-  const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(k),
-                           side == Side::left ? numeric::Node<R>{R(set.x(said.j) - distance), rest, distance}
-                                              : numeric::Node<R>{R(set.x(said.j) + distance), distance, rest}};
+  const SurfacePoint<R> at = numeric::beside(form.set(), said.j, side, R(d / numeric::to_real<R>(Trial::frame().unit)));
   const ContactProblem& problem = form.problem().problem();
   const R& c = said.point.x.value;
   const R x = !said.continued ? c : side == Side::left ? R(c - d) : R(c + d);

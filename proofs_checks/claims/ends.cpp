@@ -129,7 +129,7 @@ void check_ends(Findings& findings, const EndsSaid<R>& said) {
     findings.compare(intensity, relative_difference<R>(measured, intensities[i]));
     findings.require(intensities[i] >= 0, "theta < 0 where t <= 0 forbids it");
   }
-  const numeric::trapezoidal::Grid<R> grid(density_of(form));
+  const numeric::trapezoidal::Grid<R> grid(traction_density(form));
   for (const auto& end : ends) {
     const R d = extrapolation_step<R>();
     findings.compare(by_rule,

@@ -72,7 +72,7 @@ ForcedFacts<R> measure_forced(const ForcedEnd& c) {
   // A place where nothing is small.
   const R far = R(1) / 50;
   const auto at = beside(form, j, c.beyond, R(far * unit));
-  const numeric::trapezoidal::Grid<R> grid(density_of(form));
+  const numeric::trapezoidal::Grid<R> grid(traction_density(form));
   const R by_rule = form.profile_rise(j, at) - grid.displacement(0, c.beyond, far);
   const R by_form = form.opening(j, at).value;
   return {c.name, s, c.beyond, a, gap, relative_difference<R>(by_rule, by_form)};

@@ -149,22 +149,13 @@ numeric::PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>& form,
 }
 
 template <Real R>
-numeric::PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>& form) {
-  return density_of<R>(form, form.weight(), [&form](std::size_t k, const Node<R>& node) {
-    const auto segment = static_cast<std::ptrdiff_t>(k);
-    return R(form.sign(segment) * form.problem().cos_alpha(form.friction_at(k)) *
-             form.bracket(form.slope_at(k), {segment, node}).value);
-  });
-}
-
-template <Real R>
 void check_equation(Findings& findings, const RiemannHilbertForm<R>& solution) {
   const Quantity equation{"A t = psi'/c for the solved problem",
                           {"(1/pi) PV int t/(x'-x) dx' + s t, trapezoidal rule", "psi'/c"},
                           tolerance<R>()};
   const std::vector<std::size_t> segments = segments_of(solution);
   const numeric::SurfaceCheck<R> check(
-      density_of(solution), friction_of(solution), [&](std::size_t k, const Node<R>& node) {
+      traction_density(solution), friction_of(solution), [&](std::size_t k, const Node<R>& node) {
         return R(solution.problem().slope(solution.slope_at(segments[k]), node.x) + solution.tilt());
       });
   findings.compare(equation, static_cast<double>(check.equation()));
@@ -198,8 +189,7 @@ R extrapolated(const std::vector<R>& f, int to) {
   template numeric::PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>&,                               \
                                                    const numeric::FundamentalSolution<R>&, const Bracket<R>&); \
   template void check_equation(Findings&, const RiemannHilbertForm<R>&);                                       \
-  template R extrapolated(const std::vector<R>&, int);                                                         \
-  template numeric::PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>&);
+  template R extrapolated(const std::vector<R>&, int);
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)
 STEADYSLIDE_INSTANTIATE(Real100)

@@ -6,6 +6,7 @@
 
 #include "numeric/residuals.hpp"
 #include "numeric/riemann_hilbert_solution.hpp"
+#include "numeric/traction_density.hpp"
 #include "proofs_checks/random.hpp"
 #include "proofs_checks/surface.hpp"
 
@@ -76,8 +77,6 @@ using Bracket = std::function<R(std::size_t segment, const numeric::Node<R>&)>;
 template <Real R>
 numeric::PiecewiseDensity<R> density_of(const numeric::RiemannHilbertForm<R>& form,
                                         const numeric::FundamentalSolution<R>& weight, const Bracket<R>& bracket);
-template <Real R>
-numeric::PiecewiseDensity<R> density_of(const numeric::RiemannHilbertForm<R>& form);
 template <Real R>
 std::vector<std::size_t> segments_of(const numeric::RiemannHilbertForm<R>& form);
 /// s of the contact's panels.

@@ -63,7 +63,7 @@ TEST_CASE("the load acts where it should; its moment by an unrelated quadrature;
       const auto found = solved<double>(p);
       close(found->resultants().centre_of_pressure.value, i / 10.);
       // In the frame the load and load_at are the form's own data.
-      const trapezoidal::Grid<double> grid(testing::density_of(found->form()));
+      const trapezoidal::Grid<double> grid(traction_density(found->form()));
       const double moment = grid.moment(0) / grid.integral();
       close(moment, *found->problem().load_at());
       close(found->form().moment_of_load() / found->problem().load(), moment);
