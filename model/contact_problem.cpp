@@ -1,5 +1,6 @@
 #include "model/contact_problem.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "model/invalid_data.hpp"
@@ -39,6 +40,60 @@ ContactProblem::ContactProblem(Elasticity elasticity, FrictionProfile friction, 
 Rational ContactProblem::coupled_friction(std::size_t piece) const {
   const Rational s = elasticity_.gamma() * friction_.values().at(piece);
   return sliding_ == Sliding::plus_x ? s : Rational(-s);
+}
+
+Rational ContactProblem::shear_ratio(std::size_t piece) const {
+  const Rational& f = friction_.values().at(piece);
+  return sliding_ == Sliding::plus_x ? Rational(-f) : f;
+}
+
+std::vector<ContactProblem::Piece> ContactProblem::pieces() const {
+  const std::vector<Rational>& jumps = friction_.jumps();
+  std::vector<Piece> result;
+  Rational left = indenter_.left();
+  std::size_t friction = 0;
+  for (std::size_t profile = 0; profile < indenter_.pieces().size(); ++profile) {
+    const Rational& to = indenter_.pieces()[profile].to;
+    while (left < to) {
+      if (friction < jumps.size() && jumps[friction] == left) ++friction;
+      const Rational right = friction < jumps.size() ? std::min(jumps[friction], to) : to;
+      result.push_back({left, right, friction, profile});
+      left = right;
+    }
+  }
+  return result;
+}
+
+ContactProblem ContactProblem::with_load(Rational load) const {
+  return {elasticity_, friction_, indenter_, std::move(load), sliding_, load_at_};
+}
+
+ContactProblem ContactProblem::with_friction(FrictionProfile friction) const {
+  return {elasticity_, std::move(friction), indenter_, load_, sliding_, load_at_};
+}
+
+ContactProblem ContactProblem::with_indenter(Indenter indenter) const {
+  return {elasticity_, friction_, std::move(indenter), load_, sliding_, load_at_};
+}
+
+ContactProblem ContactProblem::with_sliding(Sliding sliding) const {
+  return {elasticity_, friction_, indenter_, load_, sliding, load_at_};
+}
+
+ContactProblem ContactProblem::with_jump(const Rational& c, const Rational& height) const {
+  return with_friction(friction_.with_jump(c, height));
+}
+
+ContactProblem ContactProblem::moved(const Rational& scale, const Rational& shift) const {
+  std::optional<Rational> load_at;
+  if (load_at_) load_at = scale * *load_at_ + shift;
+  const bool to_plus_x = (sliding_ == Sliding::plus_x) != (scale < 0);
+  return {elasticity_,
+          friction_.moved(scale, shift),
+          indenter_.moved(scale, shift),
+          load_,
+          to_plus_x ? Sliding::plus_x : Sliding::minus_x,
+          std::move(load_at)};
 }
 
 }  // namespace steadyslide

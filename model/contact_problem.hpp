@@ -31,6 +31,32 @@ class ContactProblem {
 
   /// s = +-gamma f on friction piece k, signed by the direction of sliding.
   Rational coupled_friction(std::size_t piece) const;
+  /// t_t/t = -+f on friction piece k: the body is dragged along, towards the side to which the indenter slides.
+  Rational shear_ratio(std::size_t piece) const;
+
+  /// A part of the support on which the friction has one value and the profile is one polynomial.
+  struct Piece {
+    Rational left;
+    Rational right;
+    std::size_t friction;  ///< the index of the value
+    std::size_t profile;   ///< the index of the polynomial
+  };
+  /// The support between its ends, the friction's jumps and the profile's breaks, left to right.
+  std::vector<Piece> pieces() const;
+
+  /// The problem with another load, friction, indenter or direction, all else kept. They throw as the constructor does.
+  ContactProblem with_load(Rational load) const;
+  ContactProblem with_friction(FrictionProfile friction) const;
+  ContactProblem with_indenter(Indenter indenter) const;
+  ContactProblem with_sliding(Sliding sliding) const;
+  /// A further jump at c: f larger by `height` between c and the next jump.
+  ContactProblem with_jump(const Rational& c, const Rational& height) const;
+  /// The same heights and the same load in the coordinate y = scale x + shift, scale != 0. A negative scale mirrors,
+  /// and turns the direction of sliding.
+  ContactProblem moved(const Rational& scale, const Rational& shift) const;
+  /// x -> -x: the same bodies seen from behind the page.
+  ContactProblem mirrored() const { return moved(-1, 0); }
+  friend bool operator==(const ContactProblem&, const ContactProblem&) = default;
 
  private:
   Elasticity elasticity_;

@@ -25,6 +25,7 @@ class Solid {
   Rational shear_modulus() const { return young_ / (2 * (1 + poisson_)); }
   /// Kolosov's constant: 3 - 4 nu in plane strain, (3 - nu)/(1 + nu) in plane stress.
   Rational kolosov(Plane plane) const;
+  friend bool operator==(const Solid&, const Solid&) = default;
 
  private:
   Rational poisson_;
@@ -47,6 +48,7 @@ class Elasticity {
   const std::optional<Solid>& half_space() const { return half_space_; }
   /// Absent for a rigid indenter.
   const std::optional<Solid>& indenter() const { return indenter_; }
+  friend bool operator==(const Elasticity&, const Elasticity&) = default;
 
  private:
   Elasticity(Rational gamma, Rational compliance) : gamma_(std::move(gamma)), compliance_(std::move(compliance)) {}

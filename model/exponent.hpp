@@ -56,6 +56,9 @@ class Exponent {
   std::vector<Angle> angles_;
 };
 
+/// 1/2, the power at a free end without friction.
+inline const Exponent half{Rational(1, 2)};
+
 /// "-1/2 - arctan(3/35)/pi"
 std::string to_string(const Exponent& exponent);
 

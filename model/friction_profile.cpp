@@ -37,4 +37,24 @@ std::size_t FrictionProfile::piece(const Rational& x, Side side) const {
   return static_cast<std::size_t>(after - jumps_.begin());
 }
 
+FrictionProfile FrictionProfile::moved(const Rational& scale, const Rational& shift) const {
+  std::vector<Rational> values = values_;
+  std::vector<Rational> jumps;
+  for (const Rational& c : jumps_) jumps.push_back(scale * c + shift);
+  if (scale < 0) {
+    std::reverse(values.begin(), values.end());
+    std::reverse(jumps.begin(), jumps.end());
+  }
+  return FrictionProfile(std::move(values), std::move(jumps));
+}
+
+FrictionProfile FrictionProfile::with_jump(const Rational& c, const Rational& height) const {
+  const auto at = static_cast<std::ptrdiff_t>(piece(c, Side::left));
+  std::vector<Rational> values = values_;
+  std::vector<Rational> jumps = jumps_;
+  values.insert(values.begin() + at + 1, values_[piece(c, Side::left)] + height);
+  jumps.insert(jumps.begin() + at, c);
+  return FrictionProfile(std::move(values), std::move(jumps));
+}
+
 }  // namespace steadyslide

@@ -22,6 +22,13 @@ Indenter::Indenter(const Rational& left, std::vector<Piece> pieces) : left_(left
   }
 }
 
+const Polynomial& Indenter::profile(const Rational& x, Side side) const {
+  const auto ends_before = [side](const Piece& piece, const Rational& place) {
+    return side == Side::left ? piece.to < place : piece.to <= place;
+  };
+  return std::lower_bound(pieces_.begin(), pieces_.end() - 1, x, ends_before)->profile;
+}
+
 std::vector<Indenter::Break> Indenter::breaks() const {
   std::vector<Break> result;
   for (std::size_t k = 0; k + 1 < pieces_.size(); ++k) {
@@ -35,6 +42,24 @@ std::vector<Indenter::Break> Indenter::breaks() const {
 bool Indenter::is_smooth() const {
   const std::vector<Break> all = breaks();
   return std::all_of(all.begin(), all.end(), [](const Break& b) { return b.step == 0 && b.wedge == 0; });
+}
+
+Indenter Indenter::moved(const Rational& scale, const Rational& shift) const {
+  std::vector<Piece> pieces;
+  Rational from = left_;
+  for (const Piece& piece : pieces_) {
+    const Rational& end = scale < 0 ? from : piece.to;
+    pieces.push_back({scale * end + shift, piece.profile.composed(1 / scale, -shift / scale)});
+    from = piece.to;
+  }
+  if (scale < 0) std::reverse(pieces.begin(), pieces.end());
+  return Indenter(scale * (scale < 0 ? right() : left_) + shift, std::move(pieces));
+}
+
+Indenter Indenter::scaled(const Rational& factor) const {
+  std::vector<Piece> pieces = pieces_;
+  for (Piece& piece : pieces) piece.profile = Polynomial::constant(factor) * piece.profile;
+  return Indenter(left_, std::move(pieces));
 }
 
 }  // namespace steadyslide

@@ -15,6 +15,7 @@ class Indenter {
   struct Piece {
     Rational to;
     Polynomial profile;
+    friend bool operator==(const Piece&, const Piece&) = default;
   };
 
   /// Throws InvalidData unless left < first `to` < second `to` < ...; the last `to` is the support's right end.
@@ -23,6 +24,8 @@ class Indenter {
   const Rational& left() const { return left_; }
   const Rational& right() const { return pieces_.back().to; }
   const std::vector<Piece>& pieces() const { return pieces_; }
+  /// psi around x as one polynomial; where pieces meet, that on the side. Beyond the support, that of its last piece.
+  const Polynomial& profile(const Rational& x, Side side) const;
 
   /// What happens where piece k meets piece k + 1: value and slope on the right minus those on the left.
   struct Break {
@@ -33,6 +36,12 @@ class Indenter {
   std::vector<Break> breaks() const;
   /// Neither wedge nor step.
   bool is_smooth() const;
+
+  /// The same heights in the coordinate y = scale x + shift, scale != 0: a negative scale mirrors.
+  Indenter moved(const Rational& scale, const Rational& shift) const;
+  /// psi times `factor`.
+  Indenter scaled(const Rational& factor) const;
+  friend bool operator==(const Indenter&, const Indenter&) = default;
 
  private:
   Rational left_;

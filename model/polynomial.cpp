@@ -20,6 +20,13 @@ Polynomial Polynomial::derivative() const {
   return Polynomial(std::move(result));
 }
 
+Polynomial Polynomial::composed(const Rational& a, const Rational& b) const {
+  const Polynomial line({b, a});
+  Polynomial result;
+  for (auto c = coefficients_.rbegin(); c != coefficients_.rend(); ++c) result = result * line + constant(*c);
+  return result;
+}
+
 Polynomial operator+(const Polynomial& a, const Polynomial& b) {
   std::vector<Rational> sum(std::max(a.coefficients_.size(), b.coefficients_.size()));
   for (std::size_t k = 0; k < sum.size(); ++k) sum[k] = a.coefficient(k) + b.coefficient(k);

@@ -22,6 +22,8 @@ class Polynomial {
 
   Rational operator()(const Rational& x) const;
   Polynomial derivative() const;
+  /// p(a x + b).
+  Polynomial composed(const Rational& a, const Rational& b) const;
 
   friend Polynomial operator+(const Polynomial& a, const Polynomial& b);
   friend Polynomial operator-(const Polynomial& a, const Polynomial& b);

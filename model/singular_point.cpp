@@ -1,16 +1,9 @@
 #include "model/singular_point.hpp"
 
-#include <map>
 #include <set>
 
 namespace steadyslide {
 namespace {
-
-/// What meets at an interior point of the support.
-struct Meeting {
-  Rational step;
-  Rational wedge;
-};
 
 void add_ends(const ContactProblem& problem, const Rational& x, End end, std::vector<SingularPoint>& points) {
   // At the left end of the contact, the contact is on the right.
@@ -25,14 +18,14 @@ void add_ends(const ContactProblem& problem, const Rational& x, End end, std::ve
   points.push_back({x, SingularKind::free, contact, friction, free_exponent(end, s)});
 }
 
-void add_interior(const ContactProblem& problem, const Rational& x, const Meeting& meeting,
+/// Where the friction pieces `left` and `right` meet.
+void add_interior(const ContactProblem& problem, std::size_t left, std::size_t right, const Indenter::Break& at,
                   std::vector<SingularPoint>& points) {
-  const std::size_t left = problem.friction().piece(x, Side::left);
-  const std::size_t right = problem.friction().piece(x, Side::right);
+  const Rational& x = at.x;
   const std::vector<Rational>& f = problem.friction().values();
-  if (meeting.step != 0) {
+  if (at.step != 0) {
     // Contact ends at a step on its protruding side only: psi is measured away from the body.
-    const bool right_protrudes = meeting.step < 0;
+    const bool right_protrudes = at.step < 0;
     const std::size_t piece = right_protrudes ? right : left;
     const Exponent exponent = edge_exponent(right_protrudes ? End::left : End::right, problem.coupled_friction(piece));
     points.push_back(
@@ -41,9 +34,9 @@ void add_interior(const ContactProblem& problem, const Rational& x, const Meetin
   }
   const Exponent beta = jump_exponent(problem.coupled_friction(left), problem.coupled_friction(right));
   if (beta.sign() != 0) {
-    const SingularKind kind = meeting.wedge != 0 ? SingularKind::wedge_and_jump : SingularKind::friction_jump;
+    const SingularKind kind = at.wedge != 0 ? SingularKind::wedge_and_jump : SingularKind::friction_jump;
     points.push_back({x, kind, ContactSide::both, {f[left], f[right]}, beta});
-  } else if (meeting.wedge != 0) {
+  } else if (at.wedge != 0) {
     points.push_back({x, SingularKind::wedge, ContactSide::both, {f[left], f[right]}, std::nullopt});
   }
 }
@@ -52,8 +45,7 @@ void add_interior(const ContactProblem& problem, const Rational& x, const Meetin
 
 Exponent edge_exponent(End end, const Rational& s) {
   const Exponent alpha = Exponent::angle(s);
-  const Exponent half(Rational(-1, 2));
-  return end == End::left ? half - alpha : half + alpha;
+  return end == End::left ? -half - alpha : alpha - half;
 }
 
 Exponent free_exponent(End end, const Rational& s) { return edge_exponent(end, s) + Exponent(1); }
@@ -84,13 +76,17 @@ std::string_view name_of(ContactSide side) {
 }
 
 std::vector<SingularPoint> possible_singular_points(const ContactProblem& problem) {
-  std::map<Rational, Meeting> meetings;
-  for (const Rational& c : problem.friction().jumps()) meetings[c] = {};
-  for (const Indenter::Break& b : problem.indenter().breaks()) meetings[b.x] = {b.step, b.wedge};
-
+  const std::vector<ContactProblem::Piece> pieces = problem.pieces();
+  const std::vector<Indenter::Break> breaks = problem.indenter().breaks();
   std::vector<SingularPoint> points;
   add_ends(problem, problem.indenter().left(), End::left, points);
-  for (const auto& [x, meeting] : meetings) add_interior(problem, x, meeting, points);
+  for (std::size_t k = 1; k < pieces.size(); ++k) {
+    const ContactProblem::Piece& left = pieces[k - 1];
+    const ContactProblem::Piece& right = pieces[k];
+    const bool is_break = left.profile != right.profile;
+    add_interior(problem, left.friction, right.friction,
+                 is_break ? breaks[left.profile] : Indenter::Break{right.left, 0, 0}, points);
+  }
   add_ends(problem, problem.indenter().right(), End::right, points);
 
   std::set<Rational> listed;

@@ -105,10 +105,7 @@ std::vector<Rational> load_list(const std::string& text) {
 }
 
 Problem with_load(const Problem& problem, const Rational& load) {
-  const ContactProblem& contact = problem.contact;
-  return {ContactProblem(contact.elasticity(), contact.friction(), contact.indenter(), load, contact.sliding(),
-                         contact.load_at()),
-          problem.file, problem.samples};
+  return {problem.contact.with_load(load), problem.file, problem.samples};
 }
 
 ExitCode follow_loads(const SolveOptions& options, const Problem& problem) {

@@ -12,10 +12,6 @@ namespace {
 
 using Solution = std::shared_ptr<const numeric::RiemannHilbertSolution<double>>;
 
-ContactProblem with_load(const ContactProblem& problem, const Rational& load) {
-  return {problem.elasticity(), problem.friction(), problem.indenter(), load, problem.sliding()};
-}
-
 /// A solution for every load, each starting from the one before. The loads are squares: the contact's length grows like
 /// the root.
 std::vector<Solution> load_steps(const ContactProblem& problem, const Rational& last, int steps) {
@@ -23,7 +19,7 @@ std::vector<Solution> load_steps(const ContactProblem& problem, const Rational& 
   for (int i = 1; i <= steps; ++i) {
     const Solution* before = result.empty() ? nullptr : &result.back();
     const Rational load = last * i * i / (steps * steps);
-    result.push_back(solved_by_singular_functions(with_load(problem, load), before ? before->get() : nullptr));
+    result.push_back(solved_by_singular_functions(problem.with_load(load), before ? before->get() : nullptr));
   }
   return result;
 }
@@ -40,7 +36,7 @@ std::vector<Solution> up_to_merging(const ContactProblem& problem, const Solutio
   Rational high(load_of(one));
   while (high - low > Rational(1, 1000000) * high) {
     const Rational middle = (low + high) / 2;
-    const Solution solution = solved_by_singular_functions(with_load(problem, middle), result.back().get());
+    const Solution solution = solved_by_singular_functions(problem.with_load(middle), result.back().get());
     if (solution->contact().size() == 2) {
       result.push_back(solution);
       low = middle;

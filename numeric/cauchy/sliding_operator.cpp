@@ -31,11 +31,8 @@ template <Real R>
 Estimate<R> sliding_operator(const PiecewiseDensity<R>& traction, const std::vector<R>& s, const PanelPoint<R>& at,
                              Route route) {
   using std::abs;
-  Estimate<R> result = hilbert(traction, at, route);
   const R st = s.at(at.panel) * traction.at(at.panel)(at.node);
-  result.value += st;
-  result.error += 4 * epsilon<R>() * abs(st);
-  return result;
+  return hilbert(traction, at, route) + Estimate<R>{st, 4 * epsilon<R>() * abs(st)};
 }
 
 #define STEADYSLIDE_INSTANTIATE(R) \

@@ -75,9 +75,9 @@ Resultants<R> ClosedForm<R>::resultants() const {
     const Estimate<R> load = tanh_sinh::panel_integral(density[k]);
     const Panel<R>& panel = density[k].panel;
     const R relative = weight().relative_error(k, panel.node_from_left(panel.length / 2), 8 * data_.end_error);
-    loads[data_.first_piece + k] = {-load.value, load.error + relative * abs(load.value), load.convergence};
+    loads[data_.first_piece + k] = -load.widened(relative);
   }
-  Resultants<R> result = resultants_of(std::move(loads), problem_.friction().values());
+  Resultants<R> result = resultants_of(loads, problem_.friction().values());
 
   // The moments of t are the coefficients of u' at infinity, and those are power sums of the singular points.
   R sum1 = 0, sum2 = 0, sum3 = 0, size = 0;
@@ -162,12 +162,9 @@ Residuals<R> ClosedForm<R>::residuals() const {
 
 template <Real R>
 Estimate<R> ClosedForm<R>::shear_of(const Estimate<R>& traction, std::size_t panel) const {
-  // The body is dragged along: t_t = -f t towards the side to which the indenter slides.
-  const Rational& f = problem_.friction().values()[data_.first_piece + panel];
-  if (f == 0) return {};
-  const R factor = problem_.sliding() == Sliding::plus_x ? R(-to_real<R>(f)) : to_real<R>(f);
-  using std::abs;
-  return {factor * traction.value, abs(factor) * traction.error};
+  const Rational ratio = problem_.shear_ratio(data_.first_piece + panel);
+  if (ratio == 0) return {};  // under an infinite pressure, too
+  return to_real<R>(ratio) * traction;
 }
 
 template <Real R>
@@ -239,8 +236,7 @@ Sample<R> ClosedForm<R>::outside(Side side, const R& distance) const {
         side == Side::left ? weight().powers().front() : weight().powers().back(),
         {R(0), R(1)},
         [&](const Node<R>& node) { return R(data_.factor * weight().smooth_modulus_beyond(side, node.from_left)); }};
-    const Estimate<R> gap = tanh_sinh::panel_integral(integrand);
-    sample.gap = Estimate<R>{c * gap.value, c * (gap.error + 4 * relative * abs(gap.value)), gap.convergence};
+    sample.gap = c * tanh_sinh::panel_integral(integrand).widened(4 * relative);
   }
   return sample;
 }

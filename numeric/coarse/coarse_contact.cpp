@@ -27,10 +27,10 @@ double end_distance(const Mesh& mesh, const Equilibrium& state, double power, st
   return std::min(mesh.length(next) * ratio / (1 - ratio), mesh.length(last) + beyond / 2);
 }
 
-CoarseContact::Zone zone(const Mesh& mesh, const Equilibrium& state, const Run& run) {
+ContactInterval zone(const Mesh& mesh, const Equilibrium& state, const Run& run) {
   const auto [first, last] = run;
-  CoarseContact::Zone zone{mesh.left(first), mesh.right(last - 1), first == 0 || mesh.step_before(first) < 0,
-                           last == mesh.size() || mesh.step_before(last) > 0};
+  ContactInterval zone{mesh.left(first), mesh.right(last - 1), first == 0 || mesh.step_before(first) < 0,
+                       last == mesh.size() || mesh.step_before(last) > 0};
   if (last - first < 3) return zone;
   if (!zone.left_at_edge) {
     const double beyond = mesh.step_before(first) == 0 ? mesh.length(first - 1) : 0;

@@ -11,23 +11,18 @@
 #include <vector>
 
 #include "model/contact_problem.hpp"
+#include "numeric/solution/contact_interval.hpp"
 
 namespace steadyslide::numeric {
 
 /// Lengths are measured from `origin`, which is exact.
 struct CoarseContact {
-  struct Zone {
-    double left;
-    double right;
-    bool left_at_edge;  ///< `left` is the support's end or a step whose lower face is on the other side
-    bool right_at_edge;
-  };
   Rational origin;
-  std::vector<Zone> zones;         ///< left to right
-  double tilt = 0;                 ///< slope added to psi/c: not zero only with load_at
-  std::vector<double> cell_edges;  ///< of the last mesh
-  std::vector<double> traction;    ///< one per cell
-  bool converged = true;           ///< false: the active sets cycled; the best one is given
+  std::vector<ContactInterval> zones;  ///< left to right
+  double tilt = 0;                     ///< slope added to psi/c: not zero only with load_at
+  std::vector<double> cell_edges;      ///< of the last mesh
+  std::vector<double> traction;        ///< one per cell
+  bool converged = true;               ///< false: the active sets cycled; the best one is given
 };
 
 /// About `cells` cells to begin with, at most 16 times as many on the last mesh.

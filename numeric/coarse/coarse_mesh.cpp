@@ -10,54 +10,31 @@ namespace steadyslide::numeric::coarse {
 
 namespace {
 
-/// p(x + origin)/c, in double at last.
-std::vector<double> shifted(const Polynomial& p, const Rational& origin, const Rational& compliance) {
-  Polynomial result;
-  const Polynomial x({origin, 1});
-  for (std::size_t k = p.coefficients().size(); k-- > 0;) {
-    result = result * x + Polynomial::constant(p.coefficient(k));
-  }
-  std::vector<double> coefficients;
-  for (const Rational& a : result.coefficients()) coefficients.push_back(to_real<double>(Rational(a / compliance)));
-  return coefficients;
-}
-
 std::vector<Stretch> stretches_of(const ContactProblem& problem, const Rational& origin) {
-  const Indenter& indenter = problem.indenter();
-  const std::vector<Rational>& jumps = problem.friction().jumps();
-  const std::vector<Indenter::Break> breaks = indenter.breaks();
+  const std::vector<Indenter::Break> breaks = problem.indenter().breaks();
+  const Polynomial per_compliance = Polynomial::constant(1 / problem.elasticity().compliance());
   std::vector<Stretch> stretches;
-  std::size_t friction = 0;
-  Rational left = indenter.left();
-  for (std::size_t piece = 0; piece < indenter.pieces().size(); ++piece) {
-    const Rational& end = indenter.pieces()[piece].to;
-    const std::vector<double> profile =
-        shifted(indenter.pieces()[piece].profile, origin, problem.elasticity().compliance());
-    int step = piece > 0 ? sign(breaks[piece - 1].step) : 0;
-    while (left < end) {
-      while (friction < jumps.size() && jumps[friction] <= left) ++friction;
-      const Rational right = friction < jumps.size() ? std::min(jumps[friction], end) : end;
-      const double s = to_real<double>(problem.coupled_friction(friction));
-      const double turn = std::atan2(1, std::abs(s)) / std::numbers::pi;
-      const double from = to_real<double>(Rational(left - origin));
-      const double to = to_real<double>(Rational(right - origin));
-      // Cuts that double cannot tell apart have no cell between them.
-      if (from < to)
-        stretches.push_back({from, to, s, s < 0 ? turn : 1 - turn, s < 0 ? 1 - turn : turn, profile, step});
-      step = 0;
-      left = right;
+  std::vector<double> profile;
+  std::size_t next = 0;
+  for (const ContactProblem::Piece& piece : problem.pieces()) {
+    int step = 0;
+    if (piece.profile == next) {
+      if (next > 0) step = sign(breaks[next - 1].step);
+      profile = coefficients_of<double>(per_compliance * problem.indenter().pieces()[next].profile.composed(1, origin));
+      ++next;
     }
+    const double s = to_real<double>(problem.coupled_friction(piece.friction));
+    const double turn = std::atan2(1, std::abs(s)) / std::numbers::pi;
+    const double from = to_real<double>(Rational(piece.left - origin));
+    const double to = to_real<double>(Rational(piece.right - origin));
+    // Cuts that double cannot tell apart have no cell between them.
+    if (from >= to) continue;
+    stretches.push_back({from, to, s, s < 0 ? turn : 1 - turn, s < 0 ? 1 - turn : turn, profile, step});
   }
   return stretches;
 }
 
 }  // namespace
-
-double Stretch::profile_at(double x) const {
-  double value = 0;
-  for (std::size_t k = profile.size(); k-- > 0;) value = value * x + profile[k];
-  return value;
-}
 
 Mesh::Mesh(const ContactProblem& problem, const Rational& origin, int cells)
     : stretches_(stretches_of(problem, origin)), edges_{stretches_.front().left} {

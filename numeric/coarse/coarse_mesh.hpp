@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/contact_problem.hpp"
+#include "numeric/number/polynomial.hpp"
 
 namespace steadyslide::numeric::coarse {
 
@@ -17,7 +18,7 @@ struct Stretch {
   std::vector<double> profile;  ///< psi/c, coefficients of 1, x, x^2, ...
   int step;                     ///< the sign of psi(x+) - psi(x-) at `left`
 
-  double profile_at(double x) const;
+  double profile_at(double x) const { return value_of(profile, x); }
 };
 
 class Mesh {

@@ -146,8 +146,7 @@ StressState<R> InteriorStress<R>::at(const Rational& x, const Rational& z) const
   const Elasticity& elasticity = solution_->problem().problem().elasticity();
   if (elasticity.half_space()) {
     const R nu = elasticity.plane() == Plane::strain ? to_real<R>(elasticity.half_space()->poisson()) : R(0);
-    stress.yy = Estimate<R>{nu * (stress.xx.value + stress.zz.value), abs(nu) * (stress.xx.error + stress.zz.error),
-                            stress.xx.convergence};
+    stress.yy = nu * (stress.xx + stress.zz);
   }
   return stress;
 }

@@ -23,7 +23,7 @@ struct StressState {
 
   std::optional<Estimate<R>> mean() const {
     if (!yy) return std::nullopt;
-    return Estimate<R>{(xx.value + yy->value + zz.value) / 3, (xx.error + yy->error + zz.error) / 3, xx.convergence};
+    return (xx + *yy + zz) / R(3);
   }
 
   std::optional<Estimate<R>> von_mises() const {

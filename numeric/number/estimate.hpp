@@ -1,5 +1,12 @@
 #pragma once
-// A value travels with its error.
+// A value travels with its error: through sums, differences, products and quotients the errors add up to first order,
+//
+//   error(a +- b) = error(a) + error(b),
+//   error(a b) = |b| error(a) + |a| error(b),   error(a/b) = (error(a) + |a/b| error(b))/|b|,
+//
+// and what has stalled once stays so. The rounding of one operation is left out: estimates start well above it.
+
+#include <cmath>
 
 #include "numeric/number/real.hpp"
 
@@ -7,12 +14,56 @@ namespace steadyslide::numeric {
 
 enum class Convergence { reached, stalled };
 
-/// The value, an estimate (not a bound) of its absolute error, and whether the method reached its tolerance.
+/// The value, an estimate (not a bound) of its absolute error, and whether the method reached its tolerance. A plain
+/// number beside an estimate is exact.
 template <Real R>
 struct Estimate {
   R value = 0;
   R error = 0;
   Convergence convergence = Convergence::reached;
+
+  Estimate& operator+=(const Estimate& term) {
+    value += term.value;
+    error += term.error;
+    if (term.convergence == Convergence::stalled) convergence = Convergence::stalled;
+    return *this;
+  }
+  Estimate& operator*=(const R& factor) {
+    using std::abs;
+    value *= factor;
+    error *= abs(factor);
+    return *this;
+  }
+
+  friend Estimate operator-(Estimate a) { return {-a.value, a.error, a.convergence}; }
+  friend Estimate operator+(Estimate a, const Estimate& b) { return a += b; }
+  friend Estimate operator-(Estimate a, const Estimate& b) { return a += -b; }
+  friend Estimate operator*(const R& factor, Estimate a) { return a *= factor; }
+  friend Estimate operator/(const Estimate& a, const R& divisor) {
+    using std::abs;
+    return {a.value / divisor, a.error / abs(divisor), a.convergence};
+  }
+  friend Estimate operator*(const Estimate& a, const Estimate& b) {
+    using std::abs;
+    return {a.value * b.value, abs(b.value) * a.error + abs(a.value) * b.error, worse(a, b)};
+  }
+  friend Estimate operator/(const Estimate& a, const Estimate& b) {
+    using std::abs;
+    const R quotient = a.value / b.value;
+    const R size = abs(b.value);
+    return {quotient, a.error / size + b.error / size * abs(quotient), worse(a, b)};
+  }
+
+  /// The same value with `relative` of its size more as its error.
+  Estimate widened(const R& relative) const {
+    using std::abs;
+    return {value, error + relative * abs(value), convergence};
+  }
+
+ private:
+  static Convergence worse(const Estimate& a, const Estimate& b) {
+    return a.convergence == Convergence::stalled ? a.convergence : b.convergence;
+  }
 };
 
 }  // namespace steadyslide::numeric

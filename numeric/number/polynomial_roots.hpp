@@ -4,16 +4,14 @@
 #include <limits>
 #include <vector>
 
+#include "numeric/number/polynomial.hpp"
+
 namespace steadyslide::numeric {
 
 /// The places in ]a, b[ where the polynomial with these coefficients of 1, x, x^2, ... changes its sign, left to right.
 inline std::vector<double> sign_changes(const std::vector<double>& coefficients, double a, double b) {
   if (coefficients.size() < 2) return {};
-  const auto value = [&](double x) {
-    double sum = 0;
-    for (std::size_t k = coefficients.size(); k-- > 0;) sum = sum * x + coefficients[k];
-    return sum;
-  };
+  const auto value = [&](double x) { return value_of(coefficients, x); };
   std::vector<double> derivative;
   for (std::size_t k = 1; k < coefficients.size(); ++k) derivative.push_back(static_cast<double>(k) * coefficients[k]);
   std::vector<double> cuts = sign_changes(derivative, a, b);

@@ -70,12 +70,6 @@ Estimate<double> qawc(double radius, const G& g) {
   return estimate_of(status, value, error);
 }
 
-void add(Estimate<double>& sum, const Estimate<double>& term) {
-  sum.value += term.value;
-  sum.error += term.error;
-  if (term.convergence == Convergence::stalled) sum.convergence = Convergence::stalled;
-}
-
 /// From each end to the middle, so that a kernel that is nearly singular at an end sees the exact distance to it.
 template <class Kernel>
 Estimate<double> weighted_panel(const PanelDensity<double>& density, const Kernel& kernel) {
@@ -85,10 +79,10 @@ Estimate<double> weighted_panel(const PanelDensity<double>& density, const Kerne
     const Node<double> node = panel.node_from_left(d);
     return pow(node.from_right, density.right.value) * density.smooth(node) * kernel(node);
   });
-  add(sum, qaws(panel.length / 2, density.right.value, [&](double d) {
-        const Node<double> node = panel.node_from_right(d);
-        return pow(node.from_left, density.left.value) * density.smooth(node) * kernel(node);
-      }));
+  sum += qaws(panel.length / 2, density.right.value, [&](double d) {
+    const Node<double> node = panel.node_from_right(d);
+    return pow(node.from_left, density.left.value) * density.smooth(node) * kernel(node);
+  });
   return sum;
 }
 
@@ -101,22 +95,22 @@ Estimate<double> own_panel(const PanelDensity<double>& density, const Node<doubl
   });
   // What is left of x - radius and right of x + radius: half of it seen from x, and the rest from the end with its
   // power.
-  add(sum, qaws(at.from_left / 2, density.left.value, [&](double d) {
-        const Node<double> node = panel.node_from_left(d);
-        return pow(node.from_right, density.right.value) * density.smooth(node) / (d - at.from_left);
-      }));
-  add(sum, qaws(at.from_left / 2 - radius, 0, [&](double y) {
-        const double beyond = radius + y;
-        return -density({at.x - beyond, at.from_left - beyond, at.from_right + beyond}) / beyond;
-      }));
-  add(sum, qaws(at.from_right / 2 - radius, 0, [&](double y) {
-        const double beyond = radius + y;
-        return density({at.x + beyond, at.from_left + beyond, at.from_right - beyond}) / beyond;
-      }));
-  add(sum, qaws(at.from_right / 2, density.right.value, [&](double d) {
-        const Node<double> node = panel.node_from_right(d);
-        return pow(node.from_left, density.left.value) * density.smooth(node) / (at.from_right - d);
-      }));
+  sum += qaws(at.from_left / 2, density.left.value, [&](double d) {
+    const Node<double> node = panel.node_from_left(d);
+    return pow(node.from_right, density.right.value) * density.smooth(node) / (d - at.from_left);
+  });
+  sum += qaws(at.from_left / 2 - radius, 0, [&](double y) {
+    const double beyond = radius + y;
+    return -density({at.x - beyond, at.from_left - beyond, at.from_right + beyond}) / beyond;
+  });
+  sum += qaws(at.from_right / 2 - radius, 0, [&](double y) {
+    const double beyond = radius + y;
+    return density({at.x + beyond, at.from_left + beyond, at.from_right - beyond}) / beyond;
+  });
+  sum += qaws(at.from_right / 2, density.right.value, [&](double d) {
+    const Node<double> node = panel.node_from_right(d);
+    return pow(node.from_left, density.left.value) * density.smooth(node) / (at.from_right - d);
+  });
   return sum;
 }
 
@@ -128,7 +122,7 @@ Estimate<double> panel_integral(const PanelDensity<double>& density) {
 
 Estimate<double> integral(const PiecewiseDensity<double>& density) {
   Estimate<double> sum;
-  for (const PanelDensity<double>& panel : density) add(sum, panel_integral(panel));
+  for (const PanelDensity<double>& panel : density) sum += panel_integral(panel);
   return sum;
 }
 
@@ -139,11 +133,11 @@ Estimate<double> hilbert(const PiecewiseDensity<double>& density, const PanelPoi
     const bool to_the_right = j > at.panel;
     const double between =
         (to_the_right ? at.node.from_right : at.node.from_left) + distance_between(density, j, at.panel);
-    add(sum, weighted_panel(density[j], [&](const Node<double>& node) {
-          return to_the_right ? 1 / (between + node.from_left) : -1 / (between + node.from_right);
-        }));
+    sum += weighted_panel(density[j], [&](const Node<double>& node) {
+      return to_the_right ? 1 / (between + node.from_left) : -1 / (between + node.from_right);
+    });
   }
-  return {sum.value / std::numbers::pi, sum.error / std::numbers::pi, sum.convergence};
+  return sum / std::numbers::pi;
 }
 
 }  // namespace steadyslide::numeric::gsl

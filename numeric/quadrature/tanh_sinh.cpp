@@ -41,21 +41,11 @@ template <Real R, class G>
 Estimate<R> power_integral(const R& h, const Power<R>& power, const G& g) {
   using std::pow;
   if (power.value == 0) {
-    Estimate<R> plain = unit_integral<R>([&](const R& v) { return g(R(h * v)); });
-    return {plain.value * h, plain.error * h, plain.convergence};
+    return h * unit_integral<R>([&](const R& v) { return g(R(h * v)); });
   }
   const R inverse = 1 / power.plus_one;
   const R factor = pow(h, power.plus_one) * inverse;
-  const Estimate<R> unit = unit_integral<R>([&](const R& v) { return g(R(h * pow(v, inverse))); });
-  return {unit.value * factor, unit.error * factor, unit.convergence};
-}
-
-template <Real R>
-Estimate<R>& operator+=(Estimate<R>& sum, const Estimate<R>& term) {
-  sum.value += term.value;
-  sum.error += term.error;
-  if (term.convergence == Convergence::stalled) sum.convergence = Convergence::stalled;
-  return sum;
+  return factor * unit_integral<R>([&](const R& v) { return g(R(h * pow(v, inverse))); });
 }
 
 /// int t(x') kernel(node') dx' over the parts [left, left + h_left] and [right - h_right, right] of a panel.
@@ -107,11 +97,6 @@ Estimate<R> own_panel(const PanelDensity<R>& density, const Node<R>& at) {
   return sum;
 }
 
-template <Real R>
-Estimate<R> over_pi(Estimate<R> estimate) {
-  return {estimate.value / pi<R>(), estimate.error / pi<R>(), estimate.convergence};
-}
-
 }  // namespace
 
 template <Real R>
@@ -137,7 +122,7 @@ Estimate<R> hilbert(const PiecewiseDensity<R>& density, const PanelPoint<R>& at)
       return to_the_right ? R(1 / (between + node.from_left)) : R(-1 / (between + node.from_right));
     });
   }
-  return over_pi(sum);
+  return sum / pi<R>();
 }
 
 template <Real R>
@@ -151,7 +136,7 @@ Estimate<R> cauchy(const PiecewiseDensity<R>& density, Side side, const R& dista
       return side == Side::left ? R(1 / (between + node.from_left)) : R(-1 / (between + node.from_right));
     });
   }
-  return over_pi(sum);
+  return sum / pi<R>();
 }
 
 #define STEADYSLIDE_INSTANTIATE(R)                                                \

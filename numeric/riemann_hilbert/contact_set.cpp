@@ -16,7 +16,8 @@ ContactSet<R>::ContactSet(const ReducedProblem<R>& problem) : problem_(&problem)
 }
 
 template <Real R>
-ContactSet<R>::ContactSet(const ReducedProblem<R>& problem, const std::vector<ZoneGuess>& zones) : ContactSet(problem) {
+ContactSet<R>::ContactSet(const ReducedProblem<R>& problem, const std::vector<ContactInterval>& zones)
+    : ContactSet(problem) {
   // Ends follow each other: a guess that rounding has put before the last one comes after it.
   std::size_t last = 0;
   const auto edge_next_to = [&](double x) {
@@ -55,7 +56,7 @@ ContactSet<R>::ContactSet(const ReducedProblem<R>& problem, const std::vector<Zo
     last = k + 1;
     refresh();
   };
-  for (const ZoneGuess& zone : zones) {
+  for (const ContactInterval& zone : zones) {
     add(zone.left, zone.left_at_edge, Kind::begins, zone.right - zone.left);
     add(zone.right, zone.right_at_edge, Kind::ends, zone.right - zone.left);
   }

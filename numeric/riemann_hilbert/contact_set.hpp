@@ -8,16 +8,9 @@
 #include <vector>
 
 #include "numeric/riemann_hilbert/reduced_problem.hpp"
+#include "numeric/solution/contact_interval.hpp"
 
 namespace steadyslide::numeric {
-
-/// A contact component as somebody estimates it, in xi. An end `at_edge` lies at the anchor next to it.
-struct ZoneGuess {
-  double left;
-  double right;
-  bool left_at_edge;
-  bool right_at_edge;
-};
 
 template <Real R>
 class ContactSet {
@@ -35,7 +28,8 @@ class ContactSet {
 
   /// No contact yet.
   explicit ContactSet(const ReducedProblem<R>& problem);
-  ContactSet(const ReducedProblem<R>& problem, const std::vector<ZoneGuess>& zones);
+  /// Zones in xi; an end `at_edge` lies at the anchor next to it.
+  ContactSet(const ReducedProblem<R>& problem, const std::vector<ContactInterval>& zones);
   /// The same set in another type of number; `problem` is the same one in it.
   template <Real Other>
   static ContactSet converted(const ReducedProblem<R>& problem, const ContactSet<Other>& other);

@@ -2,29 +2,9 @@
 
 #include <algorithm>
 #include "model/singular_point.hpp"
+#include "numeric/number/polynomial.hpp"
 
 namespace steadyslide::numeric {
-namespace {
-
-/// p(origin + unit xi), by Horner's rule.
-Polynomial in_frame(const Polynomial& p, const Frame& frame) {
-  const Polynomial x({frame.origin, frame.unit});
-  Polynomial result;
-  for (int k = p.degree(); k >= 0; --k) {
-    result = result * x + Polynomial::constant(p.coefficient(static_cast<std::size_t>(k)));
-  }
-  return result;
-}
-
-template <Real R>
-std::vector<R> rounded(const Polynomial& p) {
-  std::vector<R> result;
-  result.reserve(p.coefficients().size());
-  for (const Rational& c : p.coefficients()) result.push_back(to_real<R>(c));
-  return result;
-}
-
-}  // namespace
 
 template <Real R>
 ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& frame)
@@ -32,14 +12,6 @@ ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& fr
   const Indenter& indenter = problem.indenter();
   const FrictionProfile& friction = problem.friction();
   const Rational c = problem.elasticity().compliance();
-
-  const std::vector<Indenter::Break> all_breaks = indenter.breaks();
-  places_.push_back(indenter.left());
-  places_.insert(places_.end(), friction.jumps().begin(), friction.jumps().end());
-  for (const Indenter::Break& b : all_breaks) places_.push_back(b.x);
-  places_.push_back(indenter.right());
-  std::sort(places_.begin(), places_.end());
-  places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
 
   // Pieces that continue one polynomial are one slope: the Riemann-Hilbert form then has no integral.
   std::vector<Polynomial> different;
@@ -51,31 +23,31 @@ ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& fr
     if (found == different.end()) different.push_back(slope);
   }
   for (const Polynomial& slope : different) {
-    const Polynomial local = in_frame(slope, frame) * Polynomial::constant(1 / c);
-    highest_degree_ = std::max(highest_degree_, local.degree());
-    slopes_.push_back(rounded<R>(local));
+    highest_degree_ = std::max(highest_degree_, slope.degree());
+    slopes_.push_back(coefficients_of<R>(slope.composed(frame.unit, frame.origin) * Polynomial::constant(1 / c)));
   }
 
-  std::size_t piece = 0;
-  std::size_t next_break = 0;
-  std::size_t friction_piece = 0;
-  for (std::size_t k = 0; k < places_.size(); ++k) {
-    Anchor anchor{to_real<R>((places_[k] - frame.origin) / frame.unit), R(0), 0, false, false};
-    if (next_break < all_breaks.size() && all_breaks[next_break].x == places_[k]) {
-      const Indenter::Break& b = all_breaks[next_break++];
+  const std::vector<Indenter::Break> breaks = indenter.breaks();
+  const auto add_anchor = [&](const Rational& x) -> Anchor& {
+    places_.push_back(x);
+    return anchors_.emplace_back(Anchor{to_real<R>((x - frame.origin) / frame.unit), R(0), 0, false, false});
+  };
+  std::size_t profile = 0;
+  for (const ContactProblem::Piece& piece : problem.pieces()) {
+    Anchor& anchor = add_anchor(piece.left);
+    if (piece.profile != profile) {
+      const Indenter::Break& b = breaks[profile];
       anchor.step = to_real<R>(b.step / (c * frame.unit));
       anchor.step_sign = sign(b.step);
-      ++piece;
-      anchor.is_break = slope_of_piece[piece] != slope_of_piece[piece - 1] || anchor.step_sign != 0;
+      anchor.is_break = slope_of_piece[piece.profile] != slope_of_piece[profile] || anchor.step_sign != 0;
       anchor.wedge = b.wedge != 0;
+      profile = piece.profile;
     }
-    anchors_.push_back(anchor);
-    if (k + 1 == places_.size()) break;
-    spacing_.push_back(to_real<R>((places_[k + 1] - places_[k]) / frame.unit));
-    if (friction_piece < friction.jumps().size() && friction.jumps()[friction_piece] == places_[k]) ++friction_piece;
-    slope_of_.push_back(slope_of_piece[piece]);
-    friction_of_.push_back(friction_piece);
+    spacing_.push_back(to_real<R>((piece.right - piece.left) / frame.unit));
+    slope_of_.push_back(slope_of_piece[profile]);
+    friction_of_.push_back(piece.friction);
   }
+  add_anchor(indenter.right());
 
   for (std::size_t k = 0; k < friction.values().size(); ++k) {
     const Rational s = problem.coupled_friction(k);
@@ -90,10 +62,7 @@ ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& fr
 
 template <Real R>
 R ReducedProblem<R>::slope(std::size_t index, const R& x) const {
-  const std::vector<R>& g = slopes_[index];
-  R value = 0;
-  for (std::size_t j = g.size(); j-- > 0;) value = value * x + g[j];
-  return value;
+  return value_of(slopes_[index], x);
 }
 
 template <Real R>

@@ -21,16 +21,16 @@ Frame frame_of(const Rational& origin, double left, double right) {
 /// What a search starts from: zones measured from `origin`, in the problem's unit of length.
 struct Start {
   Rational origin;
-  std::vector<ZoneGuess> zones;
+  std::vector<ContactInterval> zones;
   double tilt = 0;
 
   Frame frame() const { return frame_of(origin, zones.front().left, zones.back().right); }
 
-  std::vector<ZoneGuess> in(const Frame& frame) const {
+  std::vector<ContactInterval> in(const Frame& frame) const {
     const double shift = to_real<double>((origin - frame.origin) / frame.unit);
     const double unit = to_real<double>(frame.unit);
-    std::vector<ZoneGuess> result;
-    for (const ZoneGuess& zone : zones) {
+    std::vector<ContactInterval> result;
+    for (const ContactInterval& zone : zones) {
       result.push_back({shift + zone.left / unit, shift + zone.right / unit, zone.left_at_edge, zone.right_at_edge});
     }
     return result;
@@ -59,17 +59,12 @@ ContactProblem with_fewer_jumps(const ContactProblem& problem, std::size_t most)
     sum = 0;
     from = right;
   }
-  return ContactProblem(problem.elasticity(), FrictionProfile(std::move(values), std::move(jumps)), problem.indenter(),
-                        problem.load(), problem.sliding(), problem.load_at());
+  return problem.with_friction(FrictionProfile(std::move(values), std::move(jumps)));
 }
 
 Start coarse_start(const ContactProblem& problem, int cells) {
   const CoarseContact coarse = coarse_contact(with_fewer_jumps(problem, static_cast<std::size_t>(cells) / 2), cells);
-  Start start{coarse.origin, {}, coarse.tilt};
-  for (const CoarseContact::Zone& z : coarse.zones) {
-    start.zones.push_back({z.left, z.right, z.left_at_edge, z.right_at_edge});
-  }
-  return start;
+  return {coarse.origin, coarse.zones, coarse.tilt};
 }
 
 template <Real R>
@@ -125,7 +120,7 @@ Start start_again(const RiemannHilbertSolution<R>& solution) {
 template <Real R>
 std::shared_ptr<RiemannHilbertSolution<R>> search_once(const ContactProblem& problem, const Start& start) {
   auto solution = std::make_shared<RiemannHilbertSolution<R>>(problem, start.frame());
-  const std::vector<ZoneGuess> zones = start.in(solution->problem().frame());
+  const std::vector<ContactInterval> zones = start.in(solution->problem().frame());
   ContactSet<R> set(solution->problem(), zones);
   // Zones that rounding has run into each other: one.
   if (!set.is_consistent()) {

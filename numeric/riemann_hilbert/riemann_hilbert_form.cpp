@@ -197,28 +197,20 @@ Estimate<R> RiemannHilbertForm<R>::bracket(std::size_t slope, const SurfacePoint
 
 template <Real R>
 Estimate<R> RiemannHilbertForm<R>::bracket_at(std::size_t j, Side side) const {
-  const std::size_t segment = side == Side::left ? j - 1 : j;
-  const R& length = set_.length(segment);
-  const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(segment),
-                           {set_.x(j), side == Side::left ? length : R(0), side == Side::left ? R(0) : length}};
-  return bracket(slope_at(segment), at);
+  return bracket(slope_at(side == Side::left ? j - 1 : j), beside(set_, j, side, R(0)));
 }
 
 template <Real R>
 Estimate<R> RiemannHilbertForm<R>::traction(const SurfacePoint<R>& at) const {
-  using std::abs;
   if (at.segment < 0 || at.segment >= static_cast<std::ptrdiff_t>(set_.segments())) return {};
   const auto segment = static_cast<std::size_t>(at.segment);
   if (!set_.in_contact(segment)) return {};
   const R factor = sign(at.segment) * problem_->cos_alpha(friction_at(segment)) * modulus(at);
-  const Estimate<R> b = bracket(slope_at(segment), at);
-  const R relative = weight_.relative_error(segment, at.node, R(0));
-  return {factor * b.value, abs(factor) * (b.error + relative * abs(b.value))};
+  return factor * bracket(slope_at(segment), at).widened(weight_.relative_error(segment, at.node, R(0)));
 }
 
 template <Real R>
 Estimate<R> RiemannHilbertForm<R>::load_on(std::size_t segment) const {
-  using std::abs;
   const R amplitude = sign(static_cast<std::ptrdiff_t>(segment)) * problem_->cos_alpha(friction_at(segment));
   Estimate<R> sum;
   const auto power_of = [this](std::size_t j) { return weight_.powers()[j]; };
@@ -227,9 +219,7 @@ Estimate<R> RiemannHilbertForm<R>::load_on(std::size_t segment) const {
     for (std::size_t i = 0; i < part.rule->size(); ++i) {
       const SurfacePoint<R> at = part.node(set_, i);
       const R w = part.node_weight(i) * amplitude * modulus(at);
-      const Estimate<R> b = bracket(slope_at(segment), at);
-      sum.value += w * b.value;
-      sum.error += abs(w) * (b.error + 8 * epsilon<R>() * abs(b.value));
+      sum += w * bracket(slope_at(segment), at).widened(8 * epsilon<R>());
     }
   }
   return sum;
@@ -246,11 +236,10 @@ Estimate<R> RiemannHilbertForm<R>::surface_slope(const SurfacePoint<R>& at) cons
   const std::ptrdiff_t last = static_cast<std::ptrdiff_t>(set_.segments()) - 1;
   const auto segment = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at.segment, 0, last));
   const R profile = problem_->slope(slope_at(segment), at.node.x) + tilt_;
-  const R rounding = 4 * epsilon<R>() * abs(profile);
-  if (at.segment == static_cast<std::ptrdiff_t>(segment) && set_.in_contact(segment)) return {profile, rounding};
+  const Estimate<R> rounded{profile, 4 * epsilon<R>() * abs(profile)};
+  if (at.segment == static_cast<std::ptrdiff_t>(segment) && set_.in_contact(segment)) return rounded;
   const R y = sign(at.segment) * modulus(at);
-  const Estimate<R> b = bracket(slope_at(segment), at);
-  return {profile - y * b.value, rounding + abs(y) * (b.error + 16 * epsilon<R>() * abs(b.value))};
+  return rounded - y * bracket(slope_at(segment), at).widened(16 * epsilon<R>());
 }
 
 template <Real R>

@@ -36,6 +36,16 @@ SurfacePoint<R> surface_point(const ContactSet<R>& set, std::size_t segment, con
   return {static_cast<std::ptrdiff_t>(segment), {x, from_left, from_right}};
 }
 
+/// At the distance d from point j of the set, on that side of it; beyond the support the other distance is infinite.
+template <Real R>
+SurfacePoint<R> beside(const ContactSet<R>& set, std::size_t j, Side side, const R& d) {
+  const bool left = side == Side::left;
+  const std::ptrdiff_t segment = static_cast<std::ptrdiff_t>(j) - (left ? 1 : 0);
+  const bool in_support = segment >= 0 && segment < static_cast<std::ptrdiff_t>(set.segments());
+  const R rest = in_support ? R(set.length(static_cast<std::size_t>(segment)) - d) : infinity<R>();
+  return {segment, left ? Node<R>{set.x(j) - d, rest, d} : Node<R>{set.x(j) + d, d, rest}};
+}
+
 template <Real R>
 class RiemannHilbertForm {
  public:

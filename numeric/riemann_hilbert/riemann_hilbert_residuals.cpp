@@ -4,38 +4,11 @@
 #include <cmath>
 
 #include "numeric/cauchy/residuals.hpp"
+#include "numeric/cauchy/traction_density.hpp"
 #include "numeric/number/clustered.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 
 namespace steadyslide::numeric {
-
-template <Real R>
-Power<R> RiemannHilbertSolution<R>::traction_power(std::size_t j) const {
-  const Power<R>& p = form_->weight().powers()[j];
-  // At a wedge the constant, or the logarithm, is larger than a power that vanishes.
-  if (form_->is_kinked(j) && p.value > 0) return {R(0), R(1)};
-  return p;
-}
-
-template <Real R>
-PanelDensity<R> RiemannHilbertSolution<R>::panel_density(std::size_t segment) const {
-  const Power<R> left = traction_power(segment);
-  const Power<R> right = traction_power(segment + 1);
-  const auto smooth = [this, segment, left, right](const Node<R>& node) {
-    using std::pow;
-    const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(segment), node};
-    const R& p_left = form_->weight().powers()[segment].value;
-    const R& p_right = form_->weight().powers()[segment + 1].value;
-    R value = form_->sign(at.segment) * reduced_.cos_alpha(form_->friction_at(segment)) *
-              form_->weight().smooth_modulus(segment, node) * form_->bracket(form_->slope_at(segment), at).value;
-    if (p_left != left.value) value *= pow(node.from_left, p_left);
-    if (p_right != right.value) value *= pow(node.from_right, p_right);
-    return value;
-  };
-  PanelDensity<R> density{contact_set().panels()[segment], left, right, smooth, R(0)};
-  for (std::size_t k = segment; k-- > 0 && !contact_set().in_contact(k);) density.gap += contact_set().length(k);
-  return density;
-}
 
 template <Real R>
 Residuals<R> RiemannHilbertSolution<R>::residuals() const {
@@ -46,7 +19,7 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
   R contact_length = 0;
   for (std::size_t k = 0; k < contact_set().segments(); ++k) {
     if (!contact_set().in_contact(k)) continue;
-    density.push_back(panel_density(k));
+    density.push_back(panel_density(*form_, k));
     s.push_back(reduced_.s(form_->friction_at(k)));
     segments.push_back(k);
     contact_length += contact_set().length(k);

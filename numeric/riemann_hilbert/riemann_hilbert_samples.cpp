@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/cauchy/traction_density.hpp"
 #include "numeric/number/clustered.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
@@ -11,18 +12,14 @@ namespace steadyslide::numeric {
 
 template <Real R>
 R RiemannHilbertSolution<R>::shear_ratio(std::size_t segment) const {
-  // The body is dragged along: t_t = -f t towards the side to which the indenter slides.
-  const R f = to_real<R>(problem_.friction().values()[form_->friction_at(segment)]);
-  if (f == 0) return R(0);
-  return problem_.sliding() == Sliding::plus_x ? R(-f) : f;
+  return to_real<R>(problem_.shear_ratio(form_->friction_at(segment)));
 }
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::shear_of(const Estimate<R>& traction, std::size_t segment) const {
-  using std::abs;
   const R ratio = shear_ratio(segment);
-  if (ratio == 0) return {};
-  return {ratio * traction.value, abs(ratio) * traction.error};
+  if (ratio == 0) return {};  // under an infinite pressure, too
+  return ratio * traction;
 }
 
 template <Real R>
@@ -44,19 +41,15 @@ Estimate<R> RiemannHilbertSolution<R>::tangential_slope(const Rational& x) const
   const Estimate<R> slope = form_->surface_slope(at);
   const R gamma = to_real<R>(problem_.elasticity().gamma());
   const R s = reduced_.s(form_->friction_at(nearest));
-  Estimate<R> sum{ratio * (slope.value - s * t.value) + gamma * t.value,
-                  abs(ratio) * slope.error + (abs(ratio * s) + abs(gamma)) * t.error};
+  Estimate<R> sum = ratio * (slope - s * t) + gamma * t;
   for (std::size_t k = 0; k < contact_set().segments(); ++k) {
     if (!contact_set().in_contact(k) || shear_ratio(k) == ratio) continue;
     const bool on_right = static_cast<std::ptrdiff_t>(k) > at.segment;
     const R distance = abs(form_->distance(at, on_right ? k : k + 1));
-    const Estimate<R> part = tanh_sinh::cauchy<R>({panel_density(k)}, on_right ? Side::left : Side::right, distance);
-    sum.value += (shear_ratio(k) - ratio) * part.value;
-    sum.error += abs(shear_ratio(k) - ratio) * part.error;
-    if (part.convergence == Convergence::stalled) sum.convergence = Convergence::stalled;
+    sum += (shear_ratio(k) - ratio) *
+           tanh_sinh::cauchy<R>({panel_density(*form_, k)}, on_right ? Side::left : Side::right, distance);
   }
-  const R c = to_real<R>(problem_.elasticity().compliance());
-  return {c * sum.value, c * sum.error, sum.convergence};
+  return to_real<R>(problem_.elasticity().compliance()) * sum;
 }
 
 template <Real R>
@@ -82,7 +75,7 @@ Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const {
   const R scale = to_real<R>(problem_.elasticity().compliance()) * to_real<R>(reduced_.frame().unit);
   const R distance = abs(form_->distance(at, *end));
   const R ends = distance > 0 ? R(2 * found_->end_error / distance) : R(0);
-  return {scale * opening.value, scale * (opening.error + ends * abs(opening.value))};
+  return scale * opening.widened(ends);
 }
 
 template <Real R>
@@ -96,15 +89,14 @@ Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const {
   const bool in_support = at.segment >= 0 && at.segment < static_cast<std::ptrdiff_t>(contact_set().segments());
   if (in_support) result.gap = gap(at);
   if (in_support && contact_set().in_contact(static_cast<std::size_t>(at.segment))) {
-    Estimate<R> t = form_->traction(at);
-    t.error += ends * abs(t.value);
+    const Estimate<R> t = form_->traction(at).widened(ends);
     const Estimate<R> shear = shear_of(t, static_cast<std::size_t>(at.segment));
     result.traction = {t, t};
     result.shear = {shear, shear};
   } else {
-    slope.error += ends * abs(slope.value);
+    slope = slope.widened(ends);
   }
-  slope = {c * slope.value, c * slope.error};
+  slope *= c;
   result.slope = {slope, slope};
   return result;
 }
@@ -132,7 +124,7 @@ Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) 
   const Node<R> node{contact_set().x(segment) + length / 2, length / 2, length / 2};
   const R relative = form_->weight().relative_error(segment, node, R(0)) +
                      4 * relative_end_error({static_cast<std::ptrdiff_t>(segment), node});
-  return {factor * b.value, abs(factor) * (b.error + relative * abs(b.value))};
+  return factor * b.widened(relative);
 }
 
 template <Real R>
@@ -144,7 +136,6 @@ Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) con
   if (!contact && point.is_end() && !point.vanishes) {
     return {side == Side::left ? R(-infinity<R>()) : infinity<R>(), R(0)};
   }
-  const auto segments = static_cast<std::ptrdiff_t>(contact_set().segments());
   std::ptrdiff_t segment = static_cast<std::ptrdiff_t>(j) - (side == Side::left ? 1 : 0);
   if (contact || point.is_end()) {
     // The surface leaves a free end along the profile of the contact.
@@ -154,14 +145,7 @@ Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) con
     return {c * slope, 8 * epsilon<R>() * c * abs(slope)};
   }
   // Off the contact the surface is smooth, whatever the profile does above it.
-  const R zero = 0;
-  SurfacePoint<R> at{segment, {contact_set().x(j), zero, zero}};
-  if (segment >= 0 && segment < segments) {
-    const R& length = contact_set().length(static_cast<std::size_t>(segment));
-    (side == Side::left ? at.node.from_left : at.node.from_right) = length;
-  }
-  const Estimate<R> slope = form_->surface_slope(at);
-  return {c * slope.value, c * slope.error};
+  return c * form_->surface_slope(beside(contact_set(), j, side, R(0)));
 }
 
 template <Real R>
@@ -180,12 +164,7 @@ Sample<R> RiemannHilbertSolution<R>::sample_at_point(std::size_t j) const {
     std::optional<Estimate<R>> lowest;
     for (const Side side : {Side::left, Side::right}) {
       if ((side == Side::left && j == 0) || (side == Side::right && j == segments)) continue;
-      const std::size_t k = side == Side::left ? j - 1 : j;
-      const R& length = contact_set().length(k);
-      const SurfacePoint<R> at{
-          static_cast<std::ptrdiff_t>(k),
-          {contact_set().x(j), side == Side::left ? length : R(0), side == Side::left ? R(0) : length}};
-      const Estimate<R> here = gap(at);
+      const Estimate<R> here = gap(beside(contact_set(), j, side, R(0)));
       if (!lowest || here.value < lowest->value) lowest = here;
     }
     result.gap = lowest;

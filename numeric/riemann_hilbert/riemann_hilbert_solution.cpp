@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/cauchy/traction_density.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/solution/load_sharing.hpp"
 
@@ -84,7 +85,7 @@ Estimate<R> RiemannHilbertSolution<R>::intensity(std::size_t j) const {
   const Node<R> node{contact_set().x(segment) + half, half, half};
   const R relative = form_->weight().relative_error(segment, node, R(0)) +
                      4 * relative_end_error({static_cast<std::ptrdiff_t>(segment), node});
-  return {factor * b.value, abs(factor) * (b.error + relative * abs(b.value))};
+  return factor * b.widened(relative);
 }
 
 template <Real R>
@@ -104,8 +105,7 @@ Estimate<R> RiemannHilbertSolution<R>::constant(std::size_t j) const {
   const R factor = form_->sign(static_cast<std::ptrdiff_t>(segment)) * form_->weight().amplitude(j) *
                    reduced_.cos_alpha(form_->friction_at(segment));
   const R unit = d / (1 + s_left * s_left) * log(to_real<R>(reduced_.frame().unit)) / pi<R>();
-  return {factor * b.value - unit,
-          abs(factor) * (b.error + 32 * epsilon<R>() * abs(b.value)) + epsilon<R>() * abs(unit)};
+  return factor * b.widened(32 * epsilon<R>()) - Estimate<R>{unit, epsilon<R>() * abs(unit)};
 }
 
 template <Real R>
@@ -154,7 +154,7 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::load_on(std::size_t segment) const {
   if (!form_->is_kinked(segment) && !form_->is_kinked(segment + 1)) return form_->load_on(segment);
-  return tanh_sinh::panel_integral(panel_density(segment));
+  return tanh_sinh::panel_integral(panel_density(*form_, segment));
 }
 
 template <Real R>
@@ -167,12 +167,9 @@ Resultants<R> RiemannHilbertSolution<R>::resultants() const {
     const Estimate<R> load = load_on(k);
     const R half = contact_set().length(k) / 2;
     const R ends = 8 * relative_end_error({static_cast<std::ptrdiff_t>(k), {contact_set().x(k) + half, half, half}});
-    Estimate<R>& under = loads[form_->friction_at(k)];
-    under.value -= unit * load.value;
-    under.error += unit * (load.error + ends * abs(load.value));
-    if (load.convergence == Convergence::stalled) under.convergence = Convergence::stalled;
+    loads[form_->friction_at(k)] += -unit * load.widened(ends);
   }
-  Resultants<R> result = resultants_of(std::move(loads), problem_.friction().values());
+  Resultants<R> result = resultants_of(loads, problem_.friction().values());
   const R origin = to_real<R>(reduced_.frame().origin);
   const R offset = unit * form_->moment_of_load() / reduced_.load();
   result.centre_of_pressure = {origin + offset,

@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "numeric/cauchy/density.hpp"
 #include "numeric/riemann_hilbert/contact_search.hpp"
 #include "numeric/solution/contact_solution.hpp"
 
@@ -67,8 +66,6 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   std::optional<std::size_t> nearest_end(const SurfacePoint<R>& at) const;
 
   Estimate<R> load_on(std::size_t segment) const;
-  PanelDensity<R> panel_density(std::size_t segment) const;
-  Power<R> traction_power(std::size_t j) const;
 
   ContactProblem problem_;
   ReducedProblem<R> reduced_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 
+#include "numeric/number/polynomial.hpp"
+
 namespace steadyslide::numeric::variational {
 namespace {
 
@@ -29,13 +31,7 @@ void for_each_part(const CellMesh& mesh, const std::vector<double>& ends, const 
 
 Rational middle_of(const Indenter& indenter) { return (indenter.left() + indenter.right()) / 2; }
 
-Rational height_at(const Indenter& indenter, const Rational& x) {
-  const auto& pieces = indenter.pieces();
-  const auto at =
-      std::lower_bound(pieces.begin(), pieces.end() - 1, x,
-                       [](const Indenter::Piece& piece, const Rational& place) { return piece.to < place; });
-  return at->profile(x);
-}
+Rational height_at(const Indenter& indenter, const Rational& x) { return indenter.profile(x, Side::left)(x); }
 
 }  // namespace
 
@@ -63,11 +59,7 @@ Rational profile_above_middle(const ContactProblem& problem, const Rational& x) 
   return height_at(problem.indenter(), x) - height_at(problem.indenter(), middle_of(problem.indenter()));
 }
 
-double CellProfile::LocalPiece::operator()(double xi) const {
-  double value = 0;
-  for (std::size_t k = coefficients.size(); k-- > 0;) value = value * (xi - origin) + coefficients[k];
-  return value;
-}
+double CellProfile::LocalPiece::operator()(double xi) const { return value_of(coefficients, xi - origin); }
 
 /// Exact: a rule of so many points as the degree asks for.
 double CellProfile::LocalPiece::integral(double left, double right) const {
@@ -81,15 +73,9 @@ double CellProfile::LocalPiece::integral(double left, double right) const {
 
 CellProfile::LocalPiece CellProfile::local_piece(const Polynomial& profile, const Rational& middle, const Frame& frame,
                                                  const Rational& height, const Rational& scale) {
-  const Polynomial x({middle, frame.unit});
-  Polynomial shifted;
-  for (int k = profile.degree(); k >= 0; --k) {
-    shifted = shifted * x + Polynomial::constant(profile.coefficient(static_cast<std::size_t>(k)));
-  }
-  shifted = shifted - Polynomial::constant(height);
-  LocalPiece result{to_real<double>((middle - frame.origin) / frame.unit), {}};
-  for (const Rational& c : shifted.coefficients()) result.coefficients.push_back(to_real<double>(c / scale));
-  return result;
+  const Polynomial local = profile.composed(frame.unit, middle) - Polynomial::constant(height);
+  return {to_real<double>((middle - frame.origin) / frame.unit),
+          coefficients_of<double>(Polynomial::constant(1 / scale) * local)};
 }
 
 CellProfile::CellProfile(const ContactProblem& problem, const Frame& frame) {

@@ -60,46 +60,35 @@ VariationalSolution::Place VariationalSolution::end_place(const Run& run, End en
 }
 
 void VariationalSolution::find_places() {
-  const Indenter& indenter = problem_.indenter();
-  struct Anchor {
-    Rational x;
-    int wedge_degree;
-    bool wedge;
-    bool step;
-  };
-  std::vector<Anchor> anchors;
-  for (std::size_t k = 0; k + 1 < indenter.pieces().size(); ++k) {
-    const Rational& x = indenter.pieces()[k].to;
-    const Polynomial difference = indenter.pieces()[k + 1].profile - indenter.pieces()[k].profile;
-    const Polynomial slope = difference.derivative();
-    anchors.push_back({x, slope.degree(), slope(x) != 0, difference(x) != 0});
-  }
-  for (const Rational& c : problem_.friction().jumps()) anchors.push_back({c, -1, false, false});
-  std::stable_sort(anchors.begin(), anchors.end(), [](const Anchor& a, const Anchor& b) { return a.x < b.x; });
-
-  std::size_t next = 0;
+  const std::vector<ContactProblem::Piece> pieces = problem_.pieces();
+  const auto profile = [this](std::size_t k) -> const Polynomial& { return problem_.indenter().pieces()[k].profile; };
+  std::size_t next = 1;
   for (const Run& run : runs_) {
     places_.push_back(end_place(run, End::left));
-    // Strictly inside the run, with a cell of contact on either side of the anchor's own.
+    // Where two pieces meet strictly inside the run, with a cell of contact on either side of their own.
     const double from = edges_[run.begin] + cell_length();
     const double to = edges_[run.end] - cell_length();
-    for (; next < anchors.size(); ++next) {
-      const Anchor& anchor = anchors[next];
-      const double x = unit_ * mesh().place(anchor.x);
+    for (; next < pieces.size(); ++next) {
+      const ContactProblem::Piece& left = pieces[next - 1];
+      const ContactProblem::Piece& right = pieces[next];
+      const double x = unit_ * mesh().place(right.left);
       if (x > to) break;
       if (x < from) continue;
-      const std::size_t left = problem_.friction().piece(anchor.x, Side::left);
-      const std::size_t right = problem_.friction().piece(anchor.x, Side::right);
-      const Exponent beta = jump_exponent(problem_.coupled_friction(left), problem_.coupled_friction(right));
-      Place place{x, SingularKind::wedge, std::nullopt, {x}, Side::left, left, right, anchor.wedge_degree, true};
+      const Polynomial slope = (profile(right.profile) - profile(left.profile)).derivative();
+      const bool wedge = slope(right.left) != 0;
+      const Exponent beta =
+          jump_exponent(problem_.coupled_friction(left.friction), problem_.coupled_friction(right.friction));
+      Place place{
+          x, SingularKind::wedge, std::nullopt, {x}, Side::left, left.friction, right.friction, slope.degree(), true};
       if (beta.sign() != 0) {
-        place.kind = anchor.wedge ? SingularKind::wedge_and_jump : SingularKind::friction_jump;
+        place.kind = wedge ? SingularKind::wedge_and_jump : SingularKind::friction_jump;
         place.exponent = beta;
-      } else if (!anchor.wedge) {
+      } else if (!wedge) {
         place.exponent = Exponent(0);  // nothing blows up or vanishes; the polynomial changes
       }
       const bool repeated = !places_.back().is_end() && places_.back().x == x;
-      if (repeated && place.wedge_degree < 0) continue;  // the break at the same place has been seen
+      // Places that double cannot tell apart: the last break.
+      if (repeated && place.wedge_degree < 0) continue;
       if (repeated) places_.pop_back();
       places_.push_back(place);
     }

@@ -8,32 +8,8 @@
 #include "numeric/variational/variational_solution.hpp"
 
 namespace steadyslide::numeric {
-namespace {
 
 using variational::DiscreteState;
-
-/// t_t / t: the body is dragged along, t_t = -f t towards the side to which the indenter slides.
-double shear_ratio(const ContactProblem& problem, std::size_t friction_piece) {
-  const double f = to_real<double>(problem.friction().values()[friction_piece]);
-  return problem.sliding() == Sliding::plus_x ? -f : f;
-}
-
-Estimate<double> scaled(const Estimate<double>& value, double factor) {
-  if (factor == 0 || value.value == 0) return {};
-  return {factor * value.value, std::abs(factor) * value.error};
-}
-
-/// psi' at a place, from one side.
-double profile_slope(const Indenter& indenter, const Rational& x, Side side) {
-  const auto& pieces = indenter.pieces();
-  const auto at =
-      std::lower_bound(pieces.begin(), pieces.end() - 1, x, [side](const auto& piece, const Rational& place) {
-        return side == Side::left ? piece.to < place : piece.to <= place;
-      });
-  return to_real<double>(at->profile.derivative()(x));
-}
-
-}  // namespace
 
 Estimate<double> VariationalSolution::traction(std::size_t cell) const {
   const double t = traction_[cell];
@@ -77,9 +53,11 @@ Sample<double> VariationalSolution::at(const Rational& x) const {
   const variational::CellSet& contact = found_.fine.found.contact;
   Sample<double> result{to_real<double>(x), {}, {}, std::nullopt, {}};
   result.traction = {traction(left), traction(right)};
-  const FrictionProfile& friction = problem_.friction();
-  result.shear = {scaled(result.traction.left, shear_ratio(problem_, friction.piece(x, Side::left))),
-                  scaled(result.traction.right, shear_ratio(problem_, friction.piece(x, Side::right)))};
+  const auto shear = [&](const Estimate<double>& t, Side side) {
+    const double ratio = to_real<double>(problem_.shear_ratio(problem_.friction().piece(x, side)));
+    return ratio == 0 || t.value == 0 ? Estimate<double>{} : ratio * t;
+  };
+  result.shear = {shear(result.traction.left, Side::left), shear(result.traction.right, Side::right)};
 
   const auto curvature = [&](std::size_t i) {
     const std::size_t k = std::clamp<std::size_t>(i, 1, displacement_.size() - 2);
@@ -98,7 +76,8 @@ Sample<double> VariationalSolution::at(const Rational& x) const {
   }
   const auto slope = [&](std::size_t cell, Side side) -> Estimate<double> {
     if (contact[cell]) {
-      const double value = profile_slope(problem_.indenter(), x, side) + height_ / unit_ * state().tilt;
+      const double profile = to_real<double>(problem_.indenter().profile(x, side).derivative()(x));
+      const double value = profile + height_ / unit_ * state().tilt;
       return {value, 4e-16 * std::abs(value)};
     }
     // Off the contact u' = -(c P/unit) d(B p)/dxi, by differences.

@@ -99,7 +99,7 @@ Resultants<double> VariationalSolution::resultants() const {
     // The load itself is met; how it is shared is known to the difference between the meshes.
     loads.push_back({load * fine.loads[k], load * std::abs(fine.loads[k] - coarse.loads[k])});
   }
-  Resultants<double> result = resultants_of(std::move(loads), problem_.friction().values());
+  Resultants<double> result = resultants_of(loads, problem_.friction().values());
   result.normal.error = load * (found_.certificate.load + 1e-15);
   Estimate<double>& mu = result.effective_friction;
   double coarse_friction = 0;

@@ -54,12 +54,8 @@ ContactProblem with_friction_reversed(const ContactProblem& problem) {
   std::vector<Rational> values = problem.friction().values();
   std::reverse(values.begin(), values.end());
   const bool constant = values == problem.friction().values();
-  return {problem.elasticity(),
-          FrictionProfile(std::move(values), problem.friction().jumps()),
-          problem.indenter(),
-          problem.load(),
-          constant ? Sliding::minus_x : problem.sliding(),
-          problem.load_at()};
+  return problem.with_friction(FrictionProfile(std::move(values), problem.friction().jumps()))
+      .with_sliding(constant ? Sliding::minus_x : problem.sliding());
 }
 
 double local_rate(const ContactProblem& problem, const numeric::VariationalSolution::Place& place) {

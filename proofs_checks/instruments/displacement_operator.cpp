@@ -11,8 +11,6 @@ using numeric::Real;
 using numeric::Real100;
 using numeric::Real50;
 
-const Exponent half{Rational(1, 2)};
-
 /// a - b from the end that is nearer.
 template <Real R>
 R apart(const Node<R>& a, const Node<R>& b) {

@@ -4,10 +4,10 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "numeric/number/polynomial.hpp"
 #include "numeric/variational/active_set.hpp"
 #include "numeric/variational/lemke.hpp"
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/near.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
@@ -29,11 +29,7 @@ ContactProblem DualCase::problem(int friction_sign) const {
 }
 
 std::function<double(double)> DualCase::height() const {
-  return [p = profile](double x) {
-    double sum = 0;
-    for (std::size_t k = p.coefficients().size(); k-- > 0;) sum = sum * x + numeric::to_real<double>(p.coefficient(k));
-    return sum;
-  };
+  return [p = numeric::coefficients_of<double>(profile)](double x) { return numeric::value_of(p, x); };
 }
 
 std::vector<DualCase> dual_cases() {
@@ -54,14 +50,12 @@ double distance(const Moments& a, const Moments& b, double load) {
 }
 
 Moments riemann_hilbert_moments(const ContactProblem& problem) {
-  const auto attempt = numeric::riemann_hilbert<double>(problem);
-  const auto* solution = dynamic_cast<const numeric::RiemannHilbertSolution<double>*>(attempt.solution.get());
-  if (!solution || !solution->shortcoming().empty()) throw std::runtime_error("not solved by Riemann-Hilbert");
+  const auto solution = solve<double>(problem);
   const numeric::Frame& frame = solution->problem().frame();
   const auto unit = numeric::to_real<double>(frame.unit);
   const auto origin = numeric::to_real<double>(frame.origin);
   Moments result(compared_moments + 1, 0);
-  for (const numeric::PanelDensity<double>& panel : density_of(solution->form())) {
+  for (const numeric::PanelDensity<double>& panel : traction_density(solution->form())) {
     const auto rule = numeric::jacobi_rule<double>(panel.left, panel.right, 48);
     const double length = panel.panel.length;
     const double scale = unit * std::pow(length, panel.left.value + panel.right.value + 1);

@@ -33,7 +33,8 @@ using Moments = std::vector<double>;
 /// The norm above of a difference, over the load.
 double distance(const Moments& a, const Moments& b, double load);
 
-/// In double. Throws std::runtime_error where a problem is not solved.
+/// In double. Throws std::runtime_error where a problem is not solved on cells or polynomials, Refutation where not by
+/// its singular functions.
 Moments riemann_hilbert_moments(const ContactProblem& problem);
 Moments cell_moments(const ContactProblem& problem, std::size_t cells);
 Moments displacement_moments(const DualCase& c, int n, const DisplacementSaid& said = {});

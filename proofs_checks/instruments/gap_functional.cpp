@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "numeric/number/polynomial.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -13,14 +14,7 @@ using numeric::Real100;
 using numeric::Real50;
 using numeric::to_real;
 
-const Exponent half{Rational(1, 2)};
-
-template <Real R>
-R value_of(const Polynomial& p, const R& x) {
-  R sum = 0;
-  for (std::size_t k = p.coefficients().size(); k-- > 0;) sum = sum * x + to_real<R>(p.coefficient(k));
-  return sum;
-}
+using numeric::value_of;
 
 /// Bernstein's coefficients of degree 3 on [left, right].
 template <Real R>

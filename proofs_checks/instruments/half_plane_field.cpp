@@ -3,28 +3,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "numeric/number/polynomial.hpp"
+
 namespace steadyslide::proofs_checks {
 namespace {
 
+using numeric::coefficients_of;
 using numeric::Complex;
 using numeric::Real;
 using numeric::StressComponents;
 using numeric::to_real;
-
-template <class R>
-std::vector<R> coefficients(const Polynomial& p) {
-  std::vector<R> result;
-  result.reserve(p.coefficients().size());
-  for (const Rational& c : p.coefficients()) result.push_back(to_real<R>(c));
-  return result;
-}
-
-template <class R>
-R real_value(const std::vector<R>& p, const R& x) {
-  R value = 0;
-  for (std::size_t k = p.size(); k-- > 0;) value = value * x + p[k];
-  return value;
-}
+using numeric::value_of;
 
 /// Coefficients of Q: of t = x^k it is sum_j zeta^(k-1-j) (b^(j+1) - a^(j+1))/(j+1).
 template <class R>
@@ -39,10 +28,7 @@ std::vector<R> remainder_polynomial(const TractionPiece& piece) {
       b *= piece.to;
     }
   }
-  std::vector<R> result;
-  result.reserve(q.size());
-  for (const Rational& c : q) result.push_back(to_real<R>(c));
-  return result;
+  return coefficients_of<R>(Polynomial(std::move(q)));
 }
 
 /// With so many nodes functions whose nearest pole is a length of the interval away are exact to 100 digits and more.
@@ -65,7 +51,7 @@ numeric::PiecewiseDensity<R> density_of(const PiecewiseTraction& traction) {
   Rational before = 0;
   for (const TractionPiece& piece : traction) {
     const numeric::Panel<R> panel{to_real<R>(piece.from), to_real<R>(piece.to), to_real<R>(piece.to - piece.from)};
-    const auto value = [p = coefficients<R>(piece.t)](const numeric::Node<R>& node) { return real_value(p, node.x); };
+    const auto value = [p = coefficients_of<R>(piece.t)](const numeric::Node<R>& node) { return value_of(p, node.x); };
     const R gap = density.empty() ? R(0) : to_real<R>(piece.from - before);
     density.push_back({panel, {R(0), R(1)}, {R(0), R(1)}, value, gap});
     before = piece.to;
@@ -76,7 +62,7 @@ numeric::PiecewiseDensity<R> density_of(const PiecewiseTraction& traction) {
 template <class R>
 R value_at(const PiecewiseTraction& traction, const R& x) {
   for (const TractionPiece& piece : traction) {
-    if (to_real<R>(piece.from) < x && x < to_real<R>(piece.to)) return real_value(coefficients<R>(piece.t), x);
+    if (to_real<R>(piece.from) < x && x < to_real<R>(piece.to)) return value_of(coefficients_of<R>(piece.t), x);
   }
   return 0;
 }
@@ -95,11 +81,11 @@ std::vector<typename HalfPlaneField<R>::Piece> HalfPlaneField<R>::pieces_of(cons
   for (const TractionPiece& piece : traction) {
     const R from = to_real<R>(piece.from);
     const R length = to_real<R>(piece.to - piece.from);
-    result.push_back({from, to_real<R>(piece.to), coefficients<R>(piece.t), remainder_polynomial<R>(piece), {}, {}});
+    result.push_back({from, to_real<R>(piece.to), coefficients_of<R>(piece.t), remainder_polynomial<R>(piece), {}, {}});
     for (std::size_t i = 0; i < rule_.size(); ++i) {
       const R x = from + length * rule_.from_left[i];
       result.back().places.push_back(x);
-      result.back().forces.push_back(length * rule_.weights[i] * real_value(result.back().t, x));
+      result.back().forces.push_back(length * rule_.weights[i] * value_of(result.back().t, x));
     }
   }
   return result;

@@ -4,6 +4,7 @@
 
 #include <boost/math/special_functions/digamma.hpp>
 
+#include "numeric/number/polynomial.hpp"
 #include "numeric/quadrature/jacobi_rule.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 
@@ -13,13 +14,7 @@ namespace {
 using numeric::Node;
 using numeric::Power;
 using numeric::Real;
-
-template <class R>
-R value_of(const std::vector<R>& p, const R& x) {
-  R value = 0;
-  for (std::size_t k = p.size(); k-- > 0;) value = value * x + p[k];
-  return value;
-}
+using numeric::value_of;
 
 /// int_{-1}^1 (1+x)^left (1-x)^right f(x) dx, f a polynomial of degree below 2 nodes.
 template <class R, class F>

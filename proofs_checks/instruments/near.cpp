@@ -63,13 +63,7 @@ numeric::SurfacePoint<R> beside(const RiemannHilbertSolution<R>& solution, std::
 
 template <Real R>
 numeric::SurfacePoint<R> beside(const numeric::RiemannHilbertForm<R>& form, std::size_t point, Side side, const R& d) {
-  const ContactSet<R>& set = form.set();
-  const R distance = d / numeric::to_real<R>(form.problem().frame().unit);
-  const std::ptrdiff_t k = segment_beside(point, side);
-  const bool in_support = k >= 0 && k < static_cast<std::ptrdiff_t>(set.segments());
-  const R rest = in_support ? R(set.length(static_cast<std::size_t>(k)) - distance) : numeric::infinity<R>();
-  const R x = side == Side::left ? R(set.x(point) - distance) : R(set.x(point) + distance);
-  return {k, side == Side::left ? numeric::Node<R>{x, rest, distance} : numeric::Node<R>{x, distance, rest}};
+  return numeric::beside(form.set(), point, side, R(d / numeric::to_real<R>(form.problem().frame().unit)));
 }
 
 template <Real R>

@@ -14,16 +14,6 @@ namespace {
 
 using numeric::ContactSolution;
 
-/// p((y - shift)/scale).
-Polynomial moved(const Polynomial& p, const Law& law) {
-  const Polynomial line({-law.shift / law.scale, 1 / law.scale});
-  Polynomial result;
-  for (int k = p.degree(); k >= 0; --k) {
-    result = result * line + Polynomial::constant(p.coefficient(static_cast<std::size_t>(k)));
-  }
-  return result;
-}
-
 /// At this part of the last component, to a 1000th; the jumps of random problems have other denominators. Throws
 /// Refutation if nothing is solved.
 Rational place_in_contact(const ContactProblem& problem, double part) {
@@ -34,42 +24,19 @@ Rational place_in_contact(const ContactProblem& problem, double part) {
   return Rational(std::lround(1000 * x), 1000) + Rational(1, 10'007);
 }
 
-/// Friction larger by `height` between c and the next jump.
-ContactProblem with_jump(const ContactProblem& p, const Rational& c, const Rational& height) {
-  std::vector<Rational> values = p.friction().values();
-  std::vector<Rational> jumps = p.friction().jumps();
-  const std::size_t piece = p.friction().piece(c, Side::left);
-  const auto at = static_cast<std::ptrdiff_t>(piece);
-  jumps.insert(jumps.begin() + at, c);
-  values.insert(values.begin() + at + 1, values[piece] + height);
-  return {p.elasticity(), FrictionProfile(values, jumps), p.indenter(), p.load(), p.sliding()};
-}
-
 ContactProblem changed_problem(const ContactProblem& p, const Law& law) {
   if (law.jump) {
     Law rest = law;
     rest.jump.reset();
-    return changed_problem(with_jump(p, place_in_contact(p, 0.3), *law.jump), rest);
+    return changed_problem(p.with_jump(place_in_contact(p, 0.3), *law.jump), rest);
   }
-  std::vector<Rational> values = p.friction().values();
-  std::vector<Rational> jumps = p.friction().jumps();
-  if (!law.keeps_friction) {
-    for (Rational& c : jumps) c = law.scale * c + law.shift;
-  }
-  Rational left = law.scale * p.indenter().left() + law.shift;
-  Rational right = law.scale * p.indenter().right() + law.shift;
-  if (law.scale < 0) {
-    if (!law.keeps_friction) {
-      std::ranges::reverse(values);
-      std::ranges::reverse(jumps);
-    }
-    std::swap(left, right);
-  }
-  const Polynomial profile =
-      Polynomial::constant(law.height) * moved(p.indenter().pieces().front().profile, law) + law.lift;
   const bool plus = (p.sliding() == Sliding::plus_x) != law.turned;
-  return {p.elasticity(), FrictionProfile(values, jumps), Indenter(left, {{right, profile}}), law.load * p.load(),
-          plus ? Sliding::plus_x : Sliding::minus_x};
+  const ContactProblem moved = p.moved(law.scale, law.shift)
+                                   .with_sliding(plus ? Sliding::plus_x : Sliding::minus_x)
+                                   .with_load(law.load * p.load());
+  const Indenter scaled = moved.indenter().scaled(law.height);
+  return moved.with_friction(law.keeps_friction ? p.friction() : moved.friction())
+      .with_indenter(Indenter(scaled.left(), {{scaled.right(), scaled.pieces().front().profile + law.lift}}));
 }
 
 /// With a jump of friction in the contact: where there is none, mirrors know no difference.
@@ -78,7 +45,7 @@ ContactProblem random_problem(Random& random, std::size_t k) {
   if (k % 2 == 1) steps = mirrored(steps);
   const ContactProblem problem =
       cell_problem(steps, random_profile(random, k % 3 != 2), random.between(Rational(1, 4), 2));
-  return with_jump(problem, place_in_contact(problem, 0.4), random.between(Rational(1, 2), 1));
+  return problem.with_jump(place_in_contact(problem, 0.4), random.between(Rational(1, 2), 1));
 }
 
 /// What is compared at one place.

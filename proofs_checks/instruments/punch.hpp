@@ -44,6 +44,23 @@ R punch_amplitude(const ContactProblem& problem, std::size_t piece) {
          numeric::pi<R>();
 }
 
+/// The traction under any number of jumps: a power at each point, an amplitude on each piece between them.
+template <Real R>
+PowerForm<R> punch_form(const ContactProblem& problem) {
+  std::vector<Rational> points{problem.indenter().left()};
+  std::vector<Exponent> exponents{-(half + alpha(problem, 0))};
+  std::vector<R> amplitudes{punch_amplitude<R>(problem, 0)};
+  const std::vector<Rational>& jumps = problem.friction().jumps();
+  for (std::size_t k = 0; k < jumps.size(); ++k) {
+    points.push_back(jumps[k]);
+    exponents.push_back(alpha(problem, k) - alpha(problem, k + 1));
+    amplitudes.push_back(punch_amplitude<R>(problem, k + 1));
+  }
+  points.push_back(problem.indenter().right());
+  exponents.push_back(-(half - alpha(problem, jumps.size())));
+  return power_form<R>(points, std::move(exponents), std::move(amplitudes));
+}
+
 /// Against CLN's value of the same traction and the numeric layer's closed form, at points of every panel.
 template <Real R>
 void check_punch_values(Findings& findings, const PowerForm<R>& form, const ContactProblem& problem);
@@ -54,7 +71,5 @@ Rational largest_friction(const Context& context);
 
 /// A number of cases or points by the number of digits; one in a quick run, but in double.
 std::size_t count_for(const Context& context, std::size_t sixteen, std::size_t fifty, std::size_t hundred);
-
-inline const Exponent half{Rational(1, 2)};
 
 }  // namespace steadyslide::proofs_checks

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 
+#include "numeric/number/polynomial.hpp"
+
 namespace steadyslide::proofs_checks {
 namespace {
 
+using numeric::ContactInterval;
 using numeric::Node;
 using numeric::RiemannHilbertForm;
-using numeric::ZoneGuess;
+using numeric::value_of;
 
 /// Which piece of the profile lies around a place.
 template <Real R>
@@ -16,15 +19,6 @@ const Polynomial& piece_around(const ContactProblem& problem, const R& x) {
   std::size_t k = 0;
   while (k + 1 < pieces.size() && x > numeric::to_real<R>(pieces[k].to)) ++k;
   return pieces[k].profile;
-}
-
-template <Real R>
-R value_of(const Polynomial& p, const R& x) {
-  R value = 0;
-  for (int k = p.degree(); k >= 0; --k) {
-    value = value * x + numeric::to_real<R>(p.coefficient(static_cast<std::size_t>(k)));
-  }
-  return value;
 }
 
 }  // namespace
@@ -55,7 +49,7 @@ RiemannHilbertForm<R> TrialForm<R>::form_on(numeric::ContactSet<R> set, const R&
 
 template <Real R>
 std::unique_ptr<numeric::RiemannHilbertSolution<R>> solved(const ContactProblem& problem,
-                                                           const std::vector<ZoneGuess>& zones) {
+                                                           const std::vector<ContactInterval>& zones) {
   auto solution = std::make_unique<numeric::RiemannHilbertSolution<R>>(problem, Trial::frame());
   const auto& reduced = solution->problem();
   solution->set(
@@ -155,22 +149,13 @@ numeric::PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>& form,
 }
 
 template <Real R>
-numeric::PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>& form) {
-  return density_of<R>(form, form.weight(), [&form](std::size_t k, const Node<R>& node) {
-    const auto segment = static_cast<std::ptrdiff_t>(k);
-    return R(form.sign(segment) * form.problem().cos_alpha(form.friction_at(k)) *
-             form.bracket(form.slope_at(k), {segment, node}).value);
-  });
-}
-
-template <Real R>
 void check_equation(Findings& findings, const RiemannHilbertForm<R>& solution) {
   const Quantity equation{"A t = psi'/c for the solved problem",
                           {"(1/pi) PV int t/(x'-x) dx' + s t, trapezoidal rule", "psi'/c"},
                           tolerance<R>()};
   const std::vector<std::size_t> segments = segments_of(solution);
   const numeric::SurfaceCheck<R> check(
-      density_of(solution), friction_of(solution), [&](std::size_t k, const Node<R>& node) {
+      traction_density(solution), friction_of(solution), [&](std::size_t k, const Node<R>& node) {
         return R(solution.problem().slope(solution.slope_at(segments[k]), node.x) + solution.tilt());
       });
   findings.compare(equation, static_cast<double>(check.equation()));
@@ -195,7 +180,7 @@ R extrapolated(const std::vector<R>& f, int to) {
   template R slope(const ContactProblem&, const R&, const R&);                                                 \
   template class TrialForm<R>;                                                                                 \
   template std::unique_ptr<numeric::RiemannHilbertSolution<R>> solved(const ContactProblem&,                   \
-                                                                      const std::vector<ZoneGuess>&);          \
+                                                                      const std::vector<ContactInterval>&);    \
   template R coefficient_at_infinity(const RiemannHilbertForm<R>&, int);                                       \
   template R load_scale(const RiemannHilbertForm<R>&);                                                         \
   template std::vector<R> excess(const RiemannHilbertForm<R>&);                                                \
@@ -204,8 +189,7 @@ R extrapolated(const std::vector<R>& f, int to) {
   template numeric::PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>&,                               \
                                                    const numeric::FundamentalSolution<R>&, const Bracket<R>&); \
   template void check_equation(Findings&, const RiemannHilbertForm<R>&);                                       \
-  template R extrapolated(const std::vector<R>&, int);                                                         \
-  template numeric::PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>&);
+  template R extrapolated(const std::vector<R>&, int);
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)
 STEADYSLIDE_INSTANTIATE(Real100)

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "numeric/cauchy/residuals.hpp"
+#include "numeric/cauchy/traction_density.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 #include "proofs_checks/instruments/surface.hpp"
 #include "proofs_checks/kit/random.hpp"
@@ -14,8 +15,8 @@ namespace steadyslide::proofs_checks {
 struct Trial {
   std::string name;
   ContactProblem problem;
-  std::vector<numeric::ZoneGuess> zones;  ///< in xi of frame()
-  std::vector<Rational> q;                ///< as many of them as the form has coefficients are used
+  std::vector<numeric::ContactInterval> zones;  ///< in xi of frame()
+  std::vector<Rational> q;                      ///< as many of them as the form has coefficients are used
   Rational tilt;
 
   static numeric::Frame frame() { return {Rational(1, 8), 2}; }
@@ -57,7 +58,7 @@ class TrialForm {
 /// Solved from these zones. Throws Refutation unless every condition holds.
 template <Real R>
 std::unique_ptr<numeric::RiemannHilbertSolution<R>> solved(const ContactProblem& problem,
-                                                           const std::vector<numeric::ZoneGuess>& zones);
+                                                           const std::vector<numeric::ContactInterval>& zones);
 
 /// The coefficient of z^power of u'/c = Y (m_0/z + m_1/z^2 + ... + q/pi) at infinity.
 template <Real R>
@@ -76,8 +77,6 @@ using Bracket = std::function<R(std::size_t segment, const numeric::Node<R>&)>;
 template <Real R>
 numeric::PiecewiseDensity<R> density_of(const numeric::RiemannHilbertForm<R>& form,
                                         const numeric::FundamentalSolution<R>& weight, const Bracket<R>& bracket);
-template <Real R>
-numeric::PiecewiseDensity<R> density_of(const numeric::RiemannHilbertForm<R>& form);
 template <Real R>
 std::vector<std::size_t> segments_of(const numeric::RiemannHilbertForm<R>& form);
 /// s of the contact's panels.

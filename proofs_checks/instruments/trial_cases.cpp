@@ -3,7 +3,7 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::ZoneGuess;
+using numeric::ContactInterval;
 
 double in_frame(const Rational& x) {
   return numeric::to_real<double>((x - Trial::frame().origin) / Trial::frame().unit);
@@ -21,7 +21,7 @@ Trial random_trial(Random& random, std::size_t components, bool kinks) {
   std::vector<Indenter::Piece> pieces;
   Polynomial profile({0, random.between(-1, 1), random.between(0, Rational(1, 4)),
                       random.between(Rational(-1, 16), Rational(1, 16)), random.between(Rational(-1, 64), 0)});
-  std::vector<ZoneGuess> zones;
+  std::vector<ContactInterval> zones;
   const Rational width(8, static_cast<long>(components));
   // A break with a step, so that contact may end there with an edge.
   const auto step = [&](const Rational& x) {
@@ -126,7 +126,7 @@ Trial with_ends(const std::vector<std::pair<bool, bool>>& edges) {
   std::vector<Rational> friction{1};
   std::vector<Rational> jumps;
   std::vector<Indenter::Piece> pieces;
-  std::vector<ZoneGuess> zones;
+  std::vector<ContactInterval> zones;
   const Rational width(8, static_cast<long>(edges.size()));
   for (const auto& [left_edge, right_edge] : edges) {
     const Rational from = -4 + static_cast<long>(zones.size()) * width;

@@ -102,7 +102,6 @@ ClnClosedForm ClnClosedForm::flat_punch(const ContactProblem& problem, int digit
   if (one_profile(problem).degree() > 0) throw std::domain_error("flat punch: the profile is constant");
   if (problem.elasticity().indenter()) throw std::domain_error("flat punch: the indenter is rigid");
   const std::vector<Rational>& jumps = problem.friction().jumps();
-  const Exponent half(Rational(1, 2));
   const cl_F zero = number(Rational(0));
 
   std::vector<State::Place> places;
@@ -125,7 +124,6 @@ std::vector<ClnClosedForm> ClnClosedForm::parabola(const ContactProblem& problem
   const Rational radius = problem.elasticity().compliance() / (2 * curvature);
   const cl_F moment = number(Rational(2 * problem.load() * radius)) / cln::pi(number.format);
 
-  const Exponent half(Rational(1, 2));
   const std::vector<Rational>& jumps = problem.friction().jumps();
   std::vector<Rational> from_vertex;
   std::vector<cl_F> beta;

@@ -9,18 +9,9 @@
 namespace steadyslide::symbolic {
 namespace {
 
-/// The profile on the given side of x; beyond the support, the piece next to it.
-const Polynomial& profile_at(const Indenter& indenter, const Rational& x, Side side) {
-  const auto& pieces = indenter.pieces();
-  const auto found = std::partition_point(pieces.begin(), pieces.end(), [&](const Indenter::Piece& piece) {
-    return piece.to < x || (piece.to == x && side == Side::right);
-  });
-  return found == pieces.end() ? pieces.back().profile : found->profile;
-}
-
 /// The first three Taylor coefficients of psi_bar' at x.
 std::vector<GiNaC::ex> slopes_at(const ContactProblem& problem, const Rational& x, Side side) {
-  Polynomial derivative = profile_at(problem.indenter(), x, side).derivative();
+  Polynomial derivative = problem.indenter().profile(x, side).derivative();
   std::vector<GiNaC::ex> slopes;
   Rational factorial = problem.elasticity().compliance();
   for (int n = 0; n < 3; ++n) {

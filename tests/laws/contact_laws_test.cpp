@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
-#include "support/changed_problem.hpp"
 #include "support/random_contact.hpp"
 #include "support/random_problem.hpp"
 
@@ -151,32 +150,33 @@ Rational regular_place(const ContactProblem& problem, const Solution& solution) 
   return (problem.indenter().left() + problem.indenter().right()) / 2;
 }
 
+/// psi times `profile_factor`, the load times `load_factor`.
+ContactProblem scaled(const ContactProblem& p, const Rational& profile_factor, const Rational& load_factor) {
+  return p.with_indenter(p.indenter().scaled(profile_factor)).with_load(load_factor * p.load());
+}
+
 void all_laws(int count) {
   SUBCASE("mirror") {
-    obey(count, [](const ContactProblem& p, const Solution&) { return Law{testing::moved(p, -1, 0), -1}; });
+    obey(count, [](const ContactProblem& p, const Solution&) { return Law{p.mirrored(), -1}; });
   }
   SUBCASE("translation") {
     obey(count, [](const ContactProblem& p, const Solution&) {
-      return Law{testing::moved(p, 1, Rational(-7, 3)), 1, Rational(-7, 3)};
+      return Law{p.moved(1, Rational(-7, 3)), 1, Rational(-7, 3)};
     });
   }
   SUBCASE("dilation with the profile, the load in proportion: the same traction") {
     for (const Rational& k : {Rational(4), Rational(3, 5)}) {
-      obey(count, [&](const ContactProblem& p, const Solution&) {
-        return Law{testing::moved(testing::scaled(p, k, k), k, 0), k};
-      });
+      obey(count, [&](const ContactProblem& p, const Solution&) { return Law{scaled(p, k, k).moved(k, 0), k}; });
     }
   }
   SUBCASE("load and profile in proportion: the same contact") {
     for (const Rational& k : {Rational(8), Rational(5, 7)}) {
-      obey(count, [&](const ContactProblem& p, const Solution&) {
-        return Law{testing::scaled(p, k, k), 1, 0, real(k)};
-      });
+      obey(count, [&](const ContactProblem& p, const Solution&) { return Law{scaled(p, k, k), 1, 0, real(k)}; });
     }
   }
   SUBCASE("a jump of height zero changes nothing") {
     obey(count, [](const ContactProblem& p, const Solution& solution) {
-      return Law{testing::with_jump(p, regular_place(p, solution), 0)};
+      return Law{p.with_jump(regular_place(p, solution), 0)};
     });
   }
 }
@@ -242,11 +242,11 @@ TEST_CASE("control: wrong laws are refuted") {
     REQUIRE_MESSAGE(after.solution, after.why_not);
     return compare(*before.solution, *after.solution, law);
   };
-  CHECK(refuted({testing::moved(p, -1, 0), -1}) == "");
-  CHECK(refuted({testing::moved(p, -1, 0, true), -1}) != "");                          // sliding direction kept
-  CHECK(refuted({testing::moved(p, 2, 0), 2}) != "");                                  // heights and load kept
-  CHECK(refuted({testing::scaled(p, 2, 1), 1, 0, 2}) != "");                           // load kept
-  CHECK(refuted({testing::with_jump(p, Rational(-1, 100), Rational(1, 100))}) != "");  // a jump of some height
+  CHECK(refuted({p.mirrored(), -1}) == "");
+  CHECK(refuted({p.mirrored().with_sliding(p.sliding()), -1}) != "");        // sliding direction kept
+  CHECK(refuted({p.moved(2, 0), 2}) != "");                                  // heights and load kept
+  CHECK(refuted({scaled(p, 2, 1), 1, 0, 2}) != "");                          // load kept
+  CHECK(refuted({p.with_jump(Rational(-1, 100), Rational(1, 100))}) != "");  // a jump of some height
   const Rational nearly = Rational(1) + Rational(1, 100000000);
-  CHECK(refuted({testing::scaled(p, nearly, nearly), 1, 0, 1}) != "");  // a near miss
+  CHECK(refuted({scaled(p, nearly, nearly), 1, 0, 1}) != "");  // a near miss
 }

@@ -12,34 +12,6 @@ namespace {
 
 constexpr const char* positions[] = {"-0.4", "0.01", "0.27", "0.5", "0.83", "0.999", "1.3"};
 
-/// p(a x + b).
-Polynomial substitute(const Polynomial& p, const Rational& a, const Rational& b) {
-  Polynomial result;
-  const Polynomial line({b, a});
-  for (int k = p.degree(); k >= 0; --k) {
-    result = result * line + Polynomial::constant(p.coefficient(static_cast<std::size_t>(k)));
-  }
-  return result;
-}
-
-/// The problem in the coordinate y = scale x + shift; scale may be negative: then the sliding direction turns too.
-ContactProblem moved(const ContactProblem& p, const Rational& scale, const Rational& shift) {
-  std::vector<Rational> values = p.friction().values();
-  std::vector<Rational> jumps;
-  for (const Rational& c : p.friction().jumps()) jumps.push_back(scale * c + shift);
-  Rational left = scale * p.indenter().left() + shift;
-  Rational right = scale * p.indenter().right() + shift;
-  if (scale < 0) {
-    std::reverse(values.begin(), values.end());
-    std::reverse(jumps.begin(), jumps.end());
-    std::swap(left, right);
-  }
-  const Polynomial profile = substitute(p.indenter().pieces().front().profile, 1 / scale, -shift / scale);
-  const bool turned = (scale < 0) != (p.sliding() == Sliding::minus_x);
-  return {p.elasticity(), FrictionProfile(values, jumps), Indenter(left, {{right, profile}}), p.load(),
-          turned ? Sliding::minus_x : Sliding::plus_x};
-}
-
 std::shared_ptr<const ContactSolution<Real50>> solve(const ContactProblem& problem) {
   return closed_form<Real50>(problem).solution;
 }
@@ -66,7 +38,7 @@ std::vector<Rational> places(const ContactProblem& problem) {
 /// Traction scales with 1/|scale| at equal load and, for a parabola, with a profile that keeps its height.
 void moves_with(const ContactProblem& problem, const Rational& scale, const Rational& shift) {
   const auto before = solve(problem);
-  const auto after = solve(moved(problem, scale, shift));
+  const auto after = solve(problem.moved(scale, shift));
   const Real50 factor = to_real<Real50>(abs(scale));
   for (const Rational& x : places(problem)) {
     const Sample<Real50> a = before->at(x);
@@ -98,12 +70,8 @@ TEST_CASE("load and profile scaled together scale the traction") {
   CHECK(rc::check("parabolas", [] {
     const ContactProblem p = *testing::parabola(4);
     const Rational factor = *testing::rational(1, 5, 3);
-    const Polynomial profile = Polynomial::constant(factor) * p.indenter().pieces().front().profile;
-    const ContactProblem scaled(p.elasticity(), p.friction(),
-                                Indenter(p.indenter().left(), {{p.indenter().right(), profile}}), factor * p.load(),
-                                p.sliding());
     const auto before = solve(p);
-    const auto after = solve(scaled);
+    const auto after = solve(p.with_indenter(p.indenter().scaled(factor)).with_load(factor * p.load()));
     for (const Rational& x : places(p)) {
       RC_ASSERT(close(to_real<Real50>(factor) * before->at(x).traction.left.value, after->at(x).traction.left.value));
     }
@@ -114,14 +82,8 @@ TEST_CASE("a jump of height zero changes nothing") {
   CHECK(rc::check("flat punches and parabolas", [] {
     const ContactProblem p = *rc::gen::oneOf(testing::flat_punch(3), testing::parabola(3));
     const Rational c = places(p)[static_cast<std::size_t>(*rc::gen::inRange(1, 4))];
-    std::vector<Rational> values = p.friction().values();
-    std::vector<Rational> jumps = p.friction().jumps();
-    const std::size_t piece = p.friction().piece(c, Side::left);
-    values.insert(values.begin() + static_cast<std::ptrdiff_t>(piece), values[piece]);
-    jumps.insert(jumps.begin() + static_cast<std::ptrdiff_t>(piece), c);
-    const ContactProblem refined(p.elasticity(), FrictionProfile(values, jumps), p.indenter(), p.load(), p.sliding());
     const auto before = solve(p);
-    const auto after = solve(refined);
+    const auto after = solve(p.with_jump(c, 0));
     for (const Rational& x : places(p)) {
       RC_ASSERT(close(before->at(x).traction.left.value, after->at(x).traction.left.value));
     }
@@ -132,7 +94,7 @@ TEST_CASE("a jump of height zero changes nothing") {
 
 TEST_CASE("control: mirroring without turning the sliding direction is not an invariance") {
   const ContactProblem p(Elasticity(Solid(0, 1)), FrictionProfile({1, 2}, {0}), Indenter(-1, {{1, Polynomial()}}), 1);
-  const ContactProblem half_mirrored(p.elasticity(), FrictionProfile({2, 1}, {0}), p.indenter(), p.load());
+  const ContactProblem half_mirrored = p.mirrored().with_sliding(p.sliding());
   const Real50 a = solve(p)->at(Rational(1, 3)).traction.left.value;
   const Real50 b = solve(half_mirrored)->at(Rational(-1, 3)).traction.left.value;
   CHECK(!close(a, b));

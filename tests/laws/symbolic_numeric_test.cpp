@@ -51,7 +51,7 @@ TEST_CASE("200 random problems: derived and numeric tractions agree to 48 digits
 TEST_CASE("control: the mirrored friction is another traction") {
   const ContactProblem problem(Elasticity(Solid(0, 1)), FrictionProfile({1, 2}, {0}), Indenter(-1, {{1, Polynomial()}}),
                                1);
-  const ContactProblem mirrored(problem.elasticity(), FrictionProfile({2, 1}, {0}), problem.indenter(), 1);
+  const ContactProblem mirrored = problem.with_friction(FrictionProfile({2, 1}, {0}));
   const Rational x(1, 3);
   CHECK(agree(symbolic::derived_traction(problem, x, 60),
               closed_form<Real50>(problem).solution->at(x).traction.left.value));

@@ -45,6 +45,21 @@ TEST_CASE("polynomials form a commutative ring, and evaluation respects it") {
   }));
 }
 
+TEST_CASE("a polynomial in another coordinate") {
+  CHECK(Polynomial({1, -2, 3}).composed(2, 5) == Polynomial({66, 56, 12}));
+  CHECK(Polynomial({1, -2, 3}).composed(0, 5) == Polynomial::constant(66));
+  CHECK(rc::check([] {
+    const Polynomial p = random_polynomial();
+    const Polynomial q = random_polynomial();
+    const Rational a = random_rational(), b = random_rational(), c = random_rational(), d = random_rational();
+    RC_ASSERT(p.composed(a, b)(c) == p(a * c + b));
+    RC_ASSERT(p.composed(a, b).composed(c, d) == p.composed(a * c, a * d + b));
+    RC_ASSERT((p * q).composed(a, b) == p.composed(a, b) * q.composed(a, b));
+    RC_ASSERT(p.composed(a, b).derivative() == Polynomial::constant(a) * p.derivative().composed(a, b));
+    RC_ASSERT(p.composed(1, 0) == p);
+  }));
+}
+
 TEST_CASE("zeros at the top are dropped") {
   CHECK(Polynomial().degree() == -1);
   CHECK(Polynomial({0, 0}) == Polynomial());

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <string>
 
-#include "mirror.hpp"
 #include "random_problem.hpp"
 #include "uniform.hpp"
 
@@ -153,7 +152,7 @@ TEST_CASE("the mirrored problem has the mirrored list") {
   CHECK(rc::check([&] {
     const ContactProblem problem = random_problem();
     const std::vector<SingularPoint> here = possible_singular_points(problem);
-    const std::vector<SingularPoint> there = possible_singular_points(mirrored(problem));
+    const std::vector<SingularPoint> there = possible_singular_points(problem.mirrored());
     RC_ASSERT(here.size() == there.size());
     for (const SingularPoint& point : there) {
       const SingularPoint image = mirrored(point);

@@ -45,7 +45,7 @@ double cell_length(const CoarseContact& c, double x) {
   return *beyond - *(beyond - 1);
 }
 
-double slack(const CoarseContact& c, const CoarseContact::Zone& zone) {
+double slack(const CoarseContact& c, const ContactInterval& zone) {
   return 0.04 * (zone.right - zone.left) + 2 * cell_length(c, zone.left) + 2 * cell_length(c, zone.right);
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("the load's growth from zero leads to the same contact as the active s
     const Indenter& punch = problem.indenter();
     const Rational middle = (punch.left() + punch.right()) / 2;
     const Indenter round(punch.left(), {{punch.right(), Polynomial({middle * middle, -2 * middle, 1})}});
-    const ContactProblem rounded(problem.elasticity(), problem.friction(), round, problem.load(), problem.sliding());
+    const ContactProblem rounded = problem.with_indenter(round);
     const coarse::Mesh mesh(rounded, middle, 24);
     coarse::Influence influence(mesh);
     for (const coarse::Load& load : {coarse::Load{to_real<double>(problem.load()), std::nullopt},

@@ -122,12 +122,12 @@ TEST_CASE_TEMPLATE("random changes: lengths add up to the anchors' spacing and p
 TEST_CASE("zones that somebody guessed") {
   const ContactProblem p = jumps_on(-1, 1, {0});
   const ReducedProblem<double> problem(p, unit_frame);
-  for (const ZoneGuess& guess : {ZoneGuess{-1, 1, true, true},
-                                 {-1, 0.5, true, false},
-                                 {-0.5, 1, false, true},
-                                 {-0.5, 0.5, false, false},
-                                 {0, 0.5, false, false},
-                                 {-0.5, 0, false, false}}) {
+  for (const ContactInterval& guess : {ContactInterval{-1, 1, true, true},
+                                       {-1, 0.5, true, false},
+                                       {-0.5, 1, false, true},
+                                       {-0.5, 0.5, false, false},
+                                       {0, 0.5, false, false},
+                                       {-0.5, 0, false, false}}) {
     const ContactSet<double> set(problem, {guess});
     CHECK(fault(problem, set) == "");
     REQUIRE(set.components() == 1U);

@@ -53,8 +53,7 @@ TEST_CASE("no jump: half-width, shifted zone and peak at -4 alpha a") {
     const Rational s = abs(parse_rational(slope));
     const auto problem = galin({s}, {}, Rational(3, 7), Rational(5, 2));
     // The sign of s through the direction of sliding.
-    const ContactProblem directed(problem.elasticity(), problem.friction(), problem.indenter(), problem.load(),
-                                  slope[0] == '-' ? Sliding::minus_x : Sliding::plus_x);
+    const ContactProblem directed = problem.with_sliding(slope[0] == '-' ? Sliding::minus_x : Sliding::plus_x);
     const Real50 alpha = to_real<Real50>(Exponent::angle(parse_rational(slope)));
     const Real50 a = sqrt(to_real<Real50>(Rational(15, 14)) / (2 * pi<Real50>() * (0.25 - alpha * alpha)));
     const auto data = std::get<ClosedFormData<Real50>>(closed_form_data<Real50>(directed));

@@ -35,8 +35,6 @@ R one(const Node<R>&) {
   return 1;
 }
 
-const Exponent minus_half(Rational(-1, 2));
-
 }  // namespace
 
 TEST_CASE_TEMPLATE("normalisation of Galin's punch: int (1+x)^(-1/2-a) (1-x)^(-1/2+a) dx = pi/cos(pi a)", R, double,
@@ -47,7 +45,7 @@ TEST_CASE_TEMPLATE("normalisation of Galin's punch: int (1+x)^(-1/2-a) (1-x)^(-1
   for (const Rational& s : {Rational(0), Rational(1, 7), Rational(-5), Rational(37), Rational(1000)}) {
     CAPTURE(to_string(s));
     const Exponent a = Exponent::angle(s);
-    const auto density = jacobi<R>(minus_half - a, minus_half + a, one<R>);
+    const auto density = jacobi<R>(-half - a, -half + a, one<R>);
     const R expected = pi<R>() / cos_pi_alpha<R>(s);
     const Estimate<R> first = tanh_sinh::integral(density);
     CHECK(close(first.value, expected, 60));
@@ -65,8 +63,8 @@ TEST_CASE_TEMPLATE("normalisation of Galin's punch: int (1+x)^(-1/2-a) (1-x)^(-1
 TEST_CASE("control: with x alone instead of the distance the same integral is wrong in the first digits") {
   const Rational s = 37;
   const Exponent a = Exponent::angle(s);
-  const double left = to_real<double>(minus_half - a);
-  const double right = to_real<double>(minus_half + a);
+  const double left = to_real<double>(-half - a);
+  const double right = to_real<double>(-half + a);
   const PiecewiseDensity<double> naive{{Panel<double>{-1, 1, 2}, {0, 1}, {0, 1}, [&](const Node<double>& node) {
                                           const double d = 1 + node.x;
                                           return d > 0 && node.x < 1 ? std::pow(d, left) * std::pow(1 - node.x, right)
@@ -92,11 +90,10 @@ TEST_CASE("published principal values (tests of SingularIntegralEquations.jl), x
     Exponent power;
     double expected;
   };
-  const Exponent half(Rational(1, 2));
   const Case cases[] = {
-      {{-1, 1, 2}, minus_half, 1.1404096104609646},
+      {{-1, 1, 2}, -half, 1.1404096104609646},
       {{-1, 1, 2}, half, 0.43723982258866913},
-      {{-1, 2, 3}, minus_half, 1.6649936695644078},
+      {{-1, 2, 3}, -half, 1.6649936695644078},
   };
   for (const Case& c : cases) {
     const auto e_to_x = [](const Node<double>& node) { return std::exp(node.x); };
@@ -115,7 +112,7 @@ TEST_CASE_TEMPLATE("H of Galin's weight is -tan(pi a) times it, from 1e-9 of an 
   for (const Rational& s : {Rational(1, 3), Rational(-2), Rational(40)}) {
     CAPTURE(to_string(s));
     const Exponent a = Exponent::angle(s);
-    const auto density = jacobi<R>(minus_half - a, minus_half + a, one<R>);
+    const auto density = jacobi<R>(-half - a, -half + a, one<R>);
     const trapezoidal::Grid<R> grid(density);
     for (const char* distance : {"1e-9", "1e-3", "0.7", "1"}) {
       const R d = to_real<R>(parse_rational(distance));
@@ -150,7 +147,7 @@ TEST_CASE("the Mellin symbol: H of a power on the right of 0, seen from the left
 
 TEST_CASE("a point off the grid's midpoints and one on them agree") {
   const Exponent a = Exponent::angle(Rational(1, 2));
-  const auto density = jacobi<Real50>(minus_half - a, minus_half + a, one<Real50>);
+  const auto density = jacobi<Real50>(-half - a, -half + a, one<Real50>);
   const trapezoidal::Grid<Real50> grid(density);
   const PanelPoint<Real50> on = grid.midpoint_near(0, Real50(0.3));
   const Real50 expected = -density[0](on.node) / 2;
@@ -162,7 +159,7 @@ TEST_CASE("a point off the grid's midpoints and one on them agree") {
 TEST_CASE("the operator annihilates Galin's punch by every route, and not one with the sign of s reversed") {
   const Rational s(3, 4);
   const Exponent a = Exponent::angle(s);
-  const auto density = jacobi<double>(minus_half - a, minus_half + a, one<double>);
+  const auto density = jacobi<double>(-half - a, -half + a, one<double>);
   const PanelPoint<double> at{0, density[0].panel.node_from_left(0.3)};
   for (const Route route : {Route::tanh_sinh, Route::trapezoidal, Route::gsl}) {
     const Estimate<double> zero = sliding_operator(density, {0.75}, at, route);
@@ -170,7 +167,7 @@ TEST_CASE("the operator annihilates Galin's punch by every route, and not one wi
     CHECK(std::abs(zero.value) <= zero.error);
     CHECK(std::abs(sliding_operator(density, {-0.75}, at, route).value) > 0.1);
   }
-  const auto fine = jacobi<Real50>(minus_half - a, minus_half + a, one<Real50>);
+  const auto fine = jacobi<Real50>(-half - a, -half + a, one<Real50>);
   const PanelPoint<Real50> there{0, fine[0].panel.node_from_left(Real50(0.3))};
   CHECK(abs(sliding_operator(fine, {Real50(0.75)}, there, Route::tanh_sinh).value) < 1e-54);
   CHECK_THROWS_AS(sliding_operator(fine, {Real50(0.75)}, there, Route::gsl), std::invalid_argument);

@@ -131,7 +131,7 @@ TEST_CASE("loads of segments and openings of gaps against unrelated quadratures"
   CHECK(rc::check("quadratures", [&] {
     const auto form = random_form(problem, rules);
     const ContactSet<double>& set = form.set();
-    const auto density = testing::density_of(form);
+    const auto density = traction_density(form);
     const auto check = testing::check_of(form);
     std::size_t panel = 0;
     double size = 0;
@@ -180,9 +180,7 @@ TEST_CASE("the traction next to ends, jumps and wedges is that of the same form 
       for (const Side side : {Side::left, Side::right}) {
         const double d = set.length(k) * std::pow(10., -uniform(4, 1000) / 10.);
         const auto at = [&]<class R>(const ContactSet<R>& s) {
-          const Panel<R> panel{s.x(k), s.x(k + 1), s.length(k)};
-          return SurfacePoint<R>{static_cast<std::ptrdiff_t>(k),
-                                 side == Side::left ? panel.node_from_left(R(d)) : panel.node_from_right(R(d))};
+          return beside(s, side == Side::left ? k : k + 1, opposite(side), R(d));
         };
         const Estimate<double> t = form.traction(at(set));
         const auto expected = static_cast<double>(fine.traction(at(fine.set())).value);

@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "support/changed_problem.hpp"
 #include "support/solved_contact.hpp"
 #include "support/two_wells.hpp"
 
@@ -64,11 +63,11 @@ TEST_CASE("the load acts where it should; its moment by an unrelated quadrature;
       const auto found = solved<double>(p);
       close(found->resultants().centre_of_pressure.value, i / 10.);
       // In the frame the load and load_at are the form's own data.
-      const trapezoidal::Grid<double> grid(testing::density_of(found->form()));
+      const trapezoidal::Grid<double> grid(traction_density(found->form()));
       const double moment = grid.moment(0) / grid.integral();
       close(moment, *found->problem().load_at());
       close(found->form().moment_of_load() / found->problem().load(), moment);
-      const auto mirrored = solved<double>(testing::moved(p, -1, 0));
+      const auto mirrored = solved<double>(p.mirrored());
       close(mirrored->tilt()->value, -found->tilt()->value);
       close(mirrored->contact()[0].left.x.value, -found->contact()[0].right.x.value);
       close(mirrored->contact()[0].right.x.value, -found->contact()[0].left.x.value);

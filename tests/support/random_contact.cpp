@@ -5,8 +5,6 @@
 #include <set>
 #include <vector>
 
-#include "support/changed_problem.hpp"
-
 namespace steadyslide::testing {
 
 namespace {
@@ -62,7 +60,7 @@ struct Shape {
 };
 
 Polynomial around(const Rational& centre, const std::vector<Rational>& coefficients) {
-  return substitute(Polynomial(coefficients), 1, -centre);
+  return Polynomial(coefficients).composed(1, -centre);
 }
 
 /// The power of two below 1 up to which slope |y| + curve y^2 is pressed in by a load: 2 slope a + pi curve a^2.
@@ -264,7 +262,7 @@ ContactProblem random_contact(std::uint64_t seed) {
                             rounded(shape.load / elasticity.compliance()), sliding, shape.load_at);
   const Rational length = dice.one_of_these({Rational(1, 4), Rational(1, 2), 1, 1, 2, 5});
   const Rational shift = dice.chance(50) ? Rational(0) : dice.part(-8, 8, 4);
-  return moved(scaled(unit, height, height), length, shift);
+  return unit.with_indenter(unit.indenter().scaled(height)).with_load(height * unit.load()).moved(length, shift);
 }
 
 }  // namespace steadyslide::testing

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "numeric/cauchy/residuals.hpp"
+#include "numeric/cauchy/traction_density.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 
@@ -55,43 +56,6 @@ Solved<R> solved(const ContactProblem& problem, const numeric::ContactSolution<R
   return std::dynamic_pointer_cast<const numeric::RiemannHilbertSolution<R>>(attempt.solution);
 }
 
-/// The form's traction panel by panel, for the quadrature routes that know nothing of the form.
-template <numeric::Real R>
-numeric::PiecewiseDensity<R> density_of(const numeric::RiemannHilbertForm<R>& form) {
-  using namespace numeric;
-  PiecewiseDensity<R> result;
-  const ContactSet<R>& set = form.set();
-  R gap = 0;
-  for (std::size_t k = 0; k < set.segments(); ++k) {
-    if (!set.in_contact(k)) {
-      gap += set.length(k);
-      continue;
-    }
-    // Where the profile's polynomial changes, a constant or a logarithm is larger than a power that vanishes.
-    const auto power = [&](std::size_t j) {
-      const Power<R>& p = form.weight().powers()[j];
-      return form.is_kinked(j) && p.value > 0 ? Power<R>{R(0), R(1)} : p;
-    };
-    const Power<R> left = power(k);
-    const Power<R> right = power(k + 1);
-    const auto smooth = [&form, k, left, right](const Node<R>& node) {
-      using std::pow;
-      const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(k), node};
-      const auto rest = [&](std::size_t j, const R& taken, const R& d) {
-        const R& p = form.weight().powers()[j].value;
-        return p == taken ? R(1) : R(pow(d, p));
-      };
-      return R(form.sign(at.segment) * form.problem().cos_alpha(form.friction_at(k)) *
-               form.weight().smooth_modulus(k, node) * form.bracket(form.slope_at(k), at).value *
-               rest(k, left.value, node.from_left) * rest(k + 1, right.value, node.from_right));
-    };
-    result.push_back({set.panels()[k], left, right, smooth, gap});
-    gap = 0;
-  }
-  result.front().gap = 0;
-  return result;
-}
-
 template <numeric::Real R>
 numeric::SurfaceCheck<R> check_of(const numeric::RiemannHilbertForm<R>& form) {
   std::vector<R> s;
@@ -101,7 +65,7 @@ numeric::SurfaceCheck<R> check_of(const numeric::RiemannHilbertForm<R>& form) {
     s.push_back(form.problem().s(form.friction_at(k)));
     segments.push_back(k);
   }
-  return {density_of(form), s, [&form, segments](std::size_t panel, const numeric::Node<R>& node) {
+  return {traction_density(form), s, [&form, segments](std::size_t panel, const numeric::Node<R>& node) {
             return R(form.problem().slope(form.slope_at(segments[panel]), node.x) + form.tilt());
           }};
 }

@@ -47,20 +47,7 @@ PunchFormula one_jump_formula() {
 }
 
 PunchFormula many_jump_formula() {
-  return PunchFormula::from([]<Real R>(const ContactProblem& p) {
-    const std::size_t m = p.friction().jumps().size();
-    std::vector<Rational> points{-1};
-    std::vector<Exponent> exponents{-(half + alpha(p, 0))};
-    std::vector<R> amplitudes{punch_amplitude<R>(p, 0)};
-    for (std::size_t k = 1; k <= m; ++k) {
-      points.push_back(p.friction().jumps()[k - 1]);
-      exponents.push_back(alpha(p, k - 1) - alpha(p, k));
-      amplitudes.push_back(punch_amplitude<R>(p, k));
-    }
-    points.push_back(1);
-    exponents.push_back(-(half - alpha(p, m)));
-    return power_form<R>(points, std::move(exponents), std::move(amplitudes));
-  });
+  return PunchFormula::from([]<Real R>(const ContactProblem& p) { return punch_form<R>(p); });
 }
 
 /// What the traction does at the jump, measured at two distances far below every length of the problem.

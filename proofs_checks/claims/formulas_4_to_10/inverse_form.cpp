@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "numeric/number/polynomial.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/claims/section_3/form_parts.hpp"
 #include "proofs_checks/instruments/jacobi_traction.hpp"
@@ -71,8 +72,7 @@ std::vector<R> polynomial_part(const std::vector<R>& p, const std::vector<R>& c,
 template <Real R>
 JacobiTraction<R> without_integral(const InverseCase& c) {
   const Exponent alpha = Exponent::angle(c.s);
-  std::vector<R> u;
-  for (const Rational& coefficient : c.slope.coefficients()) u.push_back(numeric::to_real<R>(coefficient));
+  const std::vector<R> u = numeric::coefficients_of<R>(c.slope);
   const std::vector<R> series =
       binomial_product<R>(numeric::to_real<R>(half + alpha), numeric::to_real<R>(half - alpha), u.size() + 2);
   std::vector<R> q = polynomial_part(u, series, 1);
@@ -82,11 +82,7 @@ JacobiTraction<R> without_integral(const InverseCase& c) {
 
 template <Real R>
 R slope_at(const InverseCase& c, const R& x) {
-  R u = 0;
-  for (int n = c.slope.degree(); n >= 0; --n) {
-    u = u * x + numeric::to_real<R>(c.slope.coefficient(static_cast<std::size_t>(n)));
-  }
-  return u;
+  return numeric::value_of(c.slope, x);
 }
 
 /// int u T_k/sqrt(1-x^2) dx, k >= 1, in the angle: there the midpoint rule is exact.

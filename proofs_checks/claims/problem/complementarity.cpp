@@ -119,7 +119,7 @@ void examine(Findings& findings, const ContactProblem& problem, const RiemannHil
   const Quantity closure{
       "gap between two components, over c P", {"from the left one", "from the right one"}, tolerance<R>(), 0};
   const std::vector<std::size_t> segments = segments_of(form);
-  numeric::PiecewiseDensity<R> density = density_of(form);
+  numeric::PiecewiseDensity<R> density = traction_density(form);
   for (auto& panel : density) {
     panel.smooth = [smooth = panel.smooth, factor](const numeric::Node<R>& node) { return R(factor * smooth(node)); };
   }

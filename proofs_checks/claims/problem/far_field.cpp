@@ -6,15 +6,13 @@
 
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
-#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "proofs_checks/instruments/near.hpp"
 #include "proofs_checks/instruments/parabola_cases.hpp"
 #include "proofs_checks/instruments/trial.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
-
-using Solution = numeric::RiemannHilbertSolution<double>;
 
 /// energy (1 - nu^2) (normal P^2 + tangential F^2) log 2/(pi E) between R and 2 R, R -> oo; rise c P log 2/pi of the
 /// surface from R to 2 R; both with errors like R^-rate.
@@ -33,12 +31,6 @@ std::vector<ContactProblem> problems(const Context& context) {
   all.push_back(parabola(Rational(2, 5), {1, Rational(1, 3)}, {Rational(1, 10)}, 1, 2, Rational(1, 2)));
   all.push_back(punch(Rational(-1, 2), {Rational(3, 4)}, {}, 1, Sliding::minus_x));
   return all;
-}
-
-std::shared_ptr<const Solution> solution_of(const ContactProblem& problem) {
-  auto solution = std::dynamic_pointer_cast<const Solution>(numeric::riemann_hilbert<double>(problem).solution);
-  if (!solution || !solution->shortcoming().empty()) throw Refutation{{text_of(problem), "not solved"}};
-  return solution;
 }
 
 /// int sigma:epsilon/2 over radius < r < 2 radius, z > 0.
@@ -90,7 +82,7 @@ std::vector<Evidence> check(const Context& context, const FarSaid& said) {
     const std::vector<ContactProblem> all = problems(context);
     for (const ContactProblem& problem : all) {
       findings.begin_case(text_of(problem));
-      const std::shared_ptr<const Solution> solution = solution_of(problem);
+      const auto solution = solve<double>(problem);
       const double p = numeric::to_real<double>(problem.load());
       const double f = solution->resultants().tangential.value;
       const Solid& body = *problem.elasticity().half_space();

@@ -33,25 +33,14 @@ double distance(const Complex<R>& a, const Complex<R>& b, const R& size) {
 
 JumpFormula plemelj_formula() {
   return JumpFormula::from([]<Real R>(const ContactProblem& p) {
-    const std::size_t m = p.friction().jumps().size();
-    std::vector<Rational> points{p.indenter().left()};
-    std::vector<Exponent> exponents{-(half + alpha(p, 0))};
-    std::vector<R> amplitudes;
     JumpForm<R> form;
-    for (std::size_t k = 0; k <= m; ++k) {
-      if (k > 0) {
-        points.push_back(p.friction().jumps()[k - 1]);
-        exponents.push_back(alpha(p, k - 1) - alpha(p, k));
-      }
-      amplitudes.push_back(punch_amplitude<R>(p, k));
+    static_cast<PowerForm<R>&>(form) = punch_form<R>(p);
+    for (std::size_t k = 0; k < p.friction().values().size(); ++k) {
       // (s-i)/(s+i) = (s-i)^2/(1+s^2)
       const Rational s = p.coupled_friction(k);
       const Rational scale = 1 + s * s;
       form.ratios.push_back({numeric::to_real<R>((s * s - 1) / scale), numeric::to_real<R>(-2 * s / scale)});
     }
-    points.push_back(p.indenter().right());
-    exponents.push_back(-(half - alpha(p, m)));
-    static_cast<PowerForm<R>&>(form) = power_form<R>(points, std::move(exponents), std::move(amplitudes));
     form.potential = numeric::to_real<R>(p.load()) / (2 * numeric::pi<R>());
     return form;
   });

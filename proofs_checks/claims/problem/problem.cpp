@@ -49,9 +49,7 @@ Sheared random_case(Random& random, std::size_t k) {
 /// The component along +x of what the indenter exerts on the body: friction drags the body along.
 std::vector<Rational> shear_ratios(const ContactProblem& problem) {
   std::vector<Rational> ratios;
-  for (const Rational& f : problem.friction().values()) {
-    ratios.push_back(problem.sliding() == Sliding::plus_x ? Rational(-f) : f);
-  }
+  for (std::size_t k = 0; k < problem.friction().values().size(); ++k) ratios.push_back(problem.shear_ratio(k));
   return ratios;
 }
 

@@ -33,7 +33,7 @@ std::vector<Evidence> check_load(const Context& context, const LoadFormula& form
       findings.begin_case(trial.name + ": " + text_of(trial.problem));
       const LoadSaid<R> said = formula.at<R>(trial);
       const RiemannHilbertForm<R>& form = said.trial->form();
-      const numeric::trapezoidal::Grid<R> grid(density_of(form));
+      const numeric::trapezoidal::Grid<R> grid(traction_density(form));
       const R scale = max(R(abs(grid.integral())), load_scale(form));
       findings.compare(load, static_cast<double>(R(abs(grid.integral() - said.load) / scale)));
       findings.compare(moment, static_cast<double>(R(abs(grid.moment(R(0)) - said.moment) / scale)));

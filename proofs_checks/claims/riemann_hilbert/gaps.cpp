@@ -64,7 +64,7 @@ class Comparison {
       : findings_(findings),
         said_(said),
         form_(said.trial->form()),
-        surface_(density_of(form_), friction_of(form_), [](std::size_t, const auto&) { return R(0); }) {}
+        surface_(traction_density(form_), friction_of(form_), [](std::size_t, const auto&) { return R(0); }) {}
 
   /// A place in a gap, seen from the contact ends that face it, and what they miss of each other: what the profile
   /// misses there is the same for both.
@@ -74,10 +74,8 @@ class Comparison {
         "gap at a random place", {"steps and int Y B_k", "logarithmic potential of t"}, tolerance<R>()};
     const Quantity closure{
         "what closes over a whole gap", {"steps and int Y B_k", "logarithmic potential of t"}, tolerance<R>()};
-    const R& length = form_.set().length(segment);
-    const R from_left = fraction * length;
-    const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(segment),
-                             {R(form_.set().x(segment) + from_left), from_left, R(length - from_left)}};
+    const SurfacePoint<R> at =
+        numeric::beside(form_.set(), segment, Side::right, R(fraction * form_.set().length(segment)));
     Heights difference;
     for (const auto* from : {&left, &right}) {
       if (!*from) continue;

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "numeric/number/polynomial.hpp"
 #include "proofs_checks/claims/claims.hpp"
 #include "proofs_checks/instruments/punch.hpp"
 #include "proofs_checks/instruments/trial.hpp"
@@ -123,9 +124,8 @@ void check_ends(Findings& findings, const LinearSaid<R>& said) {
     const Neighbour<R>& neighbour = said.neighbours[f];
     const std::vector<R> measured = differences(*said.trial, f, at);
     for (std::size_t i = 0; i < at.size(); ++i) {
-      R sum = 0;
-      for (std::size_t k = neighbour.polynomial.size(); k-- > 0;) sum = sum * at[i].node.x + neighbour.polynomial[k];
-      sum += neighbour.pole / form.distance(at[i], neighbour.end);
+      const R sum =
+          numeric::value_of(neighbour.polynomial, at[i].node.x) + neighbour.pole / form.distance(at[i], neighbour.end);
       findings.compare(quantity, relative_difference<R>(R(factor(form, at[i]) * sum), measured[i]));
     }
   }

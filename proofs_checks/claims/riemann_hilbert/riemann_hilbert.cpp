@@ -1,5 +1,6 @@
 // The Riemann-Hilbert form on any contact set satisfies the equation.
 
+#include "numeric/number/polynomial.hpp"
 #include "proofs_checks/claims/claims.hpp"
 #include "proofs_checks/instruments/punch.hpp"
 #include "proofs_checks/instruments/trial.hpp"
@@ -65,9 +66,7 @@ Surface<R> surface_of(const FormSaid<R>& said) {
     R b = form.bracket(said.slope[k], {static_cast<std::ptrdiff_t>(k), node}).value;
     if (!said.polynomial || said.integral < 0) {
       const R poly = polynomial_part(form, said.slope[k], node.x);
-      R q = 0;
-      for (std::size_t j = form.q().size(); j-- > 0;) q = q * node.x + form.q()[j];
-      if (said.integral < 0) b = 2 * (poly - q / numeric::pi<R>()) - b;
+      if (said.integral < 0) b = 2 * (poly - numeric::value_of(form.q(), node.x) / numeric::pi<R>()) - b;
       if (!said.polynomial) b -= poly;
     }
     return R(said.eps[k] * said.cosine[k] * b);
@@ -76,9 +75,7 @@ Surface<R> surface_of(const FormSaid<R>& said) {
   const std::vector<R> rest = said.excess ? excess(form) : std::vector<R>{};
   const auto slope_at = [&form, rest](const R& xi) {
     const R x = numeric::to_real<R>(Trial::frame().origin) + numeric::to_real<R>(Trial::frame().unit) * xi;
-    R left = 0;
-    for (std::size_t j = rest.size(); j-- > 0;) left = left * xi + rest[j];
-    return R(slope<R>(form.problem().problem(), x, x) + form.tilt() - left);
+    return R(slope<R>(form.problem().problem(), x, x) + form.tilt() - numeric::value_of(rest, xi));
   };
   return {density_of<R>(form, weight, bracket), friction_of(form), slope_at,
           R(-numeric::pi<R>() * coefficient_at_infinity(form, -1)), load_scale(form)};

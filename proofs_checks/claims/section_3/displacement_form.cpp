@@ -20,8 +20,6 @@ using numeric::Node;
 using numeric::Power;
 using numeric::Real;
 
-const Exponent half{Rational(1, 2)};
-
 struct FormSaid {
   InverseSaid inverse;
   enum class Lower { cosine_squared, cosine } lower = Lower::cosine_squared;  ///< least a(u,u)/a_0(u,u)

@@ -6,9 +6,9 @@
 #include <tuple>
 
 #include "numeric/closed_form/closed_form.hpp"
-#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "proofs_checks/claims/section_3/dual_problem_parts.hpp"
 #include "proofs_checks/instruments/cells.hpp"
+#include "proofs_checks/instruments/near.hpp"
 #include "proofs_checks/kit/findings.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -50,13 +50,6 @@ std::vector<Case> cases(const Context& context) {
     }
   }
   return all;
-}
-
-template <Real R>
-std::shared_ptr<const ContactSolution<R>> solve(Findings& findings, const ContactProblem& problem) {
-  const auto attempt = numeric::riemann_hilbert<R>(problem);
-  findings.require(attempt.solution && attempt.solution->shortcoming().empty(), "not solved");
-  return attempt.solution;
 }
 
 /// Ends, traction and gap at some places.
@@ -101,7 +94,7 @@ std::vector<Evidence> check(const Context& context, const HomogeneousSaid& said,
           "s = " + to_string(c.s) + ", psi = " + to_string(c.profile) + ", P = " + to_string(c.load);
       findings.begin_case(name);
       const R load = numeric::to_real<R>(c.load);
-      const auto solution = solve<R>(findings, cell_problem({{c.s}, {}}, c.profile, c.load));
+      const auto solution = solve<R>(cell_problem({{c.s}, {}}, c.profile, c.load));
       if (!known.contains(name)) known.emplace(name, solution->residuals());
       const numeric::Residuals<R>& left = known.at(name);
       for (const R& value : {left.equation, left.load, left.penetration, left.tension}) {
@@ -119,8 +112,8 @@ std::vector<Evidence> check(const Context& context, const HomogeneousSaid& said,
         findings.skip(solvers);
       }
       const Rational constant(17, 5);
-      const auto raised = solve<R>(
-          findings, cell_problem({{c.s}, {}}, c.profile + Polynomial::constant(constant) + said.added, c.load));
+      const auto raised =
+          solve<R>(cell_problem({{c.s}, {}}, c.profile + Polynomial::constant(constant) + said.added, c.load));
       compare<R>(findings, shifted, *solution, *raised, load, said.equal ? R(0) : numeric::to_real<R>(constant));
     }
     return findings.evidence("random s of both signs, profiles and loads, seed " + std::to_string(context.seed));

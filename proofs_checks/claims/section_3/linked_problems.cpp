@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 
+#include "numeric/number/polynomial.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 #include "proofs_checks/claims/section_3/dual_problem_parts.hpp"
@@ -42,12 +43,9 @@ void check_full_contact(Findings& findings, const Context& context, const LinkSa
     const DisplacementOperator<R> a(s, profile.degree() + 1, said.displacement.inverse);
     std::vector<R> psi;
     for (std::size_t i = 0; i < a.size(); ++i) {
-      R value = 0;
-      for (std::size_t j = 4; j-- > 0;) value = value * a.node(i).x + numeric::to_real<R>(profile.coefficient(j));
-      psi.push_back(R(said.displacement.profile) * value);
+      psi.push_back(R(said.displacement.profile) * numeric::value_of(profile, a.node(i).x));
     }
     const std::vector<R> bent = a.forces(psi);
-    const Exponent half{Rational(1, 2)};
     const Exponent angle = Exponent::angle(s);
     const R load = R(said.displacement.load) * (1 + R(said.load_moved) * R(tolerance<R>()));
     for (std::size_t i = 0; i < a.size(); ++i) {

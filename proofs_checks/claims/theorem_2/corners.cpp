@@ -17,7 +17,7 @@ using numeric::SurfacePoint;
 struct Corner {
   std::string name;
   ContactProblem problem;
-  std::vector<numeric::ZoneGuess> zones;
+  std::vector<numeric::ContactInterval> zones;
   int theta;     ///< its sign, where t <= 0 leaves it open
   bool is_jump;  ///< does the friction jump at c?
 };
@@ -26,17 +26,9 @@ Corner corner(std::string name, const Rational& rear, const Rational& front, con
               const Polynomial& right, const Rational& load, int theta = 1) {
   const Rational c(1, 8);
   const FrictionProfile friction = rear == front ? FrictionProfile({rear}) : FrictionProfile({rear, front}, {c});
-  const Polynomial shift({-c, 1});
-  const auto around = [&](const Polynomial& p) {
-    Polynomial result;
-    for (int k = p.degree(); k >= 0; --k) {
-      result = result * shift + Polynomial::constant(p.coefficient(static_cast<std::size_t>(k)));
-    }
-    return result;
-  };
   return {std::move(name),
           ContactProblem(Elasticity(Solid(Rational(3, 10), 1)), friction,
-                         Indenter(-4, {{c, around(left)}, {4, around(right)}}), load),
+                         Indenter(-4, {{c, left.composed(1, -c)}, {4, right.composed(1, -c)}}), load),
           {{-0.7, 0.6, false, false}},
           theta,
           rear != front};
@@ -128,13 +120,7 @@ template <Real R>
 R regular_part(const CornerSaid<R>& said, Side side, const R& d) {
   using std::log, std::pow;
   const RiemannHilbertForm<R>& form = said.solution->form();
-  const auto& set = form.set();
-  const R distance = d / numeric::to_real<R>(Trial::frame().unit);
-  const std::size_t k = side == Side::left ? said.j - 1 : said.j;
-  const R rest = set.length(k) - distance;
-  const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(k),
-                           side == Side::left ? numeric::Node<R>{R(set.x(said.j) - distance), rest, distance}
-                                              : numeric::Node<R>{R(set.x(said.j) + distance), distance, rest}};
+  const SurfacePoint<R> at = numeric::beside(form.set(), said.j, side, R(d / numeric::to_real<R>(Trial::frame().unit)));
   const ContactProblem& problem = form.problem().problem();
   const R& c = said.point.x.value;
   const R x = !said.continued ? c : side == Side::left ? R(c - d) : R(c + d);

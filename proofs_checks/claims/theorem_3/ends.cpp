@@ -11,12 +11,12 @@ using numeric::RiemannHilbertForm;
 
 struct Solvable {
   ContactProblem problem;
-  std::vector<numeric::ZoneGuess> zones;
+  std::vector<numeric::ContactInterval> zones;
 };
 
 /// Two flanks that meet at 1/8, where the friction jumps.
 Solvable flanks(const Rational& rear, const Rational& front, const Polynomial& left, const Polynomial& right,
-                const Rational& load, const numeric::ZoneGuess& zone) {
+                const Rational& load, const numeric::ContactInterval& zone) {
   const Rational c(1, 8);
   return {ContactProblem(Elasticity(Solid(Rational(-1, 2), 1)), FrictionProfile({rear, front}, {c}),
                          Indenter(-4, {{c, left - Polynomial({left(c)})}, {4, right - Polynomial({right(c)})}}), load),
@@ -129,7 +129,7 @@ void check_ends(Findings& findings, const EndsSaid<R>& said) {
     findings.compare(intensity, relative_difference<R>(measured, intensities[i]));
     findings.require(intensities[i] >= 0, "theta < 0 where t <= 0 forbids it");
   }
-  const numeric::trapezoidal::Grid<R> grid(density_of(form));
+  const numeric::trapezoidal::Grid<R> grid(traction_density(form));
   for (const auto& end : ends) {
     const R d = extrapolation_step<R>();
     findings.compare(by_rule,

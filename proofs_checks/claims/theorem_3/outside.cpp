@@ -30,17 +30,7 @@ using OutsideFormula = Formula<OutsideForm, ContactProblem>;
 OutsideFormula outside_formula() {
   return OutsideFormula::from([]<Real R>(const ContactProblem& p) {
     const std::size_t m = p.friction().jumps().size();
-    std::vector<Rational> points{-1};
-    std::vector<Exponent> exponents{-(half + alpha(p, 0))};
-    std::vector<R> amplitudes{punch_amplitude<R>(p, 0)};
-    for (std::size_t k = 1; k <= m; ++k) {
-      points.push_back(p.friction().jumps()[k - 1]);
-      exponents.push_back(alpha(p, k - 1) - alpha(p, k));
-      amplitudes.push_back(punch_amplitude<R>(p, k));
-    }
-    points.push_back(1);
-    exponents.push_back(-(half - alpha(p, m)));
-    OutsideForm<R> form{power_form<R>(points, exponents, std::move(amplitudes)), {}, {}};
+    OutsideForm<R> form{punch_form<R>(p), {}, {}};
     const R over_pi = numeric::to_real<R>(p.load()) / numeric::pi<R>();
     const R rear_root = 1 / numeric::cos_pi_alpha<R>(p.coupled_friction(0));
     const R front_root = 1 / numeric::cos_pi_alpha<R>(p.coupled_friction(m));

@@ -2,6 +2,7 @@
 //
 //   t = L(phi) + L(psi - phi) + L(u - psi) - P t_0,   phi' = psi'(c-) left and psi'(c+) right of c.
 
+#include "numeric/number/polynomial.hpp"
 #include "proofs_checks/instruments/proofs.hpp"
 #include "proofs_checks/instruments/trial.hpp"
 
@@ -96,11 +97,7 @@ Decomposition<R> decompose(const WedgeProblem& w) {
     const R at_corner = numeric::to_real<R>(slope(w.c));
     phi[k].smooth = [at_corner](const auto&) { return at_corner; };
     rest[k].smooth = [slope, at_corner](const numeric::Node<R>& node) {
-      R value = 0;
-      for (int i = slope.degree(); i >= 0; --i) {
-        value = value * node.x + numeric::to_real<R>(slope.coefficient(static_cast<std::size_t>(i)));
-      }
-      return R(value - at_corner);
+      return R(numeric::value_of(slope, node.x) - at_corner);
     };
   }
   const std::size_t left = contact_end(*solution, Side::left);
@@ -131,10 +128,10 @@ void measure_logarithm(DecompositionFacts<R>& facts, const WedgeProblem& w) {
   const auto in_frame = [](const Rational& x) {
     return numeric::to_real<double>((x - Trial::frame().origin) / Trial::frame().unit);
   };
-  const ContactProblem of_phi(
-      w.problem.elasticity(), w.problem.friction(),
-      Indenter(-1, {{w.c, linear(0) + Polynomial({-linear(0)(w.c)})}, {1, linear(1) + Polynomial({-linear(1)(w.c)})}}),
-      1);
+  const ContactProblem of_phi = w.problem
+                                    .with_indenter(Indenter(-1, {{w.c, linear(0) + Polynomial({-linear(0)(w.c)})},
+                                                                 {1, linear(1) + Polynomial({-linear(1)(w.c)})}}))
+                                    .with_load(1);
   const TrialForm<R> trial({"", of_phi, {{in_frame(-1), in_frame(1), true, true}}, {0}, 0});
   const auto solution = solve<R>(w.problem);
   const std::size_t j = point_at(*solution, w.c);

@@ -28,8 +28,9 @@ std::vector<ForcedEnd> forced_ends(bool quick) {
 Trial trial_of(const ForcedEnd& c, const Rational& s) {
   const Polynomial profile({0, c.slope, Rational(1, 2), Rational(1, 12)});
   const auto place = numeric::to_real<double>(-Trial::frame().origin / Trial::frame().unit);
-  const numeric::ZoneGuess zone = c.beyond == Side::left ? numeric::ZoneGuess{place, c.other_end, true, false}
-                                                         : numeric::ZoneGuess{c.other_end, place, false, true};
+  const numeric::ContactInterval zone = c.beyond == Side::left
+                                            ? numeric::ContactInterval{place, c.other_end, true, false}
+                                            : numeric::ContactInterval{c.other_end, place, false, true};
   return {
       c.name,
       {Elasticity::reduced(Rational(1, 2)), FrictionProfile({2 * s}), Indenter(-4, {{0, profile}, {4, profile}}), 1},
@@ -71,7 +72,7 @@ ForcedFacts<R> measure_forced(const ForcedEnd& c) {
   // A place where nothing is small.
   const R far = R(1) / 50;
   const auto at = beside(form, j, c.beyond, R(far * unit));
-  const numeric::trapezoidal::Grid<R> grid(density_of(form));
+  const numeric::trapezoidal::Grid<R> grid(traction_density(form));
   const R by_rule = form.profile_rise(j, at) - grid.displacement(0, c.beyond, far);
   const R by_form = form.opening(j, at).value;
   return {c.name, s, c.beyond, a, gap, relative_difference<R>(by_rule, by_form)};

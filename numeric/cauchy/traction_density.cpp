@@ -1,0 +1,56 @@
+#include "numeric/cauchy/traction_density.hpp"
+
+#include <cmath>
+
+namespace steadyslide::numeric {
+namespace {
+
+template <Real R>
+Power<R> traction_power(const RiemannHilbertForm<R>& form, std::size_t j) {
+  const Power<R>& p = form.weight().powers()[j];
+  if (form.is_kinked(j) && p.value > 0) return {R(0), R(1)};
+  return p;
+}
+
+}  // namespace
+
+template <Real R>
+PanelDensity<R> panel_density(const RiemannHilbertForm<R>& form, std::size_t segment) {
+  const Power<R> left = traction_power(form, segment);
+  const Power<R> right = traction_power(form, segment + 1);
+  const auto smooth = [&form, segment, left, right](const Node<R>& node) {
+    using std::pow;
+    const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(segment), node};
+    const R& p_left = form.weight().powers()[segment].value;
+    const R& p_right = form.weight().powers()[segment + 1].value;
+    R value = form.sign(at.segment) * form.problem().cos_alpha(form.friction_at(segment)) *
+              form.weight().smooth_modulus(segment, node) * form.bracket(form.slope_at(segment), at).value;
+    if (p_left != left.value) value *= pow(node.from_left, p_left);
+    if (p_right != right.value) value *= pow(node.from_right, p_right);
+    return value;
+  };
+  const ContactSet<R>& set = form.set();
+  PanelDensity<R> density{set.panels()[segment], left, right, smooth, R(0)};
+  for (std::size_t k = segment; k-- > 0 && !set.in_contact(k);) density.gap += set.length(k);
+  return density;
+}
+
+template <Real R>
+PiecewiseDensity<R> traction_density(const RiemannHilbertForm<R>& form) {
+  PiecewiseDensity<R> result;
+  for (std::size_t k = 0; k < form.set().segments(); ++k) {
+    if (form.set().in_contact(k)) result.push_back(panel_density(form, k));
+  }
+  if (!result.empty()) result.front().gap = 0;
+  return result;
+}
+
+#define STEADYSLIDE_INSTANTIATE(R)                                                   \
+  template PanelDensity<R> panel_density(const RiemannHilbertForm<R>&, std::size_t); \
+  template PiecewiseDensity<R> traction_density(const RiemannHilbertForm<R>&);
+STEADYSLIDE_INSTANTIATE(double)
+STEADYSLIDE_INSTANTIATE(Real50)
+STEADYSLIDE_INSTANTIATE(Real100)
+#undef STEADYSLIDE_INSTANTIATE
+
+}  // namespace steadyslide::numeric

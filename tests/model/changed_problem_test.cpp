@@ -1,0 +1,129 @@
+// Problems made of others: what is changed, and that nothing else is.
+
+#include <doctest/doctest.h>
+
+#include "broken_rule.hpp"
+#include "random_problem.hpp"
+
+using namespace steadyslide;
+
+namespace {
+
+/// Not among the places of a random problem.
+Rational random_place() { return Rational(uniform(-999, 999), 1000) + Rational(1, 3000); }
+
+Rational random_scale() { return Rational(*rc::gen::arbitrary<bool>() ? 1 : -1) * Rational(uniform(1, 20), 7); }
+
+const ContactProblem tilting(Elasticity(Solid(Rational(3, 10), 1)), FrictionProfile({1, 2}, {0}),
+                             Indenter(-1, {{1, Polynomial({0, 0, 1})}}), 3, Sliding::minus_x, Rational(1, 4));
+
+}  // namespace
+
+TEST_CASE("one datum changes, the others are kept") {
+  const auto differs_in = [](const ContactProblem& p) {
+    std::string text;
+    if (!(p.elasticity() == tilting.elasticity())) text += "elasticity ";
+    if (!(p.friction() == tilting.friction())) text += "friction ";
+    if (!(p.indenter() == tilting.indenter())) text += "indenter ";
+    if (p.load() != tilting.load()) text += "load ";
+    if (p.sliding() != tilting.sliding()) text += "sliding ";
+    if (p.load_at() != tilting.load_at()) text += "load_at ";
+    return text;
+  };
+  CHECK(differs_in(tilting.with_load(5)) == "load ");
+  CHECK(differs_in(tilting.with_friction(FrictionProfile({1, 3}, {0}))) == "friction ");
+  CHECK(differs_in(tilting.with_jump(Rational(1, 2), 1)) == "friction ");
+  CHECK(differs_in(tilting.with_indenter(tilting.indenter().scaled(2))) == "indenter ");
+  CHECK(differs_in(tilting.with_sliding(Sliding::plus_x)) == "sliding ");
+  CHECK(differs_in(tilting.moved(1, 0)).empty());
+  CHECK(tilting.with_load(5).load() == 5);
+  CHECK(tilting.with_jump(Rational(1, 2), 1).friction() == FrictionProfile({1, 2, 3}, {0, Rational(1, 2)}));
+  CHECK(tilting.with_jump(Rational(-1, 2), 1).friction() == FrictionProfile({1, 2, 2}, {Rational(-1, 2), 0}));
+  CHECK(tilting.mirrored() == ContactProblem(tilting.elasticity(), FrictionProfile({2, 1}, {0}), tilting.indenter(), 3,
+                                             Sliding::plus_x, Rational(-1, 4)));
+}
+
+TEST_CASE("a changed problem keeps the rules of a problem") {
+  CHECK(refusal([] { tilting.with_load(0); }) == "load: load out of range; the load is positive; 0");
+  CHECK(refusal([] { tilting.with_jump(0, 1); }) ==
+        "friction.jumps[1]: jumps not in order; jumps increase from left to right; 0 after 0");
+  CHECK(refusal([] { tilting.with_jump(2, 1); }) ==
+        "friction.jumps[1]: jump outside the support; jumps lie in ]-1, 1[; 2");
+  CHECK(refusal([] {
+          tilting.with_indenter(Indenter(-2, {{Rational(1, 4), Polynomial()}}));
+        }) == "load_at: load outside the support; the load acts in ]-2, 0.25[; 0.25");
+}
+
+TEST_CASE("moves: identity, inverse, composition, and what stays at its place") {
+  CHECK(rc::check([] {
+    const ContactProblem problem = random_problem();
+    const Rational a = random_scale(), b = random_place(), c = random_scale(), d = random_place();
+    RC_ASSERT(problem.moved(1, 0) == problem);
+    RC_ASSERT(problem.mirrored().mirrored() == problem);
+    RC_ASSERT(!(problem.mirrored() == problem));
+    RC_ASSERT(problem.moved(a, b).moved(1 / a, -b / a) == problem);
+    RC_ASSERT(problem.moved(a, b).moved(c, d) == problem.moved(a * c, c * b + d));
+
+    const Rational x = random_place();
+    const ContactProblem image = problem.moved(a, b);
+    RC_ASSERT(image.load_at().has_value() == problem.load_at().has_value());
+    for (const Side side : {Side::left, Side::right}) {
+      const Side there = a > 0 ? side : opposite(side);
+      RC_ASSERT(image.friction().at(a * x + b, there) == problem.friction().at(x, side));
+      RC_ASSERT(image.indenter().profile(a * x + b, there)(a * x + b) == problem.indenter().profile(x, side)(x));
+    }
+    // The equation keeps s t, and turns the sign of the integral.
+    for (std::size_t k = 0; k < problem.friction().values().size(); ++k) {
+      const std::size_t there = a > 0 ? k : problem.friction().values().size() - 1 - k;
+      RC_ASSERT(image.coupled_friction(there) == (a > 0 ? 1 : -1) * problem.coupled_friction(k));
+    }
+  }));
+}
+
+TEST_CASE("a further jump lifts the friction from there to the next jump") {
+  CHECK(rc::check([] {
+    const ContactProblem problem = random_problem();
+    const Rational c = random_place(), height = Rational(uniform(0, 9), 4), x = random_place();
+    const FrictionProfile& friction = problem.friction();
+    const FrictionProfile more = problem.with_jump(c, height).friction();
+    RC_ASSERT(more.jumps().size() == friction.jumps().size() + 1);
+    const bool lifted = x > c && friction.piece(x, Side::left) == friction.piece(c, Side::left);
+    if (x != c) RC_ASSERT(more.at(x, Side::left) == friction.at(x, Side::left) + (lifted ? height : Rational(0)));
+  }));
+}
+
+TEST_CASE("the pieces fill the support, each with its friction and its polynomial") {
+  std::size_t most = 0;
+  CHECK(rc::check([&] {
+    const ContactProblem problem = random_problem();
+    const std::vector<ContactProblem::Piece> pieces = problem.pieces();
+    most = std::max(most, pieces.size());
+    RC_ASSERT(pieces.front().left == problem.indenter().left());
+    RC_ASSERT(pieces.back().right == problem.indenter().right());
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      const Rational middle = (pieces[k].left + pieces[k].right) / 2;
+      RC_ASSERT(pieces[k].left < pieces[k].right);
+      for (const Rational& x : {pieces[k].left, middle, pieces[k].right}) {
+        const Side side = x == pieces[k].right ? Side::left : Side::right;
+        RC_ASSERT(pieces[k].friction == problem.friction().piece(x, side));
+        RC_ASSERT(&problem.indenter().pieces()[pieces[k].profile].profile == &problem.indenter().profile(x, side));
+      }
+      if (k == 0) continue;
+      RC_ASSERT(pieces[k].left == pieces[k - 1].right);
+      RC_ASSERT(pieces[k].friction != pieces[k - 1].friction || pieces[k].profile != pieces[k - 1].profile);
+    }
+  }));
+  CHECK(most > 4);
+}
+
+TEST_CASE("the body is dragged along: the shear's sign is that of sliding, against a pressure's") {
+  CHECK(rc::check([] {
+    const ContactProblem problem = random_problem();
+    for (std::size_t k = 0; k < problem.friction().values().size(); ++k) {
+      const Rational ratio = problem.shear_ratio(k);
+      RC_ASSERT(abs(ratio) == problem.friction().values()[k]);
+      RC_ASSERT(ratio == 0 || sign(-ratio) == static_cast<int>(problem.sliding()));
+      RC_ASSERT(problem.coupled_friction(k) == -problem.elasticity().gamma() * ratio);
+    }
+  }));
+}
