@@ -5,28 +5,21 @@
 #include <cmath>
 #include <optional>
 
+#include "numeric/local_signs.hpp"
+
 namespace steadyslide::numeric {
 namespace {
 
 /// Places in ]0, 1[, as numerators over 10^9 from the nearer end: next to both ends, and between them.
 constexpr std::array<int, 8> near_end{1, 1000, 300'000, 3'000'000, 20'000'000, 70'000'000, 150'000'000, 250'000'000};
 
-/// Beside a re-entrant wedge the sign may change as near as numbers reach: decimal exponents.
-constexpr std::array<int, 20> near_wedge{-290, -250, -200, -160, -130, -105, -85, -70, -58, -48,
-                                         -40,  -34,  -29,  -25,  -22,  -19,  -17, -15, -13, -11};
-
 template <Real R>
-std::vector<SurfacePoint<R>> places(const ContactSet<R>& set, std::size_t segment, int between, bool left_wedge = false,
-                                    bool right_wedge = false) {
-  using std::pow;
+std::vector<SurfacePoint<R>> places(const ContactSet<R>& set, std::size_t segment, int between) {
   const R& length = set.length(segment);
   std::vector<SurfacePoint<R>> result;
   const auto add = [&](const R& from_left, const R& from_right) {
     result.push_back(surface_point(set, segment, from_left, from_right));
   };
-  for (const int exponent : near_wedge) {
-    if (left_wedge) add(R(length * pow(R(10), R(exponent))), length);
-  }
   for (const int part : near_end) {
     const R d = length * R(part) / 1'000'000'000;
     add(d, R(length - d));
@@ -39,16 +32,14 @@ std::vector<SurfacePoint<R>> places(const ContactSet<R>& set, std::size_t segmen
     const R d = length * R(near_end[i]) / 1'000'000'000;
     add(R(length - d), d);
   }
-  for (std::size_t i = near_wedge.size(); i-- > 0;) {
-    if (right_wedge) add(length, R(length * pow(R(10), R(near_wedge[i]))));
-  }
   return result;
 }
 
 template <Real R>
 class Inspection {
  public:
-  explicit Inspection(const RiemannHilbertForm<R>& form) : form_(form), set_(form.set()) {}
+  Inspection(const RiemannHilbertForm<R>& form, const R& end_error)
+      : form_(form), set_(form.set()), end_error_(end_error) {}
 
   std::vector<Violation<R>> run() {
     std::size_t j = 0;
@@ -132,15 +123,23 @@ class Inspection {
       const R value = form_.sign(at.segment) * b.value;
       note(What::tension, value > 4 * b.error, at);
     };
-    // At the ends themselves too: an edge that pulls, however little, is a free end before it.
-    const auto last = static_cast<std::ptrdiff_t>(end) - 1;
-    const R& length = set_.length(end - 1);
-    inspect({static_cast<std::ptrdiff_t>(first), {set_.x(first), R(0), set_.length(first)}},
-            form_.bracket_at(first, Side::right));
+    // An edge that pulls, however little, is a free end before it, and an anchor that pulls lies in a gap.
+    const auto decide = [&](std::size_t j) {
+      const std::optional<LeadingTerm<R>> term = leading_term(form_, j, end_error_);
+      const bool pulls = term && term->sign > 0;
+      // A stretch ends at a place, not in the anchor itself.
+      if (!pulls && !set_.point(j).is_end()) return;
+      const bool ends = j == end;
+      const std::size_t k = ends ? j - 1 : j;
+      const R& length = set_.length(k);
+      note(What::tension, pulls,
+           {static_cast<std::ptrdiff_t>(k), {set_.x(j), ends ? length : R(0), ends ? R(0) : length}});
+      if (pulls && !set_.point(j).is_end()) found_.back().anchor = set_.point(j).anchor;
+    };
     for (std::size_t k = first; k < end; ++k) {
+      decide(k);
       std::vector<Value> values;
-      for (const SurfacePoint<R>& at : places(set_, k, 5, is_suspect(k), is_suspect(k + 1)))
-        values.push_back({at, form_.bracket(form_.slope_at(k), at)});
+      for (const SurfacePoint<R>& at : places(set_, k, 5)) values.push_back({at, form_.bracket(form_.slope_at(k), at)});
       for (std::size_t i = 0; i < values.size(); ++i) {
         const bool between = 0 < i && i + 1 < values.size();
         const std::optional<Value> peak = between ? peak_beside(values[i - 1], values[i], values[i + 1]) : std::nullopt;
@@ -150,16 +149,8 @@ class Inspection {
         if (peak && !before) inspect(peak->at, peak->b);
       }
     }
-    inspect({last, {set_.x(end), length, R(0)}}, form_.bracket_at(end, Side::left));
+    decide(end);
     this->end(end - 1);
-  }
-
-  /// A re-entrant wedge in the contact, without friction that rises there, pulls in its corner.
-  bool is_suspect(std::size_t j) const {
-    if (!form_.is_kinked(j) || !form_.problem().anchors()[*set_.point(j).anchor].wedge) return false;
-    const R& x = set_.x(j);
-    const auto slope = [&](std::size_t segment) { return form_.problem().slope(form_.slope_at(segment), x); };
-    return slope(j) < slope(j - 1) && form_.exponent(j).sign() >= 0;
   }
 
   void inspect_gap(std::size_t first, std::size_t end) {
@@ -207,6 +198,7 @@ class Inspection {
 
   const RiemannHilbertForm<R>& form_;
   const ContactSet<R>& set_;
+  R end_error_;
   std::vector<Violation<R>> found_;
   bool open_ = false;
   SurfacePoint<R> previous_;
@@ -215,12 +207,12 @@ class Inspection {
 }  // namespace
 
 template <Real R>
-std::vector<Violation<R>> violations(const RiemannHilbertForm<R>& form) {
-  return Inspection<R>(form).run();
+std::vector<Violation<R>> violations(const RiemannHilbertForm<R>& form, const R& end_error) {
+  return Inspection<R>(form, end_error).run();
 }
 
-template std::vector<Violation<double>> violations(const RiemannHilbertForm<double>&);
-template std::vector<Violation<Real50>> violations(const RiemannHilbertForm<Real50>&);
-template std::vector<Violation<Real100>> violations(const RiemannHilbertForm<Real100>&);
+template std::vector<Violation<double>> violations(const RiemannHilbertForm<double>&, const double&);
+template std::vector<Violation<Real50>> violations(const RiemannHilbertForm<Real50>&, const Real50&);
+template std::vector<Violation<Real100>> violations(const RiemannHilbertForm<Real100>&, const Real100&);
 
 }  // namespace steadyslide::numeric

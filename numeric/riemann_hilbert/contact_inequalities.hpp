@@ -1,7 +1,7 @@
 #pragma once
 // What Newton's method does not know: t <= 0 throughout the contact, gap >= 0 throughout the rest.
 
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
@@ -14,10 +14,13 @@ struct Violation {
   enum class What { tension, penetration } what;
   SurfacePoint<R> from;
   SurfacePoint<R> to;
+  /// Tension: an anchor within the stretch whose leading term pulls.
+  std::optional<std::size_t> anchor = std::nullopt;
 };
 
-/// Left to right; what rounding alone may have done is let pass. Sampled, not proved.
+/// Left to right; what rounding alone, and the free ends' error, may have done is let pass. At ends and anchors the
+/// leading term decides (local_signs.hpp); between them places are looked at, which proves nothing.
 template <Real R>
-std::vector<Violation<R>> violations(const RiemannHilbertForm<R>& form);
+std::vector<Violation<R>> violations(const RiemannHilbertForm<R>& form, const R& end_error = R(0));
 
 }  // namespace steadyslide::numeric

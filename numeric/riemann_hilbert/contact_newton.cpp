@@ -129,8 +129,11 @@ class Linearisation {
       }
       const auto rule = form_.gap_rule(j);
       for (const auto& node : rule) {
+        // Over a tiny gap the weight times Y alone may be no number any more.
+        for (std::size_t f = 0; f < free_.size(); ++f) {
+          at(f) -= node.weight * (node.y / form_.distance(node.at, free_[f]));
+        }
         const R weight = node.weight * node.y;
-        for (std::size_t f = 0; f < free_.size(); ++f) at(f) -= weight / form_.distance(node.at, free_[f]);
         R power = weight;
         for (std::size_t k = 0; k < coefficients_; ++k) {
           at(free_.size() + k) -= power;
@@ -219,7 +222,8 @@ class Newton {
       const R hull = state_.set.hull();
       const R beside_wedges = follow_lengths(ends, hull);
       const auto [part, tightest] = admissible_part(ends);
-      if (part < 1 && state_.set.length(tightest) < limits_[tightest] && largest > rounding * hull) {
+      const bool moves = largest > rounding * hull || state_.set.is_over_notch(tightest);
+      if (part < 1 && state_.set.length(tightest) < limits_[tightest] && moves) {
         return {std::move(state_), Status::collapse, tightest, largest};
       }
       for (R& step : ends) step *= part;
@@ -259,15 +263,33 @@ class Newton {
            state_.set.length(inside(j)) < R(0.05) * hull;
   }
 
+  /// The factor of a gap's length over a notch for the linear step `growth` of its logarithm: what is linear is not the
+  /// logarithm but the traction beside the gap, like length^-beta.
+  R notch_factor(const R& growth, const R& beta) const {
+    using std::exp, std::log1p;
+    const R part = std::max(R(-beta * growth), R(-0.99));
+    const R logarithm = beta == 0 ? growth : R(-log1p(part) / beta);
+    return exp(std::clamp(logarithm, R(-30), R(6)));
+  }
+
   /// Steps of such ends are steps of log l. Returns the largest of them.
   R follow_lengths(std::vector<R>& ends, const R& hull) const {
     using std::abs, std::expm1;
     R largest = 0;
     for (std::size_t f = 0; f < free_.size(); ++f) {
       const std::size_t j = free_[f];
+      const bool begins = state_.set.point(j).kind == ContactSet<R>::Kind::begins;
+      const R outwards = begins ? R(-1) : R(1);
+      if (const std::size_t outside = begins ? j - 1 : j; state_.set.is_over_notch(outside)) {
+        const R& length = state_.set.length(outside);
+        const R growth = -outwards * ends[f] / length;
+        largest = std::max(largest, R(abs(growth)));
+        const R& beta = problem_.jump_power(*state_.set.point(begins ? j - 1 : j + 1).anchor).value;
+        ends[f] = -outwards * length * (notch_factor(growth, beta) - 1);
+        continue;
+      }
       if (!is_beside_break(j, hull)) continue;
       const R& length = state_.set.length(inside(j));
-      const R outwards = state_.set.point(j).kind == ContactSet<R>::Kind::begins ? R(-1) : R(1);
       const R growth = outwards * ends[f] / length;
       largest = std::max(largest, R(abs(growth)));
       ends[f] = outwards * length * expm1(std::clamp(growth, R(-7), R(3)));
@@ -288,6 +310,9 @@ class Newton {
     for (const std::size_t j : free_) {
       const std::size_t k = inside(j);
       by_order[k] = is_beside_break(j, hull) && state_.set.length(k) >= limits_[k];
+    }
+    for (std::size_t k = 0; k < change.size(); ++k) {
+      if (state_.set.is_over_notch(k)) by_order[k] = state_.set.length(k) >= limits_[k];
     }
     R part = 1;
     std::size_t tightest = 0;

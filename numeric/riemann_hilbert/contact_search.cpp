@@ -1,12 +1,20 @@
 #include "numeric/riemann_hilbert/contact_search.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <set>
 
+#include "numeric/local_signs.hpp"
 #include "numeric/riemann_hilbert/contact_inequalities.hpp"
 
 namespace steadyslide::numeric {
 namespace {
+
+/// In xi. What is shorter has products that double cannot hold; the search takes place in double, whatever the
+/// precision.
+constexpr double shortest_gap = 1e-280;
 
 template <Real R>
 class Search {
@@ -21,22 +29,26 @@ class Search {
       NewtonResult<R> newton = solve_newton(problem_, state_, limits(), rules_);
       state_ = std::move(newton.state);
       switch (newton.status) {
-        case NewtonResult<R>::Status::stalled: return result("Newton's method for the contact's ends stalled", R(0));
+        case NewtonResult<R>::Status::stalled: return failure("Newton's method for the contact's ends stalled", R(0));
         case NewtonResult<R>::Status::collapse:
-          if (!collapse(newton.collapsing)) return result("an end of the contact has nowhere to go", R(0));
+          if (!collapse(newton.collapsing)) return failure("an end of the contact has nowhere to go", R(0));
           break;
         case NewtonResult<R>::Status::converged: {
           snap();
           const RiemannHilbertForm<R> form(problem_, state_.set, state_.q, state_.tilt, rules_);
-          const std::vector<Violation<R>> found = violations(form);
+          const std::vector<Violation<R>> found = violations(form, newton.step);
           if (found.empty()) return result({}, newton.step);
-          why = in_words(found);
-          if (round + 1 == max_rounds || !repair(found)) return result(why, newton.step);
+          why = in_words(form, found, newton.step);
+          before_gap_.reset();
+          if (std::any_of(found.begin(), found.end(), [](const Violation<R>& v) { return v.anchor.has_value(); })) {
+            before_gap_ = result(why, newton.step);
+          }
+          if (round + 1 == max_rounds || !repair(found)) return failure(why, newton.step);
           break;
         }
       }
     }
-    return result(why, R(0));
+    return failure(why, R(0));
   }
 
  private:
@@ -48,7 +60,19 @@ class Search {
     return {state_, std::max(step, R(epsilon<R>() * state_.set.hull())), std::move(shortcoming)};
   }
 
-  static std::string in_words(const std::vector<Violation<R>>& found) {
+  /// Where a gap over a notch has not been found, contact there is the best state: what is wrong with it has a name.
+  SearchResult<R> failure(std::string why, const R& step) const {
+    return before_gap_ ? *before_gap_ : result(std::move(why), step);
+  }
+
+  /// The first anchor that pulls, as a number, if there is one.
+  static std::string in_words(const RiemannHilbertForm<R>& form, const std::vector<Violation<R>>& found,
+                              const R& end_error) {
+    for (const Violation<R>& v : found) {
+      if (!v.anchor) continue;
+      const std::size_t j = form.set().point_of(*v.anchor);
+      return numeric::in_words(form, j, *leading_term(form, j, end_error));
+    }
     bool tension = false;
     bool penetration = false;
     for (const Violation<R>& v : found) (v.what == What::tension ? tension : penetration) = true;
@@ -64,6 +88,10 @@ class Search {
     std::vector<R> result(set.segments(), R(1e-3) * hull);
     using std::pow;
     for (std::size_t k = 0; k < set.segments(); ++k) {
+      if (set.is_over_notch(k)) {
+        result[k] = shortest_gap;
+        continue;
+      }
       if (!set.in_contact(k) && set.point(k).is_end() && set.point(k + 1).is_end()) {
         result[k] = hull * pow(R(1e-3), closings_ + 1);
       }
@@ -105,6 +133,16 @@ class Search {
     const auto left = set.point(k);
     const auto right = set.point(k + 1);
     const bool left_moves = left.is_free() && !left.anchor;
+    if (set.is_over_notch(k)) {
+      const std::size_t begin = left_moves ? k : k - 1;
+      // Both halves as short as can be: there is no gap, or a shorter one, which is not to be found.
+      if (std::max(set.length(begin), set.length(begin + 1)) > R(1e6) * shortest_gap) {
+        return cross(left_moves ? k : k + 1, left_moves ? Side::right : Side::left);
+      }
+      vanished_.insert(*set.point(begin + 1).anchor);
+      set.close(begin);
+      return renew(std::move(set));
+    }
     if (set.in_contact(k)) {
       if (left.is_end() && right.is_end()) {
         if (set.components() == 1) return false;
@@ -163,6 +201,9 @@ class Search {
 
   bool repair(const std::vector<Violation<R>>& found) {
     Set set = state_.set;
+    for (const Violation<R>& v : found) {
+      if (v.anchor && vanished_.count(*v.anchor) != 0) return false;
+    }
     // From right to left: indices on the left stay.
     for (std::size_t i = found.size(); i-- > 0;) {
       const Violation<R>& v = found[i];
@@ -219,6 +260,8 @@ class Search {
   const ReducedProblem<R>& problem_;
   JacobiRules<R>& rules_;
   ContactState<R> state_;
+  std::optional<SearchResult<R>> before_gap_;
+  std::set<std::size_t> vanished_;  ///< anchors over which a gap became shorter than shortest_gap
   std::map<std::size_t, int> crossings_;
   int closings_ = 0;
 };

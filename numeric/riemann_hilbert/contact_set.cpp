@@ -135,6 +135,13 @@ std::vector<Panel<R>> ContactSet<R>::panels() const {
 }
 
 template <Real R>
+std::size_t ContactSet<R>::point_of(std::size_t anchor) const {
+  std::size_t j = 0;
+  while (points_[j].anchor != anchor) ++j;
+  return j;
+}
+
+template <Real R>
 std::size_t ContactSet<R>::components() const {
   return all(Kind::begins).size();
 }
@@ -177,6 +184,17 @@ R ContactSet<R>::hull() const {
   R sum = 0;
   for (std::size_t k = begins.front(); k < ends.back(); ++k) sum += lengths_[k];
   return sum;
+}
+
+template <Real R>
+bool ContactSet<R>::is_over_notch(std::size_t k) const {
+  if (contact_[k]) return false;
+  const std::size_t middle = points_[k].is_end() ? k + 1 : k;
+  if (middle == 0 || middle == segments() || contact_[middle - 1] || contact_[middle]) return false;
+  const auto moves = [this](std::size_t j) { return points_[j].is_free() && !points_[j].anchor; };
+  return points_[middle].anchor && problem_->anchors()[*points_[middle].anchor].wedge < 0 &&
+         problem_->anchors()[*points_[middle].anchor].step_sign == 0 && moves(middle - 1) && moves(middle + 1) &&
+         lengths_[middle - 1] + lengths_[middle] < R(0.05) * hull();
 }
 
 template <Real R>

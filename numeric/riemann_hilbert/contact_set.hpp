@@ -36,6 +36,8 @@ class ContactSet {
 
   const std::vector<Point>& points() const { return points_; }
   const Point& point(std::size_t j) const { return points_[j]; }
+  /// The point where anchor k is.
+  std::size_t point_of(std::size_t anchor) const;
   /// Of segment k, between points k and k + 1.
   const R& length(std::size_t k) const { return lengths_[k]; }
   std::size_t segments() const { return lengths_.size(); }
@@ -55,6 +57,9 @@ class ContactSet {
   bool is_consistent() const;
   /// From the first end to the last one.
   R hull() const;
+  /// Is segment k half of a short gap over a notch, a wedge with D < 0, both ends free? Such a gap keeps a traction like
+  /// d^beta, or like log d, from pulling in the corner: its length counts by its order of magnitude, which may be any.
+  bool is_over_notch(std::size_t k) const;
 
   /// Moves the movable ends by steps[i] (in the order of movable()).
   void move(const std::vector<R>& steps);

@@ -30,7 +30,7 @@ ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& fr
   const std::vector<Indenter::Break> breaks = indenter.breaks();
   const auto add_anchor = [&](const Rational& x) -> Anchor& {
     places_.push_back(x);
-    return anchors_.emplace_back(Anchor{to_real<R>((x - frame.origin) / frame.unit), R(0), 0, false, false});
+    return anchors_.emplace_back(Anchor{to_real<R>((x - frame.origin) / frame.unit), R(0), 0, false, 0});
   };
   std::size_t profile = 0;
   for (const ContactProblem::Piece& piece : problem.pieces()) {
@@ -40,7 +40,7 @@ ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& fr
       anchor.step = to_real<R>(b.step / (c * frame.unit));
       anchor.step_sign = sign(b.step);
       anchor.is_break = slope_of_piece[piece.profile] != slope_of_piece[profile] || anchor.step_sign != 0;
-      anchor.wedge = b.wedge != 0;
+      anchor.wedge = sign(b.wedge);
       profile = piece.profile;
     }
     spacing_.push_back(to_real<R>((piece.right - piece.left) / frame.unit));

@@ -31,7 +31,7 @@ class ReducedProblem {
     R step;  ///< height on the right minus height on the left; 0 at the support's ends
     int step_sign;
     bool is_break;  ///< the profile changes here
-    bool wedge;     ///< its slope jumps
+    int wedge;      ///< the sign of its slope on the right minus its slope on the left, exact
   };
 
   const ContactProblem& problem() const { return *problem_; }

@@ -5,6 +5,7 @@
 
 #include "numeric/cauchy/residuals.hpp"
 #include "numeric/cauchy/traction_density.hpp"
+#include "numeric/local_signs.hpp"
 #include "numeric/number/clustered.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 
@@ -31,7 +32,9 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
   Residuals<R> result;
   result.equation = check.equation();
   result.load = abs(check.integral() + load) / load;
-  result.tension = max(check.highest_traction(), R(0)) * contact_length / load;
+  // Places show what is there; the limits decide what no place may show.
+  const R limit = highest_limit(*form_, found_->end_error);
+  result.tension = max({check.highest_traction(), limit, R(0)}) * contact_length / load;
 
   // Gaps: the profile against the displacement, both from the end of the contact that is next to the place.
   R deepest = 0;

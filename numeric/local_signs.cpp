@@ -1,0 +1,120 @@
+#include "numeric/local_signs.hpp"
+
+#include <cmath>
+#include <sstream>
+
+namespace steadyslide::numeric {
+namespace {
+
+/// What free ends that are displaced by `end_error` do to B at a point: neighbouring solutions differ by
+/// Y sum_f p_f B(e_f) de_f/(z - e_f).
+template <Real R>
+R displaced(const RiemannHilbertForm<R>& form, std::size_t point, const R& end_error) {
+  using std::abs, std::sqrt;
+  const ContactSet<R>& set = form.set();
+  R sum = 0;
+  for (const std::size_t f : set.movable()) {
+    if (f == point) continue;
+    // Lengths keep their relative precision, however small they are.
+    const R shortest = std::min(set.length(f - 1), set.length(f));
+    const R error = std::min(end_error, R(sqrt(epsilon<R>()) * shortest));
+    R distance = 0;
+    for (std::size_t k = std::min(f, point); k < std::max(f, point); ++k) distance += set.length(k);
+    const Side inside = set.point(f).kind == ContactSet<R>::Kind::begins ? Side::right : Side::left;
+    sum += abs(form.weight().powers()[f].value * form.bracket_at(f, inside).value) * error / distance;
+  }
+  return sum;
+}
+
+template <Real R>
+LeadingTerm<R> power_term(const RiemannHilbertForm<R>& form, std::size_t point, const R& end_error) {
+  using std::abs;
+  const ContactSet<R>& set = form.set();
+  const bool is_end = set.point(point).is_end();
+  const Side side = set.point(point).kind == ContactSet<R>::Kind::begins ? Side::right : Side::left;
+  const std::size_t segment = side == Side::right ? point : point - 1;
+  const Estimate<R> b = form.bracket_at(point, side);
+  const R error = b.error + displaced(form, point, end_error);
+  R factor = -form.sign(static_cast<std::ptrdiff_t>(segment)) * form.weight().amplitude(point);
+  if (is_end) factor *= form.problem().cos_alpha(form.friction_at(segment));
+  const bool decided = abs(b.value) > 4 * error;
+  const int sign = b.value * form.sign(static_cast<std::ptrdiff_t>(segment)) > 0 ? 1 : -1;
+  return {LeadingTerm<R>::Is::power,
+          {factor * b.value, abs(factor) * error},
+          form.weight().powers()[point].value,
+          decided ? sign : 0};
+}
+
+}  // namespace
+
+template <Real R>
+std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>& form, std::size_t point, const R& end_error) {
+  using Is = typename LeadingTerm<R>::Is;
+  using std::abs;
+  const ContactSet<R>& set = form.set();
+  if (set.point(point).is_end()) return power_term(form, point, end_error);
+  if (point == 0 || point == set.segments() || !set.in_contact(point)) return std::nullopt;
+  const int beta = form.exponent(point).sign();
+  const int wedge = form.problem().anchors()[*set.point(point).anchor].wedge;
+  if (wedge == 0 || beta < 0) return power_term(form, point, end_error);
+  // The sign is exact; D may be a small difference.
+  const auto slope = [&](std::size_t segment) {
+    return form.problem().slope(form.slope_at(segment), set.x(point));
+  };
+  const R d = slope(point) - slope(point - 1);
+  const R rounding = 4 * epsilon<R>() * (abs(slope(point)) + abs(slope(point - 1)));
+  const R& s_left = form.problem().s(form.friction_at(point - 1));
+  const R& s_right = form.problem().s(form.friction_at(point));
+  const bool jumps = beta != 0;
+  const R divisor = jumps ? R(s_right - s_left) : R(1 + s_left * s_left);
+  // log d and [s] are negative where they come in.
+  return LeadingTerm<R>{jumps ? Is::constant : Is::logarithm, {d / divisor, abs(rounding / divisor)}, R(0), -wedge};
+}
+
+template <Real R>
+R highest_limit(const RiemannHilbertForm<R>& form, const R& end_error) {
+  using Is = typename LeadingTerm<R>::Is;
+  R highest = 0;
+  for (std::size_t j = 0; j < form.set().points().size(); ++j) {
+    const std::optional<LeadingTerm<R>> term = leading_term(form, j, end_error);
+    if (!term || term->sign <= 0) continue;
+    if (term->is == Is::logarithm || term->power < 0) return infinity<R>();
+    if (term->is == Is::constant) highest = std::max(highest, term->coefficient.value);
+    if (term->is == Is::power && term->power == 0) highest = std::max(highest, R(-term->coefficient.value));
+  }
+  return highest;
+}
+
+template <Real R>
+std::string in_words(const RiemannHilbertForm<R>& form, std::size_t point, const LeadingTerm<R>& term) {
+  using Is = typename LeadingTerm<R>::Is;
+  using std::pow;
+  const auto& anchor = form.set().point(point).anchor;
+  const Frame& frame = form.problem().frame();
+  const R scale = pow(to_real<R>(frame.unit), R(-term.power));
+  std::ostringstream text;
+  const auto number = [](const R& value) { return static_cast<double>(value); };
+  text << "the leading term at x = ";
+  if (anchor) {
+    text << to_string(form.problem().place(*anchor));
+  } else {
+    text << number(R(to_real<R>(frame.origin) + to_real<R>(frame.unit) * form.set().x(point)));
+  }
+  text << " pulls: "
+       << (term.is == Is::power ? "theta" : term.is == Is::constant ? "[psi']/[s]" : "[psi']/(1+s^2) log(d)/pi with")
+       << " = " << number(R(scale * term.coefficient.value));
+  text.precision(1);
+  text << " +- " << number(R(scale * term.coefficient.error));
+  return text.str();
+}
+
+#define STEADYSLIDE_INSTANTIATE(R)                                                                                     \
+  template std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>&, std::size_t, const R&);            \
+  template R highest_limit(const RiemannHilbertForm<R>&, const R&);                                                    \
+  template std::string in_words(const RiemannHilbertForm<R>&, std::size_t, const LeadingTerm<R>&);
+STEADYSLIDE_INSTANTIATE(double)
+STEADYSLIDE_INSTANTIATE(Real50)
+STEADYSLIDE_INSTANTIATE(Real100)
+#undef STEADYSLIDE_INSTANTIATE
+
+}  // namespace steadyslide::numeric
