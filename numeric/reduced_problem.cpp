@@ -60,14 +60,14 @@ ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& fr
   std::size_t next_break = 0;
   std::size_t friction_piece = 0;
   for (std::size_t k = 0; k < places_.size(); ++k) {
-    Anchor anchor{to_real<R>((places_[k] - frame.origin) / frame.unit), R(0), 0, false, false};
+    Anchor anchor{to_real<R>((places_[k] - frame.origin) / frame.unit), R(0), 0, false, 0};
     if (next_break < all_breaks.size() && all_breaks[next_break].x == places_[k]) {
       const Indenter::Break& b = all_breaks[next_break++];
       anchor.step = to_real<R>(b.step / (c * frame.unit));
       anchor.step_sign = sign(b.step);
       ++piece;
       anchor.is_break = slope_of_piece[piece] != slope_of_piece[piece - 1] || anchor.step_sign != 0;
-      anchor.wedge = b.wedge != 0;
+      anchor.wedge = b.wedge / c;
     }
     anchors_.push_back(anchor);
     if (k + 1 == places_.size()) break;
