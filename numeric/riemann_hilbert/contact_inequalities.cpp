@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "numeric/local_signs.hpp"
+#include "numeric/riemann_hilbert/local_signs.hpp"
 
 namespace steadyslide::numeric {
 namespace {

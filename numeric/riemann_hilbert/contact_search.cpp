@@ -6,8 +6,8 @@
 #include <optional>
 #include <set>
 
-#include "numeric/local_signs.hpp"
 #include "numeric/riemann_hilbert/contact_inequalities.hpp"
+#include "numeric/riemann_hilbert/local_signs.hpp"
 
 namespace steadyslide::numeric {
 namespace {

@@ -40,7 +40,7 @@ ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& fr
       anchor.step = to_real<R>(b.step / (c * frame.unit));
       anchor.step_sign = sign(b.step);
       anchor.is_break = slope_of_piece[piece.profile] != slope_of_piece[profile] || anchor.step_sign != 0;
-      anchor.wedge = sign(b.wedge);
+      anchor.wedge = b.wedge / c;
       profile = piece.profile;
     }
     spacing_.push_back(to_real<R>((piece.right - piece.left) / frame.unit));

@@ -30,8 +30,8 @@ class ReducedProblem {
     R x;     ///< xi
     R step;  ///< height on the right minus height on the left; 0 at the support's ends
     int step_sign;
-    bool is_break;  ///< the profile changes here
-    int wedge;      ///< the sign of its slope on the right minus its slope on the left, exact
+    bool is_break;   ///< the profile changes here
+    Rational wedge;  ///< the jump of g, exact: a difference of rounded slopes would cancel
   };
 
   const ContactProblem& problem() const { return *problem_; }

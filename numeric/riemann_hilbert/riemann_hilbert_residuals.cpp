@@ -5,8 +5,8 @@
 
 #include "numeric/cauchy/residuals.hpp"
 #include "numeric/cauchy/traction_density.hpp"
-#include "numeric/local_signs.hpp"
 #include "numeric/number/clustered.hpp"
+#include "numeric/riemann_hilbert/local_signs.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 
 namespace steadyslide::numeric {

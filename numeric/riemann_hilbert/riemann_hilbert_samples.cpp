@@ -107,24 +107,14 @@ Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) 
   const Exponent& p = form_->weight().powers()[j].value == 0 ? Exponent(0) : form_->exponent(j);
   if (p.sign() < 0) return {-infinity<R>(), R(0)};
   if (form_->is_kinked(j)) {
-    const R d = profile_jump(j);
     if (p.sign() > 0) return constant(j);
     // Without a corner (only the curvature changes) the logarithm is multiplied by zero.
-    if (reduced_.anchors()[*contact_set().point(j).anchor].wedge) {
-      return {d > 0 ? R(-infinity<R>()) : infinity<R>(), R(0)};
-    }
+    if (const int corner = sign(wedge(j)); corner != 0) return {corner > 0 ? R(-infinity<R>()) : infinity<R>(), R(0)};
   }
   if (p.sign() > 0) return {};
-  const std::size_t segment = side == Side::left ? j - 1 : j;
-  const R& length = contact_set().length(segment);
-  const R factor = form_->sign(static_cast<std::ptrdiff_t>(segment)) * form_->weight().amplitude(j) *
-                   reduced_.cos_alpha(form_->friction_at(segment));
-  const Estimate<R> b = form_->bracket_at(j, side);
-  using std::abs;
-  const Node<R> node{contact_set().x(segment) + length / 2, length / 2, length / 2};
-  const R relative = form_->weight().relative_error(segment, node, R(0)) +
-                     4 * relative_end_error({static_cast<std::ptrdiff_t>(segment), node});
-  return factor * b.widened(relative);
+  const R& cos_alpha = reduced_.cos_alpha(form_->friction_at(side == Side::left ? j - 1 : j));
+  const Estimate<R> t = amplitude(j, side);
+  return cos_alpha * t;
 }
 
 template <Real R>

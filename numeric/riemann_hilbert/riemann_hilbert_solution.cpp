@@ -45,13 +45,6 @@ bool RiemannHilbertSolution<R>::in_contact_at(std::size_t j, Side side) const {
 }
 
 template <Real R>
-R RiemannHilbertSolution<R>::profile_jump(std::size_t j) const {
-  if (!form_->is_kinked(j)) return R(0);
-  const R& x = contact_set().x(j);
-  return reduced_.slope(form_->slope_at(j), x) - reduced_.slope(form_->slope_at(j - 1), x);
-}
-
-template <Real R>
 R RiemannHilbertSolution<R>::relative_end_error(const SurfacePoint<R>& at) const {
   // What a displaced free end e does to |x - e|^p, next to where it matters most.
   using std::abs;
@@ -64,48 +57,53 @@ R RiemannHilbertSolution<R>::relative_end_error(const SurfacePoint<R>& at) const
 }
 
 template <Real R>
-Estimate<R> RiemannHilbertSolution<R>::intensity(std::size_t j) const {
-  using std::abs, std::pow;
-  const bool inside = !contact_set().point(j).is_end();
-  const Side side = in_contact_at(j, Side::right) ? Side::right : Side::left;
-  const std::size_t segment = side == Side::right ? j : j - 1;
-  if (inside && form_->exponent(j).sign() == 0) {
-    // A wedge: the coefficient of log|x - c|/pi.
-    const R& s = reduced_.s(form_->friction_at(segment));
-    const R theta = profile_jump(j) / (1 + s * s);
-    return {theta, 8 * epsilon<R>() * abs(theta)};
-  }
-  const R p = form_->weight().powers()[j].value;
+Estimate<R> RiemannHilbertSolution<R>::amplitude(std::size_t j, Side side) const {
+  using std::abs;
+  const std::size_t segment = side == Side::left ? j - 1 : j;
+  const R& length = contact_set().length(segment);
   const Estimate<R> b = form_->bracket_at(j, side);
-  R factor = -form_->sign(static_cast<std::ptrdiff_t>(segment)) * form_->weight().amplitude(j) *
-             pow(to_real<R>(reduced_.frame().unit), R(-p));
-  // At an end theta carries the cos(pi alpha) of the contact side; at a jump the definition takes it out.
-  if (!inside) factor *= reduced_.cos_alpha(form_->friction_at(segment));
-  const R half = contact_set().length(segment) / 2;
-  const Node<R> node{contact_set().x(segment) + half, half, half};
+  const R factor = form_->sign(static_cast<std::ptrdiff_t>(segment)) * form_->weight().amplitude(j);
+  const Node<R> node{contact_set().x(segment) + length / 2, length / 2, length / 2};
   const R relative = form_->weight().relative_error(segment, node, R(0)) +
                      4 * relative_end_error({static_cast<std::ptrdiff_t>(segment), node});
   return factor * b.widened(relative);
 }
 
 template <Real R>
+Estimate<R> RiemannHilbertSolution<R>::intensity(std::size_t j) const {
+  using std::abs, std::pow;
+  const bool inside = !contact_set().point(j).is_end();
+  const Side side = in_contact_at(j, Side::right) ? Side::right : Side::left;
+  const std::size_t friction = form_->friction_at(side == Side::right ? j : j - 1);
+  if (inside && form_->exponent(j).sign() == 0) {
+    // A wedge: the coefficient of log|x - c|/pi.
+    const Rational s = problem_.coupled_friction(friction);
+    const R theta = to_real<R>(Rational(wedge(j) / (1 + s * s)));
+    return {theta, epsilon<R>() * abs(theta)};
+  }
+  const Estimate<R> t = amplitude(j, side);
+  const R power = pow(to_real<R>(reduced_.frame().unit), R(-form_->weight().powers()[j].value));
+  // At an end theta carries the cos(pi alpha) of the contact side; at a jump the definition takes it out.
+  const R factor = inside ? power : R(power * reduced_.cos_alpha(friction));
+  return R(-factor) * t;
+}
+
+template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::constant(std::size_t j) const {
   using std::abs, std::log;
   if (contact_set().point(j).is_end() || !form_->is_kinked(j)) return {};
-  const R d = profile_jump(j);
-  const R& s_left = reduced_.s(form_->friction_at(j - 1));
-  const R& s_right = reduced_.s(form_->friction_at(j));
+  const Rational& d = wedge(j);
+  const Rational s = problem_.coupled_friction(form_->friction_at(j - 1));
   if (form_->exponent(j).sign() != 0) {
-    const R a = d / (s_right - s_left);
-    return {a, 8 * epsilon<R>() * abs(a)};
+    // From exact data: next to each other the two s have lost their difference in R.
+    const R a = to_real<R>(Rational(d / (problem_.coupled_friction(form_->friction_at(j)) - s)));
+    return {a, epsilon<R>() * abs(a)};
   }
   // The limit from the left of t - D/(1+s^2) log|x-c|/pi, |x-c| in the user's unit.
-  const std::size_t segment = j - 1;
-  const Estimate<R> b = form_->bracket_at(j, Side::left);
-  const R factor = form_->sign(static_cast<std::ptrdiff_t>(segment)) * form_->weight().amplitude(j) *
-                   reduced_.cos_alpha(form_->friction_at(segment));
-  const R unit = d / (1 + s_left * s_left) * log(to_real<R>(reduced_.frame().unit)) / pi<R>();
-  return factor * b.widened(32 * epsilon<R>()) - Estimate<R>{unit, epsilon<R>() * abs(unit)};
+  const Estimate<R> t = amplitude(j, Side::left);
+  const R& cos_alpha = reduced_.cos_alpha(form_->friction_at(j - 1));
+  const R unit = to_real<R>(Rational(d / (1 + s * s))) * log(to_real<R>(reduced_.frame().unit)) / pi<R>();
+  return cos_alpha * t - Estimate<R>{unit, 4 * epsilon<R>() * abs(unit)};
 }
 
 template <Real R>
@@ -140,11 +138,11 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
     }
     if (!in_contact_at(j, Side::left) || !in_contact_at(j, Side::right)) continue;
     const Exponent& beta = form_->exponent(j);
-    const bool wedge = reduced_.anchors()[*contact_set().point(j).anchor].wedge;
+    const bool has_corner = wedge(j) != 0;
     if (beta.sign() != 0) {
-      const SingularKind kind = wedge ? SingularKind::wedge_and_jump : SingularKind::friction_jump;
+      const SingularKind kind = has_corner ? SingularKind::wedge_and_jump : SingularKind::friction_jump;
       result.push_back({coordinate(j), kind, beta, intensity(j), constant(j)});
-    } else if (wedge) {
+    } else if (has_corner) {
       result.push_back({coordinate(j), SingularKind::wedge, std::nullopt, intensity(j), constant(j)});
     }
   }

@@ -51,9 +51,13 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   const ContactSet<R>& contact_set() const { return form_->set(); }
   Estimate<R> coordinate(std::size_t j) const;
   ContactEnd<R> contact_end(std::size_t j) const;
+  /// The coefficient of |x - x_j|^p/cos(pi alpha) in t on one side of point j, the part of t without its singular term
+  /// where p = 0.
+  Estimate<R> amplitude(std::size_t j, Side side) const;
   Estimate<R> intensity(std::size_t j) const;
   Estimate<R> constant(std::size_t j) const;
-  R profile_jump(std::size_t j) const;
+  /// The jump of g at a point where the contact changes its polynomial.
+  const Rational& wedge(std::size_t j) const { return reduced_.anchors()[*contact_set().point(j).anchor].wedge; }
   bool in_contact_at(std::size_t j, Side side) const;
 
   std::optional<std::size_t> point_at(const SurfacePoint<R>& at) const;

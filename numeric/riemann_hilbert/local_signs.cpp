@@ -1,4 +1,4 @@
-#include "numeric/local_signs.hpp"
+#include "numeric/riemann_hilbert/local_signs.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -55,12 +55,10 @@ std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>& form, st
   if (set.point(point).is_end()) return power_term(form, point, end_error);
   if (point == 0 || point == set.segments() || !set.in_contact(point)) return std::nullopt;
   const int beta = form.exponent(point).sign();
-  const int wedge = form.problem().anchors()[*set.point(point).anchor].wedge;
+  const int wedge = sign(form.problem().anchors()[*set.point(point).anchor].wedge);
   if (wedge == 0 || beta < 0) return power_term(form, point, end_error);
   // The sign is exact; D may be a small difference.
-  const auto slope = [&](std::size_t segment) {
-    return form.problem().slope(form.slope_at(segment), set.x(point));
-  };
+  const auto slope = [&](std::size_t segment) { return form.problem().slope(form.slope_at(segment), set.x(point)); };
   const R d = slope(point) - slope(point - 1);
   const R rounding = 4 * epsilon<R>() * (abs(slope(point)) + abs(slope(point - 1)));
   const R& s_left = form.problem().s(form.friction_at(point - 1));
@@ -101,16 +99,18 @@ std::string in_words(const RiemannHilbertForm<R>& form, std::size_t point, const
     text << number(R(to_real<R>(frame.origin) + to_real<R>(frame.unit) * form.set().x(point)));
   }
   text << " pulls: "
-       << (term.is == Is::power ? "theta" : term.is == Is::constant ? "[psi']/[s]" : "[psi']/(1+s^2) log(d)/pi with")
+       << (term.is == Is::power      ? "theta"
+           : term.is == Is::constant ? "[psi']/[s]"
+                                     : "[psi']/(1+s^2) log(d)/pi with")
        << " = " << number(R(scale * term.coefficient.value));
   text.precision(1);
   text << " +- " << number(R(scale * term.coefficient.error));
   return text.str();
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                                                                     \
-  template std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>&, std::size_t, const R&);            \
-  template R highest_limit(const RiemannHilbertForm<R>&, const R&);                                                    \
+#define STEADYSLIDE_INSTANTIATE(R)                                                                          \
+  template std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>&, std::size_t, const R&); \
+  template R highest_limit(const RiemannHilbertForm<R>&, const R&);                                         \
   template std::string in_words(const RiemannHilbertForm<R>&, std::size_t, const LeadingTerm<R>&);
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)
