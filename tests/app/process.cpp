@@ -1,8 +1,6 @@
 #include "app/process.hpp"
 
 #include <fcntl.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -14,48 +12,16 @@
 #include <stdexcept>
 #include <thread>
 
+#include "app/child_process.hpp"
+
 namespace steadyslide::testing {
 namespace {
 
+using app::MemoryFile;
+using app::wait_for;
 namespace fs = std::filesystem;
 
-/// A file without a name: the standard streams of the child go there, so that nothing can fill up and wait.
-class Stream {
- public:
-  explicit Stream(const std::string& text = "") {
-    std::string name = (fs::temp_directory_path() / "steadyslide-stream-XXXXXX").string();
-    descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
-    if (descriptor_ < 0) throw std::runtime_error("no temporary file");
-    ::unlink(name.c_str());
-    std::string_view rest = text;
-    while (!rest.empty()) {
-      const ssize_t count = ::write(descriptor_, rest.data(), rest.size());
-      if (count <= 0) throw std::runtime_error("temporary file cannot be written");
-      rest.remove_prefix(static_cast<std::size_t>(count));
-    }
-    ::lseek(descriptor_, 0, SEEK_SET);
-  }
-  Stream(const Stream&) = delete;
-  Stream& operator=(const Stream&) = delete;
-  ~Stream() { ::close(descriptor_); }
-
-  int descriptor() const { return descriptor_; }
-
-  std::string text() const {
-    std::string result;
-    std::array<char, 65536> block;
-    ::lseek(descriptor_, 0, SEEK_SET);
-    for (ssize_t n = 0; (n = ::read(descriptor_, block.data(), block.size())) > 0;) {
-      result.append(block.data(), static_cast<std::size_t>(n));
-    }
-    return result;
-  }
-
- private:
-  int descriptor_;
-};
-
-int open_stdout(const Stream& captured, Stdout where) {
+int open_stdout(const MemoryFile& captured, Stdout where) {
   if (where == Stdout::full_device) return ::open("/dev/full", O_WRONLY | O_CLOEXEC);
   if (where == Stdout::captured) return captured.descriptor();
   std::array<int, 2> ends{};
@@ -79,17 +45,10 @@ pid_t start(const std::vector<std::string>& command, const fs::path& folder, int
   ::_exit(127);
 }
 
-int wait_for(pid_t child) {
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
 Finished run(const std::vector<std::string>& command, const fs::path& folder, const std::string& input, Stdout where) {
-  const Stream in(input);
-  const Stream out;
-  const Stream err;
+  const MemoryFile in(input);
+  const MemoryFile out;
+  const MemoryFile err;
   const int target = open_stdout(out, where);
   const int code = wait_for(start(command, folder, in.descriptor(), target, err.descriptor()));
   if (target != out.descriptor()) ::close(target);
@@ -117,8 +76,8 @@ namespace {
 template <class Watch>
 Finished run_watched(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& input,
                      Watch watch) {
-  const Stream in(input);
-  const Stream out;
+  const MemoryFile in(input);
+  const MemoryFile out;
   const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) throw std::runtime_error("no terminal");
   const int end = ::open(::ptsname(terminal), O_RDWR | O_NOCTTY | O_CLOEXEC);
@@ -186,9 +145,9 @@ std::vector<std::string> TemporaryFolder::names() const {
 
 Finished run_and_interrupt(const std::vector<std::string>& arguments, const TemporaryFolder& folder, int signal,
                            std::chrono::milliseconds later) {
-  const Stream in;
-  const Stream out;
-  const Stream err;
+  const MemoryFile in;
+  const MemoryFile out;
+  const MemoryFile err;
   const std::size_t before = folder.names().size();
   const pid_t child = start(program(arguments), folder.path(), in.descriptor(), out.descriptor(), err.descriptor());
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
