@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "app/child_process.hpp"
+#include "app/terminal/child_process.hpp"
 #include "app/terminal/failure.hpp"
 #include "app/terminal/interrupt.hpp"
 

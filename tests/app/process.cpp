@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "app/child_process.hpp"
+#include "app/terminal/child_process.hpp"
 
 namespace steadyslide::testing {
 namespace {

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <random>
 #include <vector>
 
 #include "proofs_checks/instruments/convergence_cases.hpp"
@@ -32,6 +34,37 @@ TEST_CASE("a power is found, and the scatter shows in the error bar") {
   CHECK(std::abs(scattered.value - 1.5) < scattered.error_bar);
   CHECK(scattered.error_bar > 0.02);
   CHECK(scattered.error_bar < 0.06);
+}
+
+TEST_CASE("the error bar by hand: what three points leave over") {
+  // log(error) at log(cells) = 1, 2, 3 is 5 - 2 log(cells) plus d, -2 d, d, which no line takes up. The squares left
+  // over add up to 6 d^2, one degree of freedom remains, and the squares of log(cells) about their mean add up to 2.
+  for (const double d : {0.01, 0.25, -1.0}) {
+    const auto level = [](double x, double y) { return Level{std::exp(x), std::exp(5 - 2 * x + y)}; };
+    const Rate rate = fitted_rate(std::vector<Level>{level(1, d), level(2, -2 * d), level(3, d)});
+    CHECK(rate.value == doctest::Approx(2).epsilon(1e-12));
+    CHECK(rate.error_bar == doctest::Approx(std::sqrt(3) * std::abs(d)).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("the error bar covers the truth as often as Student's distribution says") {
+  // Nine levels leave seven degrees of freedom: within one standard deviation with the chance 0.6494, two: 0.9144.
+  std::mt19937_64 engine(2016);
+  const auto uniform = [&] { return (static_cast<double>(engine() >> 11) + 0.5) / 9007199254740992.0; };
+  const auto normal = [&] { return std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform()); };
+  constexpr int trials = 20000;
+  int within_one = 0;
+  int within_two = 0;
+  for (int k = 0; k < trials; ++k) {
+    std::vector<Level> noisy = levels(1.5, 0);
+    for (Level& level : noisy) level.error *= std::exp(0.1 * normal());
+    const Rate rate = fitted_rate(noisy);
+    within_one += std::abs(rate.value - 1.5) < rate.error_bar ? 1 : 0;
+    within_two += std::abs(rate.value - 1.5) < 2 * rate.error_bar ? 1 : 0;
+  }
+  const auto deviation = [](double chance) { return std::sqrt(chance * (1 - chance) / trials); };
+  CHECK(std::abs(within_one / static_cast<double>(trials) - 0.6494) < 4 * deviation(0.6494));
+  CHECK(std::abs(within_two / static_cast<double>(trials) - 0.9144) < 4 * deviation(0.9144));
 }
 
 TEST_CASE("no rate from too few levels, or from an error that is none") {
