@@ -4,6 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "numeric/cauchy/traction_density.hpp"
 #include "numeric/number/polynomial.hpp"
 #include "numeric/variational/active_set.hpp"
 #include "numeric/variational/lemke.hpp"

@@ -1,5 +1,6 @@
-// verify-<group> [--digits N] [--seed N] [--quick]: runs the claims of one place in the paper and prints a table. Exit
-// code 0 only if every claim is proved, supported or beyond calculation, 1 if one is not, 2 for a wrong command line.
+// verify-<group> [--claim GLOB]... [--digits N] [--seed N] [--quick]: runs the claims of one place in the paper and
+// prints a table. Exit code 0 only if every claim is proved, supported or beyond calculation, 1 if one is not, 2 for a
+// wrong command line.
 
 #include <charconv>
 #include <cstdio>
@@ -25,15 +26,23 @@ Number number(std::string_view option, std::string_view text) {
   return value;
 }
 
-proofs_checks::Context context_from(int argc, char** argv) {
+struct Options {
   proofs_checks::Context context;
+  std::vector<std::string> claims;  ///< patterns of ids; none: all
+};
+
+Options options_from(int argc, char** argv) {
+  Options options;
+  proofs_checks::Context& context = options.context;
   for (int k = 1; k < argc; ++k) {
     const std::string_view option = argv[k];
     if (option == "--quick") {
       context.quick = true;
-    } else if ((option == "--digits" || option == "--seed") && k + 1 < argc) {
+    } else if ((option == "--digits" || option == "--seed" || option == "--claim") && k + 1 < argc) {
       const std::string_view value = argv[++k];
-      if (option == "--seed") {
+      if (option == "--claim") {
+        options.claims.emplace_back(value);
+      } else if (option == "--seed") {
         context.seed = number<std::uint64_t>(option, value);
       } else {
         const int digits = number<int>(option, value);
@@ -41,10 +50,11 @@ proofs_checks::Context context_from(int argc, char** argv) {
         context.digits = numeric::precision_for(digits);
       }
     } else {
-      throw std::invalid_argument("usage: [--digits N] [--seed N] [--quick]; not understood: " + std::string(option));
+      throw std::invalid_argument("usage: [--claim GLOB]... [--digits N] [--seed N] [--quick]; not understood: " +
+                                  std::string(option));
     }
   }
-  return context;
+  return options;
 }
 
 void print(const proofs_checks::Report& report) {
@@ -61,12 +71,13 @@ void print(const proofs_checks::Report& report) {
 
 int main(int argc, char** argv) {
   try {
-    const proofs_checks::Context context = context_from(argc, argv);
+    const auto [context, patterns] = options_from(argc, argv);
     std::printf("%d digits, seed %llu%s\n", static_cast<int>(context.digits),
                 static_cast<unsigned long long>(context.seed), context.quick ? ", quick" : "");
     const std::vector<proofs_checks::Report> reports =
-        run_all(proofs_checks::claims_of_group(STEADYSLIDE_GROUP), context);
+        run_all(select(proofs_checks::claims_of_group(STEADYSLIDE_GROUP), patterns), context);
     for (const proofs_checks::Report& report : reports) print(report);
+    if (reports.empty()) throw std::invalid_argument("--claim: no such claim here");
     const proofs_checks::Counts counts = count(reports);
     std::printf("%zu proved, %zu supported, %zu undecided, %zu refuted\n", counts.proved, counts.supported,
                 counts.undecided, counts.refuted);

@@ -1,5 +1,6 @@
 // How an inner end of the contact becomes the left edge of ]c, 1[ in the proof of theorem 10. [Bal16, theorem 10]
 
+#include "numeric/cauchy/traction_density.hpp"
 #include "proofs_checks/instruments/proofs.hpp"
 #include "proofs_checks/instruments/trial.hpp"
 
@@ -28,7 +29,7 @@ ReductionFacts<R> measure_reduction() {
   using std::abs;
   const auto solution = solve<R>(cell_case("two-zones"));
   const auto& form = solution->form();
-  auto zones = density_of(form);
+  auto zones = numeric::traction_density(form);
   if (zones.size() != 2) throw Refutation{{"two bumps", "not two contact zones"}};
   const R between = zones[1].gap;
   zones[1].gap = 0;
