@@ -9,6 +9,7 @@
 #include "numeric/variational/lemke.hpp"
 #include "proofs_checks/claims/cells.hpp"
 #include "proofs_checks/claims/claims.hpp"
+#include "proofs_checks/claims/interior_point.hpp"
 #include "proofs_checks/findings.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -120,17 +121,6 @@ CellSet random_set(Random& random, std::size_t cells) {
   return set;
 }
 
-/// The largest difference of pressures, over the largest pressure.
-double difference(const DiscreteState& a, const DiscreteState& b) {
-  double most = 0;
-  double scale = 0;
-  for (std::size_t i = 0; i < a.pressure.size(); ++i) {
-    most = std::max(most, std::abs(a.pressure[i] - b.pressure[i]));
-    scale = std::max(scale, std::abs(a.pressure[i]));
-  }
-  return most / scale;
-}
-
 /// The solutions that active sets find from these sets, where they do.
 std::vector<DiscreteState> solutions(const DiscreteProblem& problem, const std::vector<CellSet>& starts) {
   std::vector<DiscreteState> result;
@@ -144,7 +134,7 @@ std::vector<DiscreteState> solutions(const DiscreteProblem& problem, const std::
 
 struct UniquenessSaid {
   bool rising = true;    ///< else a fall of s under a parabola on eight cells, from every contact set
-  bool doubled = false;  ///< the load, for Lemke's method
+  bool doubled = false;  ///< the load, for interior points
   double moved = 0;
 };
 
@@ -159,8 +149,8 @@ Pair falling_pair() {
 }
 
 std::vector<Evidence> check_uniqueness(const Context& context, const UniquenessSaid& said) {
-  const Quantity pressures{
-      "pressures on all cells", {"active sets, from random sets of cells", "Lemke's method"}, tolerance<double>(), 0.5};
+  const Quantity forces{
+      "forces on all cells", {"active sets, from random sets of cells", "interior points"}, tolerance<double>(), 0.5};
   return gather([&] {
     Random random(context.seed, "thm-01-uniqueness-on-cells");
     Findings findings;
@@ -177,13 +167,13 @@ std::vector<Evidence> check_uniqueness(const Context& context, const UniquenessS
       for (int i = 0; i < 4 && said.rising; ++i) starts.push_back(random_set(random, problem.size()));
       const std::vector<DiscreteState> found = solutions(problem, starts);
       findings.begin_case(text_of(problem, k), found.size() > 1);
-      LemkeResult other = numeric::variational::lemke(said.doubled ? pair.doubled : problem, most_pivots(problem));
-      for (double& p : other.state.pressure) p *= 1 + said.moved;
-      if (found.empty() || !other.reached) {
-        findings.skip(pressures);
+      auto other = forces_by_interior_points(said.doubled ? pair.doubled : problem);
+      if (found.empty() || !other) {
+        findings.skip(forces);
         continue;
       }
-      for (const DiscreteState& state : found) findings.compare(pressures, difference(other.state, state));
+      *other *= 1 + said.moved;
+      for (const DiscreteState& state : found) findings.compare(forces, difference(forces_of(problem, state), *other));
     }
     return findings.evidence("random meshes, rising frictions, profiles and loads, four sets each, seed " +
                              std::to_string(context.seed));
@@ -219,10 +209,11 @@ std::vector<Claim> cell_solution_claims() {
   claims.push_back(make_claim(
       {"thm-01-uniqueness-on-cells", "[Bal16, theorem 1], uniqueness: what follows from it on cells",
        "Where `s` is nondecreasing the discrete problem has one solution: active sets that start from random sets of "
-       "cells, and Lemke's method, end in the same pressures. This supports what the argument of theorem 1 says of "
+       "cells end in the pressures that interior points give, which know no contact set. This supports what the "
+       "argument of theorem 1 says of "
        "cells; it is no proof of the theorem itself.",
        "Attitude of the indenter given; `s` nondecreasing, of one sign, up to 3; any cells; starts from which active "
-       "sets cycle are left out.",
+       "sets cycle are left out. Compared by forces, over the largest.",
        "Let `p` and `q` be two solutions under the same load. From `p_i g_i = 0`, `p_i >= 0` and `g_i >= 0` for both, "
        "`<<B (p-q), p-q>> <= 0`. But `p - q` has zero mean, and there the energy is `E + (1/2) sum_k (s_k - s_{k-1}) "
        "T(c_k)^2`, which is positive unless `p = q`."},
@@ -230,7 +221,7 @@ std::vector<Claim> cell_solution_claims() {
       std::vector<Wrong<U>>{
           {"s falling by 5: a problem with three solutions", changed<U>([](U& said) { said.rising = false; })},
           {"twice the load for one of the methods", changed<U>([](U& said) { said.doubled = true; })},
-          {"near miss: pressures moved by ten times the tolerance",
+          {"near miss: forces moved by ten times the tolerance",
            changed<U>([](U& said) { said.moved = near_miss<double>(); })}}));
   return claims;
 }
