@@ -8,7 +8,7 @@ namespace {
 
 using numeric::Real;
 
-/// S(p) for -1 < p < 1; `below_one` is 1 - p, which would cancel next to 1.
+/// S(p) for 0 < p < 1; `below_one` is 1 - p, which would cancel next to 1. S is odd.
 template <Real R>
 R half_line_integral(const R& p, const R& below_one) {
   using std::exp, std::expm1, std::log, std::sinh;
@@ -34,9 +34,11 @@ struct Symbol {
 
 template <Real R>
 Symbol<R> symbol(const R& p) {
-  const R lower = p < 0 ? p : R(p - 1);
-  const R sum = p < 0 ? half_line_integral<R>(R(1 + p), R(-p)) : half_line_integral<R>(p, R(1 - p));
-  const R rest = half_line_integral<R>(lower, R(1 - lower));
+  // Of the place in ]-1, 0[: what lies above it and below it, each without cancellation.
+  const R above = p < 0 ? R(-p) : R(1 - p);
+  const R below = p < 0 ? R(1 + p) : p;
+  const R sum = half_line_integral<R>(below, above);
+  const R rest = -half_line_integral<R>(above, below);
   const R n = (sum - rest) / 2;
   return {R((sum + rest) / 2), p < 0 ? n : R(-n), R(-sum * rest)};
 }
