@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "proofs_checks/instruments/interior_point.hpp"
+
 namespace steadyslide::proofs_checks {
 namespace {
 
@@ -76,18 +78,11 @@ std::optional<DisplacementProblem::State> DisplacementProblem::by_active_sets(st
   return std::nullopt;
 }
 
-std::optional<DisplacementProblem::State> DisplacementProblem::by_pivots(std::vector<char> contact,
-                                                                         int most_steps) const {
-  const double gap_scale = load_ + profile_.cwiseAbs().maxCoeff();
-  for (int step = 1; step <= most_steps; ++step) {
-    State state = state_of(contact);
-    const auto wrong = wrong_nodes(state, contact, gap_scale, load_);
-    state.steps = step;
-    if (wrong.empty()) return state;
-    contact[wrong.front()] = contact[wrong.front()] == 0 ? 1 : 0;
-    if (std::ranges::none_of(contact, [](char c) { return c != 0; })) return std::nullopt;
-  }
-  return std::nullopt;
+std::optional<DisplacementProblem::State> DisplacementProblem::by_interior_points() const {
+  const Eigen::VectorXd flush = load_ * tau_ - force_ * profile_;
+  const auto found = proofs_checks::by_interior_points(force_, flush, std::nullopt);
+  if (!found) return std::nullopt;
+  return State{{found->x.begin(), found->x.end()}, {found->y.begin(), found->y.end()}, 0};
 }
 
 double DisplacementProblem::phi(const std::vector<double>& w) const {

@@ -10,8 +10,7 @@
 //   p = P tau - force psi + force g,   p >= 0,   g >= 0,   p_i g_i = 0.
 //
 // `force` has the constants as its kernel on both sides, so that sum p = P by itself; where some g_i is zero what is
-// left of it is positive definite. Solved in double by active sets from any start, or by Murty's least-index pivots
-// [CPS92, chapter 4].
+// left of it is positive definite. Solved in double by active sets from any start, or by interior points.
 
 #include <Eigen/Core>
 #include <functional>
@@ -45,9 +44,8 @@ class DisplacementProblem {
   double x(std::size_t i) const { return operator_.node(i).x; }
   /// 1: contact at the node. Nothing if it cycles.
   std::optional<State> by_active_sets(std::vector<char> contact) const;
-  /// The wrong node of the least index changes: finite where all principal minors are positive. Nothing if it is not at
-  /// its end after as many steps.
-  std::optional<State> by_pivots(std::vector<char> contact, int most_steps) const;
+  /// Without any contact set (interior_point.hpp). Nothing if the path is lost.
+  std::optional<State> by_interior_points() const;
 
   /// a(v - u, u) + phi(v) - phi(u) for v = psi + w: >= 0 for the solution.
   double inequality(const State& state, const std::vector<double>& w) const;

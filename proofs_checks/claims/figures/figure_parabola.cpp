@@ -1,6 +1,7 @@
 // Galin's parabola: the contact zone and the largest pressure. [Bal16, figure 5]
 
 #include "proofs_checks/claims/figures/figures.hpp"
+#include "proofs_checks/instruments/local_power.hpp"
 #include "proofs_checks/instruments/near.hpp"
 #include "proofs_checks/instruments/punch.hpp"
 
@@ -32,7 +33,8 @@ struct ZoneFacts {
   Solved<R> solution;
   R left;
   R right;
-  R power[2];
+  R power[2];             ///< that the operator asks for, with the contact on the right and on the left
+  double equation_error;  ///< of the solution in double
 };
 template <class R>
 using ZoneList = std::vector<ZoneFacts<R>>;
@@ -52,14 +54,15 @@ ZoneList<R> measure(bool quick) {
   for (const ContactProblem& problem : problems(quick)) {
     const auto solution = solve<R>(problem);
     const auto contact = solution->contact().front();
+    const R s = numeric::to_real<R>(problem.coupled_friction(0));
     all.push_back({text_of(problem),
                    problem.coupled_friction(0),
                    problem.load(),
                    solution,
                    contact.left.x.value,
                    contact.right.x.value,
-                   {power_beside(*solution, contact_end(*solution, Side::left), Side::right),
-                    power_beside(*solution, contact_end(*solution, Side::right), Side::left)}});
+                   {end_power<R>(Side::right, Power::vanishing, s), end_power<R>(Side::left, Power::vanishing, s)},
+                   equation_error(problem)});
   }
   return all;
 }
@@ -68,7 +71,10 @@ std::vector<Evidence> check(const Context& context, Once<ZoneList>& once, const 
   return gather_at_fifty(context, [&]<Real R>() {
     using std::abs, std::sqrt;
     const Quantity ends{"ends of the contact", {"solved", "-(1+2 alpha) a, (1-2 alpha) a"}, tolerance<R>()};
-    const Quantity powers{"powers at the ends", {"t at d and 2d, solved", "1/2-alpha, 1/2+alpha"}, tolerance<R>()};
+    const Quantity powers{"powers at the ends",
+                          {"where the residual of A |x|^p vanishes, by quadrature", "1/2-alpha, 1/2+alpha"},
+                          tolerance<R>()};
+    const Quantity equation{"equation, solved in double", {"trapezoidal rule", "psi_bar'"}, equation_tolerance};
     const Quantity largest{
         "where |t| is largest: a t'/t", {"differences of the solved traction", "0 at x = -4 alpha a"}, tolerance<R>()};
     Findings findings;
@@ -81,6 +87,7 @@ std::vector<Evidence> check(const Context& context, Once<ZoneList>& once, const 
       const R miss = 1 + said.miss_end * R(tolerance<R>());
       findings.compare(ends, relative_difference<R>(facts.left, R(-(1 + 2 * alpha) * a * miss)));
       findings.compare(ends, relative_difference<R>(facts.right, R((1 - 2 * alpha) * a)));
+      findings.compare(equation, facts.equation_error);
       const Exponent rear = half - angle;
       const Exponent front = said.same_powers ? rear : half + angle;
       findings.compare(powers, relative_difference<R>(facts.power[0], numeric::to_real<R>(rear)));

@@ -15,9 +15,9 @@ using State = DisplacementProblem::State;
 constexpr double allowed = 1e-10;
 
 struct ProblemSaid {
-  DisplacementSaid displacement;  ///< of the problem that pivots solve
+  DisplacementSaid displacement;  ///< of the problem that interior points solve
   bool without_phi = false;       ///< in the inequality
-  double moved = 0;               ///< the pivots' forces
+  double moved = 0;               ///< the forces by interior points
 };
 
 std::vector<char> random_start(Random& random, std::size_t n) {
@@ -63,7 +63,7 @@ void check_inequality(Findings& findings, Random& random, const DisplacementProb
 }
 
 std::vector<Evidence> check(const Context& context, const ProblemSaid& said) {
-  const Quantity forces{"contact forces", {"active sets from random sets", "least-index pivots"}, allowed, 0.7};
+  const Quantity forces{"contact forces", {"active sets from random sets", "interior points"}, allowed, 0.7};
   return gather([&] {
     Random random(context.seed, "prop-07-problem-I");
     Findings findings;
@@ -80,7 +80,7 @@ std::vector<Evidence> check(const Context& context, const ProblemSaid& said) {
       for (int start = 0; start < 3; ++start) {
         if (const auto state = right.by_active_sets(random_start(random, size))) found.push_back(*state);
       }
-      auto other = examined.by_pivots(random_start(random, size), 4000);
+      auto other = examined.by_interior_points();
       findings.begin_case("s = " + to_string(s) + ", " + std::to_string(n) + " nodes, " + to_string(c.profile));
       if (!other || found.empty()) {
         findings.skip(forces);

@@ -1,5 +1,6 @@
 // At a step of the profile: which end of contact goes with which sign of the step. [Bal16, theorem 3]
 
+#include "proofs_checks/instruments/local_power.hpp"
 #include "proofs_checks/instruments/punch.hpp"
 #include "proofs_checks/instruments/words.hpp"
 
@@ -48,9 +49,11 @@ struct EndFacts {
   std::string name;
   Side contact;
   Rational s;
-  Rational step;  ///< psi beyond the end, less psi in contact
-  R power;
-  R gap;  ///< next to the end
+  Rational step;          ///< psi beyond the end, less psi in contact
+  R power;                ///< of the two that the operator allows, an edge's and a free end's, the one on cells
+  double off_on_cells;    ///< of the power on cells from it
+  R gap;                  ///< next to the end
+  double equation_error;  ///< of the solution in double
 };
 struct CellPower {
   std::string where;
@@ -65,6 +68,16 @@ struct StepProblems {
   std::vector<CellPower> cells;
 };
 
+/// At an end of contact, on a mesh on which it is told from a power that differs by 1.
+double power_on_coarse_cells(const EndCase& c) {
+  const auto solution = solve_on_cells(c.problem, 2048);
+  for (const auto& place : solution->places()) {
+    if (!place.is_end() || place.contact != c.contact || place.exact != c.place.has_value()) continue;
+    return power_on_cells(*solution, place, c.contact).value;
+  }
+  throw Refutation{{c.name, "on cells the contact does not end there"}};
+}
+
 template <Real R>
 EndFacts<R> measure_end(const EndCase& c) {
   const auto solution = solve<R>(c.problem);
@@ -77,12 +90,17 @@ EndFacts<R> measure_end(const EndCase& c) {
   // u ~ d^(1/2 -+ alpha) beyond an edge: nothing beside the step only at distances far below 10^-digits.
   using std::pow;
   const R d = pow(very_near<R>(), 6);
+  const R s = numeric::to_real<R>(c.problem.coupled_friction(0));
+  const double on_cells = power_on_coarse_cells(c);
+  const R power = end_power<R>(c.contact, on_cells < 0 ? Power::unbounded : Power::vanishing, s);
   return {c.name,
           c.contact,
           c.problem.coupled_friction(0),
           step,
-          power_beside(*solution, j, c.contact),
-          gap_beside(*solution, j, opposite(c.contact), d)};
+          power,
+          std::abs(on_cells - static_cast<double>(power)),
+          gap_beside(*solution, j, opposite(c.contact), d),
+          equation_error(c.problem)};
 }
 
 std::vector<CellPower> powers_on_cells() {
@@ -124,7 +142,12 @@ Exponent power_of(bool edge, Side contact, const Rational& s, const StepSaid& sa
 
 std::vector<Evidence> check(const Context& context, Once<StepProblems>& once, const StepSaid& said) {
   return gather_quick_in_double(context, [&]<Real R>() {
-    const Quantity power{"power at an end of contact, solved problems", {"t at d and 2d", "theorem 3"}, tolerance<R>()};
+    const Quantity power{"power at an end of contact",
+                         {"of those where the residual of A |x|^p vanishes, the one on cells", "theorem 3"},
+                         tolerance<R>()};
+    const Quantity near{"distance of the power on 2048 cells from it", {}, 0.1};
+    const Quantity equation{
+        "equation, solved in double with that power", {"trapezoidal rule", "psi_bar'"}, equation_tolerance};
     const Quantity gap{"gap next to the end", {"solved problems", "psi beyond less psi in contact"}, tolerance<R>()};
     const Quantity cells{"power on cells, in its error bars", {"fit", "theorem 3"}, 3};
     const Quantity bar{"its error bar", {}, 0.02};
@@ -135,7 +158,9 @@ std::vector<Evidence> check(const Context& context, Once<StepProblems>& once, co
       const bool edge = end.step != 0 ? said.edge_at_high : said.edge_if_continuous;
       const R expected =
           numeric::to_real<R>(power_of(edge, end.contact, end.s, said)) * (1 + said.miss * R(tolerance<R>()));
+      findings.compare(near, end.off_on_cells);
       findings.compare(power, relative_difference<R>(end.power, expected));
+      findings.compare(equation, end.equation_error);
       const R step = numeric::to_real<R>(said.third ? Rational(-end.step) : end.step);
       findings.compare(gap, static_cast<double>(R(abs(end.gap - step))));
       findings.require(end.step >= 0, "contact on the higher side only: the surface is above the lower one");
