@@ -19,6 +19,9 @@ namespace {
 const std::string header =
     "load,component,left,left_kind,left_intensity,right,right_kind,right_intensity,effective_friction,"
     "centre_of_pressure,load_share,tilt,shortcoming";
+const std::string errors =
+    ",left_error,left_intensity_error,right_error,right_intensity_error,effective_friction_error,"
+    "centre_of_pressure_error,load_share_error,tilt_error";
 const std::string body = "[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.1, 0.7]\njumps = [0]\n[indenter]\n";
 // The load is replaced: nobody solves this one.
 const std::string parabola = "load = \"1e300\"\n" + body + "profile = \"x^2\"\n";
@@ -60,12 +63,13 @@ TEST_CASE("CSV: always the same columns, loads in the list's order") {
   CHECK(finished.err == "");
   const std::vector<std::string> rows = lines(finished.out);
   REQUIRE(rows.size() == 6);
-  CHECK(rows[0] == header);
+  CHECK(rows[0] == header + errors);
   const std::vector<std::string> starts{"0.1,1,-1.", "0.1,2,0.", "1,1,-1.", "0.05,1,-1.", "0.05,2,0."};
   for (std::size_t k = 0; k < starts.size(); ++k) {
     CHECK(rows[k + 1].rfind(starts[k], 0) == 0);
-    CHECK(std::count(rows[k + 1].begin(), rows[k + 1].end(), ',') == 12);
-    CHECK(rows[k + 1].substr(rows[k + 1].size() - 2) == ",,");
+    CHECK(std::count(rows[k + 1].begin(), rows[k + 1].end(), ',') == 20);
+    CHECK(rows[k + 1].find(",,,") != std::string::npos);  // neither tilt nor shortcoming
+    CHECK(rows[k + 1].back() == ',');
   }
 }
 
@@ -74,10 +78,14 @@ TEST_CASE("JSON: rows with the same keys, shares as a list, null where there is 
   REQUIRE(json.size() == 2);
   std::string keys;
   for (const auto& [key, value] : json[0].items()) keys += (keys.empty() ? "" : ",") + key;
-  CHECK(keys == header);
+  CHECK(keys == header + ",warnings" + errors);
   CHECK(json[1]["component"] == "2");
   CHECK(json[0]["tilt"].is_null());
   CHECK(json[0]["shortcoming"].is_null());
+  CHECK(json[0]["warnings"] == Json::array());
+  CHECK(json[0]["tilt_error"].is_null());
+  CHECK(number(json[0]["left_error"]) < parse_rational("1e-12"));
+  CHECK(json[0]["load_share_error"].size() == 2);
   CHECK(abs(number(json[0]["load_share"][0]) + number(json[0]["load_share"][1]) - 1) < parse_rational("1e-12"));
 }
 
@@ -149,7 +157,7 @@ TEST_CASE("a load without a solution keeps its row, the others are solved, and t
   const std::vector<std::string> rows = lines(finished.out);
   REQUIRE(rows.size() == 5);
   CHECK(rows[1].rfind("0.5,1,-0.", 0) == 0);
-  CHECK(rows[2] == "100,,,,,,,,,,,,\"" + why + "\"");
+  CHECK(rows[2] == "100,,,,,,,,,,,,\"" + why + "\",,,,,,,,");
   CHECK(rows[3].rfind("1,1,-0.", 0) == 0);
   const Finished json = run(elastic, "0.5,100", {"--format", "json"});
   CHECK(json.code == 1);

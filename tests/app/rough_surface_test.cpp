@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
 
@@ -94,4 +95,68 @@ TEST_CASE("the rough surface has its roughness and its waves") {
       CHECK(std::abs(amplitude[wave] / amplitude[4] - std::pow(static_cast<double>(wave) / 4, -1.3)) < 1e-6);
     }
   }
+}
+
+namespace {
+
+/// The largest relative violation of |shear| = f |traction| on a side of x, and the number of rows in contact.
+struct Coulomb {
+  double worst = 0;
+  int rows = 0;
+
+  void add(double x, bool is_left, double traction, double shear) {
+    if (traction == 0 || std::isinf(traction)) return;
+    const double f = x < 0 || (x == 0 && is_left) ? 0.1 : 0.4;
+    worst = std::max(worst, std::abs(std::abs(shear) / (f * std::abs(traction)) - 1));
+    ++rows;
+  }
+};
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> result;
+  std::istringstream stream(line + ",");
+  for (std::string cell; std::getline(stream, cell, ',');) result.push_back(cell);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("files keep Coulomb's law in every row: |shear| = f |traction|") {
+  const std::vector<std::string> solve{"solve", "rough_surface.toml", "--at=-0.1:0.1:0.005", "--samples", "40"};
+  const auto output = [&](const char* format) {
+    std::vector<std::string> arguments = solve;
+    arguments.insert(arguments.end(), {"--format", format});
+    return run_program(arguments, folder).out;
+  };
+  Coulomb csv;
+  std::istringstream lines(output("csv"));
+  std::string line;
+  std::getline(lines, line);
+  CHECK(line == "x,traction,shear,gap,slope,traction_error,shear_error,gap_error,slope_error");
+  std::string last;
+  while (std::getline(lines, line)) {
+    const std::vector<std::string> row = cells(line);
+    REQUIRE(row.size() == 9);
+    csv.add(std::stod(row[0]), row[0] != last, std::stod(row[1]), std::stod(row[2]));
+    last = row[0];
+    CHECK(std::stod(row[5]) >= 0);
+    CHECK(std::stod(row[6]) >= 0);
+  }
+  CHECK(csv.rows > 500);
+  CHECK(csv.worst <= 1e-15);
+
+  Coulomb json;
+  const auto side = [](const nlohmann::json& value, const char* name) {
+    return std::stod((value.is_object() ? value[name] : value).get<std::string>());
+  };
+  for (const nlohmann::json& sample : nlohmann::json::parse(output("json"))["samples"]) {
+    for (const char* name : {"left", "right"}) {
+      json.add(side(sample["x"], name), name == std::string("left"), side(sample["traction"], name),
+               side(sample["shear"], name));
+    }
+    CHECK(sample["traction"].is_object() == sample["traction_error"].is_object());
+    CHECK(sample["shear"].is_object() == sample["shear_error"].is_object());
+  }
+  CHECK(json.rows > 1000);
+  CHECK(json.worst <= 1e-15);
 }

@@ -52,7 +52,7 @@ TEST_CASE("JSON has the keys of the contract in their order") {
   const Json json = solve(punch, {"--at", "0,0.5", "--samples", "3"});
   CHECK(keys(json) ==
         "schema version problem method digits contact singular_points resultants samples estimated_error "
-        "residuals uniqueness");
+        "residuals uniqueness warnings");
   CHECK(json["schema"] == 1);
   CHECK(json["version"] == STEADYSLIDE_VERSION);
   CHECK(json["method"] == "closed-form");
@@ -63,15 +63,20 @@ TEST_CASE("JSON has the keys of the contract in their order") {
       "\"friction\":{\"values\":[\"0\",\"2\"],\"jumps\":[\"0\"]},\"indenter\":{\"support\":[\"-1\",\"1\"],\"profile\":"
       "\"3\"}}");
   CHECK(keys(json["contact"][0]) == "left right");
-  CHECK(keys(json["contact"][0]["left"]) == "x kind exponent intensity");
-  CHECK(keys(json["singular_points"][0]) == "x kind exponent symbolic latex intensity constant");
-  CHECK(keys(json["resultants"]) == "normal tangential centre_of_pressure effective_friction load_share");
-  CHECK(keys(json["samples"][0]) == "x traction shear gap slope");
+  CHECK(keys(json["contact"][0]["left"]) == "x x_error kind exponent intensity intensity_error");
+  CHECK(keys(json["singular_points"][0]) ==
+        "x x_error kind exponent symbolic latex intensity intensity_error constant constant_error");
+  CHECK(
+      keys(json["resultants"]) ==
+      "normal normal_error tangential tangential_error centre_of_pressure centre_of_pressure_error effective_friction "
+      "effective_friction_error load_share load_share_error");
+  CHECK(keys(json["samples"][0]) == "x traction traction_error shear shear_error gap gap_error slope slope_error");
   CHECK(json["samples"].size() == 5);
   CHECK(keys(json["estimated_error"]) == "ends traction resultants");
   CHECK(keys(json["residuals"]) == "equation load penetration tension");
-  CHECK(json["uniqueness"].dump() ==
-        "{\"status\":\"proved\",\"reason\":\"s = gamma f is nondecreasing towards the front\"}");
+  CHECK(
+      json["uniqueness"].dump() ==
+      "{\"status\":\"unique by theorem 1 of [Bal16]\",\"reason\":\"s = gamma f is nondecreasing towards the front\"}");
 }
 
 TEST_CASE("the problem is echoed exactly, and its echo is the same problem") {
@@ -161,10 +166,10 @@ TEST_CASE("CSV: samples, two rows where limits differ, 101 by default") {
   std::vector<std::string> lines;
   for (std::string line; std::getline(rows, line);) lines.push_back(line);
   REQUIRE(lines.size() == 5);
-  CHECK(lines[0] == "x,traction,shear,gap,slope");
+  CHECK(lines[0] == "x,traction,shear,gap,slope,traction_error,shear_error,gap_error,slope_error");
   CHECK(lines[1].substr(0, 8) == "-2,0,0,,");
-  CHECK(lines[2] == "0,-inf,0,0,0");
-  CHECK(lines[3] == "0,-inf,inf,0,0");
+  CHECK(lines[2] == "0,-inf,0,0,0,0,0,0,0");
+  CHECK(lines[3] == "0,-inf,inf,0,0,0,0,0,0");
   CHECK(lines[4].substr(0, 4) == "0.5,");
   const std::string all = output(punch, {"--format", "csv"});
   CHECK(std::count(all.begin(), all.end(), '\n') == 102);
@@ -172,9 +177,54 @@ TEST_CASE("CSV: samples, two rows where limits differ, 101 by default") {
 
 TEST_CASE("text tells everything in words") {
   const std::string text = output(punch, {"--at", "0"});
-  for (const char* part : {"from x = -1 (edge) to x = 1 (edge)", "friction_jump", "effective friction", "under f = 2",
-                           "0 | inf", "equation", "uniqueness: proved", "sliding towards +x"}) {
+  for (const char* part :
+       {"from x = -1 (edge) to x = 1 (edge)", "friction_jump", "effective friction", "under f = 2", "0 | inf",
+        "equation", "\nunique by theorem 1 of [Bal16], s = gamma f is", "sliding towards +x"}) {
     CHECK(text.find(part) != std::string::npos);
+  }
+}
+
+TEST_CASE("every number has its error beside it, of the same shape; it is the error of what is printed") {
+  for (const std::string& problem : {punch, parabola}) {
+    const Json json = solve(problem, {"--at=-1,0,0.1,2", "--samples", "3"});
+    const Json exact = solve(problem, {"--at=-1,0,0.1,2", "--samples", "3", "--digits", "40"});
+    int numbers = 0;
+    const auto check = [&](const Json& object, const Json& reference, auto&& self) -> void {
+      for (const auto& [key, value] : object.items()) {
+        if (value.is_structured()) {
+          self(value, reference.is_array() ? reference[std::stoul(key)] : reference[key], self);
+        }
+        if (!object.is_object() || !object.contains(key + "_error") || !value.is_string()) continue;
+        const std::string text = value.get<std::string>();
+        CAPTURE(key + " = " + text);
+        const Json& error = object[key + "_error"];
+        REQUIRE(error.is_string());
+        CHECK(number(error) >= 0);
+        if (text.find("inf") != std::string::npos || !reference[key].is_string()) continue;
+        const Rational size = abs(number(value)) + 1;
+        CHECK(abs(number(value) - number(reference[key])) <= number(error) + size * parse_rational("1e-12"));
+        ++numbers;
+      }
+    };
+    for (const char* part : {"contact", "singular_points", "resultants"}) check(json[part], exact[part], check);
+    CHECK(numbers >= 14);
+    CHECK(json["resultants"]["load_share"].size() == json["resultants"]["load_share_error"].size());
+    for (const Json& sample : json["samples"]) {
+      for (const std::string key : {"traction", "shear", "gap", "slope"}) {
+        CHECK(sample[key].type() == sample[key + "_error"].type());
+      }
+    }
+  }
+}
+
+TEST_CASE("16 digits give the doubles back: |shear| is f |traction| to the last bit") {
+  const Json json = solve(parabola, {"--samples", "9"});
+  for (const Json& sample : json["samples"]) {
+    const double traction = std::stod(sample["traction"].get<std::string>());
+    const double shear = std::stod(sample["shear"].get<std::string>());
+    if (traction == 0) continue;
+    const double f = std::stod(sample["x"].get<std::string>()) < 0 ? 0.2 : 1.2;
+    CHECK(shear == -f * traction);
   }
 }
 
