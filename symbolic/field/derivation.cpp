@@ -3,7 +3,7 @@
 #include <string_view>
 #include <utility>
 
-#include "symbolic/plain_formula.hpp"
+#include "symbolic/field/plain_formula.hpp"
 
 namespace steadyslide::symbolic {
 namespace {

@@ -1,4 +1,4 @@
-#include "symbolic/plain_formula.hpp"
+#include "symbolic/field/plain_formula.hpp"
 
 #include <doctest/doctest.h>
 
