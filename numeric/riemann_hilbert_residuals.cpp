@@ -61,13 +61,8 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
   return result;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                                              \
-  template Power<R> RiemannHilbertSolution<R>::traction_power(std::size_t j) const;             \
-  template PanelDensity<R> RiemannHilbertSolution<R>::panel_density(std::size_t segment) const; \
-  template Residuals<R> RiemannHilbertSolution<R>::residuals() const;
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
-#undef STEADYSLIDE_INSTANTIATE
+template Residuals<double> RiemannHilbertSolution<double>::residuals() const;
+template Residuals<Real50> RiemannHilbertSolution<Real50>::residuals() const;
+template Residuals<Real100> RiemannHilbertSolution<Real100>::residuals() const;
 
 }  // namespace steadyslide::numeric
