@@ -1,10 +1,12 @@
 #include "proofs_checks/claims/dual_study.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
 #include "numeric/polynomial.hpp"
+#include "numeric/traction_density.hpp"
 #include "numeric/variational/active_set.hpp"
 #include "numeric/variational/lemke.hpp"
 #include "proofs_checks/claims/near.hpp"

@@ -91,7 +91,7 @@ std::vector<Evidence> check(const Context& context, const FarSaid& said) {
 
       const auto& form = solution->form();
       const double load = form.problem().load();
-      const numeric::trapezoidal::Grid<double> grid(density_of(form));
+      const numeric::trapezoidal::Grid<double> grid(traction_density(form));
       const std::size_t last = segments_of(form).size() - 1;
       std::vector<double> radii;
       std::vector<double> rises;
