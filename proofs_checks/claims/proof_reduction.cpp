@@ -28,7 +28,7 @@ ReductionFacts<R> measure_reduction() {
   using std::abs;
   const auto solution = solve<R>(cell_case("two-zones"));
   const auto& form = solution->form();
-  auto zones = density_of(form);
+  auto zones = traction_density(form);
   if (zones.size() != 2) throw Refutation{{"two bumps", "not two contact zones"}};
   const R between = zones[1].gap;
   zones[1].gap = 0;
