@@ -1,11 +1,13 @@
 #include "proofs_checks/instruments/dual_study.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/number/polynomial.hpp"
+#include "numeric/traction_density.hpp"
 #include "numeric/variational/active_set.hpp"
 #include "numeric/variational/lemke.hpp"
 #include "proofs_checks/instruments/near.hpp"
