@@ -96,7 +96,7 @@ class Displaced {
     return solution;
   }
 
-  void look(const char* what, const Estimate<double>& found, const Estimate<Real50>& truth) {
+  void look(const std::string& what, const Estimate<double>& found, const Estimate<Real50>& truth) {
     if (std::isinf(found.value)) return;
     const auto off = static_cast<double>(Real50(abs(Real50(found.value) - truth.value)));
     if (off <= found.error + 1e-15 * std::abs(found.value)) return;
