@@ -103,7 +103,7 @@ Methods:
   auto             the first of the three that applies
 16 digits are found in double, and with 50 digits where double is not enough.
 --cells and --iterations go with --method variational, with auto where that takes it (a
-profile with more than 200 breaks), and with --search-solutions.
+profile with more than 200 breaks, more than 1000 values of friction), and with --search-solutions.
 What cells cannot show, the intensity at an end of a short zone say, has no number: - in the
 text, empty in CSV, null in JSON.
 --load-steps LIST takes the loads 0.1,0.2 or 0.1:1:0.1 (first, last, step; each positive, at

@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+#include <memory>
+
 #include "random_problem.hpp"
 
 using namespace steadyslide;
@@ -52,4 +55,12 @@ TEST_CASE("uniqueness does not depend on the side from which one looks") {
   }));
   CHECK(proved > 10);
   CHECK(open > 10);
+}
+
+TEST_CASE("where nothing has been decided nothing is proved, whatever the memory held") {
+  alignas(Uniqueness) std::array<unsigned char, sizeof(Uniqueness)> memory;
+  memory.fill(0xff);
+  auto* const undecided = new (memory.data()) Uniqueness;
+  CHECK_FALSE(undecided->proved);
+  std::destroy_at(undecided);
 }

@@ -51,7 +51,7 @@ ContactProblem on_support(const ContactProblem& p, const Rational& left, const R
     kept.push_back(friction.values()[k]);
   }
   return {p.elasticity(), FrictionProfile(kept, jumps),
-          Indenter(left, {{right, p.indenter().pieces().front().profile}}), p.load(), p.sliding()};
+          Indenter(left, {{right, p.indenter().pieces().front().profile}}), p.load(), p.sliding(), p.load_at()};
 }
 
 /// A form with all that it points to.
