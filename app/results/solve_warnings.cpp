@@ -25,7 +25,7 @@ struct NamedError {
 template <Real R>
 std::array<NamedError, 3> named(const numeric::EstimatedError<R>& error) {
   return {{{"ends of contact", "the contact's length", static_cast<double>(error.ends)},
-           {"traction", "the traction", static_cast<double>(error.traction)},
+           {"traction", "its size", static_cast<double>(error.traction)},
            {"resultants", "the load", static_cast<double>(error.resultants)}}};
 }
 

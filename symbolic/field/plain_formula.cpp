@@ -12,14 +12,8 @@ constexpr std::array<std::string_view, 26> commands{
     "alpha", "beta", "gamma", "delta", "theta", "kappa", "lambda", "mu",  "nu",  "pi",  "psi",    "sigma", "Phi",
     "Psi",   "int",  "sum",   "prod",  "sin",   "cos",   "tan",    "cot", "log", "exp", "arctan", "sqrt",  "xi"};
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> signs{{{"...", "\\dots "},
-                                                                              {"<=", "\\le "},
-                                                                              {">=", "\\ge "},
-                                                                              {"!=", "\\ne "},
-                                                                              {"->", "\\to "},
-                                                                              {"+-", "\\pm "},
-                                                                              {"*", "\\,"},
-                                                                              {"-infinity", "-\\infty "}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> signs{
+    {{"...", "\\dots "}, {"<=", "\\le "}, {">=", "\\ge "}, {"!=", "\\ne "}, {"->", "\\to "}, {"+-", "\\pm "}}};
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -76,15 +70,18 @@ class Reader {
   }
 
   static std::string name(std::string_view letters) {
+    if (letters == "infinity" || letters == "oo") return "\\infty ";
     if (std::ranges::find(commands, letters) != commands.end()) return "\\" + std::string(letters) + " ";
     return letters.size() == 1 ? std::string(letters) : "\\mathrm{" + std::string(letters) + "}";
   }
 
-  /// What stands above or below: a side, a name, a number, or all between braces or parentheses.
+  /// What stands above or below: a side, a sign, a name, a number, or all between braces or parentheses.
   std::string script() {
     if (take("{")) return "{" + inside('}') + "}";
     if (take("(")) return "{" + inside(')') + "}";
-    if (!text_.empty() && is_digit(text_[0])) return "{" + std::string(take_while(is_digit)) + "}";
+    const std::string sign = take("-") ? "-" : take("+") ? "+" : "";
+    if (!text_.empty() && is_digit(text_[0])) return "{" + sign + std::string(take_while(is_digit)) + "}";
+    if (!sign.empty()) return sign;
     const std::string_view letters = take_while(is_letter);
     return letters == "l" ? "-" : letters == "r" ? "+" : "{" + name(letters) + "}";
   }

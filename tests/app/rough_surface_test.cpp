@@ -149,7 +149,8 @@ TEST_CASE("files keep Coulomb's law in every row: |shear| = f |traction|") {
   const auto side = [](const nlohmann::json& value, const char* name) {
     return std::stod((value.is_object() ? value[name] : value).get<std::string>());
   };
-  for (const nlohmann::json& sample : nlohmann::json::parse(output("json"))["samples"]) {
+  const nlohmann::json solution = nlohmann::json::parse(output("json"));
+  for (const nlohmann::json& sample : solution["samples"]) {
     for (const char* name : {"left", "right"}) {
       json.add(side(sample["x"], name), name == std::string("left"), side(sample["traction"], name),
                side(sample["shear"], name));

@@ -65,7 +65,7 @@ TEST_CASE("an error above 10 % is warned of, above 50 % there is no solution") {
   CHECK(count(with_error(0, 0, 0.11)) == 1);
   CHECK(count(with_error(0.2, 0.2, std::nan(""))) == 3);
   CHECK(warnings(punch(false), with_error(0, 0.22, 0)).front() ==
-        "traction: large estimated error; more than 10 % of the traction; 22 %");
+        "traction: large estimated error; more than 10 % of its size; 22 %");
 
   CHECK(useless_error(EstimatedError<double>{0.5, 0.5, 0.5}).empty());
   CHECK(useless_error(EstimatedError<double>{1, 0, 0}) ==

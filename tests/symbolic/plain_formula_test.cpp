@@ -13,6 +13,7 @@ TEST_CASE("names, accents, sides and powers") {
   CHECK(latex_of_plain("e^{2 i pi lambda}") == "e^{2 i \\pi  \\lambda }");
   CHECK(latex_of_plain("c_1 < ... < c_(k+1)") == "c_{1} < \\dots  < c_{k+1}");
   CHECK(latex_of_plain("log^2|x|/pi -> -infinity") == "\\log ^{2}|x|/\\pi  \\to  -\\infty ");
+  CHECK(latex_of_plain("f_- z^-1 + oo") == "f_- z^{-1} + \\infty ");
   CHECK(latex_of_plain("x^lost") == "x^{\\mathrm{lost}}");
 }
 
