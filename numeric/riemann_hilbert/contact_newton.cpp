@@ -263,33 +263,38 @@ class Newton {
            state_.set.length(inside(j)) < R(0.05) * hull;
   }
 
-  /// The factor of a gap's length over a notch for the linear step `growth` of its logarithm: what is linear is not the
-  /// logarithm but the traction beside the gap, like length^-beta.
-  R notch_factor(const R& growth, const R& beta) const {
-    using std::exp, std::log1p;
-    const R part = std::max(R(-beta * growth), R(-0.99));
-    const R logarithm = beta == 0 ? growth : R(-log1p(part) / beta);
-    return exp(std::clamp(logarithm, R(-30), R(6)));
+  /// The steps of both ends of the gap over a notch whose left end is free_[f], from linear steps of the logarithms of its
+  /// halves: what is linear is not a logarithm but the traction beside the gap, like length^beta. The shape of the gap
+  /// follows its length. Returns the larger linear step.
+  R follow_notch(std::vector<R>& ends, std::size_t f) const {
+    using std::abs, std::expm1, std::log1p;
+    const std::size_t j = free_[f];
+    const R& left = state_.set.length(j);
+    const R& right = state_.set.length(j + 1);
+    const R growth[2] = {-ends[f] / left, ends[f + 1] / right};
+    const R mean = (growth[0] + growth[1]) / 2;
+    const R& beta = problem_.jump_power(*state_.set.point(j + 1).anchor).value;
+    const R part = std::max(R(-beta * mean), R(-0.99));
+    const R logarithm = std::clamp(beta == 0 ? mean : R(-log1p(part) / beta), R(-30), R(6));
+    const R shape = std::clamp(R((growth[1] - growth[0]) / 2), R(-1), R(1));
+    ends[f] = -left * expm1(logarithm - shape);
+    ends[f + 1] = right * expm1(logarithm + shape);
+    return std::max(R(abs(growth[0])), R(abs(growth[1])));
   }
 
-  /// Steps of such ends are steps of log l. Returns the largest of them.
+  /// Steps of such ends, and of gaps over notches, are steps of log l. Returns the largest of them.
   R follow_lengths(std::vector<R>& ends, const R& hull) const {
     using std::abs, std::expm1;
     R largest = 0;
     for (std::size_t f = 0; f < free_.size(); ++f) {
       const std::size_t j = free_[f];
-      const bool begins = state_.set.point(j).kind == ContactSet<R>::Kind::begins;
-      const R outwards = begins ? R(-1) : R(1);
-      if (const std::size_t outside = begins ? j - 1 : j; state_.set.is_over_notch(outside)) {
-        const R& length = state_.set.length(outside);
-        const R growth = -outwards * ends[f] / length;
-        largest = std::max(largest, R(abs(growth)));
-        const R& beta = problem_.jump_power(*state_.set.point(begins ? j - 1 : j + 1).anchor).value;
-        ends[f] = -outwards * length * (notch_factor(growth, beta) - 1);
+      if (state_.set.point(j).kind == ContactSet<R>::Kind::ends && state_.set.is_over_notch(j)) {
+        largest = std::max(largest, follow_notch(ends, f++));
         continue;
       }
       if (!is_beside_break(j, hull)) continue;
       const R& length = state_.set.length(inside(j));
+      const R outwards = state_.set.point(j).kind == ContactSet<R>::Kind::begins ? R(-1) : R(1);
       const R growth = outwards * ends[f] / length;
       largest = std::max(largest, R(abs(growth)));
       ends[f] = outwards * length * expm1(std::clamp(growth, R(-7), R(3)));
