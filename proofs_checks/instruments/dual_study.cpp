@@ -7,7 +7,6 @@
 
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/number/polynomial.hpp"
-#include "numeric/traction_density.hpp"
 #include "numeric/variational/active_set.hpp"
 #include "numeric/variational/lemke.hpp"
 #include "proofs_checks/instruments/near.hpp"

@@ -5,9 +5,9 @@
 
 #include <array>
 
-#include "app/problem_file.hpp"
-#include "app/solve_writers.hpp"
-#include "app/solver.hpp"
+#include "app/commands/solver.hpp"
+#include "app/problem_file/problem_file.hpp"
+#include "app/results/solve_writers.hpp"
 #include "support/problem_toml.hpp"
 #include "support/random_contact.hpp"
 

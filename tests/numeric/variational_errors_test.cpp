@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numeric/variational_inequality.hpp"
+#include "numeric/variational/variational_inequality.hpp"
 #include "support/random_contact.hpp"
 #include "support/solved_contact.hpp"
 
