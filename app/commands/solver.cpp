@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/closed_form/closed_form.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 
 namespace steadyslide::app {

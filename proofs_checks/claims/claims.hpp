@@ -13,7 +13,7 @@ std::vector<Claim> friction_jump_claims();
 std::vector<Claim> parabola_claims();
 std::vector<Claim> outside_claims();
 std::vector<Claim> integral_claims();
-std::vector<Claim> derivation_claims();
+std::vector<Claim> derived_tractions();
 std::vector<Claim> riemann_hilbert_claims();
 std::vector<Claim> contact_load_claims();
 std::vector<Claim> gap_claims();
@@ -43,7 +43,7 @@ inline std::vector<std::vector<Claim> (*)()> older_claims() {
       parabola_claims,
       outside_claims,
       integral_claims,
-      derivation_claims,
+      derived_tractions,
       riemann_hilbert_claims,
       contact_load_claims,
       gap_claims,

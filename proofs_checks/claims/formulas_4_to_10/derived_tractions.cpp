@@ -18,18 +18,18 @@ Family flat_punch(const std::string& about, std::vector<std::string> ids, bool j
 }
 
 Claim punch_without_jump() {
-  return derived(claim_text("eq-04-derived"), decided_riemann_hilbert,
+  return derived("eq-04-derived", decided_riemann_hilbert,
                  {flat_punch("flat punch", {"rh-flat-punch-0", "rh-kernel"}, false)});
 }
 
 Claim punch_with_jumps() {
   return derived(
-      claim_text("eq-05-07-derived"), decided_riemann_hilbert,
+      "eq-05-07-derived", decided_riemann_hilbert,
       {flat_punch("flat punch", {"rh-flat-punch-1", "rh-flat-punch-2", "rh-flat-punch-3", "rh-flat-punch-4"}, true)});
 }
 
 Claim inverse() {
-  return derived(claim_text("eq-10-derived"), decided_riemann_hilbert,
+  return derived("eq-10-derived", decided_riemann_hilbert,
                  {{"inverse",
                    {"rh-inversion-"},
                    {"the integral's other sign", "the load's other sign", "s u' for s u'/(1+s^2)",
@@ -37,7 +37,7 @@ Claim inverse() {
 }
 
 Claim tilted_punch() {
-  return derived(claim_text("tilted-punch-derived"), decided_riemann_hilbert,
+  return derived("tilted-punch-derived", decided_riemann_hilbert,
                  {{"tilted punch",
                    {"rh-tilted-punch"},
                    {"N = delta (x - sigma_1) - P/pi", "the load's other sign", "beta of the other sign", "without 1/pi",
@@ -53,7 +53,7 @@ Claim tilted_punch() {
 Claim parabola() {
   const std::string against = "parabola against an edge";
   return derived(
-      claim_text("parabola-derived"), decided_riemann_hilbert,
+      "parabola-derived", decided_riemann_hilbert,
       {{"contact zone",
         {"rh-parabola-zone"},
         {"the mirrored zone", "the centred zone", "1/4 + alpha^2", "a^2 without the 2", "a^2 without pi",
@@ -75,7 +75,7 @@ Claim parabola() {
 
 Claim quartic() {
   return derived(
-      claim_text("quartic-derived"), decided_riemann_hilbert,
+      "quartic-derived", decided_riemann_hilbert,
       {{"traction and conditions",
         {"rh-quartic"},
         {"-sigma_1 x", "h_2 = (sigma_2 - sigma_1^2)/2", "sigma_1^3/3 in h_3", "sigma_4/2 in h_4"}},
