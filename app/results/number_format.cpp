@@ -117,7 +117,8 @@ std::string full_number(const R& value, int digits) {
   const auto nearest = static_cast<double>(value);
   // Below the normal doubles there are fewer bits than digits, unless the value is a double itself.
   const bool stands_for_it = std::isnormal(nearest) || (nearest != 0 && value == R(nearest));
-  return digits == 16 && stands_for_it && std::isfinite(nearest) ? lay_out(shortest(nearest), digits) : format_number(value, digits);
+  return digits == 16 && stands_for_it && std::isfinite(nearest) ? lay_out(shortest(nearest), digits)
+                                                                 : format_number(value, digits);
 }
 
 std::string full_number(const Rational& value, int digits) {

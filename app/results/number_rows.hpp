@@ -1,6 +1,6 @@
 #pragma once
-// Rows in which some cells are numbers with an error. A text shows the digits that the error supports; CSV and JSON have
-// all digits and, after the columns of a text, one column NAME_error for each of these.
+// Rows in which some cells are numbers with an error. A text shows the digits that the error supports; CSV and JSON
+// have all digits and, after the columns of a text, one column NAME_error for each of these.
 
 #include <memory>
 #include <string>

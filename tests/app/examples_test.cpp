@@ -104,8 +104,10 @@ TEST_CASE("the rough surface touches in as many zones as its header says, and ha
   const Json shown = solve("rough_surface.toml");
   CHECK(shown["method"] == "variational");
   CHECK(shown["contact"].size() == 25);
-  CHECK(shown["resultants"]["effective_friction"] == "0.243");
-  CHECK(shown["resultants"]["load_share"] == Json{"0.5232", "0.4768"});
+  const Json& resultants = shown["resultants"];
+  CHECK(abs(number(resultants["effective_friction"]) - parse_rational("0.243")) < parse_rational("5e-5"));
+  CHECK(abs(number(resultants["load_share"][0]) - parse_rational("0.5232")) < parse_rational("5e-5"));
+  CHECK(abs(number(resultants["load_share"][1]) - parse_rational("0.4768")) < parse_rational("5e-5"));
   const Finished finer = run_program(
       {"solve", "rough_surface.toml", "--method", "variational", "--cells", "65536", "--format", "json"}, folder);
   const Json fine = Json::parse(finer.out);

@@ -35,7 +35,11 @@ TEST_CASE("samples are the same problem as the pieces between them") {
   folder.write("p.toml", problem(wedge_pieces));
   for (const char* command : {"exponents", "solve"}) {
     const Finished samples = run_program({command, "s.toml"}, folder.path());
-    CHECK(samples.err == "");
+    // A trace ends where somebody stopped to measure, and this contact is full.
+    const std::string warning =
+        "steadyslide: s.toml: warning: contact reaches a cut end of the trace; what was measured ends there, the "
+        "indenter may go on; x = -1, 1\n";
+    CHECK(samples.err == (command == std::string("solve") ? warning : ""));
     CHECK(samples.code == 0);
     CHECK(samples.out == run_program({command, "p.toml"}, folder.path()).out);
   }
