@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <string>
 
-#include "mirror.hpp"
-#include "random_problem.hpp"
-#include "uniform.hpp"
+#include "support/changed_problem.hpp"
+#include "support/random_problem.hpp"
 
 using namespace steadyslide;
 
@@ -151,9 +150,9 @@ TEST_CASE("an elastic indenter has no edges of its own") {
 TEST_CASE("the mirrored problem has the mirrored list") {
   int interior = 0;
   CHECK(rc::check([&] {
-    const ContactProblem problem = random_problem();
+    const ContactProblem problem = *testing::coincidences();
     const std::vector<SingularPoint> here = possible_singular_points(problem);
-    const std::vector<SingularPoint> there = possible_singular_points(mirrored(problem));
+    const std::vector<SingularPoint> there = possible_singular_points(testing::moved(problem, -1, 0));
     RC_ASSERT(here.size() == there.size());
     for (const SingularPoint& point : there) {
       const SingularPoint image = mirrored(point);

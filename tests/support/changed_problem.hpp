@@ -62,6 +62,15 @@ inline ContactProblem scaled(const ContactProblem& p, const Rational& profile_fa
           load_factor * p.load(), p.sliding(),  p.load_at()};
 }
 
+/// psi + height.
+inline ContactProblem raised(const ContactProblem& p, const Rational& height) {
+  std::vector<Indenter::Piece> pieces;
+  for (const Indenter::Piece& piece : p.indenter().pieces()) {
+    pieces.push_back({piece.to, piece.profile + Polynomial::constant(height)});
+  }
+  return {p.elasticity(), p.friction(), Indenter(p.indenter().left(), pieces), p.load(), p.sliding(), p.load_at()};
+}
+
 /// A further jump at c, where there is none: friction to the right of it larger by `height`, up to the next jump.
 inline ContactProblem with_jump(const ContactProblem& p, const Rational& c, const Rational& height) {
   std::vector<Rational> values = p.friction().values();
