@@ -1,11 +1,7 @@
 // A LaTeX table compiles. Needs pdflatex; where it is absent the test says so and checks the text only.
 
-#include <doctest/doctest.h>
-
-#include <filesystem>
 #include <regex>
-
-#include "app/process.hpp"
+#include "app/commands/command_line.hpp"
 
 using namespace steadyslide::testing;
 
@@ -19,7 +15,7 @@ void compile(const TemporaryFolder& folder, bool fits) {
   }
   const Finished latex = run_other({"pdflatex", "-interaction=nonstopmode", "-halt-on-error", "t.tex"}, folder.path());
   CHECK_MESSAGE(latex.code == 0, latex.out);
-  if (fits) CHECK(latex.out.find("Overfull \\hbox") == std::string::npos);
+  if (fits) CHECK_FALSE(holds(latex.out, "Overfull \\hbox"));
   CHECK(std::filesystem::exists(folder.path() / "t.pdf"));
 }
 
@@ -59,13 +55,12 @@ void check_notation(const std::string& document) {
   CHECK(formulas.find("\\lambda") != std::string::npos);
 }
 
-void check_compiles(std::vector<std::string> arguments, const std::string& input = "",
+void check_compiles(const Arguments& arguments, const std::string& input = "",
                     const std::string& last_environment = "longtable") {
   const TemporaryFolder folder;
-  arguments.insert(arguments.end(), {"--format", "latex", "-o", "t.tex"});
-  REQUIRE(run_program(arguments, folder.path(), input).code == 0);
+  REQUIRE(run_program(joined(arguments, {"--format", "latex", "-o", "t.tex"}), folder.path(), input).code == 0);
   const std::string text = folder.read("t.tex");
-  CHECK(text.substr(0, 24) == "\\documentclass{article}\n");
+  CHECK(text.starts_with("\\documentclass{article}\n"));
   CHECK(text.ends_with("\\end{" + last_environment + "}\n\\end{document}\n"));
   if (last_environment == "enumerate") check_notation(text);
   compile(folder, last_environment == "longtable");

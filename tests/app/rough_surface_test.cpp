@@ -1,17 +1,13 @@
 // The measured profile among the examples is what its generator prints, and that is what it says.
 
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <sstream>
 
-#include "app/process.hpp"
+#include "app/commands/command_line.hpp"
 
 using namespace steadyslide::testing;
 namespace fs = std::filesystem;
@@ -23,13 +19,17 @@ const fs::path folder = STEADYSLIDE_EXAMPLES;
 /// The numbers of a trace's lines after its header.
 std::vector<double> numbers(const std::string& trace) {
   std::vector<double> result;
-  std::istringstream lines(trace.substr(trace.find("x,psi\n") + 6));
-  for (std::string text; std::getline(lines, text);) {
+  for (const std::string& text : lines(trace.substr(trace.find("x,psi\n") + 6))) {
     std::size_t comma = 0;
     result.push_back(std::stod(text, &comma));
     result.push_back(std::stod(text.substr(comma + 1)));
   }
   return result;
+}
+
+std::string stored_trace() {
+  std::ifstream stream(folder / "rough_surface.csv");
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 /// Infinite for traces of different lengths.
@@ -43,16 +43,14 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 }  // namespace
 
 TEST_CASE("the rough surface is what its generator prints") {
-  std::ifstream stream(folder / "rough_surface.csv");
-  const std::string stored(std::istreambuf_iterator<char>(stream), {});
+  const std::string stored = stored_trace();
   const auto generated = [](const std::string& parameter) {
-    std::vector<std::string> command{STEADYSLIDE_ROUGH_SURFACE};
-    if (!parameter.empty()) command.push_back(parameter);
-    return run_other(command, folder);
+    return run_other(joined({STEADYSLIDE_ROUGH_SURFACE}, parameter.empty() ? Arguments{} : Arguments{parameter}),
+                     folder);
   };
   const Finished same = generated("");
   CHECK(same.code == 0);
-  CHECK(same.out.substr(0, same.out.find('\n')) == stored.substr(0, stored.find('\n')));
+  CHECK(lines(same.out)[0] == lines(stored)[0]);
   CHECK(numbers(stored).size() == 2 * 4001);
   CHECK(largest_difference(numbers(same.out), numbers(stored)) <= 1e-9);
   for (const char* other : {"seed=2", "rms=0.00301", "hurst=0.81", "radius=8.01", "points=4000"}) {
@@ -68,8 +66,7 @@ TEST_CASE("the rough surface is what its generator prints") {
 }
 
 TEST_CASE("the rough surface has its roughness and its waves") {
-  std::ifstream stream(folder / "rough_surface.csv");
-  const std::vector<double> trace = numbers(std::string(std::istreambuf_iterator<char>(stream), {}));
+  const std::vector<double> trace = numbers(stored_trace());
   const std::size_t intervals = trace.size() / 2 - 1;
   // One period: the last point is the first one's.
   double power = 0;

@@ -5,7 +5,7 @@
 #include <array>
 #include <memory>
 
-#include "random_problem.hpp"
+#include "support/random_problem.hpp"
 
 using namespace steadyslide;
 
@@ -47,7 +47,7 @@ TEST_CASE("uniqueness does not depend on the side from which one looks") {
   int proved = 0;
   int open = 0;
   CHECK(rc::check([&] {
-    const ContactProblem problem = random_problem();
+    const ContactProblem problem = *testing::coincidences();
     const bool here = uniqueness(problem).proved;
     ++(here ? proved : open);
     RC_ASSERT(uniqueness(problem.mirrored()).proved == here);
