@@ -34,9 +34,7 @@ inline Rational some_factor() { return *rational(1, 9, 5) / 3; }
 
 /// psi times `profile`, the load times `load`.
 inline ContactProblem scaled(const ContactProblem& p, const Rational& profile, const Rational& load) {
-  std::vector<Indenter::Piece> pieces = p.indenter().pieces();
-  for (Indenter::Piece& piece : pieces) piece.profile = Polynomial::constant(profile) * piece.profile;
-  return p.with_indenter(Indenter(p.indenter().left(), pieces)).with_load(load * p.load());
+  return p.with_indenter(p.indenter().scaled(profile)).with_load(load * p.load());
 }
 
 /// psi + height.
