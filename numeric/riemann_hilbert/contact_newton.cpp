@@ -263,9 +263,9 @@ class Newton {
            state_.set.length(inside(j)) < R(0.05) * hull;
   }
 
-  /// The steps of both ends of the gap over a notch whose left end is free_[f], from linear steps of the logarithms of its
-  /// halves: what is linear is not a logarithm but the traction beside the gap, like length^beta. The shape of the gap
-  /// follows its length. Returns the larger linear step.
+  /// The steps of both ends of the gap over a notch whose left end is free_[f], from linear steps of the logarithms of
+  /// its halves: what is linear is not a logarithm but the traction beside the gap, like length^beta. The shape of the
+  /// gap follows its length. Returns the larger linear step.
   R follow_notch(std::vector<R>& ends, std::size_t f) const {
     using std::abs, std::expm1, std::log1p;
     const std::size_t j = free_[f];
