@@ -122,17 +122,19 @@ std::string in_words(const RiemannHilbertForm<R>& form, std::size_t point, const
     text << number(R(to_real<R>(frame.origin) + to_real<R>(frame.unit) * form.set().x(point)));
   }
   text << " pulls: "
-       << (term.is == Is::power ? "theta" : term.is == Is::constant ? "[psi']/[s]" : "[psi']/(1+s^2) log(d)/pi with")
+       << (term.is == Is::power      ? "theta"
+           : term.is == Is::constant ? "[psi']/[s]"
+                                     : "[psi']/(1+s^2) log(d)/pi with")
        << " = " << number(R(scale * term.coefficient.value));
   text.precision(1);
   text << " +- " << number(R(scale * term.coefficient.error));
   return text.str();
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                                                                     \
-  template std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>&, std::size_t, const R&);            \
-  template std::optional<R> log_reach(const RiemannHilbertForm<R>&, std::size_t);                                       \
-  template R highest_limit(const RiemannHilbertForm<R>&, const R&);                                                    \
+#define STEADYSLIDE_INSTANTIATE(R)                                                                          \
+  template std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>&, std::size_t, const R&); \
+  template std::optional<R> log_reach(const RiemannHilbertForm<R>&, std::size_t);                           \
+  template R highest_limit(const RiemannHilbertForm<R>&, const R&);                                         \
   template std::string in_words(const RiemannHilbertForm<R>&, std::size_t, const LeadingTerm<R>&);
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)

@@ -1,6 +1,6 @@
 #pragma once
-// The sign of the traction in the limit at a point of the contact, from the leading term of its local form: decided, and
-// not looked for. t > 0 may hold on a stretch of 1e-100 of the contact and less, where no place is ever looked at.
+// The sign of the traction in the limit at a point of the contact, from the leading term of its local form: decided,
+// and not looked for. t > 0 may hold on a stretch of 1e-100 of the contact and less, where no place is ever looked at.
 // D = psi'(c+) - psi'(c-), [s] = s(c+) - s(c-), d the distance from the point:
 //
 //   end: edge, step, free end     t ~ -theta d^p                                       theta > 0
@@ -32,8 +32,9 @@ template <Real R>
 std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>& form, std::size_t point,
                                            const R& end_error = R(0));
 
-/// Where the leading term pulls inside the contact: the logarithm of the distance in xi at which the local form, constant
-/// and power or logarithm, changes its sign. None where it does not: then the contact pulls as far as places show.
+/// Where the leading term pulls inside the contact: the logarithm of the distance in xi at which the local form,
+/// constant and power or logarithm, changes its sign. None where it does not: then the contact pulls as far as places
+/// show.
 template <Real R>
 std::optional<R> log_reach(const RiemannHilbertForm<R>& form, std::size_t point);
 
