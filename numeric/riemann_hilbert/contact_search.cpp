@@ -12,10 +12,6 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// In xi. What is shorter has products that double cannot hold; the search takes place in double, whatever the
-/// precision.
-constexpr double shortest_gap = 1e-280;
-
 template <Real R>
 class Search {
  public:
@@ -88,10 +84,6 @@ class Search {
     std::vector<R> result(set.segments(), R(1e-3) * hull);
     using std::pow;
     for (std::size_t k = 0; k < set.segments(); ++k) {
-      if (set.is_over_notch(k)) {
-        result[k] = shortest_gap;
-        continue;
-      }
       if (!set.in_contact(k) && set.point(k).is_end() && set.point(k + 1).is_end()) {
         result[k] = hull * pow(R(1e-3), closings_ + 1);
       }
