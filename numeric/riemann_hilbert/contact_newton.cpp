@@ -271,50 +271,12 @@ class Newton {
            state_.set.length(inside(j)) < R(0.05) * hull;
   }
 
-<<<<<<< ours
-  /// The steps of both ends of the gap over a notch whose left end is free_[f], from linear steps of the logarithms of
-  /// its halves: what is linear is not a logarithm but the traction beside the gap, like length^beta. The shape of the
-  /// gap follows its length. Returns the larger linear step.
-  R follow_notch(std::vector<R>& ends, std::size_t f) const {
-    using std::abs, std::expm1, std::log1p;
-    const std::size_t j = free_[f];
-    const R& left = state_.set.length(j);
-    const R& right = state_.set.length(j + 1);
-    const R growth[2] = {-ends[f] / left, ends[f + 1] / right};
-    const R mean = (growth[0] + growth[1]) / 2;
-    const R& beta = problem_.jump_power(*state_.set.point(j + 1).anchor).value;
-    const R part = std::max(R(-beta * mean), R(-0.99));
-    const R logarithm = std::clamp(beta == 0 ? mean : R(-log1p(part) / beta), R(-30), R(6));
-    const R shape = std::clamp(R((growth[1] - growth[0]) / 2), R(-1), R(1));
-    ends[f] = -left * expm1(logarithm - shape);
-    ends[f + 1] = right * expm1(logarithm + shape);
-    return std::max(R(abs(growth[0])), R(abs(growth[1])));
-||||||| base
-  /// The steps of both ends of the gap over a notch whose left end is free_[f], from linear steps of the logarithms of its
-  /// halves: what is linear is not a logarithm but the traction beside the gap, like length^beta. The shape of the gap
-  /// follows its length. Returns the larger linear step.
-  R follow_notch(std::vector<R>& ends, std::size_t f) const {
-    using std::abs, std::expm1, std::log1p;
-    const std::size_t j = free_[f];
-    const R& left = state_.set.length(j);
-    const R& right = state_.set.length(j + 1);
-    const R growth[2] = {-ends[f] / left, ends[f + 1] / right};
-    const R mean = (growth[0] + growth[1]) / 2;
-    const R& beta = problem_.jump_power(*state_.set.point(j + 1).anchor).value;
-    const R part = std::max(R(-beta * mean), R(-0.99));
-    const R logarithm = std::clamp(beta == 0 ? mean : R(-log1p(part) / beta), R(-30), R(6));
-    const R shape = std::clamp(R((growth[1] - growth[0]) / 2), R(-1), R(1));
-    ends[f] = -left * expm1(logarithm - shape);
-    ends[f + 1] = right * expm1(logarithm + shape);
-    return std::max(R(abs(growth[0])), R(abs(growth[1])));
-=======
   /// The logarithm of the factor of a gap's length over a notch, for the linear step `growth` of that logarithm: what
   /// is linear is not the logarithm but the traction beside the gap, like length^-beta.
   R notch_step(const R& growth, const R& beta) const {
     using std::log1p;
     const R part = std::max(R(-beta * growth), R(-0.99));
     return std::clamp(beta == 0 ? growth : R(-log1p(part) / beta), R(-30), R(6)) * damping_;
->>>>>>> theirs
   }
 
   /// Steps of such ends, and of gaps over notches, are steps of log l. Returns the largest of them.

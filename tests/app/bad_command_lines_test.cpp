@@ -1,6 +1,6 @@
 // Bad command lines: the whole message and the exit code of each.
 
-#include "app/commands/command_line.hpp"
+#include "app/command_line.hpp"
 
 using namespace steadyslide::testing;
 

@@ -1,6 +1,6 @@
 // Bad problem files: the whole message and the exit code of each, and no output file.
 
-#include "app/commands/command_line.hpp"
+#include "app/command_line.hpp"
 
 using namespace steadyslide::testing;
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/commands/command_line.hpp"
+#include "app/command_line.hpp"
 #include "app/figures/makers.hpp"
 #include "app/figures/moment_rule.hpp"
 #include "app/figures/solved.hpp"

@@ -6,7 +6,7 @@
 #include <csignal>
 #include <set>
 
-#include "app/commands/command_line.hpp"
+#include "app/command_line.hpp"
 #include "app/svg.hpp"
 
 using namespace steadyslide::app;

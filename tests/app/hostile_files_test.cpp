@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "app/commands/command_line.hpp"
+#include "app/command_line.hpp"
 
 using namespace steadyslide::testing;
 

@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-#include "app/commands/command_line.hpp"
+#include "app/command_line.hpp"
 
 using namespace steadyslide::testing;
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/commands/command_line.hpp"
+#include "app/command_line.hpp"
 #include "model/rational.hpp"
 
 namespace steadyslide::testing {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/commands/command_line.hpp"
+#include "app/command_line.hpp"
 #include "app/svg.hpp"
 
 using namespace steadyslide::testing;

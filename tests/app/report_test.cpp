@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-#include "app/commands/command_line.hpp"
+#include "app/command_line.hpp"
 #include "app/report/inline_svg.hpp"
 #include "app/report/references.hpp"
 #include "app/report_fixture.hpp"

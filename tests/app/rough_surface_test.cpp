@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "app/commands/command_line.hpp"
+#include "app/command_line.hpp"
 
 using namespace steadyslide::testing;
 namespace fs = std::filesystem;

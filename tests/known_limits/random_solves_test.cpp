@@ -22,7 +22,7 @@ bool solve_and_write(std::uint64_t seed, app::Output& output) {
   constexpr std::array methods{app::Method::automatic, app::Method::riemann_hilbert, app::Method::variational,
                                app::Method::closed_form};
   const app::Problem problem = app::parse_problem(problem_toml(random_contact(seed)), "random");
-  app::Solver::Wanted wanted{methods[seed % methods.size()], {.at = {-1, 0, Rational(1, 3)}, .samples = 5}};
+  app::Solver::Wanted wanted{methods[seed % methods.size()], {.at = {-1, 0, Rational(1, 3)}, .samples = 5}, {}};
   wanted.variational.cells = 128;
   const app::SolveReport report = app::Solver(std::move(wanted)).solve(problem);
   if (!report.why_not.empty()) return false;

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "numeric/local_signs.hpp"
 #include "numeric/riemann_hilbert/contact_inequalities.hpp"
+#include "numeric/riemann_hilbert/local_signs.hpp"
 #include "support/solved_contact.hpp"
 #include "uniform.hpp"
 
