@@ -4,7 +4,6 @@
 
 #include "app/figures/gnuplot.hpp"
 #include "app/figures/gnuplot_script.hpp"
-#include "app/figures/makers.hpp"
 #include "app/figures/svg.hpp"
 #include "app/terminal/failure.hpp"
 #include "app/terminal/progress.hpp"
@@ -29,19 +28,6 @@ std::vector<FigureMaker> selected(const std::vector<std::string>& patterns) {
 }
 
 }  // namespace
-
-const std::vector<FigureMaker>& figures() {
-  static const std::vector<FigureMaker> all{{"flat-punch", make_flat_punch},
-                                            {"friction-jump-rising", make_friction_jump_rising},
-                                            {"friction-jump-falling", make_friction_jump_falling},
-                                            {"parabola", make_parabola},
-                                            {"local-forms", make_local_forms},
-                                            {"contact-load", make_contact_load},
-                                            {"effective-friction", make_effective_friction},
-                                            {"convergence", make_convergence},
-                                            {"stress-map", make_stress_map}};
-  return all;
-}
 
 DrawnFigure draw(const Figure& figure) {
   return {figure.name, figure.title, figure.caption, command_of(figure),

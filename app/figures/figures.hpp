@@ -13,7 +13,8 @@ struct FigureMaker {
   Figure (*make)();
 };
 
-/// All of them, in their order.
+/// All of them, the paper's first: `local-forms` is the function make_local_forms() in drawings/local_forms.cpp. The
+/// list is collected by cmake/figures.cmake.
 const std::vector<FigureMaker>& figures();
 
 struct DrawnFigure {

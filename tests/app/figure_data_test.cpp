@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "app/command_line.hpp"
-#include "app/figures/makers.hpp"
+#include "app/figures/figures.hpp"
 #include "app/figures/moment_rule.hpp"
 #include "app/figures/solved.hpp"
 #include "app/figures/stress_map.hpp"
@@ -18,6 +18,12 @@ using namespace steadyslide::app;
 using namespace steadyslide::testing;
 
 namespace {
+
+Figure drawn(std::string_view name) {
+  const auto found = std::ranges::find(figures(), name, &FigureMaker::name);
+  REQUIRE(found != figures().end());
+  return found->make();
+}
 
 struct Given {
   std::string poisson;
@@ -69,14 +75,14 @@ double slope(const Point& a, const Point& b) { return std::log(b.y / a.y) / std:
 }  // namespace
 
 TEST_CASE("the pressures under flat punches are those of solve; cells agree") {
-  const std::vector<Series> series = make_flat_punch().panels.front().series;
+  const std::vector<Series> series = drawn("flat-punch").panels.front().series;
   check_curve(series[0], {"0.2", "0", ""});
   check_curve(series[2], {"0.2", "0.3", ""});
   check_curve(series[4], {"0.2", "1", ""});
-  const std::vector<Series> rising = make_friction_jump_rising().panels.front().series;
+  const std::vector<Series> rising = drawn("friction-jump-rising").panels.front().series;
   check_curve(rising[0], {"0.2", "0.1, 1", "0"});
   check_curve(rising[2], {"0.2", "0.55", ""});
-  const std::vector<Series> falling = make_friction_jump_falling().panels.front().series;
+  const std::vector<Series> falling = drawn("friction-jump-falling").panels.front().series;
   check_curve(falling[0], {"0.2", "0.1, 1", "0", "0", "1", "-x"});
   for (const Point& p : rising[1].points) {
     CHECK(pressure({"0.2", "0.1, 1", "0"}, p.x) == doctest::Approx(p.y).epsilon(0.01));
@@ -89,12 +95,12 @@ TEST_CASE("the pressures under flat punches are those of solve; cells agree") {
     }
     return y;
   };
-  CHECK(highest(rising[0]) > make_friction_jump_rising().panels.front().y.to);
+  CHECK(highest(rising[0]) > drawn("friction-jump-rising").panels.front().y.to);
   CHECK(highest(falling[0]) < 0.5);
 }
 
 TEST_CASE("the parabola is that of solve and of Galin") {
-  const Figure figure = make_parabola();
+  const Figure figure = drawn("parabola");
   const double a = alpha(0.5);
   const double load = 0.02;
   // c = 2: R of the reduced profile is 2.
@@ -115,7 +121,7 @@ TEST_CASE("the parabola is that of solve and of Galin") {
 }
 
 TEST_CASE("local forms have the derived slopes, and cells read the same") {
-  const Figure figure = make_local_forms();
+  const Figure figure = drawn("local-forms");
   const double a = alpha(0.375);
   const double beta = alpha(0.0375) - a;
   const double weak[] = {0.5 - a, 0.5 + a, -beta};
@@ -138,7 +144,7 @@ TEST_CASE("local forms have the derived slopes, and cells read the same") {
 }
 
 TEST_CASE("contact zones are those of solve, and end b moves as derived") {
-  const Figure figure = make_contact_load();
+  const Figure figure = drawn("contact-load");
   const std::vector<Series>& one = figure.panels[0].series;
   const double c = 2 * (1 - 0.09);
   const double gamma = 2.0 / 7;
@@ -173,7 +179,7 @@ TEST_CASE("contact zones are those of solve, and end b moves as derived") {
 }
 
 TEST_CASE("effective friction is that of solve, not the mean") {
-  const Figure figure = make_effective_friction();
+  const Figure figure = drawn("effective-friction");
   for (const std::size_t direction : {0, 1}) {
     const Point& p = figure.panels[0].series[2 * direction].points[60];
     const Given given{"0.2", "0.1, 1", fmt::format("\"{:.17g}\"", p.x), "0", "1", direction == 0 ? "+x" : "-x"};
@@ -186,7 +192,7 @@ TEST_CASE("effective friction is that of solve, not the mean") {
 }
 
 TEST_CASE("both solvers converge as derived") {
-  const Figure figure = make_convergence();
+  const Figure figure = drawn("convergence");
   const std::vector<Series>& cells = figure.panels[0].series;
   const double derived[] = {1, 1, 2};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -216,7 +222,7 @@ TEST_CASE("the stress map reaches the tractions at the surface") {
   const auto below = interior.at(Rational(1, 2), Rational(1, 1000));
   CHECK(std::abs(below.xz.value + surface_stress(*solution, problem, 0.5).xz.value) > 0.1);
 
-  const Figure figure = make_stress_map();
+  const Figure figure = drawn("stress-map");
   const HeatMap& map = *figure.panels.front().map;
   CHECK(holds(figure.caption, "at most " + decimal(std::ceil(1e4 * near) / 1e4, 4)));
   CHECK(map.values.size() == map.x.size() * map.y.size());

@@ -1,9 +1,8 @@
-// Pressure under a flat punch with two coatings, sliding one way and the other. [Bal16, (5)-(7) and figure 4]
+#include "app/figures/two_coatings.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/figures/makers.hpp"
 #include "app/figures/solved.hpp"
 
 namespace steadyslide::app {
@@ -55,24 +54,8 @@ const std::string caption =
 
 }  // namespace
 
-Figure make_friction_jump_rising() {
-  return {"friction-jump-rising",
-          "Two coatings, the rougher one in front",
-          caption +
-              "Sliding to the right, friction rises towards the front: `beta = alpha_- - alpha_+ < 0`, and the "
-              "pressure is infinite like `|x|^beta` where it jumps.",
-          435,
-          {two_coatings(Sliding::plus_x)}};
-}
-
-Figure make_friction_jump_falling() {
-  return {"friction-jump-falling",
-          "Two coatings, the rougher one at the rear",
-          caption +
-              "The same punch sliding to the left: friction falls towards the front, and the pressure vanishes "
-              "like `|x|^{-beta}` where it was infinite before, `beta < 0` being the exponent of the other way.",
-          435,
-          {two_coatings(Sliding::minus_x)}};
+Figure two_coatings_figure(std::string name, std::string title, const std::string& what_it_shows, Sliding sliding) {
+  return {std::move(name), std::move(title), caption + what_it_shows, 435, {two_coatings(sliding)}};
 }
 
 }  // namespace steadyslide::app

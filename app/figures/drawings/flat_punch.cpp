@@ -1,6 +1,6 @@
 // Pressure under a flat punch with one friction coefficient. [Bal16, (4) and figure 3]
 
-#include "app/figures/makers.hpp"
+#include "app/figures/figure.hpp"
 #include "app/figures/solved.hpp"
 
 namespace steadyslide::app {
