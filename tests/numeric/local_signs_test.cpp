@@ -16,7 +16,6 @@ using namespace steadyslide::numeric;
 using testing::one_piece;
 using testing::reduced;
 using testing::solved;
-using testing::uniform;
 
 namespace {
 
@@ -87,7 +86,8 @@ TEST_CASE("the rules against the traction at 10^-1000000 from the corner") {
       for (const Side side : {Side::left, Side::right}) {
         if (j == (side == Side::left ? 0U : 2U)) continue;
         const Real50 t = traction_beside(*full.form, j, side, d);
-        RC_ASSERT(term->sign > 0 ? t > 0 : t < 0);
+        RC_ASSERT((term->sign > 0) == (t > 0));
+        RC_ASSERT(t != 0);
       }
       if (j == 1) ++(term->sign > 0 ? pulls : pushes);
     }
