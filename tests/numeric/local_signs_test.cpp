@@ -27,10 +27,9 @@ Indenter roof(const Rational& left, const Rational& right, const Rational& bend 
 const Rational threshold = parse_rational("8.308222888593932767");
 
 ContactProblem notch(const Rational& part_of_threshold, bool mirrored = false) {
-  std::vector<Rational> s{Rational(3, 80), Rational(3, 16)};
-  // Sliding the other way turns the sign of s.
-  if (mirrored) s = {-s[1], -s[0]};
-  return reduced(s, {0}, roof(Rational(1, 5), Rational(-1, 5)), part_of_threshold * threshold);
+  const ContactProblem problem = reduced({Rational(3, 80), Rational(3, 16)}, {0}, roof(Rational(1, 5), Rational(-1, 5)),
+                                         part_of_threshold * threshold);
+  return mirrored ? problem.mirrored() : problem;
 }
 
 /// Full contact under edges, whatever its traction.
@@ -121,7 +120,9 @@ TEST_CASE("what is in contact where it pulls has an infinite tension, and a name
   REQUIRE(seen.size() == 1U);
   CHECK(seen[0].what == Violation<double>::What::tension);
   CHECK(seen[0].anchor == 1U);
-  CHECK(in_words(*full.form, 1, *leading_term(*full.form, 1)).find("x = 0 pulls: theta = -0.41") != std::string::npos);
+  const std::string words = in_words(*full.form, 1, *leading_term(*full.form, 1));
+  CAPTURE(words);
+  CHECK(words.find("x = 0 pulls: theta = -0.79") != std::string::npos);
   RiemannHilbertSolution<double> accepted(full.data, {0, 1});
   accepted.set(
       {{ContactSet<double>(accepted.problem(), {{-1, 1, true, true}}), {accepted.problem().load()}, 0}, 0, ""});
