@@ -26,7 +26,6 @@ Claim derived(ClaimText text, DecidedStatements source, const std::vector<Family
 
 std::vector<Claim> derived_local_forms();
 std::vector<Claim> derived_general_solution();
-std::vector<Claim> derived_tractions();
 Claim derived_energy();
 
 }  // namespace steadyslide::proofs_checks

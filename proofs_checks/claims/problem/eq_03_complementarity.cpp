@@ -4,7 +4,6 @@
 
 #include "numeric/cauchy/residuals.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
-#include "proofs_checks/claims/problem/problem_parts.hpp"
 #include "proofs_checks/instruments/cells.hpp"
 #include "proofs_checks/instruments/trial.hpp"
 
@@ -188,7 +187,7 @@ Wrong<Candidate> wrong(std::string name, const Candidate& candidate) { return {s
 
 }  // namespace
 
-Claim complementarity_claim() {
+Claim eq_03_complementarity() {
   using Which = Candidate::Which;
   return make_claim(
       claim_text("eq-03-complementarity"), check, Candidate{},
