@@ -8,7 +8,6 @@
 namespace steadyslide::proofs_checks {
 
 std::vector<Claim> outside_claims();
-std::vector<Claim> derivation_claims();
 std::vector<Claim> riemann_hilbert_claims();
 std::vector<Claim> contact_load_claims();
 std::vector<Claim> gap_claims();
@@ -30,7 +29,6 @@ std::vector<Claim> bilinear_form_claims();
 inline std::vector<std::vector<Claim> (*)()> older_claims() {
   return {
       outside_claims,
-      derivation_claims,
       riemann_hilbert_claims,
       contact_load_claims,
       gap_claims,

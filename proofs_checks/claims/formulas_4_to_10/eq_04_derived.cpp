@@ -3,7 +3,7 @@
 namespace steadyslide::proofs_checks {
 
 Claim eq_04_derived() {
-  return derived(claim_text("eq-04-derived"), decided_riemann_hilbert,
+  return derived("eq-04-derived", decided_riemann_hilbert,
                  {{"flat punch",
                    {"rh-flat-punch-0", "rh-kernel"},
                    {"edges exchanged", "every alpha of the other sign", "1/2 for 1/2 + alpha at the left edge",

@@ -3,7 +3,7 @@
 namespace steadyslide::proofs_checks {
 
 Claim eq_05_07_derived() {
-  return derived(claim_text("eq-05-07-derived"), decided_riemann_hilbert,
+  return derived("eq-05-07-derived", decided_riemann_hilbert,
                  {{"flat punch",
                    {"rh-flat-punch-1", "rh-flat-punch-2", "rh-flat-punch-3", "rh-flat-punch-4"},
                    {"edges exchanged", "every alpha of the other sign", "1/2 for 1/2 + alpha at the left edge",

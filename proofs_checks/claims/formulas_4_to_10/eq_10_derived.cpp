@@ -3,7 +3,7 @@
 namespace steadyslide::proofs_checks {
 
 Claim eq_10_derived() {
-  return derived(claim_text("eq-10-derived"), decided_riemann_hilbert,
+  return derived("eq-10-derived", decided_riemann_hilbert,
                  {{"inverse",
                    {"rh-inversion-"},
                    {"the integral's other sign", "the load's other sign", "s u' for s u'/(1+s^2)",

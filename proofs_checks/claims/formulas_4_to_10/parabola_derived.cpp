@@ -5,7 +5,7 @@ namespace steadyslide::proofs_checks {
 Claim parabola_derived() {
   const std::string against = "parabola against an edge";
   return derived(
-      claim_text("parabola-derived"), decided_riemann_hilbert,
+      "parabola-derived", decided_riemann_hilbert,
       {{"contact zone",
         {"rh-parabola-zone"},
         {"the mirrored zone", "the centred zone", "1/4 + alpha^2", "a^2 without the 2", "a^2 without pi",

@@ -4,7 +4,7 @@ namespace steadyslide::proofs_checks {
 
 Claim quartic_derived() {
   return derived(
-      claim_text("quartic-derived"), decided_riemann_hilbert,
+      "quartic-derived", decided_riemann_hilbert,
       {{"traction and conditions",
         {"rh-quartic"},
         {"-sigma_1 x", "h_2 = (sigma_2 - sigma_1^2)/2", "sigma_1^3/3 in h_3", "sigma_4/2 in h_4"}},

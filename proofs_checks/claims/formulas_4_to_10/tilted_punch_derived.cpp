@@ -3,7 +3,7 @@
 namespace steadyslide::proofs_checks {
 
 Claim tilted_punch_derived() {
-  return derived(claim_text("tilted-punch-derived"), decided_riemann_hilbert,
+  return derived("tilted-punch-derived", decided_riemann_hilbert,
                  {{"tilted punch",
                    {"rh-tilted-punch"},
                    {"N = delta (x - sigma_1) - P/pi", "the load's other sign", "beta of the other sign", "without 1/pi",

@@ -49,8 +49,12 @@ ContactProblem on_support(const ContactProblem& p, const Rational& left, const R
     if (!kept.empty()) jumps.push_back(friction.jumps()[k - 1]);
     kept.push_back(friction.values()[k]);
   }
-  return {p.elasticity(), FrictionProfile(kept, jumps),
-          Indenter(left, {{right, p.indenter().pieces().front().profile}}), p.load(), p.sliding()};
+  return {p.elasticity(),
+          FrictionProfile(kept, jumps),
+          Indenter(left, {{right, p.indenter().pieces().front().profile}}),
+          p.load(),
+          p.sliding(),
+          p.load_at()};
 }
 
 /// A form with all that it points to.

@@ -1,6 +1,7 @@
 // Two elastic bodies whose Dundurs' constant vanishes. [Bal16, remark 1]
 
 #include <optional>
+#include "numeric/cauchy/traction_density.hpp"
 #include "proofs_checks/claims/remarks/remarks.hpp"
 #include "proofs_checks/instruments/near.hpp"
 
@@ -83,7 +84,7 @@ void check_surfaces(Findings& findings, const Bodies& bodies, const numeric::Rie
   const R unit = numeric::to_real<R>(form.problem().frame().unit);
   const R origin = numeric::to_real<R>(form.problem().frame().origin);
   const auto segments = segments_of(form);
-  const numeric::trapezoidal::Grid<R> grid(density_of(form));
+  const numeric::trapezoidal::Grid<R> grid(numeric::traction_density(form));
   for (std::size_t k = 0; k < segments.size(); ++k) {
     for (const int percent : {3, 20, 45, 60, 80, 97}) {
       const auto at = grid.midpoint_near(k, R(percent) / 100);

@@ -194,26 +194,8 @@ std::vector<Claim> cell_solution_claims() {
                      {"lengths in units of half the support's", changed<E>([](E& said) { said.unit = 0.5; })},
                      {"near miss: pressures moved by ten times what the certificate allows",
                       changed<E>([](E& said) { said.moved = 10; })}}));
-  claims.push_back(
-      make_claim(claim_text("vi-discrete-existence"), check_existence, E(),
-                 std::vector<Wrong<E>>{
-                     {"the logarithm with the other sign", changed<E>([](E& said) { said.logarithm = -1; })},
-                     {"negative s integrated from the left end", changed<E>([](E& said) { said.from_left = true; })},
-                     {"lengths in units of half the support's", changed<E>([](E& said) { said.unit = 0.5; })},
-                     {"near miss: pressures moved by ten times what the certificate allows",
-                      changed<E>([](E& said) { said.moved = 10; })}}));
   claims.push_back(make_claim(
-      {"thm-01-uniqueness-on-cells", "[Bal16, theorem 1], uniqueness: what follows from it on cells",
-       "Where `s` is nondecreasing the discrete problem has one solution: active sets that start from random sets of "
-       "cells end in the pressures that interior points give, which know no contact set. This supports what the "
-       "argument of theorem 1 says of "
-       "cells; it is no proof of the theorem itself.",
-       "Attitude of the indenter given; `s` nondecreasing, of one sign, up to 3; any cells; starts from which active "
-       "sets cycle are left out. Compared by forces, over the largest.",
-       "Let `p` and `q` be two solutions under the same load. From `p_i g_i = 0`, `p_i >= 0` and `g_i >= 0` for both, "
-       "`<<B (p-q), p-q>> <= 0`. But `p - q` has zero mean, and there the energy is `E + (1/2) sum_k (s_k - s_{k-1}) "
-       "T(c_k)^2`, which is positive unless `p = q`."},
-      check_uniqueness, U(),
+      claim_text("thm-01-uniqueness-on-cells"), check_uniqueness, U(),
       std::vector<Wrong<U>>{
           {"s falling by 5: a problem with three solutions", changed<U>([](U& said) { said.rising = false; })},
           {"twice the load for one of the methods", changed<U>([](U& said) { said.doubled = true; })},

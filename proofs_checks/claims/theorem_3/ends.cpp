@@ -1,9 +1,10 @@
 // The slope of the surface beyond the ends of the contact of solved problems, against the traction within.
 
+#include "numeric/cauchy/traction_density.hpp"
 #include "proofs_checks/claims/claims.hpp"
+#include "proofs_checks/instruments/near.hpp"
 #include "proofs_checks/instruments/punch.hpp"
 #include "proofs_checks/instruments/trial.hpp"
-#include "proofs_checks/instruments/near.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
@@ -112,7 +113,7 @@ SolvedEndsList<R> measure(const std::vector<Solvable>& all) {
   SolvedEndsList<R> list;
   for (const Solvable& c : all) {
     SolvedEnds<R> found{text_of(c.problem), solved<R>(c.problem, c.zones), {}};
-    const numeric::trapezoidal::Grid<R> grid(density_of(found.solution->form()));
+    const numeric::trapezoidal::Grid<R> grid(numeric::traction_density(found.solution->form()));
     const R d = extrapolation_step<R>();
     found.slope[0] = grid.cauchy(Side::left, d);
     found.slope[1] = grid.cauchy(Side::right, d);

@@ -1,7 +1,5 @@
-// The energy of a traction of zero mean. [Bal16, sections 3.1 and 4]
-
-#include "proofs_checks/instruments/derived.hpp"
 #include "symbolic/statements/energy_identity.hpp"
+#include "proofs_checks/instruments/derived.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
@@ -13,9 +11,9 @@ const std::vector<symbolic::DecidedStatement>& energies() {
 
 }  // namespace
 
-Claim derived_energy() {
+Claim energy_identity() {
   return derived(
-      claim_text("energy-identity"), energies,
+      "energy-identity", energies,
       {{"piecewise polynomials",
         {"energy-piecewise-polynomial"},
         {"without 1/2", "jumps of the other sign", "the sum for the difference", "T for T^2",
