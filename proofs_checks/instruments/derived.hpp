@@ -24,6 +24,4 @@ const std::vector<symbolic::DecidedStatement>& decided_riemann_hilbert();
 /// Names are known without deciding anything, and are compared with the symbolic layer's when the claim is examined.
 Claim derived(std::string_view id, DecidedStatements source, const std::vector<Family>& families);
 
-std::vector<Claim> derived_tractions();
-
 }  // namespace steadyslide::proofs_checks

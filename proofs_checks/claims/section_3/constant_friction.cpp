@@ -208,6 +208,6 @@ Claim coercive_claim() {
 
 }  // namespace
 
-std::vector<Claim> constant_friction_claims() { return {decomposition_claim(), coercive_claim(), inverse_claim()}; }
+std::vector<Claim> constant_friction_claims() { return {decomposition_claim(), coercive_claim()}; }
 
 }  // namespace steadyslide::proofs_checks

@@ -8,8 +8,7 @@
 namespace steadyslide::proofs_checks {
 
 std::vector<Claim> sign_form_claims();
-/// The form b under a constant friction coefficient, and its inverse.
+/// The form b under a constant friction coefficient.
 std::vector<Claim> constant_friction_claims();
-Claim inverse_claim();
 
 }  // namespace steadyslide::proofs_checks

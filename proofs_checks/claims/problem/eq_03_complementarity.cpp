@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "numeric/cauchy/residuals.hpp"
-#include "proofs_checks/claims/problem/problem_parts.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "proofs_checks/instruments/cells.hpp"
 #include "proofs_checks/instruments/near.hpp"
 #include "proofs_checks/instruments/trial.hpp"
@@ -236,7 +236,7 @@ Wrong<Candidate> wrong(std::string name, const Candidate& candidate) { return {s
 
 }  // namespace
 
-Claim complementarity_claim() {
+Claim eq_03_complementarity() {
   using Which = Candidate::Which;
   return make_claim(
       claim_text("eq-03-complementarity"), check, Candidate{},
