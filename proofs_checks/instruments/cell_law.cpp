@@ -1,11 +1,12 @@
 #include "proofs_checks/instruments/cell_law.hpp"
 
-#include <Eigen/Cholesky>
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/polygamma.hpp>
 #include <cmath>
 #include <numbers>
+
+#include "proofs_checks/instruments/dense_algebra.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
@@ -32,14 +33,12 @@ double cells_integral(double part, bool cells_form) {
 }  // namespace
 
 double largest_point_value(const Eigen::MatrixXd& form, const Eigen::VectorXd& weights, bool zero_mean) {
-  const Eigen::LLT<Eigen::MatrixXd> factors(form);
-  const Eigen::VectorXd solved = factors.solve(weights);
-  double value = weights.dot(solved);
-  if (zero_mean) {
-    const Eigen::VectorXd punch = factors.solve(Eigen::VectorXd::Ones(weights.size()));
-    value -= solved.sum() * solved.sum() / punch.sum();
-  }
-  return value;
+  Eigen::MatrixXd right = Eigen::MatrixXd::Ones(weights.size(), 2);
+  right.col(0) = weights;
+  const Eigen::MatrixXd solved = definite_solution(form, right);
+  const double value = weights.dot(solved.col(0));
+  const double mean = solved.col(0).sum();
+  return zero_mean ? value - mean * mean / solved.col(1).sum() : value;
 }
 
 double PointValueLaw::rest(double part) const {

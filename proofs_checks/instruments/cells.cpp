@@ -1,6 +1,7 @@
 #include "proofs_checks/instruments/cells.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -76,6 +77,22 @@ CellMesh random_cells(Random& random, const ContactProblem& problem, Cells cells
     }
     default: return {problem, count};
   }
+}
+
+ProblemOnCells random_problem_on_cells(Random& random, std::size_t k, Trend trend, const Rational& largest,
+                                       bool may_tilt) {
+  constexpr std::array<Cells, 3> kinds{Cells::equal, Cells::unequal, Cells::graded};
+  CellFrictionSteps steps = random_steps(random, trend, largest, 4);
+  if (random.below(2) == 0) steps = mirrored(steps);
+  const Rational load = random.between(Rational(1, 5), 4);
+  std::optional<Rational> load_at;
+  if (may_tilt && random.below(4) == 0) load_at = random.between(Rational(-1, 2), Rational(1, 2));
+  const ContactProblem problem = cell_problem(steps, random_profile(random, k % 2 == 0), load, load_at);
+  return {problem, random_cells(random, problem, kinds[k % 3], 16 + random.below(24))};
+}
+
+std::string text_of(const ProblemOnCells& on_cells) {
+  return std::to_string(on_cells.mesh.size()) + " cells" + (on_cells.problem.load_at() ? ", tilting" : "");
 }
 
 GalerkinOperator operator_of(const CellFrictionSteps& steps, const CellMesh& mesh) {

@@ -34,6 +34,16 @@ enum class Cells { equal, unequal, alternating, graded };
 numeric::variational::CellMesh random_cells(Random& random, const ContactProblem& problem, Cells cells,
                                             std::size_t count);
 
+struct ProblemOnCells {
+  ContactProblem problem;
+  numeric::variational::CellMesh mesh;
+};
+/// 16 to 39 cells, by k's remainder equal, unequal or graded; 0 <= |s| <= largest, a profile with one well for even k.
+/// One in four may tilt, or none.
+ProblemOnCells random_problem_on_cells(Random& random, std::size_t k, Trend trend, const Rational& largest,
+                                       bool may_tilt);
+std::string text_of(const ProblemOnCells& on_cells);
+
 /// Without load and profile.
 numeric::variational::GalerkinOperator operator_of(const CellFrictionSteps& steps,
                                                    const numeric::variational::CellMesh& mesh);

@@ -12,8 +12,8 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-/// What is said of a case; every member but the defaults is wrong.
-struct ConvergenceSaid {
+/// A wrong variant of what is predicted; with the defaults, the right one.
+struct Variant {
   double rate_offset = 0;
   bool friction_reversed = false;  ///< in the reference
   bool angle_reversed = false;     ///< in the exponents
@@ -39,9 +39,9 @@ class Studies {
 
 class Comparison {
  public:
-  Comparison(Findings& findings, const ConvergenceStudy& study, const SolvedQuantities& exact,
-             const ConvergenceSaid& said, bool quick)
-      : findings_(findings), study_(study), exact_(exact), said_(said), quick_(quick) {}
+  Comparison(Findings& findings, const ConvergenceStudy& study, const SolvedQuantities& exact, const Variant& variant,
+             bool quick)
+      : findings_(findings), study_(study), exact_(exact), variant_(variant), quick_(quick) {}
 
   void resultants(const std::vector<std::string>& names) {
     const std::size_t first = std::size_t{1} << (quick_ ? 6 : 8);
@@ -68,7 +68,7 @@ class Comparison {
     findings_.require(found.size() == exact_.intensities.size(), "another number of singular points");
     for (std::size_t k = 0; k < found.size(); ++k) {
       findings_.begin_case(std::to_string(study_.fine.cells) + " cells, intensity " + std::to_string(k + 1));
-      const double exact = exact_.intensities[k] * (1 + said_.intensity_offset * tolerance);
+      const double exact = exact_.intensities[k] * (1 + variant_.intensity_offset * tolerance);
       findings_.compare(quantity, relative_difference(found[k], exact));
     }
   }
@@ -83,7 +83,7 @@ class Comparison {
         const auto& found = mesh.solved.ends;
         findings_.require(found.size() == exact_.ends.size(), "another number of contact ends");
         for (std::size_t i = 0; i < found.size(); ++i) {
-          const double off = std::abs(found[i].x - exact_.ends[i].x - said_.end_offset * mesh.cell_length);
+          const double off = std::abs(found[i].x - exact_.ends[i].x - variant_.end_offset * mesh.cell_length);
           findings_.require(found[i].exact == exact_.ends[i].exact, "an edge or step is one for one solver only");
           findings_.compare(found[i].exact ? edge : free, found[i].exact ? off : off / mesh.cell_length);
         }
@@ -98,8 +98,8 @@ class Comparison {
     const Quantity excludes{"error bar over the distance to the exponent with alpha of the other sign", {}, 1};
     for (const ReadExponent& read : study_.exponents) {
       findings_.begin_case("x = " + std::to_string(read.x));
-      const double right = numeric::to_real<double>(said_.angle_reversed ? read.reversed : read.derived);
-      const double wrong = numeric::to_real<double>(said_.angle_reversed ? read.derived : read.reversed);
+      const double right = numeric::to_real<double>(variant_.angle_reversed ? read.reversed : read.derived);
+      const double wrong = numeric::to_real<double>(variant_.angle_reversed ? read.derived : read.reversed);
       const double value = read.found.value;
       const double error = read.found.error;
       findings_.compare(bar, error);
@@ -123,25 +123,25 @@ class Comparison {
     findings_.begin_case("all levels");
     findings_.require(!std::isnan(measured.value), "no rate of " + what + ": an error is not positive and finite");
     findings_.measure(
-        {what, measured.value, measured.error_bar, study_.rate + said_.rate_offset, quick_ ? 0.25 : 0.1, detail});
+        {what, measured.value, measured.error_bar, study_.rate + variant_.rate_offset, quick_ ? 0.25 : 0.1, detail});
   }
 
   Findings& findings_;
   const ConvergenceStudy& study_;
   const SolvedQuantities& exact_;
-  const ConvergenceSaid& said_;
+  const Variant& variant_;
   bool quick_;
 };
 
 Claim claim_of_case(const ConvergenceCase& the_case) {
   const auto studies = std::make_shared<Studies>(the_case.problem);
   const ContactProblem& problem = the_case.problem;
-  const auto check = [problem, studies](const Context& context, const ConvergenceSaid& said) {
+  const auto check = [problem, studies](const Context& context, const Variant& variant) {
     return gather([&] {
       const ConvergenceStudy& study = studies->of(context.quick);
-      const SolvedReference exact = reference(said.friction_reversed ? with_friction_reversed(problem) : problem);
+      const SolvedReference exact = reference(variant.friction_reversed ? with_friction_reversed(problem) : problem);
       Findings findings;
-      Comparison comparison(findings, study, exact.solved, said, context.quick);
+      Comparison comparison(findings, study, exact.solved, variant, context.quick);
       comparison.resultants(resultant_names(problem));
       comparison.intensities();
       comparison.ends();
@@ -151,7 +151,8 @@ Claim claim_of_case(const ConvergenceCase& the_case) {
     });
   };
   const bool jumps = problem.friction().values().size() > 1;
-  return make_claim<ConvergenceSaid>(
+  // Plain: the tolerances are lengths of cells, which the study knows and no prediction does.
+  return make_claim<Variant>(
       claim_text("vi-convergence-" + the_case.name), check, {},
       {{"a rate higher by one", {.rate_offset = 1}},
        {jumps ? "the reference with the friction values in the other order" : "the reference sliding the other way",

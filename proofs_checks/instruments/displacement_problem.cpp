@@ -1,9 +1,9 @@
 #include "proofs_checks/instruments/displacement_problem.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "proofs_checks/instruments/dense_algebra.hpp"
 #include "proofs_checks/instruments/interior_point.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -53,9 +53,7 @@ DisplacementProblem::State DisplacementProblem::state_of(const std::vector<char>
   const Eigen::VectorXd flush = load_ * tau_ - force_ * profile_;
   Eigen::VectorXd gap = Eigen::VectorXd::Zero(tau_.size());
   if (!open.empty()) {
-    const Eigen::MatrixXd among = force_(open, open);
-    const Eigen::VectorXd right = -flush(open);
-    const Eigen::VectorXd solved = among.partialPivLu().solve(right);
+    const Eigen::VectorXd solved = linear_solution(force_(open, open), -flush(open));
     gap(open) = solved;
   }
   const Eigen::VectorXd force = flush + force_ * gap;

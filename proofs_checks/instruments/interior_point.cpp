@@ -1,8 +1,9 @@
 #include "proofs_checks/instruments/interior_point.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "proofs_checks/instruments/dense_algebra.hpp"
 
 namespace steadyslide::proofs_checks {
 
@@ -51,7 +52,7 @@ std::optional<ComplementaryPair> by_interior_points(const Eigen::MatrixXd& m, co
       matrix.row(n).head(n).setConstant(1);
       right(n) = *total - x.sum();
     }
-    const Eigen::VectorXd step = matrix.partialPivLu().solve(right);
+    const Eigen::VectorXd step = linear_solution(matrix, right);
     const Eigen::VectorXd dx = step.head(n);
     const Eigen::VectorXd dy = wanted - y.cwiseQuotient(x).cwiseProduct(dx);
     const double length = std::min(longest_step(x, dx), longest_step(y, dy));

@@ -76,7 +76,7 @@ class Runner {
     } else if (const auto* order = std::get_if<Order>(value)) {
       predicted.set(quantity.name, Order{order->rate + 2 * quantity.tolerance});
     } else if (const auto* exponent = std::get_if<Exponent>(value)) {
-      predicted.set(quantity.name, *exponent + Exponent(tiny()));
+      predicted.set(quantity.name, *exponent + Exponent::angle(tiny()));
     } else if (const auto* rational = std::get_if<Rational>(value)) {
       predicted.set(quantity.name, Rational(*rational + tiny()));
     }

@@ -1,6 +1,5 @@
 // The gap between the profile and the surface, from the Riemann-Hilbert form and from the logarithmic potential.
 
-#include "proofs_checks/claims/claims.hpp"
 #include "proofs_checks/instruments/punch.hpp"
 #include "proofs_checks/instruments/trial.hpp"
 
@@ -12,14 +11,14 @@ using numeric::SurfacePoint;
 
 /// gap = steps on the way + int Y B_k, from a contact end to a place.
 template <class R>
-struct GapSaid {
+struct GapTerms {
   std::shared_ptr<const TrialForm<R>> trial;
   R scale = 1;
   R steps = 1;  ///< how often they are counted
   bool unsigned_y = false;
   bool excess = true;
 };
-using GapFormula = Formula<GapSaid, Trial>;
+using GapFormula = Formula<GapTerms, Trial>;
 
 /// One end of contact seen from a gap.
 template <class R>
@@ -60,10 +59,10 @@ struct Facing {
 template <Real R>
 class Comparison {
  public:
-  Comparison(Findings& findings, const GapSaid<R>& said)
+  Comparison(Findings& findings, const GapTerms<R>& terms)
       : findings_(findings),
-        said_(said),
-        form_(said.trial->form()),
+        terms_(terms),
+        form_(terms.trial->form()),
         surface_(traction_density(form_), friction_of(form_), [](std::size_t, const auto&) { return R(0); }) {}
 
   /// A place in a gap, seen from the contact ends that face it, and what they miss of each other: what the profile
@@ -80,19 +79,19 @@ class Comparison {
     for (const auto* from : {&left, &right}) {
       if (!*from) continue;
       const Heights h = heights(**from, at.node.x);
-      compare(quantity, said(form_.opening((*from)->end, at).value, **from, segment), h);
+      compare(quantity, by_form(form_.opening((*from)->end, at).value, **from, segment), h);
       const int sign = from == &left ? 1 : -1;
       difference.profile += sign * h.profile;
       difference.surface += sign * h.surface;
     }
     if (!left || !right || left->end != segment) return;
-    compare(closure, said(form_.closure(left->end, form_.gap_rule(left->end)), *left, right->end), difference);
+    compare(closure, by_form(form_.closure(left->end, form_.gap_rule(left->end)), *left, right->end), difference);
   }
 
  private:
-  R said(R gap, const Facing<R>& from, std::size_t segment) const {
-    if (said_.unsigned_y) gap *= form_.sign(static_cast<std::ptrdiff_t>(from.rightwards() ? from.end : from.end - 1));
-    return said_.scale * gap + (said_.steps - 1) * from.steps_to(segment);
+  R by_form(R gap, const Facing<R>& from, std::size_t segment) const {
+    if (terms_.unsigned_y) gap *= form_.sign(static_cast<std::ptrdiff_t>(from.rightwards() ? from.end : from.end - 1));
+    return terms_.scale * gap + (terms_.steps - 1) * from.steps_to(segment);
   }
 
   struct Heights {
@@ -105,7 +104,7 @@ class Comparison {
     using std::abs, std::pow;
     R surface =
         surface_.displacement(from.panel, from.rightwards() ? Side::right : Side::left, R(abs(from.distance(xi))));
-    const std::vector<R> rest = said_.excess ? excess(form_) : std::vector<R>{};
+    const std::vector<R> rest = terms_.excess ? excess(form_) : std::vector<R>{};
     for (std::size_t j = 0; j < rest.size(); ++j) {
       const int n = static_cast<int>(j) + 1;
       surface += rest[j] * (pow(xi, n) - pow(form_.set().x(from.end), n)) / n;
@@ -120,17 +119,17 @@ class Comparison {
   }
 
   Findings& findings_;
-  const GapSaid<R>& said_;
+  const GapTerms<R>& terms_;
   const RiemannHilbertForm<R>& form_;
   numeric::SurfaceCheck<R> surface_;
 };
 
 /// Every gap, seen from both of its ends.
 template <Real R>
-void check_gaps(Findings& findings, const GapSaid<R>& said, Random& random, int places) {
-  const RiemannHilbertForm<R>& form = said.trial->form();
+void check_gaps(Findings& findings, const GapTerms<R>& terms, Random& random, int places) {
+  const RiemannHilbertForm<R>& form = terms.trial->form();
   const auto& set = form.set();
-  Comparison<R> comparison(findings, said);
+  Comparison<R> comparison(findings, terms);
   std::size_t panel = 0;  // contact panels so far
   std::optional<Facing<R>> left;
   for (std::size_t k = 0; k < set.segments(); ++k) {
@@ -164,22 +163,23 @@ std::vector<Evidence> check(const Context& context, const GapFormula& formula) {
 
 }  // namespace
 
-std::vector<Claim> gap_claims() {
+Claim rh_gap() {
   const GapFormula right = GapFormula::from(
-      []<Real R>(const Trial& trial) { return GapSaid<R>{std::make_shared<const TrialForm<R>>(trial)}; });
-  return {make_claim(
+      []<Real R>(const Trial& trial) { return GapTerms<R>{std::make_shared<const TrialForm<R>>(trial)}; });
+  // Plain: the formula is the solver's form, which lives at the number type it is examined in.
+  return make_claim(
       claim_text("rh-gap"), check, right,
       std::vector<Wrong<GapFormula>>{
-          {"the integral with the other sign", right.changed([](auto& said, const Trial&) { said.scale = -1; })},
+          {"the integral with the other sign", right.changed([](auto& terms, const Trial&) { terms.scale = -1; })},
           {"half of the integral",
-           right.changed([]<class R>(GapSaid<R>& said, const Trial&) { said.scale = R(1) / 2; })},
-          {"|Y| instead of Y", right.changed([](auto& said, const Trial&) { said.unsigned_y = true; })},
-          {"steps not counted", right.changed([](auto& said, const Trial&) { said.steps = 0; })},
-          {"steps counted with the other sign", right.changed([](auto& said, const Trial&) { said.steps = -1; })},
+           right.changed([]<class R>(GapTerms<R>& terms, const Trial&) { terms.scale = R(1) / 2; })},
+          {"|Y| instead of Y", right.changed([](auto& terms, const Trial&) { terms.unsigned_y = true; })},
+          {"steps not counted", right.changed([](auto& terms, const Trial&) { terms.steps = 0; })},
+          {"steps counted with the other sign", right.changed([](auto& terms, const Trial&) { terms.steps = -1; })},
           {"the polynomial at infinity forgotten",
-           right.changed([](auto& said, const Trial&) { said.excess = false; })},
+           right.changed([](auto& terms, const Trial&) { terms.excess = false; })},
           {"near miss: the gap moved by ten times the tolerance",
-           right.changed([]<class R>(GapSaid<R>& said, const Trial&) { said.scale += 2 * near_miss<R>(); })}})};
+           right.changed([]<class R>(GapTerms<R>& terms, const Trial&) { terms.scale += 2 * near_miss<R>(); })}});
 }
 
 }  // namespace steadyslide::proofs_checks

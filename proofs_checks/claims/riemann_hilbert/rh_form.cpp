@@ -1,7 +1,6 @@
 // The Riemann-Hilbert form on any contact set satisfies the equation.
 
 #include "numeric/number/polynomial.hpp"
-#include "proofs_checks/claims/claims.hpp"
 #include "proofs_checks/instruments/punch.hpp"
 #include "proofs_checks/instruments/trial.hpp"
 
@@ -13,7 +12,7 @@ using numeric::RiemannHilbertForm;
 
 /// t = eps cos(pi alpha) prod |x - e_j|^{p_j} B_k on every segment.
 template <class R>
-struct FormSaid {
+struct FormTerms {
   std::shared_ptr<const TrialForm<R>> trial;
   std::vector<int> eps;
   std::vector<R> cosine;
@@ -25,19 +24,19 @@ struct FormSaid {
 
   const RiemannHilbertForm<R>& form() const { return trial->form(); }
 };
-using FormFormula = Formula<FormSaid, Trial>;
+using FormFormula = Formula<FormTerms, Trial>;
 
 FormFormula form_formula() {
   return FormFormula::from([]<Real R>(const Trial& trial) {
-    FormSaid<R> said{std::make_shared<const TrialForm<R>>(trial), {}, {}, {}, {}};
-    const RiemannHilbertForm<R>& form = said.form();
-    said.powers = form.weight().powers();
+    FormTerms<R> terms{std::make_shared<const TrialForm<R>>(trial), {}, {}, {}, {}};
+    const RiemannHilbertForm<R>& form = terms.form();
+    terms.powers = form.weight().powers();
     for (std::size_t k = 0; k < form.set().segments(); ++k) {
-      said.eps.push_back(form.sign(static_cast<std::ptrdiff_t>(k)));
-      said.cosine.push_back(form.problem().cos_alpha(form.friction_at(k)));
-      said.slope.push_back(form.slope_at(k));
+      terms.eps.push_back(form.sign(static_cast<std::ptrdiff_t>(k)));
+      terms.cosine.push_back(form.problem().cos_alpha(form.friction_at(k)));
+      terms.slope.push_back(form.slope_at(k));
     }
-    return said;
+    return terms;
   });
 }
 
@@ -60,19 +59,19 @@ R polynomial_part(const RiemannHilbertForm<R>& form, std::size_t slope, const R&
 }
 
 template <Real R>
-Surface<R> surface_of(const FormSaid<R>& said) {
-  const RiemannHilbertForm<R>& form = said.form();
-  const auto bracket = [&said, &form](std::size_t k, const Node<R>& node) {
-    R b = form.bracket(said.slope[k], {static_cast<std::ptrdiff_t>(k), node}).value;
-    if (!said.polynomial || said.integral < 0) {
-      const R poly = polynomial_part(form, said.slope[k], node.x);
-      if (said.integral < 0) b = 2 * (poly - numeric::value_of(form.q(), node.x) / numeric::pi<R>()) - b;
-      if (!said.polynomial) b -= poly;
+Surface<R> surface_of(const FormTerms<R>& terms) {
+  const RiemannHilbertForm<R>& form = terms.form();
+  const auto bracket = [&terms, &form](std::size_t k, const Node<R>& node) {
+    R b = form.bracket(terms.slope[k], {static_cast<std::ptrdiff_t>(k), node}).value;
+    if (!terms.polynomial || terms.integral < 0) {
+      const R poly = polynomial_part(form, terms.slope[k], node.x);
+      if (terms.integral < 0) b = 2 * (poly - numeric::value_of(form.q(), node.x) / numeric::pi<R>()) - b;
+      if (!terms.polynomial) b -= poly;
     }
-    return R(said.eps[k] * said.cosine[k] * b);
+    return R(terms.eps[k] * terms.cosine[k] * b);
   };
-  const numeric::FundamentalSolution<R> weight(form.set().panels(), said.powers);
-  const std::vector<R> rest = said.excess ? excess(form) : std::vector<R>{};
+  const numeric::FundamentalSolution<R> weight(form.set().panels(), terms.powers);
+  const std::vector<R> rest = terms.excess ? excess(form) : std::vector<R>{};
   const auto slope_at = [&form, rest](const R& xi) {
     const R x = numeric::to_real<R>(Trial::frame().origin) + numeric::to_real<R>(Trial::frame().unit) * xi;
     return R(slope<R>(form.problem().problem(), x, x) + form.tilt() - numeric::value_of(rest, xi));
@@ -87,8 +86,8 @@ std::vector<Evidence> check_form(const Context& context, const FormFormula& form
     Findings findings;
     for (const Trial& trial : all) {
       findings.begin_case(trial.name + ": " + text_of(trial.problem), has_friction(trial.problem));
-      const FormSaid<R> said = formula.at<R>(trial);
-      check_surface(findings, surface_of(said), context.quick ? 1 : 2);
+      const FormTerms<R> terms = formula.at<R>(trial);
+      check_surface(findings, surface_of(terms), context.quick ? 1 : 2);
     }
     return findings.evidence(detail_of(context, all));
   };
@@ -97,53 +96,53 @@ std::vector<Evidence> check_form(const Context& context, const FormFormula& form
 
 /// Replaces the power of end j by that of the friction sliding the other way.
 template <class R>
-void turn_alpha(FormSaid<R>& said, std::size_t j) {
-  const auto& point = said.form().set().point(j);
-  const Exponent& exponent = said.form().exponent(j);
+void turn_alpha(FormTerms<R>& terms, std::size_t j) {
+  const auto& point = terms.form().set().point(j);
+  const Exponent& exponent = terms.form().exponent(j);
   const Exponent base(Rational(point.vanishes ? 1 : -1, 2));
-  said.powers[j] = numeric::Power<R>::of(base + base - exponent);
-}
-
-Claim form_claim() {
-  const FormFormula right = form_formula();
-  return make_claim(
-      claim_text("rh-form"), check_form, right,
-      std::vector<Wrong<FormFormula>>{
-          {"eps of the other sign on one component", right.changed([](auto& said, const Trial&) {
-             std::size_t k = 0;
-             while (!said.form().set().in_contact(k)) ++k;
-             for (; k < said.eps.size() && said.form().set().in_contact(k); ++k) said.eps[k] = -said.eps[k];
-           })},
-          {"alpha of the other sign in the power of the first end", right.changed([](auto& said, const Trial&) {
-             std::size_t j = 0;
-             while (!said.form().set().point(j).is_end()) ++j;
-             turn_alpha(said, j);
-           })},
-          {"cos(pi alpha) left out", right.changed([]<class R>(FormSaid<R>& said, const Trial&) {
-             for (R& c : said.cosine) c = 1;
-           })},
-          {"the power of the jump left out", right.changed([]<class R>(FormSaid<R>& said, const Trial&) {
-             for (std::size_t j = 0; j < said.powers.size(); ++j) {
-               if (!said.form().set().point(j).is_end()) said.powers[j] = {R(0), R(1)};
-             }
-           })},
-          {"the slope of the other side of a wedge", right.changed([](auto& said, const Trial&) {
-             for (std::size_t j = 1; j < said.slope.size(); ++j) {
-               if (said.form().is_kinked(j)) said.slope[j] = said.slope[j - 1];
-             }
-           })},
-          {"the integral with the other sign", right.changed([](auto& said, const Trial&) { said.integral = -1; })},
-          {"the polynomial at infinity forgotten",
-           right.changed([](auto& said, const Trial&) { said.excess = false; })},
-          {"[(g_k + delta)/Y]_poly left out", right.changed([](auto& said, const Trial&) { said.polynomial = false; })},
-          {"near miss: the last panel's traction moved by ten times the tolerance",
-           right.changed([]<class R>(FormSaid<R>& said, const Trial&) {
-             said.cosine[segments_of(said.form()).back()] *= 1 + near_miss<R>();
-           })}});
+  terms.powers[j] = numeric::Power<R>::of(base + base - exponent);
 }
 
 }  // namespace
 
-std::vector<Claim> riemann_hilbert_claims() { return {form_claim()}; }
+Claim rh_form() {
+  // Plain: the formula is the solver's form, which lives at the number type it is examined in.
+  const FormFormula right = form_formula();
+  return make_claim(
+      claim_text("rh-form"), check_form, right,
+      std::vector<Wrong<FormFormula>>{
+          {"eps of the other sign on one component", right.changed([](auto& terms, const Trial&) {
+             std::size_t k = 0;
+             while (!terms.form().set().in_contact(k)) ++k;
+             for (; k < terms.eps.size() && terms.form().set().in_contact(k); ++k) terms.eps[k] = -terms.eps[k];
+           })},
+          {"alpha of the other sign in the power of the first end", right.changed([](auto& terms, const Trial&) {
+             std::size_t j = 0;
+             while (!terms.form().set().point(j).is_end()) ++j;
+             turn_alpha(terms, j);
+           })},
+          {"cos(pi alpha) left out", right.changed([]<class R>(FormTerms<R>& terms, const Trial&) {
+             for (R& c : terms.cosine) c = 1;
+           })},
+          {"the power of the jump left out", right.changed([]<class R>(FormTerms<R>& terms, const Trial&) {
+             for (std::size_t j = 0; j < terms.powers.size(); ++j) {
+               if (!terms.form().set().point(j).is_end()) terms.powers[j] = {R(0), R(1)};
+             }
+           })},
+          {"the slope of the other side of a wedge", right.changed([](auto& terms, const Trial&) {
+             for (std::size_t j = 1; j < terms.slope.size(); ++j) {
+               if (terms.form().is_kinked(j)) terms.slope[j] = terms.slope[j - 1];
+             }
+           })},
+          {"the integral with the other sign", right.changed([](auto& terms, const Trial&) { terms.integral = -1; })},
+          {"the polynomial at infinity forgotten",
+           right.changed([](auto& terms, const Trial&) { terms.excess = false; })},
+          {"[(g_k + delta)/Y]_poly left out",
+           right.changed([](auto& terms, const Trial&) { terms.polynomial = false; })},
+          {"near miss: the last panel's traction moved by ten times the tolerance",
+           right.changed([]<class R>(FormTerms<R>& terms, const Trial&) {
+             terms.cosine[segments_of(terms.form()).back()] *= 1 + near_miss<R>();
+           })}});
+}
 
 }  // namespace steadyslide::proofs_checks

@@ -3,7 +3,6 @@
 #include <array>
 
 #include "numeric/number/polynomial.hpp"
-#include "proofs_checks/claims/claims.hpp"
 #include "proofs_checks/instruments/punch.hpp"
 #include "proofs_checks/instruments/trial.hpp"
 
@@ -23,17 +22,17 @@ struct Neighbour {
   std::vector<R> polynomial;
 };
 template <class R>
-struct LinearSaid {
+struct Derivatives {
   std::shared_ptr<const TrialForm<R>> trial;
   std::vector<Neighbour<R>> neighbours;
   R tilt_factor = 1;
 };
-using LinearFormula = Formula<LinearSaid, Trial>;
+using LinearFormula = Formula<Derivatives, Trial>;
 
 LinearFormula linear_formula() {
   return LinearFormula::from([]<Real R>(const Trial& trial) {
-    LinearSaid<R> said{std::make_shared<const TrialForm<R>>(trial), {}};
-    const RiemannHilbertForm<R>& form = said.trial->form();
+    Derivatives<R> derivatives{std::make_shared<const TrialForm<R>>(trial), {}};
+    const RiemannHilbertForm<R>& form = derivatives.trial->form();
     for (const std::size_t j : form.set().movable()) {
       const R& p = form.weight().powers()[j].value;
       const R& e = form.set().x(j);
@@ -45,9 +44,9 @@ LinearFormula linear_formula() {
         for (std::size_t l = form.q().size(); l-- > i + 1;) sum = sum * e + form.q()[l];
         neighbour.polynomial.push_back(R(-p / numeric::pi<R>() * sum));
       }
-      said.neighbours.push_back(std::move(neighbour));
+      derivatives.neighbours.push_back(std::move(neighbour));
     }
-    return said;
+    return derivatives;
   });
 }
 
@@ -112,17 +111,17 @@ std::vector<R> differences(const TrialForm<R>& trial, std::size_t f, const std::
 }
 
 template <Real R>
-void check_ends(Findings& findings, const LinearSaid<R>& said) {
+void check_ends(Findings& findings, const Derivatives<R>& derivatives) {
   const Quantity quantity{"derivative of u'/c and t with respect to a free end",
                           {"the formula", "differences of neighbouring solutions"},
                           tolerance<R>()};
-  const RiemannHilbertForm<R>& form = said.trial->form();
+  const RiemannHilbertForm<R>& form = derivatives.trial->form();
   const std::vector<SurfacePoint<R>> at = places(form.set());
-  for (std::size_t f = 0; f < said.neighbours.size(); ++f) {
+  for (std::size_t f = 0; f < derivatives.neighbours.size(); ++f) {
     // The first and the last one: an end costs ten forms.
-    if (f > 0 && f + 1 < said.neighbours.size()) continue;
-    const Neighbour<R>& neighbour = said.neighbours[f];
-    const std::vector<R> measured = differences(*said.trial, f, at);
+    if (f > 0 && f + 1 < derivatives.neighbours.size()) continue;
+    const Neighbour<R>& neighbour = derivatives.neighbours[f];
+    const std::vector<R> measured = differences(*derivatives.trial, f, at);
     for (std::size_t i = 0; i < at.size(); ++i) {
       const R sum =
           numeric::value_of(neighbour.polynomial, at[i].node.x) + neighbour.pole / form.distance(at[i], neighbour.end);
@@ -132,16 +131,16 @@ void check_ends(Findings& findings, const LinearSaid<R>& said) {
 }
 
 template <Real R>
-void check_tilt(Findings& findings, const LinearSaid<R>& said) {
+void check_tilt(Findings& findings, const Derivatives<R>& derivatives) {
   const Quantity quantity{"derivative of u'/c and t with respect to the tilt",
                           {"the formula", "difference of two solutions"},
                           tolerance<R>()};
-  const RiemannHilbertForm<R>& form = said.trial->form();
-  const RiemannHilbertForm<R> tilted = said.trial->form_on(form.set(), R(form.tilt() + 1));
+  const RiemannHilbertForm<R>& form = derivatives.trial->form();
+  const RiemannHilbertForm<R> tilted = derivatives.trial->form_on(form.set(), R(form.tilt() + 1));
   for (const SurfacePoint<R>& at : places(form.set())) {
     const R y = factor(form, at);
     const bool inside = y != form.sign(at.segment) * form.modulus(at);
-    const R expected = (inside ? 0 : 1) - said.tilt_factor * y * form.tilt_polynomial(at.node.x);
+    const R expected = (inside ? 0 : 1) - derivatives.tilt_factor * y * form.tilt_polynomial(at.node.x);
     using std::abs, std::max;
     const R measured = value(tilted, at) - value(form, at);
     findings.compare(quantity, static_cast<double>(R(abs(measured - expected) / max(R(abs(value(form, at))), R(1)))));
@@ -160,10 +159,10 @@ std::vector<Evidence> check(const Context& context, const LinearFormula& formula
       all.insert(all.begin() + 1, with_ends({{true, true}, {false, true}, {true, true}}));
       Findings findings;
       for (const Trial& trial : all) {
-        const LinearSaid<R> said = formula.at<R>(trial);
-        findings.begin_case(trial.name + ": " + text_of(trial.problem), !said.neighbours.empty());
-        check_tilt(findings, said);
-        check_ends(findings, said);
+        const Derivatives<R> derivatives = formula.at<R>(trial);
+        findings.begin_case(trial.name + ": " + text_of(trial.problem), !derivatives.neighbours.empty());
+        check_tilt(findings, derivatives);
+        check_ends(findings, derivatives);
       }
       return findings.evidence(detail_of(context, all));
     }
@@ -172,16 +171,17 @@ std::vector<Evidence> check(const Context& context, const LinearFormula& formula
 }
 
 LinearFormula changed_ends(const LinearFormula& right, auto change) {
-  return right.changed([change](auto& said, const Trial&) {
-    for (auto& neighbour : said.neighbours) change(said.trial->form(), neighbour);
+  return right.changed([change](auto& derivatives, const Trial&) {
+    for (auto& neighbour : derivatives.neighbours) change(derivatives.trial->form(), neighbour);
   });
 }
 
 }  // namespace
 
-std::vector<Claim> linearisation_claims() {
+Claim rh_linearisation() {
   const LinearFormula right = linear_formula();
-  return {make_claim(
+  // Plain: the formula is the solver's form, which lives at the number type it is examined in.
+  return make_claim(
       claim_text("rh-linearisation"), check, right,
       std::vector<Wrong<LinearFormula>>{
           {"the residue -p B(e)", changed_ends(right, [](const auto&, auto& n) { n.pole = -n.pole; })},
@@ -198,11 +198,12 @@ std::vector<Claim> linearisation_claims() {
                                                        []<class R>(const RiemannHilbertForm<R>&, Neighbour<R>& n) {
                                                          for (R& c : n.polynomial) c *= numeric::pi<R>();
                                                        })},
-          {"Y [1/Y]_poly left out", right.changed([](auto& said, const Trial&) { said.tilt_factor = 0; })},
+          {"Y [1/Y]_poly left out",
+           right.changed([](auto& derivatives, const Trial&) { derivatives.tilt_factor = 0; })},
           {"near miss: the residue moved by ten times the tolerance",
-           right.changed([]<class R>(LinearSaid<R>& said, const Trial&) {
-             for (Neighbour<R>& n : said.neighbours) n.pole *= 1 + near_miss<R>();
-           })}})};
+           right.changed([]<class R>(Derivatives<R>& derivatives, const Trial&) {
+             for (Neighbour<R>& n : derivatives.neighbours) n.pole *= 1 + near_miss<R>();
+           })}});
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -1,0 +1,91 @@
+#include <cmath>
+#include <numbers>
+
+#include "proofs_checks/instruments/cell_law.hpp"
+#include "proofs_checks/instruments/cells.hpp"
+#include "proofs_checks/instruments/dense_algebra.hpp"
+#include "proofs_checks/kit/formula_claim.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+using numeric::variational::CellMesh;
+
+/// s falls by `step` in the middle of the support.
+struct Fall {
+  Rational step;
+};
+
+std::string text_of(const Fall& fall) { return "s falls by " + to_string(fall.step); }
+
+CaseList<Fall> falls(const Context& context) {
+  Random random(context.seed, "vi-definiteness-lost-graded");
+  CaseList<Fall> list{{{Rational(3, 10)}},
+                      "smallest cell 10 % on either side, ratio 2, seed " + std::to_string(context.seed)};
+  while (list.cases.size() < (context.quick ? 3U : 12U)) {
+    list.cases.push_back({random.between(Rational(1, 4), Rational(9, 25))});
+  }
+  return list;
+}
+
+CellMesh graded_cells(double smallest) {
+  return {cell_problem({{0, 0}, {0}}), Rational(0),
+          numeric::variational::graded_edges(-0.5, 0.5, smallest, 2, 0.03125)};
+}
+
+double point_value(double smallest) {
+  const CellMesh mesh = graded_cells(smallest);
+  return largest_point_value(symmetric_part(mesh, operator_of({{0, 0}, {0}}, mesh), false), weights_of(mesh, 0), true);
+}
+
+/// sup T(0)^2/E = slope log(1/h) + constant, h the smallest cell over the support's length.
+struct GradedLaw {
+  double slope;
+  double constant;
+  double factor = 0.5;  ///< indefinite where factor (s- - s+) sup T(0)^2/E > 1
+
+  /// The constant as measured at two h. Extrapolated: both are at least a thousand times as large as those foretold.
+  static GradedLaw of(double slope) {
+    return {slope, (point_value(1e-3) + slope * std::log(1e-3) + point_value(1e-4) + slope * std::log(1e-4)) / 2};
+  }
+  /// h where the symmetric part is semidefinite.
+  double critical(const Rational& step) const {
+    return std::exp((constant - 1 / (factor * numeric::to_real<double>(step))) / slope);
+  }
+};
+
+void check(Findings& findings, const GradedLaw& law, const Fall& fall) {
+  for (const double factor : {1.1, 1 / 1.1}) {
+    const double smallest = factor * law.critical(fall.step);
+    // Beyond the smallest numbers there are no cells.
+    findings.require(smallest > 1e-200 && smallest < 1, "no cells have the length " + short_text(smallest));
+    const CellMesh mesh = graded_cells(smallest);
+    const CellFrictionSteps steps{{fall.step, 0}, {0}};
+    const double least = eigenvalues(on_zero_mean(symmetric_part(mesh, operator_of(steps, mesh), true)))(0);
+    findings.require((least > 0) == (factor > 1), "the smallest cell is " + short_text(smallest) +
+                                                      ", the smallest eigenvalue, " + short_text(least) +
+                                                      ", has the other sign");
+    findings.compare(
+        {"sign of the smallest eigenvalue", {"eigenvalues of the matrix of entries", "the law for sup(T(c)^2/E)"}, 0.5},
+        0);
+  }
+}
+
+}  // namespace
+
+Claim vi_definiteness_lost_graded() {
+  using L = GradedLaw;
+  constexpr double slope = 1 / std::numbers::pi;
+  return formula_claim<Fall, L>("vi-definiteness-lost-graded")
+      .cases(falls)
+      .precision(Precision::in_double)
+      .says([](const Fall&) { return L::of(slope); })
+      .checked([]<numeric::Real R>(Findings& findings, const L& law, const Fall& fall) { check(findings, law, fall); })
+      .wrong("half the slope: log(1/h)/(2 pi)", [](L& law, const Fall&) { law = L::of(slope / 2); })
+      .wrong("the logarithm alone, no constant", [](L& law, const Fall&) { law.constant = 0; })
+      .wrong("indefinite where s rises instead of falls", [](L& law, const Fall&) { law.factor = -law.factor; })
+      .wrong("near miss: h foretold a sixth too large", [](L& law, const Fall&) { law.constant += 0.05; })
+      .wrong("near miss: h foretold a sixth too small", [](L& law, const Fall&) { law.constant -= 0.05; });
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,82 @@
+#include "proofs_checks/instruments/cell_law.hpp"
+#include "proofs_checks/instruments/cells.hpp"
+#include "proofs_checks/instruments/dense_algebra.hpp"
+#include "proofs_checks/kit/comparison.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+using numeric::variational::CellMesh;
+
+struct JumpsOnCells {
+  CellFrictionSteps steps;
+  CellMesh mesh;
+};
+
+std::string text_of(const JumpsOnCells& c) {
+  return text_of(c.steps) + ", " + std::to_string(c.mesh.size()) + " cells";
+}
+
+/// By turns one jump up or down, and one to four jumps of this trend.
+auto jumps(Trend several) {
+  return [several](const Context& context) {
+    Random random(context.seed, "vi-definite-rising");
+    constexpr std::array<Cells, 3> kinds{Cells::equal, Cells::unequal, Cells::graded};
+    CaseList<JumpsOnCells> list;
+    const std::size_t count = context.quick ? 9 : 60;
+    for (std::size_t k = 0; k < count; ++k) {
+      CellFrictionSteps steps = k % 2 == 0 ? random_steps(random, k % 4 == 0 ? Trend::falling : Trend::rising, 3, 1)
+                                           : random_steps(random, several, 3, 4);
+      if (random.below(2) == 0) steps = mirrored(steps);
+      const ContactProblem problem = cell_problem(steps);
+      const std::size_t cells = 10 + random.below(20);
+      list.cases.push_back({steps, random_cells(random, problem, kinds[k % 3], cells)});
+    }
+    list.detail = "random meshes and frictions, seed " + std::to_string(context.seed);
+    return list;
+  };
+}
+
+/// The smallest eigenvalue of (symmetric part) - lambda (logarithm) on zero mean.
+Values measured(const JumpsOnCells& c) {
+  const auto b = operator_of(c.steps, c.mesh);
+  const double least =
+      eigenvalues(on_zero_mean(symmetric_part(c.mesh, b, true)), on_zero_mean(symmetric_part(c.mesh, b, false)))(0);
+  if (c.steps.jumps.size() == 1) return {{"one", least}};
+  return {{"several", std::max(0.0, 1 - least)}};
+}
+
+/// min(1, 1 + factor (s+ - s-) sup T(c)^2/E), E the logarithm's energy.
+Values predicted(const JumpsOnCells& c, double factor, bool zero_mean = true) {
+  if (c.steps.jumps.size() > 1) return {{"several", 0.0}};
+  const Eigen::MatrixXd logarithm = symmetric_part(c.mesh, operator_of(c.steps, c.mesh), false);
+  const double largest = largest_point_value(logarithm, weights_of(c.mesh, c.mesh.place(c.steps.jumps[0])), zero_mean);
+  const double step = numeric::to_real<double>(c.steps.s[1] - c.steps.s[0]);
+  return {{"one", std::min(1.0, 1 + factor * step * largest)}};
+}
+
+}  // namespace
+
+Claim vi_definite_rising() {
+  return compared<JumpsOnCells>("vi-definite-rising")
+      .cases(jumps(Trend::rising))
+      .precision(Precision::in_double)
+      .quantity({.name = "one",
+                 .what = "smallest eigenvalue relative to E, one jump",
+                 .routes = {"eigenvalues of the matrix of entries", "1 + (s_+ - s_-) sup(T(c)^2/E)/2"},
+                 .absolute = true})
+      .quantity({.name = "several",
+                 .what = "how far the smallest eigenvalue relative to E is below 1, s nondecreasing",
+                 .routes = {"eigenvalues of the matrix of entries", "0, from the energy's formula"},
+                 .absolute = true})
+      .measured(measured)
+      .predicted([](const JumpsOnCells& c) { return predicted(c, 0.5); })
+      .wrong("the jump without the factor 1/2", [](Values& p, const JumpsOnCells& c) { p = predicted(c, 1); })
+      .wrong("s_- - s_+ instead of s_+ - s_-", [](Values& p, const JumpsOnCells& c) { p = predicted(c, -0.5); })
+      .wrong("the supremum over all tractions, not those of zero mean",
+             [](Values& p, const JumpsOnCells& c) { p = predicted(c, 0.5, false); })
+      .wrong_beyond("several jumps, falling instead of rising", jumps(Trend::falling))
+      .near_misses();
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,24 @@
+#include "proofs_checks/instruments/dense_algebra.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+namespace steadyslide::proofs_checks {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+VectorXd eigenvalues(const MatrixXd& a) {
+  return Eigen::SelfAdjointEigenSolver<MatrixXd>(a, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+VectorXd eigenvalues(const MatrixXd& a, const MatrixXd& b) {
+  return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(a, b, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+VectorXd linear_solution(const MatrixXd& a, const VectorXd& b) { return a.partialPivLu().solve(b); }
+
+MatrixXd definite_solution(const MatrixXd& a, const MatrixXd& b) { return a.llt().solve(b); }
+
+}  // namespace steadyslide::proofs_checks

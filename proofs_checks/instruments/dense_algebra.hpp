@@ -1,0 +1,19 @@
+#pragma once
+// Eigenvalues, norms and linear systems of dense matrices, in double. Eigen's decompositions are compiled here and
+// nowhere else among the claims: each of them takes a compiler seconds.
+
+#include <Eigen/Core>
+
+namespace steadyslide::proofs_checks {
+
+/// Of a symmetric matrix, in increasing order.
+Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& a);
+/// lambda of a x = lambda b x, in increasing order; both symmetric, b positive definite.
+Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
+/// a x = b with any invertible matrix.
+Eigen::VectorXd linear_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+/// a x = b for each column of b, a symmetric and positive definite.
+Eigen::MatrixXd definite_solution(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
+}  // namespace steadyslide::proofs_checks
