@@ -27,11 +27,7 @@ std::vector<Claim> cell_solution_claims();
 std::vector<Claim> cell_loading_claims();
 std::vector<Claim> proof_step_claims();
 std::vector<Claim> paper_figure_claims();
-std::vector<Claim> remark_claims();
 std::vector<Claim> words_claims();
-std::vector<Claim> dual_problem_claims();
-std::vector<Claim> functional_claims();
-std::vector<Claim> bilinear_form_claims();
 std::vector<Claim> problem_claims();
 std::vector<Claim> surface_displacement_claims();
 
@@ -57,11 +53,7 @@ inline std::vector<std::vector<Claim> (*)()> older_claims() {
       cell_loading_claims,
       proof_step_claims,
       paper_figure_claims,
-      remark_claims,
       words_claims,
-      dual_problem_claims,
-      functional_claims,
-      bilinear_form_claims,
       problem_claims,
       surface_displacement_claims,
   };

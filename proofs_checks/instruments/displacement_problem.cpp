@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "proofs_checks/instruments/interior_point.hpp"
+
 namespace steadyslide::proofs_checks {
 namespace {
 
@@ -25,15 +27,15 @@ std::vector<std::size_t> wrong_nodes(const DisplacementProblem::State& state, co
 }  // namespace
 
 DisplacementProblem::DisplacementProblem(const Rational& s, int n, const std::function<double(double)>& profile,
-                                         double load, const DisplacementSaid& said)
-    : operator_(s, n, said.inverse), force_(n, n), tau_(n), profile_(n), load_(said.load * load) {
+                                         double load, const DisplacementFormula& formula)
+    : operator_(s, n, formula.inverse), force_(n, n), tau_(n), profile_(n), load_(formula.load * load) {
   for (Index i = 0; i < n; ++i) {
     const auto row = static_cast<std::size_t>(i);
     for (Index j = 0; j < n; ++j) force_(i, j) = operator_.force(row, static_cast<std::size_t>(j));
     tau_(i) = operator_.tau(row);
-    profile_(i) = said.profile * profile(operator_.node(row).x);
+    profile_(i) = formula.profile * profile(operator_.node(row).x);
   }
-  if (!said.other_angle) return;
+  if (!formula.other_angle) return;
   // (1-x)^{2 alpha}/(1+x)^{2 alpha} times the weight.
   const double twice = 2 * numeric::to_real<double>(Exponent::angle(s));
   for (Index i = 0; i < n; ++i) {
@@ -76,18 +78,11 @@ std::optional<DisplacementProblem::State> DisplacementProblem::by_active_sets(st
   return std::nullopt;
 }
 
-std::optional<DisplacementProblem::State> DisplacementProblem::by_pivots(std::vector<char> contact,
-                                                                         int most_steps) const {
-  const double gap_scale = load_ + profile_.cwiseAbs().maxCoeff();
-  for (int step = 1; step <= most_steps; ++step) {
-    State state = state_of(contact);
-    const auto wrong = wrong_nodes(state, contact, gap_scale, load_);
-    state.steps = step;
-    if (wrong.empty()) return state;
-    contact[wrong.front()] = contact[wrong.front()] == 0 ? 1 : 0;
-    if (std::ranges::none_of(contact, [](char c) { return c != 0; })) return std::nullopt;
-  }
-  return std::nullopt;
+std::optional<DisplacementProblem::State> DisplacementProblem::by_interior_points() const {
+  const Eigen::VectorXd flush = load_ * tau_ - force_ * profile_;
+  const auto found = proofs_checks::by_interior_points(force_, flush, std::nullopt);
+  if (!found) return std::nullopt;
+  return State{{found->x.begin(), found->x.end()}, {found->y.begin(), found->y.end()}, 0};
 }
 
 double DisplacementProblem::phi(const std::vector<double>& w) const {

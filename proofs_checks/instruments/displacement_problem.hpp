@@ -10,8 +10,7 @@
 //   p = P tau - force psi + force g,   p >= 0,   g >= 0,   p_i g_i = 0.
 //
 // `force` has the constants as its kernel on both sides, so that sum p = P by itself; where some g_i is zero what is
-// left of it is positive definite. Solved in double by active sets from any start, or by Murty's least-index pivots
-// [CPS92, chapter 4].
+// left of it is positive definite. Solved in double by active sets from any start, or by interior points.
 
 #include <Eigen/Core>
 #include <functional>
@@ -21,19 +20,21 @@
 
 namespace steadyslide::proofs_checks {
 
-/// What differs in a wrong problem I.
-struct DisplacementSaid {
-  InverseSaid inverse;
+/// Problem I, or a wrong variant of it.
+struct DisplacementFormula {
+  InverseVariant inverse;
   double load = 1;           ///< factor
   double profile = 1;        ///< factor of psi
   bool other_angle = false;  ///< the t_0 of -alpha in phi
+
+  bool operator==(const DisplacementFormula&) const = default;
 };
 
 class DisplacementProblem {
  public:
   /// psi(x) on [-1, 1], reduced.
   DisplacementProblem(const Rational& s, int n, const std::function<double(double)>& profile, double load,
-                      const DisplacementSaid& said = {});
+                      const DisplacementFormula& formula = {});
 
   struct State {
     std::vector<double> gap;
@@ -45,9 +46,8 @@ class DisplacementProblem {
   double x(std::size_t i) const { return operator_.node(i).x; }
   /// 1: contact at the node. Nothing if it cycles.
   std::optional<State> by_active_sets(std::vector<char> contact) const;
-  /// The wrong node of the least index changes: finite where all principal minors are positive. Nothing if it is not at
-  /// its end after as many steps.
-  std::optional<State> by_pivots(std::vector<char> contact, int most_steps) const;
+  /// Without any contact set (interior_point.hpp). Nothing if the path is lost.
+  std::optional<State> by_interior_points() const;
 
   /// a(v - u, u) + phi(v) - phi(u) for v = psi + w: >= 0 for the solution.
   double inequality(const State& state, const std::vector<double>& w) const;

@@ -1,0 +1,35 @@
+#pragma once
+// The power of the traction next to a singular point, from the operator alone: the p for which A t = 0 holds next to 0
+// with t = |x|^p, principal values by quadrature. No formula for an exponent, no arctangent and no cotangent is used:
+// what a formula says of p has to agree.
+//
+// For -1 < p < 0 the density y^p on the half-line y > 0 has H = m(p) at y = 1 and n(p) at y = -1,
+//
+//   m = (1/pi) PV int_0^oo y^p/(y-1) dy,   n = (1/pi) int_0^oo y^p/(y+1) dy;
+//
+// with y = e^tau, m + n = S(p+1) and m - n = S(p), S(p) = (1/pi) int_-oo^oo sinh(p tau)/sinh(tau) dtau: an integrand
+// without a pole, by the trapezoidal rule. For 0 < p < 1 the kernel 1/(y-1) - 1/y takes the place of 1/(y-1), which
+// leaves out a constant: m(p) = m(p-1), n(p) = -n(p-1).
+
+#include "model/direction.hpp"
+#include "numeric/number/real.hpp"
+
+namespace steadyslide::proofs_checks {
+
+/// An edge or a free end.
+enum class Power { unbounded, vanishing };
+
+/// p of t ~ d^p at an end of contact, -1 < p < 0 or 0 < p < 1, `contact` the side of the contact.
+template <numeric::Real R>
+R end_power(Side contact, Power power, const R& s);
+
+/// t ~ A_- |x|^p on the left, A_+ |x|^p on the right.
+template <class R>
+struct JumpPower {
+  R power;  ///< -1/2 < p < 1/2; 0 where no other power solves the equation
+  R ratio;  ///< A_-/A_+
+};
+template <numeric::Real R>
+JumpPower<R> jump_power(const R& s_left, const R& s_right);
+
+}  // namespace steadyslide::proofs_checks
