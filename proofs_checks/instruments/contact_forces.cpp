@@ -11,8 +11,8 @@ std::vector<Rational> plus(std::vector<Rational> a, const std::vector<Rational>&
 }
 
 /// sum q w + phi(w)
-Rational functional_ii(const ContactForces& c, const std::vector<Rational>& w, const ConditionsSaid& said) {
-  return dot(c.q, w) + said.functional * phi_on_nodes(c, w);
+Rational functional_ii(const ContactForces& c, const std::vector<Rational>& w, const Conditions& conditions) {
+  return dot(c.q, w) + conditions.functional * phi_on_nodes(c, w);
 }
 
 }  // namespace
@@ -42,19 +42,19 @@ Rational phi_on_nodes(const ContactForces& c, const std::vector<Rational>& w) {
   return c.load * (*std::ranges::max_element(w) - dot(c.tau, w));
 }
 
-bool holds_11(const ContactForces& c, const ConditionsSaid& said) {
+bool holds_11(const ContactForces& c, const Conditions& conditions) {
   // Some force is positive, since their sum is: so C can only be this one.
   const Rational top = *std::ranges::max_element(c.v);
   for (std::size_t i = 0; i < c.size(); ++i) {
-    if (said.compressive && c.force(i) < 0) return false;
-    if (said.complementary && c.force(i) != 0 && top - c.v[i] > said.contact_within) return false;
+    if (conditions.compressive && c.force(i) < 0) return false;
+    if (conditions.complementary && c.force(i) != 0 && top - c.v[i] > conditions.contact_within) return false;
   }
   return true;
 }
 
-bool holds_i_by_corners(const ContactForces& c, const ConditionsSaid& said) {
+bool holds_i_by_corners(const ContactForces& c, const Conditions& conditions) {
   if (!c.is_admissible()) return false;
-  if (said.over_all) {
+  if (conditions.over_all) {
     // Linear and bounded below: zero, v constant.
     return std::ranges::all_of(c.v, [&](const Rational& v) { return v == c.v[0]; });
   }
@@ -62,7 +62,7 @@ bool holds_i_by_corners(const ContactForces& c, const ConditionsSaid& said) {
   const Rational mean = dot(c.tau, c.v);
   for (const Rational& v : c.v) {
     const Rational corner = c.load * (mean - v);
-    if (said.first * (corner - here) < 0) return false;
+    if (conditions.first * (corner - here) < 0) return false;
   }
   return true;
 }
@@ -77,23 +77,23 @@ bool holds_i_by_exchanges(const ContactForces& c) {
   return true;
 }
 
-bool holds_ii_by_test_functions(const ContactForces& c, const ConditionsSaid& said) {
-  const Rational here = functional_ii(c, c.v, said);
+bool holds_ii_by_test_functions(const ContactForces& c, const Conditions& conditions) {
+  const Rational here = functional_ii(c, c.v, conditions);
   std::vector<std::vector<Rational>> tests{std::vector<Rational>(c.size(), Rational(0)), plus(c.v, c.v)};
   for (std::size_t i = 0; i < c.size(); ++i) tests.push_back(indicator(c.size(), 1U << i, -1));
-  return std::ranges::all_of(tests, [&](const auto& w) { return functional_ii(c, w, said) >= here; });
+  return std::ranges::all_of(tests, [&](const auto& w) { return functional_ii(c, w, conditions) >= here; });
 }
 
-bool holds_ii_by_subsets(const ContactForces& c, const ConditionsSaid& said) {
+bool holds_ii_by_subsets(const ContactForces& c, const Conditions& conditions) {
   Rational step = 1;
   for (const Rational& a : c.v) {
     for (const Rational& b : c.v) {
       if (a < b) step = std::min(step, Rational(b - a));
     }
   }
-  const Rational here = functional_ii(c, c.v, said);
+  const Rational here = functional_ii(c, c.v, conditions);
   for (unsigned bits = 0; bits < 1U << c.size(); ++bits) {
-    if (functional_ii(c, plus(c.v, indicator(c.size(), bits, step / 2)), said) < here) return false;
+    if (functional_ii(c, plus(c.v, indicator(c.size(), bits, step / 2)), conditions) < here) return false;
   }
   return true;
 }

@@ -26,8 +26,8 @@ struct ContactForces {
   bool is_admissible() const;  ///< q in K_0'
 };
 
-/// What differs in a wrong variant of the conditions.
-struct ConditionsSaid {
+/// The three conditions as they are said: those of the paper, or wrong ones.
+struct Conditions {
   bool complementary = true;  ///< in (11): t_n (u + C - psi) = 0
   bool compressive = true;    ///< in (11): t_n <= 0
   Rational contact_within;    ///< in (11): a gap of this counts as contact
@@ -37,11 +37,11 @@ struct ConditionsSaid {
 };
 
 /// (11) for some C.
-bool holds_11(const ContactForces& c, const ConditionsSaid& said);
-bool holds_i_by_corners(const ContactForces& c, const ConditionsSaid& said);
+bool holds_11(const ContactForces& c, const Conditions& conditions);
+bool holds_i_by_corners(const ContactForces& c, const Conditions& conditions);
 bool holds_i_by_exchanges(const ContactForces& c);
-bool holds_ii_by_test_functions(const ContactForces& c, const ConditionsSaid& said);
-bool holds_ii_by_subsets(const ContactForces& c, const ConditionsSaid& said);
+bool holds_ii_by_test_functions(const ContactForces& c, const Conditions& conditions);
+bool holds_ii_by_subsets(const ContactForces& c, const Conditions& conditions);
 
 Rational phi_on_nodes(const ContactForces& c, const std::vector<Rational>& w);
 Rational dot(const std::vector<Rational>& a, const std::vector<Rational>& b);

@@ -74,16 +74,16 @@ std::vector<R> DisplacementOperator<R>::derivatives(const std::vector<R>& weight
 }
 
 template <class R>
-DisplacementOperator<R>::DisplacementOperator(const Rational& s, int n, const InverseSaid& said) {
+DisplacementOperator<R>::DisplacementOperator(const Rational& s, int n, const InverseVariant& variant) {
   using std::pow;
   place_nodes(s, n);
   const std::size_t count = size();
-  const Rational told = said.friction * s;
+  const Rational told = variant.friction * s;
   const Exponent angle = Exponent::angle(told);
-  const auto left = Power<R>::of(said.printed ? half : half + angle);
+  const auto left = Power<R>::of(variant.printed ? half : half + angle);
   const auto right = Power<R>::of(half - angle);
   const R cosine = numeric::cos_pi_alpha<R>(s);
-  const R factor = said.amplitude ? cosine : R(cosine * cosine);
+  const R factor = variant.amplitude ? cosine : R(cosine * cosine);
 
   const auto w_rule = numeric::jacobi_rule<R>(left, right, std::max(n - 1, 1));
   const std::vector<Node<R>> y = nodes_of(w_rule);
@@ -119,7 +119,7 @@ DisplacementOperator<R>::DisplacementOperator(const Rational& s, int n, const In
         sum += w_rule.weights[k] * (slope_at_y[k * count + j] - here) / apart(y[k], nodes_[i]);
       }
       const R integral = stretch * sum / numeric::pi<R>() + here * kernel;
-      force_[i * count + j] = factor * (numeric::to_real<R>(told) * here + said.integral * integral / at_node);
+      force_[i * count + j] = factor * (numeric::to_real<R>(told) * here + variant.integral * integral / at_node);
     }
     // L(u)/t_0 times the weight: the true W, whatever (10) is said to have.
     const Exponent true_angle = Exponent::angle(s);

@@ -16,19 +16,21 @@
 
 namespace steadyslide::proofs_checks {
 
-/// What (10) is said to be.
-struct InverseSaid {
+/// (10), or a wrong variant of it.
+struct InverseVariant {
   int friction = 1;        ///< the sign of s, also in alpha
   bool printed = false;    ///< (1+x)^{1/2} in W
   int integral = -1;       ///< the sign of the integral
   bool amplitude = false;  ///< 1/sqrt(1+s^2) instead of 1/(1+s^2)
+
+  bool operator==(const InverseVariant&) const = default;
 };
 
 template <class R>
 class DisplacementOperator {
  public:
   /// n >= 2.
-  DisplacementOperator(const Rational& s, int n, const InverseSaid& said = {});
+  DisplacementOperator(const Rational& s, int n, const InverseVariant& variant = {});
 
   std::size_t size() const { return tau_.size(); }
   /// Distances from -1 and from 1.

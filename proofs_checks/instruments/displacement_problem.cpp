@@ -27,15 +27,15 @@ std::vector<std::size_t> wrong_nodes(const DisplacementProblem::State& state, co
 }  // namespace
 
 DisplacementProblem::DisplacementProblem(const Rational& s, int n, const std::function<double(double)>& profile,
-                                         double load, const DisplacementSaid& said)
-    : operator_(s, n, said.inverse), force_(n, n), tau_(n), profile_(n), load_(said.load * load) {
+                                         double load, const DisplacementFormula& formula)
+    : operator_(s, n, formula.inverse), force_(n, n), tau_(n), profile_(n), load_(formula.load * load) {
   for (Index i = 0; i < n; ++i) {
     const auto row = static_cast<std::size_t>(i);
     for (Index j = 0; j < n; ++j) force_(i, j) = operator_.force(row, static_cast<std::size_t>(j));
     tau_(i) = operator_.tau(row);
-    profile_(i) = said.profile * profile(operator_.node(row).x);
+    profile_(i) = formula.profile * profile(operator_.node(row).x);
   }
-  if (!said.other_angle) return;
+  if (!formula.other_angle) return;
   // (1-x)^{2 alpha}/(1+x)^{2 alpha} times the weight.
   const double twice = 2 * numeric::to_real<double>(Exponent::angle(s));
   for (Index i = 0; i < n; ++i) {

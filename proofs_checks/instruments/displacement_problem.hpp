@@ -20,19 +20,21 @@
 
 namespace steadyslide::proofs_checks {
 
-/// What differs in a wrong problem I.
-struct DisplacementSaid {
-  InverseSaid inverse;
+/// Problem I, or a wrong variant of it.
+struct DisplacementFormula {
+  InverseVariant inverse;
   double load = 1;           ///< factor
   double profile = 1;        ///< factor of psi
   bool other_angle = false;  ///< the t_0 of -alpha in phi
+
+  bool operator==(const DisplacementFormula&) const = default;
 };
 
 class DisplacementProblem {
  public:
   /// psi(x) on [-1, 1], reduced.
   DisplacementProblem(const Rational& s, int n, const std::function<double(double)>& profile, double load,
-                      const DisplacementSaid& said = {});
+                      const DisplacementFormula& formula = {});
 
   struct State {
     std::vector<double> gap;

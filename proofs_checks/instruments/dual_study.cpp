@@ -99,8 +99,8 @@ Moments cell_moments(const ContactProblem& problem, std::size_t cells) {
   return result;
 }
 
-Moments displacement_moments(const DualCase& c, int n, const DisplacementSaid& said) {
-  const DisplacementProblem problem(c.s, n, c.height(), numeric::to_real<double>(c.load), said);
+Moments displacement_moments(const DualCase& c, int n, const DisplacementFormula& formula) {
+  const DisplacementProblem problem(c.s, n, c.height(), numeric::to_real<double>(c.load), formula);
   const auto state = problem.by_active_sets(std::vector<char>(static_cast<std::size_t>(n), 1));
   if (!state) throw std::runtime_error("problem I not solved on polynomials");
   return problem.moments(*state, compared_moments);

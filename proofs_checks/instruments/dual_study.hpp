@@ -37,7 +37,7 @@ double distance(const Moments& a, const Moments& b, double load);
 /// its singular functions.
 Moments riemann_hilbert_moments(const ContactProblem& problem);
 Moments cell_moments(const ContactProblem& problem, std::size_t cells);
-Moments displacement_moments(const DualCase& c, int n, const DisplacementSaid& said = {});
+Moments displacement_moments(const DualCase& c, int n, const DisplacementFormula& formula = {});
 
 /// Root mean squares of the distance to `exact` over `meshes` neighbouring sizes, `first` being a level's first one.
 template <class Solve>

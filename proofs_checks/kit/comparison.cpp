@@ -133,6 +133,7 @@ class Runner {
                         quantity.tolerance, order->detail});
     } else if (const auto* number = std::get_if<Number>(&measured)) {
       const Number& expected = std::get<Number>(predicted);
+      if (quantity.at_most && *number <= expected) return findings.compare(numbers(quantity, context), 0);
       const Number difference = abs(*number - expected);
       findings.compare(numbers(quantity, context), quantity.absolute ? static_cast<double>(difference)
                                                                      : relative_difference<Number>(*number, expected));

@@ -55,17 +55,22 @@ class FormulaClaim {
     formula_ = std::move(formula);
     return std::move(*this);
   }
-  /// check.operator()<R>(Findings&, const Form&, const Case&), or with a const Context& behind these.
+  /// check.operator()<R>(Findings&, const Form&, const Case&), or with a const Context& behind these; without a type
+  /// parameter where everything is exact.
   template <class Check>
   FormulaClaim checked(Check check) && {
     run_ = [check = std::move(check)](Findings& findings, const Form& form, const Case& c, const Context& context) {
-      numeric::at_precision(context.digits, [&]<numeric::Real R>() {
-        if constexpr (requires { check.template operator()<R>(findings, form, c); }) {
-          check.template operator()<R>(findings, form, c);
-        } else {
-          check.template operator()<R>(findings, form, c, context);
-        }
-      });
+      if constexpr (std::is_invocable_v<Check, Findings&, const Form&, const Case&>) {
+        check(findings, form, c);
+      } else {
+        numeric::at_precision(context.digits, [&]<numeric::Real R>() {
+          if constexpr (requires { check.template operator()<R>(findings, form, c); }) {
+            check.template operator()<R>(findings, form, c);
+          } else {
+            check.template operator()<R>(findings, form, c, context);
+          }
+        });
+      }
     };
     return std::move(*this);
   }

@@ -1,0 +1,148 @@
+#include "proofs_checks/instruments/local_power.hpp"
+#include "proofs_checks/instruments/near.hpp"
+#include "proofs_checks/kit/comparison.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+/// A contact with the friction coefficients f at its ends, and one jump between them if they differ.
+struct Sliding {
+  Rational gamma;  ///< given as it is: it vanishes for no rigid indenter
+  Rational f_rear;
+  Rational f_front;
+  std::optional<Polynomial> profile = std::nullopt;  ///< absent: the exponents alone
+
+  bool has_jump() const { return f_rear != f_front; }
+  bool is_flat() const { return profile->degree() < 1; }
+  ContactProblem problem() const {
+    const auto indenter = Indenter(-1, {{1, *profile}});
+    if (!has_jump()) return {Elasticity::reduced(gamma), FrictionProfile({f_rear}, {}), indenter, 1};
+    return {Elasticity::reduced(gamma), FrictionProfile({f_rear, f_front}, {Rational(-1, 8)}), indenter, 1};
+  }
+};
+
+std::string text_of(const Sliding& c) {
+  return (!c.profile    ? ""
+          : c.is_flat() ? "flat punch, "
+                        : "parabola, ") +
+         ("gamma = " + to_string(c.gamma)) + ", f = " + to_string(c.f_rear) +
+         (c.has_jump() ? " and " + to_string(c.f_front) : "");
+}
+
+CaseList<Sliding> contacts(const Context& context) {
+  const Rational gamma(2, 7);
+  const Polynomial flat;
+  const Polynomial parabola({0, 0, 1});
+  std::vector<Sliding> all{{gamma, Rational(3, 2), Rational(3, 2), flat},
+                           {0, Rational(3, 2), Rational(3, 2), flat},
+                           {gamma, 0, 0, flat},
+                           {gamma, Rational(1, 2), 3, parabola},
+                           {0, Rational(1, 2), 3, parabola}};
+  if (!context.quick) {
+    all.insert(all.end(), {{gamma, 2, 2, parabola}, {0, 2, 2, parabola}, {-gamma, 2, 2, flat}});
+  }
+  const std::size_t solved = all.size();
+  Random random(context.seed, "rem-01-front-rear");
+  const std::size_t count = context.quick ? 10 : 100;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Rational any_gamma = random.between(-1, 1);
+    const Rational f = random.friction(50);
+    all.push_back({any_gamma, f, random.friction(50)});
+  }
+  return {all, std::to_string(solved) + " solved problems and their powers, " + std::to_string(count) +
+                   " random exponents with seed " + std::to_string(context.seed)};
+}
+
+template <Real R>
+Values measured(const Sliding& c) {
+  const Rational rear_s = c.gamma * c.f_rear;
+  const Rational front_s = c.gamma * c.f_front;
+  const Exponent edges = edge_exponent(End::right, rear_s) - edge_exponent(End::left, rear_s);
+  const Exponent frees = free_exponent(End::right, rear_s) - free_exponent(End::left, rear_s);
+  const Exponent beta = jump_exponent(rear_s, front_s);
+  Values values{{"edges", edges},
+                {"free ends", frees},
+                {"ends differ", edges.sign() != 0},
+                {"rear is stronger", edges.sign() > 0},
+                {"jump is singular", beta.sign() != 0}};
+  if (!c.profile) return values;
+  const R rear = numeric::to_real<R>(rear_s);
+  const R front = numeric::to_real<R>(front_s);
+  const Power power = c.is_flat() ? Power::unbounded : Power::vanishing;
+  values.add({"ends", R(end_power<R>(Side::left, power, front) - end_power<R>(Side::right, power, rear))});
+  if (c.has_jump()) values.add({"jump", jump_power<R>(rear, front).power});
+  values.add({"equation", solve<double>(c.problem())->residuals().equation});
+  return values;
+}
+
+/// Everything by alpha(gamma f).
+Values predicted(const Sliding& c) {
+  const Exponent rear = Exponent::angle(c.gamma * c.f_rear);
+  const Exponent front = Exponent::angle(c.gamma * c.f_front);
+  Values values{{"edges", rear + rear},
+                {"free ends", rear + rear},
+                {"ends differ", c.gamma * c.f_rear != 0},
+                {"rear is stronger", c.gamma * c.f_rear > 0},
+                {"jump is singular", c.gamma != 0 && c.has_jump()}};
+  if (!c.profile) return values;
+  values.add({"ends", numeric::to_real<Number>(rear + front)});
+  if (c.has_jump()) values.add({"jump", numeric::to_real<Number>(rear - front)});
+  values.add({"equation", Number(0)});
+  return values;
+}
+
+}  // namespace
+
+Claim rem_01_front_rear() {
+  const std::string route = "where the residual of A |x|^p vanishes, by quadrature";
+  return compared<Sliding>("rem-01-front-rear")
+      .cases(contacts)
+      .precision(Precision::at_least_fifty)
+      .quantity({.name = "edges", .what = "the powers of front and rear edge differ by 2 alpha", .routes = {}})
+      .quantity({.name = "free ends", .what = "free ends: by 2 alpha as well", .routes = {}})
+      .quantity(
+          {.name = "ends differ", .what = "they differ exactly if gamma f != 0", .routes = {}, .near_miss = false})
+      .quantity({.name = "rear is stronger",
+                 .what = "the rear edge is the stronger singularity exactly if gamma f > 0",
+                 .routes = {},
+                 .near_miss = false})
+      .quantity({.name = "jump is singular",
+                 .what = "a jump of f is singular exactly if gamma != 0",
+                 .routes = {},
+                 .near_miss = false})
+      .quantity({.name = "ends",
+                 .what = "power at the front less power at the rear",
+                 .routes = {route, "2 alpha"},
+                 .absolute = true})
+      .quantity({.name = "jump",
+                 .what = "power at a friction jump",
+                 .routes = {route, "alpha_- - alpha_+"},
+                 .absolute = true})
+      .quantity({.name = "equation",
+                 .what = "equation, solved in double with these powers",
+                 .routes = {"trapezoidal rule", "psi_bar'"},
+                 .tolerance = 1e-10,
+                 .absolute = true})
+      .measured([]<Real R>(const Sliding& c) { return measured<R>(c); })
+      .predicted(predicted)
+      .wrong("they differ whenever there is friction, gamma = 0 included",
+             [](Values& p, const Sliding& c) {
+               p.set("ends differ", c.f_rear != 0);
+               p.set("jump is singular", c.has_jump());
+             })
+      .wrong("they differ without friction",
+             [](Values& p, const Sliding& c) {
+               p.set("ends differ", c.gamma != 0);
+               p.set("jump is singular", c.gamma != 0);
+             })
+      .wrong("they never differ",
+             [](Values& p, const Sliding&) {
+               p.set("ends differ", false);
+               p.set("jump is singular", false);
+             })
+      .wrong("the front is the stronger one for gamma f > 0",
+             [](Values& p, const Sliding& c) { p.set("rear is stronger", c.gamma * c.f_rear < 0); })
+      .near_misses();
+}
+
+}  // namespace steadyslide::proofs_checks

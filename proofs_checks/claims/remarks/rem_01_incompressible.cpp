@@ -1,0 +1,121 @@
+#include "proofs_checks/instruments/near.hpp"
+#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/rate.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+/// Problems that differ by gamma alone: of a reduced problem, or by nu -> 1/2 at the same compliance.
+struct Limit {
+  std::string name;
+  std::vector<Rational> f;
+  Indenter indenter;
+  bool by_poisson = false;
+
+  ContactProblem problem(const Elasticity& elasticity, bool with_friction) const {
+    std::vector<Rational> values = f;
+    if (!with_friction) values.assign(f.size(), 0);
+    std::vector<Rational> jumps;
+    if (f.size() > 1) jumps.emplace_back(1, 8);
+    return {elasticity, FrictionProfile(std::move(values), std::move(jumps)), indenter, Rational(3, 2)};
+  }
+  Elasticity elasticity(const Rational& small) const {
+    return by_poisson ? Elasticity(Solid(Rational(1, 2) - small, 1)) : Elasticity::reduced(small);
+  }
+};
+
+std::string text_of(const Limit& c) { return c.name; }
+
+CaseList<Limit> limits(const Context& context) {
+  const Rational c(1, 8);
+  const Indenter flat(-1, {{1, Polynomial()}});
+  const Indenter parabola(-2, {{2, Polynomial({0, 0, 1})}});
+  std::vector<Limit> all{{"flat punch", {2}, flat}, {"parabola", {2}, parabola}};
+  if (!context.quick) {
+    all.push_back({"flat punch, f jumps", {Rational(1, 2), 2}, flat});
+    all.push_back({"flat punch, nu -> 1/2", {2}, flat, true});
+    all.push_back({"wedge at a friction jump",
+                   {2, Rational(1, 2)},
+                   Indenter(-2, {{c, Polynomial({Rational(1, 8), -1, 1})}, {2, Polynomial({Rational(-1, 8), 1, 1})}})});
+  }
+  return {all, "solved problems at four values of gamma"};
+}
+
+template <Real R>
+Values measured(const Limit& c) {
+  using std::abs;
+  const auto span = [](const numeric::RiemannHilbertSolution<R>& solution) {
+    const auto contact = solution.contact();
+    return std::pair(contact.front().left.x.value, contact.back().right.x.value);
+  };
+  std::vector<Level> levels;
+  R slope = 0;
+  R shift = 0;
+  for (const char* small : {"1e-4", "1e-8", "1e-16", "1e-24"}) {
+    const Elasticity body = c.elasticity(parse_rational(small));
+    const auto with = solve<R>(c.problem(body, true));
+    const auto without = solve<R>(c.problem(body, false));
+    double largest = 0;
+    R change = 0;
+    for (const Rational& x : {Rational(-1, 2), Rational(1, 3), Rational(1, 2)}) {
+      const R t = without->at(x).traction.left.value;
+      change = (with->at(x).traction.left.value - t) / t;
+      largest = std::max(largest, static_cast<double>(abs(change)));
+    }
+    const R gamma = numeric::to_real<R>(body.gamma());
+    levels.push_back({static_cast<double>(1 / gamma), largest});
+    const auto [left, right] = span(*with);
+    const auto [zero_left, zero_right] = span(*without);
+    slope = change / gamma;
+    shift = ((left + right) - (zero_left + zero_right)) / (zero_right - zero_left) / gamma;
+  }
+  const Rate rate = fitted_rate(levels);
+  Values values{{"order", Order{rate.value, rate.error_bar,
+                                c.name + ", relative, at three fixed points, gamma from 1e-4 to 1e-24"}}};
+  if (c.name == "flat punch") values.add({"slope", slope});
+  if (c.name == "parabola") values.add({"shift", shift});
+  return values;
+}
+
+Values predicted(const Limit& c) {
+  const Number first = numeric::to_real<Number>(c.f.front()) / numeric::pi<Number>();
+  Values values{{"order", Order{1}}};
+  if (c.name == "flat punch") values.add({"slope", Number(-first * log(Number(3)))});
+  if (c.name == "parabola") values.add({"shift", Number(-2 * first)});
+  return values;
+}
+
+/// The coefficients of first order, where the case has one.
+void scale(Values& p, const Number& factor) {
+  for (const char* name : {"slope", "shift"}) {
+    if (p.find(name)) p[name] *= factor;
+  }
+}
+
+}  // namespace
+
+Claim rem_01_incompressible() {
+  return compared<Limit>("rem-01-incompressible")
+      .cases(limits)
+      .precision(Precision::at_least_fifty)
+      .quantity({.name = "order", .what = "difference to the frictionless pressure", .routes = {}, .tolerance = 0.01})
+      .quantity({.name = "slope",
+                 .what = "first order at x = 1/2 of a flat punch, gamma = 1e-24",
+                 .routes = {"solved problems", "-(f/pi) log((1+x)/(1-x))"},
+                 .tolerance = 1e-20})
+      .quantity({.name = "shift",
+                 .what = "first order of the contact's centre over its half-width under a parabola, gamma = 1e-24",
+                 .routes = {"solved problems", "-2 f/pi"},
+                 .tolerance = 1e-20})
+      .measured([]<Real R>(const Limit& c) { return measured<R>(c); })
+      .predicted(predicted)
+      .wrong("a difference of the order gamma^2", [](Values& p, const Limit&) { p.set("order", Order{2}); })
+      .wrong("a difference of the order sqrt(gamma)", [](Values& p, const Limit&) { p.set("order", Order{0.5}); })
+      .wrong("the sign of the first order", [](Values& p, const Limit&) { scale(p, -1); })
+      .wrong("the first order without f",
+             [](Values& p, const Limit& c) { scale(p, 1 / numeric::to_real<Number>(c.f.front())); })
+      .wrong("the first order without 1/pi", [](Values& p, const Limit&) { scale(p, numeric::pi<Number>()); })
+      .near_misses();
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,155 @@
+#include "proofs_checks/instruments/near.hpp"
+#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/kit/comparison.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+struct Bodies {
+  std::string name;
+  Solid half_space;
+  std::optional<Solid> indenter;  ///< absent: rigid
+  Plane plane = Plane::strain;
+
+  Elasticity elasticity() const {
+    return indenter ? Elasticity(half_space, *indenter, plane) : Elasticity(half_space, plane);
+  }
+};
+
+std::string text_of(const Bodies& bodies) { return bodies.name; }
+
+/// Equal bodies; other ones with mu_2 (kappa_1 - 1) = mu_1 (kappa_2 - 1); the same in plane stress.
+CaseList<Bodies> pairs(const Context& context) {
+  const Solid steel(Rational(3, 10), 2);
+  // (1 - 2 nu)/mu equal: nu = 3/10, mu = 10/13 and nu = 2/5, mu = 5/13.
+  std::vector<Bodies> all{{"equal bodies", steel, steel},
+                          {"(1 - 2 nu)/mu equal", steel, Solid(Rational(2, 5), Rational(14, 13))}};
+  if (!context.quick) all.push_back({"equal bodies, plane stress", steel, steel, Plane::stress});
+  return {all, "a smooth profile with free ends over a friction jump"};
+}
+
+/// The same half-spaces, the indenters replaced: change(bodies, context).
+template <class Change>
+auto with_other_indenters(Change change) {
+  return [change](const Context& context) {
+    CaseList<Bodies> list = pairs(context);
+    for (Bodies& bodies : list.cases) change(bodies, context);
+    return list;
+  };
+}
+
+const Rational jump_place(1, 10);
+const std::vector<Rational> friction{Rational(1, 2), 10};
+
+ContactProblem sliding(const Elasticity& elasticity, const std::vector<Rational>& f) {
+  return {elasticity, FrictionProfile(f, {jump_place}),
+          Indenter(-2, {{2, Polynomial({0, Rational(1, 5), 1, 0, Rational(1, 3)})}}), 1};
+}
+
+/// (1) for one body: u_n' = direct H t_n - coupled t_t. [Bal16, (1)]
+struct BodyConstants {
+  Rational direct;
+  Rational coupled;
+};
+BodyConstants constants_of(const Solid& body, Plane plane) {
+  const Rational kappa = body.kolosov(plane);
+  return {(kappa + 1) / (4 * body.shear_modulus()), (kappa - 1) / (4 * body.shear_modulus())};
+}
+
+/// The frictionless t_n on both bodies with t_t = -f t_n on one and +f t_n on the other: by how much their surfaces,
+/// each with its own constants, miss the profile.
+template <Real R>
+double misfit(const Bodies& bodies, const numeric::RiemannHilbertSolution<R>& frictionless) {
+  using std::abs, std::max;
+  const BodyConstants lower = constants_of(bodies.half_space, bodies.plane);
+  const BodyConstants upper = bodies.indenter ? constants_of(*bodies.indenter, bodies.plane) : BodyConstants{0, 0};
+  const R compliance = numeric::to_real<R>(bodies.elasticity().compliance());
+  const auto& form = frictionless.form();
+  const R unit = numeric::to_real<R>(form.problem().frame().unit);
+  const R origin = numeric::to_real<R>(form.problem().frame().origin);
+  const auto segments = segments_of(form);
+  const numeric::trapezoidal::Grid<R> grid(traction_density(form));
+  double worst = 0;
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    for (const int percent : {3, 20, 45, 60, 80, 97}) {
+      const auto at = grid.midpoint_near(k, R(percent) / 100);
+      const R hilbert = grid.hilbert(at);
+      const bool behind = origin + unit * at.node.x < numeric::to_real<R>(jump_place);
+      const R shear = -numeric::to_real<R>(friction[behind ? 0 : 1]) * grid.density()[k](at.node);
+      const R below = numeric::to_real<R>(lower.direct) * hilbert - numeric::to_real<R>(lower.coupled) * shear;
+      const R above = numeric::to_real<R>(upper.direct) * hilbert + numeric::to_real<R>(upper.coupled) * shear;
+      const R profile = compliance * form.problem().slope(form.slope_at(segments[k]), at.node.x);
+      const R scale = max({R(abs(below)), R(abs(above)), R(abs(profile))});
+      const auto error = static_cast<double>(abs(below + above - profile) / scale);
+      if (!(error <= worst)) worst = error;  // NaN as well
+    }
+  }
+  return worst;
+}
+
+/// The tangential traction of the problem with friction over the frictionless pressure, behind the jump of f and
+/// before.
+template <Real R>
+Values measured(const Bodies& bodies) {
+  const auto without = solve<R>(sliding(bodies.elasticity(), {0, 0}));
+  const auto with = solve<R>(sliding(bodies.elasticity(), friction));
+  const auto ratio = [&](const Rational& x) {
+    return R(with->at(x).shear.left.value / without->at(x).traction.left.value);
+  };
+  return {{"surfaces", misfit<R>(bodies, *without)},
+          {"gamma", bodies.elasticity().gamma()},
+          {"far behind", ratio(Rational(-3, 10))},
+          {"behind", ratio(0)},
+          {"before", ratio(Rational(1, 5))}};
+}
+
+Values predicted(const Bodies&) {
+  return {{"surfaces", Number(0)},
+          {"gamma", Rational(0)},
+          {"far behind", numeric::to_real<Number>(-friction[0])},
+          {"behind", numeric::to_real<Number>(-friction[0])},
+          {"before", numeric::to_real<Number>(-friction[1])}};
+}
+
+Compared shear(const std::string& name, const std::string& x) {
+  return {.name = name,
+          .what = "tangential traction over the frictionless pressure, x = " + x,
+          .routes = {"solved with friction and without", "-f"}};
+}
+
+}  // namespace
+
+Claim rem_01_vanishing_dundurs() {
+  return compared<Bodies>("rem-01-vanishing-dundurs")
+      .cases(pairs)
+      .precision(Precision::at_least_fifty)
+      .quantity({.name = "surfaces",
+                 .what = "slopes of both surfaces in contact under the frictionless pressure and friction",
+                 .routes = {"(1) for each body with its own constants, trapezoidal rule", "the profile's"},
+                 .absolute = true})
+      .quantity({.name = "gamma", .what = "Dundurs' constant is 0", .routes = {}})
+      .quantity(shear("far behind", "-3/10"))
+      .quantity(shear("behind", "0"))
+      .quantity(shear("before", "1/5"))
+      .measured([]<Real R>(const Bodies& bodies) { return measured<R>(bodies); })
+      .predicted(predicted)
+      .wrong("no tangential traction",
+             [](Values& p, const Bodies&) { p["far behind"] = p["behind"] = p["before"] = 0; })
+      .wrong_beyond("a rigid indenter",
+                    with_other_indenters([](Bodies& bodies, const Context&) { bodies.indenter.reset(); }))
+      // The condition kappa_1 = kappa_2 in place of the right one.
+      .wrong_beyond("Poisson's ratios equal, shear moduli not",
+                    with_other_indenters([](Bodies& bodies, const Context&) {
+                      bodies.indenter = Solid(bodies.half_space.poisson(), 7);
+                    }))
+      .wrong_beyond("near miss: the indenter stiffer by ten times the tolerance",
+                    with_other_indenters([](Bodies& bodies, const Context& context) {
+                      const double step = numeric::at_precision(
+                          context.digits, []<Real R>() { return static_cast<double>(near_miss<R>()); });
+                      const Solid& solid = *bodies.indenter;
+                      bodies.indenter = Solid(solid.poisson(), solid.young() * (1 + Rational(step)));
+                    }))
+      .near_misses();
+}
+
+}  // namespace steadyslide::proofs_checks

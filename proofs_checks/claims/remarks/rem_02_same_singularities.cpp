@@ -1,0 +1,150 @@
+// Punches repeated with the period 2 pi: sum_k 1/(x'-x+2 pi k) = (1/2) cot((x'-x)/2). With friction pieces between
+// the places x_0 < ... < x_n (edges and jumps) and the powers p_j of the half-space, sum p_j = -1:
+//
+//   t = -(P/(2 pi)) cos(pi alpha) prod_j |sin((x-x_j)/2)|^{p_j} cos((x + sum_j p_j x_j)/2).
+
+#include "numeric/quadrature/trapezoidal.hpp"
+#include "proofs_checks/instruments/power_product.hpp"
+#include "proofs_checks/kit/formula_claim.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+/// One punch of the row.
+struct Row {
+  std::vector<Rational> places;
+  std::vector<Rational> s;  ///< between them
+};
+
+std::string text_of(const Row& row) { return std::to_string(row.s.size()) + " friction values"; }
+
+CaseList<Row> rows(const Context& context) {
+  // The cheapest first, for the controls.
+  std::vector<Row> all{{{Rational(-5, 2), Rational(5, 2)}, {Rational(2, 3)}},
+                       {{-1, Rational(1, 3), Rational(3, 2)}, {Rational(1, 4), 2}}};
+  if (!context.quick) all.push_back({{Rational(-1, 2), 0, Rational(1, 4), 2}, {3, Rational(1, 5), 1}});
+  return {all, std::to_string(all.size()) + " rows of punches"};
+}
+
+/// The traction for the load 1, and the kernel 1/w + smooth(w).
+struct RowTraction {
+  std::vector<Exponent> powers;
+  Number moved = 0;                             ///< added to the first power by a near miss
+  bool periodic = true;                         ///< sines in place of distances
+  std::optional<Number> centre = std::nullopt;  ///< sum_j p_j x_j, if it is not this
+  Number cotangent = 1;                         ///< factor of the kernel's smooth part
+};
+
+std::vector<Exponent> half_space_powers(const Row& row, bool reversed = false) {
+  const auto alpha = [&](std::size_t k) { return Exponent::angle(reversed ? Rational(-row.s[k]) : row.s[k]); };
+  std::vector<Exponent> p{-(half + alpha(0))};
+  for (std::size_t k = 1; k < row.s.size(); ++k) p.push_back(alpha(k - 1) - alpha(k));
+  p.push_back(-(half - alpha(row.s.size() - 1)));
+  return p;
+}
+
+/// The traction panel by panel.
+template <Real R>
+numeric::PiecewiseDensity<R> density_of(const Row& row, const RowTraction& form) {
+  std::vector<R> x;
+  for (const Rational& place : row.places) x.push_back(numeric::to_real<R>(place));
+  std::vector<numeric::Power<R>> p;
+  for (const Exponent& exponent : form.powers) p.push_back(numeric::Power<R>::of(exponent));
+  p[0].value += R(form.moved);
+  p[0].plus_one += R(form.moved);
+  R moment = 0;
+  for (std::size_t j = 0; j < x.size(); ++j) moment += p[j].value * x[j];
+  if (form.centre) moment = R(*form.centre);
+  numeric::PiecewiseDensity<R> density;
+  for (std::size_t k = 0; k + 1 < x.size(); ++k) {
+    const R size = -numeric::cos_pi_alpha<R>(row.s[k]) / (2 * numeric::pi<R>());
+    const auto smooth = [=, periodic = form.periodic](const numeric::Node<R>& node) {
+      using std::cos, std::pow, std::sin;
+      R value = size * cos(R((node.x + moment) / 2));
+      for (std::size_t j = 0; j < x.size(); ++j) {
+        const R d = j <= k ? R(node.from_left + (x[k] - x[j])) : R(node.from_right + (x[j] - x[k + 1]));
+        const R length = periodic ? R(sin(R(d / 2))) : R(d / 2);
+        value *= pow(j == k || j == k + 1 ? R(length / d) : length, p[j].value);
+      }
+      return value;
+    };
+    const R length = numeric::to_real<R>(row.places[k + 1] - row.places[k]);
+    density.push_back({{x[k], x[k + 1], length}, p[k], p[k + 1], smooth});
+  }
+  return density;
+}
+
+/// (1/2) cot(w/2) - 1/w = ((w/2) cos(w/2) - sin(w/2))/(w sin(w/2)), the numerator by its series where it cancels.
+template <Real R>
+R smooth_kernel(const R& w) {
+  using std::abs, std::cos, std::sin;
+  const R h = w / 2;
+  if (w == 0) return 0;
+  if (abs(w) > 1) return R(h * cos(h) - sin(h)) / (w * sin(h));
+  R power = h;
+  R sum = 0;
+  for (int n = 1; n < 60; ++n) {
+    power *= -h * h / (2 * n * (2 * n + 1));
+    sum += 2 * n * power;
+    if (abs(power) < abs(sum) * numeric::epsilon<R>() / 1000) break;
+  }
+  return sum / (w * sin(h));
+}
+
+template <Real R>
+void check(Findings& findings, const RowTraction& form, const Row& row) {
+  using std::abs, std::max;
+  const Quantity equation{"equation with the periodic kernel",
+                          {"(1/pi) PV int t/(x'-x) and the smooth part by quadrature", "-s t"},
+                          tolerance<R>()};
+  const Quantity load{"total load", {"quadrature", "1"}, tolerance<R>()};
+  const numeric::PiecewiseDensity<R> t = density_of<R>(row, form);
+  const numeric::trapezoidal::Grid<R> grid(t);
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    for (const int percent : {30, 85}) {
+      const auto at = grid.midpoint_near(k, R(percent) / 100);
+      numeric::PiecewiseDensity<R> rest = t;
+      for (auto& panel : rest) {
+        panel.smooth = [smooth = panel.smooth, x = at.node.x](const numeric::Node<R>& node) {
+          return R(smooth(node) * smooth_kernel(R(node.x - x)));
+        };
+      }
+      const R singular = grid.hilbert(at);
+      const R added = R(form.cotangent) * numeric::trapezoidal::Grid<R>(rest).integral() / numeric::pi<R>();
+      const R friction = numeric::to_real<R>(row.s[k]) * t[k](at.node);
+      const R size = max({R(abs(singular)), R(abs(added)), R(abs(friction))});
+      findings.compare(equation, static_cast<double>(abs(singular + added + friction) / size));
+    }
+  }
+  findings.compare(load, relative_difference<R>(grid.integral(), R(-1)));
+  Exponent sum;
+  for (const Exponent& p : form.powers) sum += p;
+  findings.decide("the powers add up to -1", sum == Exponent(-1));
+}
+
+}  // namespace
+
+Claim rem_02_same_singularities() {
+  return formula_claim<Row, RowTraction>("rem-02-same-singularities")
+      .cases(rows)
+      .precision(Precision::quick_in_double)
+      .says([](const Row& row) { return RowTraction{.powers = half_space_powers(row)}; })
+      .checked(
+          []<numeric::Real R>(Findings& findings, const RowTraction& form, const Row& row) { check<R>(findings, form, row); })
+      .wrong("the powers at edges without friction",
+             [](RowTraction& form, const Row&) { form.powers.front() = form.powers.back() = -half; })
+      .wrong(
+          "no singularity at the friction jumps",
+          [](RowTraction& form, const Row&) { std::fill(form.powers.begin() + 1, form.powers.end() - 1, Exponent()); })
+      .wrong("the angles' sign", [](RowTraction& form, const Row& row) { form.powers = half_space_powers(row, true); })
+      .wrong("the half-space's traction",
+             [](RowTraction& form, const Row&) {
+               form.periodic = false;
+               form.centre = 0;
+             })
+      .wrong("the last factor centred at 0", [](RowTraction& form, const Row&) { form.centre = 0; })
+      .wrong("the half-space's kernel", [](RowTraction& form, const Row&) { form.cotangent = 0; })
+      .near_miss("the power at the rear", [](RowTraction& form, const Number& step, const Row&) { form.moved = step; });
+}
+
+}  // namespace steadyslide::proofs_checks

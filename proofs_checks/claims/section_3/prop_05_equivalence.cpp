@@ -1,0 +1,178 @@
+#include <variant>
+
+#include "proofs_checks/instruments/cells.hpp"
+#include "proofs_checks/instruments/contact_forces.hpp"
+#include "proofs_checks/instruments/gap_functional.hpp"
+#include "proofs_checks/kit/formula_claim.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+using numeric::Real;
+using Function = PiecewiseFunction;
+
+/// Forces and gaps on nodes, built to satisfy (11) or to miss it.
+struct Pair {
+  ContactForces forces;
+  std::optional<bool> is_solution;  ///< absent: anything
+};
+
+/// v = u_n - psi with both signs, and t_n = -weight t_0 of the load.
+struct Steps {
+  Rational s;
+  Rational load;
+  Function v;
+  Polynomial weight;
+};
+
+struct Case {
+  std::string name;
+  std::variant<Pair, Steps> data;
+};
+
+std::string text_of(const Case& c) { return c.name; }
+
+CaseList<Case> cases(const Context& context) {
+  CaseList<Case> list{{}, "random polygons and friction of both signs, seed " + std::to_string(context.seed)};
+  Random of_steps(context.seed, "prop-05-equivalence, steps");
+  for (int k = 0; k < (context.quick ? 1 : 6); ++k) {
+    const Rational s = of_steps.between(Rational(1, 10), 2) * (k % 2 == 0 ? 1 : -1);
+    const Rational load = of_steps.between(Rational(1, 5), 4);
+    const std::vector<Rational> points = random_points(of_steps);
+    Function v = random_polygon(of_steps, points);
+    for (Polynomial& piece : v.pieces) piece = piece + Polynomial({0, k % 2 == 0 ? 2 : -2});
+    list.cases.push_back({"s = " + to_string(s), Steps{s, load, v, Polynomial({2, of_steps.between(-1, 1)})}});
+  }
+  // What is wrong may be as small as one likes: everything here is exact.
+  const double smallest = numeric::at_precision(context.digits, []<numeric::Real R>() { return tolerance<R>(); });
+  const std::vector<Rational> steps{1, Rational(1, 1000), Rational(smallest)};
+  Random random(context.seed, "prop-05-equivalence");
+  for (std::size_t k = 0; k < (context.quick ? 36 : 600); ++k) {
+    ContactForces forces = random_forces(random, k, steps[k / 6 % steps.size()]);
+    const std::string name = "pair " + std::to_string(k) + " on " + std::to_string(forces.size()) + " nodes";
+    list.cases.push_back({name, Pair{std::move(forces), k % 6 == 5 ? std::nullopt : std::optional(k % 6 == 0)}});
+  }
+  return list;
+}
+
+/// The proposition, and two signs of its proof.
+struct Equivalence {
+  Conditions conditions;
+  int test_function = -1;  ///< of (1/meas S) int P t_0
+  int constant = 1;        ///< of C in (14)
+};
+
+void check_equivalence(Findings& findings, const Conditions& conditions, const Pair& pair) {
+  const ContactForces& c = pair.forces;
+  const bool truth = holds_11(c, conditions);
+  findings.decide("(11) where it was built to hold, and not elsewhere",
+                  !pair.is_solution || truth == *pair.is_solution);
+  findings.decide("(11) <=> (i) by the corners of K_0'", truth == holds_i_by_corners(c, conditions));
+  findings.decide("(11) <=> (i) by exchanges of force", truth == holds_i_by_exchanges(c));
+  findings.decide("(11) <=> (ii) by the proof's test functions", truth == holds_ii_by_test_functions(c, conditions));
+  findings.decide("(11) <=> (ii) by directions", truth == holds_ii_by_subsets(c, conditions));
+}
+
+/// v where it is positive, 0 elsewhere, and the indicator of that set S: the panels are cut at the zeros.
+struct PositivePart {
+  Function values;
+  Function set;
+  Function complement;
+  Rational measure;
+};
+
+PositivePart positive_part(const Function& polygon) {
+  PositivePart result;
+  std::vector<Rational> points{-1};
+  const auto close = [&](const Rational& at, const Polynomial& piece) {
+    const bool positive = piece((points.back() + at) / 2) > 0;
+    if (positive) result.measure += at - points.back();
+    points.push_back(at);
+    result.values.pieces.push_back(positive ? piece : Polynomial());
+    result.set.pieces.push_back(Polynomial::constant(positive ? 1 : 0));
+    result.complement.pieces.push_back(Polynomial::constant(positive ? 0 : 1));
+  };
+  for (std::size_t k = 0; k < polygon.pieces.size(); ++k) {
+    const Polynomial& piece = polygon.pieces[k];
+    const Rational left = piece(polygon.points[k]);
+    const Rational right = piece(polygon.points[k + 1]);
+    if (left * right < 0) close(-piece.coefficient(0) / piece.coefficient(1), piece);
+    close(polygon.points[k + 1], piece);
+  }
+  for (Function* f : {&result.values, &result.set, &result.complement}) f->points = points;
+  return result;
+}
+
+/// Of linear pieces.
+Rational integral(const Function& f) {
+  Rational sum = 0;
+  for (std::size_t k = 0; k < f.pieces.size(); ++k) {
+    const Rational length = f.points[k + 1] - f.points[k];
+    sum += length * f.pieces[k]((f.points[k] + f.points[k + 1]) / 2);
+  }
+  return sum;
+}
+
+/// The steps of (i) => (11): the constant C, and the traction t_hat that shows that S has no measure.
+template <Real R>
+void check_steps(Findings& findings, const Equivalence& said, const Steps& steps) {
+  using std::abs;
+  const Quantity constant{"<t_n, u_n - psi + C> with the C of (14)", {"Gauss-Jacobi", "0"}, tolerance<R>()};
+  const Quantity mean{
+      "mean of the test traction", {"int over the complement, and 1 less that over S", "0"}, tolerance<R>()};
+  UnitPairing<R> unit_pairing;
+  const auto pairing = [&](const Function& f) { return unit_pairing(steps.s, f); };
+  const R p = numeric::to_real<R>(steps.load);
+  const Function weight{{-1, 1}, {steps.weight}};
+  Function product = steps.v;
+  for (Polynomial& piece : product.pieces) piece = piece * steps.weight;
+  // t_n by its integral from the moments, its load by quadrature.
+  const R scale = -p / pairing_by_moments<R>(steps.s, steps.weight);
+  const R paired = scale * pairing(product);
+  const R c = said.constant * paired / p;
+  findings.compare(constant, static_cast<double>(abs(paired + c * scale * pairing(weight)) / p));
+
+  const PositivePart part = positive_part(steps.v);
+  const R outside = p * pairing(part.complement);
+  const R rest = p - p * pairing(part.set);
+  const R level = said.test_function * rest / numeric::to_real<R>(part.measure);
+  findings.compare(mean, static_cast<double>(abs(outside + level * numeric::to_real<R>(integral(part.set))) / p));
+  findings.require(part.measure > 0, "u_n - psi + C is nowhere positive");
+  findings.require(level < 0, "the test traction is not in K_0'");
+  // <t_hat - P t_0, v> = int_S (level - P t_0) v
+  const R contradiction = level * numeric::to_real<R>(integral(part.values)) - p * pairing(part.values);
+  findings.require(contradiction < 0, "(15) is not contradicted");
+}
+
+}  // namespace
+
+Claim prop_05_equivalence() {
+  const auto conditions = [](auto change) {
+    return [change](Equivalence& said, const Case&) { change(said.conditions); };
+  };
+  using C = Conditions;
+  return formula_claim<Case, Equivalence>("prop-05-equivalence")
+      .cases(cases)
+      .says([](const Case&) { return Equivalence(); })
+      .checked([]<numeric::Real R>(Findings& findings, const Equivalence& said, const Case& c) {
+        if (const auto* steps = std::get_if<Steps>(&c.data)) {
+          check_steps<R>(findings, said, *steps);
+        } else {
+          check_equivalence(findings, said.conditions, std::get<Pair>(c.data));
+        }
+      })
+      .wrong("the printed test function without the minus sign",
+             [](Equivalence& said, const Case&) { said.test_function = 1; })
+      .wrong("-C instead of C in (14)", [](Equivalence& said, const Case&) { said.constant = -1; })
+      .wrong("(11) without the product", conditions([](C& said) { said.complementary = false; }))
+      .wrong("(11) without t_n <= 0", conditions([](C& said) { said.compressive = false; }))
+      .wrong("(i) with <= 0", conditions([](C& said) { said.first = -1; }))
+      .wrong("(i) for all t_hat of zero mean", conditions([](C& said) { said.over_all = true; }))
+      .wrong("(ii) without phi", conditions([](C& said) { said.functional = 0; }))
+      .wrong("(ii) with -phi", conditions([](C& said) { said.functional = -1; }))
+      .near_miss("a gap that counts as contact", [](Equivalence& said, const Number& step, const Case&) {
+        said.conditions.contact_within = Rational(static_cast<double>(step));
+      });
+}
+
+}  // namespace steadyslide::proofs_checks

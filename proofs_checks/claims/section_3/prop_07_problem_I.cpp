@@ -1,0 +1,126 @@
+#include "proofs_checks/instruments/dual_study.hpp"
+#include "proofs_checks/kit/formula_claim.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+using State = DisplacementProblem::State;
+
+constexpr double allowed = 1e-10;
+
+/// A problem on n polynomials, contact sets to start from, and displacements to put into the inequality, less u.
+struct Case {
+  DualCase dual;
+  int n;
+  std::vector<std::vector<char>> starts;
+  std::vector<std::vector<double>> directions;
+};
+
+std::string text_of(const Case& c) {
+  return "s = " + to_string(c.dual.s) + ", " + std::to_string(c.n) + " nodes, " + to_string(c.dual.profile);
+}
+
+CaseList<Case> cases(const Context& context) {
+  Random random(context.seed, "prop-07-problem-I");
+  CaseList<Case> list{{},
+                      "random s of both signs, profiles and loads, 8 to 40 nodes, three random sets each, seed " +
+                          std::to_string(context.seed)};
+  for (int k = 0; k < (context.quick ? 6 : 60); ++k) {
+    const Rational s = random.between(Rational(1, 10), k % 3 == 0 ? 3 : 1) * (k % 2 == 0 ? 1 : -1);
+    const Polynomial profile = random_profile(random, k % 2 == 0);
+    const Rational load = random.between(Rational(1, 5), 4);
+    const std::size_t n = 8 + random.below(context.quick ? 12 : 32);
+    Case c{{"", s, profile, load, 0}, static_cast<int>(n), {}, {}};
+    for (int start = 0; start < 3; ++start) {
+      c.starts.emplace_back(n, 0);
+      for (char& contact : c.starts.back()) contact = random.below(2) == 0 ? 1 : 0;
+      c.starts.back()[random.below(n)] = 1;
+    }
+    for (int j = 0; j < 6; ++j) {
+      c.directions.emplace_back(n, 0);
+      for (double& at : c.directions.back()) {
+        if (j % 2 == 0 || random.below(8) == 0) at = numeric::to_real<double>(random.between(-1, 1));
+      }
+    }
+    list.cases.push_back(std::move(c));
+  }
+  return list;
+}
+
+/// Problem I, to be solved by interior points, and its inequality.
+struct ProblemI {
+  DisplacementFormula problem = {};
+  double forces = 1;      ///< factor of the solution's
+  double functional = 1;  ///< factor of phi in the inequality
+};
+
+/// The largest difference of forces, over the largest one.
+double difference(const State& a, const State& b) {
+  double most = 0;
+  double scale = 0;
+  for (std::size_t i = 0; i < a.force.size(); ++i) {
+    most = std::max(most, std::abs(a.force[i] - b.force[i]));
+    scale = std::max(scale, std::abs(a.force[i]));
+  }
+  return most / scale;
+}
+
+std::vector<double> lowered(const State& state) {
+  std::vector<double> w;
+  for (const double gap : state.gap) w.push_back(-gap);
+  return w;
+}
+
+/// a(v - u, u) + phi(v) - phi(u) for v = u + direction, and for v the other solution.
+void check_inequality(Findings& findings, const DisplacementProblem& problem, const State& other, const State& state,
+                      const ProblemI& form, const Case& c) {
+  const Quantity inequality{"a(v-u, u) + phi(v) - phi(u), below zero", {"random v", "none"}, allowed};
+  const std::vector<double> u = lowered(other);
+  const double scale = std::max(1.0, *std::ranges::max_element(state.gap));
+  const auto compare = [&](const std::vector<double>& v) {
+    const double whole = problem.inequality(other, v) + (form.functional - 1) * (problem.phi(v) - problem.phi(u));
+    findings.compare(inequality, std::max(0.0, -whole) / scale);
+  };
+  compare(lowered(state));
+  for (const std::vector<double>& direction : c.directions) {
+    std::vector<double> v = u;
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] += direction[i];
+    compare(v);
+  }
+}
+
+void check(Findings& findings, const ProblemI& form, const Case& c) {
+  const Quantity forces{"contact forces", {"active sets from random sets", "interior points"}, allowed, 0.7};
+  const auto load = numeric::to_real<double>(c.dual.load);
+  const DisplacementProblem problem(c.dual.s, c.n, c.dual.height(), load);
+  std::vector<State> found;
+  for (const std::vector<char>& start : c.starts) {
+    if (const auto state = problem.by_active_sets(start)) found.push_back(*state);
+  }
+  auto other = DisplacementProblem(c.dual.s, c.n, c.dual.height(), load, form.problem).by_interior_points();
+  if (!other || found.empty()) return findings.skip(forces);
+  for (double& force : other->force) force *= form.forces;
+  for (const State& state : found) findings.compare(forces, difference(state, *other));
+  check_inequality(findings, problem, *other, found.front(), form, c);
+}
+
+}  // namespace
+
+Claim prop_07_problem_I() {
+  return formula_claim<Case, ProblemI>("prop-07-problem-I")
+      .cases(cases)
+      .precision(Precision::in_double)
+      .says([](const Case&) { return ProblemI(); })
+      .checked(check)
+      .wrong("the friction's sign reversed in L",
+             [](ProblemI& form, const Case&) { form.problem.inverse.friction = -1; })
+      .wrong("L with the printed (1+x)^{1/2}", [](ProblemI& form, const Case&) { form.problem.inverse.printed = true; })
+      .wrong("twice the load", [](ProblemI& form, const Case&) { form.problem.load = 2; })
+      .wrong("-psi instead of psi", [](ProblemI& form, const Case&) { form.problem.profile = -1; })
+      .wrong("the t_0 of -alpha in phi", [](ProblemI& form, const Case&) { form.problem.other_angle = true; })
+      .wrong("the inequality without phi", [](ProblemI& form, const Case&) { form.functional = 0; })
+      .wrong("near miss: forces moved by ten times the tolerance",
+             [](ProblemI& form, const Case&) { form.forces += 10 * allowed; });
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,168 @@
+#include <variant>
+
+#include "numeric/number/polynomial.hpp"
+#include "proofs_checks/instruments/dual_study.hpp"
+#include "proofs_checks/instruments/near.hpp"
+#include "proofs_checks/kit/formula_claim.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+using numeric::Real;
+
+/// u_n = psi is a polynomial.
+struct FullContact {
+  Rational s;
+  Polynomial profile;
+};
+/// One of dual_cases().
+struct Convergence {
+  std::size_t index;
+};
+
+struct Case {
+  std::string name;
+  std::variant<FullContact, Convergence> data;
+};
+
+std::string text_of(const Case& c) { return c.name; }
+
+CaseList<Case> cases(const Context& context) {
+  Random random(context.seed, "prop-07-problems-linked");
+  CaseList<Case> list{{}, "random s of both signs and profiles, seed " + std::to_string(context.seed)};
+  for (int k = 0; k < (context.quick ? 1 : 4); ++k) {
+    const Rational s = random.between(Rational(1, 4), 2) * (k % 2 == 0 ? 1 : -1);
+    const Rational cubic = context.quick ? Rational(0) : random.between(Rational(-1, 100), Rational(1, 100));
+    const Polynomial profile(
+        {0, random.between(Rational(-1, 50), Rational(1, 50)), random.between(0, Rational(1, 30)), cubic});
+    list.cases.push_back({"s = " + to_string(s) + ", " + to_string(profile), FullContact{s, profile}});
+  }
+  const std::vector<DualCase> dual = dual_cases();
+  for (std::size_t k = 0; k < (context.quick ? 2 : dual.size()); ++k) {
+    list.cases.push_back({dual[k].name, Convergence{k}});
+  }
+  return list;
+}
+
+/// The two problems.
+struct Link {
+  DisplacementFormula displacement = {};
+  int cells_friction = 1;  ///< its sign, in problem I0
+  Number load = 1;         ///< factor, in problem I
+
+  bool has_right_displacement() const { return displacement == DisplacementFormula(); }
+};
+
+/// Forces of problem I at its nodes against the Riemann-Hilbert traction.
+template <Real R>
+void check_full_contact(Findings& findings, const Link& link, const FullContact& c) {
+  using std::pow;
+  const Quantity forces{"P t_0 - L(psi) in full contact", {"(10) at the nodes", "Riemann-Hilbert"}, tolerance<R>()};
+  const auto solution = solve<R>(cell_problem({{c.s}, {}}, c.profile));
+  findings.require(solution->form().set().segments() == 1, "not in full contact");
+  const R unit = numeric::to_real<R>(solution->problem().frame().unit);
+  const R origin = numeric::to_real<R>(solution->problem().frame().origin);
+  const DisplacementOperator<R> a(c.s, c.profile.degree() + 1, link.displacement.inverse);
+  std::vector<R> psi;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    psi.push_back(R(link.displacement.profile) * numeric::value_of(c.profile, a.node(i).x));
+  }
+  const std::vector<R> bent = a.forces(psi);
+  const Exponent angle = Exponent::angle(c.s);
+  const R load = R(link.displacement.load) * R(link.load);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const numeric::Node<R>& node = a.node(i);
+    const R t = solution->form()
+                    .traction({0, {R((node.x - origin) / unit), R(node.from_left / unit), R(node.from_right / unit)}})
+                    .value;
+    const R t0 = numeric::cos_pi_alpha<R>(c.s) / numeric::pi<R>() *
+                 pow(node.from_left, numeric::to_real<R>(-(half + angle))) *
+                 pow(node.from_right, numeric::to_real<R>(-(half - angle)));
+    findings.compare(forces, relative_difference<R>(load * a.tau(i) - bent[i], -t * a.tau(i) / t0));
+  }
+}
+
+/// Moments found once for a claim and its controls.
+class KnownMoments {
+ public:
+  const Moments& exact(std::size_t k) {
+    Moments& moments = exact_[k];
+    if (moments.empty()) moments = riemann_hilbert_moments(dual_cases()[k].problem());
+    return moments;
+  }
+  const Moments& cells(std::size_t k, int n, int friction) {
+    Moments& moments = cells_[{k, n, friction}];
+    if (moments.empty()) moments = cell_moments(dual_cases()[k].problem(friction), static_cast<std::size_t>(n));
+    return moments;
+  }
+  const Moments& polynomials(std::size_t k, int n) {
+    Moments& moments = polynomials_[{k, n}];
+    if (moments.empty()) moments = displacement_moments(dual_cases()[k], n);
+    return moments;
+  }
+
+ private:
+  std::map<std::size_t, Moments> exact_;
+  std::map<std::tuple<std::size_t, int, int>, Moments> cells_;
+  std::map<std::pair<std::size_t, int>, Moments> polynomials_;
+};
+
+void check_convergence(Findings& findings, KnownMoments& known, const Link& link, std::size_t k, bool quick) {
+  const DualCase c = dual_cases()[k];
+  const std::vector<int> first = quick ? std::vector<int>{12, 24, 36} : std::vector<int>{16, 32, 64, 128};
+  const int meshes = quick ? 7 : 14;
+  const auto load = numeric::to_real<double>(c.load);
+  std::map<int, Moments> wrong;
+  const auto polynomials = [&](int n) -> const Moments& {
+    if (link.has_right_displacement()) return known.polynomials(k, n);
+    Moments& moments = wrong[n];
+    if (moments.empty()) moments = displacement_moments(c, n, link.displacement);
+    return moments;
+  };
+  const auto measure = [&](const std::string& what, const std::vector<Level>& levels, double expected) {
+    const Rate rate = fitted_rate(levels);
+    findings.measure({what + ", " + c.name, rate.value, rate.error_bar, expected, quick ? 0.35 : 0.2,
+                      "difference " + short_text(levels.back().error) + " at the last level"});
+  };
+  measure("L(u_n) of problem I to the Riemann-Hilbert solution",
+          levels_of(first, meshes, known.exact(k), load, polynomials), 2);
+  // Four cells to a node: neither error is the other's.
+  std::vector<Level> levels;
+  for (const int n : first) {
+    std::vector<double> errors;
+    for (int j = 0; j < meshes; ++j) {
+      errors.push_back(distance(polynomials(n + j), known.cells(k, 4 * (n + j), link.cells_friction), load));
+    }
+    levels.push_back({n + (meshes - 1) / 2.0, root_mean_square(errors)});
+  }
+  measure("L(u_n) of problem I to t_n of problem I0", levels, c.cells_rate);
+}
+
+}  // namespace
+
+Claim prop_07_problems_linked() {
+  return formula_claim<Case, Link>("prop-07-problems-linked")
+      .cases(cases)
+      // Principal values at 50 digits take a tenth of a second.
+      .precision(Precision::quick_in_double)
+      .says([](const Case&) { return Link(); })
+      .checked([known = std::make_shared<KnownMoments>()]<numeric::Real R>(Findings& findings, const Link& link,
+                                                                           const Case& c, const Context& context) {
+        if (const auto* full = std::get_if<FullContact>(&c.data)) {
+          check_full_contact<R>(findings, link, *full);
+        } else {
+          check_convergence(findings, *known, link, std::get<Convergence>(c.data).index, context.quick);
+        }
+      })
+      .wrong("problem I with the friction's sign reversed",
+             [](Link& link, const Case&) { link.displacement.inverse.friction = -1; })
+      .wrong("problem I0 with the friction's sign reversed", [](Link& link, const Case&) { link.cells_friction = -1; })
+      .wrong("L with the printed (1+x)^{1/2}",
+             [](Link& link, const Case&) { link.displacement.inverse.printed = true; })
+      .wrong("the t_0 of -alpha in phi", [](Link& link, const Case&) { link.displacement.other_angle = true; })
+      .wrong("-psi instead of psi", [](Link& link, const Case&) { link.displacement.profile = -1; })
+      .wrong("twice the load in problem I", [](Link& link, const Case&) { link.displacement.load = 2; })
+      .near_miss("the load of problem I", [](Link& link, const Number& step, const Case&) { link.load += step; });
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,204 @@
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <boost/math/constants/constants.hpp>
+#include <numbers>
+#include <variant>
+
+#include "proofs_checks/instruments/angle_forms.hpp"
+#include "proofs_checks/instruments/cell_law.hpp"
+#include "proofs_checks/instruments/cells.hpp"
+#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/rate.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+using numeric::Real;
+using numeric::variational::CellMesh;
+using std::numbers::pi;
+
+/// T_j/sqrt(1-x^2) and T_k/sqrt(1-x^2).
+struct Chebyshev {
+  int j;
+  int k;
+};
+/// sgn; or 2 int_{-1}^x s in its place, s = -1 left of 0 and 1 right of it.
+struct OnCells {
+  CellMesh mesh;
+  bool jump;
+};
+/// Of T(0)^2 for an energy of 1: what a jump of friction adds is a multiple of it.
+struct Growth {
+  std::size_t most_cells;
+};
+
+struct Case {
+  std::string name;
+  std::variant<Chebyshev, OnCells, Growth> data;
+};
+
+std::string text_of(const Case& c) { return c.name; }
+
+constexpr int highest = 4;
+
+CaseList<Case> cases(const Context& context, bool jump) {
+  CaseList<Case> list{{}, "cells equal and unequal, seed " + std::to_string(context.seed)};
+  for (int j = 0; j <= highest; ++j) {
+    for (int k = 0; k <= highest; ++k) {
+      list.cases.push_back({"Chebyshev functions " + std::to_string(j) + " and " + std::to_string(k), Chebyshev{j, k}});
+    }
+  }
+  const ContactProblem problem = cell_problem({{0, 0}, {0}});
+  for (const std::size_t cells : {16U, 32U, 64U, 128U}) {
+    if (context.quick && cells > 32) break;
+    list.cases.push_back({std::to_string(cells) + " equal cells", OnCells{CellMesh(problem, cells), jump}});
+  }
+  Random random(context.seed, "sec-31-sign-form");
+  for (int k = 0; k < (context.quick ? 1 : 8); ++k) {
+    list.cases.push_back({"random cells", OnCells{random_cells(random, problem, Cells::unequal, 32), jump}});
+  }
+  list.cases.push_back({"cells that meet at 0", Growth{context.quick ? 64U : 256U}});
+  return list;
+}
+
+/// sup <<.., t_2>>/(|t_1| |t_2|) of a form of forces.
+double norm_of(const Eigen::MatrixXd& form, const Eigen::MatrixXd& logarithm) {
+  const Eigen::LLT<Eigen::MatrixXd> factors(logarithm);
+  const Eigen::MatrixXd part = factors.matrixL().solve(form);
+  const Eigen::MatrixXd whole = factors.matrixL().solve(part.transpose());
+  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(whole.transpose() * whole, Eigen::EigenvaluesOnly)
+                       .eigenvalues()
+                       .maxCoeff());
+}
+
+/// <<t_1 * sgn, t_2>> on forces, t_1 by columns; the jump where two cells meet.
+Eigen::MatrixXd sign_on_cells(const OnCells& c) {
+  const auto n = static_cast<Eigen::Index>(c.mesh.size());
+  Eigen::MatrixXd form(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const double s = c.mesh.centre(static_cast<std::size_t>(j)) < 0 ? -1 : 1;
+      form(i, j) = c.jump ? (i > j ? 2 * s : i == j ? s : 0) : (i > j ? 1 : i == j ? 0 : -1);
+    }
+  }
+  return form;
+}
+
+/// -<<t * log|x|, t>> on forces, the support [-1, 1].
+Eigen::MatrixXd logarithm_on_cells(const CellMesh& mesh) {
+  const Eigen::MatrixXd form = pi * symmetric_part(mesh, operator_of({{0, 0}, {0}}, mesh), false);
+  return form - Eigen::MatrixXd::Constant(form.rows(), form.cols(), std::numbers::ln2);
+}
+
+Values measured(const OnCells& c) {
+  const Eigen::MatrixXd form = sign_on_cells(c);
+  const Eigen::MatrixXd logarithm = logarithm_on_cells(c.mesh);
+  const double norm = norm_of(on_zero_mean(form), on_zero_mean(logarithm));
+  return {{"zero mean", norm}, {"zero mean, nearly", norm}, {"all", norm_of(form, logarithm)}};
+}
+
+Values measured(const Growth& c) {
+  std::vector<Level> levels;
+  for (std::size_t cells = 16; cells <= c.most_cells; cells *= 2) {
+    const CellMesh mesh(cell_problem({{0, 0}, {0}}), cells);
+    const double value = largest_point_value(logarithm_on_cells(mesh) / pi, weights_of(mesh, 0), true);
+    levels.push_back({static_cast<double>(cells), std::exp(-pi * value)});
+  }
+  const Rate growth = fitted_rate(levels);
+  return {{"growth", Order{growth.value, growth.error_bar, "equal cells"}}};
+}
+
+/// The quadratures, once at each precision.
+class SignForms {
+ public:
+  template <Real R>
+  Values measured(const Chebyshev& c) {
+    auto& form = std::get<FormMatrix<R>>(forms_);
+    if (form.empty()) form = sign_form_by_quadrature<R>(highest);
+    const auto j = static_cast<std::size_t>(c.j);
+    const auto k = static_cast<std::size_t>(c.k);
+    return {{"entry", form[j][k]}, {"exchanged", form[k][j]}};
+  }
+
+ private:
+  std::tuple<FormMatrix<double>, FormMatrix<numeric::Real50>, FormMatrix<numeric::Real100>> forms_;
+};
+
+Values predicted(const Case& c) {
+  if (const auto* at = std::get_if<Chebyshev>(&c.data)) {
+    const bool counts = (at->j + at->k) % 2 != 0;
+    const Number entry = counts ? Number(4) / (at->k * at->k - at->j * at->j) : Number(0);
+    return {{"entry", entry}, {"exchanged", Number(-entry)}};
+  }
+  if (std::holds_alternative<Growth>(c.data)) return {{"growth", Order{1}}};
+  const double v = 28 * boost::math::constants::zeta_three<double>() / (std::pow(pi, 4) * std::numbers::ln2);
+  return {{"zero mean", 2 / pi}, {"zero mean, nearly", 2 / pi}, {"all", 1 / pi + std::sqrt(1 / (pi * pi) + v)}};
+}
+
+/// Where there is one of this name.
+void set(Values& p, const std::string& name, const Value& value) {
+  if (p.find(name)) p.set(name, value);
+}
+
+void scale_entries(Values& p, const Number& factor) {
+  for (const char* name : {"entry", "exchanged"}) {
+    if (p.find(name)) p[name] *= factor;
+  }
+}
+
+}  // namespace
+
+Claim sec_31_sign_form() {
+  return compared<Case>("sec-31-sign-form")
+      .cases([](const Context& context) { return cases(context, false); })
+      .quantity({.name = "entry",
+                 .what = "<<t_1 * sgn, t_2>>",
+                 .routes = {"quadrature in both angles", "coefficients"},
+                 .absolute = true})
+      .quantity({.name = "exchanged",
+                 .what = "both arguments exchanged",
+                 .routes = {"quadrature in both angles", "the other sign"},
+                 .absolute = true})
+      .quantity({.name = "zero mean",
+                 .what = "norm of the form on zero mean",
+                 .routes = {"cells", "at most 2/pi"},
+                 .at_most = true,
+                 .near_miss = false})
+      .quantity({.name = "zero mean, nearly",
+                 .what = "norm of the form on zero mean, nearly attained",
+                 .routes = {"cells", "2/pi"},
+                 .tolerance = 0.1})
+      .quantity({.name = "all",
+                 .what = "norm of the form on all tractions",
+                 .routes = {"cells", "at most 1/pi + sqrt(1/pi^2 + 28 zeta(3)/(pi^4 log 2))"},
+                 .at_most = true,
+                 .near_miss = false})
+      .quantity({.name = "growth",
+                 .what = "growth of pi sup T(0)^2/E with log N: what a jump of friction at 0 adds",
+                 .routes = {},
+                 .tolerance = 0.02})
+      .measured([forms = std::make_shared<SignForms>()]<numeric::Real R>(const Case& c) {
+        if (const auto* at = std::get_if<Chebyshev>(&c.data)) return forms->measured<R>(*at);
+        if (const auto* cells = std::get_if<OnCells>(&c.data)) return measured(*cells);
+        return measured(std::get<Growth>(c.data));
+      })
+      .predicted(predicted)
+      .wrong("symmetric",
+             [](Values& p, const Case&) {
+               if (p.find("exchanged")) p["exchanged"] *= -1;
+             })
+      .wrong("half of it", [](Values& p, const Case&) { scale_entries(p, Number(1) / 2); })
+      .wrong("the other sign", [](Values& p, const Case&) { scale_entries(p, -1); })
+      .wrong("terms with j + k even, too",
+             [](Values& p, const Case& c) {
+               const auto* at = std::get_if<Chebyshev>(&c.data);
+               if (at && at->j != at->k) p.set("entry", Number(4) / (at->k * at->k - at->j * at->j));
+             })
+      .wrong("the bound 1/pi", [](Values& p, const Case&) { set(p, "zero mean", Number(1 / pi)); })
+      .wrong("the bound 2/pi on all tractions", [](Values& p, const Case&) { set(p, "all", Number(2 / pi)); })
+      .wrong("no growth at a jump", [](Values& p, const Case&) { set(p, "growth", Order{0}); })
+      .wrong_beyond("a jump of s within the bound", [](const Context& context) { return cases(context, true); })
+      .near_misses();
+}
+
+}  // namespace steadyslide::proofs_checks

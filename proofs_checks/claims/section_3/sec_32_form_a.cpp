@@ -1,0 +1,188 @@
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
+#include <numbers>
+#include <variant>
+
+#include "numeric/quadrature/tanh_sinh.hpp"
+#include "proofs_checks/instruments/displacement_operator.hpp"
+#include "proofs_checks/instruments/jacobi_pair.hpp"
+#include "proofs_checks/kit/formula_claim.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+using numeric::Node;
+using numeric::Power;
+using numeric::Real;
+
+/// The form on polynomials of degree below n.
+struct Bounds {
+  int n;
+};
+/// Displacements with coefficients in Jacobi's polynomials.
+struct Pair {
+  std::vector<Rational> u;
+  std::vector<Rational> v;
+};
+
+struct Case {
+  Rational s;
+  std::variant<Bounds, Pair> data;
+};
+
+std::string text_of(const Case& c) { return "s = " + to_string(c.s); }
+
+CaseList<Case> cases(const Context& context) {
+  Random random(context.seed, "sec-32-form-a");
+  const Bounds bounds{context.quick ? 24 : 48};
+  CaseList<Case> list{{{0, bounds}}, "random s of both signs and polynomials, seed " + std::to_string(context.seed)};
+  for (int k = 0; k < (context.quick ? 2 : 10); ++k) {
+    list.cases.push_back({random.between(Rational(1, 5), 3) * (k % 2 == 0 ? 1 : -1), bounds});
+  }
+  for (std::size_t k = 0; k < (context.quick ? 1 : 3); ++k) {
+    const Rational s = random.between(Rational(1, 4), 3) * (k % 2 == 0 ? 1 : -1);
+    Pair pair;
+    for (std::vector<Rational>* coefficients : {&pair.u, &pair.v}) {
+      for (std::size_t i = 0; i < 2 + k; ++i) coefficients->push_back(random.between(-1, 1));
+    }
+    list.cases.push_back({s, std::move(pair)});
+  }
+  return list;
+}
+
+/// a by (10), b under slip s, and the bounds of a in a_0.
+struct FormA {
+  InverseVariant inverse;
+  int slip = 1;
+  Number lower;  ///< least a(u,u)/a_0(u,u)
+  Number upper;  ///< largest |a(v,u)|/(a_0(v,v) a_0(u,u))^{1/2}
+  Number scale = 1;
+};
+
+FormA form_a(const Case& c) {
+  const Number cosine = numeric::cos_pi_alpha<Number>(c.s);
+  return {.inverse = {}, .lower = cosine * cosine, .upper = 1};
+}
+
+/// -(1/pi) t * log|x| + (slip/2) t * sgn at a node, t = polynomial/W, on the panels before and behind it.
+template <Real R>
+R potential(const JacobiPair<R>& t, const Node<R>& at, const R& slip) {
+  const Exponent angle = Exponent::angle(t.s);
+  const auto left = Power<R>::of(-(half + angle));
+  const auto right = Power<R>::of(-(half - angle));
+  const Power<R> none{R(0), R(1)};
+  const auto before = [&](const Node<R>& y) {
+    using std::log, std::pow;
+    return R(t.traction(y.x) * pow(R(y.from_right + at.from_right), right.value) *
+             (slip / 2 - log(y.from_right) / numeric::pi<R>()));
+  };
+  const auto behind = [&](const Node<R>& y) {
+    using std::log, std::pow;
+    return R(t.traction(y.x) * pow(R(y.from_left + at.from_left), left.value) *
+             (-slip / 2 - log(y.from_left) / numeric::pi<R>()));
+  };
+  return numeric::tanh_sinh::panel_integral<R>({{R(-1), at.x, at.from_left}, left, none, before}).value +
+         numeric::tanh_sinh::panel_integral<R>({{at.x, R(1), at.from_right}, none, right, behind}).value;
+}
+
+template <Real R>
+JacobiPair<R> jacobi_pair(const Rational& s, const std::vector<Rational>& coefficients) {
+  JacobiPair<R> pair{s, {}};
+  for (const Rational& c : coefficients) pair.c.push_back(numeric::to_real<R>(c));
+  return pair;
+}
+
+/// a(v, u) by (10) against b(L v, L u), L from Jacobi's polynomials.
+template <Real R>
+void check_pair(Findings& findings, const FormA& form, const Rational& s, const Pair& pair) {
+  using std::abs, std::max;
+  const Quantity inverse{
+      "L(u) at the nodes", {"(10), Gauss-Jacobi and trapezoidal rule", "Jacobi's polynomials"}, tolerance<R>()};
+  const Quantity forms{"a(v, u)", {"int v L(u) by (10)", "b(L(v), L(u)) by tanh-sinh"}, tolerance<R>()};
+  const auto u = jacobi_pair<R>(s, pair.u);
+  const auto v = jacobi_pair<R>(s, pair.v);
+  const DisplacementOperator<R> a(s, static_cast<int>(pair.u.size()) + 1, form.inverse);
+  std::vector<R> u_at;
+  std::vector<R> v_at;
+  std::vector<R> image;
+  const R scale = numeric::pi<R>() / numeric::cos_pi_alpha<R>(s);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    u_at.push_back(u.displacement(a.node(i).x));
+    v_at.push_back(v.displacement(a.node(i).x));
+    image.push_back(a.tau(i) * scale * u.traction(a.node(i).x));
+  }
+  const std::vector<R> by_formula = a.forces(u_at);
+  R error = 0;
+  R size = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    error = max(error, R(abs(by_formula[i] - image[i])));
+    size = max(size, R(abs(image[i])));
+  }
+  findings.compare(inverse, static_cast<double>(error / size));
+  // b(L(v), L(u)) = <U, L(u)>, U the displacement under L(v), a polynomial: Gauss's rule is exact.
+  const R slip = form.slip * numeric::to_real<R>(s);
+  R by_potential = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) by_potential += image[i] * potential(v, a.node(i), slip);
+  findings.compare(forms, relative_difference<R>(R(form.scale) * a.form(v_at, u_at), by_potential));
+}
+
+/// a in Chebyshev's polynomials T_1, ..., T_{n-1}, each divided by the root of a_0(T_k, T_k) = pi k/2.
+Eigen::MatrixXd scaled_form(const Rational& s, int n, const InverseVariant& variant) {
+  const DisplacementOperator<double> a(s, n, variant);
+  Eigen::MatrixXd values(n, n - 1);
+  Eigen::MatrixXd force(n, n);
+  for (int i = 0; i < n; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    for (int j = 0; j < n; ++j) force(i, j) = a.force(row, static_cast<std::size_t>(j));
+    for (int k = 1; k < n; ++k) {
+      values(i, k - 1) = std::cos(k * std::acos(a.node(row).x)) / std::sqrt(std::numbers::pi * k / 2);
+    }
+  }
+  return values.transpose() * force * values;
+}
+
+void check_bounds(Findings& findings, const FormA& form, const Rational& s, int n) {
+  const Quantity identity{"a_0(T_j, T_k) on degrees below n", {"(10) with s = 0", "pi k/2, orthogonal"}, 1e-11};
+  const Quantity lower{"least a(u,u)/a_0(u,u), below 1/(1+s^2)", {"eigenvalue", "bound"}, 1e-11};
+  const Quantity upper{"largest |a(v,u)|/(a_0(v,v) a_0(u,u))^{1/2}, above 1", {"singular value", "bound"}, 1e-11};
+  const Quantity sharp{"least a(u,u)/a_0(u,u) on degrees below n", {"eigenvalue", "1/(1+s^2)"}, 1e-9};
+  const Eigen::MatrixXd scaled = scaled_form(s, n, form.inverse);
+  if (s == 0) {
+    findings.compare(identity, (scaled - Eigen::MatrixXd::Identity(n - 1, n - 1)).cwiseAbs().maxCoeff());
+    return;
+  }
+  const Eigen::MatrixXd symmetric = (scaled + scaled.transpose()) / 2;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric, Eigen::EigenvaluesOnly);
+  const double least = solver.eigenvalues().minCoeff();
+  const auto bound = static_cast<double>(form.lower);
+  findings.compare(lower, std::max(bound - least, 0.0) / bound);
+  findings.compare(sharp, std::abs(least - bound) / bound);
+  const double norm = Eigen::JacobiSVD<Eigen::MatrixXd>(scaled).singularValues().maxCoeff();
+  findings.compare(upper, std::max(norm - static_cast<double>(form.upper), 0.0));
+}
+
+}  // namespace
+
+Claim sec_32_form_a() {
+  return formula_claim<Case, FormA>("sec-32-form-a")
+      .cases(cases)
+      .precision(Precision::quick_in_double)
+      .says(form_a)
+      .checked([]<numeric::Real R>(Findings& findings, const FormA& form, const Case& c) {
+        if (const auto* bounds = std::get_if<Bounds>(&c.data)) {
+          check_bounds(findings, form, c.s, bounds->n);
+        } else {
+          check_pair<R>(findings, form, c.s, std::get<Pair>(c.data));
+        }
+      })
+      .wrong("L with the printed (1+x)^{1/2}", [](FormA& form, const Case&) { form.inverse.printed = true; })
+      .wrong("L with the friction's sign reversed", [](FormA& form, const Case&) { form.inverse.friction = -1; })
+      .wrong("L with the integral's sign reversed", [](FormA& form, const Case&) { form.inverse.integral = 1; })
+      .wrong("L with 1/sqrt(1+s^2)", [](FormA& form, const Case&) { form.inverse.amplitude = true; })
+      .wrong("b with the friction's sign reversed", [](FormA& form, const Case&) { form.slip = -1; })
+      .wrong("the lower bound 1/sqrt(1+s^2)", [](FormA& form, const Case&) { form.lower = sqrt(form.lower); })
+      .wrong("the upper bound 1/(1+s^2)", [](FormA& form, const Case&) { form.upper = form.lower; })
+      .near_miss("a", [](FormA& form, const Number& step, const Case&) { form.scale += step; });
+}
+
+}  // namespace steadyslide::proofs_checks
