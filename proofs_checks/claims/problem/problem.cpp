@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "numeric/quadrature/trapezoidal.hpp"
+#include "numeric/cauchy/sliding_operator.hpp"
 #include "proofs_checks/claims/claims.hpp"
 #include "proofs_checks/claims/problem/problem_parts.hpp"
 #include "proofs_checks/instruments/half_plane_field.hpp"
@@ -74,14 +74,17 @@ std::vector<Evidence> check(const Context& context, const ReductionSaid& said, G
         const HalfPlaneField<R> field(*problem.elasticity().half_space(), c.normal, scaled_pieces(c.normal, ratios),
                                       rules);
         const numeric::trapezoidal::Grid<R> grid(density_of<R>(c.normal));
+        std::vector<R> s;
+        for (std::size_t i = 0; i < ratios.size(); ++i) {
+          s.push_back(numeric::to_real<R>(said.s(problem, i)) + R(said.miss));
+        }
+        const numeric::SlidingOperator<R> A(grid, s);
         for (std::size_t i = 0; i < ratios.size(); ++i) {
           const numeric::PanelPoint<R> at = grid.midpoint_near(i, R(1) / 2);
-          const R t = value_at<R>(c.normal, at.node.x);
-          const R s = numeric::to_real<R>(said.s(problem, i)) + R(said.miss);
-          const R hilbert = grid.hilbert(at);
+          const numeric::SlidingTerms<R> terms = A.at(at);
           const R slope = field.normal_slope(at.node.x) / numeric::to_real<R>(problem.elasticity().compliance());
-          const R scale = abs(hilbert) + abs(t);
-          findings.compare(equation, static_cast<double>(R(abs(hilbert + s * t - slope) / scale)));
+          const R scale = abs(terms.hilbert.value) + abs(terms.traction);
+          findings.compare(equation, static_cast<double>(R(abs(terms.sum().value - slope) / scale)));
         }
       }
       return findings.evidence("random polynomials, frictions with up to two jumps, sliding both ways, seed " +

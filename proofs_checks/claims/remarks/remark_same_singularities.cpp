@@ -6,6 +6,7 @@
 //
 //   t = -(P/(2 pi)) cos(pi alpha) prod_j |sin((x-x_j)/2)|^{p_j} cos((x + sum_j p_j x_j)/2).
 
+#include "numeric/cauchy/sliding_operator.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/claims/remarks/remarks.hpp"
 #include "proofs_checks/instruments/near.hpp"
@@ -106,6 +107,9 @@ void check_row(Findings& findings, const RowCase& c, const RowSaid& said) {
   const Quantity load{"total load", {"quadrature", "1"}, tolerance<R>()};
   const numeric::PiecewiseDensity<R> t = traction<R>(c, said);
   const numeric::trapezoidal::Grid<R> grid(t);
+  std::vector<R> s;
+  for (const Rational& value : c.s) s.push_back(numeric::to_real<R>(value));
+  const numeric::SlidingOperator<R> A(grid, s);
   for (std::size_t k = 0; k < t.size(); ++k) {
     for (const int percent : std::vector<int>{30, 85}) {
       const auto at = grid.midpoint_near(k, R(percent) / 100);
@@ -115,11 +119,10 @@ void check_row(Findings& findings, const RowCase& c, const RowSaid& said) {
           return R(smooth(node) * smooth_kernel(R(node.x - x)));
         };
       }
-      const R singular = grid.hilbert(at);
+      const numeric::SlidingTerms<R> terms = A.at(at);
       const R added = said.kernel ? R(numeric::trapezoidal::Grid<R>(rest).integral() / numeric::pi<R>()) : R(0);
-      const R friction = numeric::to_real<R>(c.s[k]) * t[k](at.node);
-      const R size = max({R(abs(singular)), R(abs(added)), R(abs(friction))});
-      findings.compare(equation, static_cast<double>(R(abs(singular + added + friction) / size)));
+      const R size = max({R(abs(terms.hilbert.value)), R(abs(added)), R(abs(terms.friction))});
+      findings.compare(equation, static_cast<double>(R(abs(terms.sum().value + added) / size)));
     }
   }
   findings.compare(load, relative_difference<R>(grid.integral(), R(-1)));

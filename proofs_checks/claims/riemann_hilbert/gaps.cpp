@@ -1,5 +1,6 @@
 // The gap between the profile and the surface, from the Riemann-Hilbert form and from the logarithmic potential.
 
+#include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "proofs_checks/claims/claims.hpp"
 #include "proofs_checks/instruments/punch.hpp"
 #include "proofs_checks/instruments/trial.hpp"
@@ -80,13 +81,14 @@ class Comparison {
     for (const auto* from : {&left, &right}) {
       if (!*from) continue;
       const Heights h = heights(**from, at.node.x);
-      compare(quantity, said(form_.opening((*from)->end, at).value, **from, segment), h);
+      compare(quantity, said(numeric::GapIntegral<R>(form_, (*from)->end).reduced_gap(at).value, **from, segment), h);
       const int sign = from == &left ? 1 : -1;
       difference.profile += sign * h.profile;
       difference.surface += sign * h.surface;
     }
     if (!left || !right || left->end != segment) return;
-    compare(closure, said(form_.closure(left->end, form_.gap_rule(left->end)), *left, right->end), difference);
+    const numeric::GapIntegral<R> whole(form_, left->end);
+    compare(closure, said(whole.closure_error(whole.rule()), *left, right->end), difference);
   }
 
  private:
