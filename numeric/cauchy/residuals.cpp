@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "numeric/cauchy/sliding_operator.hpp"
+
 namespace steadyslide::numeric {
 
 template <Real R>
@@ -22,15 +24,10 @@ std::vector<PanelPoint<R>> SurfaceCheck<R>::points() const {
 
 template <Real R>
 R SurfaceCheck<R>::equation() const {
-  using std::abs, std::max;
+  const SlidingOperator<R> A(grid_, s_);
   R worst = 0;
   for (const PanelPoint<R>& point : points()) {
-    const R t = grid_.density()[point.panel](point.node);
-    const R st = s_[point.panel] * t;
-    const R ht = grid_.hilbert(point);
-    const R slope = profile_slope_(point.panel, point.node);
-    const R scale = max({R(abs(slope)), R(abs(st)), R(abs(ht)), R(abs(t))});
-    worst = max(worst, R(abs(ht + st - slope) / scale));
+    worst = std::max(worst, A.at(point).residual(profile_slope_(point.panel, point.node)));
   }
   return worst;
 }

@@ -19,8 +19,8 @@ class SurfaceCheck {
 
   /// int t.
   R integral() const { return grid_.integral(); }
-  /// max |A t - psi'/c| / max(|psi'/c|, |s t|, |H t|, |t|) over points of every panel, from 1e-6 of its length from one
-  /// end to 1e-6 from the other. |t| is in the scale because the other three vanish together where s and psi' do.
+  /// The largest relative residual of A t = psi'/c (sliding_operator.hpp) over points of every panel, from 1e-6 of its
+  /// length from one end to 1e-6 from the other.
   R equation() const;
   /// The largest t at those points.
   R highest_traction() const;

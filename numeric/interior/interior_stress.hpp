@@ -19,6 +19,7 @@
 #include <map>
 
 #include "numeric/interior/stress_state.hpp"
+#include "numeric/quadrature/graded_panels.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 
 namespace steadyslide::numeric {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/riemann_hilbert/local_signs.hpp"
 
 namespace steadyslide::numeric {
@@ -188,7 +189,7 @@ class Inspection {
     const auto middle = all.size() / 2;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const bool from_left = contact_left && (!contact_right || i < middle);
-      const Estimate<R> gap = form_.opening(from_left ? first : end, all[i]);
+      const Estimate<R> gap = GapIntegral<R>(form_, from_left ? first : end).reduced_gap(all[i]);
       note(What::penetration, gap.value < -8 * gap.error, all[i]);
     }
     this->end(end - 1);

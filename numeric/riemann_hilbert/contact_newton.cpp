@@ -4,6 +4,8 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 
+#include "numeric/riemann_hilbert/gap_integral.hpp"
+
 namespace steadyslide::numeric {
 namespace {
 
@@ -113,7 +115,7 @@ class Linearisation {
         for (std::size_t i = 0; i < j; ++i) power *= end(f);
         at(f) = power;
       }
-      if (tilts_) at(free_.size()) = form_.tilt_moment(j);
+      if (tilts_) at(free_.size()) = form_.expansion().tilt_moment(j);
       right_(row_++) = missing;
     }
   }
@@ -127,7 +129,8 @@ class Linearisation {
         ++row_;
         continue;
       }
-      const auto rule = form_.gap_rule(j);
+      const GapIntegral<R> gap(form_, j);
+      const auto rule = gap.rule();
       for (const auto& node : rule) {
         // Over a tiny gap the weight times Y alone may be no number any more.
         for (std::size_t f = 0; f < free_.size(); ++f) {
@@ -139,9 +142,9 @@ class Linearisation {
           at(free_.size() + k) -= power;
           power *= node.at.node.x;
         }
-        if (tilts_) at(free_.size() + coefficients_) += weight * form_.tilt_polynomial(node.at.node.x);
+        if (tilts_) at(free_.size() + coefficients_) += weight * form_.expansion().tilt_polynomial(node.at.node.x);
       }
-      right_(row_) = -form_.closure(j, rule);
+      right_(row_) = -gap.closure_error(rule);
       ++row_;
     }
   }
@@ -152,7 +155,7 @@ class Linearisation {
       ++row_;
       return;
     }
-    const std::vector<R>& d = form_.series();
+    const std::vector<R>& d = form_.expansion().series();
     const auto count = static_cast<std::size_t>(std::max(S_ + 2, 0));
     const auto series = [&](std::size_t j) { return d[static_cast<std::size_t>(S_ + 1) - j]; };
     for (std::size_t l = 0; l < coefficients_; ++l) {
@@ -166,7 +169,8 @@ class Linearisation {
         power *= end(f);
       }
     }
-    for (std::size_t j = 0; j < count; ++j) at(free_.size() + coefficients_) += form_.tilt_moment(j) * series(j);
+    for (std::size_t j = 0; j < count; ++j)
+      at(free_.size() + coefficients_) += form_.expansion().tilt_moment(j) * series(j);
     right_(row_) = (form_.problem().load() * *form_.problem().load_at() - form_.moment_of_load()) / pi<R>();
     ++row_;
   }

@@ -6,6 +6,7 @@
 #include "numeric/cauchy/residuals.hpp"
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/number/clustered.hpp"
+#include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/riemann_hilbert/local_signs.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 
@@ -56,7 +57,7 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
           static_cast<std::size_t>(std::find(segments.begin(), segments.end(), segment) - segments.begin());
       const R distance = abs(form_->distance(at, *end));
       const R surface = check.displacement(panel, on_left ? Side::right : Side::left, distance);
-      const R gap = form_->profile_rise(*end, at) - surface;
+      const R gap = GapIntegral<R>(*form_, *end).profile_increment(at) - surface;
       deepest = max(deepest, R(-gap));
     }
   }

@@ -6,6 +6,7 @@
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/number/clustered.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
+#include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 
 namespace steadyslide::numeric {
@@ -71,7 +72,7 @@ Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const {
   if (contact_set().in_contact(static_cast<std::size_t>(at.segment))) return {};
   const std::optional<std::size_t> end = nearest_end(at);
   if (!end) return {};
-  const Estimate<R> opening = form_->opening(*end, at);
+  const Estimate<R> opening = GapIntegral<R>(*form_, *end).reduced_gap(at);
   const R scale = to_real<R>(problem_.elasticity().compliance()) * to_real<R>(reduced_.frame().unit);
   const R distance = abs(form_->distance(at, *end));
   const R ends = distance > 0 ? R(2 * found_->end_error / distance) : R(0);

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 #include "proofs_checks/instruments/convergence_cases.hpp"
@@ -73,7 +74,7 @@ R gap_beside(const RiemannHilbertSolution<R>& solution, std::size_t point, Side 
   }
   const R scale = numeric::to_real<R>(solution.problem().problem().elasticity().compliance()) *
                   numeric::to_real<R>(solution.problem().frame().unit);
-  return scale * solution.form().opening(point, beside(solution, point, side, d)).value;
+  return scale * numeric::GapIntegral<R>(solution.form(), point).reduced_gap(beside(solution, point, side, d)).value;
 }
 
 template <Real R>

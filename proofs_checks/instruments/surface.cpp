@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "numeric/cauchy/sliding_operator.hpp"
 #include "numeric/quadrature/gsl_quadrature.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
@@ -11,17 +12,6 @@ namespace {
 
 using numeric::Estimate;
 using numeric::PanelPoint;
-
-/// |H t + s t - u'| / max(|u'|, |s t|, |H t|, |t|).
-template <Real R>
-double residual(const Surface<R>& surface, const PanelPoint<R>& at, const R& hilbert) {
-  using std::abs, std::max;
-  const R t = surface.traction[at.panel](at.node);
-  const R st = surface.s[at.panel] * t;
-  const R slope = surface.slope(at.node.x);
-  const R scale = max({R(abs(slope)), R(abs(st)), R(abs(hilbert)), R(abs(t))});
-  return static_cast<double>(R(abs(hilbert + st - slope) / scale));
-}
 
 template <Real R>
 double load_error(const Surface<R>& surface, const R& integral) {
@@ -72,17 +62,22 @@ void check_surface(Findings& findings, const Surface<R>& surface, const numeric:
   // The equation before the load: it is blind to a factor, and nothing else may hide behind the load.
   // Numerators over 10^6: exact at every precision.
   constexpr std::array<int, 9> fractions{1, 999'999, 500'000, 100, 10'000, 250'000, 800'000, 990'000, 999'900};
+  using Operator = numeric::SlidingOperator<R>;
+  const Operator A(grid, surface.s);
+  const Operator by_tanh_sinh(surface.traction, surface.s, numeric::Route::tanh_sinh);
+  const auto residual = [&surface](const Operator& a, const PanelPoint<R>& at) {
+    return static_cast<double>(a.at(at).residual(surface.slope(at.node.x)));
+  };
   std::vector<PanelPoint<R>> points;
   for (const int fraction : fractions) {
     for (std::size_t k = 0; k < surface.traction.size(); ++k) {
       points.push_back(grid.midpoint_near(k, R(fraction) / 1'000'000));
-      findings.compare(equation_1, residual(surface, points.back(), grid.hilbert(points.back())));
+      findings.compare(equation_1, residual(A, points.back()));
     }
   }
   findings.compare(load_1, load_error(surface, grid.integral()));
   for (std::size_t i = 0; i < tanh_sinh_points && i < points.size(); ++i) {
-    const R hilbert = numeric::tanh_sinh::hilbert<R>(surface.traction, points[i]).value;
-    findings.compare(equation_2, residual(surface, points[i], hilbert));
+    findings.compare(equation_2, residual(by_tanh_sinh, points[i]));
   }
   findings.compare(load_2, load_error(surface, numeric::tanh_sinh::integral<R>(surface.traction).value));
 }
@@ -103,13 +98,14 @@ void check_surface_by_gsl(Findings& findings, const Surface<double>& surface) {
   } else {
     findings.skip(load);
   }
+  const numeric::SlidingOperator<double> A(surface.traction, surface.s, numeric::Route::gsl);
   for (std::size_t k = 0; k < surface.traction.size(); ++k) {
     const numeric::Panel<double>& panel = surface.traction[k].panel;
     for (const double fraction : {0.25, 0.5, 0.8}) {
       const PanelPoint<double> at{k, panel.node_from_left(fraction * panel.length)};
-      const Estimate<double> hilbert = numeric::gsl::hilbert(surface.traction, at);
-      if (hilbert.convergence == numeric::Convergence::reached) {
-        findings.compare(equation, residual(surface, at, hilbert.value));
+      const numeric::SlidingTerms<double> terms = A.at(at);
+      if (terms.hilbert.convergence == numeric::Convergence::reached) {
+        findings.compare(equation, terms.residual(surface.slope(at.node.x)));
       } else {
         findings.skip(equation);
       }

@@ -64,11 +64,11 @@ R coefficient_at_infinity(const RiemannHilbertForm<R>& form, int power) {
   const std::vector<R> m = form.moments(static_cast<std::size_t>(std::max(top, 0)));
   R sum = 0;
   for (int j = 0; j < top; ++j) {
-    sum += m[static_cast<std::size_t>(j)] * form.series()[static_cast<std::size_t>(top - 1 - j)];
+    sum += m[static_cast<std::size_t>(j)] * form.expansion().series()[static_cast<std::size_t>(top - 1 - j)];
   }
   for (std::size_t l = 0; l < form.q().size(); ++l) {
     const int index = top + static_cast<int>(l);
-    if (index >= 0) sum += form.q()[l] / numeric::pi<R>() * form.series()[static_cast<std::size_t>(index)];
+    if (index >= 0) sum += form.q()[l] / numeric::pi<R>() * form.expansion().series()[static_cast<std::size_t>(index)];
   }
   return sum;
 }

@@ -162,13 +162,13 @@ TEST_CASE("the operator annihilates Galin's punch by every route, and not one wi
   const auto density = jacobi<double>(-half - a, -half + a, one<double>);
   const PanelPoint<double> at{0, density[0].panel.node_from_left(0.3)};
   for (const Route route : {Route::tanh_sinh, Route::trapezoidal, Route::gsl}) {
-    const Estimate<double> zero = sliding_operator(density, {0.75}, at, route);
+    const Estimate<double> zero = SlidingOperator<double>(density, {0.75}, route).at(at).sum();
     CHECK(std::abs(zero.value) < 1e-14);
     CHECK(std::abs(zero.value) <= zero.error);
-    CHECK(std::abs(sliding_operator(density, {-0.75}, at, route).value) > 0.1);
+    CHECK(std::abs(SlidingOperator<double>(density, {-0.75}, route).at(at).sum().value) > 0.1);
   }
   const auto fine = jacobi<Real50>(-half - a, -half + a, one<Real50>);
   const PanelPoint<Real50> there{0, fine[0].panel.node_from_left(Real50(0.3))};
-  CHECK(abs(sliding_operator(fine, {Real50(0.75)}, there, Route::tanh_sinh).value) < 1e-54);
-  CHECK_THROWS_AS(sliding_operator(fine, {Real50(0.75)}, there, Route::gsl), std::invalid_argument);
+  CHECK(abs(SlidingOperator<Real50>(fine, {Real50(0.75)}, Route::tanh_sinh).at(there).sum().value) < 1e-54);
+  CHECK_THROWS_AS(SlidingOperator<Real50>(fine, {Real50(0.75)}, Route::gsl), std::invalid_argument);
 }

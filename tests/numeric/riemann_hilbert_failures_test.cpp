@@ -4,6 +4,7 @@
 
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/riemann_hilbert/contact_inequalities.hpp"
+#include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 #include "support/solved_contact.hpp"
 #include "support/two_wells.hpp"
@@ -75,7 +76,8 @@ TEST_CASE("control: a displaced end is seen in the load, the equation and the cl
   CHECK(missing_load(good->form()) < 1e-13);
   const auto closure = [](const Form& form) {
     const std::size_t j = form.set().all(Set::Kind::ends).front();
-    return std::abs(form.closure(j, form.gap_rule(j)));
+    const GapIntegral<double> gap(form, j);
+    return std::abs(gap.closure_error(gap.rule()));
   };
   CHECK(closure(good->form()) < 1e-13);
   const double equation = testing::check_of(good->form()).equation();

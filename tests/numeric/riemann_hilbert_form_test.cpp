@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "numeric/riemann_hilbert/gap_integral.hpp"
+
 using namespace steadyslide;
 using namespace steadyslide::numeric;
 
@@ -25,8 +27,8 @@ std::vector<double> openings() {
   for (int i = 1; i < 1000; ++i) {
     const R& length = form.set().length(0);
     const R left = length * i / 1000;
-    result.push_back(
-        static_cast<double>(form.opening(1, {0, {R(form.set().x(0) + left), left, R(length - left)}}).value));
+    result.push_back(static_cast<double>(
+        GapIntegral(form, 1).reduced_gap({0, {R(form.set().x(0) + left), left, R(length - left)}}).value));
   }
   return result;
 }

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "support/solved_contact.hpp"
 
 using namespace steadyslide;
@@ -58,9 +59,9 @@ TEST_CASE("gaps beside a step whose other face is another polynomial") {
           if (!set.point(j).is_end()) continue;
           const double surface =
               check.displacement(side == End::right ? panel - 1 : panel, side, std::abs(form.distance(at, j)));
-          const double expected = form.profile_rise(j, at) - surface;
+          const double expected = GapIntegral(form, j).profile_increment(at) - surface;
           CAPTURE(at.node.x);
-          CHECK(form.opening(j, at).value == doctest::Approx(expected).epsilon(1e-10));
+          CHECK(GapIntegral(form, j).reduced_gap(at).value == doctest::Approx(expected).epsilon(1e-10));
           // The control: as if the polynomial of the contact went on.
           const std::size_t inside = side == End::right ? j - 1 : j;
           const double end = set.x(j);
@@ -78,5 +79,5 @@ TEST_CASE("off the support there is no gap") {
   const auto& form = solution->form();
   const std::size_t end = form.set().segments();
   const SurfacePoint<double> beyond{static_cast<std::ptrdiff_t>(end), {form.set().x(end) + 1, 1, infinity<double>()}};
-  CHECK_THROWS_AS((void)form.opening(end - 1, beyond), std::domain_error);
+  CHECK_THROWS_AS((void)GapIntegral(form, end - 1).reduced_gap(beyond), std::domain_error);
 }

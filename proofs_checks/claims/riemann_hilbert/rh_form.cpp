@@ -52,7 +52,8 @@ R polynomial_part(const RiemannHilbertForm<R>& form, std::size_t slope, const R&
     value *= x;
     for (int i = 0; i <= degree - j; ++i) {
       const int l = form.degree_at_infinity() + j + i;
-      if (l >= 0) value += g[static_cast<std::size_t>(l)] * form.inverse_series()[static_cast<std::size_t>(i)];
+      if (l >= 0)
+        value += g[static_cast<std::size_t>(l)] * form.expansion().inverse_series()[static_cast<std::size_t>(i)];
     }
   }
   return value;

@@ -1,5 +1,6 @@
 // The gap between the profile and the surface, from the Riemann-Hilbert form and from the logarithmic potential.
 
+#include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "proofs_checks/instruments/punch.hpp"
 #include "proofs_checks/instruments/trial.hpp"
 
@@ -79,13 +80,15 @@ class Comparison {
     for (const auto* from : {&left, &right}) {
       if (!*from) continue;
       const Heights h = heights(**from, at.node.x);
-      compare(quantity, by_form(form_.opening((*from)->end, at).value, **from, segment), h);
+      compare(quantity, by_form(numeric::GapIntegral<R>(form_, (*from)->end).reduced_gap(at).value, **from, segment),
+              h);
       const int sign = from == &left ? 1 : -1;
       difference.profile += sign * h.profile;
       difference.surface += sign * h.surface;
     }
     if (!left || !right || left->end != segment) return;
-    compare(closure, by_form(form_.closure(left->end, form_.gap_rule(left->end)), *left, right->end), difference);
+    const numeric::GapIntegral<R> whole(form_, left->end);
+    compare(closure, by_form(whole.closure_error(whole.rule()), *left, right->end), difference);
   }
 
  private:

@@ -140,7 +140,7 @@ void check_tilt(Findings& findings, const Derivatives<R>& derivatives) {
   for (const SurfacePoint<R>& at : places(form.set())) {
     const R y = factor(form, at);
     const bool inside = y != form.sign(at.segment) * form.modulus(at);
-    const R expected = (inside ? 0 : 1) - derivatives.tilt_factor * y * form.tilt_polynomial(at.node.x);
+    const R expected = (inside ? 0 : 1) - derivatives.tilt_factor * y * form.expansion().tilt_polynomial(at.node.x);
     using std::abs, std::max;
     const R measured = value(tilted, at) - value(form, at);
     findings.compare(quantity, static_cast<double>(R(abs(measured - expected) / max(R(abs(value(form, at))), R(1)))));

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "numeric/cauchy/sliding_operator.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/claims/claims.hpp"
@@ -73,7 +74,9 @@ void check_outside(Findings& findings, const OutsideForm<R>& form, const Contact
     R slope = end.factor * traction.weight.modulus_beyond(side, near);
     if (end.from_inside) {
       const auto at = grid.midpoint_near(last, side == Side::left ? R(1) / 1'000'000 : R(999'999) / 1'000'000);
-      slope = grid.hilbert(at) + numeric::to_real<R>(problem.coupled_friction(last)) * density[last](at.node);
+      std::vector<R> s;
+      for (std::size_t k = 0; k < density.size(); ++k) s.push_back(numeric::to_real<R>(problem.coupled_friction(k)));
+      slope = numeric::SlidingOperator<R>(grid, s).at(at).sum().value;
     }
     findings.compare(estimate, relative_difference<R>(slope / (theta * pow(near, end.power.value)), end.coefficient));
   }

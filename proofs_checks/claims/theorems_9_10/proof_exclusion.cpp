@@ -1,5 +1,6 @@
 // Why a free end has no edge singularity: the last step in the proof of theorem 10. [Bal16, theorem 10]
 
+#include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "proofs_checks/instruments/proofs.hpp"
 #include "proofs_checks/instruments/trial.hpp"
 
@@ -68,13 +69,14 @@ ForcedFacts<R> measure_forced(const ForcedEnd& c) {
   const R p = numeric::to_real<R>(edge_power(c, s));
   const Side inside = opposite(c.beyond);
   const R a = -form.traction(beside(form, j, inside, R(d * unit))).value / pow(d, p);
-  const R gap = form.opening(j, beside(form, j, c.beyond, R(d * unit))).value / pow(d, R(p + 1));
+  const numeric::GapIntegral<R> beyond(form, j);
+  const R gap = beyond.reduced_gap(beside(form, j, c.beyond, R(d * unit))).value / pow(d, R(p + 1));
   // A place where nothing is small.
   const R far = R(1) / 50;
   const auto at = beside(form, j, c.beyond, R(far * unit));
   const numeric::trapezoidal::Grid<R> grid(traction_density(form));
-  const R by_rule = form.profile_rise(j, at) - grid.displacement(0, c.beyond, far);
-  const R by_form = form.opening(j, at).value;
+  const R by_rule = beyond.profile_increment(at) - grid.displacement(0, c.beyond, far);
+  const R by_form = beyond.reduced_gap(at).value;
   return {c.name, s, c.beyond, a, gap, relative_difference<R>(by_rule, by_form)};
 }
 

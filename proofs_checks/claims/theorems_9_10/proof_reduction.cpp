@@ -1,5 +1,6 @@
 // How an inner end of the contact becomes the left edge of ]c, 1[ in the proof of theorem 10. [Bal16, theorem 10]
 
+#include "numeric/cauchy/sliding_operator.hpp"
 #include "numeric/cauchy/traction_density.hpp"
 #include "proofs_checks/instruments/proofs.hpp"
 #include "proofs_checks/instruments/trial.hpp"
@@ -9,8 +10,7 @@ namespace {
 
 template <class R>
 struct ReductionPoint {
-  R hilbert;  ///< of the second zone alone
-  R friction;
+  numeric::SlidingTerms<R> zone;  ///< A t of the second zone alone
   R profile;
   R slope;    ///< u~'
   R printed;  ///< (d/dx) of the printed u~, taken for u~ itself
@@ -36,7 +36,7 @@ ReductionFacts<R> measure_reduction() {
   const numeric::trapezoidal::Grid<R> first({zones[0]});
   const numeric::trapezoidal::Grid<R> second({zones[1]});
   const std::size_t segment = segments_of(form).back();
-  const R s = friction_of(form).back();
+  const numeric::SlidingOperator<R> A(second, {friction_of(form).back()});
   ReductionFacts<R> facts{{}, form.problem().load(), first.integral(), second.integral(), 0};
   for (const int percent : {10, 50, 95}) {
     const auto at = second.midpoint_near(0, R(percent) / 100);
@@ -46,8 +46,7 @@ ReductionFacts<R> measure_reduction() {
       const R d = distance + node.from_right;
       return R(smooth(node) / (d * d));
     };
-    facts.points.push_back({second.hilbert(at), R(s * zones[1](at.node)),
-                            form.problem().slope(form.slope_at(segment), at.node.x),
+    facts.points.push_back({A.at(at), form.problem().slope(form.slope_at(segment), at.node.x),
                             first.cauchy(Side::right, distance),
                             R(numeric::trapezoidal::Grid<R>({squared}).integral() / numeric::pi<R>())});
   }
@@ -77,8 +76,9 @@ std::vector<Evidence> check_reduction(const Context& context, Once<ReductionFact
     findings.begin_case("two bumps, s = 3/10");
     for (const ReductionPoint<R>& point : facts.points) {
       const R slope = (said.printed ? point.printed : point.slope) * (1 + said.miss * R(tolerance<R>()));
-      const R size = max({R(abs(point.hilbert)), R(abs(point.friction)), R(abs(point.profile)), R(abs(point.slope))});
-      const R rest = point.hilbert + point.friction - (point.profile + said.sign * slope);
+      const R size = max(
+          {R(abs(point.zone.hilbert.value)), R(abs(point.zone.friction)), R(abs(point.profile)), R(abs(point.slope))});
+      const R rest = point.zone.sum().value - (point.profile + said.sign * slope);
       findings.compare(equation, static_cast<double>(R(abs(rest) / size)));
     }
     findings.compare(load,

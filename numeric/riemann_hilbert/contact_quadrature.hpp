@@ -1,0 +1,48 @@
+#pragma once
+// Integrals over the contact with the weight eps cos(pi alpha)/|Y|, by Gauss-Jacobi panels:
+//
+//   (g, k) -> int eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x),   int eps cos(pi alpha) (g + tilt)/|Y| xi^j dxi
+//
+// with g the slope of the profile and g_k its polynomial on one piece.
+
+#include <vector>
+
+#include "numeric/number/estimate.hpp"
+#include "numeric/riemann_hilbert/jacobi_panels.hpp"
+
+namespace steadyslide::numeric {
+
+template <Real R>
+class ContactQuadrature {
+ public:
+  /// Both have to outlive it. No panels where one polynomial rules over one component: all integrals are 0 then.
+  ContactQuadrature(const SignedFundamentalSolution<R>& y, JacobiRules<R>& rules);
+
+  /// The first integral at a point off the pieces where g_k does not hold; its error is the sum of the sizes of what is
+  /// added.
+  Estimate<R> cauchy(std::size_t slope, const SurfacePoint<R>& at) const;
+  /// -(1/pi) times the second one for j = 0, 1, ...
+  std::vector<R> moments(const R& tilt, std::size_t count) const;
+  /// Adds -(1/pi) int eps cos(pi alpha) (g - g_k)/|Y| xi^j to moments[j].
+  void add_difference_moments(std::size_t slope, std::vector<R>& moments) const;
+
+ private:
+  struct Panel {
+    JacobiPanel<R> rule;
+    std::size_t first;  ///< of its nodes
+  };
+
+  /// eps cos(pi alpha) (g - g_k)/|Y| times the rule's weight, at every node of the contact.
+  const std::vector<R>& density(std::size_t slope) const;
+  Estimate<R> panel_cauchy(const Panel& panel, std::size_t slope, const SurfacePoint<R>& at, const R& between,
+                           const std::vector<R>& density) const;
+
+  const SignedFundamentalSolution<R>* y_;
+  std::vector<Panel> panels_;
+  std::vector<std::size_t> first_panel_;  ///< of each segment, and one more
+  std::vector<SurfacePoint<R>> nodes_;
+  std::vector<R> node_weights_;
+  mutable std::vector<std::vector<R>> densities_;  ///< made when first asked for: not all are
+};
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,156 @@
+#include "numeric/riemann_hilbert/gap_integral.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace steadyslide::numeric {
+
+template <Real R>
+R GapIntegral<R>::step(std::size_t j) const {
+  const auto& anchor = set().point(j).anchor;
+  return anchor ? form_->problem().anchors()[*anchor].step : R(0);
+}
+
+template <Real R>
+std::size_t GapIntegral<R>::slope_on(std::size_t segment, bool left_half) const {
+  // Next to an end at a break, B_k is smooth for the k of the contact.
+  const bool left = set().point(segment).is_end();
+  const bool right = set().point(segment + 1).is_end();
+  if (left && (left_half || !right)) return form_->slope_at(segment - 1);
+  if (right) return form_->slope_at(segment + 1);
+  return form_->slope_at(segment);
+}
+
+template <Real R>
+void GapIntegral<R>::add_nodes(const SegmentPart<R>& part, std::vector<GapNode<R>>& nodes) const {
+  const R middle = set().length(part.segment) / 2;
+  const bool right_half = part.from_left >= middle;
+  const std::size_t left = slope_on(part.segment, true);
+  const std::size_t right = slope_on(part.segment, false);
+  if (left == right || right_half || part.from_right >= middle) {
+    add_nodes(part, right_half ? right : left, nodes);
+    return;
+  }
+  add_nodes({part.segment, part.from_left, R(middle - part.from_left), middle}, left, nodes);
+  add_nodes({part.segment, middle, R(middle - part.from_right), part.from_right}, right, nodes);
+}
+
+template <Real R>
+void GapIntegral<R>::add_nodes(const SegmentPart<R>& part, std::size_t slope, std::vector<GapNode<R>>& nodes) const {
+  const SignedFundamentalSolution<R>& y = form_->y();
+  const auto power_at = [this, &y](std::size_t j) {
+    const Power<R>& p = y.power(j);
+    return set().point(j).vanishes ? Power<R>{R(p.value - 1), p.value} : p;
+  };
+  for (const JacobiPanel<R>& panel : form_->panels(part, power_at)) {
+    for (std::size_t i = 0; i < panel.rule->size(); ++i) {
+      const SurfacePoint<R> at = panel.node(set(), i);
+      nodes.push_back({at, slope, panel.node_weight(i), y.value(at)});
+    }
+  }
+}
+
+template <Real R>
+R GapIntegral<R>::slope_difference(std::size_t segment, const R& from, const R& length) const {
+  // The nodes change their k in the middle of a segment that has contact at both ends.
+  const ReducedProblem<R>& problem = form_->problem();
+  const std::size_t own = form_->slope_at(segment);
+  const R middle = set().length(segment) / 2;
+  const R end = from + length;
+  R sum = 0;
+  const auto add = [&](std::size_t k, const R& a, const R& b) {
+    if (k == own || a >= b) return;
+    const R left = surface_point(set(), segment, a, R(set().length(segment) - a)).node.x;
+    const R right = surface_point(set(), segment, b, R(set().length(segment) - b)).node.x;
+    sum += problem.rise(own, left, right) - problem.rise(k, left, right);
+  };
+  add(slope_on(segment, true), from, std::min(end, middle));
+  add(slope_on(segment, false), std::max(from, middle), end);
+  return sum;
+}
+
+template <Real R>
+std::vector<GapNode<R>> GapIntegral<R>::rule() const {
+  std::vector<GapNode<R>> nodes;
+  for (std::size_t k = end_; k < set().segments() && !set().in_contact(k); ++k) {
+    add_nodes(whole_segment(set(), k), nodes);
+  }
+  return nodes;
+}
+
+template <Real R>
+R GapIntegral<R>::closure_error(const std::vector<GapNode<R>>& rule) const {
+  R sum = 0;
+  std::size_t k = end_;
+  for (; k < set().segments() && !set().in_contact(k); ++k) {
+    sum += step(k);
+    sum += slope_difference(k, R(0), set().length(k));
+  }
+  sum += step(k);
+  for (const GapNode<R>& node : rule) sum += node.weight * R(node.y * form_->bracket(node.slope, node.at).value);
+  return sum;
+}
+
+template <Real R>
+Estimate<R> GapIntegral<R>::reduced_gap(const SurfacePoint<R>& at) const {
+  using std::abs;
+  if (at.segment < 0 || at.segment >= static_cast<std::ptrdiff_t>(set().segments())) {
+    throw std::domain_error("a gap off the support: there is no indenter");
+  }
+  const bool rightwards = static_cast<std::ptrdiff_t>(end_) <= at.segment;
+  std::vector<GapNode<R>> nodes;
+  R sum = 0;
+  R size = 0;
+  const auto add_step = [&](std::size_t point) {
+    sum += step(point);
+    size += abs(step(point));
+  };
+  const auto segment = static_cast<std::size_t>(at.segment);
+  if (rightwards) {
+    for (std::size_t k = end_; k < segment; ++k) {
+      add_step(k);
+      add_nodes(whole_segment(set(), k), nodes);
+      sum += slope_difference(k, R(0), set().length(k));
+    }
+    add_step(segment);
+    add_nodes({segment, R(0), at.node.from_left, at.node.from_right}, nodes);
+    sum += slope_difference(segment, R(0), at.node.from_left);
+  } else {
+    for (std::size_t k = end_; k-- > segment + 1;) {
+      add_step(k + 1);
+      add_nodes(whole_segment(set(), k), nodes);
+      sum += slope_difference(k, R(0), set().length(k));
+    }
+    add_step(segment + 1);
+    add_nodes({segment, at.node.from_left, at.node.from_right, R(0)}, nodes);
+    sum += slope_difference(segment, at.node.from_left, at.node.from_right);
+  }
+  for (const GapNode<R>& node : nodes) {
+    const Estimate<R> b = form_->bracket(node.slope, node.at);
+    sum += node.weight * node.y * b.value;
+    size += abs(node.weight * node.y) * (abs(b.value) + b.error / epsilon<R>());
+  }
+  return {rightwards ? sum : R(-sum), 4 * epsilon<R>() * size};
+}
+
+template <Real R>
+R GapIntegral<R>::profile_increment(const SurfacePoint<R>& at) const {
+  const ReducedProblem<R>& problem = form_->problem();
+  const auto segment = static_cast<std::size_t>(at.segment);
+  const auto rise = [&](std::size_t k, const R& from, const R& to) {
+    return problem.rise(form_->slope_at(k), from, to);
+  };
+  R sum = form_->tilt() * form_->distance(at, end_);
+  if (end_ <= segment) {
+    for (std::size_t k = end_; k < segment; ++k) sum += step(k) + rise(k, set().x(k), set().x(k + 1));
+    return sum + step(segment) + rise(segment, set().x(segment), at.node.x);
+  }
+  for (std::size_t k = end_; k-- > segment + 1;) sum -= step(k + 1) + rise(k, set().x(k), set().x(k + 1));
+  return sum - step(segment + 1) - rise(segment, at.node.x, set().x(segment + 1));
+}
+
+template class GapIntegral<double>;
+template class GapIntegral<Real50>;
+template class GapIntegral<Real100>;
+
+}  // namespace steadyslide::numeric

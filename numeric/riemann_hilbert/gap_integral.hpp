@@ -1,0 +1,50 @@
+#pragma once
+// Heights over the gap beside one end of contact, by exact integration of Y B_k from there.
+
+#include <vector>
+
+#include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
+
+namespace steadyslide::numeric {
+
+/// Of a rule for functions like Y/(x - e) at the ends of a gap.
+template <Real R>
+struct GapNode {
+  SurfacePoint<R> at;
+  std::size_t slope;  ///< the k in use
+  R weight;
+  R y;  ///< Y, with its sign
+};
+
+template <Real R>
+class GapIntegral {
+ public:
+  /// The gap that the contact's end, point `end` of the set, faces. `form` has to outlive it.
+  GapIntegral(const RiemannHilbertForm<R>& form, std::size_t end) : form_(&form), end_(end) {}
+
+  /// Over the whole gap, which begins at the end.
+  std::vector<GapNode<R>> rule() const;
+  /// The height that the profile misses at the far end of the gap that begins at the end: zero for a solution.
+  R closure_error(const std::vector<GapNode<R>>& rule) const;
+
+  /// The gap at a point of it, over c, measured from the end. Throws std::domain_error off the support, where there is
+  /// no indenter.
+  Estimate<R> reduced_gap(const SurfacePoint<R>& at) const;
+  /// The tilted profile's height at a point of the gap minus that at the end, on the side of the contact.
+  R profile_increment(const SurfacePoint<R>& at) const;
+
+ private:
+  const ContactSet<R>& set() const { return form_->set(); }
+  /// The step of the profile at point j, on the right of it minus on the left; 0 where there is none.
+  R step(std::size_t j) const;
+  std::size_t slope_on(std::size_t segment, bool left_half) const;
+  void add_nodes(const SegmentPart<R>& part, std::vector<GapNode<R>>& nodes) const;
+  void add_nodes(const SegmentPart<R>& part, std::size_t slope, std::vector<GapNode<R>>& nodes) const;
+  /// int (profile slope - g_k) over a part of a gap segment, k as the gap's nodes use it.
+  R slope_difference(std::size_t segment, const R& from, const R& length) const;
+
+  const RiemannHilbertForm<R>* form_;
+  std::size_t end_;
+};
+
+}  // namespace steadyslide::numeric

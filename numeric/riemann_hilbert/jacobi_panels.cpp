@@ -1,0 +1,105 @@
+#include "numeric/riemann_hilbert/jacobi_panels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numeric/quadrature/graded_panels.hpp"
+
+namespace steadyslide::numeric {
+namespace {
+
+template <Real R>
+int nodes_per_panel(const SignedFundamentalSolution<R>& y, SmoothFactor factor) {
+  // Bernstein's ellipse through a pole at half a panel's length, or a branch point at a whole one, has the parameter
+  // 2 + sqrt 3 or more; half a node more for every degree of the polynomial.
+  using std::log, std::sqrt;
+  static const int geometric = static_cast<int>(-log(epsilon<R>()) / (2 * log(2 + sqrt(R(3))))) + 2;
+  const int more = factor == SmoothFactor::regular_factor ? std::max(-y.degree_at_infinity(), 0) : 0;
+  return geometric + (y.problem().highest_degree() + 1) / 2 + more;
+}
+
+template <Real R>
+bool is_singular(const SignedFundamentalSolution<R>& y, std::size_t j, SmoothFactor factor) {
+  if (y.power(j).value != 0) return true;
+  const ContactSet<R>& set = y.set();
+  return factor == SmoothFactor::regular_factor && j > 0 && j < set.segments() &&
+         (set.in_contact(j) || set.in_contact(j - 1));
+}
+
+template <Real R>
+Surroundings<R> surroundings(const SignedFundamentalSolution<R>& y, std::size_t segment, SmoothFactor factor) {
+  const ContactSet<R>& set = y.set();
+  Surroundings<R> result{is_singular(y, segment, factor), is_singular(y, segment + 1, factor), infinity<R>(),
+                         infinity<R>()};
+  R distance = 0;
+  for (std::size_t j = segment; j-- > 0;) {
+    distance += set.length(j);
+    if (!is_singular(y, j, factor)) continue;
+    result.beyond_left = distance;
+    break;
+  }
+  distance = 0;
+  for (std::size_t j = segment + 2; j < set.points().size(); ++j) {
+    distance += set.length(j - 1);
+    if (!is_singular(y, j, factor)) continue;
+    result.beyond_right = distance;
+    break;
+  }
+  return result;
+}
+
+}  // namespace
+
+template <Real R>
+SurfacePoint<R> JacobiPanel<R>::node(const ContactSet<R>& set, std::size_t i) const {
+  const bool mirrored = singular_end == Side::right;
+  const R left = part.from_left + part.length * (mirrored ? rule->from_right[i] : rule->from_left[i]);
+  const R right = part.from_right + part.length * (mirrored ? rule->from_left[i] : rule->from_right[i]);
+  return surface_point(set, part.segment, left, right);
+}
+
+template <Real R>
+R JacobiPanel<R>::node_weight(std::size_t i) const {
+  using std::pow;
+  const R w = part.length * rule->weights[i];
+  return power.value == 0 ? w : R(w / pow(rule->from_left[i], power.value));
+}
+
+template <Real R>
+std::vector<JacobiPanel<R>> jacobi_panels(const SignedFundamentalSolution<R>& y, const SegmentPart<R>& part,
+                                          SmoothFactor factor, const std::function<Power<R>(std::size_t)>& power_at,
+                                          JacobiRules<R>& rules) {
+  Surroundings<R> around = surroundings(y, part.segment, factor);
+  if (part.from_left > 0) {
+    around.beyond_left = around.left_singular ? part.from_left : R(part.from_left + around.beyond_left);
+    around.left_singular = false;
+  }
+  if (part.from_right > 0) {
+    around.beyond_right = around.right_singular ? part.from_right : R(part.from_right + around.beyond_right);
+    around.right_singular = false;
+  }
+  const int nodes = nodes_per_panel(y, factor);
+  std::vector<JacobiPanel<R>> result;
+  for (const GradedPanel<R>& panel : graded_panels(part.length, around)) {
+    Power<R> power{R(0), R(1)};
+    if (panel.singular_end) power = power_at(*panel.singular_end == Side::left ? part.segment : part.segment + 1);
+    result.push_back(
+        {{part.segment, part.from_left + panel.from_left, panel.length, part.from_right + panel.from_right},
+         panel.singular_end,
+         power,
+         &rules.get(power, {R(0), R(1)}, nodes)});
+  }
+  return result;
+}
+
+#define STEADYSLIDE_INSTANTIATE(R)                                                                               \
+  template struct JacobiPanel<R>;                                                                                \
+  template std::vector<JacobiPanel<R>> jacobi_panels(const SignedFundamentalSolution<R>&, const SegmentPart<R>&, \
+                                                     SmoothFactor, const std::function<Power<R>(std::size_t)>&,  \
+                                                     JacobiRules<R>&);
+STEADYSLIDE_INSTANTIATE(double)
+STEADYSLIDE_INSTANTIATE(Real50)
+STEADYSLIDE_INSTANTIATE(Real100)
+#undef STEADYSLIDE_INSTANTIATE
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,50 @@
+#pragma once
+// Gauss-Jacobi rules for integrals over a part of a segment, graded towards everything singular around it.
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "numeric/quadrature/jacobi_rule.hpp"
+#include "numeric/riemann_hilbert/signed_fundamental_solution.hpp"
+
+namespace steadyslide::numeric {
+
+/// A part of a segment: what lies left of it, its length, and what lies right of it; zeros are exact.
+template <Real R>
+struct SegmentPart {
+  std::size_t segment;
+  R from_left;
+  R length;
+  R from_right;
+};
+
+template <Real R>
+SegmentPart<R> whole_segment(const ContactSet<R>& set, std::size_t segment) {
+  return {segment, R(0), set.length(segment), R(0)};
+}
+
+/// One rule, whose nodes count from the end where the power sits.
+template <Real R>
+struct JacobiPanel {
+  SegmentPart<R> part;
+  std::optional<Side> singular_end;
+  Power<R> power;
+  const JacobiRule<R>* rule;
+
+  SurfacePoint<R> node(const ContactSet<R>& set, std::size_t i) const;
+  /// int f dxi = sum of node_weight(i) f(node(i)), for f = distance^power times a smooth function.
+  R node_weight(std::size_t i) const;
+};
+
+/// What multiplies the powers of distances: a polynomial, or B_k, which is singular as well wherever contact begins,
+/// ends or changes its polynomial, and whose degree is higher by -S.
+enum class SmoothFactor { polynomial, regular_factor };
+
+/// `power_at(j)` is the integrand's power at point j. `rules` has to outlive the panels.
+template <Real R>
+std::vector<JacobiPanel<R>> jacobi_panels(const SignedFundamentalSolution<R>& y, const SegmentPart<R>& part,
+                                          SmoothFactor factor, const std::function<Power<R>(std::size_t)>& power_at,
+                                          JacobiRules<R>& rules);
+
+}  // namespace steadyslide::numeric
