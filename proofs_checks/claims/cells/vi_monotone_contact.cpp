@@ -109,8 +109,8 @@ Values punch_of_cells(const OnCells& c) {
   };
   const Eigen::MatrixXd among = block(c.contact);
   const Eigen::VectorXd x = linear_solution(among, Eigen::VectorXd::Ones(among.rows()));
-  Values values{{"tension", std::max(0.0, -x.minCoeff() / x.cwiseAbs().maxCoeff())}};
-  if (!c.others.empty()) values.add({"penetration", std::max(0.0, (block(c.others) * x).maxCoeff() - 1)});
+  Values values{{"tension", std::max(-x.minCoeff() / x.cwiseAbs().maxCoeff(), 0.0)}};
+  if (!c.others.empty()) values.add({"penetration", std::max((block(c.others) * x).maxCoeff() - 1, 0.0)});
   return values;
 }
 

@@ -43,7 +43,7 @@ Values measured(const JumpsOnCells& c) {
   const double least =
       eigenvalues(on_zero_mean(symmetric_part(c.mesh, b, true)), on_zero_mean(symmetric_part(c.mesh, b, false)))(0);
   if (c.steps.jumps.size() == 1) return {{"one", least}};
-  return {{"several", std::max(0.0, 1 - least)}};
+  return {{"several", std::max(1 - least, 0.0)}};
 }
 
 /// min(1, 1 + factor (s+ - s-) sup T(c)^2/E), E the logarithm's energy.
