@@ -8,7 +8,7 @@
 namespace steadyslide {
 
 struct Uniqueness {
-  bool proved;
+  bool proved = false;
   std::string reason;
 };
 

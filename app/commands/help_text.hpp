@@ -14,9 +14,11 @@ inline constexpr const char* program_footer =
 Signs      x runs left to right in all data and results. The profile psi points away
            from the body; traction t <= 0 is compression; shear is the tangential
            traction's component along +x.
-Numbers    Decimal strings, rounded to nearest; digits that the estimated error does not
-           support are not printed.
-Errors     One line on stderr: FILE:LINE: what is wrong; the rule; the value.
+Numbers    Decimal strings, rounded to nearest. A text shows the digits that the estimated error
+           supports; CSV and JSON have all digits asked for, and the error beside each number:
+           columns and keys that end in _error.
+Errors     One line on stderr: FILE:LINE: what is wrong; the rule; the value. Warnings likewise,
+           FILE: warning: what; the rule; the value.
 Exit code  0 done; 1 the mathematics said no: a claim refuted, or undecided where calculation
            could decide it, or a solve that did not converge; 2 bad input, or a method that does
            not apply; 3 a file cannot be read or written; 130 interrupted.)";
@@ -88,6 +90,7 @@ inline constexpr const char* solve_footer = R"(Results, in your units:
              at a wedge without jump the coefficient of log|x-c|/pi
   tilt       the slope added to psi, where load_at lets the indenter tilt
 Where the two limits at a place differ, JSON says {"left", "right"} and CSV has two rows.
+CSV: x, traction, shear, gap, slope, then traction_error to slope_error; absolute errors, estimated.
 --at takes a list, -0.5,0,0.5 or -0.5:0.5:0.1 (first, last, step). CSV is the samples and nothing
 else: those of --at and --samples, 101 in each component and gap if neither is given. Text and
 JSON have samples only where they are asked for.
@@ -100,7 +103,7 @@ Methods:
   auto             the first of the three that applies
 16 digits are found in double, and with 50 digits where double is not enough.
 --cells and --iterations go with --method variational, with auto where that takes it (a
-profile with more than 200 breaks), and with --search-solutions.
+profile with more than 200 breaks, more than 1000 values of friction), and with --search-solutions.
 What cells cannot show, the intensity at an end of a short zone say, has no number: - in the
 text, empty in CSV, null in JSON.
 --load-steps LIST takes the loads 0.1,0.2 or 0.1:1:0.1 (first, last, step; each positive, at
@@ -112,11 +115,14 @@ load and contact component, in every format:
   effective_friction, centre_of_pressure, load_share, tilt
                                       of the whole contact; shares left to right
   shortcoming                         empty where the load is solved
+  left_error, ..., tilt_error         in CSV and JSON; JSON has warnings, too, a list
 --search-solutions N starts from N contact sets: the whole support, then random ones. Shown
 are the different solutions, how often each was met, their residuals, and whether the
 Riemann-Hilbert method finds a solution there too. CSV: one row for each solution and
 component; exit code 1 if no start leads to a solution.
-A solve that does not converge is printed all the same, and the exit code is 1.)";
+A solve that does not converge is printed all the same, and the exit code is 1. So it is where an
+estimated error is above 50 %; from 10 % on there is a warning, and where a measured profile is in
+contact at its cut end, or within the last 1 % of the support alone: is its unit or sign wrong?)";
 
 inline constexpr const char* verify =
     R"(Checks the claims of the theory by unrelated routes and prints a verdict for each.)";

@@ -90,6 +90,7 @@ ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
     default: write_solve_text(problem, report, output); break;
   }
   output.commit();
+  warn(problem.file, report.warnings);
   if (report.is_solved()) return ExitCode::done;
   throw Failure(ExitCode::refuted, fmt::format("{}: the solve did not converge: {}; what was reached is printed",
                                                problem.file, report.shortcoming));
@@ -119,7 +120,7 @@ ExitCode follow_loads(const SolveOptions& options, const Problem& problem) {
     wanted.variational.progress = follow(progress, done);
     Solver solver(std::move(wanted));
     for (const Rational& load : loads) {
-      steps.push_back({format_number(load, options.common.digits), solver.solve(with_load(problem, load))});
+      steps.push_back({full_number(load, options.common.digits), solver.solve(with_load(problem, load))});
       progress.show(++done);
     }
   }
@@ -129,6 +130,9 @@ ExitCode follow_loads(const SolveOptions& options, const Problem& problem) {
   }
   write_load_steps(options.common.format, steps, output);
   output.commit();
+  for (const LoadStep& step : steps) {
+    for (const std::string& what : step.report.warnings) warn(problem.file, {"load " + step.load + ": " + what});
+  }
 
   const auto fails = [](const LoadStep& step) { return !step.report.is_solved(); };
   const auto first = std::find_if(steps.begin(), steps.end(), fails);
@@ -138,6 +142,15 @@ ExitCode follow_loads(const SolveOptions& options, const Problem& problem) {
                 fmt::format("{}: {} of {} loads not solved, first of all {}: {}; what was reached is printed",
                             problem.file, std::count_if(first, steps.end(), fails), steps.size(), first->load,
                             report.why_not.empty() ? report.shortcoming : report.why_not));
+}
+
+/// Not empty: there is no solution, and why.
+std::string nothing_found(const SearchReport& report) {
+  if (report.solutions.empty()) return fmt::format("none of {} starts led to one", report.starts);
+  for (const FoundReport& found : report.solutions) {
+    if (found.variational.is_solved() || found.refined) return "";
+  }
+  return report.solutions.front().variational.shortcoming;
 }
 
 SearchReport search_shown(const SolveOptions& options, const Problem& problem) {
@@ -150,14 +163,19 @@ SearchReport search_shown(const SolveOptions& options, const Problem& problem) {
     found = numeric::search_solutions(problem.contact, options.search_starts, variational);
   }
   if (!found.why_not.empty()) throw inapplicable(problem, options.method, found.why_not);
-  SearchReport report{found.starts, found.unsolved, found.refinements, {}, uniqueness(problem.contact)};
+  SearchReport report{found.starts, found.unsolved, found.refinements, {}, uniqueness(problem.contact), {}, {}};
   const ReportWanted wanted{options.common.digits};
   for (const numeric::FoundSolution& solution : found.solutions) {
     FoundReport shown{solution.times, report_of_cells(problem, *solution.variational, wanted), std::nullopt};
     if (solution.refined) shown.refined = make_report(problem, *solution.refined, wanted);
     if (shown.refined && !shown.refined->is_solved()) shown.refined.reset();
+    const std::string number = std::to_string(report.solutions.size() + 1);
+    for (const std::string& what : shown.variational.warnings) {
+      report.warnings.push_back("solution " + number + ": " + what);
+    }
     report.solutions.push_back(std::move(shown));
   }
+  report.shortcoming = nothing_found(report);
   return report;
 }
 
@@ -170,9 +188,10 @@ ExitCode search(const SolveOptions& options, const Problem& problem) {
     default: write_search_text(problem, report, output); break;
   }
   output.commit();
-  if (!report.solutions.empty()) return ExitCode::done;
-  throw Failure(ExitCode::refuted, fmt::format("{}: the search found no solution: none of {} starts led to one",
-                                               problem.file, report.starts));
+  warn(problem.file, report.warnings);
+  if (report.shortcoming.empty()) return ExitCode::done;
+  throw Failure(ExitCode::refuted,
+                fmt::format("{}: the search found no solution: {}", problem.file, report.shortcoming));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "app/results/row_writer.hpp"
+#include "app/results/number_rows.hpp"
 #include "app/results/solve_text_lines.hpp"
 #include "app/results/solve_writers.hpp"
 
@@ -44,44 +44,43 @@ void write_search_text(const Problem& problem, const SearchReport& report, Outpu
   if (report.solutions.size() > 1 && report.refinements == 1) {
     output.write("\nthe refinements are one solution: more cells tell whether there are several\n");
   }
-  output.write(fmt::format("\nuniqueness: {}, {}\n", report.uniqueness.proved ? "proved" : "not covered",
-                           report.uniqueness.reason));
+  write_uniqueness(report.uniqueness, report.shortcoming, output);
 }
 
 void write_search_csv(const SearchReport& report, Output& output) {
-  std::vector<Column> columns{{"solution"},
-                              {"times"},
-                              {"component"},
-                              {"left"},
-                              {"left_kind"},
-                              {"left_intensity"},
-                              {"right"},
-                              {"right_kind"},
-                              {"right_intensity"},
-                              {"effective_friction"},
-                              {"centre_of_pressure"},
-                              {"load_share"},
-                              {"tilt"},
-                              {"equation"},
-                              {"load"},
-                              {"penetration"},
-                              {"tension"},
-                              {"refined"}};
-  const auto rows = make_row_writer(Format::csv, std::move(columns), output);
+  NumberRows rows(Format::csv,
+                  {{"solution"},
+                   {"times"},
+                   {"component"},
+                   {"left", true},
+                   {"left_kind"},
+                   {"left_intensity", true},
+                   {"right", true},
+                   {"right_kind"},
+                   {"right_intensity", true},
+                   {"effective_friction", true},
+                   {"centre_of_pressure", true},
+                   {"load_share", true},
+                   {"tilt", true},
+                   {"equation"},
+                   {"load"},
+                   {"penetration"},
+                   {"tension"},
+                   {"refined"}},
+                  output);
   int number = 0;
   for (const FoundReport& found : report.solutions) {
     const SolveReport& shape = found.variational;
     ++number;
     int component = 0;
     for (const auto& [left, right] : shape.contact) {
-      rows->row({std::to_string(number), std::to_string(found.times), std::to_string(++component), left.x, left.kind,
-                 left.intensity, right.x, right.kind, right.intensity, shape.effective_friction,
-                 shape.centre_of_pressure, shape.load_share, shape.tilt.value_or(""), shape.residual_equation,
-                 shape.residual_load, shape.residual_penetration, shape.residual_tension,
-                 found.refined ? "yes" : "no"});
+      rows.row({std::to_string(number), std::to_string(found.times), std::to_string(++component), left.x, left.kind,
+                left.intensity, right.x, right.kind, right.intensity, shape.effective_friction,
+                shape.centre_of_pressure, shape.load_share, shape.tilt.value_or(NumberText{}), shape.residual_equation,
+                shape.residual_load, shape.residual_penetration, shape.residual_tension, found.refined ? "yes" : "no"});
     }
   }
-  rows->end();
+  rows.end();
 }
 
 }  // namespace steadyslide::app

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/closed_form/closed_form.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 
 namespace steadyslide::app {
@@ -47,8 +48,9 @@ SolveReport inapplicable(const std::string& why_not) {
 
 bool takes_variational(Method method, const ContactProblem& problem) {
   if (method == Method::variational) return true;
-  const std::size_t breaks = problem.indenter().pieces().size() - 1;
-  if (method != Method::automatic || breaks <= numeric::max_profile_breaks) return false;
+  if (method != Method::automatic) return false;
+  if (!numeric::too_many_friction_pieces(problem).empty()) return true;
+  if (problem.indenter().pieces().size() - 1 <= numeric::max_profile_breaks) return false;
   return !numeric::closed_form<double>(problem).solution;  // pieces can all be the same polynomial
 }
 

@@ -12,7 +12,7 @@
 namespace steadyslide::app {
 
 /// Is it the variational method that solves this problem? Always if asked for; `automatic` takes it where the profile
-/// has more breaks than the Riemann-Hilbert method takes.
+/// has more breaks, or the friction more values, than the other methods take.
 bool takes_variational(Method method, const ContactProblem& problem);
 
 /// Solves one problem after the other; the solver that iterates starts each from the solution before it, so that

@@ -18,15 +18,26 @@ struct Scientific {
   long exponent = 0;
 };
 
+Scientific parts(const std::string& text) {
+  const std::size_t e = text.find('e');
+  Scientific result{text[0] == '-', text.substr(0, e), std::strtol(text.c_str() + e + 1, nullptr, 10)};
+  std::erase_if(result.digits, [](char c) { return c == '-' || c == '.'; });
+  return result;
+}
+
 Scientific scientific(double value, int digits) {
   std::array<char, 160> buffer;
   const auto end =
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific, digits - 1).ptr;
-  const std::string text(buffer.data(), end);
-  const std::size_t e = text.find('e');
-  Scientific result{value < 0, text.substr(0, e), std::strtol(text.c_str() + e + 1, nullptr, 10)};
-  std::erase_if(result.digits, [](char c) { return c == '-' || c == '.'; });
-  return result;
+  return parts({buffer.data(), end});
+}
+
+/// As many digits as give the double back.
+Scientific shortest(double value) {
+  std::array<char, 32> buffer;
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific).ptr;
+  return parts({buffer.data(), end});
 }
 
 template <numeric::Real R>
@@ -101,6 +112,36 @@ std::string format_number(const numeric::Estimate<R>& estimate, int digits) {
   return lay_out(scientific(value, static_cast<int>(shown)), digits);
 }
 
+template <numeric::Real R>
+std::string full_number(const R& value, int digits) {
+  const auto nearest = static_cast<double>(value);
+  // Below the normal doubles there are fewer bits than digits, unless the value is a double itself.
+  const bool stands_for_it = std::isnormal(nearest) || (nearest != 0 && value == R(nearest));
+  return digits == 16 && stands_for_it && std::isfinite(nearest) ? lay_out(shortest(nearest), digits)
+                                                                 : format_number(value, digits);
+}
+
+std::string full_number(const Rational& value, int digits) {
+  return full_number(numeric::to_real<numeric::Real100>(value), digits);
+}
+
+template <numeric::Real R>
+NumberText number_text(const numeric::Estimate<R>& estimate, int digits) {
+  NumberText text;
+  text.shown = format_number(estimate, digits);
+  if (text.shown.empty()) return text;
+  text.value = full_number(estimate.value, digits);
+  text.error = is_infinite(estimate.value) ? "0" : size_text(estimate.error, digits);
+  return text;
+}
+
+template <numeric::Real R>
+std::string size_text(const R& value, int digits) {
+  using std::abs;
+  constexpr int size_digits = 2;
+  return format_number(R(abs(value)), std::min(size_digits, digits));
+}
+
 std::string format_number(const Rational& value, int digits) {
   return format_number(numeric::to_real<numeric::Real100>(value), digits);
 }
@@ -125,11 +166,14 @@ std::string exact_text(const Rational& value) {
   return digits.size() < text.size() ? digits : text;
 }
 
-template std::string format_number(const double&, int);
-template std::string format_number(const numeric::Real50&, int);
-template std::string format_number(const numeric::Real100&, int);
-template std::string format_number(const numeric::Estimate<double>&, int);
-template std::string format_number(const numeric::Estimate<numeric::Real50>&, int);
-template std::string format_number(const numeric::Estimate<numeric::Real100>&, int);
+#define STEADYSLIDE_NUMBERS_AS_TEXT(R)                                  \
+  template std::string format_number(const R&, int);                    \
+  template std::string format_number(const numeric::Estimate<R>&, int); \
+  template std::string full_number(const R&, int);                      \
+  template NumberText number_text(const numeric::Estimate<R>&, int);    \
+  template std::string size_text(const R&, int)
+STEADYSLIDE_NUMBERS_AS_TEXT(double);
+STEADYSLIDE_NUMBERS_AS_TEXT(numeric::Real50);
+STEADYSLIDE_NUMBERS_AS_TEXT(numeric::Real100);
 
 }  // namespace steadyslide::app

@@ -17,6 +17,26 @@ std::string format_number(const R& value, int digits);
 template <numeric::Real R>
 std::string format_number(const numeric::Estimate<R>& estimate, int digits);
 
+/// All of a number, for files: `digits` significant digits; where 16 are asked for, the shortest decimal that a reader
+/// of doubles turns into the double nearest to the value.
+template <numeric::Real R>
+std::string full_number(const R& value, int digits);
+std::string full_number(const Rational& value, int digits);
+
+/// An estimate as results tell it, to a person and to a file. Empty texts: not known.
+struct NumberText {
+  std::string shown;  ///< the digits that the error supports
+  std::string value;  ///< all digits
+  std::string error;  ///< estimated, absolute, two digits; 0 for an infinite limit
+};
+
+template <numeric::Real R>
+NumberText number_text(const numeric::Estimate<R>& estimate, int digits);
+
+/// Of sizes that matter by their order only: errors, residuals.
+template <numeric::Real R>
+std::string size_text(const R& value, int digits);
+
 /// The exact value rounded to `digits` <= 100.
 std::string format_number(const Rational& value, int digits);
 

@@ -18,9 +18,25 @@ Json numbers(const std::vector<Rational>& values) {
   return list;
 }
 
-Json limits(const LimitText& text) {
-  if (!text.two_sided()) return number(text.left);
-  return {{"left", number(text.left)}, {"right", number(text.right)}};
+/// KEY and KEY_error.
+void add(Json& json, const std::string& key, const NumberText& text) {
+  json[key] = number(text.value);
+  json[key + "_error"] = number(text.error);
+}
+
+void add(Json& json, const std::string& key, const LimitText& limits) {
+  if (!limits.two_sided()) return add(json, key, limits.left);
+  json[key] = {{"left", number(limits.left.value)}, {"right", number(limits.right.value)}};
+  json[key + "_error"] = {{"left", number(limits.left.error)}, {"right", number(limits.right.error)}};
+}
+
+void add(Json& json, const std::string& key, const std::vector<NumberText>& list) {
+  json[key] = Json::array();
+  json[key + "_error"] = Json::array();
+  for (const NumberText& text : list) {
+    json[key].push_back(number(text.value));
+    json[key + "_error"].push_back(number(text.error));
+  }
 }
 
 Json solid(const Solid& body) { return {{"poisson", exact_text(body.poisson())}, {"young", exact_text(body.young())}}; }
@@ -63,40 +79,45 @@ Json problem_json(const ContactProblem& problem, const std::optional<Samples>& s
 }
 
 Json end_json(const EndText& end) {
-  return {{"x", number(end.x)},
-          {"kind", end.kind},
-          {"exponent", number(end.exponent)},
-          {"intensity", number(end.intensity)}};
+  Json json;
+  add(json, "x", end.x);
+  json["kind"] = end.kind;
+  json["exponent"] = number(end.exponent);
+  add(json, "intensity", end.intensity);
+  return json;
 }
 
 Json singular_json(const SingularText& point) {
-  return {{"x", number(point.x)},
-          {"kind", point.kind},
-          {"exponent", point.exponent.value},
-          {"symbolic", point.exponent.symbolic},
-          {"latex", point.exponent.latex},
-          {"intensity", number(point.intensity)},
-          {"constant", number(point.constant)}};
+  Json json;
+  add(json, "x", point.x);
+  json["kind"] = point.kind;
+  json["exponent"] = point.exponent.value;
+  json["symbolic"] = point.exponent.symbolic;
+  json["latex"] = point.exponent.latex;
+  add(json, "intensity", point.intensity);
+  add(json, "constant", point.constant);
+  return json;
 }
 
 Json resultants_json(const SolveReport& report) {
-  Json shares = Json::array();
-  for (const std::string& share : report.load_share) shares.push_back(number(share));
-  Json json{{"normal", number(report.normal)},
-            {"tangential", number(report.tangential)},
-            {"centre_of_pressure", number(report.centre_of_pressure)},
-            {"effective_friction", number(report.effective_friction)},
-            {"load_share", std::move(shares)}};
-  if (report.tilt) json["tilt"] = number(*report.tilt);
+  Json json;
+  add(json, "normal", report.normal);
+  add(json, "tangential", report.tangential);
+  add(json, "centre_of_pressure", report.centre_of_pressure);
+  add(json, "effective_friction", report.effective_friction);
+  add(json, "load_share", report.load_share);
+  if (report.tilt) add(json, "tilt", *report.tilt);
   return json;
 }
 
 Json sample_json(const SampleText& sample) {
-  return {{"x", number(sample.x)},
-          {"traction", limits(sample.traction)},
-          {"shear", limits(sample.shear)},
-          {"gap", sample.gap ? number(*sample.gap) : Json()},
-          {"slope", limits(sample.slope)}};
+  Json json;
+  json["x"] = number(sample.x);
+  add(json, "traction", sample.traction);
+  add(json, "shear", sample.shear);
+  add(json, "gap", sample.gap.value_or(NumberText{}));
+  add(json, "slope", sample.slope);
+  return json;
 }
 
 Json solution_json(const SolveReport& report) {
@@ -122,8 +143,9 @@ Json solution_json(const SolveReport& report) {
   return json;
 }
 
-Json uniqueness_json(const Uniqueness& uniqueness) {
-  return {{"status", uniqueness.proved ? "proved" : "not_covered"}, {"reason", uniqueness.reason}};
+Json uniqueness_json(const Uniqueness& uniqueness, const std::string& shortcoming) {
+  if (!shortcoming.empty()) return {{"status", "not_solved"}, {"reason", shortcoming}};
+  return {{"status", uniqueness.proved ? unique_by_theorem : "not_covered"}, {"reason", uniqueness.reason}};
 }
 
 /// What opens every result.
@@ -143,7 +165,8 @@ Json found_json(const SolveReport& report) {
 void write_solve_json(const Problem& problem, const SolveReport& report, Output& output) {
   Json json = heading(problem);
   json.update(solution_json(report));
-  json["uniqueness"] = uniqueness_json(report.uniqueness);
+  json["uniqueness"] = uniqueness_json(report.uniqueness, report.shortcoming);
+  json["warnings"] = report.warnings;
   output.write(json.dump(2) + "\n");
 }
 
@@ -159,7 +182,8 @@ void write_search_json(const Problem& problem, const SearchReport& report, Outpu
                                  {"variational", found_json(found.variational)},
                                  {"refined", found.refined ? found_json(*found.refined) : Json()}});
   }
-  json["uniqueness"] = uniqueness_json(report.uniqueness);
+  json["uniqueness"] = uniqueness_json(report.uniqueness, report.shortcoming);
+  json["warnings"] = report.warnings;
   output.write(json.dump(2) + "\n");
 }
 

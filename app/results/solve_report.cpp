@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/results/number_format.hpp"
+#include "app/results/solve_warnings.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -10,8 +11,6 @@ namespace {
 using numeric::Estimate;
 using numeric::Real;
 using numeric::TwoSided;
-
-constexpr int error_digits = 2;
 
 template <Real R>
 bool is_infinite(const R& value) {
@@ -25,20 +24,20 @@ class Writer {
  public:
   Writer(SolveReport& report, int digits) : report_(report), digits_(digits) {}
 
-  std::string text(const Estimate<R>& estimate) {
+  NumberText text(const Estimate<R>& estimate) {
     notice(estimate);
-    return format_number(estimate, digits_);
+    return number_text(estimate, digits_);
   }
 
   std::string size(const R& value) {
     notice(value);
-    return format_number(value, std::min(error_digits, digits_));
+    return size_text(value, digits_);
   }
 
-  LimitText limits(const TwoSided<R>& values, const TwoSided<R>& traction) {
+  LimitText limits(const TwoSided<R>& values, const TwoSided<R>& traction, bool apart = false) {
     notice(values.left);
     notice(values.right);
-    return limit_text(values, traction, digits_);
+    return limit_text(values, traction, digits_, apart);
   }
 
   bool converged() const { return converged_; }
@@ -75,9 +74,10 @@ std::string shortcoming(const numeric::ContactSolution<R>& solution, const numer
                                     {"penetration", residuals.penetration},
                                     {"tension", residuals.tension}}) {
     const bool small = value <= largest_residual;  // no number is not
-    if (!small) return fmt::format("{} has the residual {}", name, format_number(value, error_digits));
+    if (!small) return fmt::format("{} has the residual {}", name, size_text(value, 2));
   }
-  return converged ? "" : "a value stalled before its tolerance";
+  if (!converged) return "a value stalled before its tolerance";
+  return useless_error(solution.estimated_error());
 }
 
 template <Real R>
@@ -90,8 +90,10 @@ template <Real R>
 SampleText sample_text(const numeric::Sample<R>& sample, std::string x, Writer<R>& writer) {
   SampleText text;
   text.x = std::move(x);
-  text.traction = writer.limits(sample.traction, sample.traction);
-  text.shear = writer.limits(sample.shear, sample.traction);
+  // Both or neither: |shear| = f |traction| holds on either side, not between the sides.
+  const bool apart = !agree(sample.traction) || !agree(sample.shear);
+  text.traction = writer.limits(sample.traction, sample.traction, apart);
+  text.shear = writer.limits(sample.shear, sample.traction, apart);
   if (sample.gap) text.gap = writer.text(*sample.gap);
   text.slope = writer.limits(sample.slope, sample.slope);
   return text;
@@ -100,11 +102,18 @@ SampleText sample_text(const numeric::Sample<R>& sample, std::string x, Writer<R
 }  // namespace
 
 template <Real R>
-LimitText limit_text(const TwoSided<R>& limits, const TwoSided<R>& traction, int digits) {
+bool agree(const TwoSided<R>& limits) {
   using std::abs;
+  const R errors = limits.left.error + limits.right.error;
+  // A part of the last digit more: the errors of f t are those of t, each times f and rounded.
+  return abs(limits.left.value - limits.right.value) <= errors * (1 + 4 * numeric::epsilon<R>());
+}
+
+template <Real R>
+LimitText limit_text(const TwoSided<R>& limits, const TwoSided<R>& traction, int digits, bool apart) {
   const Estimate<R>& left = limits.left;
   const Estimate<R>& right = limits.right;
-  LimitText text{format_number(left, digits), format_number(right, digits)};
+  LimitText text{number_text(left, digits), number_text(right, digits)};
   if (is_infinite(left.value) || is_infinite(right.value)) {
     const LimitText infinite =
         is_infinite(left.value) ? LimitText{text.left, text.left} : LimitText{text.right, text.right};
@@ -114,9 +123,13 @@ LimitText limit_text(const TwoSided<R>& limits, const TwoSided<R>& traction, int
                                 (is_infinite(traction.right.value) && !is_infinite(right.value));
     return opposite || blows_up_alone ? text : infinite;
   }
-  const R difference = abs(left.value - right.value);
-  const bool known = !text.left.empty() && !text.right.empty();
-  if (known && text.two_sided() && difference <= left.error + right.error) text.right = text.left;
+  const bool known = !text.left.shown.empty() && !text.right.shown.empty();
+  if (!known || !agree(limits)) return text;
+  if (apart) {
+    text.right.shown = text.left.shown;
+  } else {
+    text.right = text.left;
+  }
   return text;
 }
 
@@ -145,11 +158,11 @@ SolveReport make_report(const Problem& problem, const numeric::ContactSolution<R
   if (const auto tilt = solution.tilt()) report.tilt = writer.text(*tilt);
 
   for (const Rational& x : wanted.at) {
-    report.samples.push_back(sample_text(solution.at(x), format_number(x, digits), writer));
+    report.samples.push_back(sample_text(solution.at(x), full_number(x, digits), writer));
   }
   if (wanted.samples > 0) {
     for (const numeric::Sample<R>& sample : solution.samples(wanted.samples)) {
-      report.samples.push_back(sample_text(sample, format_number(sample.x, digits), writer));
+      report.samples.push_back(sample_text(sample, full_number(sample.x, digits), writer));
     }
   }
 
@@ -158,6 +171,7 @@ SolveReport make_report(const Problem& problem, const numeric::ContactSolution<R
   report.error_traction = writer.size(error.traction);
   report.error_resultants = writer.size(error.resultants);
   const numeric::Residuals<R> residuals = solution.residuals();
+  report.warnings = warnings(problem, solution);
   report.shortcoming = shortcoming(solution, residuals, wanted.largest_residual, writer.converged());
   report.residual_equation = writer.size(residuals.equation);
   report.residual_load = writer.size(residuals.load);
@@ -169,7 +183,8 @@ SolveReport make_report(const Problem& problem, const numeric::ContactSolution<R
 
 #define STEADYSLIDE_REPORT_AT(R)                                                                             \
   template SolveReport make_report(const Problem&, const numeric::ContactSolution<R>&, const ReportWanted&); \
-  template LimitText limit_text(const TwoSided<R>&, const TwoSided<R>&, int)
+  template bool agree(const TwoSided<R>&);                                                                   \
+  template LimitText limit_text(const TwoSided<R>&, const TwoSided<R>&, int, bool)
 STEADYSLIDE_REPORT_AT(double);
 STEADYSLIDE_REPORT_AT(numeric::Real50);
 STEADYSLIDE_REPORT_AT(numeric::Real100);

@@ -8,58 +8,63 @@
 
 #include "app/problem_file/problem_file.hpp"
 #include "app/results/exponent_text.hpp"
+#include "app/results/number_format.hpp"
 #include "model/uniqueness.hpp"
 #include "numeric/solution/contact_solution.hpp"
 
 namespace steadyslide::app {
 
-/// One text, or two where the limits from left and right differ. An empty text, here and below: no number, or not
+/// One number, or two where the limits from left and right differ. An empty text, here and below: no number, or not
 /// known.
 struct LimitText {
-  std::string left;
-  std::string right;
+  NumberText left;
+  NumberText right;
 
-  bool two_sided() const { return left != right; }
+  bool two_sided() const { return left.value != right.value; }
 };
 
 struct SampleText {
   std::string x;
   LimitText traction;
   LimitText shear;
-  std::optional<std::string> gap;  ///< absent outside the support
+  std::optional<NumberText> gap;  ///< absent outside the support
   LimitText slope;
 };
 
 struct EndText {
-  std::string x;
+  NumberText x;
   std::string kind;
   std::string exponent;
-  std::string intensity;
+  NumberText intensity;
 };
 
 struct SingularText {
-  std::string x;
+  NumberText x;
   std::string kind;
   ExponentText exponent;
-  std::string intensity;
-  std::string constant;
+  NumberText intensity;
+  NumberText constant;
 };
+
+/// What theorem 1 of the paper says of a solution where Uniqueness::proved.
+inline constexpr const char* unique_by_theorem = "unique by theorem 1 of [Bal16]";
 
 struct SolveReport {
   std::string method;
   int digits = 0;
   std::vector<std::pair<EndText, EndText>> contact;
   std::vector<SingularText> singular_points;
-  std::string normal, tangential, centre_of_pressure, effective_friction;
-  std::optional<std::string> tilt;  ///< absent unless the indenter may tilt
-  std::vector<std::string> load_share;
+  NumberText normal, tangential, centre_of_pressure, effective_friction;
+  std::optional<NumberText> tilt;  ///< absent unless the indenter may tilt
+  std::vector<NumberText> load_share;
   std::vector<SampleText> samples;
   std::string error_ends, error_traction, error_resultants;
   std::string residual_equation, residual_load, residual_penetration, residual_tension;
   Uniqueness uniqueness;
   std::string why_not;      ///< not empty: the method does not apply, and nothing else is here
-  std::string shortcoming;  ///< not empty: the solve did not converge, in words
-  bool in_range = true;     ///< false: some value is no number, or near the end of the range of its type
+  std::string shortcoming;  ///< not empty: not a solution, and why
+  std::vector<std::string> warnings;
+  bool in_range = true;  ///< false: some value is no number, or near the end of the range of its type
 
   bool is_solved() const { return why_not.empty() && shortcoming.empty(); }
 };
@@ -77,8 +82,14 @@ template <numeric::Real R>
 SolveReport make_report(const Problem& problem, const numeric::ContactSolution<R>& solution,
                         const ReportWanted& wanted);
 
-/// The limits as one text or two: a blow-up from one side only, at an edge, is one infinite text.
+/// Do the limits differ by no more than their errors?
 template <numeric::Real R>
-LimitText limit_text(const numeric::TwoSided<R>& limits, const numeric::TwoSided<R>& traction, int digits);
+bool agree(const numeric::TwoSided<R>& limits);
+
+/// The limits as one number if they agree, else as two: a blow-up from one side only, at an edge, is one infinite text.
+/// Where `apart`, limits that agree look like one only to a person: files keep what belongs to each side.
+template <numeric::Real R>
+LimitText limit_text(const numeric::TwoSided<R>& limits, const numeric::TwoSided<R>& traction, int digits,
+                     bool apart = false);
 
 }  // namespace steadyslide::app

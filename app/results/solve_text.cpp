@@ -64,8 +64,7 @@ void write_solve_text(const Problem& problem, const SolveReport& report, Output&
   write_line(output, "load", report.residual_load);
   write_line(output, "penetration", report.residual_penetration);
   write_line(output, "tension", report.residual_tension);
-  output.write(fmt::format("\nuniqueness: {}, {}\n", report.uniqueness.proved ? "proved" : "not covered",
-                           report.uniqueness.reason));
+  write_uniqueness(report.uniqueness, report.shortcoming, output);
 }
 
 }  // namespace steadyslide::app

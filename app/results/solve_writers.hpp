@@ -14,7 +14,8 @@ namespace steadyslide::app {
 void write_solve_json(const Problem& problem, const SolveReport& report, Output& output);
 /// A summary to read, and the samples if there are any.
 void write_solve_text(const Problem& problem, const SolveReport& report, Output& output);
-/// The samples: x,traction,shear,gap,slope; two rows where a limit differs from its other side.
+/// The samples: x,traction,shear,gap,slope and the errors of the last four; two rows where a limit differs from its
+/// other side.
 void write_solve_csv(const SolveReport& report, Output& output);
 
 struct LoadStep {
@@ -35,6 +36,8 @@ struct SearchReport {
   int refinements;  ///< different ones
   std::vector<FoundReport> solutions;
   Uniqueness uniqueness;
+  std::vector<std::string> warnings;  ///< of all solutions
+  std::string shortcoming;            ///< not empty: none of them is a solution, and why
 
   /// Did every start lead to the same solution?
   bool agreed() const { return solutions.size() == 1 && unsolved == 0; }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <cstdio>
 
 #include "app/terminal/utf8.hpp"
 
@@ -27,6 +28,12 @@ Failure bad_command_line(const std::string& what) { return {ExitCode::bad_input,
 
 Failure bad_command_line(const std::string& what, const std::string& rule, std::string_view value) {
   return bad_command_line(what + "; " + rule + "; " + excerpt(value));
+}
+
+void warn(const std::string& file, const std::vector<std::string>& warnings) {
+  for (const std::string& what : warnings) {
+    fmt::print(stderr, "steadyslide: {}\n", one_line(file + ": warning: " + what));
+  }
 }
 
 std::string one_line(std::string_view text) {

@@ -1,9 +1,11 @@
 #pragma once
-// How a command ends, and the one line that says why. Nothing below main() exits or prints an error.
+// How a command ends, and the one line that says why. Nothing below main() exits or prints an error; a warning is
+// printed where a command ends, by warn().
 
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace steadyslide::app {
 
@@ -24,6 +26,9 @@ class Failure : public std::runtime_error {
 Failure bad_command_line(const std::string& what);
 /// "command line: WHAT; RULE; VALUE", exit code 2.
 Failure bad_command_line(const std::string& what, const std::string& rule, std::string_view value);
+
+/// "steadyslide: FILE: warning: WHAT" on stderr, each on one line.
+void warn(const std::string& file, const std::vector<std::string>& warnings);
 
 /// Safe to print on one line of a terminal: control characters and bytes that are not UTF-8 as \xNN, long words and
 /// long lines shortened.

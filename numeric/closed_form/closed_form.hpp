@@ -10,6 +10,7 @@
 // Lengths are measured from an exact origin (the punch's centre, the parabola's vertex).
 
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -17,6 +18,12 @@
 #include "numeric/solution/contact_solution.hpp"
 
 namespace steadyslide::numeric {
+
+/// With powers at every jump, evaluating a solution costs the square of their number, its residuals most of all: with
+/// 1000 values of friction about twenty seconds in double.
+inline constexpr std::size_t max_friction_pieces = 1000;
+/// Empty, or why a solution by powers is not for this problem.
+std::string too_many_friction_pieces(const ContactProblem& problem);
 
 /// What a closed form consists of.
 template <Real R>

@@ -106,8 +106,16 @@ std::variant<ClosedFormData<R>, std::string> parabola(const ContactProblem& prob
 
 }  // namespace
 
+std::string too_many_friction_pieces(const ContactProblem& problem) {
+  const std::size_t pieces = problem.friction().values().size();
+  if (pieces <= max_friction_pieces) return {};
+  return "too many values of friction for a solution by powers, take --method variational; there are at most " +
+         std::to_string(max_friction_pieces) + "; " + std::to_string(pieces) + " values";
+}
+
 template <Real R>
 std::variant<ClosedFormData<R>, std::string> closed_form_data(const ContactProblem& problem) {
+  if (std::string why_not = too_many_friction_pieces(problem); !why_not.empty()) return why_not;
   if (problem.load_at()) return std::string("the indenter may tilt");
   const std::optional<Polynomial> profile = common_profile(problem.indenter());
   if (profile && profile->degree() <= 0) {

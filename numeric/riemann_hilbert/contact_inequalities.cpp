@@ -134,7 +134,10 @@ class Inspection {
       const R& length = set_.length(k);
       note(What::tension, pulls,
            {static_cast<std::ptrdiff_t>(k), {set_.x(j), ends ? length : R(0), ends ? R(0) : length}});
-      if (pulls && !set_.point(j).is_end()) found_.back().anchor = set_.point(j).anchor;
+      if (pulls && !set_.point(j).is_end()) {
+        found_.back().anchor = set_.point(j).anchor;
+        found_.back().log_reach = log_reach(form_, j);
+      }
     };
     for (std::size_t k = first; k < end; ++k) {
       decide(k);

@@ -16,6 +16,7 @@ struct Violation {
   SurfacePoint<R> to;
   /// Tension: an anchor within the stretch whose leading term pulls.
   std::optional<std::size_t> anchor = std::nullopt;
+  std::optional<R> log_reach = std::nullopt;  ///< how far the leading term pulls there (local_signs.hpp)
 };
 
 /// Left to right; what rounding alone, and the free ends' error, may have done is let pass. At ends and anchors the

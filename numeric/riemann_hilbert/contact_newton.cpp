@@ -208,6 +208,7 @@ class Newton {
     // Within this part of the hull quadratic convergence has left nothing but rounding.
     const R rounding = 8 * epsilon<R>();
     R previous = infinity<R>();
+    R previous_beside = infinity<R>();
     for (int iteration = 0; iteration < max_steps; ++iteration) {
       const RiemannHilbertForm<R> form(problem_, state_.set, state_.q, state_.tilt, rules_);
       Linearisation<R> linear(form);
@@ -223,7 +224,7 @@ class Newton {
       const R beside_wedges = follow_lengths(ends, hull);
       const auto [part, tightest] = admissible_part(ends);
       const bool moves = largest > rounding * hull || state_.set.is_over_notch(tightest);
-      if (part < 1 && state_.set.length(tightest) < limits_[tightest] && moves) {
+      if (part < 1 && state_.set.length(tightest) < limit(tightest) && moves) {
         return {std::move(state_), Status::collapse, tightest, largest};
       }
       for (R& step : ends) step *= part;
@@ -237,18 +238,25 @@ class Newton {
       if (!(movement < infinity<R>())) break;
       const bool settled = movement <= rounding && beside_wedges <= R(1e-7);
       // Rounding may keep the last steps above that: they are small, and no longer shrink.
-      const bool ground = movement < sqrt(epsilon<R>()) && movement >= previous / 2 && beside_wedges <= R(1e-3);
+      const bool ground = movement < sqrt(epsilon<R>()) && movement >= previous / 2 && beside_wedges <= R(1e-3) &&
+                          (beside_wedges <= R(1e-7) || beside_wedges >= previous_beside / 2);
       // An end that rounding alone drives across an anchor takes part of the step for ever: it is where it belongs.
       if (settled || (part == 1 && ground)) {
         if (!linear.is_complete()) break;
         return {std::move(state_), Status::converged, 0, R(movement * hull)};
       }
       previous = part == 1 ? movement : infinity<R>();
+      // Orders of magnitude that swing to and fro want shorter steps.
+      damping_ = beside_wedges > R(0.5) && beside_wedges > previous_beside / 2 ? R(damping_ * 0.7)
+                                                                               : std::min(R(1.5 * damping_), R(1));
+      previous_beside = beside_wedges;
     }
     return {std::move(state_), Status::stalled};
   }
 
  private:
+  R limit(std::size_t k) const { return state_.set.is_over_notch(k) ? R(shortest_gap) : limits_[k]; }
+
   /// The segment in contact at a free end.
   std::size_t inside(std::size_t j) const {
     return state_.set.point(j).kind == ContactSet<R>::Kind::begins ? j : j - 1;
@@ -263,16 +271,15 @@ class Newton {
            state_.set.length(inside(j)) < R(0.05) * hull;
   }
 
-  /// The factor of a gap's length over a notch for the linear step `growth` of its logarithm: what is linear is not the
-  /// logarithm but the traction beside the gap, like length^-beta.
-  R notch_factor(const R& growth, const R& beta) const {
-    using std::exp, std::log1p;
+  /// The logarithm of the factor of a gap's length over a notch, for the linear step `growth` of that logarithm: what
+  /// is linear is not the logarithm but the traction beside the gap, like length^-beta.
+  R notch_step(const R& growth, const R& beta) const {
+    using std::log1p;
     const R part = std::max(R(-beta * growth), R(-0.99));
-    const R logarithm = beta == 0 ? growth : R(-log1p(part) / beta);
-    return exp(std::clamp(logarithm, R(-30), R(6)));
+    return std::clamp(beta == 0 ? growth : R(-log1p(part) / beta), R(-30), R(6)) * damping_;
   }
 
-  /// Steps of such ends are steps of log l. Returns the largest of them.
+  /// Steps of such ends, and of gaps over notches, are steps of log l. Returns the largest of them.
   R follow_lengths(std::vector<R>& ends, const R& hull) const {
     using std::abs, std::expm1;
     R largest = 0;
@@ -285,7 +292,7 @@ class Newton {
         const R growth = -outwards * ends[f] / length;
         largest = std::max(largest, R(abs(growth)));
         const R& beta = problem_.jump_power(*state_.set.point(begins ? j - 1 : j + 1).anchor).value;
-        ends[f] = -outwards * length * (notch_factor(growth, beta) - 1);
+        ends[f] = -outwards * length * expm1(notch_step(growth, beta));
         continue;
       }
       if (!is_beside_break(j, hull)) continue;
@@ -312,7 +319,7 @@ class Newton {
       by_order[k] = is_beside_break(j, hull) && state_.set.length(k) >= limits_[k];
     }
     for (std::size_t k = 0; k < change.size(); ++k) {
-      if (state_.set.is_over_notch(k)) by_order[k] = state_.set.length(k) >= limits_[k];
+      if (state_.set.is_over_notch(k)) by_order[k] = state_.set.length(k) >= limit(k);
     }
     R part = 1;
     std::size_t tightest = 0;
@@ -341,6 +348,7 @@ class Newton {
   const std::vector<R>& limits_;
   JacobiRules<R>& rules_;
   std::vector<std::size_t> free_;
+  R damping_ = 1;  ///< of steps over notches
 };
 
 }  // namespace

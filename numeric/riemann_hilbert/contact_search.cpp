@@ -12,10 +12,6 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// In xi. What is shorter has products that double cannot hold; the search takes place in double, whatever the
-/// precision.
-constexpr double shortest_gap = 1e-280;
-
 template <Real R>
 class Search {
  public:
@@ -88,10 +84,6 @@ class Search {
     std::vector<R> result(set.segments(), R(1e-3) * hull);
     using std::pow;
     for (std::size_t k = 0; k < set.segments(); ++k) {
-      if (set.is_over_notch(k)) {
-        result[k] = shortest_gap;
-        continue;
-      }
       if (!set.in_contact(k) && set.point(k).is_end() && set.point(k + 1).is_end()) {
         result[k] = hull * pow(R(1e-3), closings_ + 1);
       }
@@ -201,8 +193,10 @@ class Search {
 
   bool repair(const std::vector<Violation<R>>& found) {
     Set set = state_.set;
+    using std::log;
     for (const Violation<R>& v : found) {
-      if (v.anchor && vanished_.count(*v.anchor) != 0) return false;
+      if (!v.anchor) continue;
+      if (vanished_.count(*v.anchor) != 0 || (v.log_reach && *v.log_reach < log(R(shortest_gap)))) return false;
     }
     // From right to left: indices on the left stay.
     for (std::size_t i = found.size(); i-- > 0;) {
@@ -236,9 +230,23 @@ class Search {
     set.open(between(from, first_end, part), between(to, last_end, part));
   }
 
+  /// A gap over an anchor that pulls much less far than to the next places that were looked at.
+  static bool open_over(Set& set, const Violation<R>& v) {
+    using std::exp;
+    if (!v.log_reach) return false;
+    const std::size_t j = set.point_of(*v.anchor);
+    const R reach = exp(*v.log_reach);
+    const R& left = set.length(j - 1);
+    const R& right = set.length(j);
+    if (set.point(j).is_end() || !(reach < R(1e-6) * std::min(left, right))) return false;
+    set.open({j - 1, R(left - reach), reach}, {j, reach, R(right - reach)});
+    return true;
+  }
+
   bool remove_contact(Set& set, const Violation<R>& v) {
     const Place from = place(v.from);
     const Place to = place(v.to);
+    if (v.anchor && open_over(set, v)) return true;
     const bool at_left = from.from_left == 0 && set.point(from.segment).is_end();
     const bool at_right = to.from_right == 0 && set.point(to.segment + 1).is_end();
     if (at_left && at_right) {

@@ -57,8 +57,9 @@ class ContactSet {
   bool is_consistent() const;
   /// From the first end to the last one.
   R hull() const;
-  /// Is segment k half of a short gap over a notch, a wedge with D < 0, both ends free? Such a gap keeps a traction like
-  /// d^beta, or like log d, from pulling in the corner: its length counts by its order of magnitude, which may be any.
+  /// Is segment k half of a short gap over a notch, a wedge with D < 0, both ends free? Such a gap keeps a traction
+  /// like d^beta, or like log d, from pulling in the corner: its length counts by its order of magnitude, which may be
+  /// any.
   bool is_over_notch(std::size_t k) const;
 
   /// Moves the movable ends by steps[i] (in the order of movable()).

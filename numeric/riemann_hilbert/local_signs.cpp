@@ -26,6 +26,13 @@ R displaced(const RiemannHilbertForm<R>& form, std::size_t point, const R& end_e
   return sum;
 }
 
+/// D.
+template <Real R>
+R slope_jump(const RiemannHilbertForm<R>& form, std::size_t point) {
+  const R& x = form.set().x(point);
+  return form.problem().slope(form.slope_at(point), x) - form.problem().slope(form.slope_at(point - 1), x);
+}
+
 template <Real R>
 LeadingTerm<R> power_term(const RiemannHilbertForm<R>& form, std::size_t point, const R& end_error) {
   using std::abs;
@@ -58,15 +65,31 @@ std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>& form, st
   const int wedge = sign(form.problem().anchors()[*set.point(point).anchor].wedge);
   if (wedge == 0 || beta < 0) return power_term(form, point, end_error);
   // The sign is exact; D may be a small difference.
-  const auto slope = [&](std::size_t segment) { return form.problem().slope(form.slope_at(segment), set.x(point)); };
-  const R d = slope(point) - slope(point - 1);
-  const R rounding = 4 * epsilon<R>() * (abs(slope(point)) + abs(slope(point - 1)));
+  const R d = slope_jump(form, point);
+  const R rounding = 4 * epsilon<R>() * abs(form.problem().slope(form.slope_at(point), set.x(point)));
   const R& s_left = form.problem().s(form.friction_at(point - 1));
   const R& s_right = form.problem().s(form.friction_at(point));
   const bool jumps = beta != 0;
   const R divisor = jumps ? R(s_right - s_left) : R(1 + s_left * s_left);
   // log d and [s] are negative where they come in.
   return LeadingTerm<R>{jumps ? Is::constant : Is::logarithm, {d / divisor, abs(rounding / divisor)}, R(0), -wedge};
+}
+
+template <Real R>
+std::optional<R> log_reach(const RiemannHilbertForm<R>& form, std::size_t point) {
+  using std::log;
+  if (!form.is_kinked(point)) return std::nullopt;
+  const R d = slope_jump(form, point);
+  const R& s = form.problem().s(form.friction_at(point));
+  const R& cosine = form.problem().cos_alpha(form.friction_at(point));
+  const R regular = -cosine * power_term(form, point, R(0)).coefficient.value;
+  if (form.exponent(point).sign() == 0) {
+    // D/(1+s^2) log(d)/pi + regular
+    return d == 0 ? std::nullopt : std::optional<R>(-regular * pi<R>() * (1 + s * s) / d);
+  }
+  const R ratio = -d / (s - form.problem().s(form.friction_at(point - 1))) / regular;
+  if (!(ratio > 0)) return std::nullopt;
+  return log(ratio) / form.weight().powers()[point].value;
 }
 
 template <Real R>
@@ -110,6 +133,7 @@ std::string in_words(const RiemannHilbertForm<R>& form, std::size_t point, const
 
 #define STEADYSLIDE_INSTANTIATE(R)                                                                          \
   template std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>&, std::size_t, const R&); \
+  template std::optional<R> log_reach(const RiemannHilbertForm<R>&, std::size_t);                           \
   template R highest_limit(const RiemannHilbertForm<R>&, const R&);                                         \
   template std::string in_words(const RiemannHilbertForm<R>&, std::size_t, const LeadingTerm<R>&);
 STEADYSLIDE_INSTANTIATE(double)

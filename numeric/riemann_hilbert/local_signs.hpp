@@ -32,6 +32,12 @@ template <Real R>
 std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>& form, std::size_t point,
                                            const R& end_error = R(0));
 
+/// Where the leading term pulls inside the contact: the logarithm of the distance in xi at which the local form,
+/// constant and power or logarithm, changes its sign. None where it does not: then the contact pulls as far as places
+/// show.
+template <Real R>
+std::optional<R> log_reach(const RiemannHilbertForm<R>& form, std::size_t point);
+
 /// The supremum of t at the points where the leading term is known to pull: infinite where it blows up; 0 if none does.
 template <Real R>
 R highest_limit(const RiemannHilbertForm<R>& form, const R& end_error);

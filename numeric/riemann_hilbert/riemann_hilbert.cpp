@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "numeric/closed_form/closed_form.hpp"
 #include "numeric/coarse/coarse_contact.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 
@@ -181,6 +182,7 @@ std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const Contac
 
 template <Real R>
 Attempt<R> riemann_hilbert(const ContactProblem& problem, const ContactSolution<R>* start) {
+  if (std::string why_not = too_many_friction_pieces(problem); !why_not.empty()) return {nullptr, std::move(why_not)};
   if (const std::size_t breaks = problem.indenter().pieces().size() - 1; breaks > max_profile_breaks) {
     return {nullptr,
             "the profile has too many breaks for the Riemann-Hilbert method, take --method variational; it "

@@ -94,7 +94,11 @@ Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const {
     result.traction = {t, t};
     result.shear = {shear, shear};
   } else {
-    slope = slope.widened(ends);
+    // The slope is the profile's less a singular part: that is what ends move.
+    const auto last = static_cast<std::ptrdiff_t>(contact_set().segments()) - 1;
+    const auto segment = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at.segment, 0, last));
+    const R profile = reduced_.slope(form_->slope_at(segment), at.node.x) + form_->tilt();
+    slope.error += ends * abs(profile - slope.value);
   }
   slope *= c;
   result.slope = {slope, slope};

@@ -46,12 +46,13 @@ bool RiemannHilbertSolution<R>::in_contact_at(std::size_t j, Side side) const {
 
 template <Real R>
 R RiemannHilbertSolution<R>::relative_end_error(const SurfacePoint<R>& at) const {
-  // What a displaced free end e does to |x - e|^p, next to where it matters most.
+  // What a displaced free end e does to |x - e|^p, next to where it matters most, and about as much again to every
+  // other factor of the traction.
   using std::abs;
   R sum = 0;
   for (const std::size_t j : contact_set().movable()) {
     const R distance = abs(form_->distance(at, j));
-    if (distance > 0) sum += abs(form_->weight().powers()[j].value) * found_->end_error / distance;
+    if (distance > 0) sum += 4 * abs(form_->weight().powers()[j].value) * found_->end_error / distance;
   }
   return sum;
 }
@@ -65,7 +66,7 @@ Estimate<R> RiemannHilbertSolution<R>::amplitude(std::size_t j, Side side) const
   const R factor = form_->sign(static_cast<std::ptrdiff_t>(segment)) * form_->weight().amplitude(j);
   const Node<R> node{contact_set().x(segment) + length / 2, length / 2, length / 2};
   const R relative = form_->weight().relative_error(segment, node, R(0)) +
-                     4 * relative_end_error({static_cast<std::ptrdiff_t>(segment), node});
+                     2 * relative_end_error({static_cast<std::ptrdiff_t>(segment), node});
   return factor * b.widened(relative);
 }
 
@@ -164,7 +165,7 @@ Resultants<R> RiemannHilbertSolution<R>::resultants() const {
     if (!contact_set().in_contact(k)) continue;
     const Estimate<R> load = load_on(k);
     const R half = contact_set().length(k) / 2;
-    const R ends = 8 * relative_end_error({static_cast<std::ptrdiff_t>(k), {contact_set().x(k) + half, half, half}});
+    const R ends = 2 * relative_end_error({static_cast<std::ptrdiff_t>(k), {contact_set().x(k) + half, half, half}});
     loads[form_->friction_at(k)] += -unit * load.widened(ends);
   }
   Resultants<R> result = resultants_of(loads, problem_.friction().values());

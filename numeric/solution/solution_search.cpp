@@ -44,11 +44,12 @@ std::shared_ptr<const ContactSolution<double>> refined(const ContactProblem& pro
   // The same to within a few cells: a loose bound, solutions that are two are far from each other.
   const Resultants<double> a = attempt.solution->resultants();
   const Resultants<double> b = rough.resultants();
-  const double error = rough.estimated_error().resultants + 8 * rough.estimated_error().ends;
+  const auto& runs = rough.runs();
+  const double span = rough.cell_length() * static_cast<double>(runs.back().end - runs.front().begin);
+  const double error = rough.estimated_error().resultants + 8 * rough.cell_length() / span;
   for (std::size_t k = 0; k < a.load_share.size(); ++k) {
     if (std::abs(a.load_share[k].value - b.load_share[k].value) > error) return nullptr;
   }
-  const double span = rough.cell_length() / rough.estimated_error().ends;  // the contact's
   if (std::abs(a.centre_of_pressure.value - b.centre_of_pressure.value) > error * span) return nullptr;
   return attempt.solution;
 }

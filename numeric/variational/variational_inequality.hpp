@@ -23,8 +23,10 @@ struct VariationalOptions {
 /// Any profile. In double whatever else is asked for: the error is that of the cells. What the certificate of the
 /// result does not accept says so by shortcoming(). `why_not`: an elastic indenter whose contact reaches an edge.
 ///
-/// Ends are those of the cells in contact, right to one cell; intensities are fitted where there are cells enough for
-/// it, and have an infinite error where not; singular points closer to each other than the cells can show are left out.
+/// Ends are those of the cells in contact. Their error is a cell where the coarser mesh agrees; ends that move when the
+/// cells are halved, as beside a strong fall of s, are off by more, and an error that reaches across a gap says that
+/// cells cannot tell whether there is one. Intensities are fitted where there are cells enough for it, and have an
+/// infinite error where not; singular points closer to each other than the cells can show are left out.
 Attempt<double> variational_inequality(const ContactProblem& problem, const VariationalOptions& options = {});
 
 /// One of the solutions that a search has met.

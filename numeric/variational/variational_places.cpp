@@ -100,6 +100,44 @@ void VariationalSolution::find_places() {
   }
 }
 
+void VariationalSolution::find_end_errors() {
+  if (runs_.empty()) return;
+  const double cell = cell_length();
+  if (runs_.size() == 1 && runs_.front().end - runs_.front().begin == 1) {
+    // All the load on one cell says nothing of where contact ends.
+    for (Place& place : places_) place.error = place.is_end() && !place.exact ? unit_ : 0;
+    return;
+  }
+  // How far from x the coarser contact begins, or ends.
+  const variational::CellSet& coarse = found_.coarse.found.contact;
+  const auto moved = [&](const Place& end) {
+    double least = edges_.back() - edges_.front();
+    for (std::size_t i = 0; i < coarse.size(); ++i) {
+      const bool begins = end.contact == Side::right;
+      const bool beyond = begins ? i > 0 && coarse[i - 1] : i + 1 < coarse.size() && coarse[i + 1];
+      if (!coarse[i] || beyond) continue;
+      least = std::min(least, std::abs(coarse_edges_[begins ? i : i + 1] - end.x));
+    }
+    return least;
+  };
+  const double elsewhere = resultant_error() * (edges_[runs_.back().end] - edges_[runs_.front().begin]);
+  Place* before = nullptr;
+  double before_moved = 0;
+  for (Place& place : places_) {
+    if (!place.is_end()) continue;
+    const double by = place.exact ? 0 : moved(place);
+    if (!place.exact) place.error = cell + std::max(by - cell, 0.0) + elsewhere;
+    if (before != nullptr && place.contact == Side::right) {
+      const double gap = place.x - before->x;
+      if (gap <= 4 * cell + 8 * (before_moved + by) || gap <= before->error + place.error) {
+        for (Place* end : {before, &place}) end->error = std::max(end->error, gap + cell);
+      }
+    }
+    before = &place;
+    before_moved = by;
+  }
+}
+
 FittedIntensity VariationalSolution::fitted(const Place& place, const variational::Cells& cells) const {
   const auto s = [&](std::size_t piece) { return problem_.coupled_friction(piece); };
   if (place.is_end()) {
@@ -116,7 +154,7 @@ FittedIntensity VariationalSolution::fitted(const Place& place, const variationa
 }
 
 SolvedSingularPoint<double> VariationalSolution::solved_point(const Place& place) const {
-  const double error = place.exact ? 1e-15 * (std::abs(origin_) + unit_) : cell_length();
+  const double error = 1e-15 * (std::abs(origin_) + unit_) + place.error;
   SolvedSingularPoint<double> result{{origin_ + place.x, error}, place.kind, place.exponent, unknown, {}};
   if (!place.is_end() && place.wedge_degree >= 0) result.constant = unknown;
   if (std::min(place.surroundings.left, place.surroundings.right) < fewest_between * cell_length()) return result;

@@ -58,6 +58,7 @@ VariationalSolution::VariationalSolution(ContactProblem problem, variational::Ne
   discrete().influence().multiply(state().pressure, displacement_);
   find_runs();
   find_places();
+  find_end_errors();
 }
 
 void VariationalSolution::find_runs() {
@@ -130,15 +131,23 @@ EstimatedError<double> VariationalSolution::estimated_error() const {
   EstimatedError<double> result{0, 0, 0};
   if (runs_.empty()) return result;
   const double hull = mesh().right(runs_.back().end - 1) - mesh().left(runs_.front().begin);
+  // Everything may be at edges: then the cell is what ends are known to.
   result.ends = mesh().length(0) / hull;
+  for (const Place& place : places_) result.ends = std::max(result.ends, place.error / (unit_ * hull));
   // In the mean over the load: where t is singular no number bounds it.
   for (std::size_t i = 0; i < traction_.size(); ++i) {
     result.traction += std::abs(traction_[i] - coarse_traction(i)) / stress_ * mesh().length(i);
   }
-  const Resultants<double> r = resultants();
-  for (const Estimate<double>& share : r.load_share) result.resultants = std::max(result.resultants, share.error);
-  result.resultants = std::max(result.resultants, r.centre_of_pressure.error / (unit_ * hull));
+  result.resultants = resultant_error();
   return result;
+}
+
+double VariationalSolution::resultant_error() const {
+  const Resultants<double> r = resultants();
+  const double hull = edges_[runs_.back().end] - edges_[runs_.front().begin];
+  double worst = r.centre_of_pressure.error / hull;
+  for (const Estimate<double>& share : r.load_share) worst = std::max(worst, share.error);
+  return worst;
 }
 
 Residuals<double> VariationalSolution::residuals() const {

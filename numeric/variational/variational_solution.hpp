@@ -50,6 +50,7 @@ class VariationalSolution : public ContactSolution<double> {
     std::size_t friction_right;
     int wedge_degree;  ///< of the jump of the slope, a polynomial; -1: none
     bool exact;        ///< x is known exactly: not a free end
+    double error = 0;  ///< of x, beyond rounding; a free end's
     bool is_end() const {
       return kind == SingularKind::edge || kind == SingularKind::free || kind == SingularKind::step;
     }
@@ -63,7 +64,13 @@ class VariationalSolution : public ContactSolution<double> {
   const variational::DiscreteState& state() const { return found_.fine.found.state; }
 
   void find_runs();
+  /// Of the load shares, and of the centre of pressure in parts of the contact.
+  double resultant_error() const;
   void find_places();
+  /// What a free end may be off by: a cell, what the end has moved since the coarser mesh, and, for the load that lies
+  /// elsewhere moves it along, the part of the contact by which the resultants differ. The ends of a gap that is short,
+  /// or that has moved by much of its length, are off by all of it: cells cannot tell whether there is a gap.
+  void find_end_errors();
   Place end_place(const Run& run, End end) const;
   variational::FittedIntensity fitted(const Place& place, const variational::Cells& cells) const;
   SolvedSingularPoint<double> solved_point(const Place& place) const;

@@ -7,13 +7,7 @@
 
 namespace steadyslide::proofs_checks {
 
-std::vector<Claim> constants_claims();
-std::vector<Claim> elastic_indenter_claims();
-std::vector<Claim> friction_jump_claims();
-std::vector<Claim> parabola_claims();
 std::vector<Claim> outside_claims();
-std::vector<Claim> integral_claims();
-std::vector<Claim> derivation_claims();
 std::vector<Claim> riemann_hilbert_claims();
 std::vector<Claim> contact_load_claims();
 std::vector<Claim> gap_claims();
@@ -26,20 +20,11 @@ std::vector<Claim> cell_indefiniteness_claims();
 std::vector<Claim> cell_solution_claims();
 std::vector<Claim> cell_loading_claims();
 std::vector<Claim> proof_step_claims();
-std::vector<Claim> paper_figure_claims();
 std::vector<Claim> words_claims();
-std::vector<Claim> problem_claims();
-std::vector<Claim> surface_displacement_claims();
 
 inline std::vector<std::vector<Claim> (*)()> older_claims() {
   return {
-      constants_claims,
-      elastic_indenter_claims,
-      friction_jump_claims,
-      parabola_claims,
       outside_claims,
-      integral_claims,
-      derivation_claims,
       riemann_hilbert_claims,
       contact_load_claims,
       gap_claims,
@@ -52,10 +37,7 @@ inline std::vector<std::vector<Claim> (*)()> older_claims() {
       cell_solution_claims,
       cell_loading_claims,
       proof_step_claims,
-      paper_figure_claims,
       words_claims,
-      problem_claims,
-      surface_displacement_claims,
   };
 }
 

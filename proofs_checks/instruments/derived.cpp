@@ -82,14 +82,14 @@ const Statements& decided_riemann_hilbert() {
   return all;
 }
 
-Claim derived(ClaimText text, DecidedStatements source, const std::vector<Family>& families) {
+Claim derived(std::string_view id, DecidedStatements source, const std::vector<Family>& families) {
   std::vector<Wrong<Selection>> wrong;
   for (const Family& family : families) {
     for (std::size_t k = 0; k < family.variants.size(); ++k) {
       wrong.push_back({family.about + ": " + family.variants[k], {source, {family}, k}});
     }
   }
-  return make_claim<Selection>(std::move(text), examine, {source, families, std::nullopt}, std::move(wrong));
+  return make_claim<Selection>(claim_text(id), examine, {source, families, std::nullopt}, std::move(wrong));
 }
 
 }  // namespace steadyslide::proofs_checks

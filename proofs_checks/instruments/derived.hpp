@@ -22,11 +22,6 @@ using DecidedStatements = const std::vector<symbolic::DecidedStatement>& (*)();
 const std::vector<symbolic::DecidedStatement>& decided_riemann_hilbert();
 
 /// Names are known without deciding anything, and are compared with the symbolic layer's when the claim is examined.
-Claim derived(ClaimText text, DecidedStatements source, const std::vector<Family>& families);
-
-std::vector<Claim> derived_local_forms();
-std::vector<Claim> derived_general_solution();
-std::vector<Claim> derived_tractions();
-Claim derived_energy();
+Claim derived(std::string_view id, DecidedStatements source, const std::vector<Family>& families);
 
 }  // namespace steadyslide::proofs_checks

@@ -1,5 +1,6 @@
 #include "proofs_checks/instruments/dual_study.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>

@@ -1,5 +1,7 @@
 #include "proofs_checks/instruments/identities.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 namespace steadyslide::proofs_checks {
@@ -25,10 +27,7 @@ std::string text_of(const symbolic::ExactIdentity& identity) {
   return identity.statement + ", where " + conditions;
 }
 
-}  // namespace
-
-Rational tiny() { return parse_rational("1e-94"); }
-
+/// Those with these ids. Throws std::logic_error if one is missing.
 std::vector<symbolic::DecidedStatement> statements(const std::vector<std::string>& ids) {
   std::vector<symbolic::DecidedStatement> chosen;
   for (const symbolic::DecidedStatement& s : symbolic::elasticity_statements()) {
@@ -39,6 +38,10 @@ std::vector<symbolic::DecidedStatement> statements(const std::vector<std::string
   if (chosen.size() != ids.size()) throw std::logic_error("a symbolic statement has no such id");
   return chosen;
 }
+
+}  // namespace
+
+Rational tiny() { return parse_rational("1e-94"); }
 
 Evidence weigh_identities(const std::vector<symbolic::ExactIdentity>& identities, std::string detail) {
   ExactIdentity evidence{std::move(detail), {}, ExactIdentity::Covers::claim};
@@ -57,6 +60,24 @@ std::vector<symbolic::ExactIdentity> right_identities(const std::vector<symbolic
   std::vector<symbolic::ExactIdentity> identities;
   for (const symbolic::DecidedStatement& s : chosen) identities.push_back(s.identity);
   return identities;
+}
+
+Claim proved_by(const std::vector<std::string>& ids, std::string argument, Claim claim) {
+  const std::vector<symbolic::DecidedStatement> chosen = statements(ids);
+  claim.examine = [identities = right_identities(chosen), argument,
+                   compare = std::move(claim.examine)](const Context& context) {
+    std::vector<Evidence> all{weigh_identities(identities, argument)};
+    std::ranges::move(compare(context), std::back_inserter(all));
+    return all;
+  };
+  for (const symbolic::DecidedStatement& s : chosen) {
+    for (const symbolic::ExactIdentity& w : s.controls) {
+      claim.controls.push_back({s.identity.statement + ", wrongly: " + w.statement, [w, argument](const Context&) {
+                                  return std::vector<Evidence>{weigh_identities({w}, argument)};
+                                }});
+    }
+  }
+  return claim;
 }
 
 }  // namespace steadyslide::proofs_checks

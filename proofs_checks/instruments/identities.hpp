@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/rational.hpp"
-#include "proofs_checks/kit/evidence.hpp"
+#include "proofs_checks/kit/claim.hpp"
 #include "symbolic/statements/exact_identities.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -13,13 +13,14 @@ namespace steadyslide::proofs_checks {
 /// Far below every tolerance of the ledger, and still visible to exact arithmetic.
 Rational tiny();
 
-/// The decided statements with these ids. Throws std::logic_error if one is missing.
-std::vector<symbolic::DecidedStatement> statements(const std::vector<std::string>& ids);
-
 /// The statements' own identities, without their controls.
 std::vector<symbolic::ExactIdentity> right_identities(const std::vector<symbolic::DecidedStatement>& chosen);
 
 /// A counterexample among the identities, or all of them as one piece of evidence that covers the claim.
 Evidence weigh_identities(const std::vector<symbolic::ExactIdentity>& identities, std::string detail);
+
+/// The claim, proved by the statements with these ids, as `argument` says; each of their wrong variants is a control
+/// more. What the claim itself compares stands behind.
+Claim proved_by(const std::vector<std::string>& ids, std::string argument, Claim claim);
 
 }  // namespace steadyslide::proofs_checks

@@ -16,12 +16,6 @@ std::ptrdiff_t segment_beside(std::size_t point, Side side) {
   return static_cast<std::ptrdiff_t>(point) - (side == Side::left ? 1 : 0);
 }
 
-template <Real R>
-R binary_logarithm(const R& x) {
-  using std::log;
-  return log(x) / log(R(2));
-}
-
 }  // namespace
 
 template <Real R>
@@ -88,21 +82,16 @@ R very_near() {
   return pow(R(10), -(numeric::digits_served<R> + 10));
 }
 
-template <Real R>
-R power_beside(const RiemannHilbertSolution<R>& solution, std::size_t point, Side side) {
-  const R d = very_near<R>();
-  return binary_logarithm(
-      R(traction_beside(solution, point, side, R(2 * d)) / traction_beside(solution, point, side, d)));
-}
+double equation_error(const ContactProblem& problem) { return solve<double>(problem)->residuals().equation; }
 
 template <Real R>
-LimitAndPower<R> limit_beside(const RiemannHilbertSolution<R>& solution, std::size_t point, Side side) {
+R limit_beside(const RiemannHilbertSolution<R>& solution, std::size_t point, Side side) {
   const R d = very_near<R>();
   const R t[3] = {traction_beside(solution, point, side, d), traction_beside(solution, point, side, R(2 * d)),
                   traction_beside(solution, point, side, R(4 * d))};
   const R first = t[1] - t[0];
   const R second = t[2] - t[1];
-  return {R(t[0] - first * first / (second - first)), binary_logarithm(R(second / first))};
+  return t[0] - first * first / (second - first);
 }
 
 template <Real R>
@@ -146,8 +135,7 @@ numeric::Estimate<double> power_on_cells(const numeric::VariationalSolution& sol
   template R traction_beside(const RiemannHilbertSolution<R>&, std::size_t, Side, const R&);                    \
   template R gap_beside(const RiemannHilbertSolution<R>&, std::size_t, Side, const R&);                         \
   template R very_near();                                                                                       \
-  template R power_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);                                 \
-  template LimitAndPower<R> limit_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);                  \
+  template R limit_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);                                 \
   template R logarithm_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)

@@ -1,7 +1,8 @@
 #pragma once
 // What a solved problem does at a distance d from a point of its contact set, d as small as one likes: the solver's
-// points carry their distances, so that 1e-60 is as exact as 1/10. Nothing here knows an exponent: powers, limits and
-// coefficients of logarithms are read off values of the traction at d, 2d and 4d.
+// points carry their distances, so that 1e-60 is as exact as 1/10. Limits and coefficients of logarithms are read off
+// values of the traction at d, 2d and 4d. A power is not: the solver was given it, and would return it. What power the
+// operator asks for is local_power.hpp's, that the solved traction satisfies the equation equation_error()'s.
 //
 // Lengths and tractions are the user's.
 
@@ -51,17 +52,15 @@ R gap_beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t poi
 template <Real R>
 R very_near();
 
-/// p of t ~ d^p.
+/// The problem solved in double: the largest error of A t = psi' by the trapezoidal rule, which shares nothing with the
+/// solver, from 1e-6 of each segment's length on. Throws Refutation unless a solution is found.
+double equation_error(const ContactProblem& problem);
+/// Of that error.
+inline constexpr double equation_tolerance = 1e-10;
+
+/// A of t ~ A + b d^p, whatever p > 0.
 template <Real R>
-R power_beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side);
-/// p and A of t ~ A + b d^p.
-template <class R>
-struct LimitAndPower {
-  R limit;
-  R power;
-};
-template <Real R>
-LimitAndPower<R> limit_beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side);
+R limit_beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side);
 /// K of t ~ K log(d)/pi.
 template <Real R>
 R logarithm_beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side);

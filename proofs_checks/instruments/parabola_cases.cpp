@@ -34,14 +34,15 @@ Rational vertex_of(const ContactProblem& problem) {
 }
 
 template <Real R>
-void check_parabola(Findings& findings, const ParabolaForm<R>& form, const ContactProblem& problem,
+void check_parabola(Findings& findings, const ParabolaTraction& t, const ContactProblem& problem,
                     const ParabolaPoints& points) {
   using std::abs;
+  const PowerForm<R> form = t.at<R>();
   const Quantity first{"equation for the middle of the contact", {"sum p_j r_j", "0"}, tolerance<R>()};
   const Quantity second{"equation for the width of the contact", {"sum p_j r_j^2", "2 P R/pi"}, tolerance<R>()};
   const R radius = numeric::to_real<R>(radius_of(problem));
   const std::function<R(const R&)> slope = [radius](const R& x) { return R(x / radius); };
-  const Surface<R> surface = surface_of<R>(form, problem, form.first_piece, slope);
+  const Surface<R> surface = surface_of<R>(form, problem, t.first_piece, slope);
   require_integrable(findings, surface);
   const numeric::trapezoidal::Grid<R> grid(surface.traction);
   check_surface(findings, surface, grid, points.tanh_sinh);
@@ -77,7 +78,7 @@ namespace {
 
 /// Ends may lie anywhere near the vertex: the contact's width is the measure.
 template <Real R>
-void compare_ends(Findings& findings, const Quantity& quantity, const ParabolaForm<R>& form, const R& left,
+void compare_ends(Findings& findings, const Quantity& quantity, const PowerForm<R>& form, const R& left,
                   const R& right) {
   using std::abs;
   const R end = form.points().back();
@@ -88,7 +89,7 @@ void compare_ends(Findings& findings, const Quantity& quantity, const ParabolaFo
 
 /// Calls visit(panel, node, t) at points of every panel.
 template <Real R, class Visit>
-void visit_values(const ParabolaForm<R>& form, const Visit& visit) {
+void visit_values(const PowerForm<R>& form, const Visit& visit) {
   const numeric::PowerTraction<R> traction = form.traction();
   for (std::size_t k = 0; k < form.lengths.size(); ++k) {
     const numeric::Panel<R>& panel = traction.weight.panel(k);
@@ -102,7 +103,8 @@ void visit_values(const ParabolaForm<R>& form, const Visit& visit) {
 }  // namespace
 
 template <Real R>
-void check_parabola_by_cln(Findings& findings, const ParabolaForm<R>& form, const ContactProblem& problem) {
+void check_parabola_by_cln(Findings& findings, const ParabolaTraction& t, const ContactProblem& problem) {
+  const PowerForm<R> form = t.at<R>();
   const Quantity ends{"ends of the contact, in CLN", {"the formula", "Newton's method in CLN"}, tolerance<R>()};
   // Next to a free end that all but touches a jump the traction is as ill-conditioned as their distance is small.
   const Quantity values{"values of the traction, in CLN, times shortest panel over width",
@@ -115,15 +117,16 @@ void check_parabola_by_cln(Findings& findings, const ParabolaForm<R>& form, cons
   findings.require(zones.size() == 1, "CLN finds " + std::to_string(zones.size()) + " contact zones");
   compare_ends(findings, ends, form, numeric::to_real<R>(zones[0].left().value - vertex),
                numeric::to_real<R>(zones[0].right().value - vertex));
-  visit_values(form, [&](std::size_t, const numeric::Node<R>& node, const R& t) {
+  visit_values(form, [&](std::size_t, const numeric::Node<R>& node, const R& value) {
     const Rational x = Rational(node.x) + vertex;
     const R by_cln = numeric::to_real<R>(zones[0].traction(x).value);
-    findings.compare(values, static_cast<double>(conditioning) * relative_difference<R>(t, by_cln));
+    findings.compare(values, static_cast<double>(conditioning) * relative_difference<R>(value, by_cln));
   });
 }
 
 template <Real R>
-void check_parabola_by_numeric(Findings& findings, const ParabolaForm<R>& form, const ContactProblem& problem) {
+void check_parabola_by_numeric(Findings& findings, const ParabolaTraction& t, const ContactProblem& problem) {
+  const PowerForm<R> form = t.at<R>();
   const Quantity quantity{"ends of the contact and values of the traction, as solved",
                           {"the formula", "the closed form that `solve` uses"},
                           tolerance<R>()};
@@ -132,15 +135,15 @@ void check_parabola_by_numeric(Findings& findings, const ParabolaForm<R>& form, 
   findings.require(closed_form != nullptr, "the numeric layer knows no closed form");
   const auto& weight = closed_form->traction.weight;
   compare_ends(findings, quantity, form, weight.point(0), weight.point(weight.panel_count()));
-  visit_values(form, [&](std::size_t k, const numeric::Node<R>& node, const R& t) {
-    findings.compare(quantity, relative_difference<R>(t, closed_form->traction(k, node)));
+  visit_values(form, [&](std::size_t k, const numeric::Node<R>& node, const R& value) {
+    findings.compare(quantity, relative_difference<R>(value, closed_form->traction(k, node)));
   });
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                                                               \
-  template void check_parabola(Findings&, const ParabolaForm<R>&, const ContactProblem&, const ParabolaPoints&); \
-  template void check_parabola_by_cln(Findings&, const ParabolaForm<R>&, const ContactProblem&);                 \
-  template void check_parabola_by_numeric(Findings&, const ParabolaForm<R>&, const ContactProblem&);
+#define STEADYSLIDE_INSTANTIATE(R)                                                                                   \
+  template void check_parabola<R>(Findings&, const ParabolaTraction&, const ContactProblem&, const ParabolaPoints&); \
+  template void check_parabola_by_cln<R>(Findings&, const ParabolaTraction&, const ContactProblem&);                 \
+  template void check_parabola_by_numeric<R>(Findings&, const ParabolaTraction&, const ContactProblem&);
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)
 STEADYSLIDE_INSTANTIATE(Real100)

@@ -1,6 +1,7 @@
 #pragma once
 // Parabolas psi = A (x - v)^2 for the claims about them, in the user's units: R = c/(2A), c the compliance.
 
+#include "proofs_checks/instruments/power_product.hpp"
 #include "proofs_checks/instruments/punch.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -13,16 +14,10 @@ ContactProblem parabola(const Rational& nu, const std::vector<Rational>& frictio
 Rational radius_of(const ContactProblem& problem);
 Rational vertex_of(const ContactProblem& problem);
 
-/// The traction under a parabola, x measured from the vertex.
-template <class R>
-struct ParabolaForm : PowerForm<R> {
+/// The traction of a contact with two free ends, as a formula says it, x measured from the vertex.
+struct ParabolaTraction : PowerProduct {
   std::size_t first_piece = 0;  ///< the friction piece at the left end
-  R half_width{};
-  R peak{};
-  R factor{};  ///< of cos(pi alpha) |Y| in -t, from the load
 };
-
-using ParabolaFormula = Formula<ParabolaForm, ContactProblem>;
 
 /// Where a parabola is examined.
 struct ParabolaPoints {
@@ -32,15 +27,15 @@ struct ParabolaPoints {
 
 /// sum p_j r_j = 0 and sum p_j r_j^2 = 2 P R/pi, equation, load, and the gap beyond both ends.
 template <Real R>
-void check_parabola(Findings& findings, const ParabolaForm<R>& form, const ContactProblem& problem,
+void check_parabola(Findings& findings, const ParabolaTraction& t, const ContactProblem& problem,
                     const ParabolaPoints& points);
 
 /// Ends and tractions against CLN's Newton solution.
 template <Real R>
-void check_parabola_by_cln(Findings& findings, const ParabolaForm<R>& form, const ContactProblem& problem);
+void check_parabola_by_cln(Findings& findings, const ParabolaTraction& t, const ContactProblem& problem);
 
 /// Ends and tractions against the numeric layer's closed form. Says nothing where that is the form's own source.
 template <Real R>
-void check_parabola_by_numeric(Findings& findings, const ParabolaForm<R>& form, const ContactProblem& problem);
+void check_parabola_by_numeric(Findings& findings, const ParabolaTraction& t, const ContactProblem& problem);
 
 }  // namespace steadyslide::proofs_checks

@@ -3,6 +3,8 @@
 #include <string_view>
 #include <utility>
 
+#include "symbolic/field/plain_formula.hpp"
+
 namespace steadyslide::symbolic {
 namespace {
 
@@ -38,33 +40,6 @@ std::string_view label(DerivationStep::Kind kind) {
   return "";
 }
 
-/// Plain words as LaTeX: the characters that LaTeX would read otherwise.
-std::string escaped(std::string_view words) {
-  std::string result;
-  for (const char c : words) {
-    switch (c) {
-      case '\\': result += "\\textbackslash{}"; break;
-      case '^': result += "\\textasciicircum{}"; break;
-      case '~': result += "\\textasciitilde{}"; break;
-      case '<': result += "\\textless{}"; break;
-      case '>': result += "\\textgreater{}"; break;
-      case '|': result += "\\textbar{}"; break;
-      case '_':
-      case '#':
-      case '$':
-      case '%':
-      case '&':
-      case '{':
-      case '}':
-        result += '\\';
-        result += c;
-        break;
-      default: result += c;
-    }
-  }
-  return result;
-}
-
 Derivation& add(Derivation& derivation, DerivationStep::Kind kind, std::string words, Formula formula) {
   derivation.steps.push_back({kind, std::move(words), std::move(formula)});
   return derivation;
@@ -85,23 +60,24 @@ Derivation& Derivation::conclude(std::string words, Formula formula) {
 }
 
 std::string to_text(const Derivation& derivation) {
-  std::string text = derivation.title + "\n" + std::string(derivation.title.size(), '-') + "\n";
+  const std::string title = without_marks(derivation.title);
+  std::string text = title + "\n" + std::string(title.size(), '-') + "\n";
   std::size_t number = 0;
   for (const DerivationStep& step : derivation.steps) {
     std::string head = std::to_string(++number) + ".";
     head.resize(4, ' ');
     head += label(step.kind);
     head.resize(12, ' ');
-    text += head + wrapped(step.words, 12, 12) + "\n";
+    text += head + wrapped(without_marks(step.words), 12, 12) + "\n";
     if (!step.formula.text.empty()) text += std::string(16, ' ') + wrapped(step.formula.text, 18, 16) + "\n";
   }
   return text;
 }
 
 std::string to_latex(const Derivation& derivation) {
-  std::string text = "\\section*{" + escaped(derivation.title) + "}\n\\begin{enumerate}\n";
+  std::string text = "\\section*{" + latex_sentence(derivation.title) + "}\n\\begin{enumerate}\n";
   for (const DerivationStep& step : derivation.steps) {
-    text += "\\item \\emph{" + std::string(label(step.kind)) + ":} " + escaped(step.words) + "\n";
+    text += "\\item \\emph{" + std::string(label(step.kind)) + ":} " + latex_sentence(step.words) + "\n";
     if (!step.formula.latex.empty()) text += "\\[ " + step.formula.latex + " \\]\n";
   }
   return text + "\\end{enumerate}\n";

@@ -16,12 +16,12 @@ struct Formula {
 struct DerivationStep {
   enum class Kind { assumption, action, result };
   Kind kind;
-  std::string words;  ///< one sentence, plain words, no markup
+  std::string words;  ///< a sentence; formulas in it between backticks, in plain letters (docs/notation.md)
   Formula formula;
 };
 
 struct Derivation {
-  std::string title;
+  std::string title;  ///< like words
   std::vector<DerivationStep> steps;
 
   Derivation& assume(std::string words, Formula formula = {});

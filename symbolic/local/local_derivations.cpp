@@ -43,8 +43,8 @@ LocalPlace place_of(const ContactProblem& problem, const SingularPoint& point) {
 }
 
 std::string where(const SingularPoint& point) {
-  if (point.x) return ", x = " + to_string(*point.x);
-  return ", anywhere under f = " + to_string(point.friction.front());
+  if (point.x) return ", `x = " + to_string(*point.x) + "`";
+  return ", anywhere under `f = " + to_string(point.friction.front()) + "`";
 }
 
 }  // namespace

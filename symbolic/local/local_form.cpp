@@ -125,13 +125,13 @@ class Solver {
       equations.text += (k > 0 ? ";  " : "") + line.text + " = 0";
       equations.latex += (k > 0 ? ",\\qquad " : "") + line.latex + " = 0";
     }
-    form_.derivation.act(both()
-                             ? "Try A_l |x|^lambda on x < 0 and A_r |x|^lambda on x > 0, lambda no integer, with C = "
-                               "cot(pi lambda), S = 1/sin(pi lambda), S^2 = 1 + C^2: the coefficients of |x|^lambda "
-                               "in H t + s t on either side."
-                             : "Try A d^lambda on the side in contact, lambda no integer, with C = cot(pi lambda): "
-                               "the coefficient of d^lambda in H t + s t there.",
-                         equations);
+    form_.derivation.act(
+        both() ? "Try `A_l |x|^lambda` on `x < 0` and `A_r |x|^lambda` on `x > 0`, `lambda` no integer, "
+                 "with `C = cot(pi lambda)`, `S = 1/sin(pi lambda)`, `S^2 = 1 + C^2`: the coefficients "
+                 "of `|x|^lambda` in `H t + s t` on either side."
+               : "Try `A d^lambda` on the side in contact, `lambda` no integer, with `C = cot(pi lambda)`: "
+                 "the coefficient of `d^lambda` in `H t + s t` there.",
+        equations);
     const ex value = determinant(field, system.rows);
     form_.determinant = value;
     const Formula text = product(field.text(value), {}, frame_.names());
@@ -139,7 +139,7 @@ class Solver {
     const ex rest = value.expand().coeff(cotangent, 0);
     if (frame_.field().is_identically_zero(slope).holds) {
       form_.derivation.conclude(
-          "The determinant does not depend on lambda and vanishes nowhere: no power but the integers.",
+          "The determinant does not depend on `lambda` and vanishes nowhere: no power but the integers.",
           {text.text + " > 0", text.latex + " > 0"});
       return std::nullopt;
     }
@@ -178,9 +178,8 @@ class Solver {
     lambda.halves -= 2 * (*below + 1);
     const Formula text = frame_.text(lambda);
     form_.derivation.conclude(
-        "e^{2 i pi lambda} = (C + i)/(C - i) is the phase of this angle, so that lambda is it up to integers; the "
-        "lowest "
-        "power that is integrable lies between -1 and 0.",
+        "`e^{2 i pi lambda} = (C + i)/(C - i)` is the phase of this angle, so that `lambda` is it up to integers; the "
+        "lowest power that is integrable lies between `-1` and `0`.",
         {"lambda = " + any.text + " + k;  lowest: " + text.text,
          gathered("\\lambda = " + any.latex + " + k,\\quad k = 0, \\pm 1, \\dots",
                   "\\lambda_{\\min} = " + text.latex)});
@@ -212,7 +211,7 @@ class Solver {
       const Formula equal{"A_l : A_r = " + text.text, "A_- : A_+ = " + text.latex};
       if (frame_.field().are_equal(ratio, -positive).holds) {
         form_.derivation.act(
-            "Of this power the amplitudes have opposite signs: it dominates t, and t <= 0 excludes it.", equal);
+            "Of this power the amplitudes have opposite signs: it dominates `t`, and `t <= 0` excludes it.", equal);
         lambda.halves += 2;
         vector = amplitudes(lambda);
       }
@@ -222,11 +221,10 @@ class Solver {
       }
       const Formula kept = frame_.text(*form_.ratio);
       form_.derivation.conclude(
-          "The power with amplitudes of one sign; their ratio is cos(pi alpha_l) : cos(pi alpha_r), and the same for "
-          "x^n "
-          "times it, n = 1, 2, ...: H commutes with x up to constants. The determinant is linear in C, so that its "
-          "root is simple and no logarithm goes with "
-          "it.",
+          "The power with amplitudes of one sign; their ratio is `cos(pi alpha_l) : cos(pi alpha_r)`, and the same for "
+          "`x^n` times it, `n = 1, 2, ...`: `H` commutes with `x` up to constants. The determinant is linear in `C`, "
+          "so "
+          "that its root is simple and no logarithm goes with it.",
           {"lambda = " + frame_.text(lambda).text + ",  A_l : A_r = " + kept.text,
            gathered("\\lambda = " + frame_.text(lambda).latex,
                     "A_- : A_+ = \\cos\\pi\\alpha_- : \\cos\\pi\\alpha_+ = " + kept.latex)});
@@ -271,8 +269,8 @@ class Solver {
     if (!both()) {
       if (!solution.kernel.empty()) throw std::domain_error("local form: an integer power at an end");
       form_.derivation.conclude(
-          "Integer powers of d would leave logarithms in H t, and logarithms their squares: there "
-          "are none. What H t leaves is the slope of the indenter, continued.");
+          "Integer powers of `d` would leave logarithms in `H t`, and logarithms their squares: there "
+          "are none. What `H t` leaves is the slope of the indenter, continued.");
       return;
     }
     tell_integers(solution.particular, all, jump);
@@ -300,10 +298,10 @@ class Solver {
     const Formula constant = frame_.text(particular[4]);
     const Formula logarithm = frame_.text(frame_.pi() * particular[2]);
     form_.derivation.act(
-        "Integer powers: x^n, x^n log|x|, x^n log^2|x| on either side, D the jump of psi_bar' at that order. H[x^n, x "
-        "> "
-        "0] = -x^n log|x|/pi, H[x^n log|x|] = pi x^n H(x) up to analytic functions, squares leave cubes. " +
-            std::to_string(all.size()) + " unknowns at each order n, the same system for every n.",
+        "Integer powers: `x^n`, `x^n log|x|`, `x^n log^2|x|` on either side, `D` the jump of `psi_bar'` at that order. "
+        "`H[x^n, x > 0] = -x^n log|x|/pi`, `H[x^n log|x|] = pi x^n H(x)` up to analytic functions, squares leave "
+        "cubes. " +
+            std::to_string(all.size()) + " unknowns at each order `n`, the same system for every `n`.",
         {"(" + jump.get_name() + " = psi_bar'(c+) - psi_bar'(c-) at n = 0)", "D = [\\bar\\psi'] \\text{ at } n = 0"});
     if (jumps) {
       form_.derivation.conclude("The logarithms vanish at every order, and the coefficient is one on both sides.",
@@ -311,8 +309,7 @@ class Solver {
     } else {
       form_.derivation.conclude(
           "The squares vanish; the logarithm and the step that goes with it are forced, and one power series, the same "
-          "on "
-          "both sides, is free.",
+          "on both sides, is free.",
           {"x^n log|x|/pi: " + logarithm.text + ",  x^n H(x): " + constant.text,
            "x^{n}\\tfrac{\\log|x|}{\\pi}:\\quad " + logarithm.latex + ",\\qquad x^{n}H(x):\\quad " + constant.latex});
     }

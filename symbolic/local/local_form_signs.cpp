@@ -57,44 +57,43 @@ void add_jump_conditions(LocalForm& form, const LocalFrame& frame) {
   const Formula quotient = frame.text(constant);
   const Formula name{"A = [psi_bar']/[s] = " + quotient.text, "A = [\\bar\\psi']/[s] = " + quotient.latex};
   if (blows_up) {
-    add(form, "s increases: the power dominates, and t <= 0 asks for one sign of its amplitude.", form.theta,
+    add(form, "`s` increases: the power dominates, and `t <= 0` asks for one sign of its amplitude.", form.theta,
         Sign::nonnegative, theta);
     if (form.kind == LocalKind::wedge_and_jump) {
       form.derivation.conclude(
-          "The constant A = [psi_bar']/[s] stays below the power wherever theta > 0: the wedge may be re-entrant.",
+          "The constant `A = [psi_bar']/[s]` stays below the power wherever `theta > 0`: the wedge may be re-entrant.",
           name);
     }
     return;
   }
   add(form,
-      "s decreases: the power vanishes at the point and the constant leads; t <= 0 asks for its sign, so that [s] < "
-      "0 asks for [psi_bar'] >= 0: no contact around a re-entrant wedge.",
+      "`s` decreases: the power vanishes at the point and the constant leads; `t <= 0` asks for its sign, so that "
+      "`[s] < 0` asks for `[psi_bar'] >= 0`: no contact around a re-entrant wedge.",
       constant, Sign::nonpositive, name);
   if (frame.field().is_identically_zero(constant).holds) {
     add(form, "The constant is zero, and the power leads.", form.theta, Sign::nonnegative, theta);
     if (!frame.field().is_identically_zero(slope_jump(form, 1)).holds) {
       form.derivation.conclude(
-          "theta = 0 is excluded: the term that led then, x [psi_bar'']/[s], would change its sign at the point.",
+          "`theta = 0` is excluded: the term that led then, `x [psi_bar'']/[s]`, would change its sign at the point.",
           slope_jump_text(form, frame, 1));
     }
   } else {
-    form.derivation.conclude("Where A < 0 the amplitude theta may have either sign; where A = 0, theta >= 0.");
+    form.derivation.conclude("Where `A < 0` the amplitude `theta` may have either sign; where `A = 0`, `theta >= 0`.");
   }
 }
 
 void add_end_conditions(LocalForm& form, const LocalFrame& frame) {
-  add(form, "The leading power has the sign of t.", form.theta, Sign::nonnegative, theta);
+  add(form, "The leading power has the sign of `t`.", form.theta, Sign::nonnegative, theta);
   if (form.kind == LocalKind::free_end) {
     add(form,
-        "Beyond the end the gap is [psi_bar'] d to first order, and must not be negative: no contact ends at a "
+        "Beyond the end the gap is `[psi_bar'] d` to first order, and must not be negative: no contact ends at a "
         "re-entrant wedge.",
         slope_jump(form, 0), Sign::nonnegative, slope_jump_text(form, frame, 0));
   }
   if (form.kind == LocalKind::step) {
     form.derivation.conclude(
         "The indenter steps away from the body beyond the end: the gap there begins with the height of the step, and "
-        "asks "
-        "for nothing. On the other side of the step contact cannot end: the surface would have to jump.");
+        "asks for nothing. On the other side of the step contact cannot end: the surface would have to jump.");
   }
 }
 
@@ -111,14 +110,13 @@ bool penetrates(LocalForm& form, const LocalFrame& frame, const LocalExponent& l
   }
   const Formula power = frame.text(lambda);
   const Formula slope = frame.times(coefficient, {"d^(" + power.text + ")", "d^{" + power.latex + "}"});
-  form.derivation.act(
-      enters
-          ? "Where t = -theta d^lambda with theta >= 0, the slope beyond the end is unbounded and drives the surface "
-            "into the indenter, which goes on there: theta = 0, and the next power leads."
-          : "The next power: the gap it leaves beyond the end is not negative.",
-      {"t = -theta d^(" + power.text + "),  u_bar' = " + slope.text + " + ...",
-       "\\begin{gathered} t = -\\theta d^{" + power.latex + "} \\\\ \\bar u' = " + slope.latex +
-           " + \\dots \\end{gathered}"});
+  form.derivation.act(enters ? "Where `t = -theta d^lambda` with `theta >= 0`, the slope beyond the end is unbounded "
+                               "and drives the surface "
+                               "into the indenter, which goes on there: `theta = 0`, and the next power leads."
+                             : "The next power: the gap it leaves beyond the end is not negative.",
+                      {"t = -theta d^(" + power.text + "),  u_bar' = " + slope.text + " + ...",
+                       "\\begin{gathered} t = -\\theta d^{" + power.latex + "} \\\\ \\bar u' = " + slope.latex +
+                           " + \\dots \\end{gathered}"});
   if (enters) {
     form.conditions.push_back(
         {"The amplitude of the power that would penetrate vanishes.",
@@ -137,7 +135,7 @@ void add_outside(LocalForm& form, const LocalFrame& frame) {
   form.outside =
       OutsideSlope{coefficient, {"u_bar' = " + text.text + " + ...", "\\bar u' = " + text.latex + " + \\dots"}};
   form.derivation.act(
-      "The slope of the surface beyond the end, by 1/sin(pi lambda); the rest is psi_bar' of the contact "
+      "The slope of the surface beyond the end, by `1/sin(pi lambda)`; the rest is `psi_bar'` of the contact "
       "side, continued, and higher powers.",
       form.outside->text);
 }
@@ -152,7 +150,7 @@ void add_conditions(LocalForm& form, const LocalFrame& frame) {
     case LocalKind::wedge:
       if (!frame.field().is_identically_zero(slope_jump(form, 0)).holds) {
         add(form,
-            "log|x| tends to -infinity: t <= 0 asks for the sign of its coefficient, so that there is no contact "
+            "`log|x|` tends to `-infinity`: `t <= 0` asks for the sign of its coefficient, so that there is no contact "
             "around a re-entrant wedge.",
             slope_jump(form, 0), Sign::nonnegative, slope_jump_text(form, frame, 0));
         return;
@@ -161,7 +159,7 @@ void add_conditions(LocalForm& form, const LocalFrame& frame) {
     case LocalKind::interior: {
       for (const LocalFormTerm& term : form.terms) {
         if (!term.forced && term.order == 0) {
-          add(form, "t is continuous at the point.", term.left, Sign::nonpositive, {"a_0", "a_0"});
+          add(form, "`t` is continuous at the point.", term.left, Sign::nonpositive, {"a_0", "a_0"});
         }
       }
     }
@@ -171,27 +169,27 @@ void add_conditions(LocalForm& form, const LocalFrame& frame) {
 void describe(LocalForm& form, const LocalFrame& frame) {
   const LocalPlace& place = form.place;
   const bool both = place.contact == ContactSide::both;
-  form.derivation.title = "Local form of t: " + name_of(form.kind);
+  form.derivation.title = "Local form of `t`: " + name_of(form.kind);
   if (!both)
     form.derivation.title += place.contact == ContactSide::right ? ", contact on the right" : ", contact on the left";
   form.derivation.assume(
-      "x is measured from the point. Where there is contact, the rest of the body is felt through one "
-      "analytic function g, the same on both sides.",
+      "`x` is measured from the point. Where there is contact, the rest of the body is felt through one "
+      "analytic function `g`, the same on both sides.",
       {"H t + s t = psi_bar' - g", "Ht+st=\\bar\\psi'-g"});
   const Formula left = frame.text(place.left.friction);
   const Formula right = frame.text(place.right.friction);
   if (both && !frame.one_friction()) {
     std::string order;
     if (place.friction_increases) order = *place.friction_increases ? ", s_l < s_r" : ", s_l > s_r";
-    form.derivation.assume("Contact on both sides, friction s on the left and on the right.",
+    form.derivation.assume("Contact on both sides, friction `s` on the left and on the right.",
                            {"s = " + left.text + " for x < 0, s = " + right.text + " for x > 0" + order,
                             "s_- = " + left.latex + ",\\quad s_+ = " + right.latex});
   } else if (both) {
-    form.derivation.assume("Contact on both sides under one friction s.", {"s = " + left.text, "s = " + left.latex});
+    form.derivation.assume("Contact on both sides under one friction `s`.", {"s = " + left.text, "s = " + left.latex});
   } else {
     const Formula& s = contact_side(form) == Side::left ? left : right;
     form.derivation.assume(std::string("Contact on the ") + (contact_side(form) == Side::left ? "left" : "right") +
-                               " only, t = 0 on the other side, whose friction therefore plays no part; d = |x|.",
+                               " only, `t = 0` on the other side, whose friction therefore plays no part; `d = |x|`.",
                            {"s = " + s.text, "s = " + s.latex});
   }
   if (both && (form.kind == LocalKind::wedge || form.kind == LocalKind::wedge_and_jump)) {
@@ -247,12 +245,13 @@ Formula form_text(const LocalForm& form) {
 
 std::string legend(const LocalForm& form) {
   switch (form.kind) {
-    case LocalKind::interior: return "t is analytic.";
-    case LocalKind::wedge: return "H(x) is Heaviside's function; the a_n are left to the whole problem.";
-    case LocalKind::jump: return "t is |x|^lambda cos(pi alpha(x)) times one analytic function.";
+    case LocalKind::interior: return "`t` is analytic.";
+    case LocalKind::wedge: return "`H(x)` is Heaviside's function; the `a_n` are left to the whole problem.";
+    case LocalKind::jump: return "`t` is `|x|^lambda cos(pi alpha(x))` times one analytic function.";
     case LocalKind::wedge_and_jump:
-      return "t is D(x)/[s] and |x|^lambda cos(pi alpha(x)) times one analytic function, no logarithm at any order.";
-    default: return "t is d^lambda times one analytic function.";
+      return "`t` is `D(x)/[s]` and `|x|^lambda cos(pi alpha(x))` times one analytic function, no logarithm at any "
+             "order.";
+    default: return "`t` is `d^lambda` times one analytic function.";
   }
 }
 

@@ -65,7 +65,13 @@ LocalFrame::LocalFrame(const LocalPlace& place)
       right_(place.right.friction),
       field_({place.left.friction, place.right.friction}),
       pi_("pi"),
-      names_{{"pi", "\\pi"}, {"theta", "\\theta"}, {"s_l", "s_-"}, {"s_r", "s_+"}, {"i", "i"}} {
+      names_{{"pi", "\\pi"},
+             {"theta", "\\theta"},
+             {"theta_1", "\\theta_1"},
+             {"theta_2", "\\theta_2"},
+             {"s_l", "s_-"},
+             {"s_r", "s_+"},
+             {"i", "i"}} {
   for (const ex& s : {left_, right_}) {
     const ex positive = GiNaC::is_a<GiNaC::symbol>(s) || is_number(s) ? s : ex(-s);
     if (is_number(positive)) continue;

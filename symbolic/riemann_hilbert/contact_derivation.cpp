@@ -34,11 +34,11 @@ Formula formula_of(const AngleForm& form) {
 
 std::string kind_in_words(PointKind kind) {
   switch (kind) {
-    case PointKind::left_edge: return "left edge: t may be infinite but is integrable, -1 < p < 0";
-    case PointKind::left_free: return "free left end: t vanishes, 0 < p < 1";
-    case PointKind::jump: return "friction jump inside the contact: p vanishes with the jump";
-    case PointKind::right_edge: return "right edge: t may be infinite but is integrable, -1 < p < 0";
-    case PointKind::right_free: return "free right end: t vanishes, 0 < p < 1";
+    case PointKind::left_edge: return "left edge: `t` may be infinite but is integrable, `-1 < p < 0`";
+    case PointKind::left_free: return "free left end: `t` vanishes, `0 < p < 1`";
+    case PointKind::jump: return "friction jump inside the contact: `p` vanishes with the jump";
+    case PointKind::right_edge: return "right edge: `t` may be infinite but is integrable, `-1 < p < 0`";
+    case PointKind::right_free: return "free right end: `t` vanishes, `0 < p < 1`";
   }
   return "";
 }
@@ -110,9 +110,9 @@ class Teller {
                          {value.text + ", " + angle.text, value.latex + ",\\quad " + angle.latex});
     }
     derivation_.assume("The slope of the profile, divided by the compliance, is one polynomial on the contact.",
-                       equation({"psi'", "\\bar\\psi'"}, polynomial_of(story_.slope)));
+                       equation({"psi_bar'", "\\bar\\psi'"}, polynomial_of(story_.slope)));
     derivation_.assume("The surface equation on the contact.",
-                       {"(1/pi) PV int t(x')/(x'-x) dx' + s t = psi'",
+                       {"(1/pi) PV int t(x')/(x'-x) dx' + s t = psi_bar'",
                         "\\frac{1}{\\pi}\\,\\mathrm{PV}\\!\\int \\frac{t(x')}{x'-x}\\,dx' + s\\,t = \\bar\\psi'"});
   }
 
@@ -129,22 +129,23 @@ class Teller {
     if (!angle.holds()) throw std::logic_error("contact derivation: G = -exp(2 pi i alpha)");
     const Formula g = of(solved.ratio);
     const Formula source = of(solved.source);
-    derivation_.conclude("Solved for Phi+; with s = tan(pi alpha), G is a phase.",
-                         {"Phi+ = G Phi- + psi' " + source.text + ",  G = " + g.text + " = -e^(2 pi i alpha)",
+    derivation_.conclude("Solved for `Phi+`; with `s = tan(pi alpha)`, `G` is a phase.",
+                         {"Phi+ = G Phi- + psi_bar' " + source.text + ",  G = " + g.text + " = -e^(2 pi i alpha)",
                           "\\Phi^+ = G\\,\\Phi^- + " + source.latex + "\\,\\bar\\psi',\\quad G = " + g.latex +
                               " = -e^{2\\pi i\\alpha}"});
   }
 
   void exponents() {
     derivation_.act(
-        "Seek Y with Y+ = G Y- on the contact and Y+ = Y- off it. On the line its limits are phases, and crossing a "
-        "point multiplies Y+/Y- by a known quotient: that leaves the exponent up to an integer.",
+        "Seek `Y` with `Y+ = G Y-` on the contact and `Y+ = Y-` off it. On the line its limits are phases, and "
+        "crossing a "
+        "point multiplies `Y+/Y-` by a known quotient: that leaves the exponent up to an integer.",
         {"Y(z) = prod (z - e_j)^p_j,  Y+- = |Y| e^(+-i pi sigma),  sigma(x) = sum of the p_j with e_j > x",
          "Y(z) = \\prod_j (z-e_j)^{p_j},\\quad Y^\\pm = |Y|\\,e^{\\pm i\\pi\\sigma},\\quad \\sigma(x) = \\sum_{e_j>x} "
          "p_j"});
     const auto& points = story_.solution.points();
     for (std::size_t j = 0; j < points.size(); ++j) {
-      derivation_.conclude("At e_" + number(j) + ", a " + kind_in_words(points[j].kind) + ".",
+      derivation_.conclude("At `e_" + number(j) + "`, a " + kind_in_words(points[j].kind) + ".",
                            equation(indexed("p", "p", j), formula_of(points[j].power)));
     }
   }
@@ -158,25 +159,26 @@ class Teller {
       const std::string k = number(*region.friction);
       const Formula sigma = formula_of(region.sigma);
       derivation_.conclude(
-          "On panel " + k + " Y+/Y- is G: decided in the field of the friction angles.",
+          "On panel " + k + " `Y+/Y-` is `G`: decided in the field of the friction angles.",
           {"sigma = " + sigma.text + ",  e^(2 pi i sigma) = -e^(2 pi i alpha_" + k + ")",
            "\\sigma = " + sigma.latex + ",\\quad e^{2\\pi i\\sigma} = -e^{2\\pi i\\alpha_{" + k + "}}"});
       epsilon_ = story_.solution.sign_on(field_, region);
     }
-    derivation_.conclude("The exponents sum to (free ends) - (components).",
+    derivation_.conclude("The exponents sum to the number of free ends less that of components.",
                          {"S = " + std::to_string(story_.solution.order()),
                           "S = \\sum_j p_j = " + std::to_string(story_.solution.order())});
     const std::string sign = epsilon_ > 0 ? "" : "-";
     derivation_.conclude(
-        "On the contact (s+i) Y+ is real and of one sign.",
+        "On the contact `(s+i) Y+` is real and of one sign.",
         {"(s+i) Y+ = " + sign + "|Y|/cos(pi alpha)", "(s+i)\\,Y^+ = " + sign + "\\frac{|Y|}{\\cos\\pi\\alpha}"});
   }
 
   void polynomial() {
     const int order = story_.solution.order();
     derivation_.act(
-        "Seek F = 2i Phi = psi' - Y N with a polynomial N: then A t = psi' on every panel, and N is the "
-        "polynomial part of psi'/Y at infinity, with what the load asks for.",
+        "Seek `F = 2i Phi = psi_bar' - Y N` with a polynomial `N`: then `A t = psi_bar'` on every panel, and `N` is "
+        "the "
+        "polynomial part of `psi_bar'/Y` at infinity, with what the load asks for.",
         {"Y = z^S exp(-sum_k sigma_k/(k z^k)),  sigma_k = sum_j p_j e_j^k,  F = P/(pi z) + O(1/z^2)",
          "Y = z^{S}\\exp\\Bigl(-\\sum_k \\frac{\\sigma_k}{k z^k}\\Bigr),\\quad \\sigma_k = \\sum_j p_j "
          "e_j^k,\\quad F = \\frac{P}{\\pi z} + O(z^{-2})"});
@@ -189,7 +191,7 @@ class Teller {
     check(solution, sums);
     derivation_.conclude("The polynomial factor.", equation({"N", "N"}, factor_));
     for (const ex& condition : solution.conditions()) {
-      derivation_.conclude("The order of F at infinity asks for this; it places the free ends.",
+      derivation_.conclude("The order of `F` at infinity asks for this; it places the free ends.",
                            equation(of(condition), {"0", "0"}));
     }
   }
@@ -222,7 +224,7 @@ class Teller {
     const bool is_sum = factor_.text.find(' ') != std::string::npos;
     const Formula factor = is_sum ? Formula{"N", "N"} : factor_;
     const bool minus = factor.text[0] == '-';
-    derivation_.conclude("The traction is t = (F+ - F-)/(2i).",
+    derivation_.conclude("The traction is `t = (F+ - F-)/(2i)`.",
                          {"t = " + sign + "cos(pi alpha)" + modulus.text + (is_sum ? " N" : " (" + factor.text + ")"),
                           "t = " + sign + "\\cos(\\pi\\alpha)" + modulus.latex + "\\," +
                               (minus ? "\\left(" + factor.latex + "\\right)" : factor.latex)});

@@ -289,7 +289,7 @@ Derivation DerivedContact::derivation() const {
   story.load_over_pi = to_expression(s.problem.load()) / GiNaC::symbol("pi");
   Derivation result;
   result.title = story.title;
-  result.assume("Lengths x are measured from this place of the user's axis.",
+  result.assume("Lengths `x` are measured from this place of the user's axis.",
                 {"x = 0 at " + to_string(s.profile.origin), "x = 0 \\text{ at } " + to_string(s.profile.origin)});
   for (DerivationStep& step : tell(story).steps) result.steps.push_back(std::move(step));
   for (const End which : {End::left, End::right}) {

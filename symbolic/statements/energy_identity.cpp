@@ -249,14 +249,14 @@ Derivation energy_derivation() {
   };
   d.assume("The traction has mean zero, and a primitive that vanishes at both ends.",
            {"T(x) = int_{-1}^x t,  T(1) = 0", "T(x) = \\int_{-1}^x t,\\quad T(1) = 0"});
-  d.assume("The friction is constant between its jumps c_1 < ... < c_m.",
+  d.assume("The friction is constant between its jumps `c_1 < ... < c_m`.",
            {"s = s_k on ]c_k, c_(k+1)[", "s = s_k \\text{ on } \\left]c_k, c_{k+1}\\right["});
   d.act(
-      "Integrate the friction's part by parts: the boundary terms vanish with T.",
+      "Integrate the friction's part by parts: the boundary terms vanish with `T`.",
       {"<int_{-1}^x s t, t> = -int s t T", "\\Bigl\\langle \\int_{-1}^x s\\,t,\\,t\\Bigr\\rangle = -\\int s\\,t\\,T"});
-  conclude(skew(), "One friction gives nothing: t T is half the derivative of T^2. The form is skew-symmetric.",
+  conclude(skew(), "One friction gives nothing: `t T` is half the derivative of `T^2`. The form is skew-symmetric.",
            {"int t T = 0", "\\int t\\,T = 0"});
-  conclude(bilinear(), "In two tractions t and u, with primitives T and U, only the jumps are left.",
+  conclude(bilinear(), "In two tractions `t` and `u`, with primitives `T` and `U`, only the jumps are left.",
            {"<int s t, u> + <int s u, t> = sum_k (s_k - s_(k-1)) T(c_k) U(c_k)",
             "\\Bigl\\langle \\int s\\,t,u\\Bigr\\rangle + \\Bigl\\langle \\int s\\,u,t\\Bigr\\rangle = \\sum_k "
             "(s_k-s_{k-1})\\,T(c_k)\\,U(c_k)"});

@@ -1,19 +1,17 @@
 // Bad command lines: the whole message and the exit code of each.
 
-#include <doctest/doctest.h>
-
-#include "app/process.hpp"
+#include "app/command_line.hpp"
 
 using namespace steadyslide::testing;
 
 namespace {
 
 struct BadLine {
-  std::vector<std::string> arguments;
+  Arguments arguments;
   std::string message;  ///< after "steadyslide: command line: "
 };
 
-std::vector<std::string> table(const std::string& poisson, const std::string& rear, const std::string& front) {
+Arguments table(const std::string& poisson, const std::string& rear, const std::string& front) {
   return {"table", "--poisson", poisson, "--rear", rear, "--front", front};
 }
 
@@ -132,28 +130,17 @@ TEST_CASE("bad command lines: message, exit code, no output") {
   folder.write("rough.toml", rest + "samples = \"rough.csv\"\n");
   for (const BadLine& bad : bad_lines) {
     CAPTURE(bad.message);
-    const Finished finished = run_program(bad.arguments, folder.path());
-    CHECK(finished.err == "steadyslide: command line: " + bad.message + "\n");
-    CHECK(finished.code == 2);
-    CHECK(finished.out == "");
+    check_refused(run_program(bad.arguments, folder.path()), "command line: " + bad.message);
   }
   CHECK(folder.names() == std::vector<std::string>{"good.toml", "rough.csv", "rough.toml", "tilt.toml", "wedge.toml"});
 }
 
 TEST_CASE("help is complete at every level, and a result") {
-  const TemporaryFolder folder;
-  const Finished program = run_program({"--help"}, folder.path());
-  CHECK(program.code == 0);
-  CHECK(program.err == "");
-  for (const char* word :
-       {"verify", "exponents", "table", "solve", "figures", "report", "Units", "Signs", "Exit code"}) {
-    CHECK(program.out.find(word) != std::string::npos);
+  check_holds(out_of(run_alone({"--help"})),
+              {"verify", "exponents", "table", "solve", "figures", "report", "Units", "Signs", "Exit code"});
+  for (const std::string command : {"verify", "exponents", "table", "solve", "figures", "report"}) {
+    CHECK(holds(out_of(run_alone({command, "--help"})), "steadyslide " + command));
   }
-  for (const char* command : {"verify", "exponents", "table", "solve", "figures", "report"}) {
-    const Finished help = run_program({command, "--help"}, folder.path());
-    CHECK(help.code == 0);
-    CHECK(help.out.find(std::string("steadyslide ") + command) != std::string::npos);
-  }
-  CHECK(run_program({"solve", "--help"}, folder.path()).out.find("away from the body") != std::string::npos);
-  CHECK(run_program({"--version"}, folder.path()).out == "steadyslide " STEADYSLIDE_VERSION "\n");
+  CHECK(holds(run_alone({"solve", "--help"}).out, "away from the body"));
+  CHECK(run_alone({"--version"}).out == "steadyslide " STEADYSLIDE_VERSION "\n");
 }

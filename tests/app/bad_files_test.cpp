@@ -1,8 +1,6 @@
 // Bad problem files: the whole message and the exit code of each, and no output file.
 
-#include <doctest/doctest.h>
-
-#include "app/process.hpp"
+#include "app/command_line.hpp"
 
 using namespace steadyslide::testing;
 
@@ -159,10 +157,7 @@ TEST_CASE("bad problem files: message, exit code, no output") {
     CAPTURE(bad.text);
     const TemporaryFolder folder;
     folder.write("bad.toml", bad.text);
-    const Finished finished = run_program({"exponents", "bad.toml", "-o", "result"}, folder.path());
-    CHECK(finished.err == "steadyslide: bad.toml:" + bad.message + "\n");
-    CHECK(finished.code == 2);
-    CHECK(finished.out == "");
+    check_refused(run_program({"exponents", "bad.toml", "-o", "result"}, folder.path()), "bad.toml:" + bad.message);
     CHECK(folder.names() == std::vector<std::string>{"bad.toml"});
   }
 }
@@ -176,21 +171,17 @@ TEST_CASE("bad input leaves the result of an earlier run alone") {
 }
 
 TEST_CASE("the standard input is called -") {
-  const TemporaryFolder folder;
-  const Finished finished =
-      run_program({"exponents", "-"}, folder.path(), "load = 0\n" + half_space + friction + indenter);
-  CHECK(finished.err == "steadyslide: -:1: load: load out of range; the load is positive; 0\n");
-  CHECK(finished.code == 2);
+  check_refused(run_alone({"exponents", "-"}, "load = 0\n" + half_space + friction + indenter),
+                "-:1: load: load out of range; the load is positive; 0");
 }
 
 TEST_CASE("files with what every file may have are read") {
-  const TemporaryFolder folder;
   const std::string good = body_and_friction + indenter;
-  const Finished plain = run_program({"exponents", "-"}, folder.path(), good);
+  const Finished plain = run_alone({"exponents", "-"}, good);
   CHECK(plain.code == 0);
   std::string crlf;
   for (const char c : good) crlf += c == '\n' ? "\r\n" : std::string(1, c);
-  CHECK(run_program({"exponents", "-"}, folder.path(), crlf).out == plain.out);
-  CHECK(run_program({"exponents", "-"}, folder.path(), "\xef\xbb\xbf" + good).out == plain.out);
-  CHECK(run_program({"exponents", "-"}, folder.path(), good.substr(0, good.size() - 1)).out == plain.out);
+  for (const std::string& same : {crlf, "\xef\xbb\xbf" + good, good.substr(0, good.size() - 1)}) {
+    CHECK(run_alone({"exponents", "-"}, same).out == plain.out);
+  }
 }

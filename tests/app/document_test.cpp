@@ -3,19 +3,14 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "app/terminal/failure.hpp"
+#include "support/thrown.hpp"
 
 using namespace steadyslide::app;
 
 namespace {
 
 std::string message_of(std::string_view text) {
-  try {
-    parse_document(text, "f");
-  } catch (const Failure& failure) {
-    return failure.what();
-  }
-  return "no error";
+  return steadyslide::testing::thrown_by([&] { parse_document(text, "f"); });
 }
 
 }  // namespace

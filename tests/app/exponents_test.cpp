@@ -1,8 +1,4 @@
-#include <doctest/doctest.h>
-
-#include <nlohmann/json.hpp>
-
-#include "app/process.hpp"
+#include "app/json_answers.hpp"
 
 using namespace steadyslide::testing;
 
@@ -12,12 +8,8 @@ const std::string problem =
     "load = 1\n[half_space]\ngamma = \"1/2\"\n[friction]\nvalues = [2, 0]\njumps = [0]\n[indenter]\n"
     "pieces = [{to = 0, profile = \"-x\"}, {to = \"1/3\", profile = \"x\"}, {to = 1, profile = \"2*x\"}]\n";
 
-nlohmann::ordered_json exponents(const std::string& text, const std::string& digits = "16") {
-  const TemporaryFolder folder;
-  const Finished finished =
-      run_program({"exponents", "-", "--format", "json", "--digits", digits}, folder.path(), text);
-  REQUIRE(finished.code == 0);
-  return nlohmann::ordered_json::parse(finished.out);
+Json exponents(const std::string& text, const std::string& digits = "16") {
+  return json_of(run_alone({"exponents", "-", "--format", "json", "--digits", digits}, text));
 }
 
 }  // namespace
@@ -56,34 +48,28 @@ TEST_CASE("sliding the other way changes the sign of s") {
 }
 
 TEST_CASE("a hundred digits") {
-  const auto list =
-      exponents("load = 1\nhalf_space.gamma = '1/3'\nfriction.values = [1]\nindenter.profile = 0\n", "100");
-  const auto fifty =
-      exponents("load = 1\nhalf_space.gamma = '1/3'\nfriction.values = [1]\nindenter.profile = 0\n", "50");
+  const std::string punch = "load = 1\nhalf_space.gamma = '1/3'\nfriction.values = [1]\nindenter.profile = 0\n";
+  const auto list = exponents(punch, "100");
+  const auto fifty = exponents(punch, "50");
   const std::string digits = list[0]["exponent"];
   CHECK(digits.size() >= 102);
   CHECK(digits.substr(0, 51) == fifty[0]["exponent"].get<std::string>().substr(0, 51));
 }
 
 TEST_CASE("CSV quotes what needs it, Markdown has formulas") {
-  const TemporaryFolder folder;
-  const Finished csv = run_program({"exponents", "-", "--format", "csv"}, folder.path(), problem);
-  CHECK(csv.out.substr(0, 46) == "x,kind,side,friction,exponent,symbolic,latex\n-");
-  CHECK(csv.out.find("0,wedge_and_jump,both,2 0,0.25,arctan(1)/pi,") != std::string::npos);
-  const Finished markdown = run_program({"exponents", "-", "--format", "markdown"}, folder.path(), problem);
-  CHECK(markdown.out.find("| $-\\frac{1}{2}-") != std::string::npos);
+  const Finished csv = run_alone({"exponents", "-", "--format", "csv"}, problem);
+  CHECK(csv.out.starts_with("x,kind,side,friction,exponent,symbolic,latex\n-"));
+  CHECK(holds(csv.out, "0,wedge_and_jump,both,2 0,0.25,arctan(1)/pi,"));
+  CHECK(holds(run_alone({"exponents", "-", "--format", "markdown"}, problem).out, "| $-\\frac{1}{2}-"));
 }
 
 TEST_CASE("--derivation tells how each exponent comes about, in steps, and ends with the closed form") {
-  const TemporaryFolder folder;
   const std::string punch =
       "load = 1\n[half_space]\ngamma = \"1/2\"\n[friction]\nvalues = [1, 3]\njumps = [0]\n[indenter]\nprofile = "
       "\"0\"\n";
-  const Finished told = run_program({"exponents", "-", "--derivation"}, folder.path(), punch);
+  const Finished told = run_alone({"exponents", "-", "--derivation"}, punch);
   CHECK(told.code == 0);
   // s = 1/2 and 3/2: the determinant 1 + s_l s_r + (s_r - s_l) C = 7/4 + C, so that cot(pi lambda) = -7/4.
-  CHECK(told.out.find("cot(pi lambda) = -7/4") != std::string::npos);
-  CHECK(told.out.find("arctan(1/2)/pi - arctan(3/2)/pi") != std::string::npos);
-  CHECK(told.out.find("1.  assume  ") != std::string::npos);
-  CHECK(told.out == run_program({"exponents", "-", "--derivation"}, folder.path(), punch).out);
+  check_holds(told.out, {"cot(pi lambda) = -7/4", "arctan(1/2)/pi - arctan(3/2)/pi", "1.  assume  "});
+  CHECK(told.out == run_alone({"exponents", "-", "--derivation"}, punch).out);
 }

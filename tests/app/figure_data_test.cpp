@@ -1,17 +1,15 @@
 // The numbers in the figures, against `solve` and against formulas.
 
-#include <doctest/doctest.h>
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
+#include "app/command_line.hpp"
 #include "app/figures/makers.hpp"
 #include "app/figures/moment_rule.hpp"
 #include "app/figures/solved.hpp"
 #include "app/figures/stress_map.hpp"
-#include "app/process.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "proofs_checks/instruments/convergence_cases.hpp"
 
@@ -37,22 +35,13 @@ struct Given {
   }
 };
 
-std::string output(const Given& given, std::vector<std::string> arguments) {
-  const TemporaryFolder folder;
-  arguments.insert(arguments.begin(), {"solve", "-"});
-  const Finished finished = run_program(arguments, folder.path(), given.toml());
-  REQUIRE(finished.code == 0);
-  return finished.out;
-}
+std::string answer(const Given& given, const Arguments& arguments = {}) { return output(given.toml(), arguments); }
 
 /// -t at x.
 double pressure(const Given& given, double x) {
-  std::istringstream csv(output(given, {"--format", "csv", fmt::format("--at={:.17g}", x)}));
-  std::string line;
-  std::getline(csv, line);
-  REQUIRE(line.rfind("x,traction,", 0) == 0);
-  std::getline(csv, line);
-  return -std::stod(line.substr(line.find(',') + 1));
+  const auto rows = lines(answer(given, {"--format", "csv", fmt::format("--at={:.17g}", x)}));
+  REQUIRE(rows[0].starts_with("x,traction,"));
+  return -std::stod(rows[1].substr(rows[1].find(',') + 1));
 }
 
 /// The number that follows a word in the text.
@@ -139,7 +128,7 @@ TEST_CASE("local forms have the derived slopes, and cells read the same") {
       CHECK(slope(line.points[0], line.points[5]) == doctest::Approx(exponent).epsilon(1e-4));
       CHECK(slope(line.points[0], line.points[5]) != doctest::Approx(-1 - exponent).epsilon(1e-3));
       const std::string text = decimal(exponent, 4);
-      CHECK(line.legend.find(": " + text + ", cells " + text.substr(0, text.size() - 1)) != std::string::npos);
+      CHECK(holds(line.legend, ": " + text + ", cells " + text.substr(0, text.size() - 1)));
     }
   }
   // The wedge: differences of a logarithm. The slope's jump is 2, c = 1.92.
@@ -159,7 +148,7 @@ TEST_CASE("contact zones are those of solve, and end b moves as derived") {
     const std::vector<Point>& front = one[2 * k + 1].points;
     const Point& p = front[80];
     const std::string text =
-        output({"0.3", rising ? "0.1, 2" : "2, 0.1", "0.15", "x^2/2", fmt::format("{:.17g}", p.x)}, {});
+        answer({"0.3", rising ? "0.1, 2" : "2, 0.1", "0.15", "x^2/2", fmt::format("{:.17g}", p.x)});
     CHECK(value_after(text, "from x = ") == doctest::Approx(rear[80].y).epsilon(1e-9));
     CHECK(value_after(text, " to x = ") == doctest::Approx(p.y).epsilon(1e-9));
     // db/dP = c/(pi (1/2 + alpha)(b - a)), before and after the jump.
@@ -188,10 +177,10 @@ TEST_CASE("effective friction is that of solve, not the mean") {
   for (const std::size_t direction : {0, 1}) {
     const Point& p = figure.panels[0].series[2 * direction].points[60];
     const Given given{"0.2", "0.1, 1", fmt::format("\"{:.17g}\"", p.x), "0", "1", direction == 0 ? "+x" : "-x"};
-    CHECK(value_after(output(given, {}), "effective friction") == doctest::Approx(p.y).epsilon(1e-9));
+    CHECK(value_after(answer(given), "effective friction") == doctest::Approx(p.y).epsilon(1e-9));
     const Point& marked = figure.panels[1].series[2 * direction + 1].points[4];
     const Given other{"0.2", fmt::format("0.1, \"{:.17g}\"", marked.x), "0", "0", "1", direction == 0 ? "+x" : "-x"};
-    CHECK(value_after(output(other, {}), "effective friction") == doctest::Approx(marked.y).epsilon(0.01));
+    CHECK(value_after(answer(other), "effective friction") == doctest::Approx(marked.y).epsilon(0.01));
     CHECK(std::abs(marked.y - (0.1 + marked.x) / 2) > 0.05);
   }
 }
@@ -229,7 +218,7 @@ TEST_CASE("the stress map reaches the tractions at the surface") {
 
   const Figure figure = make_stress_map();
   const HeatMap& map = *figure.panels.front().map;
-  CHECK(figure.caption.find("at most " + decimal(std::ceil(1e4 * near) / 1e4, 4)) != std::string::npos);
+  CHECK(holds(figure.caption, "at most " + decimal(std::ceil(1e4 * near) / 1e4, 4)));
   CHECK(map.values.size() == map.x.size() * map.y.size());
   const std::size_t row = 40;
   for (const std::size_t i : {10, 150, 200}) {

@@ -2,13 +2,11 @@
 
 #include "app/figures/figures.hpp"
 
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <csignal>
 #include <set>
 
-#include "app/process.hpp"
+#include "app/command_line.hpp"
 #include "app/svg.hpp"
 
 using namespace steadyslide::app;
@@ -36,32 +34,30 @@ const std::vector<Figure>& made() {
   return all;
 }
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 void check_texts(const Figure& figure, const std::string& svg) {
   const std::string shown = shown_text(svg);
-  CHECK(contains(shown, figure.title + "\n"));
-  CHECK(contains(shown, "steadyslide figures --figure " + figure.name + "\n"));
+  CHECK(holds(shown, figure.title + "\n"));
+  CHECK(holds(shown, "steadyslide figures --figure " + figure.name + "\n"));
   for (const Panel& panel : figure.panels) {
     for (const Axis* axis : {&panel.x, &panel.y}) {
       CAPTURE(axis->label);
-      CHECK(contains(shown, plain(axis->label)));
+      CHECK(holds(shown, plain(axis->label)));
     }
-    if (panel.map) CHECK(contains(shown, plain(panel.map->label)));
-    for (const Note& note : panel.notes) CHECK(contains(shown, plain(note.text)));
+    if (panel.map) CHECK(holds(shown, plain(panel.map->label)));
+    for (const Note& note : panel.notes) CHECK(holds(shown, plain(note.text)));
     for (const Series& series : panel.series) {
       CAPTURE(series.legend);
-      CHECK((panel.legend == LegendAt::none || contains(shown, plain(series.legend))));
+      CHECK((panel.legend == LegendAt::none || holds(shown, plain(series.legend))));
       CHECK_FALSE(series.points.empty());
     }
   }
   // The control.
-  CHECK_FALSE(contains(shown, figure.title + "?"));
+  CHECK_FALSE(holds(shown, figure.title + "?"));
 }
 
 /// Has it a unit, or a name without one? (Numbers: cells, nodes, friction, relative errors.)
 bool has_unit(const std::string& label) {
-  if (label.empty() || contains(label, "/") || contains(label, "(")) return true;
+  if (label.empty() || holds(label, "/") || holds(label, "(")) return true;
   const std::set<std::string> pure{"cells N", "nodes n of a rule", "relative error of an equation",
                                    "friction of the right coating f"};
   return pure.contains(plain(label));
@@ -75,10 +71,7 @@ Finished with_path(const std::string& path, const std::filesystem::path& folder)
 
 TEST_CASE("every figure is written, whole, and the same each time") {
   const TemporaryFolder folder;
-  const Finished finished = run_program({"figures", "-o", "new/folder"}, folder.path());
-  CHECK(finished.code == 0);
-  CHECK(finished.out == "");
-  CHECK(finished.err == "");
+  CHECK(out_of(run_program({"figures", "-o", "new/folder"}, folder.path())) == "");
   REQUIRE(made().size() == 9);
   std::set<std::string> all_ids;
   std::vector<std::string> files;
@@ -93,11 +86,11 @@ TEST_CASE("every figure is written, whole, and the same each time") {
     CHECK(svg.rfind("<?xml", 0) == 0);
     CHECK(is_well_formed(svg));
     CHECK_FALSE(is_well_formed(svg.substr(0, svg.size() / 2)));
-    CHECK(contains(svg, "<title>" + drawn.title + "</title>"));
-    CHECK(contains(svg, "fill=\"#ffffff\""));
-    CHECK_FALSE(contains(svg, "<script"));
-    CHECK_FALSE(contains(svg, "onclick"));
-    for (const char* number : {" nan", ",nan", "inf,", ",inf"}) CHECK_FALSE(contains(svg, number));
+    CHECK(holds(svg, "<title>" + drawn.title + "</title>"));
+    CHECK(holds(svg, "fill=\"#ffffff\""));
+    CHECK_FALSE(holds(svg, "<script"));
+    CHECK_FALSE(holds(svg, "onclick"));
+    for (const char* number : {" nan", ",nan", "inf,", ",inf"}) CHECK_FALSE(holds(svg, number));
     for (const std::string& id : ids(svg)) {
       CAPTURE(id);
       CHECK(all_ids.insert(id).second);
@@ -139,46 +132,39 @@ TEST_CASE("some figures, by patterns; none is an error") {
         std::vector<std::string>{"friction-jump-falling.svg", "friction-jump-rising.svg", "parabola.svg"});
 
   const TemporaryFolder empty;
-  const Finished none = run_program({"figures", "--figure", "parabola", "--figure", "no-such"}, empty.path());
-  CHECK(none.code == 2);
-  CHECK(none.err == "steadyslide: command line: --figure: no such figure; figures --help names them; 'no-such'\n");
+  check_refused(run_program({"figures", "--figure", "parabola", "--figure", "no-such"}, empty.path()),
+                "command line: --figure: no such figure; figures --help names them; 'no-such'");
   CHECK(empty.names().empty());
   const Finished help = run_program({"figures", "--help"}, empty.path());
-  for (const FigureMaker& maker : figures()) CHECK(contains(help.out, "  " + maker.name + "\n"));
+  for (const FigureMaker& maker : figures()) CHECK(holds(help.out, "  " + maker.name + "\n"));
 }
 
 TEST_CASE("without gnuplot: one clear line and nothing written") {
   const TemporaryFolder folder;
-  const Finished finished = with_path("", folder.path());
-  CHECK(finished.code == 3);
-  CHECK(finished.err ==
-        "steadyslide: gnuplot: not found; figures are drawn by gnuplot 5.4 or later (Debian's package gnuplot-nox)\n");
+  check_refused(with_path("", folder.path()),
+                "gnuplot: not found; figures are drawn by gnuplot 5.4 or later (Debian's package gnuplot-nox)", 3);
   CHECK(folder.names().empty());
 
   // A gnuplot that fails.
   folder.write("gnuplot", "#!/bin/sh\necho 'line 1: out of order' >&2\nexit 1\n");
   std::filesystem::permissions(folder.path() / "gnuplot", std::filesystem::perms::owner_all);
-  const Finished failed = with_path(folder.path().string(), folder.path());
-  CHECK(failed.code == 3);
-  CHECK(failed.err == "steadyslide: gnuplot: did not draw the figure: line 1: out of order\n");
+  check_refused(with_path(folder.path().string(), folder.path()),
+                "gnuplot: did not draw the figure: line 1: out of order", 3);
   CHECK(folder.names() == std::vector<std::string>{"gnuplot"});
 }
 
 TEST_CASE("what cannot be written leaves nothing") {
   const TemporaryFolder folder;
   folder.write("file", "kept");
-  const Finished no_folder = run_program({"figures", "-o", "file", "--figure", "parabola"}, folder.path());
-  CHECK(no_folder.code == 3);
-  CHECK(no_folder.err == "steadyslide: file: is no folder\n");
-  const Finished below = run_program({"figures", "-o", "file/new", "--figure", "parabola"}, folder.path());
-  CHECK(below.code == 3);
-  CHECK(below.err == "steadyslide: file/new: cannot be made: Not a directory\n");
+  const auto draws_into = [&](const std::string& name) {
+    return run_program({"figures", "-o", name, "--figure", "parabola"}, folder.path());
+  };
+  check_refused(draws_into("file"), "file: is no folder", 3);
+  check_refused(draws_into("file/new"), "file/new: cannot be made: Not a directory", 3);
   CHECK(folder.read("file") == "kept");
   // A folder stands where the figure should.
   std::filesystem::create_directory(folder.path() / "parabola.svg");
-  const Finished taken = run_program({"figures", "--figure", "parabola"}, folder.path());
-  CHECK(taken.code == 3);
-  CHECK(taken.err == "steadyslide: ./parabola.svg: cannot be written: Is a directory\n");
+  check_refused(draws_into("."), "./parabola.svg: cannot be written: Is a directory", 3);
   CHECK(folder.names() == std::vector<std::string>{"file", "parabola.svg"});
 }
 
@@ -187,5 +173,5 @@ TEST_CASE("interrupted, figures leaves no files and a clean terminal") {
   const Finished finished = interrupt_on_terminal({"figures", "-o", "out"}, folder.path(), "[", SIGINT);
   CHECK(finished.code == 130);
   CHECK(folder.names().empty());
-  CHECK(finished.err.substr(finished.err.size() - 4) == "\r\x1b[K");
+  CHECK(finished.err.ends_with("\r\x1b[K"));
 }

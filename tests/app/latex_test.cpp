@@ -1,10 +1,7 @@
 // A LaTeX table compiles. Needs pdflatex; where it is absent the test says so and checks the text only.
 
-#include <doctest/doctest.h>
-
-#include <filesystem>
-
-#include "app/process.hpp"
+#include <regex>
+#include "app/command_line.hpp"
 
 using namespace steadyslide::testing;
 
@@ -18,18 +15,54 @@ void compile(const TemporaryFolder& folder, bool fits) {
   }
   const Finished latex = run_other({"pdflatex", "-interaction=nonstopmode", "-halt-on-error", "t.tex"}, folder.path());
   CHECK_MESSAGE(latex.code == 0, latex.out);
-  if (fits) CHECK(latex.out.find("Overfull \\hbox") == std::string::npos);
+  if (fits) CHECK_FALSE(holds(latex.out, "Overfull \\hbox"));
   CHECK(std::filesystem::exists(folder.path() / "t.pdf"));
 }
 
-void check_compiles(std::vector<std::string> arguments, const std::string& input = "",
+/// The prose of a document, and its formulas: what stands between dollars or in displays.
+struct Parts {
+  std::string prose;
+  std::string formulas;
+};
+
+Parts parts(const std::string& document) {
+  Parts result;
+  std::string text = document.substr(document.find("\\begin{document}"));
+  const std::regex formula("\\$[^$]*\\$|\\\\\\[[^]*?\\\\\\]");
+  for (std::smatch match; std::regex_search(text, match, formula); text = match.suffix()) {
+    result.prose += match.prefix().str() + " ";
+    result.formulas += match.str() + "\n";
+  }
+  result.prose += text;
+  return result;
+}
+
+/// Formulas are formulas, in the prose too, and every name has its sign.
+void check_notation(const std::string& document) {
+  const auto [prose, formulas] = parts(document);
+  const std::regex in_prose(
+      "[_^<>=|]|\\\\text(less|greater|bar|asciicircum)|\\b(theta|lambda|alpha|psi|sigma|Phi|pi|cos|cot|log)\\b");
+  const std::regex in_formulas(
+      "(^|[^\\\\A-Za-z])(theta|lambda|alpha|psi|sigma|Phi|pi|cos|sin|cot|log|arctan|sqrt|infinity)(?![A-Za-z])"
+      "|<=|>=|\\*|_bar|_l|_r|_\\{[lr]\\}");
+  std::smatch match;
+  const bool raw = std::regex_search(prose, match, in_prose);
+  CHECK_MESSAGE(!raw, match.prefix().str().substr(match.prefix().length() > 60 ? match.prefix().length() - 60 : 0)
+                          << " >> " << match.str());
+  const bool named = std::regex_search(formulas, match, in_formulas);
+  CHECK_MESSAGE(!named, match.prefix().str().substr(match.prefix().length() > 60 ? match.prefix().length() - 60 : 0)
+                            << " >> " << match.str());
+  CHECK(formulas.find("\\lambda") != std::string::npos);
+}
+
+void check_compiles(const Arguments& arguments, const std::string& input = "",
                     const std::string& last_environment = "longtable") {
   const TemporaryFolder folder;
-  arguments.insert(arguments.end(), {"--format", "latex", "-o", "t.tex"});
-  REQUIRE(run_program(arguments, folder.path(), input).code == 0);
+  REQUIRE(run_program(joined(arguments, {"--format", "latex", "-o", "t.tex"}), folder.path(), input).code == 0);
   const std::string text = folder.read("t.tex");
-  CHECK(text.substr(0, 24) == "\\documentclass{article}\n");
+  CHECK(text.starts_with("\\documentclass{article}\n"));
   CHECK(text.ends_with("\\end{" + last_environment + "}\n\\end{document}\n"));
+  if (last_environment == "enumerate") check_notation(text);
   compile(folder, last_environment == "longtable");
 }
 

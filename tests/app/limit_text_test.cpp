@@ -17,30 +17,30 @@ const Estimate<double> zero{};
 
 TEST_CASE("a blow-up is one text, also at an edge") {
   const LimitText edge = limit_text(TwoSided{zero, blow_up}, TwoSided{zero, blow_up}, 16);
-  CHECK(edge.left == "-inf");
+  CHECK(edge.left.value == "-inf");
   CHECK_FALSE(edge.two_sided());
   const LimitText shear = limit_text(TwoSided{zero, up}, TwoSided{zero, blow_up}, 16);
-  CHECK(shear.left == "inf");
+  CHECK(shear.left.value == "inf");
   CHECK_FALSE(shear.two_sided());
 }
 
 TEST_CASE("shear without friction beside a blow-up keeps both limits") {
   const LimitText shear = limit_text(TwoSided{zero, up}, TwoSided{blow_up, blow_up}, 16);
-  CHECK(shear.left == "0");
-  CHECK(shear.right == "inf");
+  CHECK(shear.left.value == "0");
+  CHECK(shear.right.value == "inf");
 }
 
 TEST_CASE("infinities of both signs are two texts") {
   const LimitText slope = limit_text(TwoSided{blow_up, up}, TwoSided{blow_up, up}, 16);
-  CHECK(slope.left == "-inf");
-  CHECK(slope.right == "inf");
+  CHECK(slope.left.value == "-inf");
+  CHECK(slope.right.value == "inf");
 }
 
 TEST_CASE("a limit that is not known does not hide the other one") {
   const TwoSided values{{1, infinity<double>()}, {2, 0}};
   const LimitText text = limit_text(values, values, 16);
-  CHECK(text.left == "");
-  CHECK(text.right == "2");
+  CHECK(text.left.value == "");
+  CHECK(text.right.value == "2");
 }
 
 TEST_CASE("finite limits are two texts only if they differ by more than their errors") {
@@ -48,9 +48,17 @@ TEST_CASE("finite limits are two texts only if they differ by more than their er
     const TwoSided values{{a, error}, {b, error}};
     return limit_text(values, values, 16);
   };
-  CHECK(limits(1, 2, 0).left == "1");
-  CHECK(limits(1, 2, 0).right == "2");
+  CHECK(limits(1, 2, 0).left.value == "1");
+  CHECK(limits(1, 2, 0).right.value == "2");
   CHECK_FALSE(limits(1, 1, 0).two_sided());
   CHECK_FALSE(limits(1, 1.03, 0.02).two_sided());
   CHECK(limits(1, 1.05, 0.02).two_sided());
+}
+
+TEST_CASE("sides that are kept apart are two in files, one to a person") {
+  const TwoSided values{{1, 0.02}, {1.03, 0.02}};
+  const LimitText text = limit_text(values, values, 16, true);
+  CHECK(text.two_sided());
+  CHECK(text.right.value == "1.03");
+  CHECK(text.right.shown == text.left.shown);
 }

@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include "app/terminal/failure.hpp"
+#include "support/thrown.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::app;
@@ -11,12 +12,7 @@ using namespace steadyslide::app;
 namespace {
 
 std::string message_of(std::string_view text, std::size_t most = 100) {
-  try {
-    parse_list("--rear", text, most);
-  } catch (const Failure& failure) {
-    return failure.what();
-  }
-  return "no error";
+  return testing::thrown_by([&] { parse_list("--rear", text, most); });
 }
 
 }  // namespace

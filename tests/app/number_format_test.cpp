@@ -79,6 +79,45 @@ TEST_CASE("17 digits bring any double back") {
   });
 }
 
+TEST_CASE("16 digits of all of a number are the shortest decimal that brings the double back") {
+  CHECK(full_number(0.1, 16) == "0.1");
+  CHECK(full_number(1.0 / 3, 16) == "0.3333333333333333");
+  CHECK(full_number(0.1 + 0.2, 16) == "0.30000000000000004");
+  CHECK(full_number(-5e-324, 16) == "-5e-324");
+  CHECK(full_number(Rational(1, 3), 16) == "0.3333333333333333");
+  CHECK(full_number(Real50("1e-400") / 3, 16) == "3.333333333333333e-401");
+  CHECK(full_number(Real50(2) / 3, 16) == "0.6666666666666666");  // the double's, not the rounded 0.6666666666666667
+  CHECK(full_number(2.0 / 3, 6) == "0.666667");
+  CHECK(full_number(Real50(1) / 3, 30) == "0." + std::string(30, '3'));
+  CHECK(full_number(-std::numeric_limits<double>::infinity(), 16) == "-inf");
+  CHECK(full_number(std::nan(""), 16) == "");
+  rc::check([] {
+    const double value = *rc::gen::arbitrary<double>();
+    RC_PRE(std::isfinite(value));
+    const std::string text = full_number(value, 16);
+    RC_ASSERT(std::stod(text) == value);
+    RC_ASSERT(full_number(Real50(value), 16) == text);
+  });
+}
+
+TEST_CASE("an estimate for a person and for a file") {
+  const NumberText text = number_text(Estimate<double>{0.123456789, 2.34e-3}, 16);
+  CHECK(text.shown == "0.12");
+  CHECK(text.value == "0.123456789");
+  CHECK(text.error == "0.0023");
+  // What a person reads as 0 is a number with an error in a file.
+  CHECK(number_text(Estimate<double>{1e-17, 1e-16}, 16).shown == "0");
+  CHECK(number_text(Estimate<double>{1e-17, 1e-16}, 16).value == "1e-17");
+  const double infinite = std::numeric_limits<double>::infinity();
+  const NumberText blow_up = number_text(Estimate<double>{-infinite, 0}, 16);
+  CHECK(blow_up.value == "-inf");
+  CHECK(blow_up.error == "0");
+  for (const double error : {infinite, std::nan("")}) {
+    const NumberText unknown = number_text(Estimate<double>{1.5, error}, 16);
+    CHECK(unknown.shown + unknown.value + unknown.error == "");
+  }
+}
+
 TEST_CASE("a formatted number differs from the value by half a unit of its last digit at most") {
   rc::check([](int n) {
     const int digits = *rc::gen::inRange(1, 40);

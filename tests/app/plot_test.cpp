@@ -1,12 +1,8 @@
 // The picture of the rough surface: the commands of examples/README.md draw it.
 
-#include <doctest/doctest.h>
-
 #include <algorithm>
-#include <string>
-#include <vector>
 
-#include "app/process.hpp"
+#include "app/command_line.hpp"
 #include "app/svg.hpp"
 
 using namespace steadyslide::testing;
@@ -15,9 +11,8 @@ namespace {
 
 const std::string examples = STEADYSLIDE_EXAMPLES;
 
-Finished draw(const TemporaryFolder& folder, std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), {"gnuplot", "-c", examples + "/plot_rough_surface.gp"});
-  return run_other(arguments, folder.path());
+Finished draw(const TemporaryFolder& folder, const Arguments& arguments) {
+  return run_other(joined({"gnuplot", "-c", examples + "/plot_rough_surface.gp"}, arguments), folder.path());
 }
 
 /// The lengths of the longest paths of a colour, counted in characters.
@@ -26,7 +21,7 @@ std::size_t longest_path(const std::string& svg, const std::string& colour) {
   for (std::size_t at = 0; (at = svg.find("<path", at)) != std::string::npos; ++at) {
     const std::string path = svg.substr(at, svg.find("/>", at) - at);
     const std::string before = svg.substr(svg.rfind("<g", at), at - svg.rfind("<g", at));
-    if ((before + path).find(colour) != std::string::npos) longest = std::max(longest, path.size());
+    if (holds(before + path, colour)) longest = std::max(longest, path.size());
   }
   return longest;
 }
@@ -39,15 +34,10 @@ TEST_CASE("the script draws what was solved, well-formed, every curve with its p
                                        "65536", "--at=-0.99975:0.99975:0.0005", "--format", "csv", "-o", "solved.csv"},
                                       folder.path());
   CHECK(solved.code == 0);
-  const Finished drawn = draw(folder, {"solved.csv", examples + "/rough_surface.csv", "picture.svg"});
-  CHECK(drawn.err == "");
-  CHECK(drawn.code == 0);
+  out_of(draw(folder, {"solved.csv", examples + "/rough_surface.csv", "picture.svg"}));
   const std::string svg = folder.read("picture.svg");
   CHECK(is_well_formed(svg));
-  for (const char* text : {"profile", "surface u + C", "contact zones", "pressure", "x (unit of length)"}) {
-    CAPTURE(text);
-    CHECK(svg.find(text) != std::string::npos);
-  }
+  check_holds(svg, {"profile", "surface u + C", "contact zones", "pressure", "x (unit of length)"});
   // 2000 points each, in the colours of profile and of surface and pressure.
   CHECK(longest_path(svg, "176,  48,  48") > 10000);
   CHECK(longest_path(svg, " 32,  96, 160") > 10000);

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "model/invalid_data.hpp"
+#include "support/thrown.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::app;
@@ -18,12 +19,7 @@ Polynomial parse(std::string_view text) {
 }
 
 std::string message_of(std::string_view text) {
-  try {
-    parse(text);
-  } catch (const InvalidData& error) {
-    return error.what();
-  }
-  return "no error";
+  return testing::thrown_by([&] { parse(text); });
 }
 
 }  // namespace

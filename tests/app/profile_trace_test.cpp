@@ -32,19 +32,21 @@ std::string complaint(const std::string& text) {
 
 const std::string plain = "-1,0.5\n0,0\n2,1/3\n";
 
-}  // namespace
-
-TEST_CASE("points are joined by exact straight lines") {
-  const ProfileTrace trace = parse(plain);
+/// Of `plain`, cut off at `right`.
+void check_joined_at_0(const ProfileTrace& trace, const Rational& right) {
   CHECK(trace.points == 3);
   CHECK(trace.range.left == -1);
   CHECK(trace.range.right == 2);
   REQUIRE(trace.pieces.size() == 2);
   CHECK(trace.pieces[0].to == 0);
   CHECK(trace.pieces[0].profile == Polynomial({0, Rational(-1, 2)}));
-  CHECK(trace.pieces[1].to == 2);
+  CHECK(trace.pieces[1].to == right);
   CHECK(trace.pieces[1].profile == Polynomial({0, Rational(1, 6)}));
 }
+
+}  // namespace
+
+TEST_CASE("points are joined by exact straight lines") { check_joined_at_0(parse(plain), 2); }
 
 TEST_CASE("neighbours on one line stay as they are read") { CHECK(parse("0,1\n1,2\n2,3\n").pieces.size() == 2); }
 
@@ -69,15 +71,7 @@ TEST_CASE("a support cuts the trace, exactly") {
   const auto cut = [](const char* left, const char* right) {
     return parse_trace(plain, "t.csv", Support{number(left), number(right)});
   };
-  const ProfileTrace inside = cut("-1/3", "1");
-  CHECK(inside.points == 3);
-  CHECK(inside.range.left == -1);
-  CHECK(inside.range.right == 2);
-  REQUIRE(inside.pieces.size() == 2);
-  CHECK(inside.pieces[0].to == 0);
-  CHECK(inside.pieces[0].profile == Polynomial({0, Rational(-1, 2)}));
-  CHECK(inside.pieces[1].to == 1);
-  CHECK(inside.pieces[1].profile == Polynomial({0, Rational(1, 6)}));
+  check_joined_at_0(cut("-1/3", "1"), 1);
 
   CHECK(same(cut("-1", "2"), parse(plain)));
   CHECK(cut("0", "2").pieces.size() == 1);

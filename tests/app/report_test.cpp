@@ -1,30 +1,15 @@
 #include "app/report/report_page.hpp"
 
-#include <doctest/doctest.h>
-
 #include <csignal>
 
-#include "app/process.hpp"
+#include "app/command_line.hpp"
 #include "app/report/inline_svg.hpp"
 #include "app/report/references.hpp"
 #include "app/report_fixture.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::app;
-using steadyslide::testing::fabricated_result;
-using steadyslide::testing::fabricated_supplement;
-
-namespace {
-
-bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
-
-std::size_t times(const std::string& text, std::string_view part) {
-  std::size_t n = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++n;
-  return n;
-}
-
-}  // namespace
+using namespace steadyslide::testing;
 
 TEST_CASE("the page has every statement with its verdict, evidence and controls") {
   const std::string page = report_html(fabricated_result(), fabricated_supplement());
@@ -33,29 +18,26 @@ TEST_CASE("the page has every statement with its verdict, evidence and controls"
               "calculation: 1."));
   CHECK(times(page, "<details class=\"claim\"") == 5);
   CHECK(holds(page, "50 digits · seed 7 · quick"));
-  for (const char* part : {"<details class=\"claim\" id=\"eq-04-flat-punch\"",
-                           "data-verdict=\"supported\"",
-                           "controls 2/2",
-                           "controls 0/1",
-                           "20 of 24",
-                           "Exact identities, which establish the statement",
-                           "Agreement of unrelated routes",
-                           "0.98 ± 0.02",
-                           "1 ± 0.1",
-                           "an abstract proof of existence",
-                           "<a href=\"#eq-04-flat-punch\">",
-                           "<code>not-here</code> (not in this run)",
-                           "a control survives",
-                           "not refuted",
-                           "Reading notes",
-                           "The paper, statement by statement",
-                           "Powers at a jump",
-                           "m-01",
-                           "<a href=\"#ref-Mus53\">Mus53</a>",
-                           "id=\"ref-Bal16\""}) {
-    CAPTURE(part);
-    CHECK(holds(page, part));
-  }
+  check_holds(page, {"<details class=\"claim\" id=\"eq-04-flat-punch\"",
+                     "data-verdict=\"supported\"",
+                     "controls 2/2",
+                     "controls 0/1",
+                     "20 of 24",
+                     "Exact identities, which establish the statement",
+                     "Agreement of unrelated routes",
+                     "0.98 ± 0.02",
+                     "1 ± 0.1",
+                     "an abstract proof of existence",
+                     "<a href=\"#eq-04-flat-punch\">",
+                     "<code>not-here</code> (not in this run)",
+                     "a control survives",
+                     "not refuted",
+                     "Reading notes",
+                     "The paper, statement by statement",
+                     "Powers at a jump",
+                     "m-01",
+                     "<a href=\"#ref-Mus53\">Mus53</a>",
+                     "id=\"ref-Bal16\""});
   CHECK(times(page, "<svg") == 2);
 }
 
@@ -123,9 +105,9 @@ TEST_CASE("references: paragraphs with a key, tables left out") {
 }
 
 TEST_CASE("verify --report writes the page beside its own output, from one run") {
-  const testing::TemporaryFolder folder;
-  const testing::Finished finished = testing::run_program(
-      {"verify", "--quick", "--claim", "gamma-*", "--report", "a/b", "-o", "out.txt"}, folder.path());
+  const TemporaryFolder folder;
+  const Finished finished =
+      run_program({"verify", "--quick", "--claim", "gamma-*", "--report", "a/b", "-o", "out.txt"}, folder.path());
   CHECK(finished.code == 0);
   CHECK(finished.out == "");
   CHECK(holds(folder.read("out.txt"), "2 proved, 0 supported"));
@@ -133,28 +115,26 @@ TEST_CASE("verify --report writes the page beside its own output, from one run")
 }
 
 TEST_CASE("verify --report: what it refuses") {
-  const testing::TemporaryFolder folder;
-  const auto error = [&](std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "verify");
-    const testing::Finished finished = testing::run_program(arguments, folder.path());
-    return std::to_string(finished.code) + " " + finished.err;
-  };
-  CHECK(error({"--list", "--report", "x"}) ==
-        "2 steadyslide: command line: --list: conflicting option; it checks nothing to report; '--report'\n");
-  CHECK(error({"--report", ""}) == "2 steadyslide: command line: --report: no folder; it has a name; ''\n");
+  const TemporaryFolder folder;
+  check_refused(run_program({"verify", "--list", "--report", "x"}, folder.path()),
+                "command line: --list: conflicting option; it checks nothing to report; '--report'");
+  check_refused(run_program({"verify", "--report", ""}, folder.path()),
+                "command line: --report: no folder; it has a name; ''");
   folder.write("file", "");
-  CHECK(holds(error({"--claim", "gamma-range", "--report", "file"}), "3 steadyslide: file: cannot be made"));
-  const testing::Finished report = testing::run_program({"report", "-o", "file"}, folder.path());
-  CHECK(report.code == 3);
-  CHECK(holds(report.err, "steadyslide: file: cannot be made"));
+  for (const Arguments& arguments :
+       {Arguments{"verify", "--claim", "gamma-range", "--report", "file"}, {"report", "-o", "file"}}) {
+    const Finished finished = run_program(arguments, folder.path());
+    CHECK(finished.code == 3);
+    CHECK(finished.err.starts_with("steadyslide: file: cannot be made"));
+  }
   CHECK(folder.names() == std::vector<std::string>{"file"});
 }
 
 TEST_CASE("a signal takes both unfinished files along") {
-  const testing::TemporaryFolder folder;
-  const testing::Finished finished =
-      testing::run_and_interrupt({"verify", "--claim", "vi-convergence-*", "--report", ".", "-o", "out.txt"}, folder,
-                                 SIGINT, std::chrono::milliseconds(300));
+  const TemporaryFolder folder;
+  const Finished finished =
+      run_and_interrupt({"verify", "--claim", "vi-convergence-*", "--report", ".", "-o", "out.txt"}, folder, SIGINT,
+                        std::chrono::milliseconds(300));
   CHECK(finished.code == 130);
   CHECK(folder.names().empty());
 }

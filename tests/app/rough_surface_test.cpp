@@ -1,16 +1,13 @@
 // The measured profile among the examples is what its generator prints, and that is what it says.
 
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
-#include <sstream>
 
-#include "app/process.hpp"
+#include "app/command_line.hpp"
 
 using namespace steadyslide::testing;
 namespace fs = std::filesystem;
@@ -22,13 +19,17 @@ const fs::path folder = STEADYSLIDE_EXAMPLES;
 /// The numbers of a trace's lines after its header.
 std::vector<double> numbers(const std::string& trace) {
   std::vector<double> result;
-  std::istringstream lines(trace.substr(trace.find("x,psi\n") + 6));
-  for (std::string text; std::getline(lines, text);) {
+  for (const std::string& text : lines(trace.substr(trace.find("x,psi\n") + 6))) {
     std::size_t comma = 0;
     result.push_back(std::stod(text, &comma));
     result.push_back(std::stod(text.substr(comma + 1)));
   }
   return result;
+}
+
+std::string stored_trace() {
+  std::ifstream stream(folder / "rough_surface.csv");
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 /// Infinite for traces of different lengths.
@@ -42,16 +43,14 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 }  // namespace
 
 TEST_CASE("the rough surface is what its generator prints") {
-  std::ifstream stream(folder / "rough_surface.csv");
-  const std::string stored(std::istreambuf_iterator<char>(stream), {});
+  const std::string stored = stored_trace();
   const auto generated = [](const std::string& parameter) {
-    std::vector<std::string> command{STEADYSLIDE_ROUGH_SURFACE};
-    if (!parameter.empty()) command.push_back(parameter);
-    return run_other(command, folder);
+    return run_other(joined({STEADYSLIDE_ROUGH_SURFACE}, parameter.empty() ? Arguments{} : Arguments{parameter}),
+                     folder);
   };
   const Finished same = generated("");
   CHECK(same.code == 0);
-  CHECK(same.out.substr(0, same.out.find('\n')) == stored.substr(0, stored.find('\n')));
+  CHECK(lines(same.out)[0] == lines(stored)[0]);
   CHECK(numbers(stored).size() == 2 * 4001);
   CHECK(largest_difference(numbers(same.out), numbers(stored)) <= 1e-9);
   for (const char* other : {"seed=2", "rms=0.00301", "hurst=0.81", "radius=8.01", "points=4000"}) {
@@ -67,8 +66,7 @@ TEST_CASE("the rough surface is what its generator prints") {
 }
 
 TEST_CASE("the rough surface has its roughness and its waves") {
-  std::ifstream stream(folder / "rough_surface.csv");
-  const std::vector<double> trace = numbers(std::string(std::istreambuf_iterator<char>(stream), {}));
+  const std::vector<double> trace = numbers(stored_trace());
   const std::size_t intervals = trace.size() / 2 - 1;
   // One period: the last point is the first one's.
   double power = 0;
@@ -94,4 +92,69 @@ TEST_CASE("the rough surface has its roughness and its waves") {
       CHECK(std::abs(amplitude[wave] / amplitude[4] - std::pow(static_cast<double>(wave) / 4, -1.3)) < 1e-6);
     }
   }
+}
+
+namespace {
+
+/// The largest relative violation of |shear| = f |traction| on a side of x, and the number of rows in contact.
+struct Coulomb {
+  double worst = 0;
+  int rows = 0;
+
+  void add(double x, bool is_left, double traction, double shear) {
+    if (traction == 0 || std::isinf(traction)) return;
+    const double f = x < 0 || (x == 0 && is_left) ? 0.1 : 0.4;
+    worst = std::max(worst, std::abs(std::abs(shear) / (f * std::abs(traction)) - 1));
+    ++rows;
+  }
+};
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> result;
+  std::istringstream stream(line + ",");
+  for (std::string cell; std::getline(stream, cell, ',');) result.push_back(cell);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("files keep Coulomb's law in every row: |shear| = f |traction|") {
+  const std::vector<std::string> solve{"solve", "rough_surface.toml", "--at=-0.1:0.1:0.005", "--samples", "40"};
+  const auto output = [&](const char* format) {
+    std::vector<std::string> arguments = solve;
+    arguments.insert(arguments.end(), {"--format", format});
+    return run_program(arguments, folder).out;
+  };
+  Coulomb csv;
+  std::istringstream lines(output("csv"));
+  std::string line;
+  std::getline(lines, line);
+  CHECK(line == "x,traction,shear,gap,slope,traction_error,shear_error,gap_error,slope_error");
+  std::string last;
+  while (std::getline(lines, line)) {
+    const std::vector<std::string> row = cells(line);
+    REQUIRE(row.size() == 9);
+    csv.add(std::stod(row[0]), row[0] != last, std::stod(row[1]), std::stod(row[2]));
+    last = row[0];
+    CHECK(std::stod(row[5]) >= 0);
+    CHECK(std::stod(row[6]) >= 0);
+  }
+  CHECK(csv.rows > 500);
+  CHECK(csv.worst <= 1e-15);
+
+  Coulomb json;
+  const auto side = [](const nlohmann::json& value, const char* name) {
+    return std::stod((value.is_object() ? value[name] : value).get<std::string>());
+  };
+  const nlohmann::json solution = nlohmann::json::parse(output("json"));
+  for (const nlohmann::json& sample : solution["samples"]) {
+    for (const char* name : {"left", "right"}) {
+      json.add(side(sample["x"], name), name == std::string("left"), side(sample["traction"], name),
+               side(sample["shear"], name));
+    }
+    CHECK(sample["traction"].is_object() == sample["traction_error"].is_object());
+    CHECK(sample["shear"].is_object() == sample["shear_error"].is_object());
+  }
+  CHECK(json.rows > 1000);
+  CHECK(json.worst <= 1e-15);
 }

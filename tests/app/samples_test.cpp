@@ -1,15 +1,8 @@
 // `samples` of a problem file: where the trace is looked for, what becomes of it, and the errors of both files.
 
-#include <doctest/doctest.h>
-
-#include <chrono>
-#include <filesystem>
-#include <nlohmann/json.hpp>
-
-#include "app/process.hpp"
+#include "app/json_answers.hpp"
 
 using namespace steadyslide::testing;
-using Json = nlohmann::ordered_json;
 
 namespace {
 
@@ -22,10 +15,6 @@ const std::string named = R"(samples = "trace.csv")";
 const std::string wedge = "-1,1/4\n0,0\n1,1/2\n";
 const std::string wedge_pieces = R"(pieces = [{to = 0, profile = "-x/4"}, {to = 1, profile = "x/2"}])";
 
-void make_folder(const TemporaryFolder& folder, const std::string& name) {
-  std::filesystem::create_directory(folder.path() / name);
-}
-
 }  // namespace
 
 TEST_CASE("samples are the same problem as the pieces between them") {
@@ -35,7 +24,11 @@ TEST_CASE("samples are the same problem as the pieces between them") {
   folder.write("p.toml", problem(wedge_pieces));
   for (const char* command : {"exponents", "solve"}) {
     const Finished samples = run_program({command, "s.toml"}, folder.path());
-    CHECK(samples.err == "");
+    // A trace ends where somebody stopped to measure, and this contact is full.
+    const std::string warning =
+        "steadyslide: s.toml: warning: contact reaches a cut end of the trace; what was measured ends there, the "
+        "indenter may go on; x = -1, 1\n";
+    CHECK(samples.err == (command == std::string("solve") ? warning : ""));
     CHECK(samples.code == 0);
     CHECK(samples.out == run_program({command, "p.toml"}, folder.path()).out);
   }
@@ -45,30 +38,32 @@ TEST_CASE("samples are the same problem as the pieces between them") {
 
 TEST_CASE("a trace is looked for beside the problem file; from the standard input, in the working directory") {
   const TemporaryFolder folder;
-  make_folder(folder, "data");
+  std::filesystem::create_directory(folder.path() / "data");
   folder.write("data/trace.csv", wedge);
   folder.write("data/s.toml", problem(named));
-  CHECK(run_program({"exponents", "data/s.toml"}, folder.path()).code == 0);
-  CHECK(run_program({"exponents", "s.toml"}, folder.path() / "data").code == 0);
-  CHECK(run_program({"exponents", "-"}, folder.path() / "data", problem(named)).code == 0);
-  CHECK(run_program({"exponents", "-"}, folder.path(), problem(named)).code == 2);
-  CHECK(run_program({"exponents", "-"}, folder.path(), problem(R"(samples = "data/trace.csv")")).code == 0);
+  const auto code = [](const std::string& file, const std::filesystem::path& where, const std::string& input = "") {
+    return run_program({"exponents", file}, where, input).code;
+  };
+  CHECK(code("data/s.toml", folder.path()) == 0);
+  CHECK(code("s.toml", folder.path() / "data") == 0);
+  CHECK(code("-", folder.path() / "data", problem(named)) == 0);
+  CHECK(code("-", folder.path(), problem(named)) == 2);
+  CHECK(code("-", folder.path(), problem(R"(samples = "data/trace.csv")")) == 0);
   const std::string absolute = (folder.path() / "data" / "trace.csv").string();
   folder.write("s.toml", problem("samples = \"" + absolute + "\""));
-  CHECK(run_program({"exponents", "s.toml"}, folder.path()).code == 0);
+  CHECK(code("s.toml", folder.path()) == 0);
 
   folder.write("data/trace.csv", "0,0\n1,one\n");
-  CHECK(run_program({"exponents", "data/s.toml"}, folder.path()).err ==
-        "steadyslide: data/trace.csv:2: psi: not a number; a number is written like 2, -0.25, 1e-3 or 1/3; 'one'\n");
+  check_refused(run_program({"exponents", "data/s.toml"}, folder.path()),
+                "data/trace.csv:2: psi: not a number; a number is written like 2, -0.25, 1e-3 or 1/3; 'one'");
 }
 
 TEST_CASE("JSON names the trace, and gives the support exactly") {
   const TemporaryFolder folder;
   folder.write("trace.csv", wedge);
   const auto indenter = [&](const std::string& more) -> Json {
-    const Finished finished = run_program({"solve", "-", "--format", "json"}, folder.path(), problem(named + more));
-    REQUIRE(finished.code == 0);
-    return Json::parse(finished.out)["problem"]["indenter"];
+    return json_of(
+        run_program({"solve", "-", "--format", "json"}, folder.path(), problem(named + more)))["problem"]["indenter"];
   };
   CHECK(indenter("") == Json{{"support", {"-1", "1"}}, {"samples", "trace.csv"}, {"points", 3}});
   CHECK(indenter("\nsupport = [\"-1/3\", \"0.75\"]") ==
@@ -89,23 +84,18 @@ TEST_CASE("a support within the trace cuts it") {
 TEST_CASE("what the two files say of each other") {
   const TemporaryFolder folder;
   folder.write("trace.csv", wedge);
-  const auto complaint = [&](const std::string& text) {
-    const Finished finished = run_program({"exponents", "-"}, folder.path(), text);
-    CHECK(finished.code == 2);
-    return finished.err;
+  const auto refuses = [&](const std::string& more, const std::string& message) {
+    check_refused(run_program({"exponents", "-"}, folder.path(), problem(named + more)), "-:" + message);
   };
-  CHECK(complaint(problem(named + "\nsupport = [-1, \"1.1\"]")) ==
-        "steadyslide: -:9: indenter.support: support beyond the samples; they reach from -1 to 1; -1, 1.1\n");
-  CHECK(complaint(problem(named + "\nsupport = [-2, 1]")) ==
-        "steadyslide: -:9: indenter.support: support beyond the samples; they reach from -1 to 1; -2, 1\n");
-  CHECK(complaint(problem(named + "\nsupport = [5, 6]")) ==
-        "steadyslide: -:9: indenter.support: support beyond the samples; they reach from -1 to 1; 5, 6\n");
-  CHECK(complaint(problem(named + "\nelastic = {poisson = 0, young = 1}")) ==
-        "steadyslide: -:8: indenter.samples: elastic indenter with a wedge or a step; the profile of an elastic "
-        "indenter is smooth; at x = 0\n");
+  const std::string beyond = "9: indenter.support: support beyond the samples; they reach from -1 to 1; ";
+  refuses("\nsupport = [-1, \"1.1\"]", beyond + "-1, 1.1");
+  refuses("\nsupport = [-2, 1]", beyond + "-2, 1");
+  refuses("\nsupport = [5, 6]", beyond + "5, 6");
+  refuses("\nelastic = {poisson = 0, young = 1}",
+          "8: indenter.samples: elastic indenter with a wedge or a step; the profile of an elastic indenter is smooth; "
+          "at x = 0");
   folder.write("trace.csv", "1,0\n2,0\n");
-  CHECK(complaint(problem(named)) ==
-        "steadyslide: -:6: friction.jumps[0]: jump outside the support; jumps lie in ]1, 2[; 0\n");
+  refuses("", "6: friction.jumps[0]: jump outside the support; jumps lie in ]1, 2[; 0");
 }
 
 TEST_CASE("a flat trace, however many its points, is a flat punch") {
@@ -115,8 +105,7 @@ TEST_CASE("a flat trace, however many its points, is a flat punch") {
   folder.write("trace.csv", flat);
   const Finished samples = run_program({"solve", "-", "--method", "closed-form"}, folder.path(), problem(named));
   CHECK(samples.code == 0);
-  const Finished punch = run_program({"solve", "-"}, folder.path(), problem("support = [-0.5, 0.5]\nprofile = 0"));
-  CHECK(samples.out == punch.out);
+  CHECK(samples.out == run(problem("support = [-0.5, 0.5]\nprofile = 0")).out);
 }
 
 TEST_CASE("more breaks than the Riemann-Hilbert method takes") {
@@ -127,10 +116,8 @@ TEST_CASE("more breaks than the Riemann-Hilbert method takes") {
     folder.write("trace.csv", text);
     return run_program({"solve", "-", "--method", "riemann-hilbert"}, folder.path(), problem(named));
   };
-  const Finished refused = solve(203);
-  CHECK(refused.err ==
-        "steadyslide: -: the profile has too many breaks for the Riemann-Hilbert method, take --method variational; it "
-        "has at most 200; 201 breaks\n");
-  CHECK(refused.code == 2);
+  check_refused(solve(203),
+                "-: the profile has too many breaks for the Riemann-Hilbert method, take --method variational; it has "
+                "at most 200; 201 breaks");
   CHECK(solve(202).code == 0);
 }

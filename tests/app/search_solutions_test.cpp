@@ -1,34 +1,20 @@
 // solve --search-solutions: one solution or several, in three formats.
 
-#include <doctest/doctest.h>
+#include "app/json_answers.hpp"
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-
-#include "app/process.hpp"
-#include "model/rational.hpp"
-
-using namespace steadyslide;
 using namespace steadyslide::testing;
-using Json = nlohmann::ordered_json;
 
 namespace {
 
-Finished run(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), {"solve", "two_bumps.toml", "--cells", "512"});
-  return run_program(arguments, STEADYSLIDE_EXAMPLES);
+Finished search(const Arguments& arguments) {
+  return run_example("two_bumps.toml", joined({"--cells", "512"}, arguments));
 }
 
 }  // namespace
 
 TEST_CASE("JSON: every start agrees, and the Riemann-Hilbert method refines what it has found") {
-  const Finished finished = run({"--search-solutions", "6", "--format", "json"});
-  CHECK(finished.err == "");
-  REQUIRE(finished.code == 0);
-  const Json json = Json::parse(finished.out);
-  std::string keys;
-  for (const auto& [key, value] : json.items()) keys += key + " ";
-  CHECK(keys == "schema version problem search solutions uniqueness ");
+  const Json json = json_of(search({"--search-solutions", "6", "--format", "json"}));
+  CHECK(keys(json) == "schema version problem search solutions uniqueness warnings");
   CHECK(json["search"] == Json{{"starts", 6}, {"unsolved", 0}, {"agreed", true}, {"different_refinements", 1}});
   REQUIRE(json["solutions"].size() == 1);
   const Json& solution = json["solutions"][0];
@@ -41,48 +27,44 @@ TEST_CASE("JSON: every start agrees, and the Riemann-Hilbert method refines what
     CHECK(solution[route]["estimated_error"]["ends"].is_string());
     CHECK_FALSE(solution[route].contains("samples"));
   }
-  CHECK(json["uniqueness"]["status"] == "proved");
+  CHECK(json["uniqueness"]["status"] == "unique by theorem 1 of [Bal16]");
 }
 
 TEST_CASE("text: how many starts, how often each solution, its zones") {
-  const std::string text = run({"--search-solutions", "6", "--digits", "6"}).out;
-  for (const char* part : {"\n6 starts, one solution\n\nsolution 1, met 6 times, on cells\n  from x = -1.1",
-                           "\n  residuals             equation ",
-                           "\nrefined by the Riemann-Hilbert method\n  from x = "
-                           "-1.16388 (free) to x = -0.809503 (free)\n",
-                           "\nuniqueness: proved, "}) {
-    CAPTURE(part);
-    CHECK(text.find(part) != std::string::npos);
-  }
+  check_holds(search({"--search-solutions", "6", "--digits", "6"}).out,
+              {"\n6 starts, one solution\n\nsolution 1, met 6 times, on cells\n  from x = -1.1",
+               "\n  residuals             equation ",
+               "\nrefined by the Riemann-Hilbert method\n  from x = -1.16388 (free) to x = -0.809503 (free)\n",
+               "\nunique by theorem 1 of [Bal16], "});
 }
 
 TEST_CASE("CSV: one row for each solution and component") {
-  const std::string rows = run({"--search-solutions", "2", "--format", "csv"}).out;
-  CHECK(rows.rfind("solution,times,component,left,left_kind,left_intensity,right,right_kind,right_intensity,"
-                   "effective_friction,centre_of_pressure,load_share,tilt,equation,load,penetration,tension,refined\n"
-                   "1,2,1,-1.1",
-                   0) == 0);
-  CHECK(std::count(rows.begin(), rows.end(), '\n') == 3);
-  CHECK(rows.find("\n1,2,2,0.") != std::string::npos);
+  const std::string rows = search({"--search-solutions", "2", "--format", "csv"}).out;
+  CHECK(rows.starts_with(
+      "solution,times,component,left,left_kind,left_intensity,right,right_kind,right_intensity,"
+      "effective_friction,centre_of_pressure,load_share,tilt,equation,load,penetration,tension,refined,left_error,"
+      "left_intensity_error,right_error,right_intensity_error,effective_friction_error,"
+      "centre_of_pressure_error,load_share_error,tilt_error\n"
+      "1,2,1,-1.1"));
+  CHECK(lines(rows).size() == 3);
+  CHECK(holds(rows, "\n1,2,2,0."));
 }
 
 TEST_CASE("no start leads to a solution: exit code 1") {
-  const Finished finished = run({"--search-solutions", "2", "--iterations", "1", "--format", "json"});
+  const Finished finished = search({"--search-solutions", "2", "--iterations", "1", "--format", "json"});
   CHECK(finished.code == 1);
   CHECK(finished.err == "steadyslide: two_bumps.toml: the search found no solution: none of 2 starts led to one\n");
   CHECK(Json::parse(finished.out)["search"] ==
         Json{{"starts", 2}, {"unsolved", 2}, {"agreed", false}, {"different_refinements", 0}});
+  CHECK(Json::parse(finished.out)["uniqueness"]["status"] == "not_solved");
 }
 
 TEST_CASE("several solutions on few cells, whose refinements are one") {
   const std::string problem =
       "load = \"1/2\"\n[half_space]\ngamma = \"1/2\"\n[friction]\nvalues = [\"17\", \"0\"]\njumps = [\"0\"]\n"
       "[indenter]\nprofile = \"x^4 + 2*x^2 - x\"\n";
-  const std::string text =
-      run_program({"solve", "-", "--search-solutions", "60", "--cells", "16"}, STEADYSLIDE_EXAMPLES, problem).out;
-  CHECK(text.find("60 starts, ") != std::string::npos);
-  CHECK(text.find("\nsolution 2, met ") != std::string::npos);
-  CHECK(text.find("\nthe refinements are one solution: more cells tell whether there are several\n") !=
-        std::string::npos);
-  CHECK(text.find("\nuniqueness: not covered, ") != std::string::npos);
+  check_holds(run(problem, {"--search-solutions", "60", "--cells", "16"}).out,
+              {"60 starts, ", "\nsolution 2, met ",
+               "\nthe refinements are one solution: more cells tell whether there are several\n",
+               "\nuniqueness: not covered, "});
 }

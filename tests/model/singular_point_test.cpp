@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "random_problem.hpp"
-#include "uniform.hpp"
+#include "support/random_problem.hpp"
 
 using namespace steadyslide;
 
@@ -150,7 +149,7 @@ TEST_CASE("an elastic indenter has no edges of its own") {
 TEST_CASE("the mirrored problem has the mirrored list") {
   int interior = 0;
   CHECK(rc::check([&] {
-    const ContactProblem problem = random_problem();
+    const ContactProblem problem = *testing::coincidences();
     const std::vector<SingularPoint> here = possible_singular_points(problem);
     const std::vector<SingularPoint> there = possible_singular_points(problem.mirrored());
     RC_ASSERT(here.size() == there.size());

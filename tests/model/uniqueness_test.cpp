@@ -2,7 +2,10 @@
 
 #include <doctest/doctest.h>
 
-#include "random_problem.hpp"
+#include <array>
+#include <memory>
+
+#include "support/random_problem.hpp"
 
 using namespace steadyslide;
 
@@ -44,7 +47,7 @@ TEST_CASE("uniqueness does not depend on the side from which one looks") {
   int proved = 0;
   int open = 0;
   CHECK(rc::check([&] {
-    const ContactProblem problem = random_problem();
+    const ContactProblem problem = *testing::coincidences();
     const bool here = uniqueness(problem).proved;
     ++(here ? proved : open);
     RC_ASSERT(uniqueness(problem.mirrored()).proved == here);
@@ -52,4 +55,12 @@ TEST_CASE("uniqueness does not depend on the side from which one looks") {
   }));
   CHECK(proved > 10);
   CHECK(open > 10);
+}
+
+TEST_CASE("where nothing has been decided nothing is proved, whatever the memory held") {
+  alignas(Uniqueness) std::array<unsigned char, sizeof(Uniqueness)> memory;
+  memory.fill(0xff);
+  auto* const undecided = new (memory.data()) Uniqueness;
+  CHECK_FALSE(undecided->proved);
+  std::destroy_at(undecided);
 }

@@ -60,17 +60,6 @@ TEST_CASE("the traction at a jump blows up towards the rougher front and vanishe
   CHECK(down.shear.right.value == 0);
 }
 
-TEST_CASE("a jump of height zero is no singular point, and the traction there is finite") {
-  const ContactProblem problem(steel, FrictionProfile({Rational(1, 2), Rational(1, 2)}, {0}),
-                               Indenter(-1, {{1, Polynomial()}}), 1);
-  const auto solution = solve<double>(problem);
-  CHECK(solution->singular_points().size() == 2);
-  const Sample<double> here = solution->at(0);
-  const Sample<double> near = solution->at(Rational(1, 1000000000));
-  CHECK(here.traction.left.value == doctest::Approx(near.traction.left.value).epsilon(1e-8));
-  CHECK(here.traction.left.value == here.traction.right.value);
-}
-
 TEST_CASE("edges: infinite traction inside, infinite slope outside, nothing beyond") {
   const auto solution = solve<double>(coated_punch(Sliding::plus_x));
   const Sample<double> left = solution->at(-1);

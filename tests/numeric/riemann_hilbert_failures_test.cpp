@@ -2,7 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include "numeric/closed_form/closed_form.hpp"
 #include "numeric/riemann_hilbert/contact_inequalities.hpp"
+#include "numeric/variational/variational_inequality.hpp"
 #include "support/solved_contact.hpp"
 #include "support/two_wells.hpp"
 
@@ -134,4 +136,20 @@ TEST_CASE("a second bump on a support much wider than it") {
 TEST_CASE("known limit: a wedge under large friction" * doctest::should_fail()) {
   const Indenter wedge(-1, {{0, Polynomial({0, -1})}, {1, Polynomial({0, 1})}});
   solved<double>(reduced({8}, {}, wedge, Rational(1, 10)));
+}
+
+TEST_CASE("more values of friction than powers take are refused at once, and cells take them") {
+  std::vector<Rational> s;
+  std::vector<Rational> jumps;
+  for (int k = 0; k < 10'000; ++k) {
+    s.emplace_back(k % 7, 10);
+    if (k > 0) jumps.emplace_back(2 * k - 10'000, 10'000);
+  }
+  const ContactProblem punch = reduced(s, jumps, one_piece(-1, 1, {0}), 1);
+  const std::string why_not =
+      "too many values of friction for a solution by powers, take --method variational; there are at most 1000; 10000 "
+      "values";
+  CHECK(riemann_hilbert<double>(punch).why_not == why_not);
+  CHECK(closed_form<double>(punch).why_not == why_not);
+  CHECK(variational_inequality(punch).solution->shortcoming() == "");
 }

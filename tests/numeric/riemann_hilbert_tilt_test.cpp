@@ -54,7 +54,7 @@ TEST_CASE_TEMPLATE("load_at at the centre of pressure of the indenter that keeps
   }
 }
 
-TEST_CASE("the load acts where it should; its moment by an unrelated quadrature; the mirror image") {
+TEST_CASE("the load acts where it should; its moment by an unrelated quadrature") {
   double last = 1e9;
   for (int i = -8; i <= 8; ++i) {
     for (const Indenter& indenter : {one_piece(-1, 1, {0, 0, 1}), one_piece(-1, 1, {0})}) {
@@ -67,11 +67,6 @@ TEST_CASE("the load acts where it should; its moment by an unrelated quadrature;
       const double moment = grid.moment(0) / grid.integral();
       close(moment, *found->problem().load_at());
       close(found->form().moment_of_load() / found->problem().load(), moment);
-      const auto mirrored = solved<double>(p.mirrored());
-      close(mirrored->tilt()->value, -found->tilt()->value);
-      close(mirrored->contact()[0].left.x.value, -found->contact()[0].right.x.value);
-      close(mirrored->contact()[0].right.x.value, -found->contact()[0].left.x.value);
-      close(mirrored->at(Rational(-1, 20)).traction.left.value, found->at(Rational(1, 20)).traction.left.value);
       if (indenter.pieces()[0].profile.degree() < 0) {
         // A load further to the right presses the right side down: psi + tilt x is lower there.
         CHECK(found->tilt()->value < last);

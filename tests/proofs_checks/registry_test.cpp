@@ -49,7 +49,8 @@ ExpectedLedger expected_ledger() {
     CAPTURE(line);
     if (kind == "claim") {
       LedgerEntry entry;
-      REQUIRE(words >> entry.verdict >> entry.controls);
+      words >> entry.verdict >> entry.controls;
+      REQUIRE_FALSE(words.fail());
       REQUIRE(ledger.claims.emplace(id, entry).second);
     } else if (kind == "note") {
       REQUIRE(ledger.notes.insert(id).second);

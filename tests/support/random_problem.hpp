@@ -1,5 +1,6 @@
 #pragma once
-// Random exact problems for the laws, shrinking towards simple ones.
+// Random exact problems for the laws, shrinking towards simple ones; and such with small data, in which coincidences
+// are frequent.
 
 #include <rapidcheck.h>
 
@@ -73,6 +74,29 @@ inline rc::Gen<ContactProblem> parabola(int max_jumps) {
     const Polynomial profile({*rational(-1, 1, 3), *rational(-2, 2, 5), Rational(uniform(1, 64), 32)});
     return ContactProblem(*elasticity(), s.friction, Indenter(Rational(-1000000), {{Rational(1000000), profile}}),
                           *rational(1, 40, 9), *sliding());
+  });
+}
+
+/// Any profile, with small data: jumps on wedges, jumps of height zero, equal friction values, gamma = 0.
+inline rc::Gen<ContactProblem> coincidences() {
+  return rc::gen::exec([] {
+    const auto whole = [](int low, int high) { return Rational(uniform(low, high)); };
+    const auto places = [] {
+      std::set<Rational> chosen;
+      for (int k = uniform(0, 3); k > 0; --k) chosen.insert(Rational(uniform(-3, 3), 4));
+      return std::vector<Rational>(chosen.begin(), chosen.end());
+    };
+    const std::vector<Rational> jumps = places();
+    std::vector<Rational> values;
+    for (std::size_t k = 0; k <= jumps.size(); ++k) values.push_back(whole(0, 3) / 2);
+    std::vector<Indenter::Piece> pieces;
+    std::vector<Rational> ends = places();
+    ends.push_back(1);
+    for (const Rational& to : ends) pieces.push_back({to, Polynomial({whole(0, 1), whole(0, 1), whole(0, 1)})});
+    std::optional<Rational> load_at;
+    if (uniform(0, 3) == 0) load_at = whole(-1, 1) / 2;
+    return ContactProblem(Elasticity::reduced(whole(-2, 2) / 3), FrictionProfile(values, jumps), Indenter(-1, pieces),
+                          1, *sliding(), load_at);
   });
 }
 

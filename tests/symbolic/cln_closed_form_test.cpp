@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "model/singular_point.hpp"
+#include "support/change_laws.hpp"
 #include "symbolic/cln/cln_evaluation.hpp"
-#include "uniform.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::symbolic;
@@ -100,76 +100,43 @@ TEST_CASE("more digits extend fewer digits") {
         ClnClosedForm::flat_punch(problem, 60).traction(near_end).text);
 }
 
-TEST_CASE("a punch scales: t(m + h x) on [m-h, m+h] is t(x)/h on [-1, 1], and t grows with the load") {
-  const Rational h(3, 7);
-  const Rational m(11, 5);
-  const auto reference = ClnClosedForm::flat_punch(punch(Rational(2, 7), {1, 2}, {Rational(1, 3)}), 60);
-  const auto moved = ClnClosedForm::flat_punch(punch(Rational(2, 7), {1, 2}, {m + h / 3}, m - h, m + h), 60);
-  for (const Rational& x : {Rational(-1, 2), Rational(1, 2)}) {
-    CHECK(near(moved.traction(m + h * x), reference.traction(x).value / h, 59));
-    const auto heavier =
-        ClnClosedForm::flat_punch(punch(Rational(2, 7), {1, 2}, {Rational(1, 3)}, -1, 1, Sliding::plus_x, 3), 60);
-    CHECK(near(heavier.traction(x), 3 * reference.traction(x).value, 59));
-  }
-}
-
-TEST_CASE("a parabola moves with its vertex and its jumps") {
-  const std::vector<Rational> s{Rational(1, 5), 3, Rational(1, 10)};
-  const Rational v(-7, 3);
-  const auto here = ClnClosedForm::parabola(parabola(s, {Rational(-1, 4), Rational(1, 10)}), 60);
-  const auto there =
-      ClnClosedForm::parabola(parabola(s, {v - Rational(1, 4), v + Rational(1, 10)}, Rational(1, 5), v), 60);
-  REQUIRE(here.size() == 1);
-  REQUIRE(there.size() == 1);
-  CHECK(near(there[0].left(), v + here[0].left().value, 59));
-  CHECK(near(there[0].right(), v + here[0].right().value, 59));
-  CHECK(near(there[0].traction(v + Rational(1, 20)), here[0].traction(Rational(1, 20)).value, 59));
-}
-
-TEST_CASE("the user's units: psi is divided by the compliance, the traction by nothing") {
-  const Solid body(Rational(3, 10), 210);
-  const Elasticity elasticity(body);
-  const FrictionProfile friction({1, 2}, {Rational(1, 10)});
-  const auto solved = [&](const Elasticity& constants, const Rational& a) {
-    const Indenter bowl(-1, {{1, Polynomial({5, a / 3, a})}});
-    return ClnClosedForm::parabola(ContactProblem(constants, friction, bowl, 2), 60);
+TEST_CASE("a punch scales, a parabola moves: the laws of changed problems") {
+  const auto form = [](const ContactProblem& p) {
+    const bool flat = p.indenter().pieces()[0].profile.degree() <= 0;
+    const auto all = flat ? std::vector{ClnClosedForm::flat_punch(p, 60)} : ClnClosedForm::parabola(p, 60);
+    if (all.size() != 1) throw std::logic_error("not one contact");
+    return all.front();
   };
-  const auto user = solved(elasticity, Rational(1, 4));
-  const auto reduced = solved(Elasticity::reduced(elasticity.gamma()), Rational(1, 4) / elasticity.compliance());
-  REQUIRE(user.size() == 1);
-  REQUIRE(reduced.size() == 1);
-  CHECK(user[0].left().text == reduced[0].left().text);
-  CHECK(user[0].right().text == reduced[0].right().text);
-  const Rational x = user[0].left().value / 3 + user[0].right().value * 2 / 3;
-  CHECK(near(user[0].traction(x), reduced[0].traction(x).value, 59));
-  CHECK(user[0].traction(x).value < 0);
-  // Twice the load under twice the curvature: the same zone, twice the traction.
-  const Indenter sharper(-1, {{1, Polynomial({5, Rational(1, 6), Rational(1, 2)})}});
-  const auto doubled = ClnClosedForm::parabola(ContactProblem(elasticity, friction, sharper, 4), 60);
-  REQUIRE(doubled.size() == 1);
-  CHECK(doubled[0].left().text == user[0].left().text);
-  CHECK(near(doubled[0].traction(x), 2 * user[0].traction(x).value, 59));
+  const std::vector<testing::ChangeLaw>& laws = testing::change_laws();
+  CHECK(rc::check([&] {
+    const ContactProblem p = *rc::gen::oneOf(testing::flat_punch(3), testing::parabola(3));
+    const ClnClosedForm here = form(p);
+    const Rational left = here.left().value;
+    const Rational length = here.right().value - left;
+    const testing::ChangeLaw& law = laws[static_cast<std::size_t>(uniform(0, static_cast<int>(laws.size()) - 1))];
+    RC_LOG() << law.name << '\n';
+    const auto [changed, image] = law.change(p, left + length * 271 / 1009);
+    const ClnClosedForm there = form(changed);
+    const bool mirror = image.scale < 0;
+    const auto is_end = [&](const Decimal& end, const Rational& expected) {
+      return abs(end.value - image.of(expected)) <=
+             parse_rational("1e-58") * (abs(end.value) + abs(image.scale) * length);
+    };
+    RC_ASSERT(is_end(mirror ? there.right() : there.left(), left));
+    RC_ASSERT(is_end(mirror ? there.left() : there.right(), left + length));
+    for (const int part : {13, 271, 502, 838}) {
+      const Rational x = left + length * part / 1009;
+      RC_ASSERT(near(there.traction(image.of(x)), image.traction * here.traction(x).value, 57));
+    }
+  }));
 }
 
-TEST_CASE("sliding the other way is the mirrored problem") {
-  const std::vector<Rational> f{Rational(1, 5), 3, Rational(1, 10)};
-  const std::vector<Rational> mirrored_f{Rational(1, 10), 3, Rational(1, 5)};
-  const auto one = punch(Rational(2, 7), f, {Rational(-1, 4), Rational(1, 3)});
-  const auto two = punch(Rational(2, 7), mirrored_f, {Rational(-1, 3), Rational(1, 4)}, -1, 1, Sliding::minus_x);
-  const auto p =
-      ClnClosedForm::parabola(parabola(f, {Rational(-1, 4), Rational(1, 10)}, Rational(1, 5), Rational(1, 8)), 60);
-  const auto q = ClnClosedForm::parabola(parabola(mirrored_f, {Rational(-1, 10), Rational(1, 4)}, Rational(1, 5),
-                                                  Rational(-1, 8), 1, 10, Sliding::minus_x),
-                                         60);
-  REQUIRE(p.size() == q.size());
-  REQUIRE(p.size() == 1);
-  CHECK(near(p[0].left(), -q[0].right().value, 59));
-  CHECK(near(p[0].right(), -q[0].left().value, 59));
-  for (const Rational& x : {Rational(-1, 5), Rational(-1, 10), Rational(1, 20), Rational(1, 5)}) {
-    CHECK(near(ClnClosedForm::flat_punch(one, 60).traction(x), ClnClosedForm::flat_punch(two, 60).traction(-x).value,
-               59));
-    CHECK(near(p[0].traction(x), q[0].traction(-x).value, 59));
-  }
+TEST_CASE("control: a scaled and a mirrored punch are other ones") {
+  const auto p = punch(Rational(2, 7), {1, 2}, {Rational(1, 3)});
+  const Rational t = ClnClosedForm::flat_punch(p, 60).traction(Rational(1, 2)).value;
+  CHECK_FALSE(near(ClnClosedForm::flat_punch(p.moved(2, 0), 60).traction(1), t, 20));
+  CHECK_FALSE(
+      near(ClnClosedForm::flat_punch(p.moved(-1, 0).with_sliding(p.sliding()), 60).traction(Rational(-1, 2)), t, 20));
 }
 
 TEST_CASE("parabola without jump: zone [-(1+2 alpha) a, (1-2 alpha) a], a^2 = P R/(2 pi (1/4 - alpha^2))") {

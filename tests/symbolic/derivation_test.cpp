@@ -12,7 +12,7 @@ Derivation example() {
   Derivation d{"Friction jump at x = 0", {}};
   d.assume("Contact on both sides; 50 % of {all} #cases & more.", {"t = A |x|^l", "t = A |x|^\\lambda"})
       .act("Insert it.")
-      .conclude("The power is beta_k.", {"l = beta", "\\lambda = \\beta"});
+      .conclude("The power is `beta_k`.", {"l = beta", "\\lambda = \\beta"});
   return d;
 }
 
@@ -42,10 +42,10 @@ TEST_CASE("text: no line is longer than 100 columns unless a word is") {
   CHECK(count > 8);
 }
 
-TEST_CASE("LaTeX: words are escaped, formulas are not") {
+TEST_CASE("LaTeX: words are escaped, formulas among them are set, displayed ones stay") {
   const std::string latex = to_latex(example());
   CHECK(latex.find("50 \\% of \\{all\\} \\#cases \\& more.") != std::string::npos);
-  CHECK(latex.find("beta\\_k") != std::string::npos);
+  CHECK(latex.find("The power is $\\beta _{k}$.") != std::string::npos);
   CHECK(latex.find("\\[ t = A |x|^\\lambda \\]") != std::string::npos);
   const std::string document = latex_document({example(), example()});
   CHECK(document.starts_with("\\documentclass"));

@@ -232,7 +232,7 @@ TEST_CASE("one derivation for each place of a problem, the same text every time"
     if (points[k].exponent) CHECK(text.find(to_string(*points[k].exponent)) != std::string::npos);
     CHECK(text == to_text(local_derivations(problem)[k]));
   }
-  CHECK(all[2].title == "Local form of t: wedge, x = 0");
+  CHECK(all[2].title == "Local form of `t`: wedge, `x = 0`");
   // psi_bar' jumps by 2/c, c = 2(1 - nu^2): 100/91; s = 2/7 f = 2/35.
   CHECK(to_text(all[2]).find("[psi_bar'] = 100/91 >= 0") != std::string::npos);
   // The slope on the right is 1 + 2x + 3x^2: 3 * 50/91 / (1 + s^2) at x^2.

@@ -1,6 +1,7 @@
 // The third sentence in words after theorem 2: a wedge where the friction jumps. [Bal16, theorem 2]
 
 #include "proofs_checks/instruments/convergence_cases.hpp"
+#include "proofs_checks/instruments/local_power.hpp"
 #include "proofs_checks/instruments/words.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -39,13 +40,17 @@ struct CornerFacts {
   std::string name;
   Rational wedge;
   Rational s[2];
-  bool is_inside;             ///< contact on both sides of c
-  LimitAndPower<R> sides[2];  ///< left, right
+  bool is_inside;         ///< contact on both sides of c
+  R limit[2];             ///< left, right, where f falls
+  R power;                ///< that the operator asks for
+  double equation_error;  ///< of the solution in double
 };
 template <class R>
 struct CornerProblems {
   std::vector<CornerFacts<R>> corners;
-  double on_cells = 0;  ///< relative difference to the right limit
+  double on_cells = 0;                                     ///< relative difference to the right limit
+  std::vector<numeric::Estimate<double>> powers_on_cells;  ///< of a wedge where f rises, on both sides
+  Exponent power_on_cells;                                 ///< beta there
 };
 
 struct CornerSaid {
@@ -78,24 +83,45 @@ double constant_on_cells(const CornerSaid& said) {
   throw Refutation{{"on cells", "no wedge and jump found"}};
 }
 
+/// Of a wedge with friction rising, with the wedge's polynomial beside the power.
+template <class R>
+void measure_powers_on_cells(CornerProblems<R>& facts) {
+  const ContactProblem problem = cell_case("wedge-and-jump");
+  facts.power_on_cells = Exponent::angle(problem.coupled_friction(0)) - Exponent::angle(problem.coupled_friction(1));
+  const auto solution = solve_on_cells(problem, 8192);
+  for (const auto& place : solution->places()) {
+    if (place.kind != SingularKind::wedge_and_jump) continue;
+    for (const Side side : {Side::left, Side::right}) {
+      facts.powers_on_cells.push_back(power_on_cells(*solution, place, side));
+    }
+  }
+}
+
 template <Real R>
 CornerProblems<R> measure(bool quick) {
   CornerProblems<R> facts;
   for (const CornerCase& c : corners(quick)) {
     const auto solution = solve<R>(c.problem);
     const std::size_t j = point_at(*solution, corner);
+    const Rational rear = c.problem.coupled_friction(0);
+    const Rational front = c.problem.coupled_friction(1);
     CornerFacts<R> found{c.name,
                          wedge_of(c.problem),
-                         {c.problem.coupled_friction(0), c.problem.coupled_friction(1)},
+                         {rear, front},
                          in_contact(*solution, j, Side::left) && in_contact(*solution, j, Side::right),
-                         {}};
-    if (found.is_inside) {
-      found.sides[0] = limit_beside(*solution, j, Side::left);
-      found.sides[1] = limit_beside(*solution, j, Side::right);
+                         {},
+                         jump_power<R>(numeric::to_real<R>(rear), numeric::to_real<R>(front)).power,
+                         equation_error(c.problem)};
+    if (found.is_inside && front < rear) {
+      found.limit[0] = limit_beside(*solution, j, Side::left);
+      found.limit[1] = limit_beside(*solution, j, Side::right);
     }
     facts.corners.push_back(std::move(found));
   }
-  if (!quick) facts.on_cells = constant_on_cells({});
+  if (!quick) {
+    facts.on_cells = constant_on_cells({});
+    measure_powers_on_cells(facts);
+  }
   return facts;
 }
 
@@ -105,26 +131,28 @@ void check_corner(Findings& findings, const CornerFacts<R>& c, const CornerSaid&
                        {"extrapolated from t at d, 2d, 4d, on both sides", "[psi_bar']/[s]"},
                        tolerance<R>()};
   const Quantity power{
-      "power where f rises, solved problems", {"differences of t at d, 2d, 4d, on both sides", "beta"}, tolerance<R>()};
+      "power where f rises", {"where the residual of A |x|^p vanishes, by quadrature", "beta"}, tolerance<R>()};
+  const Quantity equation{"equation, solved in double", {"trapezoidal rule", "psi_bar'"}, equation_tolerance};
   const bool rises = c.s[1] > c.s[0];
   const bool stays = rises || c.wedge >= 0 || said.notch_stays;
   findings.compare(
       {"is the corner inside the contact? (differences)", {"solved problems", "all but f falling with D < 0"}, 0},
       c.is_inside == stays ? 0 : 1);
+  findings.compare(equation, c.equation_error);
   if (!c.is_inside) return;
-  const Exponent beta = Exponent::angle(c.s[0]) - Exponent::angle(c.s[1]);
-  for (const LimitAndPower<R>& side : c.sides) {
-    if (rises) {
-      R expected = numeric::to_real<R>(beta) * (1 + said.miss_power * R(tolerance<R>()));
-      if (said.power_feels_wedge && c.wedge != 0) expected += 1;
-      findings.compare(power, relative_difference<R>(side.power, expected));
-    } else {
-      const R expected = numeric::to_real<R>(limit_of(c.wedge, c.s, said)) * (1 + said.miss_limit * R(tolerance<R>()));
-      // Beside a power of the distance a limit is exact to digits of the power's size.
-      using std::abs, std::max;
-      findings.compare(limit, static_cast<double>(R(abs(side.limit - expected) / max(R(abs(expected)), R(1)))));
-      findings.require(c.wedge == 0 || expected < 0, "the limit is no pressure");
-    }
+  if (rises) {
+    const Exponent beta = Exponent::angle(c.s[0]) - Exponent::angle(c.s[1]);
+    R expected = numeric::to_real<R>(beta) * (1 + said.miss_power * R(tolerance<R>()));
+    if (said.power_feels_wedge && c.wedge != 0) expected += 1;
+    findings.compare(power, relative_difference<R>(c.power, expected));
+    return;
+  }
+  for (const R& found : c.limit) {
+    const R expected = numeric::to_real<R>(limit_of(c.wedge, c.s, said)) * (1 + said.miss_limit * R(tolerance<R>()));
+    // Beside a power of the distance a limit is exact to digits of the power's size.
+    using std::abs, std::max;
+    findings.compare(limit, static_cast<double>(R(abs(found - expected) / max(R(abs(expected)), R(1)))));
+    findings.require(c.wedge == 0 || expected < 0, "the limit is no pressure");
   }
 }
 
@@ -140,6 +168,14 @@ std::vector<Evidence> check(const Context& context, Once<CornerProblems>& once, 
       findings.begin_case("wedge, f falls, on 8192 cells");
       findings.compare({"limit where f falls, on cells", {"fit to the cells", "[psi_bar']/[s]"}, 0.001},
                        facts.on_cells);
+      findings.begin_case("wedge, f rises, on 8192 cells");
+      findings.require(!facts.powers_on_cells.empty(), "on cells, no wedge and jump found");
+      const double beta = numeric::to_real<double>(facts.power_on_cells) + (said.power_feels_wedge ? 1 : 0);
+      for (const numeric::Estimate<double>& found : facts.powers_on_cells) {
+        findings.compare({"its error bar", {}, 0.02}, found.error);
+        findings.compare({"power where f rises, on cells, in its error bars", {"fit to the cells", "beta"}, 3},
+                         std::abs(found.value - beta) / found.error);
+      }
     }
     return findings.evidence(std::to_string(facts.corners.size()) + " solved problems");
   });

@@ -2,10 +2,13 @@
 // an end of contact that lies on a friction jump.
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/claims/claims.hpp"
+#include "proofs_checks/instruments/near.hpp"
 #include "proofs_checks/instruments/punch.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -122,16 +125,22 @@ Claim outside_slope() {
                []<Real R>(OutsideForm<R>& form, const ContactProblem&) { form.rear.factor *= 1 + near_miss<R>(); })}});
 }
 
-/// A step at c = 0, where the friction jumps too; contact on one side of it alone.
+/// Two flat levels that meet in a step at c = 0, where the friction jumps too: the lower one is in contact, and the
+/// other is higher than the surface rises next to a punch under friction up to 50.
 struct StepCase {
   Rational nu;
   Rational rear_friction;
   Rational front_friction;
   Side contact;
 
-  ContactProblem punch_in_contact() const {
-    return punch(nu, {contact == Side::left ? rear_friction : front_friction});
+  static Rational height() { return 200; }
+  ContactProblem problem() const {
+    const Polynomial high = Polynomial::constant(height());
+    const bool rear = contact == Side::left;
+    return {Elasticity(Solid(nu, 1)), FrictionProfile({rear_friction, front_friction}, {0}),
+            Indenter(-1, {{0, rear ? Polynomial() : high}, {1, rear ? high : Polynomial()}}), 1};
   }
+  std::size_t piece() const { return contact == Side::left ? 0 : 1; }
 };
 using StepFormula = Formula<PowerForm, StepCase>;
 
@@ -141,38 +150,115 @@ std::string text_of(const StepCase& c) {
          (c.contact == Side::left ? "behind it" : "in front of it");
 }
 
-std::vector<Evidence> check_step(const Context& context, const StepFormula& formula) {
+std::vector<StepCase> step_grid() {
+  return {{Rational(3, 10), Rational(1, 2), 2, Side::right},
+          {Rational(3, 10), Rational(1, 2), 2, Side::left},
+          {Rational(-9, 10), 10, 1, Side::right},
+          {Rational(-9, 10), 10, 1, Side::left}};
+}
+
+/// The grid's first.
+std::vector<StepCase> step_cases(const Context& context) {
+  std::vector<StepCase> cases = step_grid();
+  Random random(context.seed, "contact-side");
+  const std::size_t count = context.quick ? 2 : count_for(context, 30, 10, 4);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Rational rear = random.friction(50);
+    const Rational front = random.friction(50);
+    cases.push_back({random.poisson(), rear, front, k % 2 == 0 ? Side::left : Side::right});
+  }
+  return cases;
+}
+
+/// The problem solved with its step and its friction jump, at some distances from the step.
+constexpr std::array<double, 3> step_distances{1e-9, 0.125, 0.75};
+template <class R>
+struct SolvedStep {
+  std::size_t components;
+  R far_end;  ///< of the contact
+  std::array<R, step_distances.size()> traction;
+  std::optional<numeric::Estimate<double>> power_on_cells;
+};
+template <class R>
+using SolvedSteps = std::vector<SolvedStep<R>>;
+
+numeric::Estimate<double> power_at_step_on_cells(const StepCase& c) {
+  const auto solution = solve_on_cells(c.problem(), 8192);
+  for (const auto& place : solution->places()) {
+    if (place.kind == SingularKind::step) return power_on_cells(*solution, place, c.contact);
+  }
+  throw Refutation{{text_of(c), "on cells the contact does not end at the step"}};
+}
+
+template <Real R>
+SolvedSteps<R> measure_steps(bool quick) {
+  SolvedSteps<R> all;
+  for (const StepCase& c : step_grid()) {
+    const auto solution = solve<R>(c.problem());
+    const std::size_t step = point_at(*solution, Rational(0));
+    const auto contact = solution->contact();
+    SolvedStep<R> found{contact.size(), {}, {}, {}};
+    found.far_end = c.contact == Side::left ? contact.front().left.x.value : contact.front().right.x.value;
+    for (std::size_t k = 0; k < step_distances.size(); ++k) {
+      found.traction[k] = traction_beside(*solution, step, c.contact, R(step_distances[k]));
+    }
+    if (!quick && all.size() < 2) found.power_on_cells = power_at_step_on_cells(c);
+    all.push_back(std::move(found));
+  }
+  return all;
+}
+
+/// By quadrature of the formula's traction: the surface stays below the other level.
+template <Real R>
+void check_gap(Findings& findings, const PowerForm<R>& form, const StepCase& c) {
+  const numeric::trapezoidal::Grid<R> grid(form.traction().density());
+  const R height = numeric::to_real<R>(StepCase::height() / c.problem().elasticity().compliance());
+  for (const R& d : {R(R(1) / 1000), R(R(1) / 10), R(1)}) {
+    findings.require(height - grid.displacement(0, opposite(c.contact), d) > 0, "no gap beside the step");
+  }
+}
+
+std::vector<Evidence> check_step(const Context& context, Once<SolvedSteps>& once, const StepFormula& formula) {
   const auto walk = [&]<Real R>() {
-    std::vector<StepCase> cases{{Rational(3, 10), Rational(1, 2), 2, Side::right},
-                                {Rational(3, 10), Rational(1, 2), 2, Side::left},
-                                {Rational(-9, 10), 10, 1, Side::right},
-                                {Rational(-9, 10), 10, 1, Side::left}};
-    Random random(context.seed, "contact-side");
-    const std::size_t count = context.quick ? 2 : count_for(context, 30, 10, 4);
-    for (std::size_t k = 0; k < count; ++k) {
-      const Rational rear = random.friction(50);
-      const Rational front = random.friction(50);
-      cases.push_back({random.poisson(), rear, front, k % 2 == 0 ? Side::left : Side::right});
-    }
+    const Quantity traction{"traction beside the step", {"solved, with step and jump", "the formula"}, tolerance<R>()};
+    const Quantity far_end{"the contact's other end", {"solved, with step and jump", "the edge"}, tolerance<R>()};
+    const Quantity cells{"power at the step on 8192 cells, in its error bars", {"fit", "the formula"}, 3, 0};
+    const Quantity bar{"its error bar", {}, 0.02, 0};
+    const std::vector<StepCase> cases = step_cases(context);
+    const SolvedSteps<R>& solved = once.at<R>(context.quick, [&] { return measure_steps<R>(context.quick); });
     Findings findings;
-    for (const StepCase& c : cases) {
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+      const StepCase& c = cases[k];
       findings.begin_case(text_of(c), c.rear_friction != c.front_friction);
-      const ContactProblem problem = c.punch_in_contact();
+      const PowerForm<R> form = formula.at<R>(c);
       const auto no_slope = [](const R&) { return R(0); };
-      check_surface(findings, surface_of<R>(formula.at<R>(c), problem, 0, no_slope), 1);
+      check_surface(findings, surface_of<R>(form, c.problem(), c.piece(), no_slope), 1);
+      check_gap(findings, form, c);
+      if (k >= solved.size()) continue;
+      findings.require(solved[k].components == 1, "more than one contact");
+      findings.compare(far_end, relative_difference<R>(solved[k].far_end, R(c.contact == Side::left ? -1 : 1)));
+      const numeric::PowerTraction<R> said = form.traction();
+      for (std::size_t i = 0; i < step_distances.size(); ++i) {
+        const R d = step_distances[i];
+        const auto panel = said.weight.panel(0);
+        const auto node = c.contact == Side::left ? panel.node_from_right(d) : panel.node_from_left(d);
+        findings.compare(traction, relative_difference<R>(solved[k].traction[i], said(0, node)));
+      }
+      if (!solved[k].power_on_cells) continue;
+      const numeric::Estimate<double>& found = *solved[k].power_on_cells;
+      findings.compare(bar, found.error);
+      const auto power = static_cast<double>(form.powers[c.contact == Side::left ? 1 : 0].value);
+      findings.compare(cells, std::abs(found.value - power) / found.error);
     }
-    return findings.evidence("4 of a grid, " + std::to_string(count) + " random with seed " +
+    return findings.evidence("4 of a grid, " + std::to_string(cases.size() - 4) + " random with seed " +
                              std::to_string(context.seed));
   };
   return gather([&] { return numeric::at_precision(context.digits, walk); });
 }
 
 /// The angle at the end of contact that lies on the step.
-Exponent contact_angle(const StepCase& c) { return alpha(c.punch_in_contact(), 0); }
-Exponent other_angle(const StepCase& c) {
-  const Rational& f = c.contact == Side::left ? c.front_friction : c.rear_friction;
-  return alpha(punch(c.nu, {f}), 0);
-}
+Exponent contact_angle(const StepCase& c) { return alpha(c.problem(), c.piece()); }
+Exponent other_angle(const StepCase& c) { return alpha(c.problem(), 1 - c.piece()); }
 
 /// Gives the end at the step the power with that angle.
 void set_step_power(auto& form, const StepCase& c, const Exponent& angle) {
@@ -188,11 +274,15 @@ Claim contact_side() {
     const Exponent angle = contact_angle(c);
     const std::vector<Rational> points =
         c.contact == Side::right ? std::vector<Rational>{0, 1} : std::vector<Rational>{-1, 0};
-    return power_form<R>(points, {-(half + angle), -(half - angle)}, {punch_amplitude<R>(c.punch_in_contact(), 0)});
+    return power_form<R>(points, {-(half + angle), -(half - angle)}, {punch_amplitude<R>(c.problem(), c.piece())});
   });
   const auto to_the_other = [](auto& form, const StepCase& c) { set_step_power(form, c, other_angle(c)); };
   return make_claim(
-      claim_text("thm-03-contact-side"), check_step, right,
+      claim_text("thm-03-contact-side"),
+      [once = std::make_shared<Once<SolvedSteps>>()](const Context& context, const StepFormula& formula) {
+        return check_step(context, *once, formula);
+      },
+      right,
       std::vector<Wrong<StepFormula>>{
           {"the printed angle (5), of the friction behind c, for contact in front of c",
            right.changed([to_the_other](auto& form, const StepCase& c) {

@@ -1,0 +1,99 @@
+#include "app/results/solve_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/results/number_format.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+using numeric::ContactComponent;
+using numeric::Real;
+
+/// The part of the support at each of its ends in which all contact of a trace with wrong units or sign lies.
+constexpr double sliver = 0.01;
+
+struct NamedError {
+  std::string name;
+  std::string of;
+  double value;
+};
+
+template <Real R>
+std::array<NamedError, 3> named(const numeric::EstimatedError<R>& error) {
+  return {{{"ends of contact", "the contact's length", static_cast<double>(error.ends)},
+           {"traction", "its size", static_cast<double>(error.traction)},
+           {"resultants", "the load", static_cast<double>(error.resultants)}}};
+}
+
+std::string percent(double part) { return fmt::format("{:.3g} %", 100 * part); }
+
+/// Ends of contact where the support of a trace ends.
+template <Real R>
+std::string cut_end(const std::vector<ContactComponent<R>>& contact) {
+  std::string places;
+  for (const auto& component : contact) {
+    for (const auto* end : {&component.left, &component.right}) {
+      if (end->kind != SingularKind::edge) continue;
+      places += (places.empty() ? "x = " : ", ") + number_text(end->x, 6).shown;
+    }
+  }
+  if (places.empty()) return "";
+  return "contact reaches a cut end of the trace; what was measured ends there, the indenter may go on; " + places;
+}
+
+template <Real R>
+std::string sliver_only(const Indenter& indenter, const std::vector<ContactComponent<R>>& contact) {
+  const auto left = numeric::to_real<R>(indenter.left());
+  const auto right = numeric::to_real<R>(indenter.right());
+  const R reach = (right - left) * R(sliver);
+  const bool all = std::all_of(contact.begin(), contact.end(), [&](const ContactComponent<R>& component) {
+    return component.right.x.value <= left + reach || component.left.x.value >= right - reach;
+  });
+  if (contact.empty() || !all) return "";
+  return fmt::format(
+      "all contact lies within the last 1 % of the trace; heights are in the unit of x and positive away from the "
+      "body: check their unit and sign; x = {} to {}",
+      number_text(contact.front().left.x, 6).shown, number_text(contact.back().right.x, 6).shown);
+}
+
+}  // namespace
+
+template <Real R>
+std::vector<std::string> warnings(const Problem& problem, const numeric::ContactSolution<R>& solution) {
+  std::vector<std::string> result;
+  for (const NamedError& error : named(solution.estimated_error())) {
+    const bool fine = error.value <= large_error;  // no number is not
+    if (fine) continue;
+    result.push_back(fmt::format("{}: large estimated error; more than {} of {}; {}", error.name, percent(large_error),
+                                 error.of, percent(error.value)));
+  }
+  if (!problem.samples) return result;
+  const std::vector<ContactComponent<R>> contact = solution.contact();
+  for (const std::string& line : {cut_end(contact), sliver_only(problem.contact.indenter(), contact)}) {
+    if (!line.empty()) result.push_back(line);
+  }
+  return result;
+}
+
+template <Real R>
+std::string useless_error(const numeric::EstimatedError<R>& error) {
+  for (const NamedError& part : named(error)) {
+    const bool useful = part.value <= useless_error_from;
+    if (!useful)
+      return fmt::format("the estimated error of the {} is {} of {}", part.name, percent(part.value), part.of);
+  }
+  return "";
+}
+
+#define STEADYSLIDE_WARNINGS_AT(R)                                                                \
+  template std::vector<std::string> warnings(const Problem&, const numeric::ContactSolution<R>&); \
+  template std::string useless_error(const numeric::EstimatedError<R>&)
+STEADYSLIDE_WARNINGS_AT(double);
+STEADYSLIDE_WARNINGS_AT(numeric::Real50);
+STEADYSLIDE_WARNINGS_AT(numeric::Real100);
+
+}  // namespace steadyslide::app

@@ -1,0 +1,118 @@
+#include <boost/math/special_functions/digamma.hpp>
+
+#include "numeric/quadrature/tanh_sinh.hpp"
+#include "proofs_checks/instruments/extremes.hpp"
+#include "proofs_checks/instruments/local_power.hpp"
+#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/kit/comparison.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+/// Friction f on both halves: a jump of height zero at 0 makes the solver share the load there.
+ContactProblem halves(const Rational& nu, const Rational& f) { return punch(nu, {f, f}, {0}); }
+
+CaseList<ContactProblem> punches(const Context& context) {
+  const Rational nu(3, 10);
+  CaseList<ContactProblem> list{{halves(nu, 2)}, "solved flat punches"};
+  if (context.quick) return list;
+  for (const Rational& f : {Rational(1, 5), Rational(1), Rational(50)}) list.cases.push_back(halves(nu, f));
+  list.cases.push_back(halves(Rational(-9, 10), 2));
+  return list;
+}
+
+/// int_{-1}^0 of (4) under the load 1, by quadrature.
+template <Real R>
+R rear_load_by_quadrature(const ContactProblem& p) {
+  const R size = -punch_amplitude<R>(p, 0);
+  const PowerForm<R> form =
+      power_form<R>({-1, 0, 1}, {-(half + alpha(p, 0)), Exponent(), -(half - alpha(p, 0))}, {size, size});
+  return numeric::tanh_sinh::panel_integral<R>(form.traction().density().front()).value;
+}
+
+/// What (4) says with this alpha, the minimum at `place` times alpha. The share of the rear half is
+///
+///   (2 cos(pi alpha)/pi) int_0^1 v^{-2 alpha}/(1+v^2) dv,   v^2 = (1+x)/(1-x),
+///     = (cos(pi alpha)/(2 pi)) (digamma(3/4 - alpha/2) - digamma(1/4 - alpha/2)).
+Values rear_loaded(const Rational& s, const Number& alpha, int place = 2) {
+  using boost::math::digamma;
+  const Number cosine = numeric::cos_pi_alpha<Number>(s);
+  const Number pi = numeric::pi<Number>();
+  const Number share =
+      cosine / (2 * pi) * (digamma(Number((3 - 2 * alpha) / 4)) - digamma(Number((1 - 2 * alpha) / 4)));
+  const Number smallest =
+      cosine / pi * pow(Number(1 + 2 * alpha), Number(-0.5 - alpha)) * pow(Number(1 - 2 * alpha), Number(alpha - 0.5));
+  return {{"share, solved", share},
+          {"share, quadrature", share},
+          {"more than half", true},
+          {"rear power", Number(-0.5 - alpha)},
+          {"front power", Number(alpha - 0.5)},
+          {"place", Number(place * alpha)},
+          {"smallest", smallest}};
+}
+
+Number alpha_of(const ContactProblem& p) { return numeric::to_real<Number>(alpha(p, 0)); }
+
+}  // namespace
+
+Claim fig_03_rear_loaded() {
+  const std::string residual = "where the residual of A |x|^p vanishes, by quadrature";
+  return compared<ContactProblem>("fig-03-rear-loaded")
+      .cases(punches)
+      .precision(Precision::at_least_fifty)
+      .quantity({.name = "share, solved",
+                 .what = "load on the rear half, solver",
+                 .routes = {"load shares", "digamma functions"}})
+      .quantity({.name = "share, quadrature",
+                 .what = "load on the rear half, tanh-sinh",
+                 .routes = {"quadrature of (4)", "digamma functions"}})
+      .quantity({.name = "more than half",
+                 .what = "the rear half carries more than half of the load",
+                 .routes = {},
+                 .near_miss = false})
+      .quantity({.name = "rear power", .what = "power at the rear edge", .routes = {residual, "-(1/2+alpha)"}})
+      .quantity({.name = "front power", .what = "power at the front edge", .routes = {residual, "-(1/2-alpha)"}})
+      .quantity({.name = "place",
+                 .what = "where |t| is smallest",
+                 .routes = {"differences of the solved traction", "2 alpha"}})
+      .quantity({.name = "smallest",
+                 .what = "the smallest |t|",
+                 .routes = {"solved", "(P cos(pi alpha)/pi) (1+2 alpha)^{-(1/2+alpha)} (1-2 alpha)^{-(1/2-alpha)}"}})
+      .measured([]<Real R>(const ContactProblem& p) {
+        const auto solution = solve<R>(p);
+        const R share = solution->resultants().load_share.front().value;
+        const R s = numeric::to_real<R>(p.coupled_friction(0));
+        const auto pressure = [&](const R& x) {
+          const std::size_t end = contact_end(*solution, x < 0 ? Side::left : Side::right);
+          return x < 0 ? R(-traction_beside(*solution, end, Side::right, R(1 + x)))
+                       : R(-traction_beside(*solution, end, Side::left, R(1 - x)));
+        };
+        Values values{{"share, solved", share},
+                      {"share, quadrature", rear_load_by_quadrature<R>(p)},
+                      {"more than half", share > R(1) / 2},
+                      {"rear power", end_power<R>(Side::right, Power::unbounded, s)},
+                      {"front power", end_power<R>(Side::left, Power::unbounded, s)}};
+        // Unbounded at both ends: one extreme is the minimum.
+        const std::vector<R> extremes = extremes_between<R>(pressure, R(-1), R(1));
+        if (extremes.size() != 1) return values;
+        values.add({"place", extremes.front()});
+        values.add({"smallest", pressure(extremes.front())});
+        return values;
+      })
+      .predicted([](const ContactProblem& p) { return rear_loaded(p.coupled_friction(0), alpha_of(p)); })
+      .wrong("more at the front: alpha's sign",
+             [](Values& p, const ContactProblem& c) { p = rear_loaded(c.coupled_friction(0), -alpha_of(c)); })
+      .wrong("half of the load on each half",
+             [](Values& p, const ContactProblem&) { p["share, solved"] = p["share, quadrature"] = 0.5; })
+      .wrong("cos(pi alpha) missing in the share",
+             [](Values& p, const ContactProblem& c) {
+               const Number cosine = numeric::cos_pi_alpha<Number>(c.coupled_friction(0));
+               p["share, solved"] /= cosine;
+               p["share, quadrature"] /= cosine;
+             })
+      .wrong("the minimum at the centre", [](Values& p, const ContactProblem&) { p["place"] = 0; })
+      .wrong("the minimum at x = alpha", [](Values& p, const ContactProblem&) { p["place"] /= 2; })
+      .near_misses();
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,105 @@
+#include "proofs_checks/instruments/extremes.hpp"
+#include "proofs_checks/instruments/local_power.hpp"
+#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/kit/comparison.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+/// psi/c = x^2/(2 R), R = 1/5.
+const Rational radius(1, 5);
+
+ContactProblem parabola(const Rational& f, const Rational& load, Sliding sliding = Sliding::plus_x) {
+  return {Elasticity::reduced(Rational(2, 7)), FrictionProfile({f}),
+          Indenter(-2, {{2, Polynomial({0, 0, 1 / (2 * radius)})}}), load, sliding};
+}
+
+CaseList<ContactProblem> parabolas(const Context& context) {
+  CaseList<ContactProblem> list{{parabola(2, 1)}, "solved parabolas"};
+  if (!context.quick) {
+    list.cases.insert(list.cases.end(),
+                      {parabola(Rational(1, 5), 3), parabola(30, 1), parabola(2, 1, Sliding::minus_x)});
+  }
+  return list;
+}
+
+/// The contact of half-width a under the angle alpha. Sliding the other way, alpha is negative and the rear on the
+/// right.
+Values shifted_contact(const Number& alpha, const Number& a) {
+  return {{"left end", Number(-(1 + 2 * alpha) * a)},
+          {"right end", Number((1 - 2 * alpha) * a)},
+          {"left power", Number(0.5 - alpha)},
+          {"right power", Number(0.5 + alpha)},
+          {"equation", Number(0)},
+          {"place", Number(-4 * alpha * a)},
+          {"to the rear", true}};
+}
+
+Number alpha_of(const ContactProblem& p) { return numeric::to_real<Number>(alpha(p, 0)); }
+
+Number half_width(const ContactProblem& p, const Number& alpha) {
+  const auto product = numeric::to_real<Number>(p.load() * radius);
+  return sqrt(Number(product / (2 * numeric::pi<Number>() * (0.25 - alpha * alpha))));
+}
+
+}  // namespace
+
+Claim fig_05_parabola() {
+  const std::string residual = "where the residual of A |x|^p vanishes, by quadrature";
+  return compared<ContactProblem>("fig-05-parabola")
+      .cases(parabolas)
+      .precision(Precision::at_least_fifty)
+      .quantity({.name = "left end", .what = "left end of the contact", .routes = {"solved", "-(1+2 alpha) a"}})
+      .quantity({.name = "right end", .what = "right end of the contact", .routes = {"solved", "(1-2 alpha) a"}})
+      .quantity({.name = "left power", .what = "power at the left end", .routes = {residual, "1/2-alpha"}})
+      .quantity({.name = "right power", .what = "power at the right end", .routes = {residual, "1/2+alpha"}})
+      .quantity({.name = "equation",
+                 .what = "equation, solved in double",
+                 .routes = {"trapezoidal rule", "psi_bar'"},
+                 .tolerance = equation_tolerance,
+                 .absolute = true})
+      .quantity({.name = "place",
+                 .what = "where |t| is largest",
+                 .routes = {"differences of the solved traction", "-4 alpha a"}})
+      .quantity({.name = "to the rear",
+                 .what = "the contact is shifted to the rear, and the largest pressure to the rear within it",
+                 .routes = {},
+                 .near_miss = false})
+      .measured([]<Real R>(const ContactProblem& p) {
+        const auto solution = solve<R>(p);
+        const auto contact = solution->contact().front();
+        const R left = contact.left.x.value;
+        const R right = contact.right.x.value;
+        const R s = numeric::to_real<R>(p.coupled_friction(0));
+        Values values{{"left end", left},
+                      {"right end", right},
+                      {"left power", end_power<R>(Side::right, Power::vanishing, s)},
+                      {"right power", end_power<R>(Side::left, Power::vanishing, s)},
+                      {"equation", equation_error(p)}};
+        const std::size_t end = contact_end(*solution, Side::left);
+        const auto pressure = [&](const R& x) { return R(-traction_beside(*solution, end, Side::right, R(x - left))); };
+        // Zero at both ends: one extreme is the maximum.
+        const std::vector<R> extremes = extremes_between<R>(pressure, left, right);
+        if (extremes.size() != 1) return values;
+        const R centre = (left + right) / 2;
+        values.add({"place", extremes.front()});
+        values.add(
+            {"to the rear", s > 0 ? extremes.front() < centre && centre < 0 : extremes.front() > centre && centre > 0});
+        return values;
+      })
+      .predicted([](const ContactProblem& p) {
+        const Number alpha = alpha_of(p);
+        return shifted_contact(alpha, half_width(p, alpha));
+      })
+      .wrong("shifted to the front",
+             [](Values& p, const ContactProblem& c) { p = shifted_contact(-alpha_of(c), half_width(c, alpha_of(c))); })
+      .wrong("the largest pressure at the contact's centre", [](Values& p, const ContactProblem&) { p["place"] /= 2; })
+      .wrong("the largest pressure at the vertex", [](Values& p, const ContactProblem&) { p["place"] = 0; })
+      .wrong("the same power at both ends",
+             [](Values& p, const ContactProblem&) { p["right power"] = Number(p["left power"]); })
+      .wrong("the frictionless half-width",
+             [](Values& p, const ContactProblem& c) { p = shifted_contact(alpha_of(c), half_width(c, 0)); })
+      .near_misses();
+}
+
+}  // namespace steadyslide::proofs_checks

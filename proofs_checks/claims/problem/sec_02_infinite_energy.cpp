@@ -1,0 +1,141 @@
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "numeric/cauchy/traction_density.hpp"
+#include "numeric/interior/interior_stress.hpp"
+#include "numeric/quadrature/trapezoidal.hpp"
+#include "proofs_checks/instruments/near.hpp"
+#include "proofs_checks/instruments/parabola_cases.hpp"
+#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/rate.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+CaseList<ContactProblem> problems(const Context& context) {
+  CaseList<ContactProblem> list{{punch(Rational(1, 5), {Rational(1, 2), 2}, {Rational(1, 4)}, Rational(3, 2))},
+                                "solved problems with and without friction jumps, sliding both ways"};
+  if (context.quick) return list;
+  list.cases.push_back(parabola(Rational(2, 5), {1, Rational(1, 3)}, {Rational(1, 10)}, 1, 2, Rational(1, 2)));
+  list.cases.push_back(punch(Rational(-1, 2), {Rational(3, 4)}, {}, 1, Sliding::minus_x));
+  return list;
+}
+
+/// int sigma:epsilon/2 over radius < r < 2 radius, z > 0.
+double annulus_energy(const numeric::InteriorStress<double>& stress, const Solid& body, double radius) {
+  using boost::math::quadrature::gauss;
+  const double nu = numeric::to_real<double>(body.poisson());
+  const double young = numeric::to_real<double>(body.young());
+  const auto density = [&](double r, double angle) {
+    const auto s = stress.at(Rational(r * std::cos(angle)), Rational(r * std::sin(angle)));
+    const double xx = s.xx.value;
+    const double zz = s.zz.value;
+    const double xz = s.xz.value;
+    return (1 + nu) / (2 * young) * ((1 - nu) * (xx * xx + zz * zz) - 2 * nu * xx * zz + 2 * xz * xz);
+  };
+  const auto ring = [&](double log_r) {
+    const double r = radius * std::exp(log_r);
+    return r * r * gauss<double, 15>::integrate([&](double angle) { return density(r, angle); }, 0.0, std::numbers::pi);
+  };
+  return gauss<double, 7>::integrate(ring, 0.0, std::numbers::ln2);
+}
+
+/// The value at R = oo of a function of 1/R, from values at R, 2 R, 4 R, ...
+double extrapolated_to_infinity(std::vector<double> f) {
+  double power = 2;
+  for (std::size_t n = f.size(); n > 1; --n) {
+    for (std::size_t i = 0; i + 1 < n; ++i) f[i] = f[i + 1] + (f[i + 1] - f[i]) / (power - 1);
+    power *= 2;
+  }
+  return f.front();
+}
+
+/// How fast values at R, 2 R, ... approach their limit.
+Order approach(const std::vector<double>& radii, const std::vector<double>& values) {
+  const double limit = extrapolated_to_infinity(values);
+  std::vector<Level> levels;
+  for (std::size_t i = 0; i < radii.size(); ++i) levels.push_back({radii[i], std::abs(values[i] - limit)});
+  const Rate rate = fitted_rate(levels);
+  return {rate.value, rate.error_bar, "radii in powers of two"};
+}
+
+/// log 2 (P^2 + F^2)/(pi E'), E' the modulus.
+double energy_of_forces(double p, double f, double modulus) {
+  return std::numbers::ln2 * (p * p + f * f) / (std::numbers::pi * modulus);
+}
+
+double load_of(const ContactProblem& problem) { return numeric::to_real<double>(problem.load()); }
+
+double plane_strain_modulus(const ContactProblem& problem) {
+  const Solid& body = *problem.elasticity().half_space();
+  return numeric::to_real<double>(body.young() / (1 - body.poisson() * body.poisson()));
+}
+
+}  // namespace
+
+Claim sec_02_infinite_energy() {
+  return compared<ContactProblem>("sec-02-infinite-energy")
+      .cases(problems)
+      .precision(Precision::in_double)
+      // The stresses far away are sums of parts that nearly cancel, and extrapolation takes differences.
+      .quantity({.name = "rise",
+                 .what = "rise of the surface from R to 2 R, R -> oo",
+                 .routes = {"trapezoidal rule", "c P log 2/pi"},
+                 .tolerance = 1e-11})
+      .quantity({.name = "energy",
+                 .what = "energy between R and 2 R, R -> oo",
+                 .routes = {"stresses of solutions", "two concentrated forces"},
+                 .tolerance = 1e-11})
+      .quantity({.name = "approach of the rise", .what = "rise of the surface", .routes = {}, .tolerance = 0.05})
+      .quantity({.name = "approach of the energy", .what = "energy of an annulus", .routes = {}, .tolerance = 0.05})
+      .measured([](const ContactProblem& problem) -> Values {
+        const auto solution = solve<double>(problem);
+        const auto& form = solution->form();
+        const numeric::trapezoidal::Grid<double> grid(numeric::traction_density(form));
+        const std::size_t last = segments_of(form).size() - 1;
+        const numeric::InteriorStress<double> stress(*solution);
+        const auto scale = numeric::to_real<double>(problem.elasticity().compliance() * form.problem().frame().unit);
+        std::vector<double> radii, rises, energies;
+        for (double radius = 64; radius <= 1024; radius *= 2) {
+          radii.push_back(radius);
+          rises.push_back(scale * (grid.displacement(last, Side::right, 2 * radius) -
+                                   grid.displacement(last, Side::right, radius)));
+          energies.push_back(annulus_energy(stress, *problem.elasticity().half_space(), radius));
+        }
+        return {{"rise", extrapolated_to_infinity(rises)},
+                {"energy", extrapolated_to_infinity(energies)},
+                {"approach of the rise", approach(radii, rises)},
+                {"approach of the energy", approach(radii, energies)}};
+      })
+      .predicted([](const ContactProblem& problem) -> Values {
+        // F, which the statement takes as given.
+        const double f = solve<double>(problem)->resultants().tangential.value;
+        const auto compliance = numeric::to_real<double>(problem.elasticity().compliance());
+        return {{"rise", compliance * load_of(problem) * std::numbers::ln2 / std::numbers::pi},
+                {"energy", energy_of_forces(load_of(problem), f, plane_strain_modulus(problem))},
+                {"approach of the rise", Order{1}},
+                {"approach of the energy", Order{1}}};
+      })
+      .wrong("the tangential force forgotten",
+             [](Values& p, const ContactProblem& problem) {
+               p["energy"] = energy_of_forces(load_of(problem), 0, plane_strain_modulus(problem));
+             })
+      .wrong("the work of the stresses instead of half of it",
+             [](Values& p, const ContactProblem&) { p["energy"] *= 2; })
+      .wrong("the modulus of plane stress",
+             [](Values& p, const ContactProblem& problem) {
+               const auto young = numeric::to_real<double>(problem.elasticity().half_space()->young());
+               p["energy"] *= plane_strain_modulus(problem) / young;
+             })
+      .wrong("the surface sinks away from the contact", [](Values& p, const ContactProblem&) { p["rise"] *= -1; })
+      .wrong("errors like 1/R^2",
+             [](Values& p, const ContactProblem&) {
+               p.set("approach of the rise", Order{2});
+               p.set("approach of the energy", Order{2});
+             })
+      .near_misses();
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,119 @@
+#include "model/elasticity.hpp"
+#include "proofs_checks/instruments/identities.hpp"
+#include "proofs_checks/kit/comparison.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+struct TwoBodies {
+  Solid half_space;
+  Solid indenter;
+  Plane plane;
+};
+
+std::string text_of(const Solid& body) {
+  return "nu = " + to_string(body.poisson()) + ", E = " + to_string(body.young());
+}
+std::string text_of(const TwoBodies& c) {
+  return "half-space " + text_of(c.half_space) + "; indenter " + text_of(c.indenter);
+}
+
+CaseList<TwoBodies> pairs(const Context& context) {
+  CaseList<TwoBodies> list{{}, "random pairs of bodies with seed " + std::to_string(context.seed)};
+  Random random(context.seed, "elastic-indenter");
+  const auto solid = [&random] {
+    const Rational nu = random.poisson();
+    return Solid(nu, random.between(0, 10));
+  };
+  for (std::size_t k = 0; k < (context.quick ? 20U : 200U); ++k) {
+    const Solid half_space = solid();
+    list.cases.push_back({half_space, solid(), k % 2 == 0 ? Plane::strain : Plane::stress});
+  }
+  return list;
+}
+
+/// A constant by shear moduli and Kolosov's constants, the half-space first.
+using Constant =
+    std::function<Rational(const Rational& mu1, const Rational& kappa1, const Rational& mu2, const Rational& kappa2)>;
+
+Rational dundurs(const Rational& m1, const Rational& k1, const Rational& m2, const Rational& k2) {
+  return (m2 * (k1 - 1) - m1 * (k2 - 1)) / (m2 * (k1 + 1) + m1 * (k2 + 1));
+}
+
+Rational sum_of_compliances(const Rational& m1, const Rational& k1, const Rational& m2, const Rational& k2) {
+  return (k1 + 1) / (4 * m1) + (k2 + 1) / (4 * m2);
+}
+
+Values constants(const TwoBodies& c, const Constant& gamma, const Constant& compliance) {
+  const auto of = [&](const Constant& constant, const Solid& one, const Solid& two) {
+    return constant(one.shear_modulus(), one.kolosov(c.plane), two.shear_modulus(), two.kolosov(c.plane));
+  };
+  // An indenter as stiff as 1e200 is rigid to 1e-94.
+  const Solid stiff(c.indenter.poisson(), parse_rational("1e200"));
+  return {{"gamma", of(gamma, c.half_space, c.indenter)},
+          {"compliance", of(compliance, c.half_space, c.indenter)},
+          {"exchanged", Rational(-of(gamma, c.half_space, c.indenter))},
+          {"equal bodies", Rational(0)},
+          {"rigid gamma", numeric::to_real<Number>(of(gamma, c.half_space, stiff))},
+          {"rigid compliance", numeric::to_real<Number>(of(compliance, c.half_space, stiff))}};
+}
+
+}  // namespace
+
+Claim rem_01_elastic_indenter() {
+  const std::vector<std::string> rigid{"the rigid indenter's", "the formula with E = 1e200"};
+  return proved_by(
+      {"dundurs-rigid", "dundurs-rigid-plane-strain", "compliance-rigid", "dundurs-exchange", "dundurs-identical",
+       "dundurs-by-compliances"},
+      "as rational functions of both shear moduli and both Kolosov constants",
+      compared<TwoBodies>("rem-01-elastic-indenter")
+          .cases(pairs)
+          .quantity({.name = "gamma", .what = "gamma, that problems are solved with, is the formula's", .routes = {}})
+          .quantity({.name = "compliance", .what = "the compliance is the formula's", .routes = {}})
+          .quantity({.name = "exchanged", .what = "exchanging the bodies changes gamma's sign alone", .routes = {}})
+          .quantity({.name = "equal bodies", .what = "gamma of equal bodies is 0", .routes = {}})
+          .quantity({.name = "rigid gamma",
+                     .what = "gamma of a stiff indenter",
+                     .routes = rigid,
+                     .tolerance = 1e-96,
+                     .absolute = true})
+          .quantity({.name = "rigid compliance",
+                     .what = "compliance of a stiff indenter",
+                     .routes = rigid,
+                     .tolerance = 1e-96})
+          .measured([](const TwoBodies& c) -> Values {
+            const Elasticity both(c.half_space, c.indenter, c.plane);
+            const Elasticity rigid(c.half_space, c.plane);
+            return {{"gamma", both.gamma()},
+                    {"compliance", both.compliance()},
+                    {"exchanged", Elasticity(c.indenter, c.half_space, c.plane).gamma()},
+                    {"equal bodies", Elasticity(c.half_space, c.half_space, c.plane).gamma()},
+                    {"rigid gamma", numeric::to_real<Number>(rigid.gamma())},
+                    {"rigid compliance", numeric::to_real<Number>(rigid.compliance())}};
+          })
+          .predicted([](const TwoBodies& c) { return constants(c, dundurs, sum_of_compliances); })
+          .wrong("the bodies exchanged in gamma",
+                 [](Values& p, const TwoBodies& c) {
+                   const Constant exchanged = [](const Rational& m1, const Rational& k1, const Rational& m2,
+                                                 const Rational& k2) { return dundurs(m2, k2, m1, k1); };
+                   p = constants(c, exchanged, sum_of_compliances);
+                 })
+          .wrong("kappa + 1 in gamma's numerator",
+                 [](Values& p, const TwoBodies& c) {
+                   const Constant wrong = [](const Rational& m1, const Rational& k1, const Rational& m2,
+                                             const Rational& k2) {
+                     return Rational((m2 * (k1 + 1) - m1 * (k2 + 1)) / (m2 * (k1 + 1) + m1 * (k2 + 1)));
+                   };
+                   p = constants(c, wrong, sum_of_compliances);
+                 })
+          .wrong("the compliance of the half-space alone",
+                 [](Values& p, const TwoBodies& c) {
+                   const Constant alone = [](const Rational& m1, const Rational& k1, const Rational&, const Rational&) {
+                     return Rational((k1 + 1) / (4 * m1));
+                   };
+                   p = constants(c, dundurs, alone);
+                 })
+          .near_misses());
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,9 @@
+#include "proofs_checks/instruments/local_form_families.hpp"
+
+namespace steadyslide::proofs_checks {
+
+Claim thm_09_local_forms() {
+  return derived("thm-09-local-forms", decided_local_forms, {wedge_family({"theorem-9", "theorem-9-three-orders"})});
+}
+
+}  // namespace steadyslide::proofs_checks

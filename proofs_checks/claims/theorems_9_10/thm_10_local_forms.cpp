@@ -1,0 +1,10 @@
+#include "proofs_checks/instruments/local_form_families.hpp"
+
+namespace steadyslide::proofs_checks {
+
+Claim thm_10_local_forms() {
+  return derived("thm-10-local-forms", decided_local_forms,
+                 {end_family("theorem-10", false, false), end_family("theorem-10", true, false)});
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,91 @@
+#pragma once
+// The fixture of command-line tests: the program run in a folder of its own, and what is asked of its answers.
+
+#include <doctest/doctest.h>
+
+#include <initializer_list>
+#include <sstream>
+#include <utility>
+
+#include "app/process.hpp"
+
+namespace steadyslide::testing {
+
+using Arguments = std::vector<std::string>;
+
+/// One list of arguments after the other.
+inline Arguments joined(Arguments first, const Arguments& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+/// `steadyslide ARGUMENTS` where there are no files.
+inline Finished run_alone(const Arguments& arguments, const std::string& input = "") {
+  const TemporaryFolder folder;
+  return run_program(arguments, folder.path(), input);
+}
+
+/// `steadyslide solve - ARGUMENTS` with the problem on the standard input.
+inline Finished run(const std::string& problem, const Arguments& arguments = {}) {
+  return run_alone(joined({"solve", "-"}, arguments), problem);
+}
+
+/// `steadyslide solve FILE ARGUMENTS` for one of the examples.
+inline Finished run_example(const std::string& file, const Arguments& arguments = {}) {
+  return run_program(joined({"solve", file}, arguments), STEADYSLIDE_EXAMPLES);
+}
+
+/// What a run that succeeds without a word has printed.
+inline std::string out_of(const Finished& finished) {
+  CHECK(finished.err == "");
+  REQUIRE(finished.code == 0);
+  return finished.out;
+}
+
+/// Of `solve - ARGUMENTS`.
+inline std::string output(const std::string& problem, const Arguments& arguments = {}) {
+  return out_of(run(problem, arguments));
+}
+
+/// One line on the standard error, and nothing on the standard output.
+inline void check_refused(const Finished& finished, const std::string& message, int code = 2) {
+  CHECK(finished.err == "steadyslide: " + message + "\n");
+  CHECK(finished.code == code);
+  CHECK(finished.out == "");
+}
+
+inline bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+inline void check_holds(const std::string& text, std::initializer_list<const char*> parts) {
+  for (const char* part : parts) {
+    CAPTURE(part);
+    CHECK(holds(text, part));
+  }
+}
+
+inline std::size_t times(const std::string& text, std::string_view part) {
+  std::size_t n = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++n;
+  return n;
+}
+
+inline std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> result;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) result.push_back(line);
+  return result;
+}
+
+inline std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  return text.replace(text.find(what), what.size(), with);
+}
+
+/// A bar was `shown` on a terminal, in one line, and is gone.
+inline void check_erased(const Finished& finished, const std::string& shown) {
+  const std::string erased = "\r\x1b[K";
+  CHECK(holds(finished.err, shown));
+  CHECK(finished.err.ends_with(erased));
+  CHECK_FALSE(holds(finished.err, "\n"));
+}
+
+}  // namespace steadyslide::testing

@@ -1,0 +1,135 @@
+#pragma once
+// Two solutions of a problem, or of a problem and its image, compared quantity by quantity.
+
+#include <algorithm>
+#include <string>
+
+#include "numeric/solution/contact_solution.hpp"
+#include "support/change_laws.hpp"
+
+namespace steadyslide::testing {
+
+/// Of ends in units of the contact's length, of intensities in their own, of tractions, slopes and gaps in their own
+/// and in `scale` times what the load makes on average.
+template <numeric::Real R>
+struct Tolerance {
+  R end;
+  R intensity;
+  R traction;
+  R scale = 1;
+};
+
+template <numeric::Real R>
+R length_of(const std::vector<numeric::ContactComponent<R>>& contact) {
+  return contact.back().right.x.value - contact.front().left.x.value;
+}
+
+/// In each component and towards its ends, and beside the contact.
+template <numeric::Real R>
+std::vector<Rational> places(const std::vector<numeric::ContactComponent<R>>& contact) {
+  std::vector<Rational> result;
+  for (const auto& zone : contact) {
+    const Rational left(zone.left.x.value);
+    const Rational width = Rational(zone.right.x.value) - left;
+    for (const int part : {13, 271, 502, 838, 991}) result.push_back(left + width * part / 1009);
+  }
+  const Rational left(contact.front().left.x.value);
+  const Rational right(contact.back().right.x.value);
+  result.push_back(left - (right - left) * 2 / 5);
+  result.push_back(right + (right - left) * 3 / 10);
+  return result;
+}
+
+/// Is b within the distance of a? Infinities are equal or not.
+template <numeric::Real R>
+bool is_close(const R& a, const R& b, const R& distance) {
+  using std::abs;
+  const R difference = abs(a - b);
+  return a == b || (difference <= distance && difference < numeric::infinity<R>());
+}
+
+/// What of `after` is not the image of `before`, the solution of `problem`; or nothing.
+template <numeric::Real R>
+std::string difference(const ContactProblem& problem, const numeric::ContactSolution<R>& before,
+                       const numeric::ContactSolution<R>& after, const Image& image, const Tolerance<R>& within) {
+  using namespace numeric;
+  using std::abs, std::pow;
+  const R scale = to_real<R>(image.scale);
+  const R shift = to_real<R>(image.shift);
+  const R factor = to_real<R>(image.traction);
+  const R height = to_real<R>(image.height);
+  const R size = abs(scale);
+  const auto a = before.contact();
+  auto b = after.contact();
+  if (a.size() != b.size()) return "number of components";
+  if (scale < 0) {
+    std::reverse(b.begin(), b.end());
+    for (auto& zone : b) std::swap(zone.left, zone.right);
+  }
+  const R length = length_of<R>(a);
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    for (const auto end : {&ContactComponent<R>::left, &ContactComponent<R>::right}) {
+      const ContactEnd<R>& p = a[k].*end;
+      const ContactEnd<R>& q = b[k].*end;
+      if (p.kind != q.kind || !(p.exponent == q.exponent)) return "kind of end";
+      if (!is_close<R>(scale * p.x.value + shift, q.x.value, within.end * size * length)) return "end";
+      if (p.intensity.error == infinity<R>() && q.intensity.error == infinity<R>()) continue;  // not known
+      const R theta = factor * p.intensity.value * pow(size, R(-to_real<R>(p.exponent)));
+      if (!is_close<R>(theta, q.intensity.value, within.intensity * (abs(theta) + abs(q.intensity.value)))) {
+        return "intensity";
+      }
+    }
+  }
+  const Resultants<R> ra = before.resultants();
+  const Resultants<R> rb = after.resultants();
+  const R force = factor * size;
+  if (!is_close<R>(force * ra.normal.value, rb.normal.value, 2 * within.traction * rb.normal.value)) return "normal";
+  if (!is_close<R>(force * ra.tangential.value, rb.tangential.value,
+                   within.traction * (rb.tangential.value + rb.normal.value))) {
+    return "tangential";
+  }
+  if (!is_close<R>(ra.effective_friction.value, rb.effective_friction.value,
+                   within.traction * (rb.effective_friction.value + 1))) {
+    return "effective friction";
+  }
+  if (!is_close<R>(scale * ra.centre_of_pressure.value + shift, rb.centre_of_pressure.value,
+                   10 * within.end * size * length)) {
+    return "centre of pressure";
+  }
+  // What the load makes on average, of the image.
+  const R mean = factor * ra.normal.value / length;
+  const R bend = to_real<R>(problem.elasticity().compliance()) * ra.normal.value * height;
+  const auto tilt_a = before.tilt();
+  const auto tilt_b = after.tilt();
+  if (tilt_a.has_value() != tilt_b.has_value()) return "tilt";
+  if (tilt_a) {
+    const R tilt = height / scale * tilt_a->value;
+    if (!is_close<R>(tilt, tilt_b->value, within.intensity * (abs(tilt) + bend / (size * length)))) return "tilt";
+  }
+  for (const Rational& x : places<R>(a)) {
+    const Sample<R> p = before.at(x);
+    const Sample<R> q = after.at(image.of(x));
+    const auto differs = [&](const R& times, const TwoSided<R>& from, const TwoSided<R>& to, const R& unit) {
+      const auto far = [&](const Estimate<R>& before_change, const Estimate<R>& found) {
+        const R expected = times * before_change.value;
+        return !is_close<R>(expected, found.value, within.traction * (2 * abs(expected) + within.scale * unit));
+      };
+      return far(from.left, scale < 0 ? to.right : to.left) || far(from.right, scale < 0 ? to.left : to.right);
+    };
+    if (differs(factor, p.traction, q.traction, mean)) return "traction";
+    if (differs(scale < 0 ? R(-factor) : factor, p.shear, q.shear, mean)) return "shear";
+    if (differs(height / scale, p.slope, q.slope, R(bend / (size * length)))) return "slope";
+    if (p.gap.has_value() != q.gap.has_value()) return "support";
+    if (p.gap && differs(height, {*p.gap, *p.gap}, {*q.gap, *q.gap}, bend)) return "gap";
+  }
+  return "";
+}
+
+/// Two solutions of one problem.
+template <numeric::Real R>
+std::string difference(const ContactProblem& problem, const numeric::ContactSolution<R>& a,
+                       const numeric::ContactSolution<R>& b, const Tolerance<R>& within) {
+  return difference<R>(problem, a, b, {}, within);
+}
+
+}  // namespace steadyslide::testing
