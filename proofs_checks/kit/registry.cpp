@@ -4,7 +4,6 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "proofs_checks/claims/claims.hpp"
 #include "proofs_checks/kit/claim_list.hpp"
 #include "proofs_checks/statements/paper_statements.hpp"
 
@@ -23,24 +22,15 @@ std::size_t position_of(const std::string& id) {
   return position;
 }
 
-std::string group_of(const std::string& id) {
-  const auto entry = std::ranges::find(claim_list(), id, &ClaimEntry::id);
-  return entry == claim_list().end() ? std::string() : std::string(entry->group);
-}
-
 }  // namespace
 
 const std::vector<Claim>& registry() {
   static const std::vector<Claim> all = [] {
     std::vector<Claim> claims;
     for (const ClaimEntry& entry : claim_list()) {
-      if (entry.make) claims.push_back(entry.make());
+      claims.push_back(entry.make());
+      claims.back().group = entry.group;
     }
-    for (const auto make : older_claims()) {
-      std::vector<Claim> some = make();
-      std::move(some.begin(), some.end(), std::back_inserter(claims));
-    }
-    for (Claim& claim : claims) claim.group = group_of(claim.id);
     std::ranges::stable_sort(claims, {}, [](const Claim& claim) { return position_of(claim.id); });
     return claims;
   }();
