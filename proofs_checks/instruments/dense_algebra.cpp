@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <Eigen/SVD>
 
 namespace steadyslide::proofs_checks {
 
@@ -15,6 +16,14 @@ VectorXd eigenvalues(const MatrixXd& a) {
 
 VectorXd eigenvalues(const MatrixXd& a, const MatrixXd& b) {
   return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(a, b, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+double spectral_norm(const MatrixXd& a) { return Eigen::JacobiSVD<MatrixXd>(a).singularValues()(0); }
+
+MatrixXd in_metric(const MatrixXd& form, const MatrixXd& metric) {
+  const Eigen::LLT<MatrixXd> factors(metric);
+  const MatrixXd half = factors.matrixL().solve(form);
+  return factors.matrixL().solve(half.transpose()).transpose();
 }
 
 VectorXd linear_solution(const MatrixXd& a, const VectorXd& b) { return a.partialPivLu().solve(b); }

@@ -11,6 +11,11 @@ Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& a);
 /// lambda of a x = lambda b x, in increasing order; both symmetric, b positive definite.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
+/// The largest singular value.
+double spectral_norm(const Eigen::MatrixXd& a);
+/// A form in coordinates in which the symmetric, positive definite `metric` is the identity.
+Eigen::MatrixXd in_metric(const Eigen::MatrixXd& form, const Eigen::MatrixXd& metric);
+
 /// a x = b with any invertible matrix.
 Eigen::VectorXd linear_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 /// a x = b for each column of b, a symmetric and positive definite.

@@ -1,10 +1,10 @@
 #include "proofs_checks/instruments/log_form_claim.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <numbers>
 
 #include "proofs_checks/instruments/angle_forms.hpp"
 #include "proofs_checks/instruments/cells.hpp"
+#include "proofs_checks/instruments/dense_algebra.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -21,13 +21,11 @@ Eigen::MatrixXd form_on_cells(std::size_t cells) {
   return std::numbers::pi * symmetric_part(mesh, operator_of(none, mesh), false);
 }
 
-double least_eigenvalue(const Eigen::MatrixXd& form, Eigen::Index k = 0) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(form, Eigen::EigenvaluesOnly).eigenvalues()(k);
-}
+double least_eigenvalue(const Eigen::MatrixXd& form, Eigen::Index k = 0) { return eigenvalues(form)(k); }
 
 /// Of t with int t = 1.
 double least_energy(const Eigen::MatrixXd& form) {
-  return 1 / form.ldlt().solve(Eigen::VectorXd::Ones(form.rows())).sum();
+  return 1 / linear_solution(form, Eigen::VectorXd::Ones(form.rows())).sum();
 }
 
 Values definiteness(const Length& length) {

@@ -1,8 +1,8 @@
-#include <Eigen/Eigenvalues>
 #include <numbers>
 #include <variant>
 
 #include "numeric/variational/active_set.hpp"
+#include "proofs_checks/instruments/dense_algebra.hpp"
 #include "proofs_checks/instruments/dual_study.hpp"
 #include "proofs_checks/instruments/interior_point.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
@@ -110,8 +110,7 @@ void check_form(Findings& findings, const DiscreteProblem& problem, double suppo
   // A support of another length than 1 takes its logarithm over pi off each entry.
   const Eigen::MatrixXd asked =
       support > 0 ? Eigen::MatrixXd(without.array() - std::log(support) / std::numbers::pi) : form;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(asked, Eigen::EigenvaluesOnly);
-  findings.require(solver.eigenvalues().minCoeff() > 0, "b(t, t) is not positive");
+  findings.require(eigenvalues(asked).minCoeff() > 0, "b(t, t) is not positive");
 }
 
 /// sum g_i (p_hat_i - p_i) h_i >= 0 for random pressures p_hat >= 0 of the same load.

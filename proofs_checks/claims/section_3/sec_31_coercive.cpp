@@ -1,9 +1,6 @@
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
-
 #include "proofs_checks/instruments/angle_forms.hpp"
 #include "proofs_checks/instruments/cells.hpp"
+#include "proofs_checks/instruments/dense_algebra.hpp"
 #include "proofs_checks/instruments/friction_cases.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
@@ -69,8 +66,7 @@ R energy(const Coercive& at, const AngleForms<R>& forms) {
 Values on_cells(const Coercive& c) {
   const auto b = operator_of(c.steps, c.mesh);
   const Eigen::MatrixXd logarithm = on_zero_mean(symmetric_part(c.mesh, b, false));
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> pencil(on_zero_mean(symmetric_part(c.mesh, b, true)),
-                                                                         logarithm, Eigen::EigenvaluesOnly);
+  const Eigen::VectorXd values = eigenvalues(on_zero_mean(symmetric_part(c.mesh, b, true)), logarithm);
   const auto n = static_cast<Eigen::Index>(c.mesh.size());
   Eigen::MatrixXd whole(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -79,12 +75,9 @@ Values on_cells(const Coercive& c) {
       whole(i, j) = b.entry(static_cast<std::size_t>(i), k) / c.mesh.length(k);
     }
   }
-  const Eigen::LLT<Eigen::MatrixXd> factors(logarithm);
-  const Eigen::MatrixXd part = factors.matrixL().solve(on_zero_mean(whole));
-  const Eigen::MatrixXd scaled = factors.matrixL().solve(part.transpose());
-  return {{"least", pencil.eigenvalues().minCoeff()},
-          {"largest", pencil.eigenvalues().maxCoeff()},
-          {"norm", Eigen::JacobiSVD<Eigen::MatrixXd>(scaled).singularValues()(0)}};
+  return {{"least", values.minCoeff()},
+          {"largest", values.maxCoeff()},
+          {"norm", spectral_norm(in_metric(on_zero_mean(whole), logarithm))}};
 }
 
 Values predicted(const Coercive& at) {

@@ -1,5 +1,3 @@
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <boost/math/constants/constants.hpp>
 #include <numbers>
 #include <variant>
@@ -7,6 +5,7 @@
 #include "proofs_checks/instruments/angle_forms.hpp"
 #include "proofs_checks/instruments/cell_law.hpp"
 #include "proofs_checks/instruments/cells.hpp"
+#include "proofs_checks/instruments/dense_algebra.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
@@ -63,12 +62,7 @@ CaseList<Case> cases(const Context& context, bool jump) {
 
 /// sup <<.., t_2>>/(|t_1| |t_2|) of a form of forces.
 double norm_of(const Eigen::MatrixXd& form, const Eigen::MatrixXd& logarithm) {
-  const Eigen::LLT<Eigen::MatrixXd> factors(logarithm);
-  const Eigen::MatrixXd part = factors.matrixL().solve(form);
-  const Eigen::MatrixXd whole = factors.matrixL().solve(part.transpose());
-  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(whole.transpose() * whole, Eigen::EigenvaluesOnly)
-                       .eigenvalues()
-                       .maxCoeff());
+  return spectral_norm(in_metric(form, logarithm));
 }
 
 /// <<t_1 * sgn, t_2>> on forces, t_1 by columns; the jump where two cells meet.

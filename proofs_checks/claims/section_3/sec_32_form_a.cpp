@@ -1,9 +1,8 @@
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <numbers>
 #include <variant>
 
 #include "numeric/quadrature/tanh_sinh.hpp"
+#include "proofs_checks/instruments/dense_algebra.hpp"
 #include "proofs_checks/instruments/displacement_operator.hpp"
 #include "proofs_checks/instruments/jacobi_pair.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
@@ -152,13 +151,11 @@ void check_bounds(Findings& findings, const FormA& form, const Rational& s, int 
     return;
   }
   const Eigen::MatrixXd symmetric = (scaled + scaled.transpose()) / 2;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric, Eigen::EigenvaluesOnly);
-  const double least = solver.eigenvalues().minCoeff();
+  const double least = eigenvalues(symmetric).minCoeff();
   const auto bound = static_cast<double>(form.lower);
   findings.compare(lower, std::max(bound - least, 0.0) / bound);
   findings.compare(sharp, std::abs(least - bound) / bound);
-  const double norm = Eigen::JacobiSVD<Eigen::MatrixXd>(scaled).singularValues().maxCoeff();
-  findings.compare(upper, std::max(norm - static_cast<double>(form.upper), 0.0));
+  findings.compare(upper, std::max(spectral_norm(scaled) - static_cast<double>(form.upper), 0.0));
 }
 
 }  // namespace
