@@ -107,13 +107,13 @@ void traction_by_gsl(benchmark::State& state, bool wedge) {
   for (std::size_t k = 0; k < set.segments(); ++k) {
     if (!set.in_contact(k)) continue;
     const auto inverse = [&](std::size_t j) {
-      const Power<double>& p = form.weight().powers()[j];
+      const Power<double>& p = form.fundamental_solution().powers()[j];
       return Power<double>{-p.value, 1 - p.value};
     };
     const double factor = form.sign(static_cast<std::ptrdiff_t>(k)) * form.problem().cos_alpha(form.friction_at(k));
     density.push_back({set.panels()[k], inverse(k), inverse(k + 1), [&form, k, factor](const Node<double>& node) {
                          return factor * form.problem().slope(form.slope_at(k), node.x) /
-                                form.weight().smooth_modulus(k, node);
+                                form.fundamental_solution().smooth_modulus(k, node);
                        }});
     segments.push_back(k);
   }
@@ -130,7 +130,8 @@ void traction_by_gsl(benchmark::State& state, bool wedge) {
   double t = 0;
   for (auto _ : state) {
     const double integral = gsl::hilbert(density, {panel, node}).value;
-    t = friction * g / (1 + friction * friction) - factor * form.weight().modulus(segment, node) * integral;
+    t = friction * g / (1 + friction * friction) -
+        factor * form.fundamental_solution().modulus(segment, node) * integral;
     benchmark::DoNotOptimize(t);
   }
   const Real50 exact = solution<Real50>(few, wedge).at(place()).traction.left.value;

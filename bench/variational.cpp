@@ -71,7 +71,7 @@ void product(benchmark::State& state) {
   const DiscreteProblem discrete(problem, CellMesh(problem, static_cast<std::size_t>(state.range(0))));
   const std::vector<double> p(discrete.size(), 1.0);
   std::vector<double> result(discrete.size());
-  for (auto _ : state) discrete.influence().multiply(p, result);
+  for (auto _ : state) discrete.galerkin_operator().multiply(p, result);
 }
 
 void two_transforms(benchmark::State& state) {

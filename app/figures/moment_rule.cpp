@@ -34,7 +34,7 @@ void add(const Form& form, std::size_t k, int nodes, numeric::JacobiRules<R>& ru
     numeric::Power<R> power{R(0), R(1)};
     if (panel.singular_end) {
       const std::size_t j = panel.singular_end == Side::left ? k : k + 1;
-      const R p = form.weight().powers()[j].value;
+      const R p = form.fundamental_solution().powers()[j].value;
       power = {R(-p), R(1 - p)};
     }
     const numeric::JacobiRule<R>& rule = rules.get(power, {R(0), R(1)}, nodes);

@@ -115,10 +115,10 @@ R FundamentalSolution<R>::phase(std::size_t k) const {
 }
 
 template <Real R>
-Complex<R> FundamentalSolution<R>::boundary(std::size_t k, const Node<R>& node, Bank bank) const {
+Complex<R> FundamentalSolution<R>::boundary(std::size_t k, const Node<R>& node, BoundaryLimit limit) const {
   using std::cos, std::sin;
   const R size = modulus(k, node);
-  const R angle = pi<R>() * phase(k) * (bank == Bank::above ? 1 : -1);
+  const R angle = pi<R>() * phase(k) * (limit == BoundaryLimit::plus ? 1 : -1);
   return {size * cos(angle), size * sin(angle)};
 }
 

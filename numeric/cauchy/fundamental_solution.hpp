@@ -15,7 +15,7 @@
 namespace steadyslide::numeric {
 
 /// Y+ is the limit on the cut from above (Im z > 0), Y- from below.
-enum class Bank { above, below };
+enum class BoundaryLimit { plus, minus };
 
 template <Real R>
 struct Complex {
@@ -51,7 +51,7 @@ class FundamentalSolution {
 
   /// sigma_k.
   R phase(std::size_t k) const;
-  Complex<R> boundary(std::size_t k, const Node<R>& node, Bank bank) const;
+  Complex<R> boundary(std::size_t k, const Node<R>& node, BoundaryLimit limit) const;
   /// Off the real axis.
   Complex<R> at(const Complex<R>& z) const;
 

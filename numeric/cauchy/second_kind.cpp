@@ -106,12 +106,12 @@ Power<R> one_less(const Power<R>& a) {
 }  // namespace
 
 template <Real R>
-R beyond(const Power<R>& a, const R& distance) {
+R left_of(const Power<R>& a, const R& distance) {
   using std::sin;
   const R v = 1 / (1 + distance);
   if (distance >= crossover) return v * euler_series(a.plus_one, v);
   // y^a = y^(a-1) ((y + d) - d)
-  if (a.value >= 0.25) return 1 / a.value - distance * beyond(one_less(a), distance);
+  if (a.value >= 0.25) return 1 / a.value - distance * left_of(one_less(a), distance);
   // pi d^a/sin(pi (1+a)) from the whole half-line, less what lies beyond 1: sum_k (-d)^k/(k-a).
   const R tail = distance * v * euler_series(R(1 - a.value), R(distance * v));
   if (!near_zero(a.value)) {
@@ -123,14 +123,14 @@ R beyond(const Power<R>& a, const R& distance) {
 }
 
 template <Real R>
-R on(const Power<R>& a, const R& x, const R& rest) {
+R on_interval(const Power<R>& a, const R& x, const R& rest) {
   using std::log, std::tan;
   if (x >= crossover) {
     // y = x t: the integral of (t^a - 1)/(t - 1) up to t = 1 is psi(1+a) + gamma, from there to 1/x the series.
     const R bracket = digamma_plus_gamma(a.plus_one) + log(rest) + binomial_series(a.plus_one, rest);
     return times_power(bracket, a, x);
   }
-  if (a.value >= 0.25) return 1 / a.value + x * on(one_less(a), x, rest);
+  if (a.value >= 0.25) return 1 / a.value + x * on_interval(one_less(a), x, rest);
   // -pi cot(pi a) x^a from the whole half-line, less what lies beyond 1: sum_k x^k/(k-a).
   const R tail = x * power_series(R(1 - a.value), x);
   if (!near_zero(a.value)) {
@@ -144,7 +144,7 @@ R on(const Power<R>& a, const R& x, const R& rest) {
 }
 
 template <Real R>
-R behind(const Power<R>& a, const R& distance) {
+R right_of(const Power<R>& a, const R& distance) {
   using std::log, std::pow;
   const R w = 1 + distance;
   const R inverse = 1 / w;
@@ -155,10 +155,10 @@ R behind(const Power<R>& a, const R& distance) {
   return bracket * pow(w, a.value);
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                             \
-  template R beyond(const Power<R>& a, const R& distance);     \
-  template R on(const Power<R>& a, const R& x, const R& rest); \
-  template R behind(const Power<R>& a, const R& distance);
+#define STEADYSLIDE_INSTANTIATE(R)                                      \
+  template R left_of(const Power<R>& a, const R& distance);             \
+  template R on_interval(const Power<R>& a, const R& x, const R& rest); \
+  template R right_of(const Power<R>& a, const R& distance);
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)
 STEADYSLIDE_INSTANTIATE(Real100)

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "numeric/cauchy/residuals.hpp"
-#include "numeric/number/clustered.hpp"
+#include "numeric/number/chebyshev_position.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/solution/load_sharing.hpp"
 
@@ -145,7 +145,7 @@ Residuals<R> ClosedForm<R>::residuals() const {
   for (const Side side : {Side::left, Side::right}) {
     constexpr int places = 8;
     for (int i = 0; i < places; ++i) {
-      const R distance = gap_length(side) * clustered<R>(i, places).first;
+      const R distance = gap_length(side) * chebyshev_position<R>(i, places).first;
       if (distance == 0) continue;
       const std::size_t panel = side == Side::left ? 0 : weight().panel_count() - 1;
       const R end = weight().point(side == Side::left ? 0 : weight().panel_count());
@@ -271,7 +271,7 @@ std::vector<Sample<R>> ClosedForm<R>::samples(int count) const {
     if (length == 0) return;
     for (int i = 0; i < count; ++i) {
       // From left to right: towards the contact on the left of it, away from it on the right.
-      const auto [forth, back] = clustered<R>(i, count);
+      const auto [forth, back] = chebyshev_position<R>(i, count);
       result.push_back(outside(side, R(length * (side == Side::left ? back : forth))));
     }
   };
@@ -288,7 +288,7 @@ std::vector<Sample<R>> ClosedForm<R>::samples(int count) const {
     const int n = points_before(k + 1) - points_before(k);
     const Panel<R>& panel = weight().panel(k);
     for (int i = 0; i < n; ++i) {
-      const auto [left, right] = clustered<R>(i, n);
+      const auto [left, right] = chebyshev_position<R>(i, n);
       const Node<R> node{left < right ? R(panel.left + left * panel.length) : R(panel.right - right * panel.length),
                          left * panel.length, right * panel.length};
       result.push_back(inside(k, node));

@@ -34,12 +34,12 @@ ContactInterval zone(const Mesh& mesh, const Equilibrium& state, const Run& run)
   if (last - first < 3) return zone;
   if (!zone.left_at_edge) {
     const double beyond = mesh.step_before(first) == 0 ? mesh.length(first - 1) : 0;
-    zone.left = mesh.right(first) - end_distance(mesh, state, mesh.stretch(first).behind, first, first + 1, beyond);
+    zone.left = mesh.right(first) - end_distance(mesh, state, mesh.piece(first).behind, first, first + 1, beyond);
   }
   if (!zone.right_at_edge) {
     const double beyond = mesh.step_before(last) == 0 ? mesh.length(last) : 0;
     zone.right =
-        mesh.left(last - 1) + end_distance(mesh, state, mesh.stretch(last - 1).ahead, last - 1, last - 2, beyond);
+        mesh.left(last - 1) + end_distance(mesh, state, mesh.piece(last - 1).ahead, last - 1, last - 2, beyond);
   }
   return zone;
 }

@@ -10,10 +10,10 @@ namespace steadyslide::numeric::coarse {
 
 namespace {
 
-std::vector<Stretch> stretches_of(const ContactProblem& problem, const Rational& origin) {
+std::vector<SupportPiece> pieces_of(const ContactProblem& problem, const Rational& origin) {
   const std::vector<Indenter::Break> breaks = problem.indenter().breaks();
   const Polynomial per_compliance = Polynomial::constant(1 / problem.elasticity().compliance());
-  std::vector<Stretch> stretches;
+  std::vector<SupportPiece> pieces;
   std::vector<double> profile;
   std::size_t next = 0;
   for (const ContactProblem::Piece& piece : problem.pieces()) {
@@ -29,47 +29,45 @@ std::vector<Stretch> stretches_of(const ContactProblem& problem, const Rational&
     const double to = to_real<double>(Rational(piece.right - origin));
     // Cuts that double cannot tell apart have no cell between them.
     if (from >= to) continue;
-    stretches.push_back({from, to, s, s < 0 ? turn : 1 - turn, s < 0 ? 1 - turn : turn, profile, step});
+    pieces.push_back({from, to, s, s < 0 ? turn : 1 - turn, s < 0 ? 1 - turn : turn, profile, step});
   }
-  return stretches;
+  return pieces;
 }
 
 }  // namespace
 
 Mesh::Mesh(const ContactProblem& problem, const Rational& origin, int cells)
-    : stretches_(stretches_of(problem, origin)), edges_{stretches_.front().left} {
-  const double width = stretches_.back().right - stretches_.front().left;
-  const int least = stretches_.size() <= 4 * static_cast<std::size_t>(cells) ? 2 : 1;
-  for (std::size_t k = 0; k < stretches_.size(); ++k) {
-    const Stretch& stretch = stretches_[k];
-    const double length = stretch.right - stretch.left;
+    : pieces_(pieces_of(problem, origin)), edges_{pieces_.front().left} {
+  const double width = pieces_.back().right - pieces_.front().left;
+  const int least = pieces_.size() <= 4 * static_cast<std::size_t>(cells) ? 2 : 1;
+  for (std::size_t k = 0; k < pieces_.size(); ++k) {
+    const SupportPiece& piece = pieces_[k];
+    const double length = piece.right - piece.left;
     const int count = std::max(least, static_cast<int>(std::lround(cells * length / width)));
     for (int i = 1; i <= count; ++i) {
-      edges_.push_back(i < count ? stretch.left + length * i / count : stretch.right);
-      stretch_of_.push_back(k);
+      edges_.push_back(i < count ? piece.left + length * i / count : piece.right);
+      piece_of_.push_back(k);
     }
   }
 }
 
 Mesh Mesh::refined(const std::vector<int>& pieces) const {
   Mesh result;
-  result.stretches_ = stretches_;
+  result.pieces_ = pieces_;
   result.edges_.push_back(edges_.front());
   for (std::size_t i = 0; i < size(); ++i) {
     for (int k = 1; k <= pieces[i]; ++k) {
       result.edges_.push_back(k < pieces[i] ? left(i) + length(i) * k / pieces[i] : right(i));
-      result.stretch_of_.push_back(stretch_of_[i]);
+      result.piece_of_.push_back(piece_of_[i]);
     }
   }
   return result;
 }
 
 bool Mesh::beside_cut(std::size_t i) const {
-  return i == 0 || i + 1 == size() || stretch_of_[i] != stretch_of_[i - 1] || stretch_of_[i] != stretch_of_[i + 1];
+  return i == 0 || i + 1 == size() || piece_of_[i] != piece_of_[i - 1] || piece_of_[i] != piece_of_[i + 1];
 }
 
-int Mesh::step_before(std::size_t i) const {
-  return i > 0 && stretch_of_[i] != stretch_of_[i - 1] ? stretch(i).step : 0;
-}
+int Mesh::step_before(std::size_t i) const { return i > 0 && piece_of_[i] != piece_of_[i - 1] ? piece(i).step : 0; }
 
 }  // namespace steadyslide::numeric::coarse

@@ -9,7 +9,7 @@
 namespace steadyslide::numeric::coarse {
 
 /// The support between two neighbouring cuts: jumps of friction and breaks of the profile. Lengths from the origin.
-struct Stretch {
+struct SupportPiece {
   double left;
   double right;
   double s;
@@ -23,31 +23,31 @@ struct Stretch {
 
 class Mesh {
  public:
-  /// About `cells` cells of like length, two or more a stretch as long as that stays affordable.
+  /// About `cells` cells of like length, two or more a piece as long as that stays affordable.
   Mesh(const ContactProblem& problem, const Rational& origin, int cells);
   /// Every cell cut into pieces[i] >= 1 equal parts.
   Mesh refined(const std::vector<int>& pieces) const;
 
-  std::size_t size() const { return stretch_of_.size(); }
+  std::size_t size() const { return piece_of_.size(); }
   const std::vector<double>& edges() const { return edges_; }
   double left(std::size_t i) const { return edges_[i]; }
   double right(std::size_t i) const { return edges_[i + 1]; }
   double length(std::size_t i) const { return edges_[i + 1] - edges_[i]; }
   double centre(std::size_t i) const { return (edges_[i] + edges_[i + 1]) / 2; }
-  const Stretch& stretch(std::size_t i) const { return stretches_[stretch_of_[i]]; }
+  const SupportPiece& piece(std::size_t i) const { return pieces_[piece_of_[i]]; }
   /// Where the displacement in cell i is looked at: the centre without friction, close to the right end for s -> inf.
-  double point(std::size_t i) const { return edges_[i] + stretch(i).ahead * length(i); }
-  /// The cell is the first or the last one of its stretch.
+  double point(std::size_t i) const { return edges_[i] + piece(i).ahead * length(i); }
+  /// The cell is the first or the last one of its piece.
   bool beside_cut(std::size_t i) const;
-  /// The sign of the step at the left end of cell i; 0 within a stretch.
+  /// The sign of the step at the left end of cell i; 0 within a piece.
   int step_before(std::size_t i) const;
 
  private:
   Mesh() = default;
 
-  std::vector<Stretch> stretches_;
+  std::vector<SupportPiece> pieces_;
   std::vector<double> edges_;
-  std::vector<std::size_t> stretch_of_;
+  std::vector<std::size_t> piece_of_;
 };
 
 }  // namespace steadyslide::numeric::coarse

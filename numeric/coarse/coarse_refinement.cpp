@@ -53,12 +53,12 @@ bool may_hide_contact(const Influence& influence, const Equilibrium& state, std:
   const double here = lowered(i);
   const double left_slope = i > 0 ? (here - lowered(i - 1)) / (x - influence.point(i - 1)) : 0;
   const double right_slope = i + 1 < mesh.size() ? (lowered(i + 1) - here) / (influence.point(i + 1) - x) : 0;
-  const Stretch& stretch = mesh.stretch(i);
-  const std::size_t samples = stretch.profile.size() + 3;
+  const SupportPiece& piece = mesh.piece(i);
+  const std::size_t samples = piece.profile.size() + 3;
   for (std::size_t k = 0; k <= samples; ++k) {
     const double y = mesh.left(i) + mesh.length(i) * static_cast<double>(k) / static_cast<double>(samples);
     const double slope = y < x ? right_slope : left_slope;
-    if (stretch.profile_at(y) + state.tilt * y < here + slope * (y - x)) return true;
+    if (piece.profile_at(y) + state.tilt * y < here + slope * (y - x)) return true;
   }
   return false;
 }

@@ -21,7 +21,7 @@ int InteriorStress<R>::nodes_per_panel() const {
 template <Real R>
 bool InteriorStress<R>::is_singular(std::size_t j) const {
   const RiemannHilbertForm<R>& form = solution_->form();
-  return form.weight().powers()[j].value != 0 || form.is_kinked(j);
+  return form.fundamental_solution().powers()[j].value != 0 || form.changes_polynomial(j);
 }
 
 template <Real R>
@@ -43,16 +43,16 @@ R InteriorStress<R>::beyond(std::size_t segment, Side side) const {
 }
 
 template <Real R>
-Surroundings<R> InteriorStress<R>::surroundings(const Stretch& stretch, const R& depth) const {
+Surroundings<R> InteriorStress<R>::surroundings(const OneSidedPart& part, const R& depth) const {
   using std::sqrt;
   const auto to_point = [&](const R& x) { return R(sqrt(x * x + depth * depth)); };
-  const bool at_left = stretch.from_left == 0;
-  const bool at_right = stretch.from_right == 0;
-  Surroundings<R> around{at_left && is_singular(stretch.segment), at_right && is_singular(stretch.segment + 1),
-                         at_left ? beyond(stretch.segment, Side::left) : stretch.from_left,
-                         at_right ? beyond(stretch.segment, Side::right) : stretch.from_right};
-  if (stretch.x_left <= 0) around.beyond_left = std::min(around.beyond_left, to_point(stretch.x_left));
-  if (stretch.x_right >= 0) around.beyond_right = std::min(around.beyond_right, to_point(stretch.x_right));
+  const bool at_left = part.from_left == 0;
+  const bool at_right = part.from_right == 0;
+  Surroundings<R> around{at_left && is_singular(part.segment), at_right && is_singular(part.segment + 1),
+                         at_left ? beyond(part.segment, Side::left) : part.from_left,
+                         at_right ? beyond(part.segment, Side::right) : part.from_right};
+  if (part.x_left <= 0) around.beyond_left = std::min(around.beyond_left, to_point(part.x_left));
+  if (part.x_right >= 0) around.beyond_right = std::min(around.beyond_right, to_point(part.x_right));
   return around;
 }
 
@@ -80,31 +80,31 @@ void InteriorStress<R>::add_force(const Estimate<R>& force, const R& ratio, cons
 }
 
 template <Real R>
-void InteriorStress<R>::add(const Stretch& stretch, Sum& sum) const {
+void InteriorStress<R>::add(const OneSidedPart& part, Sum& sum) const {
   using std::abs, std::pow;
   const RiemannHilbertForm<R>& form = solution_->form();
-  const std::size_t segment = stretch.segment;
+  const std::size_t segment = part.segment;
   const R ratio = solution_->shear_ratio(segment);
-  for (const GradedPanel<R>& panel : graded_panels(stretch.length, surroundings(stretch, sum.depth))) {
+  for (const GradedPanel<R>& panel : graded_panels(part.length, surroundings(part, sum.depth))) {
     Power<R> power{R(0), R(1)};
     bool kinked = false;
     if (panel.singular_end) {
       const std::size_t j = *panel.singular_end == Side::left ? segment : segment + 1;
-      power = form.weight().powers()[j];
-      kinked = form.is_kinked(j);
+      power = form.fundamental_solution().powers()[j];
+      kinked = form.changes_polynomial(j);
     }
     const JacobiRule<R>& rule = kinked ? double_exponential(power) : rules_.get(power, {R(0), R(1)}, nodes_per_panel());
     const bool mirrored = panel.singular_end == Side::right;
     for (std::size_t i = 0; i < rule.size(); ++i) {
       const R left = panel.from_left + panel.length * (mirrored ? rule.from_right[i] : rule.from_left[i]);
       const R right = panel.from_right + panel.length * (mirrored ? rule.from_left[i] : rule.from_right[i]);
-      // From the end of the stretch from which less is lost: from x itself if it ends there.
-      const bool by_left = abs(stretch.x_left) + left < abs(stretch.x_right) + right;
-      const R x = by_left ? R(stretch.x_left - left) : R(stretch.x_right + right);
+      // From the end of the part from which less is lost: from x itself if it ends there.
+      const bool by_left = abs(part.x_left) + left < abs(part.x_right) + right;
+      const R x = by_left ? R(part.x_left - left) : R(part.x_right + right);
       R weight = panel.length * rule.weights[i];
       if (!kinked && power.value != 0) weight /= pow(rule.from_left[i], power.value);
       const SurfacePoint<R> at =
-          surface_point(form.set(), segment, R(stretch.from_left + left), R(stretch.from_right + right));
+          surface_point(form.set(), segment, R(part.from_left + left), R(part.from_right + right));
       const Estimate<R> t = form.traction(at);
       // The place of x among the free ends is as uncertain as they are: twice their error.
       const R relative = 16 * epsilon<R>() + 2 * solution_->relative_end_error(at);

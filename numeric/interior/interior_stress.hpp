@@ -36,7 +36,7 @@ class InteriorStress {
 
  private:
   /// Part of a segment on one side of x. `x_left`: x minus the left end of the part.
-  struct Stretch {
+  struct OneSidedPart {
     std::size_t segment;
     R from_left;
     R length;
@@ -49,9 +49,9 @@ class InteriorStress {
     R depth;
   };
 
-  void add(const Stretch& stretch, Sum& sum) const;
+  void add(const OneSidedPart& part, Sum& sum) const;
   void add_force(const Estimate<R>& force, const R& ratio, const R& x, Sum& sum) const;
-  Surroundings<R> surroundings(const Stretch& stretch, const R& depth) const;
+  Surroundings<R> surroundings(const OneSidedPart& part, const R& depth) const;
   bool is_singular(std::size_t j) const;
   R beyond(std::size_t segment, Side side) const;
   const JacobiRule<R>& double_exponential(const Power<R>& power) const;

@@ -108,7 +108,7 @@ class Inspection {
       if (top + slope * slope / (4 * curvature) < top / 2) return std::nullopt;
       const R d = middle.at.node.from_left + slope / (2 * curvature);
       Value next{{middle.at.segment, {set_.x(k) + d, d, set_.length(k) - d}}, {}};
-      next.b = form_.bracket(form_.slope_at(k), next.at);
+      next.b = form_.regular_factor(form_.slope_at(k), next.at);
       const bool rightwards = d > middle.at.node.from_left;
       if (height(next) < top) return std::nullopt;
       (rightwards ? left : right) = middle;
@@ -143,7 +143,8 @@ class Inspection {
     for (std::size_t k = first; k < end; ++k) {
       decide(k);
       std::vector<Value> values;
-      for (const SurfacePoint<R>& at : places(set_, k, 5)) values.push_back({at, form_.bracket(form_.slope_at(k), at)});
+      for (const SurfacePoint<R>& at : places(set_, k, 5))
+        values.push_back({at, form_.regular_factor(form_.slope_at(k), at)});
       for (std::size_t i = 0; i < values.size(); ++i) {
         const bool between = 0 < i && i + 1 < values.size();
         const std::optional<Value> peak = between ? peak_beside(values[i - 1], values[i], values[i + 1]) : std::nullopt;
@@ -165,7 +166,7 @@ class Inspection {
     bool steps = false;
     for (std::size_t k = first; k < end; ++k) {
       std::vector<SurfacePoint<R>> more = places(set_, k, 5);
-      const std::vector<SurfacePoint<R>> extremes = form_.extremes(k);
+      const std::vector<SurfacePoint<R>> extremes = form_.profile_extrema(k);
       more.insert(more.end(), extremes.begin(), extremes.end());
       if (!extremes.empty()) {
         std::sort(more.begin(), more.end(), [](const SurfacePoint<R>& a, const SurfacePoint<R>& b) {
@@ -197,7 +198,7 @@ class Inspection {
 
   R rate(const SurfacePoint<R>& at) const {
     const auto segment = static_cast<std::size_t>(at.segment);
-    return form_.sign(at.segment) * form_.bracket(form_.slope_at(segment), at).value;
+    return form_.sign(at.segment) * form_.regular_factor(form_.slope_at(segment), at).value;
   }
 
   const RiemannHilbertForm<R>& form_;

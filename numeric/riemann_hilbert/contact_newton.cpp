@@ -72,8 +72,8 @@ class Linearisation {
     for (std::size_t f = 0; f < free_.size(); ++f) {
       const std::size_t j = free_[f];
       const Side inside = form_.set().point(j).kind == ContactSet<R>::Kind::begins ? Side::right : Side::left;
-      const R b = form_.bracket_at(j, inside).value;
-      steps.push_back(solution_(static_cast<Eigen::Index>(f)) / (form_.weight().powers()[j].value * b));
+      const R b = form_.regular_factor_at(j, inside).value;
+      steps.push_back(solution_(static_cast<Eigen::Index>(f)) / (form_.fundamental_solution().powers()[j].value * b));
     }
     return steps;
   }
@@ -88,7 +88,7 @@ class Linearisation {
     }
     for (std::size_t f = 0; f < free_.size(); ++f) {
       const std::vector<R> quot = quotient(form_.q(), form_.set().x(free_[f]));
-      const R factor = form_.weight().powers()[free_[f]].value * moved[f];
+      const R factor = form_.fundamental_solution().powers()[free_[f]].value * moved[f];
       for (std::size_t k = 0; k < quot.size(); ++k) step[k] += factor * quot[k];
     }
     return step;
@@ -224,7 +224,7 @@ class Newton {
       free_ = state_.set.movable();
       R largest = 0;
       for (const R& step : ends) largest = std::max(largest, R(abs(step)));
-      const R hull = state_.set.hull();
+      const R hull = state_.set.span_length();
       const R beside_wedges = follow_lengths(ends, hull);
       const auto [part, tightest] = admissible_part(ends);
       const bool moves = largest > rounding * hull || state_.set.is_over_notch(tightest);
@@ -316,7 +316,7 @@ class Newton {
       change[free_[f] - 1] += ends[f];
       change[free_[f]] -= ends[f];
     }
-    const R hull = state_.set.hull();
+    const R hull = state_.set.span_length();
     std::vector<char> by_order(state_.set.segments(), 0);
     for (const std::size_t j : free_) {
       const std::size_t k = inside(j);

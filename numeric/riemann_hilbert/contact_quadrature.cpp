@@ -103,7 +103,7 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
       size += abs(term) + abs(phi * rule.weights[i]);
     }
     const R rest = phi * (gap == 0 ? regular_second_kind(panel.rule.power, part.length)
-                                   : second_kind::beyond(panel.rule.power, d));
+                                   : second_kind::left_of(panel.rule.power, d));
     sum += rest;
     size += abs(rest);
   }

@@ -53,7 +53,7 @@ class Search {
   using What = typename Violation<R>::What;
 
   SearchResult<R> result(std::string shortcoming, const R& step) const {
-    return {state_, std::max(step, R(epsilon<R>() * state_.set.hull())), std::move(shortcoming)};
+    return {state_, std::max(step, R(epsilon<R>() * state_.set.span_length())), std::move(shortcoming)};
   }
 
   /// Where a gap over a notch has not been found, contact there is the best state: what is wrong with it has a name.
@@ -80,7 +80,7 @@ class Search {
   /// that an end very near the anchor is approached and not jumped over for ever. The same with gaps that close.
   std::vector<R> limits() const {
     const Set& set = state_.set;
-    const R hull = set.hull();
+    const R hull = set.span_length();
     std::vector<R> result(set.segments(), R(1e-3) * hull);
     using std::pow;
     for (std::size_t k = 0; k < set.segments(); ++k) {
@@ -132,13 +132,13 @@ class Search {
         return cross(left_moves ? k : k + 1, left_moves ? Side::right : Side::left);
       }
       vanished_.insert(*set.point(begin + 1).anchor);
-      set.close(begin);
+      set.remove_interval(begin);
       return renew(std::move(set));
     }
     if (set.in_contact(k)) {
       if (left.is_end() && right.is_end()) {
         if (set.components() == 1) return false;
-        set.close(k);
+        set.remove_interval(k);
         return renew(std::move(set));
       }
       return cross(left_moves ? k : k + 1, left_moves ? Side::right : Side::left);
@@ -146,7 +146,7 @@ class Search {
     if (left.is_end() && right.is_end()) {
       if (!left.is_free() || !right.is_free() || left.anchor || right.anchor) return false;
       ++closings_;
-      set.close(k);
+      set.remove_interval(k);
       return renew(std::move(set));
     }
     const std::size_t j = left_moves ? k : k + 1;
@@ -157,7 +157,7 @@ class Search {
     const End end = left_moves ? End::right : End::left;
     if (!problem_.edge_possible(end, anchor)) return false;
     ++crossings_[anchor];
-    set.settle(j, towards, false);
+    set.attach_to_anchor(j, towards, false);
     return renew(std::move(set));
   }
 
@@ -167,7 +167,7 @@ class Search {
     if (!set.point(neighbour).anchor || set.point(neighbour).is_end()) return false;
     const R distance = set.length(towards == Side::left ? j - 1 : j);
     ++crossings_[*set.point(neighbour).anchor];
-    set.hop(j, towards, distance);
+    set.cross_anchor(j, towards, distance);
     if (!set.is_consistent()) return false;
     state_.set = std::move(set);
     return true;
@@ -176,7 +176,7 @@ class Search {
   /// Free ends that have come to lie on a friction jump but for rounding are there. Not on a wedge: a contact that
   /// reaches beyond it by a length l carries a load of the order of l^(1/2 - |alpha|), much though l may be nothing.
   void snap() {
-    const R rounding = 4 * epsilon<R>() * state_.set.hull();
+    const R rounding = 4 * epsilon<R>() * state_.set.span_length();
     for (const std::size_t j : state_.set.movable()) {
       const auto& point = state_.set.point(j);
       const bool begins = point.kind == Kind::begins;
@@ -186,7 +186,7 @@ class Search {
           state_.set.point(neighbour).is_end() || problem_.anchors()[*state_.set.point(neighbour).anchor].is_break) {
         continue;
       }
-      state_.set.settle(j, begins ? Side::right : Side::left, true);
+      state_.set.attach_to_anchor(j, begins ? Side::right : Side::left, true);
       return snap();
     }
   }
@@ -210,22 +210,23 @@ class Search {
     return renew(std::move(set));
   }
 
-  using Place = typename Set::Place;
-  static Place place(const SurfacePoint<R>& at) {
+  using SegmentPlace = typename Set::SegmentPlace;
+  static SegmentPlace place(const SurfacePoint<R>& at) {
     return {static_cast<std::size_t>(at.segment), at.node.from_left, at.node.from_right};
   }
-  static Place between(const Place& a, const Place& b, const R& part) {
+  static SegmentPlace between(const SegmentPlace& a, const SegmentPlace& b, const R& part) {
     return {a.segment, a.from_left + part * (b.from_left - a.from_left),
             a.from_right + part * (b.from_right - a.from_right)};
   }
 
   void add_component(Set& set, const Violation<R>& v) {
-    const Place from = place(v.from);
-    const Place to = place(v.to);
+    const SegmentPlace from = place(v.from);
+    const SegmentPlace to = place(v.to);
     // Contact takes less than what penetrates: the middle.
     const bool together = from.segment == to.segment;
-    const Place first_end = together ? to : Place{from.segment, R(from.from_left + from.from_right), R(0)};
-    const Place last_end = together ? from : Place{to.segment, R(0), R(to.from_left + to.from_right)};
+    const SegmentPlace first_end =
+        together ? to : SegmentPlace{from.segment, R(from.from_left + from.from_right), R(0)};
+    const SegmentPlace last_end = together ? from : SegmentPlace{to.segment, R(0), R(to.from_left + to.from_right)};
     const R part = together ? R(0.25) : R(0.5);
     set.open(between(from, first_end, part), between(to, last_end, part));
   }
@@ -244,14 +245,14 @@ class Search {
   }
 
   bool remove_contact(Set& set, const Violation<R>& v) {
-    const Place from = place(v.from);
-    const Place to = place(v.to);
+    const SegmentPlace from = place(v.from);
+    const SegmentPlace to = place(v.to);
     if (v.anchor && open_over(set, v)) return true;
     const bool at_left = from.from_left == 0 && set.point(from.segment).is_end();
     const bool at_right = to.from_right == 0 && set.point(to.segment + 1).is_end();
     if (at_left && at_right) {
       if (set.components() == 1) return false;
-      set.close(from.segment);
+      set.remove_interval(from.segment);
       return true;
     }
     // An end with tension beside it goes to where the tension stops.

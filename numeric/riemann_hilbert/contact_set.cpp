@@ -97,7 +97,9 @@ template <Real R>
 void ContactSet<R>::place_points() {
   // A place follows from the nearer anchor, by way of the points between. If both are a long way off, the place is kept
   // as it is, and those of the points beside it follow.
-  const R near = 4;
+  // A contact that fits its frame is about one unit long: what is longer than this reaches to something far
+  // away, and the place that would follow from there keeps only the digits that so long a sum has left.
+  const R longest_local = 4;
   const std::size_t count = points_.size();
   std::vector<R> from_left(count, infinity<R>());
   std::vector<R> from_right(count, infinity<R>());
@@ -105,24 +107,25 @@ void ContactSet<R>::place_points() {
     if (points_[j].anchor) {
       x_[j] = problem_->anchors()[*points_[j].anchor].x;
       from_left[j] = from_right[j] = 0;
-    } else if (lengths_[j - 1] <= near) {
+    } else if (lengths_[j - 1] <= longest_local) {
       from_left[j] = from_left[j - 1] + lengths_[j - 1];
     }
   }
   for (std::size_t j = count - 1; j-- > 0;) {
-    if (!points_[j].anchor && lengths_[j] <= near) from_right[j] = from_right[j + 1] + lengths_[j];
+    if (!points_[j].anchor && lengths_[j] <= longest_local) from_right[j] = from_right[j + 1] + lengths_[j];
   }
   const auto is_known = [&](std::size_t j) { return std::min(from_left[j], from_right[j]) < infinity<R>(); };
   for (std::size_t j = 1; j < count; ++j) {
     if (points_[j].anchor) continue;
-    if (is_known(j) ? from_left[j] <= from_right[j] : lengths_[j - 1] <= near) x_[j] = x_[j - 1] + lengths_[j - 1];
+    if (is_known(j) ? from_left[j] <= from_right[j] : lengths_[j - 1] <= longest_local)
+      x_[j] = x_[j - 1] + lengths_[j - 1];
   }
   for (std::size_t j = count - 1; j-- > 0;) {
     if (!points_[j].anchor && from_right[j] < from_left[j]) x_[j] = x_[j + 1] - lengths_[j];
   }
   // And a long way follows from its places.
   for (std::size_t k = 0; k < lengths_.size(); ++k) {
-    if (lengths_[k] > near && !(points_[k].anchor && points_[k + 1].anchor)) lengths_[k] = x_[k + 1] - x_[k];
+    if (lengths_[k] > longest_local && !(points_[k].anchor && points_[k + 1].anchor)) lengths_[k] = x_[k + 1] - x_[k];
   }
 }
 
@@ -177,7 +180,7 @@ bool ContactSet<R>::is_consistent() const {
 }
 
 template <Real R>
-R ContactSet<R>::hull() const {
+R ContactSet<R>::span_length() const {
   const std::vector<std::size_t> begins = all(Kind::begins);
   const std::vector<std::size_t> ends = all(Kind::ends);
   if (begins.empty()) return R(0);
@@ -194,7 +197,7 @@ bool ContactSet<R>::is_over_notch(std::size_t k) const {
   const auto moves = [this](std::size_t j) { return points_[j].is_free() && !points_[j].anchor; };
   return points_[middle].anchor && problem_->anchors()[*points_[middle].anchor].wedge < 0 &&
          problem_->anchors()[*points_[middle].anchor].step_sign == 0 && moves(middle - 1) && moves(middle + 1) &&
-         lengths_[middle - 1] + lengths_[middle] < R(0.05) * hull();
+         lengths_[middle - 1] + lengths_[middle] < R(0.05) * span_length();
 }
 
 template <Real R>
@@ -241,7 +244,7 @@ void ContactSet<R>::erase(std::size_t j) {
 }
 
 template <Real R>
-void ContactSet<R>::hop(std::size_t j, Side towards, const R& distance) {
+void ContactSet<R>::cross_anchor(std::size_t j, Side towards, const R& distance) {
   const Point end{std::nullopt, points_[j].kind, true};
   erase(j);
   if (towards == Side::left) {
@@ -256,7 +259,7 @@ void ContactSet<R>::hop(std::size_t j, Side towards, const R& distance) {
 }
 
 template <Real R>
-void ContactSet<R>::settle(std::size_t j, Side towards, bool vanishes) {
+void ContactSet<R>::attach_to_anchor(std::size_t j, Side towards, bool vanishes) {
   Point& anchor = points_[towards == Side::left ? j - 1 : j + 1];
   anchor.kind = points_[j].kind;
   anchor.vanishes = vanishes;
@@ -284,7 +287,7 @@ void ContactSet<R>::move_end(std::size_t j, std::size_t segment, const R& from_l
 }
 
 template <Real R>
-void ContactSet<R>::close(std::size_t j) {
+void ContactSet<R>::remove_interval(std::size_t j) {
   std::size_t other = j + 1;
   while (!points_[other].is_end()) ++other;
   erase(other);
@@ -293,11 +296,11 @@ void ContactSet<R>::close(std::size_t j) {
 }
 
 template <Real R>
-void ContactSet<R>::open(const Place& from, const Place& to) {
+void ContactSet<R>::open(const SegmentPlace& from, const SegmentPlace& to) {
   const bool gap = contact_[from.segment];
   const Point first{std::nullopt, gap ? Kind::ends : Kind::begins, true};
   const Point last{std::nullopt, gap ? Kind::begins : Kind::ends, true};
-  const auto place = [this](const Place& p) {
+  const auto place = [this](const SegmentPlace& p) {
     return p.from_left < p.from_right ? R(x_[p.segment] + p.from_left) : R(x_[p.segment + 1] - p.from_right);
   };
   const R x_first = place(from);

@@ -56,7 +56,7 @@ class ContactSet {
   /// Does contact begin and end in turns, at least once, with lengths > 0 between all points?
   bool is_consistent() const;
   /// From the first end to the last one.
-  R hull() const;
+  R span_length() const;
   /// Is segment k half of a short gap over a notch, a wedge with D < 0, both ends free? Such a gap keeps a traction
   /// like d^beta, or like log d, from pulling in the corner: its length counts by its order of magnitude, which may be
   /// any.
@@ -67,22 +67,22 @@ class ContactSet {
 
   // Changes of the set's topology. Indices of points change.
   /// The free end j goes to the other side of its neighbour, an anchor that is no end, at most `distance` away from it.
-  void hop(std::size_t j, Side towards, const R& distance);
+  void cross_anchor(std::size_t j, Side towards, const R& distance);
   /// The free end j reaches its neighbour, an anchor, and stays there: an edge, or a free end if `vanishes`.
-  void settle(std::size_t j, Side towards, bool vanishes);
+  void attach_to_anchor(std::size_t j, Side towards, bool vanishes);
   /// The end j, of whatever kind, becomes a free end at the distance given from the left end of a segment.
   void move_end(std::size_t j, std::size_t segment, const R& from_left);
   /// Removes the gap that begins at point j (an end of contact), or the component that begins there.
-  void close(std::size_t j);
+  void remove_interval(std::size_t j);
   /// A place in a segment, by its distances from both ends.
-  struct Place {
+  struct SegmentPlace {
     std::size_t segment;
     R from_left;
     R from_right;
   };
   /// New free ends at two places: a gap between them if they are in contact, a component if not. Anchors between them
   /// are passed.
-  void open(const Place& from, const Place& to);
+  void open(const SegmentPlace& from, const SegmentPlace& to);
 
  private:
   void refresh();

@@ -62,7 +62,7 @@ R GapIntegral<R>::slope_difference(std::size_t segment, const R& from, const R& 
     if (k == own || a >= b) return;
     const R left = surface_point(set(), segment, a, R(set().length(segment) - a)).node.x;
     const R right = surface_point(set(), segment, b, R(set().length(segment) - b)).node.x;
-    sum += problem.rise(own, left, right) - problem.rise(k, left, right);
+    sum += problem.profile_increment(own, left, right) - problem.profile_increment(k, left, right);
   };
   add(slope_on(segment, true), from, std::min(end, middle));
   add(slope_on(segment, false), std::max(from, middle), end);
@@ -87,7 +87,7 @@ R GapIntegral<R>::closure_error(const std::vector<GapNode<R>>& rule) const {
     sum += slope_difference(k, R(0), set().length(k));
   }
   sum += step(k);
-  for (const GapNode<R>& node : rule) sum += node.weight * R(node.y * form_->bracket(node.slope, node.at).value);
+  for (const GapNode<R>& node : rule) sum += node.weight * R(node.y * form_->regular_factor(node.slope, node.at).value);
   return sum;
 }
 
@@ -126,7 +126,7 @@ Estimate<R> GapIntegral<R>::reduced_gap(const SurfacePoint<R>& at) const {
     sum += slope_difference(segment, at.node.from_left, at.node.from_right);
   }
   for (const GapNode<R>& node : nodes) {
-    const Estimate<R> b = form_->bracket(node.slope, node.at);
+    const Estimate<R> b = form_->regular_factor(node.slope, node.at);
     sum += node.weight * node.y * b.value;
     size += abs(node.weight * node.y) * (abs(b.value) + b.error / epsilon<R>());
   }
@@ -138,7 +138,7 @@ R GapIntegral<R>::profile_increment(const SurfacePoint<R>& at) const {
   const ReducedProblem<R>& problem = form_->problem();
   const auto segment = static_cast<std::size_t>(at.segment);
   const auto rise = [&](std::size_t k, const R& from, const R& to) {
-    return problem.rise(form_->slope_at(k), from, to);
+    return problem.profile_increment(form_->slope_at(k), from, to);
   };
   R sum = form_->tilt() * form_->distance(at, end_);
   if (end_ <= segment) {

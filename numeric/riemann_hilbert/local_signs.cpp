@@ -21,7 +21,8 @@ R displaced(const RiemannHilbertForm<R>& form, std::size_t point, const R& end_e
     R distance = 0;
     for (std::size_t k = std::min(f, point); k < std::max(f, point); ++k) distance += set.length(k);
     const Side inside = set.point(f).kind == ContactSet<R>::Kind::begins ? Side::right : Side::left;
-    sum += abs(form.weight().powers()[f].value * form.bracket_at(f, inside).value) * error / distance;
+    sum +=
+        abs(form.fundamental_solution().powers()[f].value * form.regular_factor_at(f, inside).value) * error / distance;
   }
   return sum;
 }
@@ -40,15 +41,15 @@ LeadingTerm<R> power_term(const RiemannHilbertForm<R>& form, std::size_t point, 
   const bool is_end = set.point(point).is_end();
   const Side side = set.point(point).kind == ContactSet<R>::Kind::begins ? Side::right : Side::left;
   const std::size_t segment = side == Side::right ? point : point - 1;
-  const Estimate<R> b = form.bracket_at(point, side);
+  const Estimate<R> b = form.regular_factor_at(point, side);
   const R error = b.error + displaced(form, point, end_error);
-  R factor = -form.sign(static_cast<std::ptrdiff_t>(segment)) * form.weight().amplitude(point);
+  R factor = -form.sign(static_cast<std::ptrdiff_t>(segment)) * form.fundamental_solution().amplitude(point);
   if (is_end) factor *= form.problem().cos_alpha(form.friction_at(segment));
   const bool decided = abs(b.value) > 4 * error;
   const int sign = b.value * form.sign(static_cast<std::ptrdiff_t>(segment)) > 0 ? 1 : -1;
   return {LeadingTerm<R>::Is::power,
           {factor * b.value, abs(factor) * error},
-          form.weight().powers()[point].value,
+          form.fundamental_solution().powers()[point].value,
           decided ? sign : 0};
 }
 
@@ -78,7 +79,7 @@ std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>& form, st
 template <Real R>
 std::optional<R> log_reach(const RiemannHilbertForm<R>& form, std::size_t point) {
   using std::log;
-  if (!form.is_kinked(point)) return std::nullopt;
+  if (!form.changes_polynomial(point)) return std::nullopt;
   const R d = slope_jump(form, point);
   const R& s = form.problem().s(form.friction_at(point));
   const R& cosine = form.problem().cos_alpha(form.friction_at(point));
@@ -89,7 +90,7 @@ std::optional<R> log_reach(const RiemannHilbertForm<R>& form, std::size_t point)
   }
   const R ratio = -d / (s - form.problem().s(form.friction_at(point - 1))) / regular;
   if (!(ratio > 0)) return std::nullopt;
-  return log(ratio) / form.weight().powers()[point].value;
+  return log(ratio) / form.fundamental_solution().powers()[point].value;
 }
 
 template <Real R>

@@ -66,7 +66,7 @@ R ReducedProblem<R>::slope(std::size_t index, const R& x) const {
 }
 
 template <Real R>
-R ReducedProblem<R>::rise(std::size_t index, const R& from, const R& to) const {
+R ReducedProblem<R>::profile_increment(std::size_t index, const R& from, const R& to) const {
   // x^{j+1} - y^{j+1} = (x - y) (x^j + ... + y^j): nothing cancels over a short interval.
   const std::vector<R>& g = slopes_[index];
   R sum = 0;

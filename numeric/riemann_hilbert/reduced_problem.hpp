@@ -50,7 +50,7 @@ class ReducedProblem {
   const std::vector<std::vector<R>>& slopes() const { return slopes_; }
   R slope(std::size_t index, const R& x) const;
   /// int_from^to g dxi.
-  R rise(std::size_t index, const R& from, const R& to) const;
+  R profile_increment(std::size_t index, const R& from, const R& to) const;
   int highest_degree() const { return highest_degree_; }
 
   const R& s(std::size_t friction) const { return s_[friction]; }

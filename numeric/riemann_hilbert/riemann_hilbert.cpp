@@ -91,7 +91,7 @@ Start start_again(const RiemannHilbertSolution<R>& solution) {
   const Frame& frame = solution.problem().frame();
   const std::vector<std::size_t> begins = set.all(Kind::begins);
   const std::vector<std::size_t> ends = set.all(Kind::ends);
-  const R hull = set.hull();
+  const R hull = set.span_length();
   std::size_t from = begins.front();
   if (from > 0 && set.length(from - 1) <= hull) --from;
   std::size_t to = ends.back();
@@ -138,7 +138,7 @@ template <Real R>
 std::shared_ptr<RiemannHilbertSolution<R>> search(const ContactProblem& problem, const Start& start) {
   constexpr int max_frames = 12;
   auto solution = search_once<R>(problem, start);
-  for (int i = 0; i < max_frames && solution->state().set.hull() < R(0.01); ++i) {
+  for (int i = 0; i < max_frames && solution->state().set.span_length() < R(0.01); ++i) {
     solution = search_once<R>(problem, start_again(*solution));
   }
   return solution;
@@ -153,7 +153,7 @@ std::shared_ptr<RiemannHilbertSolution<R>> refined(const ContactProblem& problem
   ContactSet<R> set = ContactSet<R>::converted(solution->problem(), state.set);
   // A free end that lies on a jump as far as double can tell is free again.
   using Kind = typename ContactSet<R>::Kind;
-  const R distance = epsilon<double>() * set.hull();
+  const R distance = epsilon<double>() * set.span_length();
   for (std::size_t j = set.points().size(); j-- > 0;) {
     if (!set.point(j).is_free() || !set.point(j).anchor) continue;
     const bool begins = set.point(j).kind == Kind::begins;

@@ -49,15 +49,15 @@ RiemannHilbertForm<R>::RiemannHilbertForm(const ReducedProblem<R>& problem, Cont
 }
 
 template <Real R>
-Estimate<R> RiemannHilbertForm<R>::bracket(std::size_t slope, const SurfacePoint<R>& at) const {
+Estimate<R> RiemannHilbertForm<R>::regular_factor(std::size_t slope, const SurfacePoint<R>& at) const {
   const Estimate<R> regular = horner(polynomials_[slope], at.node.x);
   const Estimate<R> integral = quadrature_.cauchy(slope, at);
   return {regular.value - integral.value / pi<R>(), 4 * epsilon<R>() * (regular.error + integral.error / pi<R>())};
 }
 
 template <Real R>
-Estimate<R> RiemannHilbertForm<R>::bracket_at(std::size_t j, Side side) const {
-  return bracket(slope_at(side == Side::left ? j - 1 : j), beside(set(), j, side, R(0)));
+Estimate<R> RiemannHilbertForm<R>::regular_factor_at(std::size_t j, Side side) const {
+  return regular_factor(slope_at(side == Side::left ? j - 1 : j), beside(set(), j, side, R(0)));
 }
 
 template <Real R>
@@ -66,7 +66,8 @@ Estimate<R> RiemannHilbertForm<R>::traction(const SurfacePoint<R>& at) const {
   const auto segment = static_cast<std::size_t>(at.segment);
   if (!set().in_contact(segment)) return {};
   const R factor = y_->traction_factor(segment) * modulus(at);
-  return factor * bracket(slope_at(segment), at).widened(weight().relative_error(segment, at.node, R(0)));
+  return factor *
+         regular_factor(slope_at(segment), at).widened(fundamental_solution().relative_error(segment, at.node, R(0)));
 }
 
 template <Real R>
@@ -77,7 +78,7 @@ Estimate<R> RiemannHilbertForm<R>::surface_slope(const SurfacePoint<R>& at) cons
   const R profile = problem().slope(slope_at(segment), at.node.x) + tilt_;
   const Estimate<R> rounded{profile, 4 * epsilon<R>() * abs(profile)};
   if (at.segment == static_cast<std::ptrdiff_t>(segment) && set().in_contact(segment)) return rounded;
-  return rounded - y_->value(at) * bracket(slope_at(segment), at).widened(16 * epsilon<R>());
+  return rounded - y_->value(at) * regular_factor(slope_at(segment), at).widened(16 * epsilon<R>());
 }
 
 template <Real R>
@@ -89,7 +90,7 @@ Estimate<R> RiemannHilbertForm<R>::load_on(std::size_t segment) const {
     for (std::size_t i = 0; i < panel.rule->size(); ++i) {
       const SurfacePoint<R> at = panel.node(set(), i);
       const R w = panel.node_weight(i) * amplitude * modulus(at);
-      sum += w * bracket(slope_at(segment), at).widened(8 * epsilon<R>());
+      sum += w * regular_factor(slope_at(segment), at).widened(8 * epsilon<R>());
     }
   }
   return sum;
@@ -130,7 +131,7 @@ R RiemannHilbertForm<R>::moment_of_load() const {
 }
 
 template <Real R>
-std::vector<SurfacePoint<R>> RiemannHilbertForm<R>::extremes(std::size_t segment) const {
+std::vector<SurfacePoint<R>> RiemannHilbertForm<R>::profile_extrema(std::size_t segment) const {
   std::vector<double> g;
   for (const R& c : problem().slopes()[slope_at(segment)]) g.push_back(static_cast<double>(c));
   if (g.empty()) return {};

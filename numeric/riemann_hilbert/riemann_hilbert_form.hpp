@@ -35,21 +35,21 @@ class RiemannHilbertForm {
   // What belongs to Y.
   const ReducedProblem<R>& problem() const { return y_->problem(); }
   const ContactSet<R>& set() const { return y_->set(); }
-  const FundamentalSolution<R>& weight() const { return y_->fundamental_solution(); }
+  const FundamentalSolution<R>& fundamental_solution() const { return y_->fundamental_solution(); }
   int degree_at_infinity() const { return y_->degree_at_infinity(); }
   const Exponent& exponent(std::size_t j) const { return y_->exponent(j); }
   std::size_t slope_at(std::size_t segment) const { return y_->slope_at(segment); }
   std::size_t friction_at(std::size_t segment) const { return y_->friction_at(segment); }
-  bool is_kinked(std::size_t j) const { return y_->changes_polynomial(j); }
+  bool changes_polynomial(std::size_t j) const { return y_->changes_polynomial(j); }
   int sign(std::ptrdiff_t segment) const { return y_->sign(segment); }
   R modulus(const SurfacePoint<R>& at) const { return y_->modulus(at); }
   R distance(const SurfacePoint<R>& at, std::size_t j) const { return y_->distance(at, j); }
 
   /// B_k, with what rounding may have done to it.
-  Estimate<R> bracket(std::size_t slope, const SurfacePoint<R>& at) const;
+  Estimate<R> regular_factor(std::size_t slope, const SurfacePoint<R>& at) const;
   /// B_k at point j of the set, k the slope on that side; where the contact changes its polynomial at j, what is left
   /// of B_k without its singular term there (a multiple of |x - x_j|^-p, or of log|x - x_j| where p = 0).
-  Estimate<R> bracket_at(std::size_t j, Side side) const;
+  Estimate<R> regular_factor_at(std::size_t j, Side side) const;
   /// t; zero off the contact.
   Estimate<R> traction(const SurfacePoint<R>& at) const;
   /// The reduced slope u'/c.
@@ -63,7 +63,7 @@ class RiemannHilbertForm {
 
   /// Where the tilted profile over a segment has its valleys and peaks: the first places to look for contact, however
   /// small they are beside the segment.
-  std::vector<SurfacePoint<R>> extremes(std::size_t segment) const;
+  std::vector<SurfacePoint<R>> profile_extrema(std::size_t segment) const;
 
   /// Rules for B_k times a power of the distance to point j, power_at(j), over a part of a segment.
   std::vector<JacobiPanel<R>> panels(const SegmentPart<R>& part,

@@ -5,7 +5,7 @@
 
 #include "numeric/cauchy/residuals.hpp"
 #include "numeric/cauchy/traction_density.hpp"
-#include "numeric/number/clustered.hpp"
+#include "numeric/number/chebyshev_position.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/riemann_hilbert/local_signs.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
@@ -42,9 +42,9 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
   constexpr int places = 8;
   for (std::size_t k = 0; k < contact_set().segments(); ++k) {
     if (contact_set().in_contact(k)) continue;
-    std::vector<SurfacePoint<R>> all = form_->extremes(k);
+    std::vector<SurfacePoint<R>> all = form_->profile_extrema(k);
     for (int i = 0; i < places; ++i) {
-      const auto [left, right] = clustered<R>(i, places);
+      const auto [left, right] = chebyshev_position<R>(i, places);
       const R& length = contact_set().length(k);
       all.push_back(surface_point(contact_set(), k, R(left * length), R(right * length)));
     }

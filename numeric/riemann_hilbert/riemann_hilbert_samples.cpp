@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "numeric/cauchy/traction_density.hpp"
-#include "numeric/number/clustered.hpp"
+#include "numeric/number/chebyshev_position.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
@@ -72,11 +72,11 @@ Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const {
   if (contact_set().in_contact(static_cast<std::size_t>(at.segment))) return {};
   const std::optional<std::size_t> end = nearest_end(at);
   if (!end) return {};
-  const Estimate<R> opening = GapIntegral<R>(*form_, *end).reduced_gap(at);
+  const Estimate<R> reduced_gap = GapIntegral<R>(*form_, *end).reduced_gap(at);
   const R scale = to_real<R>(problem_.elasticity().compliance()) * to_real<R>(reduced_.frame().unit);
   const R distance = abs(form_->distance(at, *end));
   const R ends = distance > 0 ? R(2 * found_->end_error / distance) : R(0);
-  return scale * opening.widened(ends);
+  return scale * reduced_gap.widened(ends);
 }
 
 template <Real R>
@@ -109,9 +109,9 @@ Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const {
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) const {
   if (!in_contact_at(j, side)) return {};
-  const Exponent& p = form_->weight().powers()[j].value == 0 ? Exponent(0) : form_->exponent(j);
+  const Exponent& p = form_->fundamental_solution().powers()[j].value == 0 ? Exponent(0) : form_->exponent(j);
   if (p.sign() < 0) return {-infinity<R>(), R(0)};
-  if (form_->is_kinked(j)) {
+  if (form_->changes_polynomial(j)) {
     if (p.sign() > 0) return constant(j);
     // Without a corner (only the curvature changes) the logarithm is multiplied by zero.
     if (const int corner = sign(wedge(j)); corner != 0) return {corner > 0 ? R(-infinity<R>()) : infinity<R>(), R(0)};
@@ -238,7 +238,7 @@ std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const {
       const int until = k + 1 == end ? count : static_cast<int>(R(count * (part + before / width) / 2));
       const int n = until - done;
       for (int i = 0; i < n; ++i) {
-        const auto [left, right] = clustered<R>(i, n);
+        const auto [left, right] = chebyshev_position<R>(i, n);
         result.push_back(sample(surface_point(set, k, R(left * set.length(k)), R(right * set.length(k)))));
       }
       done = until;

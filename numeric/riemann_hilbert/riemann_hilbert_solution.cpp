@@ -52,7 +52,7 @@ R RiemannHilbertSolution<R>::relative_end_error(const SurfacePoint<R>& at) const
   R sum = 0;
   for (const std::size_t j : contact_set().movable()) {
     const R distance = abs(form_->distance(at, j));
-    if (distance > 0) sum += 4 * abs(form_->weight().powers()[j].value) * found_->end_error / distance;
+    if (distance > 0) sum += 4 * abs(form_->fundamental_solution().powers()[j].value) * found_->end_error / distance;
   }
   return sum;
 }
@@ -62,10 +62,10 @@ Estimate<R> RiemannHilbertSolution<R>::amplitude(std::size_t j, Side side) const
   using std::abs;
   const std::size_t segment = side == Side::left ? j - 1 : j;
   const R& length = contact_set().length(segment);
-  const Estimate<R> b = form_->bracket_at(j, side);
-  const R factor = form_->sign(static_cast<std::ptrdiff_t>(segment)) * form_->weight().amplitude(j);
+  const Estimate<R> b = form_->regular_factor_at(j, side);
+  const R factor = form_->sign(static_cast<std::ptrdiff_t>(segment)) * form_->fundamental_solution().amplitude(j);
   const Node<R> node{contact_set().x(segment) + length / 2, length / 2, length / 2};
-  const R relative = form_->weight().relative_error(segment, node, R(0)) +
+  const R relative = form_->fundamental_solution().relative_error(segment, node, R(0)) +
                      2 * relative_end_error({static_cast<std::ptrdiff_t>(segment), node});
   return factor * b.widened(relative);
 }
@@ -83,7 +83,7 @@ Estimate<R> RiemannHilbertSolution<R>::intensity(std::size_t j) const {
     return {theta, epsilon<R>() * abs(theta)};
   }
   const Estimate<R> t = amplitude(j, side);
-  const R power = pow(to_real<R>(reduced_.frame().unit), R(-form_->weight().powers()[j].value));
+  const R power = pow(to_real<R>(reduced_.frame().unit), R(-form_->fundamental_solution().powers()[j].value));
   // At an end theta carries the cos(pi alpha) of the contact side; at a jump the definition takes it out.
   const R factor = inside ? power : R(power * reduced_.cos_alpha(friction));
   return R(-factor) * t;
@@ -92,7 +92,7 @@ Estimate<R> RiemannHilbertSolution<R>::intensity(std::size_t j) const {
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::constant(std::size_t j) const {
   using std::abs, std::log;
-  if (contact_set().point(j).is_end() || !form_->is_kinked(j)) return {};
+  if (contact_set().point(j).is_end() || !form_->changes_polynomial(j)) return {};
   const Rational& d = wedge(j);
   const Rational s = problem_.coupled_friction(form_->friction_at(j - 1));
   if (form_->exponent(j).sign() != 0) {
@@ -152,7 +152,7 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::load_on(std::size_t segment) const {
-  if (!form_->is_kinked(segment) && !form_->is_kinked(segment + 1)) return form_->load_on(segment);
+  if (!form_->changes_polynomial(segment) && !form_->changes_polynomial(segment + 1)) return form_->load_on(segment);
   return tanh_sinh::panel_integral(panel_density(*form_, segment));
 }
 
@@ -188,7 +188,7 @@ std::optional<Estimate<R>> RiemannHilbertSolution<R>::tilt() const {
 template <Real R>
 EstimatedError<R> RiemannHilbertSolution<R>::estimated_error() const {
   using std::abs, std::max;
-  EstimatedError<R> worst{max(R(found_->end_error / contact_set().hull()), epsilon<R>()), R(0), R(0)};
+  EstimatedError<R> worst{max(R(found_->end_error / contact_set().span_length()), epsilon<R>()), R(0), R(0)};
   for (std::size_t k = 0; k < contact_set().segments(); ++k) {
     if (!contact_set().in_contact(k)) continue;
     const R half = contact_set().length(k) / 2;

@@ -52,13 +52,13 @@ Certificate certify(const DiscreteProblem& problem, const DiscreteState& state) 
   const CellMesh& mesh = problem.mesh();
   const std::vector<double>& p = state.pressure;
   std::vector<double> displacement(p.size());
-  problem.influence().multiply(p, displacement);
+  problem.galerkin_operator().multiply(p, displacement);
 
   Certificate result;
   const std::vector<std::size_t> rows = rows_to_sum(p);
   result.rows = rows.size();
   for (const std::size_t i : rows) {
-    result.product = std::max(result.product, std::abs(displacement[i] - row_sum(problem.influence(), p, i)));
+    result.product = std::max(result.product, std::abs(displacement[i] - row_sum(problem.galerkin_operator(), p, i)));
   }
 
   double contact_length = 0;

@@ -19,7 +19,7 @@ class Dense : public BorderedSystem {
     for (Eigen::Index j = 0; j < n; ++j) {
       const std::size_t cell = cells_[static_cast<std::size_t>(j)];
       for (Eigen::Index i = 0; i < n; ++i) {
-        matrix_(i, j) = problem.influence().entry(cells_[static_cast<std::size_t>(i)], cell);
+        matrix_(i, j) = problem.galerkin_operator().entry(cells_[static_cast<std::size_t>(i)], cell);
       }
       matrix_(j, n) = -1;
       matrix_(n, j) = mesh.length(cell);

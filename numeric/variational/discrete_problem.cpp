@@ -6,13 +6,13 @@ DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh)
     : DiscreteProblem(problem, mesh, CellProfile(problem, mesh.frame())) {}
 
 DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh, const CellProfile& profile)
-    : mesh_(std::move(mesh)), influence_(mesh_, cell_friction(problem, mesh_)), profile_(profile.means(mesh_)) {
+    : mesh_(std::move(mesh)), galerkin_operator_(mesh_, cell_friction(problem, mesh_)), profile_(profile.means(mesh_)) {
   if (problem.load_at()) load_at_ = mesh_.place(*problem.load_at());
 }
 
 std::vector<double> gaps(const DiscreteProblem& problem, const DiscreteState& state) {
   std::vector<double> g(problem.size());
-  problem.influence().multiply(state.pressure, g);
+  problem.galerkin_operator().multiply(state.pressure, g);
   for (std::size_t i = 0; i < g.size(); ++i) {
     g[i] += problem.profile()[i] + state.tilt * problem.mesh().centre(i) - state.approach;
   }

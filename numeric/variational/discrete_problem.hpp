@@ -19,7 +19,7 @@ class DiscreteProblem {
   DiscreteProblem(const ContactProblem& problem, CellMesh mesh, const CellProfile& profile);
 
   const CellMesh& mesh() const { return mesh_; }
-  const GalerkinOperator& influence() const { return influence_; }
+  const GalerkinOperator& galerkin_operator() const { return galerkin_operator_; }
   const std::vector<double>& profile() const { return profile_; }
   /// xi of load_at.
   const std::optional<double>& load_at() const { return load_at_; }
@@ -27,7 +27,7 @@ class DiscreteProblem {
 
  private:
   CellMesh mesh_;
-  GalerkinOperator influence_;
+  GalerkinOperator galerkin_operator_;
   std::vector<double> profile_;
   std::optional<double> load_at_;
 };

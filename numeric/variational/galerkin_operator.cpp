@@ -72,7 +72,7 @@ double GalerkinOperator::logarithm(std::size_t i, std::size_t j) const {
   return logarithm_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
 }
 
-double GalerkinOperator::slip(std::size_t i, std::size_t j) const {
+double GalerkinOperator::friction_entry(std::size_t i, std::size_t j) const {
   if (i == j) return friction_.own[i];
   const bool felt = friction_.sign > 0 ? j < i : j > i;
   return felt ? friction_.sign * friction_.whole[j] : 0;

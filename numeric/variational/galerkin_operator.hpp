@@ -22,10 +22,10 @@ class GalerkinOperator {
   GalerkinOperator part(std::size_t first, std::size_t count) const;
 
   std::size_t size() const { return friction_.whole.size(); }
-  double entry(std::size_t i, std::size_t j) const { return logarithm(i, j) + slip(i, j); }
+  double entry(std::size_t i, std::size_t j) const { return logarithm(i, j) + friction_entry(i, j); }
   /// The two parts of an entry.
   double logarithm(std::size_t i, std::size_t j) const;
-  double slip(std::size_t i, std::size_t j) const;
+  double friction_entry(std::size_t i, std::size_t j) const;
   /// B p, by two transforms on a uniform mesh, by the whole matrix on any other. Not to be called from two threads.
   void multiply(std::span<const double> p, std::span<double> result) const;
 

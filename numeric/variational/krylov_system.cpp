@@ -69,7 +69,7 @@ class Krylov : public BorderedSystem {
          const Hull& hull)
       : problem_(problem),
         first_(hull.first),
-        influence_(problem.influence().part(hull.first, hull.count)),
+        influence_(problem.galerkin_operator().part(hull.first, hull.count)),
         inverse_(influence_, problem.mesh().length(0)),
         tolerance_(tolerance),
         whole_(hull.count, 0.0),

@@ -57,7 +57,7 @@ End load_path(const DiscreteProblem& problem, const std::vector<std::size_t>& ce
   Eigen::VectorXd constants = Eigen::VectorXd::Zero(n + 1);
   for (Index j = 0; j < n; ++j) {
     for (Index i = 0; i < n; ++i)
-      matrix(i, j) = problem.influence().entry(cells[at(i)], cells[at(j)]) / mesh.length(cells[at(j)]);
+      matrix(i, j) = problem.galerkin_operator().entry(cells[at(i)], cells[at(j)]) / mesh.length(cells[at(j)]);
     matrix(n, j) = 1;
     constants(j) = problem.profile()[cells[at(j)]] + order(mesh, cells[at(j)]);
   }
@@ -90,7 +90,7 @@ End rolling_path(const DiscreteProblem& problem, const std::vector<std::size_t>&
   const double sense = from == From::right ? 1 : -1;
   const auto xi = [&](Index i) { return mesh.centre(cells[at(i)]); };
   const auto entry = [&](Index i, Index j) {
-    return problem.influence().entry(cells[at(i)], cells[at(j)]) / mesh.length(cells[at(j)]);
+    return problem.galerkin_operator().entry(cells[at(i)], cells[at(j)]) / mesh.length(cells[at(j)]);
   };
   // The force on the end cell is 1 less the others.
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + 2, n + 1);

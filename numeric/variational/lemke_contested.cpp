@@ -30,10 +30,10 @@ SchurComplement schur_complement(const DiscreteProblem& problem, const std::vect
     // A force 1 on one contested cell, taken off the others.
     const std::size_t cell = contested[static_cast<std::size_t>(j)];
     const double h = mesh.length(cell);
-    for (std::size_t i = 0; i < rhs.size(); ++i) rhs[i] = -problem.influence().entry(i, cell) / h;
+    for (std::size_t i = 0; i < rhs.size(); ++i) rhs[i] = -problem.galerkin_operator().entry(i, cell) / h;
     DiscreteState answer = system.solve(rhs, {-1, -mesh.centre(cell)}).state;
     answer.pressure[cell] = 1 / h;
-    problem.influence().multiply(answer.pressure, push);
+    problem.galerkin_operator().multiply(answer.pressure, push);
     for (Index i = 0; i < n; ++i) {
       const std::size_t other = contested[static_cast<std::size_t>(i)];
       result.matrix(i, j) = push[other] + answer.tilt * mesh.centre(other) - answer.approach;

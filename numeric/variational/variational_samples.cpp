@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/number/clustered.hpp"
+#include "numeric/number/chebyshev_position.hpp"
 #include "numeric/variational/variational_solution.hpp"
 
 namespace steadyslide::numeric {
@@ -94,7 +94,7 @@ std::vector<Sample<double>> VariationalSolution::samples(int count) const {
   const Rational origin = mesh().frame().origin;
   const auto sample_between = [&](double from, double to) {
     for (int i = 0; i < count && from < to; ++i) {
-      const auto [before, after] = clustered<double>(i, count);
+      const auto [before, after] = chebyshev_position<double>(i, count);
       const double x = before < after ? from + before * (to - from) : to - after * (to - from);
       result.push_back(at(origin + Rational(x)));
     }

@@ -55,7 +55,7 @@ VariationalSolution::VariationalSolution(ContactProblem problem, variational::Ne
   };
   set(found_.fine, edges_, traction_);
   set(found_.coarse, coarse_edges_, coarse_traction_);
-  discrete().influence().multiply(state().pressure, displacement_);
+  discrete().galerkin_operator().multiply(state().pressure, displacement_);
   find_runs();
   find_places();
   find_end_errors();

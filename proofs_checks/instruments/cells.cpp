@@ -105,7 +105,7 @@ Eigen::MatrixXd symmetric_part(const CellMesh& mesh, const GalerkinOperator& b, 
   for (std::size_t j = 0; j < b.size(); ++j) {
     for (std::size_t i = 0; i <= j; ++i) {
       double value = b.logarithm(i, j) / mesh.length(j);
-      if (slip) value += (b.slip(i, j) / mesh.length(j) + b.slip(j, i) / mesh.length(i)) / 2;
+      if (slip) value += (b.friction_entry(i, j) / mesh.length(j) + b.friction_entry(j, i) / mesh.length(i)) / 2;
       form(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = value;
       form(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = value;
     }

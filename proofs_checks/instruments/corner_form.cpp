@@ -21,7 +21,7 @@ template <Real R>
 SolvedAtCorner<R> solve_corner(const SolvedCorner& c) {
   const Rational place = c.problem.indenter().pieces().front().to;
   SolvedAtCorner<R> found{solved<R>(c.problem, c.zones), numeric::to_real<R>(place), 0, 0};
-  while (!found.solution->form().is_kinked(found.j)) ++found.j;
+  while (!found.solution->form().changes_polynomial(found.j)) ++found.j;
   for (const auto& point : found.solution->singular_points()) {
     if (point.x.value != found.x) continue;
     found.theta = point.intensity.value;

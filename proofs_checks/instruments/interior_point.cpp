@@ -80,7 +80,7 @@ std::optional<Eigen::VectorXd> forces_by_interior_points(const DiscreteProblem& 
     profile(i) = problem.profile()[row];
     for (Eigen::Index j = 0; j < n; ++j) {
       const auto column = static_cast<std::size_t>(j);
-      gap_of_force(i, j) = problem.influence().entry(row, column) / problem.mesh().length(column);
+      gap_of_force(i, j) = problem.galerkin_operator().entry(row, column) / problem.mesh().length(column);
     }
   }
   const auto found = by_interior_points(gap_of_force, profile, 1);

@@ -125,7 +125,7 @@ numeric::PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>& form,
   // At a wedge a power that vanishes lies below the constant or the logarithm.
   const auto leading = [&](std::size_t j) {
     const numeric::Power<R>& p = weight.powers()[j];
-    return form.is_kinked(j) && p.value > 0 ? numeric::Power<R>{R(0), R(1)} : p;
+    return form.changes_polynomial(j) && p.value > 0 ? numeric::Power<R>{R(0), R(1)} : p;
   };
   R gap = 0;
   for (std::size_t k = 0; k < form.set().segments(); ++k) {

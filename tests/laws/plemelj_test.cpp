@@ -33,8 +33,8 @@ TEST_CASE("Plemelj") {
     const FundamentalSolution<Real50>& y = data.traction.weight;
     for (std::size_t k = 0; k < y.panel_count(); ++k) {
       const Node<Real50> node = y.panel(k).node_from_left(Real50(y.panel(k).length * 3 / 8));
-      const Complex<Real50> above = y.boundary(k, node, Bank::above);
-      const Complex<Real50> below = y.boundary(k, node, Bank::below);
+      const Complex<Real50> above = y.boundary(k, node, BoundaryLimit::plus);
+      const Complex<Real50> below = y.boundary(k, node, BoundaryLimit::minus);
       const Rational s = p.coupled_friction(data.first_piece + k);
       const Real50 size = y.modulus(k, node);
       RC_ASSERT(distance(above, times(coefficient(s), below)) <= 1e-48 * size);

@@ -51,7 +51,7 @@ double energy_of_chebyshev(std::size_t cells, int n, int left, int right) {
   std::vector<double> p(cells);
   for (std::size_t i = 0; i < cells; ++i) p[i] = (primitive(mesh.right(i)) - primitive(mesh.left(i))) / mesh.length(i);
   std::vector<double> product(cells);
-  discrete.influence().multiply(p, product);
+  discrete.galerkin_operator().multiply(p, product);
   double sum = 0;
   for (std::size_t i = 0; i < cells; ++i) sum += p[i] * product[i] * mesh.length(i);
   return sum;
@@ -151,12 +151,12 @@ TEST_CASE("on equal cells every punch presses everywhere and penetrates nothing,
   for (const auto& [left, right] : {std::pair(0, 0), {5, 5}, {0, 5}, {5, 0}, {2, 4}}) {
     CAPTURE(left);
     CAPTURE(right);
-    const Punch punch = worst_punch(on_cells(problem_of(left, right, parabola, 1), 10).influence());
+    const Punch punch = worst_punch(on_cells(problem_of(left, right, parabola, 1), 10).galerkin_operator());
     CHECK(punch.least_pressure > 0);
     CHECK(punch.most_outside < 1);
   }
   // Controls: s falls by 3/5; cells of alternating lengths.
-  const Punch strong = worst_punch(on_cells(problem_of(6, 0, parabola, 1), 10).influence());
+  const Punch strong = worst_punch(on_cells(problem_of(6, 0, parabola, 1), 10).galerkin_operator());
   CHECK(strong.least_pressure < 0);
   CHECK(strong.most_outside > 1);
   const ContactProblem problem = problem_of(0, 0, parabola, 1);
@@ -164,7 +164,7 @@ TEST_CASE("on equal cells every punch presses everywhere and penetrates nothing,
   for (int i = 0; i < 8; ++i) edges.push_back(edges.back() + (i % 2 == 0 ? 5.0 : 0.25) / 21);
   edges.back() = 0.5;
   const DiscreteProblem alternating(problem, CellMesh(problem, Rational(0), edges));
-  CHECK(worst_punch(alternating.influence()).least_pressure < 0);
+  CHECK(worst_punch(alternating.galerkin_operator()).least_pressure < 0);
 }
 
 TEST_CASE("of all sets of eight cells one is complementary, where s rises and where it falls by 1/2") {

@@ -80,7 +80,7 @@ void change(ContactSet<R>& set) {
     }
     case 2: {
       const auto begins = set.all(uniform(0, 1) == 0 ? Kind<R>::begins : Kind<R>::ends);
-      if (begins.size() > 1) set.close(begins.front());
+      if (begins.size() > 1) set.remove_interval(begins.front());
       return;
     }
     case 3: {
@@ -91,7 +91,7 @@ void change(ContactSet<R>& set) {
       const bool at_support = neighbour == 0 || neighbour == set.segments();
       if (set.point(neighbour).is_end() || at_support) return;
       using std::pow;
-      set.hop(j, side, pow(R(10), -uniform(1, 40)));
+      set.cross_anchor(j, side, pow(R(10), -uniform(1, 40)));
       return;
     }
     default: {
@@ -135,7 +135,7 @@ TEST_CASE("zones that somebody guessed") {
     const auto& end = set.point(set.all(Kind<double>::ends).front());
     CHECK(begin.is_free() != guess.left_at_edge);
     CHECK(end.is_free() != guess.right_at_edge);
-    CHECK(set.hull() == doctest::Approx(guess.right - guess.left).epsilon(0.05));
+    CHECK(set.span_length() == doctest::Approx(guess.right - guess.left).epsilon(0.05));
     // An end never lies on an anchor: the jump at 0 is inside or outside.
     CHECK(set.movable().size() == (begin.is_free() ? 1U : 0U) + (end.is_free() ? 1U : 0U));
   }
@@ -145,13 +145,13 @@ TEST_CASE("an end settles at an anchor, and the set is closed and opened again")
   const ContactProblem p = jumps_on(-1, 1, {0, Rational(1, 2)});
   const ReducedProblem<double> problem(p, unit_frame);
   ContactSet<double> set(problem, {{-0.5, 0.25, false, false}});
-  set.settle(set.all(Kind<double>::ends).front(), Side::right, true);
+  set.attach_to_anchor(set.all(Kind<double>::ends).front(), Side::right, true);
   CHECK(fault(problem, set) == "");
   CHECK(set.movable().size() == 1U);
   CHECK(set.point(set.all(Kind<double>::ends).front()).is_free());
-  set.settle(set.all(Kind<double>::begins).front(), Side::left, false);
+  set.attach_to_anchor(set.all(Kind<double>::begins).front(), Side::left, false);
   CHECK(fault(problem, set) == "");
-  CHECK(set.hull() == doctest::Approx(1.5));
+  CHECK(set.span_length() == doctest::Approx(1.5));
   CHECK(!set.point(0).is_free());
   CHECK(set.movable().empty());
   // A gap from one segment into the next takes in the anchor between them.
@@ -159,9 +159,9 @@ TEST_CASE("an end settles at an anchor, and the set is closed and opened again")
   CHECK(fault(problem, set) == "");
   CHECK(set.components() == 2U);
   CHECK(set.length(1) + set.length(2) == doctest::Approx(0.5));
-  set.close(set.all(Kind<double>::ends).front());
+  set.remove_interval(set.all(Kind<double>::ends).front());
   CHECK(set.components() == 1U);
-  CHECK(set.hull() == doctest::Approx(1.5));
+  CHECK(set.span_length() == doctest::Approx(1.5));
   set.open({2, 0.1, 0.4}, {2, 0.2, 0.3});  // beyond the contact: a new component
   CHECK(set.components() == 2U);
   CHECK(fault(problem, set) == "");
@@ -174,8 +174,8 @@ TEST_CASE("tiny lengths survive, in the type and on the way to another one") {
   for (const double tiny : {1e-12, 1e-30, 1e-300}) {
     ContactSet<double> set(rough, {{-0.2, 0.2, false, false}});
     const std::size_t begin = set.all(Kind<double>::begins).front();
-    set.hop(begin, Side::left, tiny);
-    set.hop(set.all(Kind<double>::ends).front(), Side::right, tiny);
+    set.cross_anchor(begin, Side::left, tiny);
+    set.cross_anchor(set.all(Kind<double>::ends).front(), Side::right, tiny);
     CHECK(fault(rough, set) == "");
     CHECK(set.length(1) == tiny);
     CHECK(set.length(3) == tiny);

@@ -90,8 +90,8 @@ StressComponents<R> by_quadrature(const RiemannHilbertSolution<R>& solution, con
     // x' = (left end) + node; `from`: x minus the panel's left end, `to`: x minus its right end.
     const auto add = [&](const Panel<R>& panel, const R& before, const R& behind, const R& from, const R& to) {
       const Power<R> none{R(0), R(1)};
-      const Power<R> left = before == 0 ? form.weight().powers()[k] : none;
-      const Power<R> right = behind == 0 ? form.weight().powers()[k + 1] : none;
+      const Power<R> left = before == 0 ? form.fundamental_solution().powers()[k] : none;
+      const Power<R> right = behind == 0 ? form.fundamental_solution().powers()[k + 1] : none;
       for (int i = 0; i < 3; ++i) {
         const auto smooth = [&, i](const Node<R>& node) {
           const R t =

@@ -29,11 +29,11 @@ StressComponents<R> by_potentials(const RiemannHilbertSolution<R>& solution, con
   const R linear = g.size() == 2 ? g[1] : R(0);
   // B: the load over -pi under a punch, the curvature under a parabola.
   const R b = form.q().empty() ? linear : R(-form.q().front() / pi<R>());
-  const Z y = form.weight().at(zeta);
+  const Z y = form.fundamental_solution().at(zeta);
   Z logarithmic{R(0), R(0)};
-  for (std::size_t j = 0; j < form.weight().powers().size(); ++j) {
-    const R re = zeta.re - form.weight().point(j);
-    const R p = form.weight().powers()[j].value / (re * re + zeta.im * zeta.im);
+  for (std::size_t j = 0; j < form.fundamental_solution().powers().size(); ++j) {
+    const R re = zeta.re - form.fundamental_solution().point(j);
+    const R p = form.fundamental_solution().powers()[j].value / (re * re + zeta.im * zeta.im);
     logarithmic = {logarithmic.re + p * re, logarithmic.im - p * zeta.im};
   }
   const Z slope = times(y, logarithmic);

@@ -57,8 +57,8 @@ TEST_CASE("a search that leads nowhere ends with a shortcoming") {
   JacobiRules<double> rules;
   // Free ends that are fixed at the support's ends cannot bear the load.
   Set set(problem, {{-0.5, 0.5, false, false}});
-  set.settle(1, Side::left, true);
-  set.settle(set.all(Set::Kind::ends).front(), Side::right, true);
+  set.attach_to_anchor(1, Side::left, true);
+  set.attach_to_anchor(set.all(Set::Kind::ends).front(), Side::right, true);
   const auto found = search_contact(problem, ContactState<double>::initial(problem, set, 0), rules);
   CHECK(!found.solved());
   CHECK(!found.shortcoming.empty());

@@ -80,7 +80,7 @@ TEST_CASE("eps is the sign of (s + i) cos(pi alpha) Y+, and off the contact that
     RC_ASSERT(form.degree_at_infinity() == degree - static_cast<int>(set.components()));
     for (std::size_t k = 0; k < set.segments(); ++k) {
       const auto at = point(set, k, R(R(uniform(1, 99)) / 100));
-      const Complex<R> y = form.weight().boundary(k, at.node, Bank::above);
+      const Complex<R> y = form.fundamental_solution().boundary(k, at.node, BoundaryLimit::plus);
       const R modulus = form.modulus(at);
       // (s + i)(re + i im) on the contact.
       const bool contact = set.in_contact(k);
@@ -93,7 +93,7 @@ TEST_CASE("eps is the sign of (s + i) cos(pi alpha) Y+, and off the contact that
     }
     for (const auto& at : beyond_support(set, R(0.75))) {
       const R height = 1e-10;
-      const Complex<R> y = form.weight().at({at.node.x, height});
+      const Complex<R> y = form.fundamental_solution().at({at.node.x, height});
       RC_ASSERT(size_of(R(y.re - form.sign(at.segment) * form.modulus(at))) <= 1e-8 * form.modulus(at));
     }
   }));
@@ -116,7 +116,7 @@ TEST_CASE("u' = g_k + tilt - Y B_k off the contact is the same for every k") {
       const R expected = form.surface_slope(at).value;
       const R y = form.sign(at.segment) * form.modulus(at);
       for (std::size_t slope = 0; slope < problem.slopes().size(); ++slope) {
-        const Estimate<R> b = form.bracket(slope, at);
+        const Estimate<R> b = form.regular_factor(slope, at);
         const R found = problem.slope(slope, at.node.x) + form.tilt() - y * b.value;
         RC_ASSERT(size_of(R(found - expected)) <=
                   tolerance * (1 + size_of(expected)) + 8 * size_of(y) * (b.error + tolerance * size_of(b.value)));
@@ -140,7 +140,7 @@ TEST_CASE("loads of segments and openings of gaps against unrelated quadratures"
       if (!set.in_contact(k)) continue;
       const double expected = tanh_sinh::panel_integral(density[panel++]).value;
       size += std::abs(expected);
-      if (form.is_kinked(k) || form.is_kinked(k + 1)) continue;
+      if (form.changes_polynomial(k) || form.changes_polynomial(k + 1)) continue;
       RC_ASSERT(std::abs(form.load_on(k).value - expected) <= 1e-11 * (1 + std::abs(expected)));
     }
     // Only a form without moments that diverge is the Cauchy integral of its traction.

@@ -146,7 +146,7 @@ TEST_CASE_TEMPLATE("contact in a point: widths scale with the load as they must"
       const Rational P = parse_rational(load);
       const auto found = solved<R>(reduced(s, c.jumps, c.indenter, P));
       REQUIRE(found->contact().size() == 1U);
-      return R(found->state().set.hull() * to_real<R>(found->problem().frame().unit) /
+      return R(found->state().set.span_length() * to_real<R>(found->problem().frame().unit) /
                pow(to_real<R>(P), R(1) / c.power));
     };
     // What is left of the profile's next term is as small as the contact.

@@ -13,9 +13,9 @@
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;
-using second_kind::behind;
-using second_kind::beyond;
-using second_kind::on;
+using second_kind::left_of;
+using second_kind::on_interval;
+using second_kind::right_of;
 
 TYPE_TO_STRING(Real50);
 TYPE_TO_STRING(Real100);
@@ -97,22 +97,22 @@ TEST_CASE_TEMPLATE("closed forms at a = -1/2, 0, 1/2, for d from 1e-300 to 1e10"
       CAPTURE(static_cast<double>(d));
       const R root = sqrt(d);
       const R angle = atan(1 / root);
-      CHECK(close(beyond(low, d), R(2 * angle / root), 20));
-      CHECK(close(beyond(zero, d), R(log1p(1 / d)), 20));
-      CHECK(close(beyond(high, d), R(2 - 2 * root * angle), 20, R(2)));
+      CHECK(close(left_of(low, d), R(2 * angle / root), 20));
+      CHECK(close(left_of(zero, d), R(log1p(1 / d)), 20));
+      CHECK(close(left_of(high, d), R(2 - 2 * root * angle), 20, R(2)));
       const R far = sqrt(1 + d);
       const R logarithm = 2 * log1p(far) - log(d);
-      CHECK(close(behind(zero, d), R(log1p(1 / d)), 20));
-      CHECK(close(behind(low, d), R(logarithm / far), 20, R(log(1 + d))));
-      CHECK(close(behind(high, d), R(far * logarithm - 2), 20, R(2 + far * log(1 + d))));
+      CHECK(close(right_of(zero, d), R(log1p(1 / d)), 20));
+      CHECK(close(right_of(low, d), R(logarithm / far), 20, R(log(1 + d))));
+      CHECK(close(right_of(high, d), R(far * logarithm - 2), 20, R(2 + far * log(1 + d))));
       if (d >= 1) continue;
       for (const Inside<R>& at : {Inside<R>{d, 1 - d}, Inside<R>{1 - d, d}}) {
         const R s = sqrt(at.x);
         const R difference = at.x < 0.5 ? R(-2 * atanh(s)) : R(log(at.rest) - 2 * log1p(s));
         // The cotangent vanishes, and leaves nothing of the size of 1/s.
-        CHECK(close(on(low, at.x, at.rest), R(difference / s), 20, R(1)));
-        CHECK(close(on(zero, at.x, at.rest), R(log(at.rest) - log(at.x)), 20, R(1)));
-        CHECK(close(on(high, at.x, at.rest), R(2 + s * difference), 20, R(2)));
+        CHECK(close(on_interval(low, at.x, at.rest), R(difference / s), 20, R(1)));
+        CHECK(close(on_interval(zero, at.x, at.rest), R(log(at.rest) - log(at.x)), 20, R(1)));
+        CHECK(close(on_interval(high, at.x, at.rest), R(2 + s * difference), 20, R(2)));
       }
     }
   }
@@ -127,22 +127,22 @@ TEST_CASE_TEMPLATE("squares: y^2 as the variable relates all three functions at 
     const Power<R> odd{a.value / 2, (1 + a.plus_one) / 2};
     const R d = random_distance<R>();
     const R w = 1 + d;
-    const R outside = behind(a, d);
-    const R opposite = beyond(a, w);
-    RC_ASSERT(close(R(outside + opposite), R(w * behind(even, R(d * (2 + d)))), 100));
-    RC_ASSERT(close(R(outside - opposite), behind(odd, R(d * (2 + d))), 100, outside));
+    const R outside = right_of(a, d);
+    const R opposite = left_of(a, w);
+    RC_ASSERT(close(R(outside + opposite), R(w * right_of(even, R(d * (2 + d)))), 100));
+    RC_ASSERT(close(R(outside - opposite), right_of(odd, R(d * (2 + d))), 100, outside));
     // Control: the exponents exchanged.
     if (a.value > 0.01 || a.value < -0.01)
-      RC_ASSERT(!close(R(outside + opposite), R(w * behind(odd, R(d * (2 + d)))), 1e6));
+      RC_ASSERT(!close(R(outside + opposite), R(w * right_of(odd, R(d * (2 + d)))), 1e6));
 
     const Inside<R> at = random_inside<R>();
     const R square = at.x * at.x;
     const R rest = at.rest * (1 + at.x);
-    const R inside = on(a, at.x, at.rest);
-    const R mirror = beyond(a, at.x);
+    const R inside = on_interval(a, at.x, at.rest);
+    const R mirror = left_of(a, at.x);
     const R part = parts(a, at) + mirror;
-    RC_ASSERT(close(R(inside - mirror), R(at.x * on(even, square, rest)), 400, part));
-    RC_ASSERT(close(R(inside + mirror), on(odd, square, rest), 400, part));
+    RC_ASSERT(close(R(inside - mirror), R(at.x * on_interval(even, square, rest)), 400, part));
+    RC_ASSERT(close(R(inside + mirror), on_interval(odd, square, rest), 400, part));
   }));
 }
 
@@ -154,10 +154,10 @@ TEST_CASE_TEMPLATE("recurrence: y^(a+1)/(y + d) = y^a - d y^a/(y + d)", R, doubl
     const Power<R> next{a.plus_one, a.plus_one + 1};
     const R inverse = 1 / a.plus_one;
     const R d = random_distance<R>();
-    RC_ASSERT(close(beyond(next, d), R(inverse - d * beyond(a, d)), 100, inverse));
-    RC_ASSERT(close(behind(next, d), R((1 + d) * behind(a, d) - inverse), 100, R((1 + d) * behind(a, d))));
+    RC_ASSERT(close(left_of(next, d), R(inverse - d * left_of(a, d)), 100, inverse));
+    RC_ASSERT(close(right_of(next, d), R((1 + d) * right_of(a, d) - inverse), 100, R((1 + d) * right_of(a, d))));
     const Inside<R> at = random_inside<R>();
-    RC_ASSERT(close(on(next, at.x, at.rest), R(inverse + at.x * on(a, at.x, at.rest)), 400,
+    RC_ASSERT(close(on_interval(next, at.x, at.rest), R(inverse + at.x * on_interval(a, at.x, at.rest)), 400,
                     R(inverse + at.x * parts(a, at))));
   }));
 }
@@ -173,12 +173,13 @@ TEST_CASE_TEMPLATE("a precision and the next serve the same number", R, double, 
       return static_cast<double>(Finer(abs(Finer(value) - exact) / (abs(exact) + part) / Finer(epsilon<R>())));
     };
     const R d = random_distance<R>();
-    RC_ASSERT(error(beyond(a, d), beyond(fine, Finer(d)), Finer(0)) < 30);
-    RC_ASSERT(error(behind(a, d), behind(fine, Finer(d)), Finer(0)) < 30);
+    RC_ASSERT(error(left_of(a, d), left_of(fine, Finer(d)), Finer(0)) < 30);
+    RC_ASSERT(error(right_of(a, d), right_of(fine, Finer(d)), Finer(0)) < 30);
     const Inside<R> at = random_inside<R>();
     const bool left = at.x < at.rest;
     const Inside<Finer> same{left ? Finer(at.x) : 1 - Finer(at.rest), left ? 1 - Finer(at.x) : Finer(at.rest)};
-    RC_ASSERT(error(on(a, at.x, at.rest), on(fine, same.x, same.rest), Finer(pow(same.x, fine.value))) < 30);
+    RC_ASSERT(error(on_interval(a, at.x, at.rest), on_interval(fine, same.x, same.rest),
+                    Finer(pow(same.x, fine.value))) < 30);
   }));
 }
 
@@ -199,10 +200,10 @@ TEST_CASE_TEMPLATE("through a = 0 with the slope int log(y)/(y + d) dy, without 
       CHECK(size_of(R(up + down)) <= h * h * slope * (2 + logarithm) + rounding);
       if (std::same_as<R, Real50>) CHECK(size_of(up) > 1e-3 * h * size_of(middle));
     };
-    smooth([&](const Power<R>& a) { return beyond(a, d); });
-    smooth([&](const Power<R>& a) { return behind(a, d); });
-    if (d < 1) smooth([&](const Power<R>& a) { return on(a, d, R(1 - d)); });
-    if (d < 1) smooth([&](const Power<R>& a) { return on(a, R(1 - d), d); });
+    smooth([&](const Power<R>& a) { return left_of(a, d); });
+    smooth([&](const Power<R>& a) { return right_of(a, d); });
+    if (d < 1) smooth([&](const Power<R>& a) { return on_interval(a, d, R(1 - d)); });
+    if (d < 1) smooth([&](const Power<R>& a) { return on_interval(a, R(1 - d), d); });
   }
 }
 
@@ -222,8 +223,8 @@ TEST_CASE_TEMPLATE("Gauss-Jacobi rules, far from the pole", R, double, Real50, R
         left += rule.weights[i] / (rule.from_left[i] + d);
         right += rule.weights[i] / (rule.from_right[i] + d);
       }
-      CHECK(close(beyond(a, d), left, 200));
-      CHECK(close(behind(a, d), right, 200));
+      CHECK(close(left_of(a, d), left, 200));
+      CHECK(close(right_of(a, d), right, 200));
     }
   }
 }
@@ -237,8 +238,8 @@ TEST_CASE_TEMPLATE("tanh-sinh and trapezoidal routes", R, double, Real50) {
       const PiecewiseDensity<R> density{{Panel<R>{0, 1, 1}, a, Power<R>::of(Exponent(0)), one}};
       const trapezoidal::Grid<R> grid(density);
       for (const R& d : {R(1e-3), R(0.3), R(2)}) {
-        const R left = beyond(a, d) / pi<R>();
-        const R right = -behind(a, d) / pi<R>();
+        const R left = left_of(a, d) / pi<R>();
+        const R right = -right_of(a, d) / pi<R>();
         CHECK(close(tanh_sinh::cauchy(density, Side::left, d).value, left, 2000));
         CHECK(close(tanh_sinh::cauchy(density, Side::right, d).value, right, 2000));
         CHECK(close(grid.cauchy(Side::left, d), left, 2000));
@@ -246,7 +247,7 @@ TEST_CASE_TEMPLATE("tanh-sinh and trapezoidal routes", R, double, Real50) {
       }
       for (const R& x : {R(1e-3), R(0.3), R(0.7)}) {
         const Node<R> node = density[0].panel.node_from_left(x);
-        const R expected = on(a, x, node.from_right) / pi<R>();
+        const R expected = on_interval(a, x, node.from_right) / pi<R>();
         const R part = parts(a, {x, node.from_right});
         CHECK(close(tanh_sinh::hilbert(density, {0, node}).value, expected, 2000, part));
         CHECK(close(grid.hilbert({0, node}), expected, 2000, part));
@@ -258,8 +259,8 @@ TEST_CASE_TEMPLATE("tanh-sinh and trapezoidal routes", R, double, Real50) {
 TEST_CASE("next to a = -1 the exponent's last digits count") {
   // int_0^1 y^a/(y + d) dy ~ 1/((1+a) d): the mass is at the end.
   const Power<double> a{-1, 1e-20};
-  CHECK(close(beyond(a, 0.01), 1e22, 10));
-  CHECK(close(behind(a, 0.01), 1e20 / 1.01, 10));
-  CHECK(close(on(a, 0.25, 0.75), -4e20, 10));
-  CHECK(close(on(a, 0.75, 0.25), -4e20 / 3, 10));
+  CHECK(close(left_of(a, 0.01), 1e22, 10));
+  CHECK(close(right_of(a, 0.01), 1e20 / 1.01, 10));
+  CHECK(close(on_interval(a, 0.25, 0.75), -4e20, 10));
+  CHECK(close(on_interval(a, 0.75, 0.25), -4e20 / 3, 10));
 }

@@ -33,8 +33,8 @@ void agree(Sliding sliding, const R& tolerance) {
   std::vector<std::size_t> segments;
   for (std::size_t k = 0; k < set.segments(); ++k) {
     if (!set.in_contact(k)) continue;
-    const Power<R> left = form.weight().powers()[k];
-    const Power<R> right = form.weight().powers()[k + 1];
+    const Power<R> left = form.fundamental_solution().powers()[k];
+    const Power<R> right = form.fundamental_solution().powers()[k + 1];
     const R f = to_real<R>(p.friction().values()[form.friction_at(k)]);
     const R ratio = sliding == Sliding::plus_x ? R(-f) : f;
     shear.push_back({set.panels()[k], left, right, [&form, k, left, right, ratio](const Node<R>& node) {

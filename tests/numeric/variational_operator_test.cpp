@@ -67,11 +67,11 @@ TEST_CASE("products by Fourier transforms are those of the entries") {
       CAPTURE(seed);
       CAPTURE(n);
       const DiscreteProblem discrete(problem, CellMesh(problem, n));
-      const ProductError error = product_error(discrete.influence());
+      const ProductError error = product_error(discrete.galerkin_operator());
       CHECK(error.whole <= 1e-14);
       control = std::max(control, error.without_slip);
     }
-    CHECK(product_error(DiscreteProblem(problem, graded(problem)).influence()).whole <= 1e-14);
+    CHECK(product_error(DiscreteProblem(problem, graded(problem)).galerkin_operator()).whole <= 1e-14);
   }
   CHECK(control > 1e-3);
 }
@@ -92,7 +92,7 @@ TEST_CASE("no entry is negative, no eigenvalue of the logarithm's circulant is, 
         least_on_diagonal = std::min(least_on_diagonal, b.entry(i, i));
         // Control: counted from the other end, friction would enter with the other sign.
         for (std::size_t j = 0; j < i; ++j)
-          least_slip_before = std::min(least_slip_before, -b.slip(i, j) - b.slip(j, i));
+          least_slip_before = std::min(least_slip_before, -b.friction_entry(i, j) - b.friction_entry(j, i));
       }
       CHECK(least >= 0);
       CHECK(least_on_diagonal > 0);
@@ -128,9 +128,10 @@ TEST_CASE("equal cells given as edges make the same operator as equal cells by n
     for (std::size_t i = 0; i < one.size(); ++i) {
       CHECK(one.profile()[i] == doctest::Approx(other.profile()[i]).epsilon(1e-12));
       for (std::size_t j = 0; j < one.size(); ++j) {
-        worst = std::max(worst, std::abs(one.influence().entry(i, j) - other.influence().entry(i, j)));
+        worst = std::max(worst, std::abs(one.galerkin_operator().entry(i, j) - other.galerkin_operator().entry(i, j)));
         if (j > 0)
-          shifted = std::max(shifted, std::abs(one.influence().entry(i, j) - other.influence().entry(i, j - 1)));
+          shifted = std::max(shifted,
+                             std::abs(one.galerkin_operator().entry(i, j) - other.galerkin_operator().entry(i, j - 1)));
       }
     }
     CHECK(worst <= 1e-15 * 20);

@@ -97,7 +97,7 @@ std::unique_ptr<Held<R>> hold(const ContactProblem& problem, const Candidate& ca
   } else if (candidate.which == Candidate::Which::moved_end) {
     ContactSet<R> set = form.set();
     std::vector<R> steps(set.movable().size(), R(0));
-    steps.front() = set.hull() * (candidate.near_miss ? near_miss<R>() : R(1) / 100);
+    steps.front() = set.span_length() * (candidate.near_miss ? near_miss<R>() : R(1) / 100);
     set.move(steps);
     held->form.emplace(held->solution->problem(), set, form.q(), form.tilt(), held->rules);
   } else {
@@ -176,7 +176,7 @@ void examine(Findings& findings, const ContactProblem& problem, const RiemannHil
   const numeric::SurfaceCheck<R> check(density, friction_of(form), profile_slope);
   const R p = numeric::to_real<R>(problem.load()) / unit;
   findings.compare(load, relative_difference<R>(check.integral(), R(-p)));
-  findings.compare(tension, static_cast<double>(R(max(check.highest_traction(), R(0)) * form.set().hull() / p)));
+  findings.compare(tension, static_cast<double>(R(max(check.highest_traction(), R(0)) * form.set().span_length() / p)));
   findings.compare(limits, pulling_sides<R>(form, factor));
 
   for (std::size_t k = 0; k < density.size(); ++k) {

@@ -5,7 +5,7 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::Bank;
+using numeric::BoundaryLimit;
 
 /// A traction with Y by its powers, G per panel, and the factor of Y/i in Phi.
 struct PlemeljJump : PowerProduct {
@@ -66,8 +66,8 @@ void check_jump(Findings& findings, const PlemeljJump& formula, const ContactPro
     findings.compare(angle, distance<R>(ratio, {-cos(turn), -sin(turn)}, R(1)));
     for (const int tenths : {3, 5, 8}) {
       const numeric::Node<R> node = panel.node_from_left(panel.length * tenths / 10);
-      const Complex<R> above = y.boundary(k, node, Bank::above);
-      const Complex<R> below = y.boundary(k, node, Bank::below);
+      const Complex<R> above = y.boundary(k, node, BoundaryLimit::plus);
+      const Complex<R> below = y.boundary(k, node, BoundaryLimit::minus);
       const R size = y.modulus(k, node);
       findings.compare(jump, distance(above, ratio * below, size));
       // Phi = potential Y/i, and (a + bi)/i = b - ai.

@@ -37,7 +37,7 @@ Values counted(const Edges& c) {
   int free = 0;
   for (std::size_t j = 0; j < form.set().points().size(); ++j) {
     const auto& point = form.set().point(j);
-    const bool jump = !point.is_end() && form.weight().powers()[j].value != 0;
+    const bool jump = !point.is_end() && form.fundamental_solution().powers()[j].value != 0;
     if (point.is_end() || jump) sum += form.exponent(j);
     if (point.is_free()) ++free;
   }

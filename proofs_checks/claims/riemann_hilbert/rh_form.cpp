@@ -30,7 +30,7 @@ FormFormula form_formula() {
   return FormFormula::from([]<Real R>(const Trial& trial) {
     FormTerms<R> terms{std::make_shared<const TrialForm<R>>(trial), {}, {}, {}, {}};
     const RiemannHilbertForm<R>& form = terms.form();
-    terms.powers = form.weight().powers();
+    terms.powers = form.fundamental_solution().powers();
     for (std::size_t k = 0; k < form.set().segments(); ++k) {
       terms.eps.push_back(form.sign(static_cast<std::ptrdiff_t>(k)));
       terms.cosine.push_back(form.problem().cos_alpha(form.friction_at(k)));
@@ -63,7 +63,7 @@ template <Real R>
 Surface<R> surface_of(const FormTerms<R>& terms) {
   const RiemannHilbertForm<R>& form = terms.form();
   const auto bracket = [&terms, &form](std::size_t k, const Node<R>& node) {
-    R b = form.bracket(terms.slope[k], {static_cast<std::ptrdiff_t>(k), node}).value;
+    R b = form.regular_factor(terms.slope[k], {static_cast<std::ptrdiff_t>(k), node}).value;
     if (!terms.polynomial || terms.integral < 0) {
       const R poly = polynomial_part(form, terms.slope[k], node.x);
       if (terms.integral < 0) b = 2 * (poly - numeric::value_of(form.q(), node.x) / numeric::pi<R>()) - b;
@@ -132,7 +132,7 @@ Claim rh_form() {
            })},
           {"the slope of the other side of a wedge", right.changed([](auto& terms, const Trial&) {
              for (std::size_t j = 1; j < terms.slope.size(); ++j) {
-               if (terms.form().is_kinked(j)) terms.slope[j] = terms.slope[j - 1];
+               if (terms.form().changes_polynomial(j)) terms.slope[j] = terms.slope[j - 1];
              }
            })},
           {"the integral with the other sign", right.changed([](auto& terms, const Trial&) { terms.integral = -1; })},

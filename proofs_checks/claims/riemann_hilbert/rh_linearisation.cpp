@@ -34,10 +34,10 @@ LinearFormula linear_formula() {
     Derivatives<R> derivatives{std::make_shared<const TrialForm<R>>(trial), {}};
     const RiemannHilbertForm<R>& form = derivatives.trial->form();
     for (const std::size_t j : form.set().movable()) {
-      const R& p = form.weight().powers()[j].value;
+      const R& p = form.fundamental_solution().powers()[j].value;
       const R& e = form.set().x(j);
       const bool begins = form.set().in_contact(j);
-      Neighbour<R> neighbour{j, R(p * form.bracket_at(j, begins ? Side::right : Side::left).value), {}};
+      Neighbour<R> neighbour{j, R(p * form.regular_factor_at(j, begins ? Side::right : Side::left).value), {}};
       // [q/(z - e)]_poly: coefficient i is q_{i+1} + q_{i+2} e + ...
       for (std::size_t i = 0; i + 1 < form.q().size(); ++i) {
         R sum = 0;
@@ -186,13 +186,14 @@ Claim rh_linearisation() {
       std::vector<Wrong<LinearFormula>>{
           {"the residue -p B(e)", changed_ends(right, [](const auto&, auto& n) { n.pole = -n.pole; })},
           {"the residue B(e), p missing",
-           changed_ends(right, [](const auto& form, auto& n) { n.pole /= form.weight().powers()[n.end].value; })},
-          {"alpha of the other sign in the residue's p", changed_ends(right,
-                                                                      [](const auto& form, auto& n) {
-                                                                        const auto& p =
-                                                                            form.weight().powers()[n.end].value;
-                                                                        n.pole *= (1 - p) / p;
-                                                                      })},
+           changed_ends(
+               right, [](const auto& form, auto& n) { n.pole /= form.fundamental_solution().powers()[n.end].value; })},
+          {"alpha of the other sign in the residue's p",
+           changed_ends(right,
+                        [](const auto& form, auto& n) {
+                          const auto& p = form.fundamental_solution().powers()[n.end].value;
+                          n.pole *= (1 - p) / p;
+                        })},
           {"[q/(z-e)]_poly left out", changed_ends(right, [](const auto&, auto& n) { n.polynomial.clear(); })},
           {"[q/(z-e)]_poly without 1/pi", changed_ends(right,
                                                        []<class R>(const RiemannHilbertForm<R>&, Neighbour<R>& n) {

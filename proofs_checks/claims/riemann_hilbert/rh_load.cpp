@@ -40,7 +40,7 @@ std::vector<Evidence> check_load(const Context& context, const LoadFormula& form
       if (!form.q().empty()) findings.compare(given, relative_difference<R>(predicted.load, R(-form.q().back())));
       const std::vector<std::size_t> segments = segments_of(form);
       for (std::size_t k = 0; k < segments.size(); ++k) {
-        if (form.is_kinked(segments[k]) || form.is_kinked(segments[k] + 1)) continue;
+        if (form.changes_polynomial(segments[k]) || form.changes_polynomial(segments[k] + 1)) continue;
         const R difference = form.load_on(segments[k]).value - grid.panel_integral(k);
         findings.compare(part, static_cast<double>(R(abs(difference) / max(scale, R(abs(grid.panel_integral(k)))))));
       }

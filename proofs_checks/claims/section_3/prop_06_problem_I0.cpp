@@ -103,8 +103,8 @@ OneSolution one_solution(const Case& c) {
 /// b(t, t) on zero-mean tractions: friction adds nothing and the logarithm's part is positive.
 void check_form(Findings& findings, const DiscreteProblem& problem, double support) {
   const Quantity friction{"b(t, t) on zero-mean tractions", {"with friction", "without"}, tolerance<double>()};
-  const Eigen::MatrixXd without = symmetric_part(problem.mesh(), problem.influence(), false);
-  const Eigen::MatrixXd form = on_zero_mean(symmetric_part(problem.mesh(), problem.influence(), true));
+  const Eigen::MatrixXd without = symmetric_part(problem.mesh(), problem.galerkin_operator(), false);
+  const Eigen::MatrixXd form = on_zero_mean(symmetric_part(problem.mesh(), problem.galerkin_operator(), true));
   const Eigen::MatrixXd plain = on_zero_mean(without);
   findings.compare(friction, (form - plain).norm() / plain.norm());
   // A support of another length than 1 takes its logarithm over pi off each entry.

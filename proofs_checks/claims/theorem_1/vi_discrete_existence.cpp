@@ -44,13 +44,13 @@ std::vector<Evidence> check(const Context& context, const Variant& variant) {
       const ProblemOnCells on_cells = random_problem_on_cells(random, k, Trend::any, largest, true);
       const DiscreteProblem problem(on_cells.problem, on_cells.mesh);
       findings.begin_case("problem " + std::to_string(k) + ": " + text_of(on_cells));
-      const GalerkinOperator& b = problem.influence();
+      const GalerkinOperator& b = problem.galerkin_operator();
       double least = 0;
       double most = 0;
       double diagonal = HUGE_VAL;
       for (std::size_t i = 0; i < b.size(); ++i) {
         for (std::size_t j = 0; j < b.size(); ++j) {
-          double slip = b.slip(i, j);
+          double slip = b.friction_entry(i, j);
           if (variant.from_left && b.friction().sign < 0) {
             slip = j < i ? b.friction().whole[j] : i == j ? b.friction().whole[i] + b.friction().own[i] : 0;
           }

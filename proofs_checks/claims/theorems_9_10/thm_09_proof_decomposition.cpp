@@ -82,7 +82,7 @@ std::vector<SlopePanel<R>> panels_of(const numeric::RiemannHilbertSolution<R>& s
 template <Real R>
 void set_beyond(SlopePanel<R>& panel, const numeric::RiemannHilbertSolution<R>& solution, std::size_t end, Side side) {
   const auto& form = solution.form();
-  const numeric::Power<R> power = form.weight().powers()[end];
+  const numeric::Power<R> power = form.fundamental_solution().powers()[end];
   (side == Side::left ? panel.at_right : panel.at_left) = power;
   panel.smooth = [&form, end, side, power](const numeric::Node<R>& node) {
     using std::pow;

@@ -9,7 +9,7 @@ namespace steadyslide::numeric {
 
 /// A position in ]0, 1[, number i of n (Chebyshev's points); and what is missing to 1, formed without cancellation.
 template <Real R>
-std::pair<R, R> clustered(int i, int n) {
+std::pair<R, R> chebyshev_position(int i, int n) {
   using std::cos, std::sin;
   const R angle = pi<R>() * (2 * i + 1) / (4 * n);
   const R s = sin(angle);
