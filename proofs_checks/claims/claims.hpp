@@ -11,24 +11,19 @@ std::vector<Claim> constants_claims();
 std::vector<Claim> elastic_indenter_claims();
 std::vector<Claim> friction_jump_claims();
 std::vector<Claim> parabola_claims();
-std::vector<Claim> outside_claims();
 std::vector<Claim> integral_claims();
 std::vector<Claim> derived_tractions();
 std::vector<Claim> riemann_hilbert_claims();
 std::vector<Claim> contact_load_claims();
 std::vector<Claim> gap_claims();
 std::vector<Claim> linearisation_claims();
-std::vector<Claim> corner_claims();
-std::vector<Claim> end_claims();
 std::vector<Claim> cell_energy_claims();
 std::vector<Claim> cell_definiteness_claims();
 std::vector<Claim> cell_indefiniteness_claims();
 std::vector<Claim> cell_solution_claims();
 std::vector<Claim> cell_loading_claims();
-std::vector<Claim> proof_step_claims();
 std::vector<Claim> paper_figure_claims();
 std::vector<Claim> remark_claims();
-std::vector<Claim> words_claims();
 std::vector<Claim> dual_problem_claims();
 std::vector<Claim> functional_claims();
 std::vector<Claim> bilinear_form_claims();
@@ -41,24 +36,19 @@ inline std::vector<std::vector<Claim> (*)()> older_claims() {
       elastic_indenter_claims,
       friction_jump_claims,
       parabola_claims,
-      outside_claims,
       integral_claims,
       derived_tractions,
       riemann_hilbert_claims,
       contact_load_claims,
       gap_claims,
       linearisation_claims,
-      corner_claims,
-      end_claims,
       cell_energy_claims,
       cell_definiteness_claims,
       cell_indefiniteness_claims,
       cell_solution_claims,
       cell_loading_claims,
-      proof_step_claims,
       paper_figure_claims,
       remark_claims,
-      words_claims,
       dual_problem_claims,
       functional_claims,
       bilinear_form_claims,

@@ -1,8 +1,9 @@
 // The third sentence in words after theorem 2: a wedge where the friction jumps. [Bal16, theorem 2]
 
 #include "proofs_checks/instruments/convergence_cases.hpp"
+#include "proofs_checks/instruments/flanks.hpp"
 #include "proofs_checks/instruments/local_power.hpp"
-#include "proofs_checks/instruments/words.hpp"
+#include "proofs_checks/instruments/near.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
@@ -183,7 +184,8 @@ std::vector<Evidence> check(const Context& context, Once<CornerProblems>& once, 
 
 }  // namespace
 
-Claim words_wedge_and_jump() {
+// In its plain form: fits to cells are compared within their own error bars.
+Claim thm_02_words_wedge_and_jump() {
   using Limit = CornerSaid::Limit;
   return make_claim(
       claim_text("thm-02-words-wedge-and-jump"),

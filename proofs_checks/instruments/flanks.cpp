@@ -1,6 +1,4 @@
-#include "proofs_checks/instruments/words.hpp"
-
-#include "proofs_checks/claims/claims.hpp"
+#include "proofs_checks/instruments/flanks.hpp"
 
 namespace steadyslide::proofs_checks {
 
@@ -15,7 +13,5 @@ Rational wedge_of(const ContactProblem& problem) {
   }
   return 0;
 }
-
-std::vector<Claim> words_claims() { return {words_wedge(), words_jump(), words_wedge_and_jump(), step_conditions()}; }
 
 }  // namespace steadyslide::proofs_checks

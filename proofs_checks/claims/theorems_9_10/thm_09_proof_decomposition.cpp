@@ -3,7 +3,8 @@
 //   t = L(phi) + L(psi - phi) + L(u - psi) - P t_0,   phi' = psi'(c-) left and psi'(c+) right of c.
 
 #include "numeric/number/polynomial.hpp"
-#include "proofs_checks/instruments/proofs.hpp"
+#include "proofs_checks/instruments/inverse_operator.hpp"
+#include "proofs_checks/instruments/near.hpp"
 #include "proofs_checks/instruments/trial.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -53,6 +54,15 @@ struct DecompositionFacts {
   R step;
   R others;  ///< what the other terms differ by across c, over their size
 };
+
+/// t_0(x) with its distances to -1 and 1.
+template <Real R>
+R unit_solution(const Rational& s, const R& from_rear, const R& from_front) {
+  using std::pow;
+  const Exponent alpha = Exponent::angle(s);
+  return numeric::cos_pi_alpha<R>(s) / numeric::pi<R>() * pow(from_rear, numeric::to_real<R>(-(half + alpha))) *
+         pow(from_front, numeric::to_real<R>(-(half - alpha)));
+}
 
 template <Real R>
 std::vector<SlopePanel<R>> panels_of(const numeric::RiemannHilbertSolution<R>& solution) {
@@ -104,7 +114,7 @@ Decomposition<R> decompose(const WedgeProblem& w) {
   const std::size_t right = contact_end(*solution, Side::right);
   if (left > 0) set_beyond(beyond[left - 1], *solution, left, Side::left);
   if (right < empty.size()) set_beyond(beyond[right], *solution, right, Side::right);
-  const Inverse<R> of_phi(s, phi), of_rest(s, rest), of_beyond(s, beyond);
+  const InverseOperator<R> of_phi(s, phi), of_rest(s, rest), of_beyond(s, beyond);
   Decomposition<R> result{w.name, {}};
   for (std::size_t k = left; k < right; ++k) {
     for (const int percent : {30, 98}) {
@@ -199,7 +209,8 @@ std::vector<Evidence> check(const Context& context, Once<DecompositionFacts>& on
 
 }  // namespace
 
-Claim proof_decomposition() {
+// In its plain form: the terms to be added up are measured themselves, all on one solution.
+Claim thm_09_proof_decomposition() {
   return make_claim(
       claim_text("thm-09-proof-decomposition"),
       [once = std::make_shared<Once<DecompositionFacts>>()](const Context& context, const DecompositionSaid& said) {

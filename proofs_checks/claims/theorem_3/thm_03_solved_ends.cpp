@@ -1,7 +1,6 @@
 // The slope of the surface beyond the ends of the contact of solved problems, against the traction within.
 
 #include "numeric/cauchy/traction_density.hpp"
-#include "proofs_checks/claims/claims.hpp"
 #include "proofs_checks/instruments/near.hpp"
 #include "proofs_checks/instruments/punch.hpp"
 #include "proofs_checks/instruments/trial.hpp"
@@ -156,9 +155,10 @@ std::vector<Evidence> check(const Context& context, Once<SolvedEndsList>& once, 
 
 }  // namespace
 
-std::vector<Claim> end_claims() {
+// In its plain form: what is measured, t/d^p continued from inside of the contact, depends on the power that is said.
+Claim thm_03_solved_ends() {
   const EndsFormula right = ends_formula();
-  return {make_claim(
+  return make_claim(
       claim_text("thm-03-solved-ends"),
       [once = std::make_shared<Once<SolvedEndsList>>()](const Context& context, const EndsFormula& formula) {
         return check(context, *once, formula);
@@ -179,7 +179,7 @@ std::vector<Claim> end_claims() {
            right.changed([]<class R>(EndsSaid<R>& said, const Solvable&) { said.ends[1].power += near_miss<R>(); })},
           {"near miss: u' in front moved by ten times the tolerance",
            right.changed(
-               []<class R>(EndsSaid<R>& said, const Solvable&) { said.ends[1].coefficient *= 1 + near_miss<R>(); })}})};
+               []<class R>(EndsSaid<R>& said, const Solvable&) { said.ends[1].coefficient *= 1 + near_miss<R>(); })}});
 }
 
 }  // namespace steadyslide::proofs_checks

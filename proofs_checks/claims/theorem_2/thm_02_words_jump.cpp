@@ -1,9 +1,10 @@
 // The second sentence in words after theorem 2: a friction jump without a wedge. [Bal16, theorem 2]
 
 #include "numeric/cauchy/residuals.hpp"
+#include "proofs_checks/instruments/flanks.hpp"
 #include "proofs_checks/instruments/local_power.hpp"
+#include "proofs_checks/instruments/near.hpp"
 #include "proofs_checks/instruments/punch.hpp"
-#include "proofs_checks/instruments/words.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
@@ -181,7 +182,8 @@ std::vector<Evidence> check(const Context& context, Once<JumpProblems>& once, co
 
 }  // namespace
 
-Claim words_jump() {
+// In its plain form: fits to cells are compared within their own error bars.
+Claim thm_02_words_jump() {
   return make_claim(
       claim_text("thm-02-words-jump"),
       [once = std::make_shared<Once<JumpProblems>>()](const Context& context, const JumpSaid& said) {

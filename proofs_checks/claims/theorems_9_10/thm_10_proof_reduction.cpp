@@ -1,7 +1,7 @@
 // How an inner end of the contact becomes the left edge of ]c, 1[ in the proof of theorem 10. [Bal16, theorem 10]
 
 #include "numeric/cauchy/traction_density.hpp"
-#include "proofs_checks/instruments/proofs.hpp"
+#include "proofs_checks/instruments/near.hpp"
 #include "proofs_checks/instruments/trial.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -90,7 +90,8 @@ std::vector<Evidence> check_reduction(const Context& context, Once<ReductionFact
 
 }  // namespace
 
-Claim proof_reduction() {
+// In its plain form: both sides of the equation are measured, on one solution.
+Claim thm_10_proof_reduction() {
   using Said = ReductionSaid;
   return make_claim(
       claim_text("thm-10-proof-reduction"),

@@ -1,0 +1,183 @@
+// Which side's friction governs an end of contact that lies on a friction jump. [Bal16, theorem 3]
+
+#include <array>
+#include <cmath>
+
+#include "proofs_checks/instruments/near.hpp"
+#include "proofs_checks/instruments/power_product.hpp"
+#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/kit/formula_claim.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+/// Two flat levels that meet in a step at c = 0, where the friction jumps too: the lower one is in contact, and the
+/// other is higher than the surface rises next to a punch under friction up to 50.
+struct StepCase {
+  Rational nu;
+  Rational rear_friction;
+  Rational front_friction;
+  Side contact;
+  std::optional<std::size_t> solved = {};  ///< which of those that are solved with their step and jump
+
+  static Rational height() { return 200; }
+  ContactProblem problem() const {
+    const Polynomial high = Polynomial::constant(height());
+    const bool rear = contact == Side::left;
+    return {Elasticity(Solid(nu, 1)), FrictionProfile({rear_friction, front_friction}, {0}),
+            Indenter(-1, {{0, rear ? Polynomial() : high}, {1, rear ? high : Polynomial()}}), 1};
+  }
+  std::size_t piece() const { return contact == Side::left ? 0 : 1; }
+  /// Among the ends of the contact.
+  std::size_t end_at_step() const { return contact == Side::left ? 1 : 0; }
+  /// With the angle of its friction on the side of the contact, or with another.
+  Exponent power_at_step(const Exponent& angle) const {
+    return contact == Side::left ? -(half - angle) : -(half + angle);
+  }
+};
+
+std::string text_of(const StepCase& c) {
+  return "nu = " + to_string(c.nu) + ", f = " + to_string(c.rear_friction) + " behind and " +
+         to_string(c.front_friction) + " in front of the step, contact " +
+         (c.contact == Side::left ? "behind it" : "in front of it");
+}
+
+const std::vector<StepCase>& solved_cases() {
+  static const std::vector<StepCase> all{{Rational(3, 10), Rational(1, 2), 2, Side::right, 0},
+                                         {Rational(3, 10), Rational(1, 2), 2, Side::left, 1},
+                                         {Rational(-9, 10), 10, 1, Side::right, 2},
+                                         {Rational(-9, 10), 10, 1, Side::left, 3}};
+  return all;
+}
+
+CaseList<StepCase> step_cases(const Context& context) {
+  std::vector<StepCase> cases = solved_cases();
+  Random random(context.seed, "contact-side");
+  const std::size_t count = context.quick ? 2 : count_for(context, 30, 10, 4);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Rational rear = random.friction(50);
+    const Rational front = random.friction(50);
+    cases.push_back({random.poisson(), rear, front, k % 2 == 0 ? Side::left : Side::right});
+  }
+  return {cases, "4 of a grid, " + std::to_string(count) + " random with seed " + std::to_string(context.seed)};
+}
+
+/// The problem solved with its step and its friction jump, at some distances from the step.
+constexpr std::array<double, 3> step_distances{1e-9, 0.125, 0.75};
+template <class R>
+struct SolvedStep {
+  std::size_t components;
+  R far_end;  ///< of the contact
+  std::array<R, step_distances.size()> traction;
+  std::optional<numeric::Estimate<double>> power_on_cells;
+};
+template <class R>
+using SolvedSteps = std::vector<SolvedStep<R>>;
+
+numeric::Estimate<double> power_at_step_on_cells(const StepCase& c) {
+  const auto solution = solve_on_cells(c.problem(), 8192);
+  for (const auto& place : solution->places()) {
+    if (place.kind == SingularKind::step) return power_on_cells(*solution, place, c.contact);
+  }
+  throw Refutation{{text_of(c), "on cells the contact does not end at the step"}};
+}
+
+template <Real R>
+SolvedSteps<R> solve_steps(bool quick) {
+  SolvedSteps<R> all;
+  for (const StepCase& c : solved_cases()) {
+    const auto solution = solve<R>(c.problem());
+    const std::size_t step = point_at(*solution, Rational(0));
+    const auto contact = solution->contact();
+    SolvedStep<R> found{contact.size(), {}, {}, {}};
+    found.far_end = c.contact == Side::left ? contact.front().left.x.value : contact.front().right.x.value;
+    for (std::size_t k = 0; k < step_distances.size(); ++k) {
+      found.traction[k] = traction_beside(*solution, step, c.contact, R(step_distances[k]));
+    }
+    if (!quick && all.size() < 2) found.power_on_cells = power_at_step_on_cells(c);
+    all.push_back(std::move(found));
+  }
+  return all;
+}
+
+/// By quadrature of the formula's traction: the surface stays below the other level.
+template <Real R>
+void check_gap(Findings& findings, const PowerForm<R>& form, const StepCase& c) {
+  const numeric::trapezoidal::Grid<R> grid(form.traction().density());
+  const R height = numeric::to_real<R>(StepCase::height() / c.problem().elasticity().compliance());
+  for (const R& d : {R(R(1) / 1000), R(R(1) / 10), R(1)}) {
+    findings.require(height - grid.displacement(0, opposite(c.contact), d) > 0, "no gap beside the step");
+  }
+}
+
+template <Real R>
+void check_solved(Findings& findings, const SolvedStep<R>& solved, const PowerForm<R>& form, const StepCase& c) {
+  const Quantity traction{"traction beside the step", {"solved, with step and jump", "the formula"}, tolerance<R>()};
+  const Quantity far_end{"the contact's other end", {"solved, with step and jump", "the edge"}, tolerance<R>()};
+  const Quantity cells{"power at the step on 8192 cells, in its error bars", {"fit", "the formula"}, 3, 0};
+  const Quantity bar{"its error bar", {}, 0.02, 0};
+  findings.require(solved.components == 1, "more than one contact");
+  findings.compare(far_end, relative_difference<R>(solved.far_end, R(c.contact == Side::left ? -1 : 1)));
+  const numeric::PowerTraction<R> said = form.traction();
+  for (std::size_t i = 0; i < step_distances.size(); ++i) {
+    const R d = step_distances[i];
+    const auto panel = said.weight.panel(0);
+    const auto node = c.contact == Side::left ? panel.node_from_right(d) : panel.node_from_left(d);
+    findings.compare(traction, relative_difference<R>(solved.traction[i], said(0, node)));
+  }
+  if (!solved.power_on_cells) return;
+  const numeric::Estimate<double>& found = *solved.power_on_cells;
+  findings.compare(bar, found.error);
+  findings.compare(cells,
+                   std::abs(found.value - static_cast<double>(form.powers[c.end_at_step()].value)) / found.error);
+}
+
+Exponent contact_angle(const StepCase& c) { return alpha(c.problem(), c.piece()); }
+Exponent other_angle(const StepCase& c) { return alpha(c.problem(), 1 - c.piece()); }
+
+PowerProduct traction(const StepCase& c) {
+  const Exponent angle = contact_angle(c);
+  const std::vector<Rational> points =
+      c.contact == Side::right ? std::vector<Rational>{0, 1} : std::vector<Rational>{-1, 0};
+  return PowerProduct::on(points, {-(half + angle), -(half - angle)},
+                          {punch_amplitude<Number>(c.problem(), c.piece())});
+}
+
+void with_the_other_angle(PowerProduct& t, const StepCase& c) {
+  t.exponents[c.end_at_step()] = c.power_at_step(other_angle(c));
+}
+
+}  // namespace
+
+Claim thm_03_contact_side() {
+  return formula_claim<StepCase, PowerProduct>("thm-03-contact-side")
+      .cases(step_cases)
+      .effective_where([](const StepCase& c) { return c.rear_friction != c.front_friction; })
+      .says(traction)
+      .checked([once = std::make_shared<Once<SolvedSteps>>()]<Real R>(Findings& findings, const PowerProduct& t,
+                                                                      const StepCase& c, const Context& context) {
+        const PowerForm<R> form = t.at<R>();
+        const auto no_slope = [](const R&) { return R(0); };
+        check_surface(findings, surface_of<R>(form, c.problem(), c.piece(), no_slope), 1);
+        check_gap(findings, form, c);
+        if (!c.solved) return;
+        const SolvedSteps<R>& solved = once->at<R>(context.quick, [&] { return solve_steps<R>(context.quick); });
+        check_solved(findings, solved[*c.solved], form, c);
+      })
+      .wrong("the printed angle (5), of the friction behind c, for contact in front of c",
+             [](PowerProduct& t, const StepCase& c) {
+               if (c.contact == Side::right) with_the_other_angle(t, c);
+             })
+      .wrong("the printed angle (6), of the friction in front of c, for contact behind c",
+             [](PowerProduct& t, const StepCase& c) {
+               if (c.contact == Side::left) with_the_other_angle(t, c);
+             })
+      .wrong("the mean of both angles' powers",
+             [](PowerProduct& t, const StepCase& c) {
+               t.move_power(c.end_at_step(), numeric::to_real<Number>(contact_angle(c) - other_angle(c)) / 2);
+             })
+      .near_miss("the power at the step",
+                 [](PowerProduct& t, const Number& step, const StepCase& c) { t.move_power(c.end_at_step(), step); });
+}
+
+}  // namespace steadyslide::proofs_checks

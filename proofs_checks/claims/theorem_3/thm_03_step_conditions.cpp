@@ -1,0 +1,141 @@
+// At a step of the profile: which end of contact goes with which sign of the step. [Bal16, theorem 3]
+
+#include "proofs_checks/instruments/local_power.hpp"
+#include "proofs_checks/instruments/near.hpp"
+#include "proofs_checks/kit/comparison.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+const Rational jump_of_profile(1, 5);
+
+/// A parabola on [-end, end] with a step at 3/7, or at -3/7: `high` is the side away from the body.
+ContactProblem stepped(const Rational& place, Side high, const Rational& load, const Rational& f = 1,
+                       const Rational& end = 1) {
+  const Polynomial low({0, 0, Rational(1, 4)});
+  const Polynomial lifted({jump_of_profile, 0, Rational(1, 4)});
+  return {Elasticity(Solid(Rational(3, 10), 1)), FrictionProfile({f}),
+          Indenter(-end, {{place, high == Side::left ? lifted : low}, {end, high == Side::left ? low : lifted}}), load};
+}
+
+/// An end of the contact, with the contact on the side `contact`.
+struct EndCase {
+  std::string name;
+  ContactProblem problem;
+  Side contact;
+  std::optional<Rational> place;  ///< of the step; absent: wherever the end is, the profile is continuous there
+  bool on_cells = true;           ///< does the leading power there outweigh the next one over cells enough?
+};
+
+std::string text_of(const EndCase& c) { return c.name; }
+
+CaseList<EndCase> ends(const Context& context) {
+  const Rational left(-3, 7);
+  const Rational right(3, 7);
+  const Rational load(1, 5);
+  const ContactProblem high_left = stepped(left, Side::left, load);
+  const ContactProblem high_right = stepped(right, Side::right, load);
+  std::vector<EndCase> all{{"psi(c-) > psi(c+), contact on the right", high_left, Side::right, left},
+                           {"psi continuous, contact on the left", high_left, Side::left, {}},
+                           {"psi(c-) < psi(c+), contact on the left", high_right, Side::left, right},
+                           {"psi continuous, contact on the right", high_right, Side::right, {}}};
+  if (!context.quick) {
+    const ContactProblem other_left = stepped(left, Side::left, Rational(1, 4), 3, 2);
+    const ContactProblem other_right = stepped(right, Side::right, Rational(1, 4), 3, 2);
+    all.push_back({"psi(c-) > psi(c+), contact on the right, f = 3", other_left, Side::right, left, false});
+    all.push_back({"psi continuous, contact on the left, f = 3", other_left, Side::left, {}, false});
+    all.push_back({"psi(c-) < psi(c+), contact on the left, f = 3", other_right, Side::left, right, false});
+    all.push_back({"psi continuous, contact on the right, f = 3", other_right, Side::right, {}, false});
+  }
+  return {all, std::to_string(all.size()) + " ends of contact in solved problems"};
+}
+
+numeric::Estimate<double> power_at_end_on_cells(const EndCase& c, std::size_t cells) {
+  const auto solution = solve_on_cells(c.problem, cells);
+  for (const auto& place : solution->places()) {
+    if (!place.is_end() || place.contact != c.contact || place.exact != c.place.has_value()) continue;
+    return power_on_cells(*solution, place, c.contact);
+  }
+  throw Refutation{{c.name, "on cells the contact does not end there"}};
+}
+
+/// Of the step, 1 or -1: the side in contact less the side without.
+template <Real R>
+int contact_at(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point) {
+  return int(in_contact(solution, point, Side::right)) - int(in_contact(solution, point, Side::left));
+}
+
+enum class End { edge, free };
+
+/// -(1/2+alpha), 1/2-alpha with the contact on the right; mirrored on the left.
+Number power_of(End end, Side contact, const ContactProblem& problem) {
+  const Exponent alpha = Exponent::angle(problem.coupled_friction(0));
+  return numeric::to_real<Number>((end == End::edge ? -half : half) + (contact == Side::right ? -alpha : alpha));
+}
+
+}  // namespace
+
+Claim thm_03_step_conditions() {
+  return compared<EndCase>("thm-03-step-conditions")
+      .cases(ends)
+      .precision(Precision::quick_in_double)
+      .quantity({.name = "power",
+                 .what = "power at an end of contact",
+                 .routes = {"of those where the residual of A |x|^p vanishes, the one on cells", "theorem 3"}})
+      .quantity({.name = "on cells",
+                 .what = "power on cells",
+                 .routes = {"fit", "theorem 3"},
+                 .tolerance = 0.01,
+                 .absolute = true})
+      .quantity({.name = "error bar",
+                 .what = "error bar of the power on cells",
+                 .routes = {"fit", "0"},
+                 .tolerance = 0.02,
+                 .absolute = true})
+      .quantity({.name = "equation",
+                 .what = "equation, solved in double",
+                 .routes = {"trapezoidal rule", "psi_bar'"},
+                 .tolerance = equation_tolerance,
+                 .absolute = true})
+      .quantity({.name = "side",
+                 .what = "side of the step that is in contact, behind or in front",
+                 .routes = {"solved problems", "the lower level's"}})
+      .measured([]<Real R>(const EndCase& c, const Context& context) -> Values {
+        Values found{{"equation", equation_error(c.problem)}};
+        const auto solution = solve<R>(c.problem);
+        if (c.place) found.add({"side", Number(contact_at(*solution, point_at(*solution, *c.place)))});
+        if (!c.on_cells) return found;
+        const numeric::Estimate<double> on_cells = power_at_end_on_cells(c, context.quick ? 2048 : 8192);
+        const Power kind = on_cells.value < 0 ? Power::unbounded : Power::vanishing;
+        const R s = numeric::to_real<R>(c.problem.coupled_friction(0));
+        found.add({"power", end_power<R>(c.contact, kind, s)});
+        found.add({"on cells", on_cells.value});
+        found.add({"error bar", on_cells.error});
+        return found;
+      })
+      .predicted([](const EndCase& c) -> Values {
+        const Number power = power_of(c.place ? End::edge : End::free, c.contact, c.problem);
+        Values said{{"power", power}, {"on cells", power}, {"error bar", Number(0)}, {"equation", Number(0)}};
+        if (c.place) said.add({"side", Number(c.problem.indenter().breaks().front().step > 0 ? -1 : 1)});
+        return said;
+      })
+      .wrong("the power of a free end at a step",
+             [](Values& p, const EndCase& c) {
+               if (c.place) p["power"] = p["on cells"] = power_of(End::free, c.contact, c.problem);
+             })
+      .wrong("the power of an edge where psi is continuous",
+             [](Values& p, const EndCase& c) {
+               if (!c.place) p["power"] = p["on cells"] = power_of(End::edge, c.contact, c.problem);
+             })
+      .wrong("contact on the side of the higher profile",
+             [](Values& p, const EndCase& c) {
+               if (c.place) p["side"] *= -1;
+             })
+      .wrong("the same powers at front and rear",
+             [](Values& p, const EndCase& c) {
+               p["power"] = p["on cells"] = power_of(c.place ? End::edge : End::free, Side::right, c.problem);
+             })
+      .near_misses();
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,98 @@
+// Why a free end has no edge singularity: the last step in the proof of theorem 10. [Bal16, theorem 10]
+
+#include "proofs_checks/instruments/near.hpp"
+#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/kit/comparison.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+/// A contact that is made to end at 0 with an edge, where the profile is continuous: no solution, but the equation
+/// holds.
+struct ForcedEnd {
+  std::string name;
+  Side beyond;  ///< of 0
+  double other_end;
+  Rational slope;
+  bool pressed;  ///< a > 0
+};
+
+const Rational s(3, 4);
+
+std::string text_of(const ForcedEnd& c) { return c.name; }
+
+CaseList<ForcedEnd> forced_ends(const Context& context) {
+  std::vector<ForcedEnd> all{{"contact on the right, pressed", Side::left, 0.4, Rational(-1, 4), true},
+                             {"contact on the right, drawn", Side::left, 0.4, Rational(1), false},
+                             {"contact on the left, pressed", Side::right, -0.4, Rational(1, 4), true}};
+  if (!context.quick) {
+    all.push_back({"contact on the left, drawn", Side::right, -0.4, -1, false});
+    all.push_back({"contact on the right, longer", Side::left, 1.1, Rational(-1, 2), true});
+  }
+  return {all, "contacts made to end where the profile is continuous"};
+}
+
+Trial trial_of(const ForcedEnd& c) {
+  const Polynomial profile({0, c.slope, Rational(1, 2), Rational(1, 12)});
+  const auto place = numeric::to_real<double>(-Trial::frame().origin / Trial::frame().unit);
+  const numeric::ContactInterval zone = c.beyond == Side::left
+                                            ? numeric::ContactInterval{place, c.other_end, true, false}
+                                            : numeric::ContactInterval{c.other_end, place, false, true};
+  return {
+      c.name,
+      {Elasticity::reduced(Rational(1, 2)), FrictionProfile({2 * s}), Indenter(-4, {{0, profile}, {4, profile}}), 1},
+      {zone},
+      {1, 1},
+      0};
+}
+
+Exponent edge_power(const ForcedEnd& c) {
+  return c.beyond == Side::left ? -(half + Exponent::angle(s)) : -(half - Exponent::angle(s));
+}
+
+Number gap_over_a(const ForcedEnd& c) {
+  return -1 / (numeric::cos_pi_alpha<Number>(s) * (numeric::to_real<Number>(edge_power(c)) + 1));
+}
+
+}  // namespace
+
+Claim thm_10_proof_exclusion() {
+  return compared<ForcedEnd>("thm-10-proof-exclusion")
+      .cases(forced_ends)
+      .precision(Precision::quick_in_double)
+      .quantity({.name = "gap",
+                 .what = "gap beyond a forced end over a d^{p+1}, t ~ -a d^p",
+                 .routes = {"form", "-sqrt(1+s^2)/(p+1)"}})
+      .quantity({.name = "sign", .what = "sign of a", .routes = {"form", "the end pressed or drawn"}})
+      .quantity({.name = "rule", .what = "gap at d = 1/50 over the form's", .routes = {"trapezoidal rule", "1"}})
+      .measured([]<Real R>(const ForcedEnd& c) -> Values {
+        using std::pow;
+        const TrialForm<R> trial(trial_of(c));
+        const auto& form = trial.form();
+        std::size_t j = 0;
+        while (!(form.set().point(j).anchor && form.problem().place(*form.set().point(j).anchor) == 0)) ++j;
+        const R unit = numeric::to_real<R>(Trial::frame().unit);
+        const R d = very_near<R>();
+        const R p = numeric::to_real<R>(edge_power(c));
+        const R a = -form.traction(beside(form, j, opposite(c.beyond), R(d * unit))).value / pow(d, p);
+        const R gap = form.opening(j, beside(form, j, c.beyond, R(d * unit))).value / pow(d, R(p + 1));
+        // A place where nothing is small.
+        const R far = R(1) / 50;
+        const auto at = beside(form, j, c.beyond, R(far * unit));
+        const numeric::trapezoidal::Grid<R> grid(traction_density(form));
+        const R by_rule = form.profile_rise(j, at) - grid.displacement(0, c.beyond, far);
+        return {
+            {"gap", R(gap / a)}, {"sign", Number(a > 0 ? 1 : -1)}, {"rule", R(by_rule / form.opening(j, at).value)}};
+      })
+      .predicted([](const ForcedEnd& c) -> Values {
+        return {{"gap", gap_over_a(c)}, {"sign", Number(c.pressed ? 1 : -1)}, {"rule", Number(1)}};
+      })
+      .wrong("the surface below the indenter for a > 0", [](Values& p, const ForcedEnd&) { p["gap"] *= -1; })
+      .wrong("sqrt(1+s^2) missing", [](Values& p, const ForcedEnd&) { p["gap"] *= numeric::cos_pi_alpha<Number>(s); })
+      .wrong("1/(1/2-alpha) missing",
+             [](Values& p, const ForcedEnd& c) { p["gap"] *= numeric::to_real<Number>(edge_power(c)) + 1; })
+      .wrong("a of one sign in all cases", [](Values& p, const ForcedEnd&) { p["sign"] = 1; })
+      .near_misses();
+}
+
+}  // namespace steadyslide::proofs_checks
