@@ -76,7 +76,7 @@ class Runner {
     } else if (const auto* order = std::get_if<Order>(value)) {
       predicted.set(quantity.name, Order{order->rate + 2 * quantity.tolerance});
     } else if (const auto* exponent = std::get_if<Exponent>(value)) {
-      predicted.set(quantity.name, *exponent + Exponent(tiny()));
+      predicted.set(quantity.name, *exponent + Exponent::angle(tiny()));
     } else if (const auto* rational = std::get_if<Rational>(value)) {
       predicted.set(quantity.name, Rational(*rational + tiny()));
     }
@@ -133,6 +133,7 @@ class Runner {
                         quantity.tolerance, order->detail});
     } else if (const auto* number = std::get_if<Number>(&measured)) {
       const Number& expected = std::get<Number>(predicted);
+      if (quantity.at_most && *number <= expected) return findings.compare(numbers(quantity, context), 0);
       const Number difference = abs(*number - expected);
       findings.compare(numbers(quantity, context), quantity.absolute ? static_cast<double>(difference)
                                                                      : relative_difference<Number>(*number, expected));

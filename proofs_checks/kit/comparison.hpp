@@ -35,8 +35,9 @@ struct Compared {
   /// Of numbers: that of the precision if 0. Of orders: the largest difference of rates.
   double tolerance = 0;
   bool absolute = false;  ///< the difference itself, not relative to the larger value: where zero is predicted
+  bool at_most = false;   ///< the prediction is a bound of what is measured
   double required = 0.5;  ///< the part of the cases that has to be effective
-  bool near_miss = true;  ///< false for truth values, which have none
+  bool near_miss = true;  ///< false for truth values and for bounds that are not attained
 };
 
 /// The runner's view of such a claim: cases without their type, functions without their precision.
