@@ -52,7 +52,7 @@ std::string fault(const ReducedProblem<R>& problem, const ContactSet<R>& set) {
 }
 
 template <Real R>
-typename ContactSet<R>::Place place(const ContactSet<R>& set, std::size_t segment, const R& part) {
+typename ContactSet<R>::SegmentPlace place(const ContactSet<R>& set, std::size_t segment, const R& part) {
   return {segment, part * set.length(segment), (1 - part) * set.length(segment)};
 }
 
