@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "app/results/number_format.hpp"
 
@@ -29,7 +30,7 @@ std::array<NamedError, 3> named(const numeric::EstimatedError<R>& error) {
            {"resultants", "the load", static_cast<double>(error.resultants)}}};
 }
 
-std::string percent(double part) { return fmt::format("{:.3g} %", 100 * part); }
+std::string percent(double part) { return std::isfinite(part) ? fmt::format("{:.3g} %", 100 * part) : "unknown"; }
 
 /// Ends of contact where the support of a trace ends.
 template <Real R>

@@ -151,8 +151,8 @@ void write_claims(Format format, std::span<const checks::Claim> claims, Output& 
   if (format == Format::json) return write_claims_json(claims, output);
   if (format == Format::text) {
     for (const checks::Claim& claim : claims) {
-      output.write(fmt::format("{} ({})\n  {}\n  {}\n  for {}\n\n", claim.id, claim.group, claim.source,
-                               claim.statement, claim.hypotheses));
+      output.write(fmt::format("{}\n  {}\n  {}\n  for {}\n  group {}\n\n", claim.id, claim.source, claim.statement,
+                               claim.hypotheses, claim.group));
     }
     return;
   }

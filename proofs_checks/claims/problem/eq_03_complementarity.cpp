@@ -216,7 +216,8 @@ std::vector<Evidence> check(const Context& context, const Candidate& candidate) 
     const std::size_t count = context.quick ? 1 : 9;
     std::vector<ContactProblem> problems;
     for (std::size_t k = 0; k < count; ++k) problems.push_back(random_problem(random, k));
-    problems.push_back(notch(true));
+    // Its gap is 1e-11 long: there the trapezoidal rule leaves 2e-33 of a displacement, whatever the digits.
+    if (std::same_as<R, double> || candidate.which == Candidate::Which::full_contact) problems.push_back(notch(true));
     if (candidate.with_unsolved) problems.push_back(notch(false));
     for (const ContactProblem& problem : problems) {
       findings.begin_case(text_of(problem));
@@ -227,7 +228,7 @@ std::vector<Evidence> check(const Context& context, const Candidate& candidate) 
       examine<R>(findings, problem, *held->form, factor);
     }
     return findings.evidence("random frictions, profiles with one and two wells and loads, seed " +
-                             std::to_string(context.seed) + "; a notch over a jump");
+                             std::to_string(context.seed) + "; in double a notch over a jump");
   };
   return gather([&] { return numeric::at_precision(digits, walk); });
 }

@@ -129,8 +129,9 @@ Claim rem_02_same_singularities() {
       .cases(rows)
       .precision(Precision::quick_in_double)
       .says([](const Row& row) { return RowTraction{.powers = half_space_powers(row)}; })
-      .checked(
-          []<numeric::Real R>(Findings& findings, const RowTraction& form, const Row& row) { check<R>(findings, form, row); })
+      .checked([]<numeric::Real R>(Findings& findings, const RowTraction& form, const Row& row) {
+        check<R>(findings, form, row);
+      })
       .wrong("the powers at edges without friction",
              [](RowTraction& form, const Row&) { form.powers.front() = form.powers.back() = -half; })
       .wrong(
