@@ -124,7 +124,7 @@ R opening(const numeric::SurfaceCheck<R>& check, const numeric::Panel<R>& panel,
   const R unit = numeric::to_real<R>(frame.unit);
   const R end = numeric::to_real<R>(frame.origin) + unit * (side == Side::left ? panel.left : panel.right);
   const R x = end + (side == Side::left ? R(-unit * distance) : R(unit * distance));
-  const R rise = height<R>(problem, x, x) - height<R>(problem, x, end);
+  const R rise = height<R>(problem, x, x) - height<R>(problem, end, end);
   return (rise - unit * check.displacement(k, side, distance)) / numeric::to_real<R>(problem.load());
 }
 
@@ -184,6 +184,8 @@ void examine(Findings& findings, const ContactProblem& problem, const RiemannHil
     const R left = numeric::to_real<R>(problem.indenter().left());
     const R right = numeric::to_real<R>(problem.indenter().right());
     const auto look = [&](Side side, const R& length, int steps) {
+      // Contact that reaches the support's end leaves nothing beyond but a rounding.
+      if (!(length > 64 * numeric::epsilon<R>() * form.set().span_length())) return;
       for (int i = 1; i < steps; ++i) {
         // Denser towards the end of the contact.
         const R d = length * i * i * i * i / (steps * steps * steps * steps);
@@ -216,8 +218,7 @@ std::vector<Evidence> check(const Context& context, const Candidate& candidate) 
     const std::size_t count = context.quick ? 1 : 9;
     std::vector<ContactProblem> problems;
     for (std::size_t k = 0; k < count; ++k) problems.push_back(random_problem(random, k));
-    // Its gap is 1e-11 long: there the trapezoidal rule leaves 2e-33 of a displacement, whatever the digits.
-    if (std::same_as<R, double> || candidate.which == Candidate::Which::full_contact) problems.push_back(notch(true));
+    problems.push_back(notch(true));
     if (candidate.with_unsolved) problems.push_back(notch(false));
     for (const ContactProblem& problem : problems) {
       findings.begin_case(text_of(problem));
@@ -228,7 +229,7 @@ std::vector<Evidence> check(const Context& context, const Candidate& candidate) 
       examine<R>(findings, problem, *held->form, factor);
     }
     return findings.evidence("random frictions, profiles with one and two wells and loads, seed " +
-                             std::to_string(context.seed) + "; in double a notch over a jump");
+                             std::to_string(context.seed) + "; a notch over a jump");
   };
   return gather([&] { return numeric::at_precision(digits, walk); });
 }
