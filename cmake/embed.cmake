@@ -1,8 +1,8 @@
 # cmake -D INPUT=FILE -D NAME=identifier -D OUTPUT=FILE.cpp -P embed.cmake: the file's bytes as a text in C++, which
-# app/report/embedded.hpp declares.
+# app/embedded.hpp declares.
 file(READ "${INPUT}" bytes HEX)
 string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
-file(WRITE "${OUTPUT}" "#include \"app/report/embedded.hpp\"
+file(WRITE "${OUTPUT}" "#include \"app/embedded.hpp\"
 
 namespace steadyslide::app::embedded {
 namespace {

@@ -1,22 +1,97 @@
 #pragma once
-// The command line: what each command takes, its help, and which command is meant.
+// A program as a list of commands: what each takes, its help, and which one is run. Only command_line.cpp sees the
+// library that reads command lines.
 
+#include <initializer_list>
+#include <map>
+#include <optional>
 #include <string>
-#include <variant>
+#include <string_view>
+#include <vector>
 
-#include "app/commands/options.hpp"
+#include "app/results/rows.hpp"
+#include "app/terminal/failure.hpp"
 
 namespace steadyslide::app {
 
-/// Text to print instead of doing anything: --help, --version.
-struct Message {
-  std::string text;
+struct Option {
+  enum class Kind { text, required, repeatable, flag };
+
+  std::string name;   ///< "--digits", "-o,--output"; "PROBLEM" stands without a name
+  std::string value;  ///< what --help calls its text; none for a flag
+  std::string help;
+  Kind kind = Kind::text;
 };
 
-using Command =
-    std::variant<Message, VerifyOptions, ExponentsOptions, TableOptions, SolveOptions, FiguresOptions, ReportOptions>;
+/// What --digits, --format and --output say.
+struct CommonOptions {
+  int digits;
+  Format format;
+  std::optional<std::string> output;  ///< absent: the standard output
+};
 
-/// Throws Failure (exit code 2) "command line: ...".
-Command parse_command_line(int argc, const char* const* argv);
+/// What stands behind a command. Functions that check a text throw Failure (exit code 2), which names the option.
+class Given {
+ public:
+  struct Value {
+    bool given = false;
+    std::string text;
+    std::vector<std::string> texts;
+  };
+
+  bool has(const std::string& option) const { return values_.at(option).given; }
+  /// Empty without the option.
+  const std::string& text(const std::string& option) const { return values_.at(option).text; }
+  /// Of a repeatable option.
+  const std::vector<std::string>& texts(const std::string& option) const { return values_.at(option).texts; }
+  /// A whole number; absent without the option.
+  std::optional<int> count(const std::string& option, int least, int most) const;
+  /// The name of a `thing`, which is not empty; absent without the option.
+  std::optional<std::string> name(const std::string& option, const std::string& thing) const;
+
+  /// `otherwise` without --digits.
+  int digits(int otherwise) const { return count("--digits", 1, 100).value_or(otherwise); }
+  CommonOptions common(int digits, std::initializer_list<Format> formats) const;
+  /// --output; the current one without.
+  std::string folder() const { return name("--output", "folder").value_or("."); }
+  std::optional<unsigned long long> seed() const;
+
+ private:
+  friend class CommandLine;
+  std::map<std::string, Value> values_;
+};
+
+/// PROBLEM, --seed, and the folder to write into.
+Option problem_argument();
+Option seed_option();
+Option folder_option();
+/// A command's own options, then --digits with its help, --format and --output.
+std::vector<Option> with_common(std::vector<Option> options, const std::string& digits,
+                                std::initializer_list<Format> formats);
+
+struct Command {
+  std::string name;
+  std::string help;  ///< what it does and, after an empty line, what stands below its options
+  std::vector<Option> options;
+  ExitCode (*run)(const Given& given);
+};
+
+// They stand beside what they command: solve_command.cpp, verify/verify_command.cpp.
+Command exponents_command();
+Command table_command();
+Command solve_command();
+Command verify_command();
+Command figures_command();
+Command report_command();
+
+struct Program {
+  std::string name;
+  std::string description;
+  std::vector<Command> commands;
+};
+
+/// Runs the command that the command line names, or prints what --help and --version ask for; a failure is one line on
+/// the standard error. Returns the exit code.
+int run_program(const Program& program, int argc, const char* const* argv);
 
 }  // namespace steadyslide::app

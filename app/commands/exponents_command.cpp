@@ -1,33 +1,85 @@
-#include "app/commands/exponents_command.hpp"
+// steadyslide exponents
 
+#include <iterator>
+#include <stdexcept>
+
+#include "app/commands/command_line.hpp"
+#include "app/embedded.hpp"
 #include "app/problem_file/problem_file.hpp"
-#include "app/results/derivation_writer.hpp"
 #include "app/results/exponent_text.hpp"
 #include "app/results/number_format.hpp"
-#include "app/results/row_writer.hpp"
-#include "app/terminal/output.hpp"
+#include "app/results/rows.hpp"
 #include "model/singular_point.hpp"
+#include "symbolic/local/local_derivations.hpp"
+#include "symbolic/riemann_hilbert/closed_form_derivation.hpp"
 
 namespace steadyslide::app {
+namespace {
 
-ExitCode run(const ExponentsOptions& options) {
-  const Problem problem = read_problem(options.problem);
-  if (options.derivation) return write_derivations(options.common, problem.contact);
-  const int digits = options.common.digits;
-  Output output(options.common.output);
-  const auto rows =
-      make_row_writer(options.common.format,
-                      {{"x"}, {"kind"}, {"side"}, {"friction"}, {"exponent"}, {"symbolic"}, {"latex", true}}, output);
-  for (const SingularPoint& point : possible_singular_points(problem.contact)) {
-    std::vector<std::string> friction;
-    for (const Rational& f : point.friction) friction.push_back(format_number(f, digits));
-    const ExponentText exponent = exponent_text(point.exponent, digits);
-    rows->row({point.x ? format_number(*point.x, digits) : std::string("anywhere"), std::string(name_of(point.kind)),
-               std::string(name_of(point.contact)), friction, exponent.value, exponent.symbolic, exponent.latex});
+constexpr std::initializer_list<Format> formats{Format::text, Format::json, Format::csv, Format::markdown,
+                                                Format::latex};
+
+/// Every further jump of its own height may double the field in which the closed form is decided.
+constexpr std::size_t most_jumps_of_closed_form = 8;
+
+std::vector<symbolic::Derivation> closed_forms(const ContactProblem& problem) {
+  if (problem.friction().jumps().size() > most_jumps_of_closed_form) return {};
+  try {
+    return symbolic::riemann_hilbert_derivations(problem);
+  } catch (const std::domain_error&) {
+    return {};  // the profile has no closed form; its exponents are derived all the same
   }
-  rows->end();
+}
+
+/// How each exponent comes about, and the closed form where there is one: as text, or as a LaTeX document.
+void write_derivations(const ContactProblem& problem, Format format, Output& output) {
+  std::vector<symbolic::Derivation> derivations = symbolic::local_derivations(problem);
+  std::vector<symbolic::Derivation> whole = closed_forms(problem);
+  std::move(whole.begin(), whole.end(), std::back_inserter(derivations));
+  if (format == Format::latex) return output.write(symbolic::latex_document(derivations));
+  for (const symbolic::Derivation& derivation : derivations) output.write(symbolic::to_text(derivation) + "\n");
+}
+
+void write_exponents(const ContactProblem& problem, const CommonOptions& options, Output& output) {
+  Rows rows(options.format,
+            {{"x"}, {"kind"}, {"side"}, {"friction"}, {"exponent"}, {"symbolic"}, {"latex", Column::Holds::formulas}},
+            output);
+  for (const SingularPoint& point : possible_singular_points(problem)) {
+    std::vector<std::string> friction;
+    for (const Rational& f : point.friction) friction.push_back(format_number(f, options.digits));
+    const ExponentText exponent = exponent_text(point.exponent, options.digits);
+    rows.row({point.x ? format_number(*point.x, options.digits) : std::string("anywhere"),
+              std::string(name_of(point.kind)), std::string(name_of(point.contact)), friction, exponent.value,
+              exponent.symbolic, exponent.latex});
+  }
+  rows.end();
+}
+
+ExitCode run(const Given& given) {
+  const CommonOptions options = given.common(16, formats);
+  const bool derivation = given.has("--derivation");
+  if (derivation && options.format != Format::text && options.format != Format::latex) {
+    throw bad_command_line("--derivation: wrong format", "a derivation is text or latex", format_name(options.format));
+  }
+  const Problem problem = read_problem(given.text("PROBLEM"));
+  Output output(options.output);
+  if (derivation) {
+    write_derivations(problem.contact, options.format, output);
+  } else {
+    write_exponents(problem.contact, options, output);
+  }
   output.commit();
   return ExitCode::done;
+}
+
+}  // namespace
+
+Command exponents_command() {
+  return {"exponents", std::string(embedded::help_exponents).append(embedded::help_problem),
+          with_common({problem_argument(),
+                       {"--derivation", "", "How they are derived, step by step: text or latex", Option::Kind::flag}},
+                      "Significant digits, 1 to 100; default 16", formats),
+          run};
 }
 
 }  // namespace steadyslide::app

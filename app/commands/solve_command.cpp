@@ -1,14 +1,16 @@
-#include "app/commands/solve_command.hpp"
+// steadyslide solve
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <optional>
 
+#include "app/commands/command_line.hpp"
 #include "app/commands/solver.hpp"
+#include "app/embedded.hpp"
 #include "app/problem_file/list_parser.hpp"
-#include "app/results/number_format.hpp"
 #include "app/results/solve_writers.hpp"
 #include "app/terminal/progress.hpp"
 
@@ -18,25 +20,76 @@ namespace {
 constexpr std::size_t max_places = 100000;
 constexpr std::size_t max_loads = 10000;
 constexpr int csv_samples = 101;
+constexpr std::initializer_list<Format> formats{Format::text, Format::json, Format::csv};
 
-Failure inapplicable(const Problem& problem, Method method, const std::string& why_not) {
-  if (method == Method::closed_form) {
-    return bad_command_line("--method closed-form: no closed form applies; " + why_not);
+struct SolveOptions {
+  CommonOptions common;
+  std::string method_name;
+  Method method;
+  std::string at;          ///< a list; empty: none
+  int samples;             ///< 0: none
+  std::string load_steps;  ///< a list; empty: the file's load
+  int search_starts;       ///< of a search for several solutions; 0: one solve
+  std::optional<int> cells;
+  std::optional<int> iterations;
+
+  numeric::VariationalOptions variational() const {
+    numeric::VariationalOptions result;
+    if (cells) result.cells = static_cast<std::size_t>(*cells);
+    if (iterations) result.most_steps = *iterations;
+    return result;
   }
-  return {ExitCode::bad_input, problem.file + ": " + why_not};
+};
+
+Method method_named(const std::string& name) {
+  constexpr std::array<std::string_view, 4> names{"auto", "closed-form", "riemann-hilbert", "variational"};
+  const auto found = std::ranges::find(names, name);
+  if (found != names.end()) return static_cast<Method>(found - names.begin());
+  throw bad_command_line("--method: unknown method", "it is one of auto, closed-form, riemann-hilbert, variational",
+                         name);
 }
 
-std::string name_of(Method method) {
-  switch (method) {
-    case Method::closed_form: return "closed-form";
-    case Method::riemann_hilbert: return "riemann-hilbert";
-    case Method::variational: return "variational";
-    default: return "auto";
+std::string list(const Given& given, const std::string& option) {
+  if (!given.has(option)) return "";
+  if (given.text(option).empty()) throw bad_command_line(option + ": no value", "it is a list", "");
+  return given.text(option);
+}
+
+void refuse_conflicts(const Given& given, const SolveOptions& options) {
+  const auto refuse = [&](const std::string& option, std::initializer_list<const char*> others, const char* rule) {
+    for (const char* other : others) {
+      if (given.has(other)) throw bad_command_line(option + ": conflicting option", rule, other);
+    }
+  };
+  if (!options.load_steps.empty()) {
+    refuse("--load-steps", {"--at", "--samples"}, "samples are those of one load");
   }
+  if (options.search_starts == 0) return;
+  refuse("--search-solutions", {"--at", "--samples", "--load-steps"},
+         "it compares contact zones and resultants under the file's load");
+  if (options.method == Method::closed_form || options.method == Method::riemann_hilbert) {
+    throw bad_command_line("--search-solutions: conflicting option", "it searches by the variational method",
+                           "--method " + options.method_name);
+  }
+}
+
+SolveOptions read(const Given& given) {
+  SolveOptions options;
+  options.common = given.common(16, formats);
+  options.method_name = given.has("--method") ? given.text("--method") : "auto";
+  options.method = method_named(options.method_name);
+  options.at = list(given, "--at");
+  options.load_steps = list(given, "--load-steps");
+  options.samples = given.count("--samples", 1, 100000).value_or(0);
+  options.cells = given.count("--cells", numeric::fewest_cells, numeric::most_cells);
+  options.iterations = given.count("--iterations", 1, 10000);
+  options.search_starts = given.count("--search-solutions", 1, 1000).value_or(0);
+  refuse_conflicts(given, options);
+  return options;
 }
 
 /// Options that only the variational method takes, and those that it does not.
-void check_options(const SolveOptions& options, const Problem& problem) {
+void check_method(const SolveOptions& options, const Problem& problem) {
   const bool on_cells = options.search_starts > 0 || takes_variational(options.method, problem.contact);
   if (on_cells && numeric::precision_for(options.common.digits) != numeric::Digits::sixteen) {
     throw bad_command_line("--digits: out of range", "the variational method works in double, 16 digits at most",
@@ -47,15 +100,15 @@ void check_options(const SolveOptions& options, const Problem& problem) {
     throw bad_command_line(
         std::string(option) + ": method without cells",
         "it goes with --method variational, with auto where that takes it, and with --search-solutions",
-        "--method " + name_of(options.method));
+        "--method " + options.method_name);
   }
 }
 
-numeric::VariationalOptions variational_options(const SolveOptions& options) {
-  numeric::VariationalOptions result;
-  if (options.cells) result.cells = static_cast<std::size_t>(*options.cells);
-  if (options.iterations) result.most_steps = *options.iterations;
-  return result;
+Failure inapplicable(const Problem& problem, Method method, const std::string& why_not) {
+  if (method == Method::closed_form) {
+    return bad_command_line("--method closed-form: no closed form applies; " + why_not);
+  }
+  return {ExitCode::bad_input, problem.file + ": " + why_not};
 }
 
 /// A bar that follows one solve, or a search, on cells.
@@ -65,8 +118,19 @@ std::function<void(std::size_t, std::size_t)> follow(Progress& progress, const s
   };
 }
 
-SolveReport solve_shown(const SolveOptions& options, const Problem& problem, ReportWanted report) {
-  Solver::Wanted wanted{options.method, std::move(report), variational_options(options)};
+template <class Result>
+void write(Format format, const Problem& problem, const Result& result, Output& output) {
+  switch (format) {
+    case Format::json: write_json(problem, result, output); break;
+    case Format::csv: write_csv(result, output); break;
+    default: write_text(problem, result, output); break;
+  }
+  output.commit();
+  warn(problem.file, result.warnings);
+}
+
+SolutionText solve_shown(const SolveOptions& options, const Problem& problem, SolutionWanted solution) {
+  Solver::Wanted wanted{options.method, std::move(solution), options.variational()};
   std::optional<Progress> progress;
   constexpr std::size_t done = 0;
   if (takes_variational(options.method, problem.contact)) {
@@ -76,24 +140,18 @@ SolveReport solve_shown(const SolveOptions& options, const Problem& problem, Rep
 }
 
 ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
-  ReportWanted wanted{options.common.digits, {}, options.samples};
+  SolutionWanted wanted{options.common.digits, {}, options.samples};
   if (!options.at.empty()) wanted.at = parse_list("--at", options.at, max_places);
-  const Format format = options.common.format;
-  if (format == Format::csv && wanted.at.empty() && wanted.samples == 0) wanted.samples = csv_samples;
+  const bool any_samples = !wanted.at.empty() || wanted.samples > 0;
+  if (options.common.format == Format::csv && !any_samples) wanted.samples = csv_samples;
 
   Output output(options.common.output);
-  const SolveReport report = solve_shown(options, problem, std::move(wanted));
-  if (!report.why_not.empty()) throw inapplicable(problem, options.method, report.why_not);
-  switch (format) {
-    case Format::json: write_solve_json(problem, report, output); break;
-    case Format::csv: write_solve_csv(report, output); break;
-    default: write_solve_text(problem, report, output); break;
-  }
-  output.commit();
-  warn(problem.file, report.warnings);
-  if (report.is_solved()) return ExitCode::done;
+  const SolutionText solution = solve_shown(options, problem, std::move(wanted));
+  if (!solution.why_not.empty()) throw inapplicable(problem, options.method, solution.why_not);
+  write(options.common.format, problem, solution, output);
+  if (solution.is_solved()) return ExitCode::done;
   throw Failure(ExitCode::refuted, fmt::format("{}: the solve did not converge: {}; what was reached is printed",
-                                               problem.file, report.shortcoming));
+                                               problem.file, solution.shortcoming));
 }
 
 std::vector<Rational> load_list(const std::string& text) {
@@ -105,102 +163,108 @@ std::vector<Rational> load_list(const std::string& text) {
   return loads;
 }
 
-Problem with_load(const Problem& problem, const Rational& load) {
-  return {problem.contact.with_load(load), problem.file, problem.samples};
+std::vector<LoadStep> solved_steps(const SolveOptions& options, const Problem& problem,
+                                   const std::vector<Rational>& loads) {
+  std::vector<LoadStep> steps;
+  Progress progress(loads.size());
+  std::size_t done = 0;
+  Solver::Wanted wanted{options.method, {options.common.digits}, options.variational()};
+  wanted.variational.progress = follow(progress, done);
+  Solver solver(std::move(wanted));
+  for (const Rational& load : loads) {
+    const Problem loaded{problem.contact.with_load(load), problem.file, problem.samples};
+    steps.push_back({full_number(load, options.common.digits), solver.solve(loaded)});
+    progress.show(++done);
+  }
+  return steps;
 }
 
 ExitCode follow_loads(const SolveOptions& options, const Problem& problem) {
   const std::vector<Rational> loads = load_list(options.load_steps);
   Output output(options.common.output);
-  std::vector<LoadStep> steps;
-  {
-    Progress progress(loads.size());
-    std::size_t done = 0;
-    Solver::Wanted wanted{options.method, {options.common.digits}, variational_options(options)};
-    wanted.variational.progress = follow(progress, done);
-    Solver solver(std::move(wanted));
-    for (const Rational& load : loads) {
-      steps.push_back({full_number(load, options.common.digits), solver.solve(with_load(problem, load))});
-      progress.show(++done);
-    }
-  }
-  const auto applies = [](const LoadStep& step) { return step.report.why_not.empty(); };
-  if (std::none_of(steps.begin(), steps.end(), applies)) {
-    throw inapplicable(problem, options.method, steps.front().report.why_not);
+  const std::vector<LoadStep> steps = solved_steps(options, problem, loads);
+  if (std::ranges::none_of(steps, [](const LoadStep& step) { return step.solution.why_not.empty(); })) {
+    throw inapplicable(problem, options.method, steps.front().solution.why_not);
   }
   write_load_steps(options.common.format, steps, output);
   output.commit();
-  for (const LoadStep& step : steps) {
-    for (const std::string& what : step.report.warnings) warn(problem.file, {"load " + step.load + ": " + what});
+  for (const auto& [load, solution] : steps) {
+    for (const std::string& what : solution.warnings) warn(problem.file, {"load " + load + ": " + what});
   }
 
-  const auto fails = [](const LoadStep& step) { return !step.report.is_solved(); };
-  const auto first = std::find_if(steps.begin(), steps.end(), fails);
+  const auto fails = [](const LoadStep& step) { return !step.solution.is_solved(); };
+  const auto first = std::ranges::find_if(steps, fails);
   if (first == steps.end()) return ExitCode::done;
-  const SolveReport& report = first->report;
+  const SolutionText& failed = first->solution;
   throw Failure(ExitCode::refuted,
                 fmt::format("{}: {} of {} loads not solved, first of all {}: {}; what was reached is printed",
-                            problem.file, std::count_if(first, steps.end(), fails), steps.size(), first->load,
-                            report.why_not.empty() ? report.shortcoming : report.why_not));
+                            problem.file, std::ranges::count_if(steps, fails), steps.size(), first->load,
+                            failed.why_not.empty() ? failed.shortcoming : failed.why_not));
 }
 
 /// Not empty: there is no solution, and why.
-std::string nothing_found(const SearchReport& report) {
-  if (report.solutions.empty()) return fmt::format("none of {} starts led to one", report.starts);
-  for (const FoundReport& found : report.solutions) {
+std::string nothing_found(const SearchText& search) {
+  if (search.solutions.empty()) return fmt::format("none of {} starts led to one", search.starts);
+  for (const FoundText& found : search.solutions) {
     if (found.variational.is_solved() || found.refined) return "";
   }
-  return report.solutions.front().variational.shortcoming;
+  return search.solutions.front().variational.shortcoming;
 }
 
-SearchReport search_shown(const SolveOptions& options, const Problem& problem) {
-  numeric::VariationalOptions variational = variational_options(options);
-  numeric::SolutionSearch found;
-  {
-    Progress progress(1);
-    constexpr std::size_t done = 0;
-    variational.progress = follow(progress, done);
-    found = numeric::search_solutions(problem.contact, options.search_starts, variational);
-  }
-  if (!found.why_not.empty()) throw inapplicable(problem, options.method, found.why_not);
-  SearchReport report{found.starts, found.unsolved, found.refinements, {}, uniqueness(problem.contact), {}, {}};
-  const ReportWanted wanted{options.common.digits};
-  for (const numeric::FoundSolution& solution : found.solutions) {
-    FoundReport shown{solution.times, report_of_cells(problem, *solution.variational, wanted), std::nullopt};
-    if (solution.refined) shown.refined = make_report(problem, *solution.refined, wanted);
-    if (shown.refined && !shown.refined->is_solved()) shown.refined.reset();
-    const std::string number = std::to_string(report.solutions.size() + 1);
-    for (const std::string& what : shown.variational.warnings) {
-      report.warnings.push_back("solution " + number + ": " + what);
-    }
-    report.solutions.push_back(std::move(shown));
-  }
-  report.shortcoming = nothing_found(report);
-  return report;
+numeric::SolutionSearch search_shown(const SolveOptions& options, const Problem& problem) {
+  numeric::VariationalOptions variational = options.variational();
+  Progress progress(1);
+  constexpr std::size_t done = 0;
+  variational.progress = follow(progress, done);
+  return numeric::search_solutions(problem.contact, options.search_starts, variational);
 }
 
 ExitCode search(const SolveOptions& options, const Problem& problem) {
   Output output(options.common.output);
-  const SearchReport report = search_shown(options, problem);
-  switch (options.common.format) {
-    case Format::json: write_search_json(problem, report, output); break;
-    case Format::csv: write_search_csv(report, output); break;
-    default: write_search_text(problem, report, output); break;
+  const numeric::SolutionSearch found = search_shown(options, problem);
+  if (!found.why_not.empty()) throw inapplicable(problem, options.method, found.why_not);
+  SearchText text{found.starts, found.unsolved, found.refinements, {}, uniqueness(problem.contact), {}, {}};
+  const SolutionWanted wanted{options.common.digits};
+  for (const numeric::FoundSolution& solution : found.solutions) {
+    FoundText shown{solution.times, text_on_cells(problem, *solution.variational, wanted), std::nullopt};
+    if (solution.refined) shown.refined = solution_text(problem, *solution.refined, wanted);
+    if (shown.refined && !shown.refined->is_solved()) shown.refined.reset();
+    for (const std::string& what : shown.variational.warnings) {
+      text.warnings.push_back(fmt::format("solution {}: {}", text.solutions.size() + 1, what));
+    }
+    text.solutions.push_back(std::move(shown));
   }
-  output.commit();
-  warn(problem.file, report.warnings);
-  if (report.shortcoming.empty()) return ExitCode::done;
-  throw Failure(ExitCode::refuted,
-                fmt::format("{}: the search found no solution: {}", problem.file, report.shortcoming));
+  text.shortcoming = nothing_found(text);
+  write(options.common.format, problem, text, output);
+  if (text.shortcoming.empty()) return ExitCode::done;
+  throw Failure(ExitCode::refuted, fmt::format("{}: the search found no solution: {}", problem.file, text.shortcoming));
+}
+
+ExitCode run(const Given& given) {
+  const SolveOptions options = read(given);
+  const Problem problem = read_problem(given.text("PROBLEM"));
+  check_method(options, problem);
+  if (options.search_starts > 0) return search(options, problem);
+  return options.load_steps.empty() ? solve_once(options, problem) : follow_loads(options, problem);
 }
 
 }  // namespace
 
-ExitCode run(const SolveOptions& options) {
-  const Problem problem = read_problem(options.problem);
-  check_options(options, problem);
-  if (options.search_starts > 0) return search(options, problem);
-  return options.load_steps.empty() ? solve_once(options, problem) : follow_loads(options, problem);
+Command solve_command() {
+  return {
+      "solve", std::string(embedded::help_solve).append(embedded::help_problem),
+      with_common({problem_argument(),
+                   {"--method", "METHOD", "auto, closed-form, riemann-hilbert or variational"},
+                   {"--at", "LIST", "Results at these x, in your units; may lie outside the support"},
+                   {"--samples", "N", "Results at N places in each contact component and gap, 1 to 100000"},
+                   {"--cells", "N", "Equal cells on the support, 16 to 4194304; default 4096: variational only"},
+                   {"--iterations", "N",
+                    "Most steps of the active sets on each mesh, 1 to 10000; default 100: variational only"},
+                   {"--load-steps", "LIST", "The contact under each of these loads, one row for each component"},
+                   {"--search-solutions", "N",
+                    "Start from N contact sets, 1 to 1000: do all lead to one solution? By the variational method"}},
+                  "Significant digits, 1 to 100; default 16", formats),
+      run};
 }
 
 }  // namespace steadyslide::app

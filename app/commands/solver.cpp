@@ -38,10 +38,10 @@ numeric::Attempt<R> attempt(Method method, const ContactProblem& problem, const 
   return numeric::riemann_hilbert<R>(problem, start);
 }
 
-SolveReport inapplicable(const std::string& why_not) {
-  SolveReport report;
-  report.why_not = why_not;
-  return report;
+SolutionText inapplicable(const std::string& why_not) {
+  SolutionText text;
+  text.why_not = why_not;
+  return text;
 }
 
 }  // namespace
@@ -54,37 +54,37 @@ bool takes_variational(Method method, const ContactProblem& problem) {
   return !numeric::closed_form<double>(problem).solution;  // pieces can all be the same polynomial
 }
 
-SolveReport report_of_cells(const Problem& problem, const numeric::ContactSolution<double>& solution,
-                            ReportWanted wanted) {
+SolutionText text_on_cells(const Problem& problem, const numeric::ContactSolution<double>& solution,
+                           SolutionWanted wanted) {
   wanted.largest_residual = numeric::infinity<double>();
-  SolveReport report = make_report(problem, solution, wanted);
-  if (report.is_solved() && !report.in_range) report.shortcoming = "values out of the range of double";
-  return report;
+  SolutionText text = solution_text(problem, solution, wanted);
+  if (text.is_solved() && !text.in_range) text.shortcoming = "values out of the range of double";
+  return text;
 }
 
-SolveReport Solver::solve_on_cells(const Problem& problem) const {
+SolutionText Solver::solve_on_cells(const Problem& problem) const {
   const auto found = numeric::variational_inequality(problem.contact, wanted_.variational);
   if (!found.solution) return inapplicable(found.why_not);
-  return report_of_cells(problem, *found.solution, wanted_.report);
+  return text_on_cells(problem, *found.solution, wanted_.solution);
 }
 
 template <numeric::Real R>
-SolveReport Solver::solve_in(const Problem& problem) {
+SolutionText Solver::solve_in(const Problem& problem) {
   Solution<R>& last = std::get<Solution<R>>(last_);
   const numeric::Attempt<R> found = attempt<R>(wanted_.method, problem.contact, last.get());
   if (!found.solution) return inapplicable(found.why_not);
-  SolveReport report = make_report(problem, *found.solution, wanted_.report);
-  if (report.is_solved()) last = found.solution;
-  return report;
+  SolutionText text = solution_text(problem, *found.solution, wanted_.solution);
+  if (text.is_solved()) last = found.solution;
+  return text;
 }
 
-SolveReport Solver::solve(const Problem& problem) {
+SolutionText Solver::solve(const Problem& problem) {
   if (takes_variational(wanted_.method, problem.contact)) return solve_on_cells(problem);
-  numeric::Digits digits = numeric::precision_for(wanted_.report.digits);
+  numeric::Digits digits = numeric::precision_for(wanted_.solution.digits);
   if (digits == numeric::Digits::sixteen) {
-    if (fits_double(problem.contact, wanted_.report.at)) {
-      SolveReport report = solve_in<double>(problem);
-      if (!report.why_not.empty() || (report.is_solved() && report.in_range)) return report;
+    if (fits_double(problem.contact, wanted_.solution.at)) {
+      SolutionText text = solve_in<double>(problem);
+      if (!text.why_not.empty() || (text.is_solved() && text.in_range)) return text;
     }
     digits = numeric::Digits::fifty;
   }

@@ -5,11 +5,12 @@
 #include <tuple>
 #include <vector>
 
-#include "app/commands/options.hpp"
-#include "app/results/solve_report.hpp"
+#include "app/results/solution_text.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 
 namespace steadyslide::app {
+
+enum class Method { automatic, closed_form, riemann_hilbert, variational };
 
 /// Is it the variational method that solves this problem? Always if asked for; `automatic` takes it where the profile
 /// has more breaks, or the friction more values, than the other methods take.
@@ -21,7 +22,7 @@ class Solver {
  public:
   struct Wanted {
     Method method = Method::automatic;
-    ReportWanted report;
+    SolutionWanted solution;
     numeric::VariationalOptions variational;
   };
 
@@ -29,22 +30,22 @@ class Solver {
 
   /// 16 digits are found in double; where double is not enough, 50 digits are found and 16 of them told. The
   /// variational method knows double only.
-  SolveReport solve(const Problem& problem);
+  SolutionText solve(const Problem& problem);
 
  private:
   template <numeric::Real R>
   using Solution = std::shared_ptr<const numeric::ContactSolution<R>>;
 
   template <numeric::Real R>
-  SolveReport solve_in(const Problem& problem);
-  SolveReport solve_on_cells(const Problem& problem) const;
+  SolutionText solve_in(const Problem& problem);
+  SolutionText solve_on_cells(const Problem& problem) const;
 
   Wanted wanted_;
   std::tuple<Solution<double>, Solution<numeric::Real50>, Solution<numeric::Real100>> last_;
 };
 
-/// The report of a variational solution, whose certificate weighs its residuals.
-SolveReport report_of_cells(const Problem& problem, const numeric::ContactSolution<double>& solution,
-                            ReportWanted wanted);
+/// The text of a variational solution, whose certificate weighs its residuals.
+SolutionText text_on_cells(const Problem& problem, const numeric::ContactSolution<double>& solution,
+                           SolutionWanted wanted);
 
 }  // namespace steadyslide::app

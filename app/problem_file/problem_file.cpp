@@ -1,9 +1,9 @@
 #include "app/problem_file/problem_file.hpp"
 
+#include "app/problem_file/document.hpp"
 #include "app/problem_file/indenter_reader.hpp"
 #include "app/problem_file/input.hpp"
 #include "app/problem_file/problem_reader.hpp"
-#include "app/results/document.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/results/document.hpp"
+#include "app/problem_file/document.hpp"
 #include "app/terminal/failure.hpp"
 #include "model/invalid_data.hpp"
 #include "model/rational.hpp"

@@ -1,5 +1,3 @@
-#include "app/report/ledger_section.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include "app/report/evidence_html.hpp"
 #include "app/report/mathml.hpp"
 #include "app/report/references.hpp"
+#include "app/report/sections.hpp"
 #include "proofs_checks/statements/paper_statements.hpp"
 
 namespace steadyslide::app {
@@ -124,22 +123,6 @@ Section ledger_section(const VerifyResult& result) {
   for (const checks::Report* report : in_order(result.reports)) entries += entry(*report, order++, result);
   return {"ledger", "The ledger",
           entries.empty() ? "" : tools(result) + element("div", "\n" + entries, {{"id", "claims"}}) + "\n"};
-}
-
-std::string counts_line(const VerifyResult& result) {
-  const checks::Counts counts = count(result.reports);
-  return fmt::format("{} proved, {} supported, {} undecided, {} refuted", counts.proved, counts.supported,
-                     counts.undecided, counts.refuted);
-}
-
-std::string controls_line(const VerifyResult& result) {
-  std::size_t total = 0;
-  std::size_t refuted = 0;
-  for (const checks::Report& report : result.reports) {
-    total += report.controls.size();
-    refuted += report.controls_refuted();
-  }
-  return fmt::format("{} of {} controls refuted", refuted, total);
 }
 
 }  // namespace steadyslide::app

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/report/embedded.hpp"
+#include "app/embedded.hpp"
 #include "app/report/mathml.hpp"
 
 namespace steadyslide::app {

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include "app/report/embedded.hpp"
-#include "app/report/ledger_section.hpp"
+#include "app/embedded.hpp"
 #include "app/report/references.hpp"
 #include "app/report/sections.hpp"
 #include "app/version.hpp"

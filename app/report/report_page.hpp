@@ -6,8 +6,8 @@
 
 #include "app/figures/figures.hpp"
 #include "app/report/mutants.hpp"
-#include "app/results/verify_writers.hpp"
 #include "app/tables/exponent_tables.hpp"
+#include "app/verify/verify_writers.hpp"
 
 namespace steadyslide::app {
 

@@ -1,5 +1,5 @@
 #pragma once
-// The parts of the page around the ledger.
+// The parts of the page.
 
 #include "app/report/html.hpp"
 #include "app/report/report_page.hpp"
@@ -10,6 +10,8 @@ namespace steadyslide::app {
 Section guide_section();
 /// The paper's statements in its order, with the verdicts on them.
 Section paper_section(const VerifyResult& result);
+/// Every claim with its verdict, to be opened.
+Section ledger_section(const VerifyResult& result);
 Section notes_section(const VerifyResult& result);
 Section figures_section(const Supplement& supplement);
 Section tables_section(const std::vector<TextTable>& tables);

@@ -1,6 +1,5 @@
 #include <nlohmann/json.hpp>
 
-#include "app/results/number_format.hpp"
 #include "app/results/solve_writers.hpp"
 #include "app/version.hpp"
 
@@ -99,14 +98,14 @@ Json singular_json(const SingularText& point) {
   return json;
 }
 
-Json resultants_json(const SolveReport& report) {
+Json resultants_json(const SolutionText& solution) {
   Json json;
-  add(json, "normal", report.normal);
-  add(json, "tangential", report.tangential);
-  add(json, "centre_of_pressure", report.centre_of_pressure);
-  add(json, "effective_friction", report.effective_friction);
-  add(json, "load_share", report.load_share);
-  if (report.tilt) add(json, "tilt", *report.tilt);
+  add(json, "normal", solution.normal);
+  add(json, "tangential", solution.tangential);
+  add(json, "centre_of_pressure", solution.centre_of_pressure);
+  add(json, "effective_friction", solution.effective_friction);
+  add(json, "load_share", solution.load_share);
+  if (solution.tilt) add(json, "tilt", *solution.tilt);
   return json;
 }
 
@@ -115,37 +114,33 @@ Json sample_json(const SampleText& sample) {
   json["x"] = number(sample.x);
   add(json, "traction", sample.traction);
   add(json, "shear", sample.shear);
-  add(json, "gap", sample.gap.value_or(NumberText{}));
+  add(json, "gap", sample.gap);
   add(json, "slope", sample.slope);
   return json;
 }
 
-Json solution_json(const SolveReport& report) {
+Json sizes_json(const std::vector<NamedSize>& sizes) {
   Json json;
-  json["method"] = report.method;
-  json["digits"] = report.digits;
-  json["contact"] = Json::array();
-  for (const auto& [left, right] : report.contact) {
-    json["contact"].push_back({{"left", end_json(left)}, {"right", end_json(right)}});
-  }
-  json["singular_points"] = Json::array();
-  for (const SingularText& point : report.singular_points) json["singular_points"].push_back(singular_json(point));
-  json["resultants"] = resultants_json(report);
-  json["samples"] = Json::array();
-  for (const SampleText& sample : report.samples) json["samples"].push_back(sample_json(sample));
-  json["estimated_error"] = {{"ends", number(report.error_ends)},
-                             {"traction", number(report.error_traction)},
-                             {"resultants", number(report.error_resultants)}};
-  json["residuals"] = {{"equation", number(report.residual_equation)},
-                       {"load", number(report.residual_load)},
-                       {"penetration", number(report.residual_penetration)},
-                       {"tension", number(report.residual_tension)}};
+  for (const auto& [name, size] : sizes) json[name] = number(size);
   return json;
 }
 
-Json uniqueness_json(const Uniqueness& uniqueness, const std::string& shortcoming) {
-  if (!shortcoming.empty()) return {{"status", "not_solved"}, {"reason", shortcoming}};
-  return {{"status", uniqueness.proved ? unique_by_theorem : "not_covered"}, {"reason", uniqueness.reason}};
+Json solution_json(const SolutionText& solution) {
+  Json json;
+  json["method"] = solution.method;
+  json["digits"] = solution.digits;
+  json["contact"] = Json::array();
+  for (const auto& [left, right] : solution.contact) {
+    json["contact"].push_back({{"left", end_json(left)}, {"right", end_json(right)}});
+  }
+  json["singular_points"] = Json::array();
+  for (const SingularText& point : solution.singular_points) json["singular_points"].push_back(singular_json(point));
+  json["resultants"] = resultants_json(solution);
+  json["samples"] = Json::array();
+  for (const SampleText& sample : solution.samples) json["samples"].push_back(sample_json(sample));
+  json["estimated_error"] = sizes_json(solution.errors);
+  json["residuals"] = sizes_json(solution.residuals);
+  return json;
 }
 
 /// What opens every result.
@@ -153,38 +148,47 @@ Json heading(const Problem& problem) {
   return {{"schema", 1}, {"version", version}, {"problem", problem_json(problem.contact, problem.samples)}};
 }
 
+/// Uniqueness and warnings, which end every result.
+template <class Result>
+void finish(Json json, const Result& result, Output& output) {
+  const auto& [proved, reason] = result.uniqueness;
+  if (result.shortcoming.empty()) {
+    json["uniqueness"] = {{"status", proved ? unique_by_theorem : "not_covered"}, {"reason", reason}};
+  } else {
+    json["uniqueness"] = {{"status", "not_solved"}, {"reason", result.shortcoming}};
+  }
+  json["warnings"] = result.warnings;
+  output.write(json.dump(2) + "\n");
+}
+
 /// A solution of a search: it has no samples.
-Json found_json(const SolveReport& report) {
-  Json json = solution_json(report);
+Json found_json(const SolutionText& solution) {
+  Json json = solution_json(solution);
   json.erase("samples");
   return json;
 }
 
 }  // namespace
 
-void write_solve_json(const Problem& problem, const SolveReport& report, Output& output) {
+void write_json(const Problem& problem, const SolutionText& solution, Output& output) {
   Json json = heading(problem);
-  json.update(solution_json(report));
-  json["uniqueness"] = uniqueness_json(report.uniqueness, report.shortcoming);
-  json["warnings"] = report.warnings;
-  output.write(json.dump(2) + "\n");
+  json.update(solution_json(solution));
+  finish(std::move(json), solution, output);
 }
 
-void write_search_json(const Problem& problem, const SearchReport& report, Output& output) {
+void write_json(const Problem& problem, const SearchText& search, Output& output) {
   Json json = heading(problem);
-  json["search"] = {{"starts", report.starts},
-                    {"unsolved", report.unsolved},
-                    {"agreed", report.agreed()},
-                    {"different_refinements", report.refinements}};
+  json["search"] = {{"starts", search.starts},
+                    {"unsolved", search.unsolved},
+                    {"agreed", search.agreed()},
+                    {"different_refinements", search.refinements}};
   json["solutions"] = Json::array();
-  for (const FoundReport& found : report.solutions) {
+  for (const FoundText& found : search.solutions) {
     json["solutions"].push_back({{"times", found.times},
                                  {"variational", found_json(found.variational)},
                                  {"refined", found.refined ? found_json(*found.refined) : Json()}});
   }
-  json["uniqueness"] = uniqueness_json(report.uniqueness, report.shortcoming);
-  json["warnings"] = report.warnings;
-  output.write(json.dump(2) + "\n");
+  finish(std::move(json), search, output);
 }
 
 }  // namespace steadyslide::app

@@ -1,70 +1,138 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "app/results/number_format.hpp"
-#include "app/results/row_writer.hpp"
-#include "app/results/solve_text_lines.hpp"
 #include "app/results/solve_writers.hpp"
 
 namespace steadyslide::app {
 namespace {
 
-void write_singular_points(const SolveReport& report, Output& output) {
+/// What is not known, or no number, must not look like nothing: "-".
+std::string shown(const std::string& text) { return text.empty() ? "-" : text; }
+std::string shown(const NumberText& number) { return shown(number.shown); }
+std::string shown(const LimitText& limits) {
+  const std::string left = shown(limits.left);
+  const std::string right = shown(limits.right);
+  return left != right ? left + " | " + right : left;
+}
+
+void write_line(Output& output, const std::string& name, const std::string& value) {
+  output.write(fmt::format("  {:<22}{}\n", name, shown(value)));
+}
+
+/// Load, direction and coupling constant.
+void write_problem(const ContactProblem& problem, Output& output) {
+  output.write(fmt::format("load {}, indenter sliding towards {}, gamma = {}\n", exact_text(problem.load()),
+                           problem.sliding() == Sliding::plus_x ? "+x" : "-x",
+                           exact_text(problem.elasticity().gamma())));
+}
+
+/// One line for each contact component.
+void write_contact(const SolutionText& solution, Output& output) {
+  for (const auto& [left, right] : solution.contact) {
+    output.write(
+        fmt::format("  from x = {} ({}) to x = {} ({})\n", shown(left.x), left.kind, shown(right.x), right.kind));
+  }
+}
+
+void write_friction_and_centre(const SolutionText& solution, Output& output) {
+  write_line(output, "effective friction", solution.effective_friction.shown);
+  write_line(output, "centre of pressure", solution.centre_of_pressure.shown);
+  if (solution.tilt) write_line(output, "tilt", solution.tilt->shown);
+}
+
+void write_singular_points(const SolutionText& solution, Output& output) {
   output.write(
       "\nsingular points (t = -intensity d^exponent; constant - intensity cos(pi alpha) d^exponent at jumps;\n"
       "constant + intensity log(d)/pi at wedges)\n");
-  const auto rows =
-      make_row_writer(Format::text, {{"  x"}, {"kind"}, {"exponent"}, {"intensity"}, {"constant"}, {"exact"}}, output);
-  for (const SingularText& point : report.singular_points) {
-    rows->row({"  " + shown(point.x), point.kind, shown(point.exponent.value), shown(point.intensity),
-               shown(point.constant), point.exponent.symbolic});
+  Rows rows(Format::text, {{"  x"}, {"kind"}, {"exponent"}, {"intensity"}, {"constant"}, {"exact"}}, output);
+  for (const auto& [x, kind, exponent, intensity, constant] : solution.singular_points) {
+    rows.row({"  " + shown(x), kind, exponent.value, intensity, constant, exponent.symbolic});
   }
-  rows->end();
+  rows.end();
 }
 
-void write_resultants(const Problem& problem, const SolveReport& report, Output& output) {
+void write_resultants(const Problem& problem, const SolutionText& solution, Output& output) {
   output.write("\nresultants (forces per unit thickness, lengths in the problem's units)\n");
-  write_line(output, "normal", report.normal);
-  write_line(output, "tangential", report.tangential);
-  write_line(output, "effective friction", report.effective_friction);
-  write_line(output, "centre of pressure", report.centre_of_pressure);
-  if (report.tilt) write_line(output, "tilt", *report.tilt);
-  for (std::size_t k = 0; k < report.load_share.size(); ++k) {
+  write_line(output, "normal", solution.normal.shown);
+  write_line(output, "tangential", solution.tangential.shown);
+  write_friction_and_centre(solution, output);
+  for (std::size_t k = 0; k < solution.load_share.size(); ++k) {
     write_line(output, k == 0 ? "load share" : "",
-               fmt::format("{} under f = {}", shown(report.load_share[k]),
+               fmt::format("{} under f = {}", shown(solution.load_share[k]),
                            exact_text(problem.contact.friction().values()[k])));
   }
 }
 
-void write_samples(const SolveReport& report, Output& output) {
-  if (report.samples.empty()) return;
+void write_samples(const SolutionText& solution, Output& output) {
+  if (solution.samples.empty()) return;
   output.write("\nsamples (left | right where the limits differ; traction and shear: force per area)\n");
-  const auto rows = make_row_writer(Format::text, {{"  x"}, {"traction"}, {"shear"}, {"gap"}, {"slope"}}, output);
-  for (const SampleText& sample : report.samples) {
-    rows->row({"  " + sample.x, shown(sample.traction), shown(sample.shear), sample.gap ? shown(*sample.gap) : "-",
-               shown(sample.slope)});
+  Rows rows(Format::text, {{"  x"}, {"traction"}, {"shear"}, {"gap"}, {"slope"}}, output);
+  for (const auto& [x, traction, shear, gap, slope] : solution.samples) {
+    rows.row({"  " + x, shown(traction), shown(shear), gap, shown(slope)});
   }
-  rows->end();
+  rows.end();
+}
+
+void write_sizes(const std::string& heading, const std::vector<NamedSize>& sizes, Output& output) {
+  output.write("\n" + heading + "\n");
+  for (const auto& [name, size] : sizes) write_line(output, name, size);
+}
+
+/// Is it the only solution? Nothing where there is no solution.
+template <class Result>
+void write_uniqueness(const Result& result, Output& output) {
+  if (!result.shortcoming.empty()) return;
+  const auto& [proved, reason] = result.uniqueness;
+  output.write(fmt::format("\n{}, {}\n", proved ? unique_by_theorem : "uniqueness: not covered", reason));
+}
+
+std::string counted(int n, const std::string& what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+
+std::string outcome(const SearchText& search) {
+  const std::string starts = counted(search.starts, "start");
+  if (search.agreed()) return starts + ", one solution";
+  std::string text = starts + ", " + counted(static_cast<int>(search.solutions.size()), "solution");
+  if (search.unsolved > 0) text += fmt::format("; {} led to none", search.unsolved);
+  return text;
+}
+
+void write_found(const SolutionText& solution, Output& output) {
+  write_contact(solution, output);
+  write_friction_and_centre(solution, output);
+  std::vector<std::string> residuals;
+  for (const auto& [name, size] : solution.residuals) residuals.push_back(name + " " + shown(size));
+  write_line(output, "residuals", fmt::format("{}", fmt::join(residuals, ", ")));
 }
 
 }  // namespace
 
-void write_solve_text(const Problem& problem, const SolveReport& report, Output& output) {
+void write_text(const Problem& problem, const SolutionText& solution, Output& output) {
   write_problem(problem.contact, output);
-  output.write(fmt::format("method {}, {} digits\n\ncontact\n", report.method, report.digits));
-  write_contact(report, output);
-  write_singular_points(report, output);
-  write_resultants(problem, report, output);
-  write_samples(report, output);
-  output.write("\nestimated relative errors\n");
-  write_line(output, "ends", report.error_ends);
-  write_line(output, "traction", report.error_traction);
-  write_line(output, "resultants", report.error_resultants);
-  output.write("\nrelative residuals, by an unrelated rule\n");
-  write_line(output, "equation", report.residual_equation);
-  write_line(output, "load", report.residual_load);
-  write_line(output, "penetration", report.residual_penetration);
-  write_line(output, "tension", report.residual_tension);
-  write_uniqueness(report.uniqueness, report.shortcoming, output);
+  output.write(fmt::format("method {}, {} digits\n\ncontact\n", solution.method, solution.digits));
+  write_contact(solution, output);
+  write_singular_points(solution, output);
+  write_resultants(problem, solution, output);
+  write_samples(solution, output);
+  write_sizes("estimated relative errors", solution.errors, output);
+  write_sizes("relative residuals, by an unrelated rule", solution.residuals, output);
+  write_uniqueness(solution, output);
+}
+
+void write_text(const Problem& problem, const SearchText& search, Output& output) {
+  write_problem(problem.contact, output);
+  output.write(outcome(search) + "\n");
+  int number = 0;
+  for (const auto& [times, variational, refined] : search.solutions) {
+    output.write(fmt::format("\nsolution {}, met {}, on cells\n", ++number, counted(times, "time")));
+    write_found(variational, output);
+    output.write(refined ? "refined by the Riemann-Hilbert method\n"
+                         : "the Riemann-Hilbert method finds no solution there\n");
+    if (refined) write_found(*refined, output);
+  }
+  if (search.solutions.size() > 1 && search.refinements == 1) {
+    output.write("\nthe refinements are one solution: more cells tell whether there are several\n");
+  }
+  write_uniqueness(search, output);
 }
 
 }  // namespace steadyslide::app

@@ -1,4 +1,4 @@
-#include "app/results/document.hpp"
+#include "app/problem_file/document.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "app/results/solve_report.hpp"
+#include "app/results/solution_text.hpp"
 
 using namespace steadyslide::app;
 using steadyslide::numeric::Estimate;

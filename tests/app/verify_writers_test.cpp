@@ -1,7 +1,6 @@
-#include "app/results/verify_writers.hpp"
+#include "app/verify/verify_writers.hpp"
 
 #include "app/command_line.hpp"
-#include "app/commands/verify_command.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::app;

@@ -24,14 +24,14 @@ bool solve_and_write(std::uint64_t seed, app::Output& output) {
   const app::Problem problem = app::parse_problem(problem_toml(random_contact(seed)), "random");
   app::Solver::Wanted wanted{methods[seed % methods.size()], {.at = {-1, 0, Rational(1, 3)}, .samples = 5}, {}};
   wanted.variational.cells = 128;
-  const app::SolveReport report = app::Solver(std::move(wanted)).solve(problem);
-  if (!report.why_not.empty()) return false;
+  const app::SolutionText solution = app::Solver(std::move(wanted)).solve(problem);
+  if (!solution.why_not.empty()) return false;
   switch (seed / methods.size() % 3) {
-    case 0: app::write_solve_json(problem, report, output); break;
-    case 1: app::write_solve_csv(report, output); break;
-    default: app::write_solve_text(problem, report, output); break;
+    case 0: app::write_json(problem, solution, output); break;
+    case 1: app::write_csv(solution, output); break;
+    default: app::write_text(problem, solution, output); break;
   }
-  return report.is_solved();
+  return solution.is_solved();
 }
 
 void solve_the_first(int count) {

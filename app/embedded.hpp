@@ -1,0 +1,25 @@
+#pragma once
+// Files of the source tree that are put into the executable by the build (cmake/embed.cmake).
+
+#include <string_view>
+
+namespace steadyslide::app::embedded {
+
+// What --help says: of a command what it does and, after an empty line, what stands below its options.
+extern const std::string_view help_program;  ///< below the commands
+extern const std::string_view help_problem;  ///< of problem files
+extern const std::string_view help_exponents;
+extern const std::string_view help_table;
+extern const std::string_view help_solve;
+extern const std::string_view help_verify;
+extern const std::string_view help_figures;
+extern const std::string_view help_report;
+
+// What the report is made of.
+extern const std::string_view report_css;
+extern const std::string_view report_print_css;
+extern const std::string_view report_js;
+extern const std::string_view references_md;
+extern const std::string_view mutants_csv;
+
+}  // namespace steadyslide::app::embedded

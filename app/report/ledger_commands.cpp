@@ -1,0 +1,163 @@
+// steadyslide verify and steadyslide report: the ledger examined, and its page.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/commands/command_line.hpp"
+#include "app/embedded.hpp"
+#include "app/report/report_page.hpp"
+#include "app/verify/verify_writers.hpp"
+#include "proofs_checks/kit/registry.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+namespace checks = proofs_checks;
+
+constexpr std::initializer_list<Format> formats{Format::text, Format::json, Format::markdown};
+
+/// What is examined, and how.
+struct Examination {
+  int digits;
+  bool quick;
+  std::optional<unsigned long long> seed;
+  std::vector<std::string> claims{};  ///< patterns of ids; empty: all
+  std::string group{};                ///< empty: all places of the paper
+};
+
+void check_patterns(const std::vector<std::string>& patterns) {
+  for (const std::string& pattern : patterns) {
+    const auto matches = [&](const checks::Claim& claim) { return checks::matches_glob(claim.id, pattern); };
+    if (std::ranges::any_of(checks::registry(), matches)) continue;
+    throw bad_command_line("--claim: no such claim", "verify --list names them", pattern);
+  }
+}
+
+std::vector<checks::Claim> selected(const Examination& wanted) {
+  check_patterns(wanted.claims);
+  std::vector<checks::Claim> claims = checks::select(checks::registry(), wanted.claims);
+  if (wanted.group.empty()) return claims;
+  const std::vector<std::string> groups = checks::groups();
+  if (std::ranges::find(groups, wanted.group) == groups.end()) {
+    throw bad_command_line("--group: no such place in the paper",
+                           "one of " + fmt::format("{}", fmt::join(groups, ", ")), wanted.group);
+  }
+  std::erase_if(claims, [&](const checks::Claim& claim) { return claim.group != wanted.group; });
+  return claims;
+}
+
+/// On a terminal only: a line that the next one overwrites.
+void show_progress(const std::string& line) { fmt::print(stderr, "\r\x1b[K{}", line); }
+
+/// With progress on stderr where that is a terminal.
+VerifyResult examine(const Examination& wanted, const std::vector<checks::Claim>& claims) {
+  VerifyResult result;
+  result.context.digits = numeric::precision_for(wanted.digits);
+  result.context.seed = wanted.seed.value_or(result.context.seed);
+  result.context.quick = wanted.quick;
+  const bool on_terminal = ::isatty(STDERR_FILENO) == 1;
+  result.reports =
+      checks::run_all(claims, result.context, [&](std::size_t index, std::size_t total, const checks::Claim& claim) {
+        if (on_terminal) show_progress(fmt::format("[{}/{}] {}", index + 1, total, claim.id));
+        return true;
+      });
+  if (on_terminal) show_progress("");
+  result.notes = checks::reading_notes(result.reports);
+  if (!wanted.claims.empty() || !wanted.group.empty()) leave_out_other_notes(result);
+  return result;
+}
+
+/// FOLDER/report.html; the folder is made if need be.
+std::string report_file(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw Failure(ExitCode::failed, fmt::format("{}: cannot be made: {}", folder, error.message()));
+  return (std::filesystem::path(folder) / "report.html").string();
+}
+
+/// What stands on the page beside the ledger; without gnuplot it says that there are no figures.
+Supplement supplement() {
+  Supplement parts;
+  try {
+    parts.figures = draw_figures({});
+  } catch (const Failure& failure) {
+    if (failure.code() == ExitCode::interrupted) throw;
+    parts.no_figures = fmt::format("No figures: {}.", failure.what());
+  }
+  parts.tables = exponent_tables();
+  parts.mutants = read_mutants(embedded::mutants_csv);
+  return parts;
+}
+
+void write_report(const VerifyResult& result, Output& output) {
+  output.write(report_html(result, supplement()));
+  output.commit();
+}
+
+ExitCode verify(const Given& given) {
+  const CommonOptions common = given.common(50, formats);
+  const Examination wanted{common.digits, given.has("--quick"), given.seed(), given.texts("--claim"),
+                           given.text("--group")};
+  const std::optional<std::string> folder = given.name("--report", "folder");
+  const bool list = given.has("--list");
+  if (folder && list) throw bad_command_line("--list: conflicting option", "it checks nothing to report", "--report");
+  const std::vector<checks::Claim> claims = selected(wanted);
+  // Opened first: a run may be long, and should not end in a folder that does not exist.
+  Output output(common.output);
+  if (list) {
+    write_claims(common.format, claims, output);
+    output.commit();
+    return ExitCode::done;
+  }
+  std::optional<Output> page;
+  if (folder) page.emplace(report_file(*folder));
+  const VerifyResult result = examine(wanted, claims);
+  write_verify(common.format, result, output);
+  if (page) write_report(result, *page);
+  output.commit();
+  return exit_code_of(result.reports);
+}
+
+ExitCode report(const Given& given) {
+  const Examination wanted{given.digits(50), given.has("--quick"), given.seed()};
+  const std::string file = report_file(given.folder());
+  Output page(file);
+  const VerifyResult result = examine(wanted, checks::registry());
+  write_report(result, page);
+  Output line(std::nullopt);
+  line.write(fmt::format("{}: {}; {}\n", file, counts_line(result), controls_line(result)));
+  line.commit();
+  return exit_code_of(result.reports);
+}
+
+}  // namespace
+
+Command verify_command() {
+  using enum Option::Kind;
+  return {
+      "verify", std::string(embedded::help_verify),
+      with_common({{"--list", "", "List the claims, check nothing", flag},
+                   {"--claim", "GLOB", "Only claims whose id matches, * and ? being wildcards; repeatable", repeatable},
+                   {"--group", "NAME", "Only claims of one place in the paper, theorem-2; --list names them"},
+                   {"--quick", "", "Fewer parameters", flag},
+                   seed_option(),
+                   {"--report", "DIR", "Write the report on this run as well: DIR/report.html"}},
+                  "Digits to work with, 1 to 100; default 50", formats),
+      verify};
+}
+
+Command report_command() {
+  return {"report",
+          std::string(embedded::help_report),
+          {{"--quick", "", "Fewer parameters", Option::Kind::flag},
+           seed_option(),
+           {"--digits", "N", "Digits to work with, 1 to 100; default 50"},
+           folder_option()},
+          report};
+}
+
+}  // namespace steadyslide::app

@@ -1,0 +1,63 @@
+#pragma once
+// Rows of a table in every output format: aligned text, a JSON array of objects, CSV, Markdown, and a LaTeX document
+// that compiles as it is. Of numbers with an error a text shows the digits that the error supports; CSV and JSON have
+// all digits and, after the other columns, one column NAME_error for each of these.
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "app/results/number_format.hpp"
+#include "app/terminal/output.hpp"
+
+namespace steadyslide::app {
+
+enum class Format { text, json, csv, markdown, latex };
+/// "text", "json", ...
+std::string_view format_name(Format format);
+
+struct Column {
+  enum class Holds { words, formulas, numbers };
+
+  std::string name;
+  Holds holds = Holds::words;  ///< formulas are for LaTeX's math mode; numbers have an error
+};
+
+/// One text, or several: an array in JSON, separated by spaces elsewhere.
+using TextCell = std::variant<std::string, std::vector<std::string>>;
+/// A text or texts, a number or numbers.
+using Cell = std::variant<std::string, std::vector<std::string>, NumberText, std::vector<NumberText>>;
+
+/// Rows of texts in one format.
+class RowWriter {
+ public:
+  virtual ~RowWriter() = default;
+
+  virtual void row(const std::vector<TextCell>& cells) = 0;
+  virtual void end() {}
+};
+
+class Rows {
+ public:
+  Rows(Format format, const std::vector<Column>& columns, Output& output);
+
+  /// In a text what is empty is "-": it could not be told from its neighbour.
+  void row(const std::vector<Cell>& cells);
+  /// Call once, after the last row.
+  void end() { writer_->end(); }
+
+ private:
+  bool for_files() const { return format_ == Format::csv || format_ == Format::json; }
+
+  Format format_;
+  std::unique_ptr<RowWriter> writer_;
+};
+
+/// A field of CSV as RFC 4180 has it.
+std::string csv_field(const std::string& text);
+/// A text for LaTeX, outside of math mode.
+std::string latex_escaped(const std::string& text);
+
+}  // namespace steadyslide::app

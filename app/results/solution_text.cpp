@@ -1,0 +1,183 @@
+#include "app/results/solution_text.hpp"
+
+#include <fmt/format.h>
+
+#include "app/results/solve_warnings.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+using numeric::Estimate;
+using numeric::Real;
+using numeric::TwoSided;
+
+template <Real R>
+bool is_infinite(const R& value) {
+  using std::abs;
+  return abs(value) == numeric::infinity<R>();
+}
+
+/// Do the limits differ by no more than their errors?
+template <Real R>
+bool agree(const TwoSided<R>& limits) {
+  using std::abs;
+  const R errors = limits.left.error + limits.right.error;
+  // A part of the last digit more: the errors of f t are those of t, each times f and rounded.
+  return abs(limits.left.value - limits.right.value) <= errors * (1 + 4 * numeric::epsilon<R>());
+}
+
+template <Real R>
+std::vector<std::pair<std::string, R>> named(const numeric::Residuals<R>& residuals) {
+  return {{"equation", residuals.equation},
+          {"load", residuals.load},
+          {"penetration", residuals.penetration},
+          {"tension", residuals.tension}};
+}
+
+/// Texts of numbers, and what is noticed on the way.
+template <Real R>
+class Writer {
+ public:
+  Writer(SolutionText& result, int digits) : result_(result), digits_(digits) {}
+
+  NumberText text(const Estimate<R>& estimate) {
+    notice(estimate);
+    return number_text(estimate, digits_);
+  }
+
+  std::vector<NamedSize> sizes(const std::vector<std::pair<std::string, R>>& values) {
+    std::vector<NamedSize> result;
+    for (const auto& [name, value] : values) {
+      notice(value);
+      result.push_back({name, size_text(value, digits_)});
+    }
+    return result;
+  }
+
+  EndText end(const numeric::ContactEnd<R>& end) {
+    return {text(end.x), std::string(name_of(end.kind)), format_exponent(end.exponent, digits_), text(end.intensity)};
+  }
+
+  SampleText sample(std::string x, const numeric::Sample<R>& sample) {
+    // Both or neither: |shear| = f |traction| holds on either side, not between the sides.
+    const bool apart = !agree(sample.traction) || !agree(sample.shear);
+    return {std::move(x), limits(sample.traction, sample.traction, apart), limits(sample.shear, sample.traction, apart),
+            sample.gap ? text(*sample.gap) : NumberText{}, limits(sample.slope, sample.slope, false)};
+  }
+
+  bool converged() const { return converged_; }
+
+ private:
+  LimitText limits(const TwoSided<R>& values, const TwoSided<R>& traction, bool apart) {
+    notice(values.left);
+    notice(values.right);
+    return limit_text(values, traction, digits_, apart);
+  }
+
+  void notice(const Estimate<R>& estimate) {
+    if (estimate.convergence == numeric::Convergence::stalled) converged_ = false;
+    if (is_infinite(estimate.error)) return;  // not known, and printed as such
+    notice(estimate.value);
+  }
+
+  void notice(const R& value) {
+    using std::abs, std::isnan;
+    const R magnitude = abs(value);
+    if (magnitude == 0 || is_infinite(magnitude)) return;
+    // Also false for what is no number.
+    const bool fine = magnitude < R(1e150) && magnitude > R(1e-150);
+    if (!fine) result_.in_range = false;
+    if (isnan(value)) converged_ = false;
+  }
+
+  SolutionText& result_;
+  int digits_;
+  bool converged_ = true;
+};
+
+/// What stands in the way of calling it a solution.
+template <Real R>
+std::string shortcoming(const numeric::ContactSolution<R>& solution,
+                        const std::vector<std::pair<std::string, R>>& residuals, double largest_residual,
+                        bool converged) {
+  if (std::string text = solution.shortcoming(); !text.empty()) return text;
+  for (const auto& [name, value] : residuals) {
+    const bool small = value <= largest_residual;  // no number is not
+    if (!small) return fmt::format("{} has the residual {}", name, size_text(value, 2));
+  }
+  if (!converged) return "a value stalled before its tolerance";
+  return useless_error(solution.estimated_error());
+}
+
+}  // namespace
+
+template <Real R>
+LimitText limit_text(const TwoSided<R>& limits, const TwoSided<R>& traction, int digits, bool apart) {
+  const Estimate<R>& left = limits.left;
+  const Estimate<R>& right = limits.right;
+  LimitText text{number_text(left, digits), number_text(right, digits)};
+  if (is_infinite(left.value) || is_infinite(right.value)) {
+    const bool opposite = is_infinite(left.value) && is_infinite(right.value) && left.value != right.value;
+    // Without friction the shear stays 0 where the traction blows up: that limit is worth telling.
+    const bool blows_up_alone = (is_infinite(traction.left.value) && !is_infinite(left.value)) ||
+                                (is_infinite(traction.right.value) && !is_infinite(right.value));
+    if (opposite || blows_up_alone) return text;
+    const NumberText& infinite = is_infinite(left.value) ? text.left : text.right;
+    return {infinite, infinite};
+  }
+  const bool known = !text.left.shown.empty() && !text.right.shown.empty();
+  if (!known || !agree(limits)) return text;
+  if (!apart) return {text.left, text.left};
+  text.right.shown = text.left.shown;
+  return text;
+}
+
+template <Real R>
+SolutionText solution_text(const Problem& problem, const numeric::ContactSolution<R>& solution,
+                           const SolutionWanted& wanted) {
+  SolutionText text;
+  Writer<R> writer(text, wanted.digits);
+  text.method = solution.method();
+  text.digits = wanted.digits;
+  for (const auto& component : solution.contact()) {
+    text.contact.emplace_back(writer.end(component.left), writer.end(component.right));
+  }
+  for (const auto& point : solution.singular_points()) {
+    text.singular_points.push_back({writer.text(point.x), std::string(name_of(point.kind)),
+                                    exponent_text(point.exponent, wanted.digits), writer.text(point.intensity),
+                                    writer.text(point.constant)});
+  }
+  const numeric::Resultants<R> resultants = solution.resultants();
+  text.normal = writer.text(resultants.normal);
+  text.tangential = writer.text(resultants.tangential);
+  text.centre_of_pressure = writer.text(resultants.centre_of_pressure);
+  text.effective_friction = writer.text(resultants.effective_friction);
+  for (const Estimate<R>& share : resultants.load_share) text.load_share.push_back(writer.text(share));
+  if (const auto tilt = solution.tilt()) text.tilt = writer.text(*tilt);
+
+  for (const Rational& x : wanted.at)
+    text.samples.push_back(writer.sample(full_number(x, wanted.digits), solution.at(x)));
+  if (wanted.samples > 0) {
+    for (const numeric::Sample<R>& sample : solution.samples(wanted.samples)) {
+      text.samples.push_back(writer.sample(full_number(sample.x, wanted.digits), sample));
+    }
+  }
+
+  const numeric::EstimatedError<R> error = solution.estimated_error();
+  text.errors = writer.sizes({{"ends", error.ends}, {"traction", error.traction}, {"resultants", error.resultants}});
+  const auto residuals = named(solution.residuals());
+  text.warnings = warnings(problem, solution);
+  text.shortcoming = shortcoming(solution, residuals, wanted.largest_residual, writer.converged());
+  text.residuals = writer.sizes(residuals);
+  text.uniqueness = uniqueness(problem.contact);
+  return text;
+}
+
+#define STEADYSLIDE_SOLUTIONS_AS_TEXT(R)                                                                          \
+  template SolutionText solution_text(const Problem&, const numeric::ContactSolution<R>&, const SolutionWanted&); \
+  template LimitText limit_text(const TwoSided<R>&, const TwoSided<R>&, int, bool)
+STEADYSLIDE_SOLUTIONS_AS_TEXT(double);
+STEADYSLIDE_SOLUTIONS_AS_TEXT(numeric::Real50);
+STEADYSLIDE_SOLUTIONS_AS_TEXT(numeric::Real100);
+
+}  // namespace steadyslide::app

@@ -1,0 +1,98 @@
+#pragma once
+// A solution as the texts that results show: the precision ends here, the writers see no numbers.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/problem_file/problem_file.hpp"
+#include "app/results/exponent_text.hpp"
+#include "app/results/number_format.hpp"
+#include "model/uniqueness.hpp"
+#include "numeric/solution/contact_solution.hpp"
+
+namespace steadyslide::app {
+
+/// One number, or two where the limits from left and right differ. An empty text, here and below: no number, or not
+/// known.
+struct LimitText {
+  NumberText left;
+  NumberText right;
+
+  bool two_sided() const { return left.value != right.value; }
+};
+
+struct SampleText {
+  std::string x;
+  LimitText traction;
+  LimitText shear;
+  NumberText gap;  ///< empty outside the support, too
+  LimitText slope;
+};
+
+struct EndText {
+  NumberText x;
+  std::string kind;
+  std::string exponent;
+  NumberText intensity;
+};
+
+struct SingularText {
+  NumberText x;
+  std::string kind;
+  ExponentText exponent;
+  NumberText intensity;
+  NumberText constant;
+};
+
+/// The size of something that has a name.
+struct NamedSize {
+  std::string name;
+  std::string size;
+};
+
+/// What theorem 1 of the paper says of a solution where Uniqueness::proved.
+inline constexpr const char* unique_by_theorem = "unique by theorem 1 of [Bal16]";
+
+struct SolutionText {
+  std::string method;
+  int digits = 0;
+  std::vector<std::pair<EndText, EndText>> contact;
+  std::vector<SingularText> singular_points;
+  NumberText normal, tangential, centre_of_pressure, effective_friction;
+  std::optional<NumberText> tilt;  ///< absent unless the indenter may tilt
+  std::vector<NumberText> load_share;
+  std::vector<SampleText> samples;
+  std::vector<NamedSize> errors;  ///< estimated, relative
+  std::vector<NamedSize> residuals;
+  Uniqueness uniqueness;
+  std::string why_not;      ///< not empty: the method does not apply, and nothing else is here
+  std::string shortcoming;  ///< not empty: not a solution, and why
+  std::vector<std::string> warnings;
+  bool in_range = true;  ///< false: some value is no number, or near the end of the range of its type
+
+  bool is_solved() const { return why_not.empty() && shortcoming.empty(); }
+};
+
+/// What of a solution is told, and what makes it one.
+struct SolutionWanted {
+  int digits = 16;
+  std::vector<Rational> at{};  ///< samples at these places,
+  int samples = 0;             ///< and so many a component and a gap
+  /// A solution with a larger residual is none. Infinite for a method whose own shortcoming() weighs its residuals.
+  double largest_residual = 1e-9;
+};
+
+template <numeric::Real R>
+SolutionText solution_text(const Problem& problem, const numeric::ContactSolution<R>& solution,
+                           const SolutionWanted& wanted);
+
+/// The limits as one number if they differ by no more than their errors, else as two: a blow-up from one side only, at
+/// an edge, is one infinite text. Where `apart`, limits that agree look like one only to a person: files keep what
+/// belongs to each side.
+template <numeric::Real R>
+LimitText limit_text(const numeric::TwoSided<R>& limits, const numeric::TwoSided<R>& traction, int digits,
+                     bool apart = false);
+
+}  // namespace steadyslide::app

@@ -1,0 +1,92 @@
+#include "app/results/solve_writers.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+using Ends = std::pair<EndText, EndText>;
+constexpr auto numbers = Column::Holds::numbers;
+
+/// What a row says of a contact component, and of the contact that it belongs to.
+const std::vector<Column> component_columns{{"left", numbers},
+                                            {"left_kind"},
+                                            {"left_intensity", numbers},
+                                            {"right", numbers},
+                                            {"right_kind"},
+                                            {"right_intensity", numbers},
+                                            {"effective_friction", numbers},
+                                            {"centre_of_pressure", numbers},
+                                            {"load_share", numbers},
+                                            {"tilt", numbers}};
+
+std::vector<Cell> component_cells(const SolutionText& whole, const Ends& component) {
+  const auto& [left, right] = component;
+  return {left.x,
+          left.kind,
+          left.intensity,
+          right.x,
+          right.kind,
+          right.intensity,
+          whole.effective_friction,
+          whole.centre_of_pressure,
+          whole.load_share,
+          whole.tilt.value_or(NumberText{})};
+}
+
+template <class T>
+std::vector<T> joined(std::vector<T> first, const std::vector<T>& second, const std::vector<T>& third) {
+  first.insert(first.end(), second.begin(), second.end());
+  first.insert(first.end(), third.begin(), third.end());
+  return first;
+}
+
+}  // namespace
+
+void write_csv(const SolutionText& solution, Output& output) {
+  Rows rows(Format::csv, {{"x"}, {"traction", numbers}, {"shear", numbers}, {"gap", numbers}, {"slope", numbers}},
+            output);
+  for (const auto& [x, traction, shear, gap, slope] : solution.samples) {
+    rows.row({x, traction.left, shear.left, gap, slope.left});
+    if (traction.two_sided() || shear.two_sided() || slope.two_sided()) {
+      rows.row({x, traction.right, shear.right, gap, slope.right});
+    }
+  }
+  rows.end();
+}
+
+void write_csv(const SearchText& search, Output& output) {
+  Rows rows(Format::csv,
+            joined({{"solution"}, {"times"}, {"component"}}, component_columns,
+                   {{"equation"}, {"load"}, {"penetration"}, {"tension"}, {"refined"}}),
+            output);
+  int number = 0;
+  for (const auto& [times, solution, refined] : search.solutions) {
+    ++number;
+    std::vector<Cell> residuals;
+    for (const NamedSize& residual : solution.residuals) residuals.emplace_back(residual.size);
+    residuals.emplace_back(refined ? "yes" : "no");
+    int component = 0;
+    for (const Ends& ends : solution.contact) {
+      rows.row(joined({std::to_string(number), std::to_string(times), std::to_string(++component)},
+                      component_cells(solution, ends), residuals));
+    }
+  }
+  rows.end();
+}
+
+void write_load_steps(Format format, const std::vector<LoadStep>& steps, Output& output) {
+  std::vector<Column> last{{"shortcoming"}};
+  if (format == Format::json) last.push_back({"warnings"});
+  Rows rows(format, joined({{"load"}, {"component"}}, component_columns, last), output);
+  for (const auto& [load, solution] : steps) {
+    std::vector<Cell> notes{solution.why_not.empty() ? solution.shortcoming : solution.why_not};
+    if (format == Format::json) notes.emplace_back(solution.warnings);
+    int component = 0;
+    for (const Ends& ends : solution.contact) {
+      rows.row(joined({load, std::to_string(++component)}, component_cells(solution, ends), notes));
+    }
+    if (component == 0) rows.row(joined({load, ""}, component_cells({}, {}), notes));
+  }
+  rows.end();
+}
+
+}  // namespace steadyslide::app
