@@ -19,6 +19,7 @@ extern const std::string_view help_report;
 extern const std::string_view report_css;
 extern const std::string_view report_print_css;
 extern const std::string_view report_js;
+extern const std::string_view report_guide;
 extern const std::string_view references_md;
 extern const std::string_view mutants_csv;
 

@@ -172,7 +172,7 @@ std::vector<LoadStep> solved_steps(const SolveOptions& options, const Problem& p
   wanted.variational.progress = follow(progress, done);
   Solver solver(std::move(wanted));
   for (const Rational& load : loads) {
-    const Problem loaded{problem.contact.with_load(load), problem.file, problem.samples};
+    const Problem loaded{problem.contact.with_load(load), problem.file, problem.measured};
     steps.push_back({full_number(load, options.common.digits), solver.solve(loaded)});
     progress.show(++done);
   }

@@ -62,11 +62,11 @@ Value converted(const toml::node& node, std::size_t enclosing_line) {
 }  // namespace
 
 const Value* Value::find(std::string_view key) const {
-  const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == key; });
+  const auto entry = std::ranges::find(entries, key, &Entry::key);
   return entry == entries.end() ? nullptr : &entry->value;
 }
 
-std::string_view name_of(Value::Kind kind) {
+const char* name_of(Value::Kind kind) {
   switch (kind) {
     case Value::Kind::text: return "a string";
     case Value::Kind::integer: return "an integer";

@@ -29,7 +29,7 @@ struct Entry {
 };
 
 /// "a string", "an integer", ...
-std::string_view name_of(Value::Kind kind);
+const char* name_of(Value::Kind kind);
 
 /// Throws Failure (exit code 2) with "NAME:LINE: ..." for what is no TOML, and for documents nested so deep or with so
 /// many values that no problem file needs them.

@@ -16,8 +16,7 @@ class IndenterReader {
   IndenterReader(const ProblemReader& reader, const std::string& file) : reader_(reader), file_(file) {}
 
   ReadIndenter read() {
-    reader_.check_table("indenter");
-    reader_.check_keys("indenter", {"support", "profile", "pieces", "samples", "elastic"});
+    reader_.check_table("indenter", {"support", "profile", "pieces", "samples", "elastic"});
     check_one_shape();
     read_support();
     if (const Value* samples = reader_.find("indenter.samples")) return read_samples(*samples);
@@ -41,18 +40,18 @@ class IndenterReader {
   }
 
   void read_support() {
-    const Value* support = reader_.find("indenter.support");
-    if (support == nullptr) return;
-    const std::vector<Rational> ends = reader_.numbers("indenter.support", *support, 2);
+    if (reader_.find("indenter.support") == nullptr) return;
+    const std::vector<Rational> ends = reader_.numbers("indenter.support", 2);
     if (ends.size() != 2) {
       throw reader_.error("indenter.support", "wrong number of ends", "a support is [left, right]",
                           fmt::format("{} entries", ends.size()));
     }
-    if (ends[0] >= ends[1]) {
-      throw reader_.error("indenter.support", "support of no length", "left is less than right",
-                          to_string(ends[0]) + ", " + to_string(ends[1]));
-    }
     support_ = {ends[0], ends[1]};
+    if (ends[0] >= ends[1]) throw bad_support("support of no length", "left is less than right");
+  }
+
+  Failure bad_support(const std::string& what, const std::string& rule) const {
+    return reader_.error("indenter.support", what, rule, to_string(support_->left) + ", " + to_string(support_->right));
   }
 
   /// The support of a profile and of pieces.
@@ -64,11 +63,10 @@ class IndenterReader {
     ProfileTrace trace = parse_trace(contents(path), path, support_);
     const auto& [first, last] = trace.range;
     if (support_ && (support_->left < first || support_->right > last)) {
-      throw reader_.error("indenter.support", "support beyond the samples",
-                          fmt::format("they reach from {} to {}", to_string(first), to_string(last)),
-                          to_string(support_->left) + ", " + to_string(support_->right));
+      throw bad_support("support beyond the samples",
+                        fmt::format("they reach from {} to {}", to_string(first), to_string(last)));
     }
-    return {Indenter(support_ ? support_->left : first, std::move(trace.pieces)), Samples{given, trace.points}};
+    return {Indenter(support_ ? support_->left : first, std::move(trace.pieces)), MeasuredProfile{given, trace.points}};
   }
 
   /// Beside the problem file; beside nothing for the standard input.
@@ -95,7 +93,7 @@ class IndenterReader {
     for (const Value& piece : reader_.list("indenter.pieces", pieces, "tables {to, profile}", max_pieces)) {
       const std::string field = fmt::format("indenter.pieces[{}]", result.size());
       if (piece.kind != Value::Kind::table) {
-        throw reader_.error(field, "wrong type", "a piece is a table {to, profile}", std::string(name_of(piece.kind)));
+        throw reader_.error(field, "wrong type", "a piece is a table {to, profile}", name_of(piece.kind));
       }
       reader_.check_keys(field, {"to", "profile"});
       const Value& to = reader_.required(field + ".to", "a piece has its right end");
@@ -113,35 +111,21 @@ class IndenterReader {
 
   /// Breaks are found exactly: values of the profile at the pieces' ends, with all their digits.
   void check_cost(const std::string& field, const Indenter::Piece& piece) {
-    const std::size_t digits = exact_size(piece.to);
-    for (const Rational& c : piece.profile.coefficients()) cost_ += digits + exact_size(c);
+    for (const Rational& c : piece.profile.coefficients()) cost_ += bits(piece.to) + bits(c);
     if (cost_ <= max_cost) return;
     throw reader_.error(field, "pieces too complicated", "all pieces together are limited in degree and in digits",
                         "more");
-  }
-
-  static std::size_t exact_size(const Rational& value) {
-    const auto bits = [](const Integer& part) { return part == 0 ? 1 : msb(Integer(abs(part))) + 1; };
-    return bits(boost::multiprecision::numerator(value)) + bits(boost::multiprecision::denominator(value));
   }
 
   Polynomial polynomial(const std::string& field, const Value& value) {
     if (value.kind == Value::Kind::integer || value.kind == Value::Kind::decimal) {
       return Polynomial::constant(reader_.number(field, value));
     }
-    try {
-      return parse_polynomial(reader_.text(field, value), budget_);
-    } catch (const InvalidData& invalid) {
-      throw reader_.error(field, invalid.what());
-    }
+    return reader_.accepted(field, [&] { return parse_polynomial(reader_.text(field, value), budget_); });
   }
 
   Indenter made(std::vector<Indenter::Piece> pieces) const {
-    try {
-      return {support().left, std::move(pieces)};
-    } catch (const InvalidData& invalid) {
-      throw reader_.error(invalid);
-    }
+    return reader_.accepted("", [&] { return Indenter(support().left, std::move(pieces)); });
   }
 
   static constexpr std::size_t max_cost = 20000000;

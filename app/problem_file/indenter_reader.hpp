@@ -9,7 +9,7 @@ namespace steadyslide::app {
 
 struct ReadIndenter {
   Indenter shape;
-  std::optional<Samples> samples;
+  std::optional<MeasuredProfile> measured;
 };
 
 /// `file`: the problem file's name, beside which a trace is looked for. Throws Failure.

@@ -16,8 +16,6 @@ constexpr int max_nesting = 100;
 constexpr unsigned max_exponent = 1000;
 constexpr std::size_t max_coefficient_bits = 4096;
 
-std::size_t bits(const Integer& value) { return value == 0 ? 0 : msb(Integer(abs(value))) + 1; }
-
 class Parser {
  public:
   Parser(std::string_view text, PolynomialBudget& budget) : text_(text), budget_(budget) {}
@@ -57,8 +55,7 @@ class Parser {
 
   Polynomial checked(std::size_t at, Polynomial value) {
     for (const Rational& c : value.coefficients()) {
-      if (bits(boost::multiprecision::numerator(c)) > max_coefficient_bits ||
-          bits(boost::multiprecision::denominator(c)) > max_coefficient_bits) {
+      if (bits(numerator(c)) > max_coefficient_bits || bits(denominator(c)) > max_coefficient_bits) {
         fail(at, "coefficient too large", fmt::format("a coefficient has at most {} bits", max_coefficient_bits));
       }
     }
@@ -189,6 +186,9 @@ class Parser {
 };
 
 }  // namespace
+
+std::size_t bits(const Integer& value) { return value == 0 ? 1 : msb(Integer(abs(value))) + 1; }
+std::size_t bits(const Rational& value) { return bits(numerator(value)) + bits(denominator(value)); }
 
 Polynomial parse_polynomial(std::string_view text, PolynomialBudget& budget) { return Parser(text, budget).parse(); }
 

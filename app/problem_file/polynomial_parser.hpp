@@ -21,6 +21,10 @@ struct PolynomialBudget {
   long operations = 200000;
 };
 
+/// The length of an exact number, a rational's numerator and denominator together: what arithmetic on it costs.
+std::size_t bits(const Integer& value);
+std::size_t bits(const Rational& value);
+
 /// Throws InvalidData (field empty), which says the place in the text, counted from 1.
 Polynomial parse_polynomial(std::string_view text, PolynomialBudget& budget);
 

@@ -13,7 +13,7 @@ inline constexpr std::size_t max_friction_values = 10000;
 inline constexpr std::size_t max_pieces = 1000;
 
 /// The measured profile that a problem's pieces come from.
-struct Samples {
+struct MeasuredProfile {
   std::string file;  ///< as the problem file names it
   std::size_t points;
 };
@@ -21,7 +21,7 @@ struct Samples {
 struct Problem {
   ContactProblem contact;
   std::string file;
-  std::optional<Samples> samples;
+  std::optional<MeasuredProfile> measured;
 };
 
 /// Reads a trace, too, if there are samples, relative to `name`. Throws Failure (exit code 2) "NAME:LINE: what is

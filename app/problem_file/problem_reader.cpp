@@ -31,7 +31,7 @@ ProblemReader::Found ProblemReader::locate(std::string_view field) const {
       found = {&found.value->items[index], found.value->items[index].line};
     } else {
       const std::vector<Entry>& entries = found.value->entries;
-      const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == part; });
+      const auto entry = std::ranges::find(entries, part, &Entry::key);
       if (entry == entries.end()) return {nullptr, found.line};
       found = {&entry->value, entry->line};
     }
@@ -39,11 +39,9 @@ ProblemReader::Found ProblemReader::locate(std::string_view field) const {
   return found;
 }
 
-std::size_t ProblemReader::line_of(const std::string& field) const { return locate(field).line; }
-
 Failure ProblemReader::error(const std::string& field, const std::string& what) const {
   return {ExitCode::bad_input,
-          fmt::format("{}:{}: {}{}{}", file_, line_of(field), field, field.empty() ? "" : ": ", what)};
+          fmt::format("{}:{}: {}{}{}", file_, locate(field).line, field, field.empty() ? "" : ": ", what)};
 }
 
 Failure ProblemReader::error(const std::string& field, const std::string& what, const std::string& rule,
@@ -51,56 +49,48 @@ Failure ProblemReader::error(const std::string& field, const std::string& what, 
   return error(field, fmt::format("{}; {}; {}", what, rule, value));
 }
 
-Failure ProblemReader::error(const InvalidData& invalid, const std::string& prefix) const {
-  return error(prefix + invalid.field(), invalid.what());
-}
-
-void ProblemReader::check_keys(const std::string& field, std::initializer_list<std::string_view> keys) const {
-  for (const Entry& entry : locate(field).value->entries) {
-    if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
-    const std::string where = field.empty() ? "a problem file" : field;
-    throw Failure(ExitCode::bad_input, fmt::format("{}:{}: unknown key; the keys of {} are {}; {}", file_, entry.line,
-                                                   where, fmt::join(keys, ", "), excerpt(entry.key)));
-  }
-}
-
-const Value* ProblemReader::find(const std::string& field) const { return locate(field).value; }
-
 const Value& ProblemReader::required(const std::string& field, const std::string& rule) const {
   const Value* value = find(field);
   if (value == nullptr) throw error(field, "missing", rule, "absent");
   return *value;
 }
 
-void ProblemReader::check_table(const std::string& field) const {
-  const Value* value = find(field);
-  if (value != nullptr && value->kind == Value::Kind::table) return;
-  if (value == nullptr) throw error(field, "missing", "the table is required", "absent");
-  throw error(field, "wrong type", "it is a table", std::string(name_of(value->kind)));
+void ProblemReader::check_table(const std::string& field, std::initializer_list<std::string_view> keys) const {
+  const Value& value = required(field, "the table is required");
+  if (value.kind != Value::Kind::table) throw error(field, "wrong type", "it is a table", name_of(value.kind));
+  check_keys(field, keys);
+}
+
+void ProblemReader::check_keys(const std::string& field, std::initializer_list<std::string_view> keys) const {
+  for (const Entry& entry : find(field)->entries) {
+    if (std::ranges::find(keys, entry.key) != keys.end()) continue;
+    const std::string where = field.empty() ? "a problem file" : field;
+    throw Failure(ExitCode::bad_input, fmt::format("{}:{}: unknown key; the keys of {} are {}; {}", file_, entry.line,
+                                                   where, fmt::join(keys, ", "), excerpt(entry.key)));
+  }
 }
 
 Rational ProblemReader::number(const std::string& field, const Value& value) const {
   const bool fits =
       value.kind == Value::Kind::text || value.kind == Value::Kind::integer || value.kind == Value::Kind::decimal;
-  if (!fits) {
-    throw error(field, "wrong type", "a number is a string, an integer or a decimal", std::string(name_of(value.kind)));
-  }
-  try {
-    return parse_rational(value.text);
-  } catch (const InvalidData& invalid) {
-    throw error(field, invalid.what());
-  }
+  if (!fits) throw error(field, "wrong type", "a number is a string, an integer or a decimal", name_of(value.kind));
+  return accepted(field, [&] { return parse_rational(value.text); });
+}
+
+std::optional<Rational> ProblemReader::number_if_any(const std::string& field) const {
+  const Value* value = find(field);
+  return value == nullptr ? std::nullopt : std::optional(number(field, *value));
 }
 
 const std::string& ProblemReader::text(const std::string& field, const Value& value) const {
   if (value.kind == Value::Kind::text) return value.text;
-  throw error(field, "wrong type", "it is a string", std::string(name_of(value.kind)));
+  throw error(field, "wrong type", "it is a string", name_of(value.kind));
 }
 
 const std::vector<Value>& ProblemReader::list(const std::string& field, const Value& value, const std::string& of,
                                               std::size_t most) const {
   if (value.kind != Value::Kind::list) {
-    throw error(field, "wrong type", "it is an array of " + of, std::string(name_of(value.kind)));
+    throw error(field, "wrong type", "it is an array of " + of, name_of(value.kind));
   }
   if (value.items.size() > most) {
     throw error(field, "too many entries", fmt::format("there are at most {}", most),
@@ -109,9 +99,11 @@ const std::vector<Value>& ProblemReader::list(const std::string& field, const Va
   return value.items;
 }
 
-std::vector<Rational> ProblemReader::numbers(const std::string& field, const Value& value, std::size_t most) const {
+std::vector<Rational> ProblemReader::numbers(const std::string& field, std::size_t most) const {
   std::vector<Rational> result;
-  for (const Value& item : list(field, value, "numbers", most)) {
+  const Value* value = find(field);
+  if (value == nullptr) return result;
+  for (const Value& item : list(field, *value, "numbers", most)) {
     result.push_back(number(fmt::format("{}[{}]", field, result.size()), item));
   }
   return result;

@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "app/problem_file/polynomial_parser.hpp"
 #include "app/terminal/failure.hpp"
 #include "model/invalid_data.hpp"
 
@@ -41,11 +42,6 @@ Columns columns_of(std::string_view line) {
     line = line.substr(end + 1);
     if (separators == blanks) line = trimmed(line);
   }
-}
-
-std::size_t bits(const Rational& value) {
-  const auto size = [](const Integer& part) { return part == 0 ? 1 : msb(Integer(abs(part))) + 1; };
-  return size(boost::multiprecision::numerator(value)) + size(boost::multiprecision::denominator(value));
 }
 
 class TraceParser {

@@ -22,21 +22,21 @@ std::vector<const Kind*> all_of(const checks::Report& report) {
   return found;
 }
 
-std::string heading(std::string_view text) { return element("h5", text) + "\n"; }
+std::string heading(std::string_view text) { return block("h5", text); }
 
-std::string paragraph(std::string_view text) { return text.empty() ? "" : element("p", prose(text)) + "\n"; }
+std::string paragraph(std::string_view text) { return text.empty() ? "" : block("p", prose(text)); }
 
 /// 3.1e-52 with a power of ten; what is no number as it is.
 std::string number(const std::string& text) {
-  const bool negative = text.starts_with('-');
-  const auto typeset = text.find_first_not_of("0123456789.e+-") == std::string::npos ? mathml(text) : std::nullopt;
-  return typeset && (negative || !text.empty()) ? *typeset : escaped(text);
+  const bool is_number = text.find_first_not_of("0123456789.e+-") == std::string::npos;
+  return (is_number ? mathml(text) : std::nullopt).value_or(escaped(text));
 }
 
-std::string list(const std::vector<std::string>& items) {
+std::string list(const std::vector<std::string>& items, const std::string& title = "") {
+  if (items.empty()) return "";
   std::string html;
-  for (const std::string& item : items) html += element("li", item) + "\n";
-  return element("ul", "\n" + html) + "\n";
+  for (const std::string& item : items) html += block("li", item);
+  return title + block("ul", "\n" + html);
 }
 
 /// Said once, however many pieces of evidence say it.
@@ -60,14 +60,14 @@ std::string identities(const std::vector<const checks::ExactIdentity*>& pieces) 
     html += paragraph(piece->detail);
     std::vector<std::string> items;
     for (const std::string& identity : piece->identities) items.push_back(prose(identity));
-    if (!items.empty()) html += list(items);
+    html += list(items);
   }
   return html;
 }
 
 std::string agreements(const std::vector<const checks::Agreement*>& pieces) {
   if (pieces.empty()) return "";
-  std::vector<std::vector<std::string>> rows;
+  HtmlRows rows;
   for (const checks::Agreement* a : pieces) {
     std::string routes;
     for (const std::string& route : a->routes) {
@@ -85,8 +85,7 @@ std::string agreements(const std::vector<const checks::Agreement*>& pieces) {
 
 std::string rates(const std::vector<const checks::ConvergenceRate*>& pieces) {
   if (pieces.empty()) return "";
-  std::vector<std::vector<std::string>> rows;
-  rows.reserve(pieces.size());
+  HtmlRows rows;
   for (const checks::ConvergenceRate* r : pieces) {
     rows.push_back({prose(r->what), fmt::format("{:.3g} ± {:.2g}", r->measured, r->error_bar),
                     fmt::format("{:.3g} ± {:.2g}", r->expected, r->tolerance)});
@@ -97,11 +96,9 @@ std::string rates(const std::vector<const checks::ConvergenceRate*>& pieces) {
 }
 
 std::string counterexamples(const std::vector<const checks::Counterexample*>& pieces) {
-  if (pieces.empty()) return "";
   std::vector<std::string> items;
-  items.reserve(pieces.size());
   for (const checks::Counterexample* c : pieces) items.push_back(prose(c->detail + " at " + c->where));
-  return heading("Counterexample") + list(items);
+  return list(items, heading("Counterexample"));
 }
 
 std::string beyond(const std::vector<const checks::BeyondCalculation*>& pieces,
@@ -111,24 +108,34 @@ std::string beyond(const std::vector<const checks::BeyondCalculation*>& pieces,
     html += heading("Beyond calculation") + paragraph(b->reason);
     std::vector<std::string> items;
     for (const std::string& id : b->consequences) {
-      const auto found = std::ranges::find(reports, id, [](const checks::Report& r) { return r.claim.id; });
-      items.push_back(found == reports.end() ? element("code", escaped(id)) + " (not in this run)"
-                                             : element("a", element("code", escaped(id)), {{"href", "#" + id}}) + ": " +
-                                                   std::string(name_of(found->verdict)));
+      const std::string code = element("code", escaped(id));
+      const checks::Report* found = report_on(id, reports);
+      items.push_back(found == nullptr
+                          ? code + " (not in this run)"
+                          : fmt::format("{}: {}", element("a", code, {{"href", "#" + id}}), name_of(found->verdict)));
     }
-    if (!items.empty()) html += element("p", "What follows from it and can be calculated:") + "\n" + list(items);
+    html += list(items, block("p", "What follows from it and can be calculated:"));
   }
   return html;
 }
 
 }  // namespace
 
+const checks::Report* report_on(std::string_view id, std::span<const checks::Report> reports) {
+  const auto found = std::ranges::find(reports, id, [](const auto& r) { return std::string_view(r.claim.id); });
+  return found == reports.end() ? nullptr : &*found;
+}
+
+std::string badge(checks::Verdict verdict) {
+  return element("span", name_of(verdict), {{"class", fmt::format("badge {}", name_of(verdict))}});
+}
+
 std::string evidence_html(const checks::Report& report, std::span<const checks::Report> reports) {
   std::string html = counterexamples(all_of<checks::Counterexample>(report)) +
                      identities(all_of<checks::ExactIdentity>(report)) + agreements(all_of<checks::Agreement>(report)) +
                      rates(all_of<checks::ConvergenceRate>(report)) +
                      beyond(all_of<checks::BeyondCalculation>(report), reports);
-  if (!report.note.empty()) html += element("p", prose(report.note), {{"class", "note"}}) + "\n";
+  if (!report.note.empty()) html += block("p", prose(report.note), {{"class", "note"}});
   return html;
 }
 
@@ -138,11 +145,10 @@ std::string controls_html(const checks::Report& report) {
   for (const checks::ControlReport& control : report.controls) {
     const std::string_view mark = control.refuted ? "refuted" : "not refuted";
     const std::string detail = control.detail.empty() ? "" : element("span", prose(control.detail), {{"class", "by"}});
-    items += element("li", element("span", mark, {{"class", control.refuted ? "mark" : "mark survived"}}) + " " +
-                               prose(control.name) + " " + detail) +
-             "\n";
+    items += block("li", element("span", mark, {{"class", control.refuted ? "mark" : "mark survived"}}) + " " +
+                             prose(control.name) + " " + detail);
   }
-  return element("ul", "\n" + items, {{"class", "controls"}}) + "\n";
+  return block("ul", "\n" + items, {{"class", "controls"}});
 }
 
 }  // namespace steadyslide::app

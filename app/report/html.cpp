@@ -41,20 +41,21 @@ std::string element(std::string_view tag, std::string_view content, std::initial
   return result + fmt::format(">{}</{}>", content, tag);
 }
 
-std::string table_element(std::string_view label, const std::vector<std::string>& columns,
-                          const std::vector<std::vector<std::string>>& rows) {
+std::string block(std::string_view tag, std::string_view content, std::initializer_list<Attribute> attributes) {
+  return element(tag, content, attributes) + "\n";
+}
+
+std::string table_element(std::string_view label, const std::vector<std::string>& columns, const HtmlRows& rows) {
   std::string head;
   for (const std::string& column : columns) head += element("th", column, {{"scope", "col"}});
   std::string body;
   for (const std::vector<std::string>& row : rows) {
     std::string cells;
     for (const std::string& cell : row) cells += element("td", cell);
-    body += element("tr", cells) + "\n";
+    body += block("tr", cells);
   }
-  const std::string table =
-      element("table", element("thead", element("tr", head)) + "\n" + element("tbody", "\n" + body));
-  return element("div", table, {{"class", "wide"}, {"tabindex", "0"}, {"role", "region"}, {"aria-label", label}}) +
-         "\n";
+  const std::string table = element("table", block("thead", element("tr", head)) + element("tbody", "\n" + body));
+  return block("div", table, {{"class", "wide"}, {"tabindex", "0"}, {"role", "region"}, {"aria-label", label}});
 }
 
 }  // namespace steadyslide::app

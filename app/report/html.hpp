@@ -20,10 +20,14 @@ struct Attribute {
 /// "<TAG NAME="VALUE">CONTENT</TAG>". The content is HTML already.
 std::string element(std::string_view tag, std::string_view content, std::initializer_list<Attribute> attributes = {});
 
+/// The same on a line of its own.
+std::string block(std::string_view tag, std::string_view content, std::initializer_list<Attribute> attributes = {});
+
+using HtmlRows = std::vector<std::vector<std::string>>;
+
 /// A table that scrolls within itself where it is wider than the page; `label` is for those who cannot see it. Columns
 /// and rows are HTML already.
-std::string table_element(std::string_view label, const std::vector<std::string>& columns,
-                          const std::vector<std::vector<std::string>>& rows);
+std::string table_element(std::string_view label, const std::vector<std::string>& columns, const HtmlRows& rows);
 
 /// A part of the page under a heading of its own.
 struct Section {

@@ -4,7 +4,6 @@
 
 #include "app/report/evidence_html.hpp"
 #include "app/report/mathml.hpp"
-#include "app/report/references.hpp"
 #include "app/report/sections.hpp"
 #include "proofs_checks/statements/paper_statements.hpp"
 
@@ -38,19 +37,18 @@ std::string controls_text(const checks::Report& report) {
 }
 
 std::string summary(const checks::Report& report) {
-  const std::string_view verdict = name_of(report.verdict);
-  std::string badges = element("span", verdict, {{"class", "badge " + std::string(verdict)}});
+  std::string badges = badge(report.verdict);
   if (report.beyond_calculation()) badges += " " + element("span", "beyond calculation", {{"class", "badge"}});
   const std::string head = element("h3", escaped(report.claim.id)) + badges +
                            element("span", controls_text(report), {{"class", "meta"}}) +
                            element("span", fmt::format("{:.2f} s", report.seconds), {{"class", "meta seconds"}});
-  return element("summary", element("span", head, {{"class", "head"}}) +
-                                element("span", prose(report.claim.source), {{"class", "source"}}) +
-                                element("span", prose(report.claim.statement), {{"class", "statement"}}));
+  return block("summary", element("span", head, {{"class", "head"}}) +
+                              element("span", prose(report.claim.source), {{"class", "source"}}) +
+                              element("span", prose(report.claim.statement), {{"class", "statement"}}));
 }
 
 std::string part(std::string_view title, const std::string& html) {
-  return html.empty() ? "" : element("h4", title) + "\n" + html + "\n";
+  return html.empty() ? "" : block("h4", title) + html + "\n";
 }
 
 std::string paragraph(const std::string& text) { return text.empty() ? "" : element("p", cited_prose(text)); }
@@ -59,23 +57,19 @@ std::string entry(const checks::Report& report, std::size_t order, const VerifyR
   const checks::ClaimText& claim = report.claim;
   const std::string link = element("a", "link to this entry", {{"href", "#" + claim.id}});
   const std::string again =
-      element("code", escaped(fmt::format("steadyslide verify --claim {} --digits {} --seed {}{}", claim.id,
-                                          static_cast<int>(result.context.digits), result.context.seed,
-                                          result.context.quick ? " --quick" : "")));
-  const std::string body =
-      part("Holds for", paragraph(claim.hypotheses)) + part("How it follows", paragraph(claim.derivation)) +
-      part("Evidence", evidence_html(report, result.reports)) +
-      part("Controls: wrong variants of the statement", controls_html(report)) +
-      element("p", again + element("span", " · " + link, {{"class", "link"}}), {{"class", "again"}});
-  return element("details",
-                 "\n" + summary(report) + "\n" + element("div", "\n" + body + "\n", {{"class", "body"}}) + "\n",
-                 {{"class", "claim"},
-                  {"id", claim.id},
-                  {"data-order", std::to_string(order)},
-                  {"data-verdict", name_of(report.verdict)},
-                  {"data-seconds", fmt::format("{:.6f}", report.seconds)},
-                  {"data-text", searched(claim)}}) +
-         "\n";
+      element("code", escaped("steadyslide verify --claim " + claim.id + options_again(result.context)));
+  const std::string body = part("Holds for", paragraph(claim.hypotheses)) +
+                           part("How it follows", paragraph(claim.derivation)) +
+                           part("Evidence", evidence_html(report, result.reports)) +
+                           part("Controls: wrong variants of the statement", controls_html(report)) +
+                           block("p", again + element("span", " · " + link, {{"class", "link"}}), {{"class", "again"}});
+  return block("details", "\n" + summary(report) + block("div", "\n" + body, {{"class", "body"}}),
+               {{"class", "claim"},
+                {"id", claim.id},
+                {"data-order", std::to_string(order)},
+                {"data-verdict", name_of(report.verdict)},
+                {"data-seconds", fmt::format("{:.6f}", report.seconds)},
+                {"data-text", searched(claim)}});
 }
 
 std::string verdict_boxes(const VerifyResult& result) {
@@ -102,17 +96,15 @@ std::string sort_buttons() {
 /// Of no use without JavaScript, and hidden without it.
 std::string tools(const VerifyResult& result) {
   const std::string filter =
-      R"(<label for="filter">Filter</label><input id="filter" type="search" placeholder="id, place or words of )"
-      "the "
-      R"(statement" autocomplete="off" spellcheck="false">)";
+      R"(<label for="filter">Filter</label><input id="filter" type="search" )"
+      R"(placeholder="id, place or words of the statement" autocomplete="off" spellcheck="false">)";
   const std::string folds = element("button", "open all", {{"type", "button"}, {"id", "open-all"}}) +
                             element("button", "close all", {{"type", "button"}, {"id", "close-all"}}) +
                             element("span", "", {{"id", "shown"}, {"role", "status"}, {"aria-live", "polite"}});
-  return element("form",
-                 element("p", filter, {{"class", "filter"}}) + verdict_boxes(result) + sort_buttons() +
-                     element("p", folds, {{"class", "folds"}}),
-                 {{"id", "tools"}, {"hidden", "hidden"}}) +
-         "\n";
+  return block("form",
+               element("p", filter, {{"class", "filter"}}) + verdict_boxes(result) + sort_buttons() +
+                   element("p", folds, {{"class", "folds"}}),
+               {{"id", "tools"}, {"hidden", "hidden"}});
 }
 
 }  // namespace
@@ -122,7 +114,7 @@ Section ledger_section(const VerifyResult& result) {
   std::size_t order = 0;
   for (const checks::Report* report : in_order(result.reports)) entries += entry(*report, order++, result);
   return {"ledger", "The ledger",
-          entries.empty() ? "" : tools(result) + element("div", "\n" + entries, {{"id", "claims"}}) + "\n"};
+          entries.empty() ? "" : tools(result) + block("div", "\n" + entries, {{"id", "claims"}})};
 }
 
 }  // namespace steadyslide::app

@@ -64,16 +64,19 @@ MathItem name_item(std::string_view name) {
   return {identifier(name), MathRole::operand, Shape::upright, name.size()};
 }
 
-MathItem function_item(const MathSymbol& symbol) {
-  return {identifier(symbol.glyph), MathRole::function, Shape::plain, symbol.glyph.size()};
-}
-
-MathItem big_item(const MathSymbol& symbol) {
-  return {fmt::format(R"(<mo lspace="0" rspace="0" movablelimits="false">{}</mo>)", symbol.glyph), MathRole::big};
-}
-
-MathItem word_item(const MathSymbol& symbol) {
-  return {fmt::format("<mtext>{}</mtext>", symbol.glyph), MathRole::word, Shape::upright, symbol.glyph.size()};
+MathItem symbol_item(const MathSymbol& symbol, bool small) {
+  const auto& [glyph, role, upright] = symbol;
+  if (role == MathRole::function) return {identifier(glyph), role, Shape::plain, glyph.size()};
+  if (role == MathRole::word) return {fmt::format("<mtext>{}</mtext>", glyph), role, Shape::upright, glyph.size()};
+  if (role == MathRole::big) {
+    return {fmt::format(R"(<mo lspace="0" rspace="0" movablelimits="false">{}</mo>)", glyph), role};
+  }
+  if (role == MathRole::punctuation) {
+    return {fmt::format(R"(<mo form="infix" lspace="0" rspace="{}em">{}</mo>)", small ? 0.1 : 0.3, glyph), role};
+  }
+  const double space = small ? 0.08 : role == MathRole::relation ? 0.28 : 0.22;
+  return {fmt::format(R"(<mo form="infix" stretchy="false" lspace="{0}em" rspace="{0}em">{1}</mo>)", space, glyph),
+          role};
 }
 
 MathItem prefix_item(const MathSymbol& symbol) {

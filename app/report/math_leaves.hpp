@@ -12,9 +12,9 @@ namespace steadyslide::app {
 MathItem number_item(std::string_view digits);
 /// A letter, alpha, dx, or a longer name, which is set upright.
 MathItem name_item(std::string_view name);
-MathItem function_item(const MathSymbol& symbol);
-MathItem big_item(const MathSymbol& symbol);
-MathItem word_item(const MathSymbol& symbol);
+/// What is no operand: a function, a word, the sign of an operation or a relation. Signs say their spaces: MathML takes
+/// an operator at the beginning of a row, where a line may have been broken, for a prefix.
+MathItem symbol_item(const MathSymbol& symbol, bool small);
 /// A sign before an operand, or after one: -x, c+.
 MathItem prefix_item(const MathSymbol& symbol);
 MathItem postfix_item(const MathSymbol& symbol);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <string>
 
-#include "app/report/math_fraction.hpp"
 #include "app/report/math_leaves.hpp"
 #include "app/report/math_tokens.hpp"
 
@@ -55,14 +54,17 @@ class Parser {
     return (at("}") && around.open == "{") || (at(">>") && around.open == "<<");
   }
 
+  /// in, for: names that begin something else.
+  static bool separates(const MathToken& name) {
+    const auto symbol = math_name(name.text);
+    return symbol && (symbol->role == MathRole::relation || symbol->role == MathRole::word);
+  }
+
   /// Nothing more follows that the sign could stand before: c+, Y- = .
   bool is_postfix() const {
     const MathToken& next = token(1);
     if (next.kind == MathToken::Kind::end) return true;
-    if (next.kind == MathToken::Kind::name) {
-      const auto name = math_name(next.text);
-      return name && (name->role == MathRole::relation || name->role == MathRole::word);
-    }
+    if (next.kind == MathToken::Kind::name) return separates(next);
     if (next.kind != MathToken::Kind::sign) return false;
     const auto sign = math_sign(next.text);
     if (!token().space_before && sign && (next.space_before || at("*"))) return true;
@@ -77,10 +79,7 @@ class Parser {
     if (!numbers || (row.size() > 1 && row[row.size() - 2].role == MathRole::operand)) return false;
     const MathToken& next = token(1);
     if (next.is(")") && row.size() == 1) return false;  // (1/2) x
-    if (next.kind == MathToken::Kind::name) {
-      const auto name = math_name(next.text);
-      return name && (name->role == MathRole::relation || name->role == MathRole::word);
-    }
+    if (next.kind == MathToken::Kind::name) return separates(next);
     const bool bracket = next.is(")") || next.is("]") || next.is("[") || next.is("}") || next.is(">>");
     return next.kind == MathToken::Kind::end || bracket || math_sign(next.text).has_value();
   }
@@ -111,12 +110,9 @@ class Parser {
     if (!symbol || t.kind == MathToken::Kind::number || symbol->role == MathRole::operand) return read_operand(small);
     if (symbol->role == MathRole::binary) return read_sign(row, *symbol, small);
     ++at_;
-    switch (symbol->role) {
-      case MathRole::function: return with_scripts(function_item(*symbol));
-      case MathRole::big: return with_scripts(big_item(*symbol));
-      case MathRole::word: return word_item(*symbol);
-      default: return math_operator(*symbol, small);
-    }
+    MathItem item = symbol_item(*symbol, small);
+    const bool takes_scripts = symbol->role == MathRole::function || symbol->role == MathRole::big;
+    return takes_scripts ? with_scripts(std::move(item)) : item;
   }
 
   MathItem read_sign(const MathRow& row, const MathSymbol& symbol, bool small) {
@@ -125,7 +121,7 @@ class Parser {
     if (postfix) return postfix_item(symbol);
     if (!row.empty() && row.back().shape == Shape::prefix) throw NoFormula();
     const bool prefix = row.empty() || (!after_operand(row) && row.back().role != MathRole::big);
-    return prefix ? prefix_item(symbol) : math_operator(symbol, small);
+    return prefix ? prefix_item(symbol) : symbol_item(symbol, small);
   }
 
   void add_quotient(MathRow& row, bool small) {
@@ -164,7 +160,7 @@ class Parser {
       return {fmt::format("<msqrt>{}</msqrt>", inside), MathRole::operand, Shape::plain, under.width + 1};
     }
     const auto symbol = math_name(t.text);
-    if (symbol && symbol->role == MathRole::function) return function_item(*symbol);
+    if (symbol && symbol->role == MathRole::function) return symbol_item(*symbol, small);
     if (symbol && symbol->role != MathRole::operand) throw NoFormula();
     return name_item(t.text);
   }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace steadyslide::app {
 namespace {
 
@@ -44,6 +47,35 @@ bool may_break_before(const MathRow& row, std::size_t at, std::size_t width) {
   return factors && item.shape != Shape::differential && width >= short_formula && item.width > 3;
 }
 
+constexpr std::size_t widest_numerator = 28;
+constexpr std::size_t widest_denominator = 36;
+
+/// Where the factors before the end of the row begin.
+MathRow::iterator factors(MathRow& row) {
+  auto begin = row.end();
+  while (begin != row.begin()) {
+    const MathItem& item = *std::prev(begin);
+    const bool factor = item.role == MathRole::operand || item.role == MathRole::function;
+    if (!factor || item.shape == Shape::fraction) break;
+    --begin;
+  }
+  return begin;
+}
+
+/// sin x/2 does not say whether x or sin x is halved: it stays as it is written.
+bool has_bare_argument(MathRow::const_iterator begin, MathRow::const_iterator end) {
+  for (auto item = begin; item != end; ++item) {
+    const auto next = std::next(item);
+    if (item->role == MathRole::function && (next == end || next->shape != Shape::group)) return true;
+  }
+  return false;
+}
+
+std::string without_brackets(const MathRow& row) {
+  const bool bracketed = row.size() == 1 && !row.front().inside.empty();
+  return row_xml(bracketed ? row.front().inside : row);
+}
+
 }  // namespace
 
 std::string row_xml(const MathRow& row) {
@@ -67,19 +99,6 @@ std::string math_element(std::string_view tag, std::initializer_list<std::string
   return fmt::format("<{0}>{1}</{0}>", tag, xml);
 }
 
-MathItem math_operator(const MathSymbol& symbol, bool small) {
-  MathItem item{"", symbol.role};
-  const bool relation = symbol.role == MathRole::relation;
-  if (symbol.role == MathRole::punctuation) {
-    item.xml = fmt::format(R"(<mo form="infix" lspace="0" rspace="{}em">{}</mo>)", small ? 0.1 : 0.3, symbol.glyph);
-  } else {
-    const double space = small ? 0.08 : relation ? 0.28 : 0.22;
-    item.xml =
-        fmt::format(R"(<mo form="infix" stretchy="false" lspace="{0}em" rspace="{0}em">{1}</mo>)", space, symbol.glyph);
-  }
-  return item;
-}
-
 std::vector<MathRow> breakable(const MathRow& row) {
   if (row_width(row) <= short_formula) return {row};
   std::vector<MathRow> parts(1);
@@ -92,6 +111,44 @@ std::vector<MathRow> breakable(const MathRow& row) {
     parts.back().push_back(row[k]);
   }
   return parts;
+}
+
+void divide(MathRow& row, MathRow denominator, bool small) {
+  const auto begin = factors(row);
+  const MathRow numerator(begin, row.end());
+  const std::size_t above = row_width(numerator);
+  const std::size_t below = row_width(denominator);
+  const bool stacks = !small && !numerator.empty() && std::ranges::none_of(numerator, &MathItem::tall) &&
+                      above <= widest_numerator && below <= widest_denominator &&
+                      !has_bare_argument(begin, row.end()) &&
+                      !has_bare_argument(denominator.begin(), denominator.end());
+  if (!stacks) {
+    row.push_back(
+        {R"(<mo form="infix" stretchy="false" lspace="0" rspace="0">/</mo>)", MathRole::binary, Shape::prefix});
+    std::ranges::move(denominator, std::back_inserter(row));
+    return;
+  }
+  MathItem fraction{math_element("mfrac", {without_brackets(numerator), without_brackets(denominator)})};
+  fraction.shape = Shape::fraction;
+  fraction.tall = true;
+  fraction.width = std::max(above, below);
+  fraction.space_before = numerator.front().space_before;
+  row.erase(begin, row.end());
+  row.push_back(std::move(fraction));
+}
+
+void drop_idle_brackets(MathRow& row) {
+  const MathItem& last = row.back();
+  if (last.inside.size() != 1 || last.inside.front().shape != Shape::fraction) return;
+  if (row.size() > 1) {
+    const MathItem& left = row[row.size() - 2];
+    const bool factor = left.role == MathRole::operand && left.shape != Shape::number && last.space_before;
+    const bool sign = left.role != MathRole::operand && left.role != MathRole::function;
+    if (!factor && !sign) return;
+  }
+  MathItem fraction = last.inside.front();
+  fraction.space_before = last.space_before;
+  row.back() = std::move(fraction);
 }
 
 }  // namespace steadyslide::app

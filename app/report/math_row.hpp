@@ -28,11 +28,14 @@ std::size_t row_width(const MathRow& row);
 /// An element with a child for each row: <mfrac><mrow>..</mrow><mrow>..</mrow></mfrac>.
 std::string math_element(std::string_view tag, std::initializer_list<std::string> children);
 
-/// The sign of an operation or a relation, with its spaces said: MathML takes an operator at the beginning of a row,
-/// where a line may have been broken, for a prefix.
-MathItem math_operator(const MathSymbol& symbol, bool small);
-
 /// Parts of the row between which a line may break: before relations and sums, between long factors.
 std::vector<MathRow> breakable(const MathRow& row);
+
+/// Divides the last factors of the row, of which there is one at least: one above the other where the row is not small
+/// and the parts are short, with a solidus otherwise.
+void divide(MathRow& row, MathRow denominator, bool small);
+
+/// (1/pi) x as 1/pi x, where the last element is a bracket around nothing but a stacked fraction.
+void drop_idle_brackets(MathRow& row);
 
 }  // namespace steadyslide::app

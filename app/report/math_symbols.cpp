@@ -1,89 +1,76 @@
 #include "app/report/math_symbols.hpp"
 
 #include <algorithm>
-#include <array>
-#include <utility>
+#include <map>
 
 namespace steadyslide::app {
 namespace {
 
-using Glyphs = std::pair<std::string_view, std::string_view>;
+using Symbols = std::map<std::string_view, MathSymbol>;
 
-constexpr std::array<Glyphs, 36> letters{
-    {{"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"},  {"epsilon", "ε"}, {"eps", "ε"},
-     {"zeta", "ζ"},  {"eta", "η"},   {"theta", "θ"}, {"iota", "ι"},   {"kappa", "κ"},   {"lambda", "λ"},
-     {"mu", "μ"},    {"nu", "ν"},    {"xi", "ξ"},    {"pi", "π"},     {"rho", "ρ"},     {"sigma", "σ"},
-     {"tau", "τ"},   {"phi", "φ"},   {"chi", "χ"},   {"psi", "ψ"},    {"omega", "ω"},   {"ell", "ℓ"},
-     {"Gamma", "Γ"}, {"Delta", "Δ"}, {"Theta", "Θ"}, {"Lambda", "Λ"}, {"Xi", "Ξ"},      {"Pi", "Π"},
-     {"Sigma", "Σ"}, {"Phi", "Φ"},   {"Psi", "Ψ"},   {"Omega", "Ω"},  {"upsilon", "υ"}, {"Upsilon", "Υ"}}};
-
-constexpr std::array<Glyphs, 4> upright_signs{{{"oo", "∞"}, {"partial", "∂"}, {"nabla", "∇"}, {"emptyset", "∅"}}};
-
-constexpr std::array<std::string_view, 32> functions{
-    "sin",  "cos",  "tan", "cot", "sec", "csc",  "arcsin", "arccos", "arctan", "arccot", "sinh",
-    "cosh", "tanh", "log", "ln",  "exp", "max",  "min",    "sup",    "inf",    "lim",    "arg",
-    "det",  "dim",  "deg", "Re",  "Im",  "sinc", "sign",   "sgn",    "supp",   "limsup"};
-
-constexpr std::array<Glyphs, 4> big{{{"int", "∫"}, {"sum", "∑"}, {"prod", "∏"}, {"oint", "∮"}}};
-
-constexpr std::array<Glyphs, 6> named_relations{
-    {{"in", "∈"}, {"notin", "∉"}, {"subset", "⊂"}, {"approx", "≈"}, {"propto", "∝"}, {"equiv", "≡"}}};
-
-constexpr std::array<Glyphs, 5> named_operations{
-    {{"cup", "∪"}, {"cap", "∩"}, {"times", "×"}, {"cdot", "⋅"}, {"setminus", "∖"}}};
-
-constexpr std::array<std::string_view, 13> words{"for", "and", "or",    "if", "on", "where", "with",
-                                                 "of",  "as",  "while", "at", "to", "not"};
-
-constexpr std::array<Glyphs, 15> relations{{{"=", "="},
-                                            {"<", "&lt;"},
-                                            {">", "&gt;"},
-                                            {"<=", "≤"},
-                                            {">=", "≥"},
-                                            {"!=", "≠"},
-                                            {"~", "∼"},
-                                            {"~=", "≈"},
-                                            {"->", "→"},
-                                            {"<-", "←"},
-                                            {"=>", "⇒"},
-                                            {"<=>", "⇔"},
-                                            {"<->", "↔"},
-                                            {":=", "≔"},
-                                            {"|->", "↦"}}};
-
-constexpr std::array<Glyphs, 5> operations{{{"+", "+"}, {"-", "−"}, {"+-", "±"}, {"-+", "∓"}, {"*", "∗"}}};
-
-constexpr std::array<Glyphs, 3> punctuation{{{",", ","}, {";", ";"}, {":", ":"}}};
-
-template <std::size_t n>
-const Glyphs* find(const std::array<Glyphs, n>& table, std::string_view name) {
-  const auto found = std::ranges::find(table, name, &Glyphs::first);
-  return found == table.end() ? nullptr : &*found;
+/// Takes a word off the front of words that are separated by spaces.
+std::string_view next_word(std::string_view& words) {
+  const std::string_view word = words.substr(0, words.find(' '));
+  words.remove_prefix(std::min(word.size() + 1, words.size()));
+  return word;
 }
 
-template <std::size_t n>
-bool holds(const std::array<std::string_view, n>& table, std::string_view name) {
-  return std::ranges::find(table, name) != table.end();
+/// "alpha α beta β": each name is followed by its glyph.
+void add(Symbols& symbols, MathRole role, std::string_view names_and_glyphs, bool upright = false) {
+  while (!names_and_glyphs.empty()) {
+    const std::string_view name = next_word(names_and_glyphs);
+    symbols[name] = {next_word(names_and_glyphs), role, upright};
+  }
+}
+
+/// Names that are set as they are written.
+void add_words(Symbols& symbols, MathRole role, std::string_view words) {
+  while (!words.empty()) {
+    const std::string_view word = next_word(words);
+    symbols[word] = {word, role, true};
+  }
+}
+
+Symbols all_names() {
+  Symbols names;
+  add(names, MathRole::operand,
+      "alpha α beta β gamma γ delta δ epsilon ε eps ε zeta ζ eta η theta θ iota ι kappa κ lambda λ mu μ nu ν xi ξ pi π "
+      "rho ρ sigma σ tau τ upsilon υ phi φ chi χ psi ψ omega ω ell ℓ Gamma Γ Delta Δ Theta Θ Lambda Λ Xi Ξ Pi Π "
+      "Sigma Σ Upsilon Υ Phi Φ Psi Ψ Omega Ω");
+  add(names, MathRole::operand, "oo ∞ partial ∂ nabla ∇ emptyset ∅", true);
+  add(names, MathRole::big, "int ∫ sum ∑ prod ∏ oint ∮");
+  add(names, MathRole::relation, "in ∈ notin ∉ subset ⊂ approx ≈ propto ∝ equiv ≡");
+  add(names, MathRole::binary, "cup ∪ cap ∩ times × cdot ⋅ setminus ∖");
+  add_words(names, MathRole::function,
+            "sin cos tan cot sec csc arcsin arccos arctan arccot sinh cosh tanh log ln exp max min sup inf lim arg det "
+            "dim deg Re Im sinc sign sgn supp limsup");
+  add_words(names, MathRole::word, "for and or if on where with of as while at to not");
+  return names;
+}
+
+Symbols all_signs() {
+  Symbols signs;
+  add(signs, MathRole::relation, "= = < &lt; > &gt; <= ≤ >= ≥ != ≠ ~ ∼ ~= ≈ -> → <- ← => ⇒ <=> ⇔ <-> ↔ := ≔ |-> ↦");
+  add(signs, MathRole::binary, "+ + - − +- ± -+ ∓ * ∗");
+  add(signs, MathRole::punctuation, ", , ; ; : :");
+  return signs;
+}
+
+std::optional<MathSymbol> found(const Symbols& symbols, std::string_view name) {
+  const auto symbol = symbols.find(name);
+  return symbol == symbols.end() ? std::nullopt : std::optional(symbol->second);
 }
 
 }  // namespace
 
 std::optional<MathSymbol> math_name(std::string_view name) {
-  if (const Glyphs* g = find(letters, name)) return MathSymbol{g->second, MathRole::operand};
-  if (const Glyphs* g = find(upright_signs, name)) return MathSymbol{g->second, MathRole::operand, true};
-  if (const Glyphs* g = find(big, name)) return MathSymbol{g->second, MathRole::big};
-  if (const Glyphs* g = find(named_relations, name)) return MathSymbol{g->second, MathRole::relation};
-  if (const Glyphs* g = find(named_operations, name)) return MathSymbol{g->second, MathRole::binary};
-  if (holds(functions, name)) return MathSymbol{name, MathRole::function, true};
-  if (holds(words, name)) return MathSymbol{name, MathRole::word, true};
-  return std::nullopt;
+  static const Symbols names = all_names();
+  return found(names, name);
 }
 
 std::optional<MathSymbol> math_sign(std::string_view sign) {
-  if (const Glyphs* g = find(relations, sign)) return MathSymbol{g->second, MathRole::relation};
-  if (const Glyphs* g = find(operations, sign)) return MathSymbol{g->second, MathRole::binary};
-  if (const Glyphs* g = find(punctuation, sign)) return MathSymbol{g->second, MathRole::punctuation};
-  return std::nullopt;
+  static const Symbols signs = all_signs();
+  return found(signs, sign);
 }
 
 std::optional<std::string_view> math_accent(std::string_view name) {

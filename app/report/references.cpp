@@ -69,10 +69,9 @@ const std::vector<Reference>& known() {
 std::string references_list(std::string_view markdown) {
   std::string items;
   for (const Reference& r : references(markdown)) {
-    items += element("dt", "[" + escaped(r.key) + "]", {{"id", "ref-" + r.key}}) +
-             element("dd", inline_markdown(r.text)) + "\n";
+    items += element("dt", "[" + escaped(r.key) + "]", {{"id", "ref-" + r.key}}) + block("dd", inline_markdown(r.text));
   }
-  return items.empty() ? "" : element("dl", "\n" + items, {{"class", "references"}}) + "\n";
+  return items.empty() ? "" : block("dl", "\n" + items, {{"class", "references"}});
 }
 
 Section references_section() { return {"references", "References", references_list(embedded::references_md)}; }

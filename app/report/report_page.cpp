@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "app/embedded.hpp"
-#include "app/report/references.hpp"
 #include "app/report/sections.hpp"
 #include "app/version.hpp"
 
@@ -34,25 +33,21 @@ std::string head(const VerifyResult& result) {
   const std::string run =
       fmt::format("steadyslide {} · {} digits · seed {}{}", version, static_cast<int>(result.context.digits),
                   result.context.seed, result.context.quick ? " · quick: fewer parameters" : "");
-  return element("header", "\n" + element("h1", "Verification report") + "\n" +
-                               element("p", subtitle, {{"class", "subtitle"}}) + "\n" +
-                               element("p", run, {{"class", "run"}}) + "\n" +
-                               element("div", tiles(result), {{"class", "tiles"}}) + "\n" +
-                               element("p", facts, {{"id", "summary"}}) + "\n") +
-         "\n";
+  return block("header", "\n" + block("h1", "Verification report") + block("p", subtitle, {{"class", "subtitle"}}) +
+                             block("p", run, {{"class", "run"}}) + block("div", tiles(result), {{"class", "tiles"}}) +
+                             block("p", facts, {{"id", "summary"}}));
 }
 
 std::string contents(const std::vector<Section>& sections) {
   std::string items;
   for (const Section& s : sections) items += element("li", element("a", s.title, {{"href", "#" + s.id}}));
-  return element("nav", element("ol", items), {{"aria-label", "Contents"}}) + "\n";
+  return block("nav", element("ol", items), {{"aria-label", "Contents"}});
 }
 
 std::string section_html(const Section& s) {
   const std::string heading = s.id + "-heading";
-  return element("section", "\n" + element("h2", s.title, {{"id", heading}}) + "\n" + s.html,
-                 {{"id", s.id}, {"aria-labelledby", heading}}) +
-         "\n";
+  return block("section", "\n" + block("h2", s.title, {{"id", heading}}) + s.html,
+               {{"id", s.id}, {"aria-labelledby", heading}});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // The parts of the page.
 
 #include "app/report/html.hpp"
+#include "app/report/references.hpp"
 #include "app/report/report_page.hpp"
 
 namespace steadyslide::app {
@@ -17,5 +18,8 @@ Section figures_section(const Supplement& supplement);
 Section tables_section(const std::vector<TextTable>& tables);
 Section mutants_section(const std::vector<Mutant>& mutants);
 Section reproduce_section(const VerifyResult& result);
+
+/// The options that repeat a run.
+std::string options_again(const proofs_checks::Context& context);
 
 }  // namespace steadyslide::app

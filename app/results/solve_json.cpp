@@ -47,13 +47,13 @@ Json half_space(const Elasticity& elasticity) {
   return json;
 }
 
-Json indenter(const ContactProblem& problem, const std::optional<Samples>& samples) {
+Json indenter(const ContactProblem& problem, const std::optional<MeasuredProfile>& measured) {
   const Indenter& shape = problem.indenter();
   Json json{{"support", numbers({shape.left(), shape.right()})}};
-  if (samples) {
+  if (measured) {
     // The trace is named: its pieces can be many more than the results.
-    json["samples"] = samples->file;
-    json["points"] = samples->points;
+    json["samples"] = measured->file;
+    json["points"] = measured->points;
   } else if (shape.pieces().size() == 1) {
     json["profile"] = to_string(shape.pieces().front().profile);
   } else {
@@ -66,14 +66,14 @@ Json indenter(const ContactProblem& problem, const std::optional<Samples>& sampl
 }
 
 /// The problem as read, exact, defaults filled in.
-Json problem_json(const ContactProblem& problem, const std::optional<Samples>& samples) {
+Json problem_json(const ContactProblem& problem, const std::optional<MeasuredProfile>& measured) {
   Json json;
   json["load"] = exact_text(problem.load());
   if (problem.load_at()) json["load_at"] = exact_text(*problem.load_at());
   json["sliding"] = problem.sliding() == Sliding::plus_x ? "+x" : "-x";
   json["half_space"] = half_space(problem.elasticity());
   json["friction"] = {{"values", numbers(problem.friction().values())}, {"jumps", numbers(problem.friction().jumps())}};
-  json["indenter"] = indenter(problem, samples);
+  json["indenter"] = indenter(problem, measured);
   return json;
 }
 
@@ -145,7 +145,7 @@ Json solution_json(const SolutionText& solution) {
 
 /// What opens every result.
 Json heading(const Problem& problem) {
-  return {{"schema", 1}, {"version", version}, {"problem", problem_json(problem.contact, problem.samples)}};
+  return {{"schema", 1}, {"version", version}, {"problem", problem_json(problem.contact, problem.measured)}};
 }
 
 /// Uniqueness and warnings, which end every result.

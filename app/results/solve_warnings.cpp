@@ -72,7 +72,7 @@ std::vector<std::string> warnings(const Problem& problem, const numeric::Contact
     result.push_back(fmt::format("{}: large estimated error; more than {} of {}; {}", error.name, percent(large_error),
                                  error.of, percent(error.value)));
   }
-  if (!problem.samples) return result;
+  if (!problem.measured) return result;
   const std::vector<ContactComponent<R>> contact = solution.contact();
   for (const std::string& line : {cut_end(contact), sliver_only(problem.contact.indenter(), contact)}) {
     if (!line.empty()) result.push_back(line);

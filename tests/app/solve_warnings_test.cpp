@@ -48,10 +48,11 @@ Shown with_contact(double left, double right) {
 }
 
 Problem punch(bool is_trace) {
-  const std::optional<Samples> samples = is_trace ? std::optional(Samples{"trace.csv", 2}) : std::nullopt;
+  const std::optional<MeasuredProfile> measured =
+      is_trace ? std::optional(MeasuredProfile{"trace.csv", 2}) : std::nullopt;
   return {ContactProblem(Elasticity::reduced(0), FrictionProfile({0}, {}),
                          Indenter(-1, {{1, Polynomial(std::vector<Rational>{})}}), 1),
-          "punch.toml", samples};
+          "punch.toml", measured};
 }
 
 std::size_t count(const Shown& shown, bool is_trace = true) { return warnings(punch(is_trace), shown).size(); }

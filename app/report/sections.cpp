@@ -1,0 +1,155 @@
+#include "app/report/sections.hpp"
+
+#include <fmt/format.h>
+
+#include "app/embedded.hpp"
+#include "app/report/evidence_html.hpp"
+#include "app/report/inline_svg.hpp"
+#include "app/report/mathml.hpp"
+#include "app/version.hpp"
+#include "proofs_checks/statements/paper_statements.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+namespace checks = proofs_checks;
+
+std::string code(std::string_view text) { return element("code", escaped(text)); }
+
+std::vector<std::string> typeset(const std::vector<std::string>& cells) {
+  std::vector<std::string> html;
+  for (const std::string& cell : cells) html.push_back(cited_prose(cell));
+  return html;
+}
+
+std::string drawing(const DrawnFigure& drawn) {
+  const std::string caption = element("strong", cited_prose(drawn.title)) + " " + cited_prose(drawn.caption) +
+                              element("code", escaped(drawn.command), {{"class", "command"}});
+  return block("figure",
+               "\n" +
+                   block("div", inline_svg(drawn.svg, drawn.name, drawn.title),
+                         {{"class", "drawing"}, {"tabindex", "0"}, {"role", "region"}, {"aria-label", drawn.title}}) +
+                   block("figcaption", caption),
+               {{"id", "figure-" + drawn.name}});
+}
+
+std::string table_html(const TextTable& table) {
+  HtmlRows rows;
+  for (const std::vector<std::string>& row : table.rows) rows.push_back(typeset(row));
+  std::string html = block("h3", cited_prose(table.title));
+  if (!table.note.empty()) html += block("p", cited_prose(table.note));
+  html += table_element(table.title, typeset(table.columns), rows);
+  std::string sources;
+  for (const std::string& reference : table.references) sources += block("li", cited_prose(reference));
+  return sources.empty() ? html : html + block("ul", "\n" + sources, {{"class", "sources"}});
+}
+
+/// A path, which may go on in the next line after a part of it.
+std::string path(std::string_view file) {
+  std::string html;
+  for (const char c : file) {
+    html += escaped({&c, 1});
+    if (c == '/' || c == '_') html += "<wbr>";
+  }
+  return element("code", html);
+}
+
+}  // namespace
+
+std::string options_again(const checks::Context& context) {
+  return fmt::format(" --digits {} --seed {}{}", static_cast<int>(context.digits), context.seed,
+                     context.quick ? " --quick" : "");
+}
+
+Section guide_section() { return {"guide", "How to read this", std::string(embedded::report_guide)}; }
+
+Section paper_section(const VerifyResult& result) {
+  Section section{"paper", "The paper, statement by statement", ""};
+  HtmlRows rows;
+  for (const checks::PaperStatement& statement : checks::paper_statements()) {
+    std::string links;
+    for (const std::string_view id : statement.claims) {
+      const checks::Report* report = report_on(id, result.reports);
+      if (report == nullptr) continue;
+      const std::string link = element("a", escaped(id), {{"href", "#" + report->claim.id}});
+      links += element("span", link + " " + badge(report->verdict), {{"class", "verdict-link"}}) + " ";
+    }
+    if (links.empty()) continue;
+    const std::string place = statement.place.empty() ? "<em>beyond the paper</em>" : escaped(statement.place);
+    rows.push_back({place, prose(statement.what), links});
+  }
+  if (rows.empty()) return section;
+  section.html = block("p",
+                       "What the paper says, in its order, and the entries of the ledger that examine it. Where there "
+                       "are several, each looks at it in a way of its own.") +
+                 table_element(section.title, {"place", "statement", "examined by"}, rows);
+  return section;
+}
+
+Section notes_section(const VerifyResult& result) {
+  Section section{"notes", "Reading notes", ""};
+  if (result.notes.empty() && result.notes_left_out == 0) return section;
+  section.html = block("p",
+                       "Places where the text of the paper at hand and the mathematics disagree. That text was "
+                       "extracted from a PDF: each note says whether that may have made the difference, or whether "
+                       "it is more likely <em>the print's</em>, a slip in the paper itself.");
+  if (result.notes_left_out > 0) {
+    section.html += block("p", fmt::format("Left out are {} notes on statements that were not examined in this run.",
+                                           result.notes_left_out));
+  }
+  HtmlRows rows;
+  for (const checks::ReadingNote& note : result.notes) {
+    std::string place =
+        element("code", escaped(note.id), {{"id", "note-" + note.id}}) + "<br>" + cited_prose(note.place);
+    if (!note.claim.empty()) place += "<br>" + element("a", "the statement", {{"href", "#" + note.claim}});
+    rows.push_back({place, cited_prose(note.printed), cited_prose(note.derived), cited_prose(note.evidence)});
+  }
+  if (rows.empty()) return section;
+  section.html +=
+      table_element("Reading notes", {"place", "printed", "derived", "evidence, and the likely origin"}, rows);
+  return section;
+}
+
+Section figures_section(const Supplement& supplement) {
+  Section section{"figures", "Figures", ""};
+  if (!supplement.no_figures.empty()) section.html += block("p", escaped(supplement.no_figures));
+  for (const DrawnFigure& drawn : supplement.figures) section.html += drawing(drawn);
+  return section;
+}
+
+Section tables_section(const std::vector<TextTable>& tables) {
+  Section section{"tables", "Exponents", ""};
+  for (const TextTable& table : tables) section.html += table_html(table);
+  return section;
+}
+
+Section mutants_section(const std::vector<Mutant>& mutants) {
+  Section section{"mutants", "Faults put into the program", ""};
+  if (mutants.empty()) return section;
+  HtmlRows rows;
+  for (const auto& [id, file, change, killer, evidence] : mutants) {
+    rows.push_back({code(id), path(file), cited_prose(change), code(killer), cited_prose(evidence)});
+  }
+  section.html = block("p", fmt::format("Controls change a statement; these changes, {} of them, were made in the "
+                                        "program itself, one at a time, and each was noticed by the executable named, "
+                                        "a test or a part of the checks, with its arguments.",
+                                        mutants.size())) +
+                 table_element(section.title, {"id", "file", "change", "noticed by", "evidence"}, rows);
+  return section;
+}
+
+Section reproduce_section(const VerifyResult& result) {
+  const std::string options = options_again(result.context);
+  const std::string commands = "steadyslide report -o DIR" + options + "\nsteadyslide verify --claim ID" + options +
+                               "\nsteadyslide verify --list\n";
+  return {"reproduce", "How to reproduce this",
+          block("p",
+                "The page again, one statement alone, and the list of all statements. Random parameters follow from "
+                "the seed, so that only the seconds differ:") +
+              block("pre", code(commands), {{"tabindex", "0"}}) +
+              block("p", fmt::format("To cite it: <em>steadyslide</em>, version {}, together with the paper whose "
+                                     "theory it examines, [<a href=\"#ref-Bal16\">Bal16</a>].",
+                                     version))};
+}
+
+}  // namespace steadyslide::app
