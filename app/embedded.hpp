@@ -15,6 +15,9 @@ extern const std::string_view help_verify;
 extern const std::string_view help_figures;
 extern const std::string_view help_report;
 
+// The exponents' tables without their numbers.
+extern const std::string_view exponent_tables_md;
+
 // What the report is made of.
 extern const std::string_view report_css;
 extern const std::string_view report_print_css;

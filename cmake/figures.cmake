@@ -1,11 +1,15 @@
 # cmake -D FOLDER=app/figures/drawings -D OUTPUT=figure_list.cpp -P figures.cmake: the list that app/figures/figures.hpp
-# declares, one figure for each source file; those of the paper's first part come first, then alphabetically.
+# declares, one figure for each function make_NAME() of its sources; those of the paper's first part come first, then alphabetically.
 set(names flat_punch friction_jump_rising friction_jump_falling parabola local_forms)
-file(GLOB sources RELATIVE "${FOLDER}" "${FOLDER}/*.cpp")
+file(GLOB sources "${FOLDER}/*.cpp")
+set(found "")
 foreach(source IN LISTS sources)
-  cmake_path(GET source STEM name)
-  list(APPEND names "${name}")
+  file(STRINGS "${source}" makers REGEX "^Figure make_[a-z_]+\\(\\) {$")
+  list(TRANSFORM makers REPLACE "^Figure make_([a-z_]+).*" "\\1")
+  list(APPEND found ${makers})
 endforeach()
+list(SORT found)
+list(APPEND names ${found})
 list(REMOVE_DUPLICATES names)
 
 set(declarations "")

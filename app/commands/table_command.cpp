@@ -7,7 +7,6 @@
 #include "app/commands/command_line.hpp"
 #include "app/embedded.hpp"
 #include "app/problem_file/list_parser.hpp"
-#include "app/results/exponent_text.hpp"
 #include "app/results/number_format.hpp"
 #include "app/results/rows.hpp"
 #include "model/elasticity.hpp"

@@ -4,6 +4,7 @@
 // Labels, legends and notes are in gnuplot's enhanced text: "{/:Italic t}_n" is an italic t with the index n. Title and
 // name are plain text; captions have formulas between backticks in the notation of claims.
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +17,7 @@ struct Point {
 };
 
 /// No number: a curve is interrupted here.
-extern const Point gap_in_curve;
+inline constexpr Point gap_in_curve{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
 struct Axis {
   std::string label;
@@ -27,7 +28,7 @@ struct Axis {
   bool labelled = true;  ///< numbers at the tics
 };
 
-enum class Look { line, marks, line_and_marks };
+enum class Look { line, marks };
 
 struct Series {
   std::string legend;  ///< empty: none
@@ -36,8 +37,7 @@ struct Series {
   std::vector<Point> points;
 };
 
-/// A place in a panel: in the units of the axes or, where `of_panel_` says so, as a part of the panel's width or
-/// height.
+/// In the units of the axes or, where `of_panel_` says so, as a part of the panel's width or height.
 struct Place {
   double x;
   double y;
@@ -70,17 +70,7 @@ struct HeatMap {
   std::vector<double> contours;
 };
 
-enum class LegendAt {
-  none,
-  top_left,
-  top_centre,
-  top_right,
-  bottom_left,
-  bottom_centre,
-  bottom_right,
-  right_of_centre,
-  below
-};
+enum class LegendAt { none, top_left, top_centre, top_right, right_of_centre, below };
 
 /// Where a panel's axes are, as parts of the figure's width and height.
 struct Frame {
@@ -98,14 +88,16 @@ struct Panel {
   std::optional<HeatMap> map{};
 };
 
-Panel empty_panel(const Frame& frame, const Axis& x, const Axis& y);
-
 struct Figure {
   std::string name;
   std::string title;
   std::string caption;
   int height;  ///< the width is 800
   std::vector<Panel> panels;
+
+  std::string command() const { return "steadyslide figures --figure " + name; }
+  /// The name with _ for -: what the SVG's ids begin with.
+  std::string id_prefix() const;
 };
 
 }  // namespace steadyslide::app

@@ -1,9 +1,10 @@
-#include "app/figures/gnuplot_script.hpp"
+#include "app/figures/gnuplot.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 
 namespace steadyslide::app {
@@ -11,6 +12,8 @@ namespace steadyslide::app {
 namespace {
 
 constexpr int width = 800;
+/// Numbers are written with so many digits: fewer than what two runs could differ in.
+constexpr int figure_digits = 7;
 
 /// Colours of Okabe and Ito, which colour blindness and a grey printer leave apart, each with dashes and a mark of its
 /// own.
@@ -27,11 +30,7 @@ constexpr std::array<Style, 6> styles{{{"#0072b2", "1", 6},
                                        {"#808080", "(2,4)", 2}}};
 
 /// In gnuplot's single quotes.
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
-  return result + "'";
-}
+std::string quoted(const std::string& text) { return "'" + boost::replace_all_copy(text, "'", "''") + "'"; }
 
 std::string number(double value) { return fmt::format("{:.{}g}", value, figure_digits); }
 
@@ -43,28 +42,10 @@ std::string text_of(const Place& place) {
 
 const char* text_of(Align align) { return align == Align::left ? "left" : align == Align::centre ? "center" : "right"; }
 
-const char* text_of(LegendAt place) {
-  switch (place) {
-    case LegendAt::top_left: return "inside top left Left reverse";
-    case LegendAt::top_centre: return "inside top center Left reverse";
-    case LegendAt::top_right: return "inside top right Left reverse";
-    case LegendAt::bottom_left: return "inside bottom left Left reverse";
-    case LegendAt::bottom_centre: return "inside bottom center Left reverse";
-    case LegendAt::bottom_right: return "inside bottom right Left reverse";
-    case LegendAt::right_of_centre: return "at graph 0.56, graph 0.97 left top Left reverse";
-    case LegendAt::below:
-    case LegendAt::none: break;
-  }
-  return "off";
-}
-
 std::string text_of(const Series& series) {
   const Style& style = styles.at(static_cast<std::size_t>(series.style - 1));
-  const std::string line = fmt::format("lc rgb '{}' lw 2 dt {}", style.colour, style.dashes);
-  const std::string mark = fmt::format("pt {} ps 0.7", style.mark);
-  if (series.look == Look::line) return "lines " + line;
-  if (series.look == Look::line_and_marks) return "linespoints " + line + " " + mark;
-  return fmt::format("points lc rgb '{}' lw 1.5 {}", style.colour, mark);
+  return series.look == Look::line ? fmt::format("lines lc rgb '{}' lw 2 dt {}", style.colour, style.dashes)
+                                   : fmt::format("points lc rgb '{}' lw 1.5 pt {} ps 0.7", style.colour, style.mark);
 }
 
 class Script {
@@ -75,7 +56,7 @@ class Script {
     line("set encoding utf8");
     line("set minussign");
     line("set terminal svg size {},{} fixed enhanced font 'Helvetica,15' background 'white' name {} standalone", width,
-         figure_.height, quoted(id_prefix(figure_)));
+         figure_.height, quoted(figure_.id_prefix()));
     line("set multiplot");
     line("set border 15 lw 0.8");
     line("set tics scale 0.7,0.35");
@@ -118,7 +99,7 @@ class Script {
     line("set tmargin at screen {}", number(panel.frame.top));
     axis('x', panel.x);
     axis('y', panel.y);
-    line("set key {} samplen 3.2 spacing 1.15 width 0 font ',14'", legend_place(panel));
+    line("set key {} Left reverse samplen 3.2 spacing 1.15 width 0 font ',14'", legend_place(panel));
     if (panel.legend == LegendAt::none) line("unset key");
     for (const Note& note : panel.notes) {
       line("set label {} at {} {} front font ',14'", quoted(note.text), text_of(note.at), text_of(note.align));
@@ -132,7 +113,7 @@ class Script {
       line("set label {} at screen 0.5, screen {} center font ',16'", quoted(plain(figure_.title)),
            number(1 - 18.0 / figure_.height));
       line("set label {} at screen 0.995, screen {} right font ',10' textcolor rgb '#808080'",
-           quoted(plain(command_of(figure_))), number(9.0 / figure_.height));
+           quoted(plain(figure_.command())), number(9.0 / figure_.height));
     }
     std::vector<std::string> plots;
     if (panel.map) map(*panel.map, k, plots);
@@ -149,9 +130,16 @@ class Script {
   }
 
   std::string legend_place(const Panel& panel) const {
-    if (panel.legend != LegendAt::below) return text_of(panel.legend);
+    switch (panel.legend) {
+      case LegendAt::none: return "off";
+      case LegendAt::top_left: return "inside top left";
+      case LegendAt::top_centre: return "inside top center";
+      case LegendAt::top_right: return "inside top right";
+      case LegendAt::right_of_centre: return "at graph 0.56, graph 0.97 left top";
+      case LegendAt::below: break;
+    }
     // Below the axis's label.
-    return fmt::format("at screen {}, screen {} left top Left reverse", number(panel.frame.left - 0.06),
+    return fmt::format("at screen {}, screen {} left top", number(panel.frame.left - 0.06),
                        number(panel.frame.bottom - 64.0 / figure_.height));
   }
 
@@ -208,14 +196,6 @@ class Script {
 };
 
 }  // namespace
-
-std::string command_of(const Figure& figure) { return "steadyslide figures --figure " + figure.name; }
-
-std::string id_prefix(const Figure& figure) {
-  std::string result = figure.name;
-  std::replace(result.begin(), result.end(), '-', '_');
-  return result;
-}
 
 std::string gnuplot_script(const Figure& figure) { return Script(figure).text(); }
 

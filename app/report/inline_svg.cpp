@@ -1,5 +1,7 @@
 #include "app/report/inline_svg.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include "app/report/html.hpp"
 
 namespace steadyslide::app {
@@ -22,15 +24,6 @@ void remove_elements(std::string& svg, const std::string& tag) {
   }
 }
 
-void insert_after_all(std::string& svg, std::string_view what, std::string_view prefix) {
-  std::size_t at = 0;
-  while ((at = svg.find(what, at)) != std::string::npos) {
-    at += what.size();
-    svg.insert(at, prefix);
-    at += prefix.size();
-  }
-}
-
 }  // namespace
 
 std::string inline_svg(std::string_view svg, std::string_view prefix, std::string_view title) {
@@ -41,7 +34,7 @@ std::string inline_svg(std::string_view svg, std::string_view prefix, std::strin
   for (const char* tag : {"title", "script"}) remove_elements(result, tag);
   const std::string start = std::string(prefix) + "-";
   for (const char* reference : {R"( id=")", " id='", R"(href="#)", "href='#", "url(#"}) {
-    insert_after_all(result, reference, start);
+    boost::replace_all(result, reference, reference + start);
   }
   result.insert(4, R"( role="img" aria-label=")" + escaped(title) + R"(")");
   return result;

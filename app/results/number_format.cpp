@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "symbolic/field/exponent_expression.hpp"
+
 namespace steadyslide::app {
 namespace {
 
@@ -164,6 +166,17 @@ std::string exact_text(const Rational& value) {
   digits.erase(kept);
   if (exponent != 0) digits += "e" + std::to_string(exponent);
   return digits.size() < text.size() ? digits : text;
+}
+
+std::string format_exponent(const Exponent& exponent, int digits) {
+  // Both types hold more digits than they serve.
+  return digits <= 50 ? format_number(numeric::to_real<numeric::Real50>(exponent), digits)
+                      : format_number(numeric::to_real<numeric::Real100>(exponent), digits);
+}
+
+ExponentText exponent_text(const std::optional<Exponent>& exponent, int digits) {
+  if (!exponent) return {"log", "log", "\\log"};
+  return {format_exponent(*exponent, digits), to_string(*exponent), symbolic::latex(*exponent)};
 }
 
 #define STEADYSLIDE_NUMBERS_AS_TEXT(R)                                  \

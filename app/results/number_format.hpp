@@ -2,8 +2,10 @@
 // Numbers as text: N significant digits rounded to nearest, zeros at the end dropped; plain where the decimal exponent
 // lies in [-5, N[, else like 1.5e-30; zero as 0, infinities as inf and -inf, and no text for what is no number.
 
+#include <optional>
 #include <string>
 
+#include "model/exponent.hpp"
 #include "numeric/number/estimate.hpp"
 
 namespace steadyslide::app {
@@ -42,5 +44,18 @@ std::string format_number(const Rational& value, int digits);
 
 /// Exactly the value, in a form that parse_rational reads back: "-0.25", "1/3", "1e-400".
 std::string exact_text(const Rational& value);
+
+/// An exponent as results show it.
+struct ExponentText {
+  std::string value;     ///< all `digits` right: evaluated with guard digits
+  std::string symbolic;  ///< exact, "-1/2 - arctan(3/35)/pi"
+  std::string latex;     ///< exact, for math mode
+};
+
+/// Absent: a logarithm.
+ExponentText exponent_text(const std::optional<Exponent>& exponent, int digits);
+
+/// The value alone.
+std::string format_exponent(const Exponent& exponent, int digits);
 
 }  // namespace steadyslide::app

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/problem_file/problem_file.hpp"
-#include "app/results/exponent_text.hpp"
 #include "app/results/number_format.hpp"
 #include "model/uniqueness.hpp"
 #include "numeric/solution/contact_solution.hpp"

@@ -1,6 +1,8 @@
 #include "app/tables/exponent_tables.hpp"
 
-#include "app/results/exponent_text.hpp"
+#include <algorithm>
+
+#include "app/embedded.hpp"
 #include "app/results/number_format.hpp"
 #include "app/tables/materials.hpp"
 #include "model/singular_point.hpp"
@@ -15,18 +17,29 @@ struct Coatings {
   Rational right;
 };
 
-const std::string bal16 =
-    "[Bal16] P. Ballard, Steady sliding frictional contact problem for a 2d elastic half-space with a discontinuous "
-    "friction coefficient and related stress singularities, Journal of the Mechanics and Physics of Solids 97 (2016) "
-    "225-259.";
-const std::string dun69 =
-    "[Dun69] J. Dundurs, Discussion: Edge-bonded dissimilar orthogonal elastic wedges under normal and shear loading, "
-    "Journal of Applied Mechanics 36 (1969) 650-652.";
-const std::string kl95 =
-    "[KL95] G. W. C. Kaye, T. H. Laby, Tables of Physical and Chemical Constants, 16th edition, Longman, Harlow, 1995, "
-    "section 2.2.2, Elasticities and strengths.";
-const std::string ger01 =
-    "[Ger01] J. M. Gere, Mechanics of Materials, 5th edition, Brooks/Cole, Pacific Grove, 2001, table H-2.";
+/// The tables as exponent_tables.md has them, without rows: a heading, paragraphs, a line of columns, references.
+std::vector<TextTable> empty_tables() {
+  std::vector<TextTable> tables;
+  std::string_view rest = embedded::exponent_tables_md;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find("\n\n"), rest.size() - 1);
+    std::string block(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 2, rest.size()));
+    std::ranges::replace(block, '\n', ' ');
+    if (block.starts_with("## ")) {
+      tables.push_back({block.substr(3), "", {}, {}, {}});
+    } else if (block.starts_with('[')) {
+      tables.back().references.push_back(block);
+    } else if (block.starts_with('|')) {
+      for (std::size_t at = 2; at < block.size(); at = block.find('|', at) + 2) {
+        tables.back().columns.push_back(block.substr(at, block.find(" |", at) - at));
+      }
+    } else {
+      tables.back().note += (tables.back().note.empty() ? "" : "\n") + block;
+    }
+  }
+  return tables;
+}
 
 std::string text(const Exponent& exponent) { return format_exponent(exponent, digits); }
 std::string text(const Rational& value) { return format_number(value, digits); }
@@ -43,20 +56,7 @@ Exponent jump_power(const Rational& gamma, const Coatings& f, bool forward) {
   return forward ? beta : -beta;
 }
 
-TextTable by_poisson() {
-  TextTable table{
-      "Exponents by Poisson's ratio",
-      "A rigid indenter on a half-plane in plane strain, two coatings with `f_-` on the left and `f_+` on the right of "
-      "a "
-      "friction jump. The traction is a power of the distance: `-1/2 - alpha_-` at an edge of the indenter at the left "
-      "end of the contact, `-1/2 + alpha_+` at one at the right end, `1/2 - alpha_-` and `1/2 + alpha_+` where the "
-      "contact ends freely, `alpha_- - alpha_+` at the jump, sliding to `+x`: left is the rear. All numbers are pure.\n"
-      "At edges the traction blows up, at free ends it vanishes, under any friction. Sliding back to `-x`, `alpha` "
-      "changes its sign in every power, so that a jump where the traction blows up becomes one where it vanishes.",
-      {"`nu`", "`f_-`", "`f_+`", "`gamma`", "`alpha_-`", "`alpha_+`", "left edge", "right edge", "left free end",
-       "right free end", "jump", "at the jump, to `+x`", "at the jump, to `-x`"},
-      {},
-      {bal16}};
+void fill_by_poisson(TextTable& table) {
   const std::vector<Coatings> coatings{{0, 1},
                                        {Rational(1, 10), Rational(1, 2)},
                                        {Rational(1, 5), Rational(3, 5)},
@@ -76,22 +76,12 @@ TextTable by_poisson() {
                             behaviour(jump_power(gamma, f, true)), behaviour(jump_power(gamma, f, false))});
     }
   }
-  return table;
 }
 
-TextTable constants() {
-  TextTable table{
-      "Elastic constants of the materials",
-      "Isotropic solids at room temperature. The values of [KL95] are as they are quoted from it; they were "
-      "not compared with the book. In each of its rows `E = 2 mu (1+nu)` within 0.4 percent. Of the ranges in "
-      "[Ger01] one value each: nylon from 2.1 to 3.4 GPa, rubber from 0.0007 to 0.004 GPa and from 0.45 to "
-      "0.50.",
-      {"material", "`E` in GPa", "`nu`", "`mu` in GPa", "source"},
-      {},
-      {kl95, ger01}};
-  for (const Material& m : materials())
-    table.rows.push_back({m.name, m.young, m.poisson, m.shear.value_or("-"), m.source});
-  return table;
+void fill_constants(TextTable& table) {
+  for (const auto& [name, young, poisson, shear, source] : materials()) {
+    table.rows.push_back({name, young, poisson, shear.value_or("-"), source});
+  }
 }
 
 Elasticity elasticity_of(const MaterialPair& pair) {
@@ -99,26 +89,7 @@ Elasticity elasticity_of(const MaterialPair& pair) {
   return pair.indenter ? Elasticity(half_plane, material(*pair.indenter).solid()) : Elasticity(half_plane);
 }
 
-TextTable by_pair() {
-  TextTable table{
-      "Exponents by pairs of materials",
-      "Plane strain; the first material is the half-plane, the second the indenter. `gamma` is Dundurs' second "
-      "constant "
-      "(his `beta`), for a rigid indenter `(1-2nu)/(2(1-nu))`; it is negative where `(1-2nu)/mu` is the larger one of "
-      "the indenter, and everything then turns round with the sense of sliding. Powers of the distance to a free end "
-      "of "
-      "the contact, `1/2 - alpha` on the left and `1/2 + alpha` on the right, sliding to `+x`; sliding to `-x` they "
-      "change places. The traction vanishes there.\n"
-      "The jump lies between a coating with `f = 0.1` on the left and one with `f = 0.5` on the right, too thin to "
-      "change "
-      "the elastic constants. All numbers are pure.\n"
-      "An elastic indenter is a half-plane to its own contact, too: that holds for smooth profiles only, and there are "
-      "no "
-      "edges. Under a rigid one there are; their powers are those of the free ends less 1.",
-      {"half-plane", "indenter", "Dundurs' `alpha`", "`gamma`", "left, `f = 0.2`", "right, `f = 0.2`",
-       "left, `f = 0.5`", "right, `f = 0.5`", "jump, to `+x`", "there", "jump, to `-x`", "there"},
-      {},
-      {bal16, dun69}};
+void fill_by_pair(TextTable& table) {
   const Coatings jump{Rational(1, 10), Rational(1, 2)};
   for (const MaterialPair& pair : material_pairs()) {
     const Elasticity elasticity = elasticity_of(pair);
@@ -136,7 +107,6 @@ TextTable by_pair() {
     }
     table.rows.push_back(std::move(row));
   }
-  return table;
 }
 
 }  // namespace
@@ -151,7 +121,13 @@ Rational dundurs_alpha(const Elasticity& elasticity) {
   return (half_plane - indenter) / (half_plane + indenter);
 }
 
-std::vector<TextTable> exponent_tables() { return {by_poisson(), constants(), by_pair()}; }
+std::vector<TextTable> exponent_tables() {
+  std::vector<TextTable> tables = empty_tables();
+  fill_by_poisson(tables.at(0));
+  fill_constants(tables.at(1));
+  fill_by_pair(tables.at(2));
+  return tables;
+}
 
 std::vector<TableDocument> exponent_documents() {
   const std::string title = "Exponents of the traction";

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
+
+#include "app/results/rows.hpp"
 
 namespace steadyslide::app {
 namespace {
 
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// "-0.25", "1e-06": no word and no formula.
@@ -19,24 +21,9 @@ bool is_number(const std::string& text) {
 
 /// The formulas of these tables: names, with a sign or a digit as subscript, and operators.
 std::string latex_formula(const std::string& formula) {
-  static const std::vector<std::string> greek{"alpha", "beta", "gamma", "nu", "mu", "kappa"};
-  std::string result;
-  for (std::size_t i = 0; i < formula.size();) {
-    if (is_letter(formula[i])) {
-      std::size_t end = i;
-      while (end < formula.size() && is_letter(formula[end])) ++end;
-      const std::string name = formula.substr(i, end - i);
-      const bool known = std::find(greek.begin(), greek.end(), name) != greek.end() || name == "arctan" || name == "pi";
-      result += known ? "\\" + name + " " : name;
-      i = end;
-    } else if (formula[i] == '_' && i + 1 < formula.size()) {
-      result += fmt::format("_{{{}}}", formula[i + 1]);
-      i += 2;
-    } else {
-      result += formula[i++];
-    }
-  }
-  return result;
+  static const std::regex command("(alpha|beta|gamma|nu|mu|kappa|arctan|pi)(?![A-Za-z])");
+  static const std::regex subscript("_(.)");
+  return std::regex_replace(std::regex_replace(formula, command, "\\$1 "), subscript, "_{$1}");
 }
 
 std::string latex_text(const std::string& text) {
@@ -50,8 +37,7 @@ std::string latex_text(const std::string& text) {
       at = end + 1;
       continue;
     }
-    if (std::string("_%&#${}").find(text[at]) != std::string::npos) result += '\\';
-    result += text[at++];
+    result += latex_escaped(text.substr(at++, 1));
   }
   return result;
 }
@@ -61,20 +47,12 @@ std::string without_backticks(std::string text) {
   return text;
 }
 
-std::string quoted(const std::string& cell) {
-  if (cell.find_first_of(",\"\n\r") == std::string::npos) return cell;
-  std::string result = "\"";
-  for (const char c : cell) result += c == '"' ? "\"\"" : std::string(1, c);
-  return result + "\"";
-}
-
 std::string markdown_row(const std::vector<std::string>& cells) {
   return fmt::format("| {} |\n", fmt::join(cells, " | "));
 }
 
 std::string latex_row(const std::vector<std::string>& cells) {
   std::vector<std::string> texts;
-  texts.reserve(cells.size());
   for (const std::string& cell : cells) texts.push_back(latex_text(cell));
   return fmt::format("{} \\\\", fmt::join(texts, " & "));
 }
@@ -108,25 +86,25 @@ std::string markdown_document(const std::string& title, const std::vector<TextTa
 }
 
 std::string latex_document(const std::string& title, const std::vector<TextTable>& tables) {
-  std::string result = fmt::format(
-      "% A document of its own; pdflatex, twice for the widths of the columns.\n"
-      "% To take a table over, copy its longtable (\\usepackage{{longtable}}).\n"
-      "\\documentclass[a4paper]{{article}}\n"
-      "\\usepackage{{longtable}}\n"
-      "\\setlength{{\\paperwidth}}{{297mm}}\n"
-      "\\setlength{{\\paperheight}}{{210mm}}\n"
-      "\\setlength{{\\pdfpagewidth}}{{297mm}}\n"
-      "\\setlength{{\\pdfpageheight}}{{210mm}}\n"
-      "\\setlength{{\\textwidth}}{{277mm}}\n"
-      "\\setlength{{\\textheight}}{{160mm}}\n"
-      "\\setlength{{\\oddsidemargin}}{{-15mm}}\n"
-      "\\setlength{{\\topmargin}}{{-15mm}}\n"
-      "\\setlength{{\\tabcolsep}}{{3pt}}\n"
-      "\\setlength{{\\parindent}}{{0pt}}\n"
-      "\\setlength{{\\parskip}}{{1ex}}\n"
-      "\\begin{{document}}\n"
-      "\\section*{{{}}}\n",
-      latex_text(title));
+  std::string result = fmt::format(R"(% A document of its own; pdflatex, twice for the widths of the columns.
+% To take a table over, copy its longtable (\usepackage{{longtable}}).
+\documentclass[a4paper]{{article}}
+\usepackage{{longtable}}
+\setlength{{\paperwidth}}{{297mm}}
+\setlength{{\paperheight}}{{210mm}}
+\setlength{{\pdfpagewidth}}{{297mm}}
+\setlength{{\pdfpageheight}}{{210mm}}
+\setlength{{\textwidth}}{{277mm}}
+\setlength{{\textheight}}{{160mm}}
+\setlength{{\oddsidemargin}}{{-15mm}}
+\setlength{{\topmargin}}{{-15mm}}
+\setlength{{\tabcolsep}}{{3pt}}
+\setlength{{\parindent}}{{0pt}}
+\setlength{{\parskip}}{{1ex}}
+\begin{{document}}
+\section*{{{}}}
+)",
+                                   latex_text(title));
   for (const TextTable& table : tables) {
     result += fmt::format("\n\\subsection*{{{}}}\n\n", latex_text(table.title)) + paragraphs(table.note, latex_text);
     result += fmt::format("{{\\footnotesize\n\\begin{{longtable}}{{{}}}\n", std::string(table.columns.size(), 'l'));
@@ -143,8 +121,9 @@ std::string csv_document(const std::vector<TextTable>& tables) {
   for (const TextTable& table : tables) {
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
       for (std::size_t k = 0; k < table.columns.size(); ++k) {
-        result += fmt::format("{},{},{},{}\n", quoted(without_backticks(table.title)), i + 1,
-                              quoted(without_backticks(table.columns[k])), quoted(without_backticks(table.rows[i][k])));
+        result +=
+            fmt::format("{},{},{},{}\n", csv_field(without_backticks(table.title)), i + 1,
+                        csv_field(without_backticks(table.columns[k])), csv_field(without_backticks(table.rows[i][k])));
       }
     }
   }

@@ -52,8 +52,9 @@ Panel merging_zones(const Elasticity& body) {
   const ContactProblem bumps{body, FrictionProfile({Rational(1, 10), Rational(7, 10)}, {0}),
                              Indenter(-2, {{2, Polynomial({Rational(1, 4), 0, Rational(-1, 2), 0, Rational(1, 4)})}}),
                              1};
-  Panel panel = empty_panel({0.59, 0.985, 0.175, 0.9}, {"load {/:Italic P}  ({/:Italic E L})", 0, 1.2, false, 0.2},
-                            {"ends of contact {/:Italic x} / {/:Italic L}", -2, 2.6, false, 1});
+  Panel panel{{0.59, 0.985, 0.175, 0.9},
+              {"load {/:Italic P}  ({/:Italic E L})", 0, 1.2, false, 0.2},
+              {"ends of contact {/:Italic x} / {/:Italic L}", -2, 2.6, false, 1}};
   std::vector<Solution> solutions = load_steps(bumps, Rational(6, 5), 100);
   const auto one = std::ranges::find_if(solutions, [](const Solution& s) { return s->contact().size() == 1; });
   if (one == solutions.begin() || one == solutions.end()) throw std::runtime_error("the contact zones do not meet");
@@ -86,8 +87,9 @@ Panel growing_zone(const Elasticity& body) {
   const Rational jump(3, 20);
   const Rational low(1, 10);
   const Rational high(2);
-  Panel panel = empty_panel({0.09, 0.485, 0.175, 0.9}, {"load {/:Italic P}  ({/:Italic E L})", 0, 0.15, false, 0.05},
-                            {"ends of contact {/:Italic x} / {/:Italic L}", -0.6, 0.6, false, 0.2});
+  Panel panel{{0.09, 0.485, 0.175, 0.9},
+              {"load {/:Italic P}  ({/:Italic E L})", 0, 0.15, false, 0.05},
+              {"ends of contact {/:Italic x} / {/:Italic L}", -0.6, 0.6, false, 0.2}};
   int style = 0;
   for (const auto& [left, right] : {std::pair(low, high), std::pair(high, low)}) {
     const ContactProblem problem{body, FrictionProfile({left, right}, {jump}),

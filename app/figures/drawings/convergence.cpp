@@ -69,8 +69,9 @@ void add(Panel& panel, const std::string& name, const std::string& legend, Resul
 }  // namespace
 
 Figure make_convergence() {
-  Panel cells = empty_panel({0.1, 0.485, 0.33, 0.915}, {"cells {/:Italic N}", 40, 6500, true},
-                            {"error of a resultant  (1; places: {/:Italic L})", 1e-8, 0.1, true});
+  Panel cells{{0.1, 0.485, 0.33, 0.915},
+              {"cells {/:Italic N}", 40, 6500, true},
+              {"error of a resultant  (1; places: {/:Italic L})", 1e-8, 0.1, true}};
   cells.legend = LegendAt::below;
   add(cells, "jump-down", "friction jump, edges", &Resultants::effective_friction, 2);
   add(cells, "step", "step", &Resultants::centre_of_pressure, 1);
@@ -80,8 +81,9 @@ Figure make_convergence() {
   const auto solution = std::dynamic_pointer_cast<const numeric::RiemannHilbertSolution<R>>(
       numeric::riemann_hilbert<R>(case_named("wedge-and-jump").problem).solution);
   if (!solution || !solution->shortcoming().empty()) throw std::runtime_error("a figure's problem is not solved");
-  Panel rules = empty_panel({0.6, 0.975, 0.33, 0.915}, {"nodes {/:Italic n} of a rule", 0, 35, false, 5},
-                            {"relative error of an equation", 1e-52, 1, true});
+  Panel rules{{0.6, 0.975, 0.33, 0.915},
+              {"nodes {/:Italic n} of a rule", 0, 35, false, 5},
+              {"relative error of an equation", 1e-52, 1, true}};
   Series condition{"moment ∫ {/:Italic h} = 0", Look::marks, 1, {}};
   Series load{"load ∫ {/:Italic xh} = −{/:Italic cP}", Look::marks, 2, {}};
   for (int n = 1; n <= 33; n += 2) {

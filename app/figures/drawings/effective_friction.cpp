@@ -47,8 +47,8 @@ Figure make_effective_friction() {
   const auto moved = [&](const Rational& t, Sliding sliding) {
     return flat_punch(nu, {low, high}, {place(t)}, sliding);
   };
-  Panel by_place = empty_panel({0.085, 0.49, 0.175, 0.9},
-                               {"place of the jump {/:Italic c} / {/:Italic L}", -1, 1, false, 0.5}, friction);
+  Panel by_place{
+      {0.085, 0.49, 0.175, 0.9}, {"place of the jump {/:Italic c} / {/:Italic L}", -1, 1, false, 0.5}, friction};
   by_place.legend = LegendAt::none;
   by_place.series = curves(place, moved);
   Series mean{"plain mean", Look::line, 3, {}};
@@ -64,9 +64,9 @@ Figure make_effective_friction() {
   const auto rougher = [&](const Rational& t, Sliding sliding) {
     return flat_punch(nu, {low, value(t)}, {0}, sliding);
   };
-  Panel by_value =
-      empty_panel({0.585, 0.985, 0.175, 0.9}, {"friction of the right coating {/:Italic f}", 0, 3, false, 0.5},
-                  {"effective friction {/:Italic T}/{/:Italic P}", 0, 2, false, 0.5});
+  Panel by_value{{0.585, 0.985, 0.175, 0.9},
+                 {"friction of the right coating {/:Italic f}", 0, 3, false, 0.5},
+                 {"effective friction {/:Italic T}/{/:Italic P}", 0, 2, false, 0.5}};
   by_value.legend = LegendAt::top_left;
   by_value.series = curves(value, rougher);
   mean.points.clear();

@@ -108,12 +108,12 @@ Figure make_local_forms() {
        Indenter(-1, {{0, Polynomial({0, -slope, Rational(1, 2)})}, {1, Polynomial({0, slope, Rational(1, 2)})}}), 1});
 
   const Axis distance{"distance {/:Italic d} / {/:Italic L}", 1e-5, 0.3, true};
-  Panel strong =
-      empty_panel({0.095, 0.49, 0.34, 0.92}, distance,
-                  {"pressure −{/:Italic t}_n  ({/:Italic P}/{/:Italic L}; wedge: {/:Italic E})", 0.1, 1000, true});
-  Panel weak =
-      empty_panel({0.59, 0.985, 0.34, 0.92}, distance,
-                  {"pressure −{/:Italic t}_n  ({/:Italic E}; jump: {/:Italic P}/{/:Italic L})", 1e-4, 1, true});
+  Panel strong{{0.095, 0.49, 0.34, 0.92},
+               distance,
+               {"pressure −{/:Italic t}_n  ({/:Italic P}/{/:Italic L}; wedge: {/:Italic E})", 0.1, 1000, true}};
+  Panel weak{{0.59, 0.985, 0.34, 0.92},
+             distance,
+             {"pressure −{/:Italic t}_n  ({/:Italic E}; jump: {/:Italic P}/{/:Italic L})", 1e-4, 1, true}};
   strong.legend = LegendAt::below;
   weak.legend = LegendAt::below;
   add(strong, "edge, rear", punch, {0, Side::right}, 1);

@@ -38,14 +38,13 @@ Figure make_parabola() {
   }
 
   const Axis across{"{/:Italic x} / {/:Italic a}", -2, 2, false, 0.5};
-  Panel above =
-      empty_panel({0.1, 0.98, 0.56, 0.93}, across, {"height  ({/:Italic a}^2/{/:Italic R})", -0.2, 2, false, 0.5});
+  Panel above{{0.1, 0.98, 0.56, 0.93}, across, {"height  ({/:Italic a}^2/{/:Italic R})", -0.2, 2, false, 0.5}};
   above.series = {profile, surface};
   above.legend = LegendAt::top_centre;
   above.x.label = "";
   above.x.labelled = false;
-  Panel below = empty_panel({0.1, 0.98, 0.115, 0.52}, across,
-                            {"pressure −{/:Italic t}_n  ({/:Italic P}/{/:Italic a})", 0, 0.8, false, 0.2});
+  Panel below{
+      {0.1, 0.98, 0.115, 0.52}, across, {"pressure −{/:Italic t}_n  ({/:Italic P}/{/:Italic a})", 0, 0.8, false, 0.2}};
   below.series = {pressure, cells};
   below.legend = LegendAt::top_right;
   const double peak = -4 * alpha;

@@ -67,9 +67,9 @@ Figure make_stress_map() {
       map.values.push_back(stress.von_mises()->value);
     }
   }
-  Panel panel =
-      empty_panel({0.085, 0.86, 0.15, 0.85}, {"{/:Italic x} / {/:Italic L}", -half_width, half_width, false, 0.5},
-                  {"depth {/:Italic z} / {/:Italic L}", depth, 0, false, 0.5});
+  Panel panel{{0.085, 0.86, 0.15, 0.85},
+              {"{/:Italic x} / {/:Italic L}", -half_width, half_width, false, 0.5},
+              {"depth {/:Italic z} / {/:Italic L}", depth, 0, false, 0.5}};
   panel.legend = LegendAt::none;
   panel.map = std::move(map);
   panel.notes = {{{-0.5, 1.035, false, true}, "{/:Italic f} = 0.1", Align::centre},
