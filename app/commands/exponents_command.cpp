@@ -15,9 +15,6 @@
 namespace steadyslide::app {
 namespace {
 
-constexpr std::initializer_list<Format> formats{Format::text, Format::json, Format::csv, Format::markdown,
-                                                Format::latex};
-
 /// Every further jump of its own height may double the field in which the closed form is decided.
 constexpr std::size_t most_jumps_of_closed_form = 8;
 
@@ -55,7 +52,7 @@ void write_exponents(const ContactProblem& problem, const CommonOptions& options
 }
 
 ExitCode run(const Given& given) {
-  const CommonOptions options = given.common(16, formats);
+  const CommonOptions options = given.common(16, all_formats);
   const bool derivation = given.has("--derivation");
   if (derivation && options.format != Format::text && options.format != Format::latex) {
     throw bad_command_line("--derivation: wrong format", "a derivation is text or latex", format_name(options.format));
@@ -77,7 +74,7 @@ Command exponents_command() {
   return {"exponents", std::string(embedded::help_exponents).append(embedded::help_problem),
           with_common({problem_argument(),
                        {"--derivation", "", "How they are derived, step by step: text or latex", Option::Kind::flag}},
-                      "Significant digits, 1 to 100; default 16", formats),
+                      "Significant digits, 1 to 100; default 16", all_formats),
           run};
 }
 

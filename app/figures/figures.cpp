@@ -56,7 +56,8 @@ std::string finished_svg(const std::string& svg, const Figure& figure) {
   boost::replace_all(result, "<svg \n", "<svg xml:space=\"preserve\"\n");
   set_element(result, "title", escaped(figure.title));
   set_element(result, "desc", escaped(figure.caption + " Made by: " + figure.command()));
-  boost::replace_all(result, "font-family=\"Helvetica\"", "font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\"");
+  boost::replace_all(result, "font-family=\"Helvetica\"",
+                     "font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\"");
   return result;
 }
 

@@ -126,11 +126,6 @@ std::size_t line_of(const toml::node& node, std::size_t line) {
   return node.source().begin.line != 0 ? node.source().begin.line : line;
 }
 
-std::string shortest(double value) {
-  std::array<char, 400> buffer;
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
-}
-
 Value converted(const toml::node& node, std::size_t enclosing_line) {
   Value value;
   value.line = line_of(node, enclosing_line);
@@ -154,7 +149,7 @@ Value converted(const toml::node& node, std::size_t enclosing_line) {
     value.text = std::to_string(integer->get());
   } else if (const auto* decimal = node.as_floating_point()) {
     value.kind = Value::Kind::decimal;
-    value.text = shortest(decimal->get());
+    value.text = fmt::format("{}", decimal->get());
   } else {
     value.kind = node.is_boolean() ? Value::Kind::boolean : Value::Kind::date;
   }
@@ -169,16 +164,9 @@ const Value* Value::find(std::string_view key) const {
 }
 
 const char* name_of(Value::Kind kind) {
-  switch (kind) {
-    case Value::Kind::text: return "a string";
-    case Value::Kind::integer: return "an integer";
-    case Value::Kind::decimal: return "a decimal number";
-    case Value::Kind::boolean: return "a boolean";
-    case Value::Kind::date: return "a date or time";
-    case Value::Kind::list: return "an array";
-    case Value::Kind::table: return "a table";
-  }
-  return "";
+  constexpr std::array names{"a string",       "an integer", "a decimal number", "a boolean",
+                             "a date or time", "an array",   "a table"};
+  return names.at(static_cast<std::size_t>(kind));
 }
 
 Value parse_document(std::string_view text, const std::string& name) {

@@ -51,9 +51,9 @@ std::string details(const std::vector<const Kind*>& pieces) {
   return html;
 }
 
-std::string identities(const std::vector<const checks::ExactIdentity*>& pieces) {
+std::string identities(const checks::Report& report) {
   std::string html;
-  for (const checks::ExactIdentity* piece : pieces) {
+  for (const auto* piece : all_of<checks::ExactIdentity>(report)) {
     const bool whole = piece->covers == checks::ExactIdentity::Covers::claim;
     html += heading(whole ? "Exact identities, which establish the statement"
                           : "Exact identities, for a part of the statement or the cases examined");
@@ -65,10 +65,11 @@ std::string identities(const std::vector<const checks::ExactIdentity*>& pieces) 
   return html;
 }
 
-std::string agreements(const std::vector<const checks::Agreement*>& pieces) {
+std::string agreements(const checks::Report& report) {
+  const auto pieces = all_of<checks::Agreement>(report);
   if (pieces.empty()) return "";
   HtmlRows rows;
-  for (const checks::Agreement* a : pieces) {
+  for (const auto* a : pieces) {
     std::string routes;
     for (const std::string& route : a->routes) {
       routes += (routes.empty() ? "" : "<span class=\"against\">against</span> ") + prose(route) + " ";
@@ -83,10 +84,11 @@ std::string agreements(const std::vector<const checks::Agreement*>& pieces) {
          details(pieces);
 }
 
-std::string rates(const std::vector<const checks::ConvergenceRate*>& pieces) {
+std::string rates(const checks::Report& report) {
+  const auto pieces = all_of<checks::ConvergenceRate>(report);
   if (pieces.empty()) return "";
   HtmlRows rows;
-  for (const checks::ConvergenceRate* r : pieces) {
+  for (const auto* r : pieces) {
     rows.push_back({prose(r->what), fmt::format("{:.3g} ± {:.2g}", r->measured, r->error_bar),
                     fmt::format("{:.3g} ± {:.2g}", r->expected, r->tolerance)});
   }
@@ -95,16 +97,15 @@ std::string rates(const std::vector<const checks::ConvergenceRate*>& pieces) {
          details(pieces);
 }
 
-std::string counterexamples(const std::vector<const checks::Counterexample*>& pieces) {
+std::string counterexamples(const checks::Report& report) {
   std::vector<std::string> items;
-  for (const checks::Counterexample* c : pieces) items.push_back(prose(c->detail + " at " + c->where));
+  for (const auto* c : all_of<checks::Counterexample>(report)) items.push_back(prose(c->detail + " at " + c->where));
   return list(items, heading("Counterexample"));
 }
 
-std::string beyond(const std::vector<const checks::BeyondCalculation*>& pieces,
-                   std::span<const checks::Report> reports) {
+std::string beyond(const checks::Report& report, std::span<const checks::Report> reports) {
   std::string html;
-  for (const checks::BeyondCalculation* b : pieces) {
+  for (const auto* b : all_of<checks::BeyondCalculation>(report)) {
     html += heading("Beyond calculation") + paragraph(b->reason);
     std::vector<std::string> items;
     for (const std::string& id : b->consequences) {
@@ -131,10 +132,8 @@ std::string badge(checks::Verdict verdict) {
 }
 
 std::string evidence_html(const checks::Report& report, std::span<const checks::Report> reports) {
-  std::string html = counterexamples(all_of<checks::Counterexample>(report)) +
-                     identities(all_of<checks::ExactIdentity>(report)) + agreements(all_of<checks::Agreement>(report)) +
-                     rates(all_of<checks::ConvergenceRate>(report)) +
-                     beyond(all_of<checks::BeyondCalculation>(report), reports);
+  std::string html =
+      counterexamples(report) + identities(report) + agreements(report) + rates(report) + beyond(report, reports);
   if (!report.note.empty()) html += block("p", prose(report.note), {{"class", "note"}});
   return html;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace steadyslide::app {
 namespace {
@@ -17,12 +18,6 @@ std::string identifier(std::string_view glyph, bool upright = false) {
 bool is_letter_name(std::string_view name) {
   const auto symbol = math_name(name);
   return symbol ? symbol->role == MathRole::operand && !symbol->upright : name.size() == 1;
-}
-
-std::string joined(const std::vector<std::string>& parts) {
-  std::string xml;
-  for (const std::string& part : parts) xml += part;
-  return xml;
 }
 
 std::string bracket(std::string_view sign, bool opens, bool stretches) {
@@ -101,13 +96,11 @@ MathItem group_item(std::string_view open, MathRow row, std::string_view close) 
 }
 
 MathItem scripted(MathItem base, const Scripts& scripts) {
-  const std::string primes = scripts.primes == 0
-                                 ? ""
-                                 : fmt::format(R"(<mo lspace="0" rspace="0">{}</mo>)", scripts.primes == 1   ? "′"
-                                                                                       : scripts.primes == 2 ? "″"
-                                                                                                             : "‴");
-  const std::string sub = joined(scripts.sub);
-  const std::string sup = primes + joined(scripts.sup);
+  constexpr std::array marks{"", "′", "″", "‴"};
+  const std::string mark = marks.at(std::min(scripts.primes, marks.size() - 1));
+  const std::string primes = mark.empty() ? "" : fmt::format(R"(<mo lspace="0" rspace="0">{}</mo>)", mark);
+  const std::string sub = fmt::format("{}", fmt::join(scripts.sub, ""));
+  const std::string sup = fmt::format("{}{}", primes, fmt::join(scripts.sup, ""));
   if (sub.empty()) {
     base.xml = math_element("msup", {base.xml, sup});
   } else if (sup.empty()) {

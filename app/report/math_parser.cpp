@@ -1,4 +1,12 @@
-#include "app/report/math_parser.hpp"
+// A formula in the ASCII notation of docs/notation.md, read.
+//
+//   row     = { operand | sign | a "/" b }
+//   operand = (number | name | "(" row ")" | "[" row "[" | "|" row "|" | "<<" row ">>" | "sqrt" operand) scripts
+//   scripts = { "_" script | "^" script | "'" }
+//   script  = "{" row "}" | [sign] (number | name | "(" row ")") | sign
+//
+// A fraction is stacked where nothing around it is small already, and has all the factors before the solidus above the
+// bar: a b/c is the same number either way.
 
 #include <fmt/format.h>
 
@@ -6,7 +14,6 @@
 #include <string>
 
 #include "app/report/math_leaves.hpp"
-#include "app/report/math_tokens.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/report/html.hpp"
-#include "app/report/math_parser.hpp"
+#include "app/report/math_row.hpp"
 
 namespace steadyslide::app {
 

@@ -1,6 +1,10 @@
 #include "app/report/references.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <regex>
 #include <vector>
 
 #include "app/embedded.hpp"
@@ -34,34 +38,19 @@ std::vector<Reference> references(std::string_view markdown) {
   return found;
 }
 
+/// Emphasis and links.
 std::string inline_markdown(std::string_view text) {
-  std::string html;
-  bool emphasis = false;
-  while (!text.empty()) {
-    const std::size_t at = std::min(text.find_first_of("*["), text.size());
-    html += escaped(text.substr(0, at));
-    text.remove_prefix(at);
-    if (text.empty()) break;
-    const std::size_t middle = text.find("](");
-    const std::size_t end = text.find(')', std::min(middle, text.size()));
-    if (text.front() == '*') {
-      emphasis = !emphasis;
-      html += emphasis ? "<em>" : "</em>";
-      text.remove_prefix(1);
-    } else if (end == std::string_view::npos) {
-      html += "[";
-      text.remove_prefix(1);
-    } else {
-      html += element("a", escaped(text.substr(1, middle - 1)), {{"href", text.substr(middle + 2, end - middle - 2)}});
-      text.remove_prefix(end + 1);
-    }
-  }
-  return emphasis ? html + "</em>" : html;
+  static const std::regex link(R"(\[([^\]]*)\]\(([^)]*)\))");
+  static const std::regex emphasis(R"(\*([^*]*)\*)");
+  const std::string linked = std::regex_replace(escaped(text), link, R"(<a href="$2">$1</a>)");
+  return std::regex_replace(linked, emphasis, "<em>$1</em>");
 }
 
-const std::vector<Reference>& known() {
-  static const std::vector<Reference> all = references(embedded::references_md);
-  return all;
+/// "[Key" where a comma or a bracket follows, for the keys of the list.
+std::regex citation() {
+  std::vector<std::string> keys;
+  for (const Reference& r : references(embedded::references_md)) keys.push_back(r.key);
+  return std::regex(fmt::format(R"(\[({})(?=[,\]]))", fmt::join(keys, "|")));
 }
 
 }  // namespace
@@ -77,19 +66,8 @@ std::string references_list(std::string_view markdown) {
 Section references_section() { return {"references", "References", references_list(embedded::references_md)}; }
 
 std::string cited_prose(std::string_view text) {
-  std::string html = prose(text);
-  for (const Reference& r : known()) {
-    const std::string link = "[" + element("a", escaped(r.key), {{"href", "#ref-" + r.key}});
-    const std::string plain = "[" + r.key;
-    std::size_t at = 0;
-    while ((at = html.find(plain, at)) != std::string::npos) {
-      const char next = at + plain.size() < html.size() ? html[at + plain.size()] : ' ';
-      const bool cited = next == ',' || next == ']';
-      if (cited) html.replace(at, plain.size(), link);
-      at += cited ? link.size() : plain.size();
-    }
-  }
-  return html;
+  static const std::regex known = citation();
+  return std::regex_replace(prose(text), known, R"([<a href="#ref-$1">$1</a>)");
 }
 
 }  // namespace steadyslide::app

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include "app/embedded.hpp"
 #include "app/report/evidence_html.hpp"
-#include "app/report/inline_svg.hpp"
 #include "app/report/mathml.hpp"
 #include "app/version.hpp"
 #include "proofs_checks/statements/paper_statements.hpp"
@@ -54,7 +55,73 @@ std::string path(std::string_view file) {
   return element("code", html);
 }
 
+/// Takes one line off the front.
+std::vector<std::string> take_line(std::string_view& csv) {
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  while (!csv.empty()) {
+    const char c = csv.front();
+    csv.remove_prefix(1);
+    if (quoted && c == '"' && csv.starts_with('"')) {
+      fields.back() += '"';
+      csv.remove_prefix(1);
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (!quoted && c == ',') {
+      fields.emplace_back();
+    } else if (!quoted && c == '\n') {
+      break;
+    } else if (c != '\r') {
+      fields.back() += c;
+    }
+  }
+  return fields;
+}
+
+void remove_elements(std::string& svg, const std::string& tag) {
+  const std::string closing = "</" + tag + ">";
+  std::size_t at = 0;
+  while ((at = svg.find("<" + tag, at)) != std::string::npos) {
+    const std::size_t after = at + 1 + tag.size();
+    if (after < svg.size() && svg[after] != '>' && svg[after] != ' ' && svg[after] != '\n' && svg[after] != '/') {
+      at = after;
+      continue;
+    }
+    const std::size_t bracket = svg.find('>', at);
+    const bool empty = bracket != std::string::npos && svg[bracket - 1] == '/';
+    const std::size_t end = empty ? bracket : svg.find(closing, at);
+    const std::size_t length = empty ? 1 : closing.size();
+    svg.erase(at, end == std::string::npos ? std::string::npos : end + length - at);
+  }
+}
+
 }  // namespace
+
+std::vector<Mutant> read_mutants(std::string_view csv) {
+  std::vector<Mutant> mutants;
+  take_line(csv);
+  while (!csv.empty()) {
+    std::vector<std::string> fields = take_line(csv);
+    if (fields.size() == 1 && fields.front().empty()) continue;
+    fields.resize(5);
+    mutants.push_back({fields[0], fields[1], fields[2], fields[3], fields[4]});
+  }
+  return mutants;
+}
+
+std::string inline_svg(std::string_view svg, std::string_view prefix, std::string_view title) {
+  const std::size_t begin = svg.find("<svg");
+  const std::size_t end = svg.rfind("</svg>");
+  if (begin == std::string_view::npos || end == std::string_view::npos || end < begin) return "";
+  std::string result(svg.substr(begin, end + 6 - begin));
+  for (const char* tag : {"title", "script"}) remove_elements(result, tag);
+  const std::string start = std::string(prefix) + "-";
+  for (const char* reference : {R"( id=")", " id='", R"(href="#)", "href='#", "url(#"}) {
+    boost::replace_all(result, reference, reference + start);
+  }
+  result.insert(4, R"( role="img" aria-label=")" + escaped(title) + R"(")");
+  return result;
+}
 
 std::string options_again(const checks::Context& context) {
   return fmt::format(" --digits {} --seed {}{}", static_cast<int>(context.digits), context.seed,

@@ -22,4 +22,8 @@ Section reproduce_section(const VerifyResult& result);
 /// The options that repeat a run.
 std::string options_again(const proofs_checks::Context& context);
 
+/// The <svg> element alone. Several drawings share one page, so that every id and every reference to one begins with
+/// `prefix`. The drawing's own title, which a browser would show as a hint, gives way to `title`. Scripts are left out.
+std::string inline_svg(std::string_view svg, std::string_view prefix, std::string_view title);
+
 }  // namespace steadyslide::app

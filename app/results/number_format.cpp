@@ -27,20 +27,16 @@ Scientific parts(const std::string& text) {
   return result;
 }
 
-Scientific scientific(double value, int digits) {
+/// `precision`: none for as many digits as give the double back, else digits - 1.
+template <class... Precision>
+Scientific scientific_text(double value, Precision... precision) {
   std::array<char, 160> buffer;
-  const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific, digits - 1).ptr;
-  return parts({buffer.data(), end});
+  char* const end = buffer.data() + buffer.size();
+  return parts(
+      {buffer.data(), std::to_chars(buffer.data(), end, value, std::chars_format::scientific, precision...).ptr});
 }
 
-/// As many digits as give the double back.
-Scientific shortest(double value) {
-  std::array<char, 32> buffer;
-  const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific).ptr;
-  return parts({buffer.data(), end});
-}
+Scientific scientific(double value, int digits) { return scientific_text(value, digits - 1); }
 
 template <numeric::Real R>
 Scientific scientific(const R& value, int digits) {
@@ -119,7 +115,7 @@ std::string full_number(const R& value, int digits) {
   const auto nearest = static_cast<double>(value);
   // Below the normal doubles there are fewer bits than digits, unless the value is a double itself.
   const bool stands_for_it = std::isnormal(nearest) || (nearest != 0 && value == R(nearest));
-  return digits == 16 && stands_for_it && std::isfinite(nearest) ? lay_out(shortest(nearest), digits)
+  return digits == 16 && stands_for_it && std::isfinite(nearest) ? lay_out(scientific_text(nearest), digits)
                                                                  : format_number(value, digits);
 }
 

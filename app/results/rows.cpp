@@ -21,8 +21,9 @@ std::string joined(const TextCell& cell) {
 /// Aligned: all rows are kept until the widths are known.
 class TextRows final : public RowWriter {
  public:
-  TextRows(const std::vector<Column>& columns, Output& output) : output_(output), widths_(columns.size()) {
-    for (const Column& column : columns) add(column.name);
+  TextRows(std::vector<Column> columns, Output& output)
+      : RowWriter(std::move(columns), output), widths_(columns_.size()) {
+    for (const Column& column : columns_) add(column.name);
   }
 
   void row(const std::vector<TextCell>& cells) override {
@@ -49,7 +50,6 @@ class TextRows final : public RowWriter {
     ends_.push_back(text_.size());
   }
 
-  Output& output_;
   std::vector<std::size_t> widths_;
   std::string text_;               // all cells, one after the other
   std::vector<std::size_t> ends_;  // where each ends
@@ -58,7 +58,7 @@ class TextRows final : public RowWriter {
 /// An array of objects, the columns' names as keys; an empty text is null.
 class JsonRows final : public RowWriter {
  public:
-  JsonRows(std::vector<Column> columns, Output& output) : columns_(std::move(columns)), output_(output) {}
+  using RowWriter::RowWriter;
 
   void row(const std::vector<TextCell>& cells) override {
     Json object;
@@ -73,17 +73,15 @@ class JsonRows final : public RowWriter {
   void end() override { output_.write(first_ ? "[]\n" : "\n]\n"); }
 
  private:
-  std::vector<Column> columns_;
-  Output& output_;
   bool first_ = true;
 };
 
 /// RFC 4180, with line feeds.
 class CsvRows final : public RowWriter {
  public:
-  CsvRows(const std::vector<Column>& columns, Output& output) : output_(output) {
+  CsvRows(std::vector<Column> columns, Output& output) : RowWriter(std::move(columns), output) {
     std::vector<TextCell> header;
-    for (const Column& column : columns) header.emplace_back(column.name);
+    for (const Column& column : columns_) header.emplace_back(column.name);
     row(header);
   }
 
@@ -93,14 +91,11 @@ class CsvRows final : public RowWriter {
     line.back() = '\n';
     output_.write(line);
   }
-
- private:
-  Output& output_;
 };
 
 class MarkdownRows final : public RowWriter {
  public:
-  MarkdownRows(std::vector<Column> columns, Output& output) : columns_(std::move(columns)), output_(output) {
+  MarkdownRows(std::vector<Column> columns, Output& output) : RowWriter(std::move(columns), output) {
     std::string header = "|";
     std::string rule = "|";
     for (const Column& column : columns_) {
@@ -118,10 +113,6 @@ class MarkdownRows final : public RowWriter {
     }
     output_.write(line + "\n");
   }
-
- private:
-  std::vector<Column> columns_;
-  Output& output_;
 };
 
 /// "1.5e-30" as 1.5 \cdot 10^{-30}, any other number as it is; empty if the text is no number.
@@ -135,7 +126,7 @@ std::string number_for_math_mode(const std::string& text) {
 /// The page is made as wide as the table: the columns are measured by their longest cell.
 class LatexRows final : public RowWriter {
  public:
-  LatexRows(std::vector<Column> columns, Output& output) : columns_(std::move(columns)), output_(output) {
+  LatexRows(std::vector<Column> columns, Output& output) : RowWriter(std::move(columns), output) {
     for (const Column& column : columns_) longest_.push_back(column.name.size());
   }
 
@@ -182,22 +173,17 @@ class LatexRows final : public RowWriter {
   }
 
  private:
-  std::vector<Column> columns_;
-  Output& output_;
   std::vector<std::size_t> longest_;
   std::string body_;
 };
 
-std::unique_ptr<RowWriter> make_writer(Format format, std::vector<Column> columns, Output& output) {
-  switch (format) {
-    case Format::text: return std::make_unique<TextRows>(columns, output);
-    case Format::json: return std::make_unique<JsonRows>(std::move(columns), output);
-    case Format::csv: return std::make_unique<CsvRows>(columns, output);
-    case Format::markdown: return std::make_unique<MarkdownRows>(std::move(columns), output);
-    case Format::latex: return std::make_unique<LatexRows>(std::move(columns), output);
-  }
-  return nullptr;
+template <class Writer>
+std::unique_ptr<RowWriter> make(std::vector<Column> columns, Output& output) {
+  return std::make_unique<Writer>(std::move(columns), output);
 }
+
+/// In the order of Format.
+constexpr std::array writers{make<TextRows>, make<JsonRows>, make<CsvRows>, make<MarkdownRows>, make<LatexRows>};
 
 /// A cell's words, or this text of its number, or of each of its numbers.
 TextCell texts(const Cell& cell, std::string NumberText::*text) {
@@ -221,7 +207,7 @@ Rows::Rows(Format format, const std::vector<Column>& columns, Output& output) : 
   for (const Column& column : columns) {
     if (column.holds == Holds::numbers && for_files()) all.push_back({column.name + "_error"});
   }
-  writer_ = make_writer(format, std::move(all), output);
+  writer_ = writers.at(static_cast<std::size_t>(format))(std::move(all), output);
 }
 
 void Rows::row(const std::vector<Cell>& cells) {

@@ -3,6 +3,7 @@
 // that compiles as it is. Of numbers with an error a text shows the digits that the error supports; CSV and JSON have
 // all digits and, after the other columns, one column NAME_error for each of these.
 
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -15,6 +16,8 @@
 namespace steadyslide::app {
 
 enum class Format { text, json, csv, markdown, latex };
+inline constexpr std::initializer_list<Format> all_formats{Format::text, Format::json, Format::csv, Format::markdown,
+                                                           Format::latex};
 /// "text", "json", ...
 std::string_view format_name(Format format);
 
@@ -33,10 +36,15 @@ using Cell = std::variant<std::string, std::vector<std::string>, NumberText, std
 /// Rows of texts in one format.
 class RowWriter {
  public:
+  RowWriter(std::vector<Column> columns, Output& output) : columns_(std::move(columns)), output_(output) {}
   virtual ~RowWriter() = default;
 
   virtual void row(const std::vector<TextCell>& cells) = 0;
   virtual void end() {}
+
+ protected:
+  std::vector<Column> columns_;
+  Output& output_;
 };
 
 class Rows {

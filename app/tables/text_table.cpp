@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <cctype>
 #include <regex>
 
@@ -58,24 +59,16 @@ std::string latex_row(const std::vector<std::string>& cells) {
 }
 
 /// Paragraphs apart, a note is one on each line.
-std::string paragraphs(const std::string& note, std::string (*text)(const std::string&)) {
-  std::string result;
-  for (std::size_t at = 0; at < note.size();) {
-    const std::size_t end = std::min(note.find('\n', at), note.size());
-    result += text(note.substr(at, end - at)) + "\n\n";
-    at = end + 1;
-  }
-  return result;
+std::string paragraphs(const std::string& note) {
+  return note.empty() ? "" : boost::replace_all_copy(note, "\n", "\n\n") + "\n\n";
 }
-
-std::string unchanged(const std::string& text) { return text; }
 
 }  // namespace
 
 std::string markdown_document(const std::string& title, const std::vector<TextTable>& tables) {
   std::string result = "# " + title + "\n";
   for (const TextTable& table : tables) {
-    result += "\n## " + table.title + "\n\n" + paragraphs(table.note, unchanged) + markdown_row(table.columns);
+    result += "\n## " + table.title + "\n\n" + paragraphs(table.note) + markdown_row(table.columns);
     result += "|";
     for (std::size_t k = 0; k < table.columns.size(); ++k) result += " --- |";
     result += "\n";
@@ -106,7 +99,7 @@ std::string latex_document(const std::string& title, const std::vector<TextTable
 )",
                                    latex_text(title));
   for (const TextTable& table : tables) {
-    result += fmt::format("\n\\subsection*{{{}}}\n\n", latex_text(table.title)) + paragraphs(table.note, latex_text);
+    result += fmt::format("\n\\subsection*{{{}}}\n\n", latex_text(table.title)) + latex_text(paragraphs(table.note));
     result += fmt::format("{{\\footnotesize\n\\begin{{longtable}}{{{}}}\n", std::string(table.columns.size(), 'l'));
     result += latex_row(table.columns) + " \\hline\n\\endhead\n";
     for (const auto& row : table.rows) result += latex_row(row) + "\n";

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "app/report/math_symbols.hpp"
-#include "app/report/math_tokens.hpp"
 #include "app/terminal/utf8.hpp"
 
 using namespace steadyslide::app;

@@ -3,8 +3,7 @@
 #include <csignal>
 
 #include "app/command_line.hpp"
-#include "app/report/inline_svg.hpp"
-#include "app/report/references.hpp"
+#include "app/report/sections.hpp"
 #include "app/report_fixture.hpp"
 
 using namespace steadyslide;
