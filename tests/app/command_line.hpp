@@ -1,13 +1,11 @@
 #pragma once
 // The fixture of command-line tests: the program run in a folder of its own, and what is asked of its answers.
 
-#include <doctest/doctest.h>
-
 #include <initializer_list>
-#include <sstream>
 #include <utility>
 
 #include "app/process.hpp"
+#include "support/test.hpp"
 
 namespace steadyslide::testing {
 

@@ -1,8 +1,5 @@
 #include "app/results/document.hpp"
-
-#include <doctest/doctest.h>
-#include <rapidcheck.h>
-
+#include "support/test.hpp"
 #include "support/thrown.hpp"
 
 using namespace steadyslide::app;

@@ -1,18 +1,12 @@
 // docs/exponents.md, .tex and .csv: they are what is computed, and what is computed is what the formulas say, evaluated
 // here with 50 digits from the printed data alone.
 
-#include "app/tables/exponent_tables.hpp"
-
-#include <doctest/doctest.h>
-
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <fstream>
-#include <set>
-#include <sstream>
 
+#include "app/tables/exponent_tables.hpp"
 #include "app/tables/materials.hpp"
+#include "support/test.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::app;
 using Real = boost::multiprecision::cpp_bin_float_50;
 

@@ -1,7 +1,5 @@
 #include "app/terminal/failure.hpp"
-
-#include <doctest/doctest.h>
-#include <rapidcheck.h>
+#include "support/test.hpp"
 
 using namespace steadyslide::app;
 

@@ -1,12 +1,9 @@
 // `steadyslide figures`: what it writes, and what it says where it cannot.
 
-#include "app/figures/figures.hpp"
-
-#include <algorithm>
 #include <csignal>
-#include <set>
 
 #include "app/command_line.hpp"
+#include "app/figures/figures.hpp"
 #include "app/svg.hpp"
 
 using namespace steadyslide::app;

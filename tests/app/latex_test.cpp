@@ -1,6 +1,7 @@
 // A LaTeX table compiles. Needs pdflatex; where it is absent the test says so and checks the text only.
 
 #include <regex>
+
 #include "app/command_line.hpp"
 
 using namespace steadyslide::testing;

@@ -1,6 +1,5 @@
-#include <doctest/doctest.h>
-
 #include "app/results/solve_report.hpp"
+#include "support/test.hpp"
 
 using namespace steadyslide::app;
 using steadyslide::numeric::Estimate;

@@ -1,12 +1,8 @@
 #include "app/problem_file/list_parser.hpp"
-
-#include <doctest/doctest.h>
-#include <rapidcheck.h>
-
 #include "app/terminal/failure.hpp"
+#include "support/test.hpp"
 #include "support/thrown.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::app;
 
 namespace {

@@ -1,11 +1,7 @@
 // solve --load-steps: one row for each load and contact component.
 
-#include <algorithm>
-#include <map>
-
 #include "app/json_answers.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::testing;
 
 namespace {
@@ -54,9 +50,9 @@ TEST_CASE("JSON: rows with the same keys, shares as a list, null where there is 
   CHECK(json[0]["shortcoming"].is_null());
   CHECK(json[0]["warnings"] == Json::array());
   CHECK(json[0]["tilt_error"].is_null());
-  CHECK(number(json[0]["left_error"]) < parse_rational("1e-12"));
+  CHECK(number(json[0]["left_error"]) < 1e-12_r);
   CHECK(json[0]["load_share_error"].size() == 2);
-  CHECK(abs(number(json[0]["load_share"][0]) + number(json[0]["load_share"][1]) - 1) < parse_rational("1e-12"));
+  CHECK(abs(number(json[0]["load_share"][0]) + number(json[0]["load_share"][1]) - 1) < 1e-12_r);
 }
 
 TEST_CASE("text: a table with a dash where there is nothing") {

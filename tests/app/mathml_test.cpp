@@ -1,18 +1,11 @@
-#include "app/report/mathml.hpp"
-
-#include <doctest/doctest.h>
-#include <rapidcheck.h>
-
-#include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <regex>
-#include <string>
-#include <vector>
 
 #include "app/report/math_symbols.hpp"
 #include "app/report/math_tokens.hpp"
+#include "app/report/mathml.hpp"
 #include "app/terminal/utf8.hpp"
+#include "support/test.hpp"
 
 using namespace steadyslide::app;
 

@@ -1,12 +1,6 @@
 #include "app/results/number_format.hpp"
+#include "support/test.hpp"
 
-#include <doctest/doctest.h>
-#include <rapidcheck.h>
-
-#include <cmath>
-#include <limits>
-
-using namespace steadyslide;
 using namespace steadyslide::app;
 using numeric::Estimate;
 using numeric::Real100;

@@ -2,12 +2,12 @@
 
 #include <sys/stat.h>
 #include <unistd.h>
-
 #include <csignal>
 
 #include "app/command_line.hpp"
 
 using namespace steadyslide::testing;
+
 namespace fs = std::filesystem;
 
 namespace {

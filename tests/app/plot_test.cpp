@@ -1,7 +1,5 @@
 // The picture of the rough surface: the commands of examples/README.md draw it.
 
-#include <algorithm>
-
 #include "app/command_line.hpp"
 #include "app/svg.hpp"
 

@@ -1,14 +1,10 @@
-#include "app/problem_file/polynomial_parser.hpp"
-
-#include <doctest/doctest.h>
-#include <rapidcheck.h>
-
 #include <chrono>
 
+#include "app/problem_file/polynomial_parser.hpp"
 #include "model/invalid_data.hpp"
+#include "support/test.hpp"
 #include "support/thrown.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::app;
 
 namespace {

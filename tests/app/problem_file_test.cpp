@@ -1,10 +1,7 @@
 #include "app/problem_file/problem_file.hpp"
-
-#include <doctest/doctest.h>
-
+#include "support/test.hpp"
 #include "support/thrown.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::app;
 
 TEST_CASE("everything that a problem file can say") {

@@ -1,10 +1,7 @@
 #include "app/problem_file/profile_trace.hpp"
-
-#include <doctest/doctest.h>
-
 #include "app/terminal/failure.hpp"
+#include "support/test.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::app;
 
 namespace {

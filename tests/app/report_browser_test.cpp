@@ -1,12 +1,11 @@
 // The report in a browser: filter, order, folds, phone, print.
 
-#include <doctest/doctest.h>
-
 #include <nlohmann/json.hpp>
 
 #include "app/browser.hpp"
 #include "app/process.hpp"
 #include "app/report_fixture.hpp"
+#include "support/test.hpp"
 
 using namespace steadyslide::testing;
 using Json = nlohmann::json;

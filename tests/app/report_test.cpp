@@ -1,13 +1,11 @@
-#include "app/report/report_page.hpp"
-
 #include <csignal>
 
 #include "app/command_line.hpp"
 #include "app/report/inline_svg.hpp"
 #include "app/report/references.hpp"
+#include "app/report/report_page.hpp"
 #include "app/report_fixture.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::app;
 using namespace steadyslide::testing;
 

@@ -1,15 +1,11 @@
 // The measured profile among the examples is what its generator prints, and that is what it says.
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "app/command_line.hpp"
 
 using namespace steadyslide::testing;
+
 namespace fs = std::filesystem;
 
 namespace {

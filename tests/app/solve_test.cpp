@@ -1,6 +1,5 @@
 #include "app/json_answers.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::testing;
 
 namespace {
@@ -28,7 +27,7 @@ int check_errors(const Json& object, const Json& reference) {
     if (!value.is_string() || !object.contains(item.key() + "_error")) continue;
     CAPTURE(item.key() + " = " + value.dump());
     const Rational error = number(object[item.key() + "_error"]);
-    const Rational rounding = parse_rational("1e-16") * (1 + abs(number(value)));
+    const Rational rounding = 1e-16_r * (1 + abs(number(value)));
     CHECK(abs(number(value) - number(reference[item.key()])) <= 10 * error + rounding);
     CHECK(error >= 0);
     ++count;
@@ -121,8 +120,8 @@ TEST_CASE("blow-up, zero and the limits of both sides") {
 
 TEST_CASE("residuals are small and honest") {
   const Json json = solve(parabola);
-  CHECK(number(json["residuals"]["equation"]) <= parse_rational("1e-12"));
-  CHECK(number(json["residuals"]["load"]) <= parse_rational("1e-12"));
+  CHECK(number(json["residuals"]["equation"]) <= 1e-12_r);
+  CHECK(number(json["residuals"]["load"]) <= 1e-12_r);
   CHECK(json["residuals"]["penetration"] == "0");
   CHECK(json["residuals"]["tension"] == "0");
 }
@@ -131,8 +130,8 @@ TEST_CASE("data that double cannot hold are solved all the same") {
   const Json json = solve(replaced(punch, "load = 2", "load = \"2e-300\""), {"--at", "0.5"});
   const Json usual = solve(punch, {"--at", "0.5"});
   CHECK(near(json["resultants"]["normal"], "2e-300", "1e-312"));
-  const Rational scaled = number(json["samples"][0]["traction"]) * parse_rational("1e300");
-  CHECK(abs(scaled - number(usual["samples"][0]["traction"])) < parse_rational("1e-13"));
+  const Rational scaled = number(json["samples"][0]["traction"]) * 1e300_r;
+  CHECK(abs(scaled - number(usual["samples"][0]["traction"])) < 1e-13_r);
   CHECK(near(solve(replaced(parabola, "x^2/0.4", "x^2*1e200"))["resultants"]["normal"], "1", "1e-12"));
 }
 

@@ -1,12 +1,8 @@
 // From which error on a solution is doubted, and from which on it is none.
 
 #include "app/results/solve_warnings.hpp"
+#include "support/test.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-
-using namespace steadyslide;
 using namespace steadyslide::app;
 using namespace steadyslide::numeric;
 

@@ -2,7 +2,6 @@
 
 #include "app/json_answers.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::testing;
 
 namespace {
@@ -16,7 +15,7 @@ Rational distance(const Json& a, const Json& b) { return abs(number(a) - number(
 /// Of one of the 4096 cells, and half a digit of what is printed of it.
 Rational reach(const Json& json) {
   const Json& support = json["problem"]["indenter"]["support"];
-  return (number(support[1]) - number(support[0])) / 4096 + parse_rational("0.0005");
+  return (number(support[1]) - number(support[0])) / 4096 + 0.0005_r;
 }
 
 }  // namespace
@@ -40,7 +39,7 @@ TEST_CASE("the contact's ends are those of the other methods to a cell, and the 
       }
     }
     const auto friction = [](const Json& json) { return json["resultants"]["effective_friction"]; };
-    CHECK(distance(friction(cells), friction(exact)) < parse_rational("1e-4"));
+    CHECK(distance(friction(cells), friction(exact)) < 1e-4_r);
   }
   // The control: another problem's friction and ends are told apart.
   const Json rear = on_cells("parabola_rough_rear.toml");
@@ -51,9 +50,9 @@ TEST_CASE("the contact's ends are those of the other methods to a cell, and the 
 TEST_CASE("a tilting punch tilts alike, and its centre of pressure lies under the load") {
   const Json cells = on_cells("tilting_punch.toml")["resultants"];
   const Json exact = solve_example("tilting_punch.toml")["resultants"];
-  CHECK(distance(cells["tilt"], exact["tilt"]) < parse_rational("0.001"));
+  CHECK(distance(cells["tilt"], exact["tilt"]) < 0.001_r);
   CHECK(number(cells["tilt"]) < 0);
-  CHECK(distance(cells["centre_of_pressure"], Json("0.2")) < parse_rational("1e-9"));
+  CHECK(distance(cells["centre_of_pressure"], Json("0.2")) < 1e-9_r);
 }
 
 TEST_CASE("what cells cannot show is null in JSON, - in the text, and no shortcoming") {

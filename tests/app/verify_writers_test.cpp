@@ -1,9 +1,7 @@
 #include "app/results/verify_writers.hpp"
-
 #include "app/command_line.hpp"
 #include "app/commands/verify_command.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::app;
 using namespace steadyslide::proofs_checks;
 using testing::check_holds;

@@ -1,11 +1,9 @@
 // Traces with the mistakes that people make: the sign turned, the unit mixed up, cut off too early.
 
-#include <doctest/doctest.h>
-
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/process.hpp"
+#include "support/test.hpp"
 
 using namespace steadyslide::testing;
 using Json = nlohmann::ordered_json;

@@ -1,14 +1,10 @@
 // The generator keeps its promises, and its problems survive being written to a problem file and read back.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
 #include "app/problem_file/problem_file.hpp"
 #include "support/problem_toml.hpp"
 #include "support/random_contact.hpp"
+#include "support/test.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::testing;
 
 TEST_CASE("files say the same problem") {

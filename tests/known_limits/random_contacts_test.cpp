@@ -1,19 +1,10 @@
 // How much the Riemann-Hilbert solver can do: a fixed list of random problems, in double. What it cannot do stands in
 // unsolved.txt, seed by seed.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <map>
-#include <sstream>
-
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "support/numeric_test.hpp"
 #include "support/random_contact.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using steadyslide::testing::first_listed_seed;
 using steadyslide::testing::listed_problems;
 

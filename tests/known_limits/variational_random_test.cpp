@@ -1,16 +1,10 @@
 // How much the variational solver can do: the first problems of the random list, on cells. The certificate accepts, or
 // the problem stands in variational_unsolved.txt, seed by seed.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <fstream>
-#include <set>
-
 #include "numeric/variational/nested_solve.hpp"
+#include "support/numeric_test.hpp"
 #include "support/random_contact.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::numeric::variational;
 using steadyslide::testing::first_listed_seed;
 

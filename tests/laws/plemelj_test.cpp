@@ -1,12 +1,8 @@
 // Y+ = G Y- on every panel, and the boundary values are the limits of Y off the axis.
 
-#include <doctest/doctest.h>
-
 #include "numeric/closed_form/closed_form.hpp"
+#include "support/numeric_test.hpp"
 #include "support/random_problem.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 
 namespace {
 

@@ -2,16 +2,13 @@
 // (support/change_laws.hpp). Columns: the methods at their precisions, with the problems each is asked and how exactly
 // it has to answer.
 
-#include <doctest/doctest.h>
-
 #include "model/uniqueness.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 #include "support/compared_solutions.hpp"
+#include "support/numeric_test.hpp"
 #include "support/random_contact.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using testing::is_close;
 using testing::Tolerance;
 
@@ -98,7 +95,7 @@ bool shear_opposes_sliding(const Case<R>& c) {
 template <Real R>
 bool grows_with_the_load(const Case<R>& c) {
   if (!uniqueness(c.problem).proved) return true;
-  const Attempt<R> more = c.method.solve(testing::scaled(c.problem, 1, Rational(5, 4)));
+  const Attempt<R> more = c.method.solve(testing::scaled(c.problem, 1, 1.25_r));
   if (!more.solution || !more.solution->shortcoming().empty()) return true;
   const auto larger = more.solution->contact();
   const R slack = c.method.within.end * testing::length_of<R>(larger);
@@ -294,8 +291,8 @@ void reproduces_closed_forms(const R& tolerance) {
 template <Real R>
 void refutes_wrong_laws(const Method<R>& method) {
   CAPTURE(method.name);
-  const ContactProblem p(Elasticity(Solid(0, 1)), FrictionProfile({Rational(1, 2), 1}, {Rational(1, 10)}),
-                         Indenter(-1, {{1, Polynomial({0, Rational(1, 8), 1})}}), Rational(1, 4));
+  const ContactProblem p(Elasticity(Solid(0, 1)), FrictionProfile({0.5_r, 1}, {0.1_r}),
+                         Indenter(-1, {{1, Polynomial({0, 0.125_r, 1})}}), 0.25_r);
   const Attempt<R> before = method.solve(p);
   REQUIRE_MESSAGE(before.solution, before.why_not);
   for (const testing::ChangeLaw& law : testing::wrong_laws()) {

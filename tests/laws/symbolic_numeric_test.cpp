@@ -1,13 +1,10 @@
 // The derived tractions, evaluated in CLN at 60 digits, against the closed forms of the numeric layer in MPFR.
 
-#include <doctest/doctest.h>
-
 #include "numeric/closed_form/closed_form.hpp"
+#include "support/numeric_test.hpp"
 #include "support/random_problem.hpp"
 #include "symbolic/riemann_hilbert/derived_contact.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using steadyslide::symbolic::DerivedContact;
 
 namespace {

@@ -1,16 +1,11 @@
 // Laws of the unilateral problem on cells, beside the claims on random problems that the ledger examines (vi-...): here
 // smooth densities, all contact sets of a few cells, and loading paths.
 
-#include <doctest/doctest.h>
-
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "numeric/variational/lemke.hpp"
+#include "support/numeric_test.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::numeric::variational;
 
 namespace {
@@ -20,7 +15,7 @@ using std::numbers::pi;
 /// Support [-1, 1], gamma = 1/2; s in tenths, with one jump at 0.
 ContactProblem problem_of(int left, int right, const Polynomial& profile, const Rational& load,
                           const std::optional<Rational>& load_at = std::nullopt) {
-  return {Elasticity::reduced(Rational(1, 2)),
+  return {Elasticity::reduced(0.5_r),
           FrictionProfile({Rational(left, 5), Rational(right, 5)}, {0}),
           Indenter(-1, {{1, profile}}),
           load,
@@ -124,8 +119,8 @@ int losses(int left, int right, const Polynomial& profile, const std::vector<Rat
 }
 
 const Polynomial parabola({0, 0, 1});
-const Polynomial two_bumps({0, 0, Rational(-9, 10), 0, 1});
-const Polynomial lopsided({0, Rational(1, 10), -1, Rational(1, 5), 1});
+const Polynomial two_bumps({0, 0, -0.9_r, 0, 1});
+const Polynomial lopsided({0, 0.1_r, -1, 0.2_r, 1});
 
 }  // namespace
 
@@ -163,14 +158,14 @@ TEST_CASE("on equal cells every punch presses everywhere and penetrates nothing,
   std::vector<double> edges{-0.5};
   for (int i = 0; i < 8; ++i) edges.push_back(edges.back() + (i % 2 == 0 ? 5.0 : 0.25) / 21);
   edges.back() = 0.5;
-  const DiscreteProblem alternating(problem, CellMesh(problem, Rational(0), edges));
+  const DiscreteProblem alternating(problem, CellMesh(problem, 0_r, edges));
   CHECK(worst_punch(alternating.galerkin_operator()).least_pressure < 0);
 }
 
 TEST_CASE("of all sets of eight cells one is complementary, where s rises and where it falls by 1/2") {
   for (const auto& [left, right] : {std::pair(0, 0), {0, 5}, {5, 0}, {0, 50}, {20, 30}}) {
     for (const Polynomial& profile : {parabola, two_bumps, lopsided}) {
-      for (const Rational& load : {Rational(1, 10), Rational(1, 2), Rational(3)}) {
+      for (const Rational& load : {0.1_r, 0.5_r, 3_r}) {
         CAPTURE(left);
         CAPTURE(right);
         CHECK(solutions(on_cells(problem_of(left, right, profile, load), 8)) == 1);
@@ -178,7 +173,7 @@ TEST_CASE("of all sets of eight cells one is complementary, where s rises and wh
     }
   }
   // Control: s falls by 5.
-  CHECK(solutions(on_cells(problem_of(50, 0, parabola, Rational(1, 2)), 8)) == 3);
+  CHECK(solutions(on_cells(problem_of(50, 0, parabola, 0.5_r), 8)) == 3);
 }
 
 TEST_CASE("contact and pressures grow with the load, unless the indenter tilts") {
@@ -189,8 +184,8 @@ TEST_CASE("contact and pressures grow with the load, unless the indenter tilts")
       CHECK(losses(left, right, profile, loads) == 0);
     }
   }
-  CHECK(losses(0, 0, two_bumps, {Rational(13, 10), Rational(39, 10)}, Rational(5, 8)) > 0);
-  CHECK(losses(0, 0, two_bumps, {Rational(13, 10), Rational(39, 10)}) == 0);
+  CHECK(losses(0, 0, two_bumps, {1.3_r, 3.9_r}, 0.625_r) > 0);
+  CHECK(losses(0, 0, two_bumps, {1.3_r, 3.9_r}) == 0);
   std::reverse(loads.begin(), loads.end());
   CHECK(losses(0, 0, parabola, loads) > 0);
 }

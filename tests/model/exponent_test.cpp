@@ -1,17 +1,9 @@
-#include "model/exponent.hpp"
-
-#include <doctest/doctest.h>
 #include <mpfr.h>
-#include <rapidcheck.h>
-
 #include <cstdlib>
-#include <limits>
-#include <vector>
 
 #include "broken_rule.hpp"
-#include "uniform.hpp"
-
-using namespace steadyslide;
+#include "model/exponent.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -41,8 +33,8 @@ Rational random_slope() {
   // Small fractions, often equal or related, and now and then a very large or very small one.
   const Rational slope(uniform(-12, 12), uniform(1, 8));
   switch (uniform(0, 9)) {
-    case 0: return slope * parse_rational("1e100");
-    case 1: return slope * parse_rational("1e-100");
+    case 0: return slope * 1e100_r;
+    case 1: return slope * 1e-100_r;
     default: return slope;
   }
 }
@@ -56,7 +48,7 @@ Exponent random_exponent(int most_terms) {
 /// arctan(a) + arctan(b) as one angle and a multiple of pi.
 Exponent merged(const Rational& a, const Rational& b) {
   const Rational below = 1 - a * b;
-  if (below == 0) return Exponent(a > 0 ? Rational(1, 2) : Rational(-1, 2));
+  if (below == 0) return Exponent(a > 0 ? 0.5_r : -0.5_r);
   return Exponent::angle((a + b) / below) + Exponent(below > 0 ? 0 : a > 0 ? 1 : -1);
 }
 
@@ -80,14 +72,14 @@ Exponent hidden_zero(int terms) {
 }  // namespace
 
 TEST_CASE("Machin's formula is decided, and a near miss is not taken for it") {
-  const Exponent quarter(Rational(1, 4));
+  const Exponent quarter(0.25_r);
   const auto a = [](int n, int d) { return Exponent::angle(Rational(n, d)); };
   CHECK(a(1, 5) + a(1, 5) + a(1, 5) + a(1, 5) - a(1, 239) == quarter);
   CHECK((a(1, 5) + a(1, 5) + a(1, 5) + a(1, 5) - a(1, 240) - quarter).sign() == 1);
   CHECK((a(1, 5) + a(1, 5) + a(1, 5) + a(1, 5) - a(1, 238) - quarter).sign() == -1);
   CHECK(a(1, 1) + a(2, 1) + a(3, 1) == Exponent(1));
   CHECK(a(1, 2) + a(1, 3) == quarter);
-  CHECK(a(3, 4) + a(4, 3) == Exponent(Rational(1, 2)));
+  CHECK(a(3, 4) + a(4, 3) == Exponent(0.5_r));
 }
 
 TEST_CASE("the sign agrees with a summation at 4096 bits") {
@@ -110,12 +102,12 @@ TEST_CASE("arctan a + arctan b = arctan((a+b)/(1-ab)), with the branch") {
     RC_ASSERT(Exponent::angle(a) + Exponent::angle(b) == merged(a, b));
     // The wrong branch.
     RC_ASSERT(!(Exponent::angle(a) + Exponent::angle(b) == merged(a, b) + Exponent(1)));
-    if (a > 0) RC_ASSERT(Exponent::angle(a) + Exponent::angle(1 / a) == Exponent(Rational(1, 2)));
+    if (a > 0) RC_ASSERT(Exponent::angle(a) + Exponent::angle(1 / a) == Exponent(0.5_r));
   }));
 }
 
 TEST_CASE("hidden zeros are found, and a zero moved by 1e-200 is none") {
-  const Rational tiny = parse_rational("1e-200");
+  const Rational tiny = 1e-200_r;
   int long_ones = 0;
   CHECK(rc::check([&] {
     const Exponent zero = hidden_zero(uniform(1, 11));
@@ -161,19 +153,19 @@ TEST_CASE("the corners of the reduced form") {
   const auto reduced = [](const Exponent& e) { return e.reduced(); };
   using Reduced = Exponent::Reduced;
   CHECK(reduced(Exponent()) == Reduced{0, 0});
-  CHECK(reduced(Exponent(Rational(1, 4))) == Reduced{0, 1});
-  CHECK(reduced(Exponent(Rational(-1, 4))) == Reduced{-1, 1});
-  CHECK(reduced(Exponent(Rational(3, 4))) == Reduced{1, 1});
-  CHECK(reduced(Exponent(Rational(-3, 4))) == Reduced{-2, 1});
+  CHECK(reduced(Exponent(0.25_r)) == Reduced{0, 1});
+  CHECK(reduced(Exponent(-0.25_r)) == Reduced{-1, 1});
+  CHECK(reduced(Exponent(0.75_r)) == Reduced{1, 1});
+  CHECK(reduced(Exponent(-0.75_r)) == Reduced{-2, 1});
   CHECK(reduced(Exponent::angle(1)) == Reduced{0, 1});
   CHECK(reduced(Exponent::angle(-1)) == Reduced{-1, 1});
-  CHECK(reduced(Exponent::angle(2)) == Reduced{1, Rational(-1, 2)});
-  CHECK(reduced(Exponent(Rational(-1, 2)) - Exponent::angle(2)) == Reduced{-2, Rational(1, 2)});
+  CHECK(reduced(Exponent::angle(2)) == Reduced{1, -0.5_r});
+  CHECK(reduced(Exponent(-0.5_r) - Exponent::angle(2)) == Reduced{-2, 0.5_r});
   CHECK(reduced(Exponent(1000000)) == Reduced{2000000, 0});
 }
 
 TEST_CASE("huge and tiny slopes") {
-  const Rational huge = parse_rational("1e400") * parse_rational("1e400");
+  const Rational huge = 1e400_r * 1e400_r;
   CHECK((half - Exponent::angle(huge)).sign() == 1);
   CHECK((half + Exponent::angle(-huge)).sign() == 1);
   CHECK((Exponent::angle(huge + 1) - Exponent::angle(huge)).sign() == 1);
@@ -221,7 +213,7 @@ TEST_CASE("exponents add like numbers, in any order") {
 }
 
 TEST_CASE("an angle is counted so many times and no more") {
-  Exponent sum = Exponent::angle(Rational(1, 2));
+  Exponent sum = Exponent::angle(0.5_r);
   const auto twice = [&] { sum += sum; };
   for (int k = 0; k < 13; ++k) twice();
   CHECK(sum.angles()[0].times == 8192);
@@ -235,11 +227,11 @@ TEST_CASE("an angle is counted so many times and no more") {
 
 TEST_CASE("exponents as text, and an offset that is none") {
   CHECK(to_string(Exponent()) == "0");
-  CHECK(to_string(Exponent(Rational(-1, 2)) - Exponent::angle(Rational(3, 35))) == "-1/2 - arctan(3/35)/pi");
+  CHECK(to_string(Exponent(-0.5_r) - Exponent::angle(Rational(3, 35))) == "-1/2 - arctan(3/35)/pi");
   CHECK(to_string(Exponent::angle(-2)) == "-arctan(2)/pi");
   CHECK(to_string(Exponent::angle(2) + Exponent::angle(2) - Exponent(1)) == "-1 + 2*arctan(2)/pi");
   CHECK(to_string(Exponent::angle(2) - Exponent::angle(Rational(1, 3))) == "arctan(2)/pi - arctan(1/3)/pi");
   CHECK(refusal([] { Exponent(Rational(1, 3)); }) ==
         ": offset of an exponent out of range; the offset is a multiple of 1/4; 1/3");
-  CHECK(refusal([] { Exponent(Rational(-7, 4)); }) == "accepted");
+  CHECK(refusal([] { Exponent(-1.75_r); }) == "accepted");
 }

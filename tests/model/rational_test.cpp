@@ -1,14 +1,6 @@
 #include "model/rational.hpp"
-
-#include <doctest/doctest.h>
-#include <rapidcheck.h>
-
-#include <string>
-
 #include "broken_rule.hpp"
-#include "uniform.hpp"
-
-using namespace steadyslide;
+#include "support/test.hpp"
 
 namespace {
 

@@ -1,26 +1,21 @@
 #include "numeric/closed_form/closed_form.hpp"
-
-#include <doctest/doctest.h>
-
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::numeric;
+#include "support/numeric_test.hpp"
 
 namespace {
 
-const Elasticity steel(Solid(Rational(3, 10), 1));
+const Elasticity steel(Solid(0.3_r, 1));
 
 /// Two coatings: f = 1/5 left of x = 1/4, f = 3/5 right of it.
 ContactProblem coated_punch(Sliding sliding) {
-  return {steel, FrictionProfile({Rational(1, 5), Rational(3, 5)}, {Rational(1, 4)}),
-          Indenter(-1, {{1, Polynomial::constant(Rational(1, 3))}}), Rational(5, 2), sliding};
+  return {steel, FrictionProfile({0.2_r, 0.6_r}, {0.25_r}), Indenter(-1, {{1, Polynomial::constant(Rational(1, 3))}}),
+          2.5_r, sliding};
 }
 
 ContactProblem coated_parabola() {
-  return {steel, FrictionProfile({2, 0, 1}, {Rational(-1, 10), Rational(1, 5)}),
-          Indenter(-3, {{4, Polynomial({5, Rational(1, 7), Rational(3, 2)})}}), Rational(2, 3)};
+  return {steel, FrictionProfile({2, 0, 1}, {-0.1_r, 0.2_r}),
+          Indenter(-3, {{4, Polynomial({5, Rational(1, 7), 1.5_r})}}), Rational(2, 3)};
 }
 
 template <Real R>
@@ -50,11 +45,11 @@ TEST_CASE("flat punch with one jump is formula (5)-(7), written out") {
 }
 
 TEST_CASE("the traction at a jump blows up towards the rougher front and vanishes the other way") {
-  const Sample<double> up = solve<double>(coated_punch(Sliding::plus_x))->at(Rational(1, 4));
+  const Sample<double> up = solve<double>(coated_punch(Sliding::plus_x))->at(0.25_r);
   CHECK(up.traction.left.value == -infinity<double>());
   CHECK(up.traction.right.value == -infinity<double>());
   CHECK(up.shear.left.value == infinity<double>());
-  const Sample<double> down = solve<double>(coated_punch(Sliding::minus_x))->at(Rational(1, 4));
+  const Sample<double> down = solve<double>(coated_punch(Sliding::minus_x))->at(0.25_r);
   CHECK(down.traction.left.value == 0);
   CHECK(down.traction.right.value == 0);
   CHECK(down.shear.right.value == 0);
@@ -70,7 +65,7 @@ TEST_CASE("edges: infinite traction inside, infinite slope outside, nothing beyo
   const Sample<double> right = solution->at(1);
   CHECK(right.traction.left.value == -infinity<double>());
   CHECK(right.slope.right.value == infinity<double>());
-  const Sample<double> beyond = solution->at(Rational(3, 2));
+  const Sample<double> beyond = solution->at(1.5_r);
   CHECK(beyond.traction.left.value == 0);
   CHECK(!beyond.gap);
   CHECK(beyond.slope.left.value > 0);
@@ -108,7 +103,7 @@ TEST_CASE("slope and gap outside the contact are those of the traction, integrat
     const double v = root * i / n;
     sum += (i == n ? 1 : i % 2 == 1 ? 4 : 2) * 2 * v * rate(end + v * v);
   }
-  CHECK(solution->at(Rational(7, 2)).gap->value == doctest::Approx(sum * root / n / 3).epsilon(1e-9));
+  CHECK(solution->at(3.5_r).gap->value == doctest::Approx(sum * root / n / 3).epsilon(1e-9));
 }
 
 TEST_CASE("resultants: centre of pressure from power sums and from the moment of the traction") {
@@ -136,7 +131,7 @@ TEST_CASE("effective friction lies between the two coatings and is higher when t
 
 TEST_CASE("the parts of the load that are not in contact are zero") {
   const ContactProblem problem(steel, FrictionProfile({1, 2, 3}, {-2, 2}), Indenter(-3, {{3, Polynomial({0, 0, 1})}}),
-                               Rational(1, 100));
+                               0.01_r);
   const Resultants<double> r = solve<double>(problem)->resultants();
   CHECK(r.load_share[0].value == 0);
   CHECK(r.load_share[1].value == doctest::Approx(1).epsilon(1e-14));

@@ -1,19 +1,10 @@
 // The coarse contact zone: against closed forms, against an own quadrature, and where the scales lie far apart.
 
 #include "numeric/coarse/coarse_contact.hpp"
-
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/coarse/coarse_equilibrium.hpp"
+#include "support/numeric_test.hpp"
 #include "support/random_problem.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 
 namespace {
 
@@ -169,20 +160,20 @@ TEST_CASE("the contact of a wedge grows with the load") {
 }
 
 TEST_CASE("two bumps: two zones under a small load, one under a large load") {
-  const Polynomial bump({Rational(-1, 4), 0, 1});
+  const Polynomial bump({-0.25_r, 0, 1});
   const Indenter indenter(-1, {{1, bump * bump}});
-  const CoarseContact light = coarse_contact(frictionless(indenter, Rational(1, 50)), 48);
+  const CoarseContact light = coarse_contact(frictionless(indenter, 0.02_r), 48);
   REQUIRE(light.zones.size() == 2);
   CHECK(light.zones[0].left < -0.5);
   CHECK(light.zones[0].right > -0.5);
   CHECK(light.zones[1].left == doctest::Approx(-light.zones[0].right));
   CHECK(light.zones[1].right == doctest::Approx(-light.zones[0].left));
-  CHECK(coarse_contact(frictionless(indenter, Rational(1, 2)), 48).zones.size() == 1);
+  CHECK(coarse_contact(frictionless(indenter, 0.5_r), 48).zones.size() == 1);
 }
 
 TEST_CASE("a step: the face that protrudes carries a small load alone, up to its edge") {
-  const Indenter indenter(-1, {{0, Polynomial()}, {1, Polynomial({Rational(1, 10)})}});
-  const CoarseContact light = coarse_contact(frictionless(indenter, Rational(1, 100)), 48);
+  const Indenter indenter(-1, {{0, Polynomial()}, {1, Polynomial({0.1_r})}});
+  const CoarseContact light = coarse_contact(frictionless(indenter, 0.01_r), 48);
   REQUIRE(light.zones.size() == 1);
   CHECK(light.zones[0].left_at_edge);
   CHECK(light.zones[0].right_at_edge);
@@ -197,7 +188,7 @@ TEST_CASE("a step: the face that protrudes carries a small load alone, up to its
 
 TEST_CASE("an indenter that may tilt turns until its pressure is centred at the load") {
   const Indenter indenter(-3, {{3, parabola_profile}});
-  const CoarseContact c = coarse_contact(frictionless(indenter, 1, Rational(1, 2)), 48);
+  const CoarseContact c = coarse_contact(frictionless(indenter, 1, 0.5_r), 48);
   REQUIRE(c.zones.size() == 1);
   CHECK(c.converged);
   CHECK(centre_of_pressure(c) == doctest::Approx(0.5).epsilon(1e-9));
@@ -210,7 +201,7 @@ TEST_CASE("an indenter that may tilt turns until its pressure is centred at the 
 
 TEST_CASE("strong friction: all of the load next to one edge, and still full contact") {
   for (const int s : {15, 40}) {
-    const ContactProblem problem(Elasticity::reduced(Rational(1, 2)), FrictionProfile({2 * s, 0, 2 * s}, {-1, 1}),
+    const ContactProblem problem(Elasticity::reduced(0.5_r), FrictionProfile({2 * s, 0, 2 * s}, {-1, 1}),
                                  Indenter(-2, {{2, Polynomial()}}), 1, Sliding::minus_x);
     const CoarseContact c = coarse_contact(problem, 48);
     CHECK(c.converged);
@@ -220,7 +211,7 @@ TEST_CASE("strong friction: all of the load next to one edge, and still full con
 }
 
 TEST_CASE("a support far from 0 is like one at 0") {
-  const Rational far = parse_rational("1e12");
+  const Rational far = 1e12_r;
   const Indenter here(-2, {{2, parabola_profile}});
   const Indenter there(far - 2, {{far + 2, Polynomial({far * far, -2 * far, 1})}});
   const CoarseContact a = coarse_contact(frictionless(here, 1), 48);
@@ -233,9 +224,9 @@ TEST_CASE("a support far from 0 is like one at 0") {
 TEST_CASE("gap and traction by an independent quadrature") {
   for (const int s : {0, 1, 3}) {
     CAPTURE(s);
-    const ContactProblem problem(Elasticity::reduced(Rational(1, 2)),
-                                 FrictionProfile({Rational(s, 2), 2 * s, s}, {Rational(-1, 10), Rational(1, 5)}),
-                                 Indenter(-2, {{2, Polynomial({0, Rational(1, 3), 1, 0, Rational(1, 2)})}}), 1);
+    const ContactProblem problem(Elasticity::reduced(0.5_r),
+                                 FrictionProfile({Rational(s, 2), 2 * s, s}, {-0.1_r, 0.2_r}),
+                                 Indenter(-2, {{2, Polynomial({0, Rational(1, 3), 1, 0, 0.5_r})}}), 1);
     CoarseContact c = coarse_contact(problem, 96);
     CHECK(c.converged);
     CHECK(*std::max_element(c.traction.begin(), c.traction.end()) <= 0);

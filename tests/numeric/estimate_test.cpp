@@ -1,13 +1,6 @@
 #include "numeric/number/estimate.hpp"
-
-#include <doctest/doctest.h>
-#include <rapidcheck.h>
-
 #include "numeric/number/polynomial.hpp"
-#include "uniform.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::numeric;
+#include "support/numeric_test.hpp"
 
 namespace {
 

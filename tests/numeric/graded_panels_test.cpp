@@ -1,16 +1,6 @@
 #include "numeric/quadrature/graded_panels.hpp"
-
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include "numeric/number/real.hpp"
-#include "uniform.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::numeric;
-
-TYPE_TO_STRING(Real50);
+#include "support/numeric_test.hpp"
 
 namespace {
 

@@ -2,13 +2,8 @@
 // closed forms of a uniform strip [Joh85, chapter 2].
 
 #include "numeric/interior/half_plane_stress.hpp"
-
-#include <doctest/doctest.h>
-
 #include "numeric/quadrature/jacobi_rule.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::numeric;
+#include "support/numeric_test.hpp"
 
 namespace {
 

@@ -2,13 +2,10 @@
 // surface, the resultants far away.
 
 #include <array>
-#include <stdexcept>
-#include <string>
 
 #include "interior_stress_problems.hpp"
+#include "support/numeric_test.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using namespace steadyslide::numeric::stress_test;
 
 namespace {
@@ -28,7 +25,7 @@ TEST_CASE("equilibrium and compatibility, by differences") {
   using std::abs;
   const Solved<R> solved(corners());
   const InteriorStress<R> interior(solved.solution());
-  const Rational h = Rational(1) / parse_rational("1000000000000");
+  const Rational h = 1_r / 1000000000000_r;
   for (const double fraction : {-0.2, 0.1, 0.5, 0.9}) {
     const Rational x = solved.place(fraction);
     const Rational z(1, 7);
@@ -160,13 +157,13 @@ TEST_CASE("far away there are two forces") {
       return R(difference(components(interior.at(x, z)), force) / size(force));
     };
     for (int direction = 0; direction < 3; ++direction) {
-      const R near = error(direction, Rational(1) / millionth, forces.normal.value, along);
+      const R near = error(direction, 1_r / millionth, forces.normal.value, along);
       const R far = error(direction, 1 / (millionth * millionth), forces.normal.value, along);
       CHECK(near < R(1e-5));
       CHECK(static_cast<double>(R(near / far)) == doctest::Approx(1e6).epsilon(0.01));
       // Controls: straight below the load the tangential force has no part.
-      if (direction > 0) CHECK(error(direction, Rational(1) / millionth, forces.normal.value, R(-along)) > R(0.01));
-      CHECK(error(direction, Rational(1) / millionth, R(forces.normal.value * R(1.01)), along) > R(0.001));
+      if (direction > 0) CHECK(error(direction, 1_r / millionth, forces.normal.value, R(-along)) > R(0.01));
+      CHECK(error(direction, 1_r / millionth, R(forces.normal.value * R(1.01)), along) > R(0.001));
     }
   }
 }
@@ -175,7 +172,7 @@ TEST_CASE("out of the plane") {
   const Rational x(2);
   const Rational z(1, 3);
   const auto stress = [&](const Elasticity& elasticity) {
-    const ContactProblem p(elasticity, FrictionProfile({Rational(1, 2)}), Indenter(1, {{3, Polynomial({0})}}), 2);
+    const ContactProblem p(elasticity, FrictionProfile({0.5_r}), Indenter(1, {{3, Polynomial({0})}}), 2);
     const Solved<double> solved(p);
     return InteriorStress<double>(solved.solution()).at(x, z);
   };
@@ -189,10 +186,10 @@ TEST_CASE("out of the plane") {
   CHECK(xx + yy + zz == doctest::Approx(0).scale(1).epsilon(1e-14));
   const double norm = xx * xx + yy * yy + zz * zz + 2 * strain.xz.value * strain.xz.value;
   CHECK(strain.von_mises()->value == doctest::Approx(std::sqrt(1.5 * norm)).epsilon(1e-14));
-  const StressState<double> plane = stress(Elasticity(Solid(Rational(1, 5), 2), Plane::stress));
+  const StressState<double> plane = stress(Elasticity(Solid(0.2_r, 2), Plane::stress));
   CHECK(plane.yy->value == 0);
   CHECK(plane.von_mises()->value > plane.mean()->value);
-  const StressState<double> reduced = stress(Elasticity::reduced(Rational(3, 8)));
+  const StressState<double> reduced = stress(Elasticity::reduced(0.375_r));
   CHECK(reduced.xx.value == doctest::Approx(strain.xx.value).epsilon(1e-12));
   CHECK_FALSE(reduced.yy);
   CHECK_FALSE(reduced.mean());
@@ -200,6 +197,6 @@ TEST_CASE("out of the plane") {
 
   const Solved<double> solved(punch());
   const InteriorStress<double> interior(solved.solution());
-  CHECK_THROWS_AS(interior.at(x, Rational(0)), std::invalid_argument);
+  CHECK_THROWS_AS(interior.at(x, 0_r), std::invalid_argument);
   CHECK_THROWS_AS(interior.at(x, Rational(-1)), std::invalid_argument);
 }

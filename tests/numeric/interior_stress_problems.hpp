@@ -1,41 +1,39 @@
 #pragma once
 // What the tests of the stresses below the surface solve, and a second route to these stresses.
 
-#include <doctest/doctest.h>
-
 #include "numeric/interior/half_plane_stress.hpp"
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "support/numeric_test.hpp"
 
 namespace steadyslide::numeric::stress_test {
 
-inline Elasticity body() { return Elasticity(Solid(Rational(1, 5), 2)); }
+inline Elasticity body() { return Elasticity(Solid(0.2_r, 2)); }
 
 /// Four friction values under a smooth indenter, free ends.
 inline ContactProblem jumps(Sliding sliding = Sliding::plus_x) {
-  return {body(), FrictionProfile({Rational(1, 2), 3, 0, 1}, {Rational(-1, 3), 0, Rational(1, 4)}),
-          Indenter(-2, {{2, Polynomial({0, Rational(1, 10), 1, 0, Rational(1, 2)})}}), 1, sliding};
+  return {body(), FrictionProfile({0.5_r, 3, 0, 1}, {Rational(-1, 3), 0, 0.25_r}),
+          Indenter(-2, {{2, Polynomial({0, 0.1_r, 1, 0, 0.5_r})}}), 1, sliding};
 }
 
 /// A flat punch on [1, 3] with constant friction.
 inline ContactProblem punch(Sliding sliding = Sliding::plus_x) {
-  return {body(), FrictionProfile({Rational(3, 2)}), Indenter(1, {{3, Polynomial({0})}}), 2, sliding};
+  return {body(), FrictionProfile({1.5_r}), Indenter(1, {{3, Polynomial({0})}}), 2, sliding};
 }
 
 inline ContactProblem parabola(Sliding sliding = Sliding::plus_x) {
-  return {body(), FrictionProfile({Rational(3, 2)}), Indenter(-2, {{2, Polynomial({0, Rational(1, 10), 1})}}), 1,
-          sliding};
+  return {body(), FrictionProfile({1.5_r}), Indenter(-2, {{2, Polynomial({0, 0.1_r, 1})}}), 1, sliding};
 }
 
 /// A wedge with a friction jump, a wedge, and a change of curvature, all in the contact.
 inline ContactProblem corners(Sliding sliding = Sliding::plus_x) {
-  const Polynomial left({0, Rational(-1, 10), 1});
-  const Polynomial middle({0, Rational(1, 10), 1});
-  const Polynomial wedge = middle + Polynomial({Rational(-1, 80), Rational(1, 10)});
-  const Polynomial bent = wedge + Polynomial({Rational(1, 16), Rational(-1, 2), 1});
-  return {body(), FrictionProfile({2, Rational(1, 2)}, {0}),
-          Indenter(-2, {{0, left}, {Rational(1, 8), middle}, {Rational(1, 4), wedge}, {2, bent}}), 1, sliding};
+  const Polynomial left({0, -0.1_r, 1});
+  const Polynomial middle({0, 0.1_r, 1});
+  const Polynomial wedge = middle + Polynomial({-0.0125_r, 0.1_r});
+  const Polynomial bent = wedge + Polynomial({0.0625_r, -0.5_r, 1});
+  return {body(), FrictionProfile({2, 0.5_r}, {0}),
+          Indenter(-2, {{0, left}, {0.125_r, middle}, {0.25_r, wedge}, {2, bent}}), 1, sliding};
 }
 
 template <Real R>

@@ -1,15 +1,12 @@
 // The stresses below the surface by unrelated routes: the adaptive tanh-sinh rule, and where one friction value and one
 // polynomial rule, potentials in closed form; and what they have to be next to the surface and far from it.
 
-#include "numeric/interior/interior_stress.hpp"
-
 #include <random>
-#include <string>
 
 #include "interior_stress_problems.hpp"
+#include "numeric/interior/interior_stress.hpp"
+#include "support/numeric_test.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using namespace steadyslide::numeric::stress_test;
 
 namespace {
@@ -77,8 +74,8 @@ TEST_CASE("quadrature of the tractions: jumps, wedges, edges, at every depth") {
   for (const ContactProblem& problem : {jumps(), corners(), corners(Sliding::minus_x), punch()}) {
     const Solved<double> solved(problem);
     const InteriorStress<double> interior(solved.solution());
-    std::vector<Rational> places{
-        0, Rational(1e-9), Rational(-1e-7), Rational(1, 4), solved.place(1e-6), solved.place(1 - 1e-9)};
+    std::vector<Rational> places{0,      Rational(1e-9),     Rational(-1e-7),
+                                 0.25_r, solved.place(1e-6), solved.place(1 - 1e-9)};
     for (int i = 0; i < 12; ++i) places.push_back(solved.place(between(random)));
     for (const Rational& x : places) {
       for (const char* depth : depths) {

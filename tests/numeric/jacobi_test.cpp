@@ -1,18 +1,9 @@
 // Gauss-Jacobi rules against closed forms.
 
-#include "numeric/quadrature/jacobi_rule.hpp"
-
-#include <doctest/doctest.h>
-
 #include <functional>
 
-#include "uniform.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::numeric;
-
-TYPE_TO_STRING(Real50);
-TYPE_TO_STRING(Real100);
+#include "numeric/quadrature/jacobi_rule.hpp"
+#include "support/numeric_test.hpp"
 
 namespace {
 

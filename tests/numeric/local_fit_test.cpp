@@ -1,13 +1,9 @@
 // What fits read off cells next to singular points: on cells whose means are known, those of Riemann-Hilbert forms, and
 // on such cells spoilt.
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include "support/local_cases.hpp"
+#include "support/numeric_test.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::testing;
 
 TEST_CASE("intensities and constants of exact cells") {

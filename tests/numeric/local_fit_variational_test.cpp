@@ -1,12 +1,8 @@
 // What fits read off the variational solver's cells: exponents that nobody told it.
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include "support/local_cases.hpp"
+#include "support/numeric_test.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::testing;
 
 TEST_CASE("the variational solver finds the exponents that the local analysis derives") {

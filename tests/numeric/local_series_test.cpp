@@ -1,15 +1,9 @@
 // Series fitted to cells whose means are known in closed form.
 
 #include "numeric/variational/local_series.hpp"
-
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include "numeric/variational/local_fit.hpp"
+#include "support/numeric_test.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using namespace steadyslide::numeric::variational;
 
 namespace {

@@ -1,18 +1,11 @@
 // The sign of the traction at anchors and ends of the contact: the rules against values as near as numbers reach, and
 // solutions below the load at which a notch closes.
 
-#include <doctest/doctest.h>
-#include <rapidcheck.h>
-
-#include <cmath>
-
-#include "numeric/riemann_hilbert/contact_inequalities.hpp"
 #include "numeric/riemann_hilbert/local_signs.hpp"
+#include "numeric/riemann_hilbert/contact_inequalities.hpp"
+#include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
-#include "uniform.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using testing::one_piece;
 using testing::reduced;
 using testing::solved;
@@ -24,11 +17,10 @@ Indenter roof(const Rational& left, const Rational& right, const Rational& bend 
 }
 
 /// psi = -|x|/5 over s = 0.0375 | 0.1875 is in full contact from this load on: theta at 0 vanishes there.
-const Rational threshold = parse_rational("8.308222888593932767");
+const Rational threshold = 8.308222888593932767_r;
 
 ContactProblem notch(const Rational& part_of_threshold, bool mirrored = false) {
-  const ContactProblem problem = reduced({Rational(3, 80), Rational(3, 16)}, {0}, roof(Rational(1, 5), Rational(-1, 5)),
-                                         part_of_threshold * threshold);
+  const ContactProblem problem = reduced({0.0375_r, 0.1875_r}, {0}, roof(0.2_r, -0.2_r), part_of_threshold * threshold);
   return mirrored ? problem.mirrored() : problem;
 }
 
@@ -74,7 +66,7 @@ TEST_CASE("the rules against the traction at 10^-1000000 from the corner") {
   CHECK(rc::check("full contact over any corner, any friction", [&] {
     const auto slope = [] { return Rational(uniform(-4, 4), 8); };
     const auto s = [] { return Rational(uniform(0, 8), 4); };
-    const Rational bend = uniform(0, 2) == 0 ? Rational(0) : Rational(uniform(-4, 4), 4);
+    const Rational bend = uniform(0, 2) == 0 ? 0_r : Rational(uniform(-4, 4), 4);
     const ContactProblem p = reduced({s(), s()}, {0}, roof(slope(), slope(), bend), Rational(uniform(1, 64), 4));
     const FullContact<Real50> full(p);
     for (std::size_t j = 0; j < 3; ++j) {
@@ -106,16 +98,16 @@ TEST_CASE("a notch over a rising jump opens below its threshold, by a gap like (
       last = now;
     }
     const double power = std::atan(3. / 16) / pi<double>() - std::atan(3. / 80) / pi<double>();
-    const double nearer = gap(*solved<double>(notch(parse_rational("0.9999999"), mirrored)));
+    const double nearer = gap(*solved<double>(notch(0.9999999_r, mirrored)));
     CHECK(std::log(last / nearer) / std::log(10) == doctest::Approx(1 / power).epsilon(1e-5));
-    const auto full = solved<double>(notch(parse_rational("1.000001"), mirrored));
+    const auto full = solved<double>(notch(1.000001_r, mirrored));
     REQUIRE(full->contact().size() == 1U);
     for (const auto& point : full->singular_points()) CHECK(point.intensity.value > 0);
   }
 }
 
 TEST_CASE("what is in contact where it pulls has an infinite tension, and a name") {
-  const FullContact<double> full(notch(Rational(7, 10)));
+  const FullContact<double> full(notch(0.7_r));
   const auto seen = violations(*full.form);
   REQUIRE(seen.size() == 1U);
   CHECK(seen[0].what == Violation<double>::What::tension);
@@ -128,8 +120,8 @@ TEST_CASE("what is in contact where it pulls has an infinite tension, and a name
       {{ContactSet<double>(accepted.problem(), {{-1, 1, true, true}}), {accepted.problem().load()}, 0}, 0, ""});
   CHECK(accepted.residuals().tension == infinity<double>());
   // The same corner in a notch without jump, and one where friction falls: whatever the load.
-  for (const auto& s : {std::vector<Rational>{1, 1}, {1, Rational(1, 2)}}) {
-    const FullContact<double> other(reduced(s, {0}, roof(Rational(1, 8), Rational(-1, 8)), 1000));
+  for (const auto& s : {std::vector<Rational>{1, 1}, {1, 0.5_r}}) {
+    const FullContact<double> other(reduced(s, {0}, roof(0.125_r, -0.125_r), 1000));
     CHECK(leading_term(*other.form, 1)->sign == 1);
     CHECK(highest_limit(*other.form, 0.) > 0);
   }
@@ -138,7 +130,7 @@ TEST_CASE("what is in contact where it pulls has an infinite tension, and a name
 TEST_CASE("gaps over notches without a jump, however short") {
   for (const int load : {4, 8, 12}) {
     const auto found = riemann_hilbert<double>(
-        reduced({1}, {}, Indenter(-1, {{0, Polynomial({0, Rational(1, 8), 1})}, {1, Polynomial({0, 0, 1})}}), load));
+        reduced({1}, {}, Indenter(-1, {{0, Polynomial({0, 0.125_r, 1})}, {1, Polynomial({0, 0, 1})}}), load));
     CHECK(found.solution->shortcoming() == "");
     CHECK(found.solution->contact().size() == 2U);
     CHECK(found.solution->residuals().load < 1e-13);
@@ -147,8 +139,7 @@ TEST_CASE("gaps over notches without a jump, however short") {
 }
 
 TEST_CASE("a gap that double cannot hold is refused, with the reason") {
-  const auto found =
-      riemann_hilbert<double>(reduced({Rational(1, 2)}, {}, roof(Rational(1, 8), Rational(-1, 8)), 1000));
+  const auto found = riemann_hilbert<double>(reduced({0.5_r}, {}, roof(0.125_r, -0.125_r), 1000));
   CHECK(found.solution->shortcoming().find("the leading term at x = 0 pulls") == 0);
   CHECK(found.solution->residuals().tension == infinity<double>());
 }
@@ -158,7 +149,7 @@ TEST_CASE("no solution of a random notch over a jump has a sign that is known to
   CHECK(rc::check("random slopes, frictions and loads", [&] {
     const auto slope = [] { return Rational(uniform(1, 16), 16); };
     const auto s = [] { return Rational(uniform(0, 40), 20); };
-    const Rational bend = uniform(0, 2) == 0 ? Rational(uniform(1, 4), 4) : Rational(0);
+    const Rational bend = uniform(0, 2) == 0 ? Rational(uniform(1, 4), 4) : 0_r;
     const ContactProblem q = reduced({s(), s()}, {0}, roof(slope(), -slope(), bend), Rational(uniform(1, 400), 16));
     const ContactProblem p = uniform(0, 1) == 0 ? q : q.mirrored();
     const Attempt<double> attempt = riemann_hilbert<double>(p);

@@ -1,11 +1,6 @@
 #include "numeric/closed_form/parabola.hpp"
-
-#include <doctest/doctest.h>
-
 #include "numeric/closed_form/closed_form.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::numeric;
+#include "support/numeric_test.hpp"
 
 namespace {
 
@@ -14,7 +9,7 @@ ContactProblem galin(const std::vector<Rational>& s, const std::vector<Rational>
                      const Rational& load) {
   std::vector<Rational> friction;
   for (const Rational& value : s) friction.push_back(2 * value);
-  return ContactProblem(Elasticity::reduced(Rational(1, 2)), FrictionProfile(friction, jumps),
+  return ContactProblem(Elasticity::reduced(0.5_r), FrictionProfile(friction, jumps),
                         Indenter(-100, {{100, Polynomial({0, 0, 1 / (2 * radius)})}}), load);
 }
 
@@ -28,15 +23,13 @@ TEST_CASE("one jump at the vertex: ends to 40 digits") {
     const char* right;
   };
   const Case cases[] = {
-      {Rational(1, 10), Rational(3, 5), "-0.4003017752023082835874813713471545627373",
-       "0.2789364365421476101051427811594294453144"},
-      {Rational(3, 5), Rational(1, 10), "-0.4900056280717151697542022236678901591541",
-       "0.3022454527884637023227909724409309514227"},
+      {0.1_r, 0.6_r, "-0.4003017752023082835874813713471545627373", "0.2789364365421476101051427811594294453144"},
+      {0.6_r, 0.1_r, "-0.4900056280717151697542022236678901591541", "0.3022454527884637023227909724409309514227"},
   };
   for (const Case& c : cases) {
     const auto check = [&]<class R>(double tolerance) {
       using std::abs;
-      const auto solution = closed_form<R>(galin({c.rear, c.front}, {0}, Rational(1, 5), 1)).solution;
+      const auto solution = closed_form<R>(galin({c.rear, c.front}, {0}, 0.2_r, 1)).solution;
       const ContactComponent<R> zone = solution->contact().front();
       CHECK(abs(zone.left.x.value - R(Real100(c.left))) < tolerance);
       CHECK(abs(zone.right.x.value - R(Real100(c.right))) < tolerance);
@@ -51,7 +44,7 @@ TEST_CASE("no jump: half-width, shifted zone and peak at -4 alpha a") {
   using std::abs, std::sqrt;
   for (const char* slope : {"0", "0.3", "2", "-0.7"}) {
     const Rational s = abs(parse_rational(slope));
-    const auto problem = galin({s}, {}, Rational(3, 7), Rational(5, 2));
+    const auto problem = galin({s}, {}, Rational(3, 7), 2.5_r);
     // The sign of s through the direction of sliding.
     const ContactProblem directed = problem.with_sliding(slope[0] == '-' ? Sliding::minus_x : Sliding::plus_x);
     const Real50 alpha = to_real<Real50>(Exponent::angle(parse_rational(slope)));
@@ -71,8 +64,8 @@ TEST_CASE("no jump: half-width, shifted zone and peak at -4 alpha a") {
 }
 
 TEST_CASE("the contact takes in one jump after the other as the load grows, without a break") {
-  const std::vector<Rational> s{Rational(1, 2), 0, 3, Rational(1, 10), 2};
-  const std::vector<Rational> jumps{Rational(-3, 2), Rational(-1, 3), Rational(1, 4), Rational(4, 5)};
+  const std::vector<Rational> s{0.5_r, 0, 3, 0.1_r, 2};
+  const std::vector<Rational> jumps{-1.5_r, Rational(-1, 3), 0.25_r, 0.8_r};
   std::size_t seen = 0;
   double left = 0;
   double right = 0;
@@ -94,8 +87,8 @@ TEST_CASE("the contact takes in one jump after the other as the load grows, with
 }
 
 TEST_CASE("where no closed form applies, the reason is given") {
-  const FrictionProfile friction({Rational(1, 2)});
-  const Elasticity rigid(Solid(Rational(3, 10), 1));
+  const FrictionProfile friction({0.5_r});
+  const Elasticity rigid(Solid(0.3_r, 1));
   const auto reason = [](const ContactProblem& problem) { return closed_form<double>(problem).why_not; };
   const Polynomial parabola({0, 0, 1});
   CHECK(reason({rigid, friction, Indenter(-1, {{1, Polynomial({0, 1})}}), 1}) ==
@@ -108,9 +101,9 @@ TEST_CASE("where no closed form applies, the reason is given") {
         "the parabola's contact reaches an edge of the support");
   CHECK(reason({rigid, friction, Indenter(-1, {{1, Polynomial({0, 50, 1})}}), 1}) ==
         "the parabola's contact reaches an edge of the support");
-  CHECK(reason({rigid, friction, Indenter(-1, {{1, Polynomial()}}), 1, Sliding::plus_x, Rational(0)}) ==
+  CHECK(reason({rigid, friction, Indenter(-1, {{1, Polynomial()}}), 1, Sliding::plus_x, 0_r}) ==
         "the indenter may tilt");
   CHECK(reason({Elasticity(Solid(0, 1), Solid(0, 2)), friction, Indenter(-1, {{1, Polynomial()}}), 1}) ==
         "a flat elastic indenter touches with its edges, where the half-plane idealisation fails");
-  CHECK(reason({rigid, friction, Indenter(-1, {{0, parabola}, {1, parabola}}), Rational(1, 100)}) == "");
+  CHECK(reason({rigid, friction, Indenter(-1, {{0, parabola}, {1, parabola}}), 0.01_r}) == "");
 }

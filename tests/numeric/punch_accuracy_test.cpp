@@ -1,15 +1,11 @@
 // Flat punches with 0, 1, 3 and 8 jumps, nu from -0.9 to 0.499 and f from 0 to 50: load and equation, measured by the
 // trapezoidal rule and, at a few points, by tanh-sinh and GSL.
 
-#include <doctest/doctest.h>
-
 #include "numeric/cauchy/residuals.hpp"
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/quadrature/gsl_quadrature.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::numeric;
+#include "support/numeric_test.hpp"
 
 namespace {
 
@@ -52,7 +48,7 @@ TEST_CASE("double: load and equation to 1e-12") {
 
 TEST_CASE("50 digits: load and equation to 1e-45") {
   for (const int jumps : {0, 1, 3}) check_residuals<Real50>(jumps, Real50("1e-45"));
-  const ContactProblem problem = punch(8, Rational(3, 10), 50, Rational(1, 10));
+  const ContactProblem problem = punch(8, 0.3_r, 50, 0.1_r);
   const Residuals<Real50> residuals = closed_form<Real50>(problem).solution->residuals();
   CHECK(residuals.equation <= Real50("1e-45"));
   CHECK(residuals.load <= Real50("1e-45"));
@@ -60,7 +56,7 @@ TEST_CASE("50 digits: load and equation to 1e-45") {
 
 TEST_CASE("100 digits: load and equation to 1e-95") {
   for (const int jumps : {0, 1}) check_residuals<Real100>(jumps, Real100("1e-95"));
-  const ContactProblem problem = punch(3, Rational(-9, 10), 50, Rational(1, 10));
+  const ContactProblem problem = punch(3, -0.9_r, 50, 0.1_r);
   CHECK(closed_form<Real100>(problem).solution->residuals().equation <= Real100("1e-95"));
 }
 
@@ -74,7 +70,7 @@ TEST_CASE("GSL and tanh-sinh agree with the equation to 1e-11 where GSL converge
   int all = 0;
   for (const int jumps : {0, 1, 3, 8}) {
     for (const char* nu : {"-0.9", "0.3", "0.499"}) {
-      const ContactProblem problem = punch(jumps, parse_rational(nu), 50, Rational(1, 2));
+      const ContactProblem problem = punch(jumps, parse_rational(nu), 50, 0.5_r);
       const auto data = std::get<ClosedFormData<double>>(closed_form_data<double>(problem));
       const PiecewiseDensity<double> density = data.traction.density();
       for (std::size_t k = 0; k < density.size(); ++k) {
@@ -101,7 +97,7 @@ TEST_CASE("GSL and tanh-sinh agree with the equation to 1e-11 where GSL converge
 }
 
 TEST_CASE("control: a swapped pair of friction values is refuted by the same residual") {
-  const ContactProblem problem = punch(1, Rational(3, 10), Rational(1, 2), Rational(1, 5));
+  const ContactProblem problem = punch(1, 0.3_r, 0.5_r, 0.2_r);
   const auto data = std::get<ClosedFormData<double>>(closed_form_data<double>(problem));
   const std::vector<double> swapped{to_real<double>(problem.coupled_friction(1)),
                                     to_real<double>(problem.coupled_friction(0))};

@@ -1,19 +1,10 @@
 // Every route against integrals with a known value. One line = one case.
 
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "numeric/cauchy/sliding_operator.hpp"
 #include "numeric/quadrature/gsl_quadrature.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::numeric;
-
-TYPE_TO_STRING(Real50);
-TYPE_TO_STRING(Real100);
+#include "support/numeric_test.hpp"
 
 namespace {
 
@@ -42,7 +33,7 @@ TEST_CASE_TEMPLATE("normalisation of Galin's punch: int (1+x)^(-1/2-a) (1-x)^(-1
   using std::abs, std::sqrt;
   // s = tan(pi a); cos(pi a) = 1/sqrt(1+s^2). s = 1000: 14 of 15 parts of the load are in the last 1e-16 of the rear
   // end.
-  for (const Rational& s : {Rational(0), Rational(1, 7), Rational(-5), Rational(37), Rational(1000)}) {
+  for (const Rational& s : {0_r, Rational(1, 7), Rational(-5), 37_r, 1000_r}) {
     CAPTURE(to_string(s));
     const Exponent a = Exponent::angle(s);
     const auto density = jacobi<R>(-half - a, -half + a, one<R>);
@@ -77,8 +68,8 @@ TEST_CASE("control: with x alone instead of the distance the same integral is wr
 TEST_CASE_TEMPLATE("the published integral: Galin's punch with s = 1 seen from x = 2 is -pi sqrt(2)/3^(3/4)", R, double,
                    Real50, Real100) {
   using std::pow, std::sqrt;
-  const Exponent quarter(Rational(-1, 4));
-  const auto density = jacobi<R>(Exponent(Rational(-3, 4)), quarter, one<R>);
+  const Exponent quarter(-0.25_r);
+  const auto density = jacobi<R>(Exponent(-0.75_r), quarter, one<R>);
   const R expected = -sqrt(R(2)) / pow(R(3), R(3) / 4);
   CHECK(close(tanh_sinh::cauchy(density, Side::right, R(1)).value, expected, 100));
   CHECK(close(trapezoidal::Grid<R>(density).cauchy(Side::right, R(1)), expected, 100));
@@ -109,7 +100,7 @@ TEST_CASE("published principal values (tests of SingularIntegralEquations.jl), x
 
 TEST_CASE_TEMPLATE("H of Galin's weight is -tan(pi a) times it, from 1e-9 of an end to 1e-9 of the other", R, double,
                    Real50, Real100) {
-  for (const Rational& s : {Rational(1, 3), Rational(-2), Rational(40)}) {
+  for (const Rational& s : {Rational(1, 3), Rational(-2), 40_r}) {
     CAPTURE(to_string(s));
     const Exponent a = Exponent::angle(s);
     const auto density = jacobi<R>(-half - a, -half + a, one<R>);
@@ -132,7 +123,7 @@ TEST_CASE_TEMPLATE("H of Galin's weight is -tan(pi a) times it, from 1e-9 of an 
 
 TEST_CASE("the Mellin symbol: H of a power on the right of 0, seen from the left, over a wide panel") {
   // (1/pi) int_0^1 y^l/(y+d) dy = -d^l/sin(pi l) - (1/pi) sum_n (-d)^n/(n - l), l = -1/4, d = 1/1000.
-  const Exponent power_of_density(Rational(-1, 4));
+  const Exponent power_of_density(-0.25_r);
   const double l = -0.25;
   const PiecewiseDensity<double> density{
       {Panel<double>{0, 1, 1}, Power<double>::of(power_of_density), Power<double>::of(Exponent(0)), one<double>}};
@@ -146,7 +137,7 @@ TEST_CASE("the Mellin symbol: H of a power on the right of 0, seen from the left
 }
 
 TEST_CASE("a point off the grid's midpoints and one on them agree") {
-  const Exponent a = Exponent::angle(Rational(1, 2));
+  const Exponent a = Exponent::angle(0.5_r);
   const auto density = jacobi<Real50>(-half - a, -half + a, one<Real50>);
   const trapezoidal::Grid<Real50> grid(density);
   const PanelPoint<Real50> on = grid.midpoint_near(0, Real50(0.3));

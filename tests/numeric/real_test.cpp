@@ -1,11 +1,6 @@
 #include "numeric/number/real.hpp"
-
-#include <doctest/doctest.h>
-
 #include "numeric/number/power.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::numeric;
+#include "support/numeric_test.hpp"
 
 TEST_CASE("rationals become the nearest double, not the truncated one") {
   CHECK(to_real<double>(Rational(2, 3)) == 2.0 / 3);

@@ -1,14 +1,6 @@
 #include "numeric/riemann_hilbert/reduced_problem.hpp"
-
-#include <doctest/doctest.h>
-
 #include "model/singular_point.hpp"
-#include "uniform.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::numeric;
-
-TYPE_TO_STRING(Real50);
+#include "support/numeric_test.hpp"
 
 namespace {
 
@@ -22,8 +14,8 @@ ContactProblem some_problem(const Choose& choose) {
   const Polynomial a({choose(2, 7), choose(2, 5), choose(2, 3), choose(1, 9)});
   const Polynomial b = a + Polynomial({1});
   const Polynomial c = b + Polynomial({-1, 1}) * Polynomial({choose(3, 11), choose(3, 4), 7});
-  return {Elasticity(Solid(Rational(1, 5), Rational(7, 2))),
-          FrictionProfile({Rational(1, 3), 2, 0}, {Rational(-1, 2), 1}),
+  return {Elasticity(Solid(0.2_r, 3.5_r)),
+          FrictionProfile({Rational(1, 3), 2, 0}, {-0.5_r, 1}),
           Indenter(-1, {{0, a}, {1, b}, {2, c}}),
           Rational(5, 3),
           Sliding::minus_x,
@@ -74,7 +66,7 @@ TEST_CASE_TEMPLATE("a frame changes no slope and no height", R, double, Real50) 
         const Rational xi(static_cast<Integer>(numerator(at) * 1024 / denominator(at)), 1024);
         const Rational x = frame.origin + frame.unit * xi;
         RC_ASSERT(close(reduced.slope(reduced.slope_of(k), to_real<R>(xi)), slope(x) / c, scale));
-        for (const Rational& step : {Rational(1, 1024), Rational(-1, 1048576), Rational(1)}) {
+        for (const Rational& step : {Rational(1, 1024), Rational(-1, 1048576), 1_r}) {
           const Rational rise = (profile(x + frame.unit * step) - profile(x)) / (c * frame.unit);
           // Of a short interval's rise rounding spoils no more than of the slope: nothing cancels.
           const R found = reduced.profile_increment(reduced.slope_of(k), to_real<R>(xi), to_real<R>(xi + step));

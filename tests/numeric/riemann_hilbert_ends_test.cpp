@@ -1,17 +1,12 @@
 // Free ends beside, at and across friction jumps, and at the edges of the support.
 
-#include <doctest/doctest.h>
-
 #include "numeric/closed_form/closed_form.hpp"
+#include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using testing::one_piece;
 using testing::reduced;
 using testing::solved;
-
-TYPE_TO_STRING(Real50);
 
 namespace {
 
@@ -64,7 +59,7 @@ TEST_CASE_TEMPLATE("a friction jump beside a free end: outside it changes nothin
   for (const End end : {End::left, End::right}) {
     for (const std::string& distance : many ? std::vector<std::string>{"1e-3", "1e-12", "1e-15", "1e-17", "1e-30"}
                                             : std::vector<std::string>{"1e-12"}) {
-      for (const Rational& other : {Rational(0), Rational(2)}) {
+      for (const Rational& other : {0_r, 2_r}) {
         if (!many && other == 0) continue;
         for (const bool inside : {true, false}) {
           CAPTURE(distance);
@@ -84,8 +79,7 @@ TEST_CASE_TEMPLATE("a friction jump beside a free end: outside it changes nothin
 
 TEST_CASE_TEMPLATE("an end exactly at a jump, and just before and beyond it", R, double, Real50) {
   const bool many = std::same_as<R, double>;
-  const std::pair<Rational, Rational> frictions[] = {
-      {Rational(3, 10), Rational(3, 2)}, {2, Rational(1, 3)}, {0, 15}, {15, 0}};
+  const std::pair<Rational, Rational> frictions[] = {{0.3_r, 1.5_r}, {2, Rational(1, 3)}, {0, 15}, {15, 0}};
   for (const End end : {End::left, End::right}) {
     for (const auto& [own, other] : frictions) {
       const std::vector<std::string> all{"0", "1e-3", "-1e-3", "1e-8", "-1e-8", "1e-14", "-1e-14", "1e-30", "-1e-30"};
@@ -93,7 +87,7 @@ TEST_CASE_TEMPLATE("an end exactly at a jump, and just before and beyond it", R,
         if (!many && own != 2) continue;
         CAPTURE(change);
         const Rational load = load_to_reach_half(end, own) * (1 + parse_rational(change));
-        const Rational c = end == End::left ? Rational(-1, 2) : Rational(1, 2);
+        const Rational c = end == End::left ? -0.5_r : 0.5_r;
         const auto values = end == End::left ? std::vector{other, own} : std::vector{own, other};
         const ContactProblem p = reduced(values, {c}, parabola, load);
         const auto found = solved<R>(p);
@@ -108,10 +102,10 @@ TEST_CASE_TEMPLATE("an end exactly at a jump, and just before and beyond it", R,
 
 TEST_CASE_TEMPLATE("an end exactly at the support's edge, and just before and beyond it", R, double, Real50) {
   for (const End end : {End::left, End::right}) {
-    for (const Rational& s : {Rational(0), Rational(3, 10), Rational(1)}) {
+    for (const Rational& s : {0_r, 0.3_r, 1_r}) {
       const Rational load = load_to_reach_half(end, s);
       const Indenter indenter =
-          end == End::left ? one_piece(Rational(-1, 2), 100, {0, 0, 1}) : one_piece(-100, Rational(1, 2), {0, 0, 1});
+          end == End::left ? one_piece(-0.5_r, 100, {0, 0, 1}) : one_piece(-100, 0.5_r, {0, 0, 1});
       const auto at_edge = solved<R>(reduced({s}, {}, indenter, load));
       const std::vector<std::string> all{"1e-3", "1e-8", "1e-14", "1e-30"};
       for (const std::string& change : std::same_as<R, double> ? all : std::vector<std::string>{"1e-8"}) {

@@ -1,17 +1,16 @@
 // Does an estimated error cover the true one? Measured against more digits.
 
+#include "support/numeric_test.hpp"
 #include "support/two_wells.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using namespace steadyslide::testing;
 
 namespace {
 
 /// A wedge in the contact, its two slopes of different size, with a friction jump at its tip.
 ContactProblem wedge_and_jump(const Rational& f_left, const Rational& f_right) {
-  const Indenter wedge(-1, {{0, Polynomial({0, Rational(-1, 7)})}, {1, Polynomial({0, Rational(1, 10)})}});
-  return {Elasticity(Solid(Rational(3, 10), 1)), FrictionProfile({f_left, f_right}, {0}), wedge, Rational(1, 10)};
+  const Indenter wedge(-1, {{0, Polynomial({0, Rational(-1, 7)})}, {1, Polynomial({0, 0.1_r})}});
+  return {Elasticity(Solid(0.3_r, 1)), FrictionProfile({f_left, f_right}, {0}), wedge, 0.1_r};
 }
 
 template <Real R>
@@ -26,7 +25,7 @@ SolvedSingularPoint<R> corner(const ContactProblem& problem) {
 }
 
 ContactProblem nearly_equal(const char* difference) {
-  return wedge_and_jump(Rational(1, 5), Rational(1, 5) + parse_rational(difference));
+  return wedge_and_jump(0.2_r, 0.2_r + parse_rational(difference));
 }
 
 /// D/[s] of the exact data.
@@ -112,13 +111,13 @@ class Displaced {
 };
 
 std::vector<ContactProblem> with_free_ends() {
-  const Indenter parabola = one_piece(-1, 1, {0, 0, Rational(5, 2)});
-  return {reduced({Rational(1, 10), Rational(3, 5)}, {0}, parabola, 1),
-          reduced({Rational(3, 5), Rational(1, 10)}, {0}, parabola, 1),
-          wedge_and_jump(Rational(1, 5), Rational(1, 5)),
-          wedge_and_jump(Rational(1, 5), Rational(1, 10)),
+  const Indenter parabola = one_piece(-1, 1, {0, 0, 2.5_r});
+  return {reduced({0.1_r, 0.6_r}, {0}, parabola, 1),
+          reduced({0.6_r, 0.1_r}, {0}, parabola, 1),
+          wedge_and_jump(0.2_r, 0.2_r),
+          wedge_and_jump(0.2_r, 0.1_r),
           on_two_coatings(two_wells(), 8),
-          on_two_coatings(two_wells(), 8, Rational(1, 10))};
+          on_two_coatings(two_wells(), 8, 0.1_r)};
 }
 
 }  // namespace

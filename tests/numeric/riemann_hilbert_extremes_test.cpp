@@ -1,24 +1,19 @@
 // Large friction, high degrees, supports that are wide or far away, many digits, and a neighbour to start from.
 
-#include <doctest/doctest.h>
-
+#include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 #include "support/two_wells.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using testing::on_two_coatings;
 using testing::one_piece;
 using testing::reduced;
 using testing::solved;
 
-TYPE_TO_STRING(Real50);
-
 namespace {
 
 const Indenter wells = testing::two_wells();
-const Indenter bent(-1, {{0, Polynomial({0, -1, 1})}, {1, Polynomial({0, Rational(1, 2)})}});
-const Indenter step(-1, {{0, Polynomial({0, 0, 1})}, {1, Polynomial({Rational(1, 10), 0, 1})}});
+const Indenter bent(-1, {{0, Polynomial({0, -1, 1})}, {1, Polynomial({0, 0.5_r})}});
+const Indenter step(-1, {{0, Polynomial({0, 0, 1})}, {1, Polynomial({0.1_r, 0, 1})}});
 
 /// Ends, intensities and tractions agree; b is a moved by `shift`.
 template <Real A, Real B>
@@ -50,27 +45,25 @@ TEST_CASE("large friction") {
     for (const int front : {0, 15, 50}) {
       CAPTURE(rear);
       CAPTURE(front);
-      const auto with = [&](const Indenter& indenter) {
-        return reduced({rear, front}, {Rational(1, 10)}, indenter, 1);
-      };
+      const auto with = [&](const Indenter& indenter) { return reduced({rear, front}, {0.1_r}, indenter, 1); };
       solved<double>(with(one_piece(-100, 100, {0, 0, 1})));
       solved<double>(with(one_piece(-1, 1, {0})));
       solved<double>(with(one_piece(-1, 1, {0, 1})));
       solved<double>(with(Indenter(-1, {{0, Polynomial({0, 0, 1})}, {1, Polynomial()}})));
     }
   }
-  solved<Real50>(reduced({15, 0}, {Rational(1, 10)}, one_piece(-100, 100, {0, 0, 1}), 1));
+  solved<Real50>(reduced({15, 0}, {0.1_r}, one_piece(-100, 100, {0, 0, 1}), 1));
 }
 
 TEST_CASE("degree 64") {
-  std::vector<Rational> high(65, Rational(0));
+  std::vector<Rational> high(65, 0_r);
   high[64] = 1;
   std::vector<Rational> mixed = high;
-  mixed[2] = Rational(1, 10);
-  std::vector<Rational> dense(65, Rational(0));
+  mixed[2] = 0.1_r;
+  std::vector<Rational> dense(65, 0_r);
   for (int k = 2; k <= 64; ++k) dense[static_cast<std::size_t>(k)] = Rational(1, k * k);
   for (const auto& coefficients : {high, mixed, dense}) {
-    const ContactProblem p = on_two_coatings(one_piece(-1, 1, coefficients), Rational(1, 10));
+    const ContactProblem p = on_two_coatings(one_piece(-1, 1, coefficients), 0.1_r);
     const auto found = solved<double>(p);
     agree<double, Real50>(*found, *riemann_hilbert<Real50>(p).solution, Real50(1e-12));
   }

@@ -1,16 +1,13 @@
 // What is not solved says so; and what is wrong is seen.
 
-#include <doctest/doctest.h>
-
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/riemann_hilbert/contact_inequalities.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/variational/variational_inequality.hpp"
+#include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 #include "support/two_wells.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using testing::on_two_coatings;
 using testing::one_piece;
 using testing::reduced;
@@ -42,17 +39,17 @@ Form form_of(const ReducedProblem<double>& problem, const ContactState<double>& 
 }  // namespace
 
 TEST_CASE("an elastic indenter whose contact reaches an edge") {
-  const Elasticity both(Solid(Rational(3, 10), 1), Solid(Rational(1, 5), 2));
-  const ContactProblem pressed(both, FrictionProfile({Rational(1, 2)}), one_piece(-1, 1, {0, 0, 1}), 100);
+  const Elasticity both(Solid(0.3_r, 1), Solid(0.2_r, 2));
+  const ContactProblem pressed(both, FrictionProfile({0.5_r}), one_piece(-1, 1, {0, 0, 1}), 100);
   const Attempt<double> attempt = riemann_hilbert<double>(pressed);
   CHECK(!attempt.solution);
   CHECK(attempt.why_not.find("elastic indenter") != std::string::npos);
-  const ContactProblem touching(both, FrictionProfile({Rational(1, 2)}), one_piece(-1, 1, {0, 0, 1}), Rational(1, 100));
+  const ContactProblem touching(both, FrictionProfile({0.5_r}), one_piece(-1, 1, {0, 0, 1}), 0.01_r);
   CHECK(solved<double>(touching)->contact()[0].left.kind == SingularKind::free);
 }
 
 TEST_CASE("a search that leads nowhere ends with a shortcoming") {
-  const ContactProblem p = reduced({Rational(3, 10)}, {}, one_piece(-1, 1, {0, 0, 1}), 1);
+  const ContactProblem p = reduced({0.3_r}, {}, one_piece(-1, 1, {0, 0, 1}), 1);
   const ReducedProblem<double> problem(p, {0, 1});
   JacobiRules<double> rules;
   // Free ends that are fixed at the support's ends cannot bear the load.
@@ -94,7 +91,7 @@ TEST_CASE("control: a set of the wrong kind has violations") {
   JacobiRules<double> rules;
   {
     // One component where there have to be two: the traction pulls in the middle.
-    const ContactProblem p = on_two_coatings(wells.indenter(), Rational(9, 2));
+    const ContactProblem p = on_two_coatings(wells.indenter(), 4.5_r);
     const ReducedProblem<double> problem(p, {0, 1});
     const auto found = converged(problem, Set(problem, {{-1.5, 1.2, false, false}}), rules);
     const auto seen = violations(form_of(problem, found.state, rules));
@@ -103,7 +100,7 @@ TEST_CASE("control: a set of the wrong kind has violations") {
   }
   {
     // One where there have to be two: the other bump penetrates.
-    const ContactProblem p = reduced({Rational(3, 10)}, {}, one_piece(-3, 3, {1, 0, -2, 0, 1}), Rational(1, 2));
+    const ContactProblem p = reduced({0.3_r}, {}, one_piece(-3, 3, {1, 0, -2, 0, 1}), 0.5_r);
     const ReducedProblem<double> problem(p, {0, 1});
     const auto found = converged(problem, Set(problem, {{-1.2, -0.8, false, false}}), rules);
     const auto seen = violations(form_of(problem, found.state, rules));
@@ -112,7 +109,7 @@ TEST_CASE("control: a set of the wrong kind has violations") {
   }
   {
     // Edges where the ends are free: an inclined punch that is fixed at both ends pulls at one of them.
-    const ContactProblem p = reduced({Rational(3, 10)}, {}, one_piece(-1, 1, {0, 1}), Rational(1, 2));
+    const ContactProblem p = reduced({0.3_r}, {}, one_piece(-1, 1, {0, 1}), 0.5_r);
     const ReducedProblem<double> problem(p, {0, 1});
     const auto found = converged(problem, Set(problem, {{-1, 1, true, true}}), rules);
     const auto seen = violations(form_of(problem, found.state, rules));
@@ -131,13 +128,13 @@ TEST_CASE("control: a set of the wrong kind has violations") {
 TEST_CASE("a second bump on a support much wider than it") {
   const Rational a = 1000;
   const Indenter bumps(-100000, {{0, Polynomial({a * a, 2 * a, 1})}, {100000, Polynomial({a * a, -2 * a, 1})}});
-  CHECK(solved<double>(reduced({Rational(3, 10)}, {}, bumps, 1))->contact().size() == 2U);
+  CHECK(solved<double>(reduced({0.3_r}, {}, bumps, 1))->contact().size() == 2U);
 }
 
 // Beyond the wedge contact reaches less than a millionth of its length.
 TEST_CASE("known limit: a wedge under large friction" * doctest::should_fail()) {
   const Indenter wedge(-1, {{0, Polynomial({0, -1})}, {1, Polynomial({0, 1})}});
-  solved<double>(reduced({8}, {}, wedge, Rational(1, 10)));
+  solved<double>(reduced({8}, {}, wedge, 0.1_r));
 }
 
 TEST_CASE("more values of friction than powers take are refused at once, and cells take them") {

@@ -1,16 +1,11 @@
 // The Riemann-Hilbert form on contact sets of every kind, right or wrong: what holds for all of them.
 
-#include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
-
-#include <doctest/doctest.h>
-
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
+#include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
-#include "uniform.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using testing::reduced;
 
 namespace {
@@ -24,10 +19,9 @@ R size_of(const R& value) {
 /// Three pieces on [-2, 2] with wedges at -1/2 and 1, a step up at 1, jumps at -1/2, 0, 3/2.
 ContactProblem some_problem() {
   const Polynomial a({1, Rational(-1, 3), 1});
-  const Polynomial b = a + Polynomial({Rational(1, 2), 1}) * Polynomial({Rational(1, 4), 0, Rational(1, 5)});
-  const Polynomial c = b + Polynomial({Rational(1, 10)}) + Polynomial({-1, 1});
-  return reduced({Rational(3, 10), 2, Rational(1, 2), 0}, {Rational(-1, 2), 0, Rational(3, 2)},
-                 Indenter(-2, {{Rational(-1, 2), a}, {1, b}, {2, c}}), Rational(7, 3));
+  const Polynomial b = a + Polynomial({0.5_r, 1}) * Polynomial({0.25_r, 0, 0.2_r});
+  const Polynomial c = b + Polynomial({0.1_r}) + Polynomial({-1, 1});
+  return reduced({0.3_r, 2, 0.5_r, 0}, {-0.5_r, 0, 1.5_r}, Indenter(-2, {{-0.5_r, a}, {1, b}, {2, c}}), Rational(7, 3));
 }
 
 /// One to three components, with edges where they can be, ends anywhere, q and tilt anything.

@@ -1,17 +1,12 @@
 #include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
-
-#include <doctest/doctest.h>
-
 #include "numeric/riemann_hilbert/gap_integral.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::numeric;
+#include "support/numeric_test.hpp"
 
 namespace {
 
 /// Contact from a step, where the traction blows up like d^-0.82, to a free end.
 ContactProblem step() {
-  const Polynomial profile({0, 1, Rational(1, 2)});
+  const Polynomial profile({0, 1, 0.5_r});
   return {Elasticity(Solid(Rational(-5, 14), 1)), FrictionProfile({Rational(18, 7)}),
           Indenter(-4, {{Rational(-45, 14), profile}, {4, profile + Polynomial({-1})}}), 1};
 }
@@ -20,7 +15,7 @@ ContactProblem step() {
 template <Real R>
 std::vector<double> openings() {
   const ContactProblem problem = step();
-  const ReducedProblem<R> reduced(problem, {Rational(1, 8), 2});
+  const ReducedProblem<R> reduced(problem, {0.125_r, 2});
   JacobiRules<R> rules;
   const RiemannHilbertForm<R> form(reduced, ContactSet<R>(reduced, {{-1.67, 0.7, true, false}}), {}, R(0), rules);
   std::vector<double> result;

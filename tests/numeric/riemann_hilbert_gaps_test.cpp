@@ -1,13 +1,10 @@
 // Gaps beside a contact that ends at a break of the profile, where the indenter goes on with another polynomial:
 // heights by the form against the profile less the displacement that the traction makes.
 
-#include <doctest/doctest.h>
-
 #include "numeric/riemann_hilbert/gap_integral.hpp"
+#include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using testing::reduced;
 using testing::solved;
 
@@ -24,12 +21,11 @@ std::vector<Case> cases() {
   const Polynomial bowl({0, 0, 1});
   const Polynomial high({1, 1});
   const Polynomial flat;
-  const Polynomial between({Rational(1, 2), 0, Rational(1, 4)});
+  const Polynomial between({0.5_r, 0, 0.25_r});
   return {{"a step up, an incline beyond", Indenter(-1, {{0, bowl}, {1, high}}), 1, 1},
           {"a step down, a bowl before it", Indenter(-1, {{0, Polynomial({1, 0, 2})}, {1, bowl}}), 1, 1},
-          {"a step up, two polynomials beyond", Indenter(-1, {{0, bowl}, {Rational(1, 2), high}, {1, between}}), 1, 1},
-          {"two feet, an arch between", Indenter(-1, {{Rational(-1, 3), flat}, {Rational(1, 4), between}, {1, flat}}),
-           2, 2}};
+          {"a step up, two polynomials beyond", Indenter(-1, {{0, bowl}, {0.5_r, high}, {1, between}}), 1, 1},
+          {"two feet, an arch between", Indenter(-1, {{Rational(-1, 3), flat}, {0.25_r, between}, {1, flat}}), 2, 2}};
 }
 
 }  // namespace
@@ -38,7 +34,7 @@ TEST_CASE("gaps beside a step whose other face is another polynomial") {
   int wrong_by_one_polynomial = 0;
   for (const Case& c : cases()) {
     CAPTURE(c.name);
-    const auto solution = solved<double>(reduced({1, Rational(1, 2)}, {Rational(-1, 2)}, c.indenter, c.load));
+    const auto solution = solved<double>(reduced({1, 0.5_r}, {-0.5_r}, c.indenter, c.load));
     REQUIRE(solution->contact().size() == c.components);
     const RiemannHilbertForm<double>& form = solution->form();
     const ContactSet<double>& set = form.set();

@@ -1,20 +1,13 @@
 // Contact that changes its shape as the load grows: components merge, wedges, jumps and steps are reached; and contact
 // in a point.
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-
+#include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 #include "support/two_wells.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using testing::one_piece;
 using testing::reduced;
 using testing::solved;
-
-TYPE_TO_STRING(Real50);
 
 namespace {
 
@@ -32,7 +25,7 @@ R width(const ContactComponent<R>& zone) {
 }  // namespace
 
 TEST_CASE("two components merge") {
-  for (const Rational& slope : {Rational(0), Rational(1, 5)}) {
+  for (const Rational& slope : {0_r, 0.2_r}) {
     double two = 4;
     double one = 6;
     REQUIRE(components(wells(slope, 4)) == 2U);
@@ -66,16 +59,16 @@ TEST_CASE("contact grows across a jump and a wedge or a step in the same place")
   const Polynomial square({0, 0, 1});
   const Polynomial steeper = square + Polynomial({-1, 1});
   const Polynomial flatter({0, 1});
-  const Polynomial higher({Rational(1, 2), 0, 1});
-  const Polynomial lower({Rational(-1, 2), 0, 1});
+  const Polynomial higher({0.5_r, 0, 1});
+  const Polynomial lower({-0.5_r, 0, 1});
   for (const Polynomial& right : {square, steeper, flatter, higher, lower}) {
     double left_end = 0;
     bool at_step = false;
     bool beyond = false;
     for (const double load : {0.1, 1., 2., 2.5, 3., 3.1, 3.2, 3.5, 4., 5., 6., 8., 12., 20.}) {
       CAPTURE(load);
-      const auto found = solved<double>(
-          reduced({Rational(3, 10), Rational(1, 10)}, {1}, Indenter(-10, {{1, square}, {10, right}}), Rational(load)));
+      const auto found =
+          solved<double>(reduced({0.3_r, 0.1_r}, {1}, Indenter(-10, {{1, square}, {10, right}}), Rational(load)));
       const auto zones = found->contact();
       // Under a heavier load the contact is larger.
       CHECK(zones.front().left.x.value < left_end);
@@ -98,13 +91,13 @@ TEST_CASE("contact grows across a jump and a wedge or a step in the same place")
 
 TEST_CASE_TEMPLATE("full contact under edges, and both faces of a step", R, double, Real50) {
   const auto f = [](const Indenter& indenter, const Rational& load) {
-    return reduced({Rational(3, 10), 1, 0}, {Rational(-1, 2), Rational(1, 3)}, indenter, load);
+    return reduced({0.3_r, 1, 0}, {-0.5_r, Rational(1, 3)}, indenter, load);
   };
   const Indenter tent(-1, {{0, Polynomial({0, -1})}, {1, Polynomial({0, 1})}});
   std::vector<Indenter> indenters{tent};
   if (std::same_as<R, double>) {
     indenters.push_back(one_piece(-1, 1, {0}));
-    indenters.push_back(one_piece(-1, 1, {0, Rational(1, 100)}));
+    indenters.push_back(one_piece(-1, 1, {0, 0.01_r}));
     indenters.push_back(one_piece(-1, 1, {0, 0, 1}));
   }
   for (const Indenter& indenter : indenters) {
@@ -114,7 +107,7 @@ TEST_CASE_TEMPLATE("full contact under edges, and both faces of a step", R, doub
     CHECK(zones[0].right.kind == SingularKind::edge);
     CHECK(width(zones[0]) == 2);
   }
-  const Indenter step(-1, {{0, Polynomial()}, {1, Polynomial({Rational(1, 10)})}});
+  const Indenter step(-1, {{0, Polynomial()}, {1, Polynomial({0.1_r})}});
   const auto zones = solved<R>(f(step, 5))->contact();
   REQUIRE(zones.size() == 2U);
   CHECK(zones[0].right.kind == SingularKind::step);
@@ -139,7 +132,7 @@ TEST_CASE_TEMPLATE("contact in a point: widths scale with the load as they must"
   };
   for (const Case& c : cases) {
     if (!std::same_as<R, double> && c.power != 1) continue;
-    std::vector<Rational> s{Rational(3, 10)};
+    std::vector<Rational> s{0.3_r};
     if (!c.jumps.empty()) s.push_back(1);
     const auto scaled_width = [&](const char* load) {
       using std::pow;

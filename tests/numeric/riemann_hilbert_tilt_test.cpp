@@ -1,17 +1,12 @@
 // Indenters that may tilt.
 
-#include <doctest/doctest.h>
-
+#include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 #include "support/two_wells.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using testing::on_two_coatings;
 using testing::one_piece;
 using testing::solved;
-
-TYPE_TO_STRING(Real50);
 
 namespace {
 
@@ -32,7 +27,7 @@ void close(const R& a, const R& b) {
 
 TEST_CASE_TEMPLATE("load_at at the centre of pressure of the indenter that keeps its attitude: no tilt", R, double,
                    Real50) {
-  const Indenter step(-1, {{0, Polynomial({0, 0, 1})}, {1, Polynomial({Rational(1, 10), 0, 1})}});
+  const Indenter step(-1, {{0, Polynomial({0, 0, 1})}, {1, Polynomial({0.1_r, 0, 1})}});
   const Indenter tent(-1, {{0, Polynomial({0, -1})}, {1, Polynomial({0, 1})}});
   const Indenter flat = one_piece(-1, 1, {0});
   const auto indenters = std::same_as<R, double> ? std::vector{wells, step, tent, flat} : std::vector{wells};
@@ -48,7 +43,7 @@ TEST_CASE_TEMPLATE("load_at at the centre of pressure of the indenter that keeps
       close(free->contact()[k].left.x.value, fixed->contact()[k].left.x.value);
       close(free->contact()[k].right.x.value, fixed->contact()[k].right.x.value);
     }
-    for (const Rational& x : {Rational(-7, 8), Rational(1, 7), Rational(5, 6)}) {
+    for (const Rational& x : {-0.875_r, Rational(1, 7), Rational(5, 6)}) {
       close(free->at(x).traction.left.value, fixed->at(x).traction.left.value);
     }
   }

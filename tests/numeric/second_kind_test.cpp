@@ -1,24 +1,16 @@
 // Cauchy integrals of powers against closed forms, three unrelated quadratures and the relations between them.
 
-#include "numeric/cauchy/second_kind.hpp"
-
-#include <doctest/doctest.h>
-
 #include <type_traits>
 
+#include "numeric/cauchy/second_kind.hpp"
 #include "numeric/quadrature/jacobi_rule.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
-#include "uniform.hpp"
+#include "support/numeric_test.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using second_kind::left_of;
 using second_kind::on_interval;
 using second_kind::right_of;
-
-TYPE_TO_STRING(Real50);
-TYPE_TO_STRING(Real100);
 
 namespace {
 
@@ -231,7 +223,7 @@ TEST_CASE_TEMPLATE("Gauss-Jacobi rules, far from the pole", R, double, Real50, R
 
 TEST_CASE_TEMPLATE("tanh-sinh and trapezoidal routes", R, double, Real50) {
   const auto one = [](const Node<R>&) { return R(1); };
-  for (const Rational& s : {Rational(0), Rational(40), Rational(-40), Rational(1, 3), Rational(-3)}) {
+  for (const Rational& s : {0_r, 40_r, Rational(-40), Rational(1, 3), Rational(-3)}) {
     for (const Exponent& exponent : {Exponent::angle(s) - half, Exponent::angle(s)}) {
       CAPTURE(to_string(exponent));
       const Power<R> a = Power<R>::of(exponent);

@@ -1,21 +1,16 @@
 // u_t', the slope of the tangential displacement, by two routes: the form's, which has no principal value left, and the
 // trapezoidal rule on t_t = -+f t [Bal16, (2)].
 
-#include <doctest/doctest.h>
-
 #include "numeric/quadrature/trapezoidal.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::numeric;
+#include "support/numeric_test.hpp"
 
 namespace {
 
 ContactProblem problem(Sliding sliding) {
-  return {Elasticity(Solid(Rational(1, 5), 2)),
-          FrictionProfile({Rational(1, 2), 3, 0, 1}, {Rational(-1, 3), 0, Rational(1, 4)}),
-          Indenter(-2, {{2, Polynomial({0, Rational(1, 10), 1, 0, Rational(1, 2)})}}), 1, sliding};
+  return {Elasticity(Solid(0.2_r, 2)), FrictionProfile({0.5_r, 3, 0, 1}, {Rational(-1, 3), 0, 0.25_r}),
+          Indenter(-2, {{2, Polynomial({0, 0.1_r, 1, 0, 0.5_r})}}), 1, sliding};
 }
 
 template <Real R>

@@ -1,22 +1,16 @@
 // The certificate of a state on cells: a solution is accepted, and what is wrong in one way alone is refused for that.
 
-#include "numeric/variational/certificate.hpp"
-
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-
 #include "numeric/variational/active_set.hpp"
+#include "numeric/variational/certificate.hpp"
+#include "support/numeric_test.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::numeric::variational;
 
 namespace {
 
 /// A parabola on two coatings; with a load at a place it tilts.
 DiscreteProblem parabola(const std::optional<Rational>& load_at = std::nullopt) {
-  const ContactProblem problem(Elasticity::reduced(Rational(1, 2)), FrictionProfile({Rational(1, 2), 1}, {0}),
+  const ContactProblem problem(Elasticity::reduced(0.5_r), FrictionProfile({0.5_r, 1}, {0}),
                                Indenter(-1, {{1, Polynomial({0, 0, 4})}}), 1, Sliding::plus_x, load_at);
   return {problem, CellMesh(problem, 120)};
 }
@@ -39,7 +33,7 @@ DiscreteState under(const DiscreteProblem& problem, const CellSet& contact, std:
 }  // namespace
 
 TEST_CASE("certificate: solutions are accepted, with and without a place of the load") {
-  for (const auto& load_at : {std::optional<Rational>(), std::optional(Rational(1, 10))}) {
+  for (const auto& load_at : {std::optional<Rational>(), std::optional(0.1_r)}) {
     const DiscreteProblem problem = parabola(load_at);
     const Certificate certificate = certify(problem, solved(problem).state);
     CHECK(certificate.accepted());
@@ -50,7 +44,7 @@ TEST_CASE("certificate: solutions are accepted, with and without a place of the 
 }
 
 TEST_CASE("certificate: another load and another moment are refused for these alone") {
-  const DiscreteProblem problem = parabola(Rational(1, 10));
+  const DiscreteProblem problem = parabola(0.1_r);
   const CellSet contact = solved(problem).contact;
   const double moment = *problem.load_at();
 

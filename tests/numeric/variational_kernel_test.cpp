@@ -1,14 +1,11 @@
 // Means of the logarithm over pairs of cells, against their exact formula at 100 digits.
 
-#include <doctest/doctest.h>
-
-#include <cmath>
 #include <random>
 
 #include "numeric/number/real.hpp"
 #include "numeric/variational/logarithmic_kernel.hpp"
+#include "support/numeric_test.hpp"
 
-using namespace steadyslide::numeric;
 using namespace steadyslide::numeric::variational;
 
 namespace {

@@ -1,15 +1,9 @@
 // Lemke's method: solutions of the random list, all solutions of small problems, and what it must refuse.
 
 #include "numeric/variational/lemke.hpp"
-
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-
+#include "support/numeric_test.hpp"
 #include "support/random_contact.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::numeric::variational;
 using steadyslide::testing::first_listed_seed;
 using steadyslide::testing::random_contact;
@@ -53,7 +47,7 @@ std::vector<std::size_t> next_to_changes(const CellSet& set, std::size_t reach) 
 
 ContactProblem punch(const Polynomial& profile, const Rational& f, const std::optional<Rational>& load_at,
                      Sliding sliding = Sliding::plus_x) {
-  return {Elasticity::reduced(Rational(1, 2)), FrictionProfile({f}), Indenter(-1, {{1, profile}}), 1, sliding, load_at};
+  return {Elasticity::reduced(0.5_r), FrictionProfile({f}), Indenter(-1, {{1, profile}}), 1, sliding, load_at};
 }
 
 }  // namespace
@@ -141,7 +135,7 @@ TEST_CASE("strong friction, cells of very different lengths") {
   for (const auto& [f, smallest] : {std::pair(5, 1e-9), {20, 1e-3}}) {
     for (const std::optional<Rational>& load_at : {std::optional<Rational>(), std::optional<Rational>({1, 3})}) {
       const ContactProblem problem = punch(Polynomial({0, 0, 3}), f, load_at);
-      const CellMesh mesh(problem, Rational(0), graded_edges(-0.5, 0.5, smallest, 1.4, 0.02));
+      const CellMesh mesh(problem, 0_r, graded_edges(-0.5, 0.5, smallest, 1.4, 0.02));
       const DiscreteProblem discrete(problem, mesh);
       const LemkeResult result = lemke(discrete, 10000);
       REQUIRE(result.reached);
@@ -155,15 +149,15 @@ TEST_CASE("mirrored problems have mirrored solutions, from whichever side the pa
   // Pivots after which the first path on 64 cells gives way to the next one.
   constexpr int given_up = 4 * 64 + 16;
   int longest = 0;
-  for (const Rational& f : {Rational(1), Rational(20)}) {
+  for (const Rational& f : {1_r, 20_r}) {
     for (const auto& [load_at, mirrored] : {std::pair(std::optional<Rational>(), std::optional<Rational>()),
                                             {std::optional<Rational>({1, 3}), std::optional<Rational>({-1, 3})}}) {
       CAPTURE(f);
       const std::vector<double> edges = graded_edges(-0.5, 0.5, 1e-3, 1.4, 0.02);
       const ContactProblem to_right = punch(Polynomial({0, 0, 3}), f, load_at);
       const ContactProblem to_left = punch(Polynomial({0, 0, 3}), f, mirrored, Sliding::minus_x);
-      const DiscreteProblem one(to_right, CellMesh(to_right, Rational(0), edges));
-      const DiscreteProblem other(to_left, CellMesh(to_left, Rational(0), edges));
+      const DiscreteProblem one(to_right, CellMesh(to_right, 0_r, edges));
+      const DiscreteProblem other(to_left, CellMesh(to_left, 0_r, edges));
       const LemkeResult found = lemke(one, 10000);
       const LemkeResult reflected = lemke(other, 10000);
       REQUIRE(found.reached);
@@ -222,7 +216,7 @@ TEST_CASE("without enough pivots, or with a load beyond the cells, nothing is cl
   CHECK_FALSE(lemke(DiscreteProblem(problem, CellMesh(problem, 64)), 2).reached);
   CHECK(lemke(DiscreteProblem(problem, CellMesh(problem, 64)), 1000).reached);
   // The last of four cells has its centre at 3/4.
-  const ContactProblem outside = punch(Polynomial({0, 0, 3}), 1, Rational(7, 8));
+  const ContactProblem outside = punch(Polynomial({0, 0, 3}), 1, 0.875_r);
   CHECK_FALSE(lemke(DiscreteProblem(outside, CellMesh(outside, 4)), 1000).reached);
   CHECK(lemke(DiscreteProblem(outside, CellMesh(outside, 16)), 1000).reached);
 }

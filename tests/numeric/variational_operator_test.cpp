@@ -1,14 +1,11 @@
 // Galerkin's operator: products against entries, signs, and the equations of one contact set.
 
-#include <doctest/doctest.h>
-
-#include <cmath>
 #include <random>
 
 #include "numeric/variational/bordered_system.hpp"
+#include "support/numeric_test.hpp"
 #include "support/random_contact.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::numeric::variational;
 using steadyslide::testing::first_listed_seed;
 using steadyslide::testing::random_contact;

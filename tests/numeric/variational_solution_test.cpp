@@ -1,14 +1,11 @@
 // Solutions on cells beside Riemann-Hilbert solutions of the same problems, quantity by quantity.
 
-#include <cmath>
-
-#include "numeric/variational/variational_inequality.hpp"
 #include "numeric/variational/variational_solution.hpp"
+#include "numeric/variational/variational_inequality.hpp"
+#include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 #include "support/two_wells.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using namespace steadyslide::testing;
 
 namespace {
@@ -86,32 +83,31 @@ void agree_everywhere(const ContactProblem& problem) {
 }  // namespace
 
 TEST_CASE("free ends over a jump up, down, and sliding back") {
-  const Indenter parabola = one_piece(-1, 1, {0, 0, Rational(5, 2)});
-  agree_everywhere(reduced({Rational(1, 10), Rational(3, 5)}, {0}, parabola, 1));
-  agree_everywhere(reduced({Rational(3, 5), Rational(1, 10)}, {0}, parabola, 1));
-  const FrictionProfile friction({Rational(1, 2), Rational(6, 5)}, {Rational(1, 20)});
-  agree_everywhere({Elasticity(Solid(Rational(1, 4), 3)), friction, parabola, 2, Sliding::minus_x});
+  const Indenter parabola = one_piece(-1, 1, {0, 0, 2.5_r});
+  agree_everywhere(reduced({0.1_r, 0.6_r}, {0}, parabola, 1));
+  agree_everywhere(reduced({0.6_r, 0.1_r}, {0}, parabola, 1));
+  const FrictionProfile friction({0.5_r, 1.2_r}, {0.05_r});
+  agree_everywhere({Elasticity(Solid(0.25_r, 3)), friction, parabola, 2, Sliding::minus_x});
 }
 
 TEST_CASE("edges, wedges and jumps") {
-  const Indenter wedge(-1, {{0, Polynomial({0, Rational(-1, 10)})}, {1, Polynomial({0, Rational(1, 10)})}});
-  agree_everywhere(reduced({Rational(3, 10)}, {}, wedge, 1));
-  agree_everywhere(reduced({Rational(3, 10), Rational(1, 10)}, {0}, wedge, 1));
-  agree_everywhere(reduced({Rational(1, 10), Rational(3, 10), 0}, {Rational(-2, 5), Rational(3, 10)}, wedge, 1));
+  const Indenter wedge(-1, {{0, Polynomial({0, -0.1_r})}, {1, Polynomial({0, 0.1_r})}});
+  agree_everywhere(reduced({0.3_r}, {}, wedge, 1));
+  agree_everywhere(reduced({0.3_r, 0.1_r}, {0}, wedge, 1));
+  agree_everywhere(reduced({0.1_r, 0.3_r, 0}, {-0.4_r, 0.3_r}, wedge, 1));
 }
 
 TEST_CASE("a step, two zones, a tilting punch") {
-  const Indenter step(-1, {{Rational(-1, 5), Polynomial({Rational(1, 10), 0, Rational(1, 2)})},
-                           {1, Polynomial({0, 0, Rational(1, 2)})}});
-  agree_everywhere(reduced({Rational(3, 10)}, {}, step, Rational(1, 5)));
+  const Indenter step(-1, {{-0.2_r, Polynomial({0.1_r, 0, 0.5_r})}, {1, Polynomial({0, 0, 0.5_r})}});
+  agree_everywhere(reduced({0.3_r}, {}, step, 0.2_r));
   agree_everywhere(on_two_coatings(two_wells(), 8));
-  agree_everywhere(reduced({Rational(1, 10), Rational(1, 2)}, {0}, one_piece(-1, 1, {0}), 1, Rational(1, 5)));
+  agree_everywhere(reduced({0.1_r, 0.5_r}, {0}, one_piece(-1, 1, {0}), 1, 0.2_r));
 }
 
 TEST_CASE("control: another load is another solution") {
-  const Indenter parabola = one_piece(-1, 1, {0, 0, Rational(5, 2)});
-  const auto cells = on_cells(reduced({Rational(1, 10), Rational(3, 5)}, {0}, parabola, 1));
-  const auto other = solved<double>(reduced({Rational(1, 10), Rational(3, 5)}, {0}, parabola, Rational(101, 100)));
+  const Indenter parabola = one_piece(-1, 1, {0, 0, 2.5_r});
+  const auto cells = on_cells(reduced({0.1_r, 0.6_r}, {0}, parabola, 1));
+  const auto other = solved<double>(reduced({0.1_r, 0.6_r}, {0}, parabola, 1.01_r));
   const auto found = cells->contact().front();
   CHECK(std::abs(found.left.x.value - other->contact().front().left.x.value) > cells->cell_length());
   const auto intensity = other->contact().front().left.intensity.value;
@@ -120,8 +116,7 @@ TEST_CASE("control: another load is another solution") {
 
 TEST_CASE("jumps of friction and loads within cells") {
   // 1/3 is no cell's end; 17 cells are few: the load shares add up and the load is met to rounding.
-  const ContactProblem problem =
-      reduced({Rational(1, 10), Rational(1, 2)}, {Rational(1, 3)}, one_piece(-1, 1, {0, 0, Rational(1, 10)}), 1);
+  const ContactProblem problem = reduced({0.1_r, 0.5_r}, {Rational(1, 3)}, one_piece(-1, 1, {0, 0, 0.1_r}), 1);
   const auto cells = on_cells(problem, 17);
   const auto r = cells->resultants();
   CHECK(r.load_share[0].value + r.load_share[1].value == doctest::Approx(1).epsilon(1e-13));
@@ -141,8 +136,7 @@ TEST_CASE("points that cells cannot tell apart are left out, jumps are not") {
     const Rational height = x * x / 4;
     pieces.push_back({Rational(k, 100) - 1, Polynomial({height - slope * x, slope})});
   }
-  const ContactProblem problem =
-      reduced({Rational(1, 10), Rational(1, 2)}, {Rational(1, 1000)}, Indenter(-1, pieces), Rational(1, 2));
+  const ContactProblem problem = reduced({0.1_r, 0.5_r}, {0.001_r}, Indenter(-1, pieces), 0.5_r);
   int wedges = 0;
   int jumps = 0;
   for (const auto& point : on_cells(problem, 1024)->singular_points()) {
@@ -169,18 +163,18 @@ TEST_CASE("out of steps: the best state, and what is wrong with it") {
   VariationalOptions options;
   options.cells = 2048;
   options.most_steps = 1;
-  const Indenter bumps = one_piece(-2, 2, {1, Rational(1, 5), -2, 0, 1});
-  const Attempt<double> attempt = variational_inequality(reduced({Rational(3, 10)}, {}, bumps, 2), options);
+  const Indenter bumps = one_piece(-2, 2, {1, 0.2_r, -2, 0, 1});
+  const Attempt<double> attempt = variational_inequality(reduced({0.3_r}, {}, bumps, 2), options);
   REQUIRE(attempt.solution);
   CHECK(attempt.solution->shortcoming().find("1 iteration") != std::string::npos);
   CHECK(!attempt.solution->contact().empty());
 }
 
 TEST_CASE("an elastic indenter whose contact reaches an edge is refused") {
-  const Elasticity both(Solid(Rational(3, 10), 1), Solid(Rational(1, 5), 2));
-  const ContactProblem pressed(both, FrictionProfile({Rational(1, 5)}), one_piece(-1, 1, {0, 0, 1}), 10);
+  const Elasticity both(Solid(0.3_r, 1), Solid(0.2_r, 2));
+  const ContactProblem pressed(both, FrictionProfile({0.2_r}), one_piece(-1, 1, {0, 0, 1}), 10);
   CHECK(variational_inequality(pressed).why_not.find("reaches an edge") != std::string::npos);
-  const ContactProblem touching(both, FrictionProfile({Rational(1, 5)}), one_piece(-1, 1, {0, 0, 1}), Rational(1, 100));
+  const ContactProblem touching(both, FrictionProfile({0.2_r}), one_piece(-1, 1, {0, 0, 1}), 0.01_r);
   CHECK(variational_inequality(touching).solution);
   CHECK_THROWS_AS(variational_inequality(touching, {.cells = 8}), std::invalid_argument);
 }
@@ -204,7 +198,7 @@ TEST_CASE("a search: where s does not decrease all starts agree, and what they a
 }
 
 TEST_CASE("a search: few cells under a strong fall of s have several solutions, finer ones have one") {
-  const ContactProblem problem = reduced({Rational(17, 2), 0}, {0}, one_piece(-1, 1, {0, -1, 2, 0, 1}), Rational(1, 2));
+  const ContactProblem problem = reduced({8.5_r, 0}, {0}, one_piece(-1, 1, {0, -1, 2, 0, 1}), 0.5_r);
   const SolutionSearch coarse = search_solutions(problem, 60, {.cells = 16});
   CHECK(coarse.solutions.size() >= 2);
   CHECK(coarse.solutions.front().times >= coarse.solutions.back().times);

@@ -1,13 +1,8 @@
 // What may stay undecided, and what is checked in its place. By structure: the ledger is not run.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <map>
-#include <set>
-
 #include "proofs_checks/kit/registry.hpp"
 #include "proofs_checks/kit/run.hpp"
+#include "support/test.hpp"
 
 using namespace steadyslide::proofs_checks;
 

@@ -1,11 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
 #include "proofs_checks/kit/registry.hpp"
 #include "proofs_checks/kit/run.hpp"
+#include "support/test.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::proofs_checks;
 
 namespace {

@@ -2,14 +2,7 @@
 // machine.
 
 #include "proofs_checks/instruments/convergence_table.hpp"
-
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <fstream>
-#include <map>
-#include <sstream>
-#include <vector>
+#include "support/test.hpp"
 
 using namespace steadyslide::proofs_checks;
 

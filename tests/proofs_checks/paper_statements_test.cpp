@@ -1,11 +1,6 @@
 #include "proofs_checks/statements/paper_statements.hpp"
-
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <set>
-
 #include "proofs_checks/kit/registry.hpp"
+#include "support/test.hpp"
 
 using namespace steadyslide::proofs_checks;
 

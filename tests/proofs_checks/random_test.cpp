@@ -1,11 +1,6 @@
 #include "proofs_checks/kit/random.hpp"
+#include "support/test.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <map>
-
-using namespace steadyslide;
 using proofs_checks::Random;
 
 TEST_CASE("random parameters stay in their ranges and depend on seed and stream alone") {
@@ -20,7 +15,7 @@ TEST_CASE("random parameters stay in their ranges and depend on seed and stream 
     CHECK(nu == same.poisson());
     differs_by_seed += nu != other_seed.poisson();
     differs_by_stream += nu != other_stream.poisson();
-    CHECK((nu > -1 && nu < Rational(1, 2)));
+    CHECK((nu > -1 && nu < 0.5_r));
     const Rational f = one.friction(50);
     CHECK(f == same.friction(50));
     other_seed.friction(50);
@@ -58,7 +53,7 @@ TEST_CASE("one body in eight is nearly incompressible, one in eight nearly at th
   int other_end = 0;
   for (int k = 0; k < draws; ++k) {
     const Rational nu = random.poisson();
-    incompressible += Rational(1, 2) - nu < near ? 1 : 0;
+    incompressible += 0.5_r - nu < near ? 1 : 0;
     other_end += nu + 1 < near ? 1 : 0;
   }
   check_chance(incompressible, 1.0 / 8 + by_chance);

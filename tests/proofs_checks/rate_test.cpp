@@ -1,16 +1,9 @@
-#include "proofs_checks/kit/rate.hpp"
-
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <numbers>
 #include <random>
-#include <vector>
 
 #include "proofs_checks/instruments/convergence_cases.hpp"
+#include "proofs_checks/kit/rate.hpp"
+#include "support/test.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::proofs_checks;
 
 namespace {
@@ -81,7 +74,7 @@ TEST_CASE("the rate at each kind of singular point") {
   using Place = numeric::VariationalSolution::Place;
   const Rational low(1, 10);
   const Rational high(6, 5);
-  const ContactProblem problem(Elasticity::reduced(Rational(1, 2)), FrictionProfile({low, high}, {0}),
+  const ContactProblem problem(Elasticity::reduced(0.5_r), FrictionProfile({low, high}, {0}),
                                Indenter(-1, {{1, Polynomial()}}), 1);
   const Rational s_left = problem.coupled_friction(0);
   const Rational s_right = problem.coupled_friction(1);

@@ -1,17 +1,8 @@
 #include "proofs_checks/kit/registry.hpp"
-
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <fstream>
-#include <map>
-#include <set>
-#include <sstream>
-
 #include "proofs_checks/statements/paper_statements.hpp"
 #include "proofs_checks/statements/reading_notes.hpp"
+#include "support/test.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::proofs_checks;
 
 namespace {

@@ -1,10 +1,6 @@
 #include "proofs_checks/kit/run.hpp"
-
-#include <doctest/doctest.h>
-
-#include <stdexcept>
-
 #include "proofs_checks/kit/findings.hpp"
+#include "support/test.hpp"
 
 using namespace steadyslide::proofs_checks;
 

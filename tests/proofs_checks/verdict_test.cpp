@@ -1,9 +1,5 @@
 #include "proofs_checks/kit/verdict.hpp"
-
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
+#include "support/test.hpp"
 
 using namespace steadyslide::proofs_checks;
 

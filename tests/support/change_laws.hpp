@@ -81,7 +81,7 @@ inline const std::vector<ChangeLaw>& change_laws() {
        [](P p, X) {
          // Of a rigid indenter on a solid; of reduced data the compliance is 1.
          const Elasticity& e = p.elasticity();
-         const Rational k = e.half_space() && !e.indenter() ? some_factor() : Rational(1);
+         const Rational k = e.half_space() && !e.indenter() ? some_factor() : 1_r;
          const ContactProblem pressed = scaled(p, 1, k);
          if (k == 1) return Change{pressed, {}};
          const Solid stiffer(e.half_space()->poisson(), k * e.half_space()->young());
@@ -109,7 +109,7 @@ inline const std::vector<ChangeLaw>& change_laws() {
 inline std::vector<ChangeLaw> wrong_laws() {
   using P = const ContactProblem&;
   using X = const Rational&;
-  const Rational nearly = Rational(1) + Rational(1, 100000000);
+  const Rational nearly = 1_r + Rational(1, 100000000);
   return {
       {"mirror, the sliding kept",
        [](P p, X) {
@@ -125,7 +125,7 @@ inline std::vector<ChangeLaw> wrong_laws() {
        }},
       {"a jump of some height",
        [](P p, X) {
-         return Change{p.with_jump(Rational(-1, 100), Rational(1, 100)), {}};
+         return Change{p.with_jump(-0.01_r, 0.01_r), {}};
        }},
       {"near miss: profile and load",
        [nearly](P p, X) {

@@ -1,12 +1,7 @@
 #pragma once
 // Statements that are decided exactly, each beside wrong variants of itself.
 
-#include <doctest/doctest.h>
-
-#include <set>
-#include <string>
-#include <vector>
-
+#include "support/test.hpp"
 #include "symbolic/statements/exact_identities.hpp"
 
 namespace steadyslide::testing {

@@ -21,21 +21,18 @@ inline const Rational high(3, 5);
 
 inline std::vector<Named> problems() {
   const Indenter flat = one_piece(-1, 1, {0});
-  const Indenter parabola = one_piece(-1, 1, {0, 0, Rational(5, 2)});
-  const Indenter wedge(-1,
-                       {{0, Polynomial({0, Rational(-1, 2)})}, {1, Polynomial({0, Rational(1, 2), Rational(1, 2)})}});
-  const Indenter step(-1, {{Rational(-1, 5), Polynomial({Rational(1, 10), 0, Rational(1, 2)})},
-                           {1, Polynomial({0, 0, Rational(1, 2)})}});
+  const Indenter parabola = one_piece(-1, 1, {0, 0, 2.5_r});
+  const Indenter wedge(-1, {{0, Polynomial({0, -0.5_r})}, {1, Polynomial({0, 0.5_r, 0.5_r})}});
+  const Indenter step(-1, {{-0.2_r, Polynomial({0.1_r, 0, 0.5_r})}, {1, Polynomial({0, 0, 0.5_r})}});
   return {{"flat punch", reduced({high}, {}, flat, 1)},
-          {"flat punch, a jump down", reduced({high, low}, {Rational(3, 10)}, flat, 1)},
-          {"flat punch, three jumps",
-           reduced({low, Rational(2, 5), 0, Rational(1, 5)}, {Rational(-1, 2), Rational(1, 10), high}, flat, 1)},
-          {"parabola", reduced({Rational(3, 10)}, {}, parabola, 1)},
+          {"flat punch, a jump down", reduced({high, low}, {0.3_r}, flat, 1)},
+          {"flat punch, three jumps", reduced({low, 0.4_r, 0, 0.2_r}, {-0.5_r, 0.1_r, high}, flat, 1)},
+          {"parabola", reduced({0.3_r}, {}, parabola, 1)},
           {"parabola, a jump up", reduced({low, high}, {0}, parabola, 1)},
           {"parabola, a jump down", reduced({high, low}, {0}, parabola, 1)},
-          {"two bumps", reduced({Rational(3, 10)}, {}, one_piece(-2, 2, {1, Rational(1, 5), -2, 0, 1}), 2)},
-          {"a step", reduced({Rational(3, 10)}, {}, step, Rational(1, 5))},
-          {"wedge", reduced({Rational(3, 10)}, {}, wedge, 1), 1},
+          {"two bumps", reduced({0.3_r}, {}, one_piece(-2, 2, {1, 0.2_r, -2, 0, 1}), 2)},
+          {"a step", reduced({0.3_r}, {}, step, 0.2_r)},
+          {"wedge", reduced({0.3_r}, {}, wedge, 1), 1},
           {"wedge, a jump up", reduced({low, high}, {0}, wedge, 1), 1},
           {"wedge, a jump down", reduced({high, low}, {0}, wedge, 1), 1}};
 }

@@ -1,14 +1,11 @@
 #pragma once
 // Contact problems in reduced data, solved, with all that every solution promises checked.
 
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "numeric/cauchy/residuals.hpp"
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "support/test.hpp"
 
 namespace steadyslide::testing {
 
@@ -18,7 +15,7 @@ inline ContactProblem reduced(const std::vector<Rational>& s, const std::vector<
                               const std::optional<Rational>& load_at = std::nullopt) {
   std::vector<Rational> f;
   for (const Rational& value : s) f.push_back(2 * value);
-  return {Elasticity::reduced(Rational(1, 2)), FrictionProfile(f, jumps), indenter, load, Sliding::plus_x, load_at};
+  return {Elasticity::reduced(0.5_r), FrictionProfile(f, jumps), indenter, load, Sliding::plus_x, load_at};
 }
 
 inline Indenter one_piece(const Rational& left, const Rational& right, const std::vector<Rational>& coefficients) {

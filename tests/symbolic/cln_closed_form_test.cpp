@@ -1,15 +1,9 @@
 #include "symbolic/cln/cln_closed_form.hpp"
-
-#include <doctest/doctest.h>
-#include <rapidcheck.h>
-
-#include <stdexcept>
-
 #include "model/singular_point.hpp"
 #include "support/change_laws.hpp"
+#include "support/test.hpp"
 #include "symbolic/cln/cln_evaluation.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::symbolic;
 
 namespace {
@@ -22,19 +16,18 @@ ContactProblem punch(const Rational& gamma, std::vector<Rational> f, std::vector
 }
 
 /// psi = (x - vertex)^2 / (2 radius), reduced data, friction s / gamma under gamma = 1/2.
-ContactProblem parabola(std::vector<Rational> s, std::vector<Rational> jumps, const Rational& radius = Rational(1, 5),
+ContactProblem parabola(std::vector<Rational> s, std::vector<Rational> jumps, const Rational& radius = 0.2_r,
                         const Rational& vertex = 0, const Rational& load = 1, const Rational& half_width = 10,
                         Sliding sliding = Sliding::plus_x) {
   for (Rational& value : s) value *= 2;
   const Polynomial from_vertex({-vertex, 1});
   return ContactProblem(
-      Elasticity::reduced(Rational(1, 2)), FrictionProfile(std::move(s), std::move(jumps)),
+      Elasticity::reduced(0.5_r), FrictionProfile(std::move(s), std::move(jumps)),
       Indenter(-half_width, {{half_width, from_vertex * from_vertex * Polynomial({1 / (2 * radius)})}}), load, sliding);
 }
 
 // 1/pi, mpmath at 80 digits.
-const Rational one_over_pi =
-    parse_rational("0.31830988618379067153776752674502872406891929148091289749533468811779358");
+const Rational one_over_pi = 0.31830988618379067153776752674502872406891929148091289749533468811779358_r;
 
 bool near(const Decimal& a, const Rational& b, int digits) {
   const Integer scale = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(digits));
@@ -45,11 +38,11 @@ bool near(const Decimal& a, const Rational& b, int digits) {
 
 TEST_CASE("a parabola with a friction jump at its vertex: two independent computations at 40 digits") {
   // R = 0.2, P = 1, a jump at 0. The digits were made by two independent computations at 40 digits.
-  const auto rising = ClnClosedForm::parabola(parabola({Rational(1, 10), Rational(6, 10)}, {0}), 40);
+  const auto rising = ClnClosedForm::parabola(parabola({0.1_r, 0.6_r}, {0}), 40);
   REQUIRE(rising.size() == 1);
   CHECK(rising[0].left().text == "-0.4003017752023082835874813713471545627373");
   CHECK(rising[0].right().text == "0.2789364365421476101051427811594294453144");
-  const auto falling = ClnClosedForm::parabola(parabola({Rational(6, 10), Rational(1, 10)}, {0}), 40);
+  const auto falling = ClnClosedForm::parabola(parabola({0.6_r, 0.1_r}, {0}), 40);
   REQUIRE(falling.size() == 1);
   CHECK(falling[0].left().text == "-0.4900056280717151697542022236678901591541");
   CHECK(falling[0].right().text == "0.3022454527884637023227909724409309514227");
@@ -57,24 +50,23 @@ TEST_CASE("a parabola with a friction jump at its vertex: two independent comput
 
 TEST_CASE("flat punch without jump: [Bal16, (4)], its powers taken apart by hand") {
   // gamma f = 1: alpha = 1/4 and t(x) = -(P/pi) cos(pi/4) (1+x)^(-3/4) (1-x)^(-1/4).
-  const ClnClosedForm form = ClnClosedForm::flat_punch(punch(Rational(1, 2), {2}, {}), 60);
+  const ClnClosedForm form = ClnClosedForm::flat_punch(punch(0.5_r, {2}, {}), 60);
   CHECK(form.left().value == -1);
   CHECK(form.right().value == 1);
   CHECK(form.first_jump() == form.last_jump());
   // 1/(sqrt(2) pi), mpmath at 80 digits.
   CHECK(form.traction(0).text == "-0.225079079039276517388799797751685145666143537488805156392859");
   // (t(3/5)/t(0))^4 = (8/5)^-3 (2/5)^-1.
-  const Rational ratio = form.traction(Rational(3, 5)).value / form.traction(0).value;
-  CHECK(abs(ratio * ratio * ratio * ratio - Rational(625, 1024)) < parse_rational("1e-58"));
+  const Rational ratio = form.traction(0.6_r).value / form.traction(0).value;
+  CHECK(abs(ratio * ratio * ratio * ratio - Rational(625, 1024)) < 1e-58_r);
 }
 
 TEST_CASE("traction where it is not defined is refused, outside the contact it is zero") {
-  const ClnClosedForm form = ClnClosedForm::flat_punch(
-      punch(Rational(2, 7), {Rational(1, 5), Rational(3, 5), Rational(3, 5)}, {0, Rational(1, 2)}), 30);
+  const ClnClosedForm form = ClnClosedForm::flat_punch(punch(Rational(2, 7), {0.2_r, 0.6_r, 0.6_r}, {0, 0.5_r}), 30);
   CHECK_THROWS_AS(form.traction(-1), std::domain_error);
   CHECK_THROWS_AS(form.traction(1), std::domain_error);
   CHECK_THROWS_AS(form.traction(0), std::domain_error);
-  CHECK(form.traction(Rational(1, 2)).value < 0);  // a jump of height zero is no singular point
+  CHECK(form.traction(0.5_r).value < 0);  // a jump of height zero is no singular point
   CHECK(form.traction(2).text == "0");
   CHECK(form.traction(-2).text == "0");
   CHECK_THROWS_AS(ClnClosedForm::flat_punch(punch(Rational(2, 7), {1}, {}), 0), std::domain_error);
@@ -83,19 +75,19 @@ TEST_CASE("traction where it is not defined is refused, outside the contact it i
 }
 
 TEST_CASE("more digits extend fewer digits") {
-  const std::vector<Rational> f{Rational(1, 5), 3, Rational(1, 10), 50};
-  const std::vector<Rational> jumps{Rational(-1, 4), Rational(1, 3), Rational(2, 3)};
+  const std::vector<Rational> f{0.2_r, 3, 0.1_r, 50};
+  const std::vector<Rational> jumps{-0.25_r, Rational(1, 3), Rational(2, 3)};
   const auto problem = punch(Rational(2, 7), f, jumps);
   const auto curved = parabola(f, jumps);
   REQUIRE(ClnClosedForm::parabola(curved, 60).size() == 1);
-  for (const Rational& x : {Rational(-9, 10), Rational(1, 10), parse_rational("0.333333"), parse_rational("-0.3")}) {
+  for (const Rational& x : {-0.9_r, 0.1_r, 0.333333_r, -0.3_r}) {
     CHECK(rounded(ClnClosedForm::flat_punch(problem, 120).traction(x).value, 60).text ==
           ClnClosedForm::flat_punch(problem, 60).traction(x).text);
     const Decimal coarse = ClnClosedForm::parabola(curved, 60)[0].traction(x);
     CHECK(near(coarse, ClnClosedForm::parabola(curved, 120)[0].traction(x).value, 60));
   }
   // As near to an end as a user may come: distances are exact.
-  const Rational near_end = -1 + parse_rational("1e-400");
+  const Rational near_end = -1 + 1e-400_r;
   CHECK(rounded(ClnClosedForm::flat_punch(problem, 120).traction(near_end).value, 60).text ==
         ClnClosedForm::flat_punch(problem, 60).traction(near_end).text);
 }
@@ -119,8 +111,7 @@ TEST_CASE("a punch scales, a parabola moves: the laws of changed problems") {
     const ClnClosedForm there = form(changed);
     const bool mirror = image.scale < 0;
     const auto is_end = [&](const Decimal& end, const Rational& expected) {
-      return abs(end.value - image.of(expected)) <=
-             parse_rational("1e-58") * (abs(end.value) + abs(image.scale) * length);
+      return abs(end.value - image.of(expected)) <= 1e-58_r * (abs(end.value) + abs(image.scale) * length);
     };
     RC_ASSERT(is_end(mirror ? there.right() : there.left(), left));
     RC_ASSERT(is_end(mirror ? there.left() : there.right(), left + length));
@@ -133,38 +124,37 @@ TEST_CASE("a punch scales, a parabola moves: the laws of changed problems") {
 
 TEST_CASE("control: a scaled and a mirrored punch are other ones") {
   const auto p = punch(Rational(2, 7), {1, 2}, {Rational(1, 3)});
-  const Rational t = ClnClosedForm::flat_punch(p, 60).traction(Rational(1, 2)).value;
+  const Rational t = ClnClosedForm::flat_punch(p, 60).traction(0.5_r).value;
   CHECK_FALSE(near(ClnClosedForm::flat_punch(p.moved(2, 0), 60).traction(1), t, 20));
-  CHECK_FALSE(
-      near(ClnClosedForm::flat_punch(p.moved(-1, 0).with_sliding(p.sliding()), 60).traction(Rational(-1, 2)), t, 20));
+  CHECK_FALSE(near(ClnClosedForm::flat_punch(p.moved(-1, 0).with_sliding(p.sliding()), 60).traction(-0.5_r), t, 20));
 }
 
 TEST_CASE("parabola without jump: zone [-(1+2 alpha) a, (1-2 alpha) a], a^2 = P R/(2 pi (1/4 - alpha^2))") {
-  for (const Rational& s : {Rational(0), Rational(1, 7), Rational(-3), Rational(20), Rational(1000000)}) {
-    const Rational gamma = s < 0 ? Rational(-1, 2) : Rational(1, 2);
+  for (const Rational& s : {0_r, Rational(1, 7), Rational(-3), 20_r, 1000000_r}) {
+    const Rational gamma = s < 0 ? -0.5_r : 0.5_r;
     const ContactProblem problem(Elasticity::reduced(gamma), FrictionProfile({abs(s) * 2}),
-                                 Indenter(-2000, {{2000, Polynomial({0, 0, Rational(5, 2)})}}), 1);
+                                 Indenter(-2000, {{2000, Polynomial({0, 0, 2.5_r})}}), 1);
     const auto found = ClnClosedForm::parabola(problem, 60);
     REQUIRE(found.size() == 1);
     const Rational alpha = cln_value(Exponent::angle(s), 80).value;
-    const Rational square = Rational(1, 10) * one_over_pi / (Rational(1, 4) - alpha * alpha);
+    const Rational square = 0.1_r * one_over_pi / (0.25_r - alpha * alpha);
     const Rational left = found[0].left().value / (1 + 2 * alpha);
     const Rational right = found[0].right().value / (1 - 2 * alpha);
-    CHECK(abs(left * left / square - 1) < parse_rational("1e-58"));
-    CHECK(abs(right * right / square - 1) < parse_rational("1e-58"));
+    CHECK(abs(left * left / square - 1) < 1e-58_r);
+    CHECK(abs(right * right / square - 1) < 1e-58_r);
     CHECK(left < 0);
     CHECK(right > 0);
   }
 }
 
 TEST_CASE("parabola without friction: t = -sqrt(a^2 - x^2)/R") {
-  const auto found = ClnClosedForm::parabola(parabola({0}, {}, Rational(1, 5), 0, 3), 60);
+  const auto found = ClnClosedForm::parabola(parabola({0}, {}, 0.2_r, 0, 3), 60);
   REQUIRE(found.size() == 1);
   const Rational square = 2 * 3 * one_over_pi / 5;
-  for (const Rational& x : {Rational(0), Rational(-1, 3), Rational(1, 7)}) {
+  for (const Rational& x : {0_r, Rational(-1, 3), Rational(1, 7)}) {
     const Rational t = found[0].traction(x).value;
     CHECK(t < 0);
-    CHECK(abs(t * t / (25 * (square - x * x)) - 1) < parse_rational("1e-58"));
+    CHECK(abs(t * t / (25 * (square - x * x)) - 1) < 1e-58_r);
   }
 }
 
@@ -195,17 +185,17 @@ TEST_CASE("parabola with jumps: sum p r = 0, sum p r^2 = 2 P R/pi, on random pro
         one += beta * jumps[k];
         two += beta * jumps[k] * jumps[k];
       }
-      RC_ASSERT(abs(one) < parse_rational("1e-57"));
-      RC_ASSERT(abs(two - 2 * radius * one_over_pi) < parse_rational("1e-57"));
+      RC_ASSERT(abs(one) < 1e-57_r);
+      RC_ASSERT(abs(two - 2 * radius * one_over_pi) < 1e-57_r);
     }
   }));
   CHECK(with_jumps > 20);
 }
 
 TEST_CASE("the jumps inside the contact are found") {
-  const std::vector<Rational> s{Rational(1, 10), Rational(3, 5), Rational(1, 5), Rational(1, 2)};
-  const auto all = parabola(s, {Rational(-1, 10), 0, Rational(1, 10)});
-  const auto one = parabola(s, {Rational(-1), 0, Rational(1)});
+  const std::vector<Rational> s{0.1_r, 0.6_r, 0.2_r, 0.5_r};
+  const auto all = parabola(s, {-0.1_r, 0, 0.1_r});
+  const auto one = parabola(s, {Rational(-1), 0, 1_r});
   const auto none = parabola(s, {Rational(-3), -2, -1});
   CHECK(ClnClosedForm::parabola(all, 40)[0].first_jump() == 0);
   CHECK(ClnClosedForm::parabola(all, 40)[0].last_jump() == 3);
@@ -214,21 +204,21 @@ TEST_CASE("the jumps inside the contact are found") {
   CHECK(ClnClosedForm::parabola(none, 40)[0].first_jump() == ClnClosedForm::parabola(none, 40)[0].last_jump());
   // Friction outside the contact is of no consequence.
   CHECK(ClnClosedForm::parabola(one, 40)[0].left().text ==
-        ClnClosedForm::parabola(parabola({Rational(3, 5), Rational(1, 5)}, {0}), 40)[0].left().text);
+        ClnClosedForm::parabola(parabola({0.6_r, 0.2_r}, {0}), 40)[0].left().text);
   CHECK(ClnClosedForm::parabola(none, 40)[0].left().text ==
-        ClnClosedForm::parabola(parabola({Rational(1, 2)}, {}), 40)[0].left().text);
+        ClnClosedForm::parabola(parabola({0.5_r}, {}), 40)[0].left().text);
   // Too heavy a load: the contact reaches both edges; or one of them only, the vertex being near.
   CHECK(ClnClosedForm::parabola(parabola({0}, {}, 1, 0, 100, 1), 40).empty());
-  CHECK(ClnClosedForm::parabola(parabola({0}, {}, Rational(1, 5), Rational(-9, 10), 1, 1), 40).empty());
-  CHECK(ClnClosedForm::parabola(parabola({0}, {}, Rational(1, 5), Rational(9, 10), 1, 1), 40).empty());
-  CHECK(ClnClosedForm::parabola(parabola({0}, {}, Rational(1, 5), Rational(6, 10), 1, 1), 40).size() == 1);
+  CHECK(ClnClosedForm::parabola(parabola({0}, {}, 0.2_r, -0.9_r, 1, 1), 40).empty());
+  CHECK(ClnClosedForm::parabola(parabola({0}, {}, 0.2_r, 0.9_r, 1, 1), 40).empty());
+  CHECK(ClnClosedForm::parabola(parabola({0}, {}, 0.2_r, 0.6_r, 1, 1), 40).size() == 1);
 }
 
 TEST_CASE("a jump at an end of the contact is counted once, as beside it") {
   // The end is irrational: a jump placed there to far more digits than are carried lies on it for all that can be told.
   const auto free = ClnClosedForm::parabola(parabola({Rational(1, 3)}, {}), 200);
   const Rational left = free[0].left().value;
-  const auto found = ClnClosedForm::parabola(parabola({Rational(1, 10), Rational(1, 3)}, {left}), 30);
+  const auto found = ClnClosedForm::parabola(parabola({0.1_r, Rational(1, 3)}, {left}), 30);
   REQUIRE(found.size() == 1);
   CHECK(found[0].first_jump() == found[0].last_jump());
   CHECK(found[0].left().text == rounded(left, 30).text);

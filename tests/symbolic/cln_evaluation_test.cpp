@@ -1,14 +1,7 @@
 #include "symbolic/cln/cln_evaluation.hpp"
-
-#include <doctest/doctest.h>
-#include <rapidcheck.h>
-
-#include <stdexcept>
-
 #include "model/singular_point.hpp"
-#include "uniform.hpp"
+#include "support/test.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::symbolic;
 
 TEST_CASE("rounding to significant decimal digits") {
@@ -52,27 +45,23 @@ TEST_CASE("exponents and angles against values from mpmath at 150 digits") {
         "02721718029882091611010939765730851639744575874197723894166131688213047377677100632461361953355216444960789443"
         "12990174328");
   // 1/2 - atan(1e30)/pi: thirty digits cancel.
-  CHECK(cln_value(free_exponent(End::left, parse_rational("1e30")), 60).text ==
+  CHECK(cln_value(free_exponent(End::left, 1e30_r), 60).text ==
         "3.18309886183790671537767526745028724068919291480912897495335e-31");
-  CHECK(cln_value(Exponent(Rational(1, 4)), 5).text == "0.25000");
-  CHECK(cln_value(Exponent(Rational(1, 4)) - Exponent::angle(1), 60).text == "0");
-  CHECK(cln_value(Exponent::angle(Rational(1, 2)) + Exponent::angle(Rational(1, 3)) - Exponent(Rational(1, 4)), 60)
-            .text == "0");
-  CHECK(cln_value(-free_exponent(End::left, parse_rational("1e400")), 30).text ==
-        "-3.18309886183790671537767526745e-401");
-  CHECK(cln_value(Exponent::angle(parse_rational("1e-400")), 30).text == "3.18309886183790671537767526745e-401");
+  CHECK(cln_value(Exponent(0.25_r), 5).text == "0.25000");
+  CHECK(cln_value(Exponent(0.25_r) - Exponent::angle(1), 60).text == "0");
+  CHECK(cln_value(Exponent::angle(0.5_r) + Exponent::angle(Rational(1, 3)) - Exponent(0.25_r), 60).text == "0");
+  CHECK(cln_value(-free_exponent(End::left, 1e400_r), 30).text == "-3.18309886183790671537767526745e-401");
+  CHECK(cln_value(Exponent::angle(1e-400_r), 30).text == "3.18309886183790671537767526745e-401");
 }
 
 TEST_CASE("gamma, alpha and cos(pi alpha)") {
-  CHECK(cln_gamma(Rational(3, 10), Plane::strain, 60).text ==
-        "0.285714285714285714285714285714285714285714285714285714285714");
+  CHECK(cln_gamma(0.3_r, Plane::strain, 60).text == "0.285714285714285714285714285714285714285714285714285714285714");
   CHECK(cln_gamma(Rational(1, 3), Plane::stress, 60).text ==
         "0.333333333333333333333333333333333333333333333333333333333333");
-  CHECK(cln_alpha(Rational(3, 10), Rational(3, 10), Plane::strain, 60).text ==
-        cln_value(Exponent::angle(Rational(3, 35)), 60).text);
-  CHECK(cln_cos_pi_alpha(Rational(-3, 4), 10).text == "0.8000000000");
-  CHECK(cln_cos_pi_alpha(Rational(1), 60).text == "0.707106781186547524400844362104849039284835937688474036588340");
-  CHECK_THROWS_AS(cln_gamma(Rational(1, 2), Plane::strain, 10), std::domain_error);
+  CHECK(cln_alpha(0.3_r, 0.3_r, Plane::strain, 60).text == cln_value(Exponent::angle(Rational(3, 35)), 60).text);
+  CHECK(cln_cos_pi_alpha(-0.75_r, 10).text == "0.8000000000");
+  CHECK(cln_cos_pi_alpha(1_r, 60).text == "0.707106781186547524400844362104849039284835937688474036588340");
+  CHECK_THROWS_AS(cln_gamma(0.5_r, Plane::strain, 10), std::domain_error);
   CHECK_THROWS_AS(cln_gamma(-1, Plane::stress, 10), std::domain_error);
 }
 

@@ -1,11 +1,6 @@
 #include "symbolic/riemann_hilbert/closed_form_derivation.hpp"
+#include "support/test.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <stdexcept>
-
-using namespace steadyslide;
 using namespace steadyslide::symbolic;
 
 namespace {
@@ -59,9 +54,8 @@ TEST_CASE("the parabola and the quartic: factor and conditions") {
 }
 
 TEST_CASE("a problem's own derivation has its numbers") {
-  const ContactProblem problem(Elasticity::reduced(Rational(1, 2)),
-                               FrictionProfile({Rational(1, 5), Rational(6, 5)}, {0}),
-                               Indenter(-1, {{1, Polynomial({0, 0, Rational(5, 2)})}}), 1);
+  const ContactProblem problem(Elasticity::reduced(0.5_r), FrictionProfile({0.2_r, 1.2_r}, {0}),
+                               Indenter(-1, {{1, Polynomial({0, 0, 2.5_r})}}), 1);
   const std::vector<Derivation> all = riemann_hilbert_derivations(problem);
   REQUIRE(all.size() == 1);
   CHECK(says(all[0], "s_0 = 1/10"));

@@ -1,8 +1,5 @@
 #include "symbolic/field/derivation.hpp"
-
-#include <doctest/doctest.h>
-
-#include <sstream>
+#include "support/test.hpp"
 
 using namespace steadyslide::symbolic;
 

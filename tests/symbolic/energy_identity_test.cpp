@@ -1,8 +1,6 @@
 #include "symbolic/statements/energy_identity.hpp"
-
-#include <doctest/doctest.h>
-
 #include "support/decided_statements.hpp"
+#include "support/test.hpp"
 #include "symbolic/riemann_hilbert/polynomial_families.hpp"
 
 using namespace steadyslide::symbolic;

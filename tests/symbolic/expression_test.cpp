@@ -1,17 +1,9 @@
 #include "symbolic/field/expression.hpp"
-
-#include <doctest/doctest.h>
-#include <rapidcheck.h>
-
-#include <cmath>
-#include <stdexcept>
-
 #include "model/elasticity.hpp"
 #include "model/singular_point.hpp"
+#include "support/test.hpp"
 #include "symbolic/local/coupling.hpp"
-#include "uniform.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::symbolic;
 using GiNaC::ex;
 using GiNaC::ex_to;
@@ -23,7 +15,7 @@ TEST_CASE("numbers go to GiNaC and back unchanged") {
     const Rational value = Rational(Integer(numerator), Integer(denominator));
     RC_ASSERT(to_rational(to_expression(value)) == value);
   }));
-  CHECK(to_rational(to_expression(parse_rational("-7e-400"))) == parse_rational("-7e-400"));
+  CHECK(to_rational(to_expression(-7e-400_r)) == -7e-400_r);
   CHECK_THROWS_AS(to_rational(numeric(0.5)), std::domain_error);
 }
 

@@ -1,13 +1,7 @@
 #include "symbolic/local/local_action.hpp"
-
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <set>
-
 #include "numeric/quadrature/tanh_sinh.hpp"
+#include "support/test.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::symbolic;
 using GiNaC::ex;
 

@@ -1,8 +1,6 @@
 #include "symbolic/statements/local_form_statements.hpp"
-
-#include <doctest/doctest.h>
-
 #include "support/decided_statements.hpp"
+#include "support/test.hpp"
 #include "symbolic/statements/reading_notes.hpp"
 
 using namespace steadyslide::symbolic;

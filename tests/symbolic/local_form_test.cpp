@@ -1,17 +1,12 @@
-#include "symbolic/local/local_form.hpp"
-
-#include <doctest/doctest.h>
-#include <rapidcheck.h>
-
 #include <chrono>
 
 #include "model/singular_point.hpp"
+#include "support/test.hpp"
 #include "symbolic/field/expression.hpp"
 #include "symbolic/field/field_linear.hpp"
 #include "symbolic/local/local_derivations.hpp"
-#include "uniform.hpp"
+#include "symbolic/local/local_form.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::symbolic;
 using GiNaC::ex;
 using GiNaC::numeric;
@@ -216,8 +211,7 @@ TEST_CASE("what leaves the question open is refused") {
 
 TEST_CASE("one derivation for each place of a problem, the same text every time") {
   const Indenter indenter(-2, {{0, Polynomial({0, -1})}, {1, Polynomial({0, 1, 1, 1})}, {2, Polynomial({5, 1})}});
-  const ContactProblem problem(Elasticity(Solid(Rational(3, 10), 1)),
-                               FrictionProfile({Rational(1, 5), Rational(3, 5)}, {Rational(1, 2)}), indenter, 1);
+  const ContactProblem problem(Elasticity(Solid(0.3_r, 1)), FrictionProfile({0.2_r, 0.6_r}, {0.5_r}), indenter, 1);
   const std::vector<Derivation> all = local_derivations(problem);
   const std::vector<SingularPoint> points = possible_singular_points(problem);
   REQUIRE(all.size() == points.size());

@@ -1,9 +1,6 @@
 #include "symbolic/field/phase_field.hpp"
+#include "support/test.hpp"
 
-#include <doctest/doctest.h>
-#include <rapidcheck.h>
-
-using namespace steadyslide;
 using namespace steadyslide::symbolic;
 using GiNaC::ex;
 using GiNaC::numeric;

@@ -1,6 +1,5 @@
 #include "symbolic/field/plain_formula.hpp"
-
-#include <doctest/doctest.h>
+#include "support/test.hpp"
 
 using namespace steadyslide::symbolic;
 

@@ -1,14 +1,6 @@
 #include "symbolic/field/rational_function.hpp"
-
-#include <doctest/doctest.h>
-#include <rapidcheck.h>
-
-#include <algorithm>
-#include <stdexcept>
-#include <vector>
-
+#include "support/test.hpp"
 #include "symbolic/statements/exact_identities.hpp"
-#include "uniform.hpp"
 
 using namespace steadyslide::symbolic;
 using GiNaC::ex;

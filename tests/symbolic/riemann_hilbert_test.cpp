@@ -1,14 +1,11 @@
 #include "symbolic/riemann_hilbert/riemann_hilbert.hpp"
-
-#include <doctest/doctest.h>
-
 #include "model/singular_point.hpp"
 #include "support/decided_statements.hpp"
+#include "support/test.hpp"
 #include "symbolic/field/expression.hpp"
 #include "symbolic/riemann_hilbert/contact_symbols.hpp"
 #include "symbolic/statements/riemann_hilbert_statements.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::symbolic;
 using GiNaC::ex;
 
@@ -17,7 +14,7 @@ TEST_CASE("every Riemann-Hilbert statement holds, and each of its wrong variants
 }
 
 TEST_CASE("the derived exponents are the model's, for any frictions") {
-  const std::vector<Rational> values{0, Rational(3, 4), -1, 7, Rational(-1, 1000)};
+  const std::vector<Rational> values{0, 0.75_r, -1, 7, -0.001_r};
   for (const Rational& l : values) {
     for (const Rational& r : values) {
       const auto value = [&](PointKind kind) { return derived_exponent(kind).exponent({l, r}); };
