@@ -52,26 +52,11 @@ inline void check_refused(const Finished& finished, const std::string& message, 
   CHECK(finished.out == "");
 }
 
-inline bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
-
 inline void check_holds(const std::string& text, std::initializer_list<const char*> parts) {
   for (const char* part : parts) {
     CAPTURE(part);
     CHECK(holds(text, part));
   }
-}
-
-inline std::size_t times(const std::string& text, std::string_view part) {
-  std::size_t n = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++n;
-  return n;
-}
-
-inline std::vector<std::string> lines(const std::string& text) {
-  std::vector<std::string> result;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) result.push_back(line);
-  return result;
 }
 
 inline std::string replaced(std::string text, const std::string& what, const std::string& with) {

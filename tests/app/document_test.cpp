@@ -1,13 +1,12 @@
 #include "app/results/document.hpp"
 #include "support/test.hpp"
-#include "support/thrown.hpp"
 
 using namespace steadyslide::app;
 
 namespace {
 
 std::string message_of(std::string_view text) {
-  return steadyslide::testing::thrown_by([&] { parse_document(text, "f"); });
+  return thrown_by([&] { parse_document(text, "f"); });
 }
 
 }  // namespace

@@ -4,8 +4,6 @@
 
 #include "app/json_answers.hpp"
 
-using namespace steadyslide::testing;
-
 namespace fs = std::filesystem;
 
 namespace {

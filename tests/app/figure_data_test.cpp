@@ -11,7 +11,6 @@
 #include "proofs_checks/instruments/convergence_cases.hpp"
 
 using namespace steadyslide::app;
-using namespace steadyslide::testing;
 
 namespace {
 

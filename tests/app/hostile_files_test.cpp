@@ -4,8 +4,6 @@
 
 #include "app/command_line.hpp"
 
-using namespace steadyslide::testing;
-
 namespace {
 
 constexpr std::size_t ten_megabytes = std::size_t{10} << 20;

@@ -4,8 +4,6 @@
 
 #include "app/command_line.hpp"
 
-using namespace steadyslide::testing;
-
 namespace {
 
 const std::string rough = STEADYSLIDE_EXAMPLES "/rough_surface.toml";

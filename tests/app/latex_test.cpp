@@ -4,8 +4,6 @@
 
 #include "app/command_line.hpp"
 
-using namespace steadyslide::testing;
-
 namespace {
 
 /// t.tex of the folder.

@@ -1,14 +1,13 @@
 #include "app/problem_file/list_parser.hpp"
 #include "app/terminal/failure.hpp"
 #include "support/test.hpp"
-#include "support/thrown.hpp"
 
 using namespace steadyslide::app;
 
 namespace {
 
 std::string message_of(std::string_view text, std::size_t most = 100) {
-  return testing::thrown_by([&] { parse_list("--rear", text, most); });
+  return thrown_by([&] { parse_list("--rear", text, most); });
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 
 #include "app/json_answers.hpp"
 
-using namespace steadyslide::testing;
-
 namespace {
 
 const std::string header =

@@ -6,8 +6,6 @@
 
 #include "app/command_line.hpp"
 
-using namespace steadyslide::testing;
-
 namespace fs = std::filesystem;
 
 namespace {

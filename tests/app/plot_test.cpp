@@ -3,8 +3,6 @@
 #include "app/command_line.hpp"
 #include "app/svg.hpp"
 
-using namespace steadyslide::testing;
-
 namespace {
 
 const std::string examples = STEADYSLIDE_EXAMPLES;

@@ -3,7 +3,6 @@
 #include "app/problem_file/polynomial_parser.hpp"
 #include "model/invalid_data.hpp"
 #include "support/test.hpp"
-#include "support/thrown.hpp"
 
 using namespace steadyslide::app;
 
@@ -15,7 +14,7 @@ Polynomial parse(std::string_view text) {
 }
 
 std::string message_of(std::string_view text) {
-  return testing::thrown_by([&] { parse(text); });
+  return thrown_by([&] { parse(text); });
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "app/problem_file/problem_file.hpp"
 #include "support/test.hpp"
-#include "support/thrown.hpp"
 
 using namespace steadyslide::app;
 
@@ -60,7 +59,7 @@ TEST_CASE("reduced data and an elastic indenter") {
 }
 
 TEST_CASE("a key of an inline table is found on its line") {
-  CHECK(testing::thrown_by([] {
+  CHECK(thrown_by([] {
           parse_problem("load = 1\nhalf_space = {poisson = 0.6}\nfriction.values = [0.1]\nindenter.profile = 'x'\n",
                         "f");
         }) == "f:2: half_space.poisson: Poisson's ratio out of range; it lies in ]-1, 1/2[; 0.6");

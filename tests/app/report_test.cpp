@@ -7,7 +7,6 @@
 #include "app/report_fixture.hpp"
 
 using namespace steadyslide::app;
-using namespace steadyslide::testing;
 
 TEST_CASE("the page has every statement with its verdict, evidence and controls") {
   const std::string page = report_html(fabricated_result(), fabricated_supplement());

@@ -1,16 +1,8 @@
 // The measured profile among the examples is what its generator prints, and that is what it says.
 
-#include <nlohmann/json.hpp>
-
-#include "app/command_line.hpp"
-
-using namespace steadyslide::testing;
-
-namespace fs = std::filesystem;
+#include "app/json_answers.hpp"
 
 namespace {
-
-const fs::path folder = STEADYSLIDE_EXAMPLES;
 
 /// The numbers of a trace's lines after its header.
 std::vector<double> numbers(const std::string& trace) {
@@ -23,17 +15,34 @@ std::vector<double> numbers(const std::string& trace) {
   return result;
 }
 
-std::string stored_trace() {
-  std::ifstream stream(folder / "rough_surface.csv");
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+std::string stored_trace() { return file_text(STEADYSLIDE_EXAMPLES "/rough_surface.csv"); }
 
 /// Infinite for traces of different lengths.
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
+  if (a.size() != b.size()) return HUGE_VAL;
   double largest = 0;
   for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, std::abs(a[k] - b[k]));
   return largest;
+}
+
+/// The largest relative violation of |shear| = f |traction| on a side of x, and the number of rows in contact.
+struct Coulomb {
+  double worst = 0;
+  int rows = 0;
+
+  void add(double x, bool is_left, double traction, double shear) {
+    if (traction == 0 || std::isinf(traction)) return;
+    const double f = x < 0 || (x == 0 && is_left) ? 0.1 : 0.4;
+    worst = std::max(worst, std::abs(std::abs(shear) / (f * std::abs(traction)) - 1));
+    ++rows;
+  }
+};
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> result;
+  std::istringstream stream(line + ",");
+  for (std::string cell; std::getline(stream, cell, ',');) result.push_back(cell);
+  return result;
 }
 
 }  // namespace
@@ -41,8 +50,9 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 TEST_CASE("the rough surface is what its generator prints") {
   const std::string stored = stored_trace();
   const auto generated = [](const std::string& parameter) {
-    return run_other(joined({STEADYSLIDE_ROUGH_SURFACE}, parameter.empty() ? Arguments{} : Arguments{parameter}),
-                     folder);
+    return run_other(
+        parameter.empty() ? Arguments{STEADYSLIDE_ROUGH_SURFACE} : Arguments{STEADYSLIDE_ROUGH_SURFACE, parameter},
+        STEADYSLIDE_EXAMPLES);
   };
   const Finished same = generated("");
   CHECK(same.code == 0);
@@ -57,7 +67,7 @@ TEST_CASE("the rough surface is what its generator prints") {
     const Finished refused = generated(bad);
     CHECK(refused.code == 2);
     CHECK(refused.out == "");
-    CHECK(std::count(refused.err.begin(), refused.err.end(), '\n') == 1);
+    CHECK(times(refused.err, "\n") == 1);
   }
 }
 
@@ -90,45 +100,14 @@ TEST_CASE("the rough surface has its roughness and its waves") {
   }
 }
 
-namespace {
-
-/// The largest relative violation of |shear| = f |traction| on a side of x, and the number of rows in contact.
-struct Coulomb {
-  double worst = 0;
-  int rows = 0;
-
-  void add(double x, bool is_left, double traction, double shear) {
-    if (traction == 0 || std::isinf(traction)) return;
-    const double f = x < 0 || (x == 0 && is_left) ? 0.1 : 0.4;
-    worst = std::max(worst, std::abs(std::abs(shear) / (f * std::abs(traction)) - 1));
-    ++rows;
-  }
-};
-
-std::vector<std::string> cells(const std::string& line) {
-  std::vector<std::string> result;
-  std::istringstream stream(line + ",");
-  for (std::string cell; std::getline(stream, cell, ',');) result.push_back(cell);
-  return result;
-}
-
-}  // namespace
-
 TEST_CASE("files keep Coulomb's law in every row: |shear| = f |traction|") {
-  const std::vector<std::string> solve{"solve", "rough_surface.toml", "--at=-0.1:0.1:0.005", "--samples", "40"};
-  const auto output = [&](const char* format) {
-    std::vector<std::string> arguments = solve;
-    arguments.insert(arguments.end(), {"--format", format});
-    return run_program(arguments, folder).out;
-  };
+  const Arguments wanted{"--at=-0.1:0.1:0.005", "--samples", "40"};
   Coulomb csv;
-  std::istringstream lines(output("csv"));
-  std::string line;
-  std::getline(lines, line);
-  CHECK(line == "x,traction,shear,gap,slope,traction_error,shear_error,gap_error,slope_error");
+  const auto rows = lines(run_example("rough_surface.toml", joined(wanted, {"--format", "csv"})).out);
+  CHECK(rows[0] == "x,traction,shear,gap,slope,traction_error,shear_error,gap_error,slope_error");
   std::string last;
-  while (std::getline(lines, line)) {
-    const std::vector<std::string> row = cells(line);
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const std::vector<std::string> row = cells(rows[k]);
     REQUIRE(row.size() == 9);
     csv.add(std::stod(row[0]), row[0] != last, std::stod(row[1]), std::stod(row[2]));
     last = row[0];
@@ -139,11 +118,11 @@ TEST_CASE("files keep Coulomb's law in every row: |shear| = f |traction|") {
   CHECK(csv.worst <= 1e-15);
 
   Coulomb json;
-  const auto side = [](const nlohmann::json& value, const char* name) {
+  const auto side = [](const Json& value, const char* name) {
     return std::stod((value.is_object() ? value[name] : value).get<std::string>());
   };
-  const nlohmann::json solution = nlohmann::json::parse(output("json"));
-  for (const nlohmann::json& sample : solution["samples"]) {
+  const Json solution = Json::parse(run_example("rough_surface.toml", joined(wanted, {"--format", "json"})).out);
+  for (const Json& sample : solution["samples"]) {
     for (const char* name : {"left", "right"}) {
       json.add(side(sample["x"], name), name == std::string("left"), side(sample["traction"], name),
                side(sample["shear"], name));

@@ -2,8 +2,6 @@
 
 #include "app/json_answers.hpp"
 
-using namespace steadyslide::testing;
-
 namespace {
 
 std::string problem(const std::string& indenter, const std::string& load = "1") {

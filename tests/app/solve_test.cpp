@@ -1,7 +1,5 @@
 #include "app/json_answers.hpp"
 
-using namespace steadyslide::testing;
-
 namespace {
 
 const std::string punch =

@@ -2,8 +2,6 @@
 
 #include "app/json_answers.hpp"
 
-using namespace steadyslide::testing;
-
 namespace {
 
 Finished table(const Arguments& more) { return run_alone(joined({"table"}, more)); }

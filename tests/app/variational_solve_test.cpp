@@ -2,8 +2,6 @@
 
 #include "app/json_answers.hpp"
 
-using namespace steadyslide::testing;
-
 namespace {
 
 Json on_cells(const std::string& file, const Arguments& arguments = {}) {

@@ -1,7 +1,5 @@
 #include "app/json_answers.hpp"
 
-using namespace steadyslide::testing;
-
 TEST_CASE("--list names every claim once and checks nothing") {
   const Json json = Json::parse(run_alone({"verify", "--list", "--format", "json"}).out);
   const std::string text = run_alone({"verify", "--list"}).out;

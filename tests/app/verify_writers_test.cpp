@@ -4,8 +4,6 @@
 
 using namespace steadyslide::app;
 using namespace steadyslide::proofs_checks;
-using testing::check_holds;
-using testing::holds;
 
 namespace {
 
@@ -31,7 +29,7 @@ VerifyResult bad_result() {
 }
 
 std::string written(Format format, const VerifyResult& result) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   Output output((folder.path() / "out").string());
   write_verify(format, result, output);
   output.commit();

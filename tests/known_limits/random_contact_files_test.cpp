@@ -5,8 +5,6 @@
 #include "support/random_contact.hpp"
 #include "support/test.hpp"
 
-using namespace steadyslide::testing;
-
 TEST_CASE("files say the same problem") {
   for (int i = 0; i < listed_problems; i += 5) {
     const std::string text = problem_toml(random_contact(first_listed_seed + static_cast<std::uint64_t>(i)));

@@ -5,9 +5,6 @@
 #include "support/numeric_test.hpp"
 #include "support/random_contact.hpp"
 
-using steadyslide::testing::first_listed_seed;
-using steadyslide::testing::listed_problems;
-
 namespace {
 
 constexpr double tolerance = 1e-10;
@@ -156,7 +153,7 @@ void solve_the_first(int count) {
   Tally tally;
   for (tally.all = 0; tally.all < count; ++tally.all) {
     const std::uint64_t seed = first_listed_seed + static_cast<std::uint64_t>(tally.all);
-    const ContactProblem problem = testing::random_contact(seed);
+    const ContactProblem problem = random_contact(seed);
     Attempt<double> attempt;
     const std::string reason = failure_of(problem, attempt);
     const std::string line = std::to_string(seed) + ' ' + reason;

@@ -10,8 +10,6 @@
 #include "support/random_contact.hpp"
 #include "support/test.hpp"
 
-using namespace steadyslide::testing;
-
 namespace {
 
 /// Method, samples and format go by turns: a solution of every kind meets every writer. Closed forms rarely apply, so

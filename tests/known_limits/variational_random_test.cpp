@@ -6,7 +6,6 @@
 #include "support/random_contact.hpp"
 
 using namespace steadyslide::numeric::variational;
-using steadyslide::testing::first_listed_seed;
 
 namespace {
 
@@ -35,7 +34,7 @@ void solve_the_first(int count, std::size_t cells) {
   double worst = 0;
   for (int i = 0; i < count; ++i) {
     const std::uint64_t seed = first_listed_seed + static_cast<std::uint64_t>(i);
-    const ContactProblem problem = testing::random_contact(seed);
+    const ContactProblem problem = random_contact(seed);
     const NestedResult result = solve_nested(problem, {.cells = cells});
     const Certificate& certificate = result.certificate;
     if (certificate.accepted()) {
@@ -64,7 +63,7 @@ TEST_CASE("the first 300 on 256 cells") { solve_the_first(300, 256); }
 TEST_CASE("slow: the first 1000 on 1024 cells" * doctest::skip()) { solve_the_first(1000, 1024); }
 
 TEST_CASE("control: a state that is not a solution is not accepted") {
-  const ContactProblem problem = testing::random_contact(first_listed_seed);
+  const ContactProblem problem = random_contact(first_listed_seed);
   const NestedResult result = solve_nested(problem, {.cells = 128});
   REQUIRE(result.certificate.accepted());
   const auto spoilt = [&](const auto& change) {

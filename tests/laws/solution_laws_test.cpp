@@ -9,9 +9,6 @@
 #include "support/numeric_test.hpp"
 #include "support/random_contact.hpp"
 
-using testing::is_close;
-using testing::Tolerance;
-
 namespace {
 
 template <Real R>
@@ -22,14 +19,13 @@ struct Method {
   R residual;  ///< of equation, load and gap
   R tension;
   Tolerance<R> within;
-  std::size_t changes = testing::change_laws().size();  ///< so many of these laws for one problem, from a random one on
-  bool local_points = true;  ///< every singular point is found, and the friction at each place
+  std::size_t changes = change_laws().size();  ///< so many of these laws for one problem, from a random one on
+  bool local_points = true;                    ///< every singular point is found, and the friction at each place
 };
 
 /// Of the list that solvers are measured by.
 rc::Gen<ContactProblem> listed() {
-  return rc::gen::exec(
-      [] { return testing::random_contact(testing::first_listed_seed + static_cast<std::uint64_t>(uniform(0, 399))); });
+  return rc::gen::exec([] { return random_contact(first_listed_seed + static_cast<std::uint64_t>(uniform(0, 399))); });
 }
 
 template <Real R>
@@ -81,7 +77,7 @@ template <Real R>
 bool shear_opposes_sliding(const Case<R>& c) {
   using std::abs;
   if (!c.method.local_points) return true;
-  for (const Rational& x : testing::places<R>(c.solution.contact())) {
+  for (const Rational& x : places<R>(c.solution.contact())) {
     const Sample<R> s = c.solution.at(x);
     const R ratio =
         to_real<R>(c.problem.friction().at(x, Side::left)) * (c.problem.sliding() == Sliding::plus_x ? R(-1) : R(1));
@@ -95,10 +91,10 @@ bool shear_opposes_sliding(const Case<R>& c) {
 template <Real R>
 bool grows_with_the_load(const Case<R>& c) {
   if (!uniqueness(c.problem).proved) return true;
-  const Attempt<R> more = c.method.solve(testing::scaled(c.problem, 1, 1.25_r));
+  const Attempt<R> more = c.method.solve(scaled(c.problem, 1, 1.25_r));
   if (!more.solution || !more.solution->shortcoming().empty()) return true;
   const auto larger = more.solution->contact();
-  const R slack = c.method.within.end * testing::length_of<R>(larger);
+  const R slack = c.method.within.end * length_of<R>(larger);
   for (const auto& zone : c.solution.contact()) {
     if (std::none_of(larger.begin(), larger.end(), [&](const ContactComponent<R>& around) {
           return around.left.x.value <= zone.left.x.value + slack && zone.right.x.value <= around.right.x.value + slack;
@@ -133,7 +129,7 @@ template <Real R>
 Rational regular_place(const ContactProblem& problem, const ContactSolution<R>& solution) {
   const auto& jumps = problem.friction().jumps();
   const auto& pieces = problem.indenter().pieces();
-  for (const Rational& x : testing::places<R>(solution.contact())) {
+  for (const Rational& x : places<R>(solution.contact())) {
     if (std::find(jumps.begin(), jumps.end(), x) == jumps.end() &&
         std::none_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return piece.to == x; })) {
       return x;
@@ -150,15 +146,14 @@ std::string broken_law(const Method<R>& method, const ContactProblem& problem, c
     if (!law.holds(unchanged)) return law.name;
   }
   const Rational regular = regular_place<R>(problem, solution);
-  const std::vector<testing::ChangeLaw>& laws = testing::change_laws();
+  const std::vector<ChangeLaw>& laws = change_laws();
   const auto first = static_cast<std::size_t>(uniform(0, static_cast<int>(laws.size()) - 1));
   for (std::size_t k = 0; k < method.changes; ++k) {
-    const testing::ChangeLaw& law = laws[(first + k) % laws.size()];
-    const testing::Change change = law.change(problem, regular);
+    const ChangeLaw& law = laws[(first + k) % laws.size()];
+    const Change change = law.change(problem, regular);
     const Attempt<R> after = method.solve(change.problem);
     const std::string why =
-        after.solution ? testing::difference<R>(problem, solution, *after.solution, change.image, method.within)
-                       : after.why_not;
+        after.solution ? difference<R>(problem, solution, *after.solution, change.image, method.within) : after.why_not;
     if (!why.empty()) return law.name + (": " + why);
     if (method.local_points && after.solution->singular_points().size() != solution.singular_points().size()) {
       return law.name + std::string(": number of singular points");
@@ -217,7 +212,7 @@ Method<double> variational_on_cells() {
   const auto smooth =
       rc::gen::suchThat(listed(), [](const ContactProblem& p) { return p.indenter().pieces().size() == 1; });
   return {"variational method on cells", solve, smooth, infinity<double>(), 1e-9, {1e-9, 1e-8, 1e-9},
-          testing::change_laws().size(), false};
+          change_laws().size(),          false};
 }
 
 /// The difference to the solution with more digits stays within the error that the solution itself expects.
@@ -262,7 +257,7 @@ void reproduces_the_closed_form(const ContactProblem& problem, const R& toleranc
   const auto a = expected.solution->contact();
   const auto b = found.solution->contact();
   RC_ASSERT(b.size() == 1U);
-  const R length = testing::length_of<R>(a);
+  const R length = length_of<R>(a);
   for (const auto end : {&ContactComponent<R>::left, &ContactComponent<R>::right}) {
     RC_ASSERT((b[0].*end).kind == (a[0].*end).kind);
     RC_ASSERT(is_close<R>((b[0].*end).x.value, (a[0].*end).x.value, tolerance * length));
@@ -284,8 +279,8 @@ void reproduces_the_closed_form(const ContactProblem& problem, const R& toleranc
 
 template <Real R>
 void reproduces_closed_forms(const R& tolerance) {
-  CHECK(rc::check("flat punches", [&] { reproduces_the_closed_form<R>(*testing::flat_punch(4), tolerance); }));
-  CHECK(rc::check("parabolas", [&] { reproduces_the_closed_form<R>(*testing::parabola(4), tolerance); }));
+  CHECK(rc::check("flat punches", [&] { reproduces_the_closed_form<R>(*flat_punch(4), tolerance); }));
+  CHECK(rc::check("parabolas", [&] { reproduces_the_closed_form<R>(*parabola(4), tolerance); }));
 }
 
 template <Real R>
@@ -295,27 +290,27 @@ void refutes_wrong_laws(const Method<R>& method) {
                          Indenter(-1, {{1, Polynomial({0, 0.125_r, 1})}}), 0.25_r);
   const Attempt<R> before = method.solve(p);
   REQUIRE_MESSAGE(before.solution, before.why_not);
-  for (const testing::ChangeLaw& law : testing::wrong_laws()) {
+  for (const ChangeLaw& law : wrong_laws()) {
     CAPTURE(std::string(law.name));
-    const testing::Change change = law.change(p, 0);
+    const Change change = law.change(p, 0);
     const Attempt<R> after = method.solve(change.problem);
     REQUIRE_MESSAGE(after.solution, after.why_not);
-    CHECK(testing::difference<R>(p, *before.solution, *after.solution, change.image, method.within) != "");
+    CHECK(difference<R>(p, *before.solution, *after.solution, change.image, method.within) != "");
   }
 }
 
 }  // namespace
 
 TEST_CASE("closed forms obey the laws") {
-  obeys_the_laws<double>(closed_form_in_double("flat punches", testing::flat_punch(6)));
-  obeys_the_laws<double>(closed_form_in_double("parabolas", testing::parabola(6)));
-  obeys_the_laws<Real50>(closed_form_in_50("flat punches", testing::flat_punch(3)));
-  obeys_the_laws<Real50>(closed_form_in_50("parabolas", testing::parabola(3)));
+  obeys_the_laws<double>(closed_form_in_double("flat punches", flat_punch(6)));
+  obeys_the_laws<double>(closed_form_in_double("parabolas", parabola(6)));
+  obeys_the_laws<Real50>(closed_form_in_50("flat punches", flat_punch(3)));
+  obeys_the_laws<Real50>(closed_form_in_50("parabolas", parabola(3)));
 }
 
 TEST_CASE("estimated errors of closed forms are honest") {
-  CHECK(rc::check("flat punches", [] { errors_are_honest(*testing::flat_punch(5)); }));
-  CHECK(rc::check("parabolas", [] { errors_are_honest(*testing::parabola(5)); }));
+  CHECK(rc::check("flat punches", [] { errors_are_honest(*flat_punch(5)); }));
+  CHECK(rc::check("parabolas", [] { errors_are_honest(*parabola(5)); }));
 }
 
 TEST_CASE("solvers: the Riemann-Hilbert method obeys the laws") { obeys_the_laws<double>(riemann_hilbert_in_double()); }
@@ -331,8 +326,8 @@ TEST_CASE("digits: closed forms with 100 digits" * doctest::skip()) {
 }
 
 TEST_CASE("control: wrong laws are refuted") {
-  refutes_wrong_laws<double>(closed_form_in_double("", testing::parabola(1)));
-  refutes_wrong_laws<Real50>(closed_form_in_50("", testing::parabola(1)));
+  refutes_wrong_laws<double>(closed_form_in_double("", parabola(1)));
+  refutes_wrong_laws<Real50>(closed_form_in_50("", parabola(1)));
   refutes_wrong_laws<double>(riemann_hilbert_in_double());
   refutes_wrong_laws<double>(variational_on_cells());
 }

@@ -39,8 +39,8 @@ void derived_equals_numeric(const ContactProblem& problem, int& compared) {
 
 TEST_CASE("200 random problems: derived and numeric tractions agree to 48 digits") {
   int compared = 0;
-  CHECK(rc::check("flat punches", [&] { derived_equals_numeric(*testing::flat_punch(4), compared); }));
-  CHECK(rc::check("parabolas", [&] { derived_equals_numeric(*testing::parabola(3), compared); }));
+  CHECK(rc::check("flat punches", [&] { derived_equals_numeric(*flat_punch(4), compared); }));
+  CHECK(rc::check("parabolas", [&] { derived_equals_numeric(*parabola(3), compared); }));
   MESSAGE("tractions compared: " << compared);
   CHECK(compared > 700);
 }

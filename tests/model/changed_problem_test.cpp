@@ -53,7 +53,7 @@ TEST_CASE("a changed problem keeps the rules of a problem") {
 
 TEST_CASE("moves: identity, inverse, composition, and what stays at its place") {
   CHECK(rc::check([] {
-    const ContactProblem problem = *testing::coincidences();
+    const ContactProblem problem = *coincidences();
     const Rational a = random_scale(), b = random_place(), c = random_scale(), d = random_place();
     RC_ASSERT(problem.moved(1, 0) == problem);
     RC_ASSERT(problem.mirrored().mirrored() == problem);
@@ -79,7 +79,7 @@ TEST_CASE("moves: identity, inverse, composition, and what stays at its place") 
 
 TEST_CASE("a further jump lifts the friction from there to the next jump") {
   CHECK(rc::check([] {
-    const ContactProblem problem = *testing::coincidences();
+    const ContactProblem problem = *coincidences();
     const Rational c = random_place(), height = Rational(uniform(0, 9), 4), x = random_place();
     const FrictionProfile& friction = problem.friction();
     const FrictionProfile more = problem.with_jump(c, height).friction();
@@ -92,7 +92,7 @@ TEST_CASE("a further jump lifts the friction from there to the next jump") {
 TEST_CASE("the pieces fill the support, each with its friction and its polynomial") {
   std::size_t most = 0;
   CHECK(rc::check([&] {
-    const ContactProblem problem = *testing::coincidences();
+    const ContactProblem problem = *coincidences();
     const std::vector<ContactProblem::Piece> pieces = problem.pieces();
     most = std::max(most, pieces.size());
     RC_ASSERT(pieces.front().left == problem.indenter().left());
@@ -115,7 +115,7 @@ TEST_CASE("the pieces fill the support, each with its friction and its polynomia
 
 TEST_CASE("the body is dragged along: the shear's sign is that of sliding, against a pressure's") {
   CHECK(rc::check([] {
-    const ContactProblem problem = *testing::coincidences();
+    const ContactProblem problem = *coincidences();
     for (std::size_t k = 0; k < problem.friction().values().size(); ++k) {
       const Rational ratio = problem.shear_ratio(k);
       RC_ASSERT(abs(ratio) == problem.friction().values()[k]);

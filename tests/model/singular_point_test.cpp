@@ -142,7 +142,7 @@ TEST_CASE("an elastic indenter has no edges of its own") {
 TEST_CASE("the mirrored problem has the mirrored list") {
   int interior = 0;
   CHECK(rc::check([&] {
-    const ContactProblem problem = *testing::coincidences();
+    const ContactProblem problem = *coincidences();
     const std::vector<SingularPoint> here = possible_singular_points(problem);
     const std::vector<SingularPoint> there = possible_singular_points(problem.mirrored());
     RC_ASSERT(here.size() == there.size());

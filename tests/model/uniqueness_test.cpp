@@ -42,7 +42,7 @@ TEST_CASE("uniqueness does not depend on the side from which one looks") {
   int proved = 0;
   int open = 0;
   CHECK(rc::check([&] {
-    const ContactProblem problem = *testing::coincidences();
+    const ContactProblem problem = *coincidences();
     const bool here = uniqueness(problem).proved;
     ++(here ? proved : open);
     RC_ASSERT(uniqueness(problem.mirrored()).proved == here);

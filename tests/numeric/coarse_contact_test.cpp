@@ -104,12 +104,12 @@ const Indenter wedge(-1, {{0, Polynomial({0, -1})}, {1, Polynomial({0, 1})}});
 }  // namespace
 
 TEST_CASE("contact zones of parabolas are those of the closed form") {
-  CHECK(rc::check([] { zone_is_that_of_the_closed_form(*testing::parabola(4), false); }));
+  CHECK(rc::check([] { zone_is_that_of_the_closed_form(*parabola(4), false); }));
 }
 
 TEST_CASE("the load's growth from zero leads to the same contact as the active sets") {
   CHECK(rc::check([] {
-    const ContactProblem problem = *testing::flat_punch(3);
+    const ContactProblem problem = *flat_punch(3);
     const Indenter& punch = problem.indenter();
     const Rational middle = (punch.left() + punch.right()) / 2;
     const Indenter round(punch.left(), {{punch.right(), Polynomial({middle * middle, -2 * middle, 1})}});
@@ -126,7 +126,7 @@ TEST_CASE("the load's growth from zero leads to the same contact as the active s
 }
 
 TEST_CASE("flat punches are in full contact") {
-  CHECK(rc::check([] { zone_is_that_of_the_closed_form(*testing::flat_punch(6), true); }));
+  CHECK(rc::check([] { zone_is_that_of_the_closed_form(*flat_punch(6), true); }));
 }
 
 TEST_CASE("a contact a millionth as wide as the support") {

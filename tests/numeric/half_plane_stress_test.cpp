@@ -1,9 +1,10 @@
 // The fields that the stresses below the surface are made of: a force's, and the same through potentials, against the
 // closed forms of a uniform strip [Joh85, chapter 2].
 
-#include "numeric/interior/half_plane_stress.hpp"
+#include "interior_stress_problems.hpp"
 #include "numeric/quadrature/jacobi_rule.hpp"
-#include "support/numeric_test.hpp"
+
+using namespace steadyslide::numeric::stress_test;
 
 namespace {
 
@@ -33,17 +34,6 @@ Potential<R> strip_potential(const R& a, const R& x, const R& z, const R& tracti
   // C' = (1/(zeta - a) - 1/(zeta + a))/pi.
   return {{f * log(right / left) / 2, f * (atan2(z, R(x - a)) - atan2(z, R(x + a)))},
           {f * ((x - a) / right - (x + a) / left), f * (-z / right + z / left)}};
-}
-
-template <Real R>
-R difference(const StressComponents<R>& a, const StressComponents<R>& b) {
-  using std::abs, std::max;
-  return max(max(R(abs(a.xx - b.xx)), R(abs(a.zz - b.zz))), R(abs(a.xz - b.xz)));
-}
-
-template <Real R>
-R size(const StressComponents<R>& a) {
-  return difference(a, {R(0), R(0), R(0)});
 }
 
 const double places[][2] = {{0, 0.5}, {0.3, 0.2}, {-1.4, 0.7}, {2, 0.125}, {-0.9, 3}};

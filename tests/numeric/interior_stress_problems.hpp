@@ -36,24 +36,19 @@ inline ContactProblem corners(Sliding sliding = Sliding::plus_x) {
           Indenter(-2, {{0, left}, {0.125_r, middle}, {0.25_r, wedge}, {2, bent}}), 1, sliding};
 }
 
+/// Solved, with the stresses below.
 template <Real R>
-class Solved {
- public:
-  explicit Solved(const ContactProblem& problem) : attempt_(riemann_hilbert<R>(problem)) {
-    REQUIRE(attempt_.solution);
-    REQUIRE(attempt_.solution->shortcoming().empty());
+struct Solved {
+  explicit Solved(const ContactProblem& problem) : found(riemann_hilbert<R>(problem).solution) {
+    REQUIRE(solution.shortcoming().empty());
   }
+  Rational place(double fraction) const { return Rational(left + fraction * length); }
 
-  const RiemannHilbertSolution<R>& solution() const {
-    return dynamic_cast<const RiemannHilbertSolution<R>&>(*attempt_.solution);
-  }
-  double left() const { return static_cast<double>(solution().contact().front().left.x.value); }
-  double right() const { return static_cast<double>(solution().contact().back().right.x.value); }
-  double length() const { return right() - left(); }
-  Rational place(double fraction) const { return Rational(left() + fraction * length()); }
-
- private:
-  Attempt<R> attempt_;
+  std::shared_ptr<const ContactSolution<R>> found;
+  const RiemannHilbertSolution<R>& solution = dynamic_cast<const RiemannHilbertSolution<R>&>(*found);
+  InteriorStress<R> interior{solution};
+  double left = static_cast<double>(solution.contact().front().left.x.value);
+  double length = static_cast<double>(solution.contact().back().right.x.value) - left;
 };
 
 template <Real R>
@@ -63,8 +58,7 @@ StressComponents<R> components(const StressState<R>& stress) {
 
 template <Real R>
 R difference(const StressComponents<R>& a, const StressComponents<R>& b) {
-  using std::abs, std::max;
-  return max(max(R(abs(a.xx - b.xx)), R(abs(a.zz - b.zz))), R(abs(a.xz - b.xz)));
+  return std::max({size_of(R(a.xx - b.xx)), size_of(R(a.zz - b.zz)), size_of(R(a.xz - b.xz))});
 }
 
 template <Real R>

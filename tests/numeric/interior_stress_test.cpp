@@ -50,17 +50,15 @@ TEST_CASE("closed potentials: constant friction under a punch and a parabola, at
   for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {
     for (const ContactProblem& problem : {punch(sliding), parabola(sliding)}) {
       const Solved<R> solved(problem);
-      const InteriorStress<R> interior(solved.solution());
       for (const double fraction : {-0.5, 1e-9, 0.25, 0.5, 0.999, 1 + 1e-9, 1.25}) {
         for (const char* depth : depths) {
           CAPTURE(fraction);
           CAPTURE(std::string(depth));
           const Rational x = solved.place(fraction);
           const Rational z = parse_rational(depth);
-          const StressState<R> found = interior.at(x, z);
-          const StressComponents<R> expected = by_potentials(solved.solution(), x, z);
-          const R error = difference(components(found), expected);
-          CHECK(error < R("1e-40") * size(expected));
+          const StressState<R> found = solved.interior.at(x, z);
+          const StressComponents<R> expected = by_potentials(solved.solution, x, z);
+          CHECK(difference(components(found), expected) < R("1e-40") * size(expected));
           CHECK(found.xx.convergence == Convergence::reached);
         }
       }
@@ -73,7 +71,6 @@ TEST_CASE("quadrature of the tractions: jumps, wedges, edges, at every depth") {
   std::uniform_real_distribution<double> between(-0.3, 1.3);
   for (const ContactProblem& problem : {jumps(), corners(), corners(Sliding::minus_x), punch()}) {
     const Solved<double> solved(problem);
-    const InteriorStress<double> interior(solved.solution());
     std::vector<Rational> places{0,      Rational(1e-9),     Rational(-1e-7),
                                  0.25_r, solved.place(1e-6), solved.place(1 - 1e-9)};
     for (int i = 0; i < 12; ++i) places.push_back(solved.place(between(random)));
@@ -82,15 +79,15 @@ TEST_CASE("quadrature of the tractions: jumps, wedges, edges, at every depth") {
         CAPTURE(to_real<double>(x));
         CAPTURE(std::string(depth));
         const Rational z = parse_rational(depth);
-        const StressComponents<double> found = components(interior.at(x, z));
-        const StressComponents<double> expected = by_quadrature(solved.solution(), x, z);
+        const StressComponents<double> found = components(solved.interior.at(x, z));
+        const StressComponents<double> expected = by_quadrature(solved.solution, x, z);
         CHECK(difference(found, expected) < 1e-10 * size(expected));
       }
       // Controls: the shear reversed, and one percent more of it.
       const Rational z(1, 2);
-      const StressComponents<double> found = components(interior.at(x, z));
+      const StressComponents<double> found = components(solved.interior.at(x, z));
       for (const double factor : {-1.0, 1.01}) {
-        CHECK(difference(found, by_quadrature(solved.solution(), x, z, factor)) > 1e-4 * size(found));
+        CHECK(difference(found, by_quadrature(solved.solution, x, z, factor)) > 1e-4 * size(found));
       }
     }
   }
@@ -103,10 +100,10 @@ TEST_CASE("slow: quadrature of the tractions at 50 digits, next to a jump and a 
   const Rational x(1e-9);
   for (const ContactProblem& problem : {jumps(), corners()}) {
     const Solved<R> solved(problem);
-    const StressComponents<R> found = components(InteriorStress<R>(solved.solution()).at(x, z));
-    CHECK(difference(found, by_quadrature(solved.solution(), x, z)) < R(1e-40) * size(found));
+    const StressComponents<R> found = components(solved.interior.at(x, z));
+    CHECK(difference(found, by_quadrature(solved.solution, x, z)) < R(1e-40) * size(found));
     // Control: one percent more shear.
-    CHECK(difference(found, by_quadrature(solved.solution(), x, z, R(1.01))) > R(1e-4) * size(found));
+    CHECK(difference(found, by_quadrature(solved.solution, x, z, R(1.01))) > R(1e-4) * size(found));
   }
 }
 
@@ -117,8 +114,6 @@ TEST_CASE("slow: double agrees with 50 digits to what its errors say" * doctest:
   for (const ContactProblem& problem : {jumps(), corners(), punch()}) {
     const Solved<double> rough(problem);
     const Solved<Real50> fine(problem);
-    const InteriorStress<double> in_double(rough.solution());
-    const InteriorStress<Real50> in_fifty(fine.solution());
     for (int i = 0; i < 6; ++i) {
       const double fraction = i == 0 ? 1e-9 : i == 1 ? 1 - 1e-7 : between(random);
       const Rational x = rough.place(fraction);
@@ -126,8 +121,8 @@ TEST_CASE("slow: double agrees with 50 digits to what its errors say" * doctest:
         CAPTURE(fraction);
         CAPTURE(std::string(depth));
         const Rational z = parse_rational(depth);
-        const StressState<double> found = in_double.at(x, z);
-        const StressState<Real50> expected = in_fifty.at(x, z);
+        const StressState<double> found = rough.interior.at(x, z);
+        const StressState<Real50> expected = fine.interior.at(x, z);
         const double scale = static_cast<double>(size(components(expected)));
         const auto check = [&](const Estimate<double>& a, const Estimate<Real50>& b) {
           const double error = std::abs(a.value - static_cast<double>(b.value));

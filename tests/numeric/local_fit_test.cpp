@@ -4,8 +4,6 @@
 #include "support/local_cases.hpp"
 #include "support/numeric_test.hpp"
 
-using namespace steadyslide::testing;
-
 TEST_CASE("intensities and constants of exact cells") {
   for (const Named& named : problems()) {
     CAPTURE(named.name);

@@ -3,8 +3,6 @@
 #include "support/local_cases.hpp"
 #include "support/numeric_test.hpp"
 
-using namespace steadyslide::testing;
-
 TEST_CASE("the variational solver finds the exponents that the local analysis derives") {
   for (const Named& named : problems()) {
     CAPTURE(named.name);

@@ -6,10 +6,6 @@
 #include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 
-using testing::one_piece;
-using testing::reduced;
-using testing::solved;
-
 namespace {
 
 Indenter roof(const Rational& left, const Rational& right, const Rational& bend = 0) {

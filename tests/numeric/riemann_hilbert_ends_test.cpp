@@ -4,10 +4,6 @@
 #include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 
-using testing::one_piece;
-using testing::reduced;
-using testing::solved;
-
 namespace {
 
 template <Real R>

@@ -1,9 +1,6 @@
 // Does an estimated error cover the true one? Measured against more digits.
 
 #include "support/numeric_test.hpp"
-#include "support/two_wells.hpp"
-
-using namespace steadyslide::testing;
 
 namespace {
 

@@ -2,16 +2,10 @@
 
 #include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
-#include "support/two_wells.hpp"
-
-using testing::on_two_coatings;
-using testing::one_piece;
-using testing::reduced;
-using testing::solved;
 
 namespace {
 
-const Indenter wells = testing::two_wells();
+const Indenter wells = two_wells();
 const Indenter bent(-1, {{0, Polynomial({0, -1, 1})}, {1, Polynomial({0, 0.5_r})}});
 const Indenter step(-1, {{0, Polynomial({0, 0, 1})}, {1, Polynomial({0.1_r, 0, 1})}});
 

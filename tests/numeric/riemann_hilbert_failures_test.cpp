@@ -6,22 +6,16 @@
 #include "numeric/variational/variational_inequality.hpp"
 #include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
-#include "support/two_wells.hpp"
-
-using testing::on_two_coatings;
-using testing::one_piece;
-using testing::reduced;
-using testing::solved;
 
 namespace {
 
 using Set = ContactSet<double>;
 using Form = RiemannHilbertForm<double>;
 
-const ContactProblem wells = on_two_coatings(testing::two_wells(), 3);
+const ContactProblem wells = on_two_coatings(two_wells(), 3);
 
 double missing_load(const Form& form) {
-  const auto check = testing::check_of(form);
+  const auto check = check_of(form);
   return std::abs(check.integral() + form.problem().load()) / form.problem().load();
 }
 
@@ -77,14 +71,14 @@ TEST_CASE("control: a displaced end is seen in the load, the equation and the cl
     return std::abs(gap.closure_error(gap.rule()));
   };
   CHECK(closure(good->form()) < 1e-13);
-  const double equation = testing::check_of(good->form()).equation();
+  const double equation = check_of(good->form()).equation();
   CHECK(equation < 1e-12);
   state.set.move({0, 1e-6, 0, 0});
   const Form displaced = form_of(problem, state, rules);
   CHECK(missing_load(displaced) > 1e-8);
   CHECK(closure(displaced) > 1e-8);
   // Without its vanishing moments the form is not the Cauchy integral of its traction.
-  CHECK(testing::check_of(displaced).equation() > 1e-8);
+  CHECK(check_of(displaced).equation() > 1e-8);
 }
 
 TEST_CASE("control: a set of the wrong kind has violations") {

@@ -6,8 +6,6 @@
 #include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 
-using testing::reduced;
-
 namespace {
 
 template <Real R>
@@ -127,7 +125,7 @@ TEST_CASE("loads of segments and openings of gaps against unrelated quadratures"
     const auto form = random_form(problem, rules);
     const ContactSet<double>& set = form.set();
     const auto density = traction_density(form);
-    const auto check = testing::check_of(form);
+    const auto check = check_of(form);
     std::size_t panel = 0;
     double size = 0;
     for (std::size_t k = 0; k < set.segments(); ++k) {

@@ -5,9 +5,6 @@
 #include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 
-using testing::reduced;
-using testing::solved;
-
 namespace {
 
 struct Case {
@@ -38,7 +35,7 @@ TEST_CASE("gaps beside a step whose other face is another polynomial") {
     REQUIRE(solution->contact().size() == c.components);
     const RiemannHilbertForm<double>& form = solution->form();
     const ContactSet<double>& set = form.set();
-    const auto check = testing::check_of(form);
+    const auto check = check_of(form);
     std::size_t panel = 0;
     for (std::size_t k = 0; k < set.segments(); ++k) {
       if (set.in_contact(k)) {

@@ -3,17 +3,10 @@
 
 #include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
-#include "support/two_wells.hpp"
-
-using testing::one_piece;
-using testing::reduced;
-using testing::solved;
 
 namespace {
 
-ContactProblem wells(const Rational& slope, const Rational& load) {
-  return testing::on_two_coatings(testing::two_wells(slope), load);
-}
+ContactProblem wells(const Rational& slope, const Rational& load) { return on_two_coatings(two_wells(slope), load); }
 
 std::size_t components(const ContactProblem& p) { return riemann_hilbert<double>(p).solution->contact().size(); }
 

@@ -2,15 +2,10 @@
 
 #include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
-#include "support/two_wells.hpp"
-
-using testing::on_two_coatings;
-using testing::one_piece;
-using testing::solved;
 
 namespace {
 
-const Indenter wells = testing::two_wells();
+const Indenter wells = two_wells();
 
 template <Real R>
 R tolerance() {

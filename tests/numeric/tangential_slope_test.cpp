@@ -1,25 +1,17 @@
 // u_t', the slope of the tangential displacement, by two routes: the form's, which has no principal value left, and the
 // trapezoidal rule on t_t = -+f t [Bal16, (2)].
 
+#include "interior_stress_problems.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
-#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
-#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
-#include "support/numeric_test.hpp"
 
 namespace {
-
-ContactProblem problem(Sliding sliding) {
-  return {Elasticity(Solid(0.2_r, 2)), FrictionProfile({0.5_r, 3, 0, 1}, {Rational(-1, 3), 0, 0.25_r}),
-          Indenter(-2, {{2, Polynomial({0, 0.1_r, 1, 0, 0.5_r})}}), 1, sliding};
-}
 
 template <Real R>
 void agree(Sliding sliding, const R& tolerance) {
   using std::abs, std::pow;
-  const ContactProblem p = problem(sliding);
-  const Attempt<R> attempt = riemann_hilbert<R>(p);
-  REQUIRE(attempt.solution);
-  const auto& solution = dynamic_cast<const RiemannHilbertSolution<R>&>(*attempt.solution);
+  const ContactProblem p = stress_test::jumps(sliding);
+  const stress_test::Solved<R> solved(p);
+  const RiemannHilbertSolution<R>& solution = solved.solution;
   const RiemannHilbertForm<R>& form = solution.form();
   const ContactSet<R>& set = form.set();
   const Frame& frame = form.problem().frame();

@@ -5,8 +5,6 @@
 #include "support/random_contact.hpp"
 #include "support/solved_contact.hpp"
 
-using namespace steadyslide::testing;
-
 namespace {
 
 struct Count {

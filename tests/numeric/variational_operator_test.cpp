@@ -7,8 +7,6 @@
 #include "support/random_contact.hpp"
 
 using namespace steadyslide::numeric::variational;
-using steadyslide::testing::first_listed_seed;
-using steadyslide::testing::random_contact;
 
 namespace {
 

@@ -4,9 +4,6 @@
 #include "numeric/variational/variational_inequality.hpp"
 #include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
-#include "support/two_wells.hpp"
-
-using namespace steadyslide::testing;
 
 namespace {
 

@@ -5,22 +5,10 @@
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
-#include "support/test.hpp"
+#include "support/numeric_test.hpp"
+#include "support/problems.hpp"
 
 namespace steadyslide::testing {
-
-/// c = 1, and s itself as data: gamma = 1/2 and f = 2 s.
-inline ContactProblem reduced(const std::vector<Rational>& s, const std::vector<Rational>& jumps,
-                              const Indenter& indenter, const Rational& load,
-                              const std::optional<Rational>& load_at = std::nullopt) {
-  std::vector<Rational> f;
-  for (const Rational& value : s) f.push_back(2 * value);
-  return {Elasticity::reduced(0.5_r), FrictionProfile(f, jumps), indenter, load, Sliding::plus_x, load_at};
-}
-
-inline Indenter one_piece(const Rational& left, const Rational& right, const std::vector<Rational>& coefficients) {
-  return {left, {{right, Polynomial(coefficients)}}};
-}
 
 /// How far residuals may be from zero.
 template <numeric::Real R>

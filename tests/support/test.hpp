@@ -18,11 +18,57 @@
 
 #include "model/rational.hpp"
 
+namespace steadyslide::testing {}
 using namespace steadyslide;
+using namespace steadyslide::testing;
 
 /// 0.3_r is 3/10, and not the double next to it.
 inline Rational operator""_r(const char* number) { return parse_rational(number); }
 
 /// A whole number from low to high, both included, evenly. (rc::gen::inRange alone stays near `low` in early tests.)
 inline int uniform(int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1)); }
-inline bool uniform_bool() { return uniform(0, 1) == 0; }
+
+inline bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+inline std::size_t times(const std::string& text, std::string_view part) {
+  std::size_t n = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++n;
+  return n;
+}
+
+inline std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> result;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) result.push_back(line);
+  return result;
+}
+
+inline std::string file_text(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  REQUIRE_MESSAGE(stream, file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A table as a text: lines, and below each, indented, what belongs to it. Lines that begin with # are for readers.
+inline std::vector<std::pair<std::string, std::string>> pairs_of(const std::string& file) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const std::string& line : lines(file_text(file))) {
+    if (line.starts_with("    ")) {
+      pairs.back().second = line.substr(4);
+    } else if (!line.starts_with("#")) {
+      pairs.emplace_back(line, "");
+    }
+  }
+  return pairs;
+}
+
+/// What `act` throws says, or "no error".
+template <class F>
+std::string thrown_by(const F& act) {
+  try {
+    act();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "no error";
+}

@@ -99,13 +99,13 @@ TEST_CASE("a punch scales, a parabola moves: the laws of changed problems") {
     if (all.size() != 1) throw std::logic_error("not one contact");
     return all.front();
   };
-  const std::vector<testing::ChangeLaw>& laws = testing::change_laws();
+  const std::vector<ChangeLaw>& laws = change_laws();
   CHECK(rc::check([&] {
-    const ContactProblem p = *rc::gen::oneOf(testing::flat_punch(3), testing::parabola(3));
+    const ContactProblem p = *rc::gen::oneOf(flat_punch(3), parabola(3));
     const ClnClosedForm here = form(p);
     const Rational left = here.left().value;
     const Rational length = here.right().value - left;
-    const testing::ChangeLaw& law = laws[static_cast<std::size_t>(uniform(0, static_cast<int>(laws.size()) - 1))];
+    const ChangeLaw& law = laws[static_cast<std::size_t>(uniform(0, static_cast<int>(laws.size()) - 1))];
     RC_LOG() << law.name << '\n';
     const auto [changed, image] = law.change(p, left + length * 271 / 1009);
     const ClnClosedForm there = form(changed);

@@ -7,7 +7,7 @@ using namespace steadyslide::symbolic;
 using GiNaC::ex;
 
 TEST_CASE("every statement on the energy holds, and each of its wrong variants is refuted") {
-  CHECK(steadyslide::testing::check_decided(energy_statements()).size() == 6);
+  CHECK(check_decided(energy_statements()).size() == 6);
 }
 
 TEST_CASE("Chebyshev's polynomials and exact integrals") {

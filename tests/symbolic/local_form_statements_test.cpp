@@ -7,7 +7,7 @@ using namespace steadyslide::symbolic;
 
 TEST_CASE("the local forms of theorems 2, 3, 9 and 10 hold, and every wrong variant is refuted") {
   const std::vector<DecidedStatement> all = local_form_statements();
-  const std::set<std::string> ids = steadyslide::testing::check_decided(all);
+  const std::set<std::string> ids = check_decided(all);
   CHECK(ids.size() == 13);
   for (const DecidedStatement& statement : all) {
     for (const std::string& divisor : statement.identity.nonvanishing) {
