@@ -1,6 +1,7 @@
 // From which error on a solution is doubted, and from which on it is none.
 
 #include "app/results/solve_warnings.hpp"
+#include "support/made_up_solution.hpp"
 #include "support/test.hpp"
 
 using namespace steadyslide::app;
@@ -8,30 +9,15 @@ using namespace steadyslide::numeric;
 
 namespace {
 
-/// A solution of nothing but its contact and its errors.
-struct Shown : ContactSolution<double> {
-  EstimatedError<double> error;
-  std::vector<ContactComponent<double>> zones;
-
-  std::string method() const override { return "none"; }
-  std::vector<ContactComponent<double>> contact() const override { return zones; }
-  std::vector<SolvedSingularPoint<double>> singular_points() const override { return {}; }
-  Resultants<double> resultants() const override { return {}; }
-  EstimatedError<double> estimated_error() const override { return error; }
-  Residuals<double> residuals() const override { return {}; }
-  Sample<double> at(const Rational&) const override { return {}; }
-  std::vector<Sample<double>> samples(int) const override { return {}; }
-};
-
-Shown with_error(double ends, double traction, double resultants) {
-  Shown shown;
-  shown.error = {ends, traction, resultants};
+MadeUp with_error(double ends, double traction, double resultants) {
+  MadeUp shown;
+  shown.shown_error = {ends, traction, resultants};
   return shown;
 }
 
 /// Contact from left to right on a trace over [-1, 1].
-Shown with_contact(double left, double right) {
-  Shown shown = with_error(0, 0, 0);
+MadeUp with_contact(double left, double right) {
+  MadeUp shown = with_error(0, 0, 0);
   const auto end = [](double x, End side) {
     const bool edge = std::abs(x) == 1;
     return ContactEnd<double>{{x},
@@ -39,7 +25,7 @@ Shown with_contact(double left, double right) {
                               edge ? edge_exponent(side, 0) : free_exponent(side, 0),
                               {}};
   };
-  shown.zones.push_back({end(left, End::left), end(right, End::right)});
+  shown.shown_contact.push_back({end(left, End::left), end(right, End::right)});
   return shown;
 }
 
@@ -50,7 +36,7 @@ Problem punch(bool is_trace) {
           "punch.toml", samples};
 }
 
-std::size_t count(const Shown& shown, bool is_trace = true) { return warnings(punch(is_trace), shown).size(); }
+std::size_t count(const MadeUp& shown, bool is_trace = true) { return warnings(punch(is_trace), shown).size(); }
 
 }  // namespace
 
@@ -81,9 +67,9 @@ TEST_CASE("contact at the cut end of a trace, and contact nowhere else") {
   // A profile that is a formula ends where it is said to end.
   CHECK(count(with_contact(0.99, 1), false) == 0);
   // At both ends at once, as under a parabola turned over.
-  Shown both = with_contact(-1, -0.99);
-  both.zones.push_back(with_contact(0.99, 1).zones.front());
+  MadeUp both = with_contact(-1, -0.99);
+  both.shown_contact.push_back(with_contact(0.99, 1).shown_contact.front());
   CHECK(count(both) == 2);
-  both.zones.push_back(with_contact(0, 0.1).zones.front());
+  both.shown_contact.push_back(with_contact(0, 0.1).shown_contact.front());
   CHECK(count(both) == 1);
 }

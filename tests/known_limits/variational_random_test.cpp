@@ -11,9 +11,7 @@ namespace {
 
 std::set<std::uint64_t> listed() {
   std::set<std::uint64_t> seeds;
-  std::ifstream file(STEADYSLIDE_UNSOLVED);
-  REQUIRE(file);
-  for (std::string line; std::getline(file, line);) {
+  for (const std::string& line : lines(file_text(STEADYSLIDE_UNSOLVED))) {
     if (!line.empty() && line[0] != '#') seeds.insert(std::stoull(line));
   }
   return seeds;
@@ -28,9 +26,7 @@ bool decreases(const ContactProblem& problem) {
 
 void solve_the_first(int count, std::size_t cells) {
   const std::set<std::uint64_t> unsolved = listed();
-  int accepted = 0;
-  int by_lemke = 0;
-  int decreasing = 0;
+  int accepted = 0, by_lemke = 0, decreasing = 0;
   double worst = 0;
   for (int i = 0; i < count; ++i) {
     const std::uint64_t seed = first_listed_seed + static_cast<std::uint64_t>(i);
@@ -72,9 +68,8 @@ TEST_CASE("control: a state that is not a solution is not accepted") {
     return certify(*result.fine.problem, state).accepted();
   };
   CHECK(spoilt([](DiscreteState&) {}));
-  const auto pressed = static_cast<std::size_t>(
-      std::max_element(result.fine.found.state.pressure.begin(), result.fine.found.state.pressure.end()) -
-      result.fine.found.state.pressure.begin());
+  const std::vector<double>& p = result.fine.found.state.pressure;
+  const auto pressed = static_cast<std::size_t>(std::ranges::max_element(p) - p.begin());
   CHECK_FALSE(spoilt([&](DiscreteState& state) { state.pressure[pressed] *= 1 + 1e-7; }));
   CHECK_FALSE(spoilt([](DiscreteState& state) { state.approach += 1e-9; }));
   CHECK_FALSE(spoilt([&](DiscreteState& state) { state.pressure[pressed] = std::nan(""); }));

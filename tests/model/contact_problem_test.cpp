@@ -35,16 +35,13 @@ TEST_CASE("friction profiles that do not exist") {
 
 TEST_CASE("friction at a point and on both sides of a jump") {
   const FrictionProfile friction({1, 2, 3}, {0, 0.5_r});
-  CHECK(friction.at(-5, Side::left) == 1);
-  CHECK(friction.at(0, Side::left) == 1);
-  CHECK(friction.at(0, Side::right) == 2);
-  CHECK(friction.at(0.25_r, Side::left) == 2);
-  CHECK(friction.at(0.25_r, Side::right) == 2);
-  CHECK(friction.at(0.5_r, Side::left) == 2);
-  CHECK(friction.at(0.5_r, Side::right) == 3);
-  CHECK(friction.at(5, Side::right) == 3);
-  CHECK(friction.piece(0.5_r, Side::left) == 1);
-  CHECK(friction.piece(0.5_r, Side::right) == 2);
+  using Case = std::tuple<Rational, int, int>;  // a place, f on its left and on its right
+  for (const auto& [x, left, right] : {Case{-5, 1, 1}, {0, 1, 2}, {0.25_r, 2, 2}, {0.5_r, 2, 3}, {5, 3, 3}}) {
+    CHECK(friction.at(x, Side::left) == left);
+    CHECK(friction.at(x, Side::right) == right);
+    CHECK(friction.piece(x, Side::left) + 1 == static_cast<std::size_t>(left));
+    CHECK(friction.piece(x, Side::right) + 1 == static_cast<std::size_t>(right));
+  }
   CHECK(FrictionProfile({7}).at(0, Side::left) == 7);
 }
 

@@ -10,9 +10,7 @@ namespace {
 /// The sign of the exponent by summing its terms as they stand, at so many bits that a sum below 2^(-bits/2) can only
 /// be a zero: all nonzero sums of these tests are above.
 int sign_by_summation(const Exponent& exponent, mpfr_prec_t bits = 4096) {
-  mpfr_t sum;
-  mpfr_t term;
-  mpfr_t pi;
+  mpfr_t sum, term, pi;
   mpfr_inits2(bits, sum, term, pi, static_cast<mpfr_ptr>(nullptr));
   mpfr_const_pi(pi, MPFR_RNDN);
   mpfr_set_q(sum, exponent.offset().backend().data(), MPFR_RNDN);
@@ -45,6 +43,13 @@ Exponent random_exponent(int most_terms) {
   return sum;
 }
 
+/// Of 200 terms.
+Exponent long_exponent() {
+  Exponent sum(Rational(uniform(-200, 199), 4));
+  for (int k = 0; k < 200; ++k) sum += Exponent::angle(Rational(uniform(-2000, 2000), uniform(1, 999)));
+  return sum;
+}
+
 /// arctan(a) + arctan(b) as one angle and a multiple of pi.
 Exponent merged(const Rational& a, const Rational& b) {
   const Rational below = 1 - a * b;
@@ -74,9 +79,10 @@ Exponent hidden_zero(int terms) {
 TEST_CASE("Machin's formula is decided, and a near miss is not taken for it") {
   const Exponent quarter(0.25_r);
   const auto a = [](int n, int d) { return Exponent::angle(Rational(n, d)); };
-  CHECK(a(1, 5) + a(1, 5) + a(1, 5) + a(1, 5) - a(1, 239) == quarter);
-  CHECK((a(1, 5) + a(1, 5) + a(1, 5) + a(1, 5) - a(1, 240) - quarter).sign() == 1);
-  CHECK((a(1, 5) + a(1, 5) + a(1, 5) + a(1, 5) - a(1, 238) - quarter).sign() == -1);
+  const Exponent four = a(1, 5) + a(1, 5) + a(1, 5) + a(1, 5);
+  CHECK(four - a(1, 239) == quarter);
+  CHECK((four - a(1, 240) - quarter).sign() == 1);
+  CHECK((four - a(1, 238) - quarter).sign() == -1);
   CHECK(a(1, 1) + a(2, 1) + a(3, 1) == Exponent(1));
   CHECK(a(1, 2) + a(1, 3) == quarter);
   CHECK(a(3, 4) + a(4, 3) == Exponent(0.5_r));
@@ -85,10 +91,11 @@ TEST_CASE("Machin's formula is decided, and a near miss is not taken for it") {
 TEST_CASE("the sign agrees with a summation at 4096 bits") {
   int signs[3] = {0, 0, 0};
   CHECK(rc::check([&] {
-    const Exponent e = random_exponent(8);
+    const bool is_long = uniform(0, 3) == 0;
+    const Exponent e = is_long ? long_exponent() : random_exponent(8);
     const int sign = e.sign();
     ++signs[sign + 1];
-    RC_ASSERT(sign == sign_by_summation(e));
+    RC_ASSERT(sign == sign_by_summation(e, is_long ? 1024 : 4096));
     RC_ASSERT((-e).sign() == -sign);
   }));
   CHECK(signs[0] > 10);
@@ -135,17 +142,18 @@ TEST_CASE("hidden zeros are found, and a zero moved by 1e-200 is none") {
 
 TEST_CASE("the reduced form is in its range, is the same number, and is unique") {
   CHECK(rc::check([] {
-    const Exponent e = random_exponent(8);
+    const bool is_long = uniform(0, 3) == 0;
+    const Exponent e = is_long ? long_exponent() : random_exponent(8);
     const Exponent::Reduced reduced = e.reduced();
     RC_ASSERT(reduced.slope > -1);
     RC_ASSERT(reduced.slope <= 1);
     const Exponent again = Exponent(Rational(reduced.halves) / 2) + Exponent::angle(reduced.slope);
     RC_ASSERT(again == e);
     RC_ASSERT(again.reduced() == reduced);
-    RC_ASSERT(sign_by_summation(again - e) == 0);
+    if (!is_long) RC_ASSERT(sign_by_summation(again - e) == 0);
     // Any two exponents: equal reduced forms if and only if the difference is 0.
     const Exponent other = random_exponent(2);
-    RC_ASSERT((other.reduced() == reduced) == (sign_by_summation(other - e) == 0));
+    if (!is_long) RC_ASSERT((other.reduced() == reduced) == (sign_by_summation(other - e) == 0));
   }));
 }
 
@@ -172,19 +180,6 @@ TEST_CASE("huge and tiny slopes") {
   CHECK((Exponent::angle(1 / huge) - Exponent::angle(1 / (huge + 1))).sign() == 1);
   CHECK((half - Exponent::angle(huge)) == Exponent::angle(1 / huge));
   CHECK((half - Exponent::angle(huge)).reduced() == Exponent::Reduced{0, 1 / huge});
-}
-
-TEST_CASE("sums of 200 terms") {
-  CHECK(rc::check([] {
-    Exponent sum(Rational(uniform(-200, 199), 4));
-    for (int k = 0; k < 200; ++k) {
-      sum += Exponent::angle(Rational(uniform(-2000, 2000), uniform(1, 999)));
-    }
-    RC_ASSERT(sum.sign() == sign_by_summation(sum, 1024));
-    RC_ASSERT((sum - sum).angles().empty());
-    const Exponent::Reduced reduced = sum.reduced();
-    RC_ASSERT(sum == Exponent(Rational(reduced.halves) / 2) + Exponent::angle(reduced.slope));
-  }));
 }
 
 TEST_CASE("exponents add like numbers, in any order") {

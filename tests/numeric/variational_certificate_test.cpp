@@ -2,23 +2,17 @@
 
 #include "numeric/variational/active_set.hpp"
 #include "numeric/variational/certificate.hpp"
-#include "support/numeric_test.hpp"
-
-using namespace steadyslide::numeric::variational;
+#include "support/cells.hpp"
 
 namespace {
 
 /// A parabola on two coatings; with a load at a place it tilts.
 DiscreteProblem parabola(const std::optional<Rational>& load_at = std::nullopt) {
-  const ContactProblem problem(Elasticity::reduced(0.5_r), FrictionProfile({0.5_r, 1}, {0}),
-                               Indenter(-1, {{1, Polynomial({0, 0, 4})}}), 1, Sliding::plus_x, load_at);
-  return {problem, CellMesh(problem, 120)};
+  return on_cells(reduced({0.25_r, 0.5_r}, {0}, one_piece(-1, 1, {0, 0, 4}), 1, load_at), 120);
 }
 
 ActiveSetResult solved(const DiscreteProblem& problem) {
-  DiscreteState guess;
-  guess.pressure.assign(problem.size(), 0);
-  const ActiveSetResult result = active_set(problem, CellSet(problem.size(), 1), guess, {});
+  const ActiveSetResult result = active_set(problem, CellSet(problem.size(), 1), nothing(problem), {});
   REQUIRE(result.outcome == ActiveSetResult::Outcome::solved);
   return result;
 }

@@ -1,18 +1,14 @@
 // Krylov's method on a contact set: the factorisation's solution, from few products whatever the mesh. The number is
 // what the preconditioner is for; nothing else shows whether it has the friction's sign right.
 
-#include "numeric/variational/bordered_system.hpp"
-#include "support/numeric_test.hpp"
-
-using namespace steadyslide::numeric::variational;
+#include "support/cells.hpp"
 
 namespace {
 
 /// A parabola under s up to 3/2, on cells of which the middle three quarters are in contact.
 DiscreteProblem coated(std::size_t cells, Sliding sliding, const std::optional<Rational>& load_at) {
-  const ContactProblem problem(Elasticity::reduced(0.5_r), FrictionProfile({1, 3, 2}, {Rational(-1, 3), 0}),
-                               Indenter(-1, {{1, Polynomial({0, 0, 1})}}), 1, sliding, load_at);
-  return {problem, CellMesh(problem, cells)};
+  return on_cells(reduced({0.5_r, 1.5_r, 1}, {Rational(-1, 3), 0}, one_piece(-1, 1, {0, 0, 1}), 1, load_at, sliding),
+                  cells);
 }
 
 CellSet middle(std::size_t cells) {
@@ -22,9 +18,7 @@ CellSet middle(std::size_t cells) {
 }
 
 SystemSolution by_krylov(const DiscreteProblem& problem) {
-  DiscreteState guess;
-  guess.pressure.assign(problem.size(), 0);
-  return solve(*krylov_system(problem, middle(problem.size()), guess, 1e-11), problem);
+  return solve(*krylov_system(problem, middle(problem.size()), nothing(problem), 1e-11), problem);
 }
 
 }  // namespace

@@ -1,35 +1,18 @@
 // Lemke's method: solutions of the random list, all solutions of small problems, and what it must refuse.
 
 #include "numeric/variational/lemke.hpp"
-#include "support/numeric_test.hpp"
-#include "support/random_contact.hpp"
-
-using namespace steadyslide::numeric::variational;
+#include "support/cells.hpp"
 
 namespace {
 
 void meets_its_loads(const DiscreteProblem& problem, const DiscreteState& state) {
-  double load = 0;
-  double moment = 0;
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    const double q = state.pressure[i] * problem.mesh().length(i);
-    load += q;
-    moment += q * problem.mesh().centre(i);
-  }
-  CHECK(std::abs(load - 1) <= 1e-12);
-  if (problem.load_at()) CHECK(std::abs(moment - *problem.load_at()) <= 1e-12);
+  const Forces forces = forces_of(problem, state);
+  CHECK(std::abs(forces.load - 1) <= 1e-12);
+  if (problem.load_at()) CHECK(std::abs(forces.moment - *problem.load_at()) <= 1e-12);
 }
 
 double residual_of(const DiscreteProblem& problem, const CellSet& contact) {
   return natural_residual(problem, solve(*dense_system(problem, contact), problem).state);
-}
-
-std::vector<std::size_t> cells_of(const CellSet& set) {
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < set.size(); ++i) {
-    if (set[i]) result.push_back(i);
-  }
-  return result;
 }
 
 /// Cells within `reach` of a cell of the other kind.
@@ -43,20 +26,26 @@ std::vector<std::size_t> next_to_changes(const CellSet& set, std::size_t reach) 
   return cells_of(near);
 }
 
-ContactProblem punch(const Polynomial& profile, const Rational& f, const std::optional<Rational>& load_at,
+using Place = std::optional<Rational>;
+const std::vector<Rational> flat, bump{0, 0, 3};
+
+ContactProblem punch(const std::vector<Rational>& profile, const Rational& f, const Place& load_at = std::nullopt,
                      Sliding sliding = Sliding::plus_x) {
-  return {Elasticity::reduced(0.5_r), FrictionProfile({f}), Indenter(-1, {{1, profile}}), 1, sliding, load_at};
+  return reduced({f / 2}, {}, one_piece(-1, 1, profile), 1, load_at, sliding);
+}
+
+/// On cells that are shorter the nearer they are to 0.
+DiscreteProblem graded(const ContactProblem& problem, double smallest) {
+  return {problem, CellMesh(problem, 0, graded_edges(-0.5, 0.5, smallest, 1.4, 0.02))};
 }
 
 }  // namespace
 
 TEST_CASE("problems of the random list are solved, and a wrong set is refused") {
-  int tilting = 0;
-  int refused = 0;
+  int tilting = 0, refused = 0;
   for (std::uint64_t seed = 0; seed < 120; ++seed) {
     CAPTURE(seed);
-    const ContactProblem problem = random_contact(first_listed_seed + seed);
-    const DiscreteProblem discrete(problem, CellMesh(problem, 64));
+    const DiscreteProblem discrete = on_cells(listed_contact(seed), 64);
     const LemkeResult result = lemke(discrete, 2000);
     REQUIRE(result.reached);
     CHECK(natural_residual(discrete, result.state) <= 1e-12);
@@ -81,12 +70,9 @@ TEST_CASE("of a few cells all sets are tried: what Lemke's method finds is a sol
   int wrong_sets = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     CAPTURE(seed);
-    const ContactProblem problem = random_contact(first_listed_seed + seed);
-    const DiscreteProblem discrete(problem, CellMesh(problem, n));
+    const DiscreteProblem discrete = on_cells(listed_contact(seed), n);
     std::vector<CellSet> solutions;
-    for (unsigned bits = 1; bits < 1U << n; ++bits) {
-      CellSet set(n);
-      for (unsigned i = 0; i < n; ++i) set[i] = bits >> i & 1U;
+    for (const CellSet& set : all_sets(n)) {
       if (discrete.load_at() && cells_of(set).size() < 2) continue;
       if (residual_of(discrete, set) <= complementary_within) {
         solutions.push_back(set);
@@ -104,37 +90,29 @@ TEST_CASE("of a few cells all sets are tried: what Lemke's method finds is a sol
 }
 
 TEST_CASE("symmetric contacts without friction, flat faces and a centred load") {
-  for (const std::optional<Rational>& load_at : {std::optional<Rational>(), std::optional<Rational>(0)}) {
-    const ContactProblem flat = punch(Polynomial(), 0, load_at);
-    const DiscreteProblem face(flat, CellMesh(flat, 40));
-    const LemkeResult whole = lemke(face, 1000);
+  for (const Place& load_at : {Place(), Place(0)}) {
+    const LemkeResult whole = lemke(on_cells(punch(flat, 0, load_at), 40), 1000);
     REQUIRE(whole.reached);
     CHECK(cells_of(whole.contact).size() == 40);
     CHECK(std::abs(whole.state.tilt) <= 1e-12);
 
-    const ContactProblem bump = punch(Polynomial({0, 0, 3}), 0, load_at);
-    const DiscreteProblem round(bump, CellMesh(bump, 41));
-    const LemkeResult part = lemke(round, 1000);
+    const LemkeResult part = lemke(on_cells(punch(bump, 0, load_at), 41), 1000);
     REQUIRE(part.reached);
     CHECK(std::abs(part.state.tilt) <= 1e-12);
     CHECK(std::equal(part.contact.begin(), part.contact.end(), part.contact.rbegin()));
     CHECK(cells_of(part.contact).size() > 5);
     CHECK(cells_of(part.contact).size() < 40);
   }
-  const ContactProblem eccentric = punch(Polynomial({0, 0, 3}), 0, Rational(1, 3));
-  const DiscreteProblem round(eccentric, CellMesh(eccentric, 41));
-  const LemkeResult result = lemke(round, 1000);
-  REQUIRE(result.reached);
-  CHECK(result.state.tilt < -0.1);
+  const LemkeResult eccentric = lemke(on_cells(punch(bump, 0, Rational(1, 3)), 41), 1000);
+  REQUIRE(eccentric.reached);
+  CHECK(eccentric.state.tilt < -0.1);
 }
 
 TEST_CASE("strong friction, cells of very different lengths") {
   // s = 5/2 down to cells of 1e-9, s = 10 down to 1e-3.
   for (const auto& [f, smallest] : {std::pair(5, 1e-9), {20, 1e-3}}) {
-    for (const std::optional<Rational>& load_at : {std::optional<Rational>(), std::optional<Rational>({1, 3})}) {
-      const ContactProblem problem = punch(Polynomial({0, 0, 3}), f, load_at);
-      const CellMesh mesh(problem, 0_r, graded_edges(-0.5, 0.5, smallest, 1.4, 0.02));
-      const DiscreteProblem discrete(problem, mesh);
+    for (const Place& load_at : {Place(), Place(Rational(1, 3))}) {
+      const DiscreteProblem discrete = graded(punch(bump, f, load_at), smallest);
       const LemkeResult result = lemke(discrete, 10000);
       REQUIRE(result.reached);
       CHECK(natural_residual(discrete, result.state) <= 1e-12);
@@ -147,17 +125,12 @@ TEST_CASE("mirrored problems have mirrored solutions, from whichever side the pa
   // Pivots after which the first path on 64 cells gives way to the next one.
   constexpr int given_up = 4 * 64 + 16;
   int longest = 0;
-  for (const Rational& f : {1_r, 20_r}) {
-    for (const auto& [load_at, mirrored] : {std::pair(std::optional<Rational>(), std::optional<Rational>()),
-                                            {std::optional<Rational>({1, 3}), std::optional<Rational>({-1, 3})}}) {
+  for (const int f : {1, 20}) {
+    for (const Place& load_at : {Place(), Place(Rational(1, 3))}) {
       CAPTURE(f);
-      const std::vector<double> edges = graded_edges(-0.5, 0.5, 1e-3, 1.4, 0.02);
-      const ContactProblem to_right = punch(Polynomial({0, 0, 3}), f, load_at);
-      const ContactProblem to_left = punch(Polynomial({0, 0, 3}), f, mirrored, Sliding::minus_x);
-      const DiscreteProblem one(to_right, CellMesh(to_right, 0_r, edges));
-      const DiscreteProblem other(to_left, CellMesh(to_left, 0_r, edges));
-      const LemkeResult found = lemke(one, 10000);
-      const LemkeResult reflected = lemke(other, 10000);
+      const ContactProblem to_right = punch(bump, f, load_at);
+      const DiscreteProblem one = graded(to_right, 1e-3), other = graded(to_right.mirrored(), 1e-3);
+      const LemkeResult found = lemke(one, 10000), reflected = lemke(other, 10000);
       REQUIRE(found.reached);
       REQUIRE(reflected.reached);
       meets_its_loads(other, reflected.state);
@@ -174,13 +147,10 @@ TEST_CASE("mirrored problems have mirrored solutions, from whichever side the pa
 
 TEST_CASE("contested cells find their places again, alone or around what is certain") {
   const BorderedSystemMaker dense = dense_system;
-  int solved = 0;
-  int around = 0;
-  int tilting = 0;
+  int solved = 0, around = 0, tilting = 0;
   for (std::uint64_t seed = 0; seed < 160; ++seed) {
     CAPTURE(seed);
-    const ContactProblem problem = random_contact(first_listed_seed + seed);
-    const DiscreteProblem discrete(problem, CellMesh(problem, 64));
+    const DiscreteProblem discrete = on_cells(listed_contact(seed), 64);
     const LemkeResult whole = lemke(discrete, 2000);
     const std::vector<std::size_t> contested = next_to_changes(whole.contact, 3);
     CellSet start = whole.contact;
@@ -210,18 +180,16 @@ TEST_CASE("contested cells find their places again, alone or around what is cert
 }
 
 TEST_CASE("without enough pivots, or with a load beyond the cells, nothing is claimed") {
-  const ContactProblem problem = punch(Polynomial({0, 0, 3}), 1, std::nullopt);
-  CHECK_FALSE(lemke(DiscreteProblem(problem, CellMesh(problem, 64)), 2).reached);
-  CHECK(lemke(DiscreteProblem(problem, CellMesh(problem, 64)), 1000).reached);
+  CHECK_FALSE(lemke(on_cells(punch(bump, 1), 64), 2).reached);
+  CHECK(lemke(on_cells(punch(bump, 1), 64), 1000).reached);
   // The last of four cells has its centre at 3/4.
-  const ContactProblem outside = punch(Polynomial({0, 0, 3}), 1, 0.875_r);
-  CHECK_FALSE(lemke(DiscreteProblem(outside, CellMesh(outside, 4)), 1000).reached);
-  CHECK(lemke(DiscreteProblem(outside, CellMesh(outside, 16)), 1000).reached);
+  const ContactProblem outside = punch(bump, 1, 0.875_r);
+  CHECK_FALSE(lemke(on_cells(outside, 4), 1000).reached);
+  CHECK(lemke(on_cells(outside, 16), 1000).reached);
 }
 
 TEST_CASE("a natural residual that is no number is no small one") {
-  const ContactProblem problem = punch(Polynomial({0, 0, 3}), 1, std::nullopt);
-  const DiscreteProblem discrete(problem, CellMesh(problem, 8));
+  const DiscreteProblem discrete = on_cells(punch(bump, 1), 8);
   DiscreteState state = lemke(discrete, 100).state;
   CHECK(natural_residual(discrete, state) <= complementary_within);
   state.approach = NAN;

@@ -24,10 +24,8 @@ Row cells_of(const std::string& line) {
 
 Tables tables_of(const std::string& document) {
   Tables tables;
-  std::istringstream stream(document);
-  std::string section;
-  std::string columns;
-  for (std::string line; std::getline(stream, line);) {
+  std::string section, columns;
+  for (const std::string& line : lines(document)) {
     if (line.starts_with("## ")) section = line;
     if (!line.starts_with("|")) {
       columns.clear();
@@ -74,13 +72,7 @@ std::vector<std::string> differences(const Tables& some, const Tables& all) {
   return result;
 }
 
-std::string checked_in() {
-  std::ifstream file(STEADYSLIDE_DOCS "/convergence.md");
-  REQUIRE(file);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+std::string checked_in() { return file_text(STEADYSLIDE_DOCS "/convergence.md"); }
 
 std::string until_first_table(const std::string& document) { return document.substr(0, document.find("\n|")); }
 

@@ -2,7 +2,7 @@
 
 #include "proofs_checks/instruments/convergence_cases.hpp"
 #include "proofs_checks/kit/rate.hpp"
-#include "support/test.hpp"
+#include "support/problems.hpp"
 
 using namespace steadyslide::proofs_checks;
 
@@ -46,8 +46,7 @@ TEST_CASE("the error bar covers the truth as often as Student's distribution say
   const auto uniform = [&] { return (static_cast<double>(engine() >> 11) + 0.5) / 9007199254740992.0; };
   const auto normal = [&] { return std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform()); };
   constexpr int trials = 20000;
-  int within_one = 0;
-  int within_two = 0;
+  int within_one = 0, within_two = 0;
   for (int k = 0; k < trials; ++k) {
     std::vector<Level> noisy = levels(1.5, 0);
     for (Level& level : noisy) level.error *= std::exp(0.1 * normal());
@@ -72,12 +71,8 @@ TEST_CASE("no rate from too few levels, or from an error that is none") {
 
 TEST_CASE("the rate at each kind of singular point") {
   using Place = numeric::VariationalSolution::Place;
-  const Rational low(1, 10);
-  const Rational high(6, 5);
-  const ContactProblem problem(Elasticity::reduced(0.5_r), FrictionProfile({low, high}, {0}),
-                               Indenter(-1, {{1, Polynomial()}}), 1);
-  const Rational s_left = problem.coupled_friction(0);
-  const Rational s_right = problem.coupled_friction(1);
+  const ContactProblem problem = reduced({0.05_r, 0.6_r}, {0}, one_piece(-1, 1, {}), 1);
+  const Rational s_left = problem.coupled_friction(0), s_right = problem.coupled_friction(1);
   const auto end = [&](SingularKind kind, const Exponent& exponent, Side contact, std::size_t piece) {
     return local_rate(problem, Place{0, kind, exponent, {0}, contact, piece, piece, -1, true});
   };

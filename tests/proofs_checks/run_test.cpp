@@ -65,15 +65,13 @@ TEST_CASE("run: a rate off the expected one refutes, and one too vague does not"
   CHECK(run(claim(1.05, 0.95), {}).verdict == Verdict::undecided);
 
   // Evidence that nobody has thrown.
-  Claim vague = claim(1, 2);
-  vague.controls[0].examine = [](const Context&) -> std::vector<Evidence> {
-    return {ConvergenceRate{"error", 2, 1.5, 1, 0.1, ""}};
-  };
-  CHECK(run(vague, {}).verdict == Verdict::undecided);
-  vague.controls[0].examine = [](const Context&) -> std::vector<Evidence> {
-    return {ConvergenceRate{"error", 2, 0.5, 1, 0.1, ""}};
-  };
-  CHECK(run(vague, {}).verdict == Verdict::supported);
+  for (const auto& [bar, verdict] : {std::pair(1.5, Verdict::undecided), {0.5, Verdict::supported}}) {
+    Claim vague = claim(1, 2);
+    vague.controls[0].examine = [bar](const Context&) -> std::vector<Evidence> {
+      return {ConvergenceRate{"error", 2, bar, 1, 0.1, ""}};
+    };
+    CHECK(run(vague, {}).verdict == verdict);
+  }
 }
 
 TEST_CASE("run: exceptions decide nothing") {
@@ -114,10 +112,9 @@ TEST_CASE("findings: effective cases") {
 }
 
 TEST_CASE("glob") {
-  CHECK(matches_glob("eq-04-flat-punch", "eq-04-flat-punch"));
-  CHECK(matches_glob("eq-04-flat-punch", "eq-*"));
-  CHECK(matches_glob("eq-04-flat-punch", "*punch"));
-  CHECK(matches_glob("eq-04-flat-punch", "*-0?-*-*"));
+  for (const char* pattern : {"eq-04-flat-punch", "eq-*", "*punch", "*-0?-*-*"}) {
+    CHECK(matches_glob("eq-04-flat-punch", pattern));
+  }
   CHECK(matches_glob("aXbXc", "a*X*c"));
   CHECK(matches_glob("", "*"));
   CHECK(matches_glob("", ""));

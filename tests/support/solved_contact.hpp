@@ -17,17 +17,23 @@ R residual_tolerance() {
   return std::same_as<R, numeric::Real50> ? R(1e-45) : R(1e-100);
 }
 
+/// "equation 1e-05; load 0.1": the residuals above a tolerance. One that is no number is above all.
+template <numeric::Real R>
+std::string large_residuals(const numeric::ContactSolution<R>& solution, const R& tolerance) {
+  const numeric::Residuals<R> r = solution.residuals();
+  std::ostringstream text;
+  for (const auto& [name, value] :
+       {std::pair("equation", r.equation), {"load", r.load}, {"penetration", r.penetration}, {"tension", r.tension}}) {
+    if (!(value <= tolerance)) text << (text.str().empty() ? "" : "; ") << name << ' ' << static_cast<double>(value);
+  }
+  return text.str();
+}
+
 /// What a solution does not keep of its promises, or nothing.
 template <numeric::Real R>
 std::string fault(const numeric::ContactSolution<R>& solution) {
-  if (!solution.shortcoming().empty()) return solution.shortcoming();
-  const numeric::Residuals<R> r = solution.residuals();
-  for (const auto& [name, value] :
-       {std::pair("equation", r.equation), {"load", r.load}, {"penetration", r.penetration}, {"tension", r.tension}}) {
-    // No number is no residual.
-    if (!(value <= residual_tolerance<R>())) return name + (' ' + std::to_string(static_cast<double>(value)));
-  }
-  return "";
+  const std::string shortcoming = solution.shortcoming();
+  return shortcoming.empty() ? large_residuals<R>(solution, residual_tolerance<R>()) : shortcoming;
 }
 
 template <numeric::Real R>

@@ -43,6 +43,14 @@ inline std::vector<std::string> lines(const std::string& text) {
   return result;
 }
 
+/// What stands between the spaces of a text.
+inline std::vector<std::string> words(const std::string& text) {
+  std::vector<std::string> result;
+  std::istringstream stream(text);
+  for (std::string word; stream >> word;) result.push_back(word);
+  return result;
+}
+
 inline std::string file_text(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   REQUIRE_MESSAGE(stream, file);
