@@ -2,6 +2,7 @@
 // The fixture of command-line tests: the program run in a folder of its own, and what is asked of its answers.
 
 #include <initializer_list>
+#include <iomanip>
 #include <utility>
 
 #include "app/process.hpp"
@@ -15,6 +16,19 @@ using Arguments = std::vector<std::string>;
 inline Arguments joined(Arguments first, const Arguments& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
+}
+
+/// One of the problems of the tests.
+inline std::string problem_text(const std::string& name) {
+  return file_text(STEADYSLIDE_TESTS "/app/commands/problems/" + name + ".toml");
+}
+
+/// Of a line, without the program's name.
+inline Arguments arguments_of(const std::string& line) {
+  std::istringstream words(line);
+  Arguments arguments;
+  for (std::string word; words >> std::quoted(word);) arguments.push_back(word);
+  return {arguments.begin() + 1, arguments.end()};
 }
 
 /// `steadyslide ARGUMENTS` where there are no files.

@@ -77,26 +77,6 @@ TEST_CASE("solved examples: effective friction is the sum of f times load share,
   }
 }
 
-TEST_CASE("the rough surface touches in as many zones as its header says, and has the friction of the README") {
-  const Json shown = solve_example("rough_surface.toml");
-  CHECK(shown["method"] == "variational");
-  CHECK(shown["contact"].size() == 25);
-  const Json& resultants = shown["resultants"];
-  CHECK(abs(number(resultants["effective_friction"]) - 0.243_r) < 5e-5_r);
-  CHECK(abs(number(resultants["load_share"][0]) - 0.5232_r) < 5e-5_r);
-  CHECK(abs(number(resultants["load_share"][1]) - 0.4768_r) < 5e-5_r);
-  const Json fine = solve_example("rough_surface.toml", {"--method", "variational", "--cells", "65536"});
-  CHECK(fine["contact"].size() == 36);
-  CHECK(near(fine["resultants"]["effective_friction"], "0.243039", "5e-6"));
-}
-
-TEST_CASE("two coatings: the friction of the README, sliding one way and the other") {
-  for (const auto& [file, friction] :
-       {std::pair("two_coatings_forward.toml", "0.2828"), {"two_coatings_backward.toml", "0.3159"}}) {
-    CHECK(near(solve_example(file)["resultants"]["effective_friction"], friction, "0.00005"));
-  }
-}
-
 namespace {
 
 /// "left_kind right_kind" of every contact component.
@@ -112,14 +92,7 @@ std::vector<std::string> kinds(const Json& json) {
 }  // namespace
 
 TEST_CASE("what the headers of the examples without a formula promise") {
-  const Json rounded = solve_example("rounded_wedge.toml");
-  CHECK(rounded["method"] == "riemann-hilbert");
-  CHECK(rounded["singular_points"][1]["kind"] == "wedge_and_jump");
-  CHECK(number(rounded["singular_points"][1]["exponent"]) < 0);
-  CHECK(number(rounded["singular_points"][1]["intensity"]) > 0);
-
   CHECK(kinds(solve_example("two_bumps.toml")) == std::vector<std::string>{"free free", "free free"});
-  CHECK(lines(run_example("two_bumps.toml", {"--load-steps", "0.77,0.78", "--format", "csv"}).out).size() == 4);
 
   CHECK(kinds(solve_example("stepped_punch.toml")) == std::vector<std::string>{"edge step", "free edge"});
 

@@ -1,5 +1,6 @@
 #include "numeric/riemann_hilbert/contact_set.hpp"
 #include "support/numeric_test.hpp"
+#include "support/problems.hpp"
 
 namespace {
 
@@ -7,9 +8,9 @@ template <Real R>
 using Kind = typename ContactSet<R>::Kind;
 
 ContactProblem jumps_on(const Rational& left, const Rational& right, const std::vector<Rational>& jumps) {
-  std::vector<Rational> f;
-  for (std::size_t k = 0; k <= jumps.size(); ++k) f.push_back(Rational(static_cast<int>(k) + 1, 10));
-  return {Elasticity::reduced(0.5_r), FrictionProfile(f, jumps), Indenter(left, {{right, Polynomial({0, 0, 1})}}), 1};
+  std::vector<Rational> s;
+  for (std::size_t k = 0; k <= jumps.size(); ++k) s.push_back(Rational(static_cast<int>(k) + 1, 20));
+  return reduced(s, jumps, one_piece(left, right, {0, 0, 1}), 1);
 }
 
 const Frame unit_frame{0, 1};

@@ -1,5 +1,4 @@
 #include "numeric/quadrature/graded_panels.hpp"
-#include "numeric/number/real.hpp"
 #include "support/numeric_test.hpp"
 
 namespace {
@@ -22,12 +21,6 @@ Case<R> random_case() {
   return {random_decades<R>(-30, 30), {uniform(0, 1) == 1, uniform(0, 1) == 1, beyond(), beyond()}};
 }
 
-template <Real R>
-bool same(const R& a, const R& b) {
-  using std::abs;
-  return abs(a - b) <= 4 * epsilon<R>() * std::max(abs(a), abs(b));
-}
-
 /// What is wrong with these panels, or nothing.
 template <Real R>
 std::string fault(const std::vector<GradedPanel<R>>& panels, const Case<R>& c) {
@@ -35,11 +28,11 @@ std::string fault(const std::vector<GradedPanel<R>>& panels, const Case<R>& c) {
   for (std::size_t k = 0; k < panels.size(); ++k) {
     const GradedPanel<R>& p = panels[k];
     // Distances from either end are exact up to rounding, however short they are.
-    if (!same(R(p.from_left + p.length + p.from_right), c.length)) return "length";
+    if (!close(R(p.from_left + p.length + p.from_right), c.length, 4)) return "length";
     if (k + 1 < panels.size()) {
       const GradedPanel<R>& next = panels[k + 1];
-      if (!same(R(p.from_left + p.length), next.from_left)) return "left cover";
-      if (!same(R(next.from_right + next.length), p.from_right)) return "right cover";
+      if (!close(R(p.from_left + p.length), next.from_left, 4)) return "left cover";
+      if (!close(R(next.from_right + next.length), p.from_right, 4)) return "right cover";
     }
     const bool own_left = c.around.left_singular && k == 0;
     const bool own_right = c.around.right_singular && k + 1 == panels.size();

@@ -17,9 +17,8 @@ Power<R> power(const char* plus_one) {
 /// |a - b| in units of epsilon max(|a|, |b|).
 template <class R>
 double distance(const R& a, const R& b) {
-  using std::abs, std::max;
-  const R size = max(R(abs(a)), R(abs(b)));
-  return size == 0 ? 0.0 : static_cast<double>(R(abs(a - b) / (epsilon<R>() * size)));
+  const R size = std::max(size_of(a), size_of(b));
+  return size == 0 ? 0.0 : static_cast<double>(R(size_of(R(a - b)) / (epsilon<R>() * size)));
 }
 
 template <class R>

@@ -1,16 +1,14 @@
 #include "numeric/closed_form/parabola.hpp"
 #include "numeric/closed_form/closed_form.hpp"
 #include "support/numeric_test.hpp"
+#include "support/problems.hpp"
 
 namespace {
 
-/// psi/c = x^2/(2 radius) in reduced data with gamma = 1/2, so that s = f/2.
+/// psi/c = x^2/(2 radius).
 ContactProblem galin(const std::vector<Rational>& s, const std::vector<Rational>& jumps, const Rational& radius,
                      const Rational& load) {
-  std::vector<Rational> friction;
-  for (const Rational& value : s) friction.push_back(2 * value);
-  return ContactProblem(Elasticity::reduced(0.5_r), FrictionProfile(friction, jumps),
-                        Indenter(-100, {{100, Polynomial({0, 0, 1 / (2 * radius)})}}), load);
+  return reduced(s, jumps, one_piece(-100, 100, {0, 0, 1 / (2 * radius)}), load);
 }
 
 }  // namespace
@@ -67,8 +65,7 @@ TEST_CASE("the contact takes in one jump after the other as the load grows, with
   const std::vector<Rational> s{0.5_r, 0, 3, 0.1_r, 2};
   const std::vector<Rational> jumps{-1.5_r, Rational(-1, 3), 0.25_r, 0.8_r};
   std::size_t seen = 0;
-  double left = 0;
-  double right = 0;
+  double left = 0, right = 0;
   for (double K = 1e-6; K < 100; K *= 1.01) {
     const ParabolaZone<double> zone = parabola_zone<double>(s, jumps, K);
     CHECK(zone.left < left);
@@ -87,23 +84,29 @@ TEST_CASE("the contact takes in one jump after the other as the load grows, with
 }
 
 TEST_CASE("where no closed form applies, the reason is given") {
-  const FrictionProfile friction({0.5_r});
-  const Elasticity rigid(Solid(0.3_r, 1));
-  const auto reason = [](const ContactProblem& problem) { return closed_form<double>(problem).why_not; };
+  const std::string shape = "the profile is neither flat nor a parabola that opens away from the body";
+  const std::string edge = "the parabola's contact reaches an edge of the support";
   const Polynomial parabola({0, 0, 1});
-  CHECK(reason({rigid, friction, Indenter(-1, {{1, Polynomial({0, 1})}}), 1}) ==
-        "the profile is neither flat nor a parabola that opens away from the body");
-  CHECK(reason({rigid, friction, Indenter(-1, {{1, Polynomial({0, 0, -1})}}), 1}) ==
-        "the profile is neither flat nor a parabola that opens away from the body");
-  CHECK(reason({rigid, friction, Indenter(-1, {{0, Polynomial()}, {1, Polynomial::constant(1)}}), 1}) ==
-        "the profile is neither flat nor a parabola that opens away from the body");
-  CHECK(reason({rigid, friction, Indenter(-1, {{1, parabola}}), 100}) ==
-        "the parabola's contact reaches an edge of the support");
-  CHECK(reason({rigid, friction, Indenter(-1, {{1, Polynomial({0, 50, 1})}}), 1}) ==
-        "the parabola's contact reaches an edge of the support");
-  CHECK(reason({rigid, friction, Indenter(-1, {{1, Polynomial()}}), 1, Sliding::plus_x, 0_r}) ==
-        "the indenter may tilt");
-  CHECK(reason({Elasticity(Solid(0, 1), Solid(0, 2)), friction, Indenter(-1, {{1, Polynomial()}}), 1}) ==
-        "a flat elastic indenter touches with its edges, where the half-plane idealisation fails");
-  CHECK(reason({rigid, friction, Indenter(-1, {{0, parabola}, {1, parabola}}), 0.01_r}) == "");
+  struct Case {
+    Indenter indenter;
+    Rational load;
+    std::string why_not;
+    std::optional<Rational> load_at = std::nullopt;
+    Elasticity elasticity = Elasticity(Solid(0.3_r, 1));
+  };
+  const Case cases[] = {{one_piece(-1, 1, {0, 1}), 1, shape},
+                        {one_piece(-1, 1, {0, 0, -1}), 1, shape},
+                        {Indenter(-1, {{0, Polynomial()}, {1, Polynomial::constant(1)}}), 1, shape},
+                        {one_piece(-1, 1, {0, 0, 1}), 100, edge},
+                        {one_piece(-1, 1, {0, 50, 1}), 1, edge},
+                        {one_piece(-1, 1, {}), 1, "the indenter may tilt", 0},
+                        {one_piece(-1, 1, {}), 1,
+                         "a flat elastic indenter touches with its edges, where the half-plane idealisation fails",
+                         std::nullopt, Elasticity(Solid(0, 1), Solid(0, 2))},
+                        {Indenter(-1, {{0, parabola}, {1, parabola}}), 0.01_r, ""}};
+  for (const Case& c : cases) {
+    const ContactProblem problem(c.elasticity, FrictionProfile({0.5_r}), c.indenter, c.load, Sliding::plus_x,
+                                 c.load_at);
+    CHECK(closed_form<double>(problem).why_not == c.why_not);
+  }
 }

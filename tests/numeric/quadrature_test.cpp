@@ -8,13 +8,6 @@
 
 namespace {
 
-/// Tolerances in units of the type's epsilon.
-template <class R>
-bool close(const R& a, const R& b, double units) {
-  using std::abs, std::max;
-  return abs(a - b) <= units * epsilon<R>() * max(abs(a), abs(b));
-}
-
 /// (1+x)^left (1-x)^right g on ]-1, 1[ as one panel.
 template <Real R>
 PiecewiseDensity<R> jacobi(const Exponent& left, const Exponent& right, std::function<R(const Node<R>&)> g) {

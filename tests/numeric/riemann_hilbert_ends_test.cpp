@@ -6,12 +6,6 @@
 
 namespace {
 
-template <Real R>
-R size_of(const R& value) {
-  using std::abs;
-  return abs(value);
-}
-
 Rational exact(const Real50& value) { return parse_rational(value.str(56)); }
 
 const Indenter parabola = one_piece(-100, 100, {0, 0, 1});

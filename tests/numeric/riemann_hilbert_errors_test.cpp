@@ -6,8 +6,7 @@ namespace {
 
 /// A wedge in the contact, its two slopes of different size, with a friction jump at its tip.
 ContactProblem wedge_and_jump(const Rational& f_left, const Rational& f_right) {
-  const Indenter wedge(-1, {{0, Polynomial({0, Rational(-1, 7)})}, {1, Polynomial({0, 0.1_r})}});
-  return {Elasticity(Solid(0.3_r, 1)), FrictionProfile({f_left, f_right}, {0}), wedge, 0.1_r};
+  return {Elasticity(Solid(0.3_r, 1)), FrictionProfile({f_left, f_right}, {0}), roof(Rational(-1, 7), 0.1_r), 0.1_r};
 }
 
 template <Real R>

@@ -8,12 +8,6 @@
 
 namespace {
 
-template <Real R>
-R size_of(const R& value) {
-  using std::abs;
-  return abs(value);
-}
-
 /// Three pieces on [-2, 2] with wedges at -1/2 and 1, a step up at 1, jumps at -1/2, 0, 3/2.
 ContactProblem some_problem() {
   const Polynomial a({1, Rational(-1, 3), 1});
@@ -46,15 +40,12 @@ RiemannHilbertForm<R> random_form(const ReducedProblem<R>& problem, JacobiRules<
 
 template <Real R>
 SurfacePoint<R> point(const ContactSet<R>& set, std::size_t segment, const R& part) {
-  const R d = part * set.length(segment);
-  return {static_cast<std::ptrdiff_t>(segment), {set.x(segment) + d, d, set.length(segment) - d}};
+  return beside(set, segment, Side::right, R(part * set.length(segment)));
 }
 
 template <Real R>
 std::vector<SurfacePoint<R>> beyond_support(const ContactSet<R>& set, const R& d) {
-  const std::size_t last = set.segments();
-  return {{-1, {set.x(0) - d, infinity<R>(), d}},
-          {static_cast<std::ptrdiff_t>(last), {set.x(last) + d, d, infinity<R>()}}};
+  return {beside(set, 0, Side::left, d), beside(set, set.segments(), Side::right, d)};
 }
 
 }  // namespace

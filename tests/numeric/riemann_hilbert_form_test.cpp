@@ -20,10 +20,8 @@ std::vector<double> openings() {
   const RiemannHilbertForm<R> form(reduced, ContactSet<R>(reduced, {{-1.67, 0.7, true, false}}), {}, R(0), rules);
   std::vector<double> result;
   for (int i = 1; i < 1000; ++i) {
-    const R& length = form.set().length(0);
-    const R left = length * i / 1000;
-    result.push_back(static_cast<double>(
-        GapIntegral(form, 1).reduced_gap({0, {R(form.set().x(0) + left), left, R(length - left)}}).value));
+    const auto at = beside(form.set(), 0, Side::right, R(form.set().length(0) * i / 1000));
+    result.push_back(static_cast<double>(GapIntegral(form, 1).reduced_gap(at).value));
   }
   return result;
 }

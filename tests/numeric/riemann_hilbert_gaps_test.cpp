@@ -43,8 +43,7 @@ TEST_CASE("gaps beside a step whose other face is another polynomial") {
         continue;
       }
       for (const double part : {1e-6, 0.03, 0.2, 0.45, 0.55, 0.8, 0.999}) {
-        const double d = part * set.length(k);
-        const SurfacePoint<double> at{static_cast<std::ptrdiff_t>(k), {set.x(k) + d, d, set.length(k) - d}};
+        const SurfacePoint<double> at = beside(set, k, Side::right, part * set.length(k));
         for (const End side : {End::left, End::right}) {
           // The contact's end that the place is seen from.
           std::size_t j = side == End::right ? k : k + 1;
@@ -71,6 +70,6 @@ TEST_CASE("off the support there is no gap") {
   const auto solution = solved<double>(reduced({1}, {}, Indenter(-1, {{1, Polynomial({0, 0, 1})}}), 1));
   const auto& form = solution->form();
   const std::size_t end = form.set().segments();
-  const SurfacePoint<double> beyond{static_cast<std::ptrdiff_t>(end), {form.set().x(end) + 1, 1, infinity<double>()}};
-  CHECK_THROWS_AS((void)GapIntegral(form, end - 1).reduced_gap(beyond), std::domain_error);
+  CHECK_THROWS_AS((void)GapIntegral(form, end - 1).reduced_gap(beside(form.set(), end, Side::right, 1.0)),
+                  std::domain_error);
 }

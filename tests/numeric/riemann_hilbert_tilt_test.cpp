@@ -8,14 +8,8 @@ namespace {
 const Indenter wells = two_wells();
 
 template <Real R>
-R tolerance() {
-  return 2000 * epsilon<R>();
-}
-
-template <Real R>
-void close(const R& a, const R& b) {
-  using std::abs;
-  CHECK(abs(a - b) <= tolerance<R>());
+void agree(const R& a, const R& b) {
+  CHECK(size_of(R(a - b)) <= 2000 * epsilon<R>());
 }
 
 }  // namespace
@@ -23,23 +17,22 @@ void close(const R& a, const R& b) {
 TEST_CASE_TEMPLATE("load_at at the centre of pressure of the indenter that keeps its attitude: no tilt", R, double,
                    Real50) {
   const Indenter step(-1, {{0, Polynomial({0, 0, 1})}, {1, Polynomial({0.1_r, 0, 1})}});
-  const Indenter tent(-1, {{0, Polynomial({0, -1})}, {1, Polynomial({0, 1})}});
-  const Indenter flat = one_piece(-1, 1, {0});
-  const auto indenters = std::same_as<R, double> ? std::vector{wells, step, tent, flat} : std::vector{wells};
+  const auto indenters =
+      std::same_as<R, double> ? std::vector{wells, step, roof(-1, 1), one_piece(-1, 1, {0})} : std::vector{wells};
   for (const Indenter& indenter : indenters) {
     const auto fixed = solved<R>(on_two_coatings(indenter, 3));
     CHECK(!fixed->tilt());
     const R centre = fixed->resultants().centre_of_pressure.value;
     const auto free = solved<R>(on_two_coatings(indenter, 3, Rational(centre)));
-    close(free->tilt()->value, R(0));
-    close(free->resultants().centre_of_pressure.value, centre);
+    agree<R>(free->tilt()->value, 0);
+    agree(free->resultants().centre_of_pressure.value, centre);
     REQUIRE(free->contact().size() == fixed->contact().size());
     for (std::size_t k = 0; k < free->contact().size(); ++k) {
-      close(free->contact()[k].left.x.value, fixed->contact()[k].left.x.value);
-      close(free->contact()[k].right.x.value, fixed->contact()[k].right.x.value);
+      agree(free->contact()[k].left.x.value, fixed->contact()[k].left.x.value);
+      agree(free->contact()[k].right.x.value, fixed->contact()[k].right.x.value);
     }
     for (const Rational& x : {-0.875_r, Rational(1, 7), Rational(5, 6)}) {
-      close(free->at(x).traction.left.value, fixed->at(x).traction.left.value);
+      agree(free->at(x).traction.left.value, fixed->at(x).traction.left.value);
     }
   }
 }
@@ -51,12 +44,12 @@ TEST_CASE("the load acts where it should; its moment by an unrelated quadrature"
       CAPTURE(i);
       const ContactProblem p = on_two_coatings(indenter, 1, Rational(i, 10));
       const auto found = solved<double>(p);
-      close(found->resultants().centre_of_pressure.value, i / 10.);
+      agree(found->resultants().centre_of_pressure.value, i / 10.);
       // In the frame the load and load_at are the form's own data.
       const trapezoidal::Grid<double> grid(traction_density(found->form()));
       const double moment = grid.moment(0) / grid.integral();
-      close(moment, *found->problem().load_at());
-      close(found->form().moment_of_load() / found->problem().load(), moment);
+      agree(moment, *found->problem().load_at());
+      agree(found->form().moment_of_load() / found->problem().load(), moment);
       if (indenter.pieces()[0].profile.degree() < 0) {
         // A load further to the right presses the right side down: psi + tilt x is lower there.
         CHECK(found->tilt()->value < last);
@@ -72,7 +65,7 @@ TEST_CASE("tilting does what an incline of the profile does") {
   const auto free = solved<Real50>(on_two_coatings(indenter, 1, load_at));
   const Rational tilt(free->tilt()->value);
   const auto fixed = solved<Real50>(on_two_coatings(one_piece(-1, 1, {0, tilt, 1}), 1));
-  close(fixed->resultants().centre_of_pressure.value, to_real<Real50>(load_at));
-  close(fixed->contact()[0].left.x.value, free->contact()[0].left.x.value);
-  close(fixed->contact()[0].right.x.value, free->contact()[0].right.x.value);
+  agree(fixed->resultants().centre_of_pressure.value, to_real<Real50>(load_at));
+  agree(fixed->contact()[0].left.x.value, free->contact()[0].left.x.value);
+  agree(fixed->contact()[0].right.x.value, free->contact()[0].right.x.value);
 }

@@ -14,19 +14,6 @@ using second_kind::right_of;
 
 namespace {
 
-template <class R>
-R size_of(const R& value) {
-  using std::abs;
-  return abs(value);
-}
-
-/// |a - b| <= units of epsilon times the size of a, of b and of what cancels in them.
-template <class R>
-bool close(const R& a, const R& b, double units, const R& part = R(0)) {
-  using std::max;
-  return size_of(R(a - b)) <= units * epsilon<R>() * max({size_of(a), size_of(b), size_of(part)});
-}
-
 template <Real R>
 R ten_to(int exponent) {
   using std::pow;

@@ -8,8 +8,7 @@
 namespace {
 
 struct Count {
-  int ends = 0;
-  int uncovered = 0;
+  int ends = 0, uncovered = 0;
   int wide = 0;  ///< errors of more than ten cells
   int none = 0;  ///< ends of gaps that may be none
 };

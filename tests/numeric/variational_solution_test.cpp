@@ -8,9 +8,7 @@
 namespace {
 
 std::shared_ptr<const VariationalSolution> on_cells(const ContactProblem& problem, std::size_t cells = 4096) {
-  VariationalOptions options;
-  options.cells = cells;
-  const Attempt<double> attempt = variational_inequality(problem, options);
+  const Attempt<double> attempt = variational_inequality(problem, {.cells = cells});
   REQUIRE_MESSAGE(attempt.solution, attempt.why_not);
   CHECK(attempt.solution->shortcoming() == "");
   return std::dynamic_pointer_cast<const VariationalSolution>(attempt.solution);
@@ -88,7 +86,7 @@ TEST_CASE("free ends over a jump up, down, and sliding back") {
 }
 
 TEST_CASE("edges, wedges and jumps") {
-  const Indenter wedge(-1, {{0, Polynomial({0, -0.1_r})}, {1, Polynomial({0, 0.1_r})}});
+  const Indenter wedge = roof(-0.1_r, 0.1_r);
   agree_everywhere(reduced({0.3_r}, {}, wedge, 1));
   agree_everywhere(reduced({0.3_r, 0.1_r}, {0}, wedge, 1));
   agree_everywhere(reduced({0.1_r, 0.3_r, 0}, {-0.4_r, 0.3_r}, wedge, 1));
@@ -134,8 +132,7 @@ TEST_CASE("points that cells cannot tell apart are left out, jumps are not") {
     pieces.push_back({Rational(k, 100) - 1, Polynomial({height - slope * x, slope})});
   }
   const ContactProblem problem = reduced({0.1_r, 0.5_r}, {0.001_r}, Indenter(-1, pieces), 0.5_r);
-  int wedges = 0;
-  int jumps = 0;
+  int wedges = 0, jumps = 0;
   for (const auto& point : on_cells(problem, 1024)->singular_points()) {
     wedges += point.kind == SingularKind::wedge ? 1 : 0;
     jumps += point.kind == SingularKind::friction_jump ? 1 : 0;
@@ -157,20 +154,17 @@ TEST_CASE("samples: so many a zone and a gap, left to right, all of them solutio
 }
 
 TEST_CASE("out of steps: the best state, and what is wrong with it") {
-  VariationalOptions options;
-  options.cells = 2048;
-  options.most_steps = 1;
-  const Indenter bumps = one_piece(-2, 2, {1, 0.2_r, -2, 0, 1});
-  const Attempt<double> attempt = variational_inequality(reduced({0.3_r}, {}, bumps, 2), options);
+  const Attempt<double> attempt =
+      variational_inequality(reduced({0.3_r}, {}, two_wells(), 2), {.cells = 2048, .most_steps = 1});
   REQUIRE(attempt.solution);
-  CHECK(attempt.solution->shortcoming().find("1 iteration") != std::string::npos);
+  CHECK(holds(attempt.solution->shortcoming(), "1 iteration"));
   CHECK(!attempt.solution->contact().empty());
 }
 
 TEST_CASE("an elastic indenter whose contact reaches an edge is refused") {
   const Elasticity both(Solid(0.3_r, 1), Solid(0.2_r, 2));
   const ContactProblem pressed(both, FrictionProfile({0.2_r}), one_piece(-1, 1, {0, 0, 1}), 10);
-  CHECK(variational_inequality(pressed).why_not.find("reaches an edge") != std::string::npos);
+  CHECK(holds(variational_inequality(pressed).why_not, "reaches an edge"));
   const ContactProblem touching(both, FrictionProfile({0.2_r}), one_piece(-1, 1, {0, 0, 1}), 0.01_r);
   CHECK(variational_inequality(touching).solution);
   CHECK_THROWS_AS(variational_inequality(touching, {.cells = 8}), std::invalid_argument);

@@ -53,7 +53,7 @@ inline std::vector<std::string> words(const std::string& text) {
 
 inline std::string file_text(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
-  REQUIRE_MESSAGE(stream, file);
+  if (!stream) throw std::runtime_error(file);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
