@@ -70,8 +70,7 @@ bool no_browser() {
 
 Browsed browse(const fs::path& folder, const std::string& page, const std::string& script) {
   std::string html = read(folder / page);
-  const std::size_t head = html.find("<head>");
-  const std::size_t end = html.rfind("</body>");
+  const std::size_t head = html.find("<head>"), end = html.rfind("</body>");
   if (head == std::string::npos || end == std::string::npos) throw std::runtime_error("no page: " + page);
   html.insert(end, after(script));
   html.insert(head + 6, before);

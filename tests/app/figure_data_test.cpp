@@ -24,9 +24,7 @@ struct Given {
   std::string poisson;
   std::string friction;
   std::string jumps;
-  std::string profile = "0";
-  std::string load = "1";
-  std::string sliding = "+x";
+  std::string profile = "0", load = "1", sliding = "+x";
 
   std::string toml() const {
     return fmt::format(
@@ -96,8 +94,7 @@ TEST_CASE("the pressures under flat punches are those of solve; cells agree") {
 
 TEST_CASE("the parabola is that of solve and of Galin") {
   const Figure figure = drawn("parabola");
-  const double a = alpha(0.5);
-  const double load = 0.02;
+  const double a = alpha(0.5), load = 0.02;
   // c = 2: R of the reduced profile is 2.
   const double half = std::sqrt(load * 2 / (2 * std::numbers::pi * (0.25 - a * a)));
   const Given given{"0", "1", "", "x^2/2", "0.02"};
@@ -117,8 +114,7 @@ TEST_CASE("the parabola is that of solve and of Galin") {
 
 TEST_CASE("local forms have the derived slopes, and cells read the same") {
   const Figure figure = drawn("local-forms");
-  const double a = alpha(0.375);
-  const double beta = alpha(0.0375) - a;
+  const double a = alpha(0.375), beta = alpha(0.0375) - a;
   const double weak[] = {0.5 - a, 0.5 + a, -beta};
   const double strong[] = {-0.5 - a, -0.5 + a, beta};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -141,8 +137,7 @@ TEST_CASE("local forms have the derived slopes, and cells read the same") {
 TEST_CASE("contact zones are those of solve, and end b moves as derived") {
   const Figure figure = drawn("contact-load");
   const std::vector<Series>& one = figure.panels[0].series;
-  const double c = 2 * (1 - 0.09);
-  const double gamma = 2.0 / 7;
+  const double c = 2 * (1 - 0.09), gamma = 2.0 / 7;
   for (std::size_t k = 0; k < 2; ++k) {
     const bool rising = k == 0;
     const std::vector<Point>& rear = one[2 * k].points;

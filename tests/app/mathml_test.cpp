@@ -48,8 +48,7 @@ std::string expected_letters(std::string_view formula) {
   std::string text;
   const std::vector<MathToken> tokens = math_tokens(formula).value();
   for (const MathToken& token : tokens) {
-    const bool accent = math_accent(token.text).has_value();
-    const bool drawn = token.text == "sqrt";
+    const bool accent = math_accent(token.text).has_value(), drawn = token.text == "sqrt";
     if (token.kind == MathToken::Kind::number) text += token.text;
     if (token.kind != MathToken::Kind::name || accent || drawn) continue;
     const bool differential = token.text.size() > 1 && token.text.front() == 'd' && !math_name(token.text);

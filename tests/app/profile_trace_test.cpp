@@ -79,8 +79,7 @@ TEST_CASE("a support cuts the trace, exactly") {
 
 TEST_CASE("bad traces: the whole message") {
   const std::string number_rule = "a number is written like 2, -0.25, 1e-3 or 1/3";
-  const std::string column_rule = "a line of a trace is x,psi";
-  const std::string long_number(401, '1');
+  const std::string column_rule = "a line of a trace is x,psi", long_number(401, '1');
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
            {"", "1: too few points; a trace has at least 2; 0 points"},
            {"x,psi\n# nothing\n", "2: too few points; a trace has at least 2; 0 points"},

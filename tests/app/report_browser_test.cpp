@@ -88,8 +88,7 @@ TEST_CASE("page and JSON of one run agree") {
       {"verify", "--quick", "--digits", "16", "--claim", "eq-*", "--format", "json", "--report", ".", "-o", "out.json"},
       folder.path());
   CHECK(finished.code == 0);
-  const Json json = Json::parse(folder.read("out.json"));
-  const Json seen = drive(folder, "summary.js");
+  const Json json = Json::parse(folder.read("out.json")), seen = drive(folder, "summary.js");
   CHECK(seen["shown"] == json["claims"].size());
   const Json& counts = json["counts"];
   CHECK(seen["tiles"] == Json{counts["proved"], counts["supported"], counts["undecided"], counts["refuted"]});

@@ -78,11 +78,9 @@ TEST_CASE("the rough surface has its roughness and its waves") {
   double power = 0;
   std::vector<double> amplitude(300, 0);
   for (std::size_t wave = 0; wave < amplitude.size(); ++wave) {
-    double cosine = 0;
-    double sine = 0;
+    double cosine = 0, sine = 0;
     for (std::size_t i = 0; i < intervals; ++i) {
-      const double x = trace[2 * i];
-      const double rough = trace[2 * i + 1] - x * x / 16;
+      const double x = trace[2 * i], rough = trace[2 * i + 1] - x * x / 16;
       const double angle = std::numbers::pi * static_cast<double>(wave) * x;
       cosine += rough * std::cos(angle);
       sine += rough * std::sin(angle);

@@ -5,8 +5,7 @@
 namespace {
 
 const std::string parabola = problem_text("coated_parabola");
-const std::string punch = problem_text("coated_punch");
-const std::string quartic = problem_text("quartic");
+const std::string punch = problem_text("coated_punch"), quartic = problem_text("quartic");
 
 }  // namespace
 

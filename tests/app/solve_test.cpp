@@ -2,8 +2,7 @@
 
 namespace {
 
-const std::string punch = problem_text("punch");
-const std::string parabola = problem_text("parabola");
+const std::string punch = problem_text("punch"), parabola = problem_text("parabola");
 
 /// Is each number's error beside it, and at least a tenth (it is an estimate) of what differs from the reference? How
 /// many are there?

@@ -22,8 +22,7 @@ TEST_CASE("the contact's ends are those of the other methods to a cell, and the 
   for (const char* file :
        {"parabola_rough_rear.toml", "two_bumps.toml", "tilting_punch.toml", "stepped_punch.toml", "wedge.toml"}) {
     CAPTURE(file);
-    const Json cells = on_cells(file);
-    const Json exact = solve_example(file);
+    const Json cells = on_cells(file), exact = solve_example(file);
     CHECK(cells["method"] == "variational");
     CHECK(exact["method"] != "variational");
     CHECK(cells["problem"] == exact["problem"]);

@@ -14,8 +14,7 @@ TEST_CASE("files say the same problem") {
 
 TEST_CASE("ranges") {
   Rational highest_friction = 0;
-  int tilting = 0;
-  int with_steps = 0;
+  int tilting = 0, with_steps = 0;
   for (int i = 0; i < listed_problems; ++i) {
     const ContactProblem p = random_contact(first_listed_seed + static_cast<std::uint64_t>(i));
     const std::vector<Rational>& f = p.friction().values();

@@ -87,8 +87,7 @@ constexpr Feature features[] = {
 
 /// The decade of load/(height/c), from the heights at a few places: which force is a large one.
 int decade(const ContactProblem& problem) {
-  double low = infinity<double>();
-  double high = -low;
+  double low = infinity<double>(), high = -low;
   Rational from = problem.indenter().left();
   for (const Indenter::Piece& piece : problem.indenter().pieces()) {
     for (int k = 0; k <= 16; ++k) {

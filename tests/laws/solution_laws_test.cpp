@@ -41,8 +41,7 @@ template <Real R>
 bool resultants_are_integrals(const Case<R>& c) {
   const Resultants<R>& r = c.resultants;
   const R allowed = 10 * c.method.within.traction;
-  R shares = 0;
-  R friction = 0;
+  R shares = 0, friction = 0;
   for (std::size_t k = 0; k < r.load_share.size(); ++k) {
     shares += r.load_share[k].value;
     friction += to_real<R>(c.problem.friction().values()[k]) * r.load_share[k].value;
@@ -165,8 +164,7 @@ std::string broken_law(const Method<R>& method, const ContactProblem& problem, c
 /// What is not solved at all is the business of tests/known_limits; here it may be one problem in twenty.
 template <Real R>
 void obeys_the_laws(const Method<R>& method) {
-  int all = 0;
-  int unsolved = 0;
+  int all = 0, unsolved = 0;
   CHECK(rc::check(method.name, [&] {
     const ContactProblem problem = *method.problems;
     const Attempt<R> attempt = method.solve(problem);
@@ -234,8 +232,7 @@ void errors_are_honest(const ContactProblem& problem) {
   RC_ASSERT(within(ra.centre_of_pressure, rb.centre_of_pressure));
   RC_ASSERT(within(ra.effective_friction, rb.effective_friction));
   for (std::size_t k = 0; k < ra.load_share.size(); ++k) RC_ASSERT(within(ra.load_share[k], rb.load_share[k]));
-  const Rational left(a.left.x.value);
-  const Rational width = Rational(a.right.x.value) - left;
+  const Rational left(a.left.x.value), width = Rational(a.right.x.value) - left;
   for (const char* position : {"-0.5", "-0.001", "0.001", "0.3", "0.77", "0.999", "1.01", "2"}) {
     const Rational x = left + width * parse_rational(position);
     const Sample<double> sa = coarse->at(x);

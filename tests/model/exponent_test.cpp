@@ -64,8 +64,7 @@ Exponent hidden_zero(int terms) {
   sum += Exponent::angle(merged_slope);
   Exponent turns;
   for (; terms > 0; --terms) {
-    const Rational next(uniform(-30, 30), uniform(1, 19));
-    const Rational below = 1 - merged_slope * next;
+    const Rational next(uniform(-30, 30), uniform(1, 19)), below = 1 - merged_slope * next;
     if (below == 0) continue;
     sum += Exponent::angle(next);
     turns += Exponent(below > 0 ? 0 : merged_slope > 0 ? 1 : -1);
@@ -104,8 +103,7 @@ TEST_CASE("the sign agrees with a summation at 4096 bits") {
 
 TEST_CASE("arctan a + arctan b = arctan((a+b)/(1-ab)), with the branch") {
   CHECK(rc::check([] {
-    const Rational a = random_slope();
-    const Rational b = random_slope();
+    const Rational a = random_slope(), b = random_slope();
     RC_ASSERT(Exponent::angle(a) + Exponent::angle(b) == merged(a, b));
     // The wrong branch.
     RC_ASSERT(!(Exponent::angle(a) + Exponent::angle(b) == merged(a, b) + Exponent(1)));
@@ -122,8 +120,7 @@ TEST_CASE("hidden zeros are found, and a zero moved by 1e-200 is none") {
     RC_ASSERT(zero.sign() == 0);
     RC_ASSERT(zero == Exponent());
     RC_ASSERT(zero.reduced() == Exponent().reduced());
-    const Exponent above = zero + Exponent::angle(tiny);
-    const Exponent below = zero - Exponent::angle(tiny);
+    const Exponent above = zero + Exponent::angle(tiny), below = zero - Exponent::angle(tiny);
     RC_ASSERT(above.sign() == 1);
     RC_ASSERT(below.sign() == -1);
     RC_ASSERT(!(above == zero));
@@ -184,9 +181,7 @@ TEST_CASE("huge and tiny slopes") {
 
 TEST_CASE("exponents add like numbers, in any order") {
   CHECK(rc::check([] {
-    const Exponent a = random_exponent(4);
-    const Exponent b = random_exponent(4);
-    const Exponent c = random_exponent(4);
+    const Exponent a = random_exponent(4), b = random_exponent(4), c = random_exponent(4);
     RC_ASSERT(a + b == b + a);
     RC_ASSERT((a + b) + c == a + (b + c));
     RC_ASSERT((a - b) + b == a);

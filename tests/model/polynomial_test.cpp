@@ -15,9 +15,7 @@ Polynomial random_polynomial() {
 
 TEST_CASE("polynomials form a commutative ring, and evaluation respects it") {
   CHECK(rc::check([] {
-    const Polynomial a = random_polynomial();
-    const Polynomial b = random_polynomial();
-    const Polynomial c = random_polynomial();
+    const Polynomial a = random_polynomial(), b = random_polynomial(), c = random_polynomial();
     const Rational x = random_rational();
     const Polynomial zero;
     const Polynomial one = Polynomial::constant(1);
@@ -43,8 +41,7 @@ TEST_CASE("a polynomial in another coordinate") {
   CHECK(Polynomial({1, -2, 3}).composed(2, 5) == Polynomial({66, 56, 12}));
   CHECK(Polynomial({1, -2, 3}).composed(0, 5) == Polynomial::constant(66));
   CHECK(rc::check([] {
-    const Polynomial p = random_polynomial();
-    const Polynomial q = random_polynomial();
+    const Polynomial p = random_polynomial(), q = random_polynomial();
     const Rational a = random_rational(), b = random_rational(), c = random_rational(), d = random_rational();
     RC_ASSERT(p.composed(a, b)(c) == p(a * c + b));
     RC_ASSERT(p.composed(a, b).composed(c, d) == p.composed(a * c, a * d + b));

@@ -158,8 +158,7 @@ TEST_CASE("the mirrored problem has the mirrored list") {
 TEST_CASE("powers: ranges and relations") {
   CHECK(rc::check([] {
     const auto random = [] { return Rational(uniform(-5000, 4999), uniform(1, 99)); };
-    const Rational s = random();
-    const Rational t = random();
+    const Rational s = random(), t = random();
     const Exponent one(1);
     for (const End end : {End::left, End::right}) {
       RC_ASSERT(edge_exponent(end, s).sign() == -1);

@@ -39,8 +39,7 @@ TEST_CASE("uniqueness where s nowhere decreases [Bal16, theorems 1 and 8]") {
 }
 
 TEST_CASE("uniqueness does not depend on the side from which one looks") {
-  int proved = 0;
-  int open = 0;
+  int proved = 0, open = 0;
   CHECK(rc::check([&] {
     const ContactProblem problem = *coincidences();
     const bool here = uniqueness(problem).proved;

@@ -27,13 +27,10 @@ std::shared_ptr<const ContactSolution<R>> solve(const ContactProblem& problem) {
 
 TEST_CASE("flat punch with one jump is formula (5)-(7), written out") {
   const auto solution = solve<double>(coated_punch(Sliding::plus_x));
-  const double gamma = (1 - 2 * 0.3) / (2 * (1 - 0.3));
-  const double pi_ = pi<double>();
-  const double rear = std::atan(gamma * 0.2) / pi_;
-  const double front = std::atan(gamma * 0.6) / pi_;
+  const double gamma = (1 - 2 * 0.3) / (2 * (1 - 0.3)), pi_ = pi<double>();
+  const double rear = std::atan(gamma * 0.2) / pi_, front = std::atan(gamma * 0.6) / pi_;
   for (const char* at : {"-0.9", "-0.1", "0.2", "0.26", "0.8"}) {
-    const double x = to_real<double>(parse_rational(at));
-    const double s = gamma * (x < 0.25 ? 0.2 : 0.6);
+    const double x = to_real<double>(parse_rational(at)), s = gamma * (x < 0.25 ? 0.2 : 0.6);
     const double expected = -2.5 / (pi_ * std::sqrt(1 + s * s)) * std::pow(std::abs(x - 0.25), rear - front) /
                             (std::pow(1 + x, 0.5 + rear) * std::pow(1 - x, 0.5 - front));
     const Sample<double> sample = solution->at(parse_rational(at));

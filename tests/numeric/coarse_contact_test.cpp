@@ -24,8 +24,7 @@ double integral(const CoarseContact& c) {
 double centre_of_pressure(const CoarseContact& c) {
   double moment = 0;
   for (std::size_t j = 0; j < c.traction.size(); ++j) {
-    const double a = c.cell_edges[j];
-    const double b = c.cell_edges[j + 1];
+    const double a = c.cell_edges[j], b = c.cell_edges[j + 1];
     moment += c.traction[j] * (b - a) * (a + b) / 2;
   }
   return moment / integral(c);

@@ -88,8 +88,7 @@ void change(ContactSet<R>& set) {
     }
     default: {
       if (free.empty()) return;
-      const std::size_t j = free.front();
-      const std::size_t k = uniform(0, 1) == 0 ? j : j - 1;
+      const std::size_t j = free.front(), k = uniform(0, 1) == 0 ? j : j - 1;
       set.move_end(j, k, part(1, 999) * set.length(k));
     }
   }
@@ -187,11 +186,9 @@ TEST_CASE_TEMPLATE("anchors a million units away take no digit from the contact"
   CHECK(rc::check("far supports", [&] {
     using std::abs;
     ContactSet<R> set(problem, {{-1, 1, false, false}});
-    R left = set.x(1);
-    R right = set.x(2);
+    R left = set.x(1), right = set.x(2);
     for (int i = 0; i < 30; ++i) {
-      const R a = R(uniform(-1000, 1000)) / 10007;
-      const R b = R(uniform(-1000, 1000)) / 10007;
+      const R a = R(uniform(-1000, 1000)) / 10007, b = R(uniform(-1000, 1000)) / 10007;
       if (right + b - left - a < 0.1 || abs(left + a) > 3 || abs(right + b) > 3) continue;
       set.move({a, b});
       left += a;

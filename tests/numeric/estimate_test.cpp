@@ -18,8 +18,7 @@ struct Measured {
 
 template <Real R>
 Measured<R> random_measured() {
-  const R exact = random_real<R>();
-  const R off = random_real<R>() * R(1e-6);
+  const R exact = random_real<R>(), off = random_real<R>() * R(1e-6);
   using std::abs;
   return {exact, {exact + off, abs(off), uniform(0, 9) == 0 ? Convergence::stalled : Convergence::reached}};
 }

@@ -21,8 +21,7 @@ TEST_CASE("equilibrium and compatibility, by differences") {
   const Solved<R> solved(corners());
   const Rational h = 1_r / 1000000000000_r;
   for (const double fraction : {-0.2, 0.1, 0.5, 0.9}) {
-    const Rational x = solved.place(fraction);
-    const Rational z(1, 7);
+    const Rational x = solved.place(fraction), z(1, 7);
     const auto at = [&](int dx, int dz) { return components(solved.interior.at(x + dx * h, z + dz * h)); };
     const auto here = at(0, 0), left = at(-1, 0), right = at(1, 0), up = at(0, -1), down = at(0, 1);
     const R step = 2 * to_real<R>(h);
@@ -65,12 +64,10 @@ TEST_CASE("slow: the tractions are reached at the surface, at the rate that equi
         const Rational dx(1, 1000000000);
         const StressComponents<R> before = surface(x - dx);
         const StressComponents<R> behind = surface(x + dx);
-        const R step = 2 * to_real<R>(dx);
-        const R size_of_t = abs(limit.zz);
+        const R step = 2 * to_real<R>(dx), size_of_t = abs(limit.zz);
         if (problem.friction().jumps().empty()) {
           // One ratio r = t_t/t: by the slope of the normal displacement.
-          const R r = -limit.xz / limit.zz;
-          const R slope = solution.at(x).slope.left.value / c;
+          const R r = -limit.xz / limit.zz, slope = solution.at(x).slope.left.value / c;
           CHECK(abs(limit.zz + 2 * r * (slope + gamma * r * limit.zz) - limit.xx) < R(1e-40) * size_of_t);
           CHECK(abs(limit.zz + 2 * r * (slope - gamma * r * limit.zz) - limit.xx) > R(0.1) * size_of_t);
         }
@@ -150,8 +147,7 @@ TEST_CASE("far away there are two forces") {
 }
 
 TEST_CASE("out of the plane") {
-  const Rational x(2);
-  const Rational z(1, 3);
+  const Rational x(2), z(1, 3);
   const auto stress = [&](const Elasticity& elasticity) {
     const ContactProblem p(elasticity, FrictionProfile({0.5_r}), Indenter(1, {{3, Polynomial({0})}}), 2);
     return Solved<double>(p).interior.at(x, z);
@@ -159,10 +155,8 @@ TEST_CASE("out of the plane") {
   const StressState<double> strain = stress(body());
   CHECK(strain.yy->value == doctest::Approx((strain.xx.value + strain.zz.value) / 5).epsilon(1e-14));
   // The deviator's norm: von Mises = sqrt(3/2 s:s).
-  const double mean = strain.mean()->value;
-  const double xx = strain.xx.value - mean;
-  const double yy = strain.yy->value - mean;
-  const double zz = strain.zz.value - mean;
+  const double mean = strain.mean()->value, xx = strain.xx.value - mean;
+  const double yy = strain.yy->value - mean, zz = strain.zz.value - mean;
   CHECK(xx + yy + zz == doctest::Approx(0).scale(1).epsilon(1e-14));
   const double norm = xx * xx + yy * yy + zz * zz + 2 * strain.xz.value * strain.xz.value;
   CHECK(strain.von_mises()->value == doctest::Approx(std::sqrt(1.5 * norm)).epsilon(1e-14));

@@ -98,15 +98,12 @@ StressComponents<R> by_quadrature(const RiemannHilbertSolution<R>& solution, con
       }
     };
     const Panel<R>& whole = set.panels()[k];
-    const R& l = above.node.from_left;
-    const R& r = above.node.from_right;
+    const R &l = above.node.from_left, &r = above.node.from_right;
     if (static_cast<std::ptrdiff_t>(k) == above.segment && l > 0 && r > 0) {
       // Once more at four depths from x: the adaptive rule likes one scale a panel.
       const R near_left = std::min(R(l / 2), R(4 * depth));
-      const R near_right = std::min(R(r / 2), R(4 * depth));
-      const R x_left = whole.left + l;
-      const R far_left = l - near_left;
-      const R far_right = r - near_right;
+      const R near_right = std::min(R(r / 2), R(4 * depth)), x_left = whole.left + l;
+      const R far_left = l - near_left, far_right = r - near_right;
       add({whole.left, R(x_left - near_left), far_left}, R(0), R(r + near_left), l, near_left);
       add({R(x_left - near_left), x_left, near_left}, far_left, r, near_left, R(0));
       add({x_left, R(x_left + near_right), near_right}, l, far_right, R(0), R(-near_right));

@@ -54,8 +54,7 @@ TEST_CASE("closed potentials: constant friction under a punch and a parabola, at
         for (const char* depth : depths) {
           CAPTURE(fraction);
           CAPTURE(std::string(depth));
-          const Rational x = solved.place(fraction);
-          const Rational z = parse_rational(depth);
+          const Rational x = solved.place(fraction), z = parse_rational(depth);
           const StressState<R> found = solved.interior.at(x, z);
           const StressComponents<R> expected = by_potentials(solved.solution, x, z);
           CHECK(difference(components(found), expected) < R("1e-40") * size(expected));
@@ -96,8 +95,7 @@ TEST_CASE("quadrature of the tractions: jumps, wedges, edges, at every depth") {
 // Slow: 13 s of tanh-sinh rules at 50 digits.
 TEST_CASE("slow: quadrature of the tractions at 50 digits, next to a jump and a wedge" * doctest::skip()) {
   using R = Real50;
-  const Rational z = parse_rational("1/100000000");
-  const Rational x(1e-9);
+  const Rational z = parse_rational("1/100000000"), x(1e-9);
   for (const ContactProblem& problem : {jumps(), corners()}) {
     const Solved<R> solved(problem);
     const StressComponents<R> found = components(solved.interior.at(x, z));

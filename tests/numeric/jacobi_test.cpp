@@ -44,8 +44,7 @@ template <Real R>
 double moment_error(const JacobiRule<R>& rule, const R& a, const R& b, int first, int last) {
   using std::max, std::pow;
   const R total = gamma_function(a) * gamma_function(b) / gamma_function(R(a + b));
-  R from_left = total;
-  R from_right = total;
+  R from_left = total, from_right = total;
   double worst = 0;
   for (int k = 0; k <= last; ++k) {
     if (k >= first) {
@@ -62,8 +61,7 @@ double moment_error(const JacobiRule<R>& rule, const R& a, const R& b, int first
 template <Real R>
 Power<R> random_power() {
   using std::pow;
-  const R even = R(uniform(1, 199)) / 100;
-  const R tiny = pow(R(10), R(-uniform(0, 240)) / 20);
+  const R even = R(uniform(1, 199)) / 100, tiny = pow(R(10), R(-uniform(0, 240)) / 20);
   switch (uniform(0, 3)) {
     case 0: return {tiny - 1, tiny};
     case 1: return {-tiny / 2, 1 - tiny / 2};
@@ -127,8 +125,7 @@ TEST_CASE_TEMPLATE("Chebyshev's rules of the first, second and third kind", R, d
     const JacobiRule<R> third = jacobi_rule(low, high, n);
     double worst = 0;
     const auto compare = [&](const JacobiRule<R>& rule, std::size_t i, const R& angle, const R& weight) {
-      const R left = sin(angle / 2);
-      const R right = cos(angle / 2);
+      const R left = sin(angle / 2), right = cos(angle / 2);
       worst = std::max({worst, distance(rule.from_left[i], R(left * left)),
                         distance(rule.from_right[i], R(right * right)), distance(rule.weights[i], weight)});
     };
@@ -137,8 +134,7 @@ TEST_CASE_TEMPLATE("Chebyshev's rules of the first, second and third kind", R, d
       compare(first, at, R((2 * i + 1) * pi<R>() / (2 * n)), R(pi<R>() / n));
       const R s = sin((i + 1) * pi<R>() / (n + 1));
       compare(second, at, R((i + 1) * pi<R>() / (n + 1)), R(pi<R>() / (4 * (n + 1)) * s * s));
-      const R angle = (2 * i + 1) * pi<R>() / (2 * n + 1);
-      const R c = cos(angle / 2);
+      const R angle = (2 * i + 1) * pi<R>() / (2 * n + 1), c = cos(angle / 2);
       compare(third, at, angle, R(2 * pi<R>() / (2 * n + 1) * c * c));
     }
     // Here the cosine at the right end loses digits too.
@@ -149,8 +145,7 @@ TEST_CASE_TEMPLATE("Chebyshev's rules of the first, second and third kind", R, d
 TEST_CASE_TEMPLATE("Legendre's rule with five nodes", R, double, Real50, Real100) {
   using std::sqrt;
   const JacobiRule<R> rule = jacobi_rule(power<R>("1"), power<R>("1"), 5);
-  const R root = sqrt(R(70));
-  const R inner = sqrt(R(5) - 2 * sqrt(R(10) / 7)) / 3;
+  const R root = sqrt(R(70)), inner = sqrt(R(5) - 2 * sqrt(R(10) / 7)) / 3;
   const R outer = sqrt(R(5) + 2 * sqrt(R(10) / 7)) / 3;
   const R nodes[] = {(1 - outer) / 2, (1 - inner) / 2, R(1) / 2, (1 + inner) / 2, (1 + outer) / 2};
   const R weights[] = {(322 - 13 * root) / 1800, (322 + 13 * root) / 1800, R(64) / 225, (322 + 13 * root) / 1800,

@@ -45,9 +45,7 @@ TEST_CASE("bins hold the force of whole cells within the window, weighted down t
   CHECK(bins.size() < 100U);
   CHECK(bins.front().near == doctest::Approx(21 * length));
   CHECK(bins.back().far <= window.to);
-  double force = 0;
-  double expected = 0;
-  double largest = 0;
+  double force = 0, expected = 0, largest = 0;
   for (std::size_t i = 0; i < bins.size(); ++i) {
     if (i > 0) CHECK(bins[i].near == bins[i - 1].far);
     CHECK(bins[i].weight > 0);

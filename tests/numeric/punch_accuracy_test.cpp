@@ -66,8 +66,7 @@ TEST_CASE("slow: all of them at 50 and 100 digits" * doctest::skip()) {
 }
 
 TEST_CASE("GSL and tanh-sinh agree with the equation to 1e-11 where GSL converges") {
-  int converged = 0;
-  int all = 0;
+  int converged = 0, all = 0;
   for (const int jumps : {0, 1, 3, 8}) {
     for (const char* nu : {"-0.9", "0.3", "0.499"}) {
       const ContactProblem problem = punch(jumps, parse_rational(nu), 50, 0.5_r);
@@ -79,8 +78,7 @@ TEST_CASE("GSL and tanh-sinh agree with the equation to 1e-11 where GSL converge
         for (const double fraction : {1e-6, 0.3}) {
           for (const Node<double>& node :
                {panel.node_from_left(fraction * panel.length), panel.node_from_right(fraction * panel.length)}) {
-            const double t = density[k](node);
-            const double scale = std::max(std::abs(t), std::abs(s * t));
+            const double t = density[k](node), scale = std::max(std::abs(t), std::abs(s * t));
             CHECK(std::abs(tanh_sinh::hilbert(density, {k, node}).value + s * t) <= 1e-12 * scale);
             const Estimate<double> third = gsl::hilbert(density, {k, node});
             ++all;

@@ -47,8 +47,7 @@ TEST_CASE_TEMPLATE("normalisation of Galin's punch: int (1+x)^(-1/2-a) (1-x)^(-1
 TEST_CASE("control: with x alone instead of the distance the same integral is wrong in the first digits") {
   const Rational s = 37;
   const Exponent a = Exponent::angle(s);
-  const double left = to_real<double>(-half - a);
-  const double right = to_real<double>(-half + a);
+  const double left = to_real<double>(-half - a), right = to_real<double>(-half + a);
   const PiecewiseDensity<double> naive{{Panel<double>{-1, 1, 2}, {0, 1}, {0, 1}, [&](const Node<double>& node) {
                                           const double d = 1 + node.x;
                                           return d > 0 && node.x < 1 ? std::pow(d, left) * std::pow(1 - node.x, right)
@@ -121,8 +120,7 @@ TEST_CASE("the Mellin symbol: H of a power on the right of 0, seen from the left
   const PiecewiseDensity<double> density{
       {Panel<double>{0, 1, 1}, Power<double>::of(power_of_density), Power<double>::of(Exponent(0)), one<double>}};
   const double d = 1e-3;
-  double series = 0;
-  double power = 1;
+  double series = 0, power = 1;
   for (int n = 0; n < 8; ++n, power *= -d) series += power / (n - l);
   const double expected = -std::pow(d, l) / std::sin(pi<double>() * l) - series / pi<double>();
   CHECK(close(tanh_sinh::cauchy(density, Side::left, d).value, expected, 100));

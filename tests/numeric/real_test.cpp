@@ -19,8 +19,7 @@ TEST_CASE("1 + lambda keeps all digits where lambda is next to -1") {
 }
 
 TEST_CASE("a difference of two close angles does not cancel") {
-  const Rational s = parse_rational("3.7");
-  const Rational tiny = parse_rational("1e-40");
+  const Rational s = parse_rational("3.7"), tiny = parse_rational("1e-40");
   const Exponent beta = Exponent::angle(s + tiny) - Exponent::angle(s);
   const double expected = 1e-40 / (1 + 3.7 * 3.7) / pi<double>();
   CHECK(to_real<double>(beta) == doctest::Approx(expected).epsilon(1e-14));
@@ -43,8 +42,7 @@ TEST_CASE("one door from run time to type") {
 TEST_CASE("pi to 100 digits, from Machin's formula in rationals") {
   // pi = 16 arctan(1/5) - 4 arctan(1/239), alternating series cut below 1e-120.
   const auto arctan_inverse = [](int n) {
-    Rational sum = 0;
-    Rational power(1, n);
+    Rational sum = 0, power(1, n);
     for (int k = 0; k < 180; ++k, power /= n * n) sum += (k % 2 == 0 ? power : Rational(-power)) / (2 * k + 1);
     return sum;
   };

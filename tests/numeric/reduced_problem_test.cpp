@@ -32,8 +32,7 @@ bool close(const R& found, const Rational& exact, const R& scale) {
 
 /// The sum of the sizes of the polynomial's terms.
 Rational size_at(const Polynomial& p, const Rational& x) {
-  Rational sum = 0;
-  Rational power = 1;
+  Rational sum = 0, power = 1;
   for (const Rational& c : p.coefficients()) {
     sum += abs(c) * power;
     power *= abs(x);

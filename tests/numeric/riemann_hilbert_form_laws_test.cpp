@@ -28,8 +28,7 @@ RiemannHilbertForm<R> random_form(const ReducedProblem<R>& problem, JacobiRules<
   };
   for (int gaps = uniform(0, 2); gaps > 0; --gaps) {
     const std::size_t k = inside();
-    const R a = R(uniform(1, 49)) / 100;
-    const R b = R(uniform(51, 99)) / 100;
+    const R a = R(uniform(1, 49)) / 100, b = R(uniform(51, 99)) / 100;
     const R& length = set.length(k);
     set.open({k, a * length, (1 - a) * length}, {k, b * length, (1 - b) * length});
   }

@@ -24,8 +24,7 @@ R ten_to(int exponent) {
 template <Real R>
 Power<R> random_power() {
   using std::pow;
-  const R tiny = pow(R(10), R(-uniform(5, 240)) / 20);
-  const R even = R(uniform(1, 199)) / 100;
+  const R tiny = pow(R(10), R(-uniform(5, 240)) / 20), even = R(uniform(1, 199)) / 100;
   switch (uniform(0, 7)) {
     case 0: return {tiny - 1, tiny};
     case 1: return {tiny, 1 + tiny};
@@ -52,8 +51,7 @@ template <Real R>
 Inside<R> random_inside() {
   const R d = random_distance<R>();
   // d : 1 divides the interval.
-  const R small = d / (1 + d);
-  const R large = 1 / (1 + d);
+  const R small = d / (1 + d), large = 1 / (1 + d);
   return uniform(0, 1) == 0 ? Inside<R>{small, large} : Inside<R>{large, small};
 }
 
@@ -74,13 +72,11 @@ TEST_CASE_TEMPLATE("closed forms at a = -1/2, 0, 1/2, for d from 1e-300 to 1e10"
   for (const int exponent : {-300, -30, -8, -3, -1, 0, 1, 4, 10}) {
     for (const R& d : {ten_to<R>(exponent), R(6 * ten_to<R>(exponent)), R(ten_to<R>(exponent) / 3)}) {
       CAPTURE(static_cast<double>(d));
-      const R root = sqrt(d);
-      const R angle = atan(1 / root);
+      const R root = sqrt(d), angle = atan(1 / root);
       CHECK(close(left_of(low, d), R(2 * angle / root), 20));
       CHECK(close(left_of(zero, d), R(log1p(1 / d)), 20));
       CHECK(close(left_of(high, d), R(2 - 2 * root * angle), 20, R(2)));
-      const R far = sqrt(1 + d);
-      const R logarithm = 2 * log1p(far) - log(d);
+      const R far = sqrt(1 + d), logarithm = 2 * log1p(far) - log(d);
       CHECK(close(right_of(zero, d), R(log1p(1 / d)), 20));
       CHECK(close(right_of(low, d), R(logarithm / far), 20, R(log(1 + d))));
       CHECK(close(right_of(high, d), R(far * logarithm - 2), 20, R(2 + far * log(1 + d))));
@@ -104,9 +100,7 @@ TEST_CASE_TEMPLATE("squares: y^2 as the variable relates all three functions at 
     const Power<R> a = random_power<R>();
     const Power<R> even{(a.value - 1) / 2, a.plus_one / 2};
     const Power<R> odd{a.value / 2, (1 + a.plus_one) / 2};
-    const R d = random_distance<R>();
-    const R w = 1 + d;
-    const R outside = right_of(a, d);
+    const R d = random_distance<R>(), w = 1 + d, outside = right_of(a, d);
     const R opposite = left_of(a, w);
     RC_ASSERT(close(R(outside + opposite), R(w * right_of(even, R(d * (2 + d)))), 100));
     RC_ASSERT(close(R(outside - opposite), right_of(odd, R(d * (2 + d))), 100, outside));
@@ -115,10 +109,8 @@ TEST_CASE_TEMPLATE("squares: y^2 as the variable relates all three functions at 
       RC_ASSERT(!close(R(outside + opposite), R(w * right_of(odd, R(d * (2 + d)))), 1e6));
 
     const Inside<R> at = random_inside<R>();
-    const R square = at.x * at.x;
-    const R rest = at.rest * (1 + at.x);
-    const R inside = on_interval(a, at.x, at.rest);
-    const R mirror = left_of(a, at.x);
+    const R square = at.x * at.x, rest = at.rest * (1 + at.x);
+    const R inside = on_interval(a, at.x, at.rest), mirror = left_of(a, at.x);
     const R part = parts(a, at) + mirror;
     RC_ASSERT(close(R(inside - mirror), R(at.x * on_interval(even, square, rest)), 400, part));
     RC_ASSERT(close(R(inside + mirror), on_interval(odd, square, rest), 400, part));
@@ -131,8 +123,7 @@ TEST_CASE_TEMPLATE("recurrence: y^(a+1)/(y + d) = y^a - d y^a/(y + d)", R, doubl
     if (a.value >= 0) a = {a.value - 1, a.value};
     if (!(a.plus_one > 0)) return;
     const Power<R> next{a.plus_one, a.plus_one + 1};
-    const R inverse = 1 / a.plus_one;
-    const R d = random_distance<R>();
+    const R inverse = 1 / a.plus_one, d = random_distance<R>();
     RC_ASSERT(close(left_of(next, d), R(inverse - d * left_of(a, d)), 100, inverse));
     RC_ASSERT(close(right_of(next, d), R((1 + d) * right_of(a, d) - inverse), 100, R((1 + d) * right_of(a, d))));
     const Inside<R> at = random_inside<R>();
@@ -196,8 +187,7 @@ TEST_CASE_TEMPLATE("Gauss-Jacobi rules, far from the pole", R, double, Real50, R
     const JacobiRule<R> rule = jacobi_rule(a, {R(0), R(1)}, n);
     for (const R& d : {R(0.4), R(0.59), R(0.61), R(0.99), R(1.01), R(30)}) {
       CAPTURE(static_cast<double>(d));
-      R left = 0;
-      R right = 0;
+      R left = 0, right = 0;
       for (std::size_t i = 0; i < rule.size(); ++i) {
         left += rule.weights[i] / (rule.from_left[i] + d);
         right += rule.weights[i] / (rule.from_right[i] + d);
@@ -217,8 +207,7 @@ TEST_CASE_TEMPLATE("tanh-sinh and trapezoidal routes", R, double, Real50) {
       const PiecewiseDensity<R> density{{Panel<R>{0, 1, 1}, a, Power<R>::of(Exponent(0)), one}};
       const trapezoidal::Grid<R> grid(density);
       for (const R& d : {R(1e-3), R(0.3), R(2)}) {
-        const R left = left_of(a, d) / pi<R>();
-        const R right = -right_of(a, d) / pi<R>();
+        const R left = left_of(a, d) / pi<R>(), right = -right_of(a, d) / pi<R>();
         CHECK(close(tanh_sinh::cauchy(density, Side::left, d).value, left, 2000));
         CHECK(close(tanh_sinh::cauchy(density, Side::right, d).value, right, 2000));
         CHECK(close(grid.cauchy(Side::left, d), left, 2000));

@@ -32,8 +32,7 @@ struct Cells {
 Cells random_cells(std::mt19937& random, bool meet) {
   std::uniform_real_distribution<double> place(-0.5, 0.5);
   std::uniform_real_distribution<double> decades(-8, 0);
-  const double a = place(random);
-  const double b = a + std::pow(10, decades(random));
+  const double a = place(random), b = a + std::pow(10, decades(random));
   const double c = meet ? b : b + std::pow(10, decades(random));
   return {a, b, c, c + std::pow(10, decades(random))};
 }
@@ -42,8 +41,7 @@ Cells random_cells(std::mt19937& random, bool meet) {
 
 TEST_CASE("the mean logarithm over two cells is exact, however they lie") {
   std::mt19937 random(2016);
-  double worst = 0;
-  double worst_of_centres = 0;
+  double worst = 0, worst_of_centres = 0;
   for (int k = 0; k < 2000; ++k) {
     const auto [a, b, c, d] = random_cells(random, k % 3 == 0);
     for (const Cells& pair : {Cells{a, b, c, d}, Cells{c, d, a, b}, Cells{a, b, a, b}}) {

@@ -29,8 +29,7 @@ TEST_CASE("Krylov's method and the factorisation solve the same system") {
       const DiscreteProblem problem = coated(400, sliding, load_at);
       const DiscreteState dense = solve(*dense_system(problem, middle(400)), problem).state;
       const DiscreteState found = by_krylov(problem).state;
-      double highest = 0;
-      double worst = 0;
+      double highest = 0, worst = 0;
       for (std::size_t i = 0; i < problem.size(); ++i) {
         highest = std::max(highest, std::abs(dense.pressure[i]));
         worst = std::max(worst, std::abs(dense.pressure[i] - found.pressure[i]));

@@ -66,8 +66,7 @@ TEST_CASE("problems of the random list are solved, and a wrong set is refused") 
 
 TEST_CASE("of a few cells all sets are tried: what Lemke's method finds is a solution among them") {
   constexpr std::size_t n = 7;
-  int several = 0;
-  int wrong_sets = 0;
+  int several = 0, wrong_sets = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     CAPTURE(seed);
     const DiscreteProblem discrete = on_cells(listed_contact(seed), n);

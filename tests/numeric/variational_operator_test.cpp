@@ -17,8 +17,7 @@ std::vector<double> random_pressure(std::size_t n) {
 /// The largest difference between a product and the sum of entries times pressures, and the largest sum of ∣entries∣;
 /// the same without friction.
 struct ProductError {
-  double whole = 0;
-  double without_slip = 0;
+  double whole = 0, without_slip = 0;
 };
 
 ProductError product_error(const GalerkinOperator& b) {
@@ -106,8 +105,7 @@ TEST_CASE("equal cells given as edges make the same operator as equal cells by n
     const CellMesh edges(problem, uniform.frame().origin, uniform.edges());
     CHECK(uniform.is_uniform());
     CHECK_FALSE(edges.is_uniform());
-    const DiscreteProblem one(problem, uniform);
-    const DiscreteProblem other(problem, edges);
+    const DiscreteProblem one(problem, uniform), other(problem, edges);
     const GalerkinOperator &a = one.galerkin_operator(), &b = other.galerkin_operator();
     double worst = 0, shifted = 0;
     for (std::size_t i = 0; i < one.size(); ++i) {

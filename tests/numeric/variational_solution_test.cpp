@@ -55,8 +55,7 @@ void agree_everywhere(const ContactProblem& problem) {
   REQUIRE(cells->tilt().has_value() == exact->tilt().has_value());
   if (cells->tilt()) agree(*cells->tilt(), *exact->tilt(), 1e-3);
 
-  const Rational left = problem.indenter().left();
-  const Rational length = problem.indenter().right() - left;
+  const Rational left = problem.indenter().left(), length = problem.indenter().right() - left;
   for (int i = -2; i <= 42; ++i) {
     const Rational x = left + length * Rational(7 * i + 3, 285);
     const Sample<double> here = cells->at(x);
@@ -127,8 +126,7 @@ TEST_CASE("points that cells cannot tell apart are left out, jumps are not") {
   for (int k = 1; k <= 200; ++k) {
     const Rational x = Rational(k - 1, 100) - 1;
     // A polygon in a parabola: a wedge every hundredth.
-    const Rational slope = Rational(2 * k - 201, 100) / 4;
-    const Rational height = x * x / 4;
+    const Rational slope = Rational(2 * k - 201, 100) / 4, height = x * x / 4;
     pieces.push_back({Rational(k, 100) - 1, Polynomial({height - slope * x, slope})});
   }
   const ContactProblem problem = reduced({0.1_r, 0.5_r}, {0.001_r}, Indenter(-1, pieces), 0.5_r);

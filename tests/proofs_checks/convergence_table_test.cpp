@@ -45,8 +45,7 @@ Tables tables_of(const std::string& document) {
 bool is_close(const std::string& one, const std::string& other) {
   if (one == other) return true;
   if (one.empty() || other.empty()) return false;
-  const double a = std::stod(one);
-  const double b = std::stod(other);
+  const double a = std::stod(one), b = std::stod(other);
   const auto e = one.find('e');
   const auto point = one.find('.');
   if (e == std::string::npos) {

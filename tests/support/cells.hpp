@@ -20,8 +20,7 @@ inline ContactProblem listed_contact(std::uint64_t k) { return random_contact(fi
 inline DiscreteState nothing(const DiscreteProblem& problem) { return {std::vector<double>(problem.size(), 0.0)}; }
 
 struct Forces {
-  double load = 0;
-  double moment = 0;
+  double load = 0, moment = 0;
   double size = 0;  ///< the sum of |pressure times length|
 };
 

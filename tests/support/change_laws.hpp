@@ -10,10 +10,7 @@ namespace steadyslide::testing {
 
 /// x -> scale x + shift, t -> traction t, gap -> height gap.
 struct Image {
-  Rational scale = 1;
-  Rational shift = 0;
-  Rational traction = 1;
-  Rational height = 1;
+  Rational scale = 1, shift = 0, traction = 1, height = 1;
 
   Rational of(const Rational& x) const { return scale * x + shift; }
 };

@@ -29,12 +29,10 @@ template <numeric::Real R>
 std::vector<Rational> places(const std::vector<numeric::ContactComponent<R>>& contact) {
   std::vector<Rational> result;
   for (const auto& zone : contact) {
-    const Rational left(zone.left.x.value);
-    const Rational width = Rational(zone.right.x.value) - left;
+    const Rational left(zone.left.x.value), width = Rational(zone.right.x.value) - left;
     for (const int part : {13, 271, 502, 838, 991}) result.push_back(left + width * part / 1009);
   }
-  const Rational left(contact.front().left.x.value);
-  const Rational right(contact.back().right.x.value);
+  const Rational left(contact.front().left.x.value), right(contact.back().right.x.value);
   result.push_back(left - (right - left) * 2 / 5);
   result.push_back(right + (right - left) * 3 / 10);
   return result;
@@ -54,10 +52,8 @@ std::string difference(const ContactProblem& problem, const numeric::ContactSolu
                        const numeric::ContactSolution<R>& after, const Image& image, const Tolerance<R>& within) {
   using namespace numeric;
   using std::abs, std::pow;
-  const R scale = to_real<R>(image.scale);
-  const R shift = to_real<R>(image.shift);
-  const R factor = to_real<R>(image.traction);
-  const R height = to_real<R>(image.height);
+  const R scale = to_real<R>(image.scale), shift = to_real<R>(image.shift);
+  const R factor = to_real<R>(image.traction), height = to_real<R>(image.height);
   const R size = abs(scale);
   const auto a = before.contact();
   auto b = after.contact();

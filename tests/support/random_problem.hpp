@@ -36,8 +36,7 @@ struct SurfaceData {
 /// A support of width 1/2..8 anywhere, with 0..max_jumps jumps inside.
 inline rc::Gen<SurfaceData> surface(int max_jumps) {
   return rc::gen::exec([max_jumps] {
-    const Rational left = *rational(-3, 3, 8);
-    const Rational width = *rational(1, 16, 3) / 2;
+    const Rational left = *rational(-3, 3, 8), width = *rational(1, 16, 3) / 2;
     const int count = uniform(0, max_jumps);
     std::set<Rational> places;
     for (int k = 0; k < count; ++k) places.insert(left + width * uniform(1, 399) / 400);

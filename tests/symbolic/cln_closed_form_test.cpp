@@ -80,8 +80,7 @@ TEST_CASE("a punch scales, a parabola moves: the laws of changed problems") {
   CHECK(rc::check([&] {
     const ContactProblem p = *rc::gen::oneOf(flat_punch(3), parabola(3));
     const ClnClosedForm here = form(p);
-    const Rational left = here.left().value;
-    const Rational length = here.right().value - left;
+    const Rational left = here.left().value, length = here.right().value - left;
     const ChangeLaw& law = laws[static_cast<std::size_t>(uniform(0, static_cast<int>(laws.size()) - 1))];
     RC_LOG() << law.name << '\n';
     const auto [changed, image] = law.change(p, left + length * 271 / 1009);
@@ -146,12 +145,10 @@ TEST_CASE("parabola with jumps: sum p r = 0, sum p r^2 = 2 P R/pi, on random pro
     RC_ASSERT(!found.empty());
     for (const ClnClosedForm& form : found) {
       with_jumps += form.last_jump() > form.first_jump();
-      const Rational a = form.left().value;
-      const Rational b = form.right().value;
+      const Rational a = form.left().value, b = form.right().value;
       const Rational pa = cln_value(free_exponent(End::left, s[form.first_jump()]), 70).value;
       const Rational pb = cln_value(free_exponent(End::right, s[form.last_jump()]), 70).value;
-      Rational one = pa * a + pb * b;
-      Rational two = pa * a * a + pb * b * b;
+      Rational one = pa * a + pb * b, two = pa * a * a + pb * b * b;
       for (std::size_t k = form.first_jump(); k < form.last_jump(); ++k) {
         const Rational beta = cln_value(jump_exponent(s[k], s[k + 1]), 70).value;
         RC_ASSERT(a < jumps[k]);

@@ -45,8 +45,7 @@ TEST_CASE("derived tractions are the closed forms, on random flat punches and pa
 TEST_CASE("a tilted punch: both edges carry until P/(pi (1+2 alpha)) and -P/(pi (1-2 alpha))") {
   for (const Rational& s : {0_r, Rational(1, 3), 2_r}) {
     const Rational alpha = cln_value(Exponent::angle(s), 60).value;
-    const Rational right = one_over_pi / (1 + 2 * alpha);
-    const Rational left = -one_over_pi / (1 - 2 * alpha);
+    const Rational right = one_over_pi / (1 + 2 * alpha), left = -one_over_pi / (1 - 2 * alpha);
     const Rational little = 1e-20_r;
     const auto kinds = [&](const Rational& tilt) {
       const auto found = DerivedContact::all(problem({s}, {}, {0, tilt}), 40);

@@ -19,8 +19,7 @@ TEST_CASE("Chebyshev's polynomials and exact integrals") {
   CHECK((chebyshev_u(3, x) - (8 * x * x * x - 4 * x)).expand().is_zero());
   // Pell's equation.
   for (int n = 1; n < 8; ++n) {
-    const ex t = chebyshev_t(n, x);
-    const ex u = chebyshev_u(n - 1, x);
+    const ex t = chebyshev_t(n, x), u = chebyshev_u(n - 1, x);
     CHECK((t * t - (x * x - 1) * u * u - 1).expand().is_zero());
   }
   const GiNaC::symbol c("c");

@@ -43,8 +43,7 @@ TEST_CASE("the symbolic constants at rational arguments are the model's") {
     const Solid body(poisson(), young());
     const Solid indenter(poisson(), young());
     for (const Plane plane : {Plane::strain, Plane::stress}) {
-      const ex nu = to_expression(body.poisson());
-      const ex modulus = to_expression(body.young());
+      const ex nu = to_expression(body.poisson()), modulus = to_expression(body.young());
       const KolosovSolid one = kolosov_solid(nu, modulus, plane);
       const KolosovSolid two = kolosov_solid(to_expression(indenter.poisson()), to_expression(indenter.young()), plane);
       const Elasticity rigid(body, plane);

@@ -145,8 +145,7 @@ TEST_CASE("ends: powers and outside slopes") {
 
 TEST_CASE("the derived exponents of numbers are the model's") {
   CHECK(rc::check([] {
-    const Rational left = random_friction();
-    const Rational right = random_friction();
+    const Rational left = random_friction(), right = random_friction();
     const LocalSide l{to_expression(left), {1, 0, 0}};
     const LocalSide r{to_expression(right), {numeric(uniform(-1, 1)), 0, 0}};
     for (const ContactSide contact : {ContactSide::left, ContactSide::right}) {

@@ -18,8 +18,7 @@ rc::Gen<ex> element(const PhaseField& field, const GiNaC::symbol& x, int depth) 
     if (kind == 1) return field.friction(k).s;
     if (kind == 2) return field.friction(k).r;
     if (kind == 3) return *rc::gen::element(ex(field.i()), ex(x));
-    const ex a = *element(field, x, depth - 1);
-    const ex b = *element(field, x, depth - 1);
+    const ex a = *element(field, x, depth - 1), b = *element(field, x, depth - 1);
     if (kind == 4) return a + b;
     if (kind == 5) return a * b;
     return a / (b * b + field.friction(k).r + 7);
@@ -92,8 +91,7 @@ TEST_CASE("random identities are true, and almost true ones are not") {
   const std::vector<PhaseField> fields{PhaseField({s, t, -s}), PhaseField({numeric(1), numeric(7), numeric(1, 2)})};
   for (const PhaseField& field : fields) {
     CHECK(rc::check("(a+b)^2 - (a-b)^2 = 4ab, a/b b = a, canonical(a) = a", [&] {
-      const ex a = *element(field, x, 3);
-      const ex b = *element(field, x, 2);
+      const ex a = *element(field, x, 3), b = *element(field, x, 2);
       RC_ASSERT(zero(field, GiNaC::pow(a + b, 2) - GiNaC::pow(a - b, 2) - 4 * a * b));
       RC_ASSERT(!zero(field, GiNaC::pow(a + b, 2) - GiNaC::pow(a - b, 2) - 4 * a * b + numeric(1, 1000000007)));
       RC_ASSERT(field.are_equal(field.canonical(a), a).holds);
@@ -102,9 +100,7 @@ TEST_CASE("random identities are true, and almost true ones are not") {
       RC_ASSERT(!field.are_equal(a / b * b, a + field.friction(0).r).holds);
     }));
     CHECK(rc::check("equal elements have equal texts", [&] {
-      const ex a = *element(field, x, 2);
-      const ex b = *element(field, x, 2);
-      const ex r = field.friction(0).r;
+      const ex a = *element(field, x, 2), b = *element(field, x, 2), r = field.friction(0).r;
       RC_ASSERT(field.text(a + b * r * r) == field.text(a + b * (1 + GiNaC::pow(field.friction(0).s, 2))));
     }));
   }

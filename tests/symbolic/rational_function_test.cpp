@@ -27,8 +27,7 @@ TEST_CASE("equality of rational functions is decided, and a near miss is not tak
   const ex tiny = GiNaC::pow(ex(10), -200);
   CHECK(rc::check([&] {
     const ex a = polynomial(symbols), b = polynomial(symbols), c = polynomial(symbols), d = polynomial(symbols);
-    const ex lhs = a / b + c / d;
-    const ex rhs = (a * d + c * b) / (b * d);
+    const ex lhs = a / b + c / d, rhs = (a * d + c * b) / (b * d);
     RC_ASSERT(decide_equal(lhs, rhs).identical);
     RC_ASSERT(decide_equal(lhs, rhs.expand()).identical);
     RC_ASSERT(decide_equal(1 / (a / b), b / a).identical);
