@@ -6,39 +6,23 @@
 
 namespace {
 
-struct BadFile {
-  std::string text;
-  std::string message;  ///< after "steadyslide: bad.toml:"
-};
-
-/// problem_file/bad_files.txt, and a file that ends within a line.
-std::vector<BadFile> bad_files() {
-  std::vector<BadFile> files{{"load = ",
-                              "1: not TOML; a problem file is written in TOML; Error while parsing key-value pair: "
-                              "encountered end-of-file"}};
-  for (const std::string& line : lines(file_text(STEADYSLIDE_TESTS "/app/problem_file/bad_files.txt"))) {
-    if (line.starts_with("=== ")) {
-      files.push_back({"", line.substr(4)});
-    } else if (files.size() > 1) {
-      files.back().text += line + '\n';
-    }
-  }
-  return files;
-}
-
 const std::string good =
     "load = \"1\"\n[half_space]\npoisson = \"0.3\"\n[friction]\nvalues = [\"0.2\"]\n[indenter]\nprofile = \"0\"\n";
 
 }  // namespace
 
 TEST_CASE("bad problem files: message, exit code, no output") {
-  const std::vector<BadFile> files = bad_files();
-  CHECK(files.size() >= 67);
-  for (const BadFile& bad : files) {
-    CAPTURE(bad.text);
+  auto files = sections_of(STEADYSLIDE_TESTS "/app/problem_file/bad_files.txt");
+  CHECK(files.size() >= 66);
+  files.emplace_back(
+      "1: not TOML; a problem file is written in TOML; Error while parsing key-value pair: encountered "
+      "end-of-file",
+      "load = ");
+  for (const auto& [message, text] : files) {
+    CAPTURE(text);
     const TemporaryFolder folder;
-    folder.write("bad.toml", bad.text);
-    check_refused(run_program({"exponents", "bad.toml", "-o", "result"}, folder.path()), "bad.toml:" + bad.message);
+    folder.write("bad.toml", text);
+    check_refused(run_program({"exponents", "bad.toml", "-o", "result"}, folder.path()), "bad.toml:" + message);
     CHECK(folder.names() == std::vector<std::string>{"bad.toml"});
   }
 }

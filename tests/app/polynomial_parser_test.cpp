@@ -38,27 +38,10 @@ TEST_CASE("the grammar") {
 }
 
 TEST_CASE("every error says its place") {
+  const auto errors = pairs_of(STEADYSLIDE_TESTS "/app/problem_file/polynomial_errors.txt");
+  CHECK(errors.size() >= 17);
+  for (const auto& [text, message] : errors) CHECK(message_of(text) == message);
   CHECK(message_of("") == "missing value at character 1; expected a number, x or (; ''");
-  CHECK(message_of("x^2 +") == "missing value at character 6; expected a number, x or (; 'x^2 +'");
-  CHECK(message_of("2x") == "unexpected character at character 2; expected +, -, *, /, ^ or the end; '2x'");
-  CHECK(message_of("x^-1") == "no exponent at character 3; ^ is followed by digits; 'x^-1'");
-  CHECK(message_of("x^2^2") == "unexpected character at character 4; expected +, -, *, /, ^ or the end; 'x^2^2'");
-  CHECK(message_of("(x") == "missing ) at character 3; expected ) or an operator; '(x'");
-  CHECK(message_of("(x]") == "unexpected character at character 3; expected ) or an operator; '(x]'");
-  CHECK(message_of("y") == "unexpected character at character 1; expected a number, x or (; 'y'");
-  CHECK(message_of("--x") == "unexpected character at character 2; expected a number, x or (; '--x'");
-  CHECK(message_of("1/x") == "division by a polynomial at character 2; the divisor is a constant; '1/x'");
-  CHECK(message_of("x/(1-1)") == "division by zero at character 2; the divisor is not zero; 'x/(1-1)'");
-  CHECK(message_of("x^65") == "degree too high at character 2; the degree of a profile is at most 64; 'x^65'");
-  CHECK(message_of("x^40*x^25") ==
-        "degree too high at character 5; the degree of a profile is at most 64; 'x^40*x^25'");
-  CHECK(message_of("(x^64)^64") ==
-        "degree too high at character 7; the degree of a profile is at most 64; '(x^64)^64'");
-  CHECK(message_of("x^99999999999999999999") ==
-        "exponent too large at character 3; an exponent is at most 1000; 'x^99999999999999999999'");
-  CHECK(message_of("1.2.3") == "unexpected character at character 4; expected +, -, *, /, ^ or the end; '1.2.3'");
-  CHECK(message_of("1e999*x") ==
-        "exponent out of range at character 1; a decimal exponent is at most 400 in size; '1e999'; '1e999*x'");
   CHECK(message_of(std::string_view("x\0", 2)) ==
         "unexpected character at character 2; expected +, -, *, /, ^ or the end; 'x\\x00'");
 }

@@ -8,8 +8,6 @@ namespace {
 
 ProfileTrace parse(const std::string& text) { return parse_trace(text, "t.csv", std::nullopt); }
 
-Rational number(const char* text) { return parse_rational(text); }
-
 bool same(const ProfileTrace& a, const ProfileTrace& b) {
   return a.points == b.points && a.range.left == b.range.left && a.range.right == b.range.right &&
          std::equal(a.pieces.begin(), a.pieces.end(), b.pieces.begin(), b.pieces.end(),
@@ -66,7 +64,7 @@ TEST_CASE("the same trace, written in other ways") {
 
 TEST_CASE("a support cuts the trace, exactly") {
   const auto cut = [](const char* left, const char* right) {
-    return parse_trace(plain, "t.csv", Support{number(left), number(right)});
+    return parse_trace(plain, "t.csv", Support{parse_rational(left), parse_rational(right)});
   };
   check_joined_at_0(cut("-1/3", "1"), 1);
 
@@ -78,37 +76,17 @@ TEST_CASE("a support cuts the trace, exactly") {
 }
 
 TEST_CASE("bad traces: the whole message") {
-  const std::string number_rule = "a number is written like 2, -0.25, 1e-3 or 1/3";
-  const std::string column_rule = "a line of a trace is x,psi", long_number(401, '1');
-  for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
-           {"", "1: too few points; a trace has at least 2; 0 points"},
-           {"x,psi\n# nothing\n", "2: too few points; a trace has at least 2; 0 points"},
-           {"x,psi\n0,1\n\n", "3: too few points; a trace has at least 2; 1 points"},
-           {"0,1\n1,1\n1,2\n", "3: x: not increasing; x increases from line to line; 1 after 1"},
-           {"0,1\n# down\n-0.5,1\n", "3: x: not increasing; x increases from line to line; -0.5 after 0"},
-           {"x,psi\nx,psi\n", "2: x: not a number; " + number_rule + "; 'x'"},
-           // No headers: they begin like numbers.
-           {".5,one\n", "1: psi: not a number; " + number_rule + "; 'one'"},
-           {"-,1\n", "1: x: not a number; " + number_rule + "; '-'"},
-           {"+x,1\n", "1: x: not a number; " + number_rule + "; '+x'"},
-           {"5 mm,1\n", "1: x: not a number; " + number_rule + "; '5 mm'"},
-           {"0,1\n1,nan\n", "2: psi: not a number; " + number_rule + "; 'nan'"},
-           {"0,nan\n1,1\n", "1: psi: not a number; " + number_rule + "; 'nan'"},
-           {"0,1\n1,\n", "2: psi: not a number; " + number_rule + "; ''"},
-           {"0,5;1,5\n1,5;2,5\n", "1: x: not a number; " + number_rule + "; '0,5'"},
-           {"0,5 1,5\n", "1: wrong number of columns; " + column_rule + "; 3 columns"},
-           {"0,1\n1,1,1\n", "2: wrong number of columns; " + column_rule + "; 3 columns"},
-           {"0,1\n1\n", "2: wrong number of columns; " + column_rule + "; 1 columns"},
-           {"0 1\n1  2\t3\n", "2: wrong number of columns; " + column_rule + "; 3 columns"},
-           {"0,1\n1,1/0\n", "2: psi: division by zero; the denominator of a number is not zero; '1/0'"},
-           {"0,1\n1e401,1\n", "2: x: exponent out of range; a decimal exponent is at most 400 in size; '1e401'"},
-           {"0,1\n1," + long_number + "\n",
-            "2: psi: number too long; a number has at most 400 characters; 401 characters"},
-           {"0,1\n" + std::string(1001, ' ') + "\n",
-            "2: line too long; a line of a trace has at most 1000 characters; 1001 characters"},
-           {std::string("0,1\n1,\0", 7) + "2\n", "2: not a text; a trace has no NUL bytes; '1,\\x002'"},
-           {std::string("\0", 1), "1: not a text; a trace has no NUL bytes; '\\x00'"},
-       }) {
+  const std::string long_number(401, '1');
+  auto traces = sections_of(STEADYSLIDE_TESTS "/app/problem_file/bad_traces.txt");
+  CHECK(traces.size() >= 20);
+  traces.insert(
+      traces.end(),
+      {{"2: psi: number too long; a number has at most 400 characters; 401 characters", "0,1\n1," + long_number + "\n"},
+       {"2: line too long; a line of a trace has at most 1000 characters; 1001 characters",
+        "0,1\n" + std::string(1001, ' ') + "\n"},
+       {"2: not a text; a trace has no NUL bytes; '1,\\x002'", std::string("0,1\n1,\0", 7) + "2\n"},
+       {"1: not a text; a trace has no NUL bytes; '\\x00'", std::string("\0", 1)}});
+  for (const auto& [message, text] : traces) {
     CAPTURE(text);
     CHECK(complaint(text) == "t.csv:" + message);
   }

@@ -149,7 +149,7 @@ std::string broken_law(const Method<R>& method, const ContactProblem& problem, c
   const auto first = static_cast<std::size_t>(uniform(0, static_cast<int>(laws.size()) - 1));
   for (std::size_t k = 0; k < method.changes; ++k) {
     const ChangeLaw& law = laws[(first + k) % laws.size()];
-    const Change change = law.change(problem, regular);
+    const Change change = law.change(problem, some_factor(), regular);
     const Attempt<R> after = method.solve(change.problem);
     const std::string why =
         after.solution ? difference<R>(problem, solution, *after.solution, change.image, method.within) : after.why_not;
@@ -289,7 +289,7 @@ void refutes_wrong_laws(const Method<R>& method) {
   REQUIRE_MESSAGE(before.solution, before.why_not);
   for (const ChangeLaw& law : wrong_laws()) {
     CAPTURE(std::string(law.name));
-    const Change change = law.change(p, 0);
+    const Change change = law.change(p, 2, 0);
     const Attempt<R> after = method.solve(change.problem);
     REQUIRE_MESSAGE(after.solution, after.why_not);
     CHECK(difference<R>(p, *before.solution, *after.solution, change.image, method.within) != "");

@@ -1,8 +1,7 @@
 #pragma once
 // Two solutions of a problem, or of a problem and its image, compared quantity by quantity.
 
-#include <algorithm>
-#include <string>
+#include <tuple>
 
 #include "numeric/solution/contact_solution.hpp"
 #include "support/change_laws.hpp"
@@ -79,18 +78,16 @@ std::string difference(const ContactProblem& problem, const numeric::ContactSolu
   const Resultants<R> ra = before.resultants();
   const Resultants<R> rb = after.resultants();
   const R force = factor * size;
-  if (!is_close<R>(force * ra.normal.value, rb.normal.value, 2 * within.traction * rb.normal.value)) return "normal";
-  if (!is_close<R>(force * ra.tangential.value, rb.tangential.value,
-                   within.traction * (rb.tangential.value + rb.normal.value))) {
-    return "tangential";
-  }
-  if (!is_close<R>(ra.effective_friction.value, rb.effective_friction.value,
-                   within.traction * (rb.effective_friction.value + 1))) {
-    return "effective friction";
-  }
-  if (!is_close<R>(scale * ra.centre_of_pressure.value + shift, rb.centre_of_pressure.value,
-                   10 * within.end * size * length)) {
-    return "centre of pressure";
+  const std::tuple<const char*, R, R, R> totals[] = {
+      {"normal", force * ra.normal.value, rb.normal.value, 2 * within.traction * rb.normal.value},
+      {"tangential", force * ra.tangential.value, rb.tangential.value,
+       within.traction * (rb.tangential.value + rb.normal.value)},
+      {"effective friction", ra.effective_friction.value, rb.effective_friction.value,
+       within.traction * (rb.effective_friction.value + 1)},
+      {"centre of pressure", scale * ra.centre_of_pressure.value + shift, rb.centre_of_pressure.value,
+       10 * within.end * size * length}};
+  for (const auto& [name, expected, found, distance] : totals) {
+    if (!is_close<R>(expected, found, distance)) return name;
   }
   // What the load makes on average, of the image.
   const R mean = factor * ra.normal.value / length;
@@ -119,13 +116,6 @@ std::string difference(const ContactProblem& problem, const numeric::ContactSolu
     if (p.gap && differs(height, {*p.gap, *p.gap}, {*q.gap, *q.gap}, bend)) return "gap";
   }
   return "";
-}
-
-/// Two solutions of one problem.
-template <numeric::Real R>
-std::string difference(const ContactProblem& problem, const numeric::ContactSolution<R>& a,
-                       const numeric::ContactSolution<R>& b, const Tolerance<R>& within) {
-  return difference<R>(problem, a, b, {}, within);
 }
 
 }  // namespace steadyslide::testing

@@ -70,6 +70,19 @@ inline std::vector<std::pair<std::string, std::string>> pairs_of(const std::stri
   return pairs;
 }
 
+/// A table of texts: behind each line that begins with "=== " stands its head, below it the text.
+inline std::vector<std::pair<std::string, std::string>> sections_of(const std::string& file) {
+  std::vector<std::pair<std::string, std::string>> sections;
+  for (const std::string& line : lines(file_text(file))) {
+    if (line.starts_with("=== ")) {
+      sections.emplace_back(line.substr(4), "");
+    } else if (!sections.empty()) {
+      sections.back().second += line + '\n';
+    }
+  }
+  return sections;
+}
+
 /// What `act` throws says, or "no error".
 template <class F>
 std::string thrown_by(const F& act) {

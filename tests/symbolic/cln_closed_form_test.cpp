@@ -83,7 +83,7 @@ TEST_CASE("a punch scales, a parabola moves: the laws of changed problems") {
     const Rational left = here.left().value, length = here.right().value - left;
     const ChangeLaw& law = laws[static_cast<std::size_t>(uniform(0, static_cast<int>(laws.size()) - 1))];
     RC_LOG() << law.name << '\n';
-    const auto [changed, image] = law.change(p, left + length * 271 / 1009);
+    const auto [changed, image] = law.change(p, some_factor(), left + length * 271 / 1009);
     const ClnClosedForm there = form(changed);
     const bool mirror = image.scale < 0;
     const auto is_end = [&](const Decimal& end, const Rational& expected) {
