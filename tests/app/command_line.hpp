@@ -67,10 +67,7 @@ inline void check_refused(const Finished& finished, const std::string& message, 
 }
 
 inline void check_holds(const std::string& text, std::initializer_list<const char*> parts) {
-  for (const char* part : parts) {
-    CAPTURE(part);
-    CHECK(holds(text, part));
-  }
+  for (const char* part : parts) CHECK_MESSAGE(holds(text, part), part);
 }
 
 inline std::string replaced(std::string text, const std::string& what, const std::string& with) {

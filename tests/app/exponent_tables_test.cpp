@@ -59,10 +59,8 @@ const TextTable& table(std::size_t k) {
 TEST_CASE("docs/exponents.* are what exponent-tables writes, byte by byte") {
   const std::vector<TableDocument> documents = exponent_documents();
   CHECK(documents.size() == 3);
-  for (const TableDocument& document : documents) {
-    CAPTURE(document.file);
-    CHECK(committed(document.file) == document.text);
-  }
+  for (const TableDocument& document : documents)
+    CHECK_MESSAGE(committed(document.file) == document.text, document.file);
 }
 
 TEST_CASE("exponent tables: every row has its cells, and no row occurs twice") {
@@ -87,10 +85,7 @@ TEST_CASE("exponents by Poisson's ratio, all rows by 50-digit arithmetic") {
     const Real right = angle(gamma * Real(row[2]));
     const std::vector<Real> expected{gamma,         left,        right,        -half - left,
                                      -half + right, half - left, half + right, left - right};
-    for (std::size_t k = 0; k < expected.size(); ++k) {
-      CAPTURE(row[3 + k]);
-      CHECK(is(row[3 + k], expected[k]));
-    }
+    for (std::size_t k = 0; k < expected.size(); ++k) CHECK_MESSAGE(is(row[3 + k], expected[k]), row[3 + k]);
     CHECK(row[11] == word(left - right));
     CHECK(row[12] == word(right - left));
     words.insert(row[11]);
@@ -116,10 +111,7 @@ TEST_CASE(
     const std::vector<std::pair<std::size_t, Real>> expected{
         {2, constants.alpha}, {3, gamma},       {4, half - low}, {5, half + low},
         {6, half - high},     {7, half + high}, {8, beta},       {10, -beta}};
-    for (const auto& [column, value] : expected) {
-      CAPTURE(column);
-      CHECK(is(row[column], value));
-    }
+    for (const auto& [column, value] : expected) CHECK_MESSAGE(is(row[column], value), column);
     CHECK(row[9] == word(beta));
     CHECK(row[11] == word(-beta));
     if (gamma < 0) ++negative;

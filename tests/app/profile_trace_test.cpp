@@ -86,10 +86,7 @@ TEST_CASE("bad traces: the whole message") {
         "0,1\n" + std::string(1001, ' ') + "\n"},
        {"2: not a text; a trace has no NUL bytes; '1,\\x002'", std::string("0,1\n1,\0", 7) + "2\n"},
        {"1: not a text; a trace has no NUL bytes; '\\x00'", std::string("\0", 1)}});
-  for (const auto& [message, text] : traces) {
-    CAPTURE(text);
-    CHECK(complaint(text) == "t.csv:" + message);
-  }
+  for (const auto& [message, text] : traces) CHECK_MESSAGE(complaint(text) == "t.csv:" + message, text);
   // As long as it may be.
   CHECK(complaint("0,1\n" + std::string(1000, ' ') + "\n1,2\n") == "");
   CHECK(complaint("0,1\n1," + long_number.substr(1) + "\n") == "");

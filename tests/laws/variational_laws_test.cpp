@@ -119,8 +119,7 @@ TEST_CASE("Chebyshev's densities have the energy 1/(2 pi n), to the first power 
 
 TEST_CASE("on equal cells every punch presses everywhere and penetrates nothing, for s up to 1/2") {
   for (const auto& [left, right] : {std::pair(0, 0), {5, 5}, {0, 5}, {5, 0}, {2, 4}}) {
-    CAPTURE(left);
-    CAPTURE(right);
+    INFO("left = ", left, ", right = ", right);
     const Punch punch = worst_punch(on_cells(problem_of(left, right, parabola, 1), 10).galerkin_operator());
     CHECK(punch.least_pressure > 0);
     CHECK(punch.most_outside < 1);
@@ -141,8 +140,7 @@ TEST_CASE("of all sets of eight cells one is complementary, where s rises and wh
   for (const auto& [left, right] : {std::pair(0, 0), {0, 5}, {5, 0}, {0, 50}, {20, 30}}) {
     for (const auto& profile : {parabola, two_bumps, lopsided}) {
       for (const Rational& load : {0.1_r, 0.5_r, 3_r}) {
-        CAPTURE(left);
-        CAPTURE(right);
+        INFO("left = ", left, ", right = ", right);
         CHECK(solutions(on_cells(problem_of(left, right, profile, load), 8)) == 1);
       }
     }

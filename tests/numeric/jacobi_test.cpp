@@ -77,8 +77,7 @@ TEST_CASE_TEMPLATE("monomials of degree < 2n are integrated exactly, and one of 
   double worst = 0;
   for (const char* left : powers) {
     for (const char* right : powers) {
-      CAPTURE(left);
-      CAPTURE(right);
+      INFO("left = ", left, ", right = ", right);
       const Power<R> a = power<R>(left);
       const Power<R> b = power<R>(right);
       for (const int n : {1, 2, 3, 12}) {

@@ -24,10 +24,7 @@ void check_residuals(int jumps, const R& tolerance) {
   using std::abs;
   for (const char* nu : {"-0.9", "0", "0.3", "0.499"}) {
     for (const auto& [f, g] : {std::pair("0", "0"), {"0.5", "0.2"}, {"0", "50"}, {"50", "0.1"}, {"10", "3"}}) {
-      CAPTURE(jumps);
-      CAPTURE(nu);
-      CAPTURE(f);
-      CAPTURE(g);
+      INFO("jumps = ", jumps, ", nu = ", nu, ", f = ", f, ", g = ", g);
       const ContactProblem problem = punch(jumps, parse_rational(nu), parse_rational(f), parse_rational(g));
       const Residuals<R> residuals = closed_form<R>(problem).solution->residuals();
       CHECK(residuals.equation <= tolerance);

@@ -52,8 +52,7 @@ TEST_CASE_TEMPLATE("a friction jump beside a free end: outside it changes nothin
       for (const Rational& other : {0_r, 2_r}) {
         if (!many && other == 0) continue;
         for (const bool inside : {true, false}) {
-          CAPTURE(distance);
-          CAPTURE(inside);
+          INFO("distance = ", distance, ", inside = ", inside);
           const Rational d = parse_rational(distance);
           const bool rightwards = (end == End::left) == inside;
           const Rational c = exact(end_of(zone, end).x.value) + (rightwards ? d : Rational(-d));

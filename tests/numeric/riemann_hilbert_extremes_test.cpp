@@ -37,8 +37,7 @@ void agree(const ContactSolution<A>& a, const ContactSolution<B>& b, const B& to
 TEST_CASE("large friction") {
   for (const int rear : {0, 15, 50}) {
     for (const int front : {0, 15, 50}) {
-      CAPTURE(rear);
-      CAPTURE(front);
+      INFO("rear = ", rear, ", front = ", front);
       const auto with = [&](const Indenter& indenter) { return reduced({rear, front}, {0.1_r}, indenter, 1); };
       solved<double>(with(one_piece(-100, 100, {0, 0, 1})));
       solved<double>(with(one_piece(-1, 1, {0})));

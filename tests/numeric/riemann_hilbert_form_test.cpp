@@ -31,8 +31,5 @@ std::vector<double> openings() {
 TEST_CASE("the gap beside an edge does not depend on how its place rounds") {
   const std::vector<double> rough = openings<double>();
   const std::vector<double> fine = openings<Real50>();
-  for (std::size_t i = 0; i < fine.size(); ++i) {
-    CAPTURE(i);
-    CHECK(rough[i] == doctest::Approx(fine[i]).epsilon(1e-12));
-  }
+  for (std::size_t i = 0; i < fine.size(); ++i) CHECK_MESSAGE(rough[i] == doctest::Approx(fine[i]).epsilon(1e-12), i);
 }

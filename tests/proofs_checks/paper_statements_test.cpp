@@ -11,10 +11,7 @@ TEST_CASE("every statement of the paper has a claim, and every claim belongs to 
     CHECK_FALSE(statement.claims.empty());
     named.insert(statement.claims.begin(), statement.claims.end());
   }
-  for (const Claim& claim : registry()) {
-    CAPTURE(claim.id);
-    CHECK(named.count(claim.id) == 1);
-  }
+  for (const Claim& claim : registry()) CHECK_MESSAGE(named.count(claim.id) == 1, claim.id);
   for (const std::string_view id : named) {
     CAPTURE(id);
     CHECK(std::ranges::any_of(registry(), [&](const Claim& claim) { return claim.id == id; }));

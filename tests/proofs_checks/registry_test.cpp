@@ -59,8 +59,7 @@ const std::vector<Report>& full_run() {
 void check_all_hold(const std::vector<Report>& reports) {
   const ExpectedLedger expected = expected_ledger();
   for (const Report& report : reports) {
-    CAPTURE(report.claim.id);
-    CAPTURE(report.note);
+    INFO("report.claim.id = ", report.claim.id, ", report.note = ", report.note);
     CHECK((report.verdict == Verdict::supported || report.verdict == Verdict::proved || report.beyond_calculation()));
     if (const auto listed = expected.claims.find(report.claim.id); listed != expected.claims.end()) {
       CHECK(name_of(report.verdict) == listed->second.first);
@@ -152,9 +151,7 @@ TEST_CASE("every reading note with a claim names one that exists, and a control 
   const std::vector<ReadingNote> notes = reading_notes(run_all(registry(), quick(1)));
   std::set<std::string> ids;
   for (const ReadingNote& note : notes) {
-    CAPTURE(note.id);
-    CAPTURE(note.claim);
-    CAPTURE(note.control);
+    INFO("note.id = ", note.id, ", note.claim = ", note.claim, ", note.control = ", note.control);
     CHECK(ids.insert(note.id).second);
     CHECK_FALSE(note.evidence.empty());
     CHECK(note.printed != note.derived);

@@ -40,10 +40,7 @@ TEST_CASE("the local action and its far part are the principal value, on both si
             const LocalMonomial monomial{side, fractional, order, logs};
             const LocalDensity image = act({{monomial, 1}}, fractional ? at(lambda) : LocalConstants{0, 0, GiNaC::Pi});
             for (const double x : {-0.3, -0.02, 0.02, 0.3}) {
-              CAPTURE(order);
-              CAPTURE(logs);
-              CAPTURE(lambda);
-              CAPTURE(x);
+              INFO("order = ", order, ", logs = ", logs, ", lambda = ", lambda, ", x = ", x);
               const double local = number(value_at(image, lambda, x, x < 0 ? Side::left : Side::right));
               const double far = number(far_part(monomial, lambda, x, 40));
               const double expected = quadrature(monomial, lambda, x);

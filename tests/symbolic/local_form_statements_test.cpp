@@ -24,8 +24,7 @@ TEST_CASE("the local forms of theorems 2, 3, 9 and 10 hold, and every wrong vari
 TEST_CASE("the text as extracted and the derivation, side by side") {
   std::set<std::string> ids;
   for (const ReadingNote& note : reading_notes()) {
-    CAPTURE(note.id);
-    CAPTURE(note.evidence);
+    INFO("note.id = ", note.id, ", note.evidence = ", note.evidence);
     CHECK(ids.insert(note.id).second);
     CHECK_FALSE(note.printed_holds);
     CHECK(note.derived_holds);
