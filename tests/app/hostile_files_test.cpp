@@ -14,6 +14,14 @@ std::string repeated(const std::string& part, std::size_t size) {
   return text;
 }
 
+/// Of the characters of an alphabet; of all bytes, if it is empty.
+std::string noise(const std::string& alphabet) {
+  std::mt19937 generator(1);
+  std::string bytes(ten_megabytes, '\0');
+  for (char& c : bytes) c = alphabet.empty() ? static_cast<char>(generator()) : alphabet[generator() % alphabet.size()];
+  return bytes;
+}
+
 /// Runs a problem file, and perhaps a trace t.csv beside it, with the memory limited to one gigabyte (not under a
 /// sanitizer, which reserves terabytes).
 Finished run_limited(const std::string& text, const std::string& trace = "") {
@@ -53,13 +61,8 @@ void check_trace_refused(const std::string& trace, const std::string& message) {
 }  // namespace
 
 TEST_CASE("ten megabytes of noise") {
-  std::mt19937 generator(1);
-  std::string bytes(ten_megabytes, '\0');
-  for (char& c : bytes) c = static_cast<char>(generator());
-  check_refused(bytes, "f.toml:");
-  const std::string alphabet = "ab.=[]{}\"'#,10\n -";
-  for (char& c : bytes) c = alphabet[generator() % alphabet.size()];
-  check_refused(bytes, "f.toml:");
+  check_refused(noise(""), "f.toml:");
+  check_refused(noise("ab.=[]{}\"'#,10\n -"), "f.toml:");
 }
 
 TEST_CASE("a million jumps") {
@@ -126,14 +129,10 @@ TEST_CASE("the most complicated pieces that are accepted do not take long") {
 }
 
 TEST_CASE("traces of ten megabytes that nobody measured") {
-  std::mt19937 generator(1);
-  std::string bytes(ten_megabytes, '\0');
-  for (char& c : bytes) c = static_cast<char>(generator());
-  check_trace_refused(bytes, "t.csv:");
-  const std::string alphabet = "0123456789.,-e/ ;\t#";
-  for (char& c : bytes) c = alphabet[generator() % alphabet.size()];
+  check_trace_refused(noise(""), "t.csv:");
+  std::string bytes = noise("0123456789.,-e/ ;\t#");
   check_trace_refused(bytes, "t.csv:1: line too long;");
-  for (char& c : bytes) c = generator() % 9 == 0 ? '\n' : c;
+  for (std::size_t k = 0; k < bytes.size(); k += 9) bytes[k] = '\n';
   check_trace_refused(bytes, "t.csv:");
   check_trace_refused(std::string(ten_megabytes, '\0'), "t.csv:1: line too long;");
   check_trace_refused(std::string(ten_megabytes, '1'), "t.csv:1: line too long;");

@@ -14,6 +14,11 @@ const Arguments small_table{"table", "--poisson", "0.3", "--rear", "0.2", "--fro
 
 Arguments into(const std::string& file) { return joined(small_table, {"-o", file}); }
 
+/// More than a second's work.
+const Arguments long_solve{
+    "solve", STEADYSLIDE_EXAMPLES "/rough_surface.toml", "--method", "variational", "--cells", "1048576", "-o",
+    "result"};
+
 }  // namespace
 
 TEST_CASE("-o writes what the standard output would get, replaces, and leaves nothing else") {
@@ -97,4 +102,26 @@ TEST_CASE("an interrupted run leaves no file and says 130") {
     CHECK(folder.names() == std::vector<std::string>{"result"});
     CHECK(folder.read("result") == "earlier");
   }
+}
+
+TEST_CASE("interrupted after a second, a solve leaves no file, or the old one as it was") {
+  for (const char* earlier : {"", "earlier"}) {
+    const TemporaryFolder folder;
+    if (*earlier != '\0') folder.write("result", earlier);
+    const std::vector<std::string> names = folder.names();
+    const Finished finished = run_and_interrupt(long_solve, folder, SIGINT, std::chrono::seconds(1));
+    CHECK(finished.code == 130);
+    CHECK(finished.out == "");
+    CHECK(finished.err == "");
+    CHECK(folder.names() == names);
+    CHECK(folder.read("result") == earlier);
+  }
+}
+
+TEST_CASE("interrupted on a terminal, a solve erases its bar") {
+  const TemporaryFolder folder;
+  const Finished finished = interrupt_on_terminal(long_solve, folder.path(), " % ETA ", SIGINT);
+  CHECK(finished.code == 130);
+  CHECK(folder.names().empty());
+  check_erased(finished, " % ETA ");
 }

@@ -20,10 +20,9 @@ ContactProblem problem_with(Sliding sliding) {
   return {Elasticity(Solid(0.2_r, 3)), friction, indenter, 3.5_r, sliding};
 }
 
+/// Where friction does not change.
 Rational s_at(const ContactProblem& problem, const Rational& x) {
-  const auto& jumps = problem.friction().jumps();
-  const auto piece = std::upper_bound(jumps.begin(), jumps.end(), x) - jumps.begin();
-  return problem.coupled_friction(static_cast<std::size_t>(piece));
+  return problem.coupled_friction(problem.friction().piece(x, Side::left));
 }
 
 /// Ends of all pieces within [left, right], and these two.
@@ -54,11 +53,7 @@ Rational own_by_trapezia(const ContactProblem& problem, const Rational& left, co
   return sum / (right - left);
 }
 
-Rational height(const Rational& x) {
-  const auto& pieces = indenter.pieces();
-  const auto piece = std::find_if(pieces.begin(), pieces.end(), [&](const auto& p) { return x <= p.to; });
-  return piece->profile(x);
-}
+Rational height(const Rational& x) { return indenter.profile(x, Side::left)(x); }
 
 /// Mean of the profile over the cell, by its antiderivative.
 Rational mean_height(const ContactProblem& problem, const Rational& left, const Rational& right) {
@@ -66,10 +61,9 @@ Rational mean_height(const ContactProblem& problem, const Rational& left, const 
   Rational sum = 0;
   for (std::size_t k = 0; k + 1 < x.size(); ++k) {
     const Rational middle = (x[k] + x[k + 1]) / 2;
-    const auto piece =
-        std::find_if(indenter.pieces().begin(), indenter.pieces().end(), [&](const auto& p) { return middle <= p.to; });
     std::vector<Rational> raised{0};
-    for (const Rational& c : piece->profile.coefficients()) raised.push_back(c / Rational(raised.size()));
+    for (const Rational& c : indenter.profile(middle, Side::left).coefficients())
+      raised.push_back(c / Rational(raised.size()));
     const Polynomial antiderivative(raised);
     sum += antiderivative(x[k + 1]) - antiderivative(x[k]);
   }
