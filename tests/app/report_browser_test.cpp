@@ -3,15 +3,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/browser.hpp"
-#include "app/process.hpp"
 #include "app/report_fixture.hpp"
-#include "support/test.hpp"
 
 using Json = nlohmann::json;
 
 namespace {
-
-std::string script(const std::string& file) { return file_text(STEADYSLIDE_TESTS "/app/report/" + file); }
 
 bool skipped() {
   if (!no_browser()) return false;
