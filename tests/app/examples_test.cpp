@@ -51,8 +51,7 @@ TEST_CASE("solved examples: effective friction is the sum of f times load share,
                            "two_bumps.toml", "stepped_punch.toml", "tilting_punch.toml"}) {
     CAPTURE(name);
     const Json json = solve_example(name);
-    const Json& resultants = json["resultants"];
-    const Json& friction = json["problem"]["friction"]["values"];
+    const Json &resultants = json["resultants"], &friction = json["problem"]["friction"]["values"];
     Rational sum = 0, shares = 0;
     for (std::size_t k = 0; k < friction.size(); ++k) {
       sum += number(friction[k]) * number(resultants["load_share"][k]);

@@ -80,8 +80,7 @@ TEST_CASE("exponents by Poisson's ratio, all rows by 50-digit arithmetic") {
   std::set<std::string> words;
   for (const Row& row : table(0).rows) {
     const Real nu(row[0]);
-    const Real gamma = (1 - 2 * nu) / (2 * (1 - nu));
-    const Real left = angle(gamma * Real(row[1]));
+    const Real gamma = (1 - 2 * nu) / (2 * (1 - nu)), left = angle(gamma * Real(row[1]));
     const Real right = angle(gamma * Real(row[2]));
     const std::vector<Real> expected{gamma,         left,        right,        -half - left,
                                      -half + right, half - left, half + right, left - right};
@@ -105,8 +104,7 @@ TEST_CASE(
     const Dundurs constants =
         row[1] == "rigid" ? Dundurs{1, (1 - 2 * nu) / (2 * (1 - nu))} : dundurs(body, material(row[1]));
     const Real& gamma = constants.beta;
-    const Real low = angle(gamma / 5);
-    const Real high = angle(gamma / 2);
+    const Real low = angle(gamma / 5), high = angle(gamma / 2);
     const Real beta = angle(gamma / 10) - angle(gamma / 2);
     const std::vector<std::pair<std::size_t, Real>> expected{
         {2, constants.alpha}, {3, gamma},       {4, half - low}, {5, half + low},

@@ -140,8 +140,7 @@ TEST_CASE("contact zones are those of solve, and end b moves as derived") {
   const double c = 2 * (1 - 0.09), gamma = 2.0 / 7;
   for (std::size_t k = 0; k < 2; ++k) {
     const bool rising = k == 0;
-    const std::vector<Point>& rear = one[2 * k].points;
-    const std::vector<Point>& front = one[2 * k + 1].points;
+    const std::vector<Point>&rear = one[2 * k].points, &front = one[2 * k + 1].points;
     const Point& p = front[80];
     const std::string text =
         answer({"0.3", rising ? "0.1, 2" : "2, 0.1", "0.15", "x^2/2", fmt::format("{:.17g}", p.x)});

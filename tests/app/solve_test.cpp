@@ -4,8 +4,7 @@ namespace {
 
 const std::string punch = problem_text("punch"), parabola = problem_text("parabola");
 const std::string coated_parabola = problem_text("coated_parabola");
-const std::string coated_punch = problem_text("coated_punch");
-const std::string quartic = problem_text("quartic");
+const std::string coated_punch = problem_text("coated_punch"), quartic = problem_text("quartic");
 
 /// Is each number's error beside it, and at least a tenth (it is an estimate) of what differs from the reference? How
 /// many are there?

@@ -247,8 +247,7 @@ void errors_are_honest(const ContactProblem& problem) {
 template <Real R>
 void reproduces_the_closed_form(const ContactProblem& problem, const R& tolerance) {
   using std::abs;
-  const Attempt<R> expected = closed_form<R>(problem);
-  const Attempt<R> found = riemann_hilbert<R>(problem);
+  const Attempt<R> expected = closed_form<R>(problem), found = riemann_hilbert<R>(problem);
   if (!found.solution) RC_FAIL(found.why_not);
   RC_ASSERT(found.solution->shortcoming() == "");
   const auto a = expected.solution->contact();

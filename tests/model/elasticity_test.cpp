@@ -31,11 +31,9 @@ TEST_CASE("a rigid indenter: gamma and the compliance as printed [Bal16, section
 
 TEST_CASE("an elastic indenter: exchange, identical bodies, compliances that add") {
   CHECK(rc::check([] {
-    const Solid one = random_solid();
-    const Solid two = random_solid();
+    const Solid one = random_solid(), two = random_solid();
     for (const Plane plane : {Plane::strain, Plane::stress}) {
-      const Elasticity there(one, two, plane);
-      const Elasticity back(two, one, plane);
+      const Elasticity there(one, two, plane), back(two, one, plane);
       RC_ASSERT(there.gamma() == -back.gamma());
       RC_ASSERT(there.compliance() == back.compliance());
       RC_ASSERT(there.compliance() == Elasticity(one, plane).compliance() + Elasticity(two, plane).compliance());

@@ -204,8 +204,7 @@ TEST_CASE_TEMPLATE("anchors a million units away take no digit from the contact"
 TEST_CASE("control: the checker sees a set that belongs to another problem") {
   const ContactProblem p = jumps_on(-1, 1, {0});
   const ContactProblem other = jumps_on(-1, 1, {Rational(1, 1000000)});
-  const ReducedProblem<double> problem(p, unit_frame);
-  const ReducedProblem<double> displaced(other, unit_frame);
+  const ReducedProblem<double> problem(p, unit_frame), displaced(other, unit_frame);
   const ContactSet<double> set(problem, {{-0.5, 0.5, false, false}});
   CHECK(fault(problem, set) == "");
   CHECK(fault(displaced, set) == "spacing");

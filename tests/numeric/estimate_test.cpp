@@ -34,8 +34,7 @@ bool covers(const Estimate<R>& found, const R& exact) {
 
 TEST_CASE_TEMPLATE("the error of a result covers what became of the errors", R, double, Real50, Real100) {
   CHECK(rc::check([] {
-    const Measured<R> a = random_measured<R>();
-    const Measured<R> b = random_measured<R>();
+    const Measured<R> a = random_measured<R>(), b = random_measured<R>();
     const R c = random_real<R>();
     // As large as the sizes of both terms say: where they cancel, rounding does not.
     const Estimate<R> rounding{R(0), 1e4 * epsilon<R>()};

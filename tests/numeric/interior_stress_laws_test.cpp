@@ -62,8 +62,7 @@ TEST_CASE("slow: the tractions are reached at the surface, at the rate that equi
         const Rational x = solved.place(fraction);
         const StressComponents<R> limit = surface(x);
         const Rational dx(1, 1000000000);
-        const StressComponents<R> before = surface(x - dx);
-        const StressComponents<R> behind = surface(x + dx);
+        const StressComponents<R> before = surface(x - dx), behind = surface(x + dx);
         const R step = 2 * to_real<R>(dx), size_of_t = abs(limit.zz);
         if (problem.friction().jumps().empty()) {
           // One ratio r = t_t/t: by the slope of the normal displacement.

@@ -78,8 +78,7 @@ TEST_CASE_TEMPLATE("monomials of degree < 2n are integrated exactly, and one of 
   for (const char* left : powers) {
     for (const char* right : powers) {
       INFO("left = ", left, ", right = ", right);
-      const Power<R> a = power<R>(left);
-      const Power<R> b = power<R>(right);
+      const Power<R> a = power<R>(left), b = power<R>(right);
       for (const int n : {1, 2, 3, 12}) {
         const JacobiRule<R> rule = jacobi_rule(a, b, n);
         worst = std::max(worst, moment_error(rule, a.plus_one, b.plus_one, 0, 2 * n - 1));
@@ -93,14 +92,12 @@ TEST_CASE_TEMPLATE("monomials of degree < 2n are integrated exactly, and one of 
 
 TEST_CASE_TEMPLATE("random exponents, up to 150 nodes", R, double, Real50) {
   CHECK(rc::check("moments", [] {
-    const Power<R> a = random_power<R>();
-    const Power<R> b = random_power<R>();
+    const Power<R> a = random_power<R>(), b = random_power<R>();
     const int n = uniform(0, 9) == 0 ? 150 : uniform(1, 40);
     RC_ASSERT(moment_error(jacobi_rule(a, b, n), a.plus_one, b.plus_one, 0, 2 * n - 1) < 50 + 5 * n);
   }));
   CHECK(rc::check("mirror", [] {
-    const Power<R> a = random_power<R>();
-    const Power<R> b = random_power<R>();
+    const Power<R> a = random_power<R>(), b = random_power<R>();
     const std::size_t n = static_cast<std::size_t>(uniform(1, 60));
     const JacobiRule<R> rule = jacobi_rule(a, b, static_cast<int>(n));
     const JacobiRule<R> mirror = jacobi_rule(b, a, static_cast<int>(n));
@@ -115,12 +112,10 @@ TEST_CASE_TEMPLATE("random exponents, up to 150 nodes", R, double, Real50) {
 
 TEST_CASE_TEMPLATE("Chebyshev's rules of the first, second and third kind", R, double, Real50, Real100) {
   using std::cos, std::sin;
-  const Power<R> low = power<R>("0.5");
-  const Power<R> high = power<R>("1.5");
+  const Power<R> low = power<R>("0.5"), high = power<R>("1.5");
   for (const int n : {1, 2, 7, 40, 150}) {
     CAPTURE(n);
-    const JacobiRule<R> first = jacobi_rule(low, low, n);
-    const JacobiRule<R> second = jacobi_rule(high, high, n);
+    const JacobiRule<R> first = jacobi_rule(low, low, n), second = jacobi_rule(high, high, n);
     const JacobiRule<R> third = jacobi_rule(low, high, n);
     double worst = 0;
     const auto compare = [&](const JacobiRule<R>& rule, std::size_t i, const R& angle, const R& weight) {

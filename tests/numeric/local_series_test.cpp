@@ -80,8 +80,7 @@ TEST_CASE("a series that holds the truth finds it") {
 }
 
 TEST_CASE("left and right are mirror images") {
-  const std::vector<double> places = edges(0);
-  const std::vector<double> mean = means(-0.3);
+  const std::vector<double> places = edges(0), mean = means(-0.3);
   std::vector<double> mirrored_places;
   for (const double x : places) mirrored_places.push_back(-x);
   std::reverse(mirrored_places.begin(), mirrored_places.end());
@@ -98,8 +97,7 @@ TEST_CASE("a peak so small that t grows over most of the window is seen") {
   const std::vector<double> places = edges(0);
   for (const double lambda : {-0.8, -0.66, -0.3}) {
     CAPTURE(lambda);
-    std::vector<double> mean(count);
-    std::vector<double> without(count);
+    std::vector<double> mean(count), without(count);
     for (std::size_t i = 1; i < count; ++i) {
       without[i] = -mean_power(i, lambda + 1);
       mean[i] = without[i] - 0.01 * mean_power(i, lambda);

@@ -95,8 +95,7 @@ TEST_CASE("u' = g_k + tilt - Y B_k off the contact is the same for every k") {
       if (!set.in_contact(k)) all.push_back(point(set, k, R(R(uniform(1, 99)) / 100)));
     }
     for (const auto& at : all) {
-      const R expected = form.surface_slope(at).value;
-      const R y = form.sign(at.segment) * form.modulus(at);
+      const R expected = form.surface_slope(at).value, y = form.sign(at.segment) * form.modulus(at);
       for (std::size_t slope = 0; slope < problem.slopes().size(); ++slope) {
         const Estimate<R> b = form.regular_factor(slope, at);
         const R found = problem.slope(slope, at.node.x) + form.tilt() - y * b.value;

@@ -97,7 +97,6 @@ TEST_CASE("off the support there is no gap") {
 }
 
 TEST_CASE("the gap beside an edge does not depend on how its place rounds") {
-  const std::vector<double> rough = openings<double>();
-  const std::vector<double> fine = openings<Real50>();
+  const std::vector<double> rough = openings<double>(), fine = openings<Real50>();
   for (std::size_t i = 0; i < fine.size(); ++i) CHECK_MESSAGE(rough[i] == doctest::Approx(fine[i]).epsilon(1e-12), i);
 }

@@ -100,8 +100,7 @@ TEST_CASE_TEMPLATE("squares: y^2 as the variable relates all three functions at 
     const Power<R> a = random_power<R>();
     const Power<R> even{(a.value - 1) / 2, a.plus_one / 2};
     const Power<R> odd{a.value / 2, (1 + a.plus_one) / 2};
-    const R d = random_distance<R>(), w = 1 + d, outside = right_of(a, d);
-    const R opposite = left_of(a, w);
+    const R d = random_distance<R>(), w = 1 + d, outside = right_of(a, d), opposite = left_of(a, w);
     RC_ASSERT(close(R(outside + opposite), R(w * right_of(even, R(d * (2 + d)))), 100));
     RC_ASSERT(close(R(outside - opposite), right_of(odd, R(d * (2 + d))), 100, outside));
     // Control: the exponents exchanged.

@@ -31,8 +31,7 @@ void agree(Sliding sliding, const R& tolerance) {
     segments.push_back(k);
   }
   const trapezoidal::Grid<R> grid(std::move(shear));
-  const R c = to_real<R>(p.elasticity().compliance());
-  const R gamma = to_real<R>(p.elasticity().gamma());
+  const R c = to_real<R>(p.elasticity().compliance()), gamma = to_real<R>(p.elasticity().gamma());
   R scale = 0;
   std::vector<R> differences;
   for (std::size_t k = 0; k < segments.size(); ++k) {

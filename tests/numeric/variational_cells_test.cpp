@@ -87,8 +87,7 @@ TEST_CASE("friction within cells, whichever way the indenter slides") {
       CHECK(found.sign == sign);
       bool differs = false;
       for (int i = 0; i < cells; ++i) {
-        const Rational left = 1 + Rational(4 * i, cells);
-        const Rational right = 1 + Rational(4 * (i + 1), cells);
+        const Rational left = 1 + Rational(4 * i, cells), right = 1 + Rational(4 * (i + 1), cells);
         const auto at = static_cast<std::size_t>(i);
         const auto whole = to_real<double>(integral_of_s(problem, left, right) / 4);
         const auto own = to_real<double>(own_by_trapezia(problem, left, right, sign) / 4);
@@ -111,8 +110,7 @@ TEST_CASE("the profile's means over cells, with wedges and steps anywhere") {
     const std::vector<double> found = means_of(problem, CellMesh(problem, static_cast<std::size_t>(cells)));
     bool differs = false;
     for (int i = 0; i < cells; ++i) {
-      const Rational left = 1 + Rational(4 * i, cells);
-      const Rational right = 1 + Rational(4 * (i + 1), cells);
+      const Rational left = 1 + Rational(4 * i, cells), right = 1 + Rational(4 * (i + 1), cells);
       const auto mean = to_real<double>((mean_height(problem, left, right) - height(3)) / scale);
       CHECK(found[static_cast<std::size_t>(i)] == doctest::Approx(mean).epsilon(1e-13));
       // Control: the height at the cell's middle is not the mean.

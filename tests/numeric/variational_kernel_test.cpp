@@ -30,8 +30,7 @@ struct Cells {
 
 /// Lengths and distances over eight decades; the first cell starts anywhere in the support.
 Cells random_cells(std::mt19937& random, bool meet) {
-  std::uniform_real_distribution<double> place(-0.5, 0.5);
-  std::uniform_real_distribution<double> decades(-8, 0);
+  std::uniform_real_distribution<double> place(-0.5, 0.5), decades(-8, 0);
   const double a = place(random), b = a + std::pow(10, decades(random));
   const double c = meet ? b : b + std::pow(10, decades(random));
   return {a, b, c, c + std::pow(10, decades(random))};

@@ -100,8 +100,7 @@ TEST_CASE("no entry is negative, no eigenvalue of the logarithm's circulant is, 
 TEST_CASE("equal cells given as edges make the same operator as equal cells by number") {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const ContactProblem problem = listed_contact(seed);
-    const CellMesh uniform(problem, 37);
-    const CellMesh edges(problem, uniform.frame().origin, uniform.edges());
+    const CellMesh uniform(problem, 37), edges(problem, uniform.frame().origin, uniform.edges());
     CHECK(uniform.is_uniform());
     CHECK_FALSE(edges.is_uniform());
     const DiscreteProblem one(problem, uniform), other(problem, edges);

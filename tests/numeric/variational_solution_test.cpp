@@ -58,8 +58,7 @@ void agree_everywhere(const ContactProblem& problem) {
   const Rational left = problem.indenter().left(), length = problem.indenter().right() - left;
   for (int i = -2; i <= 42; ++i) {
     const Rational x = left + length * Rational(7 * i + 3, 285);
-    const Sample<double> here = cells->at(x);
-    const Sample<double> there = exact->at(x);
+    const Sample<double> here = cells->at(x), there = exact->at(x);
     CHECK(here.x == there.x);
     CHECK(here.gap.has_value() == there.gap.has_value());
     if (here.gap) {

@@ -86,8 +86,7 @@ TEST_CASE("docs/convergence.md holds the rows of a quick run") {
 }
 
 TEST_CASE("docs/convergence.md holds all that is computed (slow)" * doctest::skip()) {
-  const Tables computed = tables_of(convergence_document(false));
-  const Tables held = tables_of(checked_in());
+  const Tables computed = tables_of(convergence_document(false)), held = tables_of(checked_in());
   CHECK(computed.size() == held.size());
   CHECK(differences(computed, held) == std::vector<std::string>{});
 }

@@ -17,10 +17,7 @@ void check_chance(int found, double chance) {
 }  // namespace
 
 TEST_CASE("random parameters stay in their ranges and depend on seed and stream alone") {
-  Random one(7, "stream");
-  Random same(7, "stream");
-  Random other_seed(8, "stream");
-  Random other_stream(7, "another");
+  Random one(7, "stream"), same(7, "stream"), other_seed(8, "stream"), other_stream(7, "another");
   int differs_by_seed = 0, differs_by_stream = 0;
   for (int k = 0; k < 500; ++k) {
     const auto draw = [](Random& r) { return std::array{r.poisson(), r.friction(50), r.between(-2, 3)}; };

@@ -52,8 +52,7 @@ std::string difference(const ContactProblem& problem, const numeric::ContactSolu
   using namespace numeric;
   using std::abs, std::pow;
   const R scale = to_real<R>(image.scale), shift = to_real<R>(image.shift);
-  const R factor = to_real<R>(image.traction), height = to_real<R>(image.height);
-  const R size = abs(scale);
+  const R factor = to_real<R>(image.traction), height = to_real<R>(image.height), size = abs(scale);
   const auto a = before.contact();
   auto b = after.contact();
   if (a.size() != b.size()) return "number of components";
@@ -64,8 +63,7 @@ std::string difference(const ContactProblem& problem, const numeric::ContactSolu
   const R length = length_of<R>(a);
   for (std::size_t k = 0; k < a.size(); ++k) {
     for (const auto end : {&ContactComponent<R>::left, &ContactComponent<R>::right}) {
-      const ContactEnd<R>& p = a[k].*end;
-      const ContactEnd<R>& q = b[k].*end;
+      const ContactEnd<R>&p = a[k].*end, &q = b[k].*end;
       if (p.kind != q.kind || !(p.exponent == q.exponent)) return "kind of end";
       if (!is_close<R>(scale * p.x.value + shift, q.x.value, within.end * size * length)) return "end";
       if (p.intensity.error == infinity<R>() && q.intensity.error == infinity<R>()) continue;  // not known
@@ -75,8 +73,7 @@ std::string difference(const ContactProblem& problem, const numeric::ContactSolu
       }
     }
   }
-  const Resultants<R> ra = before.resultants();
-  const Resultants<R> rb = after.resultants();
+  const Resultants<R> ra = before.resultants(), rb = after.resultants();
   const R force = factor * size;
   const std::tuple<const char*, R, R, R> totals[] = {
       {"normal", force * ra.normal.value, rb.normal.value, 2 * within.traction * rb.normal.value},
@@ -100,8 +97,7 @@ std::string difference(const ContactProblem& problem, const numeric::ContactSolu
     if (!is_close<R>(tilt, tilt_b->value, within.intensity * (abs(tilt) + bend / (size * length)))) return "tilt";
   }
   for (const Rational& x : places<R>(a)) {
-    const Sample<R> p = before.at(x);
-    const Sample<R> q = after.at(image.of(x));
+    const Sample<R> p = before.at(x), q = after.at(image.of(x));
     const auto differs = [&](const R& times, const TwoSided<R>& from, const TwoSided<R>& to, const R& unit) {
       const auto far = [&](const Estimate<R>& before_change, const Estimate<R>& found) {
         const R expected = times * before_change.value;

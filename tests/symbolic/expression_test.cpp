@@ -40,14 +40,12 @@ TEST_CASE("the symbolic constants at rational arguments are the model's") {
     const auto poisson = [] { return Rational(uniform(-999, 498), 1000); };
     const auto young = [] { return Rational(uniform(1, 999), 7); };
     const auto value = [](const ex& e) { return to_rational(ex_to<numeric>(e)); };
-    const Solid body(poisson(), young());
-    const Solid indenter(poisson(), young());
+    const Solid body(poisson(), young()), indenter(poisson(), young());
     for (const Plane plane : {Plane::strain, Plane::stress}) {
       const ex nu = to_expression(body.poisson()), modulus = to_expression(body.young());
       const KolosovSolid one = kolosov_solid(nu, modulus, plane);
       const KolosovSolid two = kolosov_solid(to_expression(indenter.poisson()), to_expression(indenter.young()), plane);
-      const Elasticity rigid(body, plane);
-      const Elasticity elastic(body, indenter, plane);
+      const Elasticity rigid(body, plane), elastic(body, indenter, plane);
       RC_ASSERT(value(coupling_constant(nu, plane)) == rigid.gamma());
       RC_ASSERT(value(compliance(nu, modulus, plane)) == rigid.compliance());
       RC_ASSERT(value(dundurs_constant(one, two)) == elastic.gamma());

@@ -59,8 +59,7 @@ TEST_CASE("a hidden division by zero is refused") {
 }
 
 TEST_CASE("divisors are recorded, those that cancel too") {
-  const symbol x("x");
-  const symbol y("y");
+  const symbol x("x"), y("y");
   const RationalDecision decision = decide_equal((x * x - y * y) / (x - y), x + y);
   CHECK(decision.identical);
   CHECK(decision.nonvanishing == std::set<std::string>{"x - y"});
@@ -77,8 +76,7 @@ TEST_CASE("canonical text: lowest terms, one sign, the order of the names") {
   ex sum = 0;
   for (const symbol& s : shuffled) sum += s;
   CHECK(canonical_text(sum) == "a + b + c + d + e");
-  const symbol x("x");
-  const symbol y("y");
+  const symbol x("x"), y("y");
   CHECK(canonical_text(0 * x) == "0");
   CHECK(canonical_text(ex(-3) / 6) == "(-1)/(2)");
   CHECK(canonical_text((1 - 2 * x) / (2 * (1 - x))) == "(2*x - 1)/(2*x - 2)");
@@ -90,8 +88,7 @@ TEST_CASE("canonical text: lowest terms, one sign, the order of the names") {
 }
 
 TEST_CASE("limits at infinity") {
-  const symbol x("x");
-  const symbol y("y");
+  const symbol x("x"), y("y");
   CHECK(limit_at_infinity((2 * x * y + 1) / (x + y), x).is_equal(2 * y));
   CHECK(limit_at_infinity(y / x, x).is_zero());
   CHECK(limit_at_infinity((x - x) * y, x).is_zero());
