@@ -1,7 +1,7 @@
 // What fits read off cells next to singular points: on cells whose means are known, those of Riemann-Hilbert forms, on
 // such cells spoilt, and on those of the variational solver: exponents that nobody told it.
 
-#include "support/local_cases.hpp"
+#include "numeric/variational/local_cases.hpp"
 #include "support/numeric_test.hpp"
 
 TEST_CASE("intensities and constants of exact cells") {

@@ -1,7 +1,7 @@
 // What the stresses below the surface have to obey, whatever formula they come from: equilibrium, the tractions at the
 // surface, the resultants far away.
 
-#include "interior_stress_problems.hpp"
+#include "numeric/interior/interior_stress_problems.hpp"
 #include "support/numeric_test.hpp"
 
 using namespace steadyslide::numeric::stress_test;

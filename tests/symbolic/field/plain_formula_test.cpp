@@ -4,7 +4,7 @@
 using namespace steadyslide::symbolic;
 
 TEST_CASE("names, accents, sides, powers and signs") {
-  const auto formulas = pairs_of(STEADYSLIDE_TESTS "/symbolic/plain_formulas.txt");
+  const auto formulas = pairs_of(STEADYSLIDE_TESTS "/symbolic/field/plain_formulas.txt");
   CHECK(formulas.size() >= 14);
   for (const auto& [plain, latex] : formulas) CHECK(latex_of_plain(plain) == latex);
 }

@@ -1,7 +1,7 @@
 // The fields that the stresses below the surface are made of: a force's, and the same through potentials, against the
 // closed forms of a uniform strip [Joh85, chapter 2].
 
-#include "interior_stress_problems.hpp"
+#include "numeric/interior/interior_stress_problems.hpp"
 #include "numeric/quadrature/jacobi_rule.hpp"
 
 using namespace steadyslide::numeric::stress_test;

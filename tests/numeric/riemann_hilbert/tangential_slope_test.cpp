@@ -1,7 +1,7 @@
 // u_t', the slope of the tangential displacement, by two routes: the form's, which has no principal value left, and the
 // trapezoidal rule on t_t = -+f t [Bal16, (2)].
 
-#include "interior_stress_problems.hpp"
+#include "numeric/interior/interior_stress_problems.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
 
 namespace {
