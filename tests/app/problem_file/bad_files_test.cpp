@@ -13,7 +13,7 @@ const std::string good =
 
 TEST_CASE("bad problem files: message, exit code, no output") {
   auto files = sections_of(STEADYSLIDE_TESTS "/app/problem_file/bad_files.txt");
-  CHECK(files.size() >= 66);
+  CHECK(files.size() >= 70);
   files.emplace_back(
       "1: not TOML; a problem file is written in TOML; Error while parsing key-value pair: encountered "
       "end-of-file",
@@ -22,8 +22,9 @@ TEST_CASE("bad problem files: message, exit code, no output") {
     CAPTURE(text);
     const TemporaryFolder folder;
     folder.write("bad.toml", text);
+    folder.write("trace.csv", "-1,1/4\n0,0\n1,1/2\n");
     check_refused(run_program({"exponents", "bad.toml", "-o", "result"}, folder.path()), "bad.toml:" + message);
-    CHECK(folder.names() == std::vector<std::string>{"bad.toml"});
+    CHECK(folder.names() == std::vector<std::string>{"bad.toml", "trace.csv"});
   }
 }
 

@@ -55,19 +55,6 @@ TEST_CASE("a trace is looked for beside the problem file; from the standard inpu
                 "data/trace.csv:2: psi: not a number; a number is written like 2, -0.25, 1e-3 or 1/3; 'one'");
 }
 
-TEST_CASE("JSON names the trace, and gives the support exactly") {
-  const TemporaryFolder folder;
-  folder.write("trace.csv", wedge);
-  const auto indenter = [&](const std::string& more) -> Json {
-    // With a warning: a trace in full contact.
-    return Json::parse(run_program({"solve", "-", "--format", "json"}, folder.path(), problem(named + more))
-                           .out)["problem"]["indenter"];
-  };
-  CHECK(indenter("") == Json{{"support", {"-1", "1"}}, {"samples", "trace.csv"}, {"points", 3}});
-  CHECK(indenter("\nsupport = [\"-1/3\", \"0.75\"]") ==
-        Json{{"support", {"-1/3", "0.75"}}, {"samples", "trace.csv"}, {"points", 3}});
-}
-
 TEST_CASE("a support within the trace cuts it") {
   const TemporaryFolder folder;
   folder.write("trace.csv", wedge);
@@ -79,21 +66,11 @@ TEST_CASE("a support within the trace cuts it") {
   CHECK(samples.out == run_program({"solve", "p.toml"}, folder.path()).out);
 }
 
-TEST_CASE("what the two files say of each other") {
+TEST_CASE("jumps lie within the trace") {
   const TemporaryFolder folder;
-  folder.write("trace.csv", wedge);
-  const auto refuses = [&](const std::string& more, const std::string& message) {
-    check_refused(run_program({"exponents", "-"}, folder.path(), problem(named + more)), "-:" + message);
-  };
-  const std::string beyond = "9: indenter.support: support beyond the samples; they reach from -1 to 1; ";
-  refuses("\nsupport = [-1, \"1.1\"]", beyond + "-1, 1.1");
-  refuses("\nsupport = [-2, 1]", beyond + "-2, 1");
-  refuses("\nsupport = [5, 6]", beyond + "5, 6");
-  refuses("\nelastic = {poisson = 0, young = 1}",
-          "8: indenter.samples: elastic indenter with a wedge or a step; the profile of an elastic indenter is smooth; "
-          "at x = 0");
   folder.write("trace.csv", "1,0\n2,0\n");
-  refuses("", "6: friction.jumps[0]: jump outside the support; jumps lie in ]1, 2[; 0");
+  check_refused(run_program({"exponents", "-"}, folder.path(), problem(named)),
+                "-:6: friction.jumps[0]: jump outside the support; jumps lie in ]1, 2[; 0");
 }
 
 TEST_CASE("a flat trace, however many its points, is a flat punch") {
