@@ -20,21 +20,14 @@ std::string message_of(std::string_view text) {
 }  // namespace
 
 TEST_CASE("the grammar") {
-  CHECK(parse("x^2/2") == Polynomial({0, 0, Rational(1, 2)}));
+  for (const auto& [text, coefficients] : pairs_of(STEADYSLIDE_TESTS "/app/problem_file/polynomials.txt")) {
+    std::vector<Rational> expected;
+    for (const std::string& c : words(coefficients)) expected.emplace_back(c);
+    CHECK_MESSAGE(parse(text) == Polynomial(expected), text);
+  }
   CHECK(parse(" 1/2*x ^2 - x") == Polynomial({0, -1, Rational(1, 2)}));
-  CHECK(parse("-x^2") == Polynomial({0, 0, -1}));
-  CHECK(parse("(-x)^2") == Polynomial({0, 0, 1}));
-  CHECK(parse("2*-x") == Polynomial({0, -2}));
-  CHECK(parse("1 - -x + +x") == Polynomial({1, 2}));
-  CHECK(parse("(1+x)*(1-x)") == Polynomial({1, 0, -1}));
-  CHECK(parse("x/(1+2/3)") == Polynomial({0, Rational(3, 5)}));
-  CHECK(parse("0.25e1*x") == Polynomial({0, Rational(5, 2)}));
-  CHECK(parse("0.1") == Polynomial::constant(Rational(1, 10)));
-  CHECK(parse("x-x") == Polynomial());
-  CHECK(parse("0^0") == Polynomial::constant(1));
   CHECK(parse("x^64").degree() == 64);
   CHECK(parse("2^1000").coefficient(0) == Rational(boost::multiprecision::pow(Integer(2), 1000)));
-  CHECK(parse("8/2/2") == Polynomial::constant(2));
 }
 
 TEST_CASE("every error says its place") {

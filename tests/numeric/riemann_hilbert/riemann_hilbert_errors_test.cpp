@@ -1,6 +1,6 @@
 // Does an estimated error cover the true one? Measured against more digits.
 
-#include "support/numeric_test.hpp"
+#include "support/solved_contact.hpp"
 
 namespace {
 
