@@ -13,13 +13,8 @@ const fs::path folder = STEADYSLIDE_EXAMPLES;
 /// The commands that an example's header shows, as arguments.
 std::vector<Arguments> commands(const fs::path& file) {
   std::vector<Arguments> result;
-  std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line);) {
-    if (!line.starts_with("#   steadyslide ")) continue;
-    std::istringstream words(line.substr(16));
-    Arguments arguments;
-    for (std::string word; words >> word;) arguments.push_back(word);
-    result.push_back(arguments);
+  for (const std::string& line : lines(file_text(file.string()))) {
+    if (line.starts_with("#   steadyslide ")) result.push_back(words(line.substr(16)));
   }
   return result;
 }
@@ -27,8 +22,7 @@ std::vector<Arguments> commands(const fs::path& file) {
 }  // namespace
 
 TEST_CASE("every problem file: its command runs, its exponents are found, and it is in the README") {
-  std::ifstream stream(folder / "README.md");
-  const std::string readme(std::istreambuf_iterator<char>(stream), {});
+  const std::string readme = file_text((folder / "README.md").string());
   int count = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".toml") continue;

@@ -51,7 +51,7 @@ void check_notation(const std::string& document) {
   const bool named = std::regex_search(formulas, match, in_formulas);
   CHECK_MESSAGE(!named, match.prefix().str().substr(match.prefix().length() > 60 ? match.prefix().length() - 60 : 0)
                             << " >> " << match.str());
-  CHECK(formulas.find("\\lambda") != std::string::npos);
+  CHECK(holds(formulas, "\\lambda"));
 }
 
 void check_compiles(const Arguments& arguments, const std::string& input = "",

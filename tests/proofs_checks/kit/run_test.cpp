@@ -28,7 +28,7 @@ TEST_CASE("run: right formula, refuted controls") {
   CHECK(report.controls_refuted() == 2);
   CHECK(report.survivors().empty());
   CHECK(report.note.empty());
-  CHECK(report.controls[0].detail.find("exceeds the tolerance") != std::string::npos);
+  CHECK(holds(report.controls[0].detail, "exceeds the tolerance"));
 }
 
 TEST_CASE("run: a surviving control leaves the claim undecided") {
@@ -36,7 +36,7 @@ TEST_CASE("run: a surviving control leaves the claim undecided") {
   CHECK(report.verdict == Verdict::undecided);
   CHECK(report.controls_refuted() == 1);
   CHECK(report.survivors() == std::vector<std::string>{"a little more"});
-  CHECK(report.note.find("a little more") != std::string::npos);
+  CHECK(holds(report.note, "a little more"));
 }
 
 TEST_CASE("run: no controls, no check") { CHECK(run(claim_about(1, {}), {}).verdict == Verdict::undecided); }
@@ -79,7 +79,7 @@ TEST_CASE("run: exceptions decide nothing") {
   claim.examine = [](const Context&) -> std::vector<Evidence> { throw std::runtime_error("out of luck"); };
   const Report report = run(claim, {});
   CHECK(report.verdict == Verdict::undecided);
-  CHECK(report.note.find("out of luck") != std::string::npos);
+  CHECK(holds(report.note, "out of luck"));
 
   Claim with_bad_control = claim_about(1, {{"two", 2.0}});
   with_bad_control.controls[0].examine = [](const Context&) -> std::vector<Evidence> { throw 1; };

@@ -30,20 +30,19 @@ TEST_CASE("text: no line is longer than 100 columns unless a word is") {
   std::string words = "word";
   for (int k = 0; k < 200; ++k) words += k % 7 == 0 ? " something" : " a";
   d.act(words, {words, ""});
-  std::istringstream lines(to_text(d));
-  int count = 0;
-  for (std::string line; std::getline(lines, line); ++count) {
+  const std::vector<std::string> shown = lines(to_text(d));
+  for (const std::string& line : shown) {
     CHECK(line.size() <= 100);
     CHECK(line.find_last_not_of(' ') + 1 == line.size());
   }
-  CHECK(count > 8);
+  CHECK(shown.size() > 8);
 }
 
 TEST_CASE("LaTeX: words are escaped, formulas among them are set, displayed ones stay") {
   const std::string latex = to_latex(example());
-  CHECK(latex.find("50 \\% of \\{all\\} \\#cases \\& more.") != std::string::npos);
-  CHECK(latex.find("The power is $\\beta _{k}$.") != std::string::npos);
-  CHECK(latex.find("\\[ t = A |x|^\\lambda \\]") != std::string::npos);
+  CHECK(holds(latex, "50 \\% of \\{all\\} \\#cases \\& more."));
+  CHECK(holds(latex, "The power is $\\beta _{k}$."));
+  CHECK(holds(latex, "\\[ t = A |x|^\\lambda \\]"));
   const std::string document = latex_document({example(), example()});
   CHECK(document.starts_with("\\documentclass"));
   CHECK(document.ends_with("\\end{document}\n"));

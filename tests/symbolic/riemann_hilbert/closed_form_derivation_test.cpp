@@ -12,9 +12,7 @@ constexpr ClosedFormKind kinds[] = {
     ClosedFormKind::parabola_two_edges, ClosedFormKind::quartic,
 };
 
-bool says(const Derivation& derivation, const std::string& text) {
-  return to_text(derivation).find(text) != std::string::npos;
-}
+bool says(const Derivation& derivation, const std::string& text) { return holds(to_text(derivation), text); }
 
 }  // namespace
 
