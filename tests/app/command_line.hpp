@@ -1,13 +1,12 @@
 #pragma once
 // The fixture of command-line tests: the program run in a folder of its own, and what is asked of its answers.
 
-#include <doctest/doctest.h>
-
 #include <initializer_list>
-#include <sstream>
+#include <iomanip>
 #include <utility>
 
 #include "app/process.hpp"
+#include "support/test.hpp"
 
 namespace steadyslide::testing {
 
@@ -17,6 +16,19 @@ using Arguments = std::vector<std::string>;
 inline Arguments joined(Arguments first, const Arguments& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
+}
+
+/// One of the problems of the tests.
+inline std::string problem_text(const std::string& name) {
+  return file_text(STEADYSLIDE_TESTS "/app/commands/problems/" + name + ".toml");
+}
+
+/// Of a line, without the program's name.
+inline Arguments arguments_of(const std::string& line) {
+  std::istringstream words(line);
+  Arguments arguments;
+  for (std::string word; words >> std::quoted(word);) arguments.push_back(word);
+  return {arguments.begin() + 1, arguments.end()};
 }
 
 /// `steadyslide ARGUMENTS` where there are no files.
@@ -54,26 +66,8 @@ inline void check_refused(const Finished& finished, const std::string& message, 
   CHECK(finished.out == "");
 }
 
-inline bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
-
 inline void check_holds(const std::string& text, std::initializer_list<const char*> parts) {
-  for (const char* part : parts) {
-    CAPTURE(part);
-    CHECK(holds(text, part));
-  }
-}
-
-inline std::size_t times(const std::string& text, std::string_view part) {
-  std::size_t n = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++n;
-  return n;
-}
-
-inline std::vector<std::string> lines(const std::string& text) {
-  std::vector<std::string> result;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) result.push_back(line);
-  return result;
+  for (const char* part : parts) CHECK_MESSAGE(holds(text, part), part);
 }
 
 inline std::string replaced(std::string text, const std::string& what, const std::string& with) {

@@ -1,18 +1,69 @@
 #pragma once
-// What tests ask of pictures.
+// What tests ask of pictures and pages.
 
-#include <string>
-#include <vector>
+#include <regex>
+
+#include "support/test.hpp"
 
 namespace steadyslide::testing {
 
-/// Is every element closed, in order, and nothing else left open? Are there no bare ampersands?
-bool is_well_formed(const std::string& xml);
+/// Is every element closed, in order, with whole attributes, and nothing else left open? Are there no bare ampersands?
+inline bool is_well_formed(const std::string& xml) {
+  std::vector<std::string> open;
+  std::size_t at = 0;
+  while ((at = xml.find('<', at)) != std::string::npos) {
+    const bool comment = xml.compare(at, 4, "<!--") == 0;
+    const std::size_t end = xml.find(comment ? "-->" : ">", at);
+    if (end == std::string::npos) return false;
+    const std::string tag = xml.substr(at + 1, end - at - 1);
+    at = end;
+    if (comment || tag.starts_with("?") || tag.starts_with("!")) continue;
+    std::string unquoted;
+    char quote = 0;
+    for (const char c : tag) {
+      if (quote == 0 && c != '"' && c != '\'') unquoted += c;
+      if (c == '<' || (quote != 0 && c != quote)) continue;
+      quote = quote != 0 ? '\0' : c == '"' || c == '\'' ? c : '\0';
+    }
+    static const std::regex whole("/?[A-Za-z][\\w]*(\\s+[\\w:.-]+=)*\\s*/?");
+    if (holds(tag, "<") || quote != 0 || !std::regex_match(unquoted, whole)) return false;
+    if (tag.back() == '/') continue;
+    const std::string name = tag.substr(0, tag.find_first_of(" \t\n"));
+    if (name.front() != '/') {
+      open.push_back(name);
+    } else if (open.empty() || "/" + open.back() != name) {
+      return false;
+    } else {
+      open.pop_back();
+    }
+  }
+  static const std::set<std::string> references{"&lt", "&gt", "&amp", "&quot", "&apos"};
+  for (at = 0; (at = xml.find('&', at)) != std::string::npos; ++at) {
+    const std::string reference = xml.substr(at, std::min(xml.find(';', at) - at, std::size_t{10}));
+    if (!reference.starts_with("&#") && !references.contains(reference)) return false;
+  }
+  return open.empty();
+}
 
 /// What a reader sees: the characters of each <text>, one after the other in a line.
-std::string shown_text(const std::string& svg);
-
-/// The values of all attributes `id`.
-std::vector<std::string> ids(const std::string& svg);
+inline std::string shown_text(const std::string& svg) {
+  std::string result;
+  bool in_text = false;
+  for (std::size_t at = 0; at < svg.size(); ++at) {
+    if (svg[at] == '<') {
+      const std::size_t end = std::min(svg.find('>', at), svg.size() - 1);
+      const std::string tag = svg.substr(at + 1, end - at - 1);
+      if (tag.starts_with("text")) in_text = true;
+      if (tag == "/text") {
+        in_text = false;
+        result += '\n';
+      }
+      at = end;
+    } else if (in_text) {
+      result += svg[at];
+    }
+  }
+  return result;
+}
 
 }  // namespace steadyslide::testing

@@ -1,15 +1,9 @@
 // The generator keeps its promises, and its problems survive being written to a problem file and read back.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
 #include "app/problem_file/problem_file.hpp"
 #include "support/problem_toml.hpp"
 #include "support/random_contact.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::testing;
+#include "support/test.hpp"
 
 TEST_CASE("files say the same problem") {
   for (int i = 0; i < listed_problems; i += 5) {
@@ -20,8 +14,7 @@ TEST_CASE("files say the same problem") {
 
 TEST_CASE("ranges") {
   Rational highest_friction = 0;
-  int tilting = 0;
-  int with_steps = 0;
+  int tilting = 0, with_steps = 0;
   for (int i = 0; i < listed_problems; ++i) {
     const ContactProblem p = random_contact(first_listed_seed + static_cast<std::uint64_t>(i));
     const std::vector<Rational>& f = p.friction().values();

@@ -1,8 +1,6 @@
 // Whole solves of random problems, from the file's text to the result's: nothing may throw, and every result is
 // written. With the sanitizers it is the many-sided run that they want.
 
-#include <doctest/doctest.h>
-
 #include <array>
 
 #include "app/commands/solver.hpp"
@@ -10,9 +8,7 @@
 #include "app/results/solve_writers.hpp"
 #include "support/problem_toml.hpp"
 #include "support/random_contact.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::testing;
+#include "support/test.hpp"
 
 namespace {
 

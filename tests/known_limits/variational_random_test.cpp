@@ -1,26 +1,17 @@
 // How much the variational solver can do: the first problems of the random list, on cells. The certificate accepts, or
 // the problem stands in variational_unsolved.txt, seed by seed.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <fstream>
-#include <set>
-
 #include "numeric/variational/nested_solve.hpp"
+#include "support/numeric_test.hpp"
 #include "support/random_contact.hpp"
 
-using namespace steadyslide;
 using namespace steadyslide::numeric::variational;
-using steadyslide::testing::first_listed_seed;
 
 namespace {
 
 std::set<std::uint64_t> listed() {
   std::set<std::uint64_t> seeds;
-  std::ifstream file(STEADYSLIDE_UNSOLVED);
-  REQUIRE(file);
-  for (std::string line; std::getline(file, line);) {
+  for (const std::string& line : lines(file_text(STEADYSLIDE_UNSOLVED))) {
     if (!line.empty() && line[0] != '#') seeds.insert(std::stoull(line));
   }
   return seeds;
@@ -35,13 +26,11 @@ bool decreases(const ContactProblem& problem) {
 
 void solve_the_first(int count, std::size_t cells) {
   const std::set<std::uint64_t> unsolved = listed();
-  int accepted = 0;
-  int by_lemke = 0;
-  int decreasing = 0;
+  int accepted = 0, by_lemke = 0, decreasing = 0;
   double worst = 0;
   for (int i = 0; i < count; ++i) {
     const std::uint64_t seed = first_listed_seed + static_cast<std::uint64_t>(i);
-    const ContactProblem problem = testing::random_contact(seed);
+    const ContactProblem problem = random_contact(seed);
     const NestedResult result = solve_nested(problem, {.cells = cells});
     const Certificate& certificate = result.certificate;
     if (certificate.accepted()) {
@@ -70,7 +59,7 @@ TEST_CASE("the first 300 on 256 cells") { solve_the_first(300, 256); }
 TEST_CASE("slow: the first 1000 on 1024 cells" * doctest::skip()) { solve_the_first(1000, 1024); }
 
 TEST_CASE("control: a state that is not a solution is not accepted") {
-  const ContactProblem problem = testing::random_contact(first_listed_seed);
+  const ContactProblem problem = random_contact(first_listed_seed);
   const NestedResult result = solve_nested(problem, {.cells = 128});
   REQUIRE(result.certificate.accepted());
   const auto spoilt = [&](const auto& change) {
@@ -79,9 +68,8 @@ TEST_CASE("control: a state that is not a solution is not accepted") {
     return certify(*result.fine.problem, state).accepted();
   };
   CHECK(spoilt([](DiscreteState&) {}));
-  const auto pressed = static_cast<std::size_t>(
-      std::max_element(result.fine.found.state.pressure.begin(), result.fine.found.state.pressure.end()) -
-      result.fine.found.state.pressure.begin());
+  const std::vector<double>& p = result.fine.found.state.pressure;
+  const auto pressed = static_cast<std::size_t>(std::ranges::max_element(p) - p.begin());
   CHECK_FALSE(spoilt([&](DiscreteState& state) { state.pressure[pressed] *= 1 + 1e-7; }));
   CHECK_FALSE(spoilt([](DiscreteState& state) { state.approach += 1e-9; }));
   CHECK_FALSE(spoilt([&](DiscreteState& state) { state.pressure[pressed] = std::nan(""); }));

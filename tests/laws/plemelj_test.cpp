@@ -1,12 +1,8 @@
 // Y+ = G Y- on every panel, and the boundary values are the limits of Y off the axis.
 
-#include <doctest/doctest.h>
-
 #include "numeric/closed_form/closed_form.hpp"
+#include "support/numeric_test.hpp"
 #include "support/random_problem.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 
 namespace {
 
@@ -28,7 +24,7 @@ Complex<Real50> coefficient(const Rational& s) {
 
 TEST_CASE("Plemelj") {
   CHECK(rc::check("flat punches and parabolas", [] {
-    const ContactProblem p = *rc::gen::oneOf(testing::flat_punch(4), testing::parabola(4));
+    const ContactProblem p = *rc::gen::oneOf(flat_punch(4), parabola(4));
     const auto data = std::get<ClosedFormData<Real50>>(closed_form_data<Real50>(p));
     const FundamentalSolution<Real50>& y = data.traction.weight;
     for (std::size_t k = 0; k < y.panel_count(); ++k) {

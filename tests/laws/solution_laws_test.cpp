@@ -2,18 +2,12 @@
 // (support/change_laws.hpp). Columns: the methods at their precisions, with the problems each is asked and how exactly
 // it has to answer.
 
-#include <doctest/doctest.h>
-
 #include "model/uniqueness.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 #include "support/compared_solutions.hpp"
+#include "support/numeric_test.hpp"
 #include "support/random_contact.hpp"
-
-using namespace steadyslide;
-using namespace steadyslide::numeric;
-using testing::is_close;
-using testing::Tolerance;
 
 namespace {
 
@@ -25,14 +19,13 @@ struct Method {
   R residual;  ///< of equation, load and gap
   R tension;
   Tolerance<R> within;
-  std::size_t changes = testing::change_laws().size();  ///< so many of these laws for one problem, from a random one on
-  bool local_points = true;  ///< every singular point is found, and the friction at each place
+  std::size_t changes = change_laws().size();  ///< so many of these laws for one problem, from a random one on
+  bool local_points = true;                    ///< every singular point is found, and the friction at each place
 };
 
 /// Of the list that solvers are measured by.
 rc::Gen<ContactProblem> listed() {
-  return rc::gen::exec(
-      [] { return testing::random_contact(testing::first_listed_seed + static_cast<std::uint64_t>(uniform(0, 399))); });
+  return rc::gen::exec([] { return random_contact(first_listed_seed + static_cast<std::uint64_t>(uniform(0, 399))); });
 }
 
 template <Real R>
@@ -48,8 +41,7 @@ template <Real R>
 bool resultants_are_integrals(const Case<R>& c) {
   const Resultants<R>& r = c.resultants;
   const R allowed = 10 * c.method.within.traction;
-  R shares = 0;
-  R friction = 0;
+  R shares = 0, friction = 0;
   for (std::size_t k = 0; k < r.load_share.size(); ++k) {
     shares += r.load_share[k].value;
     friction += to_real<R>(c.problem.friction().values()[k]) * r.load_share[k].value;
@@ -84,7 +76,7 @@ template <Real R>
 bool shear_opposes_sliding(const Case<R>& c) {
   using std::abs;
   if (!c.method.local_points) return true;
-  for (const Rational& x : testing::places<R>(c.solution.contact())) {
+  for (const Rational& x : places<R>(c.solution.contact())) {
     const Sample<R> s = c.solution.at(x);
     const R ratio =
         to_real<R>(c.problem.friction().at(x, Side::left)) * (c.problem.sliding() == Sliding::plus_x ? R(-1) : R(1));
@@ -98,10 +90,10 @@ bool shear_opposes_sliding(const Case<R>& c) {
 template <Real R>
 bool grows_with_the_load(const Case<R>& c) {
   if (!uniqueness(c.problem).proved) return true;
-  const Attempt<R> more = c.method.solve(testing::scaled(c.problem, 1, Rational(5, 4)));
+  const Attempt<R> more = c.method.solve(scaled(c.problem, 1, 1.25_r));
   if (!more.solution || !more.solution->shortcoming().empty()) return true;
   const auto larger = more.solution->contact();
-  const R slack = c.method.within.end * testing::length_of<R>(larger);
+  const R slack = c.method.within.end * length_of<R>(larger);
   for (const auto& zone : c.solution.contact()) {
     if (std::none_of(larger.begin(), larger.end(), [&](const ContactComponent<R>& around) {
           return around.left.x.value <= zone.left.x.value + slack && zone.right.x.value <= around.right.x.value + slack;
@@ -136,7 +128,7 @@ template <Real R>
 Rational regular_place(const ContactProblem& problem, const ContactSolution<R>& solution) {
   const auto& jumps = problem.friction().jumps();
   const auto& pieces = problem.indenter().pieces();
-  for (const Rational& x : testing::places<R>(solution.contact())) {
+  for (const Rational& x : places<R>(solution.contact())) {
     if (std::find(jumps.begin(), jumps.end(), x) == jumps.end() &&
         std::none_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return piece.to == x; })) {
       return x;
@@ -153,15 +145,14 @@ std::string broken_law(const Method<R>& method, const ContactProblem& problem, c
     if (!law.holds(unchanged)) return law.name;
   }
   const Rational regular = regular_place<R>(problem, solution);
-  const std::vector<testing::ChangeLaw>& laws = testing::change_laws();
+  const std::vector<ChangeLaw>& laws = change_laws();
   const auto first = static_cast<std::size_t>(uniform(0, static_cast<int>(laws.size()) - 1));
   for (std::size_t k = 0; k < method.changes; ++k) {
-    const testing::ChangeLaw& law = laws[(first + k) % laws.size()];
-    const testing::Change change = law.change(problem, regular);
+    const ChangeLaw& law = laws[(first + k) % laws.size()];
+    const Change change = law.change(problem, some_factor(), regular);
     const Attempt<R> after = method.solve(change.problem);
     const std::string why =
-        after.solution ? testing::difference<R>(problem, solution, *after.solution, change.image, method.within)
-                       : after.why_not;
+        after.solution ? difference<R>(problem, solution, *after.solution, change.image, method.within) : after.why_not;
     if (!why.empty()) return law.name + (": " + why);
     if (method.local_points && after.solution->singular_points().size() != solution.singular_points().size()) {
       return law.name + std::string(": number of singular points");
@@ -173,8 +164,7 @@ std::string broken_law(const Method<R>& method, const ContactProblem& problem, c
 /// What is not solved at all is the business of tests/known_limits; here it may be one problem in twenty.
 template <Real R>
 void obeys_the_laws(const Method<R>& method) {
-  int all = 0;
-  int unsolved = 0;
+  int all = 0, unsolved = 0;
   CHECK(rc::check(method.name, [&] {
     const ContactProblem problem = *method.problems;
     const Attempt<R> attempt = method.solve(problem);
@@ -220,7 +210,7 @@ Method<double> variational_on_cells() {
   const auto smooth =
       rc::gen::suchThat(listed(), [](const ContactProblem& p) { return p.indenter().pieces().size() == 1; });
   return {"variational method on cells", solve, smooth, infinity<double>(), 1e-9, {1e-9, 1e-8, 1e-9},
-          testing::change_laws().size(), false};
+          change_laws().size(),          false};
 }
 
 /// The difference to the solution with more digits stays within the error that the solution itself expects.
@@ -242,8 +232,7 @@ void errors_are_honest(const ContactProblem& problem) {
   RC_ASSERT(within(ra.centre_of_pressure, rb.centre_of_pressure));
   RC_ASSERT(within(ra.effective_friction, rb.effective_friction));
   for (std::size_t k = 0; k < ra.load_share.size(); ++k) RC_ASSERT(within(ra.load_share[k], rb.load_share[k]));
-  const Rational left(a.left.x.value);
-  const Rational width = Rational(a.right.x.value) - left;
+  const Rational left(a.left.x.value), width = Rational(a.right.x.value) - left;
   for (const char* position : {"-0.5", "-0.001", "0.001", "0.3", "0.77", "0.999", "1.01", "2"}) {
     const Rational x = left + width * parse_rational(position);
     const Sample<double> sa = coarse->at(x);
@@ -258,14 +247,13 @@ void errors_are_honest(const ContactProblem& problem) {
 template <Real R>
 void reproduces_the_closed_form(const ContactProblem& problem, const R& tolerance) {
   using std::abs;
-  const Attempt<R> expected = closed_form<R>(problem);
-  const Attempt<R> found = riemann_hilbert<R>(problem);
+  const Attempt<R> expected = closed_form<R>(problem), found = riemann_hilbert<R>(problem);
   if (!found.solution) RC_FAIL(found.why_not);
   RC_ASSERT(found.solution->shortcoming() == "");
   const auto a = expected.solution->contact();
   const auto b = found.solution->contact();
   RC_ASSERT(b.size() == 1U);
-  const R length = testing::length_of<R>(a);
+  const R length = length_of<R>(a);
   for (const auto end : {&ContactComponent<R>::left, &ContactComponent<R>::right}) {
     RC_ASSERT((b[0].*end).kind == (a[0].*end).kind);
     RC_ASSERT(is_close<R>((b[0].*end).x.value, (a[0].*end).x.value, tolerance * length));
@@ -287,38 +275,38 @@ void reproduces_the_closed_form(const ContactProblem& problem, const R& toleranc
 
 template <Real R>
 void reproduces_closed_forms(const R& tolerance) {
-  CHECK(rc::check("flat punches", [&] { reproduces_the_closed_form<R>(*testing::flat_punch(4), tolerance); }));
-  CHECK(rc::check("parabolas", [&] { reproduces_the_closed_form<R>(*testing::parabola(4), tolerance); }));
+  CHECK(rc::check("flat punches", [&] { reproduces_the_closed_form<R>(*flat_punch(4), tolerance); }));
+  CHECK(rc::check("parabolas", [&] { reproduces_the_closed_form<R>(*parabola(4), tolerance); }));
 }
 
 template <Real R>
 void refutes_wrong_laws(const Method<R>& method) {
   CAPTURE(method.name);
-  const ContactProblem p(Elasticity(Solid(0, 1)), FrictionProfile({Rational(1, 2), 1}, {Rational(1, 10)}),
-                         Indenter(-1, {{1, Polynomial({0, Rational(1, 8), 1})}}), Rational(1, 4));
+  const ContactProblem p(Elasticity(Solid(0, 1)), FrictionProfile({0.5_r, 1}, {0.1_r}),
+                         Indenter(-1, {{1, Polynomial({0, 0.125_r, 1})}}), 0.25_r);
   const Attempt<R> before = method.solve(p);
   REQUIRE_MESSAGE(before.solution, before.why_not);
-  for (const testing::ChangeLaw& law : testing::wrong_laws()) {
+  for (const ChangeLaw& law : wrong_laws()) {
     CAPTURE(std::string(law.name));
-    const testing::Change change = law.change(p, 0);
+    const Change change = law.change(p, 2, 0);
     const Attempt<R> after = method.solve(change.problem);
     REQUIRE_MESSAGE(after.solution, after.why_not);
-    CHECK(testing::difference<R>(p, *before.solution, *after.solution, change.image, method.within) != "");
+    CHECK(difference<R>(p, *before.solution, *after.solution, change.image, method.within) != "");
   }
 }
 
 }  // namespace
 
 TEST_CASE("closed forms obey the laws") {
-  obeys_the_laws<double>(closed_form_in_double("flat punches", testing::flat_punch(6)));
-  obeys_the_laws<double>(closed_form_in_double("parabolas", testing::parabola(6)));
-  obeys_the_laws<Real50>(closed_form_in_50("flat punches", testing::flat_punch(3)));
-  obeys_the_laws<Real50>(closed_form_in_50("parabolas", testing::parabola(3)));
+  obeys_the_laws<double>(closed_form_in_double("flat punches", flat_punch(6)));
+  obeys_the_laws<double>(closed_form_in_double("parabolas", parabola(6)));
+  obeys_the_laws<Real50>(closed_form_in_50("flat punches", flat_punch(3)));
+  obeys_the_laws<Real50>(closed_form_in_50("parabolas", parabola(3)));
 }
 
 TEST_CASE("estimated errors of closed forms are honest") {
-  CHECK(rc::check("flat punches", [] { errors_are_honest(*testing::flat_punch(5)); }));
-  CHECK(rc::check("parabolas", [] { errors_are_honest(*testing::parabola(5)); }));
+  CHECK(rc::check("flat punches", [] { errors_are_honest(*flat_punch(5)); }));
+  CHECK(rc::check("parabolas", [] { errors_are_honest(*parabola(5)); }));
 }
 
 TEST_CASE("solvers: the Riemann-Hilbert method obeys the laws") { obeys_the_laws<double>(riemann_hilbert_in_double()); }
@@ -334,8 +322,8 @@ TEST_CASE("digits: closed forms with 100 digits" * doctest::skip()) {
 }
 
 TEST_CASE("control: wrong laws are refuted") {
-  refutes_wrong_laws<double>(closed_form_in_double("", testing::parabola(1)));
-  refutes_wrong_laws<Real50>(closed_form_in_50("", testing::parabola(1)));
+  refutes_wrong_laws<double>(closed_form_in_double("", parabola(1)));
+  refutes_wrong_laws<Real50>(closed_form_in_50("", parabola(1)));
   refutes_wrong_laws<double>(riemann_hilbert_in_double());
   refutes_wrong_laws<double>(variational_on_cells());
 }

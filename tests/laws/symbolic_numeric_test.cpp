@@ -1,13 +1,10 @@
 // The derived tractions, evaluated in CLN at 60 digits, against the closed forms of the numeric layer in MPFR.
 
-#include <doctest/doctest.h>
-
 #include "numeric/closed_form/closed_form.hpp"
+#include "support/numeric_test.hpp"
 #include "support/random_problem.hpp"
 #include "symbolic/riemann_hilbert/derived_contact.hpp"
 
-using namespace steadyslide;
-using namespace steadyslide::numeric;
 using steadyslide::symbolic::DerivedContact;
 
 namespace {
@@ -42,8 +39,8 @@ void derived_equals_numeric(const ContactProblem& problem, int& compared) {
 
 TEST_CASE("200 random problems: derived and numeric tractions agree to 48 digits") {
   int compared = 0;
-  CHECK(rc::check("flat punches", [&] { derived_equals_numeric(*testing::flat_punch(4), compared); }));
-  CHECK(rc::check("parabolas", [&] { derived_equals_numeric(*testing::parabola(3), compared); }));
+  CHECK(rc::check("flat punches", [&] { derived_equals_numeric(*flat_punch(4), compared); }));
+  CHECK(rc::check("parabolas", [&] { derived_equals_numeric(*parabola(3), compared); }));
   MESSAGE("tractions compared: " << compared);
   CHECK(compared > 700);
 }

@@ -1,11 +1,8 @@
 #pragma once
 // What a constructor of the model says when it refuses its data.
 
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "model/invalid_data.hpp"
+#include "support/test.hpp"
 
 /// "field: message" of the InvalidData that `construct` throws, "accepted" if it throws none.
 template <class F>

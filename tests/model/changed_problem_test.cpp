@@ -1,11 +1,8 @@
 // Problems made of others: what is changed, and that nothing else is.
 
-#include <doctest/doctest.h>
-
 #include "broken_rule.hpp"
 #include "support/random_problem.hpp"
-
-using namespace steadyslide;
+#include "support/test.hpp"
 
 namespace {
 
@@ -14,8 +11,8 @@ Rational random_place() { return Rational(uniform(-999, 999), 1000) + Rational(1
 
 Rational random_scale() { return Rational(*rc::gen::arbitrary<bool>() ? 1 : -1) * Rational(uniform(1, 20), 7); }
 
-const ContactProblem tilting(Elasticity(Solid(Rational(3, 10), 1)), FrictionProfile({1, 2}, {0}),
-                             Indenter(-1, {{1, Polynomial({0, 0, 1})}}), 3, Sliding::minus_x, Rational(1, 4));
+const ContactProblem tilting(Elasticity(Solid(0.3_r, 1)), FrictionProfile({1, 2}, {0}),
+                             Indenter(-1, {{1, Polynomial({0, 0, 1})}}), 3, Sliding::minus_x, 0.25_r);
 
 }  // namespace
 
@@ -32,15 +29,15 @@ TEST_CASE("one datum changes, the others are kept") {
   };
   CHECK(differs_in(tilting.with_load(5)) == "load ");
   CHECK(differs_in(tilting.with_friction(FrictionProfile({1, 3}, {0}))) == "friction ");
-  CHECK(differs_in(tilting.with_jump(Rational(1, 2), 1)) == "friction ");
+  CHECK(differs_in(tilting.with_jump(0.5_r, 1)) == "friction ");
   CHECK(differs_in(tilting.with_indenter(tilting.indenter().scaled(2))) == "indenter ");
   CHECK(differs_in(tilting.with_sliding(Sliding::plus_x)) == "sliding ");
   CHECK(differs_in(tilting.moved(1, 0)).empty());
   CHECK(tilting.with_load(5).load() == 5);
-  CHECK(tilting.with_jump(Rational(1, 2), 1).friction() == FrictionProfile({1, 2, 3}, {0, Rational(1, 2)}));
-  CHECK(tilting.with_jump(Rational(-1, 2), 1).friction() == FrictionProfile({1, 2, 2}, {Rational(-1, 2), 0}));
+  CHECK(tilting.with_jump(0.5_r, 1).friction() == FrictionProfile({1, 2, 3}, {0, 0.5_r}));
+  CHECK(tilting.with_jump(-0.5_r, 1).friction() == FrictionProfile({1, 2, 2}, {-0.5_r, 0}));
   CHECK(tilting.mirrored() == ContactProblem(tilting.elasticity(), FrictionProfile({2, 1}, {0}), tilting.indenter(), 3,
-                                             Sliding::plus_x, Rational(-1, 4)));
+                                             Sliding::plus_x, -0.25_r));
 }
 
 TEST_CASE("a changed problem keeps the rules of a problem") {
@@ -50,13 +47,13 @@ TEST_CASE("a changed problem keeps the rules of a problem") {
   CHECK(refusal([] { tilting.with_jump(2, 1); }) ==
         "friction.jumps[1]: jump outside the support; jumps lie in ]-1, 1[; 2");
   CHECK(refusal([] {
-          tilting.with_indenter(Indenter(-2, {{Rational(1, 4), Polynomial()}}));
+          tilting.with_indenter(Indenter(-2, {{0.25_r, Polynomial()}}));
         }) == "load_at: load outside the support; the load acts in ]-2, 0.25[; 0.25");
 }
 
 TEST_CASE("moves: identity, inverse, composition, and what stays at its place") {
   CHECK(rc::check([] {
-    const ContactProblem problem = *testing::coincidences();
+    const ContactProblem problem = *coincidences();
     const Rational a = random_scale(), b = random_place(), c = random_scale(), d = random_place();
     RC_ASSERT(problem.moved(1, 0) == problem);
     RC_ASSERT(problem.mirrored().mirrored() == problem);
@@ -82,20 +79,20 @@ TEST_CASE("moves: identity, inverse, composition, and what stays at its place") 
 
 TEST_CASE("a further jump lifts the friction from there to the next jump") {
   CHECK(rc::check([] {
-    const ContactProblem problem = *testing::coincidences();
+    const ContactProblem problem = *coincidences();
     const Rational c = random_place(), height = Rational(uniform(0, 9), 4), x = random_place();
     const FrictionProfile& friction = problem.friction();
     const FrictionProfile more = problem.with_jump(c, height).friction();
     RC_ASSERT(more.jumps().size() == friction.jumps().size() + 1);
     const bool lifted = x > c && friction.piece(x, Side::left) == friction.piece(c, Side::left);
-    if (x != c) RC_ASSERT(more.at(x, Side::left) == friction.at(x, Side::left) + (lifted ? height : Rational(0)));
+    if (x != c) RC_ASSERT(more.at(x, Side::left) == friction.at(x, Side::left) + (lifted ? height : 0_r));
   }));
 }
 
 TEST_CASE("the pieces fill the support, each with its friction and its polynomial") {
   std::size_t most = 0;
   CHECK(rc::check([&] {
-    const ContactProblem problem = *testing::coincidences();
+    const ContactProblem problem = *coincidences();
     const std::vector<ContactProblem::Piece> pieces = problem.pieces();
     most = std::max(most, pieces.size());
     RC_ASSERT(pieces.front().left == problem.indenter().left());
@@ -118,7 +115,7 @@ TEST_CASE("the pieces fill the support, each with its friction and its polynomia
 
 TEST_CASE("the body is dragged along: the shear's sign is that of sliding, against a pressure's") {
   CHECK(rc::check([] {
-    const ContactProblem problem = *testing::coincidences();
+    const ContactProblem problem = *coincidences();
     for (std::size_t k = 0; k < problem.friction().values().size(); ++k) {
       const Rational ratio = problem.shear_ratio(k);
       RC_ASSERT(abs(ratio) == problem.friction().values()[k]);

@@ -1,10 +1,6 @@
 #include "model/contact_problem.hpp"
-
-#include <doctest/doctest.h>
-
 #include "broken_rule.hpp"
-
-using namespace steadyslide;
+#include "support/test.hpp"
 
 namespace {
 
@@ -12,8 +8,8 @@ const Polynomial flat;
 const Polynomial slope({0, 1});
 const Polynomial bowl({0, 0, 1});
 
-Elasticity rigid() { return Elasticity(Solid(Rational(3, 10), 1)); }
-Elasticity elastic() { return Elasticity(Solid(Rational(3, 10), 1), Solid(Rational(2, 10), 2)); }
+Elasticity rigid() { return Elasticity(Solid(0.3_r, 1)); }
+Elasticity elastic() { return Elasticity(Solid(0.3_r, 1), Solid(0.2_r, 2)); }
 Indenter on_unit(const Polynomial& profile) { return Indenter(-1, {{1, profile}}); }
 
 }  // namespace
@@ -27,28 +23,25 @@ TEST_CASE("friction profiles that do not exist") {
         "friction.jumps: wrong number of jumps; there is one jump fewer than friction values; 1 values, 1 jumps");
   CHECK(profile({1, 2, 3}, {0}) ==
         "friction.jumps: wrong number of jumps; there is one jump fewer than friction values; 3 values, 1 jumps");
-  CHECK(profile({1, Rational(-1, 10)}, {0}) ==
+  CHECK(profile({1, -0.1_r}, {0}) ==
         "friction.values[1]: negative friction coefficient; a friction coefficient is at least 0; -0.1");
   CHECK(profile({1, 2, 3}, {0, 0}) ==
         "friction.jumps[1]: jumps not in order; jumps increase from left to right; 0 after 0");
-  CHECK(profile({1, 2, 3, 4}, {0, Rational(1, 3), Rational(1, 4)}) ==
+  CHECK(profile({1, 2, 3, 4}, {0, Rational(1, 3), 0.25_r}) ==
         "friction.jumps[2]: jumps not in order; jumps increase from left to right; 0.25 after 1/3");
   CHECK(profile({0}, {}) == "accepted");
   CHECK(profile({1, 1}, {0}) == "accepted");
 }
 
 TEST_CASE("friction at a point and on both sides of a jump") {
-  const FrictionProfile friction({1, 2, 3}, {0, Rational(1, 2)});
-  CHECK(friction.at(-5, Side::left) == 1);
-  CHECK(friction.at(0, Side::left) == 1);
-  CHECK(friction.at(0, Side::right) == 2);
-  CHECK(friction.at(Rational(1, 4), Side::left) == 2);
-  CHECK(friction.at(Rational(1, 4), Side::right) == 2);
-  CHECK(friction.at(Rational(1, 2), Side::left) == 2);
-  CHECK(friction.at(Rational(1, 2), Side::right) == 3);
-  CHECK(friction.at(5, Side::right) == 3);
-  CHECK(friction.piece(Rational(1, 2), Side::left) == 1);
-  CHECK(friction.piece(Rational(1, 2), Side::right) == 2);
+  const FrictionProfile friction({1, 2, 3}, {0, 0.5_r});
+  using Case = std::tuple<Rational, int, int>;  // a place, f on its left and on its right
+  for (const auto& [x, left, right] : {Case{-5, 1, 1}, {0, 1, 2}, {0.25_r, 2, 2}, {0.5_r, 2, 3}, {5, 3, 3}}) {
+    CHECK(friction.at(x, Side::left) == left);
+    CHECK(friction.at(x, Side::right) == right);
+    CHECK(friction.piece(x, Side::left) + 1 == static_cast<std::size_t>(left));
+    CHECK(friction.piece(x, Side::right) + 1 == static_cast<std::size_t>(right));
+  }
   CHECK(FrictionProfile({7}).at(0, Side::left) == 7);
 }
 
@@ -70,13 +63,12 @@ TEST_CASE("indenters that do not exist") {
 TEST_CASE("breaks of an indenter: value and slope on the right minus those on the left") {
   // psi = -x/2 up to 1, then x^2 - 2 up to 2, then 3x - 3: at 1 value -1 - -1/2, slope 2 + 1/2; at 2 value 3 - 2, slope
   // 3 - 4.
-  const Indenter indenter(
-      0, {{1, Polynomial({0, Rational(-1, 2)})}, {2, Polynomial({-2, 0, 1})}, {3, Polynomial({-3, 3})}});
+  const Indenter indenter(0, {{1, Polynomial({0, -0.5_r})}, {2, Polynomial({-2, 0, 1})}, {3, Polynomial({-3, 3})}});
   const auto breaks = indenter.breaks();
   REQUIRE(breaks.size() == 2);
   CHECK(breaks[0].x == 1);
-  CHECK(breaks[0].step == Rational(-1, 2));
-  CHECK(breaks[0].wedge == Rational(5, 2));
+  CHECK(breaks[0].step == -0.5_r);
+  CHECK(breaks[0].wedge == 2.5_r);
   CHECK(breaks[1].x == 2);
   CHECK(breaks[1].step == 1);
   CHECK(breaks[1].wedge == -1);
@@ -101,7 +93,7 @@ TEST_CASE("problems that do not exist") {
   const FrictionProfile one({1});
   const auto jump_at = [](const Rational& c) { return FrictionProfile({1, 2}, {c}); };
   CHECK(problem(rigid(), one, on_unit(flat), 0) == "load: load out of range; the load is positive; 0");
-  CHECK(problem(rigid(), one, on_unit(flat), Rational(-1, 2)) == "load: load out of range; the load is positive; -0.5");
+  CHECK(problem(rigid(), one, on_unit(flat), -0.5_r) == "load: load out of range; the load is positive; -0.5");
   CHECK(problem(rigid(), jump_at(1), on_unit(flat), 1) ==
         "friction.jumps[0]: jump outside the support; jumps lie in ]-1, 1[; 1");
   CHECK(problem(rigid(), jump_at(-1), on_unit(flat), 1) ==
@@ -109,17 +101,17 @@ TEST_CASE("problems that do not exist") {
   CHECK(problem(rigid(), FrictionProfile({1, 2, 3}, {0, 2}), on_unit(flat), 1) ==
         "friction.jumps[1]: jump outside the support; jumps lie in ]-1, 1[; 2");
   CHECK(problem(rigid(), one, on_unit(flat), 1, 1) == "load_at: load outside the support; the load acts in ]-1, 1[; 1");
-  CHECK(problem(rigid(), one, on_unit(flat), 1, Rational(-3, 2)) ==
+  CHECK(problem(rigid(), one, on_unit(flat), 1, -1.5_r) ==
         "load_at: load outside the support; the load acts in ]-1, 1[; -1.5");
   CHECK(problem(elastic(), one, Indenter(-1, {{0, flat}, {1, slope}}), 1) ==
         "indenter.pieces: elastic indenter with a wedge or a step; the profile of an elastic indenter is smooth; at x "
         "= 0");
-  CHECK(problem(elastic(), one, Indenter(-1, {{0, flat}, {Rational(1, 2), bowl}, {1, flat}}), 1) ==
+  CHECK(problem(elastic(), one, Indenter(-1, {{0, flat}, {0.5_r, bowl}, {1, flat}}), 1) ==
         "indenter.pieces: elastic indenter with a wedge or a step; the profile of an elastic indenter is smooth; at x "
         "= 0.5");
   CHECK(problem(elastic(), one, Indenter(-1, {{0, flat}, {1, bowl}}), 1) == "accepted");
   CHECK(problem(rigid(), one, Indenter(-1, {{0, flat}, {1, slope}}), 1, 0) == "accepted");
-  CHECK(problem(rigid(), jump_at(Rational(999, 1000)), on_unit(flat), parse_rational("1e-400")) == "accepted");
+  CHECK(problem(rigid(), jump_at(0.999_r), on_unit(flat), 1e-400_r) == "accepted");
 }
 
 TEST_CASE("coupled friction has the sign of gamma and of the direction") {

@@ -1,26 +1,16 @@
-#include "model/exponent.hpp"
-
-#include <doctest/doctest.h>
 #include <mpfr.h>
-#include <rapidcheck.h>
-
 #include <cstdlib>
-#include <limits>
-#include <vector>
 
 #include "broken_rule.hpp"
-#include "uniform.hpp"
-
-using namespace steadyslide;
+#include "model/exponent.hpp"
+#include "support/test.hpp"
 
 namespace {
 
 /// The sign of the exponent by summing its terms as they stand, at so many bits that a sum below 2^(-bits/2) can only
 /// be a zero: all nonzero sums of these tests are above.
 int sign_by_summation(const Exponent& exponent, mpfr_prec_t bits = 4096) {
-  mpfr_t sum;
-  mpfr_t term;
-  mpfr_t pi;
+  mpfr_t sum, term, pi;
   mpfr_inits2(bits, sum, term, pi, static_cast<mpfr_ptr>(nullptr));
   mpfr_const_pi(pi, MPFR_RNDN);
   mpfr_set_q(sum, exponent.offset().backend().data(), MPFR_RNDN);
@@ -41,8 +31,8 @@ Rational random_slope() {
   // Small fractions, often equal or related, and now and then a very large or very small one.
   const Rational slope(uniform(-12, 12), uniform(1, 8));
   switch (uniform(0, 9)) {
-    case 0: return slope * parse_rational("1e100");
-    case 1: return slope * parse_rational("1e-100");
+    case 0: return slope * 1e100_r;
+    case 1: return slope * 1e-100_r;
     default: return slope;
   }
 }
@@ -53,10 +43,17 @@ Exponent random_exponent(int most_terms) {
   return sum;
 }
 
+/// Of 200 terms.
+Exponent long_exponent() {
+  Exponent sum(Rational(uniform(-200, 199), 4));
+  for (int k = 0; k < 200; ++k) sum += Exponent::angle(Rational(uniform(-2000, 2000), uniform(1, 999)));
+  return sum;
+}
+
 /// arctan(a) + arctan(b) as one angle and a multiple of pi.
 Exponent merged(const Rational& a, const Rational& b) {
   const Rational below = 1 - a * b;
-  if (below == 0) return Exponent(a > 0 ? Rational(1, 2) : Rational(-1, 2));
+  if (below == 0) return Exponent(a > 0 ? 0.5_r : -0.5_r);
   return Exponent::angle((a + b) / below) + Exponent(below > 0 ? 0 : a > 0 ? 1 : -1);
 }
 
@@ -67,8 +64,7 @@ Exponent hidden_zero(int terms) {
   sum += Exponent::angle(merged_slope);
   Exponent turns;
   for (; terms > 0; --terms) {
-    const Rational next(uniform(-30, 30), uniform(1, 19));
-    const Rational below = 1 - merged_slope * next;
+    const Rational next(uniform(-30, 30), uniform(1, 19)), below = 1 - merged_slope * next;
     if (below == 0) continue;
     sum += Exponent::angle(next);
     turns += Exponent(below > 0 ? 0 : merged_slope > 0 ? 1 : -1);
@@ -80,23 +76,25 @@ Exponent hidden_zero(int terms) {
 }  // namespace
 
 TEST_CASE("Machin's formula is decided, and a near miss is not taken for it") {
-  const Exponent quarter(Rational(1, 4));
+  const Exponent quarter(0.25_r);
   const auto a = [](int n, int d) { return Exponent::angle(Rational(n, d)); };
-  CHECK(a(1, 5) + a(1, 5) + a(1, 5) + a(1, 5) - a(1, 239) == quarter);
-  CHECK((a(1, 5) + a(1, 5) + a(1, 5) + a(1, 5) - a(1, 240) - quarter).sign() == 1);
-  CHECK((a(1, 5) + a(1, 5) + a(1, 5) + a(1, 5) - a(1, 238) - quarter).sign() == -1);
+  const Exponent four = a(1, 5) + a(1, 5) + a(1, 5) + a(1, 5);
+  CHECK(four - a(1, 239) == quarter);
+  CHECK((four - a(1, 240) - quarter).sign() == 1);
+  CHECK((four - a(1, 238) - quarter).sign() == -1);
   CHECK(a(1, 1) + a(2, 1) + a(3, 1) == Exponent(1));
   CHECK(a(1, 2) + a(1, 3) == quarter);
-  CHECK(a(3, 4) + a(4, 3) == Exponent(Rational(1, 2)));
+  CHECK(a(3, 4) + a(4, 3) == Exponent(0.5_r));
 }
 
 TEST_CASE("the sign agrees with a summation at 4096 bits") {
   int signs[3] = {0, 0, 0};
   CHECK(rc::check([&] {
-    const Exponent e = random_exponent(8);
+    const bool is_long = uniform(0, 3) == 0;
+    const Exponent e = is_long ? long_exponent() : random_exponent(8);
     const int sign = e.sign();
     ++signs[sign + 1];
-    RC_ASSERT(sign == sign_by_summation(e));
+    RC_ASSERT(sign == sign_by_summation(e, is_long ? 1024 : 4096));
     RC_ASSERT((-e).sign() == -sign);
   }));
   CHECK(signs[0] > 10);
@@ -105,17 +103,16 @@ TEST_CASE("the sign agrees with a summation at 4096 bits") {
 
 TEST_CASE("arctan a + arctan b = arctan((a+b)/(1-ab)), with the branch") {
   CHECK(rc::check([] {
-    const Rational a = random_slope();
-    const Rational b = random_slope();
+    const Rational a = random_slope(), b = random_slope();
     RC_ASSERT(Exponent::angle(a) + Exponent::angle(b) == merged(a, b));
     // The wrong branch.
     RC_ASSERT(!(Exponent::angle(a) + Exponent::angle(b) == merged(a, b) + Exponent(1)));
-    if (a > 0) RC_ASSERT(Exponent::angle(a) + Exponent::angle(1 / a) == Exponent(Rational(1, 2)));
+    if (a > 0) RC_ASSERT(Exponent::angle(a) + Exponent::angle(1 / a) == Exponent(0.5_r));
   }));
 }
 
 TEST_CASE("hidden zeros are found, and a zero moved by 1e-200 is none") {
-  const Rational tiny = parse_rational("1e-200");
+  const Rational tiny = 1e-200_r;
   int long_ones = 0;
   CHECK(rc::check([&] {
     const Exponent zero = hidden_zero(uniform(1, 11));
@@ -123,8 +120,7 @@ TEST_CASE("hidden zeros are found, and a zero moved by 1e-200 is none") {
     RC_ASSERT(zero.sign() == 0);
     RC_ASSERT(zero == Exponent());
     RC_ASSERT(zero.reduced() == Exponent().reduced());
-    const Exponent above = zero + Exponent::angle(tiny);
-    const Exponent below = zero - Exponent::angle(tiny);
+    const Exponent above = zero + Exponent::angle(tiny), below = zero - Exponent::angle(tiny);
     RC_ASSERT(above.sign() == 1);
     RC_ASSERT(below.sign() == -1);
     RC_ASSERT(!(above == zero));
@@ -143,17 +139,18 @@ TEST_CASE("hidden zeros are found, and a zero moved by 1e-200 is none") {
 
 TEST_CASE("the reduced form is in its range, is the same number, and is unique") {
   CHECK(rc::check([] {
-    const Exponent e = random_exponent(8);
+    const bool is_long = uniform(0, 3) == 0;
+    const Exponent e = is_long ? long_exponent() : random_exponent(8);
     const Exponent::Reduced reduced = e.reduced();
     RC_ASSERT(reduced.slope > -1);
     RC_ASSERT(reduced.slope <= 1);
     const Exponent again = Exponent(Rational(reduced.halves) / 2) + Exponent::angle(reduced.slope);
     RC_ASSERT(again == e);
     RC_ASSERT(again.reduced() == reduced);
-    RC_ASSERT(sign_by_summation(again - e) == 0);
+    if (!is_long) RC_ASSERT(sign_by_summation(again - e) == 0);
     // Any two exponents: equal reduced forms if and only if the difference is 0.
     const Exponent other = random_exponent(2);
-    RC_ASSERT((other.reduced() == reduced) == (sign_by_summation(other - e) == 0));
+    if (!is_long) RC_ASSERT((other.reduced() == reduced) == (sign_by_summation(other - e) == 0));
   }));
 }
 
@@ -161,19 +158,19 @@ TEST_CASE("the corners of the reduced form") {
   const auto reduced = [](const Exponent& e) { return e.reduced(); };
   using Reduced = Exponent::Reduced;
   CHECK(reduced(Exponent()) == Reduced{0, 0});
-  CHECK(reduced(Exponent(Rational(1, 4))) == Reduced{0, 1});
-  CHECK(reduced(Exponent(Rational(-1, 4))) == Reduced{-1, 1});
-  CHECK(reduced(Exponent(Rational(3, 4))) == Reduced{1, 1});
-  CHECK(reduced(Exponent(Rational(-3, 4))) == Reduced{-2, 1});
+  CHECK(reduced(Exponent(0.25_r)) == Reduced{0, 1});
+  CHECK(reduced(Exponent(-0.25_r)) == Reduced{-1, 1});
+  CHECK(reduced(Exponent(0.75_r)) == Reduced{1, 1});
+  CHECK(reduced(Exponent(-0.75_r)) == Reduced{-2, 1});
   CHECK(reduced(Exponent::angle(1)) == Reduced{0, 1});
   CHECK(reduced(Exponent::angle(-1)) == Reduced{-1, 1});
-  CHECK(reduced(Exponent::angle(2)) == Reduced{1, Rational(-1, 2)});
-  CHECK(reduced(Exponent(Rational(-1, 2)) - Exponent::angle(2)) == Reduced{-2, Rational(1, 2)});
+  CHECK(reduced(Exponent::angle(2)) == Reduced{1, -0.5_r});
+  CHECK(reduced(Exponent(-0.5_r) - Exponent::angle(2)) == Reduced{-2, 0.5_r});
   CHECK(reduced(Exponent(1000000)) == Reduced{2000000, 0});
 }
 
 TEST_CASE("huge and tiny slopes") {
-  const Rational huge = parse_rational("1e400") * parse_rational("1e400");
+  const Rational huge = 1e400_r * 1e400_r;
   CHECK((half - Exponent::angle(huge)).sign() == 1);
   CHECK((half + Exponent::angle(-huge)).sign() == 1);
   CHECK((Exponent::angle(huge + 1) - Exponent::angle(huge)).sign() == 1);
@@ -182,24 +179,9 @@ TEST_CASE("huge and tiny slopes") {
   CHECK((half - Exponent::angle(huge)).reduced() == Exponent::Reduced{0, 1 / huge});
 }
 
-TEST_CASE("sums of 200 terms") {
-  CHECK(rc::check([] {
-    Exponent sum(Rational(uniform(-200, 199), 4));
-    for (int k = 0; k < 200; ++k) {
-      sum += Exponent::angle(Rational(uniform(-2000, 2000), uniform(1, 999)));
-    }
-    RC_ASSERT(sum.sign() == sign_by_summation(sum, 1024));
-    RC_ASSERT((sum - sum).angles().empty());
-    const Exponent::Reduced reduced = sum.reduced();
-    RC_ASSERT(sum == Exponent(Rational(reduced.halves) / 2) + Exponent::angle(reduced.slope));
-  }));
-}
-
 TEST_CASE("exponents add like numbers, in any order") {
   CHECK(rc::check([] {
-    const Exponent a = random_exponent(4);
-    const Exponent b = random_exponent(4);
-    const Exponent c = random_exponent(4);
+    const Exponent a = random_exponent(4), b = random_exponent(4), c = random_exponent(4);
     RC_ASSERT(a + b == b + a);
     RC_ASSERT((a + b) + c == a + (b + c));
     RC_ASSERT((a - b) + b == a);
@@ -221,7 +203,7 @@ TEST_CASE("exponents add like numbers, in any order") {
 }
 
 TEST_CASE("an angle is counted so many times and no more") {
-  Exponent sum = Exponent::angle(Rational(1, 2));
+  Exponent sum = Exponent::angle(0.5_r);
   const auto twice = [&] { sum += sum; };
   for (int k = 0; k < 13; ++k) twice();
   CHECK(sum.angles()[0].times == 8192);
@@ -235,11 +217,11 @@ TEST_CASE("an angle is counted so many times and no more") {
 
 TEST_CASE("exponents as text, and an offset that is none") {
   CHECK(to_string(Exponent()) == "0");
-  CHECK(to_string(Exponent(Rational(-1, 2)) - Exponent::angle(Rational(3, 35))) == "-1/2 - arctan(3/35)/pi");
+  CHECK(to_string(Exponent(-0.5_r) - Exponent::angle(Rational(3, 35))) == "-1/2 - arctan(3/35)/pi");
   CHECK(to_string(Exponent::angle(-2)) == "-arctan(2)/pi");
   CHECK(to_string(Exponent::angle(2) + Exponent::angle(2) - Exponent(1)) == "-1 + 2*arctan(2)/pi");
   CHECK(to_string(Exponent::angle(2) - Exponent::angle(Rational(1, 3))) == "arctan(2)/pi - arctan(1/3)/pi");
   CHECK(refusal([] { Exponent(Rational(1, 3)); }) ==
         ": offset of an exponent out of range; the offset is a multiple of 1/4; 1/3");
-  CHECK(refusal([] { Exponent(Rational(-7, 4)); }) == "accepted");
+  CHECK(refusal([] { Exponent(-1.75_r); }) == "accepted");
 }

@@ -1,13 +1,6 @@
 #include "model/singular_point.hpp"
-
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <string>
-
 #include "support/random_problem.hpp"
-
-using namespace steadyslide;
+#include "support/test.hpp"
 
 namespace {
 
@@ -28,7 +21,7 @@ Lines text_of(const std::vector<SingularPoint>& points) {
 
 /// gamma = 1/2 unless said otherwise: s = f/2.
 Lines points(FrictionProfile friction, std::vector<Indenter::Piece> pieces, Sliding sliding = Sliding::plus_x,
-             const Rational& gamma = Rational(1, 2)) {
+             const Rational& gamma = 0.5_r) {
   return text_of(possible_singular_points(
       ContactProblem(Elasticity::reduced(gamma), std::move(friction), Indenter(-1, std::move(pieces)), 1, sliding)));
 }
@@ -92,7 +85,7 @@ TEST_CASE("a step ends the contact on its protruding side") {
 }
 
 TEST_CASE("jumps, wedges on jumps, and steps on jumps") {
-  const FrictionProfile friction({1, 3, 1}, {0, Rational(1, 2)});
+  const FrictionProfile friction({1, 3, 1}, {0, 0.5_r});
   const Lines free_ends{"anywhere free right 3: 1/2 - arctan(3/2)/pi", "anywhere free left 3: 1/2 + arctan(3/2)/pi"};
   const auto expected = [&](const Lines& inside) {
     Lines all = around(inside);
@@ -104,7 +97,7 @@ TEST_CASE("jumps, wedges on jumps, and steps on jumps") {
   CHECK(points(friction, {{0, flat}, {1, Polynomial({0, 1})}}) ==
         expected({"0 wedge_and_jump both 1 3: arctan(1/2)/pi - arctan(3/2)/pi",
                   "0.5 friction_jump both 3 1: arctan(3/2)/pi - arctan(1/2)/pi"}));
-  CHECK(points(friction, {{Rational(1, 4), flat}, {1, Polynomial({Rational(-1, 4), 1})}}) ==
+  CHECK(points(friction, {{0.25_r, flat}, {1, Polynomial({-0.25_r, 1})}}) ==
         expected({"0 friction_jump both 1 3: arctan(1/2)/pi - arctan(3/2)/pi", "0.25 wedge both 3 3: log",
                   "0.5 friction_jump both 3 1: arctan(3/2)/pi - arctan(1/2)/pi"}));
   // A step on a jump: the friction of the protruding side.
@@ -135,12 +128,12 @@ TEST_CASE("sliding the other way, and a negative gamma, change the sign of every
                        "anywhere free left 3: 1/2 - arctan(3/2)/pi"};
   const FrictionProfile friction({1, 3}, {0});
   CHECK(points(friction, {{1, flat}}, Sliding::minus_x) == expected);
-  CHECK(points(friction, {{1, flat}}, Sliding::plus_x, Rational(-1, 2)) == expected);
+  CHECK(points(friction, {{1, flat}}, Sliding::plus_x, -0.5_r) == expected);
 }
 
 TEST_CASE("an elastic indenter has no edges of its own") {
-  const Solid steel(Rational(3, 10), 1);
-  const ContactProblem problem(Elasticity(steel, Solid(Rational(3, 10), 1)), FrictionProfile({1}),
+  const Solid steel(0.3_r, 1);
+  const ContactProblem problem(Elasticity(steel, Solid(0.3_r, 1)), FrictionProfile({1}),
                                Indenter(-1, {{1, Polynomial({0, 0, 1})}}), 1);
   CHECK(text_of(possible_singular_points(problem)) ==
         Lines{"-1 free right 1: 1/2", "1 free left 1: 1/2", "anywhere free right 1: 1/2", "anywhere free left 1: 1/2"});
@@ -149,7 +142,7 @@ TEST_CASE("an elastic indenter has no edges of its own") {
 TEST_CASE("the mirrored problem has the mirrored list") {
   int interior = 0;
   CHECK(rc::check([&] {
-    const ContactProblem problem = *testing::coincidences();
+    const ContactProblem problem = *coincidences();
     const std::vector<SingularPoint> here = possible_singular_points(problem);
     const std::vector<SingularPoint> there = possible_singular_points(problem.mirrored());
     RC_ASSERT(here.size() == there.size());
@@ -165,8 +158,7 @@ TEST_CASE("the mirrored problem has the mirrored list") {
 TEST_CASE("powers: ranges and relations") {
   CHECK(rc::check([] {
     const auto random = [] { return Rational(uniform(-5000, 4999), uniform(1, 99)); };
-    const Rational s = random();
-    const Rational t = random();
+    const Rational s = random(), t = random();
     const Exponent one(1);
     for (const End end : {End::left, End::right}) {
       RC_ASSERT(edge_exponent(end, s).sign() == -1);

@@ -1,13 +1,9 @@
-#include "model/uniqueness.hpp"
-
-#include <doctest/doctest.h>
-
 #include <array>
 #include <memory>
 
+#include "model/uniqueness.hpp"
 #include "support/random_problem.hpp"
-
-using namespace steadyslide;
+#include "support/test.hpp"
 
 namespace {
 
@@ -38,16 +34,14 @@ TEST_CASE("uniqueness where s nowhere decreases [Bal16, theorems 1 and 8]") {
   CHECK_FALSE(of(-gamma, {1, 2}).proved);
   CHECK(of(-gamma, {1, 2}, Sliding::minus_x).proved);
   CHECK(of(0, {3, 1, 2}).reason == "s = gamma f is constant");
-  CHECK_FALSE(of(gamma, {1}, Sliding::plus_x, Rational(0)).proved);
-  CHECK(of(gamma, {1}, Sliding::plus_x, Rational(0)).reason ==
-        "the indenter may tilt, which the theorem does not cover");
+  CHECK_FALSE(of(gamma, {1}, Sliding::plus_x, 0_r).proved);
+  CHECK(of(gamma, {1}, Sliding::plus_x, 0_r).reason == "the indenter may tilt, which the theorem does not cover");
 }
 
 TEST_CASE("uniqueness does not depend on the side from which one looks") {
-  int proved = 0;
-  int open = 0;
+  int proved = 0, open = 0;
   CHECK(rc::check([&] {
-    const ContactProblem problem = *testing::coincidences();
+    const ContactProblem problem = *coincidences();
     const bool here = uniqueness(problem).proved;
     ++(here ? proved : open);
     RC_ASSERT(uniqueness(problem.mirrored()).proved == here);

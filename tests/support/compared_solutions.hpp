@@ -1,8 +1,7 @@
 #pragma once
 // Two solutions of a problem, or of a problem and its image, compared quantity by quantity.
 
-#include <algorithm>
-#include <string>
+#include <tuple>
 
 #include "numeric/solution/contact_solution.hpp"
 #include "support/change_laws.hpp"
@@ -29,12 +28,10 @@ template <numeric::Real R>
 std::vector<Rational> places(const std::vector<numeric::ContactComponent<R>>& contact) {
   std::vector<Rational> result;
   for (const auto& zone : contact) {
-    const Rational left(zone.left.x.value);
-    const Rational width = Rational(zone.right.x.value) - left;
+    const Rational left(zone.left.x.value), width = Rational(zone.right.x.value) - left;
     for (const int part : {13, 271, 502, 838, 991}) result.push_back(left + width * part / 1009);
   }
-  const Rational left(contact.front().left.x.value);
-  const Rational right(contact.back().right.x.value);
+  const Rational left(contact.front().left.x.value), right(contact.back().right.x.value);
   result.push_back(left - (right - left) * 2 / 5);
   result.push_back(right + (right - left) * 3 / 10);
   return result;
@@ -54,11 +51,8 @@ std::string difference(const ContactProblem& problem, const numeric::ContactSolu
                        const numeric::ContactSolution<R>& after, const Image& image, const Tolerance<R>& within) {
   using namespace numeric;
   using std::abs, std::pow;
-  const R scale = to_real<R>(image.scale);
-  const R shift = to_real<R>(image.shift);
-  const R factor = to_real<R>(image.traction);
-  const R height = to_real<R>(image.height);
-  const R size = abs(scale);
+  const R scale = to_real<R>(image.scale), shift = to_real<R>(image.shift);
+  const R factor = to_real<R>(image.traction), height = to_real<R>(image.height), size = abs(scale);
   const auto a = before.contact();
   auto b = after.contact();
   if (a.size() != b.size()) return "number of components";
@@ -69,8 +63,7 @@ std::string difference(const ContactProblem& problem, const numeric::ContactSolu
   const R length = length_of<R>(a);
   for (std::size_t k = 0; k < a.size(); ++k) {
     for (const auto end : {&ContactComponent<R>::left, &ContactComponent<R>::right}) {
-      const ContactEnd<R>& p = a[k].*end;
-      const ContactEnd<R>& q = b[k].*end;
+      const ContactEnd<R>&p = a[k].*end, &q = b[k].*end;
       if (p.kind != q.kind || !(p.exponent == q.exponent)) return "kind of end";
       if (!is_close<R>(scale * p.x.value + shift, q.x.value, within.end * size * length)) return "end";
       if (p.intensity.error == infinity<R>() && q.intensity.error == infinity<R>()) continue;  // not known
@@ -80,21 +73,18 @@ std::string difference(const ContactProblem& problem, const numeric::ContactSolu
       }
     }
   }
-  const Resultants<R> ra = before.resultants();
-  const Resultants<R> rb = after.resultants();
+  const Resultants<R> ra = before.resultants(), rb = after.resultants();
   const R force = factor * size;
-  if (!is_close<R>(force * ra.normal.value, rb.normal.value, 2 * within.traction * rb.normal.value)) return "normal";
-  if (!is_close<R>(force * ra.tangential.value, rb.tangential.value,
-                   within.traction * (rb.tangential.value + rb.normal.value))) {
-    return "tangential";
-  }
-  if (!is_close<R>(ra.effective_friction.value, rb.effective_friction.value,
-                   within.traction * (rb.effective_friction.value + 1))) {
-    return "effective friction";
-  }
-  if (!is_close<R>(scale * ra.centre_of_pressure.value + shift, rb.centre_of_pressure.value,
-                   10 * within.end * size * length)) {
-    return "centre of pressure";
+  const std::tuple<const char*, R, R, R> totals[] = {
+      {"normal", force * ra.normal.value, rb.normal.value, 2 * within.traction * rb.normal.value},
+      {"tangential", force * ra.tangential.value, rb.tangential.value,
+       within.traction * (rb.tangential.value + rb.normal.value)},
+      {"effective friction", ra.effective_friction.value, rb.effective_friction.value,
+       within.traction * (rb.effective_friction.value + 1)},
+      {"centre of pressure", scale * ra.centre_of_pressure.value + shift, rb.centre_of_pressure.value,
+       10 * within.end * size * length}};
+  for (const auto& [name, expected, found, distance] : totals) {
+    if (!is_close<R>(expected, found, distance)) return name;
   }
   // What the load makes on average, of the image.
   const R mean = factor * ra.normal.value / length;
@@ -107,8 +97,7 @@ std::string difference(const ContactProblem& problem, const numeric::ContactSolu
     if (!is_close<R>(tilt, tilt_b->value, within.intensity * (abs(tilt) + bend / (size * length)))) return "tilt";
   }
   for (const Rational& x : places<R>(a)) {
-    const Sample<R> p = before.at(x);
-    const Sample<R> q = after.at(image.of(x));
+    const Sample<R> p = before.at(x), q = after.at(image.of(x));
     const auto differs = [&](const R& times, const TwoSided<R>& from, const TwoSided<R>& to, const R& unit) {
       const auto far = [&](const Estimate<R>& before_change, const Estimate<R>& found) {
         const R expected = times * before_change.value;
@@ -123,13 +112,6 @@ std::string difference(const ContactProblem& problem, const numeric::ContactSolu
     if (p.gap && differs(height, {*p.gap, *p.gap}, {*q.gap, *q.gap}, bend)) return "gap";
   }
   return "";
-}
-
-/// Two solutions of one problem.
-template <numeric::Real R>
-std::string difference(const ContactProblem& problem, const numeric::ContactSolution<R>& a,
-                       const numeric::ContactSolution<R>& b, const Tolerance<R>& within) {
-  return difference<R>(problem, a, b, {}, within);
 }
 
 }  // namespace steadyslide::testing

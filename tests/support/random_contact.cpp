@@ -124,8 +124,7 @@ Shape punch(Dice& dice) {
     const Rational slope = dice.chance(50) ? 1 : -1;
     return {{{1, Polynomial({0, slope})}}, {{-slope, 1}}, dice.decades(-30, 30)};
   }
-  const Rational left = -dice.part(2, 7, 8);
-  const Rational right = dice.part(2, 7, 8);
+  const Rational left = -dice.part(2, 7, 8), right = dice.part(2, 7, 8);
   const Polynomial incline({0, dice.chance(50) ? Rational(0) : dice.part(-2, 2, 16)});
   const auto rounded = [&](const Rational& from, const Rational& end) {
     return around(from, {0, 0, 1 / ((end - from) * (end - from))}) + incline;
@@ -144,8 +143,7 @@ Shape polygon(Dice& dice) {
   corners.insert(1);
   const Polynomial bend({0, 0, dice.part(0, 2, 4)});
   Shape shape{{}, {}, dice.decades(-3, 20)};
-  Rational from = -1;
-  Rational height = 0;
+  Rational from = -1, height = 0;
   auto slope = slopes.begin();
   for (const Rational& to : corners) {
     shape.pieces.push_back({to, Polynomial({height - *slope * from, *slope}) + bend});
@@ -157,9 +155,7 @@ Shape polygon(Dice& dice) {
 }
 
 Shape steps(Dice& dice) {
-  const Rational a = dice.part(-5, -1, 8);
-  const Rational b = dice.part(1, 5, 8);
-  const Rational up = dice.part(2, 4, 4);
+  const Rational a = dice.part(-5, -1, 8), b = dice.part(1, 5, 8), up = dice.part(2, 4, 4);
   const Rational load = dice.decades(-10, 5);
   const auto flat = [](const Rational& height) { return Polynomial::constant(height); };
   switch (dice.whole(1, 5)) {

@@ -2,14 +2,8 @@
 // Random exact problems for the laws, shrinking towards simple ones; and such with small data, in which coincidences
 // are frequent.
 
-#include <rapidcheck.h>
-
-#include <algorithm>
-#include <set>
-#include <vector>
-
 #include "model/contact_problem.hpp"
-#include "uniform.hpp"
+#include "support/test.hpp"
 
 namespace steadyslide::testing {
 
@@ -20,8 +14,7 @@ inline rc::Gen<Rational> rational(int low, int high, int denominator) {
 
 /// f: one in five is zero, one in five large (up to 50), the rest up to 2.
 inline rc::Gen<Rational> friction() {
-  return rc::gen::weightedOneOf<Rational>(
-      {{1, rc::gen::just(Rational(0))}, {1, rational(2, 50, 7)}, {3, rational(0, 2, 97)}});
+  return rc::gen::weightedOneOf<Rational>({{1, rc::gen::just(0_r)}, {1, rational(2, 50, 7)}, {3, rational(0, 2, 97)}});
 }
 
 inline rc::Gen<Elasticity> elasticity() {
@@ -43,8 +36,7 @@ struct SurfaceData {
 /// A support of width 1/2..8 anywhere, with 0..max_jumps jumps inside.
 inline rc::Gen<SurfaceData> surface(int max_jumps) {
   return rc::gen::exec([max_jumps] {
-    const Rational left = *rational(-3, 3, 8);
-    const Rational width = *rational(1, 16, 3) / 2;
+    const Rational left = *rational(-3, 3, 8), width = *rational(1, 16, 3) / 2;
     const int count = uniform(0, max_jumps);
     std::set<Rational> places;
     for (int k = 0; k < count; ++k) places.insert(left + width * uniform(1, 399) / 400);
@@ -72,7 +64,7 @@ inline rc::Gen<ContactProblem> parabola(int max_jumps) {
   return rc::gen::exec([max_jumps] {
     const SurfaceData s = *surface(max_jumps);
     const Polynomial profile({*rational(-1, 1, 3), *rational(-2, 2, 5), Rational(uniform(1, 64), 32)});
-    return ContactProblem(*elasticity(), s.friction, Indenter(Rational(-1000000), {{Rational(1000000), profile}}),
+    return ContactProblem(*elasticity(), s.friction, Indenter(Rational(-1000000), {{1000000_r, profile}}),
                           *rational(1, 40, 9), *sliding());
   });
 }

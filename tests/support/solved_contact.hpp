@@ -1,29 +1,14 @@
 #pragma once
 // Contact problems in reduced data, solved, with all that every solution promises checked.
 
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "numeric/cauchy/residuals.hpp"
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "support/numeric_test.hpp"
+#include "support/problems.hpp"
 
 namespace steadyslide::testing {
-
-/// c = 1, and s itself as data: gamma = 1/2 and f = 2 s.
-inline ContactProblem reduced(const std::vector<Rational>& s, const std::vector<Rational>& jumps,
-                              const Indenter& indenter, const Rational& load,
-                              const std::optional<Rational>& load_at = std::nullopt) {
-  std::vector<Rational> f;
-  for (const Rational& value : s) f.push_back(2 * value);
-  return {Elasticity::reduced(Rational(1, 2)), FrictionProfile(f, jumps), indenter, load, Sliding::plus_x, load_at};
-}
-
-inline Indenter one_piece(const Rational& left, const Rational& right, const std::vector<Rational>& coefficients) {
-  return {left, {{right, Polynomial(coefficients)}}};
-}
 
 /// How far residuals may be from zero.
 template <numeric::Real R>
@@ -32,17 +17,23 @@ R residual_tolerance() {
   return std::same_as<R, numeric::Real50> ? R(1e-45) : R(1e-100);
 }
 
+/// "equation 1e-05; load 0.1": the residuals above a tolerance. One that is no number is above all.
+template <numeric::Real R>
+std::string large_residuals(const numeric::ContactSolution<R>& solution, const R& tolerance) {
+  const numeric::Residuals<R> r = solution.residuals();
+  std::ostringstream text;
+  for (const auto& [name, value] :
+       {std::pair("equation", r.equation), {"load", r.load}, {"penetration", r.penetration}, {"tension", r.tension}}) {
+    if (!(value <= tolerance)) text << (text.str().empty() ? "" : "; ") << name << ' ' << static_cast<double>(value);
+  }
+  return text.str();
+}
+
 /// What a solution does not keep of its promises, or nothing.
 template <numeric::Real R>
 std::string fault(const numeric::ContactSolution<R>& solution) {
-  if (!solution.shortcoming().empty()) return solution.shortcoming();
-  const numeric::Residuals<R> r = solution.residuals();
-  for (const auto& [name, value] :
-       {std::pair("equation", r.equation), {"load", r.load}, {"penetration", r.penetration}, {"tension", r.tension}}) {
-    // No number is no residual.
-    if (!(value <= residual_tolerance<R>())) return name + (' ' + std::to_string(static_cast<double>(value)));
-  }
-  return "";
+  const std::string shortcoming = solution.shortcoming();
+  return shortcoming.empty() ? large_residuals<R>(solution, residual_tolerance<R>()) : shortcoming;
 }
 
 template <numeric::Real R>

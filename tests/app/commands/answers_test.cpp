@@ -1,0 +1,91 @@
+// What commands answer: tests/app/commands/answers.txt and example_answers.txt, which say how they are read.
+
+#include <regex>
+
+#include "app/json_answers.hpp"
+
+namespace {
+
+std::string part_of(const Finished& answer, const std::string& what) {
+  if (what == "code") return std::to_string(answer.code);
+  if (what == "out") return answer.out;
+  if (what == "err") return answer.err;
+  const std::vector<std::string> rows = lines(answer.out);
+  if (what == "lines") return std::to_string(rows.size());
+  const std::string where = what.substr(what.find_first_of(":/") + (what.starts_with("/") ? 0 : 1));
+  if (what.starts_with("line:")) return rows.at(std::stoul(where));
+  if (what.starts_with("commas:")) return std::to_string(times(rows.at(std::stoul(where)), ","));
+  const Json json = Json::parse(answer.out).at(Json::json_pointer(where));
+  return what.starts_with("keys:") ? keys(json) : what.starts_with("size:") ? std::to_string(json.size()) : json.dump();
+}
+
+bool holds_for(const std::string& found, const std::string& relation, const std::string& value) {
+  if (relation == "=") return found == value;
+  if (relation == "starts") return found.starts_with(value);
+  if (relation == "ends") return found.ends_with(value);
+  if (relation == "holds") return holds(found, value);
+  if (relation == "lacks") return !holds(found, value);
+  const Rational number = parse_rational(found.starts_with('"') ? found.substr(1, found.size() - 2) : found);
+  const std::size_t tolerance = value.find(" +- ");
+  const Rational expected = parse_rational(value.substr(0, tolerance));
+  if (relation == "<") return number < expected;
+  if (relation == ">") return number > expected;
+  REQUIRE(relation == "~");
+  return abs(number - expected) <= parse_rational(value.substr(tolerance + 4));
+}
+
+/// "/contact/0/left/kind = ...", see answers.txt.
+void check_one(const Finished& answer, const std::string& expected) {
+  CAPTURE(expected);
+  const std::size_t space = expected.find(' '), next = std::min(expected.find(' ', space + 1), expected.size());
+  const std::string what = expected.substr(0, space), relation = expected.substr(space + 1, next - space - 1);
+  std::string value = next == expected.size() ? "" : expected.substr(next + 1);
+  if (!holds(what, "/")) value = std::regex_replace(value, std::regex("\\\\n"), "\n");
+  const std::string found = part_of(answer, what);
+  CAPTURE(found);
+  CHECK(holds_for(found, relation, value));
+}
+
+/// Returns the number of commands.
+int check_answers(const std::string& file, const std::string& folder) {
+  std::map<std::string, std::vector<std::string>> expected;
+  std::string command;
+  for (const std::string& line : lines(file_text(STEADYSLIDE_TESTS "/app/commands/" + file))) {
+    if (line.starts_with("steadyslide ")) command = line;
+    if (line.starts_with("    ")) expected[command].push_back(line.substr(4));
+  }
+  for (const auto& [line, parts] : expected) {
+    CAPTURE(line);
+    const Finished answer = run_program(arguments_of(line), folder);
+    const auto said = [&](const char* what) {
+      return std::ranges::any_of(parts, [&](const std::string& part) { return part.starts_with(what); });
+    };
+    if (!said("code ")) CHECK(answer.code == 0);
+    if (!said("err ")) CHECK(answer.err == "");
+    for (const std::string& part : parts) check_one(answer, part);
+  }
+  return static_cast<int>(expected.size());
+}
+
+}  // namespace
+
+TEST_CASE("answers: among the problems of the tests") {
+  CHECK(check_answers("answers.txt", STEADYSLIDE_TESTS "/app/commands/problems") >= 39);
+}
+
+TEST_CASE("answers: among the examples") { CHECK(check_answers("example_answers.txt", STEADYSLIDE_EXAMPLES) >= 16); }
+
+TEST_CASE("control: another answer is noticed") {
+  const Finished answer{0, "{\"a\":{\"b\":\"0.3\"},\"c\":[1]}\n", ""};
+  CHECK(holds_for(part_of(answer, "/a/b"), "~", "0.31 +- 0.01"));
+  CHECK_FALSE(holds_for(part_of(answer, "/a/b"), "~", "0.311 +- 0.01"));
+  CHECK_FALSE(holds_for(part_of(answer, "/a/b"), "=", "\"0.31\""));
+  CHECK_FALSE(holds_for(part_of(answer, "/a/b"), ">", "0.3"));
+  CHECK_FALSE(holds_for(part_of(answer, "/a/b"), "<", "0.3"));
+  CHECK_FALSE(holds_for(part_of(answer, "keys:"), "=", "a"));
+  CHECK_FALSE(holds_for(part_of(answer, "size:/c"), "=", "2"));
+  CHECK_FALSE(holds_for(part_of(answer, "out"), "starts", "{}"));
+  CHECK_FALSE(holds_for(part_of(answer, "out"), "ends", "}"));
+  CHECK_FALSE(holds_for(part_of(answer, "out"), "holds", "0.31"));
+  CHECK_FALSE(holds_for(part_of(answer, "out"), "lacks", "0.3"));
+}

@@ -1,0 +1,34 @@
+// Bad command lines: the whole message and the exit code of each.
+
+#include "app/command_line.hpp"
+
+TEST_CASE("bad command lines: message, exit code, no output") {
+  const TemporaryFolder folder;
+  const std::string rest = "load = 1\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.2]\n[indenter]\n";
+  folder.write("good.toml", rest + "profile = 0\n");
+  folder.write("wedge.toml", rest + "pieces = [{to = 0, profile = \"-x\"}, {to = 1, profile = \"x\"}]\n");
+  folder.write("tilt.toml", "load_at = 0\n" + rest + "profile = 0\n");
+  std::string trace;  // of more breaks than the Riemann-Hilbert method takes
+  for (int k = -101; k <= 101; ++k) trace += std::to_string(k) + "e-2," + std::to_string(k * k) + "e-4\n";
+  folder.write("rough.csv", trace);
+  folder.write("rough.toml", rest + "samples = \"rough.csv\"\n");
+  const auto refused = [&](const Arguments& arguments, const std::string& message) {
+    CAPTURE(message);
+    check_refused(run_program(arguments, folder.path()), "command line: " + message);
+  };
+  const auto bad_lines = pairs_of(STEADYSLIDE_TESTS "/app/commands/bad_command_lines.txt");
+  CHECK(bad_lines.size() >= 70);
+  for (const auto& [line, message] : bad_lines) refused(arguments_of(line), message);
+  refused({"solve", "good.toml", "two\nlines"}, "one argument too many; solve --help lists them; 'two\\x0alines'");
+  CHECK(folder.names() == std::vector<std::string>{"good.toml", "rough.csv", "rough.toml", "tilt.toml", "wedge.toml"});
+}
+
+TEST_CASE("help is complete at every level, and a result") {
+  check_holds(out_of(run_alone({"--help"})),
+              {"verify", "exponents", "table", "solve", "figures", "report", "Units", "Signs", "Exit code"});
+  for (const std::string command : {"verify", "exponents", "table", "solve", "figures", "report"}) {
+    CHECK(holds(out_of(run_alone({command, "--help"})), "steadyslide " + command));
+  }
+  CHECK(holds(run_alone({"solve", "--help"}).out, "away from the body"));
+  CHECK(run_alone({"--version"}).out == "steadyslide " STEADYSLIDE_VERSION "\n");
+}

@@ -1,0 +1,101 @@
+// A LaTeX table compiles. Needs pdflatex; where it is absent the test says so and checks the text only.
+
+#include <regex>
+
+#include "app/command_line.hpp"
+
+namespace {
+
+/// t.tex of the folder.
+void compile(const TemporaryFolder& folder, bool fits) {
+  if (run_other({"sh", "-c", "command -v pdflatex"}, folder.path()).code != 0) {
+    MESSAGE("pdflatex is absent: not compiled");
+    return;
+  }
+  const Finished latex = run_other({"pdflatex", "-interaction=nonstopmode", "-halt-on-error", "t.tex"}, folder.path());
+  CHECK_MESSAGE(latex.code == 0, latex.out);
+  if (fits) CHECK_FALSE(holds(latex.out, "Overfull \\hbox"));
+  CHECK(std::filesystem::exists(folder.path() / "t.pdf"));
+}
+
+/// The prose of a document, and its formulas: what stands between dollars or in displays.
+struct Parts {
+  std::string prose;
+  std::string formulas;
+};
+
+Parts parts(const std::string& document) {
+  Parts result;
+  std::string text = document.substr(document.find("\\begin{document}"));
+  const std::regex formula("\\$[^$]*\\$|\\\\\\[[^]*?\\\\\\]");
+  for (std::smatch match; std::regex_search(text, match, formula); text = match.suffix()) {
+    result.prose += match.prefix().str() + " ";
+    result.formulas += match.str() + "\n";
+  }
+  result.prose += text;
+  return result;
+}
+
+/// Formulas are formulas, in the prose too, and every name has its sign.
+void check_notation(const std::string& document) {
+  const auto [prose, formulas] = parts(document);
+  const std::regex in_prose(
+      "[_^<>=|]|\\\\text(less|greater|bar|asciicircum)|\\b(theta|lambda|alpha|psi|sigma|Phi|pi|cos|cot|log)\\b");
+  const std::regex in_formulas(
+      "(^|[^\\\\A-Za-z])(theta|lambda|alpha|psi|sigma|Phi|pi|cos|sin|cot|log|arctan|sqrt|infinity)(?![A-Za-z])"
+      "|<=|>=|\\*|_bar|_l|_r|_\\{[lr]\\}");
+  std::smatch match;
+  const bool raw = std::regex_search(prose, match, in_prose);
+  CHECK_MESSAGE(!raw, match.prefix().str().substr(match.prefix().length() > 60 ? match.prefix().length() - 60 : 0)
+                          << " >> " << match.str());
+  const bool named = std::regex_search(formulas, match, in_formulas);
+  CHECK_MESSAGE(!named, match.prefix().str().substr(match.prefix().length() > 60 ? match.prefix().length() - 60 : 0)
+                            << " >> " << match.str());
+  CHECK(holds(formulas, "\\lambda"));
+}
+
+void check_compiles(const Arguments& arguments, const std::string& input = "",
+                    const std::string& last_environment = "longtable") {
+  const TemporaryFolder folder;
+  REQUIRE(run_program(joined(arguments, {"--format", "latex", "-o", "t.tex"}), folder.path(), input).code == 0);
+  const std::string text = folder.read("t.tex");
+  CHECK(text.starts_with("\\documentclass{article}\n"));
+  CHECK(text.ends_with("\\end{" + last_environment + "}\n\\end{document}\n"));
+  if (last_environment == "enumerate") check_notation(text);
+  compile(folder, last_environment == "longtable");
+}
+
+}  // namespace
+
+TEST_CASE("tables compile, narrow and wide") {
+  check_compiles({"table", "--poisson=-0.5:0.45:0.05", "--rear", "0:2:0.5", "--front", "0,1e-30,1.5"});
+  check_compiles({"table", "--poisson", "0.3", "--rear", "0.1", "--front", "0.2", "--digits", "100"});
+  check_compiles({"table", "--poisson", "0", "--rear", "0", "--front", "0", "--digits", "1"});
+}
+
+TEST_CASE("exponents compile") {
+  check_compiles(
+      {"exponents", "-", "--digits", "50"},
+      "load = 1\n[half_space]\ngamma = \"1/2\"\n[friction]\nvalues = [2, 0.123456789, 0]\njumps = [0, 0.5]\n"
+      "[indenter]\npieces = [{to = 0, profile = \"-x\"}, {to = \"1/3\", profile = \"x\"}, {to = 0.9, profile "
+      "= \"2*x\"}, {to = 1, profile = \"x+0.9\"}]\n");
+}
+
+TEST_CASE("derivations compile: jumps, a wedge with a jump, a wedge alone, steps both ways, a closed form") {
+  check_compiles(
+      {"exponents", "-", "--derivation"},
+      "load = 1\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.2, 0.6, 0.1]\njumps = [-0.5, 0.5]\n"
+      "[indenter]\npieces = [{to = -0.5, profile = \"-x\"}, {to = 0, profile = \"x+1\"}, {to = 0.25, profile "
+      "= \"2*x+1\"}, {to = 0.75, profile = \"x\"}, {to = 1, profile = \"x+1\"}]\n",
+      "enumerate");
+  check_compiles({"exponents", "-", "--derivation"},
+                 "load = 1\n[half_space]\ngamma = \"1/2\"\n[friction]\nvalues = [2, 0]\njumps = [0]\n"
+                 "[indenter]\nsupport = [-9, 9]\nprofile = \"x^2\"\n",
+                 "enumerate");
+}
+
+TEST_CASE("the tables of exponents compile, and fit on their pages") {
+  const TemporaryFolder folder;
+  std::filesystem::copy_file(STEADYSLIDE_DOCS "/exponents.tex", folder.path() / "t.tex");
+  compile(folder, true);
+}

@@ -1,0 +1,127 @@
+// Files written whole or not at all, and what happens when they cannot be.
+
+#include <sys/stat.h>
+#include <unistd.h>
+#include <csignal>
+
+#include "app/command_line.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const Arguments small_table{"table", "--poisson", "0.3", "--rear", "0.2", "--front", "0.4"};
+
+Arguments into(const std::string& file) { return joined(small_table, {"-o", file}); }
+
+/// More than a second's work.
+const Arguments long_solve{
+    "solve", STEADYSLIDE_EXAMPLES "/rough_surface.toml", "--method", "variational", "--cells", "1048576", "-o",
+    "result"};
+
+}  // namespace
+
+TEST_CASE("-o writes what the standard output would get, replaces, and leaves nothing else") {
+  const TemporaryFolder folder;
+  const Finished plain = run_program(small_table, folder.path());
+  REQUIRE(plain.code == 0);
+  folder.write("result", std::string(100000, 'x'));
+  fs::permissions(folder.path() / "result", fs::perms(0640));
+  const Finished finished = run_program(into("result"), folder.path());
+  CHECK(finished.code == 0);
+  CHECK(finished.out == "");
+  CHECK(folder.read("result") == plain.out);
+  CHECK(fs::status(folder.path() / "result").permissions() == fs::perms(0640));
+  CHECK(folder.names() == std::vector<std::string>{"result"});
+}
+
+TEST_CASE("a new file has the permissions that new files have") {
+  const TemporaryFolder folder;
+  CHECK(run_program(into("result"), folder.path()).code == 0);
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  CHECK(fs::status(folder.path() / "result").permissions() == fs::perms(0666 & ~mask));
+}
+
+TEST_CASE("a symbolic link stays, the file it names is replaced") {
+  const TemporaryFolder folder;
+  folder.write("target", "earlier");
+  fs::create_symlink("target", folder.path() / "link");
+  CHECK(run_program(into("link"), folder.path()).code == 0);
+  CHECK(fs::is_symlink(folder.path() / "link"));
+  CHECK(folder.read("target").substr(0, 2) == "nu");
+}
+
+TEST_CASE("devices are written, not replaced") {
+  const TemporaryFolder folder;
+  CHECK(run_program(into("/dev/null"), folder.path()).code == 0);
+  CHECK(fs::is_character_file("/dev/null"));
+}
+
+TEST_CASE("what cannot be read or written is exit code 3") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "folder");
+  for (const auto& [arguments, message] : std::vector<std::pair<Arguments, std::string>>{
+           {{"solve", "none.toml"}, "none.toml: cannot be read: No such file or directory"},
+           {{"exponents", "folder"}, "folder: cannot be read: Is a directory"},
+           {into("none/result"), "none/result: cannot be written: No such file or directory"},
+           {into("folder"), "folder: cannot be written: Is a directory"},
+           {into("/dev/full"), "/dev/full: cannot be written: No space left on device"}}) {
+    check_refused(run_program(arguments, folder.path()), message, 3);
+  }
+  CHECK(folder.names() == std::vector<std::string>{"folder"});
+}
+
+TEST_CASE("a file without write permission is left alone") {
+  if (::geteuid() == 0) return;  // root may write everything
+  const TemporaryFolder folder;
+  folder.write("result", "earlier");
+  fs::permissions(folder.path() / "result", fs::perms(0440));
+  CHECK(run_program(into("result"), folder.path()).code == 3);
+  CHECK(folder.read("result") == "earlier");
+}
+
+TEST_CASE("a full device and a closed pipe are failures") {
+  const TemporaryFolder folder;
+  for (const Arguments& arguments : {small_table, {"--help"}, {"--version"}}) {
+    check_refused(run_program(arguments, folder.path(), "", Stdout::full_device),
+                  "standard output: cannot be written: No space left on device", 3);
+    check_refused(run_program(arguments, folder.path(), "", Stdout::closed_pipe),
+                  "standard output: cannot be written: Broken pipe", 3);
+  }
+}
+
+TEST_CASE("an interrupted run leaves no file and says 130") {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const TemporaryFolder folder;
+    folder.write("result", "earlier");
+    const Finished finished = run_and_interrupt({"table", "--poisson=-0.5:0.45:0.01", "--rear", "0:1:0.01", "--front",
+                                                 "0:1:0.01", "--digits", "100", "-o", "result"},
+                                                folder, signal);
+    CHECK(finished.code == 130);
+    CHECK(folder.names() == std::vector<std::string>{"result"});
+    CHECK(folder.read("result") == "earlier");
+  }
+}
+
+TEST_CASE("interrupted after a second, a solve leaves no file, or the old one as it was") {
+  for (const char* earlier : {"", "earlier"}) {
+    const TemporaryFolder folder;
+    if (*earlier != '\0') folder.write("result", earlier);
+    const std::vector<std::string> names = folder.names();
+    const Finished finished = run_and_interrupt(long_solve, folder, SIGINT, std::chrono::seconds(1));
+    CHECK(finished.code == 130);
+    CHECK(finished.out == "");
+    CHECK(finished.err == "");
+    CHECK(folder.names() == names);
+    CHECK(folder.read("result") == earlier);
+  }
+}
+
+TEST_CASE("interrupted on a terminal, a solve erases its bar") {
+  const TemporaryFolder folder;
+  const Finished finished = interrupt_on_terminal(long_solve, folder.path(), " % ETA ", SIGINT);
+  CHECK(finished.code == 130);
+  CHECK(folder.names().empty());
+  check_erased(finished, " % ETA ");
+}

@@ -1,0 +1,133 @@
+// The measured profile among the examples is what its generator prints, and that is what it says.
+
+#include "app/json_answers.hpp"
+
+namespace {
+
+/// The numbers of a trace's lines after its header.
+std::vector<double> numbers(const std::string& trace) {
+  std::vector<double> result;
+  for (const std::string& text : lines(trace.substr(trace.find("x,psi\n") + 6))) {
+    std::size_t comma = 0;
+    result.push_back(std::stod(text, &comma));
+    result.push_back(std::stod(text.substr(comma + 1)));
+  }
+  return result;
+}
+
+std::string stored_trace() { return file_text(STEADYSLIDE_EXAMPLES "/rough_surface.csv"); }
+
+/// Infinite for traces of different lengths.
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size()) return HUGE_VAL;
+  double largest = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, std::abs(a[k] - b[k]));
+  return largest;
+}
+
+/// The largest relative violation of |shear| = f |traction| on a side of x, and the number of rows in contact.
+struct Coulomb {
+  double worst = 0;
+  int rows = 0;
+
+  void add(double x, bool is_left, double traction, double shear) {
+    if (traction == 0 || std::isinf(traction)) return;
+    const double f = x < 0 || (x == 0 && is_left) ? 0.1 : 0.4;
+    worst = std::max(worst, std::abs(std::abs(shear) / (f * std::abs(traction)) - 1));
+    ++rows;
+  }
+};
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> result;
+  std::istringstream stream(line + ",");
+  for (std::string cell; std::getline(stream, cell, ',');) result.push_back(cell);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("the rough surface is what its generator prints") {
+  const std::string stored = stored_trace();
+  const auto generated = [](const std::string& parameter) {
+    return run_other(
+        parameter.empty() ? Arguments{STEADYSLIDE_ROUGH_SURFACE} : Arguments{STEADYSLIDE_ROUGH_SURFACE, parameter},
+        STEADYSLIDE_EXAMPLES);
+  };
+  const Finished same = generated("");
+  CHECK(same.code == 0);
+  CHECK(lines(same.out)[0] == lines(stored)[0]);
+  CHECK(numbers(stored).size() == 2 * 4001);
+  CHECK(largest_difference(numbers(same.out), numbers(stored)) <= 1e-9);
+  for (const char* other : {"seed=2", "rms=0.00301", "hurst=0.81", "radius=8.01", "points=4000"}) {
+    CHECK(largest_difference(numbers(generated(other).out), numbers(stored)) > 1e-6);
+  }
+  for (const char* bad : {"sead=2", "rms", "rms=", "rms=-1", "rms=nan", "longest=5", "points=1"}) {
+    CAPTURE(bad);
+    const Finished refused = generated(bad);
+    CHECK(refused.code == 2);
+    CHECK(refused.out == "");
+    CHECK(times(refused.err, "\n") == 1);
+  }
+}
+
+TEST_CASE("the rough surface has its roughness and its waves") {
+  const std::vector<double> trace = numbers(stored_trace());
+  const std::size_t intervals = trace.size() / 2 - 1;
+  // One period: the last point is the first one's.
+  double power = 0;
+  std::vector<double> amplitude(300, 0);
+  for (std::size_t wave = 0; wave < amplitude.size(); ++wave) {
+    double cosine = 0, sine = 0;
+    for (std::size_t i = 0; i < intervals; ++i) {
+      const double x = trace[2 * i], rough = trace[2 * i + 1] - x * x / 16;
+      const double angle = std::numbers::pi * static_cast<double>(wave) * x;
+      cosine += rough * std::cos(angle);
+      sine += rough * std::sin(angle);
+      if (wave == 0) power += rough * rough;
+    }
+    amplitude[wave] = 2 * std::hypot(cosine, sine) / static_cast<double>(intervals);
+  }
+  CHECK(std::abs(std::sqrt(power / static_cast<double>(intervals)) - 0.003) < 1e-9);
+  for (std::size_t wave = 0; wave < amplitude.size(); ++wave) {
+    CAPTURE(wave);
+    if (wave < 4 || wave > 200) CHECK(amplitude[wave] < 1e-10);
+    if (wave >= 4 && wave <= 200) {
+      CHECK(std::abs(amplitude[wave] / amplitude[4] - std::pow(static_cast<double>(wave) / 4, -1.3)) < 1e-6);
+    }
+  }
+}
+
+TEST_CASE("files keep Coulomb's law in every row: |shear| = f |traction|") {
+  const Arguments wanted{"--at=-0.1:0.1:0.005", "--samples", "40"};
+  Coulomb csv;
+  const auto rows = lines(run_example("rough_surface.toml", joined(wanted, {"--format", "csv"})).out);
+  CHECK(rows[0] == "x,traction,shear,gap,slope,traction_error,shear_error,gap_error,slope_error");
+  std::string last;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const std::vector<std::string> row = cells(rows[k]);
+    REQUIRE(row.size() == 9);
+    csv.add(std::stod(row[0]), row[0] != last, std::stod(row[1]), std::stod(row[2]));
+    last = row[0];
+    CHECK(std::stod(row[5]) >= 0);
+    CHECK(std::stod(row[6]) >= 0);
+  }
+  CHECK(csv.rows > 500);
+  CHECK(csv.worst <= 1e-15);
+
+  Coulomb json;
+  const auto side = [](const Json& value, const char* name) {
+    return std::stod((value.is_object() ? value[name] : value).get<std::string>());
+  };
+  const Json solution = Json::parse(run_example("rough_surface.toml", joined(wanted, {"--format", "json"})).out);
+  for (const Json& sample : solution["samples"]) {
+    for (const char* name : {"left", "right"}) {
+      json.add(side(sample["x"], name), name == std::string("left"), side(sample["traction"], name),
+               side(sample["shear"], name));
+    }
+    CHECK(sample["traction"].is_object() == sample["traction_error"].is_object());
+    CHECK(sample["shear"].is_object() == sample["shear_error"].is_object());
+  }
+  CHECK(json.rows > 1000);
+  CHECK(json.worst <= 1e-15);
+}

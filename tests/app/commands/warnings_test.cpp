@@ -1,0 +1,98 @@
+// Traces with the mistakes that people make: the sign turned, the unit mixed up, cut off too early.
+
+#include "app/json_answers.hpp"
+
+namespace {
+
+struct Answer {
+  int code;
+  std::string err;
+  Json json;
+};
+
+/// On a trace of points x, height(x) on [-1, 1].
+template <class Height>
+Answer solve_trace(Height height, const Arguments& arguments = {}) {
+  const TemporaryFolder folder;
+  std::string trace;
+  for (int k = -200; k <= 200; ++k) trace += std::to_string(k) + "/200," + std::to_string(height(k / 200.0)) + "\n";
+  folder.write("trace.csv", trace);
+  const Finished finished =
+      run_program(joined({"solve", "-", "--format", "json"}, arguments), folder.path(),
+                  "load = 0.01\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.3]\n[indenter]\n"
+                  "samples = \"trace.csv\"\n");
+  return {finished.code, finished.err, Json::parse(finished.out)};
+}
+
+double bowl(double x) { return x * x / 4; }
+
+/// The bowl with some waves, its heights in thousandths of the unit of x.
+double in_micrometres(double x) { return 1000 * (bowl(x) + 0.002 * std::sin(37 * x) + 0.001 * std::sin(91 * x + 1)); }
+
+/// As they stand on stderr.
+std::string as_lines(const Json& warnings) {
+  std::string result;
+  for (const Json& warning : warnings) result += "steadyslide: -: warning: " + warning.get<std::string>() + "\n";
+  return result;
+}
+
+bool has(const Json& warnings, const char* part) { return holds(warnings.dump(), part); }
+
+}  // namespace
+
+TEST_CASE("a trace as it should be: nothing is said") {
+  const Answer answer = solve_trace(bowl);
+  CHECK(answer.code == 0);
+  CHECK(answer.err == "");
+  CHECK(answer.json["warnings"] == Json::array());
+  CHECK(answer.json["uniqueness"]["status"] == "unique by theorem 1 of [Bal16]");
+}
+
+TEST_CASE("the sign turned: contact in the last sliver of the support") {
+  for (const double tilt : {0.0, 0.1}) {
+    CAPTURE(tilt);
+    const Answer answer = solve_trace([tilt](double x) { return -bowl(x) + tilt * x; });
+    CHECK(answer.code == 0);
+    CHECK(answer.err == as_lines(answer.json["warnings"]));
+    CHECK(has(answer.json["warnings"], "contact reaches a cut end of the trace; "));
+    CHECK(has(answer.json["warnings"], "all contact lies within the last 1 % of the trace; "));
+    CHECK(has(answer.json["warnings"], "traction: large estimated error; more than 10 % of its size; "));
+  }
+}
+
+TEST_CASE("cut off too early: contact at the end of the trace, and elsewhere too") {
+  const Answer answer = solve_trace([](double x) { return bowl(x) - 0.6 * x; });
+  CHECK(answer.code == 0);
+  REQUIRE(answer.json["warnings"].size() == 1);
+  CHECK(answer.err ==
+        "steadyslide: -: warning: contact reaches a cut end of the trace; what was measured ends there, the indenter "
+        "may go on; x = 1\n");
+}
+
+TEST_CASE("heights in micrometres beside x in millimetres: a contact of one cell is no solution") {
+  const Answer answer = solve_trace(in_micrometres);
+  CHECK(answer.code == 1);
+  CHECK(has(answer.json["warnings"], "ends of contact: large estimated error; more than 10 % of the contact's length"));
+  CHECK(answer.json["uniqueness"]["status"] == "not_solved");
+  const std::string last = answer.err.substr(as_lines(answer.json["warnings"]).size());
+  CHECK(last.starts_with("steadyslide: -: the solve did not converge: the estimated error of the ends of contact is "));
+  CHECK(last.ends_with(" % of the contact's length; what was reached is printed\n"));
+}
+
+TEST_CASE("loads one after the other, and a search: each says whose warning it is") {
+  const auto turned = [](double x) { return -bowl(x) + 0.1 * x; };
+  const Answer steps = solve_trace(turned, {"--load-steps", "0.01,0.02"});
+  CHECK(steps.code == 0);
+  CHECK(steps.err.starts_with("steadyslide: -: warning: load 0.01: "));
+  CHECK(holds(steps.err, "\nsteadyslide: -: warning: load 0.02: "));
+  for (const Json& row : steps.json) CHECK(has(row["warnings"], "contact reaches a cut end of the trace"));
+
+  const Answer search = solve_trace(turned, {"--search-solutions", "2"});
+  CHECK(search.code == 0);
+  CHECK(search.err == as_lines(search.json["warnings"]));
+  CHECK(has(search.json["warnings"], "solution 1: contact reaches a cut end of the trace"));
+
+  const Answer none = solve_trace(in_micrometres, {"--search-solutions", "2"});
+  CHECK(none.code == 1);
+  CHECK(holds(none.err, "steadyslide: -: the search found no solution: the estimated error of the ends"));
+}

@@ -1,0 +1,228 @@
+// The numbers in the figures, against `solve` and against formulas.
+
+#include <fmt/format.h>
+
+#include "app/command_line.hpp"
+#include "app/figures/figures.hpp"
+#include "app/figures/moment_rule.hpp"
+#include "app/figures/solved.hpp"
+#include "app/figures/stress_map.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "proofs_checks/instruments/convergence_cases.hpp"
+
+using namespace steadyslide::app;
+
+namespace {
+
+Figure drawn(std::string_view name) {
+  const auto found = std::ranges::find(figures(), name, &FigureMaker::name);
+  REQUIRE(found != figures().end());
+  return found->make();
+}
+
+struct Given {
+  std::string poisson;
+  std::string friction;
+  std::string jumps;
+  std::string profile = "0", load = "1", sliding = "+x";
+
+  std::string toml() const {
+    return fmt::format(
+        "load = \"{}\"\nsliding = \"{}\"\n[half_space]\npoisson = \"{}\"\n[friction]\nvalues = [{}]\njumps = [{}]\n"
+        "[indenter]\nprofile = \"{}\"\n",
+        load, sliding, poisson, friction, jumps, profile);
+  }
+};
+
+std::string answer(const Given& given, const Arguments& arguments = {}) { return output(given.toml(), arguments); }
+
+/// -t at x.
+double pressure(const Given& given, double x) {
+  const auto rows = lines(answer(given, {"--format", "csv", fmt::format("--at={:.17g}", x)}));
+  REQUIRE(rows[0].starts_with("x,traction,"));
+  return -std::stod(rows[1].substr(rows[1].find(',') + 1));
+}
+
+/// The number that follows a word in the text.
+double value_after(const std::string& text, const std::string& word) {
+  const std::size_t at = text.find(word);
+  REQUIRE(at != std::string::npos);
+  return std::stod(text.substr(at + word.size()));
+}
+
+/// Some points of a curve are what `solve` says, in units `length` and `stress`; others are not.
+void check_curve(const Series& series, const Given& given, double length = 1, double stress = 1) {
+  REQUIRE(series.points.size() > 50);
+  for (const double part : {0.15, 0.3, 0.55, 0.8}) {
+    const Point& p = series.points[static_cast<std::size_t>(part * static_cast<double>(series.points.size()))];
+    CAPTURE(p.x);
+    CHECK(pressure(given, p.x * length) / stress == doctest::Approx(p.y).epsilon(1e-9).scale(0));
+    CHECK(pressure(given, p.x * length) / stress != doctest::Approx(p.y * (1 + 1e-8)).epsilon(1e-9).scale(0));
+  }
+}
+
+double alpha(double s) { return std::atan(s) / std::numbers::pi; }
+
+double slope(const Point& a, const Point& b) { return std::log(b.y / a.y) / std::log(b.x / a.x); }
+
+}  // namespace
+
+TEST_CASE("the pressures under flat punches are those of solve; cells agree") {
+  const std::vector<Series> series = drawn("flat-punch").panels.front().series;
+  check_curve(series[0], {"0.2", "0", ""});
+  check_curve(series[2], {"0.2", "0.3", ""});
+  check_curve(series[4], {"0.2", "1", ""});
+  const std::vector<Series> rising = drawn("friction-jump-rising").panels.front().series;
+  check_curve(rising[0], {"0.2", "0.1, 1", "0"});
+  check_curve(rising[2], {"0.2", "0.55", ""});
+  const std::vector<Series> falling = drawn("friction-jump-falling").panels.front().series;
+  check_curve(falling[0], {"0.2", "0.1, 1", "0", "0", "1", "-x"});
+  for (const Point& p : rising[1].points) {
+    CHECK(pressure({"0.2", "0.1, 1", "0"}, p.x) == doctest::Approx(p.y).epsilon(0.01));
+  }
+  // The curve leaves the frame at the jump up, and reaches the axis at the jump down.
+  const auto highest = [](const Series& s) {
+    double y = 0;
+    for (const Point& p : s.points) {
+      if (std::abs(p.x) < 0.5) y = std::max(y, p.y);
+    }
+    return y;
+  };
+  CHECK(highest(rising[0]) > drawn("friction-jump-rising").panels.front().y.to);
+  CHECK(highest(falling[0]) < 0.5);
+}
+
+TEST_CASE("the parabola is that of solve and of Galin") {
+  const Figure figure = drawn("parabola");
+  const double a = alpha(0.5), load = 0.02;
+  // c = 2: R of the reduced profile is 2.
+  const double half = std::sqrt(load * 2 / (2 * std::numbers::pi * (0.25 - a * a)));
+  const Given given{"0", "1", "", "x^2/2", "0.02"};
+  const Series& curve = figure.panels[1].series[0];
+  check_curve(curve, given, half, load / half);
+  CHECK(curve.points[1].x == doctest::Approx(-(1 + 2 * a)).epsilon(1e-12));
+  CHECK(curve.points[curve.points.size() - 2].x == doctest::Approx(1 - 2 * a).epsilon(1e-12));
+  // Surface and profile are one in the contact, and only there.
+  const std::vector<Series>& heights = figure.panels[0].series;
+  for (std::size_t i = 0; i < heights[0].points.size(); ++i) {
+    const Point& profile = heights[0].points[i];
+    const double gap = profile.y - heights[1].points[i].y;
+    const bool inside = profile.x > -(1 + 2 * a) && profile.x < 1 - 2 * a;
+    CHECK((inside ? std::abs(gap) < 1e-9 : gap > 1e-6));
+  }
+}
+
+TEST_CASE("local forms have the derived slopes, and cells read the same") {
+  const Figure figure = drawn("local-forms");
+  const double a = alpha(0.375), beta = alpha(0.0375) - a;
+  const double weak[] = {0.5 - a, 0.5 + a, -beta};
+  const double strong[] = {-0.5 - a, -0.5 + a, beta};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (const auto& [panel, exponent] : {std::pair(0, strong[k]), {1, weak[k]}}) {
+      const std::vector<Series>& series = figure.panels[static_cast<std::size_t>(panel)].series;
+      const Series& line = series[2 * k];
+      CAPTURE(line.legend);
+      CHECK(slope(line.points[0], line.points[5]) == doctest::Approx(exponent).epsilon(1e-4));
+      CHECK(slope(line.points[0], line.points[5]) != doctest::Approx(-1 - exponent).epsilon(1e-3));
+      const std::string text = decimal(exponent, 4);
+      CHECK(holds(line.legend, ": " + text + ", cells " + text.substr(0, text.size() - 1)));
+    }
+  }
+  // The wedge: differences of a logarithm. The slope's jump is 2, c = 1.92.
+  const std::vector<Point>& wedge = figure.panels[0].series[6].points;
+  const double factor = (wedge[0].y - wedge[5].y) / std::log(wedge[5].x / wedge[0].x) * std::numbers::pi;
+  CHECK(factor == doctest::Approx(2 / 1.92 / (1 + 0.375 * 0.375)).epsilon(1e-3));
+}
+
+TEST_CASE("contact zones are those of solve, and end b moves as derived") {
+  const Figure figure = drawn("contact-load");
+  const std::vector<Series>& one = figure.panels[0].series;
+  const double c = 2 * (1 - 0.09), gamma = 2.0 / 7;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const bool rising = k == 0;
+    const std::vector<Point>&rear = one[2 * k].points, &front = one[2 * k + 1].points;
+    const Point& p = front[80];
+    const std::string text =
+        answer({"0.3", rising ? "0.1, 2" : "2, 0.1", "0.15", "x^2/2", fmt::format("{:.17g}", p.x)});
+    CHECK(value_after(text, "from x = ") == doctest::Approx(rear[80].y).epsilon(1e-9));
+    CHECK(value_after(text, " to x = ") == doctest::Approx(p.y).epsilon(1e-9));
+    // db/dP = c/(pi (1/2 + alpha)(b - a)), before and after the jump.
+    for (const std::size_t i : {20, 90}) {
+      const double rate = (front[i + 1].y - front[i - 1].y) / (front[i + 1].x - front[i - 1].x);
+      const bool before = front[i].y < 0.15;
+      CHECK(before == (i == 20));
+      const double f = rising == before ? 0.1 : 2;
+      const auto derived = [&](double s) {
+        return c / (std::numbers::pi * (0.5 + alpha(s)) * (front[i].y - rear[i].y));
+      };
+      CHECK(rate == doctest::Approx(derived(gamma * f)).epsilon(0.01));
+      CHECK(rate != doctest::Approx(derived(gamma * (2.1 - f))).epsilon(0.05));
+    }
+  }
+  // The loads between which the zones meet, as examples/two_bumps.toml has them.
+  const double merged = figure.panels[1].series[2].points.back().x;
+  CHECK(merged > 0.77);
+  CHECK(merged < 0.78);
+  const double inner = figure.panels[1].series[2].points.back().y;
+  CHECK(std::abs(inner - figure.panels[1].series[3].points.back().y) < 0.01);
+}
+
+TEST_CASE("effective friction is that of solve, not the mean") {
+  const Figure figure = drawn("effective-friction");
+  for (const std::size_t direction : {0, 1}) {
+    const Point& p = figure.panels[0].series[2 * direction].points[60];
+    const Given given{"0.2", "0.1, 1", fmt::format("\"{:.17g}\"", p.x), "0", "1", direction == 0 ? "+x" : "-x"};
+    CHECK(value_after(answer(given), "effective friction") == doctest::Approx(p.y).epsilon(1e-9));
+    const Point& marked = figure.panels[1].series[2 * direction + 1].points[4];
+    const Given other{"0.2", fmt::format("0.1, \"{:.17g}\"", marked.x), "0", "0", "1", direction == 0 ? "+x" : "-x"};
+    CHECK(value_after(answer(other), "effective friction") == doctest::Approx(marked.y).epsilon(0.01));
+    CHECK(std::abs(marked.y - (0.1 + marked.x) / 2) > 0.05);
+  }
+}
+
+TEST_CASE("both solvers converge as derived") {
+  const Figure figure = drawn("convergence");
+  const std::vector<Series>& cells = figure.panels[0].series;
+  const double derived[] = {1, 1, 2};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::vector<Point>& marks = cells[2 * k].points;
+    CHECK(-slope(marks.front(), marks.back()) == doctest::Approx(derived[k]).epsilon(0.1));
+    CHECK(-slope(cells[2 * k + 1].points[0], cells[2 * k + 1].points[1]) == doctest::Approx(derived[k]));
+  }
+  const std::vector<Series>& rules = figure.panels[1].series;
+  for (const std::size_t k : {0, 1}) {
+    const std::vector<Point>& marks = rules[k].points;
+    const double rate = std::log(marks[13].y / marks[3].y) / (marks[13].x - marks[3].x);
+    CHECK(rate == doctest::Approx(-2 * std::log(3 + std::sqrt(8.0))).epsilon(0.05));
+    CHECK(rate != doctest::Approx(-2 * std::log(2 + std::sqrt(3.0))).epsilon(0.1));
+    CHECK(marks.back().y < 1e-50);
+  }
+}
+
+TEST_CASE("the stress map reaches the tractions at the surface") {
+  const ContactProblem problem = stress_map_problem();
+  const auto solution = solved_by_singular_functions(problem);
+  const double near = surface_error(*solution, problem, 0.001_r);
+  const double nearer = surface_error(*solution, problem, Rational(1, 1000000));
+  CHECK(near < 0.002);
+  CHECK(nearer == doctest::Approx(near / 1000).epsilon(0.1));
+  // The control: the shear with the other sign.
+  const numeric::InteriorStress<double> interior(*solution);
+  const auto below = interior.at(0.5_r, 0.001_r);
+  CHECK(std::abs(below.xz.value + surface_stress(*solution, problem, 0.5).xz.value) > 0.1);
+
+  const Figure figure = drawn("stress-map");
+  const HeatMap& map = *figure.panels.front().map;
+  CHECK(holds(figure.caption, "at most " + decimal(std::ceil(1e4 * near) / 1e4, 4)));
+  CHECK(map.values.size() == map.x.size() * map.y.size());
+  const std::size_t row = 40;
+  for (const std::size_t i : {10, 150, 200}) {
+    const auto stress = interior.at(Rational(map.x[i]), Rational(map.y[row]));
+    CHECK(map.values[row * map.x.size() + i] == doctest::Approx(stress.von_mises()->value).epsilon(1e-9));
+  }
+  // The first row is the limit of what lies below it.
+  for (const std::size_t i : {10, 120, 200, 310}) {
+    const auto stress = interior.at(Rational(map.x[i]), Rational(1, 1000000));
+    CHECK(map.values[i] == doctest::Approx(stress.von_mises()->value).epsilon(1e-4));
+  }
+}

@@ -1,0 +1,170 @@
+// `steadyslide figures`: what it writes, and what it says where it cannot.
+
+#include <csignal>
+
+#include "app/command_line.hpp"
+#include "app/figures/figures.hpp"
+#include "app/svg.hpp"
+
+using namespace steadyslide::app;
+
+namespace {
+
+/// Enhanced text as it is shown: "{/:Italic t}_n" is "tn".
+std::string plain(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text.compare(i, 9, "{/:Italic") == 0) i += 10;
+    if (std::string("{}_^").find(text[i]) == std::string::npos) result += text[i];
+  }
+  return result;
+}
+
+/// All of them, made once.
+const std::vector<Figure>& made() {
+  static const std::vector<Figure> all = [] {
+    std::vector<Figure> result;
+    for (const FigureMaker& maker : figures()) result.push_back(maker.make());
+    return result;
+  }();
+  return all;
+}
+
+void check_texts(const Figure& figure, const std::string& svg) {
+  const std::string shown = shown_text(svg);
+  CHECK(holds(shown, figure.title + "\n"));
+  CHECK(holds(shown, "steadyslide figures --figure " + figure.name + "\n"));
+  for (const Panel& panel : figure.panels) {
+    for (const Axis* axis : {&panel.x, &panel.y}) {
+      CAPTURE(axis->label);
+      CHECK(holds(shown, plain(axis->label)));
+    }
+    if (panel.map) CHECK(holds(shown, plain(panel.map->label)));
+    for (const Note& note : panel.notes) CHECK(holds(shown, plain(note.text)));
+    for (const Series& series : panel.series) {
+      CAPTURE(series.legend);
+      CHECK((panel.legend == LegendAt::none || holds(shown, plain(series.legend))));
+      CHECK_FALSE(series.points.empty());
+    }
+  }
+  // The control.
+  CHECK_FALSE(holds(shown, figure.title + "?"));
+}
+
+/// Has it a unit, or a name without one? (Numbers: cells, nodes, friction, relative errors.)
+bool has_unit(const std::string& label) {
+  if (label.empty() || holds(label, "/") || holds(label, "(")) return true;
+  const std::set<std::string> pure{"cells N", "nodes n of a rule", "relative error of an equation",
+                                   "friction of the right coating f"};
+  return pure.contains(plain(label));
+}
+
+Finished with_path(const std::string& path, const std::filesystem::path& folder) {
+  return run_other({"env", "PATH=" + path, STEADYSLIDE_EXECUTABLE, "figures", "-o", "out"}, folder);
+}
+
+}  // namespace
+
+TEST_CASE("every figure is written, whole, and the same each time") {
+  const TemporaryFolder folder;
+  CHECK(out_of(run_program({"figures", "-o", "new/folder"}, folder.path())) == "");
+  REQUIRE(made().size() == 9);
+  std::set<std::string> all_ids;
+  std::vector<std::string> files;
+  for (std::size_t k = 0; k < made().size(); ++k) {
+    const DrawnFigure drawn = draw(made()[k]);
+    CAPTURE(drawn.name);
+    const std::string svg = folder.read("new/folder/" + drawn.name + ".svg");
+    CHECK((svg == drawn.svg));
+    CHECK(drawn.name == figures()[k].name);
+    CHECK(drawn.command == "steadyslide figures --figure " + drawn.name);
+    CHECK(std::ranges::count(drawn.caption, '`') % 2 == 0);
+    CHECK(svg.rfind("<?xml", 0) == 0);
+    CHECK(is_well_formed(svg));
+    CHECK_FALSE(is_well_formed(svg.substr(0, svg.size() / 2)));
+    CHECK(holds(svg, "<title>" + drawn.title + "</title>"));
+    CHECK(holds(svg, "fill=\"#ffffff\""));
+    CHECK_FALSE(holds(svg, "<script"));
+    CHECK_FALSE(holds(svg, "onclick"));
+    for (const char* number : {" nan", ",nan", "inf,", ",inf"}) CHECK_FALSE(holds(svg, number));
+    for (std::size_t at = 0; (at = svg.find(" id=", at)) != std::string::npos; ++at) {
+      const std::string id = svg.substr(at + 5, svg.find(svg[at + 4], at + 5) - at - 5);
+      CAPTURE(id);
+      CHECK(all_ids.insert(id).second);
+    }
+    // References name ids of the same figure.
+    for (std::size_t at = 0; (at = svg.find("xlink:href='#", at)) != std::string::npos; ++at) {
+      const std::size_t begin = at + 13;
+      const std::string id = svg.substr(begin, svg.find('\'', begin) - begin);
+      if (!all_ids.contains(id)) FAIL_CHECK(id);
+    }
+    files.push_back(drawn.name + ".svg");
+  }
+  std::ranges::sort(files);
+  std::vector<std::string> written;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "new/folder")) {
+    written.push_back(entry.path().filename());
+  }
+  std::ranges::sort(written);
+  CHECK(written == files);
+}
+
+TEST_CASE("a figure shows its title, its axes with units, its legend and its command") {
+  for (const Figure& figure : made()) {
+    CAPTURE(figure.name);
+    for (const Panel& panel : figure.panels) {
+      CHECK(has_unit(panel.x.label));
+      CHECK(has_unit(panel.y.label));
+    }
+    check_texts(figure, draw(figure).svg);
+  }
+  CHECK_FALSE(has_unit("pressure"));
+}
+
+TEST_CASE("some figures, by patterns; none is an error") {
+  const TemporaryFolder folder;
+  const Finished two = run_program({"figures", "--figure", "friction-jump-*", "--figure", "parabol?"}, folder.path());
+  CHECK(two.code == 0);
+  CHECK(folder.names() ==
+        std::vector<std::string>{"friction-jump-falling.svg", "friction-jump-rising.svg", "parabola.svg"});
+
+  const Finished help = run_alone({"figures", "--help"});
+  for (const FigureMaker& maker : figures()) CHECK(holds(help.out, "  " + maker.name + "\n"));
+}
+
+TEST_CASE("without gnuplot: one clear line and nothing written") {
+  const TemporaryFolder folder;
+  check_refused(with_path("", folder.path()),
+                "gnuplot: not found; figures are drawn by gnuplot 5.4 or later (Debian's package gnuplot-nox)", 3);
+  CHECK(folder.names().empty());
+
+  // A gnuplot that fails.
+  folder.write("gnuplot", "#!/bin/sh\necho 'line 1: out of order' >&2\nexit 1\n");
+  std::filesystem::permissions(folder.path() / "gnuplot", std::filesystem::perms::owner_all);
+  check_refused(with_path(folder.path().string(), folder.path()),
+                "gnuplot: did not draw the figure: line 1: out of order", 3);
+  CHECK(folder.names() == std::vector<std::string>{"gnuplot"});
+}
+
+TEST_CASE("what cannot be written leaves nothing") {
+  const TemporaryFolder folder;
+  folder.write("file", "kept");
+  const auto draws_into = [&](const std::string& name) {
+    return run_program({"figures", "-o", name, "--figure", "parabola"}, folder.path());
+  };
+  check_refused(draws_into("file"), "file: is no folder", 3);
+  check_refused(draws_into("file/new"), "file/new: cannot be made: Not a directory", 3);
+  CHECK(folder.read("file") == "kept");
+  // A folder stands where the figure should.
+  std::filesystem::create_directory(folder.path() / "parabola.svg");
+  check_refused(draws_into("."), "./parabola.svg: cannot be written: Is a directory", 3);
+  CHECK(folder.names() == std::vector<std::string>{"file", "parabola.svg"});
+}
+
+TEST_CASE("interrupted, figures leaves no files and a clean terminal") {
+  const TemporaryFolder folder;
+  const Finished finished = interrupt_on_terminal({"figures", "-o", "out"}, folder.path(), "[", SIGINT);
+  CHECK(finished.code == 130);
+  CHECK(folder.names().empty());
+  CHECK(finished.err.ends_with("\r\x1b[K"));
+}

@@ -1,0 +1,98 @@
+// `samples` of a problem file: where the trace is looked for, what becomes of it, and the errors of both files.
+
+#include "app/json_answers.hpp"
+
+namespace {
+
+std::string problem(const std::string& indenter, const std::string& load = "1") {
+  return "load = " + load +
+         "\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.2, 0.5]\njumps = [0]\n[indenter]\n" + indenter + "\n";
+}
+
+const std::string named = R"(samples = "trace.csv")", wedge = "-1,1/4\n0,0\n1,1/2\n";
+const std::string wedge_pieces = R"(pieces = [{to = 0, profile = "-x/4"}, {to = 1, profile = "x/2"}])";
+
+}  // namespace
+
+TEST_CASE("samples are the same problem as the pieces between them") {
+  const TemporaryFolder folder;
+  folder.write("trace.csv", wedge);
+  folder.write("s.toml", problem(named));
+  folder.write("p.toml", problem(wedge_pieces));
+  for (const char* command : {"exponents", "solve"}) {
+    const Finished samples = run_program({command, "s.toml"}, folder.path());
+    // A trace ends where somebody stopped to measure, and this contact is full.
+    const std::string warning =
+        "steadyslide: s.toml: warning: contact reaches a cut end of the trace; what was measured ends there, the "
+        "indenter may go on; x = -1, 1\n";
+    CHECK(samples.err == (command == std::string("solve") ? warning : ""));
+    CHECK(samples.code == 0);
+    CHECK(samples.out == run_program({command, "p.toml"}, folder.path()).out);
+  }
+  folder.write("trace.csv", "-1,1/4\n0,0\n1,1/3\n");
+  CHECK(run_program({"solve", "s.toml"}, folder.path()).out != run_program({"solve", "p.toml"}, folder.path()).out);
+}
+
+TEST_CASE("a trace is looked for beside the problem file; from the standard input, in the working directory") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "data");
+  folder.write("data/trace.csv", wedge);
+  folder.write("data/s.toml", problem(named));
+  const auto code = [](const std::string& file, const std::filesystem::path& where, const std::string& input = "") {
+    return run_program({"exponents", file}, where, input).code;
+  };
+  CHECK(code("data/s.toml", folder.path()) == 0);
+  CHECK(code("s.toml", folder.path() / "data") == 0);
+  CHECK(code("-", folder.path() / "data", problem(named)) == 0);
+  CHECK(code("-", folder.path(), problem(named)) == 2);
+  CHECK(code("-", folder.path(), problem(R"(samples = "data/trace.csv")")) == 0);
+  const std::string absolute = (folder.path() / "data" / "trace.csv").string();
+  folder.write("s.toml", problem("samples = \"" + absolute + "\""));
+  CHECK(code("s.toml", folder.path()) == 0);
+
+  folder.write("data/trace.csv", "0,0\n1,one\n");
+  check_refused(run_program({"exponents", "data/s.toml"}, folder.path()),
+                "data/trace.csv:2: psi: not a number; a number is written like 2, -0.25, 1e-3 or 1/3; 'one'");
+}
+
+TEST_CASE("a support within the trace cuts it") {
+  const TemporaryFolder folder;
+  folder.write("trace.csv", wedge);
+  folder.write("s.toml", problem(named + "\nsupport = [\"-1/3\", \"0.75\"]"));
+  folder.write("p.toml", problem("support = [\"-1/3\", \"0.75\"]\n"
+                                 R"(pieces = [{to = 0, profile = "-x/4"}, {to = "0.75", profile = "x/2"}])"));
+  const Finished samples = run_program({"solve", "s.toml"}, folder.path());
+  CHECK(samples.code == 0);
+  CHECK(samples.out == run_program({"solve", "p.toml"}, folder.path()).out);
+}
+
+TEST_CASE("jumps lie within the trace") {
+  const TemporaryFolder folder;
+  folder.write("trace.csv", "1,0\n2,0\n");
+  check_refused(run_program({"exponents", "-"}, folder.path(), problem(named)),
+                "-:6: friction.jumps[0]: jump outside the support; jumps lie in ]1, 2[; 0");
+}
+
+TEST_CASE("a flat trace, however many its points, is a flat punch") {
+  std::string flat;
+  for (int k = -50; k <= 50; ++k) flat += std::to_string(k) + "e-2,0\n";
+  const TemporaryFolder folder;
+  folder.write("trace.csv", flat);
+  const Finished samples = run_program({"solve", "-", "--method", "closed-form"}, folder.path(), problem(named));
+  CHECK(samples.code == 0);
+  CHECK(samples.out == run(problem("support = [-0.5, 0.5]\nprofile = 0")).out);
+}
+
+TEST_CASE("more breaks than the Riemann-Hilbert method takes") {
+  const TemporaryFolder folder;
+  const auto solve = [&](int points) {
+    std::string text;
+    for (int k = 0; k < points; ++k) text += std::to_string(k - 10) + "," + std::to_string(k * k) + "e-6\n";
+    folder.write("trace.csv", text);
+    return run_program({"solve", "-", "--method", "riemann-hilbert"}, folder.path(), problem(named));
+  };
+  check_refused(solve(203),
+                "-: the profile has too many breaks for the Riemann-Hilbert method, take --method variational; it has "
+                "at most 200; 201 breaks");
+  CHECK(solve(202).code == 0);
+}

@@ -1,0 +1,174 @@
+#include <cctype>
+#include <numeric>
+#include <regex>
+
+#include "app/report/math_symbols.hpp"
+#include "app/report/mathml.hpp"
+#include "app/terminal/utf8.hpp"
+#include "support/test.hpp"
+
+using namespace steadyslide::app;
+
+namespace {
+
+/// Without what is said of spaces and forms, and without rows: what a reader of a table of cases can take in.
+std::string bare(std::string_view formula) {
+  const auto typeset = mathml(formula);
+  if (!typeset) return "none";
+  std::string xml = std::regex_replace(*typeset, std::regex("</?mrow>|<mspace[^>]*/>"), "");
+  return std::regex_replace(xml, std::regex("<(\\w+) [^>]*>"), "<$1>");
+}
+
+/// What is seen of it.
+std::string text_of(const std::string& xml) { return std::regex_replace(xml, std::regex("<[^>]*>"), ""); }
+
+/// The letters and digits of a text, Latin and Greek, sorted: scripts may change places.
+std::string letters_of(std::string_view text) {
+  std::vector<std::string> letters;
+  for (; !text.empty();) {
+    const Utf8Character c = first_character(text);
+    const bool latin = c.code < 0x80 && std::isalnum(static_cast<unsigned char>(text.front())) != 0;
+    const bool greek = c.code >= 0x370 && c.code < 0x400;
+    if (latin || greek) letters.emplace_back(text.substr(0, c.length));
+    text.remove_prefix(std::max<std::size_t>(c.length, 1));
+  }
+  std::ranges::sort(letters);
+  return std::accumulate(letters.begin(), letters.end(), std::string());
+}
+
+std::string glyph_of(const std::string& name) {
+  const auto symbol = math_name(name);
+  return symbol ? std::string(symbol->glyph) : name;
+}
+
+/// What of a formula has to be seen on the page: its names by their glyphs, and its numbers.
+std::string expected_letters(std::string_view formula) {
+  std::string text;
+  const std::vector<MathToken> tokens = math_tokens(formula).value();
+  for (const MathToken& token : tokens) {
+    const bool accent = math_accent(token.text).has_value(), drawn = token.text == "sqrt";
+    if (token.kind == MathToken::Kind::number) text += token.text;
+    if (token.kind != MathToken::Kind::name || accent || drawn) continue;
+    const bool differential = token.text.size() > 1 && token.text.front() == 'd' && !math_name(token.text);
+    text += differential ? "d" + glyph_of(token.text.substr(1)) : glyph_of(token.text);
+  }
+  return letters_of(text);
+}
+
+/// A formula by the rules of the notation. Nothing that has two readings: no modulus in a modulus, no interval or
+/// integral as a factor.
+std::string random_formula(int depth) {
+  const auto pick = [](const std::vector<std::string>& parts) { return *rc::gen::elementOf(parts); };
+  const auto inner = [&] { return depth > 0 ? random_formula(depth - 1) : pick({"x", "2", "alpha"}); };
+  const auto simple = [&] { return pick({"x-c", "2", "1-2nu", "t_n + 1", "a/2"}); };
+  const auto operand = [&](bool factor) -> std::string {
+    switch (*rc::gen::inRange(factor ? 2 : 0, 12)) {
+      case 0: return "]" + simple() + ", " + simple() + "[";
+      case 1: return "int_{" + inner() + "}^" + pick({"1", "oo", "x"}) + " t dx'";
+      case 2: return "(" + inner() + ")";
+      case 3: return "|" + simple() + "|";
+      case 4: return "sqrt(" + inner() + ")";
+      case 5: return "<<" + inner() + ", " + inner() + ">>";
+      case 6: return pick({"cos", "log", "max"}) + "(" + inner() + ")";
+      case 7: return pick({"x", "psi", "R"}) + pick({"_bar", "_tilde", "_hat"});
+      case 8: return pick({"t", "Phi", "(x)"}) + pick({"_n", "^2", "'", "_{k+1}", "^{-1/2}", "_-", "^+"});
+      default: return pick({"x", "12", "0.5", "alpha", "gamma f", "P R", "Phi", "d_k", "poly"});
+    }
+  };
+  std::string formula = pick({"", "", "-"}) + operand(false);
+  const int more = *rc::gen::inRange(0, 3);
+  for (int k = 0; k < more; ++k) {
+    const std::string sign = pick({" + ", " - ", " ", "/", " = ", " <= ", " +- ", ", ", " * ", " in ", " -> "});
+    formula += sign + operand(sign == " " || sign == "/");
+  }
+  return formula;
+}
+
+}  // namespace
+
+TEST_CASE("formulas and their MathML") {
+  const auto table = pairs_of(STEADYSLIDE_TESTS "/app/report/formulas.txt");
+  CHECK(table.size() >= 41);
+  for (const auto& [formula, xml] : table) CHECK_MESSAGE(bare(formula) == xml, formula);
+}
+
+TEST_CASE("docs/notation.md: all that it writes is a formula") {
+  const std::string text = file_text(STEADYSLIDE_DOCS "/notation.md");
+  std::size_t examples = 0;
+  for (const std::string& line : lines(text.substr(text.find("## Formulas in text\n")))) {
+    if (!line.starts_with("| `")) continue;
+    std::string written = std::regex_replace(line, std::regex(R"(\\\|)"), "\x01");
+    written.resize(written.find('|', 1));
+    std::ranges::replace(written, '\x01', '|');
+    const std::regex quoted("`([^`]*)`");
+    for (std::sregex_iterator match(written.begin(), written.end(), quoted), end; match != end; ++match) {
+      const std::string formula = (*match)[1];
+      CAPTURE(formula);
+      CHECK(mathml(formula).has_value());
+      ++examples;
+    }
+  }
+  CHECK(examples > 50);
+}
+
+TEST_CASE("a long formula may break before relations and sums, and loses nothing by it") {
+  const std::string formula = "b(t,t) = -(1/pi) <<t * log|x|, t>> + (1/2) sum_k (s_k - s_{k-1}) T(c_k)^2";
+  const std::string xml = *mathml(formula);
+  CHECK(times(xml, "<math>") == 3);
+  CHECK(letters_of(text_of(xml)) == expected_letters(formula));
+}
+
+TEST_CASE("what is no formula is shown as it is") {
+  for (const char* text :
+       {"", "((", "x^", "a /", "/ 2", "--claim", "app/a.cpp", "x]", "%", "ψ", "a_{", "x^{}", "|x", "'"}) {
+    CAPTURE(text);
+    CHECK_FALSE(mathml(text).has_value());
+  }
+  CHECK(prose("a `((` & `x` b") == "a <code>((</code> &amp; <math><mi>x</mi></math> b");
+  CHECK(prose("(`x`), `y`z") ==
+        "<span class=\"tie\">(<span class=\"tie\"><math><mi>x</mi></math>),</span></span> "
+        "<math><mi>y</mi></math>z");
+  CHECK(prose("a lone ` < b") == "a lone ` &lt; b");
+  CHECK(prose("``") == "<code></code>");
+  CHECK_FALSE(mathml(std::string(100000, '(')).has_value());
+  CHECK_FALSE(mathml(std::string(100000, '-')).has_value());
+}
+
+TEST_CASE("formulas by the rules are typeset, well-formed, and lose no letter") {
+  CHECK(rc::check("random formulas", [] {
+    const std::string formula = random_formula(2);
+    RC_LOG() << formula << "\n";
+    const auto typeset = mathml(formula);
+    RC_ASSERT(typeset.has_value());
+    RC_ASSERT(is_well_formed(*typeset));
+    RC_ASSERT(letters_of(text_of(*typeset)) == expected_letters(formula));
+  }));
+}
+
+TEST_CASE("whatever stands between the backticks, the page is well-formed") {
+  const std::vector<std::string> parts{"x",    "alpha", "_bar", "'",  "_",  "^",   "{",   "}", "(",  ")",
+                                       "[",    "]",     "|",    "<<", ">>", "/",   "+",   "-", "+-", "*",
+                                       "=",    "<=",    "<",    " ",  "12", ",",   "cos", "&", "\"", "\x01",
+                                       "\xff", "ψ",     "sum",  "`",  ":",  "...", "sqrt"};
+  std::size_t typeset = 0;
+  CHECK(rc::check("random texts", [&] {
+    std::string text;
+    for (const std::string& part : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(parts)))
+      text += part;
+    RC_LOG() << text << "\n";
+    const std::string html = prose("`" + text + "`");
+    if (holds(html, "<math>")) ++typeset;
+    RC_ASSERT(is_well_formed(html));
+  }));
+  CHECK(typeset > 0);
+}
+
+TEST_CASE("control: the check of well-formedness refuses what is not") {
+  for (const char* bad :
+       {"<a><b></a></b>", "<a>", "</a>", "a & b", "a < b", "<a x=\"<\"></a>", "<a x=y/>", "<a x/>", "&nbsp;"}) {
+    CAPTURE(bad);
+    CHECK_FALSE(is_well_formed(bad));
+  }
+  CHECK(is_well_formed("<a x=\"y\" z='\"'><b/>&amp;</a>"));
+  CHECK(letters_of("ab") != letters_of("a"));
+}

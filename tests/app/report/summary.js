@@ -1,0 +1,7 @@
+// What the page says of a run.
+var count = {};
+all.forEach(function (c) { count[c.dataset.verdict] = (count[c.dataset.verdict] || 0) + 1; });
+result = JSON.stringify({ shown: visible().length, count: count,
+                          summary: document.getElementById("summary").textContent,
+                          tiles: Array.prototype.map.call(document.querySelectorAll(".tile b"),
+                                                          function (b) { return Number(b.textContent); }) });

@@ -1,0 +1,129 @@
+#include "app/results/number_format.hpp"
+#include "support/test.hpp"
+
+using namespace steadyslide::app;
+using numeric::Estimate;
+using numeric::Real100;
+using numeric::Real50;
+
+TEST_CASE("numbers are rounded to nearest, plain for moderate exponents, without zeros at the end") {
+  // A double, the digits asked for, what is written.
+  for (const std::string& row :
+       words("0.0:16:0 -0.0:16:0 -0.0123:16:-0.0123 1.5e-30:16:1.5e-30 0.1:16:0.1 9.996:3:10 1000.0:3:1e3 100.0:3:100 "
+             "100.0:4:100 -123456.0:3:-1.23e5 1.5e-5:16:0.000015 1.5e-6:16:1.5e-6 1e100:16:1e100 5e-324:3:4.94e-324")) {
+    CAPTURE(row);
+    const std::size_t colon = row.find(':'), last = row.rfind(':');
+    CHECK(format_number(std::strtod(row.c_str(), nullptr), std::stoi(row.substr(colon + 1))) == row.substr(last + 1));
+  }
+  CHECK(format_number(1.0 / 3, 16) == "0.3333333333333333");
+  CHECK(format_number(2.0 / 3, 1) == "0.7");
+}
+
+TEST_CASE("infinities have names, what is no number has no text") {
+  CHECK(format_number(std::numeric_limits<double>::infinity(), 5) == "inf");
+  CHECK(format_number(-std::numeric_limits<double>::infinity(), 5) == "-inf");
+  CHECK(format_number(-numeric::infinity<Real50>(), 5) == "-inf");
+  CHECK(format_number(std::nan(""), 5) == "");
+  CHECK(format_number(std::numeric_limits<Real100>::quiet_NaN(), 5) == "");
+}
+
+TEST_CASE("fifty and a hundred digits are served, and one digit too") {
+  const Rational third(1, 3);
+  CHECK(format_number(numeric::to_real<Real50>(third), 50) == "0." + std::string(50, '3'));
+  CHECK(format_number(numeric::to_real<Real100>(third), 100) == "0." + std::string(100, '3'));
+  CHECK(format_number(Rational(2, 3), 100) == "0." + std::string(99, '6') + "7");
+  CHECK(format_number(numeric::to_real<Real50>(Rational(2, 3)), 1) == "0.7");
+  CHECK(format_number(Rational(2, 3), 1) == "0.7");
+  CHECK(format_number(parse_rational("1e-400"), 50) == "1e-400");
+}
+
+TEST_CASE("digits that the error does not support are not printed") {
+  CHECK(format_number(Estimate<double>{1.23456789, 0}, 16) == "1.23456789");
+  CHECK(format_number(Estimate<double>{1.23456789, 3e-5}, 16) == "1.2346");
+  CHECK(format_number(Estimate<double>{1.23456789, 1e-4}, 16) == "1.2346");
+  CHECK(format_number(Estimate<double>{1.23456789, 1.1e-4}, 16) == "1.235");
+  CHECK(format_number(Estimate<double>{1.23456789, 1e-4}, 3) == "1.23");
+  CHECK(format_number(Estimate<double>{3, 2}, 16) == "3");
+  CHECK(format_number(Estimate<double>{1e-17, 1e-16}, 16) == "0");
+  CHECK(format_number(Estimate<double>{1.5, std::nan("")}, 16) == "");
+  CHECK(format_number(Estimate<double>{-std::numeric_limits<double>::infinity(), 0}, 16) == "-inf");
+  CHECK(format_number(Estimate<Real50>{Real50(1) / 3, Real50("1e-40")}, 50) == "0." + std::string(40, '3'));
+}
+
+TEST_CASE("a value with an infinite error is not known, and has no text") {
+  const double infinite = std::numeric_limits<double>::infinity();
+  CHECK(format_number(Estimate<double>{1.5, infinite}, 16) == "");
+  CHECK(format_number(Estimate<double>{0, infinite}, 16) == "");
+  CHECK(format_number(Estimate<double>{1.5, 1e300}, 16) == "0");
+  CHECK(format_number(Estimate<double>{-infinite, infinite}, 16) == "-inf");
+  CHECK(format_number(Estimate<Real50>{1, numeric::infinity<Real50>()}, 50) == "");
+}
+
+TEST_CASE("17 digits bring any double back") {
+  rc::check([] {
+    const double value = *rc::gen::arbitrary<double>();
+    RC_PRE(std::isfinite(value));
+    RC_ASSERT(std::stod(format_number(value, 17)) == value);
+  });
+}
+
+TEST_CASE("16 digits of all of a number are the shortest decimal that brings the double back") {
+  CHECK(full_number(0.1, 16) == "0.1");
+  CHECK(full_number(1.0 / 3, 16) == "0.3333333333333333");
+  CHECK(full_number(0.1 + 0.2, 16) == "0.30000000000000004");
+  CHECK(full_number(-5e-324, 16) == "-5e-324");
+  CHECK(full_number(Rational(1, 3), 16) == "0.3333333333333333");
+  CHECK(full_number(Real50("1e-400") / 3, 16) == "3.333333333333333e-401");
+  CHECK(full_number(Real50(2) / 3, 16) == "0.6666666666666666");  // the double's, not the rounded 0.6666666666666667
+  CHECK(full_number(2.0 / 3, 6) == "0.666667");
+  CHECK(full_number(Real50(1) / 3, 30) == "0." + std::string(30, '3'));
+  CHECK(full_number(-std::numeric_limits<double>::infinity(), 16) == "-inf");
+  CHECK(full_number(std::nan(""), 16) == "");
+  rc::check([] {
+    const double value = *rc::gen::arbitrary<double>();
+    RC_PRE(std::isfinite(value));
+    const std::string text = full_number(value, 16);
+    RC_ASSERT(std::stod(text) == value);
+    RC_ASSERT(full_number(Real50(value), 16) == text);
+  });
+}
+
+TEST_CASE("an estimate for a person and for a file") {
+  const NumberText text = number_text(Estimate<double>{0.123456789, 2.34e-3}, 16);
+  CHECK(text.shown == "0.12");
+  CHECK(text.value == "0.123456789");
+  CHECK(text.error == "0.0023");
+  // What a person reads as 0 is a number with an error in a file.
+  CHECK(number_text(Estimate<double>{1e-17, 1e-16}, 16).shown == "0");
+  CHECK(number_text(Estimate<double>{1e-17, 1e-16}, 16).value == "1e-17");
+  const double infinite = std::numeric_limits<double>::infinity();
+  const NumberText blow_up = number_text(Estimate<double>{-infinite, 0}, 16);
+  CHECK(blow_up.value == "-inf");
+  CHECK(blow_up.error == "0");
+  for (const double error : {infinite, std::nan("")}) {
+    const NumberText unknown = number_text(Estimate<double>{1.5, error}, 16);
+    CHECK(unknown.shown + unknown.value + unknown.error == "");
+  }
+}
+
+TEST_CASE("a formatted number differs from the value by half a unit of its last digit at most") {
+  rc::check([](int n) {
+    const int digits = *rc::gen::inRange(1, 40);
+    const Rational value(n, *rc::gen::inRange(1, 100000));
+    const std::string text = format_number(value, digits);
+    const Rational error = abs(parse_rational(text) - value);
+    RC_ASSERT(2 * error * parse_rational("1e" + std::to_string(digits - 1)) <= abs(value));
+  });
+}
+
+TEST_CASE("exact text is read back as the same number, also the longest") {
+  CHECK(exact_text(parse_rational("1e-400")) == "1e-400");
+  CHECK(exact_text(parse_rational("-1.25e399")) == "-125e397");
+  CHECK(exact_text(Rational(-1, 3)) == "-1/3");
+  CHECK(exact_text(Rational(0)) == "0");
+  rc::check([](int mantissa) {
+    const int exponent = *rc::gen::inRange(-400, 391);
+    const Rational value = parse_rational(std::to_string(mantissa) + "e" + std::to_string(exponent));
+    RC_ASSERT(parse_rational(exact_text(value)) == value);
+  });
+}

@@ -1,0 +1,76 @@
+// From which error on a solution is doubted, and from which on it is none.
+
+#include "app/results/solve_warnings.hpp"
+#include "support/made_up_solution.hpp"
+#include "support/test.hpp"
+
+using namespace steadyslide::app;
+using namespace steadyslide::numeric;
+
+namespace {
+
+MadeUp with_error(double ends, double traction, double resultants) {
+  MadeUp shown;
+  shown.shown_error = {ends, traction, resultants};
+  return shown;
+}
+
+/// Contact from left to right on a trace over [-1, 1].
+MadeUp with_contact(double left, double right) {
+  MadeUp shown = with_error(0, 0, 0);
+  const auto end = [](double x, End side) {
+    const bool edge = std::abs(x) == 1;
+    return ContactEnd<double>{{x},
+                              edge ? SingularKind::edge : SingularKind::free,
+                              edge ? edge_exponent(side, 0) : free_exponent(side, 0),
+                              {}};
+  };
+  shown.shown_contact.push_back({end(left, End::left), end(right, End::right)});
+  return shown;
+}
+
+Problem punch(bool is_trace) {
+  const std::optional<MeasuredProfile> measured =
+      is_trace ? std::optional(MeasuredProfile{"trace.csv", 2}) : std::nullopt;
+  return {ContactProblem(Elasticity::reduced(0), FrictionProfile({0}, {}),
+                         Indenter(-1, {{1, Polynomial(std::vector<Rational>{})}}), 1),
+          "punch.toml", measured};
+}
+
+std::size_t count(const MadeUp& shown, bool is_trace = true) { return warnings(punch(is_trace), shown).size(); }
+
+}  // namespace
+
+TEST_CASE("an error above 10 % is warned of, above 50 % there is no solution") {
+  CHECK(count(with_error(0.1, 0.1, 0.1)) == 0);
+  CHECK(count(with_error(0.11, 0, 0)) == 1);
+  CHECK(count(with_error(0, 0.11, 0)) == 1);
+  CHECK(count(with_error(0, 0, 0.11)) == 1);
+  CHECK(count(with_error(0.2, 0.2, std::nan(""))) == 3);
+  CHECK(warnings(punch(false), with_error(0, 0.22, 0)).front() ==
+        "traction: large estimated error; more than 10 % of its size; 22 %");
+
+  CHECK(useless_error(EstimatedError<double>{0.5, 0.5, 0.5}).empty());
+  CHECK(useless_error(EstimatedError<double>{1, 0, 0}) ==
+        "the estimated error of the ends of contact is 100 % of the contact's length");
+  CHECK_FALSE(useless_error(EstimatedError<double>{0, 0.51, 0}).empty());
+  CHECK_FALSE(useless_error(EstimatedError<double>{0, 0, std::nan("")}).empty());
+}
+
+TEST_CASE("contact at the cut end of a trace, and contact nowhere else") {
+  CHECK(count(with_contact(-0.5, 0.5)) == 0);
+  CHECK(count(with_contact(-1, 0.5)) == 1);
+  CHECK(count(with_contact(-1, 1)) == 1);
+  CHECK(count(with_contact(0.98, 0.999)) == 1);  // 1 % of the support, which is 2 long
+  CHECK(count(with_contact(0.97, 0.999)) == 0);
+  CHECK(count(with_contact(0.99, 1)) == 2);
+  CHECK(count(with_contact(-1, -0.99)) == 2);
+  // A profile that is a formula ends where it is said to end.
+  CHECK(count(with_contact(0.99, 1), false) == 0);
+  // At both ends at once, as under a parabola turned over.
+  MadeUp both = with_contact(-1, -0.99);
+  both.shown_contact.push_back(with_contact(0.99, 1).shown_contact.front());
+  CHECK(count(both) == 2);
+  both.shown_contact.push_back(with_contact(0, 0.1).shown_contact.front());
+  CHECK(count(both) == 1);
+}

@@ -1,0 +1,107 @@
+#include "app/verify/verify_writers.hpp"
+#include "app/command_line.hpp"
+
+using namespace steadyslide::app;
+using namespace steadyslide::proofs_checks;
+
+namespace {
+
+/// One claim refuted, one undecided because a control survives.
+VerifyResult bad_result() {
+  VerifyResult result;
+  result.context.digits = numeric::Digits::hundred;
+  result.context.seed = 42;
+  result.reports.push_back({{"a-claim", "[Bal16, (1)]", "x | y_1 < 2", "always"},
+                            Verdict::refuted,
+                            {Counterexample{"nu = 0", "1 is not 2"}},
+                            "",
+                            {{"wrong sign", true, ""}},
+                            0.25});
+  result.reports.push_back({{"b-claim", "[Bal16, (2)]", "y", "never"},
+                            Verdict::undecided,
+                            {},
+                            "the control survives",
+                            {{"swap", false, ""}},
+                            1});
+  result.notes.push_back({"note-1", "(4)", "(1+x)^{1/2}", "(1+x)^{1/2+alpha}", "refuted", "a-claim"});
+  return result;
+}
+
+std::string written(Format format, const VerifyResult& result) {
+  const TemporaryFolder folder;
+  Output output((folder.path() / "out").string());
+  write_verify(format, result, output);
+  output.commit();
+  return folder.read("out");
+}
+
+}  // namespace
+
+TEST_CASE("text shows why a claim is not settled") {
+  check_holds(written(Format::text, bad_result()),
+              {"2 claims at 100 digits, seed 42\n", "refuted    1/1       0.25     a-claim",
+               "undecided  0/1       1.00     b-claim", "counterexample: ", "1 is not 2", "the control survives",
+               "0 proved, 0 supported, 1 undecided, 1 refuted", "printed   (1+x)^{1/2}\n"});
+}
+
+TEST_CASE("JSON, whole") {
+  const std::string text = written(Format::json, bad_result());
+  std::string compact;
+  for (const char c : text) {
+    if (c != '\n' && c != ' ') compact += c;
+  }
+  CHECK(compact.starts_with(
+      "{\"schema\":1,\"version\":\"" STEADYSLIDE_VERSION
+      "\",\"digits\":100,\"seed\":42,\"counts\":{\"proved\":0,\"supported\":0,\"undecided\":1,\"refuted\":1},"
+      "\"claims\":[{\"id\":\"a-claim\",\"source\":"));
+  check_holds(compact,
+              {"\"controls\":{\"total\":1,\"refuted\":0},\"seconds\":1.0}],\"reading_notes\":[{\"id\":\"note-1\","
+               "\"place\":\"(4)\",\"printed\":",
+               "{\"kind\":\"note\",\"detail\":\"thecontrolsurvives\"}"});
+}
+
+TEST_CASE("Markdown escapes what would end a cell") {
+  CHECK(holds(written(Format::markdown, bad_result()),
+              "| a-claim | [Bal16, (1)] | x \\| y\\_1 \\< 2 | always | refuted | 1/1 | counterexample: "));
+}
+
+TEST_CASE("one claim is one claim") {
+  VerifyResult result = bad_result();
+  CHECK(holds(written(Format::text, result), ": 2 claims at "));
+  result.reports.pop_back();
+  CHECK(holds(written(Format::text, result), ": 1 claim at "));
+}
+
+TEST_CASE("notes of other claims are counted, not shown") {
+  VerifyResult result = bad_result();
+  leave_out_other_notes(result);
+  CHECK(result.notes.size() == 1);
+  CHECK_FALSE(holds(written(Format::text, result), "left out"));
+
+  // One of a claim that was not asked for, and one that belongs to no claim.
+  result.notes.push_back({"note-2", "(5)", "x", "y", "refuted", "c-claim"});
+  result.notes.push_back({"note-3", "theorem 3", "x", "y", "leaves x", ""});
+  leave_out_other_notes(result);
+  REQUIRE(result.notes.size() == 1);
+  CHECK(result.notes.front().id == "note-1");
+  CHECK(result.notes_left_out == 2);
+  for (const Format format : {Format::text, Format::markdown}) {
+    const std::string text = written(format, result);
+    check_holds(text, {"\n2 reading notes left out: ", "note-1"});
+    CHECK_FALSE(holds(text, "note-2"));
+  }
+  CHECK(holds(written(Format::json, result), "\"reading_notes_left_out\": 2\n"));
+}
+
+TEST_CASE("only a ledger without refuted and undecided claims ends well, but for what is beyond calculation") {
+  const auto reported = [](Verdict verdict, std::vector<Evidence> evidence) {
+    return Report{{"an-id", "", "", ""}, verdict, std::move(evidence), "", {}, 0};
+  };
+  std::vector<Report> reports{reported(Verdict::proved, {}), reported(Verdict::supported, {}),
+                              reported(Verdict::undecided, {BeyondCalculation{"not in the text", {}}})};
+  CHECK(exit_code_of(reports) == ExitCode::done);
+  reports.push_back(reported(Verdict::undecided, {}));
+  CHECK(exit_code_of(reports) == ExitCode::refuted);
+  reports.back() = reported(Verdict::refuted, {BeyondCalculation{"not in the text", {}}});
+  CHECK(exit_code_of(reports) == ExitCode::refuted);
+}

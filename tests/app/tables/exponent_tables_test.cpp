@@ -1,0 +1,149 @@
+// docs/exponents.md, .tex and .csv: they are what is computed, and what is computed is what the formulas say, evaluated
+// here with 50 digits from the printed data alone.
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include "app/tables/exponent_tables.hpp"
+#include "app/tables/materials.hpp"
+#include "support/test.hpp"
+
+using namespace steadyslide::app;
+using Real = boost::multiprecision::cpp_bin_float_50;
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+std::string committed(const std::string& file) { return file_text(STEADYSLIDE_DOCS "/" + file); }
+
+Real angle(const Real& s) { return atan(s) / boost::math::constants::pi<Real>(); }
+
+/// Six digits, rounded to nearest.
+bool is(const std::string& text, const Real& value) {
+  if (value == 0) return text == "0";
+  const Real unit = pow(Real(10), floor(log10(abs(value))) - 5);
+  return abs(Real(text) - value) <= unit * Real("0.500001");
+}
+
+std::string word(const Real& beta) { return beta < 0 ? "blows up" : beta > 0 ? "vanishes" : "stays finite"; }
+
+/// Dundurs' constants as quotients of compliances, without Kolosov's constant [Joh85, (5.3)]: G = E/(2(1+nu)).
+struct Dundurs {
+  Real alpha;
+  Real beta;
+};
+Dundurs dundurs(const Material& one, const Material& two) {
+  const auto over_shear = [](const Material& m, const Real& factor) {
+    return factor * 2 * (1 + Real(m.poisson)) / Real(m.young);
+  };
+  const Real a1 = over_shear(one, 1 - Real(one.poisson));
+  const Real a2 = over_shear(two, 1 - Real(two.poisson));
+  const Real b1 = over_shear(one, 1 - 2 * Real(one.poisson));
+  const Real b2 = over_shear(two, 1 - 2 * Real(two.poisson));
+  return {(a1 - a2) / (a1 + a2), (b1 - b2) / (2 * (a1 + a2))};
+}
+
+const TextTable& table(std::size_t k) {
+  static const std::vector<TextTable> tables = exponent_tables();
+  return tables.at(k);
+}
+
+}  // namespace
+
+TEST_CASE("docs/exponents.* are what exponent-tables writes, byte by byte") {
+  const std::vector<TableDocument> documents = exponent_documents();
+  CHECK(documents.size() == 3);
+  for (const TableDocument& document : documents)
+    CHECK_MESSAGE(committed(document.file) == document.text, document.file);
+}
+
+TEST_CASE("exponent tables: every row has its cells, and no row occurs twice") {
+  CHECK(exponent_tables().size() == 3);
+  for (const TextTable& t : exponent_tables()) {
+    CAPTURE(t.title);
+    CHECK(std::set<Row>(t.rows.begin(), t.rows.end()).size() == t.rows.size());
+    CHECK_FALSE(t.references.empty());
+    for (const Row& row : t.rows) CHECK(row.size() == t.columns.size());
+  }
+  CHECK(table(0).rows.size() == 7 * 6);
+  CHECK(table(2).rows.size() >= 12);
+}
+
+TEST_CASE("exponents by Poisson's ratio, all rows by 50-digit arithmetic") {
+  const Real half = Real(1) / 2;
+  std::set<std::string> words;
+  for (const Row& row : table(0).rows) {
+    const Real nu(row[0]);
+    const Real gamma = (1 - 2 * nu) / (2 * (1 - nu)), left = angle(gamma * Real(row[1]));
+    const Real right = angle(gamma * Real(row[2]));
+    const std::vector<Real> expected{gamma,         left,        right,        -half - left,
+                                     -half + right, half - left, half + right, left - right};
+    for (std::size_t k = 0; k < expected.size(); ++k) CHECK_MESSAGE(is(row[3 + k], expected[k]), row[3 + k]);
+    CHECK(row[11] == word(left - right));
+    CHECK(row[12] == word(right - left));
+    words.insert(row[11]);
+  }
+  CHECK(words.size() == 3);
+}
+
+TEST_CASE(
+    "exponents by pairs of materials, all rows by 50-digit arithmetic and other formulas for Dundurs' constants") {
+  const Real half = Real(1) / 2;
+  int negative = 0;
+  for (const Row& row : table(2).rows) {
+    CAPTURE(row[0]);
+    CAPTURE(row[1]);
+    const Material& body = material(row[0]);
+    const Real nu(body.poisson);
+    const Dundurs constants =
+        row[1] == "rigid" ? Dundurs{1, (1 - 2 * nu) / (2 * (1 - nu))} : dundurs(body, material(row[1]));
+    const Real& gamma = constants.beta;
+    const Real low = angle(gamma / 5), high = angle(gamma / 2);
+    const Real beta = angle(gamma / 10) - angle(gamma / 2);
+    const std::vector<std::pair<std::size_t, Real>> expected{
+        {2, constants.alpha}, {3, gamma},       {4, half - low}, {5, half + low},
+        {6, half - high},     {7, half + high}, {8, beta},       {10, -beta}};
+    for (const auto& [column, value] : expected) CHECK_MESSAGE(is(row[column], value), column);
+    CHECK(row[9] == word(beta));
+    CHECK(row[11] == word(-beta));
+    if (gamma < 0) ++negative;
+    // The control: with the bodies exchanged, or without the factor 1/2, it is another number.
+    if (row[1] != "rigid" && gamma != 0) {
+      CHECK_FALSE(is(row[3], dundurs(material(row[1]), body).beta));
+      CHECK_FALSE(is(row[3], 2 * gamma));
+    }
+  }
+  CHECK(negative >= 2);
+}
+
+TEST_CASE("materials: E = 2 mu (1 + nu) within 0.4 percent where the source gives all three") {
+  int checked = 0;
+  for (const Material& m : materials()) {
+    CAPTURE(m.name);
+    CHECK_NOTHROW(m.solid());
+    if (!m.shear) continue;
+    ++checked;
+    const Real young(m.young);
+    CHECK(abs(2 * Real(*m.shear) * (1 + Real(m.poisson)) - young) <= young * Real("0.004"));
+  }
+  CHECK(checked >= 9);
+  for (const MaterialPair& pair : material_pairs()) {
+    CHECK_NOTHROW(material(pair.half_plane));
+    if (pair.indenter) CHECK_NOTHROW(material(*pair.indenter));
+  }
+  CHECK_THROWS_AS(material("unobtainium"), std::out_of_range);
+}
+
+TEST_CASE("a text table in three formats") {
+  const TextTable t{"T of `nu`", "One, `alpha_-`.\nTwo: 50 %.", {"a", "`f_+`"}, {{"1, 2", "-0.5"}}, {"[Bal16] P. B."}};
+  CHECK(markdown_document("D", {t}) ==
+        "# D\n\n## T of `nu`\n\nOne, `alpha_-`.\n\nTwo: 50 %.\n\n| a | `f_+` |\n| --- | --- |\n| 1, 2 | -0.5 "
+        "|\n\n[Bal16] P. B.\n");
+  CHECK(csv_document({t}) == "table,row,column,value\nT of nu,1,a,\"1, 2\"\nT of nu,1,f_+,-0.5\n");
+  const std::string latex = latex_document("D", {t});
+  for (const char* part : {"\\subsection*{T of $\\nu $}", "One, $\\alpha _{-}$.\n\nTwo: 50 \\%.",
+                           "a & $f_{+}$ \\\\ \\hline", "1, 2 & $-0.5$ \\\\\n\\end{longtable}}"}) {
+    CAPTURE(part);
+    CHECK(holds(latex, part));
+  }
+}

@@ -1,0 +1,118 @@
+#pragma once
+// What the tests of the stresses below the surface solve, and a second route to these stresses.
+
+#include "numeric/interior/half_plane_stress.hpp"
+#include "numeric/interior/interior_stress.hpp"
+#include "numeric/quadrature/tanh_sinh.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "support/numeric_test.hpp"
+
+namespace steadyslide::numeric::stress_test {
+
+inline Elasticity body() { return Elasticity(Solid(0.2_r, 2)); }
+
+/// Four friction values under a smooth indenter, free ends.
+inline ContactProblem jumps(Sliding sliding = Sliding::plus_x) {
+  return {body(), FrictionProfile({0.5_r, 3, 0, 1}, {Rational(-1, 3), 0, 0.25_r}),
+          Indenter(-2, {{2, Polynomial({0, 0.1_r, 1, 0, 0.5_r})}}), 1, sliding};
+}
+
+/// A flat punch on [1, 3] with constant friction.
+inline ContactProblem punch(Sliding sliding = Sliding::plus_x) {
+  return {body(), FrictionProfile({1.5_r}), Indenter(1, {{3, Polynomial({0})}}), 2, sliding};
+}
+
+inline ContactProblem parabola(Sliding sliding = Sliding::plus_x) {
+  return {body(), FrictionProfile({1.5_r}), Indenter(-2, {{2, Polynomial({0, 0.1_r, 1})}}), 1, sliding};
+}
+
+/// A wedge with a friction jump, a wedge, and a change of curvature, all in the contact.
+inline ContactProblem corners(Sliding sliding = Sliding::plus_x) {
+  const Polynomial left({0, -0.1_r, 1});
+  const Polynomial middle({0, 0.1_r, 1});
+  const Polynomial wedge = middle + Polynomial({-0.0125_r, 0.1_r});
+  const Polynomial bent = wedge + Polynomial({0.0625_r, -0.5_r, 1});
+  return {body(), FrictionProfile({2, 0.5_r}, {0}),
+          Indenter(-2, {{0, left}, {0.125_r, middle}, {0.25_r, wedge}, {2, bent}}), 1, sliding};
+}
+
+/// Solved, with the stresses below.
+template <Real R>
+struct Solved {
+  explicit Solved(const ContactProblem& problem) : found(riemann_hilbert<R>(problem).solution) {
+    REQUIRE(solution.shortcoming().empty());
+  }
+  Rational place(double fraction) const { return Rational(left + fraction * length); }
+
+  std::shared_ptr<const ContactSolution<R>> found;
+  const RiemannHilbertSolution<R>& solution = dynamic_cast<const RiemannHilbertSolution<R>&>(*found);
+  InteriorStress<R> interior{solution};
+  double left = static_cast<double>(solution.contact().front().left.x.value);
+  double length = static_cast<double>(solution.contact().back().right.x.value) - left;
+};
+
+template <Real R>
+StressComponents<R> components(const StressState<R>& stress) {
+  return {stress.xx.value, stress.zz.value, stress.xz.value};
+}
+
+template <Real R>
+R difference(const StressComponents<R>& a, const StressComponents<R>& b) {
+  return std::max({size_of(R(a.xx - b.xx)), size_of(R(a.zz - b.zz)), size_of(R(a.xz - b.xz))});
+}
+
+template <Real R>
+R size(const StressComponents<R>& a) {
+  return difference(a, {R(0), R(0), R(0)});
+}
+
+/// By the adaptive tanh-sinh rule on every segment, cut at x and next to it. `factor` multiplies the shear.
+template <Real R>
+StressComponents<R> by_quadrature(const RiemannHilbertSolution<R>& solution, const Rational& x, const Rational& z,
+                                  const R& factor = R(1)) {
+  using std::abs, std::pow;
+  const RiemannHilbertForm<R>& form = solution.form();
+  const ContactSet<R>& set = form.set();
+  const SurfacePoint<R> above = solution.locate(x);
+  const R depth = to_real<R>(z / solution.problem().frame().unit);
+  R sums[3] = {0, 0, 0};
+  for (std::size_t k = 0; k < set.segments(); ++k) {
+    if (!set.in_contact(k)) continue;
+    const R shear = factor * solution.shear_ratio(k);
+    // x' = (left end) + node; `from`: x minus the panel's left end, `to`: x minus its right end.
+    const auto add = [&](const Panel<R>& panel, const R& before, const R& behind, const R& from, const R& to) {
+      const Power<R> none{R(0), R(1)};
+      const Power<R> left = before == 0 ? form.fundamental_solution().powers()[k] : none;
+      const Power<R> right = behind == 0 ? form.fundamental_solution().powers()[k + 1] : none;
+      for (int i = 0; i < 3; ++i) {
+        const auto smooth = [&, i](const Node<R>& node) {
+          const R t =
+              form.traction(surface_point(set, k, R(before + node.from_left), R(behind + node.from_right))).value;
+          const bool by_left = abs(from) + node.from_left < abs(to) + node.from_right;
+          const R offset = by_left ? R(from - node.from_left) : R(to + node.from_right);
+          const StressComponents<R> s = stress_of_force<R>(t, shear * t, offset, depth);
+          const R value = i == 0 ? s.xx : i == 1 ? s.zz : s.xz;
+          return R(value / (pow(node.from_left, left.value) * pow(node.from_right, right.value)));
+        };
+        sums[i] += tanh_sinh::panel_integral<R>({panel, left, right, smooth}).value;
+      }
+    };
+    const Panel<R>& whole = set.panels()[k];
+    const R &l = above.node.from_left, &r = above.node.from_right;
+    if (static_cast<std::ptrdiff_t>(k) == above.segment && l > 0 && r > 0) {
+      // Once more at four depths from x: the adaptive rule likes one scale a panel.
+      const R near_left = std::min(R(l / 2), R(4 * depth));
+      const R near_right = std::min(R(r / 2), R(4 * depth)), x_left = whole.left + l;
+      const R far_left = l - near_left, far_right = r - near_right;
+      add({whole.left, R(x_left - near_left), far_left}, R(0), R(r + near_left), l, near_left);
+      add({R(x_left - near_left), x_left, near_left}, far_left, r, near_left, R(0));
+      add({x_left, R(x_left + near_right), near_right}, l, far_right, R(0), R(-near_right));
+      add({R(x_left + near_right), whole.right, far_right}, R(l + near_right), R(0), R(-near_right), R(-r));
+    } else {
+      add(whole, R(0), R(0), form.distance(above, k), form.distance(above, k + 1));
+    }
+  }
+  return {sums[0], sums[1], sums[2]};
+}
+
+}  // namespace steadyslide::numeric::stress_test

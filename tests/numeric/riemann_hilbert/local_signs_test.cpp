@@ -1,0 +1,156 @@
+// The sign of the traction at anchors and ends of the contact: the rules against values as near as numbers reach, and
+// solutions below the load at which a notch closes.
+
+#include "numeric/riemann_hilbert/local_signs.hpp"
+#include "numeric/riemann_hilbert/contact_inequalities.hpp"
+#include "support/numeric_test.hpp"
+#include "support/solved_contact.hpp"
+
+namespace {
+
+/// psi = -|x|/5 over s = 0.0375 | 0.1875 is in full contact from this load on: theta at 0 vanishes there.
+const Rational threshold = 8.308222888593932767_r;
+
+ContactProblem notch(const Rational& part_of_threshold, bool mirrored = false) {
+  const ContactProblem problem = reduced({0.0375_r, 0.1875_r}, {0}, roof(0.2_r, -0.2_r), part_of_threshold * threshold);
+  return mirrored ? problem.mirrored() : problem;
+}
+
+/// Full contact under edges, whatever its traction.
+template <Real R>
+struct FullContact {
+  explicit FullContact(const ContactProblem& p) : data(p), problem(data, {0, 1}) {
+    auto state = ContactState<R>::initial(problem, ContactSet<R>(problem, {{-1, 1, true, true}}), R(0));
+    found = {state, R(0), ""};
+    form.emplace(problem, state.set, state.q, state.tilt, rules);
+  }
+  ContactProblem data;
+  ReducedProblem<R> problem;
+  JacobiRules<R> rules;
+  SearchResult<R> found{ContactState<R>{ContactSet<R>(problem), {}, R(0)}, R(0), ""};
+  std::optional<RiemannHilbertForm<R>> form;
+};
+
+/// Lengths of the two halves of the gap over the notch.
+double gap(const ContactSolution<double>& solution) {
+  const auto zones = solution.contact();
+  REQUIRE(zones.size() == 2U);
+  CHECK(zones[0].right.x.value < 0);
+  CHECK(zones[1].left.x.value > 0);
+  return zones[1].left.x.value - zones[0].right.x.value;
+}
+
+}  // namespace
+
+TEST_CASE("the rules against the traction at 10^-1000000 from the corner") {
+  int pulls = 0, pushes = 0;
+  CHECK(rc::check("full contact over any corner, any friction", [&] {
+    const auto slope = [] { return Rational(uniform(-4, 4), 8); };
+    const auto s = [] { return Rational(uniform(0, 8), 4); };
+    const Rational bend = uniform(0, 2) == 0 ? 0_r : Rational(uniform(-4, 4), 4);
+    const ContactProblem p = reduced({s(), s()}, {0}, roof(slope(), slope(), bend), Rational(uniform(1, 64), 4));
+    const FullContact<Real50> full(p);
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto term = leading_term(*full.form, j);
+      RC_ASSERT(term.has_value());
+      if (term->sign == 0) continue;
+      const Real50 d = pow(Real50(10), -1000000);
+      for (const Side side : {Side::left, Side::right}) {
+        if (j == (side == Side::left ? 0U : 2U)) continue;
+        const Real50 t = full.form->traction(beside(full.form->set(), j, side, d)).value;
+        RC_ASSERT((term->sign > 0) == (t > 0));
+        RC_ASSERT(t != 0);
+      }
+      if (j == 1) ++(term->sign > 0 ? pulls : pushes);
+    }
+  }));
+  CHECK(pulls > 10);
+  CHECK(pushes > 10);
+}
+
+TEST_CASE("a notch over a rising jump opens below its threshold, by a gap like (1 - P/P_c)^(1/|beta|)") {
+  for (const bool mirrored : {false, true}) {
+    CAPTURE(mirrored);
+    double last = 1;
+    for (const char* part : {"0.5", "0.6", "0.7", "0.9", "0.99", "0.999", "0.999999"}) {
+      CAPTURE(part);
+      const double now = gap(*solved<double>(notch(parse_rational(part), mirrored)));
+      CHECK(now < last);
+      last = now;
+    }
+    const double power = std::atan(3. / 16) / pi<double>() - std::atan(3. / 80) / pi<double>();
+    const double nearer = gap(*solved<double>(notch(0.9999999_r, mirrored)));
+    CHECK(std::log(last / nearer) / std::log(10) == doctest::Approx(1 / power).epsilon(1e-5));
+    const auto full = solved<double>(notch(1.000001_r, mirrored));
+    REQUIRE(full->contact().size() == 1U);
+    for (const auto& point : full->singular_points()) CHECK(point.intensity.value > 0);
+  }
+}
+
+TEST_CASE("what is in contact where it pulls has an infinite tension, and a name") {
+  const FullContact<double> full(notch(0.7_r));
+  const auto seen = violations(*full.form);
+  REQUIRE(seen.size() == 1U);
+  CHECK(seen[0].what == Violation<double>::What::tension);
+  CHECK(seen[0].anchor == 1U);
+  const std::string words = in_words(*full.form, 1, *leading_term(*full.form, 1));
+  CAPTURE(words);
+  CHECK(words.find("x = 0 pulls: theta = -0.79") != std::string::npos);
+  RiemannHilbertSolution<double> accepted(full.data, {0, 1});
+  accepted.set(
+      {{ContactSet<double>(accepted.problem(), {{-1, 1, true, true}}), {accepted.problem().load()}, 0}, 0, ""});
+  CHECK(accepted.residuals().tension == infinity<double>());
+  // The same corner in a notch without jump, and one where friction falls: whatever the load.
+  for (const auto& s : {std::vector<Rational>{1, 1}, {1, 0.5_r}}) {
+    const FullContact<double> other(reduced(s, {0}, roof(0.125_r, -0.125_r), 1000));
+    CHECK(leading_term(*other.form, 1)->sign == 1);
+    CHECK(highest_limit(*other.form, 0.) > 0);
+  }
+}
+
+TEST_CASE("gaps over notches without a jump, however short") {
+  for (const int load : {4, 8, 12}) {
+    const auto found = riemann_hilbert<double>(
+        reduced({1}, {}, Indenter(-1, {{0, Polynomial({0, 0.125_r, 1})}, {1, Polynomial({0, 0, 1})}}), load));
+    CHECK(found.solution->shortcoming() == "");
+    CHECK(found.solution->contact().size() == 2U);
+    CHECK(found.solution->residuals().load < 1e-13);
+    CHECK(found.solution->residuals().equation < 1e-10);
+  }
+}
+
+TEST_CASE("a gap that double cannot hold is refused, with the reason") {
+  const auto found = riemann_hilbert<double>(reduced({0.5_r}, {}, roof(0.125_r, -0.125_r), 1000));
+  CHECK(found.solution->shortcoming().find("the leading term at x = 0 pulls") == 0);
+  CHECK(found.solution->residuals().tension == infinity<double>());
+}
+
+TEST_CASE("no solution of a random notch over a jump has a sign that is known to be wrong") {
+  int solved_ones = 0;
+  CHECK(rc::check("random slopes, frictions and loads", [&] {
+    const auto slope = [] { return Rational(uniform(1, 16), 16); };
+    const auto s = [] { return Rational(uniform(0, 40), 20); };
+    const Rational bend = uniform(0, 2) == 0 ? Rational(uniform(1, 4), 4) : 0_r;
+    const ContactProblem q = reduced({s(), s()}, {0}, roof(slope(), -slope(), bend), Rational(uniform(1, 400), 16));
+    const ContactProblem p = uniform(0, 1) == 0 ? q : q.mirrored();
+    const Attempt<double> attempt = riemann_hilbert<double>(p);
+    const std::string why = attempt.solution->shortcoming();
+    if (!why.empty()) {
+      RC_ASSERT(why.find("the leading term") == 0U);
+      return;
+    }
+    ++solved_ones;
+    const auto& form = dynamic_cast<const RiemannHilbertSolution<double>&>(*attempt.solution).form();
+    const ContactSet<double>& set = form.set();
+    for (std::size_t j = 0; j <= set.segments(); ++j) {
+      for (const Side side : {Side::left, Side::right}) {
+        if (side == Side::left ? j == 0 : j == set.segments()) continue;
+        const std::size_t k = side == Side::left ? j - 1 : j;
+        if (!set.in_contact(k)) continue;
+        const Estimate<double> t = form.traction(beside(set, j, side, 1e-300));
+        RC_ASSERT(t.value <= 4 * t.error);
+      }
+    }
+  }));
+  CHECK(solved_ones > 50);
+}

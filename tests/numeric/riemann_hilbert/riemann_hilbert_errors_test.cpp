@@ -1,0 +1,146 @@
+// Does an estimated error cover the true one? Measured against more digits.
+
+#include "support/solved_contact.hpp"
+
+namespace {
+
+/// A wedge in the contact, its two slopes of different size, with a friction jump at its tip.
+ContactProblem wedge_and_jump(const Rational& f_left, const Rational& f_right) {
+  return {Elasticity(Solid(0.3_r, 1)), FrictionProfile({f_left, f_right}, {0}), roof(Rational(-1, 7), 0.1_r), 0.1_r};
+}
+
+template <Real R>
+SolvedSingularPoint<R> corner(const ContactProblem& problem) {
+  const auto solution = riemann_hilbert<R>(problem).solution;
+  REQUIRE(solution);
+  REQUIRE(solution->shortcoming() == "");
+  for (const auto& point : solution->singular_points()) {
+    if (point.kind == SingularKind::wedge_and_jump) return point;
+  }
+  throw std::logic_error("no wedge with a jump in the contact");
+}
+
+ContactProblem nearly_equal(const char* difference) {
+  return wedge_and_jump(0.2_r, 0.2_r + parse_rational(difference));
+}
+
+/// D/[s] of the exact data.
+Rational constant_of(const ContactProblem& problem) {
+  const Rational jump = problem.coupled_friction(1) - problem.coupled_friction(0);
+  return problem.indenter().breaks().front().wedge / (problem.elasticity().compliance() * jump);
+}
+
+template <Real R>
+void check_constant(const SolvedSingularPoint<R>& found, const ContactProblem& problem) {
+  using std::abs;
+  const auto truth = to_real<Real100>(constant_of(problem));
+  CHECK(abs(Real100(found.constant.value) - truth) <= Real100(found.constant.error));
+  CHECK(found.constant.error <= 2 * numeric::epsilon<R>() * abs(found.constant.value));
+}
+
+/// A solution whose free ends are off by what is said to be their error, beside the true one. Everything else of it is
+/// kept, so that its load and its gaps are off as well: an error may be a quarter of what a value is off by.
+class Displaced {
+ public:
+  Displaced(const ContactProblem& problem, std::size_t pattern, double error)
+      : truth_(of<Real50>(problem)), rough_(of<double>(problem)), found_(problem, rough_->problem().frame()) {
+    ContactState<double> state = rough_->state();
+    ContactSet<double> set = ContactSet<double>::converted(found_.problem(), state.set);
+    std::vector<double> steps;
+    for (std::size_t f = 0; f < set.movable().size(); ++f) steps.push_back((pattern >> f & 1U) == 0 ? error : -error);
+    set.move(steps);
+    found_.set({{std::move(set), state.q, state.tilt}, error, ""});
+  }
+
+  /// The number of values whose error does not cover what they are off by.
+  int uncovered() {
+    count_ = 0;
+    const auto points = found_.singular_points();
+    const auto true_points = truth_->singular_points();
+    REQUIRE(points.size() == true_points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      look("place", points[k].x, true_points[k].x);
+      look("intensity", points[k].intensity, true_points[k].intensity);
+      look("constant", points[k].constant, true_points[k].constant);
+    }
+    const Resultants<double> r = found_.resultants();
+    const Resultants<Real50> true_r = truth_->resultants();
+    look("normal", r.normal, true_r.normal);
+    look("tangential", r.tangential, true_r.tangential);
+    look("centre of pressure", r.centre_of_pressure, true_r.centre_of_pressure);
+    const Rational left = truth_->problem().problem().indenter().left();
+    const Rational width = truth_->problem().problem().indenter().right() - left;
+    for (int i = -1; i < 16; ++i) {
+      const Rational x = left + width * Rational(7 * i + 3, 115);
+      const Sample<double> here = found_.at(x);
+      const Sample<Real50> there = truth_->at(x);
+      look("traction", here.traction.left, there.traction.left);
+      look("slope", here.slope.left, there.slope.left);
+      if (here.gap && there.gap) look("gap", *here.gap, *there.gap);
+    }
+    return count_;
+  }
+
+ private:
+  /// Without its residuals: at 50 digits they cost more than all else.
+  template <Real R>
+  static Solved<R> of(const ContactProblem& problem) {
+    const auto solution =
+        std::dynamic_pointer_cast<const RiemannHilbertSolution<R>>(riemann_hilbert<R>(problem).solution);
+    REQUIRE(solution);
+    REQUIRE(solution->shortcoming() == "");
+    return solution;
+  }
+
+  void look(const std::string& what, const Estimate<double>& found, const Estimate<Real50>& truth) {
+    if (std::isinf(found.value)) return;
+    const auto off = static_cast<double>(Real50(abs(Real50(found.value) - truth.value)));
+    if (off <= 4 * found.error + 4e-15 * std::abs(found.value)) return;
+    ++count_;
+    MESSAGE(what, " ", found.value, " is off by ", off, ", its error says ", found.error);
+  }
+
+  Solved<Real50> truth_;
+  Solved<double> rough_;
+  RiemannHilbertSolution<double> found_;
+  int count_ = 0;
+};
+
+std::vector<ContactProblem> with_free_ends() {
+  const Indenter parabola = one_piece(-1, 1, {0, 0, 2.5_r});
+  return {reduced({0.1_r, 0.6_r}, {0}, parabola, 1),
+          reduced({0.6_r, 0.1_r}, {0}, parabola, 1),
+          wedge_and_jump(0.2_r, 0.2_r),
+          wedge_and_jump(0.2_r, 0.1_r),
+          on_two_coatings(two_wells(), 8),
+          on_two_coatings(two_wells(), 8, 0.1_r)};
+}
+
+}  // namespace
+
+TEST_CASE("wedge and jump: the constant D/[s] and the intensity keep their digits at nearly equal frictions") {
+  for (const char* difference : {"0.1", "1e-6", "1e-14", "-1e-14", "1e-20"}) {
+    CAPTURE(difference);
+    const ContactProblem problem = nearly_equal(difference);
+    const auto found = corner<double>(problem);
+    const auto truth = corner<Real50>(problem);
+    check_constant(found, problem);
+    check_constant(truth, problem);
+    CHECK(abs(Real50(found.intensity.value) - truth.intensity.value) <= Real50(found.intensity.error));
+    CHECK(found.intensity.error <= 1e-13 * std::abs(found.intensity.value));
+    CHECK(truth.intensity.error <= Real50(1e-50) * abs(truth.intensity.value));
+  }
+  // Further apart than 50 digits can tell rounded numbers.
+  const ContactProblem problem = nearly_equal("-1e-70");
+  check_constant(corner<Real50>(problem), problem);
+}
+
+TEST_CASE("free ends: what they are off by is covered by every estimate") {
+  for (const ContactProblem& problem : with_free_ends()) {
+    for (const std::size_t pattern : {0, 1, 2}) {
+      CAPTURE(pattern);
+      Displaced displaced(problem, pattern, 1e-8);
+      CHECK(displaced.uncovered() == 0);
+    }
+  }
+}

@@ -1,0 +1,141 @@
+// What is not solved says so; and what is wrong is seen.
+
+#include "numeric/closed_form/closed_form.hpp"
+#include "numeric/riemann_hilbert/contact_inequalities.hpp"
+#include "numeric/riemann_hilbert/gap_integral.hpp"
+#include "numeric/variational/variational_inequality.hpp"
+#include "support/numeric_test.hpp"
+#include "support/solved_contact.hpp"
+
+namespace {
+
+using Set = ContactSet<double>;
+using Form = RiemannHilbertForm<double>;
+
+const ContactProblem wells = on_two_coatings(two_wells(), 3);
+
+double missing_load(const Form& form) {
+  const auto check = check_of(form);
+  return std::abs(check.integral() + form.problem().load()) / form.problem().load();
+}
+
+SearchResult<double> converged(const ReducedProblem<double>& problem, const Set& set, JacobiRules<double>& rules) {
+  const std::vector<double> limits(set.segments(), 1e-3);
+  auto found = solve_newton(problem, ContactState<double>::initial(problem, set, 0), limits, rules);
+  REQUIRE(found.status == NewtonResult<double>::Status::converged);
+  return {std::move(found.state), 0, ""};
+}
+
+Form form_of(const ReducedProblem<double>& problem, const ContactState<double>& state, JacobiRules<double>& rules) {
+  return {problem, state.set, state.q, state.tilt, rules};
+}
+
+}  // namespace
+
+TEST_CASE("an elastic indenter whose contact reaches an edge") {
+  const Elasticity both(Solid(0.3_r, 1), Solid(0.2_r, 2));
+  const ContactProblem pressed(both, FrictionProfile({0.5_r}), one_piece(-1, 1, {0, 0, 1}), 100);
+  const Attempt<double> attempt = riemann_hilbert<double>(pressed);
+  CHECK(!attempt.solution);
+  CHECK(holds(attempt.why_not, "elastic indenter"));
+  const ContactProblem touching(both, FrictionProfile({0.5_r}), one_piece(-1, 1, {0, 0, 1}), 0.01_r);
+  CHECK(solved<double>(touching)->contact()[0].left.kind == SingularKind::free);
+}
+
+TEST_CASE("a search that leads nowhere ends with a shortcoming") {
+  const ContactProblem p = reduced({0.3_r}, {}, one_piece(-1, 1, {0, 0, 1}), 1);
+  const ReducedProblem<double> problem(p, {0, 1});
+  JacobiRules<double> rules;
+  // Free ends that are fixed at the support's ends cannot bear the load.
+  Set set(problem, {{-0.5, 0.5, false, false}});
+  set.attach_to_anchor(1, Side::left, true);
+  set.attach_to_anchor(set.all(Set::Kind::ends).front(), Side::right, true);
+  const auto found = search_contact(problem, ContactState<double>::initial(problem, set, 0), rules);
+  CHECK(!found.solved());
+  CHECK(!found.shortcoming.empty());
+  RiemannHilbertSolution<double> solution(p, {0, 1});
+  solution.set(found);
+  CHECK(solution.shortcoming() == found.shortcoming);
+}
+
+TEST_CASE("control: a displaced end is seen in the load, the equation and the closure of the gap") {
+  const auto good = solved<double>(wells);
+  const ReducedProblem<double>& problem = good->problem();
+  JacobiRules<double> rules;
+  REQUIRE(good->contact().size() == 2U);
+  ContactState<double> state = good->state();
+  CHECK(missing_load(good->form()) < 1e-13);
+  const auto closure = [](const Form& form) {
+    const std::size_t j = form.set().all(Set::Kind::ends).front();
+    const GapIntegral<double> gap(form, j);
+    return std::abs(gap.closure_error(gap.rule()));
+  };
+  CHECK(closure(good->form()) < 1e-13);
+  const double equation = check_of(good->form()).equation();
+  CHECK(equation < 1e-12);
+  state.set.move({0, 1e-6, 0, 0});
+  const Form displaced = form_of(problem, state, rules);
+  CHECK(missing_load(displaced) > 1e-8);
+  CHECK(closure(displaced) > 1e-8);
+  // Without its vanishing moments the form is not the Cauchy integral of its traction.
+  CHECK(check_of(displaced).equation() > 1e-8);
+}
+
+TEST_CASE("control: a set of the wrong kind has violations") {
+  using What = Violation<double>::What;
+  struct Case {
+    ContactProblem data;
+    ContactInterval contact;
+    What seen;
+  };
+  // One component where there have to be two: the traction pulls in the middle, or the other bump penetrates. Edges
+  // where the ends are free: an inclined punch that is fixed at both ends pulls at one of them, which the search
+  // repairs.
+  const Case cases[] = {{on_two_coatings(wells.indenter(), 4.5_r), {-1.5, 1.2, false, false}, What::tension},
+                        {reduced({0.3_r}, {}, two_wells(0), 0.5_r), {-1.2, -0.8, false, false}, What::penetration},
+                        {reduced({0.3_r}, {}, one_piece(-1, 1, {0, 1}), 0.5_r), {-1, 1, true, true}, What::tension}};
+  for (const Case& c : cases) {
+    JacobiRules<double> rules;
+    const ReducedProblem<double> problem(c.data, {0, 1});
+    const auto found = converged(problem, Set(problem, {c.contact}), rules);
+    const auto seen = violations(form_of(problem, found.state, rules));
+    REQUIRE(!seen.empty());
+    CHECK(seen.front().what == c.seen);
+    if (c.seen == What::penetration)
+      CHECK(std::ranges::count(seen, c.seen, &Violation<double>::what) == std::ssize(seen));
+    if (!c.contact.left_at_edge) continue;
+    CHECK(seen.size() == 1);
+    const auto repaired = search_contact(problem, found.state, rules);
+    CHECK(repaired.solved());
+    CHECK(violations(form_of(problem, repaired.state, rules)).empty());
+  }
+  const auto good = solved<double>(wells);
+  CHECK(violations(good->form()).empty());
+}
+
+// Its valley is looked at, however narrow it is beside its segment.
+TEST_CASE("a second bump on a support much wider than it") {
+  const Rational a = 1000;
+  const Indenter bumps(-100000, {{0, Polynomial({a * a, 2 * a, 1})}, {100000, Polynomial({a * a, -2 * a, 1})}});
+  CHECK(solved<double>(reduced({0.3_r}, {}, bumps, 1))->contact().size() == 2U);
+}
+
+// Beyond the wedge contact reaches less than a millionth of its length.
+TEST_CASE("known limit: a wedge under large friction" * doctest::should_fail()) {
+  solved<double>(reduced({8}, {}, roof(-1, 1), 0.1_r));
+}
+
+TEST_CASE("more values of friction than powers take are refused at once, and cells take them") {
+  std::vector<Rational> s, jumps;
+  for (int k = 0; k < 10'000; ++k) {
+    s.emplace_back(k % 7, 10);
+    if (k > 0) jumps.emplace_back(2 * k - 10'000, 10'000);
+  }
+  const ContactProblem punch = reduced(s, jumps, one_piece(-1, 1, {0}), 1);
+  const std::string why_not =
+      "too many values of friction for a solution by powers, take --method variational; there are at most 1000; 10000 "
+      "values";
+  CHECK(riemann_hilbert<double>(punch).why_not == why_not);
+  CHECK(closed_form<double>(punch).why_not == why_not);
+  CHECK(variational_inequality(punch).solution->shortcoming() == "");
+}

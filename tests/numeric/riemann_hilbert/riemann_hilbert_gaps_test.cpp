@@ -1,0 +1,102 @@
+// Gaps beside a contact that ends at a break of the profile, where the indenter goes on with another polynomial:
+// heights by the form against the profile less the displacement that the traction makes.
+
+#include "numeric/riemann_hilbert/gap_integral.hpp"
+#include "support/numeric_test.hpp"
+#include "support/solved_contact.hpp"
+
+namespace {
+
+struct Case {
+  const char* name;
+  Indenter indenter;
+  Rational load;
+  std::size_t components;
+};
+
+std::vector<Case> cases() {
+  const Polynomial bowl({0, 0, 1});
+  const Polynomial high({1, 1});
+  const Polynomial flat;
+  const Polynomial between({0.5_r, 0, 0.25_r});
+  return {{"a step up, an incline beyond", Indenter(-1, {{0, bowl}, {1, high}}), 1, 1},
+          {"a step down, a bowl before it", Indenter(-1, {{0, Polynomial({1, 0, 2})}, {1, bowl}}), 1, 1},
+          {"a step up, two polynomials beyond", Indenter(-1, {{0, bowl}, {0.5_r, high}, {1, between}}), 1, 1},
+          {"two feet, an arch between", Indenter(-1, {{Rational(-1, 3), flat}, {0.25_r, between}, {1, flat}}), 2, 2}};
+}
+
+/// Contact from a step, where the traction blows up like d^-0.82, to a free end.
+ContactProblem edge_at_step() {
+  const Polynomial profile({0, 1, 0.5_r});
+  return {Elasticity(Solid(Rational(-5, 14), 1)), FrictionProfile({Rational(18, 7)}),
+          Indenter(-4, {{Rational(-45, 14), profile}, {4, profile + Polynomial({-1})}}), 1};
+}
+
+/// The gap left of the step.
+template <Real R>
+std::vector<double> openings() {
+  const ContactProblem problem = edge_at_step();
+  const ReducedProblem<R> reduced(problem, {0.125_r, 2});
+  JacobiRules<R> rules;
+  const RiemannHilbertForm<R> form(reduced, ContactSet<R>(reduced, {{-1.67, 0.7, true, false}}), {}, R(0), rules);
+  std::vector<double> result;
+  for (int i = 1; i < 1000; ++i) {
+    const auto at = beside(form.set(), 0, Side::right, R(form.set().length(0) * i / 1000));
+    result.push_back(static_cast<double>(GapIntegral(form, 1).reduced_gap(at).value));
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("gaps beside a step whose other face is another polynomial") {
+  int wrong_by_one_polynomial = 0;
+  for (const Case& c : cases()) {
+    CAPTURE(c.name);
+    const auto solution = solved<double>(reduced({1, 0.5_r}, {-0.5_r}, c.indenter, c.load));
+    REQUIRE(solution->contact().size() == c.components);
+    const RiemannHilbertForm<double>& form = solution->form();
+    const ContactSet<double>& set = form.set();
+    const auto check = check_of(form);
+    std::size_t panel = 0;
+    for (std::size_t k = 0; k < set.segments(); ++k) {
+      if (set.in_contact(k)) {
+        ++panel;
+        continue;
+      }
+      for (const double part : {1e-6, 0.03, 0.2, 0.45, 0.55, 0.8, 0.999}) {
+        const SurfacePoint<double> at = beside(set, k, Side::right, part * set.length(k));
+        for (const End side : {End::left, End::right}) {
+          // The contact's end that the place is seen from.
+          std::size_t j = side == End::right ? k : k + 1;
+          while (j > 0 && j < set.segments() && !set.point(j).is_end()) side == End::right ? --j : ++j;
+          if (!set.point(j).is_end()) continue;
+          const double surface =
+              check.displacement(side == End::right ? panel - 1 : panel, side, std::abs(form.distance(at, j)));
+          const double expected = GapIntegral(form, j).profile_increment(at) - surface;
+          CAPTURE(at.node.x);
+          CHECK(GapIntegral(form, j).reduced_gap(at).value == doctest::Approx(expected).epsilon(1e-10));
+          // The control: as if the polynomial of the contact went on.
+          const std::size_t inside = side == End::right ? j - 1 : j;
+          const double end = set.x(j);
+          const double gone_on = form.problem().profile_increment(form.slope_at(inside), end, at.node.x) - surface;
+          if (std::abs(gone_on - expected) > 1e-3) ++wrong_by_one_polynomial;
+        }
+      }
+    }
+  }
+  CHECK(wrong_by_one_polynomial > 20);
+}
+
+TEST_CASE("off the support there is no gap") {
+  const auto solution = solved<double>(reduced({1}, {}, Indenter(-1, {{1, Polynomial({0, 0, 1})}}), 1));
+  const auto& form = solution->form();
+  const std::size_t end = form.set().segments();
+  CHECK_THROWS_AS((void)GapIntegral(form, end - 1).reduced_gap(beside(form.set(), end, Side::right, 1.0)),
+                  std::domain_error);
+}
+
+TEST_CASE("the gap beside an edge does not depend on how its place rounds") {
+  const std::vector<double> rough = openings<double>(), fine = openings<Real50>();
+  for (std::size_t i = 0; i < fine.size(); ++i) CHECK_MESSAGE(rough[i] == doctest::Approx(fine[i]).epsilon(1e-12), i);
+}

@@ -1,0 +1,71 @@
+// Indenters that may tilt.
+
+#include "support/numeric_test.hpp"
+#include "support/solved_contact.hpp"
+
+namespace {
+
+const Indenter wells = two_wells();
+
+template <Real R>
+void agree(const R& a, const R& b) {
+  CHECK(size_of(R(a - b)) <= 2000 * epsilon<R>());
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("load_at at the centre of pressure of the indenter that keeps its attitude: no tilt", R, double,
+                   Real50) {
+  const Indenter step(-1, {{0, Polynomial({0, 0, 1})}, {1, Polynomial({0.1_r, 0, 1})}});
+  const auto indenters =
+      std::same_as<R, double> ? std::vector{wells, step, roof(-1, 1), one_piece(-1, 1, {0})} : std::vector{wells};
+  for (const Indenter& indenter : indenters) {
+    const auto fixed = solved<R>(on_two_coatings(indenter, 3));
+    CHECK(!fixed->tilt());
+    const R centre = fixed->resultants().centre_of_pressure.value;
+    const auto free = solved<R>(on_two_coatings(indenter, 3, Rational(centre)));
+    agree<R>(free->tilt()->value, 0);
+    agree(free->resultants().centre_of_pressure.value, centre);
+    REQUIRE(free->contact().size() == fixed->contact().size());
+    for (std::size_t k = 0; k < free->contact().size(); ++k) {
+      agree(free->contact()[k].left.x.value, fixed->contact()[k].left.x.value);
+      agree(free->contact()[k].right.x.value, fixed->contact()[k].right.x.value);
+    }
+    for (const Rational& x : {-0.875_r, Rational(1, 7), Rational(5, 6)}) {
+      agree(free->at(x).traction.left.value, fixed->at(x).traction.left.value);
+    }
+  }
+}
+
+TEST_CASE("the load acts where it should; its moment by an unrelated quadrature") {
+  double last = 1e9;
+  for (int i = -8; i <= 8; ++i) {
+    for (const Indenter& indenter : {one_piece(-1, 1, {0, 0, 1}), one_piece(-1, 1, {0})}) {
+      CAPTURE(i);
+      const ContactProblem p = on_two_coatings(indenter, 1, Rational(i, 10));
+      const auto found = solved<double>(p);
+      agree(found->resultants().centre_of_pressure.value, i / 10.);
+      // In the frame the load and load_at are the form's own data.
+      const trapezoidal::Grid<double> grid(traction_density(found->form()));
+      const double moment = grid.moment(0) / grid.integral();
+      agree(moment, *found->problem().load_at());
+      agree(found->form().moment_of_load() / found->problem().load(), moment);
+      if (indenter.pieces()[0].profile.degree() < 0) {
+        // A load further to the right presses the right side down: psi + tilt x is lower there.
+        CHECK(found->tilt()->value < last);
+        last = found->tilt()->value;
+      }
+    }
+  }
+}
+
+TEST_CASE("tilting does what an incline of the profile does") {
+  const Rational load_at(1, 4);
+  const Indenter indenter = one_piece(-1, 1, {0, 0, 1});
+  const auto free = solved<Real50>(on_two_coatings(indenter, 1, load_at));
+  const Rational tilt(free->tilt()->value);
+  const auto fixed = solved<Real50>(on_two_coatings(one_piece(-1, 1, {0, tilt, 1}), 1));
+  agree(fixed->resultants().centre_of_pressure.value, to_real<Real50>(load_at));
+  agree(fixed->contact()[0].left.x.value, free->contact()[0].left.x.value);
+  agree(fixed->contact()[0].right.x.value, free->contact()[0].right.x.value);
+}

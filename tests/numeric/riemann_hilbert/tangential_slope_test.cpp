@@ -1,0 +1,70 @@
+// u_t', the slope of the tangential displacement, by two routes: the form's, which has no principal value left, and the
+// trapezoidal rule on t_t = -+f t [Bal16, (2)].
+
+#include "numeric/interior/interior_stress_problems.hpp"
+#include "numeric/quadrature/trapezoidal.hpp"
+
+namespace {
+
+template <Real R>
+void agree(Sliding sliding, const R& tolerance) {
+  using std::abs, std::pow;
+  const ContactProblem p = stress_test::jumps(sliding);
+  const stress_test::Solved<R> solved(p);
+  const RiemannHilbertSolution<R>& solution = solved.solution;
+  const RiemannHilbertForm<R>& form = solution.form();
+  const ContactSet<R>& set = form.set();
+  const Frame& frame = form.problem().frame();
+
+  PiecewiseDensity<R> shear;
+  std::vector<std::size_t> segments;
+  for (std::size_t k = 0; k < set.segments(); ++k) {
+    if (!set.in_contact(k)) continue;
+    const Power<R> left = form.fundamental_solution().powers()[k];
+    const Power<R> right = form.fundamental_solution().powers()[k + 1];
+    const R f = to_real<R>(p.friction().values()[form.friction_at(k)]);
+    const R ratio = sliding == Sliding::plus_x ? R(-f) : f;
+    shear.push_back({set.panels()[k], left, right, [&form, k, left, right, ratio](const Node<R>& node) {
+                       const R t = form.traction({static_cast<std::ptrdiff_t>(k), node}).value;
+                       return R(ratio * t / (pow(node.from_left, left.value) * pow(node.from_right, right.value)));
+                     }});
+    segments.push_back(k);
+  }
+  const trapezoidal::Grid<R> grid(std::move(shear));
+  const R c = to_real<R>(p.elasticity().compliance()), gamma = to_real<R>(p.elasticity().gamma());
+  R scale = 0;
+  std::vector<R> differences;
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    for (const char* part : {"1/1000", "1/7", "5/8", "999/1000"}) {
+      const R fraction = to_real<R>(parse_rational(part));
+      const Panel<R>& panel = grid.density()[k].panel;
+      const R xi = panel.left + fraction * panel.length;
+      // The same place, exactly, for both.
+      const Rational x = frame.origin + frame.unit * Rational(static_cast<double>(xi));
+      const R exact = to_real<R>((x - frame.origin) / frame.unit);
+      const Node<R> node{exact, R(exact - panel.left), R(panel.right - exact)};
+      const R t = form.traction({static_cast<std::ptrdiff_t>(segments[k]), node}).value;
+      const R expected = c * (grid.hilbert({k, node}) + gamma * t);
+      const Estimate<R> found = solution.tangential_slope(x);
+      CHECK(found.convergence == Convergence::reached);
+      scale = std::max(scale, R(abs(expected)));
+      differences.push_back(R(abs(found.value - expected)));
+      // Control: without gamma t the two differ.
+      CHECK(abs(found.value - (expected - c * gamma * t)) > 1000 * tolerance * abs(expected));
+    }
+  }
+  for (const R& difference : differences) CHECK(difference <= tolerance * scale);
+
+  const R beyond = grid.cauchy(Side::right, R(1) / 8);
+  const R end = solution.contact().back().right.x.value;
+  const Rational x(static_cast<double>(R(end + to_real<R>(frame.unit) / 8)));
+  CHECK(abs(solution.tangential_slope(x).value - c * beyond) <= 1e-14 * c * abs(beyond));
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("the tangential displacement's slope, sliding both ways", R, double, Real50) {
+  const R tolerance = 2000 * epsilon<R>();
+  agree<R>(Sliding::plus_x, tolerance);
+  agree<R>(Sliding::minus_x, tolerance);
+}

@@ -1,0 +1,91 @@
+// The certificate of a state on cells: a solution is accepted, and what is wrong in one way alone is refused for that.
+
+#include "numeric/variational/active_set.hpp"
+#include "numeric/variational/certificate.hpp"
+#include "support/cells.hpp"
+
+namespace {
+
+/// A parabola on two coatings; with a load at a place it tilts.
+DiscreteProblem parabola(const std::optional<Rational>& load_at = std::nullopt) {
+  return on_cells(reduced({0.25_r, 0.5_r}, {0}, one_piece(-1, 1, {0, 0, 4}), 1, load_at), 120);
+}
+
+ActiveSetResult solved(const DiscreteProblem& problem) {
+  const ActiveSetResult result = active_set(problem, CellSet(problem.size(), 1), nothing(problem), {});
+  REQUIRE(result.outcome == ActiveSetResult::Outcome::solved);
+  return result;
+}
+
+/// The same contact under another load or moment.
+DiscreteState under(const DiscreteProblem& problem, const CellSet& contact, std::array<double, 2> loads) {
+  std::vector<double> rhs = problem.profile();
+  for (double& value : rhs) value = -value;
+  return dense_system(problem, contact)->solve(rhs, loads).state;
+}
+
+}  // namespace
+
+TEST_CASE("certificate: solutions are accepted, with and without a place of the load") {
+  for (const auto& load_at : {std::optional<Rational>(), std::optional(0.1_r)}) {
+    const DiscreteProblem problem = parabola(load_at);
+    const Certificate certificate = certify(problem, solved(problem).state);
+    CHECK(certificate.accepted());
+    CHECK(certificate.rows == problem.size());
+    CHECK(certificate.allowed >= 1e-10);
+    CHECK(certificate.allowed < 1e-9);
+  }
+}
+
+TEST_CASE("certificate: another load and another moment are refused for these alone") {
+  const DiscreteProblem problem = parabola(0.1_r);
+  const CellSet contact = solved(problem).contact;
+  const double moment = *problem.load_at();
+
+  const Certificate heavier = certify(problem, under(problem, contact, {1 + 1e-7, moment}));
+  CHECK(heavier.load == doctest::Approx(1e-7).epsilon(1e-4));
+  CHECK(std::max({heavier.natural, heavier.equation, heavier.moment, heavier.product}) <= heavier.allowed);
+  CHECK_FALSE(heavier.accepted());
+
+  const Certificate turned = certify(problem, under(problem, contact, {1, moment + 1e-7}));
+  CHECK(turned.moment == doctest::Approx(1e-7).epsilon(1e-4));
+  CHECK(std::max({turned.natural, turned.equation, turned.load, turned.product}) <= turned.allowed);
+  CHECK_FALSE(turned.accepted());
+}
+
+TEST_CASE("certificate: a contact too small penetrates beside it, one too large pulls") {
+  const DiscreteProblem problem = parabola();
+  const ActiveSetResult solution = solved(problem);
+  const auto first = std::find(solution.contact.begin(), solution.contact.end(), 1) - solution.contact.begin();
+
+  CellSet small = solution.contact;
+  small[static_cast<std::size_t>(first)] = 0;
+  const Certificate penetrating = certify(problem, under(problem, small, {1, 0}));
+  CHECK(penetrating.penetration > 1e-6);
+  CHECK(penetrating.natural == doctest::Approx(penetrating.penetration));
+  CHECK(std::max({penetrating.equation, penetrating.load, penetrating.tension}) <= penetrating.allowed);
+  CHECK_FALSE(penetrating.accepted());
+
+  CellSet large = solution.contact;
+  large[static_cast<std::size_t>(first) - 1] = 1;
+  const Certificate pulling = certify(problem, under(problem, large, {1, 0}));
+  CHECK(pulling.tension > 1e-6);
+  CHECK(pulling.natural == doctest::Approx(pulling.tension));
+  CHECK(std::max({pulling.equation, pulling.load, pulling.penetration}) <= pulling.allowed);
+  CHECK_FALSE(pulling.accepted());
+}
+
+TEST_CASE("certificate: a pressure across a gap, however small, and what is no number") {
+  const DiscreteProblem problem = parabola();
+  DiscreteState state = solved(problem).state;
+  REQUIRE(state.pressure[0] == 0);
+  state.pressure[0] = 1e-13;
+  const Certificate across = certify(problem, state);
+  CHECK(across.natural <= across.allowed);
+  CHECK(across.equation > 1);
+  CHECK_FALSE(across.accepted());
+
+  state.pressure[0] = 0;
+  state.approach = std::numeric_limits<double>::quiet_NaN();
+  CHECK_FALSE(certify(problem, state).accepted());
+}

@@ -1,0 +1,149 @@
+// Galerkin's operator: products against entries, signs, and the equations of one contact set.
+
+#include <random>
+
+#include "support/cells.hpp"
+
+namespace {
+
+std::vector<double> random_pressure(std::size_t n) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> value(-1, 1);
+  std::vector<double> p(n);
+  for (double& x : p) x = value(random);
+  return p;
+}
+
+/// The largest difference between a product and the sum of entries times pressures, and the largest sum of ∣entries∣;
+/// the same without friction.
+struct ProductError {
+  double whole = 0, without_slip = 0;
+};
+
+ProductError product_error(const GalerkinOperator& b) {
+  const std::vector<double> p = random_pressure(b.size());
+  std::vector<double> found(b.size());
+  b.multiply(p, found);
+  ProductError result;
+  double scale = 0;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    long double sum = 0;
+    long double logarithms = 0;
+    double row = 0;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      sum += static_cast<long double>(b.entry(i, j)) * p[j];
+      logarithms += static_cast<long double>(b.logarithm(i, j)) * p[j];
+      row += std::abs(b.entry(i, j));
+    }
+    result.whole = std::max(result.whole, static_cast<double>(std::abs(sum - found[i])));
+    result.without_slip = std::max(result.without_slip, static_cast<double>(std::abs(logarithms - found[i])));
+    scale = std::max(scale, row);
+  }
+  return {result.whole / scale, result.without_slip / scale};
+}
+
+CellMesh graded(const ContactProblem& problem) {
+  const Rational middle = (problem.indenter().left() + problem.indenter().right()) / 2;
+  return {problem, middle, graded_edges(-0.5, 0.5, 1e-9, 1.4, 0.05)};
+}
+
+}  // namespace
+
+TEST_CASE("products by Fourier transforms are those of the entries") {
+  double control = 0;
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    const ContactProblem problem = listed_contact(seed);
+    for (std::size_t n : {1U, 2U, 3U, 7U, 64U, 1000U}) {
+      INFO("seed = ", seed, ", n = ", n);
+      const ProductError error = product_error(on_cells(problem, n).galerkin_operator());
+      CHECK(error.whole <= 1e-14);
+      control = std::max(control, error.without_slip);
+    }
+    CHECK(product_error(DiscreteProblem(problem, graded(problem)).galerkin_operator()).whole <= 1e-14);
+  }
+  CHECK(control > 1e-3);
+}
+
+TEST_CASE("no entry is negative, no eigenvalue of the logarithm's circulant is, under either sense of sliding") {
+  int senses = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    const ContactProblem problem = listed_contact(seed);
+    senses |= problem.sliding() == Sliding::plus_x ? 1 : 2;
+    for (const CellMesh& mesh : {CellMesh(problem, 50), graded(problem)}) {
+      const GalerkinOperator b(mesh, cell_friction(problem, mesh));
+      double least = HUGE_VAL, least_on_diagonal = HUGE_VAL, least_slip_before = HUGE_VAL;
+      for (std::size_t i = 0; i < b.size(); ++i) {
+        for (std::size_t j = 0; j < b.size(); ++j) least = std::min(least, b.entry(i, j));
+        least_on_diagonal = std::min(least_on_diagonal, b.entry(i, i));
+        // Control: counted from the other end, friction would enter with the other sign.
+        for (std::size_t j = 0; j < i; ++j)
+          least_slip_before = std::min(least_slip_before, -b.friction_entry(i, j) - b.friction_entry(j, i));
+      }
+      CHECK(least >= 0);
+      CHECK(least_on_diagonal > 0);
+      if (std::ranges::max(problem.friction().values()) > 0) CHECK(least_slip_before < 0);
+    }
+  }
+  CHECK(senses == 3);
+  const ContactProblem problem = listed_contact(0);
+  // One cell alone has a constant for a circulant.
+  for (std::size_t n : {2U, 3U, 4U, 5U, 7U, 8U, 64U, 100U, 1000U, 4096U, 10000U}) {
+    CAPTURE(n);
+    const CellMesh mesh(problem, n);
+    const GalerkinOperator b(mesh, cell_friction(problem, mesh));
+    CHECK(b.spectrum().size() == b.transform_size() / 2 + 1);
+    CHECK(*std::min_element(b.spectrum().begin(), b.spectrum().end()) > 0);
+  }
+}
+
+TEST_CASE("equal cells given as edges make the same operator as equal cells by number") {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const ContactProblem problem = listed_contact(seed);
+    const CellMesh uniform(problem, 37), edges(problem, uniform.frame().origin, uniform.edges());
+    CHECK(uniform.is_uniform());
+    CHECK_FALSE(edges.is_uniform());
+    const DiscreteProblem one(problem, uniform), other(problem, edges);
+    const GalerkinOperator &a = one.galerkin_operator(), &b = other.galerkin_operator();
+    double worst = 0, shifted = 0;
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      CHECK(one.profile()[i] == doctest::Approx(other.profile()[i]).epsilon(1e-12));
+      for (std::size_t j = 0; j < one.size(); ++j) {
+        worst = std::max(worst, std::abs(a.entry(i, j) - b.entry(i, j)));
+        if (j > 0) shifted = std::max(shifted, std::abs(a.entry(i, j) - b.entry(i, j - 1)));
+      }
+    }
+    CHECK(worst <= 1e-15 * 20);
+    CHECK(shifted > 1e-4);
+  }
+}
+
+TEST_CASE("a dense system meets its equations, its load and its moment") {
+  int tilting = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    const DiscreteProblem discrete = on_cells(listed_contact(seed), 60);
+    CellSet contact(60, 0);
+    for (std::size_t i = 10; i < 50; ++i) contact[i] = i % 7 != 0;
+    const DiscreteState state = solve(*dense_system(discrete, contact), discrete).state;
+    const std::vector<double> g = gaps(discrete, state);
+    double height = 1, residual = 0, elsewhere = 0;
+    for (std::size_t i = 0; i < 60; ++i) {
+      double& largest = contact[i] ? residual : elsewhere;
+      largest = std::max(largest, std::abs(g[i]));
+      if (contact[i]) height = std::max({height, std::abs(discrete.profile()[i]), std::abs(state.pressure[i])});
+      if (!contact[i]) CHECK(state.pressure[i] == 0);
+    }
+    CHECK(residual <= 1e-12 * height);
+    CHECK(elsewhere > 1e-4 * height);
+    const Forces forces = forces_of(discrete, state);
+    CHECK(std::abs(forces.load - 1) <= 1e-12 * std::max(1.0, forces.size));
+    tilting += discrete.load_at() ? 1 : 0;
+    if (discrete.load_at()) {
+      CHECK(std::abs(forces.moment - *discrete.load_at()) <= 1e-12 * std::max(1.0, forces.size));
+    } else {
+      CHECK(state.tilt == 0);
+    }
+  }
+  CHECK(tilting > 0);
+}

@@ -1,0 +1,199 @@
+// Solutions on cells beside Riemann-Hilbert solutions of the same problems, quantity by quantity.
+
+#include "numeric/variational/variational_solution.hpp"
+#include "numeric/variational/variational_inequality.hpp"
+#include "support/numeric_test.hpp"
+#include "support/solved_contact.hpp"
+
+namespace {
+
+std::shared_ptr<const VariationalSolution> on_cells(const ContactProblem& problem, std::size_t cells = 4096) {
+  const Attempt<double> attempt = variational_inequality(problem, {.cells = cells});
+  REQUIRE_MESSAGE(attempt.solution, attempt.why_not);
+  CHECK(attempt.solution->shortcoming() == "");
+  return std::dynamic_pointer_cast<const VariationalSolution>(attempt.solution);
+}
+
+/// Within a few times the error that the estimate gives itself, and that error within a bound.
+void agree(const Estimate<double>& found, const Estimate<double>& truth, double bound) {
+  CHECK(std::abs(found.value - truth.value) <= 3 * found.error + 1e-12);
+  CHECK(found.error <= bound * std::max(1.0, std::abs(truth.value)));
+}
+
+void agree_everywhere(const ContactProblem& problem) {
+  const auto cells = on_cells(problem);
+  const auto exact = solved<double>(problem);
+  const auto found = cells->contact();
+  const auto truth = exact->contact();
+  REQUIRE(found.size() == truth.size());
+  const auto same_end = [&](const ContactEnd<double>& a, const ContactEnd<double>& b) {
+    CHECK(a.kind == b.kind);
+    CHECK(a.exponent == b.exponent);
+    CHECK(std::abs(a.x.value - b.x.value) <= (a.kind == SingularKind::free ? cells->cell_length() : 1e-14));
+    agree(a.intensity, b.intensity, 1e-3);
+  };
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    same_end(found[k].left, truth[k].left);
+    same_end(found[k].right, truth[k].right);
+  }
+  const auto points = cells->singular_points();
+  const auto true_points = exact->singular_points();
+  REQUIRE(points.size() == true_points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    CHECK(points[k].kind == true_points[k].kind);
+    CHECK(points[k].exponent == true_points[k].exponent);
+    agree(points[k].intensity, true_points[k].intensity, 1e-3);
+    agree(points[k].constant, true_points[k].constant, 1e-3);
+  }
+  const auto a = cells->resultants();
+  const auto b = exact->resultants();
+  agree(a.normal, b.normal, 1e-12);
+  agree(a.tangential, b.tangential, 1e-3);
+  agree(a.effective_friction, b.effective_friction, 1e-3);
+  agree(a.centre_of_pressure, b.centre_of_pressure, 1e-3);
+  for (std::size_t k = 0; k < a.load_share.size(); ++k) agree(a.load_share[k], b.load_share[k], 1e-3);
+  REQUIRE(cells->tilt().has_value() == exact->tilt().has_value());
+  if (cells->tilt()) agree(*cells->tilt(), *exact->tilt(), 1e-3);
+
+  const Rational left = problem.indenter().left(), length = problem.indenter().right() - left;
+  for (int i = -2; i <= 42; ++i) {
+    const Rational x = left + length * Rational(7 * i + 3, 285);
+    const Sample<double> here = cells->at(x), there = exact->at(x);
+    CHECK(here.x == there.x);
+    CHECK(here.gap.has_value() == there.gap.has_value());
+    if (here.gap) {
+      CHECK(std::abs(here.gap->value - there.gap->value) <= 3 * here.gap->error + 1e-6);
+      CHECK(here.gap->error <= 1e-3);
+    }
+    CHECK(std::abs(here.slope.left.value - there.slope.left.value) <= 3 * here.slope.left.error + 2e-3);
+    const double t = there.traction.left.value;
+    CHECK(std::abs(here.traction.left.value - t) <= 3 * here.traction.left.error + 1e-3 * std::abs(t));
+    CHECK(std::abs(here.shear.right.value - there.shear.right.value) <=
+          3 * here.shear.right.error + 1e-3 * std::abs(t));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("free ends over a jump up, down, and sliding back") {
+  const Indenter parabola = one_piece(-1, 1, {0, 0, 2.5_r});
+  agree_everywhere(reduced({0.1_r, 0.6_r}, {0}, parabola, 1));
+  agree_everywhere(reduced({0.6_r, 0.1_r}, {0}, parabola, 1));
+  const FrictionProfile friction({0.5_r, 1.2_r}, {0.05_r});
+  agree_everywhere({Elasticity(Solid(0.25_r, 3)), friction, parabola, 2, Sliding::minus_x});
+}
+
+TEST_CASE("edges, wedges and jumps") {
+  const Indenter wedge = roof(-0.1_r, 0.1_r);
+  agree_everywhere(reduced({0.3_r}, {}, wedge, 1));
+  agree_everywhere(reduced({0.3_r, 0.1_r}, {0}, wedge, 1));
+  agree_everywhere(reduced({0.1_r, 0.3_r, 0}, {-0.4_r, 0.3_r}, wedge, 1));
+}
+
+TEST_CASE("a step, two zones, a tilting punch") {
+  const Indenter step(-1, {{-0.2_r, Polynomial({0.1_r, 0, 0.5_r})}, {1, Polynomial({0, 0, 0.5_r})}});
+  agree_everywhere(reduced({0.3_r}, {}, step, 0.2_r));
+  agree_everywhere(on_two_coatings(two_wells(), 8));
+  agree_everywhere(reduced({0.1_r, 0.5_r}, {0}, one_piece(-1, 1, {0}), 1, 0.2_r));
+}
+
+TEST_CASE("control: another load is another solution") {
+  const Indenter parabola = one_piece(-1, 1, {0, 0, 2.5_r});
+  const auto cells = on_cells(reduced({0.1_r, 0.6_r}, {0}, parabola, 1));
+  const auto other = solved<double>(reduced({0.1_r, 0.6_r}, {0}, parabola, 1.01_r));
+  const auto found = cells->contact().front();
+  CHECK(std::abs(found.left.x.value - other->contact().front().left.x.value) > cells->cell_length());
+  const auto intensity = other->contact().front().left.intensity.value;
+  CHECK(std::abs(found.left.intensity.value - intensity) > 10 * found.left.intensity.error);
+}
+
+TEST_CASE("jumps of friction and loads within cells") {
+  // 1/3 is no cell's end; 17 cells are few: the load shares add up and the load is met to rounding.
+  const ContactProblem problem = reduced({0.1_r, 0.5_r}, {Rational(1, 3)}, one_piece(-1, 1, {0, 0, 0.1_r}), 1);
+  const auto cells = on_cells(problem, 17);
+  const auto r = cells->resultants();
+  CHECK(r.load_share[0].value + r.load_share[1].value == doctest::Approx(1).epsilon(1e-13));
+  CHECK(r.normal.value == doctest::Approx(1).epsilon(1e-13));
+  CHECK(cells->residuals().load <= 1e-13);
+  CHECK(cells->contact().front().left.kind == SingularKind::edge);
+  // Too few cells for an intensity: not known, and said so by the error.
+  CHECK(std::isinf(cells->contact().front().left.intensity.error));
+}
+
+TEST_CASE("points that cells cannot tell apart are left out, jumps are not") {
+  std::vector<Indenter::Piece> pieces;
+  for (int k = 1; k <= 200; ++k) {
+    const Rational x = Rational(k - 1, 100) - 1;
+    // A polygon in a parabola: a wedge every hundredth.
+    const Rational slope = Rational(2 * k - 201, 100) / 4, height = x * x / 4;
+    pieces.push_back({Rational(k, 100) - 1, Polynomial({height - slope * x, slope})});
+  }
+  const ContactProblem problem = reduced({0.1_r, 0.5_r}, {0.001_r}, Indenter(-1, pieces), 0.5_r);
+  int wedges = 0, jumps = 0;
+  for (const auto& point : on_cells(problem, 1024)->singular_points()) {
+    wedges += point.kind == SingularKind::wedge ? 1 : 0;
+    jumps += point.kind == SingularKind::friction_jump ? 1 : 0;
+  }
+  CHECK(wedges == 0);
+  CHECK(jumps == 1);
+}
+
+TEST_CASE("samples: so many a zone and a gap, left to right, all of them solutions") {
+  const auto cells = on_cells(on_two_coatings(two_wells(), 8), 1024);
+  const auto samples = cells->samples(20);
+  CHECK(samples.size() == 20 * (2 * cells->contact().size() + 1));
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (k > 0) CHECK(samples[k - 1].x < samples[k].x);
+    CHECK(samples[k].traction.left.value <= 0);
+    REQUIRE(samples[k].gap);
+    CHECK(samples[k].gap->value >= -samples[k].gap->error);
+  }
+}
+
+TEST_CASE("out of steps: the best state, and what is wrong with it") {
+  const Attempt<double> attempt =
+      variational_inequality(reduced({0.3_r}, {}, two_wells(), 2), {.cells = 2048, .most_steps = 1});
+  REQUIRE(attempt.solution);
+  CHECK(holds(attempt.solution->shortcoming(), "1 iteration"));
+  CHECK(!attempt.solution->contact().empty());
+}
+
+TEST_CASE("an elastic indenter whose contact reaches an edge is refused") {
+  const Elasticity both(Solid(0.3_r, 1), Solid(0.2_r, 2));
+  const ContactProblem pressed(both, FrictionProfile({0.2_r}), one_piece(-1, 1, {0, 0, 1}), 10);
+  CHECK(holds(variational_inequality(pressed).why_not, "reaches an edge"));
+  const ContactProblem touching(both, FrictionProfile({0.2_r}), one_piece(-1, 1, {0, 0, 1}), 0.01_r);
+  CHECK(variational_inequality(touching).solution);
+  CHECK_THROWS_AS(variational_inequality(touching, {.cells = 8}), std::invalid_argument);
+}
+
+TEST_CASE("a search: where s does not decrease all starts agree, and what they agree on is refined") {
+  VariationalOptions options;
+  options.cells = 512;
+  const ContactProblem problem = on_two_coatings(two_wells(), 8);
+  const SolutionSearch search = search_solutions(problem, 12, options);
+  CHECK(search.starts == 12);
+  CHECK(search.unsolved == 0);
+  REQUIRE(search.solutions.size() == 1);
+  CHECK(search.solutions.front().times == 12);
+  REQUIRE(search.solutions.front().refined);
+  CHECK(fault(*search.solutions.front().refined) == "");
+  // Control: what ended in no solution is counted, not compared.
+  options.most_steps = 1;
+  const SolutionSearch hurried = search_solutions(problem, 3, options);
+  CHECK(hurried.unsolved == 3);
+  CHECK(hurried.solutions.empty());
+}
+
+TEST_CASE("a search: few cells under a strong fall of s have several solutions, finer ones have one") {
+  const ContactProblem problem = reduced({8.5_r, 0}, {0}, one_piece(-1, 1, {0, -1, 2, 0, 1}), 0.5_r);
+  const SolutionSearch coarse = search_solutions(problem, 60, {.cells = 16});
+  CHECK(coarse.solutions.size() >= 2);
+  CHECK(coarse.solutions.front().times >= coarse.solutions.back().times);
+  for (const FoundSolution& found : coarse.solutions) {
+    CHECK(found.variational->shortcoming() == "");
+    CHECK(found.refined);
+  }
+  CHECK(coarse.refinements == 1);
+  CHECK(search_solutions(problem, 20, {.cells = 512}).solutions.size() == 1);
+}

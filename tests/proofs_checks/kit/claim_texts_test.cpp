@@ -1,0 +1,52 @@
+#include "proofs_checks/kit/registry.hpp"
+#include "proofs_checks/kit/run.hpp"
+#include "support/test.hpp"
+
+using namespace steadyslide::proofs_checks;
+
+namespace {
+
+bool is_balanced(const std::string& text) { return std::ranges::count(text, '`') % 2 == 0; }
+
+/// No formula is empty, and none begins or ends with a space: a backtick was forgotten there.
+bool has_whole_formulas(const std::string& text) {
+  for (std::size_t open = text.find('`'); open != std::string::npos;) {
+    const std::size_t close = text.find('`', open + 1);
+    if (close == std::string::npos) return false;
+    if (close == open + 1 || text[open + 1] == ' ' || text[close - 1] == ' ') return false;
+    open = text.find('`', close + 1);
+  }
+  return true;
+}
+
+bool has_near_miss(const Claim& claim) {
+  return std::ranges::any_of(claim.controls, [](const Control& c) { return c.name.starts_with("near miss"); });
+}
+
+bool is_exact(const Claim& claim) {
+  const std::vector<Evidence> evidence = claim.examine({numeric::Digits::sixteen, 1, true});
+  return !evidence.empty() &&
+         std::ranges::all_of(evidence, [](const Evidence& e) { return std::holds_alternative<ExactIdentity>(e); });
+}
+
+}  // namespace
+
+TEST_CASE("every claim says what is stated, what is assumed and how it follows, with formulas between backticks") {
+  for (const Claim& claim : registry()) {
+    CAPTURE(claim.id);
+    for (const std::string* text : {&claim.statement, &claim.hypotheses, &claim.derivation}) {
+      CAPTURE(*text);
+      CHECK(is_balanced(*text));
+      CHECK(has_whole_formulas(*text));
+    }
+    if (!claim.controls.empty()) CHECK_FALSE(claim.derivation.empty());  // else beyond calculation
+  }
+}
+
+TEST_CASE("every claim has a near miss among its controls, unless it is decided exactly") {
+  for (const Claim& claim : registry()) {
+    CAPTURE(claim.id);
+    if (claim.controls.empty()) continue;  // beyond calculation
+    CHECK((has_near_miss(claim) || is_exact(claim)));
+  }
+}

@@ -1,0 +1,154 @@
+#include "proofs_checks/kit/run.hpp"
+#include "proofs_checks/kit/findings.hpp"
+#include "support/test.hpp"
+
+using namespace steadyslide::proofs_checks;
+
+namespace {
+
+/// A claim about a number: it is 1 to within 1/2.
+std::vector<Evidence> check_one(const Context&, const double& value) {
+  return gather([&] {
+    Findings findings;
+    findings.begin_case("the only case");
+    findings.compare({"value", {"given", "1"}, 0.5}, value > 1 ? value - 1 : 1 - value);
+    return findings.evidence("");
+  });
+}
+
+Claim claim_about(double value, std::vector<Wrong<double>> wrong) {
+  return make_claim({"one", "", "", ""}, check_one, value, std::move(wrong));
+}
+
+}  // namespace
+
+TEST_CASE("run: right formula, refuted controls") {
+  const Report report = run(claim_about(1, {{"two", 2.0}, {"nothing", 0.0}}), {});
+  CHECK(report.verdict == Verdict::supported);
+  CHECK(report.controls_refuted() == 2);
+  CHECK(report.survivors().empty());
+  CHECK(report.note.empty());
+  CHECK(holds(report.controls[0].detail, "exceeds the tolerance"));
+}
+
+TEST_CASE("run: a surviving control leaves the claim undecided") {
+  const Report report = run(claim_about(1, {{"two", 2.0}, {"a little more", 1.25}}), {});
+  CHECK(report.verdict == Verdict::undecided);
+  CHECK(report.controls_refuted() == 1);
+  CHECK(report.survivors() == std::vector<std::string>{"a little more"});
+  CHECK(holds(report.note, "a little more"));
+}
+
+TEST_CASE("run: no controls, no check") { CHECK(run(claim_about(1, {}), {}).verdict == Verdict::undecided); }
+
+TEST_CASE("run: a wrong claim is refuted, NaN included") {
+  CHECK(run(claim_about(3, {{"two", 2.0}}), {}).verdict == Verdict::refuted);
+  CHECK(run(claim_about(std::numeric_limits<double>::quiet_NaN(), {{"two", 2.0}}), {}).verdict == Verdict::refuted);
+}
+
+TEST_CASE("run: a rate off the expected one refutes, and one too vague does not") {
+  const auto check = [](const Context&, const double& rate) {
+    return gather([&] {
+      Findings findings;
+      findings.begin_case("all levels");
+      findings.measure({"error", rate, 0.05, 1, 0.1, ""});
+      return findings.evidence("");
+    });
+  };
+  const auto claim = [&](double rate, double wrong) {
+    return make_claim<double>({"rate", "", "", ""}, check, rate, {{"wrong", wrong}});
+  };
+  const Report report = run(claim(1.05, 2), {});
+  CHECK(report.verdict == Verdict::supported);
+  CHECK(report.controls[0].detail == "error: rate 2 +- 0.05, expected 1 +- 0.1 at all levels");
+  CHECK(run(claim(1.2, 2), {}).verdict == Verdict::refuted);
+  CHECK(run(claim(1.05, 0.95), {}).verdict == Verdict::undecided);
+
+  // Evidence that nobody has thrown.
+  for (const auto& [bar, verdict] : {std::pair(1.5, Verdict::undecided), {0.5, Verdict::supported}}) {
+    Claim vague = claim(1, 2);
+    vague.controls[0].examine = [bar](const Context&) -> std::vector<Evidence> {
+      return {ConvergenceRate{"error", 2, bar, 1, 0.1, ""}};
+    };
+    CHECK(run(vague, {}).verdict == verdict);
+  }
+}
+
+TEST_CASE("run: exceptions decide nothing") {
+  Claim claim = claim_about(1, {{"two", 2.0}});
+  claim.examine = [](const Context&) -> std::vector<Evidence> { throw std::runtime_error("out of luck"); };
+  const Report report = run(claim, {});
+  CHECK(report.verdict == Verdict::undecided);
+  CHECK(holds(report.note, "out of luck"));
+
+  Claim with_bad_control = claim_about(1, {{"two", 2.0}});
+  with_bad_control.controls[0].examine = [](const Context&) -> std::vector<Evidence> { throw 1; };
+  const Report other = run(with_bad_control, {});
+  CHECK(other.verdict == Verdict::undecided);
+  CHECK(other.controls_refuted() == 0);
+}
+
+TEST_CASE("findings: effective cases") {
+  const Quantity quantity{"value", {}, 1.0};
+  const auto verdict_with = [&](int effective, int cases, int skipped) {
+    Findings findings;
+    for (int k = 0; k < cases; ++k) {
+      findings.begin_case("", k < effective);
+      findings.compare(quantity, 0);
+      findings.compare(quantity, 0.25);
+    }
+    for (int k = 0; k < skipped; ++k) {
+      findings.begin_case("");
+      findings.skip(quantity);
+    }
+    return weigh(findings.evidence(""));
+  };
+  CHECK(verdict_with(4, 4, 0) == Verdict::supported);
+  CHECK(verdict_with(2, 4, 0) == Verdict::supported);
+  CHECK(verdict_with(1, 4, 0) == Verdict::undecided);
+  CHECK(verdict_with(2, 2, 2) == Verdict::supported);
+  CHECK(verdict_with(2, 2, 3) == Verdict::undecided);
+  CHECK(verdict_with(0, 0, 0) == Verdict::undecided);
+}
+
+TEST_CASE("glob") {
+  for (const char* pattern : {"eq-04-flat-punch", "eq-*", "*punch", "*-0?-*-*"}) {
+    CHECK(matches_glob("eq-04-flat-punch", pattern));
+  }
+  CHECK(matches_glob("aXbXc", "a*X*c"));
+  CHECK(matches_glob("", "*"));
+  CHECK(matches_glob("", ""));
+  CHECK_FALSE(matches_glob("", "?"));
+  CHECK_FALSE(matches_glob("eq-04-flat-punch", "eq"));
+  CHECK_FALSE(matches_glob("eq-04-flat-punch", "*-punc"));
+  CHECK_FALSE(matches_glob("eq-04", "eq-05"));
+}
+
+TEST_CASE("select, run_all, count") {
+  std::vector<Claim> claims;
+  for (const char* id : {"a-1", "b-1", "a-2"}) {
+    claims.push_back(claim_about(1, {{"two", 2.0}}));
+    claims.back().id = id;
+  }
+  claims[1].examine = [](const Context&) -> std::vector<Evidence> { return {}; };
+  const std::vector<std::string> patterns{"a-*", "nothing"};
+  const std::vector<Claim> some = select(claims, patterns);
+  REQUIRE(some.size() == 2);
+  CHECK(some[0].id == "a-1");
+  CHECK(some[1].id == "a-2");
+  CHECK(select(claims, {}).size() == 3);
+
+  std::vector<std::string> seen;
+  const auto progress = [&](std::size_t index, std::size_t total, const Claim& claim) {
+    CHECK(index == seen.size());
+    CHECK(total == 3);
+    seen.push_back(claim.id);
+    return true;
+  };
+  const Counts counts = count(run_all(claims, {}, progress));
+  CHECK(seen == std::vector<std::string>{"a-1", "b-1", "a-2"});
+  CHECK(counts.supported == 2);
+  CHECK(counts.undecided == 1);
+  CHECK(counts.proved + counts.refuted == 0);
+  CHECK(run_all(claims, {}, [](std::size_t index, std::size_t, const Claim&) { return index < 1; }).size() == 1);
+}

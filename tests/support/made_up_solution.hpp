@@ -1,0 +1,23 @@
+#pragma once
+
+#include "numeric/solution/contact_solution.hpp"
+
+namespace steadyslide::testing {
+
+/// A solution of nothing but what it shows.
+struct MadeUp : numeric::ContactSolution<double> {
+  std::vector<numeric::ContactComponent<double>> shown_contact;
+  numeric::EstimatedError<double> shown_error{};
+  numeric::Residuals<double> shown_residuals{};
+
+  std::string method() const override { return "none"; }
+  std::vector<numeric::ContactComponent<double>> contact() const override { return shown_contact; }
+  std::vector<numeric::SolvedSingularPoint<double>> singular_points() const override { return {}; }
+  numeric::Resultants<double> resultants() const override { return {}; }
+  numeric::EstimatedError<double> estimated_error() const override { return shown_error; }
+  numeric::Residuals<double> residuals() const override { return shown_residuals; }
+  numeric::Sample<double> at(const Rational&) const override { return {}; }
+  std::vector<numeric::Sample<double>> samples(int) const override { return {}; }
+};
+
+}  // namespace steadyslide::testing

@@ -1,0 +1,23 @@
+#pragma once
+// What the tests of the numeric layer start from.
+
+#include "numeric/number/real.hpp"
+#include "support/test.hpp"
+
+using namespace steadyslide::numeric;
+
+TYPE_TO_STRING(Real50);
+TYPE_TO_STRING(Real100);
+
+/// |x|, a number and no expression.
+template <class R>
+R size_of(const R& x) {
+  using std::abs;
+  return abs(x);
+}
+
+/// |a - b| <= units of epsilon times the size of a, of b and of what cancels in them.
+template <class R>
+bool close(const R& a, const R& b, double units, const R& part = R(0)) {
+  return size_of(R(a - b)) <= units * epsilon<R>() * std::max({size_of(a), size_of(b), size_of(part)});
+}

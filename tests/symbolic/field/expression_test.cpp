@@ -1,0 +1,60 @@
+#include "symbolic/field/expression.hpp"
+#include "model/elasticity.hpp"
+#include "model/singular_point.hpp"
+#include "support/test.hpp"
+#include "symbolic/local/coupling.hpp"
+
+using namespace steadyslide::symbolic;
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::numeric;
+
+TEST_CASE("numbers go to GiNaC and back unchanged") {
+  CHECK(rc::check([](long long numerator, long long denominator) {
+    RC_PRE(denominator != 0);
+    const Rational value = Rational(Integer(numerator), Integer(denominator));
+    RC_ASSERT(to_rational(to_expression(value)) == value);
+  }));
+  CHECK(to_rational(to_expression(-7e-400_r)) == -7e-400_r);
+  CHECK_THROWS_AS(to_rational(numeric(0.5)), std::domain_error);
+}
+
+TEST_CASE("exponents as expressions") {
+  CHECK(to_expression(Exponent::angle(1)).is_equal(ex(1) / 4));
+  CHECK(to_expression(edge_exponent(End::left, Rational(3, 35)))
+            .is_equal(-ex(1) / 2 - GiNaC::atan(ex(3) / 35) / GiNaC::Pi));
+  CHECK(rc::check([] {
+    Exponent sum(Rational(uniform(-8, 7), 4));
+    double value = sum.offset().convert_to<double>();
+    for (int terms = uniform(0, 5); terms > 0; --terms) {
+      const Rational slope(uniform(-1000, 999), uniform(1, 99));
+      sum += Exponent::angle(slope);
+      value += std::atan(slope.convert_to<double>()) / std::acos(-1.0);
+    }
+    RC_ASSERT(std::abs(ex_to<numeric>(to_expression(sum).evalf()).to_double() - value) < 1e-13);
+  }));
+}
+
+TEST_CASE("the symbolic constants at rational arguments are the model's") {
+  CHECK(rc::check([] {
+    const auto poisson = [] { return Rational(uniform(-999, 498), 1000); };
+    const auto young = [] { return Rational(uniform(1, 999), 7); };
+    const auto value = [](const ex& e) { return to_rational(ex_to<numeric>(e)); };
+    const Solid body(poisson(), young()), indenter(poisson(), young());
+    for (const Plane plane : {Plane::strain, Plane::stress}) {
+      const ex nu = to_expression(body.poisson()), modulus = to_expression(body.young());
+      const KolosovSolid one = kolosov_solid(nu, modulus, plane);
+      const KolosovSolid two = kolosov_solid(to_expression(indenter.poisson()), to_expression(indenter.young()), plane);
+      const Elasticity rigid(body, plane), elastic(body, indenter, plane);
+      RC_ASSERT(value(coupling_constant(nu, plane)) == rigid.gamma());
+      RC_ASSERT(value(compliance(nu, modulus, plane)) == rigid.compliance());
+      RC_ASSERT(value(dundurs_constant(one, two)) == elastic.gamma());
+      RC_ASSERT(value(compliance(one) + compliance(two)) == elastic.compliance());
+      const ex f = ex(uniform(0, 99)) / 7;
+      const Exponent alpha = Exponent::angle(rigid.gamma() * to_rational(ex_to<numeric>(f)));
+      RC_ASSERT(friction_angle(coupling_constant(nu, plane), f).is_equal(to_expression(alpha)));
+      RC_ASSERT(jump_power(coupling_constant(nu, plane), f, 0).is_equal(to_expression(alpha)));
+      RC_ASSERT(jump_power(coupling_constant(nu, plane), 0, f).is_equal(to_expression(-alpha)));
+    }
+  }));
+}

@@ -1,0 +1,100 @@
+#include "symbolic/local/local_action.hpp"
+#include "numeric/quadrature/tanh_sinh.hpp"
+#include "support/test.hpp"
+
+using namespace steadyslide::symbolic;
+using GiNaC::ex;
+
+namespace {
+
+double number(const ex& e) { return GiNaC::ex_to<GiNaC::numeric>(e.evalf()).to_double(); }
+
+LocalConstants at(const ex& lambda) {
+  const ex angle = GiNaC::Pi * lambda;
+  return {GiNaC::cos(angle) / GiNaC::sin(angle), 1 / GiNaC::sin(angle), GiNaC::Pi};
+}
+
+/// H of the monomial cut off at |x| = 1, by quadrature: the mirror image of the density is on the right.
+double quadrature(const LocalMonomial& monomial, double lambda, double x) {
+  const double mu = monomial.order + (monomial.fractional ? lambda : 0);
+  const int logs = monomial.logs;
+  numeric::PanelDensity<double> panel{{0, 1, 1}, {mu, 1 + mu}, {0, 1}, [logs](const numeric::Node<double>& node) {
+                                        return logs == 0 ? 1.0 : std::pow(std::log(node.from_left), logs);
+                                      }};
+  const bool mirrored = monomial.side == Side::left;
+  const double y = mirrored ? -x : x;
+  const double value = y > 0 ? numeric::tanh_sinh::hilbert<double>({panel}, {0, panel.panel.node_from_left(y)}).value
+                             : numeric::tanh_sinh::cauchy<double>({panel}, Side::left, -y).value;
+  return mirrored ? (monomial.order % 2 == 0 ? -value : value) : value;
+}
+
+}  // namespace
+
+TEST_CASE("the local action and its far part are the principal value, on both sides, in the strip and beyond it") {
+  int compared = 0;
+  for (const Side side : {Side::left, Side::right}) {
+    for (const bool fractional : {true, false}) {
+      for (const int order : {0, 1, 2}) {
+        for (const int logs : {0, 1, 2}) {
+          for (const double lambda : fractional ? std::vector{-0.7, -0.3, 0.4} : std::vector{0.0}) {
+            const LocalMonomial monomial{side, fractional, order, logs};
+            const LocalDensity image = act({{monomial, 1}}, fractional ? at(lambda) : LocalConstants{0, 0, GiNaC::Pi});
+            for (const double x : {-0.3, -0.02, 0.02, 0.3}) {
+              INFO("order = ", order, ", logs = ", logs, ", lambda = ", lambda, ", x = ", x);
+              const double local = number(value_at(image, lambda, x, x < 0 ? Side::left : Side::right));
+              const double far = number(far_part(monomial, lambda, x, 40));
+              const double expected = quadrature(monomial, lambda, x);
+              CHECK(std::abs(local + far - expected) < 1e-9 * (1 + std::abs(local) + std::abs(far)));
+              // A control: the other side's symbol misses it.
+              const LocalMonomial wrong{opposite(side), fractional, order, logs};
+              const double other =
+                  number(value_at(act({{wrong, 1}}, fractional ? at(lambda) : LocalConstants{0, 0, GiNaC::Pi}), lambda,
+                                  x, x < 0 ? Side::left : Side::right));
+              CHECK(std::abs(other + far - expected) > 1e-6);
+              ++compared;
+            }
+          }
+        }
+      }
+    }
+  }
+  CHECK(compared == 2 * (3 + 1) * 3 * 3 * 4);
+}
+
+TEST_CASE("an integer is the finite part of the powers next to it, to every order of the logarithm") {
+  const GiNaC::symbol e("e"), pi("pi");
+  const ex cot = (GiNaC::cos(e * GiNaC::Pi) / GiNaC::sin(e * GiNaC::Pi)).series(e == 0, 8);
+  const ex cosecant = (1 / GiNaC::sin(e * GiNaC::Pi)).series(e == 0, 8);
+  for (int logs = 0; logs <= 5; ++logs) {
+    const LocalDensity image = act({{{Side::right, false, 3, logs}, 1}}, {0, 0, GiNaC::Pi});
+    for (int k = 0; k <= logs + 1; ++k) {
+      const ex weight = GiNaC::factorial(logs) / GiNaC::factorial(k);
+      const auto coefficient = [&](Side side) {
+        const auto found = image.find({side, false, 3, k});
+        return found == image.end() ? ex(0) : found->second;
+      };
+      CHECK((coefficient(Side::right) + weight * cot.coeff(e, logs - k)).expand().is_zero());
+      CHECK((coefficient(Side::left) + weight * cosecant.coeff(e, logs - k)).expand().is_zero());
+    }
+  }
+}
+
+TEST_CASE("the table of local actions") {
+  const LocalConstants constants{GiNaC::symbol("C"), GiNaC::symbol("S"), GiNaC::symbol("pi")};
+  std::set<std::string> ids;
+  std::map<std::string, std::string> statements;
+  for (const LocalSymbol& symbol : local_symbols(constants)) {
+    CHECK(ids.insert(symbol.id).second);
+    statements[symbol.id] = symbol.statement.text.substr(0, symbol.statement.text.find(';'));
+    CHECK(!symbol.strip.text.empty());
+    CHECK(!symbol.modulo.latex.empty());
+  }
+  CHECK(statements["power-right"] == "H[|x|^lambda on x > 0] = -S*|x|^lambda for x < 0, -C*|x|^lambda for x > 0");
+  CHECK(statements["power-left"] == "H[|x|^lambda on x < 0] = C*|x|^lambda for x < 0, S*|x|^lambda for x > 0");
+  CHECK(statements["one-right"] == "H[1 on x > 0] = -L/pi for x < 0, -L/pi for x > 0");
+  CHECK(statements["log-line"] == "H[L on the line] = 0 for x < 0, pi for x > 0");
+  CHECK(statements["log-right"] == "H[L on x > 0] = -L^2/(2*pi) for x < 0, pi/2 - L^2/(2*pi) for x > 0");
+  CHECK(statements["power-log-right"] ==
+        "H[|x|^lambda L on x > 0] = C*S*pi*|x|^lambda - S*|x|^lambda L for x < 0, S^2*pi*|x|^lambda - C*|x|^lambda L "
+        "for x > 0");
+}

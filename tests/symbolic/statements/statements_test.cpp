@@ -1,0 +1,77 @@
+// Statements that are decided exactly, each beside wrong variants of itself.
+
+#include "support/decided_statements.hpp"
+#include "symbolic/riemann_hilbert/polynomial_families.hpp"
+#include "symbolic/statements/energy_identity.hpp"
+#include "symbolic/statements/local_form_statements.hpp"
+#include "symbolic/statements/reading_notes.hpp"
+
+using namespace steadyslide::symbolic;
+using GiNaC::ex;
+
+TEST_CASE("the statements about the constants of elasticity hold, and every wrong variant is refuted") {
+  const std::vector<DecidedStatement> all = elasticity_statements();
+  CHECK(check_decided(all, 3).size() >= 14);
+  CHECK(all[0].identity.lhs == "(2*nu - 1)/(2*nu - 2)");
+}
+
+TEST_CASE("the local forms of theorems 2, 3, 9 and 10 hold, and every wrong variant is refuted") {
+  const std::vector<DecidedStatement> all = local_form_statements();
+  const std::set<std::string> ids = check_decided(all);
+  CHECK(ids.size() == 13);
+  for (const DecidedStatement& statement : all) {
+    for (const std::string& divisor : statement.identity.nonvanishing) {
+      CHECK((divisor == "s_l - s_r" || divisor == "s^2 + 1"));
+    }
+  }
+  for (const char* theorem :
+       {"theorem-2-jump", "theorem-2-wedge-and-jump", "theorem-2-wedge", "theorem-3-edge-left-end",
+        "theorem-3-free-right-end", "theorem-9", "theorem-10-edge-right-end"}) {
+    CHECK(ids.contains(theorem));
+  }
+}
+
+TEST_CASE("the text as extracted and the derivation, side by side") {
+  std::set<std::string> ids;
+  for (const ReadingNote& note : reading_notes()) {
+    INFO("note.id = ", note.id, ", note.evidence = ", note.evidence);
+    CHECK(ids.insert(note.id).second);
+    CHECK_FALSE(note.printed_holds);
+    CHECK(note.derived_holds);
+    CHECK(note.printed != note.derived);
+    CHECK(!note.evidence.empty());
+  }
+  CHECK(ids.size() == 14);
+  CHECK(
+      reading_notes().front().evidence.starts_with("In the local equation the printed form leaves |x|^lambda, x > 0: "
+                                                   "s_l*theta - s_r*theta in place of 0; the derived form "
+                                                   "holds. "));
+}
+
+TEST_CASE("every statement on the energy holds, and each of its wrong variants is refuted") {
+  CHECK(check_decided(energy_statements()).size() == 6);
+}
+
+TEST_CASE("Chebyshev's polynomials and exact integrals") {
+  const GiNaC::symbol x("x");
+  CHECK((chebyshev_t(0, x) - 1).is_zero());
+  CHECK((chebyshev_t(3, x) - (4 * x * x * x - 3 * x)).expand().is_zero());
+  CHECK(chebyshev_u(-1, x).is_zero());
+  CHECK((chebyshev_u(0, x) - 1).is_zero());
+  CHECK((chebyshev_u(3, x) - (8 * x * x * x - 4 * x)).expand().is_zero());
+  // Pell's equation.
+  for (int n = 1; n < 8; ++n) {
+    const ex t = chebyshev_t(n, x), u = chebyshev_u(n - 1, x);
+    CHECK((t * t - (x * x - 1) * u * u - 1).expand().is_zero());
+  }
+  const GiNaC::symbol c("c");
+  CHECK((integral(3 * x * x + 1, x, c, 2) - (10 - c * c * c - c)).expand().is_zero());
+}
+
+TEST_CASE("the energy's derivation reads the same every time and ends with the identity") {
+  const Derivation derivation = energy_derivation();
+  CHECK(to_text(derivation) == to_text(energy_derivation()));
+  REQUIRE(!derivation.steps.empty());
+  CHECK(derivation.steps.back().formula.text == "b(t, t) = (pi/2) sum_n a_n^2/n + 1/2 sum_k (s_k - s_(k-1)) T(c_k)^2");
+  CHECK(holds(to_latex(derivation), "T(c_k)^2"));
+}
