@@ -32,14 +32,6 @@ double residual_of(const DiscreteProblem& problem, const CellSet& contact) {
   return natural_residual(problem, solve(*dense_system(problem, contact), problem).state);
 }
 
-std::vector<std::size_t> cells_of(const CellSet& set) {
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < set.size(); ++i) {
-    if (set[i]) result.push_back(i);
-  }
-  return result;
-}
-
 /// Cells within `reach` of a cell of the other kind.
 std::vector<std::size_t> next_to_changes(const CellSet& set, std::size_t reach) {
   CellSet near(set.size(), 0);

@@ -50,7 +50,7 @@ inline CellMeans cell_means(const ContactProblem& problem, const numeric::Rieman
 /// The variational solver's cells, in the user's x and units.
 inline CellMeans variational_means(const ContactProblem& problem, std::size_t count) {
   using namespace numeric::variational;
-  const NestedResult found = solve_nested(problem, {.cells = count, .start = std::nullopt, .progress = {}});
+  const NestedResult found = solve_nested(problem, {.cells = count});
   REQUIRE(found.certificate.accepted());
   const CellMesh& mesh = found.fine.problem->mesh();
   const double unit = numeric::to_real<double>(mesh.frame().unit);
