@@ -96,8 +96,7 @@ void traction(benchmark::State& state, bool wedge) {
   state.counters["traction"] = static_cast<double>(Real50(abs(t - exact) / abs(exact)));
 }
 
-/// t = s g/(1+s^2) - eps cos(pi alpha) |Y| (1/pi) PV int eps cos(pi alpha) g/|Y| dx'/(x'-x), all of it by QAWS and
-/// QAWC.
+/// t = s g/(1+s^2) - eps cos(pi alpha) |Y| (1/pi) PV int eps cos(pi alpha) g/|Y| dx'/(x'-x), by QAWS and QAWC alone.
 void traction_by_gsl(benchmark::State& state, bool wedge) {
   const auto& s = dynamic_cast<const RiemannHilbertSolution<double>&>(solution<double>(few, wedge));
   const RiemannHilbertForm<double>& form = s.form();
@@ -110,7 +109,7 @@ void traction_by_gsl(benchmark::State& state, bool wedge) {
       const Power<double>& p = form.fundamental_solution().powers()[j];
       return Power<double>{-p.value, 1 - p.value};
     };
-    const double factor = form.sign(static_cast<std::ptrdiff_t>(k)) * form.problem().cos_alpha(form.friction_at(k));
+    const double factor = form.y().traction_factor(k);
     density.push_back({set.panels()[k], inverse(k), inverse(k + 1), [&form, k, factor](const Node<double>& node) {
                          return factor * form.problem().slope(form.slope_at(k), node.x) /
                                 form.fundamental_solution().smooth_modulus(k, node);
@@ -125,8 +124,7 @@ void traction_by_gsl(benchmark::State& state, bool wedge) {
   const std::size_t segment = segments[panel];
   const double friction = form.problem().s(form.friction_at(segment));
   const double g = form.problem().slope(form.slope_at(segment), xi);
-  const double factor =
-      form.sign(static_cast<std::ptrdiff_t>(segment)) * form.problem().cos_alpha(form.friction_at(segment));
+  const double factor = form.y().traction_factor(segment);
   double t = 0;
   for (auto _ : state) {
     const double integral = gsl::hilbert(density, {panel, node}).value;
@@ -151,6 +149,10 @@ void traction_by_jumps(benchmark::State& state, bool wedge) {
   state.SetComplexityN(state.range(0));
 }
 
+void by_jumps(benchmark::internal::Benchmark* benchmark) {
+  benchmark->RangeMultiplier(4)->Range(4, 1024)->Unit(benchmark::kMicrosecond)->Complexity();
+}
+
 }  // namespace
 
 #define STEADYSLIDE_BENCH(function)                                           \
@@ -166,17 +168,9 @@ STEADYSLIDE_BENCH(traction);
 STEADYSLIDE_BENCH(traction_by_gsl);
 #undef STEADYSLIDE_BENCH
 
-#define STEADYSLIDE_BENCH(function)           \
-  BENCHMARK_CAPTURE(function, quartic, false) \
-      ->RangeMultiplier(4)                    \
-      ->Range(4, 1024)                        \
-      ->Unit(benchmark::kMicrosecond)         \
-      ->Complexity();                         \
-  BENCHMARK_CAPTURE(function, wedge, true)    \
-      ->RangeMultiplier(4)                    \
-      ->Range(4, 1024)                        \
-      ->Unit(benchmark::kMicrosecond)         \
-      ->Complexity()
+#define STEADYSLIDE_BENCH(function)                             \
+  BENCHMARK_CAPTURE(function, quartic, false)->Apply(by_jumps); \
+  BENCHMARK_CAPTURE(function, wedge, true)->Apply(by_jumps)
 STEADYSLIDE_BENCH(solve_by_jumps);
 STEADYSLIDE_BENCH(traction_by_jumps);
 #undef STEADYSLIDE_BENCH

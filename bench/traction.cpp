@@ -1,5 +1,4 @@
-// Traction of a flat punch with three friction jumps at 10^5 points, beside the floor: the same powers and nothing
-// else.
+// Traction of a flat punch with three friction jumps at 10^5 points, beside the floor: the same powers alone.
 
 #include <benchmark/benchmark.h>
 

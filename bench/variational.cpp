@@ -50,7 +50,7 @@ double peak_megabytes() {
 
 void solve(benchmark::State& state, ContactProblem (*make)()) {
   const ContactProblem problem = make();
-  NestedOptions options;
+  VariationalOptions options;
   options.cells = static_cast<std::size_t>(state.range(0));
   for (auto _ : state) {
     const NestedResult result = solve_nested(problem, options);

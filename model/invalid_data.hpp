@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace steadyslide {
 
@@ -10,7 +11,8 @@ namespace steadyslide {
 /// `field` names the datum the way a problem file does ("friction.jumps[1]"), so that a reader can find its line.
 class InvalidData : public std::invalid_argument {
  public:
-  InvalidData(std::string field, const std::string& problem, const std::string& rule, const std::string& value);
+  InvalidData(std::string field, const std::string& problem, const std::string& rule, const std::string& value)
+      : std::invalid_argument(problem + "; " + rule + "; " + value), field_(std::move(field)) {}
 
   const std::string& field() const noexcept { return field_; }
 

@@ -21,11 +21,23 @@ struct PanelDensity {
   R gap = 0;  ///< from the panel before: without contact
 
   R operator()(const Node<R>& node) const {
-    using std::pow;
     R value = smooth(node);
-    if (left.value != 0) value *= pow(node.from_left, left.value);
-    if (right.value != 0) value *= pow(node.from_right, right.value);
+    multiply(value, left, node.from_left);
+    multiply(value, right, node.from_right);
     return value;
+  }
+  const Power<R>& power(Side end) const { return end == Side::left ? left : right; }
+  /// t without the power of that end.
+  R without_power(Side end, const Node<R>& node) const {
+    R value = smooth(node);
+    multiply(value, power(opposite(end)), end == Side::left ? node.from_right : node.from_left);
+    return value;
+  }
+
+ private:
+  static void multiply(R& value, const Power<R>& power, const R& distance) {
+    using std::pow;
+    if (power.value != 0) value *= pow(distance, power.value);
   }
 };
 

@@ -3,12 +3,15 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// Gathers prod d^p: in double as powers, in higher precision as one exponential of a sum of logarithms.
+/// Gathers prod d_j^{p_j}: in double as powers, in higher precision as one exponential of a sum of logarithms.
 template <Real R>
 class PowerProduct {
  public:
-  void multiply(const R& distance, const R& power) {
+  explicit PowerProduct(const std::vector<Power<R>>& powers) : powers_(powers) {}
+
+  void operator()(std::size_t j, const R& distance) {
     using std::log, std::pow;
+    const R& power = powers_[j].value;
     if (power == 0) return;
     if constexpr (std::same_as<R, double>) {
       value_ *= pow(distance, power);
@@ -26,13 +29,14 @@ class PowerProduct {
   }
 
  private:
+  const std::vector<Power<R>>& powers_;
   R value_ = std::same_as<R, double> ? 1 : 0;
 };
 
 /// Calls visit(j, |e_j - e|) for all j < count to the left, given the distance from e to e_{count-1}, and likewise to
 /// the right. Distances grow by adding lengths: sums of positive numbers lose nothing.
 template <Real R, class Visit>
-void visit_leftwards(const std::vector<Panel<R>>& panels, std::size_t count, R distance, Visit visit) {
+void visit_leftwards(const std::vector<Panel<R>>& panels, std::size_t count, R distance, Visit&& visit) {
   for (std::size_t j = count; j-- > 0;) {
     visit(j, distance);
     if (j > 0) distance += panels[j - 1].length;
@@ -40,7 +44,7 @@ void visit_leftwards(const std::vector<Panel<R>>& panels, std::size_t count, R d
 }
 
 template <Real R, class Visit>
-void visit_rightwards(const std::vector<Panel<R>>& panels, std::size_t first, R distance, Visit visit) {
+void visit_rightwards(const std::vector<Panel<R>>& panels, std::size_t first, R distance, Visit&& visit) {
   for (std::size_t j = first; j <= panels.size(); ++j) {
     visit(j, distance);
     if (j < panels.size()) distance += panels[j].length;
@@ -63,19 +67,17 @@ FundamentalSolution<R>::FundamentalSolution(const R& left_end, std::vector<R> le
 
 template <Real R>
 R FundamentalSolution<R>::modulus(std::size_t k, const Node<R>& node) const {
-  PowerProduct<R> product;
-  const auto multiply = [&](std::size_t j, const R& d) { product.multiply(d, powers_[j].value); };
-  visit_leftwards(panels_, k + 1, node.from_left, multiply);
-  visit_rightwards(panels_, k + 1, node.from_right, multiply);
+  PowerProduct<R> product(powers_);
+  visit_leftwards(panels_, k + 1, node.from_left, product);
+  visit_rightwards(panels_, k + 1, node.from_right, product);
   return product.value();
 }
 
 template <Real R>
 R FundamentalSolution<R>::smooth_modulus(std::size_t k, const Node<R>& node) const {
-  PowerProduct<R> product;
-  const auto multiply = [&](std::size_t j, const R& d) { product.multiply(d, powers_[j].value); };
-  if (k > 0) visit_leftwards(panels_, k, R(node.from_left + panels_[k - 1].length), multiply);
-  if (k + 1 < panels_.size()) visit_rightwards(panels_, k + 2, R(node.from_right + panels_[k + 1].length), multiply);
+  PowerProduct<R> product(powers_);
+  if (k > 0) visit_leftwards(panels_, k, node.from_left + panels_[k - 1].length, product);
+  if (k + 1 < panels_.size()) visit_rightwards(panels_, k + 2, node.from_right + panels_[k + 1].length, product);
   return product.value();
 }
 
@@ -88,22 +90,20 @@ R FundamentalSolution<R>::modulus_beyond(Side side, const R& distance) const {
 
 template <Real R>
 R FundamentalSolution<R>::smooth_modulus_beyond(Side side, const R& distance) const {
-  PowerProduct<R> product;
-  const auto multiply = [&](std::size_t j, const R& d) { product.multiply(d, powers_[j].value); };
+  PowerProduct<R> product(powers_);
   if (side == Side::left) {
-    visit_rightwards(panels_, 1, R(distance + panels_.front().length), multiply);
+    visit_rightwards(panels_, 1, distance + panels_.front().length, product);
   } else {
-    visit_leftwards(panels_, panels_.size(), R(distance + panels_.back().length), multiply);
+    visit_leftwards(panels_, panels_.size(), distance + panels_.back().length, product);
   }
   return product.value();
 }
 
 template <Real R>
 R FundamentalSolution<R>::amplitude(std::size_t j) const {
-  PowerProduct<R> product;
-  const auto multiply = [&](std::size_t i, const R& d) { product.multiply(d, powers_[i].value); };
-  if (j > 0) visit_leftwards(panels_, j, panels_[j - 1].length, multiply);
-  if (j < panels_.size()) visit_rightwards(panels_, j + 1, panels_[j].length, multiply);
+  PowerProduct<R> product(powers_);
+  if (j > 0) visit_leftwards(panels_, j, panels_[j - 1].length, product);
+  if (j < panels_.size()) visit_rightwards(panels_, j + 1, panels_[j].length, product);
   return product.value();
 }
 

@@ -83,14 +83,14 @@ R power_quotient(const R& a, const R& x) {
   using std::abs, std::expm1, std::log, std::pow;
   if (a == 0) return log(x);
   const R exponent = a * log(x);
-  return (abs(exponent) < 1 ? R(expm1(exponent)) : R(pow(x, a) - 1)) / a;
+  return (abs(exponent) < 1 ? expm1(exponent) : pow(x, a) - 1) / a;
 }
 
 /// x^a times f from whichever of a, 1 + a is smaller: the larger has lost what decides the power of a tiny x.
 template <Real R>
 R times_power(const R& f, const Power<R>& a, const R& x) {
   using std::pow;
-  return a.plus_one < 0.5 ? R(f * pow(x, a.plus_one) / x) : R(f * pow(x, a.value));
+  return a.plus_one < 0.5 ? f * pow(x, a.plus_one) / x : f * pow(x, a.value);
 }
 
 template <Real R>
@@ -113,9 +113,9 @@ R left_of(const Power<R>& a, const R& distance) {
   // y^a = y^(a-1) ((y + d) - d)
   if (a.value >= 0.25) return 1 / a.value - distance * left_of(one_less(a), distance);
   // pi d^a/sin(pi (1+a)) from the whole half-line, less what lies beyond 1: sum_k (-d)^k/(k-a).
-  const R tail = distance * v * euler_series(R(1 - a.value), R(distance * v));
+  const R tail = distance * v * euler_series(1 - a.value, distance * v);
   if (!near_zero(a.value)) {
-    const R whole = times_power(R(pi<R>() / sin(pi<R>() * a.plus_one)), a, distance);
+    const R whole = times_power(pi<R>() / sin(pi<R>() * a.plus_one), a, distance);
     return whole + (1 / a.value + tail);
   }
   const R quotient = power_quotient(a.value, distance);
@@ -132,11 +132,11 @@ R on_interval(const Power<R>& a, const R& x, const R& rest) {
   }
   if (a.value >= 0.25) return 1 / a.value + x * on_interval(one_less(a), x, rest);
   // -pi cot(pi a) x^a from the whole half-line, less what lies beyond 1: sum_k x^k/(k-a).
-  const R tail = x * power_series(R(1 - a.value), x);
+  const R tail = x * power_series(1 - a.value, x);
   if (!near_zero(a.value)) {
     // The cotangent, with its zero at a = -1/2 exact.
-    const R cotangent = a.plus_one < 0.25 ? R(1 / tan(pi<R>() * a.plus_one)) : R(tan(pi<R>() * (0.5 - a.plus_one)));
-    return times_power(R(-pi<R>() * cotangent), a, x) + (1 / a.value - tail);
+    const R cotangent = a.plus_one < 0.25 ? 1 / tan(pi<R>() * a.plus_one) : tan(pi<R>() * (0.5 - a.plus_one));
+    return times_power(-pi<R>() * cotangent, a, x) + (1 / a.value - tail);
   }
   const R quotient = power_quotient(a.value, x);
   const R cotangent_rest = cosecant_rest(a.value) - pi<R>() * tan(pi<R>() * a.value / 2);
@@ -151,7 +151,7 @@ R right_of(const Power<R>& a, const R& distance) {
   if (distance >= crossover) return inverse * power_series(a.plus_one, inverse);
   // y = (1+d) t: the integral of (1 - t^a)/(1 - t) up to t = 1 is psi(1+a) + gamma, from 1-v to there the series.
   const R v = distance * inverse;
-  const R bracket = -digamma_plus_gamma(a.plus_one) - log(v) - binomial_series(R(-a.value), v);
+  const R bracket = -digamma_plus_gamma(a.plus_one) - log(v) - binomial_series(-a.value, v);
   return bracket * pow(w, a.value);
 }
 

@@ -45,7 +45,7 @@ Estimate<R> SlidingTerms<R>::sum() const {
 template <Real R>
 R SlidingTerms<R>::residual(const R& slope) const {
   using std::abs, std::max;
-  const R scale = max({R(abs(slope)), R(abs(friction)), R(abs(hilbert.value)), R(abs(traction))});
+  const R scale = max({abs(slope), abs(friction), abs(hilbert.value), abs(traction)});
   return abs(sum().value - slope) / scale;
 }
 

@@ -3,9 +3,7 @@
 #include <algorithm>
 
 #include "numeric/cauchy/residuals.hpp"
-#include "numeric/number/chebyshev_position.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
-#include "numeric/solution/load_sharing.hpp"
 
 namespace steadyslide::numeric {
 namespace {
@@ -13,6 +11,12 @@ namespace {
 template <Real R>
 TwoSided<R> both(const Estimate<R>& value) {
   return {value, value};
+}
+
+/// A value with what a few operations leave of rounding.
+template <Real R>
+Estimate<R> rounded(const R& value) {
+  return Estimate<R>{value, R(0)}.widened(4 * epsilon<R>());
 }
 
 }  // namespace
@@ -32,6 +36,13 @@ Estimate<R> ClosedForm<R>::coordinate(std::size_t j) const {
   return {x, data_.end_error + epsilon<R>() * (abs(x) + abs(weight().point(j)))};
 }
 
+/// Of |Y| in the middle of a panel, the ends' own error counted `times`.
+template <Real R>
+R ClosedForm<R>::relative_error(std::size_t panel, int times) const {
+  const Panel<R>& p = weight().panel(panel);
+  return weight().relative_error(panel, p.node_from_left(p.length / 2), times * data_.end_error);
+}
+
 template <Real R>
 Estimate<R> ClosedForm<R>::intensity(std::size_t j) const {
   using std::abs, std::log;
@@ -40,10 +51,7 @@ Estimate<R> ClosedForm<R>::intensity(std::size_t j) const {
   // At an end theta carries the cos(pi alpha) of the contact side; at a jump the definition takes it out.
   if (j == 0) theta = abs(data_.traction.amplitudes.front()) * weight().amplitude(j);
   if (j == last) theta = abs(data_.traction.amplitudes.back()) * weight().amplitude(j);
-  const Panel<R>& panel = weight().panel(std::min(j, last - 1));
-  const R relative =
-      weight().relative_error(std::min(j, last - 1), panel.node_from_left(panel.length / 2), data_.end_error * 4);
-  return {theta, theta * relative};
+  return {theta, theta * relative_error(std::min(j, last - 1), 4)};
 }
 
 template <Real R>
@@ -72,10 +80,7 @@ Resultants<R> ClosedForm<R>::resultants() const {
   const PiecewiseDensity<R> density = data_.traction.density();
   std::vector<Estimate<R>> loads(problem_.friction().values().size());
   for (std::size_t k = 0; k < density.size(); ++k) {
-    const Estimate<R> load = tanh_sinh::panel_integral(density[k]);
-    const Panel<R>& panel = density[k].panel;
-    const R relative = weight().relative_error(k, panel.node_from_left(panel.length / 2), 8 * data_.end_error);
-    loads[data_.first_piece + k] = -load.widened(relative);
+    loads[data_.first_piece + k] = -tanh_sinh::panel_integral(density[k]).widened(relative_error(k, 8));
   }
   Resultants<R> result = resultants_of(loads, problem_.friction().values());
 
@@ -87,9 +92,9 @@ Resultants<R> ClosedForm<R>::resultants() const {
     sum1 += p * x;
     sum2 += p * x * x;
     sum3 += p * x * x * x;
-    size = std::max(size, R(abs(x)));
+    size = std::max(size, abs(x));
   }
-  const R offset = data_.ends == SingularKind::edge ? R(-sum1) : R(2 * sum3 / (3 * sum2));
+  const R offset = data_.ends == SingularKind::edge ? -sum1 : 2 * sum3 / (3 * sum2);
   const R points = R(static_cast<double>(data_.exponents.size()));
   result.centre_of_pressure = {to_real<R>(data_.origin) + offset, 8 * points * (epsilon<R>() * size + data_.end_error) +
                                                                       epsilon<R>() * abs(to_real<R>(data_.origin))};
@@ -101,11 +106,9 @@ EstimatedError<R> ClosedForm<R>::estimated_error() const {
   using std::abs, std::max;
   EstimatedError<R> worst{0, 0, 0};
   const R width = weight().point(weight().panel_count()) - weight().point(0);
-  worst.ends = max(R(data_.end_error / width), epsilon<R>());
+  worst.ends = max(data_.end_error / width, epsilon<R>());
   for (std::size_t k = 0; k < weight().panel_count(); ++k) {
-    const Panel<R>& panel = weight().panel(k);
-    worst.traction =
-        max(worst.traction, weight().relative_error(k, panel.node_from_left(panel.length / 2), data_.end_error));
+    worst.traction = max(worst.traction, relative_error(k, 1));
   }
   const Resultants<R> r = resultants();
   worst.resultants = r.normal.error / r.normal.value;
@@ -114,7 +117,7 @@ EstimatedError<R> ClosedForm<R>::estimated_error() const {
 
 template <Real R>
 R ClosedForm<R>::profile_slope(const R& from_origin) const {
-  return data_.ends == SingularKind::edge ? R(0) : R(data_.factor * from_origin);
+  return data_.ends == SingularKind::edge ? R(0) : data_.factor * from_origin;
 }
 
 template <Real R>
@@ -122,8 +125,8 @@ R ClosedForm<R>::gap_length(Side side) const {
   if (data_.ends == SingularKind::edge) return 0;
   const Indenter& indenter = problem_.indenter();
   const R length = side == Side::left
-                       ? R(weight().point(0) - to_real<R>(indenter.left() - data_.origin))
-                       : R(to_real<R>(indenter.right() - data_.origin) - weight().point(weight().panel_count()));
+                       ? weight().point(0) - to_real<R>(indenter.left() - data_.origin)
+                       : to_real<R>(indenter.right() - data_.origin) - weight().point(weight().panel_count());
   return std::max(length, R(0));
 }
 
@@ -149,9 +152,9 @@ Residuals<R> ClosedForm<R>::residuals() const {
       if (distance == 0) continue;
       const std::size_t panel = side == Side::left ? 0 : weight().panel_count() - 1;
       const R end = weight().point(side == Side::left ? 0 : weight().panel_count());
-      const R x = side == Side::left ? R(end - distance) : R(end + distance);
+      const R x = side == Side::left ? end - distance : end + distance;
       const R rise = distance * (side == Side::left ? R(-1) : R(1)) * (profile_slope(end) + profile_slope(x)) / 2;
-      deepest = max(deepest, R(check.displacement(panel, side, distance) - rise));
+      deepest = max(deepest, check.displacement(panel, side, distance) - rise);
     }
   }
   // Reduced (divided by c), and so is the bound c P / c.
@@ -161,20 +164,12 @@ Residuals<R> ClosedForm<R>::residuals() const {
 }
 
 template <Real R>
-Estimate<R> ClosedForm<R>::shear_of(const Estimate<R>& traction, std::size_t panel) const {
-  const Rational ratio = problem_.shear_ratio(data_.first_piece + panel);
-  if (ratio == 0) return {};  // under an infinite pressure, too
-  return to_real<R>(ratio) * traction;
-}
-
-template <Real R>
 Sample<R> ClosedForm<R>::inside(std::size_t panel, const Node<R>& node) const {
-  using std::abs;
-  const R t = traction(panel, node);
-  const Estimate<R> estimate{t, abs(t) * weight().relative_error(panel, node, data_.end_error)};
+  const Estimate<R> estimate =
+      Estimate<R>{traction(panel, node), R(0)}.widened(weight().relative_error(panel, node, data_.end_error));
   const R slope = to_real<R>(problem_.elasticity().compliance()) * profile_slope(node.x);
-  return {to_real<R>(data_.origin) + node.x, both(estimate), both(shear_of(estimate, panel)), Estimate<R>{},
-          both(Estimate<R>{slope, 4 * epsilon<R>() * abs(slope)})};
+  return {to_real<R>(data_.origin) + node.x, both(estimate),
+          both(shear_of(problem_, data_.first_piece + panel, estimate)), Estimate<R>{}, both(rounded(slope))};
 }
 
 template <Real R>
@@ -184,11 +179,8 @@ Estimate<R> ClosedForm<R>::limit_at_point(std::size_t j, Side side) const {
   if (sign > 0) return {};
   if (sign < 0) return {-infinity<R>(), 0};
   const std::size_t panel = side == Side::left ? j - 1 : j;
-  const Panel<R>& p = weight().panel(panel);
-  const Node<R> node = side == Side::left ? p.node_from_right(R(0)) : p.node_from_left(R(0));
-  const R t = traction(panel, node);
-  using std::abs;
-  return {t, abs(t) * weight().relative_error(panel, p.node_from_left(p.length / 2), 4 * data_.end_error)};
+  const R t = traction(panel, weight().panel(panel).node_from(opposite(side), R(0)));
+  return Estimate<R>{t, R(0)}.widened(relative_error(panel, 4));
 }
 
 template <Real R>
@@ -197,12 +189,12 @@ Sample<R> ClosedForm<R>::at_point(std::size_t j) const {
   Sample<R> sample;
   sample.x = coordinate(j).value;
   sample.traction = {limit_at_point(j, Side::left), limit_at_point(j, Side::right)};
-  sample.shear = {j == 0 ? Estimate<R>{} : shear_of(sample.traction.left, j - 1),
-                  j == last ? Estimate<R>{} : shear_of(sample.traction.right, j)};
+  const std::size_t right = data_.first_piece + j;
+  sample.shear = {j == 0 ? Estimate<R>{} : shear_of(problem_, right - 1, sample.traction.left),
+                  j == last ? Estimate<R>{} : shear_of(problem_, right, sample.traction.right)};
   sample.gap = Estimate<R>{};
-  using std::abs;
   const R slope = to_real<R>(problem_.elasticity().compliance()) * profile_slope(weight().point(j));
-  sample.slope = both(Estimate<R>{slope, 4 * epsilon<R>() * abs(slope)});
+  sample.slope = both(rounded(slope));
   if (data_.ends == SingularKind::edge) {
     if (j == 0) sample.slope.left = {-infinity<R>(), 0};
     if (j == last) sample.slope.right = {infinity<R>(), 0};
@@ -214,16 +206,13 @@ template <Real R>
 Sample<R> ClosedForm<R>::outside(Side side, const R& distance) const {
   using std::abs, std::pow;
   const std::size_t last = weight().panel_count();
-  const R x = side == Side::left ? R(weight().point(0) - distance) : R(weight().point(last) + distance);
+  const R x = side == Side::left ? weight().point(0) - distance : weight().point(last) + distance;
   const R c = to_real<R>(problem_.elasticity().compliance());
   // u'/c = psi'/c - N Y, and Y is -|Y| to the left of the contact: the powers sum to an odd number.
   const R ny = data_.factor * weight().modulus_beyond(side, distance);
   const R profile = profile_slope(x);
-  const R slope = c * (side == Side::left ? R(profile + ny) : R(profile - ny));
-  const Panel<R>& nearest = weight().panel(side == Side::left ? 0 : last - 1);
-  const R relative = weight().relative_error(side == Side::left ? 0 : last - 1,
-                                             nearest.node_from_left(nearest.length / 2), data_.end_error) +
-                     data_.end_error / distance;
+  const R slope = c * (side == Side::left ? profile + ny : profile - ny);
+  const R relative = relative_error(side == Side::left ? 0 : last - 1, 1) + data_.end_error / distance;
   const R slope_error = c * (4 * epsilon<R>() * abs(profile) + relative * abs(ny));
 
   Sample<R> sample;
@@ -235,7 +224,7 @@ Sample<R> ClosedForm<R>::outside(Side side, const R& distance) const {
         {R(0), distance, distance},
         side == Side::left ? weight().powers().front() : weight().powers().back(),
         {R(0), R(1)},
-        [&](const Node<R>& node) { return R(data_.factor * weight().smooth_modulus_beyond(side, node.from_left)); }};
+        [&](const Node<R>& node) { return data_.factor * weight().smooth_modulus_beyond(side, node.from_left); }};
     sample.gap = c * tanh_sinh::panel_integral(integrand).widened(4 * relative);
   }
   return sample;
@@ -247,7 +236,7 @@ Sample<R> ClosedForm<R>::at(const Rational& x) const {
   const R from_origin = to_real<R>(exact);
   const std::size_t last = weight().panel_count();
   const auto distance_from = [&](std::size_t j) {
-    return data_.exact[j] ? to_real<R>(exact - *data_.exact[j]) : R(from_origin - weight().point(j));
+    return data_.exact[j] ? to_real<R>(exact - *data_.exact[j]) : from_origin - weight().point(j);
   };
   const auto in_users_x = [&](Sample<R> sample) {
     sample.x = to_real<R>(x);
@@ -272,7 +261,7 @@ std::vector<Sample<R>> ClosedForm<R>::samples(int count) const {
     for (int i = 0; i < count; ++i) {
       // From left to right: towards the contact on the left of it, away from it on the right.
       const auto [forth, back] = chebyshev_position<R>(i, count);
-      result.push_back(outside(side, R(length * (side == Side::left ? back : forth))));
+      result.push_back(outside(side, length * (side == Side::left ? back : forth)));
     }
   };
   add_gap(Side::left);
@@ -282,14 +271,14 @@ std::vector<Sample<R>> ClosedForm<R>::samples(int count) const {
   const auto points_before = [&](std::size_t k) {
     const R part = R(static_cast<double>(k)) / static_cast<double>(panels);
     const R length = (weight().point(k) - weight().point(0)) / width;
-    return k == panels ? count : static_cast<int>(R(count * (part + length) / 2));
+    return k == panels ? count : static_cast<int>(count * (part + length) / 2);
   };
   for (std::size_t k = 0; k < panels; ++k) {
     const int n = points_before(k + 1) - points_before(k);
     const Panel<R>& panel = weight().panel(k);
     for (int i = 0; i < n; ++i) {
       const auto [left, right] = chebyshev_position<R>(i, n);
-      const Node<R> node{left < right ? R(panel.left + left * panel.length) : R(panel.right - right * panel.length),
+      const Node<R> node{left < right ? panel.left + left * panel.length : panel.right - right * panel.length,
                          left * panel.length, right * panel.length};
       result.push_back(inside(k, node));
     }

@@ -63,13 +63,13 @@ class ClosedForm : public ContactSolution<R> {
  private:
   const FundamentalSolution<R>& weight() const { return data_.traction.weight; }
   Estimate<R> coordinate(std::size_t j) const;
+  R relative_error(std::size_t panel, int times) const;
   Estimate<R> intensity(std::size_t j) const;
   R profile_slope(const R& from_origin) const;
   Sample<R> inside(std::size_t panel, const Node<R>& node) const;
   Sample<R> at_point(std::size_t j) const;
   Sample<R> outside(Side side, const R& distance) const;
   Estimate<R> limit_at_point(std::size_t j, Side side) const;
-  Estimate<R> shear_of(const Estimate<R>& traction, std::size_t panel) const;
   R gap_length(Side side) const;
 
   ContactProblem problem_;

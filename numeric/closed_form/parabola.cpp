@@ -29,8 +29,8 @@ class Candidate {
   std::optional<R> threshold(Side side) const {
     if (side == Side::left ? first_ == 0 : last_ + 1 == s_.size()) return std::nullopt;
     const R reached = to_real<R>(side == Side::left ? jumps_[first_ - 1] : jumps_[last_]);
-    const R other = side == Side::left ? R(-(moment1_ + left_power() * reached) / right_power())
-                                       : R(-(moment1_ + right_power() * reached) / left_power());
+    const R other = side == Side::left ? -(moment1_ + left_power() * reached) / right_power()
+                                       : -(moment1_ + right_power() * reached) / left_power();
     const R a = side == Side::left ? reached : other;
     const R b = side == Side::left ? other : reached;
     return left_power() * a * a + right_power() * b * b + moment2_;

@@ -4,8 +4,8 @@
 // Exponents p = (1/2 - alpha_0, alpha_0 - alpha_1, ..., 1/2 + alpha_m) at r = (a, c_1, ..., c_m, b):
 //   sum p_j r_j = 0,   sum p_j r_j^2 = 2 P R/pi =: K,   t = -cos(pi alpha) |Y|/R.
 // With the jumps inside known, both equations are solved by a square root. No jump: a^2 = P R/(2 pi (1/4 - alpha^2))
-// for the half-width [Bal16, section 2]. The contact grows with the load, at both ends, and so meets the jumps one by
-// one.
+// for the half-width [Bal16, section 2]. The contact grows with the load, at both ends, and meets one jump after the
+// other.
 
 #include <vector>
 

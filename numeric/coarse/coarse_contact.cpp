@@ -4,11 +4,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "numeric/coarse/coarse_refinement.hpp"
+#include "numeric/coarse/coarse_equilibrium.hpp"
 #include "numeric/number/real.hpp"
 
 namespace steadyslide::numeric {
-
 namespace {
 
 using namespace coarse;
@@ -79,10 +78,9 @@ CoarseContact coarse_contact(const ContactProblem& problem, int cells) {
   Equilibrium state;
   std::vector<char> guess;
   for (int round = 0;; ++round) {
-    Influence influence(mesh);
-    state = equilibrium(influence, load, std::move(guess));
+    state = equilibrium(mesh, load, std::move(guess));
     if (round == most_meshes) break;
-    const std::vector<int> pieces = wanted_pieces(influence, state);
+    const std::vector<int> pieces = wanted_pieces(mesh, state);
     const auto count = static_cast<std::size_t>(std::accumulate(pieces.begin(), pieces.end(), 0));
     if (count == mesh.size() || count > most_cells) break;
     guess = inherited(state.active, pieces);

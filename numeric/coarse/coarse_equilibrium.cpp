@@ -6,16 +6,15 @@
 #include <set>
 
 namespace steadyslide::numeric::coarse {
-
 namespace {
 
 constexpr int most_rounds = 40;
 
 /// Signs are decided up to this multiple of the load: what rounding of the forces and of the profile leaves open.
-double sign_tolerance(const Influence& influence, const Load& load, const std::vector<char>& active) {
+double sign_tolerance(const Mesh& mesh, const Load& load, const std::vector<char>& active) {
   double highest = 0;
   for (std::size_t i = 0; i < active.size(); ++i) {
-    if (active[i]) highest = std::max(highest, std::abs(influence.profile(i)));
+    if (active[i]) highest = std::max(highest, std::abs(mesh.profile(i)));
   }
   return 1e-13 + 1e-15 * highest / load.force;
 }
@@ -29,8 +28,8 @@ std::vector<std::size_t> indices(const std::vector<char>& active) {
 }
 
 /// Contact leaves where it pulls and begins where bodies overlap; cells that carry the most stay if too few are left.
-std::vector<char> corrected(const Influence& influence, const Equilibrium& state, const Load& load) {
-  const double tolerance = sign_tolerance(influence, load, state.active) * load.force;
+std::vector<char> corrected(const Mesh& mesh, const Equilibrium& state, const Load& load) {
+  const double tolerance = sign_tolerance(mesh, load, state.active) * load.force;
   const std::size_t least = load.at ? 2 : 1;
   std::vector<char> active(state.active.size());
   for (std::size_t i = 0; i < active.size(); ++i) {
@@ -52,7 +51,7 @@ std::vector<char> corrected(const Influence& influence, const Equilibrium& state
 
 }  // namespace
 
-Equilibrium with_contact_on(Influence& influence, const Load& load, const std::vector<char>& active) {
+Equilibrium with_contact_on(const Mesh& mesh, const Load& load, const std::vector<char>& active) {
   const Eigen::Index rest = load.at ? 2 : 1;  // unknowns C and tilt
   const std::vector<std::size_t> cells = indices(active);
   const auto count = static_cast<Eigen::Index>(cells.size());
@@ -60,14 +59,14 @@ Equilibrium with_contact_on(Influence& influence, const Load& load, const std::v
   Eigen::VectorXd right(count + rest);
   for (Eigen::Index k = 0; k < count; ++k) {
     const std::size_t j = cells[static_cast<std::size_t>(k)];
-    const double* column = influence.column(j);
+    const double* column = mesh.column(j);
     for (Eigen::Index i = 0; i < count; ++i) matrix(i, k) = column[cells[static_cast<std::size_t>(i)]];
     matrix(k, count) = -1;
     matrix(count, k) = 1;
-    right(k) = -influence.profile(j);
+    right(k) = -mesh.profile(j);
     if (load.at) {
-      matrix(k, count + 1) = influence.point(j);
-      matrix(count + 1, k) = influence.mesh().centre(j) - *load.at;
+      matrix(k, count + 1) = mesh.point(j);
+      matrix(count + 1, k) = mesh.centre(j) - *load.at;
     }
   }
   right(count) = load.force;
@@ -80,12 +79,12 @@ Equilibrium with_contact_on(Influence& influence, const Load& load, const std::v
   state.tilt = load.at ? solution(count + 1) : 0;
   Eigen::VectorXd gap(static_cast<Eigen::Index>(active.size()));
   for (std::size_t i = 0; i < active.size(); ++i) {
-    gap(static_cast<Eigen::Index>(i)) = influence.profile(i) - solution(count) + state.tilt * influence.point(i);
+    gap(static_cast<Eigen::Index>(i)) = mesh.profile(i) - solution(count) + state.tilt * mesh.point(i);
   }
   for (Eigen::Index k = 0; k < count; ++k) {
     const std::size_t j = cells[static_cast<std::size_t>(k)];
     state.force[j] = solution(k);
-    gap += solution(k) * Eigen::Map<const Eigen::VectorXd>(influence.column(j), gap.size());
+    gap += solution(k) * Eigen::Map<const Eigen::VectorXd>(mesh.column(j), gap.size());
   }
   for (std::size_t j : cells) gap(static_cast<Eigen::Index>(j)) = 0;
   state.gap.assign(gap.begin(), gap.end());
@@ -95,26 +94,26 @@ Equilibrium with_contact_on(Influence& influence, const Load& load, const std::v
   }
   const double worst = std::min(*std::min_element(state.force.begin(), state.force.end()), gap.minCoeff());
   state.violation = std::max(0.0, -worst / load.force);
-  state.converged = state.violation <= sign_tolerance(influence, load, active);
+  state.converged = state.violation <= sign_tolerance(mesh, load, active);
   return state;
 }
 
-Equilibrium equilibrium(Influence& influence, const Load& load, std::vector<char> guess) {
-  if (guess.empty()) guess.assign(influence.size(), 1);
+Equilibrium equilibrium(const Mesh& mesh, const Load& load, std::vector<char> guess) {
+  if (guess.empty()) guess.assign(mesh.size(), 1);
   Equilibrium best;
   best.violation = HUGE_VAL;
   std::set<std::vector<char>> seen;
   const auto settle = [&](std::vector<char> active) {
     for (int round = 0; round < most_rounds && seen.insert(active).second; ++round) {
-      Equilibrium state = with_contact_on(influence, load, active);
+      Equilibrium state = with_contact_on(mesh, load, active);
       if (state.violation < best.violation || best.active.empty()) best = state;
       if (state.converged || !std::isfinite(state.violation)) return;
-      active = corrected(influence, state, load);
+      active = corrected(mesh, state, load);
     }
   };
   settle(std::move(guess));
   if (best.converged) return best;
-  if (std::vector<char> reached = load_path(influence, load); !reached.empty()) {
+  if (std::vector<char> reached = load_path(mesh, load); !reached.empty()) {
     seen.clear();
     settle(std::move(reached));
   }

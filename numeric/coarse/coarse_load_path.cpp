@@ -5,7 +5,6 @@
 #include "numeric/coarse/coarse_equilibrium.hpp"
 
 namespace steadyslide::numeric::coarse {
-
 namespace {
 
 using Eigen::Index;
@@ -16,8 +15,8 @@ using Eigen::VectorXd;
 /// there is one, the forces; equations: the load, its moment, no gap in the cells of contact.
 class BorderedInverse {
  public:
-  BorderedInverse(Influence& influence, const Load& load, const std::vector<double>& profile)
-      : influence_(influence), load_(load), profile_(profile), rest_(load.at ? 2 : 1) {}
+  BorderedInverse(const Mesh& mesh, const Load& load, const std::vector<double>& profile)
+      : mesh_(mesh), load_(load), profile_(profile), rest_(load.at ? 2 : 1) {}
 
   Index rest() const { return rest_; }
   const std::vector<std::size_t>& cells() const { return cells_; }
@@ -33,7 +32,7 @@ class BorderedInverse {
     if (++changes_ % refresh == 0) return factorise();
     const VectorXd column = inverse_ * column_of(cell);
     const Eigen::RowVectorXd row = row_of(cell) * inverse_;
-    const double pivot = influence_.column(cell)[cell] - row_of(cell).dot(column);
+    const double pivot = mesh_.column(cell)[cell] - row_of(cell).dot(column);
     MatrixXd larger(n + 1, n + 1);
     larger.topLeftCorner(n, n) = inverse_ + column * row / pivot;
     larger.topRightCorner(n, 1) = -column / pivot;
@@ -71,17 +70,17 @@ class BorderedInverse {
   VectorXd column_of(std::size_t cell) {
     VectorXd column(inverse_.rows());
     column(0) = 1;
-    if (load_.at) column(1) = influence_.mesh().centre(cell) - *load_.at;
-    const double* all = influence_.column(cell);
+    if (load_.at) column(1) = mesh_.centre(cell) - *load_.at;
+    const double* all = mesh_.column(cell);
     for (Index k = rest_; k < column.size(); ++k) column(k) = all[cells_[static_cast<std::size_t>(k - rest_)]];
     return column;
   }
   Eigen::RowVectorXd row_of(std::size_t cell) {
     Eigen::RowVectorXd row(inverse_.rows());
     row(0) = -1;
-    if (load_.at) row(1) = influence_.point(cell);
+    if (load_.at) row(1) = mesh_.point(cell);
     for (Index k = rest_; k < row.size(); ++k) {
-      row(k) = influence_.column(cells_[static_cast<std::size_t>(k - rest_)])[cell];
+      row(k) = mesh_.column(cells_[static_cast<std::size_t>(k - rest_)])[cell];
     }
     return row;
   }
@@ -98,7 +97,7 @@ class BorderedInverse {
     inverse_ = matrix.inverse();
   }
 
-  Influence& influence_;
+  const Mesh& mesh_;
   const Load& load_;
   const std::vector<double>& profile_;
   Index rest_;
@@ -108,42 +107,41 @@ class BorderedInverse {
 };
 
 /// Cells that touch when there is no load yet: the lowest one, or the two that span the load line on the lower hull.
-std::vector<std::size_t> first_contact(const Influence& influence, const Load& load, const std::vector<double>& psi) {
+std::vector<std::size_t> first_contact(const Mesh& mesh, const Load& load, const std::vector<double>& psi) {
   if (!load.at) return {static_cast<std::size_t>(std::min_element(psi.begin(), psi.end()) - psi.begin())};
   std::vector<std::size_t> hull;
   for (std::size_t i = 0; i < psi.size(); ++i) {
     const auto above = [&](std::size_t a, std::size_t b) {
-      return (psi[b] - psi[a]) * (influence.point(i) - influence.point(a)) >=
-             (psi[i] - psi[a]) * (influence.point(b) - influence.point(a));
+      return (psi[b] - psi[a]) * (mesh.point(i) - mesh.point(a)) >= (psi[i] - psi[a]) * (mesh.point(b) - mesh.point(a));
     };
     while (hull.size() >= 2 && above(hull[hull.size() - 2], hull.back())) hull.pop_back();
     hull.push_back(i);
   }
   std::size_t k = 1;
-  while (k + 1 < hull.size() && influence.mesh().centre(hull[k]) < *load.at) ++k;
+  while (k + 1 < hull.size() && mesh.centre(hull[k]) < *load.at) ++k;
   return {hull[k - 1], hull[k]};
 }
 
 /// Flat faces and equal minima touch everywhere at once; a slight curvature, the same every time, gives them an order.
-std::vector<double> with_order(const Influence& influence, const Load& load) {
-  const std::vector<double>& edges = influence.mesh().edges();
+std::vector<double> with_order(const Mesh& mesh, const Load& load) {
+  const std::vector<double>& edges = mesh.edges();
   const double width = edges.back() - edges.front();
-  std::vector<double> psi(influence.size());
+  std::vector<double> psi(mesh.size());
   for (std::size_t i = 0; i < psi.size(); ++i) {
-    const double x = (influence.point(i) - edges.front()) / width - 0.4142135;
-    psi[i] = influence.profile(i) + 1e-8 * load.force * x * x;
+    const double x = (mesh.point(i) - edges.front()) / width - 0.4142135;
+    psi[i] = mesh.profile(i) + 1e-8 * load.force * x * x;
   }
   return psi;
 }
 
 }  // namespace
 
-std::vector<char> load_path(Influence& influence, const Load& load) {
-  const std::size_t size = influence.size();
-  const std::vector<double> psi = with_order(influence, load);
-  BorderedInverse contact(influence, load, psi);
+std::vector<char> load_path(const Mesh& mesh, const Load& load) {
+  const std::size_t size = mesh.size();
+  const std::vector<double> psi = with_order(mesh, load);
+  BorderedInverse contact(mesh, load, psi);
   std::vector<char> active(size, 0);
-  contact.start(first_contact(influence, load, psi));
+  contact.start(first_contact(mesh, load, psi));
   for (std::size_t cell : contact.cells()) active[cell] = 1;
   double force = 0;
   double direction = 1;
@@ -156,11 +154,11 @@ std::vector<char> load_path(Influence& influence, const Load& load) {
     VectorXd rate(static_cast<Index>(size));
     for (std::size_t i = 0; i < size; ++i) {
       const auto k = static_cast<Index>(i);
-      value(k) = psi[i] - constant(0) + (load.at ? constant(1) * influence.point(i) : 0);
-      rate(k) = -factor(0) + (load.at ? factor(1) * influence.point(i) : 0);
+      value(k) = psi[i] - constant(0) + (load.at ? constant(1) * mesh.point(i) : 0);
+      rate(k) = -factor(0) + (load.at ? factor(1) * mesh.point(i) : 0);
     }
     for (std::size_t k = 0; k < contact.cells().size(); ++k) {
-      const Eigen::Map<const VectorXd> column(influence.column(contact.cells()[k]), value.size());
+      const Eigen::Map<const VectorXd> column(mesh.column(contact.cells()[k]), value.size());
       const Index at = contact.rest() + static_cast<Index>(k);
       value += constant(at) * column;
       rate += factor(at) * column;

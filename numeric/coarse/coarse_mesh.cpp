@@ -7,7 +7,6 @@
 #include "numeric/number/real.hpp"
 
 namespace steadyslide::numeric::coarse {
-
 namespace {
 
 std::vector<SupportPiece> pieces_of(const ContactProblem& problem, const Rational& origin) {
@@ -33,6 +32,9 @@ std::vector<SupportPiece> pieces_of(const ContactProblem& problem, const Rationa
   }
   return pieces;
 }
+
+/// int log|y| dy.
+double log_integral(double y) { return y == 0 ? 0 : y * (std::log(std::abs(y)) - 1); }
 
 }  // namespace
 
@@ -66,6 +68,26 @@ Mesh Mesh::refined(const std::vector<int>& pieces) const {
 
 bool Mesh::beside_cut(std::size_t i) const {
   return i == 0 || i + 1 == size() || piece_of_[i] != piece_of_[i - 1] || piece_of_[i] != piece_of_[i + 1];
+}
+
+const double* Mesh::column(std::size_t j) const {
+  columns_.resize(size());
+  if (!columns_[j].empty()) return columns_[j].data();
+  const SupportPiece& piece = this->piece(j);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double distance = centre(j) - point(i);
+    double mean;
+    if (i == j) {
+      mean = (log_integral(piece.behind * length(j)) + log_integral(piece.ahead * length(j))) / length(j);
+    } else if (std::abs(distance) > 6 * length(j)) {
+      const double r = length(j) * length(j) / (distance * distance);
+      mean = std::log(std::abs(distance)) - r / 24 - r * r / 320;
+    } else {
+      mean = (log_integral(right(j) - point(i)) - log_integral(left(j) - point(i))) / length(j);
+    }
+    columns_[j].push_back(-mean / std::numbers::pi + (j < i ? piece.s : j == i ? piece.s * piece.ahead : 0));
+  }
+  return columns_[j].data();
 }
 
 int Mesh::step_before(std::size_t i) const { return i > 0 && piece_of_[i] != piece_of_[i - 1] ? piece(i).step : 0; }

@@ -1,10 +1,11 @@
-#include "numeric/coarse/coarse_refinement.hpp"
+// Where the cells of a coarse solution are too long.
 
 #include <algorithm>
 #include <cmath>
 
-namespace steadyslide::numeric::coarse {
+#include "numeric/coarse/coarse_equilibrium.hpp"
 
+namespace steadyslide::numeric::coarse {
 namespace {
 
 // Parts of a run's width: cells inside it, at its ends, where separation may hide (edges, wedges, jumps), beyond ends.
@@ -44,15 +45,14 @@ class Wishes {
 
 /// Could there be contact within cell i although its point is free? Beside the contact u is concave: the chord through
 /// the point and the next one on one side, prolonged, lies above u on the other side.
-bool may_hide_contact(const Influence& influence, const Equilibrium& state, std::size_t i) {
-  const Mesh& mesh = influence.mesh();
-  const double x = influence.point(i);
+bool may_hide_contact(const Mesh& mesh, const Equilibrium& state, std::size_t i) {
+  const double x = mesh.point(i);
   const auto lowered = [&](std::size_t k) {
-    return influence.profile(k) + state.tilt * influence.point(k) - state.gap[k];  // u + C
+    return mesh.profile(k) + state.tilt * mesh.point(k) - state.gap[k];  // u + C
   };
   const double here = lowered(i);
-  const double left_slope = i > 0 ? (here - lowered(i - 1)) / (x - influence.point(i - 1)) : 0;
-  const double right_slope = i + 1 < mesh.size() ? (lowered(i + 1) - here) / (influence.point(i + 1) - x) : 0;
+  const double left_slope = i > 0 ? (here - lowered(i - 1)) / (x - mesh.point(i - 1)) : 0;
+  const double right_slope = i + 1 < mesh.size() ? (lowered(i + 1) - here) / (mesh.point(i + 1) - x) : 0;
   const SupportPiece& piece = mesh.piece(i);
   const std::size_t samples = piece.profile.size() + 3;
   for (std::size_t k = 0; k <= samples; ++k) {
@@ -86,8 +86,7 @@ std::vector<Run> runs(const Mesh& mesh, const std::vector<char>& active) {
   return result;
 }
 
-std::vector<int> wanted_pieces(const Influence& influence, const Equilibrium& state) {
-  const Mesh& mesh = influence.mesh();
+std::vector<int> wanted_pieces(const Mesh& mesh, const Equilibrium& state) {
   Wishes wishes(mesh);
   const std::vector<Run> all = runs(mesh, state.active);
   for (std::size_t r = 0; r < all.size(); ++r) {
@@ -125,7 +124,7 @@ std::vector<int> wanted_pieces(const Influence& influence, const Equilibrium& st
     // Next to a contact, the width of that contact has already said how long a cell may be.
     const bool beside_contact = (i > 0 && state.active[i - 1]) || (i + 1 < mesh.size() && state.active[i + 1]);
     const bool apart = !state.active[i] && !beside_contact;
-    if (beside_shorter || (apart && may_hide_contact(influence, state, i))) wishes.into(i, by_default);
+    if (beside_shorter || (apart && may_hide_contact(mesh, state, i))) wishes.into(i, by_default);
   }
   return wishes.take();
 }

@@ -19,38 +19,21 @@ int InteriorStress<R>::nodes_per_panel() const {
 }
 
 template <Real R>
-bool InteriorStress<R>::is_singular(std::size_t j) const {
-  const RiemannHilbertForm<R>& form = solution_->form();
-  return form.fundamental_solution().powers()[j].value != 0 || form.changes_polynomial(j);
-}
-
-template <Real R>
-R InteriorStress<R>::beyond(std::size_t segment, Side side) const {
-  const ContactSet<R>& set = solution_->form().set();
-  R distance = 0;
-  if (side == Side::left) {
-    for (std::size_t j = segment; j-- > 0;) {
-      distance += set.length(j);
-      if (is_singular(j)) return distance;
-    }
-  } else {
-    for (std::size_t j = segment + 1; j < set.segments(); ++j) {
-      distance += set.length(j);
-      if (is_singular(j + 1)) return distance;
-    }
-  }
-  return infinity<R>();
-}
-
-template <Real R>
 Surroundings<R> InteriorStress<R>::surroundings(const OneSidedPart& part, const R& depth) const {
   using std::sqrt;
-  const auto to_point = [&](const R& x) { return R(sqrt(x * x + depth * depth)); };
-  const bool at_left = part.from_left == 0;
-  const bool at_right = part.from_right == 0;
-  Surroundings<R> around{at_left && is_singular(part.segment), at_right && is_singular(part.segment + 1),
-                         at_left ? beyond(part.segment, Side::left) : part.from_left,
-                         at_right ? beyond(part.segment, Side::right) : part.from_right};
+  const auto to_point = [&](const R& x) { return sqrt(x * x + depth * depth); };
+  const RiemannHilbertForm<R>& form = solution_->form();
+  Surroundings<R> around = numeric::surroundings<R>(form.set(), part.segment, [&](std::size_t j) {
+    return form.fundamental_solution().powers()[j].value != 0 || form.changes_polynomial(j);
+  });
+  if (part.from_left > 0) {
+    around.left_singular = false;
+    around.beyond_left = part.from_left;
+  }
+  if (part.from_right > 0) {
+    around.right_singular = false;
+    around.beyond_right = part.from_right;
+  }
   if (part.x_left <= 0) around.beyond_left = std::min(around.beyond_left, to_point(part.x_left));
   if (part.x_right >= 0) around.beyond_right = std::min(around.beyond_right, to_point(part.x_right));
   return around;
@@ -67,13 +50,13 @@ template <Real R>
 void InteriorStress<R>::add_force(const Estimate<R>& force, const R& ratio, const R& x, Sum& sum) const {
   using std::abs;
   StressState<R>& stress = sum.stress;
-  const StressComponents<R> value = stress_of_force(force.value, R(ratio * force.value), x, sum.depth);
+  const StressComponents<R> value = stress_of_force(force.value, ratio * force.value, x, sum.depth);
   stress.xx.value += value.xx;
   stress.zz.value += value.zz;
   stress.xz.value += value.xz;
   // As if the two forces' fields had the same sign: where they cancel, rounding does not.
-  const R away = x < 0 ? R(-x) : x;
-  const StressComponents<R> error = stress_of_force(force.error, R(-abs(ratio) * force.error), away, sum.depth);
+  const R away = x < 0 ? -x : x;
+  const StressComponents<R> error = stress_of_force(force.error, -abs(ratio) * force.error, away, sum.depth);
   stress.xx.error += error.xx;
   stress.zz.error += error.zz;
   stress.xz.error += error.xz;
@@ -100,11 +83,10 @@ void InteriorStress<R>::add(const OneSidedPart& part, Sum& sum) const {
       const R right = panel.from_right + panel.length * (mirrored ? rule.from_left[i] : rule.from_right[i]);
       // From the end of the part from which less is lost: from x itself if it ends there.
       const bool by_left = abs(part.x_left) + left < abs(part.x_right) + right;
-      const R x = by_left ? R(part.x_left - left) : R(part.x_right + right);
+      const R x = by_left ? part.x_left - left : part.x_right + right;
       R weight = panel.length * rule.weights[i];
       if (!kinked && power.value != 0) weight /= pow(rule.from_left[i], power.value);
-      const SurfacePoint<R> at =
-          surface_point(form.set(), segment, R(part.from_left + left), R(part.from_right + right));
+      const SurfacePoint<R> at = surface_point(form.set(), segment, part.from_left + left, part.from_right + right);
       const Estimate<R> t = form.traction(at);
       // The place of x among the free ends is as uncertain as they are: twice their error.
       const R relative = 16 * epsilon<R>() + 2 * solution_->relative_end_error(at);
@@ -133,7 +115,7 @@ StressState<R> InteriorStress<R>::at(const Rational& x, const Rational& z) const
     const R& right = above.node.from_right;
     if (static_cast<std::ptrdiff_t>(k) == above.segment && left > 0 && right > 0) {
       add({k, R(0), left, right, left, R(0)}, sum);
-      add({k, left, right, R(0), R(0), R(-right)}, sum);
+      add({k, left, right, R(0), R(0), -right}, sum);
     } else {
       add({k, R(0), set.length(k), R(0), form.distance(above, k), form.distance(above, k + 1)}, sum);
     }

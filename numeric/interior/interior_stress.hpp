@@ -19,7 +19,6 @@
 #include <map>
 
 #include "numeric/interior/stress_state.hpp"
-#include "numeric/quadrature/graded_panels.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 
 namespace steadyslide::numeric {
@@ -52,8 +51,6 @@ class InteriorStress {
   void add(const OneSidedPart& part, Sum& sum) const;
   void add_force(const Estimate<R>& force, const R& ratio, const R& x, Sum& sum) const;
   Surroundings<R> surroundings(const OneSidedPart& part, const R& depth) const;
-  bool is_singular(std::size_t j) const;
-  R beyond(std::size_t segment, Side side) const;
   const JacobiRule<R>& double_exponential(const Power<R>& power) const;
   int nodes_per_panel() const;
 

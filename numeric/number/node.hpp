@@ -3,7 +3,9 @@
 // lost its digits where they matter most.
 
 #include <algorithm>
+#include <utility>
 
+#include "model/direction.hpp"
 #include "numeric/number/real.hpp"
 
 namespace steadyslide::numeric {
@@ -13,6 +15,8 @@ struct Node {
   R x;
   R from_left;   ///< distance to the left end of the panel
   R from_right;  ///< distance to the right end of the panel
+
+  Node moved(const R& d) const { return {x + d, from_left + d, from_right - d}; }
 };
 
 /// An interval between two neighbouring singular points. `length` is known better than right - left.
@@ -24,6 +28,20 @@ struct Panel {
 
   Node<R> node_from_left(const R& distance) const { return {left + distance, distance, length - distance}; }
   Node<R> node_from_right(const R& distance) const { return {right - distance, length - distance, distance}; }
+  Node<R> node_from(Side end, const R& distance) const {
+    return end == Side::left ? node_from_left(distance) : node_from_right(distance);
+  }
 };
+
+/// A position in ]0, 1[, number i of n (Chebyshev's points), and what is missing to 1, formed without cancellation: a
+/// place for a sample, denser towards both ends, where tractions are singular.
+template <Real R>
+std::pair<R, R> chebyshev_position(int i, int n) {
+  using std::cos, std::sin;
+  const R angle = pi<R>() * (2 * i + 1) / (4 * n);
+  const R s = sin(angle);
+  const R c = cos(angle);
+  return {s * s, c * c};
+}
 
 }  // namespace steadyslide::numeric

@@ -40,8 +40,7 @@ Estimate<double> estimate_of(int status, double value, double error) {
   return {value, error, reached && std::isfinite(value) ? Convergence::reached : Convergence::stalled};
 }
 
-/// int_0^length d^power g(d) dd, 0 for an empty interval. QAWS wants power > -1, which 1 + lambda below 1e-16 no longer
-/// is.
+/// int_0^length d^power g(d) dd, 0 for an empty interval. QAWS wants power > -1; 1 + lambda may be below 1e-16.
 template <class G>
 Estimate<double> qaws(double length, double power, const G& g) {
   if (length <= 0) return {};
@@ -73,43 +72,32 @@ Estimate<double> qawc(double radius, const G& g) {
 /// From each end to the middle, so that a kernel that is nearly singular at an end sees the exact distance to it.
 template <class Kernel>
 Estimate<double> weighted_panel(const PanelDensity<double>& density, const Kernel& kernel) {
-  using std::pow;
-  const Panel<double>& panel = density.panel;
-  Estimate<double> sum = qaws(panel.length / 2, density.left.value, [&](double d) {
-    const Node<double> node = panel.node_from_left(d);
-    return pow(node.from_right, density.right.value) * density.smooth(node) * kernel(node);
-  });
-  sum += qaws(panel.length / 2, density.right.value, [&](double d) {
-    const Node<double> node = panel.node_from_right(d);
-    return pow(node.from_left, density.left.value) * density.smooth(node) * kernel(node);
-  });
+  Estimate<double> sum;
+  for (const Side end : {Side::left, Side::right}) {
+    sum += qaws(density.panel.length / 2, density.power(end).value, [&](double d) {
+      const Node<double> node = density.panel.node_from(end, d);
+      return density.without_power(end, node) * kernel(node);
+    });
+  }
   return sum;
 }
 
 Estimate<double> own_panel(const PanelDensity<double>& density, const Node<double>& at) {
-  using std::pow;
   const double radius = std::min(at.from_left, at.from_right) / 2;  // makes one of the two middle parts empty
   const Panel<double>& panel = density.panel;
-  Estimate<double> sum = qawc(radius, [&](double y) {
-    return density({at.x + y, at.from_left + y, at.from_right - y});
-  });
-  // What is left of x - radius and right of x + radius: half of it seen from x, and the rest from the end with its
-  // power.
+  Estimate<double> sum = qawc(radius, [&](double y) { return density(at.moved(y)); });
+  // What is left of x - radius and right of x + radius: half of it seen from x, the rest from the end.
   sum += qaws(at.from_left / 2, density.left.value, [&](double d) {
-    const Node<double> node = panel.node_from_left(d);
-    return pow(node.from_right, density.right.value) * density.smooth(node) / (d - at.from_left);
+    return density.without_power(Side::left, panel.node_from_left(d)) / (d - at.from_left);
   });
-  sum += qaws(at.from_left / 2 - radius, 0, [&](double y) {
-    const double beyond = radius + y;
-    return -density({at.x - beyond, at.from_left - beyond, at.from_right + beyond}) / beyond;
-  });
-  sum += qaws(at.from_right / 2 - radius, 0, [&](double y) {
-    const double beyond = radius + y;
-    return density({at.x + beyond, at.from_left + beyond, at.from_right - beyond}) / beyond;
-  });
+  for (const int away : {-1, 1}) {
+    sum += qaws((away < 0 ? at.from_left : at.from_right) / 2 - radius, 0, [&](double y) {
+      const double beyond = radius + y;
+      return away * density(at.moved(away * beyond)) / beyond;
+    });
+  }
   sum += qaws(at.from_right / 2, density.right.value, [&](double d) {
-    const Node<double> node = panel.node_from_right(d);
-    return pow(node.from_left, density.left.value) * density.smooth(node) / (at.from_right - d);
+    return density.without_power(Side::right, panel.node_from_right(d)) / (at.from_right - d);
   });
   return sum;
 }

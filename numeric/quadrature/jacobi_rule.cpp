@@ -43,8 +43,8 @@ class Polynomials {
     Eigen::VectorXd beside(n - 1);
     for (std::size_t k = 0; k < g_.size(); ++k) {
       const auto row = static_cast<Eigen::Index>(k);
-      diagonal[row] = static_cast<double>(R((1 + h_[k]) / g_[k]));
-      if (k > 0) beside[row - 1] = std::sqrt(static_cast<double>(R(h_[k] / (g_[k] * g_[k - 1]))));
+      diagonal[row] = static_cast<double>((1 + h_[k]) / g_[k]);
+      if (k > 0) beside[row - 1] = std::sqrt(static_cast<double>(h_[k] / (g_[k] * g_[k - 1])));
     }
     if (n == 1) return diagonal;
     Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
@@ -71,7 +71,7 @@ class Polynomials {
       const R change = -newton / (1 - newton * p2 / (2 * p1));
       // Relative to y and to the distance between zeros.
       const double relative =
-          static_cast<double>(R(abs(change) / y)) * (1 + n * std::sqrt(static_cast<double>(R(y / (1 - y)))));
+          static_cast<double>(abs(change) / y) * (1 + n * std::sqrt(static_cast<double>(y / (1 - y))));
       y += change;
       if (y <= 0 || y >= 1) break;
       if (relative * relative * relative < static_cast<double>(epsilon<R>()) / 16)
@@ -142,7 +142,7 @@ JacobiRule<R> jacobi_rule(const Power<R>& left, const Power<R>& right, int n) {
     const R other = 1 - root.distance;
     rule.from_left.push_back(left_is_near ? root.distance : other);
     rule.from_right.push_back(left_is_near ? other : root.distance);
-    const R slope = left_is_near ? root.slope : R(root.slope / ratio);
+    const R slope = left_is_near ? root.slope : root.slope / ratio;
     rule.weights.push_back(1 / (root.distance * other * slope * slope));
     if (i > 0 && !(rule.from_left[static_cast<std::size_t>(i) - 1] < rule.from_left.back() ||
                    rule.from_right[static_cast<std::size_t>(i) - 1] > rule.from_right.back()))

@@ -33,7 +33,7 @@ Estimate<R> unit_integral(const std::function<R(const R&)>& f) {
     return {std::numeric_limits<R>::quiet_NaN(), infinity<R>(), Convergence::stalled};
   }
   const bool reached = error <= sufficient * l1;
-  return {value, reached ? R(16 * epsilon<R>() * l1) : error, reached ? Convergence::reached : Convergence::stalled};
+  return {value, reached ? 16 * epsilon<R>() * l1 : error, reached ? Convergence::reached : Convergence::stalled};
 }
 
 /// int_0^h d^lambda g(d) dd.
@@ -41,28 +41,23 @@ template <Real R, class G>
 Estimate<R> power_integral(const R& h, const Power<R>& power, const G& g) {
   using std::pow;
   if (power.value == 0) {
-    return h * unit_integral<R>([&](const R& v) { return g(R(h * v)); });
+    return h * unit_integral<R>([&](const R& v) { return g(h * v); });
   }
   const R inverse = 1 / power.plus_one;
   const R factor = pow(h, power.plus_one) * inverse;
-  return factor * unit_integral<R>([&](const R& v) { return g(R(h * pow(v, inverse))); });
+  return factor * unit_integral<R>([&](const R& v) { return g(h * pow(v, inverse)); });
 }
 
 /// int t(x') kernel(node') dx' over the parts [left, left + h_left] and [right - h_right, right] of a panel.
 template <Real R, class Kernel>
 Estimate<R> outer_integral(const PanelDensity<R>& density, const R& h_left, const R& h_right, const Kernel& kernel) {
-  using std::pow;
-  const Panel<R>& panel = density.panel;
-  Estimate<R> sum = power_integral<R>(h_left, density.left, [&](const R& d) {
-    const Node<R> node = panel.node_from_left(d);
-    const R other = density.right.value == 0 ? R(1) : R(pow(node.from_right, density.right.value));
-    return R(other * density.smooth(node) * kernel(node));
-  });
-  sum += power_integral<R>(h_right, density.right, [&](const R& d) {
-    const Node<R> node = panel.node_from_right(d);
-    const R other = density.left.value == 0 ? R(1) : R(pow(node.from_left, density.left.value));
-    return R(other * density.smooth(node) * kernel(node));
-  });
+  Estimate<R> sum;
+  for (const Side end : {Side::left, Side::right}) {
+    sum += power_integral<R>(end == Side::left ? h_left : h_right, density.power(end), [&](const R& d) {
+      const Node<R> node = density.panel.node_from(end, d);
+      return density.without_power(end, node) * kernel(node);
+    });
+  }
   return sum;
 }
 
@@ -81,18 +76,14 @@ Estimate<R> own_panel(const PanelDensity<R>& density, const Node<R>& at) {
   // x' - x from the distances to the end that is nearer to x: both are known exactly there.
   const bool left_is_near = at.from_left < at.from_right;
   Estimate<R> sum = outer_integral<R>(density, h_left, h_right, [&](const Node<R>& node) {
-    return R(1 / (left_is_near ? R(node.from_left - at.from_left) : R(at.from_right - node.from_right)));
+    return 1 / (left_is_near ? node.from_left - at.from_left : at.from_right - node.from_right);
   });
   const R t = density(at);
   const Power<R> none{R(0), R(1)};
-  sum += power_integral<R>(h_right, none, [&](const R& y) {
-    if (y == 0) return R(0);
-    return R((density({at.x + y, at.from_left + y, at.from_right - y}) - t) / y);
-  });
-  sum += power_integral<R>(h_left, none, [&](const R& y) {
-    if (y == 0) return R(0);
-    return R((t - density({at.x - y, at.from_left - y, at.from_right + y})) / y);
-  });
+  for (const int away : {1, -1}) {
+    sum += power_integral<R>(away > 0 ? h_right : h_left, none,
+                             [&](const R& y) { return y == 0 ? R(0) : away * (density(at.moved(away * y)) - t) / y; });
+  }
   sum.value += t * log(at.from_right / at.from_left);
   return sum;
 }
@@ -119,7 +110,7 @@ Estimate<R> hilbert(const PiecewiseDensity<R>& density, const PanelPoint<R>& at)
     const bool to_the_right = j > at.panel;
     const R between = (to_the_right ? at.node.from_right : at.node.from_left) + distance_between(density, j, at.panel);
     sum += whole_integral<R>(density[j], [&](const Node<R>& node) {
-      return to_the_right ? R(1 / (between + node.from_left)) : R(-1 / (between + node.from_right));
+      return to_the_right ? 1 / (between + node.from_left) : -1 / (between + node.from_right);
     });
   }
   return sum / pi<R>();
@@ -133,7 +124,7 @@ Estimate<R> cauchy(const PiecewiseDensity<R>& density, Side side, const R& dista
     R between = distance;
     if (j != nearest) between += density[nearest].panel.length + distance_between(density, nearest, j);
     sum += whole_integral<R>(density[j], [&](const Node<R>& node) {
-      return side == Side::left ? R(1 / (between + node.from_left)) : R(-1 / (between + node.from_right));
+      return side == Side::left ? 1 / (between + node.from_left) : -1 / (between + node.from_right);
     });
   }
   return sum / pi<R>();

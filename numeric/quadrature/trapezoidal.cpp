@@ -2,10 +2,100 @@
 
 #include <cstdlib>
 
-#include "numeric/quadrature/trapezoidal_nodes.hpp"
-
 namespace steadyslide::numeric::trapezoidal {
 namespace {
+
+// The nodes in tau, x = tanh(tau/2), and the end powers at them: from_left = length/(1+e^-tau), from_right = from_left
+// e^-tau, and log(from_left/from_right) = tau.
+
+/// -log(epsilon): the accuracy to be reached, as an exponent.
+template <Real R>
+R accuracy() {
+  using std::log;
+  return -log(epsilon<R>());
+}
+
+/// Principal values may be taken as near as e^-margin of a panel to its ends.
+template <Real R>
+R margin() {
+  return 20;
+}
+
+/// What every panel's nodes at +-tau, tau >= 0, are made of.
+template <Real R>
+struct UnitNode {
+  R exponential;  ///< e^-tau
+  R sum;          ///< 1 + e^-tau
+  R logarithm;    ///< log(1 + e^-tau)
+
+  static UnitNode at(const R& tau) {
+    using std::exp, std::log;
+    const R e = exp(-tau);
+    return {e, R(1 + e), log(R(1 + e))};
+  }
+};
+
+/// A step of few bits makes every k h exact: nodes that jitter by a rounding would be the largest error of all.
+template <Real R>
+R step_length() {
+  using std::floor;
+  // The integrand is analytic for |Im tau| < pi, with branch points on the border: a little more than the accuracy.
+  return floor(1024 * 2 * pi<R>() * pi<R>() / (accuracy<R>() + 12)) / 1024;
+}
+
+/// At 0, h, 2h, ...: the same for all grids, and logarithms are what costs most in them.
+template <Real R>
+const std::vector<UnitNode<R>>& unit_nodes() {
+  static const std::vector<UnitNode<R>> nodes = [] {
+    std::vector<UnitNode<R>> result;
+    const R last = accuracy<R>() + 2 * margin<R>();
+    for (R tau = 0; tau < last; tau += step_length<R>()) result.push_back(UnitNode<R>::at(tau));
+    return result;
+  }();
+  return nodes;
+}
+
+template <Real R>
+Node<R> node_at(const Panel<R>& panel, const UnitNode<R>& unit, bool right_half) {
+  // Both distances from the smaller exponential: neither overflows, neither cancels.
+  const R far = panel.length / unit.sum;
+  const R near = far * unit.exponential;
+  return right_half ? Node<R>{panel.right - near, far, near} : Node<R>{panel.left + near, near, far};
+}
+
+template <Real R>
+Node<R> node_at(const Panel<R>& panel, const R& tau) {
+  using std::abs;
+  return node_at(panel, UnitNode<R>::at(abs(tau)), tau > 0);
+}
+
+/// from_left^(1+lambda) from_right^(1+mu), lambda and mu the density's end powers. In higher precision it is one
+/// exponential. Its argument costs digits where it is large, but then it is negative: the factor is as small as they
+/// are few, and the sums do not feel it.
+template <Real R>
+class EndPowers {
+ public:
+  explicit EndPowers(const PanelDensity<R>& density) : left_(density.left.plus_one), right_(density.right.plus_one) {
+    using std::log;
+    if constexpr (!std::same_as<R, double>) log_length_ = log(density.panel.length);
+  }
+
+  R at(const Node<R>& node, const UnitNode<R>& unit, const R& tau) const {
+    using std::exp, std::pow;
+    if (left_ == 1 && right_ == 1) return node.from_left * node.from_right;
+    if constexpr (std::same_as<R, double>) {
+      return pow(node.from_left, left_) * pow(node.from_right, right_);
+    } else {
+      // log(from_left/from_right) is tau.
+      return exp((left_ + right_) * (log_length_ - unit.logarithm) + (tau > 0 ? -right_ * tau : left_ * tau));
+    }
+  }
+
+ private:
+  R left_;
+  R right_;
+  R log_length_ = 0;
+};
 
 /// Neumaier's summation: next to a zero of the traction principal values cancel by three digits and more.
 template <Real R>
@@ -14,7 +104,7 @@ class CompensatedSum {
   void add(const R& term) {
     using std::abs;
     const R sum = sum_ + term;
-    compensation_ += abs(sum_) >= abs(term) ? R((sum_ - sum) + term) : R((term - sum) + sum_);
+    compensation_ += abs(sum_) >= abs(term) ? (sum_ - sum) + term : (term - sum) + sum_;
     sum_ = sum;
   }
   R value() const { return sum_ + compensation_; }
@@ -48,10 +138,10 @@ typename Grid<R>::Samples Grid<R>::sample(const PanelDensity<R>& density, const 
   // Beyond this tau the density is its end power to full accuracy, and so is its product with a Cauchy kernel.
   const R constant_beyond = accuracy<R>() + margin<R>() + reach_for_others(density);
   const auto reach = [&](const Power<R>& power) {
-    return R(min(constant_beyond, R((5 + constant_beyond) / power.plus_one)));
+    return min(constant_beyond, (5 + constant_beyond) / power.plus_one);
   };
-  const auto lowest = static_cast<long>(ceil(R((-reach(density.left) - offset) / step_)));
-  const auto highest = static_cast<long>(ceil(R((reach(density.right) - offset) / step_)));
+  const auto lowest = static_cast<long>(ceil((-reach(density.left) - offset) / step_));
+  const auto highest = static_cast<long>(ceil((reach(density.right) - offset) / step_));
 
   Samples samples;
   samples.inner.reserve(static_cast<std::size_t>(highest - lowest + 1));
@@ -64,12 +154,12 @@ typename Grid<R>::Samples Grid<R>::sample(const PanelDensity<R>& density, const 
     const auto index = static_cast<std::size_t>(std::labs(k));
     const UnitNode<R> unit = offset == 0 && index < units.size() ? units[index] : UnitNode<R>::at(abs(tau));
     const Node<R> node = node_at(panel, unit, tau > 0);
-    samples.inner.push_back({node, R(factor * density.smooth(node) * powers.at(node, unit, tau))});
+    samples.inner.push_back({node, factor * density.smooth(node) * powers.at(node, unit, tau)});
   }
   const auto tail = [&](const R& last, const Power<R>& power) {
     using std::expm1;
     // q + q^2 + ... with q = exp(-h (1 + lambda)).
-    return R(last / expm1(R(step_ * power.plus_one)));
+    return last / expm1(step_ * power.plus_one);
   };
   samples.left_tail = tail(samples.inner.front().weighted, density.left);
   samples.right_tail = tail(samples.inner.back().weighted, density.right);
@@ -102,7 +192,7 @@ template <Real R>
 R Grid<R>::moment(const R& origin) const {
   R total = 0;
   for (std::size_t k = 0; k < density_.size(); ++k) {
-    total += sum(density_[k].panel, samples_[k], [&](const Node<R>& node) { return R(node.x - origin); });
+    total += sum(density_[k].panel, samples_[k], [&](const Node<R>& node) { return node.x - origin; });
   }
   return total;
 }
@@ -111,8 +201,8 @@ template <Real R>
 PanelPoint<R> Grid<R>::midpoint_near(std::size_t k, const R& fraction) const {
   using std::floor, std::log;
   const R tau = log(fraction / (1 - fraction));
-  const R cell = floor(R(tau / step_));
-  return {k, node_at(density_[k].panel, R((cell + R(0.5)) * step_))};
+  const R cell = floor(tau / step_);
+  return {k, node_at(density_[k].panel, (cell + R(0.5)) * step_)};
 }
 
 template <Real R>
@@ -122,21 +212,21 @@ R Grid<R>::hilbert(const PanelPoint<R>& at) const {
   const Node<R>& x = at.node;
   const R tau = log(x.from_left / x.from_right);
   const R cells = tau / step_ - R(0.5);
-  const R off_grid = cells - floor(R(cells + R(0.5)));
+  const R off_grid = cells - floor(cells + R(0.5));
   const bool left_is_near = x.from_left < x.from_right;
   const auto cauchy_kernel = [&](const Node<R>& node) {
-    return R(1 / (left_is_near ? R(node.from_left - x.from_left) : R(x.from_right - node.from_right)));
+    return 1 / (left_is_near ? node.from_left - x.from_left : x.from_right - node.from_right);
   };
   // Off the staggered position by delta the principal value is off by pi^2 t delta/h: only rounding may be let pass.
   const bool on_grid = abs(off_grid) < 8 * epsilon<R>() * (4 + abs(cells));
   R total = on_grid ? sum(own.panel, samples_[at.panel], cauchy_kernel)
-                    : sum(own.panel, sample(own, R(tau + step_ / 2)), cauchy_kernel);
+                    : sum(own.panel, sample(own, tau + step_ / 2), cauchy_kernel);
   for (std::size_t j = 0; j < density_.size(); ++j) {
     if (j == at.panel) continue;
     const bool to_the_right = j > at.panel;
     const R between = (to_the_right ? x.from_right : x.from_left) + distance_between(density_, j, at.panel);
     total += sum(density_[j].panel, samples_[j], [&](const Node<R>& node) {
-      return to_the_right ? R(1 / (between + node.from_left)) : R(-1 / (between + node.from_right));
+      return to_the_right ? 1 / (between + node.from_left) : -1 / (between + node.from_right);
     });
   }
   return total / pi<R>();
@@ -150,7 +240,7 @@ R Grid<R>::cauchy(Side side, const R& distance) const {
     R between = distance;
     if (j != nearest) between += density_[nearest].panel.length + distance_between(density_, nearest, j);
     total += sum(density_[j].panel, samples_[j], [&](const Node<R>& node) {
-      return side == Side::left ? R(1 / (between + node.from_left)) : R(-1 / (between + node.from_right));
+      return side == Side::left ? 1 / (between + node.from_left) : -1 / (between + node.from_right);
     });
   }
   return total / pi<R>();
@@ -164,21 +254,21 @@ R Grid<R>::displacement(std::size_t k, Side end, const R& distance) const {
   CompensatedSum<R> total;
   // On the own panel the logarithm grows by h from term to term of the tail: an arithmetic-geometric series.
   const Samples& samples = samples_[k];
-  for (const Sample& s : samples.inner) total.add(s.weighted * log1p(R(distance / from_end(s.node))));
+  for (const Sample& s : samples.inner) total.add(s.weighted * log1p(distance / from_end(s.node)));
   const R& near_tail = end == Side::right ? samples.right_tail : samples.left_tail;
   const R& far_tail = end == Side::right ? samples.left_tail : samples.right_tail;
   const Power<R>& power = end == Side::right ? own.right : own.left;
   const Node<R>& last = end == Side::right ? samples.inner.back().node : samples.inner.front().node;
-  total.add(near_tail * (log1p(R(distance / from_end(last))) - step_ / expm1(R(-step_ * power.plus_one))));
-  total.add(far_tail * log1p(R(distance / own.panel.length)));
+  total.add(near_tail * (log1p(distance / from_end(last)) - step_ / expm1(-step_ * power.plus_one)));
+  total.add(far_tail * log1p(distance / own.panel.length));
   for (std::size_t j = 0; j < density_.size(); ++j) {
     if (j == k) continue;
     const R between = distance_between(density_, j, k);
     const bool same_side = (j < k) == (end == Side::right);
     total.add(sum(density_[j].panel, samples_[j], [&](const Node<R>& node) {
       // On the side of the point, |x - x'| is what is left of |e - x'|.
-      return same_side ? R(log1p(R(distance / (own.panel.length + between + from_end(node)))))
-                       : R(log1p(R(-distance / (between + (end == Side::right ? node.from_left : node.from_right)))));
+      return same_side ? log1p(distance / (own.panel.length + between + from_end(node)))
+                       : log1p(-distance / (between + (end == Side::right ? node.from_left : node.from_right)));
     }));
   }
   return -total.value() / pi<R>();

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/riemann_hilbert/local_signs.hpp"
@@ -15,23 +16,18 @@ namespace {
 constexpr std::array<int, 8> near_end{1, 1000, 300'000, 3'000'000, 20'000'000, 70'000'000, 150'000'000, 250'000'000};
 
 template <Real R>
-std::vector<SurfacePoint<R>> places(const ContactSet<R>& set, std::size_t segment, int between) {
+std::vector<SurfacePoint<R>> places(const ContactSet<R>& set, std::size_t segment) {
+  constexpr int between = 5;
   const R& length = set.length(segment);
   std::vector<SurfacePoint<R>> result;
-  const auto add = [&](const R& from_left, const R& from_right) {
-    result.push_back(surface_point(set, segment, from_left, from_right));
+  const auto add = [&](const R& from_left) {
+    result.push_back(surface_point(set, segment, from_left, length - from_left));
   };
-  for (const int part : near_end) {
-    const R d = length * R(part) / 1'000'000'000;
-    add(d, R(length - d));
-  }
-  for (int i = 0; i < between; ++i) {
-    const R d = length * (R(0.35) + R(0.3) * i / std::max(between - 1, 1));
-    add(d, R(length - d));
-  }
+  for (const int part : near_end) add(length * R(part) / 1'000'000'000);
+  for (int i = 0; i < between; ++i) add(length * (R(0.35) + R(0.3) * i / (between - 1)));
   for (std::size_t i = near_end.size(); i-- > 0;) {
     const R d = length * R(near_end[i]) / 1'000'000'000;
-    add(R(length - d), d);
+    result.push_back(surface_point(set, segment, length - d, d));
   }
   return result;
 }
@@ -43,16 +39,8 @@ class Inspection {
       : form_(form), set_(form.set()), end_error_(end_error) {}
 
   std::vector<Violation<R>> run() {
-    std::size_t j = 0;
-    while (j < set_.segments()) {
-      std::size_t end = j + 1;
-      while (end < set_.segments() && set_.in_contact(end) == set_.in_contact(j)) ++end;
-      if (set_.in_contact(j)) {
-        inspect_contact(j, end);
-      } else {
-        inspect_gap(j, end);
-      }
-      j = end;
+    for (const auto& [first, end] : set_.runs()) {
+      set_.in_contact(first) ? inspect_contact(first, end) : inspect_gap(first, end);
     }
     return std::move(found_);
   }
@@ -92,7 +80,7 @@ class Inspection {
   /// likes where contact is about to part.
   std::optional<Value> peak_beside(Value left, Value middle, Value right) const {
     const std::size_t k = static_cast<std::size_t>(middle.at.segment);
-    const auto height = [&](const Value& v) { return R(form_.sign(v.at.segment) * v.b.value); };
+    const auto height = [&](const Value& v) { return form_.sign(v.at.segment) * v.b.value; };
     for (int i = 0; i < 8; ++i) {
       const R top = height(middle);
       if (top > 4 * middle.b.error) return i > 0 ? std::optional<Value>(middle) : std::nullopt;
@@ -143,7 +131,7 @@ class Inspection {
     for (std::size_t k = first; k < end; ++k) {
       decide(k);
       std::vector<Value> values;
-      for (const SurfacePoint<R>& at : places(set_, k, 5))
+      for (const SurfacePoint<R>& at : places(set_, k))
         values.push_back({at, form_.regular_factor(form_.slope_at(k), at)});
       for (std::size_t i = 0; i < values.size(); ++i) {
         const bool between = 0 < i && i + 1 < values.size();
@@ -163,21 +151,16 @@ class Inspection {
     const bool contact_right = end < set_.segments();
     if (!contact_left && !contact_right) return;
     std::vector<SurfacePoint<R>> all;
-    bool steps = false;
+    bool steps = set_.is_at_step(end);
     for (std::size_t k = first; k < end; ++k) {
-      std::vector<SurfacePoint<R>> more = places(set_, k, 5);
-      const std::vector<SurfacePoint<R>> extremes = form_.profile_extrema(k);
-      more.insert(more.end(), extremes.begin(), extremes.end());
-      if (!extremes.empty()) {
-        std::sort(more.begin(), more.end(), [](const SurfacePoint<R>& a, const SurfacePoint<R>& b) {
-          return a.node.from_left != b.node.from_left ? a.node.from_left < b.node.from_left
-                                                      : a.node.from_right > b.node.from_right;
-        });
-      }
+      steps = steps || set_.is_at_step(k);
+      std::vector<SurfacePoint<R>> more = places(set_, k);
+      const std::vector<SurfacePoint<R>> extrema = form_.profile_extrema(k);
+      more.insert(more.end(), extrema.begin(), extrema.end());
+      std::ranges::stable_sort(more, [](const SurfacePoint<R>& a, const SurfacePoint<R>& b) {
+        return std::tie(a.node.from_left, b.node.from_right) < std::tie(b.node.from_left, a.node.from_right);
+      });
       all.insert(all.end(), more.begin(), more.end());
-    }
-    for (std::size_t j = first; j <= end; ++j) {
-      if (set_.point(j).anchor && form_.problem().anchors()[*set_.point(j).anchor].step_sign != 0) steps = true;
     }
     // A gap that opens, and at its other end closes, is positive in between: no need to integrate.
     if (!steps) {

@@ -32,9 +32,9 @@ class Linearisation {
  public:
   explicit Linearisation(const RiemannHilbertForm<R>& form)
       : form_(form),
-        S_(form.degree_at_infinity()),
+        degree_(form.degree_at_infinity()),
         free_(form.set().movable()),
-        coefficients_(static_cast<std::size_t>(std::max(-S_ - 1, 0))),
+        coefficients_(static_cast<std::size_t>(std::max(-degree_ - 1, 0))),
         tilts_(form.problem().load_at().has_value()),
         size_(static_cast<Eigen::Index>(free_.size() + coefficients_ + (tilts_ ? 1 : 0))),
         matrix_(Matrix<R>::Zero(size_, size_)),
@@ -50,11 +50,7 @@ class Linearisation {
     if (size_ == 0) return true;
     // Rows of very different size: each is scaled to one.
     for (Eigen::Index i = 0; i < size_; ++i) {
-      R largest = 0;
-      for (Eigen::Index j = 0; j < size_; ++j) {
-        using std::abs;
-        largest = std::max(largest, R(abs(matrix_(i, j))));
-      }
+      const R largest = matrix_.row(i).cwiseAbs().maxCoeff();
       if (!(largest > 0)) return false;
       matrix_.row(i) /= largest;
       right_(i) /= largest;
@@ -63,16 +59,15 @@ class Linearisation {
     return true;
   }
 
-  /// The conditions beyond the number of unknowns: ends that have come to lie on a jump fulfil them, or are no
-  /// solution.
+  /// Do the conditions beyond the number of unknowns hold? With an end that stays on a jump there is one more than
+  /// there are ends that move: the end belongs there, or this is no solution.
   bool is_complete() const { return complete_; }
 
   std::vector<R> end_steps() const {
     std::vector<R> steps;
     for (std::size_t f = 0; f < free_.size(); ++f) {
       const std::size_t j = free_[f];
-      const Side inside = form_.set().point(j).kind == ContactSet<R>::Kind::begins ? Side::right : Side::left;
-      const R b = form_.regular_factor_at(j, inside).value;
+      const R b = form_.regular_factor_at(j, form_.set().contact_side(j)).value;
       steps.push_back(solution_(static_cast<Eigen::Index>(f)) / (form_.fundamental_solution().powers()[j].value * b));
     }
     return steps;
@@ -99,18 +94,17 @@ class Linearisation {
   R end(std::size_t f) const { return form_.set().x(free_[f]); }
 
   void add_moments() {
-    if (S_ < 0) return;
-    const auto count = static_cast<std::size_t>(S_ + 1);
+    if (degree_ < 0) return;
+    const auto count = static_cast<std::size_t>(degree_ + 1);
     const std::vector<R> m = form_.moments(count);
     for (std::size_t j = 0; j < count; ++j) {
-      const R missing = (j + 1 == count ? R(form_.problem().load() / pi<R>()) : R(0)) - m[j];
+      const R missing = (j + 1 == count ? form_.problem().load() / pi<R>() : R(0)) - m[j];
       if (row_ >= size_) {
         using std::abs, std::sqrt;
         if (!(abs(missing) <= sqrt(epsilon<R>()) * form_.problem().load())) complete_ = false;
         continue;
       }
       for (std::size_t f = 0; f < free_.size(); ++f) {
-        using std::pow;
         R power = 1;
         for (std::size_t i = 0; i < j; ++i) power *= end(f);
         at(f) = power;
@@ -156,10 +150,10 @@ class Linearisation {
       return;
     }
     const std::vector<R>& d = form_.expansion().series();
-    const auto count = static_cast<std::size_t>(std::max(S_ + 2, 0));
-    const auto series = [&](std::size_t j) { return d[static_cast<std::size_t>(S_ + 1) - j]; };
+    const auto count = static_cast<std::size_t>(std::max(degree_ + 2, 0));
+    const auto series = [&](std::size_t j) { return d[static_cast<std::size_t>(degree_ + 1) - j]; };
     for (std::size_t l = 0; l < coefficients_; ++l) {
-      const int index = S_ + 2 + static_cast<int>(l);
+      const int index = degree_ + 2 + static_cast<int>(l);
       if (index >= 0) at(free_.size() + l) += d[static_cast<std::size_t>(index)];
     }
     for (std::size_t f = 0; f < free_.size(); ++f) {
@@ -176,7 +170,7 @@ class Linearisation {
   }
 
   const RiemannHilbertForm<R>& form_;
-  int S_;
+  int degree_;
   std::vector<std::size_t> free_;
   std::size_t coefficients_;  ///< of r
   bool tilts_;
@@ -223,7 +217,7 @@ class Newton {
 
       free_ = state_.set.movable();
       R largest = 0;
-      for (const R& step : ends) largest = std::max(largest, R(abs(step)));
+      for (const R& step : ends) largest = std::max(largest, abs(step));
       const R hull = state_.set.span_length();
       const R beside_wedges = follow_lengths(ends, hull);
       const auto [part, tightest] = admissible_part(ends);
@@ -237,22 +231,23 @@ class Newton {
       for (std::size_t k = 0; k < q_step.size(); ++k) state_.q[k] += q_step[k];
       state_.tilt += part * tilt_step;
 
-      const R movement = std::max({R(largest / hull), R(relative_change(q_step, state_.q) / part),
-                                   R(abs(tilt_step) / std::max(R(abs(state_.tilt)), R(1)))});
+      const R movement = std::max({largest / hull, relative_change(q_step, state_.q) / part,
+                                   abs(tilt_step) / std::max(abs(state_.tilt), R(1))});
       if (!(movement < infinity<R>())) break;
       const bool settled = movement <= rounding && beside_wedges <= R(1e-7);
       // Rounding may keep the last steps above that: they are small, and no longer shrink.
-      const bool ground = movement < sqrt(epsilon<R>()) && movement >= previous / 2 && beside_wedges <= R(1e-3) &&
-                          (beside_wedges <= R(1e-7) || beside_wedges >= previous_beside / 2);
+      const bool at_rounding_level = movement < sqrt(epsilon<R>()) && movement >= previous / 2 &&
+                                     beside_wedges <= R(1e-3) &&
+                                     (beside_wedges <= R(1e-7) || beside_wedges >= previous_beside / 2);
       // An end that rounding alone drives across an anchor takes part of the step for ever: it is where it belongs.
-      if (settled || (part == 1 && ground)) {
+      if (settled || (part == 1 && at_rounding_level)) {
         if (!linear.is_complete()) break;
-        return {std::move(state_), Status::converged, 0, R(movement * hull)};
+        return {std::move(state_), Status::converged, 0, movement * hull};
       }
       previous = part == 1 ? movement : infinity<R>();
       // Orders of magnitude that swing to and fro want shorter steps.
-      damping_ = beside_wedges > R(0.5) && beside_wedges > previous_beside / 2 ? R(damping_ * 0.7)
-                                                                               : std::min(R(1.5 * damping_), R(1));
+      damping_ = beside_wedges > R(0.5) && beside_wedges > previous_beside / 2 ? damping_ * 0.7
+                                                                               : std::min(1.5 * damping_, R(1));
       previous_beside = beside_wedges;
     }
     return {std::move(state_), Status::stalled};
@@ -261,26 +256,19 @@ class Newton {
  private:
   R limit(std::size_t k) const { return state_.set.is_over_notch(k) ? R(shortest_gap) : limits_[k]; }
 
-  /// The segment in contact at a free end.
-  std::size_t inside(std::size_t j) const {
-    return state_.set.point(j).kind == ContactSet<R>::Kind::begins ? j : j - 1;
-  }
-
   /// Does contact at the free end j reach just beyond a break of the profile? There the length l of that piece counts
   /// by its order of magnitude: it carries a load like l^(1 - p), and p may be near 1.
   bool is_beside_break(std::size_t j, const R& hull) const {
-    const bool begins = state_.set.point(j).kind == ContactSet<R>::Kind::begins;
-    const auto& neighbour = state_.set.point(begins ? j + 1 : j - 1);
-    return neighbour.anchor && problem_.anchors()[*neighbour.anchor].is_break &&
-           state_.set.length(inside(j)) < R(0.05) * hull;
+    const auto* anchor = state_.set.anchor_at(state_.set.neighbour(j));
+    return anchor && anchor->is_break && state_.set.length(state_.set.inside(j)) < R(0.05) * hull;
   }
 
   /// The logarithm of the factor of a gap's length over a notch, for the linear step `growth` of that logarithm: what
   /// is linear is not the logarithm but the traction beside the gap, like length^-beta.
   R notch_step(const R& growth, const R& beta) const {
     using std::log1p;
-    const R part = std::max(R(-beta * growth), R(-0.99));
-    return std::clamp(beta == 0 ? growth : R(-log1p(part) / beta), R(-30), R(6)) * damping_;
+    const R part = std::max(-beta * growth, R(-0.99));
+    return std::clamp(beta == 0 ? growth : -log1p(part) / beta, R(-30), R(6)) * damping_;
   }
 
   /// Steps of such ends, and of gaps over notches, are steps of log l. Returns the largest of them.
@@ -289,20 +277,20 @@ class Newton {
     R largest = 0;
     for (std::size_t f = 0; f < free_.size(); ++f) {
       const std::size_t j = free_[f];
-      const bool begins = state_.set.point(j).kind == ContactSet<R>::Kind::begins;
+      const bool begins = state_.set.contact_side(j) == Side::right;
       const R outwards = begins ? R(-1) : R(1);
       if (const std::size_t outside = begins ? j - 1 : j; state_.set.is_over_notch(outside)) {
         const R& length = state_.set.length(outside);
         const R growth = -outwards * ends[f] / length;
-        largest = std::max(largest, R(abs(growth)));
-        const R& beta = problem_.jump_power(*state_.set.point(begins ? j - 1 : j + 1).anchor).value;
+        largest = std::max(largest, abs(growth));
+        const R& beta = problem_.jump(*state_.set.point(begins ? j - 1 : j + 1).anchor).power.value;
         ends[f] = -outwards * length * expm1(notch_step(growth, beta));
         continue;
       }
       if (!is_beside_break(j, hull)) continue;
-      const R& length = state_.set.length(inside(j));
+      const R& length = state_.set.length(state_.set.inside(j));
       const R growth = outwards * ends[f] / length;
-      largest = std::max(largest, R(abs(growth)));
+      largest = std::max(largest, abs(growth));
       ends[f] = outwards * length * expm1(std::clamp(growth, R(-7), R(3)));
     }
     return largest;
@@ -319,7 +307,7 @@ class Newton {
     const R hull = state_.set.span_length();
     std::vector<char> by_order(state_.set.segments(), 0);
     for (const std::size_t j : free_) {
-      const std::size_t k = inside(j);
+      const std::size_t k = state_.set.inside(j);
       by_order[k] = is_beside_break(j, hull) && state_.set.length(k) >= limits_[k];
     }
     for (std::size_t k = 0; k < change.size(); ++k) {
@@ -342,8 +330,8 @@ class Newton {
     using std::abs;
     R change = 0;
     R size = problem_.load();
-    for (const R& c : step) change = std::max(change, R(abs(c)));
-    for (const R& c : q) size = std::max(size, R(abs(c)));
+    for (const R& c : step) change = std::max(change, abs(c));
+    for (const R& c : q) size = std::max(size, abs(c));
     return change / size;
   }
 

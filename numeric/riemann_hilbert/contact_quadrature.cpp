@@ -16,12 +16,12 @@ void subtract_powers(std::vector<R>& moments, R term, const R& x) {
   }
 }
 
-/// What is left of int_0^1 y^a/(y + d) dy as d -> 0 without its singular term: -pi d^a/sin(pi a), or -log(d length) if
-/// a = 0.
+/// What is left of int_0^1 y^a/(y + d) dy as d -> 0 without its singular term: -pi d^a/sin(pi a); -log(d length) at a =
+/// 0.
 template <Real R>
 R regular_second_kind(const Power<R>& a, const R& length) {
   using std::log;
-  return a.value == 0 ? R(log(length)) : R(1 / a.value);
+  return a.value == 0 ? log(length) : 1 / a.value;
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ ContactQuadrature<R>::ContactQuadrature(const SignedFundamentalSolution<R>& y, J
   if (y.problem().slopes().size() <= 1 && set.components() <= 1) return;
   const auto power_at = [&y](std::size_t j) {
     const R& p = y.power(j).value;
-    return Power<R>{R(-p), R(1 - p)};
+    return Power<R>{-p, 1 - p};
   };
   for (std::size_t segment = 0; segment < set.segments(); ++segment) {
     first_panel_.push_back(panels_.size());
@@ -60,7 +60,7 @@ const std::vector<R>& ContactQuadrature<R>::density(std::size_t slope) const {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));
     const R& x = nodes_[i].node.x;
-    result.push_back(own == slope ? R(0) : R(node_weights_[i] * (problem.slope(own, x) - problem.slope(slope, x))));
+    result.push_back(own == slope ? R(0) : node_weights_[i] * (problem.slope(own, x) - problem.slope(slope, x)));
   }
   return result;
 }
@@ -89,8 +89,7 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
     const auto facing = static_cast<std::size_t>(panel_is_right ? part.segment : part.segment + 1);
     const R& p = y_->power(facing).value;
     // At the end itself d^-p/|Y| is known by its limit.
-    R phi =
-        gap == 0 ? R(1 / (y_->fundamental_solution().amplitude(facing) * pow(part.length, p))) : R(1 / y_->modulus(at));
+    R phi = gap == 0 ? 1 / (y_->fundamental_solution().amplitude(facing) * pow(part.length, p)) : 1 / y_->modulus(at);
     if (gap > 0 && p != 0) phi *= pow(d, p);
     const ReducedProblem<R>& problem = y_->problem();
     phi *= y_->traction_factor(part.segment) *
@@ -107,7 +106,7 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
     sum += rest;
     size += abs(rest);
   }
-  return {panel_is_right ? sum : R(-sum), size};
+  return {panel_is_right ? sum : -sum, size};
 }
 
 template <Real R>
@@ -143,7 +142,7 @@ std::vector<R> ContactQuadrature<R>::moments(const R& tilt, std::size_t count) c
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const R& x = nodes_[i].node.x;
     const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));
-    subtract_powers(result, R(node_weights_[i] * (y_->problem().slope(own, x) + tilt) / pi<R>()), x);
+    subtract_powers(result, node_weights_[i] * (y_->problem().slope(own, x) + tilt) / pi<R>(), x);
   }
   return result;
 }
@@ -151,7 +150,7 @@ std::vector<R> ContactQuadrature<R>::moments(const R& tilt, std::size_t count) c
 template <Real R>
 void ContactQuadrature<R>::add_difference_moments(std::size_t slope, std::vector<R>& moments) const {
   const std::vector<R>& f = density(slope);
-  for (std::size_t i = 0; i < f.size(); ++i) subtract_powers(moments, R(f[i] / pi<R>()), nodes_[i].node.x);
+  for (std::size_t i = 0; i < f.size(); ++i) subtract_powers(moments, f[i] / pi<R>(), nodes_[i].node.x);
 }
 
 template class ContactQuadrature<double>;

@@ -36,7 +36,7 @@ class Search {
           if (found.empty()) return result({}, newton.step);
           why = in_words(form, found, newton.step);
           before_gap_.reset();
-          if (std::any_of(found.begin(), found.end(), [](const Violation<R>& v) { return v.anchor.has_value(); })) {
+          if (std::ranges::any_of(found, [](const Violation<R>& v) { return v.anchor.has_value(); })) {
             before_gap_ = result(why, newton.step);
           }
           if (round + 1 == max_rounds || !repair(found)) return failure(why, newton.step);
@@ -49,11 +49,10 @@ class Search {
 
  private:
   using Set = ContactSet<R>;
-  using Kind = typename Set::Kind;
   using What = typename Violation<R>::What;
 
   SearchResult<R> result(std::string shortcoming, const R& step) const {
-    return {state_, std::max(step, R(epsilon<R>() * state_.set.span_length())), std::move(shortcoming)};
+    return {state_, std::max(step, epsilon<R>() * state_.set.span_length()), std::move(shortcoming)};
   }
 
   /// Where a gap over a notch has not been found, contact there is the best state: what is wrong with it has a name.
@@ -90,9 +89,9 @@ class Search {
       if (cannot_vanish(k)) result[k] = 0;
       for (const std::size_t j : {k, k + 1}) {
         if (!set.point(j).anchor) continue;
-        const auto found = crossings_.find(*set.point(j).anchor);
-        if (found == crossings_.end()) continue;
-        result[k] = std::min(result[k], R(hull * pow(R(1e-3), found->second + 1)));
+        if (const auto found = crossings_.find(*set.point(j).anchor); found != crossings_.end()) {
+          result[k] = std::min(result[k], hull * pow(R(1e-3), found->second + 1));
+        }
       }
     }
     return result;
@@ -102,15 +101,11 @@ class Search {
   bool cannot_vanish(std::size_t k) const {
     const Set& set = state_.set;
     if (set.in_contact(k)) return false;
-    for (const std::size_t j : {k, k + 1}) {
-      if (set.point(j).anchor && problem_.anchors()[*set.point(j).anchor].step_sign != 0) {
-        const std::size_t other = j == k ? k + 1 : k;
-        const bool end_of_ours = set.point(other).is_free() && !set.point(other).anchor;
-        const End end = other == k ? End::right : End::left;
-        if (end_of_ours && !problem_.edge_possible(end, *set.point(j).anchor)) return true;
-      }
-    }
-    return false;
+    const auto stays = [&](std::size_t step, std::size_t end) {
+      return set.is_at_step(step) && set.point(end).is_movable() &&
+             !problem_.edge_possible(end == k ? End::right : End::left, *set.point(step).anchor);
+    };
+    return stays(k, k + 1) || stays(k + 1, k);
   }
 
   /// False, and nothing changes, if the set makes no sense: two changes at once got into each other's way.
@@ -124,33 +119,24 @@ class Search {
     Set set = state_.set;
     const auto left = set.point(k);
     const auto right = set.point(k + 1);
-    const bool left_moves = left.is_free() && !left.anchor;
+    const bool left_moves = left.is_movable();
+    const std::size_t j = left_moves ? k : k + 1;
+    const Side towards = left_moves ? Side::right : Side::left;
     if (set.is_over_notch(k)) {
       const std::size_t begin = left_moves ? k : k - 1;
       // Both halves as short as can be: there is no gap, or a shorter one, which is not to be found.
-      if (std::max(set.length(begin), set.length(begin + 1)) > R(1e6) * shortest_gap) {
-        return cross(left_moves ? k : k + 1, left_moves ? Side::right : Side::left);
-      }
+      if (std::max(set.length(begin), set.length(begin + 1)) > R(1e6) * shortest_gap) return cross(j, towards);
       vanished_.insert(*set.point(begin + 1).anchor);
       set.remove_interval(begin);
       return renew(std::move(set));
     }
-    if (set.in_contact(k)) {
-      if (left.is_end() && right.is_end()) {
-        if (set.components() == 1) return false;
-        set.remove_interval(k);
-        return renew(std::move(set));
-      }
-      return cross(left_moves ? k : k + 1, left_moves ? Side::right : Side::left);
-    }
     if (left.is_end() && right.is_end()) {
-      if (!left.is_free() || !right.is_free() || left.anchor || right.anchor) return false;
-      ++closings_;
+      if (set.in_contact(k) ? set.components() == 1 : !left_moves || !right.is_movable()) return false;
+      if (!set.in_contact(k)) ++closings_;
       set.remove_interval(k);
       return renew(std::move(set));
     }
-    const std::size_t j = left_moves ? k : k + 1;
-    const Side towards = left_moves ? Side::right : Side::left;
+    if (set.in_contact(k)) return cross(j, towards);
     const std::size_t anchor = *(left_moves ? right : left).anchor;
     const bool is_support_end = anchor == 0 || anchor + 1 == problem_.anchors().size();
     if (!is_support_end && problem_.anchors()[anchor].step_sign == 0) return cross(j, towards);
@@ -163,10 +149,10 @@ class Search {
 
   bool cross(std::size_t j, Side towards) {
     Set set = state_.set;
-    const std::size_t neighbour = towards == Side::left ? j - 1 : j + 1;
-    if (!set.point(neighbour).anchor || set.point(neighbour).is_end()) return false;
+    const auto& neighbour = set.point(towards == Side::left ? j - 1 : j + 1);
+    if (!neighbour.anchor || neighbour.is_end()) return false;
+    ++crossings_[*neighbour.anchor];
     const R distance = set.length(towards == Side::left ? j - 1 : j);
-    ++crossings_[*set.point(neighbour).anchor];
     set.cross_anchor(j, towards, distance);
     if (!set.is_consistent()) return false;
     state_.set = std::move(set);
@@ -178,15 +164,13 @@ class Search {
   void snap() {
     const R rounding = 4 * epsilon<R>() * state_.set.span_length();
     for (const std::size_t j : state_.set.movable()) {
-      const auto& point = state_.set.point(j);
-      const bool begins = point.kind == Kind::begins;
-      const std::size_t inside = begins ? j : j - 1;
-      const std::size_t neighbour = begins ? j + 1 : j - 1;
-      if (state_.set.length(inside) > rounding || !state_.set.point(neighbour).anchor ||
-          state_.set.point(neighbour).is_end() || problem_.anchors()[*state_.set.point(neighbour).anchor].is_break) {
+      const std::size_t neighbour = state_.set.neighbour(j);
+      const auto* anchor = state_.set.anchor_at(neighbour);
+      if (state_.set.length(state_.set.inside(j)) > rounding || !anchor || anchor->is_break ||
+          state_.set.point(neighbour).is_end()) {
         continue;
       }
-      state_.set.attach_to_anchor(j, begins ? Side::right : Side::left, true);
+      state_.set.attach_to_anchor(j, state_.set.contact_side(j), true);
       return snap();
     }
   }
@@ -224,10 +208,9 @@ class Search {
     const SegmentPlace to = place(v.to);
     // Contact takes less than what penetrates: the middle.
     const bool together = from.segment == to.segment;
-    const SegmentPlace first_end =
-        together ? to : SegmentPlace{from.segment, R(from.from_left + from.from_right), R(0)};
-    const SegmentPlace last_end = together ? from : SegmentPlace{to.segment, R(0), R(to.from_left + to.from_right)};
-    const R part = together ? R(0.25) : R(0.5);
+    const SegmentPlace first_end = together ? to : SegmentPlace{from.segment, from.from_left + from.from_right, R(0)};
+    const SegmentPlace last_end = together ? from : SegmentPlace{to.segment, R(0), to.from_left + to.from_right};
+    const R part = together ? 0.25 : 0.5;
     set.open(between(from, first_end, part), between(to, last_end, part));
   }
 
@@ -240,7 +223,7 @@ class Search {
     const R& left = set.length(j - 1);
     const R& right = set.length(j);
     if (set.point(j).is_end() || !(reach < R(1e-6) * std::min(left, right))) return false;
-    set.open({j - 1, R(left - reach), reach}, {j, reach, R(right - reach)});
+    set.open({j - 1, left - reach, reach}, {j, reach, right - reach});
     return true;
   }
 
@@ -257,9 +240,9 @@ class Search {
     }
     // An end with tension beside it goes to where the tension stops.
     if (at_left) {
-      set.move_end(from.segment, to.segment, std::min(to.from_left, R(set.length(to.segment) * R(0.9))));
+      set.move_end(from.segment, to.segment, std::min(to.from_left, set.length(to.segment) * R(0.9)));
     } else if (at_right) {
-      set.move_end(to.segment + 1, from.segment, std::max(from.from_left, R(set.length(from.segment) * R(0.1))));
+      set.move_end(to.segment + 1, from.segment, std::max(from.from_left, set.length(from.segment) * R(0.1)));
     } else {
       set.open(from, to);
     }

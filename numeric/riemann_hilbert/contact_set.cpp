@@ -8,7 +8,7 @@ template <Real R>
 ContactSet<R>::ContactSet(const ReducedProblem<R>& problem) : problem_(&problem) {
   const std::size_t count = problem.anchors().size();
   for (std::size_t k = 0; k < count; ++k) {
-    points_.push_back({k, Kind::passed, false});
+    points_.push_back({k, Kind::interior, false});
     x_.push_back(problem.anchors()[k].x);
     if (k + 1 < count) lengths_.push_back(problem.spacing(k));
   }
@@ -45,13 +45,13 @@ ContactSet<R>::ContactSet(const ReducedProblem<R>& problem, const std::vector<Co
       --k;
       from_left = lengths_[k];
     }
-    const R margin = std::min(R(0.02 * width), R(lengths_[k] / 8));
+    const R margin = std::min(R(0.02 * width), lengths_[k] / 8);
     const bool moved = from_left < margin || from_left > lengths_[k] - margin;
-    from_left = std::clamp(from_left, margin, R(lengths_[k] - margin));
+    from_left = std::clamp(from_left, margin, lengths_[k] - margin);
     if (moved) {
       insert(k, from_left, {std::nullopt, kind, true});
     } else {
-      insert(k, from_left, R(x_[k + 1] - place), place, {std::nullopt, kind, true});
+      insert(k, from_left, x_[k + 1] - place, place, {std::nullopt, kind, true});
     }
     last = k + 1;
     refresh();
@@ -105,7 +105,7 @@ void ContactSet<R>::place_points() {
   std::vector<R> from_right(count, infinity<R>());
   for (std::size_t j = 0; j < count; ++j) {
     if (points_[j].anchor) {
-      x_[j] = problem_->anchors()[*points_[j].anchor].x;
+      x_[j] = anchor_at(j)->x;
       from_left[j] = from_right[j] = 0;
     } else if (lengths_[j - 1] <= longest_local) {
       from_left[j] = from_left[j - 1] + lengths_[j - 1];
@@ -145,8 +145,13 @@ std::size_t ContactSet<R>::point_of(std::size_t anchor) const {
 }
 
 template <Real R>
-std::size_t ContactSet<R>::components() const {
-  return all(Kind::begins).size();
+std::vector<std::pair<std::size_t, std::size_t>> ContactSet<R>::runs() const {
+  std::vector<std::pair<std::size_t, std::size_t>> result;
+  for (std::size_t k = 0; k < segments(); ++k) {
+    if (k == 0 || contact_[k] != contact_[k - 1]) result.emplace_back(k, k);
+    result.back().second = k + 1;
+  }
+  return result;
 }
 
 template <Real R>
@@ -162,7 +167,7 @@ template <Real R>
 std::vector<std::size_t> ContactSet<R>::movable() const {
   std::vector<std::size_t> result;
   for (std::size_t j = 0; j < points_.size(); ++j) {
-    if (points_[j].is_free() && !points_[j].anchor) result.push_back(j);
+    if (points_[j].is_movable()) result.push_back(j);
   }
   return result;
 }
@@ -175,7 +180,7 @@ bool ContactSet<R>::is_consistent() const {
     if ((point.kind == Kind::ends) != contact) return false;
     contact = !contact;
   }
-  const bool positive = std::all_of(lengths_.begin(), lengths_.end(), [](const R& length) { return length > 0; });
+  const bool positive = std::ranges::all_of(lengths_, [](const R& length) { return length > 0; });
   return !contact && positive && components() > 0;
 }
 
@@ -194,9 +199,8 @@ bool ContactSet<R>::is_over_notch(std::size_t k) const {
   if (contact_[k]) return false;
   const std::size_t middle = points_[k].is_end() ? k + 1 : k;
   if (middle == 0 || middle == segments() || contact_[middle - 1] || contact_[middle]) return false;
-  const auto moves = [this](std::size_t j) { return points_[j].is_free() && !points_[j].anchor; };
-  return points_[middle].anchor && problem_->anchors()[*points_[middle].anchor].wedge < 0 &&
-         problem_->anchors()[*points_[middle].anchor].step_sign == 0 && moves(middle - 1) && moves(middle + 1) &&
+  return points_[middle].anchor && anchor_at(middle)->wedge < 0 && !is_at_step(middle) &&
+         points_[middle - 1].is_movable() && points_[middle + 1].is_movable() &&
          lengths_[middle - 1] + lengths_[middle] < R(0.05) * span_length();
 }
 
@@ -212,35 +216,35 @@ void ContactSet<R>::move(const std::vector<R>& steps) {
 }
 
 template <Real R>
-std::size_t ContactSet<R>::insert(std::size_t segment, const R& from_left, Point point) {
+void ContactSet<R>::insert(std::size_t segment, const R& from_left, Point point) {
   // Of a segment much longer than the contact only the places know what is left of it.
   const bool by_places = lengths_[segment] > 4;
-  const R x = from_left <= lengths_[segment] / 2 || by_places ? R(x_[segment] + from_left)
-                                                              : R(x_[segment + 1] - (lengths_[segment] - from_left));
-  return insert(segment, from_left, by_places ? R(x_[segment + 1] - x) : R(lengths_[segment] - from_left), x, point);
+  const R x = from_left <= lengths_[segment] / 2 || by_places ? x_[segment] + from_left
+                                                              : x_[segment + 1] - (lengths_[segment] - from_left);
+  insert(segment, from_left, by_places ? x_[segment + 1] - x : lengths_[segment] - from_left, x, point);
 }
 
 template <Real R>
-std::size_t ContactSet<R>::insert(std::size_t segment, const R& from_left, const R& from_right, const R& x,
-                                  Point point) {
+void ContactSet<R>::insert(std::size_t segment, const R& from_left, const R& from_right, const R& x, Point point) {
+  const auto after = static_cast<std::ptrdiff_t>(segment) + 1;
   lengths_[segment] = from_left;
-  lengths_.insert(lengths_.begin() + static_cast<std::ptrdiff_t>(segment) + 1, from_right);
-  points_.insert(points_.begin() + static_cast<std::ptrdiff_t>(segment) + 1, point);
-  x_.insert(x_.begin() + static_cast<std::ptrdiff_t>(segment) + 1, x);
-  return segment + 1;
+  lengths_.insert(lengths_.begin() + after, from_right);
+  points_.insert(points_.begin() + after, point);
+  x_.insert(x_.begin() + after, x);
 }
 
 template <Real R>
 void ContactSet<R>::erase(std::size_t j) {
   if (points_[j].anchor) {
-    points_[j].kind = Kind::passed;
+    points_[j].kind = Kind::interior;
     points_[j].vanishes = false;
     return;
   }
+  const auto at = static_cast<std::ptrdiff_t>(j);
   lengths_[j - 1] += lengths_[j];
-  lengths_.erase(lengths_.begin() + static_cast<std::ptrdiff_t>(j));
-  points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(j));
-  x_.erase(x_.begin() + static_cast<std::ptrdiff_t>(j));
+  lengths_.erase(lengths_.begin() + at);
+  points_.erase(points_.begin() + at);
+  x_.erase(x_.begin() + at);
 }
 
 template <Real R>
@@ -249,11 +253,10 @@ void ContactSet<R>::cross_anchor(std::size_t j, Side towards, const R& distance)
   erase(j);
   if (towards == Side::left) {
     // The anchor was j - 1 and still is.
-    const R d = std::min(distance, R(lengths_[j - 2] / 2));
-    insert(j - 2, R(lengths_[j - 2] - d), d, R(x_[j - 1] - d), end);
+    const R d = std::min(distance, lengths_[j - 2] / 2);
+    insert(j - 2, lengths_[j - 2] - d, d, x_[j - 1] - d, end);
   } else {
-    const R d = std::min(distance, R(lengths_[j] / 2));
-    insert(j, d, end);
+    insert(j, std::min(distance, lengths_[j] / 2), end);
   }
   refresh();
 }
@@ -272,8 +275,8 @@ void ContactSet<R>::move_end(std::size_t j, std::size_t segment, const R& from_l
   const Point end{std::nullopt, points_[j].kind, true};
   if (!points_[j].anchor && (segment == j || segment + 1 == j)) {
     // Beside a long segment a short one is not formed as a difference.
-    const R step = segment == j ? from_left : R(from_left - lengths_[j - 1]);
-    lengths_[j - 1] = segment == j ? R(lengths_[j - 1] + step) : from_left;
+    const R step = segment == j ? from_left : from_left - lengths_[j - 1];
+    lengths_[j - 1] = segment == j ? lengths_[j - 1] + step : from_left;
     lengths_[j] -= step;
     x_[j] += step;
     points_[j] = end;
@@ -301,13 +304,12 @@ void ContactSet<R>::open(const SegmentPlace& from, const SegmentPlace& to) {
   const Point first{std::nullopt, gap ? Kind::ends : Kind::begins, true};
   const Point last{std::nullopt, gap ? Kind::begins : Kind::ends, true};
   const auto place = [this](const SegmentPlace& p) {
-    return p.from_left < p.from_right ? R(x_[p.segment] + p.from_left) : R(x_[p.segment + 1] - p.from_right);
+    return p.from_left < p.from_right ? x_[p.segment] + p.from_left : x_[p.segment + 1] - p.from_right;
   };
   const R x_first = place(from);
   const R x_last = place(to);
   if (from.segment == to.segment) {
-    const R between =
-        from.from_left < to.from_right ? R(to.from_left - from.from_left) : R(from.from_right - to.from_right);
+    const R between = from.from_left < to.from_right ? to.from_left - from.from_left : from.from_right - to.from_right;
     insert(from.segment, from.from_left, from.from_right, x_first, first);
     insert(from.segment + 1, between, to.from_right, x_last, last);
   } else {

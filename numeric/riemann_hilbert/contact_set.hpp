@@ -4,6 +4,7 @@
 // each other or to an anchor keep their distance to full relative precision.
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -15,15 +16,17 @@ namespace steadyslide::numeric {
 template <Real R>
 class ContactSet {
  public:
-  enum class Kind { passed, begins, ends };  ///< contact begins or ends here, from left to right
+  enum class Kind { interior, begins, ends };  ///< contact begins or ends here, from left to right
 
   struct Point {
     std::optional<std::size_t> anchor;
-    Kind kind = Kind::passed;
+    Kind kind = Kind::interior;
     bool vanishes = false;  ///< an end where the traction vanishes
 
-    bool is_end() const { return kind != Kind::passed; }
+    bool is_end() const { return kind != Kind::interior; }
     bool is_free() const { return is_end() && vanishes; }
+    /// Free, and not at an anchor.
+    bool is_movable() const { return is_free() && !anchor; }
   };
 
   /// No contact yet.
@@ -38,6 +41,15 @@ class ContactSet {
   const Point& point(std::size_t j) const { return points_[j]; }
   /// The point where anchor k is.
   std::size_t point_of(std::size_t anchor) const;
+  /// Where contact lies beside the end j; the segment in contact there, and the point at the other end of it.
+  Side contact_side(std::size_t j) const { return points_[j].kind == Kind::begins ? Side::right : Side::left; }
+  std::size_t inside(std::size_t j) const { return contact_side(j) == Side::right ? j : j - 1; }
+  std::size_t neighbour(std::size_t j) const { return contact_side(j) == Side::right ? j + 1 : j - 1; }
+  /// The data of the anchor at point j; null where there is none.
+  const typename ReducedProblem<R>::Anchor* anchor_at(std::size_t j) const {
+    return points_[j].anchor ? &problem_->anchors()[*points_[j].anchor] : nullptr;
+  }
+  bool is_at_step(std::size_t j) const { return points_[j].anchor && anchor_at(j)->step_sign != 0; }
   /// Of segment k, between points k and k + 1.
   const R& length(std::size_t k) const { return lengths_[k]; }
   std::size_t segments() const { return lengths_.size(); }
@@ -48,18 +60,19 @@ class ContactSet {
   const R& x(std::size_t j) const { return x_[j]; }
   std::vector<Panel<R>> panels() const;
 
-  std::size_t components() const;
+  /// Neighbouring segments that are in contact, or not, together: the first one and the one after the last.
+  std::vector<std::pair<std::size_t, std::size_t>> runs() const;
+  std::size_t components() const { return all(Kind::begins).size(); }
   /// The points where contact begins, or ends, left to right.
   std::vector<std::size_t> all(Kind kind) const;
-  /// Indices of the free ends that are not at an anchor.
+  /// The movable ends.
   std::vector<std::size_t> movable() const;
   /// Does contact begin and end in turns, at least once, with lengths > 0 between all points?
   bool is_consistent() const;
   /// From the first end to the last one.
   R span_length() const;
   /// Is segment k half of a short gap over a notch, a wedge with D < 0, both ends free? Such a gap keeps a traction
-  /// like d^beta, or like log d, from pulling in the corner: its length counts by its order of magnitude, which may be
-  /// any.
+  /// like d^beta, or like log d, from pulling in the corner: its length counts by its order of magnitude.
   bool is_over_notch(std::size_t k) const;
 
   /// Moves the movable ends by steps[i] (in the order of movable()).
@@ -80,15 +93,14 @@ class ContactSet {
     R from_left;
     R from_right;
   };
-  /// New free ends at two places: a gap between them if they are in contact, a component if not. Anchors between them
-  /// are passed.
+  /// New free ends at two places: a gap between them if they are in contact, a component if not.
   void open(const SegmentPlace& from, const SegmentPlace& to);
 
  private:
   void refresh();
   void place_points();
-  std::size_t insert(std::size_t segment, const R& from_left, Point point);
-  std::size_t insert(std::size_t segment, const R& from_left, const R& from_right, const R& x, Point point);
+  void insert(std::size_t segment, const R& from_left, Point point);
+  void insert(std::size_t segment, const R& from_left, const R& from_right, const R& x, Point point);
   void erase(std::size_t j);
 
   const ReducedProblem<R>* problem_;
@@ -116,6 +128,31 @@ ContactSet<R> ContactSet<R>::converted(const ReducedProblem<R>& problem, const C
   for (const Other& x : other.x_) result.x_.push_back(static_cast<R>(x));
   result.refresh();
   return result;
+}
+
+/// A point of the surface: in a segment of the contact set, or at the distance `from_right` to the left of the support
+/// (segment -1), or at the distance `from_left` to the right of it (segment = number of segments).
+template <Real R>
+struct SurfacePoint {
+  std::ptrdiff_t segment;
+  Node<R> node;
+};
+
+/// In a segment, the place taken from the nearer end.
+template <Real R>
+SurfacePoint<R> surface_point(const ContactSet<R>& set, std::size_t segment, const R& from_left, const R& from_right) {
+  const R x = from_left < from_right ? set.x(segment) + from_left : set.x(segment + 1) - from_right;
+  return {static_cast<std::ptrdiff_t>(segment), {x, from_left, from_right}};
+}
+
+/// At the distance d from point j of the set, on that side of it; beyond the support the other distance is infinite.
+template <Real R>
+SurfacePoint<R> beside(const ContactSet<R>& set, std::size_t j, Side side, const R& d) {
+  const bool left = side == Side::left;
+  const std::ptrdiff_t segment = static_cast<std::ptrdiff_t>(j) - (left ? 1 : 0);
+  const bool in_support = segment >= 0 && segment < static_cast<std::ptrdiff_t>(set.segments());
+  const R rest = in_support ? set.length(static_cast<std::size_t>(segment)) - d : infinity<R>();
+  return {segment, left ? Node<R>{set.x(j) - d, rest, d} : Node<R>{set.x(j) + d, d, rest}};
 }
 
 }  // namespace steadyslide::numeric

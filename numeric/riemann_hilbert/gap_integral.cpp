@@ -7,8 +7,22 @@ namespace steadyslide::numeric {
 
 template <Real R>
 R GapIntegral<R>::step(std::size_t j) const {
-  const auto& anchor = set().point(j).anchor;
-  return anchor ? form_->problem().anchors()[*anchor].step : R(0);
+  const auto* anchor = set().anchor_at(j);
+  return anchor ? anchor->step : R(0);
+}
+
+template <Real R>
+std::vector<SegmentPart<R>> GapIntegral<R>::parts_to(const SurfacePoint<R>& at) const {
+  const auto segment = static_cast<std::size_t>(at.segment);
+  std::vector<SegmentPart<R>> parts;
+  if (is_rightwards(at)) {
+    for (std::size_t k = end_; k < segment; ++k) parts.push_back(whole_segment(set(), k));
+    parts.push_back({segment, R(0), at.node.from_left, at.node.from_right});
+  } else {
+    for (std::size_t k = end_; k-- > segment + 1;) parts.push_back(whole_segment(set(), k));
+    parts.push_back({segment, at.node.from_left, at.node.from_right, R(0)});
+  }
+  return parts;
 }
 
 template <Real R>
@@ -31,8 +45,8 @@ void GapIntegral<R>::add_nodes(const SegmentPart<R>& part, std::vector<GapNode<R
     add_nodes(part, right_half ? right : left, nodes);
     return;
   }
-  add_nodes({part.segment, part.from_left, R(middle - part.from_left), middle}, left, nodes);
-  add_nodes({part.segment, middle, R(middle - part.from_right), part.from_right}, right, nodes);
+  add_nodes({part.segment, part.from_left, middle - part.from_left, middle}, left, nodes);
+  add_nodes({part.segment, middle, middle - part.from_right, part.from_right}, right, nodes);
 }
 
 template <Real R>
@@ -40,7 +54,7 @@ void GapIntegral<R>::add_nodes(const SegmentPart<R>& part, std::size_t slope, st
   const SignedFundamentalSolution<R>& y = form_->y();
   const auto power_at = [this, &y](std::size_t j) {
     const Power<R>& p = y.power(j);
-    return set().point(j).vanishes ? Power<R>{R(p.value - 1), p.value} : p;
+    return set().point(j).vanishes ? Power<R>{p.value - 1, p.value} : p;
   };
   for (const JacobiPanel<R>& panel : form_->panels(part, power_at)) {
     for (std::size_t i = 0; i < panel.rule->size(); ++i) {
@@ -51,21 +65,22 @@ void GapIntegral<R>::add_nodes(const SegmentPart<R>& part, std::size_t slope, st
 }
 
 template <Real R>
-R GapIntegral<R>::slope_difference(std::size_t segment, const R& from, const R& length) const {
+R GapIntegral<R>::slope_difference(const SegmentPart<R>& part) const {
   // The nodes change their k in the middle of a segment that has contact at both ends.
   const ReducedProblem<R>& problem = form_->problem();
+  const std::size_t segment = part.segment;
   const std::size_t own = form_->slope_at(segment);
   const R middle = set().length(segment) / 2;
-  const R end = from + length;
+  const R end = part.from_left + part.length;
   R sum = 0;
   const auto add = [&](std::size_t k, const R& a, const R& b) {
     if (k == own || a >= b) return;
-    const R left = surface_point(set(), segment, a, R(set().length(segment) - a)).node.x;
-    const R right = surface_point(set(), segment, b, R(set().length(segment) - b)).node.x;
+    const R left = surface_point(set(), segment, a, set().length(segment) - a).node.x;
+    const R right = surface_point(set(), segment, b, set().length(segment) - b).node.x;
     sum += problem.profile_increment(own, left, right) - problem.profile_increment(k, left, right);
   };
-  add(slope_on(segment, true), from, std::min(end, middle));
-  add(slope_on(segment, false), std::max(from, middle), end);
+  add(slope_on(segment, true), part.from_left, std::min(end, middle));
+  add(slope_on(segment, false), std::max(part.from_left, middle), end);
   return sum;
 }
 
@@ -84,10 +99,10 @@ R GapIntegral<R>::closure_error(const std::vector<GapNode<R>>& rule) const {
   std::size_t k = end_;
   for (; k < set().segments() && !set().in_contact(k); ++k) {
     sum += step(k);
-    sum += slope_difference(k, R(0), set().length(k));
+    sum += slope_difference(whole_segment(set(), k));
   }
   sum += step(k);
-  for (const GapNode<R>& node : rule) sum += node.weight * R(node.y * form_->regular_factor(node.slope, node.at).value);
+  for (const GapNode<R>& node : rule) sum += node.weight * (node.y * form_->regular_factor(node.slope, node.at).value);
   return sum;
 }
 
@@ -97,40 +112,22 @@ Estimate<R> GapIntegral<R>::reduced_gap(const SurfacePoint<R>& at) const {
   if (at.segment < 0 || at.segment >= static_cast<std::ptrdiff_t>(set().segments())) {
     throw std::domain_error("a gap off the support: there is no indenter");
   }
-  const bool rightwards = static_cast<std::ptrdiff_t>(end_) <= at.segment;
   std::vector<GapNode<R>> nodes;
   R sum = 0;
   R size = 0;
-  const auto add_step = [&](std::size_t point) {
-    sum += step(point);
-    size += abs(step(point));
-  };
-  const auto segment = static_cast<std::size_t>(at.segment);
-  if (rightwards) {
-    for (std::size_t k = end_; k < segment; ++k) {
-      add_step(k);
-      add_nodes(whole_segment(set(), k), nodes);
-      sum += slope_difference(k, R(0), set().length(k));
-    }
-    add_step(segment);
-    add_nodes({segment, R(0), at.node.from_left, at.node.from_right}, nodes);
-    sum += slope_difference(segment, R(0), at.node.from_left);
-  } else {
-    for (std::size_t k = end_; k-- > segment + 1;) {
-      add_step(k + 1);
-      add_nodes(whole_segment(set(), k), nodes);
-      sum += slope_difference(k, R(0), set().length(k));
-    }
-    add_step(segment + 1);
-    add_nodes({segment, at.node.from_left, at.node.from_right, R(0)}, nodes);
-    sum += slope_difference(segment, at.node.from_left, at.node.from_right);
+  for (const SegmentPart<R>& part : parts_to(at)) {
+    const R height = step(is_rightwards(at) ? part.segment : part.segment + 1);
+    sum += height;
+    size += abs(height);
+    add_nodes(part, nodes);
+    sum += slope_difference(part);
   }
   for (const GapNode<R>& node : nodes) {
     const Estimate<R> b = form_->regular_factor(node.slope, node.at);
     sum += node.weight * node.y * b.value;
     size += abs(node.weight * node.y) * (abs(b.value) + b.error / epsilon<R>());
   }
-  return {rightwards ? sum : R(-sum), 4 * epsilon<R>() * size};
+  return {is_rightwards(at) ? sum : -sum, 4 * epsilon<R>() * size};
 }
 
 template <Real R>

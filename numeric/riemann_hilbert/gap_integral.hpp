@@ -27,21 +27,23 @@ class GapIntegral {
   /// The height that the profile misses at the far end of the gap that begins at the end: zero for a solution.
   R closure_error(const std::vector<GapNode<R>>& rule) const;
 
-  /// The gap at a point of it, over c, measured from the end. Throws std::domain_error off the support, where there is
-  /// no indenter.
+  /// The gap at a point of it, over c, measured from the end. Throws std::domain_error off the support.
   Estimate<R> reduced_gap(const SurfacePoint<R>& at) const;
   /// The tilted profile's height at a point of the gap minus that at the end, on the side of the contact.
   R profile_increment(const SurfacePoint<R>& at) const;
 
  private:
   const ContactSet<R>& set() const { return form_->set(); }
+  bool is_rightwards(const SurfacePoint<R>& at) const { return static_cast<std::ptrdiff_t>(end_) <= at.segment; }
+  /// What lies between the end and a point of its gap, from segment to segment as they follow the end.
+  std::vector<SegmentPart<R>> parts_to(const SurfacePoint<R>& at) const;
   /// The step of the profile at point j, on the right of it minus on the left; 0 where there is none.
   R step(std::size_t j) const;
   std::size_t slope_on(std::size_t segment, bool left_half) const;
   void add_nodes(const SegmentPart<R>& part, std::vector<GapNode<R>>& nodes) const;
   void add_nodes(const SegmentPart<R>& part, std::size_t slope, std::vector<GapNode<R>>& nodes) const;
   /// int (profile slope - g_k) over a part of a gap segment, k as the gap's nodes use it.
-  R slope_difference(std::size_t segment, const R& from, const R& length) const;
+  R slope_difference(const SegmentPart<R>& part) const;
 
   const RiemannHilbertForm<R>* form_;
   std::size_t end_;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numeric/quadrature/graded_panels.hpp"
-
 namespace steadyslide::numeric {
 namespace {
 
@@ -26,28 +24,6 @@ bool is_singular(const SignedFundamentalSolution<R>& y, std::size_t j, SmoothFac
          (set.in_contact(j) || set.in_contact(j - 1));
 }
 
-template <Real R>
-Surroundings<R> surroundings(const SignedFundamentalSolution<R>& y, std::size_t segment, SmoothFactor factor) {
-  const ContactSet<R>& set = y.set();
-  Surroundings<R> result{is_singular(y, segment, factor), is_singular(y, segment + 1, factor), infinity<R>(),
-                         infinity<R>()};
-  R distance = 0;
-  for (std::size_t j = segment; j-- > 0;) {
-    distance += set.length(j);
-    if (!is_singular(y, j, factor)) continue;
-    result.beyond_left = distance;
-    break;
-  }
-  distance = 0;
-  for (std::size_t j = segment + 2; j < set.points().size(); ++j) {
-    distance += set.length(j - 1);
-    if (!is_singular(y, j, factor)) continue;
-    result.beyond_right = distance;
-    break;
-  }
-  return result;
-}
-
 }  // namespace
 
 template <Real R>
@@ -62,20 +38,21 @@ template <Real R>
 R JacobiPanel<R>::node_weight(std::size_t i) const {
   using std::pow;
   const R w = part.length * rule->weights[i];
-  return power.value == 0 ? w : R(w / pow(rule->from_left[i], power.value));
+  return power.value == 0 ? w : w / pow(rule->from_left[i], power.value);
 }
 
 template <Real R>
 std::vector<JacobiPanel<R>> jacobi_panels(const SignedFundamentalSolution<R>& y, const SegmentPart<R>& part,
                                           SmoothFactor factor, const std::function<Power<R>(std::size_t)>& power_at,
                                           JacobiRules<R>& rules) {
-  Surroundings<R> around = surroundings(y, part.segment, factor);
+  Surroundings<R> around =
+      surroundings<R>(y.set(), part.segment, [&](std::size_t j) { return is_singular(y, j, factor); });
   if (part.from_left > 0) {
-    around.beyond_left = around.left_singular ? part.from_left : R(part.from_left + around.beyond_left);
+    around.beyond_left = around.left_singular ? part.from_left : part.from_left + around.beyond_left;
     around.left_singular = false;
   }
   if (part.from_right > 0) {
-    around.beyond_right = around.right_singular ? part.from_right : R(part.from_right + around.beyond_right);
+    around.beyond_right = around.right_singular ? part.from_right : part.from_right + around.beyond_right;
     around.right_singular = false;
   }
   const int nodes = nodes_per_panel(y, factor);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "numeric/quadrature/graded_panels.hpp"
 #include "numeric/quadrature/jacobi_rule.hpp"
 #include "numeric/riemann_hilbert/signed_fundamental_solution.hpp"
 
@@ -22,6 +23,27 @@ struct SegmentPart {
 template <Real R>
 SegmentPart<R> whole_segment(const ContactSet<R>& set, std::size_t segment) {
   return {segment, R(0), set.length(segment), R(0)};
+}
+
+/// What is_singular(j) says of the points j at the ends of a segment and beyond them.
+template <Real R, class IsSingular>
+Surroundings<R> surroundings(const ContactSet<R>& set, std::size_t segment, const IsSingular& is_singular) {
+  Surroundings<R> result{is_singular(segment), is_singular(segment + 1), infinity<R>(), infinity<R>()};
+  R distance = 0;
+  for (std::size_t j = segment; j-- > 0;) {
+    distance += set.length(j);
+    if (!is_singular(j)) continue;
+    result.beyond_left = distance;
+    break;
+  }
+  distance = 0;
+  for (std::size_t j = segment + 2; j < set.points().size(); ++j) {
+    distance += set.length(j - 1);
+    if (!is_singular(j)) continue;
+    result.beyond_right = distance;
+    break;
+  }
+  return result;
 }
 
 /// One rule, whose nodes count from the end where the power sits.

@@ -17,12 +17,11 @@ R displaced(const RiemannHilbertForm<R>& form, std::size_t point, const R& end_e
     if (f == point) continue;
     // Lengths keep their relative precision, however small they are.
     const R shortest = std::min(set.length(f - 1), set.length(f));
-    const R error = std::min(end_error, R(sqrt(epsilon<R>()) * shortest));
+    const R error = std::min(end_error, sqrt(epsilon<R>()) * shortest);
     R distance = 0;
     for (std::size_t k = std::min(f, point); k < std::max(f, point); ++k) distance += set.length(k);
-    const Side inside = set.point(f).kind == ContactSet<R>::Kind::begins ? Side::right : Side::left;
-    sum +=
-        abs(form.fundamental_solution().powers()[f].value * form.regular_factor_at(f, inside).value) * error / distance;
+    const R b = form.regular_factor_at(f, set.contact_side(f)).value;
+    sum += abs(form.fundamental_solution().powers()[f].value * b) * error / distance;
   }
   return sum;
 }
@@ -39,7 +38,7 @@ LeadingTerm<R> power_term(const RiemannHilbertForm<R>& form, std::size_t point, 
   using std::abs;
   const ContactSet<R>& set = form.set();
   const bool is_end = set.point(point).is_end();
-  const Side side = set.point(point).kind == ContactSet<R>::Kind::begins ? Side::right : Side::left;
+  const Side side = set.contact_side(point);
   const std::size_t segment = side == Side::right ? point : point - 1;
   const Estimate<R> b = form.regular_factor_at(point, side);
   const R error = b.error + displaced(form, point, end_error);
@@ -63,7 +62,7 @@ std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>& form, st
   if (set.point(point).is_end()) return power_term(form, point, end_error);
   if (point == 0 || point == set.segments() || !set.in_contact(point)) return std::nullopt;
   const int beta = form.exponent(point).sign();
-  const int wedge = sign(form.problem().anchors()[*set.point(point).anchor].wedge);
+  const int wedge = sign(set.anchor_at(point)->wedge);
   if (wedge == 0 || beta < 0) return power_term(form, point, end_error);
   // The sign is exact; D may be a small difference.
   const R d = slope_jump(form, point);
@@ -71,7 +70,7 @@ std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>& form, st
   const R& s_left = form.problem().s(form.friction_at(point - 1));
   const R& s_right = form.problem().s(form.friction_at(point));
   const bool jumps = beta != 0;
-  const R divisor = jumps ? R(s_right - s_left) : R(1 + s_left * s_left);
+  const R divisor = jumps ? s_right - s_left : 1 + s_left * s_left;
   // log d and [s] are negative where they come in.
   return LeadingTerm<R>{jumps ? Is::constant : Is::logarithm, {d / divisor, abs(rounding / divisor)}, R(0), -wedge};
 }
@@ -102,7 +101,7 @@ R highest_limit(const RiemannHilbertForm<R>& form, const R& end_error) {
     if (!term || term->sign <= 0) continue;
     if (term->is == Is::logarithm || term->power < 0) return infinity<R>();
     if (term->is == Is::constant) highest = std::max(highest, term->coefficient.value);
-    if (term->is == Is::power && term->power == 0) highest = std::max(highest, R(-term->coefficient.value));
+    if (term->is == Is::power && term->power == 0) highest = std::max(highest, -term->coefficient.value);
   }
   return highest;
 }
@@ -113,22 +112,22 @@ std::string in_words(const RiemannHilbertForm<R>& form, std::size_t point, const
   using std::pow;
   const auto& anchor = form.set().point(point).anchor;
   const Frame& frame = form.problem().frame();
-  const R scale = pow(to_real<R>(frame.unit), R(-term.power));
+  const R scale = pow(to_real<R>(frame.unit), -term.power);
   std::ostringstream text;
   const auto number = [](const R& value) { return static_cast<double>(value); };
   text << "the leading term at x = ";
   if (anchor) {
     text << to_string(form.problem().place(*anchor));
   } else {
-    text << number(R(to_real<R>(frame.origin) + to_real<R>(frame.unit) * form.set().x(point)));
+    text << number(to_real<R>(frame.origin) + to_real<R>(frame.unit) * form.set().x(point));
   }
   text << " pulls: "
        << (term.is == Is::power      ? "theta"
            : term.is == Is::constant ? "[psi']/[s]"
                                      : "[psi']/(1+s^2) log(d)/pi with")
-       << " = " << number(R(scale * term.coefficient.value));
+       << " = " << number(scale * term.coefficient.value);
   text.precision(1);
-  text << " +- " << number(R(scale * term.coefficient.error));
+  text << " +- " << number(scale * term.coefficient.error);
   return text.str();
 }
 

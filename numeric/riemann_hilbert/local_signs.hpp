@@ -33,8 +33,7 @@ std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>& form, st
                                            const R& end_error = R(0));
 
 /// Where the leading term pulls inside the contact: the logarithm of the distance in xi at which the local form,
-/// constant and power or logarithm, changes its sign. None where it does not: then the contact pulls as far as places
-/// show.
+/// constant and power or logarithm, changes its sign. None where it does not.
 template <Real R>
 std::optional<R> log_reach(const RiemannHilbertForm<R>& form, std::size_t point);
 

@@ -1,6 +1,7 @@
 #include "numeric/riemann_hilbert/reduced_problem.hpp"
 
 #include <algorithm>
+
 #include "model/singular_point.hpp"
 #include "numeric/number/polynomial.hpp"
 
@@ -18,7 +19,7 @@ ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& fr
   std::vector<std::size_t> slope_of_piece;
   for (const Indenter::Piece& piece : indenter.pieces()) {
     const Polynomial slope = piece.profile.derivative();
-    const auto found = std::find(different.begin(), different.end(), slope);
+    const auto found = std::ranges::find(different, slope);
     slope_of_piece.push_back(static_cast<std::size_t>(found - different.begin()));
     if (found == different.end()) different.push_back(slope);
   }
@@ -101,7 +102,7 @@ const typename ReducedProblem<R>::Singularity& ReducedProblem<R>::end(End end, b
   Slot& slot = ends_[friction][(end == End::left ? 0 : 1) + (edge ? 0 : 2)];
   return cached(slot, [&] {
     const Rational s = problem_->coupled_friction(friction);
-    return edge ? steadyslide::edge_exponent(end, s) : steadyslide::free_exponent(end, s);
+    return edge ? edge_exponent(end, s) : free_exponent(end, s);
   });
 }
 
@@ -111,33 +112,8 @@ const typename ReducedProblem<R>::Singularity& ReducedProblem<R>::jump(std::size
     const std::size_t left = friction_of_[anchor - 1];
     const std::size_t right = friction_of_[anchor];
     if (left == right) return Exponent(0);
-    return steadyslide::jump_exponent(problem_->coupled_friction(left), problem_->coupled_friction(right));
+    return jump_exponent(problem_->coupled_friction(left), problem_->coupled_friction(right));
   });
-}
-
-template <Real R>
-const Exponent& ReducedProblem<R>::edge_exponent(End e, std::size_t friction) const {
-  return end(e, true, friction).exponent;
-}
-template <Real R>
-const Exponent& ReducedProblem<R>::free_exponent(End e, std::size_t friction) const {
-  return end(e, false, friction).exponent;
-}
-template <Real R>
-const Exponent& ReducedProblem<R>::jump_exponent(std::size_t anchor) const {
-  return jump(anchor).exponent;
-}
-template <Real R>
-const Power<R>& ReducedProblem<R>::edge_power(End e, std::size_t friction) const {
-  return end(e, true, friction).power;
-}
-template <Real R>
-const Power<R>& ReducedProblem<R>::free_power(End e, std::size_t friction) const {
-  return end(e, false, friction).power;
-}
-template <Real R>
-const Power<R>& ReducedProblem<R>::jump_power(std::size_t anchor) const {
-  return jump(anchor).power;
 }
 
 template class ReducedProblem<double>;

@@ -59,28 +59,22 @@ class ReducedProblem {
   /// Where the load acts, if the indenter may tilt.
   const std::optional<R>& load_at() const { return load_at_; }
 
-  /// May the traction blow up where contact ends at this anchor? At the support's ends and on the protruding side of a
-  /// step.
+  /// May the traction blow up where contact ends at this anchor? At the support's ends and where a step protrudes.
   bool edge_possible(End end, std::size_t anchor) const;
 
-  const Exponent& edge_exponent(End end, std::size_t friction) const;
-  const Exponent& free_exponent(End end, std::size_t friction) const;
-  /// Of the jump between two neighbouring intervals: 0 where the friction does not change.
-  const Exponent& jump_exponent(std::size_t anchor) const;
-  const Power<R>& edge_power(End end, std::size_t friction) const;
-  const Power<R>& free_power(End end, std::size_t friction) const;
-  const Power<R>& jump_power(std::size_t anchor) const;
-
- private:
+  /// A power of the traction, with its exact form.
   struct Singularity {
     Exponent exponent;
     Power<R> power;
   };
+  const Singularity& end(End end, bool edge, std::size_t friction) const;
+  /// Of the jump between two neighbouring intervals: 0 where the friction does not change.
+  const Singularity& jump(std::size_t anchor) const;
+
+ private:
   using Slot = std::optional<Singularity>;
   template <class Make>
   const Singularity& cached(Slot& slot, const Make& make) const;
-  const Singularity& end(End end, bool edge, std::size_t friction) const;
-  const Singularity& jump(std::size_t anchor) const;
 
   const ContactProblem* problem_;
   Frame frame_;

@@ -73,12 +73,12 @@ Start start_from(const ContactProblem& problem, const ContactSolution<R>& soluti
   Start start{(problem.indenter().left() + problem.indenter().right()) / 2, {}, 0};
   const R origin = to_real<R>(start.origin);
   for (const ContactComponent<R>& component : solution.contact()) {
-    start.zones.push_back({static_cast<double>(R(component.left.x.value - origin)),
-                           static_cast<double>(R(component.right.x.value - origin)),
+    start.zones.push_back({static_cast<double>(component.left.x.value - origin),
+                           static_cast<double>(component.right.x.value - origin),
                            component.left.kind != SingularKind::free, component.right.kind != SingularKind::free});
   }
   if (const auto tilt = solution.tilt()) {
-    start.tilt = static_cast<double>(R(tilt->value / to_real<R>(problem.elasticity().compliance())));
+    start.tilt = static_cast<double>(tilt->value / to_real<R>(problem.elasticity().compliance()));
   }
   return start;
 }
@@ -86,11 +86,10 @@ Start start_from(const ContactProblem& problem, const ContactSolution<R>& soluti
 /// What has been found, measured by its lengths: from an anchor if one is near.
 template <Real R>
 Start start_again(const RiemannHilbertSolution<R>& solution) {
-  using Kind = typename ContactSet<R>::Kind;
   const ContactSet<R>& set = solution.state().set;
   const Frame& frame = solution.problem().frame();
-  const std::vector<std::size_t> begins = set.all(Kind::begins);
-  const std::vector<std::size_t> ends = set.all(Kind::ends);
+  const std::vector<std::size_t> begins = set.all(ContactSet<R>::Kind::begins);
+  const std::vector<std::size_t> ends = set.all(ContactSet<R>::Kind::ends);
   const R hull = set.span_length();
   std::size_t from = begins.front();
   if (from > 0 && set.length(from - 1) <= hull) --from;
@@ -104,7 +103,7 @@ Start start_again(const RiemannHilbertSolution<R>& solution) {
     R sum = 0;
     for (std::size_t k = j; k < reference; ++k) sum -= set.length(k);
     for (std::size_t k = reference; k < j; ++k) sum += set.length(k);
-    return static_cast<double>(R(unit * sum));
+    return static_cast<double>(unit * sum);
   };
   Start start{
       anchor ? solution.problem().place(*anchor) : Rational(frame.origin + frame.unit * Rational(set.x(reference))),
@@ -117,20 +116,18 @@ Start start_again(const RiemannHilbertSolution<R>& solution) {
   return start;
 }
 
-/// A problem in a frame with its rules: what a form points to.
 template <Real R>
 std::shared_ptr<RiemannHilbertSolution<R>> search_once(const ContactProblem& problem, const Start& start) {
-  auto solution = std::make_shared<RiemannHilbertSolution<R>>(problem, start.frame());
-  const std::vector<ContactInterval> zones = start.in(solution->problem().frame());
-  ContactSet<R> set(solution->problem(), zones);
-  // Zones that rounding has run into each other: one.
-  if (!set.is_consistent()) {
-    set = ContactSet<R>(solution->problem(), {{zones.front().left, zones.back().right, false, false}});
-  }
-  solution->set(search_contact(solution->problem(),
-                               ContactState<R>::initial(solution->problem(), std::move(set), R(start.tilt)),
-                               solution->rules()));
-  return solution;
+  const auto search = [&](const ReducedProblem<R>& reduced, JacobiRules<R>& rules) {
+    const std::vector<ContactInterval> zones = start.in(reduced.frame());
+    ContactSet<R> set(reduced, zones);
+    // Zones that rounding has run into each other: one.
+    if (!set.is_consistent()) {
+      set = ContactSet<R>(reduced, {{zones.front().left, zones.back().right, false, false}});
+    }
+    return search_contact(reduced, ContactState<R>::initial(reduced, std::move(set), R(start.tilt)), rules);
+  };
+  return std::make_shared<RiemannHilbertSolution<R>>(problem, start.frame(), search);
 }
 
 /// Of a contact far smaller than its frame the places are known too badly: a frame of its own.
@@ -148,23 +145,22 @@ std::shared_ptr<RiemannHilbertSolution<R>> search(const ContactProblem& problem,
 template <Real R>
 std::shared_ptr<RiemannHilbertSolution<R>> refined(const ContactProblem& problem,
                                                    const RiemannHilbertSolution<double>& rough) {
-  auto solution = std::make_shared<RiemannHilbertSolution<R>>(problem, rough.problem().frame());
-  const ContactState<double>& state = rough.state();
-  ContactSet<R> set = ContactSet<R>::converted(solution->problem(), state.set);
-  // A free end that lies on a jump as far as double can tell is free again.
-  using Kind = typename ContactSet<R>::Kind;
-  const R distance = epsilon<double>() * set.span_length();
-  for (std::size_t j = set.points().size(); j-- > 0;) {
-    if (!set.point(j).is_free() || !set.point(j).anchor) continue;
-    const bool begins = set.point(j).kind == Kind::begins;
-    const std::size_t inside = begins ? j : j - 1;
-    const R d = std::min(distance, R(set.length(inside) / 2));
-    set.move_end(j, inside, begins ? d : R(set.length(inside) - d));
-  }
-  std::vector<R> q(state.q.begin(), state.q.end());
-  if (!q.empty()) q.back() = solution->problem().load();
-  solution->set(search_contact(solution->problem(), {std::move(set), std::move(q), R(state.tilt)}, solution->rules()));
-  return solution;
+  const auto search = [&](const ReducedProblem<R>& reduced, JacobiRules<R>& rules) {
+    const ContactState<double>& state = rough.state();
+    ContactSet<R> set = ContactSet<R>::converted(reduced, state.set);
+    // A free end that lies on a jump as far as double can tell is free again.
+    const R distance = epsilon<double>() * set.span_length();
+    for (std::size_t j = set.points().size(); j-- > 0;) {
+      if (!set.point(j).is_free() || !set.point(j).anchor) continue;
+      const std::size_t inside = set.inside(j);
+      const R d = std::min(distance, set.length(inside) / 2);
+      set.move_end(j, inside, set.contact_side(j) == Side::right ? d : set.length(inside) - d);
+    }
+    std::vector<R> q(state.q.begin(), state.q.end());
+    if (!q.empty()) q.back() = reduced.load();
+    return search_contact(reduced, {std::move(set), std::move(q), R(state.tilt)}, rules);
+  };
+  return std::make_shared<RiemannHilbertSolution<R>>(problem, rough.problem().frame(), search);
 }
 
 /// The coarse solution, finer where that did not lead to a solution.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numeric/number/polynomial_roots.hpp"
+#include "numeric/number/polynomial.hpp"
 
 namespace steadyslide::numeric {
 namespace {
@@ -71,12 +71,14 @@ Estimate<R> RiemannHilbertForm<R>::traction(const SurfacePoint<R>& at) const {
 }
 
 template <Real R>
+R RiemannHilbertForm<R>::profile_slope(const SurfacePoint<R>& at) const {
+  return problem().slope(slope_at(nearest_segment(at)), at.node.x) + tilt_;
+}
+
+template <Real R>
 Estimate<R> RiemannHilbertForm<R>::surface_slope(const SurfacePoint<R>& at) const {
-  using std::abs;
-  const std::ptrdiff_t last = static_cast<std::ptrdiff_t>(set().segments()) - 1;
-  const auto segment = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at.segment, 0, last));
-  const R profile = problem().slope(slope_at(segment), at.node.x) + tilt_;
-  const Estimate<R> rounded{profile, 4 * epsilon<R>() * abs(profile)};
+  const std::size_t segment = nearest_segment(at);
+  const Estimate<R> rounded = Estimate<R>{profile_slope(at), R(0)}.widened(4 * epsilon<R>());
   if (at.segment == static_cast<std::ptrdiff_t>(segment) && set().in_contact(segment)) return rounded;
   return rounded - y_->value(at) * regular_factor(slope_at(segment), at).widened(16 * epsilon<R>());
 }
@@ -98,11 +100,9 @@ Estimate<R> RiemannHilbertForm<R>::load_on(std::size_t segment) const {
 
 template <Real R>
 std::vector<R> RiemannHilbertForm<R>::moments(std::size_t count) const {
-  // The expansion at infinity would be a small difference of large terms where several components are small beside
-  // their distances.
+  // The expansion at infinity would be a small difference of large terms where components are small beside their gaps.
   if (set().components() > 1) return quadrature_.moments(tilt_, count);
-  // One component: any k will do, and the polynomial's part is exact. The one of the longest segment is the smallest
-  // there.
+  // One component: any k will do, and the polynomial's part is exact. That of the longest segment is smallest there.
   std::size_t longest = set().all(ContactSet<R>::Kind::begins).front();
   for (std::size_t segment = 0; segment < set().segments(); ++segment) {
     if (set().in_contact(segment) && set().length(segment) > set().length(longest)) longest = segment;
@@ -141,7 +141,7 @@ std::vector<SurfacePoint<R>> RiemannHilbertForm<R>::profile_extrema(std::size_t 
   const R& right = set().x(segment + 1);
   for (const double x : sign_changes(g, static_cast<double>(left), static_cast<double>(right))) {
     if (!(R(x) > left && R(x) < right)) continue;
-    result.push_back({static_cast<std::ptrdiff_t>(segment), {R(x), R(x - left), R(right - x)}});
+    result.push_back({static_cast<std::ptrdiff_t>(segment), {R(x), x - left, right - x}});
   }
   return result;
 }

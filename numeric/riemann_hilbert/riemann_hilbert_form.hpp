@@ -1,6 +1,5 @@
 #pragma once
-// The solution of A t = g + tilt on a given contact set K, for a profile slope g that is a polynomial g_k on each
-// piece:
+// The solution of A t = g + tilt on a given contact set K, the profile's slope g a polynomial g_k on each piece:
 //
 //   u'/c = g_k + tilt - Y B_k off the contact,   t = eps cos(pi alpha) |Y| B_k on it,
 //   B_k(x) = [(g_k + tilt)/Y]_poly - q(x)/pi - (1/pi) int_K eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x),
@@ -52,6 +51,8 @@ class RiemannHilbertForm {
   Estimate<R> regular_factor_at(std::size_t j, Side side) const;
   /// t; zero off the contact.
   Estimate<R> traction(const SurfacePoint<R>& at) const;
+  /// The tilted profile's g at a point; beyond the support that of its last piece.
+  R profile_slope(const SurfacePoint<R>& at) const;
   /// The reduced slope u'/c.
   Estimate<R> surface_slope(const SurfacePoint<R>& at) const;
   /// int t over a segment in contact at whose two points the polynomial does not change.
@@ -72,6 +73,11 @@ class RiemannHilbertForm {
   }
 
  private:
+  std::size_t nearest_segment(const SurfacePoint<R>& at) const {
+    return static_cast<std::size_t>(
+        std::clamp<std::ptrdiff_t>(at.segment, 0, static_cast<std::ptrdiff_t>(set().segments()) - 1));
+  }
+
   JacobiRules<R>* rules_;
   std::shared_ptr<const SignedFundamentalSolution<R>> y_;  ///< the quadrature points to it, in copies of the form too
   std::vector<R> q_;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "numeric/cauchy/traction_density.hpp"
-#include "numeric/number/chebyshev_position.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
@@ -13,14 +12,7 @@ namespace steadyslide::numeric {
 
 template <Real R>
 R RiemannHilbertSolution<R>::shear_ratio(std::size_t segment) const {
-  return to_real<R>(problem_.shear_ratio(form_->friction_at(segment)));
-}
-
-template <Real R>
-Estimate<R> RiemannHilbertSolution<R>::shear_of(const Estimate<R>& traction, std::size_t segment) const {
-  const R ratio = shear_ratio(segment);
-  if (ratio == 0) return {};  // under an infinite pressure, too
-  return ratio * traction;
+  return to_real<R>(problem_.shear_ratio(form_.friction_at(segment)));
 }
 
 template <Real R>
@@ -33,22 +25,22 @@ Estimate<R> RiemannHilbertSolution<R>::tangential_slope(const Rational& x) const
   for (std::size_t k = 0; k < contact_set().segments(); ++k) {
     const auto distance = [&](std::size_t segment) {
       if (static_cast<std::ptrdiff_t>(segment) == at.segment) return R(0);
-      return std::min(R(abs(form_->distance(at, segment))), R(abs(form_->distance(at, segment + 1))));
+      return std::min(abs(form_.distance(at, segment)), abs(form_.distance(at, segment + 1)));
     };
     if (contact_set().in_contact(k) && distance(k) < distance(nearest)) nearest = k;
   }
   const R ratio = shear_ratio(nearest);
-  const Estimate<R> t = form_->traction(at);
-  const Estimate<R> slope = form_->surface_slope(at);
+  const Estimate<R> t = form_.traction(at);
+  const Estimate<R> slope = form_.surface_slope(at);
   const R gamma = to_real<R>(problem_.elasticity().gamma());
-  const R s = reduced_.s(form_->friction_at(nearest));
+  const R s = reduced_.s(form_.friction_at(nearest));
   Estimate<R> sum = ratio * (slope - s * t) + gamma * t;
   for (std::size_t k = 0; k < contact_set().segments(); ++k) {
     if (!contact_set().in_contact(k) || shear_ratio(k) == ratio) continue;
     const bool on_right = static_cast<std::ptrdiff_t>(k) > at.segment;
-    const R distance = abs(form_->distance(at, on_right ? k : k + 1));
+    const R distance = abs(form_.distance(at, on_right ? k : k + 1));
     sum += (shear_ratio(k) - ratio) *
-           tanh_sinh::cauchy<R>({panel_density(*form_, k)}, on_right ? Side::left : Side::right, distance);
+           tanh_sinh::cauchy<R>({panel_density(form_, k)}, on_right ? Side::left : Side::right, distance);
   }
   return to_real<R>(problem_.elasticity().compliance()) * sum;
 }
@@ -63,7 +55,7 @@ std::optional<std::size_t> RiemannHilbertSolution<R>::nearest_end(const SurfaceP
     if (static_cast<std::ptrdiff_t>(j) > at.segment && !right) right = j;
   }
   if (!left || !right) return left ? left : right;
-  return form_->distance(at, *left) <= -form_->distance(at, *right) ? left : right;
+  return form_.distance(at, *left) <= -form_.distance(at, *right) ? left : right;
 }
 
 template <Real R>
@@ -72,10 +64,10 @@ Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const {
   if (contact_set().in_contact(static_cast<std::size_t>(at.segment))) return {};
   const std::optional<std::size_t> end = nearest_end(at);
   if (!end) return {};
-  const Estimate<R> reduced_gap = GapIntegral<R>(*form_, *end).reduced_gap(at);
+  const Estimate<R> reduced_gap = GapIntegral<R>(form_, *end).reduced_gap(at);
   const R scale = to_real<R>(problem_.elasticity().compliance()) * to_real<R>(reduced_.frame().unit);
-  const R distance = abs(form_->distance(at, *end));
-  const R ends = distance > 0 ? R(2 * found_->end_error / distance) : R(0);
+  const R distance = abs(form_.distance(at, *end));
+  const R ends = distance > 0 ? 2 * found_.end_error / distance : R(0);
   return scale * reduced_gap.widened(ends);
 }
 
@@ -86,20 +78,17 @@ Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const {
   Sample<R> result;
   result.x = to_real<R>(reduced_.frame().origin) + to_real<R>(reduced_.frame().unit) * at.node.x;
   const R ends = relative_end_error(at);
-  Estimate<R> slope = form_->surface_slope(at);
+  Estimate<R> slope = form_.surface_slope(at);
   const bool in_support = at.segment >= 0 && at.segment < static_cast<std::ptrdiff_t>(contact_set().segments());
   if (in_support) result.gap = gap(at);
   if (in_support && contact_set().in_contact(static_cast<std::size_t>(at.segment))) {
-    const Estimate<R> t = form_->traction(at).widened(ends);
-    const Estimate<R> shear = shear_of(t, static_cast<std::size_t>(at.segment));
+    const Estimate<R> t = form_.traction(at).widened(ends);
+    const Estimate<R> shear = shear_of(problem_, form_.friction_at(static_cast<std::size_t>(at.segment)), t);
     result.traction = {t, t};
     result.shear = {shear, shear};
   } else {
     // The slope is the profile's less a singular part: that is what ends move.
-    const auto last = static_cast<std::ptrdiff_t>(contact_set().segments()) - 1;
-    const auto segment = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at.segment, 0, last));
-    const R profile = reduced_.slope(form_->slope_at(segment), at.node.x) + form_->tilt();
-    slope.error += ends * abs(profile - slope.value);
+    slope.error += ends * abs(form_.profile_slope(at) - slope.value);
   }
   slope *= c;
   result.slope = {slope, slope};
@@ -109,17 +98,15 @@ Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const {
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) const {
   if (!in_contact_at(j, side)) return {};
-  const Exponent& p = form_->fundamental_solution().powers()[j].value == 0 ? Exponent(0) : form_->exponent(j);
+  const Exponent& p = form_.fundamental_solution().powers()[j].value == 0 ? Exponent(0) : form_.exponent(j);
   if (p.sign() < 0) return {-infinity<R>(), R(0)};
-  if (form_->changes_polynomial(j)) {
+  if (form_.changes_polynomial(j)) {
     if (p.sign() > 0) return constant(j);
     // Without a corner (only the curvature changes) the logarithm is multiplied by zero.
-    if (const int corner = sign(wedge(j)); corner != 0) return {corner > 0 ? R(-infinity<R>()) : infinity<R>(), R(0)};
+    if (const int corner = sign(wedge(j)); corner != 0) return {corner > 0 ? -infinity<R>() : infinity<R>(), R(0)};
   }
   if (p.sign() > 0) return {};
-  const R& cos_alpha = reduced_.cos_alpha(form_->friction_at(side == Side::left ? j - 1 : j));
-  const Estimate<R> t = amplitude(j, side);
-  return cos_alpha * t;
+  return reduced_.cos_alpha(form_.friction_at(side == Side::left ? j - 1 : j)) * amplitude(j, side);
 }
 
 template <Real R>
@@ -129,18 +116,18 @@ Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) con
   const auto& point = contact_set().point(j);
   const bool contact = in_contact_at(j, side);
   if (!contact && point.is_end() && !point.vanishes) {
-    return {side == Side::left ? R(-infinity<R>()) : infinity<R>(), R(0)};
+    return {side == Side::left ? -infinity<R>() : infinity<R>(), R(0)};
   }
   std::ptrdiff_t segment = static_cast<std::ptrdiff_t>(j) - (side == Side::left ? 1 : 0);
   if (contact || point.is_end()) {
     // The surface leaves a free end along the profile of the contact.
     if (!contact) segment += side == Side::left ? 1 : -1;
     const R slope =
-        reduced_.slope(form_->slope_at(static_cast<std::size_t>(segment)), contact_set().x(j)) + form_->tilt();
+        reduced_.slope(form_.slope_at(static_cast<std::size_t>(segment)), contact_set().x(j)) + form_.tilt();
     return {c * slope, 8 * epsilon<R>() * c * abs(slope)};
   }
   // Off the contact the surface is smooth, whatever the profile does above it.
-  return c * form_->surface_slope(beside(contact_set(), j, side, R(0)));
+  return c * form_.surface_slope(beside(contact_set(), j, side, R(0)));
 }
 
 template <Real R>
@@ -148,21 +135,19 @@ Sample<R> RiemannHilbertSolution<R>::sample_at_point(std::size_t j) const {
   Sample<R> result;
   result.x = coordinate(j).value;
   result.traction = {traction_limit(j, Side::left), traction_limit(j, Side::right)};
-  result.shear = {j == 0 ? Estimate<R>{} : shear_of(result.traction.left, j - 1),
-                  j == contact_set().segments() ? Estimate<R>{} : shear_of(result.traction.right, j)};
+  result.shear = {
+      j == 0 ? Estimate<R>{} : shear_of(problem_, form_.friction_at(j - 1), result.traction.left),
+      j == contact_set().segments() ? Estimate<R>{} : shear_of(problem_, form_.friction_at(j), result.traction.right)};
   result.slope = {slope_limit(j, Side::left), slope_limit(j, Side::right)};
   if (in_contact_at(j, Side::left) || in_contact_at(j, Side::right)) {
     result.gap = Estimate<R>{};
   } else {
     // At the support's ends the only segment is the inner one; at a step, the side of the lower gap.
-    const std::size_t segments = contact_set().segments();
-    std::optional<Estimate<R>> lowest;
     for (const Side side : {Side::left, Side::right}) {
-      if ((side == Side::left && j == 0) || (side == Side::right && j == segments)) continue;
+      if (j == (side == Side::left ? 0 : contact_set().segments())) continue;
       const Estimate<R> here = gap(beside(contact_set(), j, side, R(0)));
-      if (!lowest || here.value < lowest->value) lowest = here;
+      if (!result.gap || here.value < result.gap->value) result.gap = here;
     }
-    result.gap = lowest;
   }
   return result;
 }
@@ -174,32 +159,30 @@ SurfacePoint<R> RiemannHilbertSolution<R>::locate(const Rational& x) const {
   const std::size_t last = reduced_.anchors().size() - 1;
   const auto from = [&](std::size_t anchor) { return to_real<R>((x - reduced_.place(anchor)) / frame.unit); };
   const ContactSet<R>& set = contact_set();
-  if (x < reduced_.place(0)) return {-1, {xi, infinity<R>(), R(-from(0))}};
+  if (x < reduced_.place(0)) return {-1, {xi, infinity<R>(), -from(0)}};
   if (x > reduced_.place(last)) return {static_cast<std::ptrdiff_t>(set.segments()), {xi, from(last), infinity<R>()}};
 
   std::size_t interval = 0;
   while (interval + 1 < last && x > reduced_.place(interval + 1)) ++interval;
-  std::size_t first = 0;
-  while (set.point(first).anchor != interval) ++first;
-  std::size_t end = first + 1;
-  while (!set.point(end).anchor) ++end;
+  const std::size_t first = set.point_of(interval);
+  const std::size_t end = set.point_of(interval + 1);
   // Distances from the points of the interval, by way of the anchor that is nearer; by coordinates if both are far.
   const R left = from(interval);
   const R right = -from(interval + 1);
   const bool left_is_near = left < right;
   const auto to_point = [&](std::size_t j) {
-    if (!set.point(j).anchor && left > 4 && right > 4) return R(set.x(j) - xi);
+    if (!set.point(j).anchor && left > 4 && right > 4) return set.x(j) - xi;
     R d = left_is_near ? left : right;
     if (left_is_near) {
       for (std::size_t k = first; k < j; ++k) d -= set.length(k);
-      return R(-d);
+      return -d;
     }
     for (std::size_t k = j; k < end; ++k) d -= set.length(k);
     return d;
   };
   std::size_t segment = first;
   while (segment + 1 < end && to_point(segment + 1) < 0) ++segment;
-  return {static_cast<std::ptrdiff_t>(segment), {xi, R(-to_point(segment)), to_point(segment + 1)}};
+  return {static_cast<std::ptrdiff_t>(segment), {xi, -to_point(segment), to_point(segment + 1)}};
 }
 
 template <Real R>
@@ -223,10 +206,7 @@ template <Real R>
 std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const {
   std::vector<Sample<R>> result;
   const ContactSet<R>& set = contact_set();
-  std::size_t first = 0;
-  while (first < set.segments()) {
-    std::size_t end = first + 1;
-    while (end < set.segments() && set.in_contact(end) == set.in_contact(first)) ++end;
+  for (const auto& [first, end] : set.runs()) {
     R width = 0;
     for (std::size_t k = first; k < end; ++k) width += set.length(k);
     // Each segment gets its part of the count, half of it by number and half by length.
@@ -235,32 +215,30 @@ std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const {
     for (std::size_t k = first; k < end; ++k) {
       before += set.length(k);
       const R part = R(static_cast<double>(k + 1 - first)) / static_cast<double>(end - first);
-      const int until = k + 1 == end ? count : static_cast<int>(R(count * (part + before / width) / 2));
+      const int until = k + 1 == end ? count : static_cast<int>(count * (part + before / width) / 2);
       const int n = until - done;
       for (int i = 0; i < n; ++i) {
         const auto [left, right] = chebyshev_position<R>(i, n);
-        result.push_back(sample(surface_point(set, k, R(left * set.length(k)), R(right * set.length(k)))));
+        result.push_back(sample(surface_point(set, k, left * set.length(k), right * set.length(k))));
       }
       done = until;
     }
-    first = end;
   }
   return result;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                                                                  \
-  template R RiemannHilbertSolution<R>::shear_ratio(std::size_t segment) const;                                     \
-  template Estimate<R> RiemannHilbertSolution<R>::shear_of(const Estimate<R>& traction, std::size_t segment) const; \
-  template Estimate<R> RiemannHilbertSolution<R>::tangential_slope(const Rational& x) const;                        \
-  template std::optional<std::size_t> RiemannHilbertSolution<R>::nearest_end(const SurfacePoint<R>& at) const;      \
-  template Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const;                             \
-  template Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const;                            \
-  template Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) const;                   \
-  template Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) const;                      \
-  template Sample<R> RiemannHilbertSolution<R>::sample_at_point(std::size_t j) const;                               \
-  template SurfacePoint<R> RiemannHilbertSolution<R>::locate(const Rational& x) const;                              \
-  template std::optional<std::size_t> RiemannHilbertSolution<R>::point_at(const SurfacePoint<R>& at) const;         \
-  template Sample<R> RiemannHilbertSolution<R>::at(const Rational& x) const;                                        \
+#define STEADYSLIDE_INSTANTIATE(R)                                                                             \
+  template R RiemannHilbertSolution<R>::shear_ratio(std::size_t segment) const;                                \
+  template Estimate<R> RiemannHilbertSolution<R>::tangential_slope(const Rational& x) const;                   \
+  template std::optional<std::size_t> RiemannHilbertSolution<R>::nearest_end(const SurfacePoint<R>& at) const; \
+  template Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const;                        \
+  template Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const;                       \
+  template Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) const;              \
+  template Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) const;                 \
+  template Sample<R> RiemannHilbertSolution<R>::sample_at_point(std::size_t j) const;                          \
+  template SurfacePoint<R> RiemannHilbertSolution<R>::locate(const Rational& x) const;                         \
+  template std::optional<std::size_t> RiemannHilbertSolution<R>::point_at(const SurfacePoint<R>& at) const;    \
+  template Sample<R> RiemannHilbertSolution<R>::at(const Rational& x) const;                                   \
   template std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const;
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)

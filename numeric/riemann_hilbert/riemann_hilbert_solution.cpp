@@ -3,26 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/cauchy/residuals.hpp"
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
-#include "numeric/solution/load_sharing.hpp"
+#include "numeric/riemann_hilbert/gap_integral.hpp"
+#include "numeric/riemann_hilbert/local_signs.hpp"
 
 namespace steadyslide::numeric {
 
 template <Real R>
-RiemannHilbertSolution<R>::RiemannHilbertSolution(ContactProblem problem, const Frame& frame)
-    : problem_(std::move(problem)), reduced_(problem_, frame) {}
-
-template <Real R>
-void RiemannHilbertSolution<R>::set(SearchResult<R> found) {
-  found_ = std::move(found);
-  form_.emplace(reduced_, found_->state.set, found_->state.q, found_->state.tilt, rules_);
-}
+RiemannHilbertSolution<R>::RiemannHilbertSolution(ContactProblem problem, const Frame& frame, const Search& search)
+    : problem_(std::move(problem)),
+      reduced_(problem_, frame),
+      found_(search(reduced_, rules_)),
+      form_(reduced_, found_.state.set, found_.state.q, found_.state.tilt, rules_) {}
 
 template <Real R>
 bool RiemannHilbertSolution<R>::has_edge() const {
   const auto& points = contact_set().points();
-  return std::any_of(points.begin(), points.end(), [](const auto& p) { return p.is_end() && !p.vanishes; });
+  return std::ranges::any_of(points, [](const auto& p) { return p.is_end() && !p.vanishes; });
 }
 
 template <Real R>
@@ -35,7 +34,7 @@ Estimate<R> RiemannHilbertSolution<R>::coordinate(std::size_t j) const {
   }
   const R offset = to_real<R>(reduced_.frame().unit) * contact_set().x(j);
   const R x = to_real<R>(reduced_.frame().origin) + offset;
-  return {x, to_real<R>(reduced_.frame().unit) * found_->end_error + epsilon<R>() * (abs(x) + abs(offset))};
+  return {x, to_real<R>(reduced_.frame().unit) * found_.end_error + epsilon<R>() * (abs(x) + abs(offset))};
 }
 
 template <Real R>
@@ -51,23 +50,27 @@ R RiemannHilbertSolution<R>::relative_end_error(const SurfacePoint<R>& at) const
   using std::abs;
   R sum = 0;
   for (const std::size_t j : contact_set().movable()) {
-    const R distance = abs(form_->distance(at, j));
-    if (distance > 0) sum += 4 * abs(form_->fundamental_solution().powers()[j].value) * found_->end_error / distance;
+    const R distance = abs(form_.distance(at, j));
+    if (distance > 0) sum += 4 * abs(form_.fundamental_solution().powers()[j].value) * found_.end_error / distance;
   }
   return sum;
+}
+
+/// A segment's middle.
+template <Real R>
+SurfacePoint<R> RiemannHilbertSolution<R>::middle_of(std::size_t segment) const {
+  const R half = contact_set().length(segment) / 2;
+  return {static_cast<std::ptrdiff_t>(segment), {contact_set().x(segment) + half, half, half}};
 }
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::amplitude(std::size_t j, Side side) const {
   using std::abs;
   const std::size_t segment = side == Side::left ? j - 1 : j;
-  const R& length = contact_set().length(segment);
-  const Estimate<R> b = form_->regular_factor_at(j, side);
-  const R factor = form_->sign(static_cast<std::ptrdiff_t>(segment)) * form_->fundamental_solution().amplitude(j);
-  const Node<R> node{contact_set().x(segment) + length / 2, length / 2, length / 2};
-  const R relative = form_->fundamental_solution().relative_error(segment, node, R(0)) +
-                     2 * relative_end_error({static_cast<std::ptrdiff_t>(segment), node});
-  return factor * b.widened(relative);
+  const SurfacePoint<R> at = middle_of(segment);
+  const R factor = form_.sign(at.segment) * form_.fundamental_solution().amplitude(j);
+  const R relative = form_.fundamental_solution().relative_error(segment, at.node, R(0)) + 2 * relative_end_error(at);
+  return factor * form_.regular_factor_at(j, side).widened(relative);
 }
 
 template <Real R>
@@ -75,34 +78,34 @@ Estimate<R> RiemannHilbertSolution<R>::intensity(std::size_t j) const {
   using std::abs, std::pow;
   const bool inside = !contact_set().point(j).is_end();
   const Side side = in_contact_at(j, Side::right) ? Side::right : Side::left;
-  const std::size_t friction = form_->friction_at(side == Side::right ? j : j - 1);
-  if (inside && form_->exponent(j).sign() == 0) {
+  const std::size_t friction = form_.friction_at(side == Side::right ? j : j - 1);
+  if (inside && form_.exponent(j).sign() == 0) {
     // A wedge: the coefficient of log|x - c|/pi.
     const Rational s = problem_.coupled_friction(friction);
     const R theta = to_real<R>(Rational(wedge(j) / (1 + s * s)));
     return {theta, epsilon<R>() * abs(theta)};
   }
   const Estimate<R> t = amplitude(j, side);
-  const R power = pow(to_real<R>(reduced_.frame().unit), R(-form_->fundamental_solution().powers()[j].value));
+  const R power = pow(to_real<R>(reduced_.frame().unit), -form_.fundamental_solution().powers()[j].value);
   // At an end theta carries the cos(pi alpha) of the contact side; at a jump the definition takes it out.
-  const R factor = inside ? power : R(power * reduced_.cos_alpha(friction));
-  return R(-factor) * t;
+  const R factor = inside ? power : power * reduced_.cos_alpha(friction);
+  return -factor * t;
 }
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::constant(std::size_t j) const {
   using std::abs, std::log;
-  if (contact_set().point(j).is_end() || !form_->changes_polynomial(j)) return {};
+  if (contact_set().point(j).is_end() || !form_.changes_polynomial(j)) return {};
   const Rational& d = wedge(j);
-  const Rational s = problem_.coupled_friction(form_->friction_at(j - 1));
-  if (form_->exponent(j).sign() != 0) {
+  const Rational s = problem_.coupled_friction(form_.friction_at(j - 1));
+  if (form_.exponent(j).sign() != 0) {
     // From exact data: next to each other the two s have lost their difference in R.
-    const R a = to_real<R>(Rational(d / (problem_.coupled_friction(form_->friction_at(j)) - s)));
+    const R a = to_real<R>(Rational(d / (problem_.coupled_friction(form_.friction_at(j)) - s)));
     return {a, epsilon<R>() * abs(a)};
   }
   // The limit from the left of t - D/(1+s^2) log|x-c|/pi, |x-c| in the user's unit.
   const Estimate<R> t = amplitude(j, Side::left);
-  const R& cos_alpha = reduced_.cos_alpha(form_->friction_at(j - 1));
+  const R& cos_alpha = reduced_.cos_alpha(form_.friction_at(j - 1));
   const R unit = to_real<R>(Rational(d / (1 + s * s))) * log(to_real<R>(reduced_.frame().unit)) / pi<R>();
   return cos_alpha * t - Estimate<R>{unit, 4 * epsilon<R>() * abs(unit)};
 }
@@ -115,7 +118,7 @@ ContactEnd<R> RiemannHilbertSolution<R>::contact_end(std::size_t j) const {
     const bool at_support = *point.anchor == 0 || *point.anchor + 1 == reduced_.anchors().size();
     kind = at_support ? SingularKind::edge : SingularKind::step;
   }
-  return {coordinate(j), kind, form_->exponent(j), intensity(j)};
+  return {coordinate(j), kind, form_.exponent(j), intensity(j)};
 }
 
 template <Real R>
@@ -138,7 +141,7 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
       continue;
     }
     if (!in_contact_at(j, Side::left) || !in_contact_at(j, Side::right)) continue;
-    const Exponent& beta = form_->exponent(j);
+    const Exponent& beta = form_.exponent(j);
     const bool has_corner = wedge(j) != 0;
     if (beta.sign() != 0) {
       const SingularKind kind = has_corner ? SingularKind::wedge_and_jump : SingularKind::friction_jump;
@@ -152,8 +155,8 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::load_on(std::size_t segment) const {
-  if (!form_->changes_polynomial(segment) && !form_->changes_polynomial(segment + 1)) return form_->load_on(segment);
-  return tanh_sinh::panel_integral(panel_density(*form_, segment));
+  if (!form_.changes_polynomial(segment) && !form_.changes_polynomial(segment + 1)) return form_.load_on(segment);
+  return tanh_sinh::panel_integral(panel_density(form_, segment));
 }
 
 template <Real R>
@@ -163,16 +166,12 @@ Resultants<R> RiemannHilbertSolution<R>::resultants() const {
   std::vector<Estimate<R>> loads(problem_.friction().values().size());
   for (std::size_t k = 0; k < contact_set().segments(); ++k) {
     if (!contact_set().in_contact(k)) continue;
-    const Estimate<R> load = load_on(k);
-    const R half = contact_set().length(k) / 2;
-    const R ends = 2 * relative_end_error({static_cast<std::ptrdiff_t>(k), {contact_set().x(k) + half, half, half}});
-    loads[form_->friction_at(k)] += -unit * load.widened(ends);
+    loads[form_.friction_at(k)] += -unit * load_on(k).widened(2 * relative_end_error(middle_of(k)));
   }
   Resultants<R> result = resultants_of(loads, problem_.friction().values());
   const R origin = to_real<R>(reduced_.frame().origin);
-  const R offset = unit * form_->moment_of_load() / reduced_.load();
-  result.centre_of_pressure = {origin + offset,
-                               epsilon<R>() * (abs(origin) + 32 * unit) + 8 * unit * found_->end_error};
+  const R offset = unit * form_.moment_of_load() / reduced_.load();
+  result.centre_of_pressure = {origin + offset, epsilon<R>() * (abs(origin) + 32 * unit) + 8 * unit * found_.end_error};
   return result;
 }
 
@@ -181,24 +180,74 @@ std::optional<Estimate<R>> RiemannHilbertSolution<R>::tilt() const {
   using std::abs;
   if (!problem_.load_at()) return std::nullopt;
   const R c = to_real<R>(problem_.elasticity().compliance());
-  const R value = c * form_->tilt();
-  return Estimate<R>{value, 64 * epsilon<R>() * (abs(value) + c * reduced_.load()) + c * found_->end_error};
+  const R value = c * form_.tilt();
+  return Estimate<R>{value, 64 * epsilon<R>() * (abs(value) + c * reduced_.load()) + c * found_.end_error};
 }
 
 template <Real R>
 EstimatedError<R> RiemannHilbertSolution<R>::estimated_error() const {
   using std::abs, std::max;
-  EstimatedError<R> worst{max(R(found_->end_error / contact_set().span_length()), epsilon<R>()), R(0), R(0)};
+  EstimatedError<R> worst{max(found_.end_error / contact_set().span_length(), epsilon<R>()), R(0), R(0)};
   for (std::size_t k = 0; k < contact_set().segments(); ++k) {
     if (!contact_set().in_contact(k)) continue;
-    const R half = contact_set().length(k) / 2;
-    const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(k), {contact_set().x(k) + half, half, half}};
-    const Estimate<R> t = form_->traction(at);
-    if (t.value != 0) worst.traction = max(worst.traction, R(t.error / abs(t.value) + relative_end_error(at)));
+    const SurfacePoint<R> at = middle_of(k);
+    const Estimate<R> t = form_.traction(at);
+    if (t.value != 0) worst.traction = max(worst.traction, t.error / abs(t.value) + relative_end_error(at));
   }
   const Resultants<R> r = resultants();
   worst.resultants = r.normal.error / r.normal.value;
   return worst;
+}
+
+template <Real R>
+Residuals<R> RiemannHilbertSolution<R>::residuals() const {
+  using std::abs, std::max;
+  PiecewiseDensity<R> density;
+  std::vector<R> s;
+  std::vector<std::size_t> segments;
+  R contact_length = 0;
+  for (std::size_t k = 0; k < contact_set().segments(); ++k) {
+    if (!contact_set().in_contact(k)) continue;
+    density.push_back(panel_density(form_, k));
+    s.push_back(reduced_.s(form_.friction_at(k)));
+    segments.push_back(k);
+    contact_length += contact_set().length(k);
+  }
+  const SurfaceCheck<R> check(std::move(density), s, [&](std::size_t panel, const Node<R>& node) {
+    return reduced_.slope(form_.slope_at(segments[panel]), node.x) + form_.tilt();
+  });
+  const R& load = reduced_.load();
+  Residuals<R> result;
+  result.equation = check.equation();
+  result.load = abs(check.integral() + load) / load;
+  // Places show what is there; the limits decide what no place may show.
+  const R limit = highest_limit(form_, found_.end_error);
+  result.tension = max({check.highest_traction(), limit, R(0)}) * contact_length / load;
+
+  // Gaps: the profile against the displacement, both from the end of the contact that is next to the place.
+  R deepest = 0;
+  constexpr int places = 8;
+  for (std::size_t k = 0; k < contact_set().segments(); ++k) {
+    if (contact_set().in_contact(k)) continue;
+    std::vector<SurfacePoint<R>> all = form_.profile_extrema(k);
+    for (int i = 0; i < places; ++i) {
+      const auto [left, right] = chebyshev_position<R>(i, places);
+      const R& length = contact_set().length(k);
+      all.push_back(surface_point(contact_set(), k, left * length, right * length));
+    }
+    for (const SurfacePoint<R>& at : all) {
+      const std::optional<std::size_t> end = nearest_end(at);
+      if (!end) continue;
+      const auto panel = std::ranges::find(segments, contact_set().inside(*end)) - segments.begin();
+      const R distance = abs(form_.distance(at, *end));
+      const R surface =
+          check.displacement(static_cast<std::size_t>(panel), opposite(contact_set().contact_side(*end)), distance);
+      const R gap = GapIntegral<R>(form_, *end).profile_increment(at) - surface;
+      deepest = max(deepest, -gap);
+    }
+  }
+  result.penetration = deepest / load;
+  return result;
 }
 
 template class RiemannHilbertSolution<double>;

@@ -1,7 +1,7 @@
 #pragma once
 // The Riemann-Hilbert form of a contact problem in the user's units and x: what riemann_hilbert() returns.
 
-#include <memory>
+#include <functional>
 
 #include "numeric/riemann_hilbert/contact_search.hpp"
 #include "numeric/solution/contact_solution.hpp"
@@ -11,22 +11,21 @@ namespace steadyslide::numeric {
 template <Real R>
 class RiemannHilbertSolution : public ContactSolution<R> {
  public:
-  RiemannHilbertSolution(ContactProblem problem, const Frame& frame);
+  /// The contact that `search` finds for the reduced problem, with rules that the form goes on using.
+  using Search = std::function<SearchResult<R>(const ReducedProblem<R>&, JacobiRules<R>&)>;
+  RiemannHilbertSolution(ContactProblem problem, const Frame& frame, const Search& search);
   // The form points into this object.
   RiemannHilbertSolution(const RiemannHilbertSolution&) = delete;
   RiemannHilbertSolution& operator=(const RiemannHilbertSolution&) = delete;
 
   const ReducedProblem<R>& problem() const { return reduced_; }
-  JacobiRules<R>& rules() { return rules_; }
-  /// To be called once, with what the search has found; before, only the two functions above may be.
-  void set(SearchResult<R> found);
-  const ContactState<R>& state() const { return found_->state; }
-  const RiemannHilbertForm<R>& form() const { return *form_; }
+  const ContactState<R>& state() const { return found_.state; }
+  const RiemannHilbertForm<R>& form() const { return form_; }
   /// Does the traction blow up at an end?
   bool has_edge() const;
 
   std::string method() const override { return "riemann-hilbert"; }
-  std::string shortcoming() const override { return found_->shortcoming; }
+  std::string shortcoming() const override { return found_.shortcoming; }
   std::vector<ContactComponent<R>> contact() const override;
   std::vector<SolvedSingularPoint<R>> singular_points() const override;
   Resultants<R> resultants() const override;
@@ -48,8 +47,9 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   R relative_end_error(const SurfacePoint<R>& at) const;
 
  private:
-  const ContactSet<R>& contact_set() const { return form_->set(); }
+  const ContactSet<R>& contact_set() const { return form_.set(); }
   Estimate<R> coordinate(std::size_t j) const;
+  SurfacePoint<R> middle_of(std::size_t segment) const;
   ContactEnd<R> contact_end(std::size_t j) const;
   /// The coefficient of |x - x_j|^p/cos(pi alpha) in t on one side of point j, the part of t without its singular term
   /// where p = 0.
@@ -57,7 +57,7 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   Estimate<R> intensity(std::size_t j) const;
   Estimate<R> constant(std::size_t j) const;
   /// The jump of g at a point where the contact changes its polynomial.
-  const Rational& wedge(std::size_t j) const { return reduced_.anchors()[*contact_set().point(j).anchor].wedge; }
+  const Rational& wedge(std::size_t j) const { return contact_set().anchor_at(j)->wedge; }
   bool in_contact_at(std::size_t j, Side side) const;
 
   std::optional<std::size_t> point_at(const SurfacePoint<R>& at) const;
@@ -65,7 +65,6 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   Sample<R> sample_at_point(std::size_t j) const;
   Estimate<R> traction_limit(std::size_t j, Side side) const;
   Estimate<R> slope_limit(std::size_t j, Side side) const;
-  Estimate<R> shear_of(const Estimate<R>& traction, std::size_t segment) const;
   Estimate<R> gap(const SurfacePoint<R>& at) const;
   std::optional<std::size_t> nearest_end(const SurfacePoint<R>& at) const;
 
@@ -74,8 +73,8 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   ContactProblem problem_;
   ReducedProblem<R> reduced_;
   JacobiRules<R> rules_;
-  std::optional<SearchResult<R>> found_;
-  std::optional<RiemannHilbertForm<R>> form_;
+  SearchResult<R> found_;
+  RiemannHilbertForm<R> form_;
 };
 
 }  // namespace steadyslide::numeric

@@ -4,20 +4,19 @@ namespace steadyslide::numeric {
 namespace {
 
 template <Real R>
+const typename ReducedProblem<R>::Singularity& singularity_at(const ReducedProblem<R>& problem,
+                                                              const ContactSet<R>& set, std::size_t j) {
+  const auto& point = set.point(j);
+  if (!point.is_end()) return problem.jump(*point.anchor);
+  return problem.end(opposite(set.contact_side(j)), !point.vanishes, problem.friction_of(set.interval(set.inside(j))));
+}
+
+template <Real R>
 Power<R> power_at(const ReducedProblem<R>& problem, const ContactSet<R>& set, std::size_t j) {
   const auto& point = set.point(j);
-  const auto friction = [&](std::size_t segment) { return problem.friction_of(set.interval(segment)); };
-  switch (point.kind) {
-    case ContactSet<R>::Kind::begins:
-      return point.vanishes ? problem.free_power(End::left, friction(j)) : problem.edge_power(End::left, friction(j));
-    case ContactSet<R>::Kind::ends:
-      return point.vanishes ? problem.free_power(End::right, friction(j - 1))
-                            : problem.edge_power(End::right, friction(j - 1));
-    default: break;
-  }
-  const bool inside = j > 0 && j < set.segments() && set.in_contact(j);
-  if (!inside || !point.anchor) return {R(0), R(1)};
-  return problem.jump_power(*point.anchor);
+  const bool is_jump = point.anchor && j > 0 && j < set.segments() && set.in_contact(j);
+  if (!point.is_end() && !is_jump) return {R(0), R(1)};
+  return singularity_at(problem, set, j).power;
 }
 
 template <Real R>
@@ -65,11 +64,7 @@ SignedFundamentalSolution<R>::SignedFundamentalSolution(const ReducedProblem<R>&
 
 template <Real R>
 const Exponent& SignedFundamentalSolution<R>::exponent(std::size_t j) const {
-  const auto& point = set_.point(j);
-  if (!point.is_end()) return problem_->jump_exponent(*point.anchor);
-  const End end = point.kind == ContactSet<R>::Kind::begins ? End::left : End::right;
-  const std::size_t friction = friction_at(end == End::left ? j : j - 1);
-  return point.vanishes ? problem_->free_exponent(end, friction) : problem_->edge_exponent(end, friction);
+  return singularity_at(*problem_, set_, j).exponent;
 }
 
 template <Real R>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "numeric/cauchy/fundamental_solution.hpp"
-#include "numeric/riemann_hilbert/surface_point.hpp"
+#include "numeric/riemann_hilbert/contact_set.hpp"
 
 namespace steadyslide::numeric {
 

@@ -49,6 +49,19 @@ struct Resultants {
   std::vector<Estimate<R>> load_share;  ///< the part of the load under each friction value, left to right, sum 1
 };
 
+/// From the load under each friction value, `loads[k]` = -int t under friction[k]. Without the centre of pressure.
+template <Real R>
+Resultants<R> resultants_of(const std::vector<Estimate<R>>& loads, const std::vector<Rational>& friction) {
+  Resultants<R> result;
+  for (const Estimate<R>& load : loads) result.normal += load;
+  for (std::size_t k = 0; k < friction.size(); ++k) {
+    result.load_share.push_back(loads[k] / result.normal);
+    result.effective_friction += to_real<R>(friction[k]) * result.load_share[k];
+  }
+  result.tangential = result.effective_friction * result.normal;
+  return result;
+}
+
 /// Relative residuals, measured by a rule unrelated to the one that found the solution.
 template <Real R>
 struct Residuals {
@@ -72,6 +85,13 @@ struct TwoSided {
   Estimate<R> left;
   Estimate<R> right;
 };
+
+/// The tangential traction under piece k of the friction: none without friction, under an infinite pressure, too.
+template <Real R>
+Estimate<R> shear_of(const ContactProblem& problem, std::size_t k, const Estimate<R>& traction) {
+  const R ratio = to_real<R>(problem.shear_ratio(k));
+  return ratio == 0 ? Estimate<R>{} : ratio * traction;
+}
 
 template <Real R>
 struct Sample {

@@ -90,16 +90,14 @@ SolutionSearch search_solutions(const ContactProblem& problem, int starts, const
   };
   std::vector<Met> met;
   for (int number = 0; number < starts; ++number) {
-    variational::NestedOptions nested;
-    nested.cells = options.cells;
-    nested.most_steps = options.most_steps;
-    nested.start = start_set(number, random);
+    VariationalOptions each = options;
     if (options.progress) {
-      nested.progress = [&](std::size_t done, std::size_t total) {
+      each.progress = [&](std::size_t done, std::size_t total) {
         options.progress(static_cast<std::size_t>(number) * total + done, static_cast<std::size_t>(starts) * total);
       };
     }
-    auto solution = std::make_shared<VariationalSolution>(problem, variational::solve_nested(problem, nested));
+    auto solution = std::make_shared<VariationalSolution>(
+        problem, variational::solve_nested(problem, each, start_set(number, random)));
     if (problem.elasticity().indenter() && solution->reaches_edge()) {
       search.why_not = "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails";
       return search;

@@ -7,9 +7,8 @@ namespace steadyslide::numeric::variational {
 namespace {
 
 bool is_finite(const DiscreteState& state) {
-  const auto finite = [](double p) { return std::isfinite(p); };
   return std::isfinite(state.approach) && std::isfinite(state.tilt) &&
-         std::all_of(state.pressure.begin(), state.pressure.end(), finite);
+         std::ranges::all_of(state.pressure, [](double p) { return std::isfinite(p); });
 }
 
 /// Cells under tension, and cells that penetrate by more than rounding.
@@ -22,25 +21,9 @@ std::vector<std::size_t> wrong_cells(const CellSet& contact, const DiscreteState
   return result;
 }
 
-/// The height of the profile over the contact set: what rounding of the gaps is relative to.
-double height(const DiscreteProblem& problem, const CellSet& contact) {
-  double low = 0;
-  double high = 0;
-  bool first = true;
-  for (std::size_t i = 0; i < contact.size(); ++i) {
-    if (!contact[i]) continue;
-    const double psi = problem.profile()[i];
-    low = first ? psi : std::min(low, psi);
-    high = first ? psi : std::max(high, psi);
-    first = false;
-  }
-  return std::max(1.0, high - low);
-}
-
 SystemSolution solve_set(const DiscreteProblem& problem, const CellSet& contact, const DiscreteState& guess,
                          double tolerance, std::size_t dense_cells) {
-  const auto cells = static_cast<std::size_t>(std::count(contact.begin(), contact.end(), 1));
-  const bool dense = !problem.mesh().is_uniform() || cells <= dense_cells;
+  const bool dense = !problem.mesh().is_uniform() || cells_of(contact).size() <= dense_cells;
   const auto system = dense ? dense_system(problem, contact) : krylov_system(problem, contact, guess, tolerance);
   return solve(*system, problem);
 }
@@ -63,7 +46,7 @@ ActiveSetResult active_set(const DiscreteProblem& problem, CellSet start, const 
       break;
     }
     ++best.steps;
-    const double scale = height(problem, contact);
+    const double scale = height_over(problem, cells_of(contact));
     SystemSolution solution = solve_set(problem, contact, state, tolerance * scale, options.dense_cells);
     best.products += solution.products;
     if (!is_finite(solution.state)) break;  // one cell alone cannot carry a load at another place
@@ -89,7 +72,7 @@ ActiveSetResult active_set(const DiscreteProblem& problem, CellSet start, const 
     // Few wrong cells: the end is near, and what is nearly solved decides wrongly.
     if (wrong.size() <= few) tolerance = options.tolerance;
     for (const std::size_t i : wrong) contact[i] = contact[i] ? 0 : 1;
-    if (std::none_of(contact.begin(), contact.end(), [](char c) { return c != 0; })) {
+    if (cells_of(contact).empty()) {
       // All are released: the lowest of them touches first.
       const auto lowest = std::min_element(wrong.begin(), wrong.end(), [&](std::size_t a, std::size_t b) {
         return problem.profile()[a] < problem.profile()[b];

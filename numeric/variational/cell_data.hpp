@@ -1,6 +1,5 @@
 #pragma once
-// What the cells see of a problem, by exact integration also where a jump of friction or a break of the profile falls
-// inside a cell.
+// What the cells see of a problem, by exact integration, also of jumps and breaks inside a cell.
 
 #include <vector>
 

@@ -64,19 +64,17 @@ Certificate certify(const DiscreteProblem& problem, const DiscreteState& state) 
   double contact_length = 0;
   double load = 0;
   double moment = 0;
-  double low = 0;
-  double high = 0;
+  std::vector<std::size_t> cells;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p[i] == 0) continue;
-    low = contact_length == 0 ? problem.profile()[i] : std::min(low, problem.profile()[i]);
-    high = contact_length == 0 ? problem.profile()[i] : std::max(high, problem.profile()[i]);
+    cells.push_back(i);
     contact_length += mesh.length(i);
     load += p[i] * mesh.length(i);
     moment += p[i] * mesh.length(i) * mesh.centre(i);
   }
   result.load = std::abs(load - 1);
   if (problem.load_at()) result.moment = std::abs(moment - *problem.load_at());
-  result.allowed = 1e-10 * std::max(1.0, high - low);
+  result.allowed = 1e-10 * height_over(problem, cells);
   bool is_number = std::isfinite(state.approach) && std::isfinite(state.tilt) && std::isfinite(result.product);
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double gap = problem.profile()[i] + state.tilt * mesh.centre(i) + displacement[i] - state.approach;

@@ -8,10 +8,7 @@ namespace {
 /// Unknowns: pressures, approach, tilt. Equations: cells, load, moment.
 class Dense : public BorderedSystem {
  public:
-  Dense(const DiscreteProblem& problem, const CellSet& contact) : size_(contact.size()) {
-    for (std::size_t i = 0; i < contact.size(); ++i) {
-      if (contact[i]) cells_.push_back(i);
-    }
+  Dense(const DiscreteProblem& problem, const CellSet& contact) : size_(contact.size()), cells_(cells_of(contact)) {
     const CellMesh& mesh = problem.mesh();
     const auto n = static_cast<Eigen::Index>(cells_.size());
     loads_ = problem.load_at() ? 2 : 1;

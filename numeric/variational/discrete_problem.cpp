@@ -1,5 +1,7 @@
 #include "numeric/variational/discrete_problem.hpp"
 
+#include <algorithm>
+
 namespace steadyslide::numeric::variational {
 
 DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh)
@@ -8,6 +10,21 @@ DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh)
 DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh, const CellProfile& profile)
     : mesh_(std::move(mesh)), galerkin_operator_(mesh_, cell_friction(problem, mesh_)), profile_(profile.means(mesh_)) {
   if (problem.load_at()) load_at_ = mesh_.place(*problem.load_at());
+}
+
+std::vector<std::size_t> cells_of(const CellSet& contact) {
+  std::vector<std::size_t> cells;
+  for (std::size_t i = 0; i < contact.size(); ++i) {
+    if (contact[i]) cells.push_back(i);
+  }
+  return cells;
+}
+
+double height_over(const DiscreteProblem& problem, const std::vector<std::size_t>& cells) {
+  const auto psi = [&](std::size_t cell) { return problem.profile()[cell]; };
+  if (cells.empty()) return 1;
+  const auto [low, high] = std::ranges::minmax(cells, {}, psi);
+  return std::max(1.0, psi(high) - psi(low));
 }
 
 std::vector<double> gaps(const DiscreteProblem& problem, const DiscreteState& state) {

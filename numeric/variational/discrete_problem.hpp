@@ -34,12 +34,17 @@ class DiscreteProblem {
 
 /// 1: contact, 0: gap, cell by cell.
 using CellSet = std::vector<char>;
+/// The cells in contact, increasing.
+std::vector<std::size_t> cells_of(const CellSet& contact);
 
 struct DiscreteState {
   std::vector<double> pressure;
   double approach = 0;
   double tilt = 0;  ///< 0 without load_at
 };
+
+/// The height of the profile over some cells, 1 at least: what rounding of the gaps is relative to.
+double height_over(const DiscreteProblem& problem, const std::vector<std::size_t>& cells);
 
 /// g of a state.
 std::vector<double> gaps(const DiscreteProblem& problem, const DiscreteState& state);

@@ -1,5 +1,6 @@
 #include "numeric/variational/galerkin_operator.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -46,13 +47,13 @@ GalerkinOperator::GalerkinOperator(std::vector<double> toeplitz, CellFriction fr
 GalerkinOperator::GalerkinOperator(const CellMesh& mesh, CellFriction friction)
     : GalerkinOperator(toeplitz_entries(mesh), std::move(friction)) {
   if (mesh.is_uniform()) return;
-  const auto n = static_cast<Eigen::Index>(mesh.size());
-  logarithm_.resize(n, n);
-  for (std::size_t j = 0; j < mesh.size(); ++j) {
+  const std::size_t n = mesh.size();
+  logarithm_.resize(n * n);
+  for (std::size_t j = 0; j < n; ++j) {
     for (std::size_t i = 0; i <= j; ++i) {
       const double mean = -mean_log(mesh.left(i), mesh.right(i), mesh.left(j), mesh.right(j)) / std::numbers::pi;
-      logarithm_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = mean * mesh.length(j);
-      logarithm_(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = mean * mesh.length(i);
+      logarithm_[i + j * n] = mean * mesh.length(j);
+      logarithm_[j + i * n] = mean * mesh.length(i);
     }
   }
 }
@@ -68,8 +69,7 @@ GalerkinOperator GalerkinOperator::part(std::size_t first, std::size_t count) co
 }
 
 double GalerkinOperator::logarithm(std::size_t i, std::size_t j) const {
-  if (fourier_) return toeplitz_[i > j ? i - j : j - i];
-  return logarithm_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+  return fourier_ ? toeplitz_[i > j ? i - j : j - i] : logarithm_[i + j * size()];
 }
 
 double GalerkinOperator::friction_entry(std::size_t i, std::size_t j) const {
@@ -96,8 +96,9 @@ void GalerkinOperator::multiply(std::span<const double> p, std::span<double> res
     multiply_by_transform(p, result);
   } else {
     const auto length = static_cast<Eigen::Index>(n);
+    const Eigen::Map<const Eigen::MatrixXd> matrix(logarithm_.data(), length, length);
     Eigen::Map<Eigen::VectorXd>(result.data(), length).noalias() =
-        logarithm_ * Eigen::Map<const Eigen::VectorXd>(p.data(), length);
+        matrix * Eigen::Map<const Eigen::VectorXd>(p.data(), length);
   }
   double before = 0;
   for (std::size_t k = 0; k < n; ++k) {

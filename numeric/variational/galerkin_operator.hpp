@@ -6,7 +6,7 @@
 // how far p pushes the surface down, -u/c. Where s is negative the second integral is -int_xi^right s p: a constant
 // less, which the indenter's approach takes up. So no entry of B is negative. [Bal16, section 3.1]
 
-#include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,11 +41,11 @@ class GalerkinOperator {
   void multiply_by_transform(std::span<const double> p, std::span<double> result) const;
 
   CellFriction friction_;
-  // Uniform mesh: the logarithm's entries by i - j; else all entries of B.
+  // Uniform mesh: the logarithm's entries by i - j; else all of them, column by column.
   std::vector<double> toeplitz_;
   std::vector<double> spectrum_;
   std::optional<Fourier> fourier_;
-  Eigen::MatrixXd logarithm_;
+  std::vector<double> logarithm_;
 };
 
 }  // namespace steadyslide::numeric::variational

@@ -20,9 +20,37 @@ constexpr int most_restarts = 12;
 /// and the Krylov space is one of residuals on the contact cells. [SS86]
 class Krylov : public BorderedSystem {
  public:
-  /// `contact`: not empty.
+  /// `contact`: not empty. Transforms need not be longer than from its first cell to its last one.
   Krylov(const DiscreteProblem& problem, const CellSet& contact, const DiscreteState& guess, double tolerance)
-      : Krylov(problem, contact, guess, tolerance, hull(contact)) {}
+      : problem_(problem),
+        cells_(cells_of(contact)),
+        influence_(problem.galerkin_operator().part(cells_.front(), cells_.back() + 1 - cells_.front())),
+        inverse_(influence_, problem.mesh().length(0)),
+        tolerance_(tolerance),
+        whole_(influence_.size(), 0.0),
+        image_(influence_.size()) {
+    const auto n = static_cast<Eigen::Index>(cells_.size());
+    const Eigen::Index loads = problem.load_at() ? 2 : 1;
+    columns_.resize(n, loads);
+    weights_.resize(n, loads);
+    pressure_.resize(n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const std::size_t i = cells_[static_cast<std::size_t>(k)];
+      const double h = problem.mesh().length(i);
+      columns_(k, 0) = 1;
+      weights_(k, 0) = h;
+      pressure_(k) = guess.pressure[i];
+      if (loads == 1) continue;
+      columns_(k, 1) = -problem.mesh().centre(i);
+      weights_(k, 1) = h * problem.mesh().centre(i);
+    }
+    constants_ = Load::Zero(loads);
+    constants_(0) = guess.approach;
+    if (loads == 2) constants_(1) = guess.tilt;
+    lifted_.resize(n, loads);
+    for (Eigen::Index k = 0; k < loads; ++k) lifted_.col(k) = inverse(columns_.col(k));
+    border_ = (weights_.transpose() * lifted_).inverse();
+  }
 
   SystemSolution solve(std::span<const double> rhs, std::array<double, 2> loads) override {
     const Eigen::Index n = pressure_.size();
@@ -54,60 +82,14 @@ class Krylov : public BorderedSystem {
   }
 
  private:
-  struct Hull {
-    std::size_t first;
-    std::size_t count;
-  };
-  /// From the first cell in contact to the last one: transforms need not be longer.
-  static Hull hull(const CellSet& contact) {
-    const auto first = std::find(contact.begin(), contact.end(), 1);
-    const auto last = std::find(contact.rbegin(), contact.rend(), 1).base();
-    return {static_cast<std::size_t>(first - contact.begin()), static_cast<std::size_t>(last - first)};
-  }
-
-  Krylov(const DiscreteProblem& problem, const CellSet& contact, const DiscreteState& guess, double tolerance,
-         const Hull& hull)
-      : problem_(problem),
-        first_(hull.first),
-        influence_(problem.galerkin_operator().part(hull.first, hull.count)),
-        inverse_(influence_, problem.mesh().length(0)),
-        tolerance_(tolerance),
-        whole_(hull.count, 0.0),
-        image_(hull.count) {
-    for (std::size_t i = 0; i < contact.size(); ++i) {
-      if (contact[i]) cells_.push_back(i);
-    }
-    const auto n = static_cast<Eigen::Index>(cells_.size());
-    const Eigen::Index loads = problem.load_at() ? 2 : 1;
-    columns_.resize(n, loads);
-    weights_.resize(n, loads);
-    pressure_.resize(n);
-    for (Eigen::Index k = 0; k < n; ++k) {
-      const std::size_t i = cells_[static_cast<std::size_t>(k)];
-      const double h = problem.mesh().length(i);
-      columns_(k, 0) = 1;
-      weights_(k, 0) = h;
-      pressure_(k) = guess.pressure[i];
-      if (loads == 1) continue;
-      columns_(k, 1) = -problem.mesh().centre(i);
-      weights_(k, 1) = h * problem.mesh().centre(i);
-    }
-    constants_ = Load::Zero(loads);
-    constants_(0) = guess.approach;
-    if (loads == 2) constants_(1) = guess.tilt;
-    lifted_.resize(n, loads);
-    for (Eigen::Index k = 0; k < loads; ++k) lifted_.col(k) = inverse(columns_.col(k));
-    border_ = (weights_.transpose() * lifted_).inverse();
-  }
-
   static double largest(const Vector& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
 
   void scatter(const Vector& v) {
-    for (Eigen::Index k = 0; k < v.size(); ++k) whole_[cells_[static_cast<std::size_t>(k)] - first_] = v(k);
+    for (Eigen::Index k = 0; k < v.size(); ++k) whole_[cells_[static_cast<std::size_t>(k)] - cells_.front()] = v(k);
   }
   Vector gathered() const {
     Vector v(static_cast<Eigen::Index>(cells_.size()));
-    for (Eigen::Index k = 0; k < v.size(); ++k) v(k) = image_[cells_[static_cast<std::size_t>(k)] - first_];
+    for (Eigen::Index k = 0; k < v.size(); ++k) v(k) = image_[cells_[static_cast<std::size_t>(k)] - cells_.front()];
     return v;
   }
 
@@ -183,11 +165,10 @@ class Krylov : public BorderedSystem {
   }
 
   const DiscreteProblem& problem_;
-  std::size_t first_;
+  std::vector<std::size_t> cells_;
   GalerkinOperator influence_;
   SurfaceInverse inverse_;
   double tolerance_;
-  std::vector<std::size_t> cells_;
   std::vector<double> whole_;
   std::vector<double> image_;
   Eigen::MatrixXd columns_;

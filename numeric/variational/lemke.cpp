@@ -23,8 +23,9 @@ double order(const CellMesh& mesh, std::size_t cell) {
   return slight * x * x;
 }
 
-std::vector<Index> numbers(Index first, Index count) {
-  std::vector<Index> result(at(count));
+template <class Number>
+std::vector<Number> numbers(Number first, Number count) {
+  std::vector<Number> result(static_cast<std::size_t>(count));
   std::iota(result.begin(), result.end(), first);
   return result;
 }
@@ -63,8 +64,8 @@ End load_path(const DiscreteProblem& problem, const std::vector<std::size_t>& ce
   }
   matrix.col(n).setConstant(-1);
   matrix(n, n) = 0;
-  std::vector<Index> left = numbers(n, n);
-  std::vector<Index> right = numbers(0, n);
+  std::vector<Index> left = numbers<Index>(n, n);
+  std::vector<Index> right = numbers<Index>(0, n);
   right.push_back(2 * n);
   left.push_back(2 * n + 1);
   Index lowest = 0;
@@ -112,7 +113,7 @@ End rolling_path(const DiscreteProblem& problem, const std::vector<std::size_t>&
   constants(n) = 1;
   constants(n + 1) = xi(last);
   right.insert(right.end(), {2 * n, 2 * n + 1});
-  std::vector<Index> left = numbers(n, n);
+  std::vector<Index> left = numbers<Index>(n, n);
   left.insert(left.end(), {last, 2 * n + 2});
 
   // The tilt at which a second cell touches.
@@ -140,6 +141,38 @@ End rolling_path(const DiscreteProblem& problem, const std::vector<std::size_t>&
   return end;
 }
 
+/// The contested cells' gaps as functions of their forces, the certain contact moving along: gaps + matrix q.
+struct SchurComplement {
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd gaps;
+};
+
+SchurComplement schur_complement(const DiscreteProblem& problem, const std::vector<std::size_t>& contested,
+                                 BorderedSystem& system, const DiscreteState& state) {
+  const CellMesh& mesh = problem.mesh();
+  const auto n = static_cast<Index>(contested.size());
+  SchurComplement result{Eigen::MatrixXd(n, n), Eigen::VectorXd(n)};
+  const std::vector<double> g = gaps(problem, state);
+  for (Index i = 0; i < n; ++i) result.gaps(i) = g[contested[at(i)]];
+
+  std::vector<double> rhs(problem.size());
+  std::vector<double> push(problem.size());
+  for (Index j = 0; j < n; ++j) {
+    // A force 1 on one contested cell, taken off the others.
+    const std::size_t cell = contested[at(j)];
+    const double h = mesh.length(cell);
+    for (std::size_t i = 0; i < rhs.size(); ++i) rhs[i] = -problem.galerkin_operator().entry(i, cell) / h;
+    DiscreteState answer = system.solve(rhs, {-1, -mesh.centre(cell)}).state;
+    answer.pressure[cell] = 1 / h;
+    problem.galerkin_operator().multiply(answer.pressure, push);
+    for (Index i = 0; i < n; ++i) {
+      const std::size_t other = contested[at(i)];
+      result.matrix(i, j) = push[other] + answer.tilt * mesh.centre(other) - answer.approach;
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 double natural_residual(const DiscreteProblem& problem, const DiscreteState& state,
@@ -155,9 +188,7 @@ double natural_residual(const DiscreteProblem& problem, const DiscreteState& sta
 }
 
 double natural_residual(const DiscreteProblem& problem, const DiscreteState& state) {
-  std::vector<std::size_t> cells(problem.size());
-  std::iota(cells.begin(), cells.end(), std::size_t{0});
-  return natural_residual(problem, state, cells);
+  return natural_residual(problem, state, numbers<std::size_t>(0, problem.size()));
 }
 
 LemkeResult lemke_among(const DiscreteProblem& problem, const std::vector<std::size_t>& cells, int most_pivots) {
@@ -183,9 +214,42 @@ LemkeResult lemke_among(const DiscreteProblem& problem, const std::vector<std::s
 }
 
 LemkeResult lemke(const DiscreteProblem& problem, int most_pivots) {
-  std::vector<std::size_t> cells(problem.size());
-  std::iota(cells.begin(), cells.end(), std::size_t{0});
-  return lemke_among(problem, cells, most_pivots);
+  return lemke_among(problem, numbers<std::size_t>(0, problem.size()), most_pivots);
+}
+
+LemkeResult lemke_on(const DiscreteProblem& problem, const CellSet& contact, const std::vector<std::size_t>& contested,
+                     const BorderedSystemMaker& bordered_system, int most_pivots) {
+  LemkeResult result;
+  result.contact = contact;
+  for (std::size_t cell : contested) result.contact[cell] = 0;
+  const auto certain = std::count_if(result.contact.begin(), result.contact.end(), [](char c) { return c != 0; });
+  if (certain < (problem.load_at() ? 2 : 1)) {
+    CellSet possible = result.contact;
+    for (std::size_t cell : contested) possible[cell] = 1;
+    return lemke_among(problem, cells_of(possible), most_pivots);
+  }
+  const std::unique_ptr<BorderedSystem> system = bordered_system(problem, result.contact);
+  result.state = solve(*system, problem).state;
+  const SchurComplement schur = schur_complement(problem, contested, *system, result.state);
+
+  // Variables: q (0..n-1), g (n..2n-1), and the artificial one, less than 0 until the path's end.
+  const auto n = static_cast<Index>(contested.size());
+  Index lowest = 0;
+  if (n > 0 && schur.gaps.minCoeff(&lowest) < 0) {
+    Eigen::MatrixXd matrix(n, n + 1);
+    matrix << schur.matrix, Eigen::VectorXd::Constant(n, -1);
+    std::vector<Index> right = numbers<Index>(0, n);
+    right.push_back(2 * n);
+    ComplementaryTableau tableau(n, numbers<Index>(n, n), right, std::move(matrix), schur.gaps);
+    tableau.exchange(n + lowest, 2 * n);
+    const End end = tableau.follow(lowest, 2 * n, 0, most_pivots);
+    result.pivots = tableau.pivots();
+    if (end != End::reached) return result;
+    for (Index i = 0; i < n; ++i) result.contact[contested[at(i)]] = tableau.is_positive(i);
+    result.state = solve(*bordered_system(problem, result.contact), problem).state;
+  }
+  result.reached = natural_residual(problem, result.state, contested) <= complementary_within;
+  return result;
 }
 
 }  // namespace steadyslide::numeric::variational

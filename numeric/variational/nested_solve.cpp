@@ -33,10 +33,11 @@ std::vector<std::size_t> mesh_sizes(std::size_t cells) {
 
 class Nested {
  public:
-  Nested(const ContactProblem& problem, const NestedOptions& options)
+  Nested(const ContactProblem& problem, const VariationalOptions& options, const std::optional<CellSet>& start)
       : problem_(problem),
         profile_(problem, CellMesh(problem, 1).frame()),
         options_(options),
+        start_(start),
         sizes_(mesh_sizes(options.cells)) {
     for (const std::size_t n : sizes_) total_ += n;
   }
@@ -66,8 +67,8 @@ class Nested {
       guess = coarse.found.state;
       guess.pressure.resize(n);
       for (std::size_t i = 0; i < n; ++i) guess.pressure[i] = coarse.found.state.pressure[coarse_cell(i, n, m)];
-    } else if (options_.start) {
-      start = prolonged(*options_.start, n);
+    } else if (start_) {
+      start = prolonged(*start_, n);
     }
     solution.found = active_set(*solution.problem, std::move(start), guess, active_set_options());
     if (solution.found.outcome == ActiveSetResult::Outcome::cycled) go_on(solution);
@@ -85,9 +86,8 @@ class Nested {
       return;
     }
     const BorderedSystemMaker system = [&](const DiscreteProblem& p, const CellSet& contact) {
-      const auto cells = static_cast<std::size_t>(std::count(contact.begin(), contact.end(), 1));
-      return cells <= most_factorised ? dense_system(p, contact)
-                                      : krylov_system(p, contact, solution.found.state, 1e-13);
+      return cells_of(contact).size() <= most_factorised ? dense_system(p, contact)
+                                                         : krylov_system(p, contact, solution.found.state, 1e-13);
     };
     std::set<std::size_t> contested;
     for (int round = 0; round < most_rounds && !solved(solution); ++round) {
@@ -128,7 +128,8 @@ class Nested {
 
   const ContactProblem& problem_;
   CellProfile profile_;
-  const NestedOptions& options_;
+  const VariationalOptions& options_;
+  const std::optional<CellSet>& start_;
   std::vector<std::size_t> sizes_;
   std::size_t done_ = 0;
   std::size_t total_ = 0;
@@ -142,8 +143,9 @@ CellSet prolonged(const CellSet& set, std::size_t cells) {
   return result;
 }
 
-NestedResult solve_nested(const ContactProblem& problem, const NestedOptions& options) {
-  return Nested(problem, options).solve();
+NestedResult solve_nested(const ContactProblem& problem, const VariationalOptions& options,
+                          const std::optional<CellSet>& start) {
+  return Nested(problem, options, start).solve();
 }
 
 }  // namespace steadyslide::numeric::variational

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/number/chebyshev_position.hpp"
+#include "numeric/number/node.hpp"
 #include "numeric/variational/variational_solution.hpp"
 
 namespace steadyslide::numeric {

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-#include "numeric/solution/load_sharing.hpp"
+#include <stdexcept>
 
 namespace steadyslide::numeric {
 namespace {
@@ -153,6 +151,15 @@ double VariationalSolution::resultant_error() const {
 Residuals<double> VariationalSolution::residuals() const {
   const variational::Certificate& c = found_.certificate;
   return {c.equation + c.product, std::max(c.load, c.moment), c.penetration, c.tension};
+}
+
+Attempt<double> variational_inequality(const ContactProblem& problem, const VariationalOptions& options) {
+  if (options.cells < fewest_cells || options.cells > most_cells) throw std::invalid_argument("number of cells");
+  auto solution = std::make_shared<VariationalSolution>(problem, variational::solve_nested(problem, options));
+  if (problem.elasticity().indenter() && solution->reaches_edge()) {
+    return {nullptr, "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails"};
+  }
+  return {std::move(solution), {}};
 }
 
 }  // namespace steadyslide::numeric

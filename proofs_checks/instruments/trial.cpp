@@ -50,10 +50,10 @@ RiemannHilbertForm<R> TrialForm<R>::form_on(numeric::ContactSet<R> set, const R&
 template <Real R>
 std::unique_ptr<numeric::RiemannHilbertSolution<R>> solved(const ContactProblem& problem,
                                                            const std::vector<ContactInterval>& zones) {
-  auto solution = std::make_unique<numeric::RiemannHilbertSolution<R>>(problem, Trial::frame());
-  const auto& reduced = solution->problem();
-  solution->set(
-      search_contact(reduced, numeric::ContactState<R>::initial(reduced, {reduced, zones}, R(0)), solution->rules()));
+  const auto search = [&](const numeric::ReducedProblem<R>& reduced, numeric::JacobiRules<R>& rules) {
+    return search_contact(reduced, numeric::ContactState<R>::initial(reduced, {reduced, zones}, R(0)), rules);
+  };
+  auto solution = std::make_unique<numeric::RiemannHilbertSolution<R>>(problem, Trial::frame(), search);
   if (!solution->shortcoming().empty()) throw Refutation{{"a problem to be solved", solution->shortcoming()}};
   return solution;
 }

@@ -2,12 +2,9 @@
 // Closed-form tractions to any number of digits, in CLN: a witness of the numeric layer's closed forms that shares only
 // the model with it. Every one of them has the form
 //
-//   t(x) = -K cos(pi alpha(x)) prod_j |x - e_j|^{p_j},   e_j: both ends of the contact and the friction jumps inside
-//   it,
-//
-//   flat punch, any number of jumps [Bal16, (4), (5)-(7)]:  K = load/pi,  p = -(1/2+alpha_0), beta_1, ...,
-//   -(1/2-alpha_m); Galin's parabola, any number of jumps inside the contact:  K = 1/R,  p = 1/2-alpha, beta, ...,
-//   1/2+alpha,
+//   t(x) = -K cos(pi alpha(x)) prod_j |x - e_j|^{p_j},   e_j: the contact's ends and the friction jumps inside it,
+//   flat punch [Bal16, (4), (5)-(7)]:   K = load/pi,  p = -(1/2+alpha_0), beta_1, ..., -(1/2-alpha_m),
+//   Galin's parabola:                   K = 1/R,      p = 1/2-alpha, beta, ..., 1/2+alpha.
 //
 // beta = alpha(c-) - alpha(c+), pi alpha = arctan(s), s = problem.coupled_friction. The user's units and the user's x.
 // A parabola psi = A x^2 + B x + C has R = c/(2A), c the compliance; with r = x + B/(2A), its contact ends solve

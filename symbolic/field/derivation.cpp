@@ -1,7 +1,6 @@
 #include "symbolic/field/derivation.hpp"
 
 #include <string_view>
-#include <utility>
 
 #include "symbolic/field/plain_formula.hpp"
 
@@ -40,24 +39,7 @@ std::string_view label(DerivationStep::Kind kind) {
   return "";
 }
 
-Derivation& add(Derivation& derivation, DerivationStep::Kind kind, std::string words, Formula formula) {
-  derivation.steps.push_back({kind, std::move(words), std::move(formula)});
-  return derivation;
-}
-
 }  // namespace
-
-Derivation& Derivation::assume(std::string words, Formula formula) {
-  return add(*this, DerivationStep::Kind::assumption, std::move(words), std::move(formula));
-}
-
-Derivation& Derivation::act(std::string words, Formula formula) {
-  return add(*this, DerivationStep::Kind::action, std::move(words), std::move(formula));
-}
-
-Derivation& Derivation::conclude(std::string words, Formula formula) {
-  return add(*this, DerivationStep::Kind::result, std::move(words), std::move(formula));
-}
 
 std::string to_text(const Derivation& derivation) {
   const std::string title = without_marks(derivation.title);

@@ -3,6 +3,7 @@
 // beside the computation that it tells of, from the same expressions. Without GiNaC in this header.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace steadyslide::symbolic {
@@ -24,9 +25,15 @@ struct Derivation {
   std::string title;  ///< like words
   std::vector<DerivationStep> steps;
 
-  Derivation& assume(std::string words, Formula formula = {});
-  Derivation& act(std::string words, Formula formula = {});
-  Derivation& conclude(std::string words, Formula formula = {});
+  using Kind = DerivationStep::Kind;
+  void assume(std::string words, Formula formula = {}) { add(Kind::assumption, std::move(words), std::move(formula)); }
+  void act(std::string words, Formula formula = {}) { add(Kind::action, std::move(words), std::move(formula)); }
+  void conclude(std::string words, Formula formula = {}) { add(Kind::result, std::move(words), std::move(formula)); }
+
+ private:
+  void add(Kind kind, std::string words, Formula formula) {
+    steps.push_back({kind, std::move(words), std::move(formula)});
+  }
 };
 
 /// Numbered steps, wrapped at 100 columns.

@@ -27,14 +27,6 @@ class ImaginaryUnit : public GiNaC::map_function {
   GiNaC::symbol unit_;
 };
 
-/// The divisors of the expression as it is written, outer ones first.
-void collect_divisors(const ex& expression, std::vector<ex>& divisors) {
-  if (GiNaC::is_a<GiNaC::power>(expression) && expression.op(1).info(GiNaC::info_flags::negative)) {
-    divisors.push_back(expression.op(0));
-  }
-  for (std::size_t k = 0; k < expression.nops(); ++k) collect_divisors(expression.op(k), divisors);
-}
-
 void insert_coprime(std::vector<Integer>& base, const Integer& number) {
   if (number == 1) return;
   for (std::size_t k = 0; k < base.size(); ++k) {

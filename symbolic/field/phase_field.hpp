@@ -6,8 +6,7 @@
 // for frictions s_k = tan(pi alpha_k) that are symbols or rational numbers. Radicals of symbols are independent:
 // 1 + s^2 = (s+i)(s-i) has no square factor. Radicals of numbers need not be (s = 3/4 has r = 5/4; s = 1 and s = 7 have
 // r = sqrt 2 and 5 sqrt 2): they are written in square roots of pairwise coprime integers that are no squares, and
-// those are independent over Q(i) of each other. So an element is zero if and only if all its coefficients are: a
-// decision.
+// those are independent over Q(i) of each other. So an element is zero if and only if all its coefficients are.
 
 #include <ginac/ginac.h>
 

@@ -3,7 +3,6 @@
 #include <map>
 #include <numeric>
 #include <stdexcept>
-#include <vector>
 
 #include "symbolic/field/expression.hpp"
 
@@ -16,14 +15,6 @@ void require_rational_function(const ex& expression) {
   if (!is_rational_function(expression)) {
     throw std::domain_error("rational function: only symbols, rational numbers, sums, products and integer powers");
   }
-}
-
-/// The bases of negative powers.
-void collect_divisors(const ex& expression, std::vector<ex>& divisors) {
-  if (GiNaC::is_a<GiNaC::power>(expression) && expression.op(1).info(GiNaC::info_flags::negative)) {
-    divisors.push_back(expression.op(0));
-  }
-  for (std::size_t k = 0; k < expression.nops(); ++k) collect_divisors(expression.op(k), divisors);
 }
 
 ex numerator_of(const ex& expression) { return expression.numer_denom().op(0).expand(); }
@@ -104,8 +95,7 @@ std::string text_of(const Terms& terms, const Symbols& symbols, const Rational& 
   return text.empty() ? "0" : text;
 }
 
-/// The factor that makes all coefficients integers without a common divisor, times the sign of the first denominator
-/// one.
+/// The factor that makes all coefficients integers without a common divisor, with the first denominator's sign.
 Rational common_scale(const Terms& numerator, const Terms& denominator) {
   Integer multiple = 1;
   Integer divisor = 0;
@@ -127,6 +117,13 @@ std::string divisor_text(const ex& divisor) {
 }
 
 }  // namespace
+
+void collect_divisors(const ex& expression, std::vector<ex>& divisors) {
+  if (GiNaC::is_a<GiNaC::power>(expression) && expression.op(1).info(GiNaC::info_flags::negative)) {
+    divisors.push_back(expression.op(0));
+  }
+  for (std::size_t k = 0; k < expression.nops(); ++k) collect_divisors(expression.op(k), divisors);
+}
 
 bool is_rational_function(const ex& expression) {
   if (GiNaC::is_a<GiNaC::symbol>(expression)) return true;

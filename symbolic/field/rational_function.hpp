@@ -6,11 +6,15 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 namespace steadyslide::symbolic {
 
 /// Built from symbols and rational numbers by sums, products and integer powers, and nothing else.
 bool is_rational_function(const GiNaC::ex& expression);
+
+/// The divisors of the expression as it is written, outer ones first: the bases of negative powers.
+void collect_divisors(const GiNaC::ex& expression, std::vector<GiNaC::ex>& divisors);
 
 struct RationalDecision {
   bool identical;

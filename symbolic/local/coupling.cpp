@@ -12,12 +12,6 @@ ex compliance(const ex& nu, const ex& young, Plane plane) {
   return plane == Plane::strain ? 2 * (1 - nu * nu) / young : 2 / young;
 }
 
-ex friction_angle(const ex& gamma, const ex& friction) { return GiNaC::atan(gamma * friction) / GiNaC::Pi; }
-
-ex jump_power(const ex& gamma, const ex& friction_left, const ex& friction_right) {
-  return friction_angle(gamma, friction_left) - friction_angle(gamma, friction_right);
-}
-
 KolosovSolid kolosov_solid(const ex& nu, const ex& young, Plane plane) {
   return {young / (2 * (1 + nu)), plane == Plane::strain ? 3 - 4 * nu : (3 - nu) / (1 + nu)};
 }

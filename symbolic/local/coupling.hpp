@@ -1,6 +1,5 @@
 #pragma once
-// The constants of the surface equation as expressions, for symbolic or rational arguments. [Bal16, section 2, remark
-// 1]
+// The constants of the surface equation as expressions, for symbolic or rational arguments. [Bal16, remark 1]
 
 #include <ginac/ginac.h>
 
@@ -12,11 +11,6 @@ namespace steadyslide::symbolic {
 GiNaC::ex coupling_constant(const GiNaC::ex& nu, Plane plane = Plane::strain);
 /// The compliance c = u/u_bar under a rigid indenter: 2(1-nu^2)/E in plane strain, 2/E in plane stress.
 GiNaC::ex compliance(const GiNaC::ex& nu, const GiNaC::ex& young, Plane plane = Plane::strain);
-
-/// alpha = arctan(gamma f)/pi. [Bal16, (4)]
-GiNaC::ex friction_angle(const GiNaC::ex& gamma, const GiNaC::ex& friction);
-/// beta = alpha_- - alpha_+. [Bal16, (7)]
-GiNaC::ex jump_power(const GiNaC::ex& gamma, const GiNaC::ex& friction_left, const GiNaC::ex& friction_right);
 
 /// An isotropic solid by its shear modulus and Kolosov's constant.
 struct KolosovSolid {

@@ -37,8 +37,7 @@ Image fractional_image(int logs, const LocalConstants& constants) {
   return image;
 }
 
-/// logs! times the coefficient of e^logs in -cot(pi e) e^{e L} and in -e^{e L}/sin(pi e): the finite parts at an
-/// integer.
+/// logs! times the coefficient of e^logs in -cot(pi e) e^{e L} and in -e^{e L}/sin(pi e): finite parts at an integer.
 Image integer_image(int logs, const ex& pi) {
   Image image{std::vector<ex>(static_cast<std::size_t>(logs) + 2), std::vector<ex>(static_cast<std::size_t>(logs) + 2)};
   for (int k = 0; 2 * k - 1 <= logs; ++k) {

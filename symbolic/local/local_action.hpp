@@ -15,11 +15,8 @@
 
 #include <compare>
 #include <map>
-#include <string>
-#include <vector>
 
 #include "model/direction.hpp"
-#include "symbolic/field/derivation.hpp"
 
 namespace steadyslide::symbolic {
 
@@ -57,19 +54,5 @@ GiNaC::ex far_part(const LocalMonomial& monomial, const GiNaC::ex& lambda, const
 
 /// The density at a point x != 0, for numbers or symbols that GiNaC can evaluate.
 GiNaC::ex value_at(const LocalDensity& density, const GiNaC::ex& lambda, const GiNaC::ex& x, Side side);
-
-/// One line of the table of local actions; L stands for log|x| in its formulas.
-struct LocalSymbol {
-  std::string id;
-  LocalDensity density;
-  LocalDensity image;
-  Formula statement;  ///< what H makes of what, on either side
-  Formula strip;      ///< the lambda for which it holds as it stands, and those to which it is continued
-  Formula modulo;     ///< what "modulo analytic" leaves out, with the cut-off at |x| = 1
-};
-
-/// x^n |x|^lambda, x^n |x|^lambda L, x^n, x^n L on either side and x^n L on the line, at n = 0 (see times_x_to), with
-/// symbols named C, S, pi for the constants. Images of integer powers are up to a constant, which is analytic.
-std::vector<LocalSymbol> local_symbols(const LocalConstants& constants);
 
 }  // namespace steadyslide::symbolic

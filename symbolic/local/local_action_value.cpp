@@ -2,7 +2,6 @@
 
 #include <ginac/ginac.h>
 
-#include <optional>
 #include <stdexcept>
 
 #include "symbolic/cln/cln_number.hpp"
@@ -43,7 +42,9 @@ Values values_at(const LocalAction& action, const Rational& x, cln::float_format
   return values;
 }
 
-Decimal value(const LocalAction& action, const Rational& x, int digits, std::optional<WrongSymbol> wrong) {
+}  // namespace
+
+Decimal local_action_value(const LocalAction& action, const Rational& x, int digits, std::optional<WrongSymbol> wrong) {
   require(digits >= 1, "at least one digit");
   require(x != 0 && 4 * abs(x) <= 1, "0 < |x| <= 1/4");
   if (action.fractional) {
@@ -71,16 +72,6 @@ Decimal value(const LocalAction& action, const Rational& x, int digits, std::opt
   const ex result = sum.expand();
   require(GiNaC::is_a<numeric>(result), "not a number");
   return rounded(from_cln(cln::the<cln::cl_F>(GiNaC::ex_to<numeric>(result).to_cl_N())), digits);
-}
-
-}  // namespace
-
-Decimal local_action_value(const LocalAction& action, const Rational& x, int digits) {
-  return value(action, x, digits, std::nullopt);
-}
-
-Decimal local_action_value(const LocalAction& action, const Rational& x, int digits, WrongSymbol wrong) {
-  return value(action, x, digits, wrong);
 }
 
 }  // namespace steadyslide::symbolic

@@ -2,8 +2,7 @@
 // The local action of the operator as numbers: what the symbols of local_action.hpp say of one density, cut off at
 // |x| = 1, their far part included. Without GiNaC in this header. Not thread-safe, as GiNaC is not.
 
-#include <string>
-#include <vector>
+#include <optional>
 
 #include "model/direction.hpp"
 #include "symbolic/cln/decimal.hpp"
@@ -19,11 +18,11 @@ struct LocalAction {
   Rational lambda;
 };
 
-/// H of it at 0 < |x| <= 1/4. Throws std::domain_error elsewhere, for lambda <= -1 or an integer, and digits < 1.
-Decimal local_action_value(const LocalAction& action, const Rational& x, int digits);
-
-/// The same from one wrong symbol: the variants a check has to refute.
+/// One wrong symbol: the variants a check has to refute.
 enum class WrongSymbol { cotangent_sign, cosecant_sign, sides_exchanged, pi_missing };
-Decimal local_action_value(const LocalAction& action, const Rational& x, int digits, WrongSymbol wrong);
+
+/// H of it at 0 < |x| <= 1/4. Throws std::domain_error elsewhere, for lambda <= -1 or an integer, and digits < 1.
+Decimal local_action_value(const LocalAction& action, const Rational& x, int digits,
+                           std::optional<WrongSymbol> wrong = std::nullopt);
 
 }  // namespace steadyslide::symbolic

@@ -16,7 +16,6 @@ using GiNaC::symbol;
 struct System {
   std::vector<FieldRow> rows;
   FieldRow rhs;
-  std::vector<Formula> where;
 };
 
 /// The local equations of a density that is linear in the unknowns.
@@ -31,7 +30,6 @@ System system_of(const LocalPlace& place, const LocalConstants& constants, const
     if (std::all_of(row.begin(), row.end(), [](const ex& e) { return e.is_zero(); })) continue;
     system.rows.push_back(row);
     system.rhs.push_back(equation.rhs - equation.lhs.subs(zero));
-    system.where.push_back(equation.where);
   }
   return system;
 }
@@ -52,8 +50,7 @@ LocalPlace with_jump(const LocalPlace& place, const ex& jump) {
 class Solver {
  public:
   explicit Solver(const LocalPlace& place)
-      : frame_(place), form_{place, frame_, LocalKind::interior, {}, {}, {}, {}, {}, {}, {},
-                             {},    {},     symbol("theta"),     {}} {
+      : frame_(place), form_{place, frame_, LocalKind::interior, {}, {}, {}, {}, {}, {}, {}, symbol("theta"), {}} {
     if (place.left.slopes.size() < 3 || place.right.slopes.size() < 3) {
       throw std::domain_error("local form: slopes to the order 2");
     }
@@ -125,15 +122,13 @@ class Solver {
       equations.text += (k > 0 ? ";  " : "") + line.text + " = 0";
       equations.latex += (k > 0 ? ",\\qquad " : "") + line.latex + " = 0";
     }
-    form_.derivation.act(
-        both() ? "Try `A_l |x|^lambda` on `x < 0` and `A_r |x|^lambda` on `x > 0`, `lambda` no integer, "
-                 "with `C = cot(pi lambda)`, `S = 1/sin(pi lambda)`, `S^2 = 1 + C^2`: the coefficients "
-                 "of `|x|^lambda` in `H t + s t` on either side."
-               : "Try `A d^lambda` on the side in contact, `lambda` no integer, with `C = cot(pi lambda)`: "
-                 "the coefficient of `d^lambda` in `H t + s t` there.",
-        equations);
+    form_.derivation.act(both() ? "Try `A_l |x|^lambda` on `x < 0` and `A_r |x|^lambda` on `x > 0`, `lambda` no "
+                                  "integer, with `C = cot(pi lambda)`, `S = 1/sin(pi lambda)`, `S^2 = 1 + C^2`: the "
+                                  "coefficients of `|x|^lambda` in `H t + s t` on either side."
+                                : "Try `A d^lambda` on the side in contact, `lambda` no integer, with `C = cot(pi "
+                                  "lambda)`: the coefficient of `d^lambda` in `H t + s t` there.",
+                         equations);
     const ex value = determinant(field, system.rows);
-    form_.determinant = value;
     const Formula text = product(field.text(value), {}, frame_.names());
     const ex slope = value.expand().coeff(cotangent, 1);
     const ex rest = value.expand().coeff(cotangent, 0);
@@ -223,8 +218,7 @@ class Solver {
       form_.derivation.conclude(
           "The power with amplitudes of one sign; their ratio is `cos(pi alpha_l) : cos(pi alpha_r)`, and the same for "
           "`x^n` times it, `n = 1, 2, ...`: `H` commutes with `x` up to constants. The determinant is linear in `C`, "
-          "so "
-          "that its root is simple and no logarithm goes with it.",
+          "so that its root is simple and no logarithm goes with it.",
           {"lambda = " + frame_.text(lambda).text + ",  A_l : A_r = " + kept.text,
            gathered("\\lambda = " + frame_.text(lambda).latex,
                     "A_- : A_+ = \\cos\\pi\\alpha_- : \\cos\\pi\\alpha_+ = " + kept.latex)});
@@ -233,7 +227,6 @@ class Solver {
       if (penetrates(form_, frame_, lambda)) throw std::domain_error("local form: no free end");
     }
     form_.exponent = lambda;
-    form_.exponent_expression = frame_.expression(lambda);
     form_.exact_exponent = frame_.exact(lambda);
     for (int n = 0; n < 3; ++n) {
       const ex amplitude = n == 0 ? ex(form_.theta) : ex(symbol("theta_" + std::to_string(n)));
@@ -269,11 +262,11 @@ class Solver {
     if (!both()) {
       if (!solution.kernel.empty()) throw std::domain_error("local form: an integer power at an end");
       form_.derivation.conclude(
-          "Integer powers of `d` would leave logarithms in `H t`, and logarithms their squares: there "
-          "are none. What `H t` leaves is the slope of the indenter, continued.");
+          "Integer powers of `d` would leave logarithms in `H t`, and logarithms their squares: there are none. What "
+          "`H t` leaves is the slope of the indenter, continued.");
       return;
     }
-    tell_integers(solution.particular, all, jump);
+    describe_integers(solution.particular, all, jump);
     for (int n = 0; n < 3; ++n) {
       const std::size_t order = static_cast<std::size_t>(n);
       const ex d = form_.place.right.slopes[order] - form_.place.left.slopes[order];
@@ -293,7 +286,7 @@ class Solver {
     }
   }
 
-  void tell_integers(const FieldRow& particular, const std::vector<symbol>& all, const symbol& jump) {
+  void describe_integers(const FieldRow& particular, const std::vector<symbol>& all, const symbol& jump) {
     const bool jumps = !frame_.one_friction();
     const Formula constant = frame_.text(particular[4]);
     const Formula logarithm = frame_.text(frame_.pi() * particular[2]);

@@ -95,10 +95,6 @@ LocalConstants LocalFrame::constants(const LocalExponent& lambda) const {
   return {field_.canonical(field_.i() * (twice + 1) / divisor), field_.canonical(2 * field_.i() * once / divisor), pi_};
 }
 
-ex LocalFrame::expression(const LocalExponent& lambda) const {
-  return ex(lambda.halves) / 2 + (lambda.left * GiNaC::atan(left_) + lambda.right * GiNaC::atan(right_)) / GiNaC::Pi;
-}
-
 std::optional<Exponent> LocalFrame::exact(const LocalExponent& lambda) const {
   Exponent sum(Rational(lambda.halves, 2));
   for (const auto& [times, s] : {std::pair(lambda.left, left_), std::pair(lambda.right, right_)}) {

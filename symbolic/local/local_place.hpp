@@ -65,7 +65,6 @@ class LocalFrame {
   GiNaC::ex phase_squared(const LocalExponent& lambda) const;
   LocalConstants constants(const LocalExponent& lambda) const;
 
-  GiNaC::ex expression(const LocalExponent& lambda) const;
   /// Absent where a friction that counts is no number.
   std::optional<Exponent> exact(const LocalExponent& lambda) const;
   /// The integer below lambda for every friction allowed; absent where it depends on them.

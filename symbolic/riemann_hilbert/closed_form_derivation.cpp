@@ -42,17 +42,17 @@ Derivation closed_form_derivation(ClosedFormKind kind, int jumps) {
     throw std::domain_error("closed form: a kind");
   }();
   const FundamentalSolution y = one_contact(shape.left, shape.right, static_cast<std::size_t>(jumps));
-  ContactStory story{shape.name + ", " + std::to_string(jumps) + (jumps == 1 ? " friction jump" : " friction jumps"),
-                     y,
-                     symbols("s", y.panels()),
-                     {},
-                     shape.slope,
-                     load,
-                     {{"delta", "\\delta"}, {"kappa", "\\kappa"}}};
+  DerivationInput input{shape.name + ", " + std::to_string(jumps) + (jumps == 1 ? " friction jump" : " friction jumps"),
+                        y,
+                        symbols("s", y.panels()),
+                        {},
+                        shape.slope,
+                        load,
+                        {{"delta", "\\delta"}, {"kappa", "\\kappa"}}};
   for (std::size_t j = 0; j < y.points().size(); ++j) {
-    story.places.push_back({"e_" + std::to_string(j), "e_{" + std::to_string(j) + "}"});
+    input.places.push_back({"e_" + std::to_string(j), "e_{" + std::to_string(j) + "}"});
   }
-  return tell(story);
+  return derive(input);
 }
 
 Derivation closed_form_derivation(int jumps) { return closed_form_derivation(ClosedFormKind::flat_punch, jumps); }

@@ -43,10 +43,10 @@ std::string kind_in_words(PointKind kind) {
   return "";
 }
 
-class Teller {
+class ContactDeriver {
  public:
-  explicit Teller(const ContactStory& story) : story_(story), field_(story.frictions), names_(story.names) {
-    for (std::size_t k = 0; k < story.frictions.size(); ++k) {
+  explicit ContactDeriver(const DerivationInput& input) : input_(input), field_(input.frictions), names_(input.names) {
+    for (std::size_t k = 0; k < input.frictions.size(); ++k) {
       names_["s_" + number(k)] = "s_{" + number(k) + "}";
       names_["r_s_" + number(k)] = "\\sqrt{1+s_{" + number(k) + "}^{2}}";
     }
@@ -54,8 +54,8 @@ class Teller {
     names_["pi"] = "\\pi";
   }
 
-  Derivation tell() {
-    derivation_.title = story_.title;
+  Derivation derive() {
+    derivation_.title = input_.title;
     data();
     relation();
     exponents();
@@ -91,26 +91,26 @@ class Teller {
   }
 
   void data() {
-    const auto& points = story_.solution.points();
+    const auto& points = input_.solution.points();
     for (std::size_t j = 0; j < points.size(); ++j) {
       const Formula name = indexed("e", "e", j);
-      const bool known = story_.places[j].text != name.text;
+      const bool known = input_.places[j].text != name.text;
       const std::string words = points[j].kind == PointKind::jump ? "A friction jump"
                                 : is_free(points[j].kind)         ? "A free end of the contact"
                                                                   : "An end of the contact at an edge of the indenter";
-      derivation_.assume(words + ".", known ? equation(name, story_.places[j]) : name);
+      derivation_.assume(words + ".", known ? equation(name, input_.places[j]) : name);
     }
-    for (std::size_t k = 0; k < story_.frictions.size(); ++k) {
+    for (std::size_t k = 0; k < input_.frictions.size(); ++k) {
       const Formula name = indexed("s", "s", k);
       const Formula angle{"alpha_" + number(k) + " = arctan(" + name.text + ")/pi",
                           "\\alpha_{" + number(k) + "} = \\tfrac{1}{\\pi}\\arctan " + name.latex};
-      const bool is_symbol = GiNaC::is_a<GiNaC::symbol>(story_.frictions[k]);
-      const Formula value = is_symbol ? name : equation(name, of(story_.frictions[k]));
+      const bool is_symbol = GiNaC::is_a<GiNaC::symbol>(input_.frictions[k]);
+      const Formula value = is_symbol ? name : equation(name, of(input_.frictions[k]));
       derivation_.assume("Friction on panel " + number(k) + ", and its angle.",
                          {value.text + ", " + angle.text, value.latex + ",\\quad " + angle.latex});
     }
     derivation_.assume("The slope of the profile, divided by the compliance, is one polynomial on the contact.",
-                       equation({"psi_bar'", "\\bar\\psi'"}, polynomial_of(story_.slope)));
+                       equation({"psi_bar'", "\\bar\\psi'"}, polynomial_of(input_.slope)));
     derivation_.assume("The surface equation on the contact.",
                        {"(1/pi) PV int t(x')/(x'-x) dx' + s t = psi_bar'",
                         "\\frac{1}{\\pi}\\,\\mathrm{PV}\\!\\int \\frac{t(x')}{x'-x}\\,dx' + s\\,t = \\bar\\psi'"});
@@ -138,12 +138,11 @@ class Teller {
   void exponents() {
     derivation_.act(
         "Seek `Y` with `Y+ = G Y-` on the contact and `Y+ = Y-` off it. On the line its limits are phases, and "
-        "crossing a "
-        "point multiplies `Y+/Y-` by a known quotient: that leaves the exponent up to an integer.",
+        "crossing a point multiplies `Y+/Y-` by a known quotient: that leaves the exponent up to an integer.",
         {"Y(z) = prod (z - e_j)^p_j,  Y+- = |Y| e^(+-i pi sigma),  sigma(x) = sum of the p_j with e_j > x",
          "Y(z) = \\prod_j (z-e_j)^{p_j},\\quad Y^\\pm = |Y|\\,e^{\\pm i\\pi\\sigma},\\quad \\sigma(x) = \\sum_{e_j>x} "
          "p_j"});
-    const auto& points = story_.solution.points();
+    const auto& points = input_.solution.points();
     for (std::size_t j = 0; j < points.size(); ++j) {
       derivation_.conclude("At `e_" + number(j) + "`, a " + kind_in_words(points[j].kind) + ".",
                            equation(indexed("p", "p", j), formula_of(points[j].power)));
@@ -152,9 +151,9 @@ class Teller {
 
   void panels() {
     Comparison all(field_);
-    story_.solution.compare(all, field_);
+    input_.solution.compare(all, field_);
     if (!all.holds()) throw std::logic_error("contact derivation: Y+ = G Y- on every panel");
-    for (const auto& region : story_.solution.regions()) {
+    for (const auto& region : input_.solution.regions()) {
       if (!region.friction) continue;
       const std::string k = number(*region.friction);
       const Formula sigma = formula_of(region.sigma);
@@ -162,11 +161,11 @@ class Teller {
           "On panel " + k + " `Y+/Y-` is `G`: decided in the field of the friction angles.",
           {"sigma = " + sigma.text + ",  e^(2 pi i sigma) = -e^(2 pi i alpha_" + k + ")",
            "\\sigma = " + sigma.latex + ",\\quad e^{2\\pi i\\sigma} = -e^{2\\pi i\\alpha_{" + k + "}}"});
-      epsilon_ = story_.solution.sign_on(field_, region);
+      epsilon_ = input_.solution.sign_on(field_, region);
     }
     derivation_.conclude("The exponents sum to the number of free ends less that of components.",
-                         {"S = " + std::to_string(story_.solution.order()),
-                          "S = \\sum_j p_j = " + std::to_string(story_.solution.order())});
+                         {"S = " + std::to_string(input_.solution.order()),
+                          "S = \\sum_j p_j = " + std::to_string(input_.solution.order())});
     const std::string sign = epsilon_ > 0 ? "" : "-";
     derivation_.conclude(
         "On the contact `(s+i) Y+` is real and of one sign.",
@@ -174,18 +173,17 @@ class Teller {
   }
 
   void polynomial() {
-    const int order = story_.solution.order();
+    const int order = input_.solution.order();
     derivation_.act(
         "Seek `F = 2i Phi = psi_bar' - Y N` with a polynomial `N`: then `A t = psi_bar'` on every panel, and `N` is "
-        "the "
-        "polynomial part of `psi_bar'/Y` at infinity, with what the load asks for.",
+        "the polynomial part of `psi_bar'/Y` at infinity, with what the load asks for.",
         {"Y = z^S exp(-sum_k sigma_k/(k z^k)),  sigma_k = sum_j p_j e_j^k,  F = P/(pi z) + O(1/z^2)",
-         "Y = z^{S}\\exp\\Bigl(-\\sum_k \\frac{\\sigma_k}{k z^k}\\Bigr),\\quad \\sigma_k = \\sum_j p_j "
-         "e_j^k,\\quad F = \\frac{P}{\\pi z} + O(z^{-2})"});
-    const std::size_t needed = PolynomialSlope::sums_needed(order, story_.slope.size());
+         "Y = z^{S}\\exp\\Bigl(-\\sum_k \\frac{\\sigma_k}{k z^k}\\Bigr),\\quad \\sigma_k = \\sum_j p_j e_j^k,\\quad F "
+         "= \\frac{P}{\\pi z} + O(z^{-2})"});
+    const std::size_t needed = PolynomialSlope::sums_needed(order, input_.slope.size());
     if (needed > most_sums) throw std::domain_error("contact derivation: a profile of a smaller degree");
     const std::vector<ex> sums = power_sum_symbols(needed);
-    const PolynomialSlope solution(order, story_.slope, sums, story_.load_over_pi);
+    const PolynomialSlope solution(order, input_.slope, sums, input_.load_over_pi);
     if (solution.factor().empty()) throw std::domain_error("contact derivation: no traction, N = 0");
     factor_ = polynomial_of(solution.factor());
     check(solution, sums);
@@ -200,13 +198,13 @@ class Teller {
   void check(const PolynomialSlope& solution, const std::vector<ex>& sums) const {
     const int order = solution.order();
     const std::vector<ex> series = series_at_infinity(sums, -1, sums.size());
-    for (int power = static_cast<int>(story_.slope.size()) - 1; power >= -1; --power) {
-      ex expected = power == -1 ? story_.load_over_pi : ex(0);
+    for (int power = static_cast<int>(input_.slope.size()) - 1; power >= -1; --power) {
+      ex expected = power == -1 ? input_.load_over_pi : ex(0);
       for (int k = 0; k < static_cast<int>(solution.conditions().size()) && k + 1 <= order - power; ++k) {
         expected += solution.conditions()[static_cast<std::size_t>(k)] *
                     series.at(static_cast<std::size_t>(order - power - k - 1));
       }
-      const ex value = field_coefficient(order, story_.slope, solution.factor(), series, power);
+      const ex value = field_coefficient(order, input_.slope, solution.factor(), series, power);
       if (!field_.are_equal(value, expected).holds) throw std::logic_error("contact derivation: F at infinity");
     }
   }
@@ -214,7 +212,7 @@ class Teller {
   void traction() {
     const std::string sign = epsilon_ > 0 ? "" : "-";
     Formula modulus;
-    const auto& points = story_.solution.points();
+    const auto& points = input_.solution.points();
     for (std::size_t j = 0; j < points.size(); ++j) {
       const Formula p = formula_of(points[j].power);
       modulus.text += " |x - e_" + number(j) + "|^(" + p.text + ")";
@@ -230,7 +228,7 @@ class Teller {
                               (minus ? "\\left(" + factor.latex + "\\right)" : factor.latex)});
   }
 
-  const ContactStory& story_;
+  const DerivationInput& input_;
   PhaseField field_;
   LatexNames names_;
   Derivation derivation_;
@@ -240,6 +238,6 @@ class Teller {
 
 }  // namespace
 
-Derivation tell(const ContactStory& story) { return Teller(story).tell(); }
+Derivation derive(const DerivationInput& input) { return ContactDeriver(input).derive(); }
 
 }  // namespace steadyslide::symbolic

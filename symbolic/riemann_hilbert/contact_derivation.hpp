@@ -8,7 +8,7 @@
 
 namespace steadyslide::symbolic {
 
-struct ContactStory {
+struct DerivationInput {
   std::string title;
   FundamentalSolution solution;      ///< one component
   std::vector<GiNaC::ex> frictions;  ///< symbols or rational numbers
@@ -19,6 +19,6 @@ struct ContactStory {
 };
 
 /// Throws std::domain_error where the contact and psi' admit no traction (N = 0).
-Derivation tell(const ContactStory& story);
+Derivation derive(const DerivationInput& input);
 
 }  // namespace steadyslide::symbolic

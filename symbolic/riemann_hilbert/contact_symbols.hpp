@@ -29,13 +29,10 @@ FundamentalSolution one_contact(EndKind left, EndKind right, std::size_t jumps);
 
 // The parts of riemann_hilbert_statements().
 void add_fundamental_solution(std::vector<DecidedStatement>& all);
-void add_general_solution(std::vector<DecidedStatement>& all);
 void add_polynomial_slope(std::vector<DecidedStatement>& all);
 void add_flat_punch(std::vector<DecidedStatement>& all);
-void add_tilted_punch(std::vector<DecidedStatement>& all);
 void add_inversion(std::vector<DecidedStatement>& all);
 void add_parabola(std::vector<DecidedStatement>& all);
-void add_jump_parabola(std::vector<DecidedStatement>& all);
 void add_quartic(std::vector<DecidedStatement>& all);
 
 }  // namespace steadyslide::symbolic

@@ -279,19 +279,19 @@ Decimal DerivedContact::traction(const Rational& x) const {
 
 Derivation DerivedContact::derivation() const {
   const State& s = *state_;
-  ContactStory story{"Contact with the problem's numbers", s.solution, {}, {}, {}, {}, {}};
-  for (const Rational& friction : s.frictions) story.frictions.push_back(to_expression(friction));
+  DerivationInput input{"Contact with the problem's numbers", s.solution, {}, {}, {}, {}, {}};
+  for (const Rational& friction : s.frictions) input.frictions.push_back(to_expression(friction));
   for (std::size_t j = 0; j < s.places.size(); ++j) {
     const std::string text = s.places[j].exact ? s.places[j].exact->str() : "e_" + std::to_string(j);
-    story.places.push_back({text, s.places[j].exact ? text : "e_{" + std::to_string(j) + "}"});
+    input.places.push_back({text, s.places[j].exact ? text : "e_{" + std::to_string(j) + "}"});
   }
-  for (const Rational& a : s.profile.slope) story.slope.push_back(to_expression(a));
-  story.load_over_pi = to_expression(s.problem.load()) / GiNaC::symbol("pi");
+  for (const Rational& a : s.profile.slope) input.slope.push_back(to_expression(a));
+  input.load_over_pi = to_expression(s.problem.load()) / GiNaC::symbol("pi");
   Derivation result;
-  result.title = story.title;
+  result.title = input.title;
   result.assume("Lengths `x` are measured from this place of the user's axis.",
                 {"x = 0 at " + to_string(s.profile.origin), "x = 0 \\text{ at } " + to_string(s.profile.origin)});
-  for (DerivationStep& step : tell(story).steps) result.steps.push_back(std::move(step));
+  for (DerivationStep& step : derive(input).steps) result.steps.push_back(std::move(step));
   for (const End which : {End::left, End::right}) {
     if (kind(which) != SingularKind::free) continue;
     const std::string name = which == End::left ? "left" : "right";

@@ -21,8 +21,7 @@ namespace steadyslide::symbolic {
 class DerivedContact {
  public:
   /// Every contact whose ends satisfy their conditions inside the support and whose traction is nowhere positive. Ends
-  /// by Newton's method. Throws std::domain_error unless the profile is as above, the indenter keeps its attitude, and
-  /// digits >= 1.
+  /// by Newton's method. Throws std::domain_error unless the profile is as above, without tilt, and digits >= 1.
   static std::vector<DerivedContact> all(const ContactProblem& problem, int digits);
 
   Decimal end(End which) const;
@@ -40,8 +39,8 @@ class DerivedContact {
   std::shared_ptr<const State> state_;
 };
 
-/// The traction of the one contact that DerivedContact finds. Throws std::domain_error as it does, and unless there is
-/// exactly one.
+/// The traction of the one contact that DerivedContact finds. Throws std::domain_error as it does, or if there are
+/// more.
 Decimal derived_traction(const ContactProblem& problem, const Rational& x, int digits);
 
 }  // namespace steadyslide::symbolic

@@ -76,8 +76,7 @@ class FundamentalSolution {
   AngleForm power_sum() const { return regions_.front().sigma; }
   /// S with Y ~ z^S at infinity. Throws std::domain_error where the exponents do not sum to an integer.
   int order() const;
-  /// epsilon = (s+i) Y+ cos(pi alpha)/|Y| on the region, a panel. Throws std::domain_error where it is neither 1 nor
-  /// -1.
+  /// epsilon = (s+i) Y+ cos(pi alpha)/|Y| on the region, a panel. Throws std::domain_error where it is not +-1.
   int sign_on(const PhaseField& field, const Region& region) const;
   /// Y+/Y- is G on every panel and 1 elsewhere. Field: the frictions of the panels.
   void compare(Comparison& comparison, const PhaseField& field) const;

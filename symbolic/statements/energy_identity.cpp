@@ -1,8 +1,5 @@
 #include "symbolic/statements/energy_identity.hpp"
 
-#include <stdexcept>
-#include <utility>
-
 #include "symbolic/riemann_hilbert/contact_symbols.hpp"
 #include "symbolic/riemann_hilbert/polynomial_families.hpp"
 
@@ -238,42 +235,6 @@ DecidedStatement logarithmic() {
 
 std::vector<DecidedStatement> energy_statements() {
   return {piecewise(), bilinear(), skew(), primitive(), weighted(), logarithmic()};
-}
-
-Derivation energy_derivation() {
-  Derivation d;
-  d.title = "The energy of a traction";
-  const auto conclude = [&](const DecidedStatement& statement, const std::string& words, Formula formula) {
-    if (!statement.identity.identical) throw std::logic_error("energy: " + statement.identity.statement);
-    d.conclude(words, std::move(formula));
-  };
-  d.assume("The traction has mean zero, and a primitive that vanishes at both ends.",
-           {"T(x) = int_{-1}^x t,  T(1) = 0", "T(x) = \\int_{-1}^x t,\\quad T(1) = 0"});
-  d.assume("The friction is constant between its jumps `c_1 < ... < c_m`.",
-           {"s = s_k on ]c_k, c_(k+1)[", "s = s_k \\text{ on } \\left]c_k, c_{k+1}\\right["});
-  d.act(
-      "Integrate the friction's part by parts: the boundary terms vanish with `T`.",
-      {"<int_{-1}^x s t, t> = -int s t T", "\\Bigl\\langle \\int_{-1}^x s\\,t,\\,t\\Bigr\\rangle = -\\int s\\,t\\,T"});
-  conclude(skew(), "One friction gives nothing: `t T` is half the derivative of `T^2`. The form is skew-symmetric.",
-           {"int t T = 0", "\\int t\\,T = 0"});
-  conclude(bilinear(), "In two tractions `t` and `u`, with primitives `T` and `U`, only the jumps are left.",
-           {"<int s t, u> + <int s u, t> = sum_k (s_k - s_(k-1)) T(c_k) U(c_k)",
-            "\\Bigl\\langle \\int s\\,t,u\\Bigr\\rangle + \\Bigl\\langle \\int s\\,u,t\\Bigr\\rangle = \\sum_k "
-            "(s_k-s_{k-1})\\,T(c_k)\\,U(c_k)"});
-  conclude(piecewise(), "Decided for piecewise polynomials of mean zero.",
-           {"<int s t, t> = 1/2 sum_k (s_k - s_(k-1)) T(c_k)^2",
-            "\\Bigl\\langle \\int s\\,t,t\\Bigr\\rangle = \\tfrac12\\sum_k (s_k-s_{k-1})\\,T(c_k)^2"});
-  d.act("Take polynomials over a square root, which the logarithm maps to polynomials.",
-        {"t = sum_n a_n T_n(x)/sqrt(1-x^2)", "t = \\sum_n \\frac{a_n T_n(x)}{\\sqrt{1-x^2}}"});
-  conclude(primitive(), "Their primitive.",
-           {"T = -sqrt(1-x^2) sum_n a_n U_(n-1)(x)/n", "T = -\\sqrt{1-x^2}\\,\\sum_n \\frac{a_n}{n}\\,U_{n-1}(x)"});
-  conclude(logarithmic(), "The logarithmic form is diagonal and positive.",
-           {"-(1/pi) <t*log|x|, t> = (pi/2) sum_n a_n^2/n",
-            "-\\frac{1}{\\pi}\\langle t*\\log|x|,t\\rangle = \\frac{\\pi}{2}\\sum_n \\frac{a_n^2}{n}"});
-  conclude(weighted(), "With the friction's part the energy of this family.",
-           {"b(t, t) = (pi/2) sum_n a_n^2/n + 1/2 sum_k (s_k - s_(k-1)) T(c_k)^2",
-            "b(t,t) = \\frac{\\pi}{2}\\sum_n \\frac{a_n^2}{n} + \\tfrac12\\sum_k (s_k-s_{k-1})\\,T(c_k)^2"});
-  return d;
 }
 
 }  // namespace steadyslide::symbolic

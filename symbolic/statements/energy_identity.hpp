@@ -8,14 +8,10 @@
 // for which the logarithmic form is (pi/2) sum a_n^2/n. [Bal16, section 3.1] Without GiNaC in this header. Not
 // thread-safe, as GiNaC is not.
 
-#include "symbolic/field/derivation.hpp"
 #include "symbolic/statements/exact_identities.hpp"
 
 namespace steadyslide::symbolic {
 
 std::vector<DecidedStatement> energy_statements();
-
-/// How the identity comes about. Every step that is one of the statements is decided on the way.
-Derivation energy_derivation();
 
 }  // namespace steadyslide::symbolic

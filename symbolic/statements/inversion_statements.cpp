@@ -1,7 +1,6 @@
 // The inverse of the operator in full contact: with w = 1/|Y|,
 //   t = s u'/(1+s^2) - (cos(pi alpha)/w) (1/pi) PV int cos(pi alpha') w' u'(x')/(x'-x) dx' - P t0,
-// equals cos(pi alpha) |Y| (Q + q) where u' is a polynomial; [Bal16, (10)] is the case without jump, where the two cos
-// make 1/(1+s^2).
+// equals cos(pi alpha) |Y| (Q + q) where u' is a polynomial; without jump the two cos make 1/(1+s^2): [Bal16, (10)].
 //
 // The integral by Plemelj: V = u'/Y - Q vanishes at infinity, so V is the Cauchy integral of its own jump. If
 // (V+ - V-)/(2i) is cos(pi alpha) w u', then (1/pi) PV int cos w' u'/(x'-x) = (V+ + V-)/2.
@@ -54,11 +53,7 @@ ExactIdentity decided(const std::string& words, std::size_t jumps, const Variant
     for (const auto& region : y.regions()) {
       if (!region.friction) continue;
       const auto& f = field.friction(*region.friction);
-      AngleForm sigma = region.sigma;
-      if (variant.other_weight) {
-        sigma = AngleForm(sigma.halves());
-        for (const auto& [k, factor] : region.sigma.times()) sigma += AngleForm(0, {{k, -factor}});
-      }
+      const AngleForm sigma = variant.other_weight ? region.sigma.mirrored() : region.sigma;
       const ex above = monomial * w * phase(field, sigma, -1);
       const ex below = monomial * w * phase(field, sigma, 1);
       const std::string panel = name + "panel " + std::to_string(*region.friction) + ": ";

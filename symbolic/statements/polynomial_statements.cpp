@@ -1,5 +1,4 @@
-// psi' a polynomial: F = psi' - Y N solves A t = psi' whatever N is, and N = Q + q gives it the right order at
-// infinity.
+// psi' a polynomial: F = psi' - Y N solves A t = psi' whatever N is, N = Q + q gives it its order at infinity.
 
 #include <algorithm>
 

@@ -85,8 +85,7 @@ CaseList<ActionAt> actions(const Context& context) {
 /// What the symbols say, to more digits than any check asks for.
 Values said(const ActionAt& c, std::optional<WrongSymbol> wrong = {}) {
   const int digits = static_cast<int>(numeric::Digits::hundred) + 10;
-  const symbolic::Decimal decimal =
-      wrong ? local_action_value(c.action, c.x, digits, *wrong) : local_action_value(c.action, c.x, digits);
+  const symbolic::Decimal decimal = local_action_value(c.action, c.x, digits, wrong);
   const Number value = numeric::to_real<Number>(decimal.value);
   Values values{{"tanh-sinh", value}};
   if (c.action.logs == 0) values.add({"trapezoidal", value});

@@ -32,7 +32,7 @@ std::string fault(const ReducedProblem<R>& problem, const ContactSet<R>& set) {
     }
     if (point.is_end() && contact == (point.kind == Kind<R>::begins)) return "ends do not alternate";
     if (!point.anchor && !point.is_end()) return "a point without purpose";
-    if (point.kind != Kind<R>::passed) contact = point.kind == Kind<R>::begins;
+    if (point.kind != Kind<R>::interior) contact = point.kind == Kind<R>::begins;
     if (set.in_contact(j) != contact || set.interval(j) != anchor) return "segment";
     const R& length = set.length(j);
     if (!(length > 0)) return "length";

@@ -96,9 +96,10 @@ TEST_CASE("what is in contact where it pulls has an infinite tension, and a name
   const std::string words = in_words(*full.form, 1, *leading_term(*full.form, 1));
   CAPTURE(words);
   CHECK(words.find("x = 0 pulls: theta = -0.79") != std::string::npos);
-  RiemannHilbertSolution<double> accepted(full.data, {0, 1});
-  accepted.set(
-      {{ContactSet<double>(accepted.problem(), {{-1, 1, true, true}}), {accepted.problem().load()}, 0}, 0, ""});
+  const auto full_contact = [](const ReducedProblem<double>& problem, JacobiRules<double>&) -> SearchResult<double> {
+    return {{ContactSet<double>(problem, {{-1, 1, true, true}}), {problem.load()}, 0}, 0, ""};
+  };
+  const RiemannHilbertSolution<double> accepted(full.data, {0, 1}, full_contact);
   CHECK(accepted.residuals().tension == infinity<double>());
   // The same corner in a notch without jump, and one where friction falls: whatever the load.
   for (const auto& s : {std::vector<Rational>{1, 1}, {1, 0.5_r}}) {

@@ -91,8 +91,8 @@ TEST_CASE("anchors: steps, wedges, friction to the left and to the right, and wh
   for (std::size_t k = 0; k < 4; ++k) CHECK(reduced.friction_of(k) == (k < 1 ? 0 : k < 3 ? 1 : 2));
   // Sliding towards -x turns the sign of s.
   CHECK(reduced.s(1) < 0);
-  CHECK(reduced.jump_exponent(1) == jump_exponent(p.coupled_friction(0), p.coupled_friction(1)));
-  CHECK(reduced.jump_exponent(2).sign() == 0);
+  CHECK(reduced.jump(1).exponent == jump_exponent(p.coupled_friction(0), p.coupled_friction(1)));
+  CHECK(reduced.jump(2).exponent.sign() == 0);
   // The profile is higher, farther from the body, on the right of the step: its left side protrudes, and contact that
   // ends there has its right end at an edge.
   const auto edges = [&](std::size_t anchor) {

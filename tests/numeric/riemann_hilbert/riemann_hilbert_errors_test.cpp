@@ -43,14 +43,18 @@ void check_constant(const SolvedSingularPoint<R>& found, const ContactProblem& p
 class Displaced {
  public:
   Displaced(const ContactProblem& problem, std::size_t pattern, double error)
-      : truth_(of<Real50>(problem)), rough_(of<double>(problem)), found_(problem, rough_->problem().frame()) {
-    ContactState<double> state = rough_->state();
-    ContactSet<double> set = ContactSet<double>::converted(found_.problem(), state.set);
-    std::vector<double> steps;
-    for (std::size_t f = 0; f < set.movable().size(); ++f) steps.push_back((pattern >> f & 1U) == 0 ? error : -error);
-    set.move(steps);
-    found_.set({{std::move(set), state.q, state.tilt}, error, ""});
-  }
+      : truth_(of<Real50>(problem)),
+        rough_(of<double>(problem)),
+        found_(problem, rough_->problem().frame(), [&](const ReducedProblem<double>& reduced, JacobiRules<double>&) {
+          const ContactState<double>& state = rough_->state();
+          ContactSet<double> set = ContactSet<double>::converted(reduced, state.set);
+          std::vector<double> steps;
+          for (std::size_t f = 0; f < set.movable().size(); ++f) {
+            steps.push_back((pattern >> f & 1U) == 0 ? error : -error);
+          }
+          set.move(steps);
+          return SearchResult<double>{{std::move(set), state.q, state.tilt}, error, ""};
+        }) {}
 
   /// The number of values whose error does not cover what they are off by.
   int uncovered() {

@@ -53,8 +53,7 @@ TEST_CASE("a search that leads nowhere ends with a shortcoming") {
   const auto found = search_contact(problem, ContactState<double>::initial(problem, set, 0), rules);
   CHECK(!found.solved());
   CHECK(!found.shortcoming.empty());
-  RiemannHilbertSolution<double> solution(p, {0, 1});
-  solution.set(found);
+  const RiemannHilbertSolution<double> solution(p, {0, 1}, [&](const auto&, auto&) { return found; });
   CHECK(solution.shortcoming() == found.shortcoming);
 }
 

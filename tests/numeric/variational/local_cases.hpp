@@ -52,7 +52,7 @@ inline CellMeans cell_means(const ContactProblem& problem, const RiemannHilbertS
 
 /// The variational solver's cells, in the user's x and units.
 inline CellMeans variational_means(const ContactProblem& problem, std::size_t count) {
-  const NestedResult found = solve_nested(problem, {.cells = count, .start = std::nullopt, .progress = {}});
+  const NestedResult found = solve_nested(problem, {.cells = count});
   REQUIRE(found.certificate.accepted());
   const CellMesh& mesh = found.fine.problem->mesh();
   const double unit = to_real<double>(mesh.frame().unit);

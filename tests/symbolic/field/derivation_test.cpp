@@ -7,9 +7,9 @@ namespace {
 
 Derivation example() {
   Derivation d{"Friction jump at x = 0", {}};
-  d.assume("Contact on both sides; 50 % of {all} #cases & more.", {"t = A |x|^l", "t = A |x|^\\lambda"})
-      .act("Insert it.")
-      .conclude("The power is `beta_k`.", {"l = beta", "\\lambda = \\beta"});
+  d.assume("Contact on both sides; 50 % of {all} #cases & more.", {"t = A |x|^l", "t = A |x|^\\lambda"});
+  d.act("Insert it.");
+  d.conclude("The power is `beta_k`.", {"l = beta", "\\lambda = \\beta"});
   return d;
 }
 

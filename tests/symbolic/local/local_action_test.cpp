@@ -78,23 +78,3 @@ TEST_CASE("an integer is the finite part of the powers next to it, to every orde
     }
   }
 }
-
-TEST_CASE("the table of local actions") {
-  const LocalConstants constants{GiNaC::symbol("C"), GiNaC::symbol("S"), GiNaC::symbol("pi")};
-  std::set<std::string> ids;
-  std::map<std::string, std::string> statements;
-  for (const LocalSymbol& symbol : local_symbols(constants)) {
-    CHECK(ids.insert(symbol.id).second);
-    statements[symbol.id] = symbol.statement.text.substr(0, symbol.statement.text.find(';'));
-    CHECK(!symbol.strip.text.empty());
-    CHECK(!symbol.modulo.latex.empty());
-  }
-  CHECK(statements["power-right"] == "H[|x|^lambda on x > 0] = -S*|x|^lambda for x < 0, -C*|x|^lambda for x > 0");
-  CHECK(statements["power-left"] == "H[|x|^lambda on x < 0] = C*|x|^lambda for x < 0, S*|x|^lambda for x > 0");
-  CHECK(statements["one-right"] == "H[1 on x > 0] = -L/pi for x < 0, -L/pi for x > 0");
-  CHECK(statements["log-line"] == "H[L on the line] = 0 for x < 0, pi for x > 0");
-  CHECK(statements["log-right"] == "H[L on x > 0] = -L^2/(2*pi) for x < 0, pi/2 - L^2/(2*pi) for x > 0");
-  CHECK(statements["power-log-right"] ==
-        "H[|x|^lambda L on x > 0] = C*S*pi*|x|^lambda - S*|x|^lambda L for x < 0, S^2*pi*|x|^lambda - C*|x|^lambda L "
-        "for x > 0");
-}

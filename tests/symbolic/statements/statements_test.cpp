@@ -67,11 +67,3 @@ TEST_CASE("Chebyshev's polynomials and exact integrals") {
   const GiNaC::symbol c("c");
   CHECK((integral(3 * x * x + 1, x, c, 2) - (10 - c * c * c - c)).expand().is_zero());
 }
-
-TEST_CASE("the energy's derivation reads the same every time and ends with the identity") {
-  const Derivation derivation = energy_derivation();
-  CHECK(to_text(derivation) == to_text(energy_derivation()));
-  REQUIRE(!derivation.steps.empty());
-  CHECK(derivation.steps.back().formula.text == "b(t, t) = (pi/2) sum_n a_n^2/n + 1/2 sum_k (s_k - s_(k-1)) T(c_k)^2");
-  CHECK(holds(to_latex(derivation), "T(c_k)^2"));
-}
