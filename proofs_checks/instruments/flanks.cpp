@@ -8,10 +8,8 @@ ContactProblem flanks(FrictionProfile friction, const Polynomial& left, const Po
 }
 
 Rational wedge_of(const ContactProblem& problem) {
-  for (const Indenter::Break& b : problem.indenter().breaks()) {
-    if (b.x == corner) return b.wedge / problem.elasticity().compliance();
-  }
-  return 0;
+  const auto breaks = problem.indenter().breaks();
+  return breaks.empty() ? Rational(0) : breaks.front().wedge / problem.elasticity().compliance();
 }
 
 }  // namespace steadyslide::proofs_checks

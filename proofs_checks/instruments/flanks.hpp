@@ -9,7 +9,7 @@ namespace steadyslide::proofs_checks {
 inline const Rational corner{1, 8};
 ContactProblem flanks(FrictionProfile friction, const Polynomial& left, const Polynomial& right, const Rational& load);
 
-/// psi'(c+) - psi'(c-), reduced.
+/// psi'(c+) - psi'(c-) of the first break of a profile, reduced; 0 where there is none.
 Rational wedge_of(const ContactProblem& problem);
 
 }  // namespace steadyslide::proofs_checks

@@ -8,7 +8,7 @@
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 #include "proofs_checks/instruments/surface.hpp"
-#include "proofs_checks/kit/random.hpp"
+#include "proofs_checks/kit/cases.hpp"
 
 namespace steadyslide::proofs_checks {
 
@@ -25,8 +25,9 @@ struct Trial {
 /// Everywhere one polynomial and any ends; a wedge; a wedge and jump; steps; up to three components. The cheap ones
 /// first, `random` random ones last. At more than 16 digits a quick run has two of them: one component, and two or, if
 /// `corners`, a corner.
-std::vector<Trial> trials(const Context& context, std::string_view stream, std::size_t random, bool corners = false);
-std::string detail_of(const Context& context, const std::vector<Trial>& trials);
+CaseList<Trial> trials(const Context& context, std::string_view stream, const CountByDigits& random,
+                       bool corners = false);
+std::string text_of(const Trial& trial);
 /// A component under a friction jump for every pair: is there an edge at its left end, at its right one?
 Trial with_ends(const std::vector<std::pair<bool, bool>>& edges);
 

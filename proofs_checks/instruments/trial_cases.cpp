@@ -62,12 +62,16 @@ Trial random_trial(Random& random, std::size_t components, bool kinks) {
 
 }  // namespace
 
-std::vector<Trial> trials(const Context& context, std::string_view stream, std::size_t random_count, bool corners) {
+std::string text_of(const Trial& trial) { return trial.name + ": " + text_of(trial.problem); }
+
+CaseList<Trial> trials(const Context& context, std::string_view stream, const CountByDigits& random_ones,
+                       bool corners) {
   const bool cheap = context.digits == numeric::Digits::sixteen;
   const Polynomial bent({0, Rational(1, 3), Rational(1, 2), Rational(-1, 5)});
   const auto lifted = [&](const Rational& by) { return bent + Polynomial({by}); };
   const std::vector<Rational> q{Rational(3, 4), Rational(-5, 7), Rational(2, 3), Rational(-1, 9)};
-  std::vector<Trial> all;
+  CaseList<Trial> list{{}, "contact sets, the random ones of seed " + std::to_string(context.seed)};
+  std::vector<Trial>& all = list.cases;
   all.push_back({"one free component",
                  problem(Rational(2, 5), FrictionProfile({1, 3}, {Rational(1, 3)}), {{-3, lifted(1)}, {4, bent}}),
                  {{-0.7, 0.9, false, false}},
@@ -82,7 +86,7 @@ std::vector<Trial> trials(const Context& context, std::string_view stream, std::
                    q,
                    Rational(1, 6)});
   }
-  if (short_run && !corners) return all;
+  if (short_run && !corners) return list;
   all.push_back({"wedge and jump",
                  problem(Rational(1, 5), FrictionProfile({Rational(1, 3), 2}, {Rational(1, 2)}),
                          {{Rational(1, 2), bent}, {4, Polynomial({0, Rational(4, 3), Rational(1, 4)})}}),
@@ -114,12 +118,12 @@ std::vector<Trial> trials(const Context& context, std::string_view stream, std::
                    0});
   }
   Random random(context.seed, stream);
-  if (context.quick) random_count = cheap ? 1 : 0;
+  const std::size_t random_count = !context.quick ? count_for(context, random_ones) : cheap ? 1 : 0;
   for (std::size_t k = 0; k < random_count; ++k) {
     const std::size_t components = 1 + random.below(cheap ? 3 : 2);
     all.push_back(random_trial(random, components, k % 2 == 1));
   }
-  return all;
+  return list;
 }
 
 Trial with_ends(const std::vector<std::pair<bool, bool>>& edges) {
@@ -144,10 +148,6 @@ Trial with_ends(const std::vector<std::pair<bool, bool>>& edges) {
           std::move(zones),
           {1, 1, 1, 1},
           0};
-}
-
-std::string detail_of(const Context& context, const std::vector<Trial>& trials) {
-  return std::to_string(trials.size()) + " contact sets, the random ones of seed " + std::to_string(context.seed);
 }
 
 }  // namespace steadyslide::proofs_checks

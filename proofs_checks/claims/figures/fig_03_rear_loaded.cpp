@@ -86,16 +86,15 @@ Claim fig_03_rear_loaded() {
       .predicted([](const ContactProblem& p) { return rear_loaded(p.coupled_friction(0), alpha_of(p)); })
       .wrong("more at the front: alpha's sign",
              [](Values& p, const ContactProblem& c) { p = rear_loaded(c.coupled_friction(0), -alpha_of(c)); })
-      .wrong("half of the load on each half",
-             [](Values& p, const ContactProblem&) { p["share, solved"] = p["share, quadrature"] = 0.5; })
+      .wrong("half of the load on each half", [](Values& p) { p["share, solved"] = p["share, quadrature"] = 0.5; })
       .wrong("cos(pi alpha) missing in the share",
              [](Values& p, const ContactProblem& c) {
                const Number cosine = numeric::cos_pi_alpha<Number>(c.coupled_friction(0));
                p["share, solved"] /= cosine;
                p["share, quadrature"] /= cosine;
              })
-      .wrong("the minimum at the centre", [](Values& p, const ContactProblem&) { p["place"] = 0; })
-      .wrong("the minimum at x = alpha", [](Values& p, const ContactProblem&) { p["place"] /= 2; })
+      .wrong("the minimum at the centre", [](Values& p) { p["place"] = 0; })
+      .wrong("the minimum at x = alpha", [](Values& p) { p["place"] /= 2; })
       .near_misses();
 }
 

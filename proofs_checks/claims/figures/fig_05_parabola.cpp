@@ -80,10 +80,9 @@ Claim fig_05_parabola() {
       })
       .wrong("shifted to the front",
              [](Values& p, const ContactProblem& c) { p = shifted_contact(-alpha_of(c), half_width(c, alpha_of(c))); })
-      .wrong("the largest pressure at the contact's centre", [](Values& p, const ContactProblem&) { p["place"] /= 2; })
-      .wrong("the largest pressure at the vertex", [](Values& p, const ContactProblem&) { p["place"] = 0; })
-      .wrong("the same power at both ends",
-             [](Values& p, const ContactProblem&) { p["right power"] = Number(p["left power"]); })
+      .wrong("the largest pressure at the contact's centre", [](Values& p) { p["place"] /= 2; })
+      .wrong("the largest pressure at the vertex", [](Values& p) { p["place"] = 0; })
+      .wrong("the same power at both ends", [](Values& p) { p["right power"] = Number(p["left power"]); })
       .wrong("the frictionless half-width",
              [](Values& p, const ContactProblem& c) { p = shifted_contact(alpha_of(c), half_width(c, 0)); })
       .near_misses();

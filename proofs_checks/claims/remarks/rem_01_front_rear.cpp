@@ -114,7 +114,7 @@ Claim rem_01_front_rear() {
                p.set("jump is singular", c.gamma != 0);
              })
       .wrong("they never differ",
-             [](Values& p, const Sliding&) {
+             [](Values& p) {
                p.set("ends differ", false);
                p.set("jump is singular", false);
              })

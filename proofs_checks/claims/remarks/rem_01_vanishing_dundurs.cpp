@@ -120,8 +120,7 @@ Claim rem_01_vanishing_dundurs() {
       .quantities({"far behind", "behind", "before"})
       .measured([]<Real R>(const Bodies& bodies) { return measured<R>(bodies); })
       .predicted(predicted)
-      .wrong("no tangential traction",
-             [](Values& p, const Bodies&) { p["far behind"] = p["behind"] = p["before"] = 0; })
+      .wrong("no tangential traction", [](Values& p) { p["far behind"] = p["behind"] = p["before"] = 0; })
       .wrong_beyond("a rigid indenter",
                     with_other_indenters([](Bodies& bodies, const Context&) { bodies.indenter.reset(); }))
       // The condition kappa_1 = kappa_2 in place of the right one.

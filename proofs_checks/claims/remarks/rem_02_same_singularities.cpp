@@ -133,19 +133,18 @@ Claim rem_02_same_singularities() {
         check<R>(findings, form, row);
       })
       .wrong("the powers at edges without friction",
-             [](RowTraction& form, const Row&) { form.powers.front() = form.powers.back() = -half; })
-      .wrong(
-          "no singularity at the friction jumps",
-          [](RowTraction& form, const Row&) { std::fill(form.powers.begin() + 1, form.powers.end() - 1, Exponent()); })
+             [](RowTraction& form) { form.powers.front() = form.powers.back() = -half; })
+      .wrong("no singularity at the friction jumps",
+             [](RowTraction& form) { std::fill(form.powers.begin() + 1, form.powers.end() - 1, Exponent()); })
       .wrong("the angles' sign", [](RowTraction& form, const Row& row) { form.powers = half_space_powers(row, true); })
       .wrong("the half-space's traction",
-             [](RowTraction& form, const Row&) {
+             [](RowTraction& form) {
                form.periodic = false;
                form.centre = 0;
              })
-      .wrong("the last factor centred at 0", [](RowTraction& form, const Row&) { form.centre = 0; })
-      .wrong("the half-space's kernel", [](RowTraction& form, const Row&) { form.cotangent = 0; })
-      .near_miss("the power at the rear", [](RowTraction& form, const Number& step, const Row&) { form.moved = step; });
+      .wrong("the last factor centred at 0", [](RowTraction& form) { form.centre = 0; })
+      .wrong("the half-space's kernel", [](RowTraction& form) { form.cotangent = 0; })
+      .near_miss("the power at the rear", [](RowTraction& form, const Number& step) { form.moved = step; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -39,17 +39,16 @@ Claim thm_02_solved_wedge_and_jump() {
       .checked([]<numeric::Real R>(Findings& findings, const CornerForm& form, const SolvedCorner& c,
                                    const Context& context) { check_corner(findings, form, c, context); })
       .wrong("[s] of the other sign",
-             [](CornerForm& form, const SolvedCorner&) {
+             [](CornerForm& form) {
                for (Number& constant : form.step) constant *= -1;
              })
-      .wrong("beta = alpha_+ - alpha_-", [](CornerForm& form, const SolvedCorner&) { form.power *= -1; })
-      .wrong("the constant D/[s] missing", [](CornerForm& form, const SolvedCorner&) { form.step = {}; })
-      .wrong("cos(pi alpha) of the other side",
-             [](CornerForm& form, const SolvedCorner&) { std::swap(form.cosine[0], form.cosine[1]); })
-      .wrong("D(c)/[s] instead of D(x)/[s]", [](CornerForm& form, const SolvedCorner&) { form.continued = false; })
-      .wrong("B(c) = +theta", [](CornerForm& form, const SolvedCorner&) { form.limit = -1; })
-      .near_miss("beta", [](CornerForm& form, const Number& step, const SolvedCorner&) { form.power += step; })
-      .near_miss("theta", [](CornerForm& form, const Number& step, const SolvedCorner&) { form.limit += step; });
+      .wrong("beta = alpha_+ - alpha_-", [](CornerForm& form) { form.power *= -1; })
+      .wrong("the constant D/[s] missing", [](CornerForm& form) { form.step = {}; })
+      .wrong("cos(pi alpha) of the other side", [](CornerForm& form) { std::swap(form.cosine[0], form.cosine[1]); })
+      .wrong("D(c)/[s] instead of D(x)/[s]", [](CornerForm& form) { form.continued = false; })
+      .wrong("B(c) = +theta", [](CornerForm& form) { form.limit = -1; })
+      .near_miss("beta", [](CornerForm& form, const Number& step) { form.power += step; })
+      .near_miss("theta", [](CornerForm& form, const Number& step) { form.limit += step; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -23,9 +23,7 @@ struct CornerCase {
   Rational place() const { return problem.indenter().breaks().front().x; }
   Rational s() const { return problem.coupled_friction(problem.friction().piece(place(), Side::right)); }
   /// D, reduced.
-  Number wedge() const {
-    return numeric::to_real<Number>(problem.indenter().breaks().front().wedge / problem.elasticity().compliance());
-  }
+  Number wedge() const { return numeric::to_real<Number>(wedge_of(problem)); }
 };
 
 /// One wedge, (1/3) - (-1) in slope under f = 2, in problems that have nothing else in common; then without friction.
@@ -103,13 +101,6 @@ Values at_wedge(const CornerCase& c) {
   return found;
 }
 
-/// Multiplies the coefficient of the logarithm.
-void scale_logarithm(Values& p, const CornerCase& c, const Number& factor) {
-  if (c.examined != Examined::wedge) return;
-  p["left"] *= factor;
-  p["right"] *= factor;
-}
-
 }  // namespace
 
 Claim thm_02_words_wedge() {
@@ -136,28 +127,27 @@ Claim thm_02_words_wedge() {
         if (c.examined == Examined::on_cells) return {{"on cells", coefficient}};
         return {{"left", coefficient}, {"right", coefficient}, {"step", Number(s / (1 + s * s))}};
       })
-      .wrong(
-          "a coefficient that grows with the load",
-          [](Values& p, const CornerCase& c) { scale_logarithm(p, c, numeric::to_real<Number>(c.problem.load() / 6)); })
+      .wrong("a coefficient that grows with the load",
+             [](Values& p, const CornerCase& c) {
+               p.scale({"left", "right"}, numeric::to_real<Number>(c.problem.load() / 6));
+             })
       .wrong("1/(1+s^2) missing",
              [](Values& p, const CornerCase& c) {
-               const Number s = numeric::to_real<Number>(c.s());
-               scale_logarithm(p, c, 1 + s * s);
-               if (c.examined == Examined::wedge) p["step"] *= 1 + s * s;
+               p.scale({"left", "right", "step"}, numeric::to_real<Number>(1 + c.s() * c.s()));
              })
-      .wrong("the logarithm's sign", [](Values& p, const CornerCase& c) { scale_logarithm(p, c, -1); })
-      .wrong("1/pi missing", [](Values& p, const CornerCase& c) { scale_logarithm(p, c, numeric::pi<Number>()); })
-      .wrong("the step's sign: H(c-x)",
-             [](Values& p, const CornerCase& c) {
-               if (c.examined == Examined::wedge) p["step"] *= -1;
+      .wrong("the logarithm's sign",
+             [](Values& p) {
+               p.scale({"left", "right"}, -1);
              })
-      .wrong("a re-entrant corner excluded where f rises as well",
-             [](Values& p, const CornerCase& c) {
-               if (c.examined == Examined::notch) p["inside"] = 0;
+      .wrong("1/pi missing",
+             [](Values& p) {
+               p.scale({"left", "right"}, numeric::pi<Number>());
              })
+      .wrong("the step's sign: H(c-x)", [](Values& p) { p.scale({"step"}, -1); })
+      .wrong("a re-entrant corner excluded where f rises as well", [](Values& p) { p.scale({"inside"}, 0); })
       .wrong("a re-entrant corner admitted where f does not jump",
              [](Values& p, const CornerCase& c) {
-               if (c.examined == Examined::notch && c.trend == 0) p["inside"] = 1;
+               if (c.trend == 0) p.set("inside", Number(1));
              })
       .near_misses();
 }

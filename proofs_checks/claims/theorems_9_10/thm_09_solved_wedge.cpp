@@ -30,20 +30,18 @@ Claim thm_09_solved_wedge() {
       .says(at_wedge)
       .checked([]<numeric::Real R>(Findings& findings, const CornerForm& form, const SolvedCorner& c,
                                    const Context& context) { check_corner(findings, form, c, context); })
-      .wrong("H(c-x) instead of H(x-c)",
-             [](CornerForm& form, const SolvedCorner&) { std::swap(form.step[0], form.step[1]); })
+      .wrong("H(c-x) instead of H(x-c)", [](CornerForm& form) { std::swap(form.step[0], form.step[1]); })
       .wrong("1/(1+s^2) missing",
              [](CornerForm& form, const SolvedCorner& c) {
                const Number s = numeric::to_real<Number>(c.problem.coupled_friction(0));
                form.log_factor *= 1 + s * s;
                form.step[1] *= 1 + s * s;
              })
-      .wrong("the logarithm with the other sign", [](CornerForm& form, const SolvedCorner&) { form.log_factor *= -1; })
-      .wrong("1/pi missing", [](CornerForm& form, const SolvedCorner&) { form.log_factor *= numeric::pi<Number>(); })
-      .wrong("D(c) instead of D(x)", [](CornerForm& form, const SolvedCorner&) { form.continued = false; })
-      .near_miss("the logarithm",
-                 [](CornerForm& form, const Number& step, const SolvedCorner&) { form.log_factor *= 1 + step; })
-      .near_miss("the constant", [](CornerForm& form, const Number& step, const SolvedCorner&) { form.limit += step; });
+      .wrong("the logarithm with the other sign", [](CornerForm& form) { form.log_factor *= -1; })
+      .wrong("1/pi missing", [](CornerForm& form) { form.log_factor *= numeric::pi<Number>(); })
+      .wrong("D(c) instead of D(x)", [](CornerForm& form) { form.continued = false; })
+      .near_miss("the logarithm", &CornerForm::log_factor)
+      .near_miss("the constant", [](CornerForm& form, const Number& step) { form.limit += step; });
 }
 
 }  // namespace steadyslide::proofs_checks
