@@ -1,6 +1,5 @@
 #include "proofs_checks/instruments/constant_punch.hpp"
 
-#include "proofs_checks/instruments/power_product.hpp"
 #include "proofs_checks/instruments/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
@@ -33,9 +32,8 @@ Claim constant_punch_claim(std::string id, PunchLoad load) {
       })
       .checked(
           [load]<Real R>(Findings& findings, const PowerProduct& t, const ContactProblem& p, const Context& context) {
-            const auto no_slope = [](const auto& x) { return std::remove_cvref_t<decltype(x)>(0); };
-            Surface<R> surface = surface_of<R>(t.at<R>(), p, 0, no_slope);
-            Surface<double> in_double = surface_of<double>(t.at<double>(), p, 0, no_slope);
+            Surface<R> surface = surface_of<R>(t.at<R>(), p, 0);
+            Surface<double> in_double = surface_of<double>(t.at<double>(), p, 0);
             if (load == PunchLoad::minus_one) surface.integral = in_double.integral = 1;
             check_surface(findings, surface, count_for(context, {9, 3, 3}));
             check_surface_by_gsl(findings, in_double);

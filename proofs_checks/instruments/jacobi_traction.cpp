@@ -1,9 +1,5 @@
 #include "proofs_checks/instruments/jacobi_traction.hpp"
 
-#include <mpfr.h>
-
-#include <boost/math/special_functions/digamma.hpp>
-
 #include "numeric/number/polynomial.hpp"
 #include "numeric/quadrature/jacobi_rule.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
@@ -94,23 +90,11 @@ R form_with_power(const JacobiTraction<R>& t, const R& s, int m) {
   return numeric::tanh_sinh::panel_integral<R>(density).value;
 }
 
-template <class R>
-R digamma(const R& x) {
-  if constexpr (std::same_as<R, double>) {
-    return boost::math::digamma(x);
-  } else {
-    R value;
-    mpfr_digamma(value.backend().data(), x.backend().data(), MPFR_RNDN);
-    return value;
-  }
-}
-
 #define STEADYSLIDE_INSTANTIATE(R)                                         \
   template numeric::PanelDensity<R> density_of(const JacobiTraction<R>&);  \
   template R integral(const JacobiTraction<R>&);                           \
   template R form_with_chebyshev(const JacobiTraction<R>&, const R&, int); \
-  template R form_with_power(const JacobiTraction<R>&, const R&, int);     \
-  template R digamma(const R&);
+  template R form_with_power(const JacobiTraction<R>&, const R&, int);
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(numeric::Real50)
 STEADYSLIDE_INSTANTIATE(numeric::Real100)

@@ -34,7 +34,4 @@ R form_with_chebyshev(const JacobiTraction<R>& t, const R& s, int k);
 template <class R>
 R form_with_power(const JacobiTraction<R>& t, const R& s, int m);
 
-template <class R>
-R digamma(const R& x);
-
 }  // namespace steadyslide::proofs_checks

@@ -1,7 +1,6 @@
 #pragma once
 // Parabolas psi = A (x - v)^2 for the claims about them, in the user's units: R = c/(2A), c the compliance.
 
-#include "proofs_checks/instruments/power_product.hpp"
 #include "proofs_checks/instruments/punch.hpp"
 
 namespace steadyslide::proofs_checks {

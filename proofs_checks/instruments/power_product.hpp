@@ -2,10 +2,34 @@
 // A traction t = amplitude_k prod_j |x - e_j|^{p_j}, amplitude_k on the panel between e_k and e_{k+1}, as a formula
 // says it: a value of one type whatever the precision of the check, open to be changed by a wrong variant.
 
-#include "proofs_checks/instruments/power_form.hpp"
+#include "numeric/cauchy/power_traction.hpp"
 #include "proofs_checks/kit/values.hpp"
 
 namespace steadyslide::proofs_checks {
+
+using numeric::Real;
+using numeric::Real100;
+using numeric::Real50;
+
+/// The traction in the numbers of a check.
+// (Not constrained: g++ 12 takes no constrained templates as template arguments.)
+template <class R>
+struct PowerForm {
+  R left_end;
+  std::vector<R> lengths;
+  std::vector<Exponent> exponents;  ///< exact
+  std::vector<numeric::Power<R>> powers;
+  std::vector<R> amplitudes;
+
+  std::vector<R> points() const {
+    std::vector<R> all{left_end};
+    for (const R& length : lengths) all.push_back(all.back() + length);
+    return all;
+  }
+  numeric::PowerTraction<R> traction() const {
+    return {numeric::FundamentalSolution<R>(left_end, lengths, powers), amplitudes};
+  }
+};
 
 struct PowerProduct {
   Number left_end;
@@ -16,7 +40,13 @@ struct PowerProduct {
 
   /// On exactly known points.
   static PowerProduct on(const std::vector<Rational>& points, std::vector<Exponent> exponents,
-                         std::vector<Number> amplitudes);
+                         std::vector<Number> amplitudes) {
+    PowerProduct product{numeric::to_real<Number>(points.front()), {}, std::move(exponents), std::move(amplitudes)};
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+      product.lengths.push_back(numeric::to_real<Number>(points[k + 1] - points[k]));
+    }
+    return product;
+  }
 
   void scale(const Number& factor) {
     for (Number& amplitude : amplitudes) amplitude *= factor;
@@ -26,14 +56,14 @@ struct PowerProduct {
     moved[j] += step;
   }
 
-  /// The same in the numbers of a check.
   template <Real R>
   PowerForm<R> at() const {
-    PowerForm<R> form{R(left_end), {}, exponents, {}, {}};
-    for (const Number& length : lengths) form.lengths.push_back(R(length));
-    for (const Number& amplitude : amplitudes) form.amplitudes.push_back(R(amplitude));
+    PowerForm<R> form{R(left_end), {lengths.begin(), lengths.end()}, exponents, {}, {amplitudes.begin(), amplitudes.end()}};
     for (const Exponent& exponent : exponents) form.powers.push_back(numeric::Power<R>::of(exponent));
-    for (std::size_t j = 0; j < moved.size(); ++j) form.move_power(j, R(moved[j]));
+    for (std::size_t j = 0; j < moved.size(); ++j) {
+      form.powers[j].value += R(moved[j]);
+      form.powers[j].plus_one += R(moved[j]);
+    }
     return form;
   }
 };

@@ -2,12 +2,8 @@
 // Changes of a contact problem that change its solution in a known way, and the check that they do: for the
 // Riemann-Hilbert solver, and for the one on cells.
 
-#include <functional>
-#include <optional>
-#include <string>
-
-#include "model/contact_problem.hpp"
-#include "proofs_checks/kit/claim.hpp"
+#include "proofs_checks/instruments/surface.hpp"
+#include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
 
@@ -24,28 +20,14 @@ struct Law {
   std::optional<Rational> jump = std::nullopt;  ///< its height
   Rational traction = 1;
   Rational gap = 1;
-  /// For near misses: changes the law by so much, or what is said on cells.
-  std::function<void(Law&, const Rational&)> miss = nullptr;
-  bool missed_on_cells = false;
+
+  // Near misses, by what is allowed at the precision of the check.
+  Rational Law::*missed = nullptr;  ///< one of the factors, by ten times as much
+  bool missed_jump = false;         ///< a jump of a thousand times as much
+  bool missed_on_cells = false;     ///< the traction on cells, by ten times as much
 };
 
-std::vector<Evidence> check_law(const Context& context, const Law& law);
-
-/// Plain, not compared: the law is what is put to the solvers, and a wrong one is another problem.
-Claim law_claim(std::string_view id, const Law& right, std::vector<Wrong<Law>> wrong);
-
-/// The law with something in it changed.
-template <class Change>
-Wrong<Law> variant(std::string name, Law law, Change change) {
-  change(law);
-  return {std::move(name), law};
-}
-
-// Near misses: what is moved.
-void miss_on_cells(Law& law);
-void miss_of_load(Law& law);
-void miss_of_height(Law& law);
-void miss_of_traction(Law& law);
-void miss_of_jump(Law& law);
+/// On random problems.
+FormulaClaim<ContactProblem, Law> law_claim(std::string id, const Law& law);
 
 }  // namespace steadyslide::proofs_checks

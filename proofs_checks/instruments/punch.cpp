@@ -1,6 +1,7 @@
 #include "proofs_checks/instruments/punch.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "numeric/closed_form/closed_form.hpp"
 #include "symbolic/cln/cln_closed_form.hpp"
@@ -31,22 +32,6 @@ ContactProblem random_punch(const Context& context, Random& random, std::size_t 
   return punch(nu, std::move(friction), random_jumps(random, jumps), load);
 }
 
-Cases punch_cases(const Context& context, std::string_view stream, std::vector<ContactProblem> grid,
-                  std::size_t random_count, const std::function<std::size_t(Random&)>& jumps) {
-  Cases cases;
-  const std::size_t stride = !context.quick ? 1 : context.digits == numeric::Digits::sixteen ? 4 : 16;
-  for (std::size_t k = 0; k < grid.size(); k += stride) cases.problems.push_back(std::move(grid[k]));
-  const std::size_t fixed = cases.problems.size();
-  if (context.quick) random_count = std::min<std::size_t>(random_count, 1);
-  Random random(context.seed, stream);
-  for (std::size_t k = 0; k < random_count; ++k) {
-    cases.problems.push_back(random_punch(context, random, jumps(random)));
-  }
-  cases.detail = std::to_string(fixed) + " of a grid, " + std::to_string(random_count) + " random with seed " +
-                 std::to_string(context.seed);
-  return cases;
-}
-
 bool has_jump(const ContactProblem& problem) {
   for (std::size_t k = 1; k < problem.friction().values().size(); ++k) {
     if (problem.coupled_friction(k - 1) != problem.coupled_friction(k)) return true;
@@ -65,6 +50,21 @@ Exponent alpha(const ContactProblem& problem, std::size_t piece) {
   return Exponent::angle(problem.coupled_friction(piece));
 }
 
+PowerProduct punch_traction(const ContactProblem& problem) {
+  const std::vector<Rational>& jumps = problem.friction().jumps();
+  std::vector<Rational> points{problem.indenter().left()};
+  std::vector<Exponent> exponents{-(half + alpha(problem, 0))};
+  std::vector<Number> amplitudes{punch_amplitude<Number>(problem, 0)};
+  for (std::size_t k = 0; k < jumps.size(); ++k) {
+    points.push_back(jumps[k]);
+    exponents.push_back(alpha(problem, k) - alpha(problem, k + 1));
+    amplitudes.push_back(punch_amplitude<Number>(problem, k + 1));
+  }
+  points.push_back(problem.indenter().right());
+  exponents.push_back(-(half - alpha(problem, jumps.size())));
+  return PowerProduct::on(points, std::move(exponents), std::move(amplitudes));
+}
+
 template <Real R>
 void check_punch_values(Findings& findings, const PowerForm<R>& form, const ContactProblem& problem) {
   const Quantity by_cln{"values of the traction, in CLN", {"the formula", "closed form in CLN"}, tolerance<R>()};
@@ -76,15 +76,14 @@ void check_punch_values(Findings& findings, const PowerForm<R>& form, const Cont
   findings.require(closed_form != nullptr, "the numeric layer knows no closed form");
   findings.require(closed_form->exponents == form.exponents, "the numeric layer has other exponents");
 
-  std::vector<Rational> points{problem.indenter().left()};
-  for (const Rational& c : problem.friction().jumps()) points.push_back(c);
-  points.push_back(problem.indenter().right());
   const numeric::PowerTraction<R> traction = form.traction();
-  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+  const std::vector<ContactProblem::Piece> pieces = problem.pieces();
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const auto& [left, right, friction, profile] = pieces[k];
     for (const Rational& fraction : {Rational(1, 1'000'000), Rational(3, 7), Rational(999'999, 1'000'000)}) {
-      const Rational x = points[k] + fraction * (points[k + 1] - points[k]);
-      const numeric::Node<R> node{numeric::to_real<R>(x), numeric::to_real<R>(x - points[k]),
-                                  numeric::to_real<R>(points[k + 1] - x)};
+      const Rational x = left + fraction * (right - left);
+      const numeric::Node<R> node{numeric::to_real<R>(x), numeric::to_real<R>(x - left),
+                                  numeric::to_real<R>(right - x)};
       const R t = traction(k, node);
       findings.compare(by_cln, relative_difference<R>(t, numeric::to_real<R>(cln.traction(x).value)));
       findings.compare(by_numeric, relative_difference<R>(t, closed_form->traction(k, node)));
@@ -92,19 +91,25 @@ void check_punch_values(Findings& findings, const PowerForm<R>& form, const Cont
   }
 }
 
-Rational largest_friction(const Context& context) { return context.digits == numeric::Digits::sixteen ? 5 : 50; }
-
-std::size_t count_for(const Context& context, std::size_t sixteen, std::size_t fifty, std::size_t hundred) {
-  if (context.quick && context.digits != numeric::Digits::sixteen) return 1;
-  switch (context.digits) {
-    case numeric::Digits::sixteen: return sixteen;
-    case numeric::Digits::fifty: return fifty;
-    default: return hundred;
-  }
+template <Real R>
+void check_punch_traction(Findings& findings, const PowerProduct& t, const ContactProblem& problem,
+                          std::size_t tanh_sinh_points) {
+  check_surface(findings, surface_of<R>(t.at<R>(), problem, 0), tanh_sinh_points);
+  check_surface_by_gsl(findings, surface_of<double>(t.at<double>(), problem, 0));
+  check_punch_values(findings, t.at<R>(), problem);
+  const Exponent sum = std::accumulate(t.exponents.begin(), t.exponents.end(), Exponent());
+  findings.decide("the exponents sum to -1", sum == Exponent(-1));
 }
 
-template void check_punch_values(Findings&, const PowerForm<double>&, const ContactProblem&);
-template void check_punch_values(Findings&, const PowerForm<Real50>&, const ContactProblem&);
-template void check_punch_values(Findings&, const PowerForm<Real100>&, const ContactProblem&);
+Rational largest_friction(const Context& context) { return context.digits == numeric::Digits::sixteen ? 5 : 50; }
+
+#define STEADYSLIDE_INSTANTIATE(R)                                                             \
+  template void check_punch_values(Findings&, const PowerForm<R>&, const ContactProblem&);     \
+  template void check_punch_traction<R>(Findings&, const PowerProduct&, const ContactProblem&, \
+                                        std::size_t);
+STEADYSLIDE_INSTANTIATE(double)
+STEADYSLIDE_INSTANTIATE(Real50)
+STEADYSLIDE_INSTANTIATE(Real100)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

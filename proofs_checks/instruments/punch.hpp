@@ -1,15 +1,15 @@
 #pragma once
-// What the claims about flat punches share: their cases and the walk through them.
+// The flat punch in full contact under any number of friction jumps: random ones, and its traction
+//
+//   t = -(P cos(pi alpha(x))/pi) prod_j |x-e_j|^{p_j},   p = -(1/2+alpha_0), alpha_{k-1} - alpha_k, -(1/2-alpha_m),
+//
+// as a formula, with its check: A t = 0, the load, and the values of the closed forms. [Bal16, (4)-(7)]
 
-#include <string_view>
-#include <vector>
-
+#include "proofs_checks/instruments/power_product.hpp"
 #include "proofs_checks/instruments/surface.hpp"
-#include "proofs_checks/kit/random.hpp"
+#include "proofs_checks/kit/cases.hpp"
 
 namespace steadyslide::proofs_checks {
-
-using PunchFormula = Formula<PowerForm, ContactProblem>;
 
 /// A flat punch on [-1, 1] in plane strain.
 ContactProblem punch(const Rational& nu, std::vector<Rational> friction, std::vector<Rational> jumps = {},
@@ -17,15 +17,6 @@ ContactProblem punch(const Rational& nu, std::vector<Rational> friction, std::ve
 
 /// Random nu, friction and load, `jumps` friction jumps at random places.
 ContactProblem random_punch(const Context& context, Random& random, std::size_t jumps);
-
-struct Cases {
-  std::vector<ContactProblem> problems;
-  std::string detail;  ///< where they come from
-};
-
-/// `grid` (a part of it for a quick run), then `random` random punches with as many jumps as `jumps` says.
-Cases punch_cases(const Context& context, std::string_view stream, std::vector<ContactProblem> grid, std::size_t random,
-                  const std::function<std::size_t(Random&)>& jumps);
 
 /// m increasing places strictly inside ]-1, 1[.
 std::vector<Rational> random_jumps(Random& random, std::size_t m);
@@ -44,32 +35,20 @@ R punch_amplitude(const ContactProblem& problem, std::size_t piece) {
          numeric::pi<R>();
 }
 
-/// The traction under any number of jumps: a power at each point, an amplitude on each piece between them.
-template <Real R>
-PowerForm<R> punch_form(const ContactProblem& problem) {
-  std::vector<Rational> points{problem.indenter().left()};
-  std::vector<Exponent> exponents{-(half + alpha(problem, 0))};
-  std::vector<R> amplitudes{punch_amplitude<R>(problem, 0)};
-  const std::vector<Rational>& jumps = problem.friction().jumps();
-  for (std::size_t k = 0; k < jumps.size(); ++k) {
-    points.push_back(jumps[k]);
-    exponents.push_back(alpha(problem, k) - alpha(problem, k + 1));
-    amplitudes.push_back(punch_amplitude<R>(problem, k + 1));
-  }
-  points.push_back(problem.indenter().right());
-  exponents.push_back(-(half - alpha(problem, jumps.size())));
-  return power_form<R>(points, std::move(exponents), std::move(amplitudes));
-}
+/// A power at each point, an amplitude on each piece between them.
+PowerProduct punch_traction(const ContactProblem& problem);
 
 /// Against CLN's value of the same traction and the numeric layer's closed form, at points of every panel.
 template <Real R>
 void check_punch_values(Findings& findings, const PowerForm<R>& form, const ContactProblem& problem);
 
+/// `tanh_sinh_points`: of the equation, by that rule.
+template <Real R>
+void check_punch_traction(Findings& findings, const PowerProduct& t, const ContactProblem& problem,
+                          std::size_t tanh_sinh_points);
+
 /// The largest random friction value: 50. In double 5: large values side by side make the traction vary over so many
 /// orders of magnitude that rounding alone breaks the tolerance where it is small. (The grids go to 50 always.)
 Rational largest_friction(const Context& context);
-
-/// A number of cases or points by the number of digits; one in a quick run, but in double.
-std::size_t count_for(const Context& context, std::size_t sixteen, std::size_t fifty, std::size_t hundred);
 
 }  // namespace steadyslide::proofs_checks

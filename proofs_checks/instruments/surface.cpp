@@ -21,6 +21,15 @@ double load_error(const Surface<R>& surface, const R& integral) {
   return static_cast<double>(R(abs(integral - surface.integral) / scale));
 }
 
+/// All panels have a length, all powers are above -1: or a traction cannot be sampled.
+template <Real R>
+void require_integrable(Findings& findings, const Surface<R>& surface) {
+  for (const numeric::PanelDensity<R>& panel : surface.traction) {
+    findings.require(panel.panel.length > 0, "a panel has no length");
+    findings.require(panel.left.plus_one > 0 && panel.right.plus_one > 0, "the traction is not integrable");
+  }
+}
+
 std::string list(const std::vector<Rational>& values) {
   std::string text;
   for (const Rational& value : values) text += (text.empty() ? "" : ", ") + to_string(value);
@@ -40,16 +49,10 @@ Surface<R> surface_of(const PowerForm<R>& form, const ContactProblem& problem, s
 }
 
 template <Real R>
-void require_integrable(Findings& findings, const Surface<R>& surface) {
-  for (const numeric::PanelDensity<R>& panel : surface.traction) {
-    findings.require(panel.panel.length > 0, "a panel has no length");
-    findings.require(panel.left.plus_one > 0 && panel.right.plus_one > 0, "the traction is not integrable");
-  }
-}
-
-template <Real R>
-void check_surface(Findings& findings, const Surface<R>& surface, const numeric::trapezoidal::Grid<R>& grid,
-                   std::size_t tanh_sinh_points) {
+numeric::trapezoidal::Grid<R> check_surface(Findings& findings, const Surface<R>& surface,
+                                            std::size_t tanh_sinh_points) {
+  require_integrable(findings, surface);
+  numeric::trapezoidal::Grid<R> grid(surface.traction);
   const double allowed = tolerance<R>();
   const Quantity load_1{"total load int t, trapezoidal rule", {"trapezoidal rule", "the load given"}, allowed};
   const Quantity load_2{
@@ -80,12 +83,7 @@ void check_surface(Findings& findings, const Surface<R>& surface, const numeric:
     findings.compare(equation_2, residual(by_tanh_sinh, points[i]));
   }
   findings.compare(load_2, load_error(surface, numeric::tanh_sinh::integral<R>(surface.traction).value));
-}
-
-template <Real R>
-void check_surface(Findings& findings, const Surface<R>& surface, std::size_t tanh_sinh_points) {
-  require_integrable(findings, surface);
-  check_surface(findings, surface, numeric::trapezoidal::Grid<R>(surface.traction), tanh_sinh_points);
+  return grid;
 }
 
 void check_surface_by_gsl(Findings& findings, const Surface<double>& surface) {
@@ -128,9 +126,7 @@ std::string text_of(const ContactProblem& problem) {
 
 #define STEADYSLIDE_INSTANTIATE(R)                                                                                     \
   template Surface<R> surface_of(const PowerForm<R>&, const ContactProblem&, std::size_t, std::function<R(const R&)>); \
-  template void require_integrable(Findings&, const Surface<R>&);                                                      \
-  template void check_surface(Findings&, const Surface<R>&, const numeric::trapezoidal::Grid<R>&, std::size_t);        \
-  template void check_surface(Findings&, const Surface<R>&, std::size_t);
+  template numeric::trapezoidal::Grid<R> check_surface(Findings&, const Surface<R>&, std::size_t);
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)
 STEADYSLIDE_INSTANTIATE(Real100)

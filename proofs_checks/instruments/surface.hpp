@@ -5,7 +5,8 @@
 #include <functional>
 
 #include "numeric/quadrature/trapezoidal.hpp"
-#include "proofs_checks/instruments/power_form.hpp"
+#include "model/contact_problem.hpp"
+#include "proofs_checks/instruments/power_product.hpp"
 #include "proofs_checks/kit/findings.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -21,21 +22,15 @@ struct Surface {
 
 /// The surface under a form: s from the friction pieces `first_piece`, ... of the problem, int t = -load.
 template <Real R>
-Surface<R> surface_of(const PowerForm<R>& form, const ContactProblem& problem, std::size_t first_piece,
-                      std::function<R(const R&)> slope);
+Surface<R> surface_of(
+    const PowerForm<R>& form, const ContactProblem& problem, std::size_t first_piece,
+    std::function<R(const R&)> slope = [](const R&) { return R(0); });
 
 /// Load and equation, the points 1e-6 of a panel from its ends included. `tanh_sinh_points` per case, spread over the
-/// panels: that route costs a hundred times the other one.
+/// panels: that route costs a hundred times the other one. Returns the samples of the other one.
 template <Real R>
-void check_surface(Findings& findings, const Surface<R>& surface, std::size_t tanh_sinh_points);
-/// The same with samples of its traction that are there already.
-template <Real R>
-void check_surface(Findings& findings, const Surface<R>& surface, const numeric::trapezoidal::Grid<R>& grid,
-                   std::size_t tanh_sinh_points);
-
-/// All panels have a length, all powers are above -1: to be required before a traction is sampled.
-template <Real R>
-void require_integrable(Findings& findings, const Surface<R>& surface);
+numeric::trapezoidal::Grid<R> check_surface(Findings& findings, const Surface<R>& surface,
+                                            std::size_t tanh_sinh_points);
 
 /// Load and equation by GSL, where it converges, to 1e-11.
 void check_surface_by_gsl(Findings& findings, const Surface<double>& surface);

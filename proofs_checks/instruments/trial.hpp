@@ -7,6 +7,7 @@
 #include "numeric/cauchy/residuals.hpp"
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "proofs_checks/instruments/formula.hpp"
 #include "proofs_checks/instruments/surface.hpp"
 #include "proofs_checks/kit/random.hpp"
 

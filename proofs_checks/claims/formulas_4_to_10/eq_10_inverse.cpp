@@ -1,5 +1,5 @@
 #include "numeric/cauchy/residuals.hpp"
-#include "proofs_checks/instruments/inverse_formula.hpp"
+#include "proofs_checks/instruments/inverse_operator.hpp"
 #include "proofs_checks/instruments/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
@@ -75,11 +75,12 @@ void check_inverse(Findings& findings, const InverseFormula& formula, const Line
   findings.compare(equation, static_cast<double>(surface.equation()));
   findings.compare(load, static_cast<double>(R(abs(surface.integral()) / (abs(constant) + abs(linear)))));
 
-  const InverseByQuadrature<R> inverse(formula, c.slope());
+  const InverseOperator<R> inverse(formula, c.slope());
   for (const int percent : {40, 3, 75}) {
-    const auto at = inverse.point(percent);
-    findings.compare(trapezoidal, inverse.difference(at, closed[0](at.node)));
-    if (percent == 40) findings.compare(tanh_sinh, inverse.difference_by_tanh_sinh(at, closed[0](at.node)));
+    const auto at = inverse.point(0, R(percent) / 100);
+    const R expected = closed[0](at.node);
+    findings.compare(trapezoidal, inverse.terms(at).difference(expected));
+    if (percent == 40) findings.compare(tanh_sinh, inverse.terms_by_tanh_sinh(at).difference(expected));
   }
 }
 

@@ -83,7 +83,7 @@ Surface<R> surface_of(const FormTerms<R>& terms) {
 
 std::vector<Evidence> check_form(const Context& context, const FormFormula& formula) {
   const auto walk = [&]<Real R>() {
-    const std::vector<Trial> all = trials(context, "rh-form", count_for(context, 20, 2, 1), true);
+    const std::vector<Trial> all = trials(context, "rh-form", count_for(context, {20, 2, 1}), true);
     Findings findings;
     for (const Trial& trial : all) {
       findings.begin_case(trial.name + ": " + text_of(trial.problem), has_friction(trial.problem));

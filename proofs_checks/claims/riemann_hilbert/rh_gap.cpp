@@ -152,7 +152,7 @@ void check_gaps(Findings& findings, const GapTerms<R>& terms, Random& random, in
 
 std::vector<Evidence> check(const Context& context, const GapFormula& formula) {
   const auto walk = [&]<Real R>() {
-    const std::vector<Trial> all = trials(context, "rh-gap", count_for(context, 20, 3, 1));
+    const std::vector<Trial> all = trials(context, "rh-gap", count_for(context, {20, 3, 1}));
     Findings findings;
     Random random(context.seed, "rh-gap, places");
     for (const Trial& trial : all) {

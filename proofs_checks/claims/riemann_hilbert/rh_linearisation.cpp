@@ -154,7 +154,7 @@ std::vector<Evidence> check(const Context& context, const LinearFormula& formula
     if constexpr (std::same_as<R, double>) {
       return {};
     } else {
-      std::vector<Trial> all = trials(context, "rh-linearisation", count_for(context, 2, 2, 1), true);
+      std::vector<Trial> all = trials(context, "rh-linearisation", count_for(context, {2, 2, 1}), true);
       // q/(z - e) leaves a polynomial where q has two coefficients: three components with one free end.
       all.insert(all.begin() + 1, with_ends({{true, true}, {false, true}, {true, true}}));
       Findings findings;

@@ -26,7 +26,7 @@ std::vector<Evidence> check_load(const Context& context, const LoadFormula& form
         "load where S < 0", {"coefficient of 1/z at infinity", "leading coefficient of q"}, tolerance<R>()};
     const Quantity part{
         "load on one segment of the contact", {"trapezoidal rule", "Gauss-Jacobi rule"}, tolerance<R>()};
-    const std::vector<Trial> all = trials(context, "rh-load", count_for(context, 20, 2, 1));
+    const std::vector<Trial> all = trials(context, "rh-load", count_for(context, {20, 2, 1}));
     Findings findings;
     for (const Trial& trial : all) {
       findings.begin_case(trial.name + ": " + text_of(trial.problem));

@@ -1,7 +1,7 @@
 #include "proofs_checks/instruments/angle_forms.hpp"
 #include "proofs_checks/instruments/cells.hpp"
 #include "proofs_checks/instruments/dense_algebra.hpp"
-#include "proofs_checks/instruments/friction_cases.hpp"
+#include "proofs_checks/instruments/friction_values.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -21,7 +21,7 @@ std::string text_of(const Coercive& c) { return "s = " + to_string(c.s); }
 
 /// `falling`: the friction on cells falls to zero at 1/7.
 CaseList<Coercive> cases(const Context& context, bool falling) {
-  const CaseList<FrictionValue> frictions = friction_values("sec-31-coercive")(context);
+  const CaseList<FrictionValue> frictions = frictions_of_both_signs(context, "sec-31-coercive");
   Random random(context.seed, "sec-31-coercive-cells");
   CaseList<Coercive> list{{}, "s of both signs, random coefficients and cells, seed " + std::to_string(context.seed)};
   for (const auto& [s] : frictions.cases) {

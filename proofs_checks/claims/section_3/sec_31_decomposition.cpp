@@ -1,4 +1,6 @@
-#include "proofs_checks/instruments/friction_cases.hpp"
+#include <boost/math/special_functions/digamma.hpp>
+
+#include "proofs_checks/instruments/friction_values.hpp"
 #include "proofs_checks/instruments/jacobi_traction.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
@@ -19,6 +21,7 @@ struct UnitSolution {
 
 /// -(log 2 + C + (psi(1/2+alpha) + psi(1/2-alpha))/2)/pi, C Euler's constant, psi the digamma function.
 Number punch_constant(const Rational& s) {
+  using boost::math::digamma;
   const Number plus = numeric::to_real<Number>(half + Exponent::angle(s));
   const Number minus = numeric::to_real<Number>(half - Exponent::angle(s));
   return -(log(Number(2)) + (digamma(plus) + digamma(minus)) / 2 - digamma(Number(1))) / numeric::pi<Number>();
@@ -53,7 +56,7 @@ void check(Findings& findings, const UnitSolution& form, bool quick) {
 
 Claim sec_31_decomposition() {
   return formula_claim<FrictionValue, UnitSolution>("sec-31-decomposition")
-      .cases(friction_values("sec-31-decomposition"))
+      .cases([](const Context& context) { return frictions_of_both_signs(context, "sec-31-decomposition"); })
       .precision(Precision::at_least_fifty)
       .says(unit_solution)
       .checked([]<numeric::Real R>(Findings& findings, const UnitSolution& form, const FrictionValue&,

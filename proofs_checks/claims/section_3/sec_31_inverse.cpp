@@ -1,5 +1,5 @@
 #include "numeric/number/polynomial.hpp"
-#include "proofs_checks/instruments/inverse_formula.hpp"
+#include "proofs_checks/instruments/inverse_operator.hpp"
 #include "proofs_checks/instruments/surface.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
@@ -52,11 +52,11 @@ void check_inverse(Findings& findings, const InverseFormula& formula, const Poly
   const Quantity weak{"b(L(u), t_hat), t_hat = T_k/sqrt(1-x^2)", {"Gauss-Jacobi", "<<u, t_hat>>"}, tolerance<R>()};
   const JacobiTraction<R> t = inverse_without_integral<R>(c.s, c.slope);
   const numeric::PanelDensity<R> traction = density_of(t);
-  const InverseByQuadrature<R> inverse(formula, c.slope);
+  const InverseOperator<R> inverse(formula, c.slope);
   for (const int percent : {2, 35, 60, 99}) {
     if (quick && percent != 35) continue;
-    const auto at = inverse.point(percent);
-    findings.compare(values, inverse.difference(at, traction(at.node)));
+    const auto at = inverse.point(0, R(percent) / 100);
+    findings.compare(values, inverse.terms(at).difference(traction(at.node)));
   }
   const R s = numeric::to_real<R>(c.s);
   R size = 0;

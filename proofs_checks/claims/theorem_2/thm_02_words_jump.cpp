@@ -75,10 +75,10 @@ template <Real R>
 Touch<R> touch() {
   const Rational c(1, 4);
   const ContactProblem problem = punch(Rational(3, 10), {Rational(1, 3), 3}, {c});
-  PowerForm<R> form = power_form<R>(
-      {-1, c, 1}, {-(half + alpha(problem, 0)), alpha(problem, 0) - alpha(problem, 1), -(half - alpha(problem, 1))},
-      {R(-numeric::cos_pi_alpha<R>(problem.coupled_friction(0))),
-       R(-numeric::cos_pi_alpha<R>(problem.coupled_friction(1)))});
+  // The punch's powers under a load of pi.
+  PowerProduct punched = punch_traction(problem);
+  punched.scale(numeric::pi<Number>());
+  const PowerForm<R> form = punched.at<R>();
   // The polynomial part of -Y (z-c)^2 at infinity, Y = z^-1 (1 - sum p_j e_j/z + ...).
   R moment = 0;
   for (std::size_t j = 0; j < 3; ++j) moment += form.powers[j].value * form.points()[j];

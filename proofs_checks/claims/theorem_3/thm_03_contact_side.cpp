@@ -53,7 +53,7 @@ const std::vector<StepCase>& solved_cases() {
 CaseList<StepCase> step_cases(const Context& context) {
   std::vector<StepCase> cases = solved_cases();
   Random random(context.seed, "contact-side");
-  const std::size_t count = context.quick ? 2 : count_for(context, 30, 10, 4);
+  const std::size_t count = context.quick ? 2 : count_for(context, {30, 10, 4});
   for (std::size_t k = 0; k < count; ++k) {
     const Rational rear = random.friction(50);
     const Rational front = random.friction(50);
@@ -157,8 +157,7 @@ Claim thm_03_contact_side() {
       .checked([once = std::make_shared<Once<SolvedSteps>>()]<Real R>(Findings& findings, const PowerProduct& t,
                                                                       const StepCase& c, const Context& context) {
         const PowerForm<R> form = t.at<R>();
-        const auto no_slope = [](const R&) { return R(0); };
-        check_surface(findings, surface_of<R>(form, c.problem(), c.piece(), no_slope), 1);
+        check_surface(findings, surface_of<R>(form, c.problem(), c.piece()), 1);
         check_gap(findings, form, c);
         if (!c.solved) return;
         const SolvedSteps<R>& solved = once->at<R>(context.quick, [&] { return solve_steps<R>(context.quick); });

@@ -25,12 +25,11 @@ struct Outside {
 };
 
 CaseList<ContactProblem> punches(const Context& context) {
-  std::vector<ContactProblem> grid{
+  const std::vector<ContactProblem> grid{
       punch(Rational(3, 10), {Rational(1, 2), 2}, {Rational(1, 4)}, 3), punch(Rational(3, 10), {1}), punch(0, {0}),
       punch(Rational(-9, 10), {50, 1, 10}, {0, Rational(1, 2)}), punch(Rational(499, 1000), {3})};
-  Cases cases = punch_cases(context, "outside", std::move(grid), count_for(context, 30, 8, 3),
-                            [](Random& random) { return random.below(3); });
-  return {std::move(cases.problems), std::move(cases.detail)};
+  return grid_and_random(context, "outside", grid, {30, 8, 3},
+                         [&](Random& random) { return random_punch(context, random, random.below(3)); });
 }
 
 Outside outside(const ContactProblem& p) {
@@ -82,7 +81,7 @@ Claim thm_03_outside_slope() {
       .effective_where(has_friction)
       .says(outside)
       .checked([]<Real R>(Findings& findings, const Outside& form, const ContactProblem& problem) {
-        const PowerForm<R> traction = punch_form<R>(problem);
+        const PowerForm<R> traction = punch_traction(problem).at<R>();
         check_end(findings, form.rear, Side::left, traction, problem);
         check_end(findings, form.front, Side::right, traction, problem);
       })
