@@ -42,20 +42,30 @@ Complex<R> logarithm(const Complex<R>& a) {
 /// An analytic function and two derivatives.
 template <class R>
 struct Jet {
-  numeric::Complex<R> value;
-  numeric::Complex<R> first;
-  numeric::Complex<R> second;
+  Complex<R> value{0, 0};
+  Complex<R> first{0, 0};
+  Complex<R> second{0, 0};
 };
+template <class R>
+Jet<R> operator+(const Jet<R>& a, const Jet<R>& b) {
+  return {a.value + b.value, a.first + b.first, a.second + b.second};
+}
+template <class R>
+Jet<R> operator*(const Jet<R>& a, const Jet<R>& b) {
+  return {a.value * b.value, a.first * b.value + a.value * b.first,
+          a.second * b.value + R(2) * (a.first * b.first) + a.value * b.second};
+}
+template <class R>
+Jet<R> operator*(const R& a, const Jet<R>& b) {
+  return {a * b.value, a * b.first, a * b.second};
+}
 
 /// Of a polynomial, from its coefficients.
 template <class R>
 Jet<R> polynomial_jet(const std::vector<R>& p, const Complex<R>& x) {
-  Jet<R> jet{{0, 0}, {0, 0}, {0, 0}};
-  for (std::size_t k = p.size(); k-- > 0;) {
-    jet.second = jet.second * x + R(2) * jet.first;
-    jet.first = jet.first * x + jet.value;
-    jet.value = jet.value * x + Complex<R>{p[k], 0};
-  }
+  const Jet<R> z{x, {1, 0}};
+  Jet<R> jet;
+  for (std::size_t k = p.size(); k-- > 0;) jet = jet * z + Jet<R>{{p[k], 0}};
   return jet;
 }
 

@@ -1,9 +1,9 @@
 #include "proofs_checks/instruments/half_plane_field.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "numeric/number/polynomial.hpp"
+#include "numeric/quadrature/jacobi_rule.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
@@ -16,7 +16,7 @@ using numeric::to_real;
 using numeric::value_of;
 
 /// Coefficients of Q: of t = x^k it is sum_j zeta^(k-1-j) (b^(j+1) - a^(j+1))/(j+1).
-template <class R>
+template <Real R>
 std::vector<R> remainder_polynomial(const TractionPiece& piece) {
   std::vector<Rational> q(static_cast<std::size_t>(std::max(piece.t.degree(), 0)), Rational(0));
   for (std::size_t k = 1; k <= q.size(); ++k) {
@@ -31,104 +31,75 @@ std::vector<R> remainder_polynomial(const TractionPiece& piece) {
   return coefficients_of<R>(Polynomial(std::move(q)));
 }
 
-/// With so many nodes functions whose nearest pole is a length of the interval away are exact to 100 digits and more.
-template <class R>
-constexpr int gauss_nodes = std::same_as<R, numeric::Real100> ? 180 : 90;
+/// Gauss' rule for [0, 1], made once. With so many nodes functions whose nearest pole is a length of the interval away
+/// are exact to 100 digits and more.
+template <Real R>
+const numeric::JacobiRule<R>& gauss_rule() {
+  static const auto rule =
+      numeric::jacobi_rule<R>({R(0), R(1)}, {R(0), R(1)}, std::same_as<R, numeric::Real100> ? 180 : 90);
+  return rule;
+}
 
 }  // namespace
-
-PiecewiseTraction scaled_pieces(const PiecewiseTraction& traction, const std::vector<Rational>& factors) {
-  PiecewiseTraction result;
-  for (std::size_t k = 0; k < traction.size(); ++k) {
-    result.push_back({traction[k].from, traction[k].to, Polynomial::constant(factors.at(k)) * traction[k].t});
-  }
-  return result;
-}
 
 template <class R>
 numeric::PiecewiseDensity<R> density_of(const PiecewiseTraction& traction) {
   numeric::PiecewiseDensity<R> density;
-  Rational before = 0;
   for (const TractionPiece& piece : traction) {
-    const numeric::Panel<R> panel{to_real<R>(piece.from), to_real<R>(piece.to), to_real<R>(piece.to - piece.from)};
     const auto value = [p = coefficients_of<R>(piece.t)](const numeric::Node<R>& node) { return value_of(p, node.x); };
-    const R gap = density.empty() ? R(0) : to_real<R>(piece.from - before);
-    density.push_back({panel, {R(0), R(1)}, {R(0), R(1)}, value, gap});
-    before = piece.to;
+    density.push_back({{to_real<R>(piece.from), to_real<R>(piece.to), to_real<R>(piece.to - piece.from)},
+                       {R(0), R(1)},
+                       {R(0), R(1)},
+                       value});
   }
   return density;
 }
 
 template <class R>
-R value_at(const PiecewiseTraction& traction, const R& x) {
-  for (const TractionPiece& piece : traction) {
-    if (to_real<R>(piece.from) < x && x < to_real<R>(piece.to)) return value_of(coefficients_of<R>(piece.t), x);
-  }
-  return 0;
-}
+HalfPlaneField<R>::HalfPlaneField(const Solid& body, const PiecewiseTraction& normal,
+                                  const PiecewiseTraction& tangential)
+    : body_(body), normal_(pieces_of(normal)), tangential_(pieces_of(tangential)) {}
 
 template <class R>
-HalfPlaneField<R>::HalfPlaneField(Solid body, const PiecewiseTraction& normal, const PiecewiseTraction& tangential,
-                                  GaussRules& rules)
-    : body_(std::move(body)),
-      rule_(std::get<numeric::JacobiRules<R>>(rules).get({R(0), R(1)}, {R(0), R(1)}, gauss_nodes<R>)),
-      normal_(pieces_of(normal)),
-      tangential_(pieces_of(tangential)) {}
-
-template <class R>
-std::vector<typename HalfPlaneField<R>::Piece> HalfPlaneField<R>::pieces_of(const PiecewiseTraction& traction) const {
+std::vector<typename HalfPlaneField<R>::Piece> HalfPlaneField<R>::pieces_of(const PiecewiseTraction& traction) {
+  const numeric::JacobiRule<R>& rule = gauss_rule<R>();
   std::vector<Piece> result;
   for (const TractionPiece& piece : traction) {
     const R from = to_real<R>(piece.from);
     const R length = to_real<R>(piece.to - piece.from);
     result.push_back({from, to_real<R>(piece.to), coefficients_of<R>(piece.t), remainder_polynomial<R>(piece), {}, {}});
-    for (std::size_t i = 0; i < rule_.size(); ++i) {
-      const R x = from + length * rule_.from_left[i];
+    for (std::size_t i = 0; i < rule.size(); ++i) {
+      const R x = from + length * rule.from_left[i];
       result.back().places.push_back(x);
-      result.back().forces.push_back(length * rule_.weights[i] * value_of(result.back().t, x));
+      result.back().forces.push_back(length * rule.weights[i] * value_of(result.back().t, x));
     }
   }
   return result;
 }
 
-/// Far away the logarithm and Q cancel: there the integral by Gauss' rule.
-template <class R>
-Jet<R> HalfPlaneField<R>::far_jet(const Piece& piece, const Complex<R>& zeta) {
-  Jet<R> sum{{0, 0}, {0, 0}, {0, 0}};
-  for (std::size_t i = 0; i < piece.places.size(); ++i) {
-    const Complex<R> pole = reciprocal(Complex<R>{piece.places[i] - zeta.re, -zeta.im});
-    const Complex<R> square = pole * pole;
-    sum.value = sum.value + piece.forces[i] * pole;
-    sum.first = sum.first + piece.forces[i] * square;
-    sum.second = sum.second + R(2 * piece.forces[i]) * (square * pole);
-  }
-  return sum;
-}
-
 template <class R>
 Jet<R> HalfPlaneField<R>::jet(const std::vector<Piece>& pieces, const Complex<R>& zeta) {
-  Jet<R> sum{{0, 0}, {0, 0}, {0, 0}};
+  Jet<R> sum;
   for (const Piece& piece : pieces) {
     const Complex<R> right = zeta - Complex<R>{piece.to, 0};
     const Complex<R> left = zeta - Complex<R>{piece.from, 0};
     const R length = piece.to - piece.from;
-    Jet<R> part;
     if (right.re * right.re + right.im * right.im > 16 * length * length) {
-      part = far_jet(piece, zeta);
-    } else {
-      const Complex<R> pole_right = reciprocal(right);
-      const Complex<R> pole_left = reciprocal(left);
-      const Jet<R> l{logarithm(right) - logarithm(left), pole_right - pole_left,
-                     pole_left * pole_left - pole_right * pole_right};
-      const Jet<R> t = polynomial_jet(piece.t, zeta);
-      const Jet<R> q = polynomial_jet(piece.q, zeta);
-      part = {t.value * l.value + q.value, t.first * l.value + t.value * l.first + q.first,
-              t.second * l.value + R(2) * (t.first * l.first) + t.value * l.second + q.second};
+      // Far away the logarithm and Q cancel: there the integral by Gauss' rule.
+      for (std::size_t i = 0; i < piece.places.size(); ++i) {
+        const Complex<R> pole = reciprocal(Complex<R>{piece.places[i] - zeta.re, -zeta.im});
+        const Complex<R> square = pole * pole;
+        sum = sum + piece.forces[i] * Jet<R>{pole, square, R(2) * (square * pole)};
+      }
+      continue;
     }
-    sum = {sum.value + part.value, sum.first + part.first, sum.second + part.second};
+    const Complex<R> pole_right = reciprocal(right);
+    const Complex<R> pole_left = reciprocal(left);
+    const Jet<R> l{logarithm(right) - logarithm(left), pole_right - pole_left,
+                   pole_left * pole_left - pole_right * pole_right};
+    sum = sum + polynomial_jet(piece.t, zeta) * l + polynomial_jet(piece.q, zeta);
   }
-  const R factor = 1 / numeric::pi<R>();
-  return {factor * sum.value, factor * sum.first, factor * sum.second};
+  return R(1 / numeric::pi<R>()) * sum;
 }
 
 template <class R>
@@ -148,16 +119,15 @@ StressComponents<R> HalfPlaneField<R>::stress_rate(const R& x, const R& z) const
 template <class R>
 StressComponents<R> HalfPlaneField<R>::superposed_stress(const R& x, const R& z) const {
   StressComponents<R> sum{0, 0, 0};
-  const auto add = [&](const Piece& piece, bool is_normal) {
-    for (std::size_t i = 0; i < piece.places.size(); ++i) {
-      const R& force = piece.forces[i];
-      const auto part =
-          numeric::stress_of_force<R>(is_normal ? force : R(0), is_normal ? R(0) : force, x - piece.places[i], z);
-      sum = {sum.xx + part.xx, sum.zz + part.zz, sum.xz + part.xz};
+  for (const auto* pieces : {&normal_, &tangential_}) {
+    for (const Piece& piece : *pieces) {
+      for (std::size_t i = 0; i < piece.places.size(); ++i) {
+        const R normal = pieces == &normal_ ? piece.forces[i] : R(0);
+        const auto part = numeric::stress_of_force<R>(normal, piece.forces[i] - normal, x - piece.places[i], z);
+        sum = {sum.xx + part.xx, sum.zz + part.zz, sum.xz + part.xz};
+      }
     }
-  };
-  for (const Piece& piece : normal_) add(piece, true);
-  for (const Piece& piece : tangential_) add(piece, false);
+  }
   return sum;
 }
 
@@ -165,11 +135,6 @@ template <class R>
 R HalfPlaneField<R>::strain_xx(const StressComponents<R>& stress) const {
   const Rational& nu = body_.poisson();
   return (to_real<R>(1 - nu * nu) * stress.xx - to_real<R>(nu * (1 + nu)) * stress.zz) / to_real<R>(body_.young());
-}
-
-template <class R>
-R HalfPlaneField<R>::strain_zz(const StressComponents<R>& stress) const {
-  return strain_xx({stress.zz, stress.xx, stress.xz});
 }
 
 template <class R>
@@ -183,27 +148,26 @@ R HalfPlaneField<R>::normal_slope(const R& x) const {
   using std::abs, std::sqrt;
   R nearest = numeric::infinity<R>();
   R farthest = 0;
-  for (const auto* pieces : {&normal_, &tangential_}) {
-    for (const Piece& piece : *pieces) {
-      for (const R& end : {piece.from, piece.to}) {
-        nearest = std::min(nearest, R(abs(x - end)));
-        farthest = std::max(farthest, R(abs(x - end)));
-      }
+  for (const Piece& piece : normal_) {
+    for (const R& end : {piece.from, piece.to}) {
+      nearest = std::min(nearest, R(abs(x - end)));
+      farthest = std::max(farthest, R(abs(x - end)));
     }
   }
+  const numeric::JacobiRule<R>& rule = gauss_rule<R>();
   const R scale = sqrt(nearest * farthest);
   R sum = 0;
-  for (std::size_t i = 0; i < rule_.size(); ++i) {
-    const R& rest = rule_.from_right[i];
-    const R z = scale * rule_.from_left[i] / rest;
-    sum += rule_.weights[i] * scale / (rest * rest) * strain_zz(stress_rate(x, z));
+  for (std::size_t i = 0; i < rule.size(); ++i) {
+    const R& rest = rule.from_right[i];
+    const StressComponents<R> rate = stress_rate(x, scale * rule.from_left[i] / rest);
+    // epsilon_zz is epsilon_xx with x and z exchanged.
+    sum += rule.weights[i] * scale / (rest * rest) * strain_xx({rate.zz, rate.xx, rate.xz});
   }
   return sum;
 }
 
 #define STEADYSLIDE_INSTANTIATE(R)                                            \
   template numeric::PiecewiseDensity<R> density_of(const PiecewiseTraction&); \
-  template R value_at(const PiecewiseTraction&, const R&);                    \
   template class HalfPlaneField<R>;
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(numeric::Real50)

@@ -7,14 +7,12 @@
 // Q a polynomial, zeta = x + iz, the arguments of the logarithm in [0, pi]: on the surface the limit from within the
 // body. Stresses as in half_plane_stress.hpp, strains by Hooke's law in plane strain.
 
-#include <tuple>
 #include <vector>
 
 #include "model/elasticity.hpp"
 #include "model/polynomial.hpp"
 #include "numeric/cauchy/density.hpp"
 #include "numeric/interior/half_plane_stress.hpp"
-#include "numeric/quadrature/jacobi_rule.hpp"
 #include "proofs_checks/instruments/complex_jet.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -25,27 +23,17 @@ struct TractionPiece {
   Rational to;
   Polynomial t;
 };
-/// From left to right; zero elsewhere.
+/// From left to right, without gaps; zero elsewhere.
 using PiecewiseTraction = std::vector<TractionPiece>;
-
-/// Times a number on each interval.
-PiecewiseTraction scaled_pieces(const PiecewiseTraction& traction, const std::vector<Rational>& factors);
 
 template <class R>
 numeric::PiecewiseDensity<R> density_of(const PiecewiseTraction& traction);
-/// At x inside an interval.
-template <class R>
-R value_at(const PiecewiseTraction& traction, const R& x);
-
-/// Gauss rules at every precision, made once for a claim and its controls.
-using GaussRules = std::tuple<numeric::JacobiRules<double>, numeric::JacobiRules<numeric::Real50>,
-                              numeric::JacobiRules<numeric::Real100>>;
 
 template <class R>
 class HalfPlaneField {
  public:
   /// Tractions t_n and t_t on the surface of a body.
-  HalfPlaneField(Solid body, const PiecewiseTraction& normal, const PiecewiseTraction& tangential, GaussRules& rules);
+  HalfPlaneField(const Solid& body, const PiecewiseTraction& normal, const PiecewiseTraction& tangential);
 
   /// z >= 0; on the surface inside an interval or outside of all.
   numeric::StressComponents<R> stress(const R& x, const R& z) const;
@@ -68,14 +56,11 @@ class HalfPlaneField {
     std::vector<R> places;  ///< of Gauss' rule
     std::vector<R> forces;
   };
-  std::vector<Piece> pieces_of(const PiecewiseTraction& traction) const;
+  static std::vector<Piece> pieces_of(const PiecewiseTraction& traction);
   static Jet<R> jet(const std::vector<Piece>& pieces, const numeric::Complex<R>& zeta);
-  static Jet<R> far_jet(const Piece& piece, const numeric::Complex<R>& zeta);
   R strain_xx(const numeric::StressComponents<R>& stress) const;
-  R strain_zz(const numeric::StressComponents<R>& stress) const;
 
   Solid body_;
-  const numeric::JacobiRule<R>& rule_;  ///< Gauss' rule for [0, 1]
   std::vector<Piece> normal_;
   std::vector<Piece> tangential_;
 };

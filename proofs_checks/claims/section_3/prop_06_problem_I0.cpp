@@ -182,7 +182,7 @@ void check_convergence(Findings& findings, KnownCells& cells, const OneSolution&
 
 Claim prop_06_problem_I0() {
   const auto of_cells = [](auto change) {
-    return [change](OneSolution& said, const Case&) {
+    return [change](OneSolution& said, auto&) {
       if (said.unique) change(said);
     };
   };
@@ -202,17 +202,17 @@ Claim prop_06_problem_I0() {
         check_convergence(findings, *cells, said, std::get<Convergence>(c.data).index, context.quick);
       })
       .wrong("the friction reversed in the Riemann-Hilbert solution",
-             [](OneSolution& said, const Case&) { said.friction = -1; })
+             [](OneSolution& said, auto&) { said.friction = -1; })
       .wrong("twice the load", interior(2, 1))
       .wrong("-psi instead of psi", interior(1, -1))
       .wrong("a falling jump of the friction: three solutions", of_cells([](OneSolution& said) {
                said.unique = falling_friction();
                said.interior = said.unique->problem();
              }))
-      .wrong("positive also with a mean, on any support", [](OneSolution& said, const Case&) { said.support = 8; })
-      .wrong("one order more", [](OneSolution& said, const Case&) { said.rate += 1; })
+      .wrong("positive also with a mean, on any support", [](OneSolution& said, auto&) { said.support = 8; })
+      .wrong("one order more", [](OneSolution& said, auto&) { said.rate += 1; })
       .near_miss("forces",
-                 [](OneSolution& said, const Number& step, const Case&) { said.forces += static_cast<double>(step); });
+                 [](OneSolution& said, const Number& step, auto&) { said.forces += static_cast<double>(step); });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -112,15 +112,14 @@ Claim prop_07_problem_I() {
       .precision(Precision::in_double)
       .says([](const Case&) { return ProblemI(); })
       .checked(check)
-      .wrong("the friction's sign reversed in L",
-             [](ProblemI& form, const Case&) { form.problem.inverse.friction = -1; })
-      .wrong("L with the printed (1+x)^{1/2}", [](ProblemI& form, const Case&) { form.problem.inverse.printed = true; })
-      .wrong("twice the load", [](ProblemI& form, const Case&) { form.problem.load = 2; })
-      .wrong("-psi instead of psi", [](ProblemI& form, const Case&) { form.problem.profile = -1; })
-      .wrong("the t_0 of -alpha in phi", [](ProblemI& form, const Case&) { form.problem.other_angle = true; })
-      .wrong("the inequality without phi", [](ProblemI& form, const Case&) { form.functional = 0; })
+      .wrong("the friction's sign reversed in L", [](ProblemI& form, auto&) { form.problem.inverse.friction = -1; })
+      .wrong("L with the printed (1+x)^{1/2}", [](ProblemI& form, auto&) { form.problem.inverse.printed = true; })
+      .wrong("twice the load", [](ProblemI& form, auto&) { form.problem.load = 2; })
+      .wrong("-psi instead of psi", [](ProblemI& form, auto&) { form.problem.profile = -1; })
+      .wrong("the t_0 of -alpha in phi", [](ProblemI& form, auto&) { form.problem.other_angle = true; })
+      .wrong("the inequality without phi", [](ProblemI& form, auto&) { form.functional = 0; })
       .wrong("near miss: forces moved by ten times the tolerance",
-             [](ProblemI& form, const Case&) { form.forces += 10 * allowed; });
+             [](ProblemI& form, auto&) { form.forces += 10 * allowed; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -155,14 +155,13 @@ Claim prop_07_problems_linked() {
         }
       })
       .wrong("problem I with the friction's sign reversed",
-             [](Link& link, const Case&) { link.displacement.inverse.friction = -1; })
-      .wrong("problem I0 with the friction's sign reversed", [](Link& link, const Case&) { link.cells_friction = -1; })
-      .wrong("L with the printed (1+x)^{1/2}",
-             [](Link& link, const Case&) { link.displacement.inverse.printed = true; })
-      .wrong("the t_0 of -alpha in phi", [](Link& link, const Case&) { link.displacement.other_angle = true; })
-      .wrong("-psi instead of psi", [](Link& link, const Case&) { link.displacement.profile = -1; })
-      .wrong("twice the load in problem I", [](Link& link, const Case&) { link.displacement.load = 2; })
-      .near_miss("the load of problem I", [](Link& link, const Number& step, const Case&) { link.load += step; });
+             [](Link& link, auto&) { link.displacement.inverse.friction = -1; })
+      .wrong("problem I0 with the friction's sign reversed", [](Link& link, auto&) { link.cells_friction = -1; })
+      .wrong("L with the printed (1+x)^{1/2}", [](Link& link, auto&) { link.displacement.inverse.printed = true; })
+      .wrong("the t_0 of -alpha in phi", [](Link& link, auto&) { link.displacement.other_angle = true; })
+      .wrong("-psi instead of psi", [](Link& link, auto&) { link.displacement.profile = -1; })
+      .wrong("twice the load in problem I", [](Link& link, auto&) { link.displacement.load = 2; })
+      .near_miss("the load of problem I", [](Link& link, const Number& step, auto&) { link.load += step; });
 }
 
 }  // namespace steadyslide::proofs_checks
