@@ -42,15 +42,11 @@ std::vector<Rational> poisson_ratios(const Context& context, std::string_view st
 
 ComparedClaim<PoissonRatio> gamma_claim(std::string id, Plane plane, GammaFormula gamma, const Rational& infimum,
                                         const Rational& supremum) {
-  const std::vector<std::string> limit{"Kolosov's constants, nu as close as 1e-96", "the end of the interval"};
   return compared<PoissonRatio>(std::move(id))
       .cases(all_ratios)
-      .quantity({.name = "gamma", .what = "gamma by Kolosov's constants is what the formula gives", .routes = {}})
-      .quantity({.name = "decreases", .what = "gamma decreases", .routes = {}, .near_miss = false})
-      .quantity(
-          {.name = "supremum", .what = "gamma as nu -> -1", .routes = limit, .tolerance = 1e-95, .absolute = true})
-      .quantity(
-          {.name = "infimum", .what = "gamma as nu -> 1/2", .routes = limit, .tolerance = 1e-95, .absolute = true})
+      .quantity("gamma")
+      .quantity("decreases", {.near_miss = false})
+      .quantities({"supremum", "infimum"}, {.tolerance = 1e-95, .absolute = true})
       .measured([plane](const PoissonRatio& c) {
         const auto at = [&](const Rational& nu) { return Elasticity(Solid(nu, 1), plane).gamma(); };
         const Rational further = c.nu + (Rational(1, 2) - c.nu) / 1000;

@@ -106,42 +106,19 @@ Values predicted_by(const LogForm& form, const Length& length) {
 }
 
 ComparedClaim<Length> log_form_claim(std::string id, std::vector<Rational> lengths) {
-  const auto decided = [](const std::string& name, const std::string& what) {
-    return Compared{.name = name, .what = what, .routes = {}, .near_miss = false};
-  };
-  const std::vector<std::string> routes{"quadrature in both angles", "coefficients"};
-  auto claim =
-      compared<Length>(std::move(id))
-          .cases([lengths = std::move(lengths)](const Context& context) {
-            CaseList<Length> list{{}, "intervals of " + std::to_string(lengths.size()) + " lengths"};
-            for (const Rational& length : lengths) list.cases.push_back({length, list.cases.empty()});
-            if (context.quick) list.cases.resize(1);
-            return list;
-          })
-          .quantity(decided("positive on all meshes", "on cells, positive on every mesh exactly if L is subcritical"))
-          .quantity(decided("positive on some mesh", "on cells, positive on any mesh exactly if L is subcritical"))
-          .quantity(decided("second eigenvalue", "on cells, the second eigenvalue is positive"))
-          .quantity(decided("zero mean", "on cells, positive on zero mean"))
-          .quantity({.name = "rest",
-                     .what = "-<<t * log|x|, t>>, largest coefficient of c_j d_k for j != k",
-                     .routes = routes,
-                     .absolute = true})
-          .quantity({.name = "rate",
-                     .what = "least energy of a unit force on cells of a unit interval",
-                     .routes = {},
-                     .tolerance = 0.05})
-          .quantity({.name = "critical",
-                     .what = "exponential of that least energy, extrapolated",
-                     .routes = {"cells", "critical length"},
-                     .tolerance = 1e-3});
-  for (int k = 0; k <= highest; ++k) {
-    const std::string i = std::to_string(k);
-    claim = std::move(claim).quantity({.name = i,
-                                       .what = "-<<t * log|x|, t>>, coefficient of c_" + i + " d_" + i + " over pi^2",
-                                       .routes = routes,
-                                       .absolute = true});
-  }
-  return std::move(claim)
+  return compared<Length>(std::move(id))
+      .cases([lengths = std::move(lengths)](const Context& context) {
+        CaseList<Length> list{{}, "intervals of " + std::to_string(lengths.size()) + " lengths"};
+        for (const Rational& length : lengths) list.cases.push_back({length, list.cases.empty()});
+        if (context.quick) list.cases.resize(1);
+        return list;
+      })
+      .quantities({"positive on all meshes", "positive on some mesh", "second eigenvalue", "zero mean"},
+                  {.near_miss = false})
+      .quantity("rest", {.absolute = true})
+      .quantity("rate", {.tolerance = 0.05})
+      .quantity("critical", {.tolerance = 1e-3})
+      .quantities({"0", "1", "2", "3", "4"}, {.absolute = true})
       .measured([]<numeric::Real R>(const Length& length) { return measured<R>(length); })
       .predicted([](const Length& length) { return predicted_by({}, length); })
       .near_misses();

@@ -3,7 +3,9 @@
 // make each case dearer.
 
 #include <algorithm>
+#include <any>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,10 +22,10 @@ struct CaseList {
 };
 
 /// The same without its type, for the runner.
+using CaseData = std::shared_ptr<const void>;
 struct ExaminedCase {
-  std::shared_ptr<const void> data;
+  CaseData data;
   std::string where;
-  bool effective = true;
 };
 struct Examples {
   std::vector<ExaminedCase> cases;
@@ -31,15 +33,20 @@ struct Examples {
 };
 using CaseSource = std::function<Examples(const Context&)>;
 
-/// text_of(c) names a case.
-template <class Case>
-CaseSource case_source(std::function<CaseList<Case>(const Context&)> list, std::function<bool(const Case&)> effective) {
-  return [list = std::move(list), effective = std::move(effective)](const Context& context) {
+/// list(context) is a CaseList<Case>; a case is named by text_of(c), or else by its member `name`.
+template <class Case, class List>
+CaseSource case_source(List list) {
+  return [list = std::move(list)](const Context& context) {
     CaseList<Case> all = list(context);
     Examples examples{{}, std::move(all.detail)};
     for (Case& c : all.cases) {
-      auto data = std::make_shared<const Case>(std::move(c));
-      examples.cases.push_back({data, text_of(*data), !effective || effective(*data)});
+      std::string where;
+      if constexpr (requires { text_of(c); }) {
+        where = text_of(c);
+      } else {
+        where = c.name;
+      }
+      examples.cases.push_back({std::make_shared<const Case>(std::move(c)), std::move(where)});
     }
     return examples;
   };
@@ -63,6 +70,30 @@ struct CountByDigits {
 
 /// One in a quick run, but in double.
 std::size_t count_for(const Context& context, const CountByDigits& count);
+
+/// All of these, in a quick run the first `quick` of them: "7 solved problems".
+template <class Case>
+CaseList<Case> first_when_quick(const Context& context, std::vector<Case> all, std::size_t quick,
+                                const std::string& what) {
+  if (context.quick) all.erase(all.begin() + static_cast<std::ptrdiff_t>(std::min(quick, all.size())), all.end());
+  std::string detail = std::to_string(all.size()) + " " + what;
+  return {std::move(all), std::move(detail)};
+}
+
+/// What is made once for a case and serves a claim and all its controls. Cases stay where they are for as long as their
+/// claim lives.
+class KeptForCases {
+ public:
+  template <class Case, class Make>
+  const std::invoke_result_t<const Make&>& at(const Case& c, const Make& make) {
+    std::any& slot = kept_[&c];
+    if (!slot.has_value()) slot = make();
+    return *std::any_cast<std::invoke_result_t<const Make&>>(&slot);
+  }
+
+ private:
+  std::map<const void*, std::any> kept_;
+};
 
 /// `grid` (every 4th of it in a quick run in double, every 16th in one with more digits), then `count` times
 /// make(random), one of them in a quick run.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 #include "proofs_checks/kit/verdict.hpp"
 
@@ -12,6 +13,12 @@ std::string short_text(double value) {
   char text[32];
   std::snprintf(text, sizeof text, value == 0 ? "%.0f" : "%.1e", value);
   return text;
+}
+
+const Quantity& Findings::quantity(std::string_view name) const {
+  const auto found = std::ranges::find(quantities_, name, &NamedQuantity::name);
+  if (found == quantities_.end()) throw std::logic_error("not a quantity of the claim: " + std::string(name));
+  return found->quantity;
 }
 
 void Findings::begin_case(std::string where, bool effective) {

@@ -144,22 +144,7 @@ Claim vi_monotone_contact() {
   return compared<OnCells>("vi-monotone-contact")
       .cases(within({}))
       .precision(Precision::in_double)
-      .quantity({.name = "fall",
-                 .what = "fall of a pressure as the load grows, over the largest one",
-                 .routes = {"Lemke's method", "Lemke's method under the larger load"},
-                 .absolute = true})
-      .quantity({.name = "lost",
-                 .what = "pressure in a cell that loses contact as the load grows, over the largest one",
-                 .routes = {"Lemke's method", "Lemke's method under the larger load"},
-                 .absolute = true})
-      .quantity({.name = "tension",
-                 .what = "tension under the punch of a random contact set, over its largest pressure",
-                 .routes = {"linear system of the entries", "none: t_0 is of one sign"},
-                 .absolute = true})
-      .quantity({.name = "penetration",
-                 .what = "penetration of the punch on the other cells, over its depth",
-                 .routes = {"linear system of the entries", "none: the punch is level"},
-                 .absolute = true})
+      .quantities({"fall", "lost", "tension", "penetration"}, {.absolute = true})
       .measured([](const OnCells& c) { return c.load == 0 ? punch_of_cells(c) : under_both_loads(c); })
       .predicted([](const OnCells& c) -> Values {
         if (c.load != 0) return {{"fall", 0.0}, {"lost", 0.0}};

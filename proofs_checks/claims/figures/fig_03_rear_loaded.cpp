@@ -56,28 +56,12 @@ Number alpha_of(const ContactProblem& p) { return numeric::to_real<Number>(alpha
 }  // namespace
 
 Claim fig_03_rear_loaded() {
-  const std::string residual = "where the residual of A |x|^p vanishes, by quadrature";
   return compared<ContactProblem>("fig-03-rear-loaded")
       .cases(punches)
       .precision(Precision::at_least_fifty)
-      .quantity({.name = "share, solved",
-                 .what = "load on the rear half, solver",
-                 .routes = {"load shares", "digamma functions"}})
-      .quantity({.name = "share, quadrature",
-                 .what = "load on the rear half, tanh-sinh",
-                 .routes = {"quadrature of (4)", "digamma functions"}})
-      .quantity({.name = "more than half",
-                 .what = "the rear half carries more than half of the load",
-                 .routes = {},
-                 .near_miss = false})
-      .quantity({.name = "rear power", .what = "power at the rear edge", .routes = {residual, "-(1/2+alpha)"}})
-      .quantity({.name = "front power", .what = "power at the front edge", .routes = {residual, "-(1/2-alpha)"}})
-      .quantity({.name = "place",
-                 .what = "where |t| is smallest",
-                 .routes = {"differences of the solved traction", "2 alpha"}})
-      .quantity({.name = "smallest",
-                 .what = "the smallest |t|",
-                 .routes = {"solved", "(P cos(pi alpha)/pi) (1+2 alpha)^{-(1/2+alpha)} (1-2 alpha)^{-(1/2-alpha)}"}})
+      .quantities({"share, solved", "share, quadrature"})
+      .quantity("more than half", {.near_miss = false})
+      .quantities({"rear power", "front power", "place", "smallest"})
       .measured([]<Real R>(const ContactProblem& p) {
         const auto solution = solve<R>(p);
         const R share = solution->resultants().load_share.front().value;

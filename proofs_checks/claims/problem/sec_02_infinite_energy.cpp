@@ -80,16 +80,8 @@ Claim sec_02_infinite_energy() {
       .cases(problems)
       .precision(Precision::in_double)
       // The stresses far away are sums of parts that nearly cancel, and extrapolation takes differences.
-      .quantity({.name = "rise",
-                 .what = "rise of the surface from R to 2 R, R -> oo",
-                 .routes = {"trapezoidal rule", "c P log 2/pi"},
-                 .tolerance = 1e-11})
-      .quantity({.name = "energy",
-                 .what = "energy between R and 2 R, R -> oo",
-                 .routes = {"stresses of solutions", "two concentrated forces"},
-                 .tolerance = 1e-11})
-      .quantity({.name = "approach of the rise", .what = "rise of the surface", .routes = {}, .tolerance = 0.05})
-      .quantity({.name = "approach of the energy", .what = "energy of an annulus", .routes = {}, .tolerance = 0.05})
+      .quantities({"rise", "energy"}, {.tolerance = 1e-11})
+      .quantities({"approach of the rise", "approach of the energy"}, {.tolerance = 0.05})
       .measured([](const ContactProblem& problem) -> Values {
         const auto solution = solve<double>(problem);
         const auto& form = solution->form();

@@ -16,8 +16,6 @@ struct Bodies {
   }
 };
 
-std::string text_of(const Bodies& bodies) { return bodies.name; }
-
 /// Equal bodies; other ones with mu_2 (kappa_1 - 1) = mu_1 (kappa_2 - 1); the same in plane stress.
 CaseList<Bodies> pairs(const Context& context) {
   const Solid steel(Rational(3, 10), 2);
@@ -111,26 +109,15 @@ Values predicted(const Bodies&) {
           {"before", numeric::to_real<Number>(-friction[1])}};
 }
 
-Compared shear(const std::string& name, const std::string& x) {
-  return {.name = name,
-          .what = "tangential traction over the frictionless pressure, x = " + x,
-          .routes = {"solved with friction and without", "-f"}};
-}
-
 }  // namespace
 
 Claim rem_01_vanishing_dundurs() {
   return compared<Bodies>("rem-01-vanishing-dundurs")
       .cases(pairs)
       .precision(Precision::at_least_fifty)
-      .quantity({.name = "surfaces",
-                 .what = "slopes of both surfaces in contact under the frictionless pressure and friction",
-                 .routes = {"(1) for each body with its own constants, trapezoidal rule", "the profile's"},
-                 .absolute = true})
-      .quantity({.name = "gamma", .what = "Dundurs' constant is 0", .routes = {}})
-      .quantity(shear("far behind", "-3/10"))
-      .quantity(shear("behind", "0"))
-      .quantity(shear("before", "1/5"))
+      .quantity("surfaces", {.absolute = true})
+      .quantity("gamma")
+      .quantities({"far behind", "behind", "before"})
       .measured([]<Real R>(const Bodies& bodies) { return measured<R>(bodies); })
       .predicted(predicted)
       .wrong("no tangential traction",

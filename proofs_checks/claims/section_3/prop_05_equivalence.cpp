@@ -30,8 +30,6 @@ struct Case {
   std::variant<Pair, Steps> data;
 };
 
-std::string text_of(const Case& c) { return c.name; }
-
 CaseList<Case> cases(const Context& context) {
   CaseList<Case> list{{}, "random polygons and friction of both signs, seed " + std::to_string(context.seed)};
   Random of_steps(context.seed, "prop-05-equivalence, steps");

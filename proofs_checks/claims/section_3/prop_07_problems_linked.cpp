@@ -25,8 +25,6 @@ struct Case {
   std::variant<FullContact, Convergence> data;
 };
 
-std::string text_of(const Case& c) { return c.name; }
-
 CaseList<Case> cases(const Context& context) {
   Random random(context.seed, "prop-07-problems-linked");
   CaseList<Case> list{{}, "random s of both signs and profiles, seed " + std::to_string(context.seed)};

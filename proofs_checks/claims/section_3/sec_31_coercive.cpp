@@ -100,22 +100,9 @@ Claim sec_31_coercive() {
   return compared<Coercive>("sec-31-coercive")
       .cases([](const Context& context) { return cases(context, false); })
       .effective_where([](const Coercive& c) { return c.s != 0; })
-      .quantity(
-          {.name = "energy", .what = "b(t, t)", .routes = {"quadrature in both angles", "|t|^2/pi from coefficients"}})
-      .quantity({.name = "least",
-                 .what = "least eigenvalue of b on zero mean, over |t|^2/pi",
-                 .routes = {"cells", "1"},
-                 .tolerance = in_double})
-      .quantity({.name = "largest",
-                 .what = "largest eigenvalue of b on zero mean, over |t|^2/pi",
-                 .routes = {"cells", "1"},
-                 .tolerance = in_double})
-      .quantity({.name = "norm",
-                 .what = "norm of b on zero mean, times pi",
-                 .routes = {"cells", "at most sqrt(1+s^2)"},
-                 .tolerance = in_double,
-                 .at_most = true,
-                 .near_miss = false})
+      .quantity("energy")
+      .quantities({"least", "largest"}, {.tolerance = in_double})
+      .quantity("norm", {.tolerance = in_double, .at_most = true, .near_miss = false})
       .measured([forms = std::make_shared<AllAngleForms>()]<numeric::Real R>(const Coercive& c) {
         Values values = on_cells(c);
         values.add({"energy", energy(c, forms->at<R>())});

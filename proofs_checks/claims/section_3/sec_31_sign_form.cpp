@@ -36,8 +36,6 @@ struct Case {
   std::variant<Chebyshev, OnCells, Growth> data;
 };
 
-std::string text_of(const Case& c) { return c.name; }
-
 constexpr int highest = 4;
 
 CaseList<Case> cases(const Context& context, bool jump) {
@@ -145,32 +143,11 @@ void scale_entries(Values& p, const Number& factor) {
 Claim sec_31_sign_form() {
   return compared<Case>("sec-31-sign-form")
       .cases([](const Context& context) { return cases(context, false); })
-      .quantity({.name = "entry",
-                 .what = "<<t_1 * sgn, t_2>>",
-                 .routes = {"quadrature in both angles", "coefficients"},
-                 .absolute = true})
-      .quantity({.name = "exchanged",
-                 .what = "both arguments exchanged",
-                 .routes = {"quadrature in both angles", "the other sign"},
-                 .absolute = true})
-      .quantity({.name = "zero mean",
-                 .what = "norm of the form on zero mean",
-                 .routes = {"cells", "at most 2/pi"},
-                 .at_most = true,
-                 .near_miss = false})
-      .quantity({.name = "zero mean, nearly",
-                 .what = "norm of the form on zero mean, nearly attained",
-                 .routes = {"cells", "2/pi"},
-                 .tolerance = 0.1})
-      .quantity({.name = "all",
-                 .what = "norm of the form on all tractions",
-                 .routes = {"cells", "at most 1/pi + sqrt(1/pi^2 + 28 zeta(3)/(pi^4 log 2))"},
-                 .at_most = true,
-                 .near_miss = false})
-      .quantity({.name = "growth",
-                 .what = "growth of pi sup T(0)^2/E with log N: what a jump of friction at 0 adds",
-                 .routes = {},
-                 .tolerance = 0.02})
+      .quantities({"entry", "exchanged"}, {.absolute = true})
+      .quantity("zero mean", {.at_most = true, .near_miss = false})
+      .quantity("zero mean, nearly", {.tolerance = 0.1})
+      .quantity("all", {.at_most = true, .near_miss = false})
+      .quantity("growth", {.tolerance = 0.02})
       .measured([forms = std::make_shared<SignForms>()]<numeric::Real R>(const Case& c) {
         if (const auto* at = std::get_if<Chebyshev>(&c.data)) return forms->measured<R>(*at);
         if (const auto* cells = std::get_if<OnCells>(&c.data)) return measured(*cells);

@@ -61,14 +61,7 @@ Claim vi_definite_rising() {
   return compared<JumpsOnCells>("vi-definite-rising")
       .cases(jumps(Trend::rising))
       .precision(Precision::in_double)
-      .quantity({.name = "one",
-                 .what = "smallest eigenvalue relative to E, one jump",
-                 .routes = {"eigenvalues of the matrix of entries", "1 + (s_+ - s_-) sup(T(c)^2/E)/2"},
-                 .absolute = true})
-      .quantity({.name = "several",
-                 .what = "how far the smallest eigenvalue relative to E is below 1, s nondecreasing",
-                 .routes = {"eigenvalues of the matrix of entries", "0, from the energy's formula"},
-                 .absolute = true})
+      .quantities({"one", "several"}, {.absolute = true})
       .measured(measured)
       .predicted([](const JumpsOnCells& c) { return predicted(c, 0.5); })
       .wrong("the jump without the factor 1/2", [](Values& p, const JumpsOnCells& c) { p = predicted(c, 1); })

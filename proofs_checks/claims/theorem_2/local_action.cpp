@@ -99,12 +99,7 @@ Claim local_action() {
   const auto with = [](WrongSymbol symbol) { return [symbol](Values& p, const ActionAt& c) { p = said(c, symbol); }; };
   return compared<ActionAt>("local-action")
       .cases(actions)
-      .quantity({.name = "tanh-sinh",
-                 .what = "value of (1/pi) PV int t(x')/(x'-x) dx'",
-                 .routes = {"tanh-sinh rule", "local formula and power series, in CLN"}})
-      .quantity({.name = "trapezoidal",
-                 .what = "the same without logarithms",
-                 .routes = {"trapezoidal rule", "local formula and power series, in CLN"}})
+      .quantities({"tanh-sinh", "trapezoidal"})
       .measured([]<Real R>(const ActionAt& c) { return principal_values<R>(c.action, c.x); })
       .predicted([](const ActionAt& c) { return said(c); })
       .wrong("+cot(pi lambda) on the density's side", with(WrongSymbol::cotangent_sign))

@@ -28,8 +28,6 @@ struct CornerCase {
   }
 };
 
-std::string text_of(const CornerCase& c) { return c.name; }
-
 /// One wedge, (1/3) - (-1) in slope under f = 2, in problems that have nothing else in common; then without friction.
 void add_wedges(std::vector<CornerCase>& all, bool quick) {
   const Rational third(1, 3);
@@ -119,26 +117,10 @@ Claim thm_02_words_wedge() {
       .cases(corners)
       .effective_where([](const CornerCase& c) { return c.examined != Examined::wedge || c.s() != 0; })
       .precision(Precision::quick_in_double)
-      .quantity({.name = "left",
-                 .what = "coefficient of log|x-c|/pi in solved problems, left of c",
-                 .routes = {"read off t at d and 2d", "D/(1+s^2)"}})
-      .quantity({.name = "right",
-                 .what = "coefficient of log|x-c|/pi in solved problems, right of c",
-                 .routes = {"read off t at d and 2d", "D/(1+s^2)"}})
-      .quantity({.name = "step",
-                 .what = "t(c+d) - t(c-d) over D",
-                 .routes = {"solved problems", "s/(1+s^2)"},
-                 .absolute = true,
-                 .required = 0.3})
-      .quantity({.name = "inside",
-                 .what = "is the vertex of a re-entrant corner inside the contact?",
-                 .routes = {"solved problems", "where f rises"},
-                 .absolute = true})
-      .quantity({.name = "on cells",
-                 .what = "coefficient of the logarithm on cells",
-                 .routes = {"fit to the cells", "D/(1+s^2)"},
-                 .tolerance = 0.001,
-                 .near_miss = false})
+      .quantities({"left", "right"})
+      .quantity("step", {.absolute = true, .required = 0.3})
+      .quantity("inside", {.absolute = true})
+      .quantity("on cells", {.tolerance = 0.001, .near_miss = false})
       .measured([]<Real R>(const CornerCase& c) -> Values {
         if (c.examined == Examined::wedge) return at_wedge<R>(c);
         if (c.examined == Examined::on_cells) return {{"on cells", coefficient_on_cells(c.problem)}};

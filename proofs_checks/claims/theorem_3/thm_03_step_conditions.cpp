@@ -29,8 +29,6 @@ struct EndCase {
   bool on_cells = true;
 };
 
-std::string text_of(const EndCase& c) { return c.name; }
-
 CaseList<EndCase> ends(const Context& context) {
   const Rational left(-3, 7);
   const Rational right(3, 7);
@@ -87,32 +85,11 @@ Claim thm_03_step_conditions() {
   return compared<EndCase>("thm-03-step-conditions")
       .cases(ends)
       .precision(Precision::quick_in_double)
-      .quantity({.name = "power",
-                 .what = "power at an end of contact",
-                 .routes = {"of those where the residual of A |x|^p vanishes, the one on cells", "theorem 3"}})
-      .quantity({.name = "lower",
-                 .what = "power on cells less three error bars, at most",
-                 .routes = {"fit", "theorem 3"},
-                 .at_most = true,
-                 .near_miss = false})
-      .quantity({.name = "upper",
-                 .what = "power on cells and three error bars, at least",
-                 .routes = {"fit, turned round", "theorem 3, turned round"},
-                 .at_most = true,
-                 .near_miss = false})
-      .quantity({.name = "error bar",
-                 .what = "error bar of the power on cells",
-                 .routes = {"fit", "0"},
-                 .tolerance = 0.02,
-                 .absolute = true})
-      .quantity({.name = "equation",
-                 .what = "equation, solved in double",
-                 .routes = {"trapezoidal rule", "psi_bar'"},
-                 .tolerance = equation_tolerance,
-                 .absolute = true})
-      .quantity({.name = "side",
-                 .what = "side of the step that is in contact, behind or in front",
-                 .routes = {"solved problems", "the lower level's"}})
+      .quantity("power")
+      .quantities({"lower", "upper"}, {.at_most = true, .near_miss = false})
+      .quantity("error bar", {.tolerance = 0.02, .absolute = true})
+      .quantity("equation", {.tolerance = equation_tolerance, .absolute = true})
+      .quantity("side")
       .measured([]<Real R>(const EndCase& c, const Context& context) -> Values {
         Values found{{"equation", equation_error(c.problem)}};
         const auto solution = solve<R>(c.problem);

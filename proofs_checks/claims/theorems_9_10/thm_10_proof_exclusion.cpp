@@ -63,11 +63,7 @@ Claim thm_10_proof_exclusion() {
   return compared<ForcedEnd>("thm-10-proof-exclusion")
       .cases(forced_ends)
       .precision(Precision::quick_in_double)
-      .quantity({.name = "gap",
-                 .what = "gap beyond a forced end over a d^{p+1}, t ~ -a d^p",
-                 .routes = {"form", "-sqrt(1+s^2)/(p+1)"}})
-      .quantity({.name = "sign", .what = "sign of a", .routes = {"form", "that the case is to show"}})
-      .quantity({.name = "rule", .what = "gap at d = 1/50 over the form's", .routes = {"trapezoidal rule", "1"}})
+      .quantities({"gap", "sign", "rule"})
       .measured([]<Real R>(const ForcedEnd& c) -> Values {
         using std::pow;
         const TrialForm<R> trial(trial_of(c));
