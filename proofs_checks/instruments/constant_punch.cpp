@@ -41,29 +41,28 @@ Claim constant_punch_claim(std::string id, PunchLoad load) {
             findings.decide("alpha = arctan(s)/pi lies in [0, 1/2[",
                             alpha(p, 0).sign() >= 0 && (half - alpha(p, 0)).sign() > 0);
           })
-      .wrong("the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha}",
-             [](PowerProduct& t, auto&) { t.exponents[0] = -half; })
+      .wrong("the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha}", [](PowerProduct& t) { t.exponents[0] = -half; })
       .wrong("the power -(1/2-alpha) at the rear edge",
              [](PowerProduct& t, const ContactProblem& p) { t.exponents[0] = -(half - alpha(p, 0)); })
       .wrong("the powers of both edges exchanged",
-             [](PowerProduct& t, auto&) { put_power(t, t.exponents[1], t.exponents[0]); })
+             [](PowerProduct& t) { put_power(t, t.exponents[1], t.exponents[0]); })
       .wrong("cos(pi alpha) missing",
              [](PowerProduct& t, const ContactProblem& p) {
                t.scale(1 / numeric::cos_pi_alpha<Number>(p.coupled_friction(0)));
              })
-      .wrong("1/pi missing", [](PowerProduct& t, auto&) { t.scale(numeric::pi<Number>()); })
+      .wrong("1/pi missing", [](PowerProduct& t) { t.scale(numeric::pi<Number>()); })
       .wrong("alpha = arctan(f)/pi, gamma missing",
              [](PowerProduct& t, const ContactProblem& p) {
                const Exponent angle = Exponent::angle(p.friction().values()[0]);
                put_power(t, -(half + angle), -(half - angle));
              })
-      .near_miss("the rear exponent", [](PowerProduct& t, const Number& step, auto&) { t.move_power(0, step); })
+      .near_miss("the rear exponent", [](PowerProduct& t, const Number& step) { t.move_power(0, step); })
       .near_miss("alpha, the exponents' sum kept,",
-                 [](PowerProduct& t, const Number& step, auto&) {
+                 [](PowerProduct& t, const Number& step) {
                    t.move_power(0, -step);
                    t.move_power(1, step);
                  })
-      .near_miss("the amplitude", [](PowerProduct& t, const Number& step, auto&) { t.scale(1 + step); });
+      .near_miss("the amplitude", [](PowerProduct& t, const Number& step) { t.scale(1 + step); });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -115,11 +115,11 @@ Claim vi_definiteness_lost() {
       .precision(Precision::in_double)
       .says([](const Fall&) { return L(); })
       .checked([]<numeric::Real R>(Findings& findings, const L& law, const Fall& fall) { check(findings, law, fall); })
-      .wrong("half the slope: log(N)/(2 pi)", [](L& law, auto&) { law.largest.slope /= 2; })
-      .wrong("the logarithm alone, no constant", [](L& law, auto&) { law.largest.constant = false; })
-      .wrong("indefinite where s rises instead of falls", [](L& law, auto&) { law.factor = -law.factor; })
-      .wrong("Lambda = phi, as without cells", [](L& law, auto&) { law.largest.cells_form = false; })
-      .wrong("near miss: the constant moved by 1/1000", [](L& law, auto&) { law.largest.moved = 1e-3; });
+      .wrong("half the slope: log(N)/(2 pi)", [](L& law) { law.largest.slope /= 2; })
+      .wrong("the logarithm alone, no constant", [](L& law) { law.largest.constant = false; })
+      .wrong("indefinite where s rises instead of falls", [](L& law) { law.factor = -law.factor; })
+      .wrong("Lambda = phi, as without cells", [](L& law) { law.largest.cells_form = false; })
+      .wrong("near miss: the constant moved by 1/1000", [](L& law) { law.largest.moved = 1e-3; });
 }
 
 }  // namespace steadyslide::proofs_checks

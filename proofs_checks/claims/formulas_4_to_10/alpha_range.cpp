@@ -61,21 +61,21 @@ Claim alpha_range() {
         const R root = numeric::cos_pi_alpha<R>(gamma * c.f);
         findings.compare(cosine, static_cast<double>(R(abs(cos(R(numeric::pi<R>() * value)) - root))));
       })
-      .wrong("the interval [0, 1/4[", [](Angle& a, auto&) { a.supremum = Exponent(Rational(1, 4)); })
-      .wrong("the interval [0, 1[", [](Angle& a, auto&) { a.supremum = Exponent(1); })
+      .wrong("the interval [0, 1/4[", [](Angle& a) { a.supremum = Exponent(Rational(1, 4)); })
+      .wrong("the interval [0, 1[", [](Angle& a) { a.supremum = Exponent(1); })
       .wrong("alpha = arctan(f)/pi, gamma missing",
-             [](Angle& a, auto&) { a.alpha = [](const Rational&, const Rational& f) { return Exponent::angle(f); }; })
+             [](Angle& a) { a.alpha = [](const Rational&, const Rational& f) { return Exponent::angle(f); }; })
       .wrong("alpha = -arctan(gamma f)/pi",
-             [](Angle& a, auto&) {
+             [](Angle& a) {
                a.alpha = [](const Rational& gamma, const Rational& f) { return -Exponent::angle(gamma * f); };
              })
       .wrong("alpha = 2 arctan(gamma f)/pi",
-             [](Angle& a, auto&) {
+             [](Angle& a) {
                a.alpha = [](const Rational& gamma, const Rational& f) {
                  return Exponent::angle(gamma * f) + Exponent::angle(gamma * f);
                };
              })
-      .wrong("near miss: alpha moved by 1e-94", [](Angle& a, auto&) {
+      .wrong("near miss: alpha moved by 1e-94", [](Angle& a) {
         a.alpha = [right = a.alpha](const Rational& gamma, const Rational& f) {
           return right(gamma, f) + Exponent::angle(tiny());
         };

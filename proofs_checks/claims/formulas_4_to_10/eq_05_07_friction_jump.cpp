@@ -53,9 +53,8 @@ Claim eq_05_07_friction_jump() {
         check_punch_traction<R>(findings, t, p, count_for(context, {6, 3, 2}));
         check_at_the_jump<R>(findings, t, p);
       })
-      .wrong("beta = alpha_+ - alpha_-", [](PowerProduct& t, auto&) { t.exponents[1] = -t.exponents[1]; })
-      .wrong("the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha_-}",
-             [](PowerProduct& t, auto&) { t.exponents[0] = -half; })
+      .wrong("beta = alpha_+ - alpha_-", [](PowerProduct& t) { t.exponents[1] = -t.exponents[1]; })
+      .wrong("the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha_-}", [](PowerProduct& t) { t.exponents[0] = -half; })
       .wrong("the front's angle at the rear edge",
              [](PowerProduct& t, const ContactProblem& p) { t.exponents[0] = -(half + alpha(p, 1)); })
       .wrong("the rear's angle at the front edge",
@@ -64,17 +63,15 @@ Claim eq_05_07_friction_jump() {
              [](PowerProduct& t, const ContactProblem& p) {
                t.exponents = {-(half + alpha(p, 1)), alpha(p, 1) - alpha(p, 0), -(half - alpha(p, 0))};
              })
-      .wrong("1/sqrt(1+gamma^2 f^2) of the wrong side",
-             [](PowerProduct& t, auto&) { std::ranges::reverse(t.amplitudes); })
+      .wrong("1/sqrt(1+gamma^2 f^2) of the wrong side", [](PowerProduct& t) { std::ranges::reverse(t.amplitudes); })
       .wrong("1/sqrt(1+gamma^2 f^2) missing",
              [](PowerProduct& t, const ContactProblem& p) {
                for (Number& amplitude : t.amplitudes) {
                  amplitude = -numeric::to_real<Number>(p.load()) / numeric::pi<Number>();
                }
              })
-      .near_miss("beta", [](PowerProduct& t, const Number& step, auto&) { t.move_power(1, step); })
-      .near_miss("the amplitude in front",
-                 [](PowerProduct& t, const Number& step, auto&) { t.amplitudes[1] *= 1 + step; });
+      .near_miss("beta", [](PowerProduct& t, const Number& step) { t.move_power(1, step); })
+      .near_miss("the amplitude in front", [](PowerProduct& t, const Number& step) { t.amplitudes[1] *= 1 + step; });
 }
 
 }  // namespace steadyslide::proofs_checks

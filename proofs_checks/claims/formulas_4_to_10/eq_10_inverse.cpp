@@ -95,12 +95,12 @@ Claim eq_10_inverse() {
         check_inverse<R>(findings, formula, c);
       })
       .wrong("the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha}, in both places",
-             [](InverseFormula& l, auto&) { l.rear = -half; })
-      .wrong("alpha of the other sign in the weight", [](InverseFormula& l, auto&) { std::swap(l.rear, l.front); })
-      .wrong("the sign of the local term", [](InverseFormula& l, auto&) { l.local *= -1; })
-      .wrong("1/(1+s^2) missing before the integral", [](InverseFormula& l, auto&) { l.integral = 1; })
-      .near_miss("the local term", [](InverseFormula& l, const Number& step, auto&) { l.local *= 1 + step; })
-      .near_miss("the integral", [](InverseFormula& l, const Number& step, auto&) { l.integral *= 1 + step; });
+             [](InverseFormula& l) { l.rear = -half; })
+      .wrong("alpha of the other sign in the weight", [](InverseFormula& l) { std::swap(l.rear, l.front); })
+      .wrong("the sign of the local term", [](InverseFormula& l) { l.local *= -1; })
+      .wrong("1/(1+s^2) missing before the integral", [](InverseFormula& l) { l.integral = 1; })
+      .near_miss("the local term", [](InverseFormula& l, const Number& step) { l.local *= 1 + step; })
+      .near_miss("the integral", [](InverseFormula& l, const Number& step) { l.integral *= 1 + step; });
 }
 
 }  // namespace steadyslide::proofs_checks

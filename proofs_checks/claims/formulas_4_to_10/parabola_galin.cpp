@@ -85,31 +85,30 @@ Claim parabola_galin() {
         check_parabola_by_numeric<R>(findings, t, p);
         check_parabola_by_cln<R>(findings, t, p);
       })
-      .wrong("the zone shifted to the front", [](Galin& t, auto&) { t.left_end = -(t.left_end + t.lengths[0]); })
+      .wrong("the zone shifted to the front", [](Galin& t) { t.left_end = -(t.left_end + t.lengths[0]); })
       .wrong("1/4 + alpha^2 in the half-width",
              [](Galin& t, const ContactProblem& p) {
                const auto angle = numeric::to_real<Number>(alpha(p, 0));
                const Number ratio = (1 - 4 * angle * angle) / (1 + 4 * angle * angle);
                put_half_width(t, t.half_width * sqrt(ratio), p);
              })
-      .wrong("the powers of both free ends exchanged", [](Galin& t, auto&) { std::ranges::reverse(t.exponents); })
+      .wrong("the powers of both free ends exchanged", [](Galin& t) { std::ranges::reverse(t.exponents); })
       .wrong(
           "pi missing in the half-width",
           [](Galin& t, const ContactProblem& p) { put_half_width(t, t.half_width * sqrt(numeric::pi<Number>()), p); })
       .wrong(
           "cos(pi alpha) missing",
           [](Galin& t, const ContactProblem& p) { t.scale(1 / numeric::cos_pi_alpha<Number>(p.coupled_friction(0))); })
-      .wrong("the largest pressure at -2 alpha a, the middle of the zone", [](Galin& t, auto&) { t.peak /= 2; })
-      .wrong("the largest pressure at +4 alpha a", [](Galin& t, auto&) { t.peak *= -1; })
-      .wrong("P/(4 pi a^2 (1/4-alpha^2)) for the printed factor", [](Galin& t, auto&) { t.factor /= 2; })
+      .wrong("the largest pressure at -2 alpha a, the middle of the zone", [](Galin& t) { t.peak /= 2; })
+      .wrong("the largest pressure at +4 alpha a", [](Galin& t) { t.peak *= -1; })
+      .wrong("P/(4 pi a^2 (1/4-alpha^2)) for the printed factor", [](Galin& t) { t.factor /= 2; })
       .near_miss("the half-width",
-                 [](Galin& t, const Number& step, auto&) {
+                 [](Galin& t, const Number& step) {
                    t.left_end *= 1 + step;
                    t.lengths[0] *= 1 + step;
                  })
-      .near_miss("the middle of the zone",
-                 [](Galin& t, const Number& step, auto&) { t.left_end += t.half_width * step; })
-      .near_miss("the peak", [](Galin& t, const Number& step, auto&) { t.peak += t.half_width * step; });
+      .near_miss("the middle of the zone", [](Galin& t, const Number& step) { t.left_end += t.half_width * step; })
+      .near_miss("the peak", [](Galin& t, const Number& step) { t.peak += t.half_width * step; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -85,16 +85,16 @@ Claim eq_02_03_reduction() {
       .checked(
           []<Real R>(Findings& findings, const PiecewiseS& s, const Sheared& c) { check_reduction<R>(findings, s, c); })
       .wrong("s = -gamma f",
-             [](PiecewiseS& s, auto&) {
+             [](PiecewiseS& s) {
                for (Rational& value : s) value = -value;
              })
       .wrong("gamma missing", [](PiecewiseS& s, const Sheared& c) { s = c.problem.friction().values(); })
       .wrong("the direction of sliding forgotten",
-             [](PiecewiseS& s, auto&) {
+             [](PiecewiseS& s) {
                for (Rational& value : s) value = abs(value);
              })
-      .wrong("f taken from the other end", [](PiecewiseS& s, auto&) { std::ranges::reverse(s); })
-      .wrong("near miss: s moved by a hundred times the tolerance", [](PiecewiseS& s, auto&) {
+      .wrong("f taken from the other end", [](PiecewiseS& s) { std::ranges::reverse(s); })
+      .wrong("near miss: s moved by a hundred times the tolerance", [](PiecewiseS& s) {
         for (Rational& value : s) value += parse_rational("1e-43");
       });
 }

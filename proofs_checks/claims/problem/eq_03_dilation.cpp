@@ -6,13 +6,13 @@ Claim eq_03_dilation() {
   static const Rational factor(5, 3);
   return law_claim("eq-03-dilation",
                    {.scale = factor, .shift = Rational(1, 7), .height = factor, .load = factor, .gap = factor})
-      .wrong("heights kept", [](Law& l, auto&) { l.height = 1; })
-      .wrong("load kept", [](Law& l, auto&) { l.load = 1; })
-      .wrong("the traction divided by k", [](Law& l, auto&) { l.traction = 1 / factor; })
-      .wrong("the gap kept", [](Law& l, auto&) { l.gap = 1; })
-      .wrong("near miss: the load moved by ten times the tolerance", [](Law& l, auto&) { l.missed = &Law::load; })
+      .wrong("heights kept", [](Law& l) { l.height = 1; })
+      .wrong("load kept", [](Law& l) { l.load = 1; })
+      .wrong("the traction divided by k", [](Law& l) { l.traction = 1 / factor; })
+      .wrong("the gap kept", [](Law& l) { l.gap = 1; })
+      .wrong("near miss: the load moved by ten times the tolerance", [](Law& l) { l.missed = &Law::load; })
       .wrong("near miss: the traction on cells moved by ten times the tolerance",
-             [](Law& l, auto&) { l.missed_on_cells = true; });
+             [](Law& l) { l.missed_on_cells = true; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -4,12 +4,12 @@ namespace steadyslide::proofs_checks {
 
 Claim eq_03_mirror() {
   return law_claim("eq-03-mirror", {.scale = -1, .turned = true})
-      .wrong("the sliding direction kept", [](Law& l, auto&) { l.turned = false; })
-      .wrong("the direction turned, the data not mirrored", [](Law& l, auto&) { l.scale = 1; })
-      .wrong("the friction not mirrored", [](Law& l, auto&) { l.keeps_friction = true; })
-      .wrong("near miss: the heights moved by ten times the tolerance", [](Law& l, auto&) { l.missed = &Law::height; })
+      .wrong("the sliding direction kept", [](Law& l) { l.turned = false; })
+      .wrong("the direction turned, the data not mirrored", [](Law& l) { l.scale = 1; })
+      .wrong("the friction not mirrored", [](Law& l) { l.keeps_friction = true; })
+      .wrong("near miss: the heights moved by ten times the tolerance", [](Law& l) { l.missed = &Law::height; })
       .wrong("near miss: the traction on cells moved by ten times the tolerance",
-             [](Law& l, auto&) { l.missed_on_cells = true; });
+             [](Law& l) { l.missed_on_cells = true; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -5,13 +5,13 @@ namespace steadyslide::proofs_checks {
 Claim eq_03_scaling() {
   static const Rational factor(5, 3);
   return law_claim("eq-03-scaling", {.height = factor, .load = factor, .traction = factor, .gap = factor})
-      .wrong("load kept", [](Law& l, auto&) { l.load = 1; })
-      .wrong("profile kept", [](Law& l, auto&) { l.height = 1; })
-      .wrong("the traction like k^2", [](Law& l, auto&) { l.traction = factor * factor; })
-      .wrong("the traction kept", [](Law& l, auto&) { l.traction = 1; })
-      .wrong("near miss: the profile moved by ten times the tolerance", [](Law& l, auto&) { l.missed = &Law::height; })
+      .wrong("load kept", [](Law& l) { l.load = 1; })
+      .wrong("profile kept", [](Law& l) { l.height = 1; })
+      .wrong("the traction like k^2", [](Law& l) { l.traction = factor * factor; })
+      .wrong("the traction kept", [](Law& l) { l.traction = 1; })
+      .wrong("near miss: the profile moved by ten times the tolerance", [](Law& l) { l.missed = &Law::height; })
       .wrong("near miss: the traction on cells moved by ten times the tolerance",
-             [](Law& l, auto&) { l.missed_on_cells = true; });
+             [](Law& l) { l.missed_on_cells = true; });
 }
 
 }  // namespace steadyslide::proofs_checks

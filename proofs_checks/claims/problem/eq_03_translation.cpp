@@ -4,15 +4,15 @@ namespace steadyslide::proofs_checks {
 
 Claim eq_03_translation() {
   return law_claim("eq-03-translation", {.lift = Polynomial::constant(Rational(-7, 5))})
-      .wrong("the gap grows with C", [](Law& l, auto&) { l.gap = Rational(7, 5); })
+      .wrong("the gap grows with C", [](Law& l) { l.gap = Rational(7, 5); })
       .wrong("a profile that is tilted instead of lifted",
-             [](Law& l, auto&) {
+             [](Law& l) {
                l.lift = Polynomial({0, Rational(1, 100)});
              })
-      .wrong("the load changes, too", [](Law& l, auto&) { l.load = 2; })
-      .wrong("near miss: the traction moved by ten times the tolerance", [](Law& l, auto&) { l.missed = &Law::traction; })
+      .wrong("the load changes, too", [](Law& l) { l.load = 2; })
+      .wrong("near miss: the traction moved by ten times the tolerance", [](Law& l) { l.missed = &Law::traction; })
       .wrong("near miss: the traction on cells moved by ten times the tolerance",
-             [](Law& l, auto&) { l.missed_on_cells = true; });
+             [](Law& l) { l.missed_on_cells = true; });
 }
 
 }  // namespace steadyslide::proofs_checks

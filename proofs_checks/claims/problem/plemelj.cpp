@@ -96,21 +96,21 @@ Claim plemelj() {
         check_jump<R>(findings, formula, p);
       })
       .wrong("G = (s+i)/(s-i)",
-             [](PlemeljJump& jump, auto&) {
+             [](PlemeljJump& jump) {
                for (auto& ratio : jump.ratios) ratio.im *= -1;
              })
       .wrong("G = -(s-i)/(s+i)",
-             [](PlemeljJump& jump, auto&) {
+             [](PlemeljJump& jump) {
                for (auto& ratio : jump.ratios) ratio = {-ratio.re, -ratio.im};
              })
       .wrong("the powers of both edges exchanged",
-             [](PlemeljJump& jump, auto&) { std::swap(jump.exponents.front(), jump.exponents.back()); })
-      .wrong("the exponent of one jump missing", [](PlemeljJump& jump, auto&) { jump.exponents[1] = Exponent(0); })
-      .wrong("Phi = P Y/(pi i)", [](PlemeljJump& jump, auto&) { jump.potential *= 2; })
+             [](PlemeljJump& jump) { std::swap(jump.exponents.front(), jump.exponents.back()); })
+      .wrong("the exponent of one jump missing", [](PlemeljJump& jump) { jump.exponents[1] = Exponent(0); })
+      .wrong("Phi = P Y/(pi i)", [](PlemeljJump& jump) { jump.potential *= 2; })
       .wrong("cos(pi alpha) missing in t",
-             [](PlemeljJump& jump, auto&) { std::ranges::fill(jump.amplitudes, Number(-2 * jump.potential)); })
-      .near_miss("one jump's exponent", [](PlemeljJump& jump, const Number& step, auto&) { jump.move_power(1, step); })
-      .near_miss("Phi", [](PlemeljJump& jump, const Number& step, auto&) { jump.potential *= 1 + step; });
+             [](PlemeljJump& jump) { std::ranges::fill(jump.amplitudes, Number(-2 * jump.potential)); })
+      .near_miss("one jump's exponent", [](PlemeljJump& jump, const Number& step) { jump.move_power(1, step); })
+      .near_miss("Phi", [](PlemeljJump& jump, const Number& step) { jump.potential *= 1 + step; });
 }
 
 }  // namespace steadyslide::proofs_checks

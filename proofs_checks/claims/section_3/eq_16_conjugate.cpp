@@ -102,25 +102,25 @@ Claim eq_16_conjugate() {
       .cases(pairs)
       .says([](const Pair&) { return pairing_on([](const ContactForces& c) { return c.is_admissible(); }); })
       .checked(check)
-      .wrong("+<<psi, t_hat>>", [](Conjugate& conjugate, auto&) { scale(conjugate, -1); })
-      .wrong("without <<psi, t_hat>>", [](Conjugate& conjugate, auto&) { scale(conjugate, 0); })
+      .wrong("+<<psi, t_hat>>", [](Conjugate& conjugate) { scale(conjugate, -1); })
+      .wrong("without <<psi, t_hat>>", [](Conjugate& conjugate) { scale(conjugate, 0); })
       .wrong("without the indicator of K_0'",
-             [](Conjugate& conjugate, auto&) { conjugate = pairing_on([](const ContactForces&) { return true; }); })
+             [](Conjugate& conjugate) { conjugate = pairing_on([](const ContactForces&) { return true; }); })
       .wrong("t_hat >= P t_0 in K_0'",
-             [](Conjugate& conjugate, auto&) {
+             [](Conjugate& conjugate) {
                conjugate = pairing_on([](const ContactForces& c) {
                  return all_of_nodes(c, [](const ContactForces& f, std::size_t i) { return f.force(i) <= 0; });
                });
              })
       .wrong("t_hat >= 0 in K_0' as well",
-             [](Conjugate& conjugate, auto&) {
+             [](Conjugate& conjugate) {
                conjugate = pairing_on([](const ContactForces& c) {
                  return c.is_admissible() &&
                         all_of_nodes(c, [](const ContactForces& f, std::size_t i) { return f.q[i] >= 0; });
                });
              })
       .wrong("near miss: <<psi, t_hat>> moved by 1e-60",
-             [](Conjugate& conjugate, auto&) { scale(conjugate, 1 + parse_rational("1e-60")); });
+             [](Conjugate& conjugate) { scale(conjugate, 1 + parse_rational("1e-60")); });
 }
 
 }  // namespace steadyslide::proofs_checks

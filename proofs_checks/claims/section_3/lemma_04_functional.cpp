@@ -145,21 +145,21 @@ Claim lemma_04_functional() {
       .wrong("the printed u_bar_n instead of u_hat in the second line of (13)",
              [](Functional& form, const Functions& c) { form.paired = c.given; })
       .wrong("ess inf instead of ess sup",
-             [](Functional& form, auto&) {
+             [](Functional& form) {
                form.reference = [](const Function& v) {
                  return Number(-supremum<Number>(Function::combined(-1, v, 0, v)));
                };
              })
       .wrong("the value at 0 instead of ess sup",
-             [](Functional& form, auto&) {
+             [](Functional& form) {
                form.reference = [](const Function& v) { return numeric::to_real<Number>(v.at(0)); };
              })
-      .wrong("-P t_0 instead of P t_0", [](Functional& form, auto&) { form.size *= -1; })
-      .wrong("the t_0 of -alpha", [](Functional& form, auto&) { form.s *= -1; })
-      .wrong("phi continuous: phi(u_hat + w_L) -> phi(u_hat)", [](Functional& form, auto&) { form.spike = 0; })
+      .wrong("-P t_0 instead of P t_0", [](Functional& form) { form.size *= -1; })
+      .wrong("the t_0 of -alpha", [](Functional& form) { form.s *= -1; })
+      .wrong("phi continuous: phi(u_hat + w_L) -> phi(u_hat)", [](Functional& form) { form.spike = 0; })
       .wrong("phi upper, not lower semicontinuous: phi(u_hat + w_L) -> phi(u_hat) - P",
-             [](Functional& form, auto&) { form.spike = -1; })
-      .near_miss("phi", [](Functional& form, const Number& step, auto&) { form.size *= 1 + step; });
+             [](Functional& form) { form.spike = -1; })
+      .near_miss("phi", [](Functional& form, const Number& step) { form.size *= 1 + step; });
 }
 
 }  // namespace steadyslide::proofs_checks

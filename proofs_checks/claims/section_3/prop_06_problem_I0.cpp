@@ -182,7 +182,7 @@ void check_convergence(Findings& findings, KnownCells& cells, const OneSolution&
 
 Claim prop_06_problem_I0() {
   const auto of_cells = [](auto change) {
-    return [change](OneSolution& said, auto&) {
+    return [change](OneSolution& said) {
       if (said.unique) change(said);
     };
   };
@@ -201,18 +201,16 @@ Claim prop_06_problem_I0() {
         if (said.unique) return check_uniqueness(findings, said);
         check_convergence(findings, *cells, said, std::get<Convergence>(c.data).index, context.quick);
       })
-      .wrong("the friction reversed in the Riemann-Hilbert solution",
-             [](OneSolution& said, auto&) { said.friction = -1; })
+      .wrong("the friction reversed in the Riemann-Hilbert solution", [](OneSolution& said) { said.friction = -1; })
       .wrong("twice the load", interior(2, 1))
       .wrong("-psi instead of psi", interior(1, -1))
       .wrong("a falling jump of the friction: three solutions", of_cells([](OneSolution& said) {
                said.unique = falling_friction();
                said.interior = said.unique->problem();
              }))
-      .wrong("positive also with a mean, on any support", [](OneSolution& said, auto&) { said.support = 8; })
-      .wrong("one order more", [](OneSolution& said, auto&) { said.rate += 1; })
-      .near_miss("forces",
-                 [](OneSolution& said, const Number& step, auto&) { said.forces += static_cast<double>(step); });
+      .wrong("positive also with a mean, on any support", [](OneSolution& said) { said.support = 8; })
+      .wrong("one order more", [](OneSolution& said) { said.rate += 1; })
+      .near_miss("forces", [](OneSolution& said, const Number& step) { said.forces += static_cast<double>(step); });
 }
 
 }  // namespace steadyslide::proofs_checks

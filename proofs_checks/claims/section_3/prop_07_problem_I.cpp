@@ -112,14 +112,13 @@ Claim prop_07_problem_I() {
       .precision(Precision::in_double)
       .says([](const Case&) { return ProblemI(); })
       .checked(check)
-      .wrong("the friction's sign reversed in L", [](ProblemI& form, auto&) { form.problem.inverse.friction = -1; })
-      .wrong("L with the printed (1+x)^{1/2}", [](ProblemI& form, auto&) { form.problem.inverse.printed = true; })
-      .wrong("twice the load", [](ProblemI& form, auto&) { form.problem.load = 2; })
-      .wrong("-psi instead of psi", [](ProblemI& form, auto&) { form.problem.profile = -1; })
-      .wrong("the t_0 of -alpha in phi", [](ProblemI& form, auto&) { form.problem.other_angle = true; })
-      .wrong("the inequality without phi", [](ProblemI& form, auto&) { form.functional = 0; })
-      .wrong("near miss: forces moved by ten times the tolerance",
-             [](ProblemI& form, auto&) { form.forces += 10 * allowed; });
+      .wrong("the friction's sign reversed in L", [](ProblemI& form) { form.problem.inverse.friction = -1; })
+      .wrong("L with the printed (1+x)^{1/2}", [](ProblemI& form) { form.problem.inverse.printed = true; })
+      .wrong("twice the load", [](ProblemI& form) { form.problem.load = 2; })
+      .wrong("-psi instead of psi", [](ProblemI& form) { form.problem.profile = -1; })
+      .wrong("the t_0 of -alpha in phi", [](ProblemI& form) { form.problem.other_angle = true; })
+      .wrong("the inequality without phi", [](ProblemI& form) { form.functional = 0; })
+      .wrong("near miss: forces moved by ten times the tolerance", [](ProblemI& form) { form.forces += 10 * allowed; });
 }
 
 }  // namespace steadyslide::proofs_checks

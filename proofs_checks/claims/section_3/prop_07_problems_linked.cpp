@@ -152,14 +152,13 @@ Claim prop_07_problems_linked() {
           check_convergence(findings, *known, link, std::get<Convergence>(c.data).index, context.quick);
         }
       })
-      .wrong("problem I with the friction's sign reversed",
-             [](Link& link, auto&) { link.displacement.inverse.friction = -1; })
-      .wrong("problem I0 with the friction's sign reversed", [](Link& link, auto&) { link.cells_friction = -1; })
-      .wrong("L with the printed (1+x)^{1/2}", [](Link& link, auto&) { link.displacement.inverse.printed = true; })
-      .wrong("the t_0 of -alpha in phi", [](Link& link, auto&) { link.displacement.other_angle = true; })
-      .wrong("-psi instead of psi", [](Link& link, auto&) { link.displacement.profile = -1; })
-      .wrong("twice the load in problem I", [](Link& link, auto&) { link.displacement.load = 2; })
-      .near_miss("the load of problem I", [](Link& link, const Number& step, auto&) { link.load += step; });
+      .wrong("problem I with the friction's sign reversed", [](Link& link) { link.displacement.inverse.friction = -1; })
+      .wrong("problem I0 with the friction's sign reversed", [](Link& link) { link.cells_friction = -1; })
+      .wrong("L with the printed (1+x)^{1/2}", [](Link& link) { link.displacement.inverse.printed = true; })
+      .wrong("the t_0 of -alpha in phi", [](Link& link) { link.displacement.other_angle = true; })
+      .wrong("-psi instead of psi", [](Link& link) { link.displacement.profile = -1; })
+      .wrong("twice the load in problem I", [](Link& link) { link.displacement.load = 2; })
+      .near_miss("the load of problem I", [](Link& link, const Number& step) { link.load += step; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -111,8 +111,8 @@ Claim sec_31_coercive() {
       .predicted(predicted)
       .wrong("sqrt(1+s^2) in the energy",
              [](Values& p, const Coercive& c) { scale_energy(p, 1 / numeric::cos_pi_alpha<Number>(c.s)); })
-      .wrong("twice the energy", [](Values& p, auto&) { scale_energy(p, 2); })
-      .wrong("the bound without friction", [](Values& p, auto&) { p["norm"] = 1; })
+      .wrong("twice the energy", [](Values& p) { scale_energy(p, 2); })
+      .wrong("the bound without friction", [](Values& p) { p["norm"] = 1; })
       .wrong_beyond("friction that jumps", [](const Context& context) { return cases(context, true); })
       .near_misses();
 }

@@ -61,15 +61,14 @@ Claim sec_31_decomposition() {
       .says(unit_solution)
       .checked([]<numeric::Real R>(Findings& findings, const UnitSolution& form, const FrictionValue&,
                                    const Context& context) { check<R>(findings, form, context.quick); })
-      .wrong("alpha's sign in t_0", [](UnitSolution& form, auto&) { std::swap(form.left, form.right); })
-      .wrong("arguments exchanged: b(t_hat, t_0)", [](UnitSolution& form, auto&) { form.s *= -1; })
-      .wrong("t_0 of the frictionless punch", [](UnitSolution& form, auto&) { form.left = form.right = -half; })
-      .wrong("cos(pi alpha) missing", [](UnitSolution& form, auto&) { form.factor = 1 / numeric::pi<Number>(); })
-      .wrong("b(t_0, t) = 0 for all t", [](UnitSolution& form, auto&) { form.constant = 0; })
-      .wrong("K = log 2/pi whatever the friction", [](UnitSolution& form, auto&) { form.constant = punch_constant(0); })
-      .near_miss("K", [](UnitSolution& form, const Number& step, auto&) { form.constant += step; })
-      .near_miss("ten times an exponent",
-                 [](UnitSolution& form, const Number& step, auto&) { form.moved = 10 * step; });
+      .wrong("alpha's sign in t_0", [](UnitSolution& form) { std::swap(form.left, form.right); })
+      .wrong("arguments exchanged: b(t_hat, t_0)", [](UnitSolution& form) { form.s *= -1; })
+      .wrong("t_0 of the frictionless punch", [](UnitSolution& form) { form.left = form.right = -half; })
+      .wrong("cos(pi alpha) missing", [](UnitSolution& form) { form.factor = 1 / numeric::pi<Number>(); })
+      .wrong("b(t_0, t) = 0 for all t", [](UnitSolution& form) { form.constant = 0; })
+      .wrong("K = log 2/pi whatever the friction", [](UnitSolution& form) { form.constant = punch_constant(0); })
+      .near_miss("K", [](UnitSolution& form, const Number& step) { form.constant += step; })
+      .near_miss("ten times an exponent", [](UnitSolution& form, const Number& step) { form.moved = 10 * step; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -79,13 +79,13 @@ Claim sec_31_inverse() {
       .says([](const PolynomialSlope& c) { return InverseFormula::of(c.s); })
       .checked([]<Real R>(Findings& findings, const InverseFormula& formula, const PolynomialSlope& c,
                           const Context& context) { check_inverse<R>(findings, formula, c, context.quick); })
-      .wrong("the sign of the integral", [](InverseFormula& l, auto&) { l.integral *= -1; })
-      .wrong("the sign of s u'", [](InverseFormula& l, auto&) { l.local *= -1; })
-      .wrong("1/(1+s^2) missing before the integral", [](InverseFormula& l, auto&) { l.integral = 1; })
-      .wrong("alpha's sign: edges exchanged", [](InverseFormula& l, auto&) { std::swap(l.rear, l.front); })
-      .wrong("the printed (1+x)^{1/2}", [](InverseFormula& l, auto&) { l.rear = -half; })
-      .near_miss("s u'", [](InverseFormula& l, const Number& step, auto&) { l.local *= 1 + step; })
-      .near_miss("the integral", [](InverseFormula& l, const Number& step, auto&) { l.integral *= 1 + step; });
+      .wrong("the sign of the integral", [](InverseFormula& l) { l.integral *= -1; })
+      .wrong("the sign of s u'", [](InverseFormula& l) { l.local *= -1; })
+      .wrong("1/(1+s^2) missing before the integral", [](InverseFormula& l) { l.integral = 1; })
+      .wrong("alpha's sign: edges exchanged", [](InverseFormula& l) { std::swap(l.rear, l.front); })
+      .wrong("the printed (1+x)^{1/2}", [](InverseFormula& l) { l.rear = -half; })
+      .near_miss("s u'", [](InverseFormula& l, const Number& step) { l.local *= 1 + step; })
+      .near_miss("the integral", [](InverseFormula& l, const Number& step) { l.integral *= 1 + step; });
 }
 
 }  // namespace steadyslide::proofs_checks

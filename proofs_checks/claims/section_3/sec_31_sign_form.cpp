@@ -155,19 +155,19 @@ Claim sec_31_sign_form() {
       })
       .predicted(predicted)
       .wrong("symmetric",
-             [](Values& p, auto&) {
+             [](Values& p) {
                if (p.find("exchanged")) p["exchanged"] *= -1;
              })
-      .wrong("half of it", [](Values& p, auto&) { scale_entries(p, Number(1) / 2); })
-      .wrong("the other sign", [](Values& p, auto&) { scale_entries(p, -1); })
+      .wrong("half of it", [](Values& p) { scale_entries(p, Number(1) / 2); })
+      .wrong("the other sign", [](Values& p) { scale_entries(p, -1); })
       .wrong("terms with j + k even, too",
              [](Values& p, const Case& c) {
                const auto* at = std::get_if<Chebyshev>(&c.data);
                if (at && at->j != at->k) p.set("entry", Number(4) / (at->k * at->k - at->j * at->j));
              })
-      .wrong("the bound 1/pi", [](Values& p, auto&) { set(p, "zero mean", Number(1 / pi)); })
-      .wrong("the bound 2/pi on all tractions", [](Values& p, auto&) { set(p, "all", Number(2 / pi)); })
-      .wrong("no growth at a jump", [](Values& p, auto&) { set(p, "growth", Order{0}); })
+      .wrong("the bound 1/pi", [](Values& p) { set(p, "zero mean", Number(1 / pi)); })
+      .wrong("the bound 2/pi on all tractions", [](Values& p) { set(p, "all", Number(2 / pi)); })
+      .wrong("no growth at a jump", [](Values& p) { set(p, "growth", Order{0}); })
       .wrong_beyond("a jump of s within the bound", [](const Context& context) { return cases(context, true); })
       .near_misses();
 }

@@ -172,14 +172,14 @@ Claim sec_32_form_a() {
           check_pair<R>(findings, form, c.s, std::get<Pair>(c.data));
         }
       })
-      .wrong("L with the printed (1+x)^{1/2}", [](FormA& form, auto&) { form.inverse.printed = true; })
-      .wrong("L with the friction's sign reversed", [](FormA& form, auto&) { form.inverse.friction = -1; })
-      .wrong("L with the integral's sign reversed", [](FormA& form, auto&) { form.inverse.integral = 1; })
-      .wrong("L with 1/sqrt(1+s^2)", [](FormA& form, auto&) { form.inverse.amplitude = true; })
-      .wrong("b with the friction's sign reversed", [](FormA& form, auto&) { form.slip = -1; })
-      .wrong("the lower bound 1/sqrt(1+s^2)", [](FormA& form, auto&) { form.lower = sqrt(form.lower); })
-      .wrong("the upper bound 1/(1+s^2)", [](FormA& form, auto&) { form.upper = form.lower; })
-      .near_miss("a", [](FormA& form, const Number& step, auto&) { form.scale += step; });
+      .wrong("L with the printed (1+x)^{1/2}", [](FormA& form) { form.inverse.printed = true; })
+      .wrong("L with the friction's sign reversed", [](FormA& form) { form.inverse.friction = -1; })
+      .wrong("L with the integral's sign reversed", [](FormA& form) { form.inverse.integral = 1; })
+      .wrong("L with 1/sqrt(1+s^2)", [](FormA& form) { form.inverse.amplitude = true; })
+      .wrong("b with the friction's sign reversed", [](FormA& form) { form.slip = -1; })
+      .wrong("the lower bound 1/sqrt(1+s^2)", [](FormA& form) { form.lower = sqrt(form.lower); })
+      .wrong("the upper bound 1/(1+s^2)", [](FormA& form) { form.upper = form.lower; })
+      .near_miss("a", [](FormA& form, const Number& step) { form.scale += step; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -105,17 +105,16 @@ Claim thm_08_homogeneous() {
       .checked([]<numeric::Real R>(Findings& findings, const SameSolution& same, const Homogeneous& c) {
         check<R>(findings, same, c);
       })
-      .wrong("the second solver with the friction's sign reversed",
-             [](SameSolution& same, auto&) { same.closed.s *= -1; })
-      .wrong("the second solver with twice the load", [](SameSolution& same, auto&) { same.closed.load *= 2; })
+      .wrong("the second solver with the friction's sign reversed", [](SameSolution& same) { same.closed.s *= -1; })
+      .wrong("the second solver with twice the load", [](SameSolution& same) { same.closed.load *= 2; })
       .wrong("the second solver with twice the profile",
              [](SameSolution& same, const Homogeneous& c) { same.closed.profile = c.profile + c.profile; })
       .wrong("psi + C + x/10 instead of psi + C",
-             [](SameSolution& same, auto&) {
+             [](SameSolution& same) {
                same.raised.profile = same.raised.profile + Polynomial({0, Rational(1, 10)});
              })
-      .wrong("psi + C and u_n, not u_n + C", [](SameSolution& same, auto&) { same.opened = constant; })
-      .near_miss("the second solver's load", [](SameSolution& same, const Number& step, auto&) {
+      .wrong("psi + C and u_n, not u_n + C", [](SameSolution& same) { same.opened = constant; })
+      .near_miss("the second solver's load", [](SameSolution& same, const Number& step) {
         same.closed.load *= 1 + Rational(static_cast<double>(step));
       });
 }
