@@ -8,17 +8,13 @@ namespace {
 using numeric::JacobiRule;
 using numeric::Real;
 
-template <class R>
-FormMatrix<R> zeros(int highest) {
-  const auto n = static_cast<std::size_t>(highest + 1);
-  return FormMatrix<R>(n, std::vector<R>(n, R(0)));
-}
+constexpr std::size_t count = highest_angle + 1;
 
 /// cos(k angle), k = 0, 1, ..., from the cosine.
 template <class R>
-std::vector<R> cosines(int highest, const R& cosine) {
+std::vector<R> cosines(const R& cosine) {
   std::vector<R> result{R(1), cosine};
-  for (int k = 2; k <= highest; ++k) result.push_back(2 * cosine * result.end()[-1] - result.end()[-2]);
+  for (int k = 2; k <= highest_angle; ++k) result.push_back(2 * cosine * result.end()[-1] - result.end()[-2]);
   return result;
 }
 
@@ -30,15 +26,15 @@ constexpr int gauss_nodes = std::same_as<R, double>            ? 24
 }  // namespace
 
 template <class R>
-FormMatrix<R> log_form_by_quadrature(int highest, const R& length) {
+FormMatrix<R> log_form_by_quadrature(const R& length) {
   using std::cos, std::log, std::sin;
   const R pi = numeric::pi<R>();
   const JacobiRule<R> rule = numeric::double_exponential_rule<R>(R(1));
-  FormMatrix<R> form = zeros<R>(highest);
-  const int outer = highest + 1;  // exact up to cos(2 highest angle)
+  FormMatrix<R> form(count, std::vector<R>(count, R(0)));
+  constexpr int outer = highest_angle + 1;  // exact up to cos(2 highest_angle angle)
   for (int i = 0; i < outer; ++i) {
     const R angle = pi * (2 * i + 1) / (2 * outer);
-    std::vector<R> inner(static_cast<std::size_t>(highest + 1), R(0));
+    std::vector<R> inner(count, R(0));
     for (const bool beyond : {false, true}) {
       const R range = beyond ? R(pi - angle) : angle;
       for (std::size_t m = 0; m < rule.size(); ++m) {
@@ -47,11 +43,11 @@ FormMatrix<R> log_form_by_quadrature(int highest, const R& length) {
         // |cos a - cos b| without a difference.
         const R distance = length * sin(apart / 2) * sin((angle + other) / 2);
         const R weight = -range * rule.weights[m] * log(distance);
-        const std::vector<R> values = cosines(highest, R(cos(other)));
+        const std::vector<R> values = cosines(R(cos(other)));
         for (std::size_t k = 0; k < inner.size(); ++k) inner[k] += weight * values[k];
       }
     }
-    const std::vector<R> values = cosines(highest, R(cos(angle)));
+    const std::vector<R> values = cosines(R(cos(angle)));
     for (std::size_t j = 0; j < inner.size(); ++j) {
       for (std::size_t k = 0; k < inner.size(); ++k) form[j][k] += pi / outer * values[j] * inner[k];
     }
@@ -59,21 +55,23 @@ FormMatrix<R> log_form_by_quadrature(int highest, const R& length) {
   return form;
 }
 
+namespace {
+
 template <class R>
-FormMatrix<R> sign_form_by_quadrature(int highest) {
+FormMatrix<R> sign_form() {
   using std::cos;
   const R pi = numeric::pi<R>();
   const JacobiRule<R> rule = numeric::jacobi_rule<R>({R(0), R(1)}, {R(0), R(1)}, gauss_nodes<R>);
-  FormMatrix<R> form = zeros<R>(highest);
+  FormMatrix<R> form(count, std::vector<R>(count, R(0)));
   for (std::size_t i = 0; i < rule.size(); ++i) {
     const R angle = pi * rule.from_left[i];
-    const std::vector<R> outer = cosines(highest, R(cos(angle)));
+    const std::vector<R> outer = cosines(R(cos(angle)));
     for (std::size_t m = 0; m < rule.size(); ++m) {
       // theta > phi: the place of theta is left of that of phi.
       const R before = angle * rule.from_left[m];
       const R after = angle + (pi - angle) * rule.from_left[m];
-      const std::vector<R> right = cosines(highest, R(cos(before)));
-      const std::vector<R> left = cosines(highest, R(cos(after)));
+      const std::vector<R> right = cosines(R(cos(before)));
+      const std::vector<R> left = cosines(R(cos(after)));
       const R weight = pi * rule.weights[i] * rule.weights[m];
       for (std::size_t j = 0; j < left.size(); ++j) {
         const R inner = (pi - angle) * left[j] - angle * right[j];
@@ -84,9 +82,17 @@ FormMatrix<R> sign_form_by_quadrature(int highest) {
   return form;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                              \
-  template FormMatrix<R> log_form_by_quadrature(int, const R&); \
-  template FormMatrix<R> sign_form_by_quadrature(int);
+}  // namespace
+
+template <class R>
+const FormMatrix<R>& sign_form_by_quadrature() {
+  static const FormMatrix<R> form = sign_form<R>();
+  return form;
+}
+
+#define STEADYSLIDE_INSTANTIATE(R)                         \
+  template FormMatrix<R> log_form_by_quadrature(const R&); \
+  template const FormMatrix<R>& sign_form_by_quadrature();
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(numeric::Real50)
 STEADYSLIDE_INSTANTIATE(numeric::Real100)

@@ -16,14 +16,16 @@
 
 namespace steadyslide::proofs_checks {
 
+/// j, k = 0, ..., highest_angle.
 template <class R>
 using FormMatrix = std::vector<std::vector<R>>;
+inline constexpr int highest_angle = 4;
 
-/// j, k = 0, ..., highest.
 template <class R>
-FormMatrix<R> log_form_by_quadrature(int highest, const R& length);
+FormMatrix<R> log_form_by_quadrature(const R& length);
+/// Made once.
 template <class R>
-FormMatrix<R> sign_form_by_quadrature(int highest);
+const FormMatrix<R>& sign_form_by_quadrature();
 
 /// sum_jk c_j M_jk d_k.
 template <class R>

@@ -10,6 +10,7 @@
 
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/variational/variational_inequality.hpp"
+#include "proofs_checks/instruments/near.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
@@ -48,10 +49,8 @@ std::vector<double> intensities_of(const numeric::ContactSolution<double>& solut
 }
 
 std::shared_ptr<const VariationalSolution> on_cells(const ContactProblem& problem, std::size_t cells) {
-  numeric::VariationalOptions options;
-  options.cells = cells;
   auto solution =
-      std::dynamic_pointer_cast<const VariationalSolution>(variational_inequality(problem, options).solution);
+      std::dynamic_pointer_cast<const VariationalSolution>(variational_inequality(problem, {.cells = cells}).solution);
   if (!solution || !solution->shortcoming().empty()) {
     throw std::runtime_error("not solved on " + std::to_string(cells) + " cells");
   }
@@ -88,21 +87,18 @@ std::vector<ReadExponent> read_exponents(const ContactProblem& problem, const Va
       if (place.is_end() && side != place.contact) continue;
       const bool another = !kinds.insert(place.kind).second;
       if (another && which == StudyPlan::Exponents::one_of_a_kind) continue;
-      const auto known =
-          place.exact ? numeric::variational::PlaceIs::exact : numeric::variational::PlaceIs::to_one_cell;
-      const auto found =
-          numeric::variational::fitted_exponent(solution.cells(), place.surroundings, side, place.wedge_degree, known);
-      result.push_back({middle + place.x, side, found.exponent, *place.exponent, reversed(place, problem)});
+      result.push_back({middle + place.x, side, power_on_cells(solution, place, side), *place.exponent,
+                        reversed(place, problem)});
     }
   }
   return result;
 }
 
-template <class Values>
-double level_error(const MeshLevel& level, const Values& values, double exact, double scale, std::size_t k) {
+double level_error(const MeshLevel& level, std::vector<double> SolvedQuantities::*values, double exact, double scale,
+                   std::size_t k) {
   std::vector<double> errors;
   for (const OnMesh& mesh : level.meshes) {
-    const std::vector<double>& found = values(mesh.solved);
+    const std::vector<double>& found = mesh.solved.*values;
     errors.push_back(k < found.size() ? (found[k] - exact) / scale : nan);
   }
   return root_mean_square(errors);
@@ -158,13 +154,11 @@ ConvergenceStudy study(const ContactProblem& problem, const StudyPlan& plan) {
 }
 
 double resultant_error(const MeshLevel& level, const SolvedQuantities& exact, std::size_t k) {
-  const auto values = [](const SolvedQuantities& q) -> const std::vector<double>& { return q.resultants; };
-  return level_error(level, values, exact.resultants[k], 1, k);
+  return level_error(level, &SolvedQuantities::resultants, exact.resultants[k], 1, k);
 }
 
 double intensity_error(const MeshLevel& level, const SolvedQuantities& exact, std::size_t k) {
-  const auto values = [](const SolvedQuantities& q) -> const std::vector<double>& { return q.intensities; };
-  return level_error(level, values, exact.intensities[k], exact.intensities[k], k);
+  return level_error(level, &SolvedQuantities::intensities, exact.intensities[k], exact.intensities[k], k);
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -8,6 +8,11 @@
 #include "proofs_checks/instruments/convergence_study.hpp"
 
 namespace steadyslide::proofs_checks {
+
+namespace embedded {
+extern const std::string_view convergence_introduction_md;
+}
+
 namespace {
 
 using Row = std::vector<std::string>;
@@ -98,32 +103,12 @@ std::string exponents_table(const ConvergenceStudy& study) {
   return result;
 }
 
-constexpr auto introduction =
-    R"(# Convergence of the solver on cells
-
-Made by `convergence-table > docs/convergence.md`; a test computes the numbers again.
-
-The solver on N equal cells knows no exponents. Here it meets the Riemann–Hilbert solution, which is made of them. Each
-row is the root mean square over 7 meshes of N, N + 1, … cells, or over 21 where the expected rate is 2, so that ends
-and jumps fall everywhere within a cell; the ends are the worst of them. "rate" is the power of N since the row before.
-Intensities are relative to the exact ones, and need 2048 cells.
-
-The expected rate is the least λ + λ* + 2 over the singular points of the contact, λ* being the exponent of the adjoint
-problem, where s has the other sign: 1 at an edge, at a step and at a friction jump (λ + λ* = −1), 2 at a free end (0),
-3 at a wedge. A friction jump costs as much as an edge because the adjoint solution must be as strong there as
-|x−c|^(−1−β). Reading an intensity off the cells has an error of its own, of about first order: the fits leave ten
-cells out, however long a cell is. It shows where the solution's own error is small: at some edges, and wherever the
-expected rate is 2.
-
-Exponents are read on 16384 cells, each side of a friction jump by itself.
-)";
-
 }  // namespace
 
 std::string convergence_document(bool quick) {
   StudyPlan plan = StudyPlan::full();
   if (quick) plan = {std::size_t{1} << 9, std::size_t{1} << 9, StudyPlan::Exponents::none};
-  std::string result = introduction;
+  std::string result(embedded::convergence_introduction_md);
   for (const ConvergenceCase& the_case : convergence_cases()) {
     const ConvergenceStudy found = study(the_case.problem, plan);
     const SolvedReference exact = reference(the_case.problem);

@@ -1,5 +1,6 @@
 #include "proofs_checks/instruments/corner_form.hpp"
 
+#include "proofs_checks/instruments/flanks.hpp"
 #include "proofs_checks/instruments/trial.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -19,8 +20,7 @@ struct SolvedAtCorner {
 
 template <Real R>
 SolvedAtCorner<R> solve_corner(const SolvedCorner& c) {
-  const Rational place = c.problem.indenter().pieces().front().to;
-  SolvedAtCorner<R> found{solved<R>(c.problem, c.zones), numeric::to_real<R>(place), 0, 0};
+  SolvedAtCorner<R> found{solved<R>(c.problem, c.zones), numeric::to_real<R>(corner), 0, 0};
   while (!found.solution->form().changes_polynomial(found.j)) ++found.j;
   for (const auto& point : found.solution->singular_points()) {
     if (point.x.value != found.x) continue;
@@ -29,7 +29,7 @@ SolvedAtCorner<R> solve_corner(const SolvedCorner& c) {
     return found;
   }
   // Only the curvature jumps: there is a value, and no entry in the list of singular points.
-  found.limit = found.solution->at(place).traction.right.value;
+  found.limit = found.solution->at(corner).traction.right.value;
   return found;
 }
 
@@ -117,23 +117,15 @@ void check_at(Findings& findings, const CornerForm& form, const SolvedCorner& c,
 
 SolvedCorner solved_corner(std::string name, const Rational& rear, const Rational& front, const Polynomial& left,
                            const Polynomial& right, const Rational& load, int theta) {
-  const Rational c(1, 8);
-  const FrictionProfile friction = rear == front ? FrictionProfile({rear}) : FrictionProfile({rear, front}, {c});
-  return {std::move(name),
-          ContactProblem(Elasticity(Solid(Rational(3, 10), 1)), friction,
-                         Indenter(-4, {{c, left.composed(1, -c)}, {4, right.composed(1, -c)}}), load),
-          {{-0.7, 0.6, false, false}},
-          theta};
+  FrictionProfile friction = rear == front ? FrictionProfile({rear}) : FrictionProfile({rear, front}, {corner});
+  return {std::move(name), flanks(std::move(friction), left, right, load), {{-0.7, 0.6, false, false}}, theta};
 }
 
 std::string text_of(const SolvedCorner& c) { return c.name + ": " + text_of(c.problem); }
 
 void check_corner(Findings& findings, const CornerForm& form, const SolvedCorner& c, const Context& context) {
-  if (context.digits == numeric::Digits::hundred) {
-    check_at<numeric::Real100>(findings, form, c, context);
-  } else {
-    check_at<numeric::Real50>(findings, form, c, context);
-  }
+  numeric::at_precision(std::max(context.digits, numeric::Digits::fifty),
+                        [&]<Real R>() { check_at<R>(findings, form, c, context); });
 }
 
 }  // namespace steadyslide::proofs_checks

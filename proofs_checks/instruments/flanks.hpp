@@ -1,15 +1,25 @@
 #pragma once
-// Indenters of two flanks that meet at `corner`, polynomials in x - corner, over [-4, 4]; nu = 3/10, E = 1. On them the
-// sentences after theorem 2 are examined. [Bal16, theorem 2]
+// Indenters of two flanks that meet at `corner`, polynomials in x - corner, over [-4, 4]; nu = 3/10, E = 1. On them
+// wedges in the contact are examined. [Bal16, theorems 2, 9]
 
 #include "model/contact_problem.hpp"
 
 namespace steadyslide::proofs_checks {
 
 inline const Rational corner{1, 8};
-ContactProblem flanks(FrictionProfile friction, const Polynomial& left, const Polynomial& right, const Rational& load);
+
+inline ContactProblem flanks(FrictionProfile friction, const Polynomial& left, const Polynomial& right,
+                             const Rational& load) {
+  return {Elasticity(Solid(Rational(3, 10), 1)), std::move(friction),
+          Indenter(-4, {{corner, left.composed(1, -corner)}, {4, right.composed(1, -corner)}}), load};
+}
 
 /// psi'(c+) - psi'(c-), reduced.
-Rational wedge_of(const ContactProblem& problem);
+inline Rational wedge_of(const ContactProblem& problem) {
+  for (const Indenter::Break& b : problem.indenter().breaks()) {
+    if (b.x == corner) return b.wedge / problem.elasticity().compliance();
+  }
+  return 0;
+}
 
 }  // namespace steadyslide::proofs_checks

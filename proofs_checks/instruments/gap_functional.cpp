@@ -4,6 +4,7 @@
 
 #include "numeric/number/polynomial.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
+#include "numeric/quadrature/trapezoidal.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
@@ -38,6 +39,32 @@ bool is_nonpositive(const std::array<R, 4>& a, const R& shift, int depth) {
   const R middle = (abc + bcd) / 2;
   return is_nonpositive<R>({a[0], ab, abc, middle}, shift, depth - 1) &&
          is_nonpositive<R>({middle, bcd, cd, a[3]}, shift, depth - 1);
+}
+
+/// t_0 v, t_0 of the friction s.
+template <Real R>
+numeric::PiecewiseDensity<R> weighted(const Rational& s, const PiecewiseFunction& v) {
+  const Exponent angle = Exponent::angle(s);
+  const auto a = Power<R>::of(-(half + angle));
+  const auto b = Power<R>::of(-(half - angle));
+  const Power<R> none{R(0), R(1)};
+  const R size = numeric::cos_pi_alpha<R>(s) / numeric::pi<R>();
+  numeric::PiecewiseDensity<R> density;
+  for (std::size_t k = 0; k < v.pieces.size(); ++k) {
+    const bool first = k == 0;
+    const bool last = k + 1 == v.pieces.size();
+    const R left = to_real<R>(v.points[k]);
+    const R right = to_real<R>(v.points[k + 1]);
+    const auto smooth = [=, piece = numeric::coefficients_of<R>(v.pieces[k])](const numeric::Node<R>& node) {
+      using std::pow;
+      R value = size * value_of(piece, node.x);
+      if (!first) value *= pow(R(1 + left + node.from_left), a.value);
+      if (!last) value *= pow(R(1 - right + node.from_right), b.value);
+      return value;
+    };
+    density.push_back({{left, right, R(right - left)}, first ? a : none, last ? b : none, smooth});
+  }
+  return density;
 }
 
 }  // namespace
@@ -132,67 +159,14 @@ R largest_shift(const PiecewiseFunction& v) {
   return low;
 }
 
-template <class R>
-R UnitPairing<R>::operator()(const Rational& s, const PiecewiseFunction& v) {
-  R sum = 0;
-  for (std::size_t k = 0; k < v.pieces.size(); ++k) sum += on_panel(s, v.points[k], v.points[k + 1], v.pieces[k]);
-  return numeric::cos_pi_alpha<R>(s) / numeric::pi<R>() * sum;
-}
-
-template <class R>
-R UnitPairing<R>::on_panel(const Rational& s, const Rational& left, const Rational& right, const Polynomial& v) {
-  using std::pow;
-  const Rational length = right - left;
-  const Rational before = left == -1 ? Rational(2) : left + 1;
-  const Rational behind = right == 1 ? Rational(2) : 1 - right;
-  if (length > before || length > behind) {
-    const Rational middle = (left + right) / 2;
-    return on_panel(s, left, middle, v) + on_panel(s, middle, right, v);
-  }
-  const Exponent angle = Exponent::angle(s);
-  const auto a = Power<R>::of(-(half + angle));
-  const auto b = Power<R>::of(-(half - angle));
-  const Power<R> none{R(0), R(1)};
-  // The error falls as 5.8^{-2n}.
-  constexpr int nodes = std::same_as<R, double> ? 14 : std::same_as<R, Real50> ? 42 : 82;
-  const numeric::JacobiRule<R>& rule = rules_.get(left == -1 ? a : none, right == 1 ? b : none, nodes);
-  const R h = to_real<R>(length);
-  R scale = h;
-  if (left == -1) scale *= pow(h, a.value);
-  if (right == 1) scale *= pow(h, b.value);
-  R sum = 0;
-  for (std::size_t i = 0; i < rule.size(); ++i) {
-    const R x = to_real<R>(left) + h * rule.from_left[i];
-    R value = value_of(v, x);
-    if (left != -1) value *= pow(R(1 + x), a.value);
-    if (right != 1) value *= pow(R(1 - x), b.value);
-    sum += rule.weights[i] * value;
-  }
-  return scale * sum;
+template <Real R>
+R pairing(const Rational& s, const PiecewiseFunction& v) {
+  return numeric::trapezoidal::Grid<R>(weighted<R>(s, v)).integral();
 }
 
 template <Real R>
 R pairing_by_tanh_sinh(const Rational& s, const PiecewiseFunction& v) {
-  const Exponent angle = Exponent::angle(s);
-  const auto a = Power<R>::of(-(half + angle));
-  const auto b = Power<R>::of(-(half - angle));
-  const Power<R> none{R(0), R(1)};
-  numeric::PiecewiseDensity<R> density;
-  for (std::size_t k = 0; k < v.pieces.size(); ++k) {
-    const bool first = k == 0;
-    const bool last = k + 1 == v.pieces.size();
-    const R left = to_real<R>(v.points[k]);
-    const R right = to_real<R>(v.points[k + 1]);
-    const auto smooth = [=, piece = v.pieces[k]](const numeric::Node<R>& node) {
-      using std::pow;
-      R value = value_of(piece, node.x);
-      if (!first) value *= pow(R(1 + left + node.from_left), a.value);
-      if (!last) value *= pow(R(1 - right + node.from_right), b.value);
-      return value;
-    };
-    density.push_back({{left, right, R(right - left)}, first ? a : none, last ? b : none, smooth});
-  }
-  return numeric::cos_pi_alpha<R>(s) / numeric::pi<R>() * numeric::tanh_sinh::integral(density).value;
+  return numeric::tanh_sinh::integral(weighted<R>(s, v)).value;
 }
 
 template <Real R>
@@ -214,7 +188,7 @@ R pairing_by_moments(const Rational& s, const Polynomial& v) {
 #define STEADYSLIDE_INSTANTIATE(R)                                            \
   template R supremum(const PiecewiseFunction&);                              \
   template R largest_shift(const PiecewiseFunction&);                         \
-  template class UnitPairing<R>;                                              \
+  template R pairing(const Rational&, const PiecewiseFunction&);              \
   template R pairing_by_tanh_sinh(const Rational&, const PiecewiseFunction&); \
   template R pairing_by_moments(const Rational&, const Polynomial&);
 STEADYSLIDE_INSTANTIATE(double)

@@ -5,14 +5,12 @@
 //   phi = inf { <-P t_0, v + C> : v + C <= 0 } = <P t_0, ess sup v - v>,
 //   t_0 = (cos(pi alpha)/pi) (1+x)^{-(1/2+alpha)} (1-x)^{-(1/2-alpha)}.
 //
-// Functions are exact. Integrals against t_0 are Gauss-Jacobi rules on panels that are cut until they are no longer
-// than their distance from the other end.
+// Functions are exact, integrals against t_0 by quadrature.
 
 #include <vector>
 
 #include "model/polynomial.hpp"
-#include "numeric/cauchy/density.hpp"
-#include "numeric/quadrature/jacobi_rule.hpp"
+#include "numeric/number/real.hpp"
 #include "proofs_checks/kit/random.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -43,17 +41,9 @@ R supremum(const PiecewiseFunction& v);
 template <numeric::Real R>
 R largest_shift(const PiecewiseFunction& v);
 
-template <class R>
-class UnitPairing {
- public:
-  /// int t_0 v, t_0 of the friction s.
-  R operator()(const Rational& s, const PiecewiseFunction& v);
-
- private:
-  R on_panel(const Rational& s, const Rational& left, const Rational& right, const Polynomial& v);
-  numeric::JacobiRules<R> rules_;
-};
-
+/// int t_0 v by the trapezoidal rule, t_0 of the friction s.
+template <numeric::Real R>
+R pairing(const Rational& s, const PiecewiseFunction& v);
 /// The same by tanh-sinh.
 template <numeric::Real R>
 R pairing_by_tanh_sinh(const Rational& s, const PiecewiseFunction& v);

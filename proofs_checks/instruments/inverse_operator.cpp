@@ -73,7 +73,10 @@ InverseOperator<R>::InverseOperator(const InverseFormula& formula, std::vector<S
 
 template <Real R>
 InverseOperator<R>::InverseOperator(const InverseFormula& formula, const Polynomial& slope)
-    : InverseOperator(formula, {{R(-1), R(2), {R(0), R(1)}, {R(0), R(1)},
+    : InverseOperator(formula, {{R(-1),
+                                 R(2),
+                                 {R(0), R(1)},
+                                 {R(0), R(1)},
                                  [p = numeric::coefficients_of<R>(slope)](const numeric::Node<R>& node) {
                                    return numeric::value_of(p, node.x);
                                  }}}) {}
@@ -107,9 +110,9 @@ JacobiTraction<R> inverse_without_integral(const Rational& s, const Polynomial& 
   return {numeric::Power<R>::of(-(half + alpha)), numeric::Power<R>::of(-(half - alpha)), std::move(q)};
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)    \
-  template struct InverseTerms<R>;    \
-  template class InverseOperator<R>;  \
+#define STEADYSLIDE_INSTANTIATE(R)   \
+  template struct InverseTerms<R>;   \
+  template class InverseOperator<R>; \
   template JacobiTraction<R> inverse_without_integral(const Rational&, const Polynomial&);
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(numeric::Real50)

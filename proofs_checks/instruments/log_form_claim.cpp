@@ -12,8 +12,6 @@ namespace {
 
 using numeric::Real;
 
-constexpr int highest = 4;
-
 /// On forces of N equal cells of a unit interval.
 Eigen::MatrixXd form_on_cells(std::size_t cells) {
   const CellFrictionSteps none{{0, 0}, {0}};
@@ -68,7 +66,7 @@ Values measured(const Length& length) {
   using std::abs, std::max;
   Values values = definiteness(length);
   const R pi = numeric::pi<R>();
-  const FormMatrix<R> form = log_form_by_quadrature<R>(highest, numeric::to_real<R>(length.value));
+  const FormMatrix<R> form = log_form_by_quadrature<R>(numeric::to_real<R>(length.value));
   R rest = 0;
   for (std::size_t j = 0; j < form.size(); ++j) {
     values.add({std::to_string(j), R(form[j][j] / (pi * pi))});
@@ -93,7 +91,7 @@ Values predicted_by(const LogForm& form, const Length& length) {
                 {"zero mean", true},
                 {"0", Number(log(numeric::to_real<Number>(form.critical / length.value)))},
                 {"rest", Number(0)}};
-  for (int k = 1; k <= highest; ++k) {
+  for (int k = 1; k <= highest_angle; ++k) {
     Rational coefficient = form.first;
     for (int m = 0; m < form.power; ++m) coefficient /= k;
     values.add({std::to_string(k), numeric::to_real<Number>(coefficient)});

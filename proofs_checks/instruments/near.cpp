@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 #include "proofs_checks/instruments/convergence_cases.hpp"
@@ -67,17 +66,6 @@ R traction_beside(const RiemannHilbertSolution<R>& solution, std::size_t point, 
 }
 
 template <Real R>
-R gap_beside(const RiemannHilbertSolution<R>& solution, std::size_t point, Side side, const R& d) {
-  const std::ptrdiff_t k = segment_beside(point, side);
-  if (k < 0 || k >= static_cast<std::ptrdiff_t>(solution.form().set().segments())) {
-    throw Refutation{{"next to an end of contact", "there is no indenter"}};
-  }
-  const R scale = numeric::to_real<R>(solution.problem().problem().elasticity().compliance()) *
-                  numeric::to_real<R>(solution.problem().frame().unit);
-  return scale * numeric::GapIntegral<R>(solution.form(), point).reduced_gap(beside(solution, point, side, d)).value;
-}
-
-template <Real R>
 R very_near() {
   using std::pow;
   return pow(R(10), -(numeric::digits_served<R> + 10));
@@ -134,7 +122,6 @@ numeric::Estimate<double> power_on_cells(const numeric::VariationalSolution& sol
   template numeric::SurfacePoint<R> beside(const numeric::RiemannHilbertForm<R>&, std::size_t, Side, const R&); \
   template numeric::SurfacePoint<R> beside(const RiemannHilbertSolution<R>&, std::size_t, Side, const R&);      \
   template R traction_beside(const RiemannHilbertSolution<R>&, std::size_t, Side, const R&);                    \
-  template R gap_beside(const RiemannHilbertSolution<R>&, std::size_t, Side, const R&);                         \
   template R very_near();                                                                                       \
   template R limit_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);                                 \
   template R logarithm_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);

@@ -44,10 +44,6 @@ numeric::SurfacePoint<R> beside(const numeric::RiemannHilbertSolution<R>& soluti
                                 const R& d);
 template <Real R>
 R traction_beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side, const R& d);
-/// psi - u - C beside an end of contact, off the contact, in the user's units.
-template <Real R>
-R gap_beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side, const R& d);
-
 /// 10^-(digits + 10): t at such distances is its leading term to all digits, if the next one is a whole power smaller.
 template <Real R>
 R very_near();

@@ -58,7 +58,8 @@ struct PowerProduct {
 
   template <Real R>
   PowerForm<R> at() const {
-    PowerForm<R> form{R(left_end), {lengths.begin(), lengths.end()}, exponents, {}, {amplitudes.begin(), amplitudes.end()}};
+    PowerForm<R> form{
+        R(left_end), {lengths.begin(), lengths.end()}, exponents, {}, {amplitudes.begin(), amplitudes.end()}};
     for (const Exponent& exponent : exponents) form.powers.push_back(numeric::Power<R>::of(exponent));
     for (std::size_t j = 0; j < moved.size(); ++j) {
       form.powers[j].value += R(moved[j]);

@@ -103,10 +103,9 @@ void check_punch_traction(Findings& findings, const PowerProduct& t, const Conta
 
 Rational largest_friction(const Context& context) { return context.digits == numeric::Digits::sixteen ? 5 : 50; }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                                             \
-  template void check_punch_values(Findings&, const PowerForm<R>&, const ContactProblem&);     \
-  template void check_punch_traction<R>(Findings&, const PowerProduct&, const ContactProblem&, \
-                                        std::size_t);
+#define STEADYSLIDE_INSTANTIATE(R)                                                         \
+  template void check_punch_values(Findings&, const PowerForm<R>&, const ContactProblem&); \
+  template void check_punch_traction<R>(Findings&, const PowerProduct&, const ContactProblem&, std::size_t);
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)
 STEADYSLIDE_INSTANTIATE(Real100)

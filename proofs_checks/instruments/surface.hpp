@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include "numeric/quadrature/trapezoidal.hpp"
 #include "model/contact_problem.hpp"
+#include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/instruments/power_product.hpp"
 #include "proofs_checks/kit/findings.hpp"
 

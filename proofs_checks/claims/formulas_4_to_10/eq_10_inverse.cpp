@@ -59,28 +59,21 @@ numeric::PiecewiseDensity<R> closed_inverse(const LinearSlope& c) {
 template <Real R>
 void check_inverse(Findings& findings, const InverseFormula& formula, const LinearSlope& c) {
   using std::abs;
-  const Quantity equation{"A t = u' for the closed form of L(u)",
-                          {"(1/pi) PV int t/(x'-x) dx' + s t, trapezoidal rule", "u'"},
-                          tolerance<R>()};
-  const Quantity load{"L(u) carries no load", {"trapezoidal rule", "0"}, tolerance<R>()};
-  const Quantity trapezoidal{
-      "L(u), trapezoidal rule", {"the formula by quadrature", "its closed form"}, tolerance<R>()};
-  const Quantity tanh_sinh{"L(u), tanh-sinh rule", {"the formula by quadrature", "its closed form"}, tolerance<R>()};
   const R constant = numeric::to_real<R>(c.constant);
   const R linear = numeric::to_real<R>(c.linear);
   const numeric::PiecewiseDensity<R> closed = closed_inverse<R>(c);
   const numeric::SurfaceCheck<R> surface(
       closed, {numeric::to_real<R>(c.s())},
       [=](std::size_t, const numeric::Node<R>& node) { return R(constant + linear * node.x); });
-  findings.compare(equation, static_cast<double>(surface.equation()));
-  findings.compare(load, static_cast<double>(R(abs(surface.integral()) / (abs(constant) + abs(linear)))));
+  findings.compare("equation", static_cast<double>(surface.equation()));
+  findings.compare("load", static_cast<double>(R(abs(surface.integral()) / (abs(constant) + abs(linear)))));
 
   const InverseOperator<R> inverse(formula, c.slope());
   for (const int percent : {40, 3, 75}) {
     const auto at = inverse.point(0, R(percent) / 100);
     const R expected = closed[0](at.node);
-    findings.compare(trapezoidal, inverse.terms(at).difference(expected));
-    if (percent == 40) findings.compare(tanh_sinh, inverse.terms_by_tanh_sinh(at).difference(expected));
+    findings.compare("trapezoidal", inverse.terms(at).difference(expected));
+    if (percent == 40) findings.compare("tanh sinh", inverse.terms_by_tanh_sinh(at).difference(expected));
   }
 }
 
@@ -90,6 +83,7 @@ Claim eq_10_inverse() {
   return formula_claim<LinearSlope, InverseFormula>("eq-10-inverse")
       .cases(slopes)
       .effective_where([](const LinearSlope& c) { return c.s() != 0; })
+      .quantities({"equation", "load", "trapezoidal", "tanh sinh"})
       .says([](const LinearSlope& c) { return InverseFormula::of(c.s()); })
       .checked([]<Real R>(Findings& findings, const InverseFormula& formula, const LinearSlope& c) {
         check_inverse<R>(findings, formula, c);

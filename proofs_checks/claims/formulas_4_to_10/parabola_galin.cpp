@@ -52,9 +52,6 @@ Galin galin(const ContactProblem& p) {
 template <Real R>
 void check_peak(Findings& findings, const Galin& t, const ContactProblem& problem) {
   using std::abs;
-  const Quantity place{
-      "place of the largest pressure", {"-4 alpha a", "zero of the logarithmic derivative of t"}, tolerance<R>()};
-  const Quantity factor{"both printed factors of the traction", {"P/(2 pi a^2 (1/4-alpha^2))", "1/R"}, tolerance<R>()};
   const PowerForm<R> form = t.at<R>();
   const R peak(t.peak);
   const std::vector<R> r = form.points();
@@ -62,11 +59,11 @@ void check_peak(Findings& findings, const Galin& t, const ContactProblem& proble
     return R(form.powers[0].value / (x - r[0]) + form.powers[1].value / (x - r[1]));
   };
   const R size = abs(R(form.powers[0].value / (peak - r[0])));
-  findings.compare(place, static_cast<double>(R(abs(derivative(peak)) / size)));
+  findings.compare("place", static_cast<double>(R(abs(derivative(peak)) / size)));
   const R before = (peak - r[0]) / 1000;
   const R after = (r[1] - peak) / 1000;
   findings.require(derivative(peak - before) > 0 && derivative(peak + after) < 0, "the pressure has no maximum there");
-  findings.compare(factor, relative_difference<R>(R(t.factor), 1 / numeric::to_real<R>(radius_of(problem))));
+  findings.compare<R>("factor", R(t.factor), 1 / numeric::to_real<R>(radius_of(problem)));
   if (problem.coupled_friction(0) > 0) {
     findings.require(peak < (r[0] + r[1]) / 2 && r[0] + r[1] < 0, "peak or zone is not shifted to the rear");
   }
@@ -78,6 +75,7 @@ Claim parabola_galin() {
   return formula_claim<ContactProblem, Galin>("parabola-galin")
       .cases(parabolas)
       .effective_where(has_friction)
+      .quantities({"place", "factor"})
       .says(galin)
       .checked([]<Real R>(Findings& findings, const Galin& t, const ContactProblem& p, const Context& context) {
         check_parabola<R>(findings, t, p, {count_for(context, {9, 2, 2}), context.quick ? 5 : 1});

@@ -62,21 +62,17 @@ template <Real R>
 void check_field(Findings& findings, const HalfPlaneField<R>& field, const Body& body) {
   using std::abs, std::cos, std::sin;
   // Eight values: an error like the step's eighth power, and rounding over the step.
-  const Quantity equilibrium{"equilibrium within the body", {"d sigma_xj/dx", "-d sigma_zj/dz"}, 1e-45};
-  const Quantity compatibility{"sigma_xx + sigma_zz within the body", {"mean over a circle", "centre"}, 1e-45};
-  const Quantity boundary{"stresses on the surface", {"(sigma_zz, sigma_xz)", "(t_n, -t_t)"}, 1e-45};
-  const Quantity radial{"stresses within the body", {"potentials", "sum of radial fields"}, 1e-45};
   const R x = R(1) / 3;
   const R z = R(4) / 5;
   const StressComponents<R> at = field.stress(x, z);
-  findings.compare(radial, difference(at, field.superposed_stress(x, z)));
+  findings.compare("radial", difference(at, field.superposed_stress(x, z)));
   const R size = abs(at.xx) + abs(at.zz) + abs(at.xz);
-  const auto small = [&](const Quantity& quantity, const R& value) {
+  const auto small = [&](const char* quantity, const R& value) {
     findings.compare(quantity, static_cast<double>(R(abs(value) / size)));
   };
   const StressComponents<R> rate = field.stress_rate(x, z);
-  small(equilibrium, rate.xx + derivative([&](const R& depth) { return field.stress(x, depth).xz; }, z, R(1)));
-  small(equilibrium, rate.xz + derivative([&](const R& depth) { return field.stress(x, depth).zz; }, z, R(1)));
+  small("equilibrium", rate.xx + derivative([&](const R& depth) { return field.stress(x, depth).xz; }, z, R(1)));
+  small("equilibrium", rate.xz + derivative([&](const R& depth) { return field.stress(x, depth).zz; }, z, R(1)));
   constexpr int points = 64;
   R mean = 0;
   for (int k = 0; k < points; ++k) {
@@ -84,17 +80,15 @@ void check_field(Findings& findings, const HalfPlaneField<R>& field, const Body&
     const StressComponents<R> there = field.stress(x + cos(angle) / 10, z + sin(angle) / 10);
     mean += (there.xx + there.zz) / points;
   }
-  small(compatibility, mean - at.xx - at.zz);
+  small("compatibility", mean - at.xx - at.zz);
   const StressComponents<R> surface = field.stress(x, R(0));
-  small(boundary, surface.zz - numeric::value_of(body.normal, x));
-  small(boundary, surface.xz + numeric::value_of(body.tangential, x));
+  small("boundary", surface.zz - numeric::value_of(body.normal, x));
+  small("boundary", surface.xz + numeric::value_of(body.tangential, x));
 }
 
 template <Real R>
 void check_slopes(Findings& findings, const SurfaceSlopes& formula, const Body& body, bool quick) {
   using std::abs;
-  const Quantity normal{"u_n'", {"equation (1)", "strains integrated along the depth"}, 1e-45};
-  const Quantity tangential{"u_t'", {"equation (1)", "epsilon_xx of the field at the surface"}, 1e-45};
   const PiecewiseTraction t_n{{-1, 1, body.normal}};
   const PiecewiseTraction t_t{{-1, 1, body.tangential}};
   const HalfPlaneField<R> field(body.solid, t_n, t_t);
@@ -112,9 +106,9 @@ void check_slopes(Findings& findings, const SurfaceSlopes& formula, const Body& 
     const R h_t = grid_t.hilbert(at);
     const R scale = compliance * (abs(n) + abs(t) + abs(h_n) + abs(h_t));
     const R u_t = compliance * (hilbert * h_t + R(formula.pressure) * n);
-    findings.compare(tangential, static_cast<double>(R(abs(u_t - field.tangential_slope(x)) / scale)));
+    findings.compare("tangential", static_cast<double>(R(abs(u_t - field.tangential_slope(x)) / scale)));
     const R u_n = compliance * (hilbert * h_n + R(formula.shear) * t);
-    findings.compare(normal, static_cast<double>(R(abs(u_n - field.normal_slope(x)) / scale)));
+    findings.compare("normal", static_cast<double>(R(abs(u_n - field.normal_slope(x)) / scale)));
     if (quick) break;
   }
   check_field(findings, field, body);
@@ -126,6 +120,7 @@ Claim eq_01_surface_displacement() {
   return formula_claim<Body, SurfaceSlopes>("eq-01-surface-displacement")
       .cases(bodies)
       .precision(Precision::at_least_fifty)
+      .quantities({"equilibrium", "compatibility", "boundary", "radial", "normal", "tangential"}, {.tolerance = 1e-45})
       .says([](const Body& body) {
         const Rational& nu = body.solid.poisson();
         const auto gamma = numeric::to_real<Number>((1 - 2 * nu) / (2 * (1 - nu)));

@@ -74,12 +74,11 @@ std::vector<double> lowered(const State& state) {
 /// a(v - u, u) + phi(v) - phi(u) for v = u + direction, and for v the other solution.
 void check_inequality(Findings& findings, const DisplacementProblem& problem, const State& other, const State& state,
                       const ProblemI& form, const Case& c) {
-  const Quantity inequality{"a(v-u, u) + phi(v) - phi(u), below zero", {"random v", "none"}, allowed};
   const std::vector<double> u = lowered(other);
   const double scale = std::max(1.0, *std::ranges::max_element(state.gap));
   const auto compare = [&](const std::vector<double>& v) {
     const double whole = problem.inequality(other, v) + (form.functional - 1) * (problem.phi(v) - problem.phi(u));
-    findings.compare(inequality, std::max(0.0, -whole) / scale);
+    findings.compare("inequality", std::max(0.0, -whole) / scale);
   };
   compare(lowered(state));
   for (const std::vector<double>& direction : c.directions) {
@@ -90,7 +89,6 @@ void check_inequality(Findings& findings, const DisplacementProblem& problem, co
 }
 
 void check(Findings& findings, const ProblemI& form, const Case& c) {
-  const Quantity forces{"contact forces", {"active sets from random sets", "interior points"}, allowed, 0.7};
   const auto load = numeric::to_real<double>(c.dual.load);
   const DisplacementProblem problem(c.dual.s, c.n, c.dual.height(), load);
   std::vector<State> found;
@@ -98,9 +96,9 @@ void check(Findings& findings, const ProblemI& form, const Case& c) {
     if (const auto state = problem.by_active_sets(start)) found.push_back(*state);
   }
   auto other = DisplacementProblem(c.dual.s, c.n, c.dual.height(), load, form.problem).by_interior_points();
-  if (!other || found.empty()) return findings.skip(forces);
+  if (!other || found.empty()) return findings.skip("forces");
   for (double& force : other->force) force *= form.forces;
-  for (const State& state : found) findings.compare(forces, difference(state, *other));
+  for (const State& state : found) findings.compare("forces", difference(state, *other));
   check_inequality(findings, problem, *other, found.front(), form, c);
 }
 
@@ -110,6 +108,8 @@ Claim prop_07_problem_I() {
   return formula_claim<Case, ProblemI>("prop-07-problem-I")
       .cases(cases)
       .precision(Precision::in_double)
+      .quantity("inequality", {.tolerance = allowed})
+      .quantity("forces", {.tolerance = allowed, .required = 0.7})
       .says([](const Case&) { return ProblemI(); })
       .checked(check)
       .wrong("the friction's sign reversed in L", [](ProblemI& form) { form.problem.inverse.friction = -1; })

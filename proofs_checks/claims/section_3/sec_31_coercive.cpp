@@ -34,32 +34,13 @@ CaseList<Coercive> cases(const Context& context, bool falling) {
   return list;
 }
 
-/// The quadratures of both forms, once at each precision.
-template <class R>
-struct AngleForms {
-  FormMatrix<R> logarithm;
-  FormMatrix<R> sign;
-};
-class AllAngleForms {
- public:
-  template <Real R>
-  const AngleForms<R>& at() {
-    auto& forms = std::get<AngleForms<R>>(forms_);
-    if (forms.sign.empty()) forms = {log_form_by_quadrature<R>(4, R(2)), sign_form_by_quadrature<R>(4)};
-    return forms;
-  }
-
- private:
-  std::tuple<AngleForms<double>, AngleForms<numeric::Real50>, AngleForms<numeric::Real100>> forms_;
-};
-
 /// b(t, t)
 template <Real R>
-R energy(const Coercive& at, const AngleForms<R>& forms) {
+R energy(const Coercive& at) {
   std::vector<R> c;
   for (const Rational& coefficient : at.c) c.push_back(numeric::to_real<R>(coefficient));
-  return value_of(forms.logarithm, c, c) / numeric::pi<R>() +
-         numeric::to_real<R>(at.s) / 2 * value_of(forms.sign, c, c);
+  return value_of(log_form_by_quadrature<R>(R(2)), c, c) / numeric::pi<R>() +
+         numeric::to_real<R>(at.s) / 2 * value_of(sign_form_by_quadrature<R>(), c, c);
 }
 
 /// Eigenvalues and norm of b on zero mean, where b without friction is the scalar product.
@@ -103,9 +84,9 @@ Claim sec_31_coercive() {
       .quantity("energy")
       .quantities({"least", "largest"}, {.tolerance = in_double})
       .quantity("norm", {.tolerance = in_double, .at_most = true, .near_miss = false})
-      .measured([forms = std::make_shared<AllAngleForms>()]<numeric::Real R>(const Coercive& c) {
+      .measured([]<numeric::Real R>(const Coercive& c) {
         Values values = on_cells(c);
-        values.add({"energy", energy(c, forms->at<R>())});
+        values.add({"energy", energy<R>(c)});
         return values;
       })
       .predicted(predicted)

@@ -47,22 +47,19 @@ R pairing(const Polynomial& slope, int k) {
 template <Real R>
 void check_inverse(Findings& findings, const InverseFormula& formula, const PolynomialSlope& c, bool quick) {
   using std::abs;
-  const Quantity values{
-      "L(u)", {"(10), principal values by staggered nodes", "polynomial part at infinity"}, tolerance<R>()};
-  const Quantity weak{"b(L(u), t_hat), t_hat = T_k/sqrt(1-x^2)", {"Gauss-Jacobi", "<<u, t_hat>>"}, tolerance<R>()};
   const JacobiTraction<R> t = inverse_without_integral<R>(c.s, c.slope);
   const numeric::PanelDensity<R> traction = density_of(t);
   const InverseOperator<R> inverse(formula, c.slope);
   for (const int percent : {2, 35, 60, 99}) {
     if (quick && percent != 35) continue;
     const auto at = inverse.point(0, R(percent) / 100);
-    findings.compare(values, inverse.terms(at).difference(traction(at.node)));
+    findings.compare("values", inverse.terms(at).difference(traction(at.node)));
   }
   const R s = numeric::to_real<R>(c.s);
   R size = 0;
   for (const R& coefficient : t.factor) size += abs(coefficient);
   for (int k = 1; k <= 4; ++k) {
-    findings.compare(weak, static_cast<double>(R(abs(form_with_chebyshev(t, s, k) - pairing<R>(c.slope, k)) / size)));
+    findings.compare("weak", static_cast<double>(R(abs(form_with_chebyshev(t, s, k) - pairing<R>(c.slope, k)) / size)));
   }
   // A L(u) = u' and int L(u) = 0.
   const Surface<R> surface{{traction}, {s}, [&c](const R& x) { return numeric::value_of(c.slope, x); }, R(0), size};
@@ -76,6 +73,7 @@ Claim sec_31_inverse() {
       .cases(slopes)
       .effective_where([](const PolynomialSlope& c) { return c.s != 0; })
       .precision(Precision::at_least_fifty)
+      .quantities({"values", "weak"})
       .says([](const PolynomialSlope& c) { return InverseFormula::of(c.s); })
       .checked([]<Real R>(Findings& findings, const InverseFormula& formula, const PolynomialSlope& c,
                           const Context& context) { check_inverse<R>(findings, formula, c, context.quick); })

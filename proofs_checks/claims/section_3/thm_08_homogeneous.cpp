@@ -54,7 +54,7 @@ SameSolution same_solution(const Homogeneous& c) {
 
 /// Ends, traction and gap at some places.
 template <Real R>
-void compare(Findings& findings, const Quantity& quantity, const ContactSolution<R>& a, const ContactSolution<R>& b,
+void compare(Findings& findings, const char* quantity, const ContactSolution<R>& a, const ContactSolution<R>& b,
              const R& load, const R& opened = 0) {
   using std::abs;
   const auto error = [&](const R& x, const R& y, const R& scale) { return static_cast<double>(abs(x - y) / scale); };
@@ -76,23 +76,20 @@ void compare(Findings& findings, const Quantity& quantity, const ContactSolution
 template <Real R>
 void check(Findings& findings, const SameSolution& same, const Homogeneous& c) {
   // Residuals come from rules that lose a digit or two.
-  const Quantity residual{"equation, load, penetration and tension", {"unrelated rule", "zero"}, tolerance<R>()};
-  const Quantity solvers{"ends, traction and gap", {"Riemann-Hilbert", "closed form"}, tolerance<R>(), 0.4};
-  const Quantity shifted{"ends, traction and gap, psi + C", {"psi", "psi + C"}, tolerance<R>()};
   const R load = numeric::to_real<R>(c.load);
   const auto solution = solve<R>(c.problem());
   const auto closed = numeric::closed_form<R>(same.closed.problem());
   if (closed.solution) {
     compare<R>(findings, solvers, *solution, *closed.solution, load);
   } else {
-    findings.skip(solvers);
+    findings.skip("solvers");
   }
   const auto raised = solve<R>(same.raised.problem());
   compare<R>(findings, shifted, *solution, *raised, load, numeric::to_real<R>(same.opened));
   // Last, since they take longer than solutions.
   const numeric::Residuals<R> left = solution->residuals();
   for (const R& value : {left.equation, left.load, left.penetration, left.tension}) {
-    findings.compare(residual, static_cast<double>(value));
+    findings.compare("residual", static_cast<double>(value));
   }
 }
 
@@ -101,6 +98,9 @@ void check(Findings& findings, const SameSolution& same, const Homogeneous& c) {
 Claim thm_08_homogeneous() {
   return formula_claim<Homogeneous, SameSolution>("thm-08-homogeneous")
       .cases(cases)
+      .quantity("residual")
+      .quantity("solvers", {.required = 0.4})
+      .quantity("shifted")
       .says(same_solution)
       .checked([]<numeric::Real R>(Findings& findings, const SameSolution& same, const Homogeneous& c) {
         check<R>(findings, same, c);
