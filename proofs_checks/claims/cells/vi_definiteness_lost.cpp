@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "proofs_checks/instruments/cell_law.hpp"
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/dense_algebra.hpp"
+#include "proofs_checks/instruments/cells/cell_law.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/instruments/cells/dense_algebra.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -113,7 +113,6 @@ Claim vi_definiteness_lost() {
   return formula_claim<Fall, L>("vi-definiteness-lost")
       .cases(falls)
       .precision(Precision::in_double)
-      .says([](const Fall&) { return L(); })
       .checked([]<numeric::Real R>(Findings& findings, const L& law, const Fall& fall) { check(findings, law, fall); })
       .wrong("half the slope: log(N)/(2 pi)", [](L& law) { law.largest.slope /= 2; })
       .wrong("the logarithm alone, no constant", [](L& law) { law.largest.constant = false; })

@@ -1,9 +1,9 @@
 #include <boost/math/special_functions/digamma.hpp>
 
 #include "numeric/quadrature/tanh_sinh.hpp"
-#include "proofs_checks/instruments/extremes.hpp"
-#include "proofs_checks/instruments/local_power.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/operators/local_power.hpp"
+#include "proofs_checks/instruments/solutions/extremes.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {

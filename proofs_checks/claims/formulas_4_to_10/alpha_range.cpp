@@ -1,5 +1,5 @@
-#include "proofs_checks/instruments/gamma_range.hpp"
-#include "proofs_checks/instruments/derived.hpp"
+#include "proofs_checks/instruments/identities/derived.hpp"
+#include "proofs_checks/instruments/identities/gamma_range.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 #include "symbolic/cln/cln_evaluation.hpp"
 

@@ -1,5 +1,5 @@
-#include "proofs_checks/instruments/local_power.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/operators/local_power.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

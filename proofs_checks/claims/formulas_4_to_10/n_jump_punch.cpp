@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

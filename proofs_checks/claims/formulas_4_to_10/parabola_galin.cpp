@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/parabola_cases.hpp"
+#include "proofs_checks/instruments/tractions/parabola_cases.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

@@ -1,5 +1,5 @@
 #include "numeric/closed_form/closed_form.hpp"
-#include "proofs_checks/instruments/parabola_cases.hpp"
+#include "proofs_checks/instruments/tractions/parabola_cases.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

@@ -1,7 +1,7 @@
 #include "numeric/quadrature/gsl_quadrature.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
-#include "proofs_checks/instruments/power_product.hpp"
+#include "proofs_checks/instruments/tractions/power_product.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "numeric/cauchy/sliding_operator.hpp"
-#include "proofs_checks/instruments/half_plane_field.hpp"
-#include "proofs_checks/instruments/surface.hpp"
+#include "proofs_checks/instruments/operators/half_plane_field.hpp"
+#include "proofs_checks/instruments/tractions/surface.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

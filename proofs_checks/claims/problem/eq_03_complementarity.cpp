@@ -4,9 +4,9 @@
 
 #include "numeric/cauchy/residuals.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/near.hpp"
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {

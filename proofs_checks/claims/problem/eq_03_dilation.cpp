@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/problem_law.hpp"
+#include "proofs_checks/instruments/solutions/problem_law.hpp"
 
 namespace steadyslide::proofs_checks {
 

@@ -1,5 +1,5 @@
-#include "proofs_checks/instruments/complex_jet.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/operators/complex_jet.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

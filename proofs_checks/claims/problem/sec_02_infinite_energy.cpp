@@ -5,9 +5,9 @@
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
-#include "proofs_checks/instruments/near.hpp"
-#include "proofs_checks/instruments/parabola_cases.hpp"
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
+#include "proofs_checks/instruments/tractions/parabola_cases.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 #include "proofs_checks/kit/rate.hpp"
 

@@ -1,8 +1,8 @@
 // The Riemann-Hilbert form on any contact set satisfies the equation.
 
 #include "numeric/number/polynomial.hpp"
-#include "proofs_checks/instruments/punch.hpp"
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {

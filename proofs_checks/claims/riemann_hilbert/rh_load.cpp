@@ -1,7 +1,7 @@
 // What the Riemann-Hilbert form says of the load.
 
-#include "proofs_checks/instruments/punch.hpp"
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {

@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/contact_forces.hpp"
+#include "proofs_checks/instruments/operators/contact_forces.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

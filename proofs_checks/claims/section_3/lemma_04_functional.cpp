@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "numeric/quadrature/tanh_sinh.hpp"
-#include "proofs_checks/instruments/gap_functional.hpp"
+#include "proofs_checks/instruments/operators/gap_functional.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 #include "proofs_checks/kit/rate.hpp"
 

@@ -1,8 +1,8 @@
 #include <variant>
 
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/contact_forces.hpp"
-#include "proofs_checks/instruments/gap_functional.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/instruments/operators/contact_forces.hpp"
+#include "proofs_checks/instruments/operators/gap_functional.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -146,7 +146,6 @@ Claim prop_05_equivalence() {
   return formula_claim<Case, Equivalence>("prop-05-equivalence")
       .cases(cases)
       .quantities({"constant", "mean"})
-      .says([](const Case&) { return Equivalence(); })
       .checked([]<numeric::Real R>(Findings& findings, const Equivalence& said, const Case& c) {
         if (const auto* steps = std::get_if<Steps>(&c.data)) {
           check_steps<R>(findings, said, *steps);

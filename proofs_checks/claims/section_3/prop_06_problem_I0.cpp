@@ -2,9 +2,9 @@
 #include <variant>
 
 #include "numeric/variational/active_set.hpp"
-#include "proofs_checks/instruments/dense_algebra.hpp"
-#include "proofs_checks/instruments/dual_study.hpp"
-#include "proofs_checks/instruments/interior_point.hpp"
+#include "proofs_checks/instruments/cells/dense_algebra.hpp"
+#include "proofs_checks/instruments/cells/interior_point.hpp"
+#include "proofs_checks/instruments/operators/dual_study.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

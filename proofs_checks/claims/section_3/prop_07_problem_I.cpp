@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/dual_study.hpp"
+#include "proofs_checks/instruments/operators/dual_study.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -110,7 +110,6 @@ Claim prop_07_problem_I() {
       .precision(Precision::in_double)
       .quantity("inequality", {.tolerance = allowed})
       .quantity("forces", {.tolerance = allowed, .required = 0.7})
-      .says([](const Case&) { return ProblemI(); })
       .checked(check)
       .wrong("the friction's sign reversed in L", [](ProblemI& form) { form.problem.inverse.friction = -1; })
       .wrong("L with the printed (1+x)^{1/2}", [](ProblemI& form) { form.problem.inverse.printed = true; })

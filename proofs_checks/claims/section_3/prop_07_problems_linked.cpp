@@ -1,8 +1,8 @@
 #include <variant>
 
 #include "numeric/number/polynomial.hpp"
-#include "proofs_checks/instruments/dual_study.hpp"
-#include "proofs_checks/instruments/near.hpp"
+#include "proofs_checks/instruments/operators/dual_study.hpp"
+#include "proofs_checks/instruments/solutions/near.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -143,7 +143,6 @@ Claim prop_07_problems_linked() {
       // Principal values at 50 digits take a tenth of a second.
       .precision(Precision::quick_in_double)
       .quantity("forces")
-      .says([](const Case&) { return Link(); })
       .checked([known = std::make_shared<KnownMoments>()]<numeric::Real R>(Findings& findings, const Link& link,
                                                                            const Case& c, const Context& context) {
         if (const auto* full = std::get_if<FullContact>(&c.data)) {

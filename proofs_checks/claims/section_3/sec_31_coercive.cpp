@@ -1,7 +1,7 @@
-#include "proofs_checks/instruments/angle_forms.hpp"
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/dense_algebra.hpp"
-#include "proofs_checks/instruments/friction_values.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/instruments/cells/dense_algebra.hpp"
+#include "proofs_checks/instruments/operators/angle_forms.hpp"
+#include "proofs_checks/instruments/tractions/friction_values.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {

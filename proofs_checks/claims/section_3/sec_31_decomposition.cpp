@@ -1,7 +1,7 @@
 #include <boost/math/special_functions/digamma.hpp>
 
-#include "proofs_checks/instruments/friction_values.hpp"
-#include "proofs_checks/instruments/jacobi_traction.hpp"
+#include "proofs_checks/instruments/tractions/friction_values.hpp"
+#include "proofs_checks/instruments/tractions/jacobi_traction.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

@@ -1,6 +1,6 @@
 #include "numeric/number/polynomial.hpp"
-#include "proofs_checks/instruments/inverse_operator.hpp"
-#include "proofs_checks/instruments/surface.hpp"
+#include "proofs_checks/instruments/operators/inverse_operator.hpp"
+#include "proofs_checks/instruments/tractions/surface.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

@@ -2,10 +2,10 @@
 #include <numbers>
 #include <variant>
 
-#include "proofs_checks/instruments/angle_forms.hpp"
-#include "proofs_checks/instruments/cell_law.hpp"
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/dense_algebra.hpp"
+#include "proofs_checks/instruments/cells/cell_law.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/instruments/cells/dense_algebra.hpp"
+#include "proofs_checks/instruments/operators/angle_forms.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 #include "proofs_checks/kit/rate.hpp"
 

@@ -2,8 +2,8 @@
 #include <variant>
 
 #include "numeric/quadrature/tanh_sinh.hpp"
-#include "proofs_checks/instruments/dense_algebra.hpp"
-#include "proofs_checks/instruments/displacement_operator.hpp"
+#include "proofs_checks/instruments/cells/dense_algebra.hpp"
+#include "proofs_checks/instruments/operators/displacement_operator.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

@@ -1,6 +1,6 @@
-#include "proofs_checks/instruments/cell_law.hpp"
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/dense_algebra.hpp"
+#include "proofs_checks/instruments/cells/cell_law.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/instruments/cells/dense_algebra.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {

@@ -4,7 +4,7 @@
 #include <complex>
 #include <numbers>
 
-#include "proofs_checks/instruments/cells.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {

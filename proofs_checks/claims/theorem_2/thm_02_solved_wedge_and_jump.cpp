@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/corner_form.hpp"
+#include "proofs_checks/instruments/solutions/corner_form.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

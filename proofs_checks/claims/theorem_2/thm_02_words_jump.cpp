@@ -1,10 +1,10 @@
 // The second sentence in words after theorem 2: a friction jump without a wedge. [Bal16, theorem 2]
 
 #include "numeric/cauchy/residuals.hpp"
-#include "proofs_checks/instruments/flanks.hpp"
-#include "proofs_checks/instruments/local_power.hpp"
-#include "proofs_checks/instruments/near.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/operators/local_power.hpp"
+#include "proofs_checks/instruments/solutions/flanks.hpp"
+#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {

@@ -1,9 +1,9 @@
 // The third sentence in words after theorem 2: a wedge where the friction jumps. [Bal16, theorem 2]
 
-#include "proofs_checks/instruments/convergence_cases.hpp"
-#include "proofs_checks/instruments/flanks.hpp"
-#include "proofs_checks/instruments/local_power.hpp"
-#include "proofs_checks/instruments/near.hpp"
+#include "proofs_checks/instruments/convergence/convergence_cases.hpp"
+#include "proofs_checks/instruments/operators/local_power.hpp"
+#include "proofs_checks/instruments/solutions/flanks.hpp"
+#include "proofs_checks/instruments/solutions/near.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {

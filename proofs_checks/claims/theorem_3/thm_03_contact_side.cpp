@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "proofs_checks/instruments/near.hpp"
-#include "proofs_checks/instruments/power_product.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/tractions/power_product.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

@@ -4,7 +4,7 @@
 
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

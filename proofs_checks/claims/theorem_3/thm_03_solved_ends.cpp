@@ -1,9 +1,9 @@
 // The slope of the surface beyond the ends of the contact of solved problems, against the traction within.
 
 #include "numeric/cauchy/traction_density.hpp"
-#include "proofs_checks/instruments/near.hpp"
-#include "proofs_checks/instruments/punch.hpp"
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
