@@ -85,16 +85,14 @@ Claim eq_10_inverse() {
       .effective_where([](const LinearSlope& c) { return c.s() != 0; })
       .quantities({"equation", "load", "trapezoidal", "tanh sinh"})
       .says([](const LinearSlope& c) { return InverseFormula::of(c.s()); })
-      .checked([]<Real R>(Findings& findings, const InverseFormula& formula, const LinearSlope& c) {
-        check_inverse<R>(findings, formula, c);
-      })
+      .checked([]<numeric::Real R>(auto&... of) { check_inverse<R>(of...); })
       .wrong("the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha}, in both places",
              [](InverseFormula& l) { l.rear = -half; })
       .wrong("alpha of the other sign in the weight", [](InverseFormula& l) { std::swap(l.rear, l.front); })
       .wrong("the sign of the local term", [](InverseFormula& l) { l.local *= -1; })
       .wrong("1/(1+s^2) missing before the integral", [](InverseFormula& l) { l.integral = 1; })
-      .near_miss("the local term", [](InverseFormula& l, const Number& step) { l.local *= 1 + step; })
-      .near_miss("the integral", [](InverseFormula& l, const Number& step) { l.integral *= 1 + step; });
+      .near_miss("the local term", &InverseFormula::local)
+      .near_miss("the integral", &InverseFormula::integral);
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -36,16 +36,13 @@ Polynomial random_polynomial(Random& random, std::size_t degree) {
 }
 
 CaseList<Body> bodies(const Context& context) {
-  CaseList<Body> list{{},
-                      "random polynomials of degree up to 4 on ]-1, 1[, Poisson ratios of ]-1, 1/2[, seed " +
-                          std::to_string(context.seed)};
-  Random random(context.seed, "eq-01");
-  for (std::size_t k = 0; k < (context.quick ? 1U : 12U); ++k) {
-    const Rational young = random.between(Rational(1, 2), 3);
-    list.cases.push_back(
-        {Solid(random.poisson(), young), random_polynomial(random, 1 + k % 4), random_polynomial(random, 4 - k % 4)});
-  }
-  return list;
+  return random_cases(context, "eq-01", 12, 1,
+                      "random polynomials of degree up to 4 on ]-1, 1[, Poisson ratios of ]-1, 1/2[",
+                      [](Random& random, std::size_t k) {
+                        const Rational young = random.between(Rational(1, 2), 3);
+                        return Body{Solid(random.poisson(), young), random_polynomial(random, 1 + k % 4),
+                                    random_polynomial(random, 4 - k % 4)};
+                      });
 }
 
 /// The largest difference of components, over the largest component.

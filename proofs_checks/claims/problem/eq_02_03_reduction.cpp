@@ -30,12 +30,8 @@ Sheared random_case(Random& random, std::size_t k) {
 }
 
 CaseList<Sheared> cases(const Context& context) {
-  CaseList<Sheared> list{
-      {},
-      "random polynomials, frictions with up to two jumps, sliding both ways, seed " + std::to_string(context.seed)};
-  Random random(context.seed, "eq-02-03");
-  for (std::size_t k = 0; k < (context.quick ? 1U : 12U); ++k) list.cases.push_back(random_case(random, k));
-  return list;
+  return random_cases(context, "eq-02-03", 12, 1,
+                      "random polynomials, frictions with up to two jumps, sliding both ways", random_case);
 }
 
 /// s on each piece, in u_bar_n' = H t_n + s t_n.
@@ -82,8 +78,7 @@ Claim eq_02_03_reduction() {
         for (const auto& piece : c.problem.pieces()) s.push_back(c.problem.coupled_friction(piece.friction));
         return s;
       })
-      .checked(
-          []<Real R>(Findings& findings, const PiecewiseS& s, const Sheared& c) { check_reduction<R>(findings, s, c); })
+      .checked([]<numeric::Real R>(auto&... of) { check_reduction<R>(of...); })
       .wrong("s = -gamma f",
              [](PiecewiseS& s) {
                for (Rational& value : s) value = -value;

@@ -85,9 +85,7 @@ Claim plemelj() {
       .effective_where(has_friction)
       .quantities({"jump", "angle", "traction", "limit", "infinity"})
       .says(jump_of)
-      .checked([]<Real R>(Findings& findings, const PlemeljJump& formula, const ContactProblem& p) {
-        check_jump<R>(findings, formula, p);
-      })
+      .checked([]<numeric::Real R>(auto&... of) { check_jump<R>(of...); })
       .wrong("G = (s+i)/(s-i)",
              [](PlemeljJump& jump) {
                for (auto& ratio : jump.ratios) ratio.im *= -1;
@@ -103,7 +101,7 @@ Claim plemelj() {
       .wrong("cos(pi alpha) missing in t",
              [](PlemeljJump& jump) { std::ranges::fill(jump.amplitudes, Number(-2 * jump.potential)); })
       .near_miss("one jump's exponent", [](PlemeljJump& jump, const Number& step) { jump.move_power(1, step); })
-      .near_miss("Phi", [](PlemeljJump& jump, const Number& step) { jump.potential *= 1 + step; });
+      .near_miss("Phi", &PlemeljJump::potential);
 }
 
 }  // namespace steadyslide::proofs_checks

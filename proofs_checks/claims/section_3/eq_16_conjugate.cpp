@@ -13,15 +13,13 @@ struct Pair {
 std::string text_of(const Pair& pair) { return "pair " + std::to_string(pair.number); }
 
 CaseList<Pair> pairs(const Context& context) {
-  Random random(context.seed, "eq-16-conjugate");
   const std::vector<Rational> steps{1, Rational(1, 1000), parse_rational("1e-60")};
-  CaseList<Pair> list;
-  for (std::size_t k = 0; k < (context.quick ? 30 : 300); ++k) {
+  const auto make = [&](Random& random, std::size_t k) {
     Pair pair{k, random_forces(random, k % 2 == 0 ? k % 4 : 5, steps[k / 4 % steps.size()]), {}};
     for (std::size_t i = 0; i < pair.forces.size(); ++i) pair.psi.push_back(random.between(-2, 2));
-    list.cases.push_back(std::move(pair));
-  }
-  return list;
+    return pair;
+  };
+  return random_cases(context, "eq-16-conjugate", 300, 30, "random forces on nodes", make);
 }
 
 /// phi^*(-t_hat), t_hat the q of the forces; nothing where it is infinite.

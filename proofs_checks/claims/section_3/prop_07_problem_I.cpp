@@ -21,11 +21,7 @@ std::string text_of(const Case& c) {
 }
 
 CaseList<Case> cases(const Context& context) {
-  Random random(context.seed, "prop-07-problem-I");
-  CaseList<Case> list{{},
-                      "random s of both signs, profiles and loads, 8 to 40 nodes, three random sets each, seed " +
-                          std::to_string(context.seed)};
-  for (int k = 0; k < (context.quick ? 6 : 60); ++k) {
+  const auto make = [&](Random& random, std::size_t k) {
     const Rational s = random.between(Rational(1, 10), k % 3 == 0 ? 3 : 1) * (k % 2 == 0 ? 1 : -1);
     const Polynomial profile = random_profile(random, k % 2 == 0);
     const Rational load = random.between(Rational(1, 5), 4);
@@ -42,9 +38,10 @@ CaseList<Case> cases(const Context& context) {
         if (j % 2 == 0 || random.below(8) == 0) at = numeric::to_real<double>(random.between(-1, 1));
       }
     }
-    list.cases.push_back(std::move(c));
-  }
-  return list;
+    return c;
+  };
+  return random_cases(context, "prop-07-problem-I", 60, 6,
+                      "random s of both signs, profiles and loads, 8 to 40 nodes, three random sets each", make);
 }
 
 /// Problem I, to be solved by interior points, and its inequality.

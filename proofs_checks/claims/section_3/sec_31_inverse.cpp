@@ -14,16 +14,13 @@ struct PolynomialSlope {
 std::string text_of(const PolynomialSlope& c) { return "s = " + to_string(c.s) + ", u' = " + to_string(c.slope); }
 
 CaseList<PolynomialSlope> slopes(const Context& context) {
-  CaseList<PolynomialSlope> list{
-      {}, "polynomials u of degree up to 4, s of both signs, seed " + std::to_string(context.seed)};
-  Random random(context.seed, "sec-31-inverse");
   const std::vector<Rational> s{Rational(3, 4), -2, 0, 7, Rational(-1, 5)};
-  for (std::size_t k = 0; k < (context.quick ? 1U : 10U); ++k) {
-    std::vector<Rational> u;
-    for (std::size_t i = 0; i <= k % 4; ++i) u.push_back(random.between(-2, 2));
-    list.cases.push_back({k < s.size() ? s[k] : random.between(-3, 3), Polynomial(u)});
-  }
-  return list;
+  return random_cases(context, "sec-31-inverse", 10, 1, "polynomials u of degree up to 4, s of both signs",
+                      [&](Random& random, std::size_t k) {
+                        std::vector<Rational> u;
+                        for (std::size_t i = 0; i <= k % 4; ++i) u.push_back(random.between(-2, 2));
+                        return PolynomialSlope{k < s.size() ? s[k] : random.between(-3, 3), Polynomial(u)};
+                      });
 }
 
 /// int u T_k/sqrt(1-x^2) dx, k >= 1, in the angle: there the midpoint rule is exact.
@@ -82,8 +79,8 @@ Claim sec_31_inverse() {
       .wrong("1/(1+s^2) missing before the integral", [](InverseFormula& l) { l.integral = 1; })
       .wrong("alpha's sign: edges exchanged", [](InverseFormula& l) { std::swap(l.rear, l.front); })
       .wrong("the printed (1+x)^{1/2}", [](InverseFormula& l) { l.rear = -half; })
-      .near_miss("s u'", [](InverseFormula& l, const Number& step) { l.local *= 1 + step; })
-      .near_miss("the integral", [](InverseFormula& l, const Number& step) { l.integral *= 1 + step; });
+      .near_miss("s u'", &InverseFormula::local)
+      .near_miss("the integral", &InverseFormula::integral);
 }
 
 }  // namespace steadyslide::proofs_checks

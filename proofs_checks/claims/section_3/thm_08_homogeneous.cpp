@@ -22,10 +22,7 @@ std::string text_of(const Homogeneous& c) {
 
 /// Parabolas with free ends and flat punches, which have closed forms, then edges at the rear and at the front.
 CaseList<Homogeneous> cases(const Context& context) {
-  Random random(context.seed, "thm-08-homogeneous");
-  CaseList<Homogeneous> list{{}, "random s of both signs, profiles and loads, seed " + std::to_string(context.seed)};
-  const int quick = context.digits == numeric::Digits::sixteen ? 4 : 1;
-  for (int k = 0; k < (context.quick ? quick : 8); ++k) {
+  const auto make = [](Random& random, std::size_t k) {
     const Rational s = random.between(Rational(1, 5), 1) * ((k % 4 < 2) == (k < 4) ? 1 : -1);
     const Rational load = random.between(Rational(1, 5), Rational(1, 2));
     Polynomial profile;
@@ -34,9 +31,10 @@ CaseList<Homogeneous> cases(const Context& context) {
     } else if (k % 2 == 0) {
       profile = Polynomial({0, 0, random.between(1, 2)});
     }
-    list.cases.push_back({s, profile, load});
-  }
-  return list;
+    return Homogeneous{s, profile, load};
+  };
+  return random_cases(context, "thm-08-homogeneous", 8, context.digits == numeric::Digits::sixteen ? 4 : 1,
+                      "random s of both signs, profiles and loads", make);
 }
 
 /// What has the same solution: the problem for the closed forms, and one with psi + C, the gap larger by `opened`.
@@ -102,9 +100,7 @@ Claim thm_08_homogeneous() {
       .quantity("solvers", {.required = 0.4})
       .quantity("shifted")
       .says(same_solution)
-      .checked([]<numeric::Real R>(Findings& findings, const SameSolution& same, const Homogeneous& c) {
-        check<R>(findings, same, c);
-      })
+      .checked([]<numeric::Real R>(auto&... of) { check<R>(of...); })
       .wrong("the second solver with the friction's sign reversed", [](SameSolution& same) { same.closed.s *= -1; })
       .wrong("the second solver with twice the load", [](SameSolution& same) { same.closed.load *= 2; })
       .wrong("the second solver with twice the profile",

@@ -137,14 +137,16 @@ const Statements& decided_riemann_hilbert() {
   return all;
 }
 
-Claim derived(std::string_view id, DecidedStatements source, const std::vector<Family>& families) {
+Claim derived(std::string_view id, DecidedStatements source, std::vector<Family> families) {
+  ClaimText text = claim_text(id);
+  if (families.empty()) families = text.decided;
   std::vector<Wrong<Selection>> wrong;
   for (const Family& family : families) {
     for (std::size_t k = 0; k < family.variants.size(); ++k) {
       wrong.push_back({family.about + ": " + family.variants[k], {source, {family}, k}});
     }
   }
-  return make_claim<Selection>(claim_text(id), examine, {source, families, std::nullopt}, std::move(wrong));
+  return make_claim<Selection>(std::move(text), examine, {source, families, std::nullopt}, std::move(wrong));
 }
 
 const Statements& decided_local_forms() {

@@ -11,13 +11,6 @@
 
 namespace steadyslide::proofs_checks {
 
-/// Statements that share their wrong variants.
-struct Family {
-  std::string about;                  ///< opens the names of the controls
-  std::vector<std::string> ids;       ///< of the statements; what ends with "-" is the beginning of several
-  std::vector<std::string> variants;  ///< what is wrong, in the words of the symbolic layer: all that it has
-};
-
 /// Deciding takes seconds: it is done when a claim is first examined, and once.
 using DecidedStatements = const std::vector<symbolic::DecidedStatement>& (*)();
 const std::vector<symbolic::DecidedStatement>& decided_riemann_hilbert();
@@ -30,7 +23,8 @@ Family end_family(const std::string& theorem, bool free, bool two_frictions);
 Family wedge_family(std::vector<std::string> ids);
 
 /// Names are known without deciding anything, and are compared with the symbolic layer's when the claim is examined.
-Claim derived(std::string_view id, DecidedStatements source, const std::vector<Family>& families);
+/// The families are those that the claim's text lists, unless they are given.
+Claim derived(std::string_view id, DecidedStatements source, std::vector<Family> families = {});
 
 /// The claim, proved by the statements with these ids, as `argument` says; each of their wrong variants is a control
 /// more. What the claim itself compares stands behind.

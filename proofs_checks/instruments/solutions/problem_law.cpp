@@ -36,18 +36,12 @@ ContactProblem changed_problem(const ContactProblem& problem, const Law& law) {
 }
 
 /// With a jump of friction in the contact: where there is none, mirrors know no difference.
-CaseList<ContactProblem> random_problems(const Context& context) {
-  Random random(context.seed, "eq-03-laws");
-  CaseList<ContactProblem> list{
-      {}, "random frictions, profiles with one and two wells and loads, seed " + std::to_string(context.seed)};
-  for (std::size_t k = 0; k < (context.quick ? 1U : 12U); ++k) {
-    CellFrictionSteps steps = random_steps(random, Trend::any, 2, 2);
-    if (k % 2 == 1) steps = mirrored(steps);
-    const Rational load = random.between(Rational(1, 4), 2);
-    const ContactProblem problem = cell_problem(steps, random_profile(random, k % 3 != 2), load);
-    list.cases.push_back(problem.with_jump(place_in_contact(problem, 0.4), random.between(Rational(1, 2), 1)));
-  }
-  return list;
+ContactProblem random_problem(Random& random, std::size_t k) {
+  CellFrictionSteps steps = random_steps(random, Trend::any, 2, 2);
+  if (k % 2 == 1) steps = mirrored(steps);
+  const Rational load = random.between(Rational(1, 4), 2);
+  const ContactProblem problem = cell_problem(steps, random_profile(random, k % 3 != 2), load);
+  return problem.with_jump(place_in_contact(problem, 0.4), random.between(Rational(1, 2), 1));
 }
 
 /// Two runs round differently.
@@ -135,7 +129,10 @@ void check(Findings& findings, Law law, const ContactProblem& problem, bool quic
 
 FormulaClaim<ContactProblem, Law> law_claim(std::string id, const Law& law) {
   return formula_claim<ContactProblem, Law>(std::move(id))
-      .cases(random_problems)
+      .cases([](const Context& context) {
+        return random_cases(context, "eq-03-laws", 12, 1, "random frictions, profiles with one and two wells and loads",
+                            random_problem);
+      })
       .says([law](const ContactProblem&) { return law; })
       .checked([]<Real R>(Findings& findings, const Law& said, const ContactProblem& problem, const Context& context) {
         check<R>(findings, said, problem, context.quick);
