@@ -1,4 +1,5 @@
 # steadyslide_sources(<variable>)
+# steadyslide_embed(<variable> <namespace> <name> <file>)
 # steadyslide_library(<layer> SOURCES ... [PUBLIC libs...] [PRIVATE libs...])
 # steadyslide_executable(<name> SOURCES ... LIBRARIES ...)
 # steadyslide_compile_quickly(<target>)
@@ -50,6 +51,17 @@ function(steadyslide_sources variable)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "*.cpp")
   list(FILTER sources EXCLUDE REGEX "(^|/|_)main\\.cpp$")
   set(${variable} ${sources} PARENT_SCOPE)
+endfunction()
+
+# Adds to the sources in `variable` the one that has the file as the text namespace::name.
+function(steadyslide_embed variable namespace name file)
+  set(output "${CMAKE_CURRENT_BINARY_DIR}/embedded_${name}.cpp")
+  set(script "${PROJECT_SOURCE_DIR}/cmake/embed.cmake")
+  add_custom_command(OUTPUT "${output}"
+    COMMAND ${CMAKE_COMMAND} -D "INPUT=${file}" -D NAMESPACE=${namespace} -D NAME=${name} -D "OUTPUT=${output}"
+            -P "${script}"
+    DEPENDS "${file}" "${script}" VERBATIM)
+  set(${variable} ${${variable}} "${output}" PARENT_SCOPE)
 endfunction()
 
 function(steadyslide_library layer)

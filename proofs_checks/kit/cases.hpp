@@ -113,4 +113,15 @@ CaseList<Case> grid_and_random(const Context& context, std::string_view stream, 
   return list;
 }
 
+/// make(random, k) for k = 0, 1, ..., so many of them; fewer in a quick run. `what`: "random polynomials".
+template <class Make>
+auto random_cases(const Context& context, std::string_view stream, std::size_t count, std::size_t count_when_quick,
+                  const std::string& what, const Make& make) {
+  CaseList<std::invoke_result_t<const Make&, Random&, std::size_t>> list{
+      {}, what + ", seed " + std::to_string(context.seed)};
+  Random random(context.seed, stream);
+  for (std::size_t k = 0; k < (context.quick ? count_when_quick : count); ++k) list.cases.push_back(make(random, k));
+  return list;
+}
+
 }  // namespace steadyslide::proofs_checks

@@ -13,6 +13,11 @@
 //   | name | what | measured by | predicted by |
 //   |---|---|---|---|
 //   | peak | largest pressure over the frictionless one | solved problems | cos(pi alpha) (...)^alpha |
+//   ## Decided        statements of the symbolic layer, by their ids, and the wrong variants that it has of them:
+//
+//   | about | statements | wrong variants |
+//   |---|---|---|
+//   | flat punch | rh-flat-punch-0, rh-kernel | edges exchanged; without 1/pi |
 //
 // Lines are joined. A bar within a cell is written \|; where only one value is said to be true, both routes stay empty.
 // Formulas stand between backticks, in the notation of docs/notation.md: readable as they are, typeset in the report.
@@ -30,6 +35,13 @@ struct QuantityText {
   std::vector<std::string> routes;  ///< that of the measurement, that of the prediction; or none
 };
 
+/// Statements of the symbolic layer that share their wrong variants.
+struct Family {
+  std::string about;                  ///< opens the names of the controls
+  std::vector<std::string> ids;       ///< of the statements; what ends with "-" is the beginning of several
+  std::vector<std::string> variants;  ///< what is wrong, in the words of the symbolic layer: all that it has
+};
+
 struct ClaimText {
   std::string id;      ///< permanent: "eq-04-flat-punch"
   std::string source;  ///< "[Bal16, (4)]: ..."
@@ -37,6 +49,7 @@ struct ClaimText {
   std::string hypotheses;
   std::string derivation = {};
   std::vector<QuantityText> compared = {};
+  std::vector<Family> decided = {};
 };
 
 /// Throws std::logic_error if the document does not have this form.

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "proofs_checks/instruments/convergence_cases.hpp"
+#include "proofs_checks/instruments/convergence/convergence_cases.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::proofs_checks;

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "support/decided_statements.hpp"
-#include "symbolic/statements/reading_notes.hpp"
+#include "symbolic/statements/local_readings.hpp"
 
 using namespace steadyslide::symbolic;
 
@@ -25,18 +25,15 @@ TEST_CASE("the local forms of theorems 2, 3, 9 and 10 hold, and every wrong vari
 
 TEST_CASE("the text as extracted and the derivation, side by side") {
   std::set<std::string> ids;
-  for (const ReadingNote& note : reading_notes()) {
-    CAPTURE(note.id);
-    CAPTURE(note.evidence);
-    CHECK(ids.insert(note.id).second);
-    CHECK_FALSE(note.printed_holds);
-    CHECK(note.derived_holds);
-    CHECK(note.printed != note.derived);
-    CHECK(!note.evidence.empty());
+  for (const LocalReading& reading : local_readings()) {
+    CAPTURE(reading.id);
+    CAPTURE(reading.found);
+    CHECK(ids.insert(reading.id).second);
+    CHECK_FALSE(reading.printed_holds);
+    CHECK(reading.derived_holds);
   }
   CHECK(ids.size() == 14);
-  CHECK(
-      reading_notes().front().evidence.starts_with("In the local equation the printed form leaves |x|^lambda, x > 0: "
-                                                   "s_l*theta - s_r*theta in place of 0; the derived form "
-                                                   "holds. "));
+  CHECK(local_readings().front().found ==
+        "In the local equation the printed form leaves |x|^lambda, x > 0: s_l*theta - s_r*theta in place of 0; the "
+        "derived form holds.");
 }

@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "proofs_checks/instruments/cell_law.hpp"
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/dense_algebra.hpp"
+#include "proofs_checks/instruments/cells/cell_law.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/instruments/cells/dense_algebra.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -113,13 +113,12 @@ Claim vi_definiteness_lost() {
   return formula_claim<Fall, L>("vi-definiteness-lost")
       .cases(falls)
       .precision(Precision::in_double)
-      .says([](const Fall&) { return L(); })
       .checked([]<numeric::Real R>(Findings& findings, const L& law, const Fall& fall) { check(findings, law, fall); })
-      .wrong("half the slope: log(N)/(2 pi)", [](L& law, const Fall&) { law.largest.slope /= 2; })
-      .wrong("the logarithm alone, no constant", [](L& law, const Fall&) { law.largest.constant = false; })
-      .wrong("indefinite where s rises instead of falls", [](L& law, const Fall&) { law.factor = -law.factor; })
-      .wrong("Lambda = phi, as without cells", [](L& law, const Fall&) { law.largest.cells_form = false; })
-      .wrong("near miss: the constant moved by 1/1000", [](L& law, const Fall&) { law.largest.moved = 1e-3; });
+      .wrong("half the slope: log(N)/(2 pi)", [](L& law) { law.largest.slope /= 2; })
+      .wrong("the logarithm alone, no constant", [](L& law) { law.largest.constant = false; })
+      .wrong("indefinite where s rises instead of falls", [](L& law) { law.factor = -law.factor; })
+      .wrong("Lambda = phi, as without cells", [](L& law) { law.largest.cells_form = false; })
+      .wrong("near miss: the constant moved by 1/1000", [](L& law) { law.largest.moved = 1e-3; });
 }
 
 }  // namespace steadyslide::proofs_checks

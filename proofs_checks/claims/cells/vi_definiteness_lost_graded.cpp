@@ -1,9 +1,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "proofs_checks/instruments/cell_law.hpp"
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/dense_algebra.hpp"
+#include "proofs_checks/instruments/cells/cell_law.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/instruments/cells/dense_algebra.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -81,11 +81,11 @@ Claim vi_definiteness_lost_graded() {
       .precision(Precision::in_double)
       .says([](const Fall&) { return L::of(slope); })
       .checked([]<numeric::Real R>(Findings& findings, const L& law, const Fall& fall) { check(findings, law, fall); })
-      .wrong("half the slope: log(1/h)/(2 pi)", [](L& law, const Fall&) { law = L::of(slope / 2); })
-      .wrong("the logarithm alone, no constant", [](L& law, const Fall&) { law.constant = 0; })
-      .wrong("indefinite where s rises instead of falls", [](L& law, const Fall&) { law.factor = -law.factor; })
-      .wrong("near miss: h foretold a sixth too large", [](L& law, const Fall&) { law.constant += 0.05; })
-      .wrong("near miss: h foretold a sixth too small", [](L& law, const Fall&) { law.constant -= 0.05; });
+      .wrong("half the slope: log(1/h)/(2 pi)", [](L& law) { law = L::of(slope / 2); })
+      .wrong("the logarithm alone, no constant", [](L& law) { law.constant = 0; })
+      .wrong("indefinite where s rises instead of falls", [](L& law) { law.factor = -law.factor; })
+      .wrong("near miss: h foretold a sixth too large", [](L& law) { law.constant += 0.05; })
+      .wrong("near miss: h foretold a sixth too small", [](L& law) { law.constant -= 0.05; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -1,9 +1,9 @@
 #include <boost/math/special_functions/digamma.hpp>
 
 #include "numeric/quadrature/tanh_sinh.hpp"
-#include "proofs_checks/instruments/extremes.hpp"
-#include "proofs_checks/instruments/local_power.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/operators/local_power.hpp"
+#include "proofs_checks/instruments/solutions/extremes.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -24,10 +24,10 @@ CaseList<ContactProblem> punches(const Context& context) {
 /// int_{-1}^0 of (4) under the load 1, by quadrature.
 template <Real R>
 R rear_load_by_quadrature(const ContactProblem& p) {
-  const R size = -punch_amplitude<R>(p, 0);
-  const PowerForm<R> form =
-      power_form<R>({-1, 0, 1}, {-(half + alpha(p, 0)), Exponent(), -(half - alpha(p, 0))}, {size, size});
-  return numeric::tanh_sinh::panel_integral<R>(form.traction().density().front()).value;
+  const Number size = -punch_amplitude<Number>(p, 0);
+  const PowerProduct t =
+      PowerProduct::on({-1, 0, 1}, {-(half + alpha(p, 0)), Exponent(), -(half - alpha(p, 0))}, {size, size});
+  return numeric::tanh_sinh::panel_integral<R>(t.at<R>().traction().density().front()).value;
 }
 
 /// What (4) says with this alpha, the minimum at `place` times alpha. The share of the rear half is

@@ -1,6 +1,6 @@
 #include "numeric/cauchy/residuals.hpp"
-#include "proofs_checks/instruments/inverse_formula.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/operators/inverse_operator.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -59,27 +59,21 @@ numeric::PiecewiseDensity<R> closed_inverse(const LinearSlope& c) {
 template <Real R>
 void check_inverse(Findings& findings, const InverseFormula& formula, const LinearSlope& c) {
   using std::abs;
-  const Quantity equation{"A t = u' for the closed form of L(u)",
-                          {"(1/pi) PV int t/(x'-x) dx' + s t, trapezoidal rule", "u'"},
-                          tolerance<R>()};
-  const Quantity load{"L(u) carries no load", {"trapezoidal rule", "0"}, tolerance<R>()};
-  const Quantity trapezoidal{
-      "L(u), trapezoidal rule", {"the formula by quadrature", "its closed form"}, tolerance<R>()};
-  const Quantity tanh_sinh{"L(u), tanh-sinh rule", {"the formula by quadrature", "its closed form"}, tolerance<R>()};
   const R constant = numeric::to_real<R>(c.constant);
   const R linear = numeric::to_real<R>(c.linear);
   const numeric::PiecewiseDensity<R> closed = closed_inverse<R>(c);
   const numeric::SurfaceCheck<R> surface(
       closed, {numeric::to_real<R>(c.s())},
       [=](std::size_t, const numeric::Node<R>& node) { return R(constant + linear * node.x); });
-  findings.compare(equation, static_cast<double>(surface.equation()));
-  findings.compare(load, static_cast<double>(R(abs(surface.integral()) / (abs(constant) + abs(linear)))));
+  findings.compare("equation", static_cast<double>(surface.equation()));
+  findings.compare("load", static_cast<double>(R(abs(surface.integral()) / (abs(constant) + abs(linear)))));
 
-  const InverseByQuadrature<R> inverse(formula, c.slope());
+  const InverseOperator<R> inverse(formula, c.slope());
   for (const int percent : {40, 3, 75}) {
-    const auto at = inverse.point(percent);
-    findings.compare(trapezoidal, inverse.difference(at, closed[0](at.node)));
-    if (percent == 40) findings.compare(tanh_sinh, inverse.difference_by_tanh_sinh(at, closed[0](at.node)));
+    const auto at = inverse.point(0, R(percent) / 100);
+    const R expected = closed[0](at.node);
+    findings.compare("trapezoidal", inverse.terms(at).difference(expected));
+    if (percent == 40) findings.compare("tanh sinh", inverse.terms_by_tanh_sinh(at).difference(expected));
   }
 }
 
@@ -89,20 +83,16 @@ Claim eq_10_inverse() {
   return formula_claim<LinearSlope, InverseFormula>("eq-10-inverse")
       .cases(slopes)
       .effective_where([](const LinearSlope& c) { return c.s() != 0; })
+      .quantities({"equation", "load", "trapezoidal", "tanh sinh"})
       .says([](const LinearSlope& c) { return InverseFormula::of(c.s()); })
-      .checked([]<Real R>(Findings& findings, const InverseFormula& formula, const LinearSlope& c) {
-        check_inverse<R>(findings, formula, c);
-      })
+      .checked([]<numeric::Real R>(auto&... of) { check_inverse<R>(of...); })
       .wrong("the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha}, in both places",
-             [](InverseFormula& l, const LinearSlope&) { l.rear = -half; })
-      .wrong("alpha of the other sign in the weight",
-             [](InverseFormula& l, const LinearSlope&) { std::swap(l.rear, l.front); })
-      .wrong("the sign of the local term", [](InverseFormula& l, const LinearSlope&) { l.local *= -1; })
-      .wrong("1/(1+s^2) missing before the integral", [](InverseFormula& l, const LinearSlope&) { l.integral = 1; })
-      .near_miss("the local term",
-                 [](InverseFormula& l, const Number& step, const LinearSlope&) { l.local *= 1 + step; })
-      .near_miss("the integral",
-                 [](InverseFormula& l, const Number& step, const LinearSlope&) { l.integral *= 1 + step; });
+             [](InverseFormula& l) { l.rear = -half; })
+      .wrong("alpha of the other sign in the weight", [](InverseFormula& l) { std::swap(l.rear, l.front); })
+      .wrong("the sign of the local term", [](InverseFormula& l) { l.local *= -1; })
+      .wrong("1/(1+s^2) missing before the integral", [](InverseFormula& l) { l.integral = 1; })
+      .near_miss("the local term", &InverseFormula::local)
+      .near_miss("the integral", &InverseFormula::integral);
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -1,5 +1,5 @@
 #include "model/elasticity.hpp"
-#include "proofs_checks/instruments/identities.hpp"
+#include "proofs_checks/instruments/identities/derived.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {

@@ -1,5 +1,5 @@
-#include "proofs_checks/instruments/near.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 #include "proofs_checks/kit/rate.hpp"
 

@@ -4,7 +4,7 @@
 //   t = -(P/(2 pi)) cos(pi alpha) prod_j |sin((x-x_j)/2)|^{p_j} cos((x + sum_j p_j x_j)/2).
 
 #include "numeric/quadrature/trapezoidal.hpp"
-#include "proofs_checks/instruments/power_product.hpp"
+#include "proofs_checks/instruments/tractions/power_product.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

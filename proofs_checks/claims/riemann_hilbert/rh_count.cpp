@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {

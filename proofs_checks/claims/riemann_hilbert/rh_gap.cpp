@@ -1,7 +1,7 @@
 // The gap between the profile and the surface, from the Riemann-Hilbert form and from the logarithmic potential.
 
 #include "numeric/riemann_hilbert/gap_integral.hpp"
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

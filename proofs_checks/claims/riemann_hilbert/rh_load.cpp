@@ -1,6 +1,6 @@
 // What the Riemann-Hilbert form says of the load.
 
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {

@@ -2,9 +2,9 @@
 #include <variant>
 
 #include "numeric/variational/active_set.hpp"
-#include "proofs_checks/instruments/dense_algebra.hpp"
-#include "proofs_checks/instruments/dual_study.hpp"
-#include "proofs_checks/instruments/interior_point.hpp"
+#include "proofs_checks/instruments/cells/dense_algebra.hpp"
+#include "proofs_checks/instruments/cells/interior_point.hpp"
+#include "proofs_checks/instruments/operators/dual_study.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -102,11 +102,10 @@ OneSolution one_solution(const Case& c) {
 
 /// b(t, t) on zero-mean tractions: friction adds nothing and the logarithm's part is positive.
 void check_form(Findings& findings, const DiscreteProblem& problem, double support) {
-  const Quantity friction{"b(t, t) on zero-mean tractions", {"with friction", "without"}, tolerance<double>()};
   const Eigen::MatrixXd without = symmetric_part(problem.mesh(), problem.galerkin_operator(), false);
   const Eigen::MatrixXd form = on_zero_mean(symmetric_part(problem.mesh(), problem.galerkin_operator(), true));
   const Eigen::MatrixXd plain = on_zero_mean(without);
-  findings.compare(friction, (form - plain).norm() / plain.norm());
+  findings.compare("friction", (form - plain).norm() / plain.norm());
   // A support of another length than 1 takes its logarithm over pi off each entry.
   const Eigen::MatrixXd asked =
       support > 0 ? Eigen::MatrixXd(without.array() - std::log(support) / std::numbers::pi) : form;
@@ -116,8 +115,6 @@ void check_form(Findings& findings, const DiscreteProblem& problem, double suppo
 /// sum g_i (p_hat_i - p_i) h_i >= 0 for random pressures p_hat >= 0 of the same load.
 void check_inequality(Findings& findings, const OnCells& c, const DiscreteProblem& problem,
                       const DiscreteState& state) {
-  const Quantity inequality{
-      "b(t, t_hat-t) - <<psi, t_hat-t>> below zero", {"random t_hat in K_0'", "none"}, 100 * tolerance<double>()};
   const std::vector<double> g = gaps(problem, state);
   double scale = 1;
   for (const double gap : g) scale = std::max(scale, std::abs(gap));
@@ -129,13 +126,11 @@ void check_inequality(Findings& findings, const OnCells& c, const DiscreteProble
     for (std::size_t i = 0; i < g.size(); ++i) {
       value += g[i] * (force[i] / sum - state.pressure[i] * problem.mesh().length(i));
     }
-    findings.compare(inequality, std::max(0.0, -value) / scale);
+    findings.compare("inequality", std::max(0.0, -value) / scale);
   }
 }
 
 void check_uniqueness(Findings& findings, const OneSolution& said) {
-  const Quantity forces{
-      "forces on the cells", {"active sets from random sets", "interior points"}, tolerance<double>(), 0.7};
   const OnCells& c = *said.unique;
   const DiscreteProblem discrete(c.problem(), c.mesh);
   auto other = forces_by_interior_points(DiscreteProblem(*said.interior, c.mesh));
@@ -144,11 +139,11 @@ void check_uniqueness(Findings& findings, const OneSolution& said) {
   for (const CellSet& start : c.starts) {
     const ActiveSetResult result = active_set(discrete, start, {std::vector<double>(c.mesh.size(), 0)}, {});
     if (result.outcome != ActiveSetResult::Outcome::solved || !other) continue;
-    findings.compare(forces, difference(forces_of(discrete, result.state), *other));
+    findings.compare("forces", difference(forces_of(discrete, result.state), *other));
     check_inequality(findings, c, discrete, result.state);
     ++found;
   }
-  if (found == 0) findings.skip(forces);
+  if (found == 0) findings.skip("forces");
   check_form(findings, discrete, said.support);
 }
 
@@ -182,7 +177,7 @@ void check_convergence(Findings& findings, KnownCells& cells, const OneSolution&
 
 Claim prop_06_problem_I0() {
   const auto of_cells = [](auto change) {
-    return [change](OneSolution& said, const Case&) {
+    return [change](OneSolution& said) {
       if (said.unique) change(said);
     };
   };
@@ -195,24 +190,25 @@ Claim prop_06_problem_I0() {
   return formula_claim<Case, OneSolution>("prop-06-problem-I0")
       .cases(cases)
       .precision(Precision::in_double)
+      .quantity("friction")
+      .quantity("inequality", {.tolerance = 100 * tolerance<double>()})
+      .quantity("forces", {.required = 0.7})
       .says(one_solution)
       .checked([cells = std::make_shared<KnownCells>()]<numeric::Real R>(Findings& findings, const OneSolution& said,
                                                                          const Case& c, const Context& context) {
         if (said.unique) return check_uniqueness(findings, said);
         check_convergence(findings, *cells, said, std::get<Convergence>(c.data).index, context.quick);
       })
-      .wrong("the friction reversed in the Riemann-Hilbert solution",
-             [](OneSolution& said, const Case&) { said.friction = -1; })
+      .wrong("the friction reversed in the Riemann-Hilbert solution", [](OneSolution& said) { said.friction = -1; })
       .wrong("twice the load", interior(2, 1))
       .wrong("-psi instead of psi", interior(1, -1))
       .wrong("a falling jump of the friction: three solutions", of_cells([](OneSolution& said) {
                said.unique = falling_friction();
                said.interior = said.unique->problem();
              }))
-      .wrong("positive also with a mean, on any support", [](OneSolution& said, const Case&) { said.support = 8; })
-      .wrong("one order more", [](OneSolution& said, const Case&) { said.rate += 1; })
-      .near_miss("forces",
-                 [](OneSolution& said, const Number& step, const Case&) { said.forces += static_cast<double>(step); });
+      .wrong("positive also with a mean, on any support", [](OneSolution& said) { said.support = 8; })
+      .wrong("one order more", [](OneSolution& said) { said.rate += 1; })
+      .near_miss("forces", [](OneSolution& said, const Number& step) { said.forces += static_cast<double>(step); });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/dual_study.hpp"
+#include "proofs_checks/instruments/operators/dual_study.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -21,11 +21,7 @@ std::string text_of(const Case& c) {
 }
 
 CaseList<Case> cases(const Context& context) {
-  Random random(context.seed, "prop-07-problem-I");
-  CaseList<Case> list{{},
-                      "random s of both signs, profiles and loads, 8 to 40 nodes, three random sets each, seed " +
-                          std::to_string(context.seed)};
-  for (int k = 0; k < (context.quick ? 6 : 60); ++k) {
+  const auto make = [&](Random& random, std::size_t k) {
     const Rational s = random.between(Rational(1, 10), k % 3 == 0 ? 3 : 1) * (k % 2 == 0 ? 1 : -1);
     const Polynomial profile = random_profile(random, k % 2 == 0);
     const Rational load = random.between(Rational(1, 5), 4);
@@ -42,9 +38,10 @@ CaseList<Case> cases(const Context& context) {
         if (j % 2 == 0 || random.below(8) == 0) at = numeric::to_real<double>(random.between(-1, 1));
       }
     }
-    list.cases.push_back(std::move(c));
-  }
-  return list;
+    return c;
+  };
+  return random_cases(context, "prop-07-problem-I", 60, 6,
+                      "random s of both signs, profiles and loads, 8 to 40 nodes, three random sets each", make);
 }
 
 /// Problem I, to be solved by interior points, and its inequality.
@@ -74,12 +71,11 @@ std::vector<double> lowered(const State& state) {
 /// a(v - u, u) + phi(v) - phi(u) for v = u + direction, and for v the other solution.
 void check_inequality(Findings& findings, const DisplacementProblem& problem, const State& other, const State& state,
                       const ProblemI& form, const Case& c) {
-  const Quantity inequality{"a(v-u, u) + phi(v) - phi(u), below zero", {"random v", "none"}, allowed};
   const std::vector<double> u = lowered(other);
   const double scale = std::max(1.0, *std::ranges::max_element(state.gap));
   const auto compare = [&](const std::vector<double>& v) {
     const double whole = problem.inequality(other, v) + (form.functional - 1) * (problem.phi(v) - problem.phi(u));
-    findings.compare(inequality, std::max(0.0, -whole) / scale);
+    findings.compare("inequality", std::max(0.0, -whole) / scale);
   };
   compare(lowered(state));
   for (const std::vector<double>& direction : c.directions) {
@@ -90,7 +86,6 @@ void check_inequality(Findings& findings, const DisplacementProblem& problem, co
 }
 
 void check(Findings& findings, const ProblemI& form, const Case& c) {
-  const Quantity forces{"contact forces", {"active sets from random sets", "interior points"}, allowed, 0.7};
   const auto load = numeric::to_real<double>(c.dual.load);
   const DisplacementProblem problem(c.dual.s, c.n, c.dual.height(), load);
   std::vector<State> found;
@@ -98,9 +93,9 @@ void check(Findings& findings, const ProblemI& form, const Case& c) {
     if (const auto state = problem.by_active_sets(start)) found.push_back(*state);
   }
   auto other = DisplacementProblem(c.dual.s, c.n, c.dual.height(), load, form.problem).by_interior_points();
-  if (!other || found.empty()) return findings.skip(forces);
+  if (!other || found.empty()) return findings.skip("forces");
   for (double& force : other->force) force *= form.forces;
-  for (const State& state : found) findings.compare(forces, difference(state, *other));
+  for (const State& state : found) findings.compare("forces", difference(state, *other));
   check_inequality(findings, problem, *other, found.front(), form, c);
 }
 
@@ -110,17 +105,16 @@ Claim prop_07_problem_I() {
   return formula_claim<Case, ProblemI>("prop-07-problem-I")
       .cases(cases)
       .precision(Precision::in_double)
-      .says([](const Case&) { return ProblemI(); })
+      .quantity("inequality", {.tolerance = allowed})
+      .quantity("forces", {.tolerance = allowed, .required = 0.7})
       .checked(check)
-      .wrong("the friction's sign reversed in L",
-             [](ProblemI& form, const Case&) { form.problem.inverse.friction = -1; })
-      .wrong("L with the printed (1+x)^{1/2}", [](ProblemI& form, const Case&) { form.problem.inverse.printed = true; })
-      .wrong("twice the load", [](ProblemI& form, const Case&) { form.problem.load = 2; })
-      .wrong("-psi instead of psi", [](ProblemI& form, const Case&) { form.problem.profile = -1; })
-      .wrong("the t_0 of -alpha in phi", [](ProblemI& form, const Case&) { form.problem.other_angle = true; })
-      .wrong("the inequality without phi", [](ProblemI& form, const Case&) { form.functional = 0; })
-      .wrong("near miss: forces moved by ten times the tolerance",
-             [](ProblemI& form, const Case&) { form.forces += 10 * allowed; });
+      .wrong("the friction's sign reversed in L", [](ProblemI& form) { form.problem.inverse.friction = -1; })
+      .wrong("L with the printed (1+x)^{1/2}", [](ProblemI& form) { form.problem.inverse.printed = true; })
+      .wrong("twice the load", [](ProblemI& form) { form.problem.load = 2; })
+      .wrong("-psi instead of psi", [](ProblemI& form) { form.problem.profile = -1; })
+      .wrong("the t_0 of -alpha in phi", [](ProblemI& form) { form.problem.other_angle = true; })
+      .wrong("the inequality without phi", [](ProblemI& form) { form.functional = 0; })
+      .wrong("near miss: forces moved by ten times the tolerance", [](ProblemI& form) { form.forces += 10 * allowed; });
 }
 
 }  // namespace steadyslide::proofs_checks

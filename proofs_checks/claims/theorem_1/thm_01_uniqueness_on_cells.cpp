@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "numeric/variational/active_set.hpp"
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/interior_point.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/instruments/cells/interior_point.hpp"
 #include "proofs_checks/kit/findings.hpp"
 
 namespace steadyslide::proofs_checks {

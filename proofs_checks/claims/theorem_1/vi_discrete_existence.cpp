@@ -4,7 +4,7 @@
 
 #include "numeric/variational/certificate.hpp"
 #include "numeric/variational/lemke.hpp"
-#include "proofs_checks/instruments/cells.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/kit/findings.hpp"
 
 namespace steadyslide::proofs_checks {

@@ -4,7 +4,7 @@
 #include <complex>
 #include <numbers>
 
-#include "proofs_checks/instruments/cells.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -100,12 +100,8 @@ CellForces random_forces(Random& random, std::size_t k) {
 }
 
 CaseList<CellForces> forces(const Context& context) {
-  Random random(context.seed, "vi-energy-identity");
-  CaseList<CellForces> list;
-  const std::size_t count = context.quick ? 6 : 60;
-  for (std::size_t k = 0; k < count; ++k) list.cases.push_back(random_forces(random, k));
-  list.detail = "random meshes, frictions of both signs and tractions, seed " + std::to_string(context.seed);
-  return list;
+  return random_cases(context, "vi-energy-identity", 60, 6, "random meshes, frictions of both signs and tractions",
+                      random_forces);
 }
 
 /// q.(B t) by entries, one by one.

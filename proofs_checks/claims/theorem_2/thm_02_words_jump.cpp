@@ -1,10 +1,10 @@
 // The second sentence in words after theorem 2: a friction jump without a wedge. [Bal16, theorem 2]
 
 #include "numeric/cauchy/residuals.hpp"
-#include "proofs_checks/instruments/flanks.hpp"
-#include "proofs_checks/instruments/local_power.hpp"
-#include "proofs_checks/instruments/near.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/operators/local_power.hpp"
+#include "proofs_checks/instruments/solutions/flanks.hpp"
+#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -76,10 +76,9 @@ template <Real R>
 Values touch(const JumpCase& touching) {
   const ContactProblem& problem = touching.problem;
   const Rational& c = touching.place;
-  PowerForm<R> form = power_form<R>(
-      {-1, c, 1}, {-(half + alpha(problem, 0)), alpha(problem, 0) - alpha(problem, 1), -(half - alpha(problem, 1))},
-      {R(-numeric::cos_pi_alpha<R>(problem.coupled_friction(0))),
-       R(-numeric::cos_pi_alpha<R>(problem.coupled_friction(1)))});
+  PowerProduct product = punch_traction(problem);
+  product.scale(numeric::pi<Number>());
+  const PowerForm<R> form = product.at<R>();
   // The polynomial part of -Y (z-c)^2 at infinity, Y = z^-1 (1 - sum p_j e_j/z + ...).
   R moment = 0;
   for (std::size_t j = 0; j < 3; ++j) moment += form.powers[j].value * form.points()[j];
@@ -98,22 +97,6 @@ Values touch(const JumpCase& touching) {
       density, {numeric::to_real<R>(problem.coupled_friction(0)), numeric::to_real<R>(problem.coupled_friction(1))},
       [=](std::size_t, const numeric::Node<R>& node) { return R(-(node.x - moment - 2 * place)); });
   return {{"touch", check.equation()}, {"vanishes", t / halfway < 1}};
-}
-
-Values powers_on_cells(const ContactProblem& problem) {
-  Values values;
-  double error_bar = 0;
-  const auto solution = solve_on_cells(problem, 8192);
-  for (const auto& place : solution->places()) {
-    if (place.kind != SingularKind::friction_jump) continue;
-    for (const Side side : {Side::left, Side::right}) {
-      const numeric::Estimate<double> power = power_on_cells(*solution, place, side);
-      values.add({side == Side::left ? "left cells" : "right cells", Fitted{power.value, power.error}});
-      error_bar = std::max(error_bar, power.error);
-    }
-  }
-  values.add({"error bar", error_bar});
-  return values;
 }
 
 /// With alpha = arctan(s/gamma)/pi.
@@ -142,7 +125,7 @@ Claim thm_02_words_jump() {
       .quantity("touch", {.absolute = true})
       .measured([]<Real R>(const JumpCase& c) {
         return c.examined == Examined::touch      ? touch<R>(c)
-               : c.examined == Examined::on_cells ? powers_on_cells(c.problem)
+               : c.examined == Examined::on_cells ? powers_on_cells(c.problem, SingularKind::friction_jump)
                                                   : solved_values<R>(c);
       })
       .predicted([](const JumpCase& c) { return predicted(c); })

@@ -1,7 +1,7 @@
 // The first sentence in words after theorem 2: a wedge where the friction does not jump. [Bal16, theorem 2]
 
-#include "proofs_checks/instruments/flanks.hpp"
-#include "proofs_checks/instruments/near.hpp"
+#include "proofs_checks/instruments/solutions/flanks.hpp"
+#include "proofs_checks/instruments/solutions/near.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {

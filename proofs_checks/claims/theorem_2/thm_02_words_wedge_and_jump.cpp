@@ -1,9 +1,9 @@
 // The third sentence in words after theorem 2: a wedge where the friction jumps. [Bal16, theorem 2]
 
-#include "proofs_checks/instruments/convergence_cases.hpp"
-#include "proofs_checks/instruments/flanks.hpp"
-#include "proofs_checks/instruments/local_power.hpp"
-#include "proofs_checks/instruments/near.hpp"
+#include "proofs_checks/instruments/convergence/convergence_cases.hpp"
+#include "proofs_checks/instruments/operators/local_power.hpp"
+#include "proofs_checks/instruments/solutions/flanks.hpp"
+#include "proofs_checks/instruments/solutions/near.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -46,32 +46,18 @@ CaseList<CornerCase> corners(const Context& context) {
                                       3, "solved problems");
 }
 
-/// The wedge's polynomial stands beside the power where the friction rises.
-Values on_cells(const CornerCase& c) {
-  Values values;
-  const auto solution = solve_on_cells(c.problem, 8192);
-  if (!c.rises()) {
-    for (const auto& point : solution->singular_points()) {
-      if (point.kind == SingularKind::wedge_and_jump) values.add({"cells", point.constant.value});
-    }
-    return values;
+Values limit_on_cells(const ContactProblem& problem) {
+  for (const auto& point : solve_on_cells(problem, 8192)->singular_points()) {
+    if (point.kind == SingularKind::wedge_and_jump) return {{"cells", point.constant.value}};
   }
-  double error_bar = 0;
-  for (const auto& place : solution->places()) {
-    if (place.kind != SingularKind::wedge_and_jump) continue;
-    for (const Side side : {Side::left, Side::right}) {
-      const numeric::Estimate<double> power = power_on_cells(*solution, place, side);
-      values.add({side == Side::left ? "left cells" : "right cells", Fitted{power.value, power.error}});
-      error_bar = std::max(error_bar, power.error);
-    }
-  }
-  values.add({"error bar", error_bar});
-  return values;
+  return {};
 }
 
 template <Real R>
 Values measured(const CornerCase& c) {
-  if (c.on_cells) return on_cells(c);
+  if (c.on_cells) {
+    return c.rises() ? powers_on_cells(c.problem, SingularKind::wedge_and_jump) : limit_on_cells(c.problem);
+  }
   const auto solution = solve<R>(c.problem);
   const std::size_t j = point_at(*solution, corner);
   const bool inside = in_contact(*solution, j, Side::left) && in_contact(*solution, j, Side::right);

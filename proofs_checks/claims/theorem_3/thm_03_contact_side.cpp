@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "proofs_checks/instruments/near.hpp"
-#include "proofs_checks/instruments/power_product.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/tractions/power_product.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -145,8 +145,7 @@ Claim thm_03_contact_side() {
       .checked([kept = std::make_shared<KeptForCases>()]<Real R>(Findings& findings, const PowerProduct& t,
                                                                  const StepCase& c, const Context& context) {
         const PowerForm<R> form = t.at<R>();
-        const auto no_slope = [](const R&) { return R(0); };
-        check_surface(findings, surface_of<R>(form, c.problem(), c.piece(), no_slope), 1);
+        check_surface(findings, surface_of<R>(form, c.problem(), c.piece()), 1);
         check_gap(findings, form, c);
         if (!c.solved) return;
         check_solved(findings, kept->at(c, [&] { return solve_step<R>(c, context.quick); }), form, c);

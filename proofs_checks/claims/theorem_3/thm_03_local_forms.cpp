@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/local_form_families.hpp"
+#include "proofs_checks/instruments/identities/derived.hpp"
 
 namespace steadyslide::proofs_checks {
 

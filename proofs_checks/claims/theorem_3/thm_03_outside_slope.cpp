@@ -4,7 +4,7 @@
 
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -77,7 +77,7 @@ Claim thm_03_outside_slope() {
       .quantities({"trapezoidal", "tanh-sinh", "estimate"})
       .says(outside)
       .checked([]<Real R>(Findings& findings, const Outside& form, const ContactProblem& problem) {
-        const PowerForm<R> traction = punch_form<R>(problem);
+        const PowerForm<R> traction = punch_traction(problem).at<R>();
         check_end(findings, form.rear, Side::left, traction, problem);
         check_end(findings, form.front, Side::right, traction, problem);
       })

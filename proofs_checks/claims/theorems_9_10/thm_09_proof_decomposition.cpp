@@ -3,9 +3,9 @@
 //   t = L(phi) + L(psi - phi) + L(u - psi) - P t_0,   phi' = psi'(c-) left and psi'(c+) right of c.
 
 #include "numeric/number/polynomial.hpp"
-#include "proofs_checks/instruments/inverse_operator.hpp"
-#include "proofs_checks/instruments/near.hpp"
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/operators/inverse_operator.hpp"
+#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

@@ -1,8 +1,8 @@
 // Why a free end has no edge singularity: the last step in the proof of theorem 10. [Bal16, theorem 10]
 
 #include "numeric/riemann_hilbert/gap_integral.hpp"
-#include "proofs_checks/instruments/near.hpp"
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {

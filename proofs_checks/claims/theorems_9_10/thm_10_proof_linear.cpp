@@ -1,6 +1,6 @@
 #include "numeric/cauchy/residuals.hpp"
-#include "proofs_checks/instruments/friction_values.hpp"
-#include "proofs_checks/instruments/inverse_operator.hpp"
+#include "proofs_checks/instruments/operators/inverse_operator.hpp"
+#include "proofs_checks/instruments/tractions/friction_values.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

@@ -2,8 +2,8 @@
 
 #include "numeric/cauchy/sliding_operator.hpp"
 #include "numeric/cauchy/traction_density.hpp"
-#include "proofs_checks/instruments/near.hpp"
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

@@ -1,6 +1,6 @@
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
-#include "proofs_checks/instruments/friction_values.hpp"
+#include "proofs_checks/instruments/tractions/friction_values.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {

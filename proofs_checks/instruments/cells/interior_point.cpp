@@ -1,0 +1,94 @@
+#include "proofs_checks/instruments/cells/interior_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "proofs_checks/instruments/cells/dense_algebra.hpp"
+
+namespace steadyslide::proofs_checks {
+
+using numeric::variational::DiscreteProblem;
+using numeric::variational::DiscreteState;
+
+namespace {
+
+/// The longest step, up to 1, after which x is still positive.
+double longest_step(const Eigen::VectorXd& x, const Eigen::VectorXd& dx) {
+  constexpr double share = 0.99;
+  double step = 1;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    if (dx(i) < 0) step = std::min(step, -share * x(i) / dx(i));
+  }
+  return step;
+}
+
+}  // namespace
+
+std::optional<ComplementaryPair> by_interior_points(const Eigen::MatrixXd& m, const Eigen::VectorXd& r,
+                                                    std::optional<double> total) {
+  constexpr int most_steps = 300;
+  constexpr double towards_zero = 0.1;  // what a step aims at, of the mean product
+  constexpr double nothing = 1e-28;     // a mean product: x_i or y_i of its root are rounding beside the others
+  const Eigen::Index n = r.size();
+  const Eigen::Index size = n + (total ? 1 : 0);
+  const double scale = 1 + r.cwiseAbs().maxCoeff();
+  Eigen::VectorXd x = Eigen::VectorXd::Constant(n, total.value_or(static_cast<double>(n)) / static_cast<double>(n));
+  Eigen::VectorXd y = Eigen::VectorXd::Constant(n, scale);
+  double c = 0;
+  for (int k = 0; k < most_steps; ++k) {
+    const double mean = x.dot(y) / static_cast<double>(n);
+    const Eigen::VectorXd missing = y - m * x - r + Eigen::VectorXd::Constant(n, c);
+    if (!std::isfinite(mean)) return std::nullopt;
+    if (mean < nothing * scale && missing.cwiseAbs().maxCoeff() < 1e-12 * scale) return ComplementaryPair{x, y};
+    // M dx - dc - dy = missing,   y dx + x dy = aim - x y,   sum dx = total - sum x
+    const Eigen::VectorXd wanted = towards_zero * mean * x.cwiseInverse() - y;
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
+    Eigen::VectorXd right(size);
+    matrix.topLeftCorner(n, n) = m;
+    matrix.diagonal().head(n) += y.cwiseQuotient(x);
+    right.head(n) = missing + wanted;
+    if (total) {
+      matrix.col(n).head(n).setConstant(-1);
+      matrix.row(n).head(n).setConstant(1);
+      right(n) = *total - x.sum();
+    }
+    const Eigen::VectorXd step = linear_solution(matrix, right);
+    const Eigen::VectorXd dx = step.head(n);
+    const Eigen::VectorXd dy = wanted - y.cwiseQuotient(x).cwiseProduct(dx);
+    const double length = std::min(longest_step(x, dx), longest_step(y, dy));
+    x += length * dx;
+    y += length * dy;
+    if (total) c += length * step(n);
+  }
+  return std::nullopt;
+}
+
+Eigen::VectorXd forces_of(const DiscreteProblem& problem, const DiscreteState& state) {
+  Eigen::VectorXd forces(static_cast<Eigen::Index>(problem.size()));
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    forces(static_cast<Eigen::Index>(i)) = state.pressure[i] * problem.mesh().length(i);
+  }
+  return forces;
+}
+
+std::optional<Eigen::VectorXd> forces_by_interior_points(const DiscreteProblem& problem) {
+  const auto n = static_cast<Eigen::Index>(problem.size());
+  Eigen::MatrixXd gap_of_force(n, n);
+  Eigen::VectorXd profile(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    profile(i) = problem.profile()[row];
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const auto column = static_cast<std::size_t>(j);
+      gap_of_force(i, j) = problem.galerkin_operator().entry(row, column) / problem.mesh().length(column);
+    }
+  }
+  const auto found = by_interior_points(gap_of_force, profile, 1);
+  return found ? std::optional(found->x) : std::nullopt;
+}
+
+double difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return (a - b).cwiseAbs().maxCoeff() / a.cwiseAbs().maxCoeff();
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,197 @@
+#include "proofs_checks/instruments/identities/derived.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+
+#include "symbolic/statements/local_form_statements.hpp"
+#include "symbolic/statements/riemann_hilbert_statements.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+using Statements = std::vector<symbolic::DecidedStatement>;
+
+/// pi, a real number plus a multiple of i, s^2 + 1: nothing to be assumed of real data.
+bool never_vanishes(std::string_view divisor) {
+  return divisor == "1" || divisor == "pi" || divisor.starts_with("i + ") || divisor.find("*i + ") != divisor.npos ||
+         divisor.find("*i - ") != divisor.npos || divisor.ends_with("^2 + 1");
+}
+
+constexpr std::size_t longest_condition = 120;
+
+std::string text_of(const symbolic::ExactIdentity& identity) {
+  std::string conditions;
+  std::size_t count = 0;
+  for (const std::string& divisor : identity.nonvanishing) {
+    if (never_vanishes(divisor)) continue;
+    conditions += (count++ == 0 ? "" : ", ") + divisor + " != 0";
+  }
+  if (count == 0) return identity.statement;
+  if (conditions.size() > longest_condition) conditions = "none of " + std::to_string(count) + " divisors is 0";
+  return identity.statement + ", where " + conditions;
+}
+
+/// Those with these ids. Throws std::logic_error if one is missing.
+Statements statements(const std::vector<std::string>& ids) {
+  Statements chosen;
+  for (const symbolic::DecidedStatement& s : symbolic::elasticity_statements()) {
+    for (const std::string& id : ids) {
+      if (s.id == id) chosen.push_back(s);
+    }
+  }
+  if (chosen.size() != ids.size()) throw std::logic_error("a symbolic statement has no such id");
+  return chosen;
+}
+
+/// A counterexample among the identities, or all of them as one piece of evidence that covers the claim.
+Evidence weigh_identities(const std::vector<symbolic::ExactIdentity>& identities, std::string detail) {
+  ExactIdentity evidence{std::move(detail), {}, ExactIdentity::Covers::claim};
+  for (const symbolic::ExactIdentity& identity : identities) {
+    if (!identity.identical) {
+      return Counterexample{"generic parameters", "\"" + identity.statement +
+                                                      "\": the two sides are different functions, " + identity.lhs +
+                                                      " and " + identity.rhs};
+    }
+    evidence.identities.push_back(text_of(identity));
+  }
+  return evidence;
+}
+
+/// The statements' own identities, without their controls.
+std::vector<symbolic::ExactIdentity> right_identities(const Statements& chosen) {
+  std::vector<symbolic::ExactIdentity> identities;
+  for (const symbolic::DecidedStatement& s : chosen) identities.push_back(s.identity);
+  return identities;
+}
+
+/// What is examined: the statements of all families, or one wrong variant of one family's.
+struct Selection {
+  DecidedStatements source;
+  std::vector<Family> families;
+  std::optional<std::size_t> wrong;  ///< variant of the only family
+};
+
+Statements chosen(const Selection& selection, const Family& family) {
+  Statements result;
+  for (const symbolic::DecidedStatement& statement : selection.source()) {
+    const auto names = [&](const std::string& id) {
+      return id.ends_with('-') ? statement.id.starts_with(id) : statement.id == id;
+    };
+    if (std::ranges::any_of(family.ids, names)) result.push_back(statement);
+  }
+  if (result.empty()) throw std::logic_error("no statement is named " + family.ids.front());
+  return result;
+}
+
+void require_all_named(const Statements& statements, const Family& family) {
+  for (const symbolic::DecidedStatement& statement : statements) {
+    for (const symbolic::ExactIdentity& control : statement.controls) {
+      if (std::ranges::find(family.variants, control.statement) != family.variants.end()) continue;
+      throw std::logic_error(statement.id + " has a wrong variant that is no control: " + control.statement);
+    }
+  }
+}
+
+std::vector<Evidence> examine_right(const Selection& selection) {
+  std::vector<symbolic::ExactIdentity> identities;
+  for (const Family& family : selection.families) {
+    const Statements statements = chosen(selection, family);
+    require_all_named(statements, family);
+    std::ranges::move(right_identities(statements), std::back_inserter(identities));
+  }
+  return {weigh_identities(identities,
+                           "decided for frictions s that are symbols, as equations between rational functions of s, r "
+                           "= sqrt(1+s^2) and i; no number is put in")};
+}
+
+/// Refuted only if it is refuted of every statement that has it.
+std::vector<Evidence> examine_wrong(const Selection& selection) {
+  const Family& family = selection.families.front();
+  const std::string& variant = family.variants[*selection.wrong];
+  std::optional<Counterexample> example;
+  for (const symbolic::DecidedStatement& statement : chosen(selection, family)) {
+    const auto control = std::ranges::find(statement.controls, variant, &symbolic::ExactIdentity::statement);
+    if (control == statement.controls.end()) continue;
+    if (control->identical) return {ExactIdentity{"not refuted: " + variant, {statement.identity.statement}, {}}};
+    if (!example)
+      example = {"generic parameters", "the two sides are different functions, " + control->lhs + " and " +
+                                           control->rhs + "; the right statement is \"" + statement.identity.statement +
+                                           "\""};
+  }
+  if (!example) throw std::logic_error("no statement has the wrong variant " + variant);
+  return {*example};
+}
+
+std::vector<Evidence> examine(const Context& /*context*/, const Selection& selection) {
+  return selection.wrong ? examine_wrong(selection) : examine_right(selection);
+}
+
+}  // namespace
+
+Rational tiny() { return parse_rational("1e-94"); }
+
+const Statements& decided_riemann_hilbert() {
+  static const Statements all = symbolic::riemann_hilbert_statements();
+  return all;
+}
+
+Claim derived(std::string_view id, DecidedStatements source, std::vector<Family> families) {
+  ClaimText text = claim_text(id);
+  if (families.empty()) families = text.decided;
+  std::vector<Wrong<Selection>> wrong;
+  for (const Family& family : families) {
+    for (std::size_t k = 0; k < family.variants.size(); ++k) {
+      wrong.push_back({family.about + ": " + family.variants[k], {source, {family}, k}});
+    }
+  }
+  return make_claim<Selection>(std::move(text), examine, {source, families, std::nullopt}, std::move(wrong));
+}
+
+const Statements& decided_local_forms() {
+  static const Statements all = symbolic::local_form_statements();
+  return all;
+}
+
+Family end_family(const std::string& theorem, bool free, bool two_frictions) {
+  Family family{
+      free ? "free end" : "edge",
+      {theorem + (free ? "-free-" : "-edge-")},
+      {"the sign of alpha: front and rear exchanged", "alpha missing in the power", "1/2 missing in the power",
+       "sqrt(1+s^2) missing in the slope", "1/sqrt(1+s^2) in the slope", "the sign of the slope",
+       "the power of the " + std::string(free ? "edge" : "free end") + " with this slope"}};
+  if (two_frictions) {
+    family.variants.emplace_back("the angle of the other side");
+    family.variants.emplace_back("sqrt(1+s^2) of the other side in the slope");
+  }
+  return family;
+}
+
+Family wedge_family(std::vector<std::string> ids) {
+  return {"wedge",
+          std::move(ids),
+          {"pi missing in the logarithm", "Heaviside's function on the other side", "the sign of alpha",
+           "Heaviside's function missing", "1/(1+s^2) missing", "1/sqrt(1+s^2) in place of 1/(1+s^2)",
+           "the slopes of the sides swapped", "a factor 2 in the logarithm"}};
+}
+
+Claim proved_by(const std::vector<std::string>& ids, std::string argument, Claim claim) {
+  const Statements chosen = statements(ids);
+  claim.examine = [identities = right_identities(chosen), argument,
+                   compare = std::move(claim.examine)](const Context& context) {
+    std::vector<Evidence> all{weigh_identities(identities, argument)};
+    std::ranges::move(compare(context), std::back_inserter(all));
+    return all;
+  };
+  for (const symbolic::DecidedStatement& s : chosen) {
+    for (const symbolic::ExactIdentity& w : s.controls) {
+      claim.controls.push_back({s.identity.statement + ", wrongly: " + w.statement, [w, argument](const Context&) {
+                                  return std::vector<Evidence>{weigh_identities({w}, argument)};
+                                }});
+    }
+  }
+  return claim;
+}
+
+}  // namespace steadyslide::proofs_checks
