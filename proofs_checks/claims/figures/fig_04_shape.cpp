@@ -68,7 +68,7 @@ Claim fig_04_shape() {
         };
         const R s_rear = numeric::to_real<R>(p.coupled_friction(0));
         const R s_front = numeric::to_real<R>(p.coupled_friction(1));
-        const R d = very_near<R>();
+        const R d = asymptotic_distance<R>();
         Values values{{"power", jump_power<R>(s_rear, s_front).power},
                       {"unbounded", pressure(d) > pressure(R(2 * d)) && pressure(R(-d)) > pressure(R(-2 * d))},
                       {"equation", equation_error(p)}};

@@ -1,7 +1,7 @@
 #include "numeric/number/polynomial.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/instruments/operators/half_plane_field.hpp"
-#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

@@ -5,7 +5,7 @@
 #include "numeric/cauchy/residuals.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "proofs_checks/instruments/cells/cells.hpp"
-#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 

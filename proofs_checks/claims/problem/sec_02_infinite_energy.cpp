@@ -5,7 +5,7 @@
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
-#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/instruments/tractions/parabola_cases.hpp"
 #include "proofs_checks/kit/comparison.hpp"

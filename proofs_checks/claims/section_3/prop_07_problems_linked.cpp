@@ -2,7 +2,7 @@
 
 #include "numeric/number/polynomial.hpp"
 #include "proofs_checks/instruments/operators/dual_study.hpp"
-#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

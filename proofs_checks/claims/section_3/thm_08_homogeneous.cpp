@@ -1,6 +1,6 @@
 #include "numeric/closed_form/closed_form.hpp"
 #include "proofs_checks/instruments/cells/cells.hpp"
-#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

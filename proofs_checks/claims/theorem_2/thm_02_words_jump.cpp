@@ -3,7 +3,7 @@
 #include "numeric/cauchy/residuals.hpp"
 #include "proofs_checks/instruments/operators/local_power.hpp"
 #include "proofs_checks/instruments/solutions/flanks.hpp"
-#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
@@ -91,7 +91,7 @@ Values touch(const JumpCase& touching) {
     };
   }
   const auto& right = density[1];
-  const R t = right(right.panel.node_from_left(very_near<R>()));
+  const R t = right(right.panel.node_from_left(asymptotic_distance<R>()));
   const R halfway = right(right.panel.node_from_left(R(right.panel.length / 2)));
   const numeric::SurfaceCheck<R> check(
       density, {numeric::to_real<R>(problem.coupled_friction(0)), numeric::to_real<R>(problem.coupled_friction(1))},

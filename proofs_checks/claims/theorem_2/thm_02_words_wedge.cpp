@@ -1,7 +1,7 @@
 // The first sentence in words after theorem 2: a wedge where the friction does not jump. [Bal16, theorem 2]
 
 #include "proofs_checks/instruments/solutions/flanks.hpp"
-#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -90,7 +90,7 @@ template <Real R>
 Values at_wedge(const CornerCase& c) {
   const Solved<R> solution = solve<R>(c.problem);
   const std::size_t j = point_at(*solution, corner);
-  const R d = very_near<R>();
+  const R d = asymptotic_distance<R>();
   const R step = traction_beside(*solution, j, Side::right, d) - traction_beside(*solution, j, Side::left, d);
   Values found{{"left", logarithm_beside(*solution, j, Side::left)},
                {"right", logarithm_beside(*solution, j, Side::right)},

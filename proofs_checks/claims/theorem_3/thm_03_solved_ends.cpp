@@ -1,7 +1,7 @@
 // The slope of the surface beyond the ends of the contact of solved problems, against the traction within.
 
 #include "numeric/cauchy/traction_density.hpp"
-#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 

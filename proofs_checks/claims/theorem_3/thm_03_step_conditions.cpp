@@ -1,7 +1,7 @@
 // At a step of the profile: which end of contact goes with which sign of the step. [Bal16, theorem 3]
 
 #include "proofs_checks/instruments/operators/local_power.hpp"
-#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {

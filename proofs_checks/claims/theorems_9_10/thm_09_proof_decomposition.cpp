@@ -4,7 +4,7 @@
 
 #include "numeric/number/polynomial.hpp"
 #include "proofs_checks/instruments/operators/inverse_operator.hpp"
-#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
@@ -151,7 +151,7 @@ AtCorner<R> at_corner(const WedgeProblem& w, const numeric::RiemannHilbertSoluti
   const ContactProblem of_phi = w.problem.with_indenter(Indenter(-1, {{c, linear(0)}, {1, linear(1)}})).with_load(1);
   const TrialForm<R> trial({"", of_phi, {{in_frame(-1), in_frame(1), true, true}}, {0}, 0});
   const std::size_t j = point_at(solution, c);
-  const R d = very_near<R>();
+  const R d = asymptotic_distance<R>();
   const auto first = [&](Side side, const R& at) {
     return trial.form().traction(beside(trial.form(), j, side, at)).value;
   };

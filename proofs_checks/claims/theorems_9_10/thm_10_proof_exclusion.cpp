@@ -1,7 +1,7 @@
 // Why a free end has no edge singularity: the last step in the proof of theorem 10. [Bal16, theorem 10]
 
 #include "numeric/riemann_hilbert/gap_integral.hpp"
-#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
@@ -71,7 +71,7 @@ Claim thm_10_proof_exclusion() {
         std::size_t j = 0;
         while (!(form.set().point(j).anchor && form.problem().place(*form.set().point(j).anchor) == 0)) ++j;
         const R unit = numeric::to_real<R>(Trial::frame().unit);
-        const R d = very_near<R>();
+        const R d = asymptotic_distance<R>();
         const R p = numeric::to_real<R>(edge_power(c));
         const R a = -form.traction(beside(form, j, opposite(c.beyond), R(d * unit))).value / pow(d, p);
         const numeric::GapIntegral<R> beyond(form, j);

@@ -2,7 +2,7 @@
 
 #include "numeric/cauchy/sliding_operator.hpp"
 #include "numeric/cauchy/traction_density.hpp"
-#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 

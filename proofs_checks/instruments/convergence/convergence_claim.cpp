@@ -7,7 +7,7 @@
 #include <map>
 
 #include "proofs_checks/instruments/convergence/convergence_study.hpp"
-#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/tractions/surface.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 

@@ -9,7 +9,7 @@
 #include "numeric/number/polynomial.hpp"
 #include "numeric/variational/active_set.hpp"
 #include "numeric/variational/lemke.hpp"
-#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {

@@ -1,7 +1,7 @@
 #include "proofs_checks/instruments/solutions/corner_form.hpp"
 
 #include "proofs_checks/instruments/solutions/flanks.hpp"
-#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 
 namespace steadyslide::proofs_checks {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 
-#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 
 namespace steadyslide::proofs_checks {
 

@@ -42,7 +42,7 @@ template <Real R>
 R traction_beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side, const R& d);
 /// 10^-(digits + 10): t at such distances is its leading term to all digits, if the next one is a whole power smaller.
 template <Real R>
-R very_near();
+R asymptotic_distance();
 
 /// The problem solved in double: the largest error of A t = psi' by the trapezoidal rule, which shares nothing with the
 /// solver, from 1e-6 of each segment's length on. Throws Refutation unless a solution is found.

@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/solutions/near.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 
 #include <stdexcept>
 
@@ -61,7 +61,7 @@ R traction_beside(const RiemannHilbertSolution<R>& solution, std::size_t point, 
 }
 
 template <Real R>
-R very_near() {
+R asymptotic_distance() {
   using std::pow;
   return pow(R(10), -(numeric::digits_served<R> + 10));
 }
@@ -70,7 +70,7 @@ double equation_error(const ContactProblem& problem) { return solve<double>(prob
 
 template <Real R>
 R limit_beside(const RiemannHilbertSolution<R>& solution, std::size_t point, Side side) {
-  const R d = very_near<R>();
+  const R d = asymptotic_distance<R>();
   const R t[3] = {traction_beside(solution, point, side, d), traction_beside(solution, point, side, R(2 * d)),
                   traction_beside(solution, point, side, R(4 * d))};
   const R first = t[1] - t[0];
@@ -81,7 +81,7 @@ R limit_beside(const RiemannHilbertSolution<R>& solution, std::size_t point, Sid
 template <Real R>
 R logarithm_beside(const RiemannHilbertSolution<R>& solution, std::size_t point, Side side) {
   using std::log;
-  const R d = very_near<R>();
+  const R d = asymptotic_distance<R>();
   return numeric::pi<R>() *
          (traction_beside(solution, point, side, R(2 * d)) - traction_beside(solution, point, side, d)) / log(R(2));
 }
@@ -132,7 +132,7 @@ Values powers_on_cells(const ContactProblem& problem, SingularKind kind) {
   template bool in_contact(const RiemannHilbertSolution<R>&, std::size_t, Side);                                \
   template numeric::SurfacePoint<R> beside(const numeric::RiemannHilbertForm<R>&, std::size_t, Side, const R&); \
   template R traction_beside(const RiemannHilbertSolution<R>&, std::size_t, Side, const R&);                    \
-  template R very_near();                                                                                       \
+  template R asymptotic_distance();                                                                             \
   template R limit_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);                                 \
   template R logarithm_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);
 STEADYSLIDE_INSTANTIATE(double)
