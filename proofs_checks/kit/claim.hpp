@@ -41,14 +41,6 @@ struct Wrong {
   Formula formula;
 };
 
-/// What a claim says, with one thing changed: for its wrong variants.
-template <class Said, class Change>
-Said changed(Change change) {
-  Said said;
-  change(said);
-  return said;
-}
-
 /// check(context, formula) is the claim for the right formula and a control for each wrong one: check and formula never
 /// mix. The check returns at its first counterexample.
 template <class Formula, class Check>

@@ -105,18 +105,15 @@ Claim rem_01_front_rear() {
       .predicted(predicted)
       .wrong("they differ whenever there is friction, gamma = 0 included",
              [](Values& p, const Sliding& c) {
-               p.set("ends differ", c.f_rear != 0);
-               p.set("jump is singular", c.has_jump());
+               p.set({{"ends differ", c.f_rear != 0}, {"jump is singular", c.has_jump()}});
              })
       .wrong("they differ without friction",
              [](Values& p, const Sliding& c) {
-               p.set("ends differ", c.gamma != 0);
-               p.set("jump is singular", c.gamma != 0);
+               p.set({{"ends differ", c.gamma != 0}, {"jump is singular", c.gamma != 0}});
              })
       .wrong("they never differ",
              [](Values& p) {
-               p.set("ends differ", false);
-               p.set("jump is singular", false);
+               p.set({{"ends differ", false}, {"jump is singular", false}});
              })
       .wrong("the front is the stronger one for gamma f > 0",
              [](Values& p, const Sliding& c) { p.set("rear is stronger", c.gamma * c.f_rear < 0); })

@@ -137,43 +137,21 @@ const Statements& decided_riemann_hilbert() {
   return all;
 }
 
-Claim derived(std::string_view id, DecidedStatements source, std::vector<Family> families) {
+Claim derived(std::string_view id, DecidedStatements source) {
   ClaimText text = claim_text(id);
-  if (families.empty()) families = text.decided;
   std::vector<Wrong<Selection>> wrong;
-  for (const Family& family : families) {
+  for (const Family& family : text.decided) {
     for (std::size_t k = 0; k < family.variants.size(); ++k) {
       wrong.push_back({family.about + ": " + family.variants[k], {source, {family}, k}});
     }
   }
-  return make_claim<Selection>(std::move(text), examine, {source, families, std::nullopt}, std::move(wrong));
+  Selection right{source, text.decided, std::nullopt};
+  return make_claim<Selection>(std::move(text), examine, std::move(right), std::move(wrong));
 }
 
 const Statements& decided_local_forms() {
   static const Statements all = symbolic::local_form_statements();
   return all;
-}
-
-Family end_family(const std::string& theorem, bool free, bool two_frictions) {
-  Family family{
-      free ? "free end" : "edge",
-      {theorem + (free ? "-free-" : "-edge-")},
-      {"the sign of alpha: front and rear exchanged", "alpha missing in the power", "1/2 missing in the power",
-       "sqrt(1+s^2) missing in the slope", "1/sqrt(1+s^2) in the slope", "the sign of the slope",
-       "the power of the " + std::string(free ? "edge" : "free end") + " with this slope"}};
-  if (two_frictions) {
-    family.variants.emplace_back("the angle of the other side");
-    family.variants.emplace_back("sqrt(1+s^2) of the other side in the slope");
-  }
-  return family;
-}
-
-Family wedge_family(std::vector<std::string> ids) {
-  return {"wedge",
-          std::move(ids),
-          {"pi missing in the logarithm", "Heaviside's function on the other side", "the sign of alpha",
-           "Heaviside's function missing", "1/(1+s^2) missing", "1/sqrt(1+s^2) in place of 1/(1+s^2)",
-           "the slopes of the sides swapped", "a factor 2 in the logarithm"}};
 }
 
 Claim proved_by(const std::vector<std::string>& ids, std::string argument, Claim claim) {

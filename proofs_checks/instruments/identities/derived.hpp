@@ -17,14 +17,9 @@ const std::vector<symbolic::DecidedStatement>& decided_riemann_hilbert();
 /// Of theorems 2, 3, 9 and 10.
 const std::vector<symbolic::DecidedStatement>& decided_local_forms();
 
-/// Edges or free ends of a theorem, "theorem-3"; with two frictions, those on both sides can be taken for each other.
-Family end_family(const std::string& theorem, bool free, bool two_frictions);
-/// The logarithm at a wedge.
-Family wedge_family(std::vector<std::string> ids);
-
 /// Names are known without deciding anything, and are compared with the symbolic layer's when the claim is examined.
-/// The families are those that the claim's text lists, unless they are given.
-Claim derived(std::string_view id, DecidedStatements source, std::vector<Family> families = {});
+/// The families are those that the claim's text lists.
+Claim derived(std::string_view id, DecidedStatements source);
 
 /// The claim, proved by the statements with these ids, as `argument` says; each of their wrong variants is a control
 /// more. What the claim itself compares stands behind.
