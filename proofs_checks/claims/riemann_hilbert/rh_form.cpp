@@ -3,8 +3,8 @@
 #include <map>
 
 #include "numeric/number/polynomial.hpp"
-#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {

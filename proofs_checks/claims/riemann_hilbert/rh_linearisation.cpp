@@ -52,14 +52,11 @@ struct Bracket {
 template <Real R>
 std::vector<SurfacePoint<R>> places(const ContactSet<R>& set) {
   const R d = R(1) / 3;
-  std::vector<SurfacePoint<R>> result;
+  std::vector<SurfacePoint<R>> result{numeric::beside(set, 0, Side::left, d),
+                                      numeric::beside(set, set.segments(), Side::right, d)};
   for (std::size_t k = 0; k < set.segments(); ++k) {
-    const R half = set.length(k) / 2;
-    result.push_back({static_cast<std::ptrdiff_t>(k), {R(set.x(k) + half), half, half}});
+    result.push_back(numeric::beside(set, k, Side::right, R(set.length(k) / 2)));
   }
-  const auto last = static_cast<std::ptrdiff_t>(set.segments());
-  result.push_back({-1, {R(set.x(0) - d), numeric::infinity<R>(), d}});
-  result.push_back({last, {R(set.x(set.segments()) + d), d, numeric::infinity<R>()}});
   return result;
 }
 

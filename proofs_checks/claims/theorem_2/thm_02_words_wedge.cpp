@@ -26,51 +26,41 @@ struct CornerCase {
   Number wedge() const { return numeric::to_real<Number>(wedge_of(problem)); }
 };
 
-/// One wedge, (1/3) - (-1) in slope under f = 2, in problems that have nothing else in common; then without friction.
-void add_wedges(std::vector<CornerCase>& all, bool quick) {
-  const Rational third(1, 3);
-  const auto add = [&](std::string name, ContactProblem problem, std::optional<ContactProblem> other = {}) {
-    all.push_back({std::move(name), Examined::wedge, std::move(problem), 0, std::move(other)});
-  };
-  const ContactProblem first = flanks(FrictionProfile({2}), Polynomial({0, -1, 1}), Polynomial({0, third, 2}), 6);
-  add("free ends", first);
-  add("twice the load, other flanks, turned, friction jumps on both sides",
-      flanks(FrictionProfile({Rational(1, 2), 2, 0}, {Rational(-1, 4), Rational(3, 8)}),
-             Polynomial({0, Rational(-3, 4), 2, Rational(1, 2)}), Polynomial({0, Rational(7, 12), 1}), 12),
-      first);
-  if (quick) return;
-  add("edges", {Elasticity(Solid(Rational(3, 10), 1)), FrictionProfile({2}),
-                Indenter(-1, {{corner, Polynomial({0, -1})}, {1, Polynomial({Rational(-1, 6), third})}}), 20});
-  add("without friction", flanks(FrictionProfile({0}), Polynomial({0, -third, 1, -third}), Polynomial({0, 1, 1}), 6));
-  add("without friction, twice the load",
-      flanks(FrictionProfile({0}), Polynomial({0, -third, 3}), Polynomial({0, 1, 2}), 12));
+CornerCase wedge(std::string name, ContactProblem problem, std::optional<ContactProblem> other = {}) {
+  return {std::move(name), Examined::wedge, std::move(problem), 0, std::move(other)};
 }
 
-/// 0 - 1 in slope; where the friction rises 0 - 1/8, as little as closes under the load.
-void add_notches(std::vector<CornerCase>& all, bool quick) {
+CornerCase notch(std::string name, FrictionProfile f, const Polynomial& left, const Rational& load, int trend) {
+  return {std::move(name), Examined::notch, flanks(std::move(f), left, Polynomial({0, 0, 1}), load), trend};
+}
+
+/// One wedge, (1/3) - (-1) in slope under f = 2, in problems that have nothing else in common, and without friction.
+/// Notches, 0 - 1 in slope; where the friction rises 0 - 1/8, as little as closes under the load.
+CaseList<CornerCase> corners(const Context& context) {
   const Rational third(1, 3);
   const Polynomial steep({0, 1, 1});
   const Polynomial blunt({0, Rational(1, 8), 1});
-  const auto add = [&](std::string name, FrictionProfile f, const Polynomial& left, const Rational& load, int trend) {
-    all.push_back({std::move(name), Examined::notch, flanks(std::move(f), left, Polynomial({0, 0, 1}), load), trend});
-  };
-  add("notch", FrictionProfile({2}), steep, 4, 0);
-  add("notch, f rises", FrictionProfile({third, 3}, {corner}), blunt, 12, 1);
-  if (quick) return;
-  add("notch, three times the load", FrictionProfile({2}), steep, 12, 0);
-  add("notch without friction", FrictionProfile({0}), steep, 4, 0);
-  add("notch, f falls", FrictionProfile({3, third}, {corner}), steep, 4, -1);
-}
-
-CaseList<CornerCase> corners(const Context& context) {
-  std::vector<CornerCase> all;
-  add_wedges(all, context.quick);
-  const std::size_t wedges = all.size();
-  add_notches(all, context.quick);
-  const std::size_t notches = all.size() - wedges;
-  if (!context.quick) all.push_back({"on 8192 cells", Examined::on_cells, cell_case("wedge")});
-  return {all, std::to_string(wedges) + " solved problems with a wedge, " + std::to_string(notches) +
-                   " with a re-entrant corner"};
+  const FrictionProfile two({2});
+  const FrictionProfile none({0});
+  const ContactProblem first = flanks(two, Polynomial({0, -1, 1}), Polynomial({0, third, 2}), 6);
+  return first_when_quick<CornerCase>(
+      context,
+      {wedge("free ends", first),
+       wedge("twice the load, other flanks, turned, friction jumps on both sides",
+             flanks(FrictionProfile({Rational(1, 2), 2, 0}, {Rational(-1, 4), Rational(3, 8)}),
+                    Polynomial({0, Rational(-3, 4), 2, Rational(1, 2)}), Polynomial({0, Rational(7, 12), 1}), 12),
+             first),
+       notch("notch", two, steep, 4, 0),
+       notch("notch, f rises", FrictionProfile({third, 3}, {corner}), blunt, 12, 1),
+       wedge("edges", {Elasticity(Solid(Rational(3, 10), 1)), two,
+                       Indenter(-1, {{corner, Polynomial({0, -1})}, {1, Polynomial({Rational(-1, 6), third})}}), 20}),
+       wedge("without friction", flanks(none, Polynomial({0, -third, 1, -third}), Polynomial({0, 1, 1}), 6)),
+       wedge("without friction, twice the load", flanks(none, Polynomial({0, -third, 3}), Polynomial({0, 1, 2}), 12)),
+       notch("notch, three times the load", two, steep, 12, 0),
+       notch("notch without friction", none, steep, 4, 0),
+       notch("notch, f falls", FrictionProfile({3, third}, {corner}), steep, 4, -1),
+       {"on 8192 cells", Examined::on_cells, cell_case("wedge")}},
+      4, "solved problems with a wedge or a re-entrant corner");
 }
 
 double coefficient_on_cells(const ContactProblem& problem) {

@@ -1,6 +1,5 @@
 // Which side's friction governs an end of contact that lies on a friction jump. [Bal16, theorem 3]
 
-#include <array>
 #include <cmath>
 
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
@@ -58,16 +57,6 @@ CaseList<StepCase> step_cases(const Context& context) {
   return {cases, "4 of a grid, " + std::to_string(count) + " random with seed " + std::to_string(context.seed)};
 }
 
-/// The problem solved with its step and its friction jump, at some distances from the step.
-constexpr std::array<double, 3> step_distances{1e-9, 0.125, 0.75};
-template <class R>
-struct SolvedStep {
-  std::size_t components;
-  R far_end;  ///< of the contact
-  std::array<R, step_distances.size()> traction;
-  std::optional<numeric::Estimate<double>> power_on_cells;
-};
-
 numeric::Estimate<double> power_at_step_on_cells(const StepCase& c) {
   const auto solution = solve_on_cells(c.problem(), 8192);
   for (const auto& place : solution->places()) {
@@ -76,19 +65,12 @@ numeric::Estimate<double> power_at_step_on_cells(const StepCase& c) {
   throw Refutation{{text_of(c), "on cells the contact does not end at the step"}};
 }
 
-template <Real R>
-SolvedStep<R> solve_step(const StepCase& c, bool quick) {
-  const auto solution = solve<R>(c.problem());
-  const std::size_t step = point_at(*solution, Rational(0));
-  const auto contact = solution->contact();
-  SolvedStep<R> found{contact.size(), {}, {}, {}};
-  found.far_end = c.contact == Side::left ? contact.front().left.x.value : contact.front().right.x.value;
-  for (std::size_t k = 0; k < step_distances.size(); ++k) {
-    found.traction[k] = traction_beside(*solution, step, c.contact, R(step_distances[k]));
-  }
-  if (!quick && c.on_cells) found.power_on_cells = power_at_step_on_cells(c);
-  return found;
-}
+/// The problem solved with its step and its friction jump.
+template <class R>
+struct SolvedStep {
+  Solved<R> solution;
+  std::optional<numeric::Estimate<double>> power_on_cells;
+};
 
 /// By quadrature of the formula's traction: the surface stays below the other level.
 template <Real R>
@@ -102,14 +84,16 @@ void check_gap(Findings& findings, const PowerForm<R>& form, const StepCase& c) 
 
 template <Real R>
 void check_solved(Findings& findings, const SolvedStep<R>& solved, const PowerForm<R>& form, const StepCase& c) {
-  findings.require(solved.components == 1, "more than one contact");
-  findings.compare("far end", solved.far_end, R(c.contact == Side::left ? -1 : 1));
+  const auto contact = solved.solution->contact();
+  findings.require(contact.size() == 1, "more than one contact");
+  const bool rear = c.contact == Side::left;
+  findings.compare("far end", (rear ? contact.front().left : contact.front().right).x.value, R(rear ? -1 : 1));
   const numeric::PowerTraction<R> said = form.traction();
-  for (std::size_t i = 0; i < step_distances.size(); ++i) {
-    const R d = step_distances[i];
+  const std::size_t step = point_at(*solved.solution, Rational(0));
+  for (const R& d : {R(1e-9), R(0.125), R(0.75)}) {
     const auto panel = said.weight.panel(0);
-    const auto node = c.contact == Side::left ? panel.node_from_right(d) : panel.node_from_left(d);
-    findings.compare("traction", solved.traction[i], said(0, node));
+    const auto node = rear ? panel.node_from_right(d) : panel.node_from_left(d);
+    findings.compare("traction", traction_beside(*solved.solution, step, c.contact, d), said(0, node));
   }
   if (!solved.power_on_cells) return;
   const numeric::Estimate<double>& found = *solved.power_on_cells;
@@ -148,7 +132,12 @@ Claim thm_03_contact_side() {
         check_surface(findings, surface_of<R>(form, c.problem(), c.piece()), 1);
         check_gap(findings, form, c);
         if (!c.solved) return;
-        check_solved(findings, kept->at(c, [&] { return solve_step<R>(c, context.quick); }), form, c);
+        const SolvedStep<R>& solved = kept->at(c, [&] {
+          SolvedStep<R> found{solve<R>(c.problem()), {}};
+          if (!context.quick && c.on_cells) found.power_on_cells = power_at_step_on_cells(c);
+          return found;
+        });
+        check_solved(findings, solved, form, c);
       })
       .wrong("the printed angle (5), of the friction behind c, for contact in front of c",
              [](PowerProduct& t, const StepCase& c) {
