@@ -7,6 +7,8 @@
 
 namespace steadyslide::proofs_checks {
 
+using numeric::variational::ActiveSetResult;
+using numeric::variational::CellSet;
 using numeric::variational::DiscreteProblem;
 using numeric::variational::DiscreteState;
 
@@ -61,6 +63,29 @@ std::optional<ComplementaryPair> by_interior_points(const Eigen::MatrixXd& m, co
     if (total) c += length * step(n);
   }
   return std::nullopt;
+}
+
+std::vector<DiscreteState> solutions_from(const DiscreteProblem& problem, const std::vector<CellSet>& starts) {
+  std::vector<DiscreteState> result;
+  for (const CellSet& start : starts) {
+    const ActiveSetResult found = active_set(problem, start, {std::vector<double>(problem.size(), 0)}, {});
+    if (found.outcome == ActiveSetResult::Outcome::solved) result.push_back(found.state);
+  }
+  return result;
+}
+
+ProblemOnCells problem_with_three_solutions() {
+  const ContactProblem problem = cell_problem({{5, 0}, {0}}, Polynomial({0, 0, 1}), Rational(1, 2));
+  return {problem, numeric::variational::CellMesh(problem, 8)};
+}
+
+std::vector<CellSet> all_contact_sets(std::size_t cells) {
+  std::vector<CellSet> sets;
+  for (unsigned bits = 1; bits < 1U << cells; ++bits) {
+    sets.emplace_back(cells, 0);
+    for (std::size_t i = 0; i < cells; ++i) sets.back()[i] = static_cast<char>(bits >> i & 1U);
+  }
+  return sets;
 }
 
 Eigen::VectorXd forces_of(const DiscreteProblem& problem, const DiscreteState& state) {
