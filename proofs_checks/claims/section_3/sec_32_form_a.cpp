@@ -155,16 +155,13 @@ void check_pair(Findings& findings, const FormA& form, const Rational& s, const 
 /// a in Chebyshev's polynomials T_1, ..., T_{n-1}, each divided by the root of a_0(T_k, T_k) = pi k/2.
 Eigen::MatrixXd scaled_form(const Rational& s, int n, const InverseVariant& variant) {
   const DisplacementOperator<double> a(s, n, variant);
-  Eigen::MatrixXd values(n, n - 1);
-  Eigen::MatrixXd force(n, n);
-  for (int i = 0; i < n; ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    for (int j = 0; j < n; ++j) force(i, j) = a.force(row, static_cast<std::size_t>(j));
-    for (int k = 1; k < n; ++k) {
-      values(i, k - 1) = std::cos(k * std::acos(a.node(row).x)) / std::sqrt(std::numbers::pi * k / 2);
-    }
-  }
-  return values.transpose() * force * values;
+  const std::size_t size = a.size();
+  const Eigen::MatrixXd values = matrix_of(size, size - 1, [&](std::size_t i, std::size_t j) {
+    const auto k = static_cast<double>(j + 1);
+    return std::cos(k * std::acos(a.node(i).x)) / std::sqrt(std::numbers::pi * k / 2);
+  });
+  return values.transpose() * matrix_of(size, size, [&](std::size_t i, std::size_t j) { return a.force(i, j); }) *
+         values;
 }
 
 void check_bounds(Findings& findings, const FormA& form, const Rational& s, int n) {

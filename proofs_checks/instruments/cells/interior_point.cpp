@@ -89,26 +89,12 @@ std::vector<CellSet> all_contact_sets(std::size_t cells) {
 }
 
 Eigen::VectorXd forces_of(const DiscreteProblem& problem, const DiscreteState& state) {
-  Eigen::VectorXd forces(static_cast<Eigen::Index>(problem.size()));
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    forces(static_cast<Eigen::Index>(i)) = state.pressure[i] * problem.mesh().length(i);
-  }
-  return forces;
+  return vector_of(problem.size(), [&](std::size_t i) { return state.pressure[i] * problem.mesh().length(i); });
 }
 
 std::optional<Eigen::VectorXd> forces_by_interior_points(const DiscreteProblem& problem) {
-  const auto n = static_cast<Eigen::Index>(problem.size());
-  Eigen::MatrixXd gap_of_force(n, n);
-  Eigen::VectorXd profile(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    profile(i) = problem.profile()[row];
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const auto column = static_cast<std::size_t>(j);
-      gap_of_force(i, j) = problem.galerkin_operator().entry(row, column) / problem.mesh().length(column);
-    }
-  }
-  const auto found = by_interior_points(gap_of_force, profile, 1);
+  const Eigen::VectorXd profile = vector_of(problem.size(), [&](std::size_t i) { return problem.profile()[i]; });
+  const auto found = by_interior_points(gap_of_forces(problem.galerkin_operator(), problem.mesh()), profile, 1);
   return found ? std::optional(found->x) : std::nullopt;
 }
 

@@ -29,20 +29,18 @@ std::vector<std::size_t> wrong_nodes(const DisplacementProblem::State& state, co
 
 DisplacementProblem::DisplacementProblem(const Rational& s, int n, const std::function<double(double)>& profile,
                                          double load, const DisplacementFormula& formula)
-    : operator_(s, n, formula.inverse), force_(n, n), tau_(n), profile_(n), load_(formula.load * load) {
-  for (Index i = 0; i < n; ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    for (Index j = 0; j < n; ++j) force_(i, j) = operator_.force(row, static_cast<std::size_t>(j));
-    tau_(i) = operator_.tau(row);
-    profile_(i) = formula.profile * profile(operator_.node(row).x);
-  }
+    : operator_(s, n, formula.inverse),
+      force_(matrix_of(size(), size(), [&](std::size_t i, std::size_t j) { return operator_.force(i, j); })),
+      tau_(vector_of(size(), [&](std::size_t i) { return operator_.tau(i); })),
+      profile_(formula.profile * vector_of(size(), [&](std::size_t i) { return profile(x(i)); })),
+      load_(formula.load * load) {
   if (!formula.other_angle) return;
   // (1-x)^{2 alpha}/(1+x)^{2 alpha} times the weight.
   const double twice = 2 * numeric::to_real<double>(Exponent::angle(s));
-  for (Index i = 0; i < n; ++i) {
-    const auto& node = operator_.node(static_cast<std::size_t>(i));
-    tau_(i) *= std::pow(node.from_left / node.from_right, twice);
-  }
+  tau_ = vector_of(size(), [&](std::size_t i) {
+    const auto& node = operator_.node(i);
+    return operator_.tau(i) * std::pow(node.from_left / node.from_right, twice);
+  });
   tau_ /= tau_.sum();
 }
 
