@@ -101,8 +101,8 @@ void add_words(std::vector<LocalReading>& readings) {
   const ex high = GiNaC::numeric(3, 5);
   readings.push_back({"theorem-2-words-re-entrant", "", !admitted(low, high, -1),
                       !admitted(low, low, -1) && !admitted(high, low, -1) && admitted(low, high, -1)});
-  readings.push_back({"theorem-2-words-limit", "", admitted(high, low, -1),
-                      admitted(high, low, 1) && !admitted(high, low, -1)});
+  readings.push_back(
+      {"theorem-2-words-limit", "", admitted(high, low, -1), admitted(high, low, 1) && !admitted(high, low, -1)});
   const LocalForm form =
       derive_local_form({ContactSide::both, {symbol("s_l")}, {symbol("s_r")}, Beyond::indenter, true});
   const bool free_amplitude = !form.terms.front().forced && form.terms.front().left.has(form.theta);

@@ -100,12 +100,8 @@ CaseList<OnCells> tilting(const Context&) {
 Values punch_of_cells(const OnCells& c) {
   const auto b = operator_of(c.steps, c.mesh);
   const auto block = [&](const std::vector<std::size_t>& rows) {
-    Eigen::MatrixXd result(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(c.contact.size()));
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      for (std::size_t j = 0; j < c.contact.size(); ++j)
-        result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = b.entry(rows[i], c.contact[j]);
-    }
-    return result;
+    return matrix_of(rows.size(), c.contact.size(),
+                     [&](std::size_t i, std::size_t j) { return b.entry(rows[i], c.contact[j]); });
   };
   const Eigen::MatrixXd among = block(c.contact);
   const Eigen::VectorXd x = linear_solution(among, Eigen::VectorXd::Ones(among.rows()));

@@ -78,7 +78,7 @@ Claim parabola_galin() {
       .quantities({"place", "factor"})
       .says(galin)
       .checked([]<Real R>(Findings& findings, const Galin& t, const ContactProblem& p, const Context& context) {
-        check_parabola<R>(findings, t, p, {count_for(context, {9, 2, 2}), context.quick ? 5 : 1});
+        check_parabola<R>(findings, t, p, context);
         check_peak<R>(findings, t, p);
         check_parabola_by_numeric<R>(findings, t, p);
         check_parabola_by_cln<R>(findings, t, p);

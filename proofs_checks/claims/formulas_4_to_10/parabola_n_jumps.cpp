@@ -60,7 +60,7 @@ Claim parabola_n_jumps() {
       .says(traction_on_solved_zone)
       .checked(
           []<Real R>(Findings& findings, const ParabolaTraction& t, const ContactProblem& p, const Context& context) {
-            check_parabola<R>(findings, t, p, {count_for(context, {9, 2, 2}), context.quick ? 5 : 1});
+            check_parabola<R>(findings, t, p, context);
             check_parabola_by_cln<R>(findings, t, p);
           })
       .wrong("the zone shifted to the front", [](ParabolaTraction& t) { t.left_end += t.lengths[0] / 20; })

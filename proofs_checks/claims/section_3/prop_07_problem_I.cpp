@@ -1,3 +1,4 @@
+#include "proofs_checks/instruments/cells/interior_point.hpp"
 #include "proofs_checks/instruments/operators/dual_study.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
@@ -13,7 +14,7 @@ struct Case {
   DualCase dual;
   int n;
   std::vector<std::vector<char>> starts;
-  std::vector<std::vector<double>> directions;
+  std::vector<Eigen::VectorXd> directions;
 };
 
 std::string text_of(const Case& c) {
@@ -33,7 +34,7 @@ CaseList<Case> cases(const Context& context) {
       c.starts.back()[random.below(n)] = 1;
     }
     for (int j = 0; j < 6; ++j) {
-      c.directions.emplace_back(n, 0);
+      c.directions.emplace_back(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n)));
       for (double& at : c.directions.back()) {
         if (j % 2 == 0 || random.below(8) == 0) at = numeric::to_real<double>(random.between(-1, 1));
       }
@@ -51,38 +52,17 @@ struct ProblemI {
   double functional = 1;  ///< factor of phi in the inequality
 };
 
-/// The largest difference of forces, over the largest one.
-double difference(const State& a, const State& b) {
-  double most = 0;
-  double scale = 0;
-  for (std::size_t i = 0; i < a.force.size(); ++i) {
-    most = std::max(most, std::abs(a.force[i] - b.force[i]));
-    scale = std::max(scale, std::abs(a.force[i]));
-  }
-  return most / scale;
-}
-
-std::vector<double> lowered(const State& state) {
-  std::vector<double> w;
-  for (const double gap : state.gap) w.push_back(-gap);
-  return w;
-}
-
 /// a(v - u, u) + phi(v) - phi(u) for v = u + direction, and for v the other solution.
 void check_inequality(Findings& findings, const DisplacementProblem& problem, const State& other, const State& state,
                       const ProblemI& form, const Case& c) {
-  const std::vector<double> u = lowered(other);
-  const double scale = std::max(1.0, *std::ranges::max_element(state.gap));
-  const auto compare = [&](const std::vector<double>& v) {
-    const double whole = problem.inequality(other, v) + (form.functional - 1) * (problem.phi(v) - problem.phi(u));
+  const double scale = std::max(1.0, state.gap.maxCoeff());
+  const auto compare = [&](const Eigen::VectorXd& v) {
+    const double whole =
+        problem.inequality(other, v) + (form.functional - 1) * (problem.phi(v) - problem.phi(-other.gap));
     findings.compare("inequality", std::max(0.0, -whole) / scale);
   };
-  compare(lowered(state));
-  for (const std::vector<double>& direction : c.directions) {
-    std::vector<double> v = u;
-    for (std::size_t i = 0; i < v.size(); ++i) v[i] += direction[i];
-    compare(v);
-  }
+  compare(-state.gap);
+  for (const Eigen::VectorXd& direction : c.directions) compare(direction - other.gap);
 }
 
 void check(Findings& findings, const ProblemI& form, const Case& c) {
@@ -94,8 +74,8 @@ void check(Findings& findings, const ProblemI& form, const Case& c) {
   }
   auto other = DisplacementProblem(c.dual.s, c.n, c.dual.height(), load, form.problem).by_interior_points();
   if (!other || found.empty()) return findings.skip("forces");
-  for (double& force : other->force) force *= form.forces;
-  for (const State& state : found) findings.compare("forces", difference(state, *other));
+  other->force *= form.forces;
+  for (const State& state : found) findings.compare("forces", difference(state.force, other->force));
   check_inequality(findings, problem, *other, found.front(), form, c);
 }
 

@@ -79,31 +79,6 @@ void check_full_contact(Findings& findings, const Link& link, const FullContact&
   }
 }
 
-/// Moments found once for a claim and its controls.
-class KnownMoments {
- public:
-  const Moments& exact(std::size_t k) {
-    Moments& moments = exact_[k];
-    if (moments.empty()) moments = riemann_hilbert_moments(dual_cases()[k].problem());
-    return moments;
-  }
-  const Moments& cells(std::size_t k, int n, int friction) {
-    Moments& moments = cells_[{k, n, friction}];
-    if (moments.empty()) moments = cell_moments(dual_cases()[k].problem(friction), static_cast<std::size_t>(n));
-    return moments;
-  }
-  const Moments& polynomials(std::size_t k, int n) {
-    Moments& moments = polynomials_[{k, n}];
-    if (moments.empty()) moments = displacement_moments(dual_cases()[k], n);
-    return moments;
-  }
-
- private:
-  std::map<std::size_t, Moments> exact_;
-  std::map<std::tuple<std::size_t, int, int>, Moments> cells_;
-  std::map<std::pair<std::size_t, int>, Moments> polynomials_;
-};
-
 void check_convergence(Findings& findings, KnownMoments& known, const Link& link, std::size_t k, bool quick) {
   const DualCase c = dual_cases()[k];
   const std::vector<int> first = quick ? std::vector<int>{12, 24, 36} : std::vector<int>{16, 32, 64, 128};

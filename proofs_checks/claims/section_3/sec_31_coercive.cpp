@@ -48,17 +48,9 @@ Values on_cells(const Coercive& c) {
   const auto b = operator_of(c.steps, c.mesh);
   const Eigen::MatrixXd logarithm = on_zero_mean(symmetric_part(c.mesh, b, false));
   const Eigen::VectorXd values = eigenvalues(on_zero_mean(symmetric_part(c.mesh, b, true)), logarithm);
-  const auto n = static_cast<Eigen::Index>(c.mesh.size());
-  Eigen::MatrixXd whole(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const auto k = static_cast<std::size_t>(j);
-      whole(i, j) = b.entry(static_cast<std::size_t>(i), k) / c.mesh.length(k);
-    }
-  }
   return {{"least", values.minCoeff()},
           {"largest", values.maxCoeff()},
-          {"norm", spectral_norm(in_metric(on_zero_mean(whole), logarithm))}};
+          {"norm", spectral_norm(in_metric(on_zero_mean(gap_of_forces(b, c.mesh)), logarithm))}};
 }
 
 Values predicted(const Coercive& at) {

@@ -63,15 +63,10 @@ double norm_of(const Eigen::MatrixXd& form, const Eigen::MatrixXd& logarithm) {
 
 /// <<t_1 * sgn, t_2>> on forces, t_1 by columns; the jump where two cells meet.
 Eigen::MatrixXd sign_on_cells(const OnCells& c) {
-  const auto n = static_cast<Eigen::Index>(c.mesh.size());
-  Eigen::MatrixXd form(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const double s = c.mesh.centre(static_cast<std::size_t>(j)) < 0 ? -1 : 1;
-      form(i, j) = c.jump ? (i > j ? 2 * s : i == j ? s : 0) : (i > j ? 1 : i == j ? 0 : -1);
-    }
-  }
-  return form;
+  return matrix_of(c.mesh.size(), c.mesh.size(), [&c](std::size_t i, std::size_t j) -> double {
+    const int s = c.mesh.centre(j) < 0 ? -1 : 1;
+    return c.jump ? (i > j ? 2 * s : i == j ? s : 0) : (i > j ? 1 : i == j ? 0 : -1);
+  });
 }
 
 /// -<<t * log|x|, t>> on forces, the support [-1, 1].

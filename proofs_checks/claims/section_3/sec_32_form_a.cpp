@@ -1,3 +1,4 @@
+#include <boost/math/special_functions/jacobi.hpp>
 #include <numbers>
 #include <variant>
 
@@ -71,23 +72,6 @@ FormA form_a(const Case& c) {
 // the degree n - 1, the leading coefficient of P_n^{(-q,-p)}, half of P_{n-1}^{(q,p)}'s, and is orthogonal to lower
 // degrees under W: P_{n-1}^{(q,p)}/2.
 
-/// P_n^{(a,b)}(x) for a + b = -1.
-template <numeric::Real R>
-R jacobi_polynomial(int n, const R& a, const R& x) {
-  const R b = -1 - a;
-  R before = 1;
-  R here = (a + 1) + (x - 1) / 2;
-  if (n == 0) return before;
-  for (int k = 2; k <= n; ++k) {
-    const R next = ((2 * k - 2) * ((2 * k - 1) * R(2 * k - 3) * x + (a * a - b * b)) * here -
-                    2 * (k - 1 + a) * (k - 1 + b) * (2 * k - 1) * before) /
-                   (R(2 * k) * (k - 1) * (2 * k - 3));
-    before = here;
-    here = next;
-  }
-  return here;
-}
-
 /// sum_n c_n u_n and W L of it, n = 1, ..., c.size().
 template <class R>
 struct JacobiPair {
@@ -102,8 +86,8 @@ struct JacobiPair {
   R sum(const R& at_right, const R& x, bool image) const {
     R total = 0;
     for (std::size_t k = 0; k < c.size(); ++k) {
-      const int n = static_cast<int>(k) + 1;
-      total += c[k] * jacobi_polynomial<R>(n, at_right, x) * (image ? R(1) : R(2) / n);
+      const auto n = static_cast<unsigned>(k + 1);
+      total += c[k] * boost::math::jacobi<R>(n, at_right, R(-1 - at_right), x) * (image ? R(1) : R(2) / n);
     }
     return total;
   }
@@ -171,16 +155,13 @@ void check_pair(Findings& findings, const FormA& form, const Rational& s, const 
 /// a in Chebyshev's polynomials T_1, ..., T_{n-1}, each divided by the root of a_0(T_k, T_k) = pi k/2.
 Eigen::MatrixXd scaled_form(const Rational& s, int n, const InverseVariant& variant) {
   const DisplacementOperator<double> a(s, n, variant);
-  Eigen::MatrixXd values(n, n - 1);
-  Eigen::MatrixXd force(n, n);
-  for (int i = 0; i < n; ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    for (int j = 0; j < n; ++j) force(i, j) = a.force(row, static_cast<std::size_t>(j));
-    for (int k = 1; k < n; ++k) {
-      values(i, k - 1) = std::cos(k * std::acos(a.node(row).x)) / std::sqrt(std::numbers::pi * k / 2);
-    }
-  }
-  return values.transpose() * force * values;
+  const std::size_t size = a.size();
+  const Eigen::MatrixXd values = matrix_of(size, size - 1, [&](std::size_t i, std::size_t j) {
+    const auto k = static_cast<double>(j + 1);
+    return std::cos(k * std::acos(a.node(i).x)) / std::sqrt(std::numbers::pi * k / 2);
+  });
+  return values.transpose() * matrix_of(size, size, [&](std::size_t i, std::size_t j) { return a.force(i, j); }) *
+         values;
 }
 
 void check_bounds(Findings& findings, const FormA& form, const Rational& s, int n) {

@@ -78,12 +78,12 @@ void check(Findings& findings, const SameSolution& same, const Homogeneous& c) {
   const auto solution = solve<R>(c.problem());
   const auto closed = numeric::closed_form<R>(same.closed.problem());
   if (closed.solution) {
-    compare<R>(findings, solvers, *solution, *closed.solution, load);
+    compare<R>(findings, "solvers", *solution, *closed.solution, load);
   } else {
     findings.skip("solvers");
   }
   const auto raised = solve<R>(same.raised.problem());
-  compare<R>(findings, shifted, *solution, *raised, load, numeric::to_real<R>(same.opened));
+  compare<R>(findings, "shifted", *solution, *raised, load, numeric::to_real<R>(same.opened));
   // Last, since they take longer than solutions.
   const numeric::Residuals<R> left = solution->residuals();
   for (const R& value : {left.equation, left.load, left.penetration, left.tension}) {

@@ -41,6 +41,23 @@ double largest_point_value(const Eigen::MatrixXd& form, const Eigen::VectorXd& w
   return zero_mean ? value - mean * mean / solved.col(1).sum() : value;
 }
 
+double largest_point_value(const numeric::variational::CellMesh& mesh, double c) {
+  return largest_point_value(symmetric_part(mesh, operator_of({{0, 0}, {0}}, mesh), false), weights_of(mesh, c), true);
+}
+
+double smallest_eigenvalue(const CellFrictionSteps& steps, const numeric::variational::CellMesh& mesh) {
+  return eigenvalues(on_zero_mean(symmetric_part(mesh, operator_of(steps, mesh), true)))(0);
+}
+
+void check_sign(Findings& findings, double smallest_eigenvalue, bool definite, const std::string& where) {
+  findings.require((smallest_eigenvalue > 0) == definite, where + "the smallest eigenvalue, " +
+                                                              short_text(smallest_eigenvalue) +
+                                                              ", has the other sign than the law foretells");
+  findings.compare(
+      {"sign of the smallest eigenvalue", {"eigenvalues of the matrix of entries", "the law for sup(T(c)^2/E)"}, 0.5},
+      0);
+}
+
 double PointValueLaw::rest(double part) const {
   return constant ? cells_integral(part, cells_form) + std::log(pi) + boost::math::constants::euler<double>() : 0;
 }

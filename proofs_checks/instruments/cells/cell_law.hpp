@@ -10,12 +10,20 @@
 // pole is the integral of |T^|^2/Lambda - 1/theta, |T^|^2 = 1 - 2 phi (1-phi) (1 - cos theta) for c at the part phi of
 // its cell.
 
-#include <Eigen/Core>
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/kit/findings.hpp"
 
 namespace steadyslide::proofs_checks {
 
 /// sup (weights.q)^2/(q.form q), over sum q = 0 or over all q.
 double largest_point_value(const Eigen::MatrixXd& form, const Eigen::VectorXd& weights, bool zero_mean);
+
+/// sup T(c)^2/E, c a place in the mesh.
+double largest_point_value(const numeric::variational::CellMesh& mesh, double c);
+/// Of the operator's symmetric part on zero mean.
+double smallest_eigenvalue(const CellFrictionSteps& steps, const numeric::variational::CellMesh& mesh);
+/// Has the smallest eigenvalue on these cells the sign that a law foretells?
+void check_sign(Findings& findings, double smallest_eigenvalue, bool definite, const std::string& where);
 
 /// On N equal cells of [-1, 1], for N to infinity:
 ///   (log(N (1-c^2)) + int_0^pi (|T^|^2/Lambda - 1/theta) dtheta + log pi + Euler's constant)/pi.

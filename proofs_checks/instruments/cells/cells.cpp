@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "proofs_checks/instruments/cells/dense_algebra.hpp"
+
 namespace steadyslide::proofs_checks {
 
 using numeric::variational::CellMesh;
@@ -100,17 +102,17 @@ GalerkinOperator operator_of(const CellFrictionSteps& steps, const CellMesh& mes
 }
 
 Eigen::MatrixXd symmetric_part(const CellMesh& mesh, const GalerkinOperator& b, bool slip) {
-  const auto n = static_cast<Eigen::Index>(b.size());
-  Eigen::MatrixXd form(n, n);
-  for (std::size_t j = 0; j < b.size(); ++j) {
-    for (std::size_t i = 0; i <= j; ++i) {
-      double value = b.logarithm(i, j) / mesh.length(j);
-      if (slip) value += (b.friction_entry(i, j) / mesh.length(j) + b.friction_entry(j, i) / mesh.length(i)) / 2;
-      form(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = value;
-      form(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = value;
-    }
-  }
-  return form;
+  return matrix_of(b.size(), b.size(), [&](std::size_t row, std::size_t column) {
+    // The same rounding on both sides of the diagonal.
+    const auto [i, j] = std::minmax(row, column);
+    const double value = b.logarithm(i, j) / mesh.length(j);
+    return slip ? value + (b.friction_entry(i, j) / mesh.length(j) + b.friction_entry(j, i) / mesh.length(i)) / 2
+                : value;
+  });
+}
+
+Eigen::MatrixXd gap_of_forces(const GalerkinOperator& b, const CellMesh& mesh) {
+  return matrix_of(b.size(), b.size(), [&](std::size_t i, std::size_t j) { return b.entry(i, j) / mesh.length(j); });
 }
 
 Eigen::MatrixXd on_zero_mean(const Eigen::MatrixXd& form) {
@@ -120,11 +122,8 @@ Eigen::MatrixXd on_zero_mean(const Eigen::MatrixXd& form) {
 }
 
 Eigen::VectorXd weights_of(const CellMesh& mesh, double c) {
-  Eigen::VectorXd weights(static_cast<Eigen::Index>(mesh.size()));
-  for (std::size_t i = 0; i < mesh.size(); ++i) {
-    weights(static_cast<Eigen::Index>(i)) = std::clamp((c - mesh.left(i)) / mesh.length(i), 0.0, 1.0);
-  }
-  return weights;
+  return vector_of(mesh.size(),
+                   [&](std::size_t i) { return std::clamp((c - mesh.left(i)) / mesh.length(i), 0.0, 1.0); });
 }
 
 std::string text_of(const CellFrictionSteps& steps) {

@@ -51,6 +51,9 @@ numeric::variational::GalerkinOperator operator_of(const CellFrictionSteps& step
 /// The symmetric part of B as a form of forces q_i = t_i h_i: (B_ij/h_j + B_ji/h_i)/2; `slip`: with friction.
 Eigen::MatrixXd symmetric_part(const numeric::variational::CellMesh& mesh,
                                const numeric::variational::GalerkinOperator& b, bool slip);
+/// B_ij/h_j: the gap in cell i of a unit force on cell j.
+Eigen::MatrixXd gap_of_forces(const numeric::variational::GalerkinOperator& b,
+                              const numeric::variational::CellMesh& mesh);
 /// A form of forces as one of T at the cells' inner ends, q_i = T_{i+1} - T_i: on tractions of zero mean.
 Eigen::MatrixXd on_zero_mean(const Eigen::MatrixXd& form);
 /// The values T(c) = weights . q takes: 1 for cells left of c, the part that is left of c for its own.

@@ -6,6 +6,19 @@
 
 namespace steadyslide::proofs_checks {
 
+/// f(i, j) at each place.
+template <class F>
+Eigen::MatrixXd matrix_of(std::size_t rows, std::size_t columns, const F& f) {
+  using Eigen::Index;
+  return Eigen::MatrixXd::NullaryExpr(static_cast<Index>(rows), static_cast<Index>(columns), [&](Index i, Index j) {
+    return f(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+  });
+}
+template <class F>
+Eigen::VectorXd vector_of(std::size_t size, const F& f) {
+  return matrix_of(size, 1, [&](std::size_t i, std::size_t) { return f(i); });
+}
+
 /// Of a symmetric matrix, in increasing order.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& a);
 /// lambda of a x = lambda b x, in increasing order; both symmetric, b positive definite.

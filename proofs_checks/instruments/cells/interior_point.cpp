@@ -7,6 +7,8 @@
 
 namespace steadyslide::proofs_checks {
 
+using numeric::variational::ActiveSetResult;
+using numeric::variational::CellSet;
 using numeric::variational::DiscreteProblem;
 using numeric::variational::DiscreteState;
 
@@ -63,27 +65,36 @@ std::optional<ComplementaryPair> by_interior_points(const Eigen::MatrixXd& m, co
   return std::nullopt;
 }
 
-Eigen::VectorXd forces_of(const DiscreteProblem& problem, const DiscreteState& state) {
-  Eigen::VectorXd forces(static_cast<Eigen::Index>(problem.size()));
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    forces(static_cast<Eigen::Index>(i)) = state.pressure[i] * problem.mesh().length(i);
+std::vector<DiscreteState> solutions_from(const DiscreteProblem& problem, const std::vector<CellSet>& starts) {
+  std::vector<DiscreteState> result;
+  for (const CellSet& start : starts) {
+    const ActiveSetResult found = active_set(problem, start, {std::vector<double>(problem.size(), 0)}, {});
+    if (found.outcome == ActiveSetResult::Outcome::solved) result.push_back(found.state);
   }
-  return forces;
+  return result;
+}
+
+ProblemOnCells problem_with_three_solutions() {
+  const ContactProblem problem = cell_problem({{5, 0}, {0}}, Polynomial({0, 0, 1}), Rational(1, 2));
+  return {problem, numeric::variational::CellMesh(problem, 8)};
+}
+
+std::vector<CellSet> all_contact_sets(std::size_t cells) {
+  std::vector<CellSet> sets;
+  for (unsigned bits = 1; bits < 1U << cells; ++bits) {
+    sets.emplace_back(cells, 0);
+    for (std::size_t i = 0; i < cells; ++i) sets.back()[i] = static_cast<char>(bits >> i & 1U);
+  }
+  return sets;
+}
+
+Eigen::VectorXd forces_of(const DiscreteProblem& problem, const DiscreteState& state) {
+  return vector_of(problem.size(), [&](std::size_t i) { return state.pressure[i] * problem.mesh().length(i); });
 }
 
 std::optional<Eigen::VectorXd> forces_by_interior_points(const DiscreteProblem& problem) {
-  const auto n = static_cast<Eigen::Index>(problem.size());
-  Eigen::MatrixXd gap_of_force(n, n);
-  Eigen::VectorXd profile(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    profile(i) = problem.profile()[row];
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const auto column = static_cast<std::size_t>(j);
-      gap_of_force(i, j) = problem.galerkin_operator().entry(row, column) / problem.mesh().length(column);
-    }
-  }
-  const auto found = by_interior_points(gap_of_force, profile, 1);
+  const Eigen::VectorXd profile = vector_of(problem.size(), [&](std::size_t i) { return problem.profile()[i]; });
+  const auto found = by_interior_points(gap_of_forces(problem.galerkin_operator(), problem.mesh()), profile, 1);
   return found ? std::optional(found->x) : std::nullopt;
 }
 

@@ -7,10 +7,10 @@
 // ever left out and no basis is solved for at the end: with active sets and pivots this route shares M, r and nothing
 // else. In double. For the contact problem on cells x are the forces and y the gaps.
 
-#include <Eigen/Core>
 #include <optional>
 
-#include "numeric/variational/discrete_problem.hpp"
+#include "numeric/variational/active_set.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
 
 namespace steadyslide::proofs_checks {
 
@@ -23,6 +23,15 @@ struct ComplementaryPair {
 /// on the differences of such x.
 std::optional<ComplementaryPair> by_interior_points(const Eigen::MatrixXd& m, const Eigen::VectorXd& r,
                                                     std::optional<double> total);
+
+/// The solutions that active sets find from these sets, where they do.
+std::vector<numeric::variational::DiscreteState> solutions_from(
+    const numeric::variational::DiscreteProblem& problem, const std::vector<numeric::variational::CellSet>& starts);
+
+/// s falls by 5 under a parabola on eight cells: complementary are the contacts of the first cell, of the first and the
+/// fifth, and of these and the fourth. To be solved from every contact set.
+ProblemOnCells problem_with_three_solutions();
+std::vector<numeric::variational::CellSet> all_contact_sets(std::size_t cells);
 
 /// p_i h_i.
 Eigen::VectorXd forces_of(const numeric::variational::DiscreteProblem& problem,

@@ -2,19 +2,14 @@
 
 #include <algorithm>
 
+#include "proofs_checks/instruments/cells/cells.hpp"
+
 namespace steadyslide::proofs_checks {
 namespace {
 
-/// Reduced data: s itself, with c = 1.
 ContactProblem reduced(std::vector<Rational> s, std::vector<Rational> jumps, Indenter indenter, const Rational& load,
                        const std::optional<Rational>& load_at = std::nullopt) {
-  for (Rational& value : s) value *= 2;
-  return {Elasticity::reduced(Rational(1, 2)),
-          FrictionProfile(std::move(s), std::move(jumps)),
-          std::move(indenter),
-          load,
-          Sliding::plus_x,
-          load_at};
+  return cell_problem({std::move(s), std::move(jumps)}, Polynomial(), load, load_at).with_indenter(std::move(indenter));
 }
 
 Indenter one_piece(const Rational& half_length, Polynomial profile) {

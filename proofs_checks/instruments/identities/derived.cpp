@@ -66,16 +66,9 @@ std::vector<symbolic::ExactIdentity> right_identities(const Statements& chosen) 
   return identities;
 }
 
-/// What is examined: the statements of all families, or one wrong variant of one family's.
-struct Selection {
-  DecidedStatements source;
-  std::vector<Family> families;
-  std::optional<std::size_t> wrong;  ///< variant of the only family
-};
-
-Statements chosen(const Selection& selection, const Family& family) {
+Statements chosen(DecidedStatements source, const Family& family) {
   Statements result;
-  for (const symbolic::DecidedStatement& statement : selection.source()) {
+  for (const symbolic::DecidedStatement& statement : source()) {
     const auto names = [&](const std::string& id) {
       return id.ends_with('-') ? statement.id.starts_with(id) : statement.id == id;
     };
@@ -94,38 +87,31 @@ void require_all_named(const Statements& statements, const Family& family) {
   }
 }
 
-std::vector<Evidence> examine_right(const Selection& selection) {
+Evidence examine_right(DecidedStatements source, const std::vector<Family>& families) {
   std::vector<symbolic::ExactIdentity> identities;
-  for (const Family& family : selection.families) {
-    const Statements statements = chosen(selection, family);
+  for (const Family& family : families) {
+    const Statements statements = chosen(source, family);
     require_all_named(statements, family);
     std::ranges::move(right_identities(statements), std::back_inserter(identities));
   }
-  return {weigh_identities(identities,
-                           "decided for frictions s that are symbols, as equations between rational functions of s, r "
-                           "= sqrt(1+s^2) and i; no number is put in")};
+  return weigh_identities(identities,
+                          "decided for frictions s that are symbols, as equations between rational functions of s, r = "
+                          "sqrt(1+s^2) and i; no number is put in");
 }
 
 /// Refuted only if it is refuted of every statement that has it.
-std::vector<Evidence> examine_wrong(const Selection& selection) {
-  const Family& family = selection.families.front();
-  const std::string& variant = family.variants[*selection.wrong];
+Evidence examine_wrong(DecidedStatements source, const Family& family, const std::string& variant) {
   std::optional<Counterexample> example;
-  for (const symbolic::DecidedStatement& statement : chosen(selection, family)) {
+  for (const symbolic::DecidedStatement& statement : chosen(source, family)) {
     const auto control = std::ranges::find(statement.controls, variant, &symbolic::ExactIdentity::statement);
     if (control == statement.controls.end()) continue;
-    if (control->identical) return {ExactIdentity{"not refuted: " + variant, {statement.identity.statement}, {}}};
-    if (!example)
-      example = {"generic parameters", "the two sides are different functions, " + control->lhs + " and " +
-                                           control->rhs + "; the right statement is \"" + statement.identity.statement +
-                                           "\""};
+    if (control->identical) return ExactIdentity{"not refuted: " + variant, {statement.identity.statement}, {}};
+    if (example) continue;
+    example = {"generic parameters", "the two sides are different functions, " + control->lhs + " and " + control->rhs +
+                                         "; the right statement is \"" + statement.identity.statement + "\""};
   }
   if (!example) throw std::logic_error("no statement has the wrong variant " + variant);
-  return {*example};
-}
-
-std::vector<Evidence> examine(const Context& /*context*/, const Selection& selection) {
-  return selection.wrong ? examine_wrong(selection) : examine_right(selection);
+  return *example;
 }
 
 }  // namespace
@@ -138,15 +124,18 @@ const Statements& decided_riemann_hilbert() {
 }
 
 Claim derived(std::string_view id, DecidedStatements source) {
-  ClaimText text = claim_text(id);
-  std::vector<Wrong<Selection>> wrong;
-  for (const Family& family : text.decided) {
-    for (std::size_t k = 0; k < family.variants.size(); ++k) {
-      wrong.push_back({family.about + ": " + family.variants[k], {source, {family}, k}});
+  Claim claim{claim_text(id), {}, {}};
+  for (const Family& family : claim.decided) {
+    for (const std::string& variant : family.variants) {
+      claim.controls.push_back({family.about + ": " + variant, [source, family, variant](const Context&) {
+                                  return std::vector<Evidence>{examine_wrong(source, family, variant)};
+                                }});
     }
   }
-  Selection right{source, text.decided, std::nullopt};
-  return make_claim<Selection>(std::move(text), examine, std::move(right), std::move(wrong));
+  claim.examine = [source, families = claim.decided](const Context&) {
+    return std::vector<Evidence>{examine_right(source, families)};
+  };
+  return claim;
 }
 
 const Statements& decided_local_forms() {

@@ -1,6 +1,7 @@
 #include "proofs_checks/instruments/operators/contact_forces.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace steadyslide::proofs_checks {
 namespace {
@@ -18,9 +19,7 @@ Rational functional_ii(const ContactForces& c, const std::vector<Rational>& w, c
 }  // namespace
 
 Rational dot(const std::vector<Rational>& a, const std::vector<Rational>& b) {
-  Rational sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
+  return std::inner_product(a.begin(), a.end(), b.begin(), Rational(0));
 }
 
 std::vector<Rational> indicator(std::size_t size, unsigned bits, const Rational& height) {

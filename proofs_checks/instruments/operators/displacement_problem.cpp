@@ -17,8 +17,9 @@ std::vector<std::size_t> wrong_nodes(const DisplacementProblem::State& state, co
   constexpr double rounding = 1e-13;
   std::vector<std::size_t> wrong;
   for (std::size_t i = 0; i < contact.size(); ++i) {
+    const auto k = static_cast<Index>(i);
     const bool holds =
-        contact[i] != 0 ? state.force[i] >= -rounding * force_scale : state.gap[i] >= -rounding * gap_scale;
+        contact[i] != 0 ? state.force(k) >= -rounding * force_scale : state.gap(k) >= -rounding * gap_scale;
     if (!holds) wrong.push_back(i);
   }
   return wrong;
@@ -28,20 +29,18 @@ std::vector<std::size_t> wrong_nodes(const DisplacementProblem::State& state, co
 
 DisplacementProblem::DisplacementProblem(const Rational& s, int n, const std::function<double(double)>& profile,
                                          double load, const DisplacementFormula& formula)
-    : operator_(s, n, formula.inverse), force_(n, n), tau_(n), profile_(n), load_(formula.load * load) {
-  for (Index i = 0; i < n; ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    for (Index j = 0; j < n; ++j) force_(i, j) = operator_.force(row, static_cast<std::size_t>(j));
-    tau_(i) = operator_.tau(row);
-    profile_(i) = formula.profile * profile(operator_.node(row).x);
-  }
+    : operator_(s, n, formula.inverse),
+      force_(matrix_of(size(), size(), [&](std::size_t i, std::size_t j) { return operator_.force(i, j); })),
+      tau_(vector_of(size(), [&](std::size_t i) { return operator_.tau(i); })),
+      profile_(formula.profile * vector_of(size(), [&](std::size_t i) { return profile(x(i)); })),
+      load_(formula.load * load) {
   if (!formula.other_angle) return;
   // (1-x)^{2 alpha}/(1+x)^{2 alpha} times the weight.
   const double twice = 2 * numeric::to_real<double>(Exponent::angle(s));
-  for (Index i = 0; i < n; ++i) {
-    const auto& node = operator_.node(static_cast<std::size_t>(i));
-    tau_(i) *= std::pow(node.from_left / node.from_right, twice);
-  }
+  tau_ = vector_of(size(), [&](std::size_t i) {
+    const auto& node = operator_.node(i);
+    return operator_.tau(i) * std::pow(node.from_left / node.from_right, twice);
+  });
   tau_ /= tau_.sum();
 }
 
@@ -51,14 +50,13 @@ DisplacementProblem::State DisplacementProblem::state_of(const std::vector<char>
     if (contact[i] == 0) open.push_back(static_cast<Index>(i));
   }
   const Eigen::VectorXd flush = load_ * tau_ - force_ * profile_;
-  Eigen::VectorXd gap = Eigen::VectorXd::Zero(tau_.size());
+  State state{Eigen::VectorXd::Zero(tau_.size()), {}, 0};
   if (!open.empty()) {
     const Eigen::VectorXd solved = linear_solution(force_(open, open), -flush(open));
-    gap(open) = solved;
+    state.gap(open) = solved;
   }
-  const Eigen::VectorXd force = flush + force_ * gap;
-  State state{{gap.begin(), gap.end()}, {force.begin(), force.end()}, 0};
-  for (const Index i : open) state.force[static_cast<std::size_t>(i)] = 0;
+  state.force = flush + force_ * state.gap;
+  for (const Index i : open) state.force(i) = 0;
   return state;
 }
 
@@ -80,28 +78,21 @@ std::optional<DisplacementProblem::State> DisplacementProblem::by_interior_point
   const Eigen::VectorXd flush = load_ * tau_ - force_ * profile_;
   const auto found = proofs_checks::by_interior_points(force_, flush, std::nullopt);
   if (!found) return std::nullopt;
-  return State{{found->x.begin(), found->x.end()}, {found->y.begin(), found->y.end()}, 0};
+  return State{found->x, found->y, 0};
 }
 
-double DisplacementProblem::phi(const std::vector<double>& w) const {
-  const Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(w.data(), tau_.size());
-  return load_ * (values.maxCoeff() - tau_.dot(values));
-}
+double DisplacementProblem::phi(const Eigen::VectorXd& w) const { return load_ * (w.maxCoeff() - tau_.dot(w)); }
 
-double DisplacementProblem::inequality(const State& state, const std::vector<double>& w) const {
-  const Index n = tau_.size();
-  const Eigen::VectorXd gap = Eigen::Map<const Eigen::VectorXd>(state.gap.data(), n);
-  const Eigen::VectorXd other = Eigen::Map<const Eigen::VectorXd>(w.data(), n);
-  std::vector<double> here = state.gap;
-  for (double& value : here) value = -value;
-  return (other + gap).dot(force_ * (profile_ - gap)) + phi(w) - phi(here);
+double DisplacementProblem::inequality(const State& state, const Eigen::VectorXd& w) const {
+  return (w + state.gap).dot(force_ * (profile_ - state.gap)) + phi(w) - phi(-state.gap);
 }
 
 std::vector<double> DisplacementProblem::moments(const State& state, std::size_t count) const {
   std::vector<double> result(count + 1, 0);
   for (std::size_t i = 0; i < size(); ++i) {
     const double angle = std::acos(x(i));
-    for (std::size_t k = 0; k <= count; ++k) result[k] -= state.force[i] * std::cos(static_cast<double>(k) * angle);
+    for (std::size_t k = 0; k <= count; ++k)
+      result[k] -= state.force(static_cast<Index>(i)) * std::cos(static_cast<double>(k) * angle);
   }
   return result;
 }

@@ -37,8 +37,8 @@ class DisplacementProblem {
                       const DisplacementFormula& formula = {});
 
   struct State {
-    std::vector<double> gap;
-    std::vector<double> force;  ///< p_i
+    Eigen::VectorXd gap;
+    Eigen::VectorXd force;  ///< p_i
     int steps = 0;
   };
 
@@ -50,9 +50,9 @@ class DisplacementProblem {
   std::optional<State> by_interior_points() const;
 
   /// a(v - u, u) + phi(v) - phi(u) for v = psi + w: >= 0 for the solution.
-  double inequality(const State& state, const std::vector<double>& w) const;
+  double inequality(const State& state, const Eigen::VectorXd& w) const;
   /// P (max w - sum tau w)
-  double phi(const std::vector<double>& w) const;
+  double phi(const Eigen::VectorXd& w) const;
   /// int t_n T_k = -sum p_i T_k(x_i), k = 0, ..., count.
   std::vector<double> moments(const State& state, std::size_t count) const;
 

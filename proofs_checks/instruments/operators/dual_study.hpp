@@ -6,6 +6,8 @@
 //
 // that of H^{-1/2} on a traction of zero mean, from -(1/pi) log|x-y| = (1/pi) log 2 + (2/pi) sum_k T_k(x) T_k(y)/k.
 
+#include <map>
+
 #include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/instruments/operators/displacement_problem.hpp"
 #include "proofs_checks/kit/rate.hpp"
@@ -38,6 +40,32 @@ double distance(const Moments& a, const Moments& b, double load);
 Moments riemann_hilbert_moments(const ContactProblem& problem);
 Moments cell_moments(const ContactProblem& problem, std::size_t cells);
 Moments displacement_moments(const DualCase& c, int n, const DisplacementFormula& formula = {});
+
+/// Moments of dual_cases(), found once for a claim and its controls.
+class KnownMoments {
+ public:
+  const Moments& exact(std::size_t k) {
+    return known({0, k, 0, 1}, [&] { return riemann_hilbert_moments(dual_cases()[k].problem()); });
+  }
+  const Moments& cells(std::size_t k, int n, int friction = 1) {
+    return known({1, k, n, friction},
+                 [&] { return cell_moments(dual_cases()[k].problem(friction), static_cast<std::size_t>(n)); });
+  }
+  const Moments& polynomials(std::size_t k, int n) {
+    return known({2, k, n, 1}, [&] { return displacement_moments(dual_cases()[k], n); });
+  }
+
+ private:
+  /// Which of the three, the case, the size and the friction's sign.
+  using Key = std::tuple<int, std::size_t, int, int>;
+  template <class Make>
+  const Moments& known(const Key& key, const Make& make) {
+    Moments& moments = moments_[key];
+    if (moments.empty()) moments = make();
+    return moments;
+  }
+  std::map<Key, Moments> moments_;
+};
 
 /// Root mean squares of the distance to `exact` over `meshes` neighbouring sizes, `first` being a level's first one.
 template <class Solve>

@@ -17,8 +17,6 @@ CaseList<ContactProblem> punches(const Context& context) {
                          [&](Random& random) { return random_punch(context, random, 0); });
 }
 
-void put_power(PowerProduct& t, const Exponent& rear, const Exponent& front) { t.exponents = {rear, front}; }
-
 }  // namespace
 
 Claim constant_punch_claim(std::string id, PunchLoad load) {
@@ -26,9 +24,10 @@ Claim constant_punch_claim(std::string id, PunchLoad load) {
       .cases(punches)
       .effective_where(has_friction)
       .says([load](const ContactProblem& p) {
-        const Number size = load == PunchLoad::given ? numeric::to_real<Number>(-p.load()) : Number(1);
-        return PowerProduct::on({-1, 1}, {-(half + alpha(p, 0)), -(half - alpha(p, 0))},
-                                {size * numeric::cos_pi_alpha<Number>(p.coupled_friction(0)) / numeric::pi<Number>()});
+        if (load == PunchLoad::given) return punch_traction(p);
+        PowerProduct t = punch_traction(p.with_load(1));
+        t.scale(-1);
+        return t;
       })
       .checked(
           [load]<Real R>(Findings& findings, const PowerProduct& t, const ContactProblem& p, const Context& context) {
@@ -44,8 +43,7 @@ Claim constant_punch_claim(std::string id, PunchLoad load) {
       .wrong("the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha}", [](PowerProduct& t) { t.exponents[0] = -half; })
       .wrong("the power -(1/2-alpha) at the rear edge",
              [](PowerProduct& t, const ContactProblem& p) { t.exponents[0] = -(half - alpha(p, 0)); })
-      .wrong("the powers of both edges exchanged",
-             [](PowerProduct& t) { put_power(t, t.exponents[1], t.exponents[0]); })
+      .wrong("the powers of both edges exchanged", [](PowerProduct& t) { std::swap(t.exponents[0], t.exponents[1]); })
       .wrong("cos(pi alpha) missing",
              [](PowerProduct& t, const ContactProblem& p) {
                t.scale(1 / numeric::cos_pi_alpha<Number>(p.coupled_friction(0)));
@@ -54,7 +52,7 @@ Claim constant_punch_claim(std::string id, PunchLoad load) {
       .wrong("alpha = arctan(f)/pi, gamma missing",
              [](PowerProduct& t, const ContactProblem& p) {
                const Exponent angle = Exponent::angle(p.friction().values()[0]);
-               put_power(t, -(half + angle), -(half - angle));
+               t.exponents = {-(half + angle), -(half - angle)};
              })
       .near_miss("the rear exponent", [](PowerProduct& t, const Number& step) { t.move_power(0, step); })
       .near_miss("alpha, the exponents' sum kept,",

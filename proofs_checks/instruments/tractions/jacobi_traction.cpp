@@ -1,5 +1,7 @@
 #include "proofs_checks/instruments/tractions/jacobi_traction.hpp"
 
+#include <boost/math/special_functions/chebyshev.hpp>
+
 #include "numeric/number/polynomial.hpp"
 #include "numeric/quadrature/jacobi_rule.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
@@ -66,17 +68,12 @@ R integral(const JacobiTraction<R>& t) {
 template <class R>
 R form_with_chebyshev(const JacobiTraction<R>& t, const R& s, int k) {
   const int nodes = static_cast<int>(t.factor.size()) + k;
+  const auto degree = static_cast<unsigned>(k);
   const R even = gauss_jacobi<R>(t.left, t.right, nodes, [&](const R& x) {
-    R before = 1;
-    R chebyshev = x;
-    for (int i = 1; i < k; ++i) before = std::exchange(chebyshev, R(2 * x * chebyshev - before));
-    return R(chebyshev * value_of(t.factor, x));
+    return R(boost::math::chebyshev_t(degree, x) * value_of(t.factor, x));
   });
   const R odd = gauss_jacobi<R>(raised(t.left), raised(t.right), nodes, [&](const R& x) {
-    R before = 0;
-    R chebyshev = 1;
-    for (int i = 1; i < k; ++i) before = std::exchange(chebyshev, R(2 * x * chebyshev - before));
-    return R(chebyshev * value_of(t.factor, x));
+    return R(boost::math::chebyshev_u(degree - 1, x) * value_of(t.factor, x));
   });
   return (even + s * odd) / k;
 }

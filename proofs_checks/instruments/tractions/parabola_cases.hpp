@@ -18,16 +18,10 @@ struct ParabolaTraction : PowerProduct {
   std::size_t first_piece = 0;  ///< the friction piece at the left end
 };
 
-/// Where a parabola is examined.
-struct ParabolaPoints {
-  std::size_t tanh_sinh;  ///< points of the equation by that rule
-  int gap_step;           ///< of 16 places on either side of the contact, every one or every fifth
-};
-
 /// sum p_j r_j = 0 and sum p_j r_j^2 = 2 P R/pi, equation, load, and the gap beyond both ends.
 template <Real R>
 void check_parabola(Findings& findings, const ParabolaTraction& t, const ContactProblem& problem,
-                    const ParabolaPoints& points);
+                    const Context& context);
 
 /// Ends and tractions against CLN's Newton solution.
 template <Real R>
