@@ -59,7 +59,14 @@ enum class Precision {
   at_least_fifty,
   in_double
 };
-numeric::Digits digits_at(Precision precision, const Context& context);
+inline numeric::Digits digits_at(Precision precision, const Context& context) {
+  switch (precision) {
+    case Precision::quick_in_double: return context.quick ? numeric::Digits::sixteen : context.digits;
+    case Precision::at_least_fifty: return std::max(context.digits, numeric::Digits::fifty);
+    case Precision::in_double: return numeric::Digits::sixteen;
+    default: return context.digits;
+  }
+}
 
 /// How many of something, by the number of digits.
 struct CountByDigits {
@@ -69,7 +76,14 @@ struct CountByDigits {
 };
 
 /// One in a quick run, but in double.
-std::size_t count_for(const Context& context, const CountByDigits& count);
+inline std::size_t count_for(const Context& context, const CountByDigits& count) {
+  if (context.quick && context.digits != numeric::Digits::sixteen) return 1;
+  switch (context.digits) {
+    case numeric::Digits::sixteen: return count.sixteen;
+    case numeric::Digits::fifty: return count.fifty;
+    default: return count.hundred;
+  }
+}
 
 /// All of these, in a quick run the first `quick` of them: "7 solved problems".
 template <class Case>

@@ -3,12 +3,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-/// Far below every tolerance of the ledger, and still visible to exact arithmetic.
-Rational tiny() {
-  static const Rational value = parse_rational("1e-94");
-  return value;
-}
-
 /// Moves what is predicted of one quantity as little as a check has to notice; numbers by `step`.
 void miss(Values& predicted, const std::string& name, const HowCompared& how, const Number& step) {
   const Value* value = predicted.find(name);

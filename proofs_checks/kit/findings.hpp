@@ -92,7 +92,8 @@ class Findings {
     std::size_t last_case = 0;
     Quantity quantity;
   };
-  Tally& tally(const Quantity& quantity);
+  /// Counts the case, once.
+  Tally& tally(const Quantity& quantity, bool effective);
 
   std::size_t case_number_ = 0;
   bool effective_ = true;

@@ -35,7 +35,8 @@ struct Report {
 /// control unrefuted. A quick run examines controls in double first, and those at its own digits that survive this.
 Report run(const Claim& claim, const Context& context);
 
-/// Does the whole text match a pattern as the shell has them: `*` (any text), `?` (any character), `[0-9]` (one of these)?
+/// Does the whole text match a pattern as the shell has them: `*` (any text), `?` (any character), `[0-9]` (one of
+/// these)?
 bool matches_glob(const std::string& text, const std::string& pattern);
 
 /// The claims whose id matches at least one of the patterns, in order; all of them if there is no pattern.

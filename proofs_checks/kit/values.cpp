@@ -5,6 +5,11 @@
 
 namespace steadyslide::proofs_checks {
 
+Rational tiny() {
+  static const Rational value = parse_rational("1e-94");
+  return value;
+}
+
 const Value* Values::find(std::string_view name) const {
   const auto found = std::ranges::find(all_, name, &Named::name);
   return found == all_.end() ? nullptr : &found->value;

@@ -15,6 +15,9 @@ namespace steadyslide::proofs_checks {
 /// Every number of the numeric layer is one of these, exactly.
 using Number = numeric::Real100;
 
+/// 1e-94: far below every tolerance of the ledger, and still visible to exact arithmetic.
+Rational tiny();
+
 /// A rate of convergence, measured.
 struct Order {
   double rate = 0;

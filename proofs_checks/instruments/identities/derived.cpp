@@ -116,8 +116,6 @@ Evidence examine_wrong(DecidedStatements source, const Family& family, const std
 
 }  // namespace
 
-Rational tiny() { return parse_rational("1e-94"); }
-
 const Statements& decided_riemann_hilbert() {
   static const Statements all = symbolic::riemann_hilbert_statements();
   return all;

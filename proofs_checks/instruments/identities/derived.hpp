@@ -25,7 +25,4 @@ Claim derived(std::string_view id, DecidedStatements source);
 /// more. What the claim itself compares stands behind.
 Claim proved_by(const std::vector<std::string>& ids, std::string argument, Claim claim);
 
-/// Far below every tolerance of the ledger, and still visible to exact arithmetic.
-Rational tiny();
-
 }  // namespace steadyslide::proofs_checks
