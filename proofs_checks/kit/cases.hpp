@@ -3,7 +3,9 @@
 // make each case dearer.
 
 #include <algorithm>
+#include <any>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,10 +22,10 @@ struct CaseList {
 };
 
 /// The same without its type, for the runner.
+using CaseData = std::shared_ptr<const void>;
 struct ExaminedCase {
-  std::shared_ptr<const void> data;
+  CaseData data;
   std::string where;
-  bool effective = true;
 };
 struct Examples {
   std::vector<ExaminedCase> cases;
@@ -31,15 +33,20 @@ struct Examples {
 };
 using CaseSource = std::function<Examples(const Context&)>;
 
-/// text_of(c) names a case.
-template <class Case>
-CaseSource case_source(std::function<CaseList<Case>(const Context&)> list, std::function<bool(const Case&)> effective) {
-  return [list = std::move(list), effective = std::move(effective)](const Context& context) {
+/// list(context) is a CaseList<Case>; a case is named by text_of(c), or else by its member `name`.
+template <class Case, class List>
+CaseSource case_source(List list) {
+  return [list = std::move(list)](const Context& context) {
     CaseList<Case> all = list(context);
     Examples examples{{}, std::move(all.detail)};
     for (Case& c : all.cases) {
-      auto data = std::make_shared<const Case>(std::move(c));
-      examples.cases.push_back({data, text_of(*data), !effective || effective(*data)});
+      std::string where;
+      if constexpr (requires { text_of(c); }) {
+        where = text_of(c);
+      } else {
+        where = c.name;
+      }
+      examples.cases.push_back({std::make_shared<const Case>(std::move(c)), std::move(where)});
     }
     return examples;
   };
@@ -52,7 +59,14 @@ enum class Precision {
   at_least_fifty,
   in_double
 };
-numeric::Digits digits_at(Precision precision, const Context& context);
+inline numeric::Digits digits_at(Precision precision, const Context& context) {
+  switch (precision) {
+    case Precision::quick_in_double: return context.quick ? numeric::Digits::sixteen : context.digits;
+    case Precision::at_least_fifty: return std::max(context.digits, numeric::Digits::fifty);
+    case Precision::in_double: return numeric::Digits::sixteen;
+    default: return context.digits;
+  }
+}
 
 /// How many of something, by the number of digits.
 struct CountByDigits {
@@ -62,7 +76,38 @@ struct CountByDigits {
 };
 
 /// One in a quick run, but in double.
-std::size_t count_for(const Context& context, const CountByDigits& count);
+inline std::size_t count_for(const Context& context, const CountByDigits& count) {
+  if (context.quick && context.digits != numeric::Digits::sixteen) return 1;
+  switch (context.digits) {
+    case numeric::Digits::sixteen: return count.sixteen;
+    case numeric::Digits::fifty: return count.fifty;
+    default: return count.hundred;
+  }
+}
+
+/// All of these, in a quick run the first `quick` of them: "7 solved problems".
+template <class Case>
+CaseList<Case> first_when_quick(const Context& context, std::vector<Case> all, std::size_t quick,
+                                const std::string& what) {
+  if (context.quick) all.erase(all.begin() + static_cast<std::ptrdiff_t>(std::min(quick, all.size())), all.end());
+  std::string detail = std::to_string(all.size()) + " " + what;
+  return {std::move(all), std::move(detail)};
+}
+
+/// What is made once for a case and serves a claim and all its controls. Cases stay where they are for as long as their
+/// claim lives.
+class KeptForCases {
+ public:
+  template <class Case, class Make>
+  const std::invoke_result_t<const Make&>& at(const Case& c, const Make& make) {
+    std::any& slot = kept_[&c];
+    if (!slot.has_value()) slot = make();
+    return *std::any_cast<std::invoke_result_t<const Make&>>(&slot);
+  }
+
+ private:
+  std::map<const void*, std::any> kept_;
+};
 
 /// `grid` (every 4th of it in a quick run in double, every 16th in one with more digits), then `count` times
 /// make(random), one of them in a quick run.
@@ -79,6 +124,17 @@ CaseList<Case> grid_and_random(const Context& context, std::string_view stream, 
   for (std::size_t k = 0; k < random_count; ++k) list.cases.push_back(make(random));
   list.detail = std::to_string(fixed) + " of a grid, " + std::to_string(random_count) + " random with seed " +
                 std::to_string(context.seed);
+  return list;
+}
+
+/// make(random, k) for k = 0, 1, ..., so many of them; fewer in a quick run. `what`: "random polynomials".
+template <class Make>
+auto random_cases(const Context& context, std::string_view stream, std::size_t count, std::size_t count_when_quick,
+                  const std::string& what, const Make& make) {
+  CaseList<std::invoke_result_t<const Make&, Random&, std::size_t>> list{
+      {}, what + ", seed " + std::to_string(context.seed)};
+  Random random(context.seed, stream);
+  for (std::size_t k = 0; k < (context.quick ? count_when_quick : count); ++k) list.cases.push_back(make(random, k));
   return list;
 }
 

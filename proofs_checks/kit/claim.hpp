@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "numeric/number/real.hpp"
@@ -33,37 +32,6 @@ struct Claim : ClaimText {
   std::vector<Control> controls;
   std::string group = {};  ///< its place in the paper, the folder of its source: "theorem-3"
 };
-
-/// A wrong variant of a formula and what is wrong in it.
-template <class Formula>
-struct Wrong {
-  std::string name;
-  Formula formula;
-};
-
-/// What a claim says, with one thing changed: for its wrong variants.
-template <class Said, class Change>
-Said changed(Change change) {
-  Said said;
-  change(said);
-  return said;
-}
-
-/// check(context, formula) is the claim for the right formula and a control for each wrong one: check and formula never
-/// mix. The check returns at its first counterexample.
-template <class Formula, class Check>
-Claim make_claim(ClaimText text, Check check, Formula right, std::vector<Wrong<Formula>> wrong) {
-  Claim claim{std::move(text), {}, {}};
-  for (Wrong<Formula>& w : wrong) {
-    claim.controls.push_back({std::move(w.name), [check, formula = std::move(w.formula)](const Context& context) {
-                                return check(context, formula);
-                              }});
-  }
-  claim.examine = [check = std::move(check), formula = std::move(right)](const Context& context) {
-    return check(context, formula);
-  };
-  return claim;
-}
 
 /// A statement that no calculation decides: it stays undecided, and is listed as such.
 Claim beyond_calculation(std::string_view id, BeyondCalculation why);

@@ -1,5 +1,6 @@
 #include "proofs_checks/kit/evidence.hpp"
 
+#include <array>
 #include <cstdio>
 
 namespace steadyslide::proofs_checks {
@@ -20,14 +21,6 @@ std::string text_of(double rate) {
   std::snprintf(text, sizeof text, "%.3g", rate);
   return text;
 }
-
-struct Kind {
-  std::string_view operator()(const ExactIdentity&) const { return "exact-identity"; }
-  std::string_view operator()(const Agreement&) const { return "agreement"; }
-  std::string_view operator()(const ConvergenceRate&) const { return "convergence-rate"; }
-  std::string_view operator()(const Counterexample&) const { return "counterexample"; }
-  std::string_view operator()(const BeyondCalculation&) const { return "beyond-calculation"; }
-};
 
 struct Describe {
   std::string operator()(const ExactIdentity& e) const { return with(e.detail, ": ", joined(e.identities, "; ")); }
@@ -52,7 +45,11 @@ struct Describe {
 
 }  // namespace
 
-std::string_view kind_of(const Evidence& evidence) { return std::visit(Kind{}, evidence); }
+std::string_view kind_of(const Evidence& evidence) {
+  constexpr std::array<std::string_view, std::variant_size_v<Evidence>> kinds{
+      "exact-identity", "agreement", "convergence-rate", "counterexample", "beyond-calculation"};
+  return kinds[evidence.index()];
+}
 
 std::string describe(const Evidence& evidence) { return std::visit(Describe{}, evidence); }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 #include "proofs_checks/kit/verdict.hpp"
 
@@ -14,17 +15,27 @@ std::string short_text(double value) {
   return text;
 }
 
+const Quantity& Findings::quantity(std::string_view name) const {
+  const auto found = std::ranges::find(quantities_, name, &NamedQuantity::name);
+  if (found == quantities_.end()) throw std::logic_error("not a quantity of the claim: " + std::string(name));
+  return found->quantity;
+}
+
 void Findings::begin_case(std::string where, bool effective) {
   ++case_number_;
   where_ = std::move(where);
   effective_ = effective;
 }
 
-Findings::Tally& Findings::tally(const Quantity& quantity) {
-  const auto found = std::ranges::find(tallies_, quantity.what, [](const Tally& t) { return t.quantity.what; });
-  if (found != tallies_.end()) return *found;
-  tallies_.push_back({0, 0, 0, 0, quantity});
-  return tallies_.back();
+Findings::Tally& Findings::tally(const Quantity& quantity, bool effective) {
+  auto found = std::ranges::find(tallies_, quantity.what, [](const Tally& t) { return t.quantity.what; });
+  if (found == tallies_.end()) found = tallies_.insert(found, {0, 0, 0, 0, quantity});
+  if (found->last_case != case_number_) {
+    found->last_case = case_number_;
+    ++found->cases;
+    if (effective) ++found->effective;
+  }
+  return *found;
 }
 
 void Findings::compare(const Quantity& quantity, double difference) {
@@ -33,20 +44,11 @@ void Findings::compare(const Quantity& quantity, double difference) {
     throw Refutation{{where_, quantity.what + ": relative difference " + short_text(difference) +
                                   " exceeds the tolerance " + short_text(quantity.tolerance)}};
   }
-  Tally& t = tally(quantity);
+  Tally& t = tally(quantity, effective_);
   t.worst = std::max(t.worst, difference);
-  if (t.last_case == case_number_) return;
-  t.last_case = case_number_;
-  ++t.cases;
-  if (effective_) ++t.effective;
 }
 
-void Findings::skip(const Quantity& quantity) {
-  Tally& t = tally(quantity);
-  if (t.last_case == case_number_) return;
-  t.last_case = case_number_;
-  ++t.cases;
-}
+void Findings::skip(const Quantity& quantity) { tally(quantity, false); }
 
 void Findings::decide(const std::string& statement, bool holds) {
   require(holds, "exactly false: " + statement);

@@ -2,6 +2,7 @@
 // What a check gathers while it walks through its cases. The first counterexample ends the walk.
 
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "numeric/number/real.hpp"
@@ -14,8 +15,14 @@ struct Quantity {
   std::string what;
   std::vector<std::string> routes;
   double tolerance;
-  /// Of the cases, this part has to be effective.
-  double required = 0.5;
+  double required = 0.5;  ///< of the cases, this part has to be effective
+  bool absolute = false;  ///< the difference itself, not relative to the larger value
+  bool at_most = false;   ///< the second value is a bound of the first
+};
+
+struct NamedQuantity {
+  std::string name;
+  Quantity quantity;
 };
 
 /// Thrown inside a check by Findings, caught by gather().
@@ -23,15 +30,48 @@ struct Refutation {
   Counterexample counterexample;
 };
 
+/// |a - b| / max(|a|, |b|).
+template <numeric::Real R>
+double relative_difference(const R& a, const R& b) {
+  using std::abs, std::max;
+  if (a == b) return 0;
+  return static_cast<double>(R(abs(a - b) / max(R(abs(a)), R(abs(b)))));
+}
+
 class Findings {
  public:
+  Findings() = default;
+  /// These are compared by name.
+  explicit Findings(std::vector<NamedQuantity> quantities) : quantities_(std::move(quantities)) {}
+
+  const std::vector<NamedQuantity>& quantities() const { return quantities_; }
+  /// Throws std::logic_error if there is none of this name.
+  const Quantity& quantity(std::string_view name) const;
+
   /// The next case; not effective: the statement says nothing special there (a jump of height zero).
   void begin_case(std::string where, bool effective = true);
 
   /// A relative difference. Throws Refutation unless it is a number within the tolerance.
   void compare(const Quantity& quantity, double difference);
+  void compare(std::string_view name, double difference) { compare(quantity(name), difference); }
+  /// Two values, as the quantity says.
+  template <numeric::Real R>
+  void compare(std::string_view name, const R& value, const R& other) {
+    using std::abs;
+    const Quantity& q = quantity(name);
+    compare(q, q.at_most && value <= other ? 0
+               : q.absolute                ? static_cast<double>(R(abs(value - other)))
+                                           : relative_difference(value, other));
+  }
+  /// Two values by their difference over `size`, where either may vanish.
+  template <numeric::Real R>
+  void compare(std::string_view name, const R& value, const R& other, const std::type_identity_t<R>& size) {
+    using std::abs;
+    compare(quantity(name), static_cast<double>(R(abs(value - other) / size)));
+  }
   /// No value from a route in this case: it counts as a case without effect.
   void skip(const Quantity& quantity);
+  void skip(std::string_view name) { skip(quantity(name)); }
   /// An exact decision. Throws Refutation unless it holds.
   void decide(const std::string& statement, bool holds);
   /// How fast an error falls. Throws Refutation if the rate refutes.
@@ -44,6 +84,7 @@ class Findings {
   std::vector<Evidence> evidence(const std::string& cases) const;
 
  private:
+  std::vector<NamedQuantity> quantities_;
   struct Tally {
     double worst = 0;
     std::size_t cases = 0;
@@ -51,7 +92,8 @@ class Findings {
     std::size_t last_case = 0;
     Quantity quantity;
   };
-  Tally& tally(const Quantity& quantity);
+  /// Counts the case, once.
+  Tally& tally(const Quantity& quantity, bool effective);
 
   std::size_t case_number_ = 0;
   bool effective_ = true;
@@ -73,14 +115,6 @@ std::vector<Evidence> gather(Walk walk) {
 
 /// "3.1e-52"
 std::string short_text(double value);
-
-/// |a - b| / max(|a|, |b|).
-template <numeric::Real R>
-double relative_difference(const R& a, const R& b) {
-  using std::abs, std::max;
-  if (a == b) return 0;
-  return static_cast<double>(R(abs(a - b) / max(R(abs(a)), R(abs(b)))));
-}
 
 /// Relative tolerance of every numerical claim.
 template <numeric::Real R>

@@ -5,111 +5,72 @@
 //   Claim eq_04_flat_punch() {
 //     return formula_claim<ContactProblem, PowerForm>("eq-04-flat-punch")
 //         .cases(punches)
+//         .quantity("load")                          // findings.compare("load", ...), described in the claim's text
 //         .says([](const ContactProblem& p) { return PowerForm(...); })
 //         .checked([]<Real R>(Findings& findings, const PowerForm& form, const ContactProblem& p) { ... })
-//         .wrong("1/pi missing", [](PowerForm& form, const ContactProblem&) { form.scale(pi); })
-//         .near_miss("the amplitude", [](PowerForm& form, const Number& step, const ContactProblem&) { ... });
+//         .wrong("1/pi missing", [](PowerForm& form) { form.scale(pi); })
+//         .near_miss("the amplitude", [](PowerForm& form, const Number& step) { ... });
 //   }
 
-#include "proofs_checks/kit/cases.hpp"
-#include "proofs_checks/kit/findings.hpp"
-#include "proofs_checks/kit/values.hpp"
+#include <stdexcept>
+
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks {
 
-/// The runner's view: begins each case, hands data and change to the check.
-struct FormulaCheck {
-  /// Changes a formula; `step`: what a near miss moves, ten times the tolerance.
-  using Change = std::function<void(void* form, const Number& step, const void* data)>;
-  using Examine = std::function<void(Findings&, const void* data, const Context&, const Change&, const Number& step)>;
-
-  std::string id;
-  Precision precision = Precision::as_asked;
-  CaseSource cases;
-  Examine examine;
-  std::vector<std::pair<std::string, Change>> wrong;
-};
-Claim claim_of(FormulaCheck check);
-
 template <class Case, class Form>
-class FormulaClaim {
+class FormulaClaim : public ClaimBuilder<FormulaClaim<Case, Form>, Case, Form> {
  public:
-  explicit FormulaClaim(std::string id) { check_.id = std::move(id); }
+  using ClaimBuilder<FormulaClaim, Case, Form>::ClaimBuilder;
 
-  /// list(const Context&) is a CaseList<Case>; text_of(c) names a case.
-  template <class List>
-  FormulaClaim cases(List list) && {
-    list_ = std::move(list);
-    return std::move(*this);
-  }
-  /// At the others the statement says nothing special (a jump of height zero).
-  FormulaClaim effective_where(std::function<bool(const Case&)> effective) && {
-    effective_ = std::move(effective);
-    return std::move(*this);
-  }
-  FormulaClaim precision(Precision precision) && {
-    check_.precision = precision;
-    return std::move(*this);
-  }
-  FormulaClaim says(std::function<Form(const Case&)> formula) && {
+  /// The formula; Form() if nothing is said.
+  FormulaClaim&& says(std::function<Form(const Case&)> formula) && {
     formula_ = std::move(formula);
-    return std::move(*this);
+    return this->derived();
   }
   /// check.operator()<R>(Findings&, const Form&, const Case&), or with a const Context& behind these; without a type
   /// parameter where everything is exact.
   template <class Check>
-  FormulaClaim checked(Check check) && {
-    run_ = [check = std::move(check)](Findings& findings, const Form& form, const Case& c, const Context& context) {
-      if constexpr (std::is_invocable_v<Check, Findings&, const Form&, const Case&>) {
-        check(findings, form, c);
-      } else {
-        numeric::at_precision(context.digits, [&]<numeric::Real R>() {
-          if constexpr (requires { check.template operator()<R>(findings, form, c); }) {
-            check.template operator()<R>(findings, form, c);
-          } else {
-            check.template operator()<R>(findings, form, c, context);
-          }
-        });
-      }
+  FormulaClaim&& checked(Check check) && {
+    check_ = [check = std::move(check)](Findings& findings, const Form& form, const Case& c, const Context& context) {
+      called_at(context, check, findings, form, c);
     };
-    return std::move(*this);
+    return this->derived();
   }
+  /// change(Form&, const Number& step), or with a const Case& behind these, moves one value by `step`; a member is
+  /// moved by this part of itself.
   template <class Change>
-  FormulaClaim wrong(std::string name, Change change) && {
-    check_.wrong.emplace_back(std::move(name), [change = std::move(change)](void* form, const Number&, const void* c) {
-      change(*static_cast<Form*>(form), *static_cast<const Case*>(c));
-    });
-    return std::move(*this);
-  }
-  /// change(Form&, const Number& step, const Case&) moves one value by `step`.
-  template <class Change>
-  FormulaClaim near_miss(const std::string& name, Change change) && {
-    check_.wrong.emplace_back("near miss: " + name + " moved by ten times the tolerance",
-                              [change = std::move(change)](void* form, const Number& step, const void* c) {
-                                change(*static_cast<Form*>(form), step, *static_cast<const Case*>(c));
-                              });
-    return std::move(*this);
+  FormulaClaim&& near_miss(const std::string& name, Change change) && {
+    return this->control("near miss: " + name + " moved by ten times the tolerance",
+                         [change = std::move(change)](Form& form, const Number& step, const Case& c) {
+                           if constexpr (std::is_member_object_pointer_v<Change>) {
+                             form.*change *= 1 + step;
+                           } else if constexpr (std::is_invocable_v<const Change&, Form&, const Number&>) {
+                             change(form, step);
+                           } else {
+                             change(form, step, c);
+                           }
+                         });
   }
 
   operator Claim() && {
-    check_.cases = case_source<Case>(std::move(list_), std::move(effective_));
-    check_.examine = [formula = std::move(formula_), run = std::move(run_)](
-                         Findings& findings, const void* data, const Context& context,
-                         const FormulaCheck::Change& change, const Number& step) {
-      const Case& c = *static_cast<const Case*>(data);
+    this->claim_.examine = [formula = std::move(formula_), check = std::move(check_)](
+                               Findings& findings, const CaseData& data, const Context& context,
+                               const ExaminedClaim::Change& change, const Number& step) {
+      const Case& c = FormulaClaim::case_of(data.get());
       Form form = formula(c);
-      if (change) change(&form, step, data);
-      run(findings, form, c, context);
+      if (change) change(&form, step, data.get());
+      check(findings, form, c, context);
     };
-    return claim_of(std::move(check_));
+    return claim_of(std::move(this->claim_));
   }
 
  private:
-  FormulaCheck check_;
-  std::function<CaseList<Case>(const Context&)> list_;
-  std::function<bool(const Case&)> effective_;
-  std::function<Form(const Case&)> formula_;
-  std::function<void(Findings&, const Form&, const Case&, const Context&)> run_;
+  std::function<Form(const Case&)> formula_ = [](const Case&) {
+    if constexpr (std::is_default_constructible_v<Form>) return Form();
+    throw std::logic_error("a claim that says nothing");
+  };
+  std::function<void(Findings&, const Form&, const Case&, const Context&)> check_;
 };
 
 template <class Case, class Form>

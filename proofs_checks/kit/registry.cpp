@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <stdexcept>
 
 #include "proofs_checks/kit/claim_list.hpp"
@@ -38,12 +39,9 @@ const std::vector<Claim>& registry() {
 }
 
 std::vector<std::string> groups() {
-  std::vector<std::string> names;
-  for (const ClaimEntry& entry : claim_list()) names.emplace_back(entry.group);
-  std::ranges::sort(names);
-  const auto rest = std::ranges::unique(names);
-  names.erase(rest.begin(), rest.end());
-  return names;
+  std::set<std::string> names;
+  for (const ClaimEntry& entry : claim_list()) names.emplace(entry.group);
+  return {names.begin(), names.end()};
 }
 
 std::vector<Claim> claims_of_group(std::string_view group) {

@@ -1,5 +1,7 @@
 #include "proofs_checks/kit/run.hpp"
 
+#include <fnmatch.h>
+
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -78,27 +80,8 @@ Report run(const Claim& claim, const Context& context) {
   return report;
 }
 
-bool matches_glob(std::string_view text, std::string_view pattern) {
-  // Where the last `*` stands, and how much of the text it has been given.
-  std::size_t star = std::string_view::npos;
-  std::size_t given = 0;
-  std::size_t t = 0;
-  std::size_t p = 0;
-  while (t < text.size()) {
-    if (p < pattern.size() && pattern[p] == '*') {
-      star = p++;
-      given = t;
-    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == text[t])) {
-      ++p;
-      ++t;
-    } else if (star != std::string_view::npos) {
-      p = star + 1;
-      t = ++given;
-    } else {
-      return false;
-    }
-  }
-  return pattern.find_first_not_of('*', p) == std::string_view::npos;
+bool matches_glob(const std::string& text, const std::string& pattern) {
+  return fnmatch(pattern.c_str(), text.c_str(), FNM_NOESCAPE) == 0;
 }
 
 std::vector<Claim> select(std::span<const Claim> claims, std::span<const std::string> patterns) {

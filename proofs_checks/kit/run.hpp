@@ -4,7 +4,6 @@
 #include <functional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "proofs_checks/kit/claim.hpp"
@@ -36,8 +35,9 @@ struct Report {
 /// control unrefuted. A quick run examines controls in double first, and those at its own digits that survive this.
 Report run(const Claim& claim, const Context& context);
 
-/// Does the whole text match a pattern of literal characters, `*` (any text) and `?` (any character)?
-bool matches_glob(std::string_view text, std::string_view pattern);
+/// Does the whole text match a pattern as the shell has them: `*` (any text), `?` (any character), `[0-9]` (one of
+/// these)?
+bool matches_glob(const std::string& text, const std::string& pattern);
 
 /// The claims whose id matches at least one of the patterns, in order; all of them if there is no pattern.
 std::vector<Claim> select(std::span<const Claim> claims, std::span<const std::string> patterns);

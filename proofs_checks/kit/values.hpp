@@ -15,6 +15,9 @@ namespace steadyslide::proofs_checks {
 /// Every number of the numeric layer is one of these, exactly.
 using Number = numeric::Real100;
 
+/// 1e-94: far below every tolerance of the ledger, and still visible to exact arithmetic.
+Rational tiny();
+
 /// A rate of convergence, measured.
 struct Order {
   double rate = 0;
@@ -24,8 +27,16 @@ struct Order {
   bool operator==(const Order&) const = default;
 };
 
-/// Numbers are compared to a tolerance, orders within their error bars; everything else is decided.
-using Value = std::variant<Number, Order, Exponent, Rational, bool>;
+/// A number with its error bar, read off cells. What is predicted is a number, the tolerance a number of error bars.
+struct Fitted {
+  double value = 0;
+  double error_bar = 0;
+
+  bool operator==(const Fitted&) const = default;
+};
+
+/// Numbers are compared to a tolerance, orders and fits within their error bars; everything else is decided.
+using Value = std::variant<Number, Order, Fitted, Exponent, Rational, bool>;
 
 class Values {
  public:
@@ -46,15 +57,17 @@ class Values {
   const Value* find(std::string_view name) const;
   /// The number of this name, to be changed. Throws std::logic_error if there is none.
   Number& operator[](std::string_view name);
-  /// Replaces the value of this name. Throws std::logic_error if there is none.
+  /// Replaces the value of this name. A case need not have every quantity: without it nothing happens.
   void set(std::string_view name, Value value);
+  /// Those values that are here as well.
+  void set(const Values& values);
+  /// Multiplies the numbers of these names, those that are here.
+  void scale(std::initializer_list<std::string_view> names, const Number& factor);
 
   auto begin() const { return all_.begin(); }
   auto end() const { return all_.end(); }
 
  private:
-  Value& existing(std::string_view name);
-
   std::vector<Named> all_;
 };
 

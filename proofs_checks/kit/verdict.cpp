@@ -1,6 +1,7 @@
 #include "proofs_checks/kit/verdict.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace steadyslide::proofs_checks {
@@ -26,12 +27,8 @@ bool is_empty(const Evidence& evidence) {
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::refuted: return "refuted";
-    case Verdict::undecided: return "undecided";
-    case Verdict::supported: return "supported";
-    default: return "proved";
-  }
+  constexpr std::array<std::string_view, 4> names{"refuted", "undecided", "supported", "proved"};
+  return names[static_cast<std::size_t>(verdict)];
 }
 
 bool refutes(const Evidence& evidence) {

@@ -1,80 +1,28 @@
 #include "proofs_checks/statements/paper_statements.hpp"
 
+#include <ranges>
+
 namespace steadyslide::proofs_checks {
 
+namespace embedded {
+extern const std::string_view paper_statements_md;
+}
+
 const std::vector<PaperStatement>& paper_statements() {
-  static const std::vector<PaperStatement> all{
-      {"section 2", "the constant `gamma` and its range", {"gamma-range", "gamma-plane-stress"}},
-      {"(1)", "the surface's displacement under given tractions", {"eq-01-surface-displacement"}},
-      {"section 2", "no finite energy, no finite displacement", {"sec-02-infinite-energy"}},
-      {"(2), (3)",
-       "the contact problem, and its reduction to the normal traction",
-       {"eq-02-03-reduction", "eq-03-complementarity", "plemelj"}},
-      {"(2), (3)",
-       "what leaves the problem unchanged",
-       {"eq-03-translation", "eq-03-dilation", "eq-03-scaling", "eq-03-mirror", "eq-03-height-zero"}},
-      {"theorem 1", "existence", {"thm-01-existence", "vi-discrete-existence"}},
-      {"theorem 1",
-       "uniqueness where `f` does not decrease",
-       {"energy-identity", "vi-energy-identity", "vi-definite-rising", "thm-01-uniqueness-on-cells"}},
-      {"(4), figure 3",
-       "the flat punch under constant friction",
-       {"alpha-range", "eq-04-flat-punch", "eq-04-derived", "fig-03-rear-loaded", "published-galin-at-2"}},
-      {"(5)-(7), figure 4",
-       "the flat punch with a friction jump",
-       {"eq-05-07-friction-jump", "eq-05-07-derived", "fig-04-shape", "n-jump-punch"}},
-      {"section 2, figure 5",
-       "the parabola",
-       {"parabola-galin", "parabola-derived", "fig-05-parabola", "parabola-n-jumps"}},
-      {"theorem 2",
-       "traction at a friction jump, at a wedge, and where both meet",
-       {"thm-02-local-forms", "thm-02-solved-wedge-and-jump", "local-action"}},
-      {"theorem 2",
-       "its three remarks in words",
-       {"thm-02-words-wedge", "thm-02-words-jump", "thm-02-words-wedge-and-jump"}},
-      {"theorem 3",
-       "traction and slope at the ends of contact, four cases",
-       {"thm-03-local-forms", "thm-03-outside-slope", "thm-03-contact-side", "thm-03-step-conditions",
-        "thm-03-solved-ends"}},
-      {"remark 1",
-       "front and rear, incompressible bodies, elastic indenters",
-       {"rem-01-front-rear", "rem-01-incompressible", "rem-01-neglect", "rem-01-vanishing-dundurs",
-        "rem-01-elastic-indenter"}},
-      {"remark 2", "bounded bodies", {"rem-02-same-singularities"}},
-      {"section 3.1",
-       "the logarithmic form and the sign form",
-       {"sec-31-log-form", "sec-31-log-form-length", "sec-31-sign-form", "sec-31-coercive"}},
-      {"section 3.1, (8)", "`t_0`, and the decomposition by it", {"eq-08-unit-solution", "sec-31-decomposition"}},
-      {"section 3.1, (10)", "the inverse of the operator", {"sec-31-inverse", "eq-10-inverse", "eq-10-derived"}},
-      {"lemma 4", "the functional `phi`", {"lemma-04-functional"}},
-      {"proposition 5, (16)", "the contact conditions as inequalities", {"prop-05-equivalence", "eq-16-conjugate"}},
-      {"proposition 6", "problem I0, in tractions", {"prop-06-problem-I0"}},
-      {"proposition 7",
-       "problem I, in displacements, and its link with I0",
-       {"sec-32-form-a", "prop-07-problem-I", "prop-07-problems-linked"}},
-      {"theorem 8", "constant friction: one solution", {"thm-08-homogeneous"}},
-      {"theorem 9",
-       "the logarithm at a wedge, with the steps of its proof",
-       {"thm-09-local-forms", "thm-09-solved-wedge", "thm-09-proof-decomposition"}},
-      {"theorem 10",
-       "the ends of contact, with the steps of its proof",
-       {"thm-10-local-forms", "thm-10-proof-linear", "thm-10-proof-slope", "thm-10-proof-splitting",
-        "thm-10-proof-exclusion", "thm-10-proof-reduction"}},
-      {"section 4", "theorems that the text at hand does not contain", {"thm-16", "thm-17", "thm-23", "thm-24"}},
-      {"appendix A", "the extension of the Lions-Stampacchia theorem", {"thm-25"}},
-      {"theorem 36",
-       "the Riemann-Hilbert problem, reconstructed",
-       {"thm-36-exponents", "thm-36-general-solution", "thm-36-polynomial-profile", "rh-form", "rh-load", "rh-count",
-        "rh-gap", "rh-linearisation"}},
-      {"", "further closed forms", {"tilted-punch-derived", "quartic-derived"}},
-      {"",
-       "where friction decreases: what is lost, and what is not",
-       {"vi-definiteness-lost", "vi-definiteness-lost-graded", "vi-monotone-contact"}},
-      {"",
-       "convergence of the method on cells",
-       {"vi-convergence-jump-up", "vi-convergence-jump-down", "vi-convergence-wedge", "vi-convergence-wedge-and-jump",
-        "vi-convergence-tilted-punch", "vi-convergence-two-zones", "vi-convergence-step",
-        "vi-convergence-three-jumps"}}};
+  static const std::vector<PaperStatement> all = [] {
+    std::vector<PaperStatement> statements;
+    for (const auto part : std::views::split(embedded::paper_statements_md, '\n')) {
+      const std::string_view line(part.begin(), part.end());
+      if (line.starts_with("  - ")) {
+        statements.back().claims.push_back(line.substr(4));
+      } else if (line.starts_with("- ")) {
+        const std::size_t colon = line.find(": ");
+        const std::string_view place = line.substr(2, colon - 2);
+        statements.push_back({place == "beyond the paper" ? "" : place, line.substr(colon + 2), {}});
+      }
+    }
+    return statements;
+  }();
   return all;
 }
 

@@ -1,8 +1,7 @@
 #pragma once
-// The paper, statement by statement, in its order, with the claims that examine each. A test asks that every claim
-// named here exists and that every claim of the ledger is named.
+// The paper, statement by statement, in its order, with the claims that examine each: what paper_statements.md lists. A
+// test asks that every claim named there exists and that every claim of the ledger is named.
 
-#include <span>
 #include <string_view>
 #include <vector>
 

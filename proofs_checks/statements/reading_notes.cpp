@@ -1,51 +1,78 @@
 #include "proofs_checks/statements/reading_notes.hpp"
 
 #include <algorithm>
-#include <array>
+#include <map>
+#include <ranges>
 
-#include "proofs_checks/statements/reading_note_entries.hpp"
-#include "symbolic/statements/reading_notes.hpp"
+#include "symbolic/statements/local_readings.hpp"
 
 namespace steadyslide::proofs_checks {
+
+namespace embedded {
+extern const std::string_view reading_notes_md;
+}
+
 namespace {
 
-constexpr std::array<std::string_view, 7> weighed_above{
-    "theorem-3-angle-rear", "theorem-3-angle-front", "theorem-3-limit-front", "formula-4-exponent",
-    "formula-7-exponent",   "formula-8-exponent",    "formula-10-exponent"};
+/// A note of the file: its name, and what stands behind "- place:", "- printed:" and so on.
+struct Entry {
+  std::string id;
+  std::map<std::string, std::string, std::less<>> parts;
+
+  std::string part(std::string_view name) const {
+    const auto found = parts.find(name);
+    return found == parts.end() ? std::string() : found->second;
+  }
+};
+
+std::vector<Entry> entries() {
+  std::vector<Entry> all;
+  std::string* part = nullptr;
+  for (const auto words : std::views::split(embedded::reading_notes_md, '\n')) {
+    const std::string_view line(words.begin(), words.end());
+    if (line.starts_with("## ")) {
+      all.push_back({std::string(line.substr(3)), {}});
+    } else if (line.starts_with("- ")) {
+      const std::size_t colon = line.find(": ");
+      part = &all.back().parts[std::string(line.substr(2, colon - 2))];
+      *part = line.substr(colon + 2);
+    } else if (line.starts_with("  ")) {
+      part->append(line.substr(1));
+    }
+  }
+  return all;
+}
 
 /// What the run says of the claim and, where it is one of its controls, of the printed reading.
-std::string examined(const ReadingNoteEntry& entry, std::span<const Report> reports) {
-  const std::string claim(entry.claim);
+std::string examined(const std::string& claim, const std::string& printed, std::span<const Report> reports) {
   const auto report = std::ranges::find(reports, claim, [](const Report& r) { return r.claim.id; });
   if (report == reports.end()) return "not examined in this run: claim " + claim;
   std::string text = "claim " + claim + " is " + std::string(name_of(report->verdict)) + " as derived";
-  if (entry.control.empty()) return text;
-  const auto control = std::ranges::find(report->controls, entry.control,
-                                         [](const ControlReport& c) { return std::string_view(c.name); });
+  if (printed.empty()) return text;
+  const auto control = std::ranges::find(report->controls, printed, &ControlReport::name);
   if (control == report->controls.end()) return "claim " + claim + " has no such control";
   text += control->refuted ? "; the printed reading is refuted (" : "; the printed reading was not refuted (";
   return text + control->detail + ")";
 }
 
-std::string evidence_of(const ReadingNoteEntry& entry, std::span<const Report> reports) {
-  std::string text = entry.claim.empty() ? std::string() : examined(entry, reports) + ". ";
-  if (!entry.evidence.empty()) text.append(entry.evidence).append(" ");
-  return text.append(entry.fault);
-}
-
 }  // namespace
 
 std::vector<ReadingNote> reading_notes(std::span<const Report> reports) {
+  const std::vector<symbolic::LocalReading> local = symbolic::local_readings();
   std::vector<ReadingNote> notes;
-  notes.reserve(reading_note_entries().size());
-  for (const ReadingNoteEntry& e : reading_note_entries()) {
-    notes.push_back({std::string(e.id), std::string(e.place), std::string(e.printed), std::string(e.derived),
-                     evidence_of(e, reports), std::string(e.claim), std::string(e.control)});
-  }
-  // Those that the local equation alone decides; the places above have been weighed by calculation already.
-  for (const symbolic::ReadingNote& note : symbolic::reading_notes()) {
-    if (std::ranges::find(weighed_above, note.id) != weighed_above.end()) continue;
-    notes.push_back({note.id, "[Bal16] " + note.place, note.printed, note.derived, note.evidence, {}});
+  for (const Entry& e : entries()) {
+    const std::string claim = e.part("claim");
+    const std::string control = e.part("control");
+    std::vector<std::string> evidence;
+    if (!claim.empty()) evidence.push_back(examined(claim, control, reports) + ".");
+    const auto found = std::ranges::find(local, e.id, &symbolic::LocalReading::id);
+    if (found != local.end()) evidence.push_back(found->found);
+    for (const char* name : {"evidence", "fault"}) evidence.push_back(e.part(name));
+    std::string text;
+    for (const std::string& sentence : evidence) {
+      if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
+    }
+    notes.push_back({e.id, e.part("place"), e.part("printed"), e.part("derived"), text, claim, control});
   }
   return notes;
 }

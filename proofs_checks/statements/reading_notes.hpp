@@ -1,7 +1,7 @@
 #pragma once
 // Places where the text of the paper that this project holds and the mathematics disagree: the printed reading, the
 // derived one, and the evidence. That text was extracted from a PDF: each note says whether extraction may have done
-// it.
+// it. The notes stand in reading_notes.md; what a run and the local equation say is added to them.
 
 #include <span>
 #include <string>
@@ -17,9 +17,8 @@ struct ReadingNote {
   std::string printed;
   std::string derived;
   std::string evidence;
-  std::string claim;  ///< that examines the derived reading; empty where the local equation alone decides
-  std::string control =
-      {};  ///< of the claim: the printed reading; empty where it is no formula that a check could take
+  std::string claim;    ///< that examines the derived reading; empty where the local equation alone decides
+  std::string control;  ///< of the claim: the printed reading; empty where it is no formula that a check could take
 };
 
 /// The evidence is taken from the reports: the control that is the printed reading, and what refuted it; then a

@@ -10,7 +10,7 @@
 #include "app/figures/moment_rule.hpp"
 #include "app/figures/solved.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
-#include "proofs_checks/instruments/convergence_cases.hpp"
+#include "proofs_checks/instruments/convergence/convergence_cases.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
 namespace steadyslide::app {

@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/convergence_claim.hpp"
+#include "proofs_checks/instruments/convergence/convergence_claim.hpp"
 
 namespace steadyslide::proofs_checks {
 

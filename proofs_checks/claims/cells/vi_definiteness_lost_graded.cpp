@@ -1,9 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "proofs_checks/instruments/cell_law.hpp"
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/dense_algebra.hpp"
+#include "proofs_checks/instruments/cells/cell_law.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -33,10 +31,7 @@ CellMesh graded_cells(double smallest) {
           numeric::variational::graded_edges(-0.5, 0.5, smallest, 2, 0.03125)};
 }
 
-double point_value(double smallest) {
-  const CellMesh mesh = graded_cells(smallest);
-  return largest_point_value(symmetric_part(mesh, operator_of({{0, 0}, {0}}, mesh), false), weights_of(mesh, 0), true);
-}
+double point_value(double smallest) { return largest_point_value(graded_cells(smallest), 0); }
 
 /// sup T(0)^2/E = slope log(1/h) + constant, h the smallest cell over the support's length.
 struct GradedLaw {
@@ -59,15 +54,8 @@ void check(Findings& findings, const GradedLaw& law, const Fall& fall) {
     const double smallest = factor * law.critical(fall.step);
     // Beyond the smallest numbers there are no cells.
     findings.require(smallest > 1e-200 && smallest < 1, "no cells have the length " + short_text(smallest));
-    const CellMesh mesh = graded_cells(smallest);
-    const CellFrictionSteps steps{{fall.step, 0}, {0}};
-    const double least = eigenvalues(on_zero_mean(symmetric_part(mesh, operator_of(steps, mesh), true)))(0);
-    findings.require((least > 0) == (factor > 1), "the smallest cell is " + short_text(smallest) +
-                                                      ", the smallest eigenvalue, " + short_text(least) +
-                                                      ", has the other sign");
-    findings.compare(
-        {"sign of the smallest eigenvalue", {"eigenvalues of the matrix of entries", "the law for sup(T(c)^2/E)"}, 0.5},
-        0);
+    const double least = smallest_eigenvalue({{fall.step, 0}, {0}}, graded_cells(smallest));
+    check_sign(findings, least, factor > 1, "the smallest cell is " + short_text(smallest) + ", ");
   }
 }
 
@@ -80,12 +68,12 @@ Claim vi_definiteness_lost_graded() {
       .cases(falls)
       .precision(Precision::in_double)
       .says([](const Fall&) { return L::of(slope); })
-      .checked([]<numeric::Real R>(Findings& findings, const L& law, const Fall& fall) { check(findings, law, fall); })
-      .wrong("half the slope: log(1/h)/(2 pi)", [](L& law, const Fall&) { law = L::of(slope / 2); })
-      .wrong("the logarithm alone, no constant", [](L& law, const Fall&) { law.constant = 0; })
-      .wrong("indefinite where s rises instead of falls", [](L& law, const Fall&) { law.factor = -law.factor; })
-      .wrong("near miss: h foretold a sixth too large", [](L& law, const Fall&) { law.constant += 0.05; })
-      .wrong("near miss: h foretold a sixth too small", [](L& law, const Fall&) { law.constant -= 0.05; });
+      .checked(check)
+      .wrong("half the slope: log(1/h)/(2 pi)", [](L& law) { law = L::of(slope / 2); })
+      .wrong("the logarithm alone, no constant", [](L& law) { law.constant = 0; })
+      .wrong("indefinite where s rises instead of falls", [](L& law) { law.factor = -law.factor; })
+      .wrong("near miss: h foretold a sixth too large", [](L& law) { law.constant += 0.05; })
+      .wrong("near miss: h foretold a sixth too small", [](L& law) { law.constant -= 0.05; });
 }
 
 }  // namespace steadyslide::proofs_checks

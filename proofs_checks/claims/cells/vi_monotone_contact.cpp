@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "numeric/variational/lemke.hpp"
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/dense_algebra.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/instruments/cells/dense_algebra.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -100,12 +100,8 @@ CaseList<OnCells> tilting(const Context&) {
 Values punch_of_cells(const OnCells& c) {
   const auto b = operator_of(c.steps, c.mesh);
   const auto block = [&](const std::vector<std::size_t>& rows) {
-    Eigen::MatrixXd result(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(c.contact.size()));
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      for (std::size_t j = 0; j < c.contact.size(); ++j)
-        result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = b.entry(rows[i], c.contact[j]);
-    }
-    return result;
+    return matrix_of(rows.size(), c.contact.size(),
+                     [&](std::size_t i, std::size_t j) { return b.entry(rows[i], c.contact[j]); });
   };
   const Eigen::MatrixXd among = block(c.contact);
   const Eigen::VectorXd x = linear_solution(among, Eigen::VectorXd::Ones(among.rows()));
@@ -144,22 +140,7 @@ Claim vi_monotone_contact() {
   return compared<OnCells>("vi-monotone-contact")
       .cases(within({}))
       .precision(Precision::in_double)
-      .quantity({.name = "fall",
-                 .what = "fall of a pressure as the load grows, over the largest one",
-                 .routes = {"Lemke's method", "Lemke's method under the larger load"},
-                 .absolute = true})
-      .quantity({.name = "lost",
-                 .what = "pressure in a cell that loses contact as the load grows, over the largest one",
-                 .routes = {"Lemke's method", "Lemke's method under the larger load"},
-                 .absolute = true})
-      .quantity({.name = "tension",
-                 .what = "tension under the punch of a random contact set, over its largest pressure",
-                 .routes = {"linear system of the entries", "none: t_0 is of one sign"},
-                 .absolute = true})
-      .quantity({.name = "penetration",
-                 .what = "penetration of the punch on the other cells, over its depth",
-                 .routes = {"linear system of the entries", "none: the punch is level"},
-                 .absolute = true})
+      .quantities({"fall", "lost", "tension", "penetration"}, {.absolute = true})
       .measured([](const OnCells& c) { return c.load == 0 ? punch_of_cells(c) : under_both_loads(c); })
       .predicted([](const OnCells& c) -> Values {
         if (c.load != 0) return {{"fall", 0.0}, {"lost", 0.0}};

@@ -1,6 +1,6 @@
-#include "proofs_checks/instruments/extremes.hpp"
-#include "proofs_checks/instruments/local_power.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/operators/local_power.hpp"
+#include "proofs_checks/instruments/solutions/extremes.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -51,33 +51,14 @@ Number beta_of(const ContactProblem& p) { return numeric::to_real<Number>(alpha(
 }  // namespace
 
 Claim fig_04_shape() {
-  const std::vector<std::string> roots{"differences of the solved traction",
-                                       "roots of x^2 - (alpha_- + alpha_+) x + beta"};
   return compared<ContactProblem>("fig-04-shape")
       .cases(punches)
       .precision(Precision::at_least_fifty)
-      .quantity({.name = "power",
-                 .what = "power at the jump",
-                 .routes = {"where the residual of A |x|^p vanishes, by quadrature", "alpha_- - alpha_+"}})
-      .quantity({.name = "unbounded",
-                 .what = "the pressure blows up at the jump for f_- < f_+, and vanishes there for f_- > f_+",
-                 .routes = {},
-                 .near_miss = false})
-      .quantity({.name = "equation",
-                 .what = "equation, solved in double",
-                 .routes = {"trapezoidal rule", "0"},
-                 .tolerance = equation_tolerance,
-                 .absolute = true})
-      .quantity({.name = "behind",
-                 .what = "number of extremes behind the jump: as many as roots",
-                 .routes = {},
-                 .near_miss = false})
-      .quantity({.name = "in front",
-                 .what = "number of extremes in front of the jump: as many as roots",
-                 .routes = {},
-                 .near_miss = false})
-      .quantity({.name = "first extreme", .what = "first extreme of |t|", .routes = roots})
-      .quantity({.name = "second extreme", .what = "second extreme of |t|", .routes = roots})
+      .quantity("power")
+      .quantity("unbounded", {.near_miss = false})
+      .quantity("equation", {.tolerance = equation_tolerance, .absolute = true})
+      .quantities({"behind", "in front"}, {.near_miss = false})
+      .quantities({"first extreme", "second extreme"})
       .measured([]<Real R>(const ContactProblem& p) {
         const auto solution = solve<R>(p);
         const std::size_t jump = point_at(*solution, Rational(0));
@@ -87,7 +68,7 @@ Claim fig_04_shape() {
         };
         const R s_rear = numeric::to_real<R>(p.coupled_friction(0));
         const R s_front = numeric::to_real<R>(p.coupled_friction(1));
-        const R d = very_near<R>();
+        const R d = asymptotic_distance<R>();
         Values values{{"power", jump_power<R>(s_rear, s_front).power},
                       {"unbounded", pressure(d) > pressure(R(2 * d)) && pressure(R(-d)) > pressure(R(-2 * d))},
                       {"equation", equation_error(p)}};

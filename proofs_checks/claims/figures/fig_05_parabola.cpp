@@ -1,6 +1,6 @@
-#include "proofs_checks/instruments/extremes.hpp"
-#include "proofs_checks/instruments/local_power.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/operators/local_power.hpp"
+#include "proofs_checks/instruments/solutions/extremes.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -45,26 +45,13 @@ Number half_width(const ContactProblem& p, const Number& alpha) {
 }  // namespace
 
 Claim fig_05_parabola() {
-  const std::string residual = "where the residual of A |x|^p vanishes, by quadrature";
   return compared<ContactProblem>("fig-05-parabola")
       .cases(parabolas)
       .precision(Precision::at_least_fifty)
-      .quantity({.name = "left end", .what = "left end of the contact", .routes = {"solved", "-(1+2 alpha) a"}})
-      .quantity({.name = "right end", .what = "right end of the contact", .routes = {"solved", "(1-2 alpha) a"}})
-      .quantity({.name = "left power", .what = "power at the left end", .routes = {residual, "1/2-alpha"}})
-      .quantity({.name = "right power", .what = "power at the right end", .routes = {residual, "1/2+alpha"}})
-      .quantity({.name = "equation",
-                 .what = "equation, solved in double",
-                 .routes = {"trapezoidal rule", "psi_bar'"},
-                 .tolerance = equation_tolerance,
-                 .absolute = true})
-      .quantity({.name = "place",
-                 .what = "where |t| is largest",
-                 .routes = {"differences of the solved traction", "-4 alpha a"}})
-      .quantity({.name = "to the rear",
-                 .what = "the contact is shifted to the rear, and the largest pressure to the rear within it",
-                 .routes = {},
-                 .near_miss = false})
+      .quantities({"left end", "right end", "left power", "right power"})
+      .quantity("equation", {.tolerance = equation_tolerance, .absolute = true})
+      .quantity("place")
+      .quantity("to the rear", {.near_miss = false})
       .measured([]<Real R>(const ContactProblem& p) {
         const auto solution = solve<R>(p);
         const auto contact = solution->contact().front();
@@ -93,10 +80,9 @@ Claim fig_05_parabola() {
       })
       .wrong("shifted to the front",
              [](Values& p, const ContactProblem& c) { p = shifted_contact(-alpha_of(c), half_width(c, alpha_of(c))); })
-      .wrong("the largest pressure at the contact's centre", [](Values& p, const ContactProblem&) { p["place"] /= 2; })
-      .wrong("the largest pressure at the vertex", [](Values& p, const ContactProblem&) { p["place"] = 0; })
-      .wrong("the same power at both ends",
-             [](Values& p, const ContactProblem&) { p["right power"] = Number(p["left power"]); })
+      .wrong("the largest pressure at the contact's centre", [](Values& p) { p["place"] /= 2; })
+      .wrong("the largest pressure at the vertex", [](Values& p) { p["place"] = 0; })
+      .wrong("the same power at both ends", [](Values& p) { p["right power"] = Number(p["left power"]); })
       .wrong("the frictionless half-width",
              [](Values& p, const ContactProblem& c) { p = shifted_contact(alpha_of(c), half_width(c, 0)); })
       .near_misses();

@@ -1,5 +1,5 @@
-#include "proofs_checks/instruments/local_power.hpp"
-#include "proofs_checks/instruments/punch_traction.hpp"
+#include "proofs_checks/instruments/operators/local_power.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -24,18 +24,12 @@ CaseList<ContactProblem> punches(const Context& context) {
 template <Real R>
 void check_at_the_jump(Findings& findings, const PowerProduct& t, const ContactProblem& problem) {
   using std::abs;
-  const Quantity power{"power of the distance to the jump",
-                       {"where the residual of A |x|^p vanishes, by quadrature", "beta"},
-                       tolerance<R>()};
-  const Quantity ratio{"ratio of the amplitudes behind and in front of the jump",
-                       {"with which it vanishes, by quadrature", "cos(pi alpha_-)/cos(pi alpha_+)"},
-                       tolerance<R>()};
   const Rational rear = problem.coupled_friction(0);
   const Rational front = problem.coupled_friction(1);
   const JumpPower<R> measured = jump_power<R>(numeric::to_real<R>(rear), numeric::to_real<R>(front));
   const PowerForm<R> form = t.at<R>();
-  findings.compare(power, static_cast<double>(R(abs(measured.power - form.powers[1].value))));
-  findings.compare(ratio, relative_difference<R>(measured.ratio, form.amplitudes[0] / form.amplitudes[1]));
+  findings.compare("power", static_cast<double>(R(abs(measured.power - form.powers[1].value))));
+  findings.compare<R>("ratio", measured.ratio, form.amplitudes[0] / form.amplitudes[1]);
   findings.decide("beta has the sign of f_- - f_+", t.exponents[1].sign() == sign(rear - front));
 }
 
@@ -45,6 +39,7 @@ Claim eq_05_07_friction_jump() {
   return formula_claim<ContactProblem, PowerProduct>("eq-05-07-friction-jump")
       .cases(punches)
       .effective_where(has_jump)
+      .quantities({"power", "ratio"})
       .says([](const ContactProblem& p) {
         return PowerProduct::on({-1, 0, 1}, {-(half + alpha(p, 0)), alpha(p, 0) - alpha(p, 1), -(half - alpha(p, 1))},
                                 {punch_amplitude<Number>(p, 0), punch_amplitude<Number>(p, 1)});
@@ -53,10 +48,8 @@ Claim eq_05_07_friction_jump() {
         check_punch_traction<R>(findings, t, p, count_for(context, {6, 3, 2}));
         check_at_the_jump<R>(findings, t, p);
       })
-      .wrong("beta = alpha_+ - alpha_-",
-             [](PowerProduct& t, const ContactProblem&) { t.exponents[1] = -t.exponents[1]; })
-      .wrong("the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha_-}",
-             [](PowerProduct& t, const ContactProblem&) { t.exponents[0] = -half; })
+      .wrong("beta = alpha_+ - alpha_-", [](PowerProduct& t) { t.exponents[1] = -t.exponents[1]; })
+      .wrong("the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha_-}", [](PowerProduct& t) { t.exponents[0] = -half; })
       .wrong("the front's angle at the rear edge",
              [](PowerProduct& t, const ContactProblem& p) { t.exponents[0] = -(half + alpha(p, 1)); })
       .wrong("the rear's angle at the front edge",
@@ -65,17 +58,15 @@ Claim eq_05_07_friction_jump() {
              [](PowerProduct& t, const ContactProblem& p) {
                t.exponents = {-(half + alpha(p, 1)), alpha(p, 1) - alpha(p, 0), -(half - alpha(p, 0))};
              })
-      .wrong("1/sqrt(1+gamma^2 f^2) of the wrong side",
-             [](PowerProduct& t, const ContactProblem&) { std::ranges::reverse(t.amplitudes); })
+      .wrong("1/sqrt(1+gamma^2 f^2) of the wrong side", [](PowerProduct& t) { std::ranges::reverse(t.amplitudes); })
       .wrong("1/sqrt(1+gamma^2 f^2) missing",
              [](PowerProduct& t, const ContactProblem& p) {
                for (Number& amplitude : t.amplitudes) {
                  amplitude = -numeric::to_real<Number>(p.load()) / numeric::pi<Number>();
                }
              })
-      .near_miss("beta", [](PowerProduct& t, const Number& step, const ContactProblem&) { t.move_power(1, step); })
-      .near_miss("the amplitude in front",
-                 [](PowerProduct& t, const Number& step, const ContactProblem&) { t.amplitudes[1] *= 1 + step; });
+      .near_miss("beta", [](PowerProduct& t, const Number& step) { t.move_power(1, step); })
+      .near_miss("the amplitude in front", [](PowerProduct& t, const Number& step) { t.amplitudes[1] *= 1 + step; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/constant_punch.hpp"
+#include "proofs_checks/instruments/tractions/constant_punch.hpp"
 
 namespace steadyslide::proofs_checks {
 

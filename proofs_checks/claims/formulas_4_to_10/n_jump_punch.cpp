@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/punch_traction.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -36,14 +36,13 @@ Claim n_jump_punch() {
       .checked([]<Real R>(Findings& findings, const PowerProduct& t, const ContactProblem& p, const Context& context) {
         check_punch_traction<R>(findings, t, p, count_for(context, {10, 3, 2}));
       })
-      .wrong("the exponent of one jump missing",
-             [](PowerProduct& t, const ContactProblem&) { t.exponents[1] = Exponent(0); })
+      .wrong("the exponent of one jump missing", [](PowerProduct& t) { t.exponents[1] = Exponent(0); })
       .wrong("the exponents of two jumps exchanged",
-             [](PowerProduct& t, const ContactProblem&) {
+             [](PowerProduct& t) {
                if (t.exponents.size() >= 4) std::swap(t.exponents[1], t.exponents[2]);
              })
       .wrong("a jump shifted by 1/50",
-             [](PowerProduct& t, const ContactProblem&) {
+             [](PowerProduct& t) {
                if (t.lengths.size() < 2) return;
                const Number shift = t.lengths[0] / 50;
                t.lengths[0] += shift;
@@ -58,7 +57,7 @@ Claim n_jump_punch() {
                std::ranges::reverse(t.amplitudes);
              })
       .wrong("one amplitude on all panels",
-             [](PowerProduct& t, const ContactProblem&) { std::ranges::fill(t.amplitudes, Number(t.amplitudes[0])); })
+             [](PowerProduct& t) { std::ranges::fill(t.amplitudes, Number(t.amplitudes[0])); })
       .wrong("the other direction of sliding: alpha of the other sign",
              [](PowerProduct& t, const ContactProblem& p) {
                const std::size_t m = p.friction().jumps().size();
@@ -66,10 +65,8 @@ Claim n_jump_punch() {
                for (std::size_t k = 1; k <= m; ++k) t.exponents[k] = alpha(p, k) - alpha(p, k - 1);
                t.exponents[m + 1] = -(half + alpha(p, m));
              })
-      .near_miss("one jump's exponent",
-                 [](PowerProduct& t, const Number& step, const ContactProblem&) { t.move_power(1, step); })
-      .near_miss("the amplitude",
-                 [](PowerProduct& t, const Number& step, const ContactProblem&) { t.scale(1 + step); });
+      .near_miss("one jump's exponent", [](PowerProduct& t, const Number& step) { t.move_power(1, step); })
+      .near_miss("the amplitude", [](PowerProduct& t, const Number& step) { t.scale(1 + step); });
 }
 
 }  // namespace steadyslide::proofs_checks

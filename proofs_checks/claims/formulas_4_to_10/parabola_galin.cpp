@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/parabola_cases.hpp"
+#include "proofs_checks/instruments/tractions/parabola_cases.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -52,9 +52,6 @@ Galin galin(const ContactProblem& p) {
 template <Real R>
 void check_peak(Findings& findings, const Galin& t, const ContactProblem& problem) {
   using std::abs;
-  const Quantity place{
-      "place of the largest pressure", {"-4 alpha a", "zero of the logarithmic derivative of t"}, tolerance<R>()};
-  const Quantity factor{"both printed factors of the traction", {"P/(2 pi a^2 (1/4-alpha^2))", "1/R"}, tolerance<R>()};
   const PowerForm<R> form = t.at<R>();
   const R peak(t.peak);
   const std::vector<R> r = form.points();
@@ -62,11 +59,11 @@ void check_peak(Findings& findings, const Galin& t, const ContactProblem& proble
     return R(form.powers[0].value / (x - r[0]) + form.powers[1].value / (x - r[1]));
   };
   const R size = abs(R(form.powers[0].value / (peak - r[0])));
-  findings.compare(place, static_cast<double>(R(abs(derivative(peak)) / size)));
+  findings.compare("place", static_cast<double>(R(abs(derivative(peak)) / size)));
   const R before = (peak - r[0]) / 1000;
   const R after = (r[1] - peak) / 1000;
   findings.require(derivative(peak - before) > 0 && derivative(peak + after) < 0, "the pressure has no maximum there");
-  findings.compare(factor, relative_difference<R>(R(t.factor), 1 / numeric::to_real<R>(radius_of(problem))));
+  findings.compare<R>("factor", R(t.factor), 1 / numeric::to_real<R>(radius_of(problem)));
   if (problem.coupled_friction(0) > 0) {
     findings.require(peak < (r[0] + r[1]) / 2 && r[0] + r[1] < 0, "peak or zone is not shifted to the rear");
   }
@@ -78,43 +75,38 @@ Claim parabola_galin() {
   return formula_claim<ContactProblem, Galin>("parabola-galin")
       .cases(parabolas)
       .effective_where(has_friction)
+      .quantities({"place", "factor"})
       .says(galin)
       .checked([]<Real R>(Findings& findings, const Galin& t, const ContactProblem& p, const Context& context) {
-        check_parabola<R>(findings, t, p, {count_for(context, {9, 2, 2}), context.quick ? 5 : 1});
+        check_parabola<R>(findings, t, p, context);
         check_peak<R>(findings, t, p);
         check_parabola_by_numeric<R>(findings, t, p);
         check_parabola_by_cln<R>(findings, t, p);
       })
-      .wrong("the zone shifted to the front",
-             [](Galin& t, const ContactProblem&) { t.left_end = -(t.left_end + t.lengths[0]); })
+      .wrong("the zone shifted to the front", [](Galin& t) { t.left_end = -(t.left_end + t.lengths[0]); })
       .wrong("1/4 + alpha^2 in the half-width",
              [](Galin& t, const ContactProblem& p) {
                const auto angle = numeric::to_real<Number>(alpha(p, 0));
                const Number ratio = (1 - 4 * angle * angle) / (1 + 4 * angle * angle);
                put_half_width(t, t.half_width * sqrt(ratio), p);
              })
-      .wrong("the powers of both free ends exchanged",
-             [](Galin& t, const ContactProblem&) { std::ranges::reverse(t.exponents); })
+      .wrong("the powers of both free ends exchanged", [](Galin& t) { std::ranges::reverse(t.exponents); })
       .wrong(
           "pi missing in the half-width",
           [](Galin& t, const ContactProblem& p) { put_half_width(t, t.half_width * sqrt(numeric::pi<Number>()), p); })
       .wrong(
           "cos(pi alpha) missing",
           [](Galin& t, const ContactProblem& p) { t.scale(1 / numeric::cos_pi_alpha<Number>(p.coupled_friction(0))); })
-      .wrong("the largest pressure at -2 alpha a, the middle of the zone",
-             [](Galin& t, const ContactProblem&) { t.peak /= 2; })
-      .wrong("the largest pressure at +4 alpha a", [](Galin& t, const ContactProblem&) { t.peak *= -1; })
-      .wrong("P/(4 pi a^2 (1/4-alpha^2)) for the printed factor",
-             [](Galin& t, const ContactProblem&) { t.factor /= 2; })
+      .wrong("the largest pressure at -2 alpha a, the middle of the zone", [](Galin& t) { t.peak /= 2; })
+      .wrong("the largest pressure at +4 alpha a", [](Galin& t) { t.peak *= -1; })
+      .wrong("P/(4 pi a^2 (1/4-alpha^2)) for the printed factor", [](Galin& t) { t.factor /= 2; })
       .near_miss("the half-width",
-                 [](Galin& t, const Number& step, const ContactProblem&) {
+                 [](Galin& t, const Number& step) {
                    t.left_end *= 1 + step;
                    t.lengths[0] *= 1 + step;
                  })
-      .near_miss("the middle of the zone",
-                 [](Galin& t, const Number& step, const ContactProblem&) { t.left_end += t.half_width * step; })
-      .near_miss("the peak",
-                 [](Galin& t, const Number& step, const ContactProblem&) { t.peak += t.half_width * step; });
+      .near_miss("the middle of the zone", [](Galin& t, const Number& step) { t.left_end += t.half_width * step; })
+      .near_miss("the peak", [](Galin& t, const Number& step) { t.peak += t.half_width * step; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -1,5 +1,5 @@
 #include "numeric/closed_form/closed_form.hpp"
-#include "proofs_checks/instruments/parabola_cases.hpp"
+#include "proofs_checks/instruments/tractions/parabola_cases.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -60,30 +60,25 @@ Claim parabola_n_jumps() {
       .says(traction_on_solved_zone)
       .checked(
           []<Real R>(Findings& findings, const ParabolaTraction& t, const ContactProblem& p, const Context& context) {
-            check_parabola<R>(findings, t, p, {count_for(context, {9, 2, 2}), context.quick ? 5 : 1});
+            check_parabola<R>(findings, t, p, context);
             check_parabola_by_cln<R>(findings, t, p);
           })
-      .wrong("the zone shifted to the front",
-             [](ParabolaTraction& t, const ContactProblem&) { t.left_end += t.lengths[0] / 20; })
-      .wrong("the exponent of one jump missing",
-             [](ParabolaTraction& t, const ContactProblem&) { t.exponents[1] = Exponent(0); })
+      .wrong("the zone shifted to the front", [](ParabolaTraction& t) { t.left_end += t.lengths[0] / 20; })
+      .wrong("the exponent of one jump missing", [](ParabolaTraction& t) { t.exponents[1] = Exponent(0); })
       .wrong("every jump's exponent with the other sign",
-             [](ParabolaTraction& t, const ContactProblem&) {
+             [](ParabolaTraction& t) {
                for (std::size_t j = 1; j + 1 < t.exponents.size(); ++j) t.exponents[j] = -t.exponents[j];
              })
       .wrong("the powers of both free ends exchanged",
-             [](ParabolaTraction& t, const ContactProblem&) { std::swap(t.exponents.front(), t.exponents.back()); })
-      .wrong(
-          "one amplitude on all panels",
-          [](ParabolaTraction& t, const ContactProblem&) { std::ranges::fill(t.amplitudes, Number(t.amplitudes[0])); })
+             [](ParabolaTraction& t) { std::swap(t.exponents.front(), t.exponents.back()); })
+      .wrong("one amplitude on all panels",
+             [](ParabolaTraction& t) { std::ranges::fill(t.amplitudes, Number(t.amplitudes[0])); })
       .wrong("the rear end moved outwards by a hundredth of its panel",
-             [](ParabolaTraction& t, const ContactProblem&) { move_rear_end(t, t.lengths[0] / 100); })
+             [](ParabolaTraction& t) { move_rear_end(t, t.lengths[0] / 100); })
       .near_miss("the rear end", [](ParabolaTraction& t, const Number& step,
                                     const ContactProblem&) { move_rear_end(t, t.lengths[0] * step); })
-      .near_miss("one jump's exponent",
-                 [](ParabolaTraction& t, const Number& step, const ContactProblem&) { t.move_power(1, step); })
-      .near_miss("the amplitude",
-                 [](ParabolaTraction& t, const Number& step, const ContactProblem&) { t.scale(1 + step); });
+      .near_miss("one jump's exponent", [](ParabolaTraction& t, const Number& step) { t.move_power(1, step); })
+      .near_miss("the amplitude", [](ParabolaTraction& t, const Number& step) { t.scale(1 + step); });
 }
 
 }  // namespace steadyslide::proofs_checks

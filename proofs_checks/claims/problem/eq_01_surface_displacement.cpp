@@ -1,6 +1,7 @@
+#include "numeric/number/polynomial.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
-#include "proofs_checks/instruments/half_plane_field.hpp"
-#include "proofs_checks/instruments/near.hpp"
+#include "proofs_checks/instruments/operators/half_plane_field.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -35,16 +36,13 @@ Polynomial random_polynomial(Random& random, std::size_t degree) {
 }
 
 CaseList<Body> bodies(const Context& context) {
-  CaseList<Body> list{{},
-                      "random polynomials of degree up to 4 on ]-1, 1[, Poisson ratios of ]-1, 1/2[, seed " +
-                          std::to_string(context.seed)};
-  Random random(context.seed, "eq-01");
-  for (std::size_t k = 0; k < (context.quick ? 1U : 12U); ++k) {
-    const Rational young = random.between(Rational(1, 2), 3);
-    list.cases.push_back(
-        {Solid(random.poisson(), young), random_polynomial(random, 1 + k % 4), random_polynomial(random, 4 - k % 4)});
-  }
-  return list;
+  return random_cases(context, "eq-01", 12, 1,
+                      "random polynomials of degree up to 4 on ]-1, 1[, Poisson ratios of ]-1, 1/2[",
+                      [](Random& random, std::size_t k) {
+                        const Rational young = random.between(Rational(1, 2), 3);
+                        return Body{Solid(random.poisson(), young), random_polynomial(random, 1 + k % 4),
+                                    random_polynomial(random, 4 - k % 4)};
+                      });
 }
 
 /// The largest difference of components, over the largest component.
@@ -58,25 +56,20 @@ double difference(const StressComponents<R>& a, const StressComponents<R>& b) {
 /// Is it the elastic field of these tractions? Equilibrium, compatibility (sigma_xx + sigma_zz is harmonic: its mean
 /// over a circle is its value in the centre), the tractions on the surface, and the sum of radial fields.
 template <Real R>
-void check_field(Findings& findings, const HalfPlaneField<R>& field, const PiecewiseTraction& normal,
-                 const PiecewiseTraction& tangential) {
+void check_field(Findings& findings, const HalfPlaneField<R>& field, const Body& body) {
   using std::abs, std::cos, std::sin;
   // Eight values: an error like the step's eighth power, and rounding over the step.
-  const Quantity equilibrium{"equilibrium within the body", {"d sigma_xj/dx", "-d sigma_zj/dz"}, 1e-45};
-  const Quantity compatibility{"sigma_xx + sigma_zz within the body", {"mean over a circle", "centre"}, 1e-45};
-  const Quantity boundary{"stresses on the surface", {"(sigma_zz, sigma_xz)", "(t_n, -t_t)"}, 1e-45};
-  const Quantity radial{"stresses within the body", {"potentials", "sum of radial fields"}, 1e-45};
   const R x = R(1) / 3;
   const R z = R(4) / 5;
   const StressComponents<R> at = field.stress(x, z);
-  findings.compare(radial, difference(at, field.superposed_stress(x, z)));
+  findings.compare("radial", difference(at, field.superposed_stress(x, z)));
   const R size = abs(at.xx) + abs(at.zz) + abs(at.xz);
-  const auto small = [&](const Quantity& quantity, const R& value) {
+  const auto small = [&](const char* quantity, const R& value) {
     findings.compare(quantity, static_cast<double>(R(abs(value) / size)));
   };
   const StressComponents<R> rate = field.stress_rate(x, z);
-  small(equilibrium, rate.xx + derivative([&](const R& depth) { return field.stress(x, depth).xz; }, z, R(1)));
-  small(equilibrium, rate.xz + derivative([&](const R& depth) { return field.stress(x, depth).zz; }, z, R(1)));
+  small("equilibrium", rate.xx + derivative([&](const R& depth) { return field.stress(x, depth).xz; }, z, R(1)));
+  small("equilibrium", rate.xz + derivative([&](const R& depth) { return field.stress(x, depth).zz; }, z, R(1)));
   constexpr int points = 64;
   R mean = 0;
   for (int k = 0; k < points; ++k) {
@@ -84,20 +77,18 @@ void check_field(Findings& findings, const HalfPlaneField<R>& field, const Piece
     const StressComponents<R> there = field.stress(x + cos(angle) / 10, z + sin(angle) / 10);
     mean += (there.xx + there.zz) / points;
   }
-  small(compatibility, mean - at.xx - at.zz);
+  small("compatibility", mean - at.xx - at.zz);
   const StressComponents<R> surface = field.stress(x, R(0));
-  small(boundary, surface.zz - value_at<R>(normal, x));
-  small(boundary, surface.xz + value_at<R>(tangential, x));
+  small("boundary", surface.zz - numeric::value_of(body.normal, x));
+  small("boundary", surface.xz + numeric::value_of(body.tangential, x));
 }
 
 template <Real R>
-void check_slopes(Findings& findings, const SurfaceSlopes& formula, const Body& body, bool quick, GaussRules& rules) {
+void check_slopes(Findings& findings, const SurfaceSlopes& formula, const Body& body, bool quick) {
   using std::abs;
-  const Quantity normal{"u_n'", {"equation (1)", "strains integrated along the depth"}, 1e-45};
-  const Quantity tangential{"u_t'", {"equation (1)", "epsilon_xx of the field at the surface"}, 1e-45};
   const PiecewiseTraction t_n{{-1, 1, body.normal}};
   const PiecewiseTraction t_t{{-1, 1, body.tangential}};
-  const HalfPlaneField<R> field(body.solid, t_n, t_t, rules);
+  const HalfPlaneField<R> field(body.solid, t_n, t_t);
   const numeric::trapezoidal::Grid<R> grid_n(density_of<R>(t_n));
   const numeric::trapezoidal::Grid<R> grid_t(density_of<R>(t_t));
   const R pi = numeric::pi<R>();
@@ -106,18 +97,18 @@ void check_slopes(Findings& findings, const SurfaceSlopes& formula, const Body& 
   for (const int percent : {30, 58, 75}) {
     const numeric::PanelPoint<R> at = grid_n.midpoint_near(0, R(percent) / 100);
     const R& x = at.node.x;
-    const R n = value_at<R>(t_n, x);
-    const R t = value_at<R>(t_t, x);
+    const R n = numeric::value_of(body.normal, x);
+    const R t = numeric::value_of(body.tangential, x);
     const R h_n = grid_n.hilbert(at);
     const R h_t = grid_t.hilbert(at);
     const R scale = compliance * (abs(n) + abs(t) + abs(h_n) + abs(h_t));
     const R u_t = compliance * (hilbert * h_t + R(formula.pressure) * n);
-    findings.compare(tangential, static_cast<double>(R(abs(u_t - field.tangential_slope(x)) / scale)));
+    findings.compare("tangential", static_cast<double>(R(abs(u_t - field.tangential_slope(x)) / scale)));
     const R u_n = compliance * (hilbert * h_n + R(formula.shear) * t);
-    findings.compare(normal, static_cast<double>(R(abs(u_n - field.normal_slope(x)) / scale)));
+    findings.compare("normal", static_cast<double>(R(abs(u_n - field.normal_slope(x)) / scale)));
     if (quick) break;
   }
-  check_field(findings, field, t_n, t_t);
+  check_field(findings, field, body);
 }
 
 }  // namespace
@@ -126,30 +117,30 @@ Claim eq_01_surface_displacement() {
   return formula_claim<Body, SurfaceSlopes>("eq-01-surface-displacement")
       .cases(bodies)
       .precision(Precision::at_least_fifty)
+      .quantities({"equilibrium", "compatibility", "boundary", "radial", "normal", "tangential"}, {.tolerance = 1e-45})
       .says([](const Body& body) {
         const Rational& nu = body.solid.poisson();
         const auto gamma = numeric::to_real<Number>((1 - 2 * nu) / (2 * (1 - nu)));
         return SurfaceSlopes{numeric::to_real<Number>(2 * (1 - nu * nu) / body.solid.young()),
                              1 / numeric::pi<Number>(), -gamma, gamma};
       })
-      .checked([rules = std::make_shared<GaussRules>()]<Real R>(Findings& findings, const SurfaceSlopes& formula,
-                                                                const Body& body, const Context& context) {
-        check_slopes<R>(findings, formula, body, context.quick, *rules);
+      .checked([]<Real R>(Findings& findings, const SurfaceSlopes& formula, const Body& body, const Context& context) {
+        check_slopes<R>(findings, formula, body, context.quick);
       })
-      .wrong("gamma's sign in u_n'", [](SurfaceSlopes& u, const Body&) { u.shear *= -1; })
-      .wrong("gamma's sign in u_t'", [](SurfaceSlopes& u, const Body&) { u.pressure *= -1; })
-      .wrong("gamma's sign in both", [](SurfaceSlopes& u, const Body&) { std::swap(u.shear, u.pressure); })
+      .wrong("gamma's sign in u_n'", [](SurfaceSlopes& u) { u.shear *= -1; })
+      .wrong("gamma's sign in u_t'", [](SurfaceSlopes& u) { u.pressure *= -1; })
+      .wrong("gamma's sign in both", [](SurfaceSlopes& u) { std::swap(u.shear, u.pressure); })
       .wrong("gamma of plane stress, (1-nu)/2",
              [](SurfaceSlopes& u, const Body& body) {
                u.pressure = numeric::to_real<Number>((1 - body.solid.poisson()) / 2);
                u.shear = -u.pressure;
              })
-      .wrong("1/pi missing", [](SurfaceSlopes& u, const Body&) { u.hilbert *= numeric::pi<Number>(); })
-      .wrong("the principal value of 1/(x-x')", [](SurfaceSlopes& u, const Body&) { u.hilbert *= -1; })
+      .wrong("1/pi missing", [](SurfaceSlopes& u) { u.hilbert *= numeric::pi<Number>(); })
+      .wrong("the principal value of 1/(x-x')", [](SurfaceSlopes& u) { u.hilbert *= -1; })
       .wrong("near miss: gamma in u_n' moved by a hundred times the tolerance",
-             [](SurfaceSlopes& u, const Body&) { u.shear += Number("1e-43"); })
+             [](SurfaceSlopes& u) { u.shear += Number("1e-43"); })
       .wrong("near miss: 1/pi moved by a hundred times the tolerance",
-             [](SurfaceSlopes& u, const Body&) { u.hilbert *= 1 + Number("1e-43"); });
+             [](SurfaceSlopes& u) { u.hilbert *= 1 + Number("1e-43"); });
 }
 
 }  // namespace steadyslide::proofs_checks

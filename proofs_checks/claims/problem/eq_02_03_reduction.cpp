@@ -1,6 +1,8 @@
-#include "numeric/quadrature/trapezoidal.hpp"
-#include "proofs_checks/instruments/half_plane_field.hpp"
-#include "proofs_checks/instruments/surface.hpp"
+#include <algorithm>
+
+#include "numeric/cauchy/sliding_operator.hpp"
+#include "proofs_checks/instruments/operators/half_plane_field.hpp"
+#include "proofs_checks/instruments/tractions/surface.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -9,65 +11,57 @@ namespace {
 /// A traction under friction with jumps; the profile says nothing.
 struct Sheared {
   ContactProblem problem;
-  PiecewiseTraction normal;
+  Polynomial normal;
 };
 
-std::string text_of(const Sheared& c) {
-  return proofs_checks::text_of(c.problem) + ", t_n = " + to_string(c.normal.front().t);
-}
+std::string text_of(const Sheared& c) { return proofs_checks::text_of(c.problem) + ", t_n = " + to_string(c.normal); }
 
 Sheared random_case(Random& random, std::size_t k) {
   const std::vector<std::vector<Rational>> jumps{{Rational(1, 9)}, {}, {Rational(-1, 3), Rational(2, 7)}};
   const std::vector<Rational>& c = jumps[k % jumps.size()];
   std::vector<Rational> f;
   for (std::size_t i = 0; i <= c.size(); ++i) f.push_back(random.between(Rational(1, 10), 3));
-  PiecewiseTraction normal;
-  Rational from = -1;
   std::vector<Rational> coefficients;
   for (std::size_t i = 0; i <= 3; ++i) coefficients.push_back(random.between(-1, 1));
-  for (std::size_t i = 0; i <= c.size(); ++i) {
-    const Rational to = i < c.size() ? c[i] : Rational(1);
-    normal.push_back({from, to, Polynomial(coefficients)});
-    from = to;
-  }
   const Rational young = random.between(Rational(1, 2), 3);
   return {ContactProblem(Elasticity(Solid(random.poisson(), young)), FrictionProfile(f, c),
                          Indenter(-1, {{1, Polynomial()}}), 1, k % 2 == 0 ? Sliding::minus_x : Sliding::plus_x),
-          normal};
+          Polynomial(coefficients)};
 }
 
 CaseList<Sheared> cases(const Context& context) {
-  CaseList<Sheared> list{
-      {},
-      "random polynomials, frictions with up to two jumps, sliding both ways, seed " + std::to_string(context.seed)};
-  Random random(context.seed, "eq-02-03");
-  for (std::size_t k = 0; k < (context.quick ? 1U : 12U); ++k) list.cases.push_back(random_case(random, k));
-  return list;
+  return random_cases(context, "eq-02-03", 12, 1,
+                      "random polynomials, frictions with up to two jumps, sliding both ways", random_case);
 }
 
 /// s on each piece, in u_bar_n' = H t_n + s t_n.
 using PiecewiseS = std::vector<Rational>;
 
 template <Real R>
-void check_reduction(Findings& findings, const PiecewiseS& s, const Sheared& c, GaussRules& rules) {
+void check_reduction(Findings& findings, const PiecewiseS& s, const Sheared& c) {
   using std::abs;
-  const Quantity equation{"u_bar_n'", {"H t_n + s t_n", "strains of the body under both tractions"}, 1e-45};
   const Elasticity& elasticity = c.problem.elasticity();
-  // The component along +x of what the indenter exerts on the body: friction drags the body along.
-  std::vector<Rational> ratios;
-  for (std::size_t i = 0; i < s.size(); ++i) ratios.push_back(c.problem.shear_ratio(i));
-  const HalfPlaneField<R> field(*elasticity.half_space(), c.normal, scaled_pieces(c.normal, ratios), rules);
-  const numeric::trapezoidal::Grid<R> grid(density_of<R>(c.normal));
+  PiecewiseTraction normal, tangential;
+  std::vector<R> said;
+  for (const auto& [left, right, friction, profile] : c.problem.pieces()) {
+    // The component along +x of what the indenter exerts on the body: friction drags the body along.
+    const Rational ratio = c.problem.shear_ratio(friction);
+    normal.push_back({left, right, c.normal});
+    tangential.push_back({left, right, Polynomial::constant(ratio) * c.normal});
+    said.push_back(numeric::to_real<R>(s[friction]));
+  }
+  const HalfPlaneField<R> field(*elasticity.half_space(), normal, tangential);
+  const numeric::trapezoidal::Grid<R> grid(density_of<R>(normal));
+  const numeric::SlidingOperator<R> A(grid, said);
   for (std::size_t i = 0; i < s.size(); ++i) {
     const numeric::PanelPoint<R> at = grid.midpoint_near(i, R(1) / 2);
-    const R t = value_at<R>(c.normal, at.node.x);
-    const R hilbert = grid.hilbert(at);
+    const numeric::SlidingTerms<R> terms = A.at(at);
     const R slope = field.normal_slope(at.node.x) / numeric::to_real<R>(elasticity.compliance());
-    const R error = hilbert + numeric::to_real<R>(s[i]) * t - slope;
-    findings.compare(equation, static_cast<double>(R(abs(error) / (abs(hilbert) + abs(t)))));
+    const R size = abs(terms.hilbert.value) + abs(terms.traction);
+    findings.compare("equation", static_cast<double>(R(abs(terms.sum().value - slope) / size)));
   }
   for (std::size_t i = 0; i < s.size(); ++i) {
-    findings.decide("-gamma t_t = s t_n", -elasticity.gamma() * ratios[i] == s[i]);
+    findings.decide("-gamma t_t = s t_n", -elasticity.gamma() * c.problem.shear_ratio(i) == s[i]);
   }
 }
 
@@ -78,26 +72,24 @@ Claim eq_02_03_reduction() {
       .cases(cases)
       .effective_where([](const Sheared& c) { return c.problem.elasticity().gamma() != 0; })
       .precision(Precision::at_least_fifty)
+      .quantity("equation", {.tolerance = 1e-45})
       .says([](const Sheared& c) {
         PiecewiseS s;
-        for (std::size_t i = 0; i < c.normal.size(); ++i) s.push_back(c.problem.coupled_friction(i));
+        for (const auto& piece : c.problem.pieces()) s.push_back(c.problem.coupled_friction(piece.friction));
         return s;
       })
-      .checked(
-          [rules = std::make_shared<GaussRules>()]<Real R>(Findings& findings, const PiecewiseS& s, const Sheared& c) {
-            check_reduction<R>(findings, s, c, *rules);
-          })
+      .checked([]<numeric::Real R>(auto&... of) { check_reduction<R>(of...); })
       .wrong("s = -gamma f",
-             [](PiecewiseS& s, const Sheared&) {
+             [](PiecewiseS& s) {
                for (Rational& value : s) value = -value;
              })
       .wrong("gamma missing", [](PiecewiseS& s, const Sheared& c) { s = c.problem.friction().values(); })
       .wrong("the direction of sliding forgotten",
-             [](PiecewiseS& s, const Sheared&) {
+             [](PiecewiseS& s) {
                for (Rational& value : s) value = abs(value);
              })
-      .wrong("f taken from the other end", [](PiecewiseS& s, const Sheared&) { std::ranges::reverse(s); })
-      .wrong("near miss: s moved by a hundred times the tolerance", [](PiecewiseS& s, const Sheared&) {
+      .wrong("f taken from the other end", [](PiecewiseS& s) { std::ranges::reverse(s); })
+      .wrong("near miss: s moved by a hundred times the tolerance", [](PiecewiseS& s) {
         for (Rational& value : s) value += parse_rational("1e-43");
       });
 }

@@ -4,9 +4,10 @@
 
 #include "numeric/cauchy/residuals.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/near.hpp"
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
+#include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
@@ -19,15 +20,14 @@ using numeric::RiemannHilbertForm;
 struct Candidate {
   enum class Which {
     solution,
-    moved_end,    ///< the first free end elsewhere
-    too_short,    ///< edges within the contact, the equation and the load kept
-    too_long,     ///< edges beyond the contact, the equation and the load kept
-    full_contact  ///< over the notch too, where no place shows that the corner pulls
+    moved_end,     ///< the first free end elsewhere
+    too_short,     ///< edges within the contact, the equation and the load kept
+    too_long,      ///< edges beyond the contact, the equation and the load kept
+    full_contact,  ///< over the notch too, where no place shows that the corner pulls
+    unsolved       ///< of a problem that has no solution in double
   } which = Which::solution;
-  bool near_miss = false;  ///< of an end; else a hundredth of the contact
-  Rational factor = 1;     ///< of the traction
-  bool factor_near_miss = false;
-  bool with_unsolved = false;  ///< a problem among the others that has no solution in double
+  Number by = Number(1) / 100;  ///< how far an end is moved, over the contact's length
+  Number factor = 1;            ///< of the traction
 };
 
 /// A notch over a rising jump, seven tenths of the load under which it closes; the power's amplitude pulls on 10^-11 of
@@ -50,68 +50,69 @@ ContactProblem random_problem(Random& random, std::size_t k) {
   return cell_problem(steps, two ? wells : random_profile(random, true), load);
 }
 
+CaseList<ContactProblem> problems(const Context& context) {
+  auto list = random_cases(context, "eq-03-complementarity", 9, 1,
+                           "random frictions, profiles with one and two wells and loads", random_problem);
+  list.cases.push_back(notch(true));
+  list.detail += "; a notch over a jump";
+  return list;
+}
+
 /// The problem on a shorter or longer support.
 ContactProblem on_support(const ContactProblem& p, const Rational& left, const Rational& right) {
-  const FrictionProfile& friction = p.friction();
-  std::vector<Rational> jumps;
-  std::vector<Rational> kept;
-  for (std::size_t k = 0; k <= friction.jumps().size(); ++k) {
-    const bool begins = k == 0 || friction.jumps()[k - 1] < right;
-    const bool ends = k == friction.jumps().size() || friction.jumps()[k] > left;
-    if (!begins || !ends) continue;
-    if (!kept.empty()) jumps.push_back(friction.jumps()[k - 1]);
-    kept.push_back(friction.values()[k]);
-  }
-  return {p.elasticity(),
-          FrictionProfile(kept, jumps),
-          Indenter(left, {{right, p.indenter().pieces().front().profile}}),
-          p.load(),
-          p.sliding(),
-          p.load_at()};
+  const std::vector<Rational>& values = p.friction().values();
+  const std::vector<Rational>& jumps = p.friction().jumps();
+  const auto first = std::ranges::upper_bound(jumps, left) - jumps.begin();
+  const auto last = std::ranges::lower_bound(jumps, right) - jumps.begin();
+  return p
+      .with_friction(FrictionProfile({values.begin() + first, values.begin() + last + 1},
+                                     {jumps.begin() + first, jumps.begin() + last}))
+      .with_indenter(Indenter(left, {{right, p.indenter().pieces().front().profile}}));
 }
 
 /// A form with all that it points to.
 template <class R>
 struct Held {
   std::shared_ptr<const numeric::RiemannHilbertSolution<R>> solution;
-  std::unique_ptr<ContactProblem> problem;
-  std::unique_ptr<numeric::ReducedProblem<R>> reduced;
+  std::optional<ContactProblem> problem;  ///< on another support
+  std::optional<numeric::ReducedProblem<R>> reduced;
   numeric::JacobiRules<R> rules;
   std::optional<RiemannHilbertForm<R>> form;
+
+  /// In contact all over the support, with edges.
+  void put_edges(const numeric::ReducedProblem<R>& on) {
+    const auto left = static_cast<double>(on.anchors().front().x);
+    const auto right = static_cast<double>(on.anchors().back().x);
+    auto state = ContactState<R>::initial(on, ContactSet<R>(on, {{left, right, true, true}}), R(0));
+    form.emplace(on, std::move(state.set), std::move(state.q), state.tilt, rules);
+  }
 };
 
 template <Real R>
 std::unique_ptr<Held<R>> hold(const ContactProblem& problem, const Candidate& candidate) {
+  using Which = Candidate::Which;
   auto held = std::make_unique<Held<R>>();
-  held->solution = solve<R>(problem);
+  // What is not solved ends the walk, with the reason: no case is passed over.
+  held->solution = solve<R>(candidate.which == Which::unsolved ? notch(false) : problem);
   const RiemannHilbertForm<R>& form = held->solution->form();
-  const bool whole = candidate.which == Candidate::Which::full_contact;
-  if (whole && !problem.indenter().is_smooth()) {
-    const auto& reduced = held->solution->problem();
-    const double left = static_cast<double>(reduced.anchors().front().x);
-    const double right = static_cast<double>(reduced.anchors().back().x);
-    auto state = ContactState<R>::initial(reduced, ContactSet<R>(reduced, {{left, right, true, true}}), R(0));
-    held->form.emplace(reduced, std::move(state.set), std::move(state.q), state.tilt, held->rules);
-  } else if (whole || candidate.which == Candidate::Which::solution) {
-    held->form.emplace(held->solution->problem(), form.set(), form.q(), form.tilt(), held->rules);
-  } else if (candidate.which == Candidate::Which::moved_end) {
-    ContactSet<R> set = form.set();
-    std::vector<R> steps(set.movable().size(), R(0));
-    steps.front() = set.span_length() * (candidate.near_miss ? near_miss<R>() : R(1) / 100);
-    set.move(steps);
-    held->form.emplace(held->solution->problem(), set, form.q(), form.tilt(), held->rules);
-  } else {
+  if (candidate.which == Which::too_short || candidate.which == Which::too_long) {
     const auto contact = held->solution->contact();
-    const double left = static_cast<double>(contact.front().left.x.value);
-    const double right = static_cast<double>(contact.back().right.x.value);
-    const double by = (right - left) * (candidate.which == Candidate::Which::too_long ? 0.01 : -0.01);
-    held->problem = std::make_unique<ContactProblem>(on_support(problem, Rational(left - by), Rational(right + by)));
-    held->reduced = std::make_unique<numeric::ReducedProblem<R>>(*held->problem, held->solution->problem().frame());
-    const auto& frame = held->reduced->frame();
-    const auto in_frame = [&](double x) { return numeric::to_real<double>((Rational(x) - frame.origin) / frame.unit); };
-    auto state = ContactState<R>::initial(
-        *held->reduced, ContactSet<R>(*held->reduced, {{in_frame(left - by), in_frame(right + by), true, true}}), R(0));
-    held->form.emplace(*held->reduced, std::move(state.set), std::move(state.q), state.tilt, held->rules);
+    const auto left = static_cast<double>(contact.front().left.x.value);
+    const auto right = static_cast<double>(contact.back().right.x.value);
+    const double by = (right - left) * (candidate.which == Which::too_long ? 0.01 : -0.01);
+    held->problem = on_support(problem, Rational(left - by), Rational(right + by));
+    held->reduced.emplace(*held->problem, held->solution->problem().frame());
+    held->put_edges(*held->reduced);
+  } else if (candidate.which == Which::full_contact && !problem.indenter().is_smooth()) {
+    held->put_edges(held->solution->problem());
+  } else {
+    ContactSet<R> set = form.set();
+    if (candidate.which == Which::moved_end) {
+      std::vector<R> steps(set.movable().size(), R(0));
+      steps.front() = set.span_length() * R(candidate.by);
+      set.move(steps);
+    }
+    held->form.emplace(held->solution->problem(), std::move(set), form.q(), form.tilt(), held->rules);
   }
   return held;
 }
@@ -149,20 +150,14 @@ int pulling_sides(const RiemannHilbertForm<R>& form, const R& factor) {
 }
 
 template <Real R>
-void examine(Findings& findings, const ContactProblem& problem, const RiemannHilbertForm<R>& form, const R& factor) {
+void examine(Findings& findings, const ContactProblem& problem, const Candidate& candidate) {
   using std::abs, std::max;
-  const std::vector<std::string> nothing{"trapezoidal rule", "0"};
-  const Quantity equation{
-      "u_bar' = psi_bar' in the contact", {"A t by the trapezoidal rule", "psi_bar'"}, tolerance<R>()};
-  const Quantity load{"int t", {"trapezoidal rule", "-P"}, tolerance<R>()};
-  const Quantity tension{"t > 0 within the contact", nothing, tolerance<R>()};
   const Quantity limits{"t > 0 in the limit at an end, a jump or a wedge (sides)",
                         {"t as near as 10^-300 in double, 10^-1000000 with more digits", "0"},
                         0};
-  const Quantity penetration{"u + C > psi off the contact, over c P", nothing, tolerance<R>()};
-  const Quantity closure{
-      "gap between two components, over c P", {"from the left one", "from the right one"}, tolerance<R>(), 0};
-  const std::vector<std::size_t> segments = segments_of(form);
+  const auto held = hold<R>(problem, candidate);
+  const RiemannHilbertForm<R>& form = *held->form;
+  const R factor(candidate.factor);
   numeric::PiecewiseDensity<R> density = traction_density(form);
   for (auto& panel : density) {
     panel.smooth = [smooth = panel.smooth, factor](const numeric::Node<R>& node) { return R(factor * smooth(node)); };
@@ -175,8 +170,9 @@ void examine(Findings& findings, const ContactProblem& problem, const RiemannHil
   };
   const numeric::SurfaceCheck<R> check(density, friction_of(form), profile_slope);
   const R p = numeric::to_real<R>(problem.load()) / unit;
-  findings.compare(load, relative_difference<R>(check.integral(), R(-p)));
-  findings.compare(tension, static_cast<double>(R(max(check.highest_traction(), R(0)) * form.set().span_length() / p)));
+  findings.compare<R>("load", check.integral(), -p);
+  findings.compare("tension",
+                   static_cast<double>(R(max(check.highest_traction(), R(0)) * form.set().span_length() / p)));
   findings.compare(limits, pulling_sides<R>(form, factor));
 
   for (std::size_t k = 0; k < density.size(); ++k) {
@@ -190,7 +186,7 @@ void examine(Findings& findings, const ContactProblem& problem, const RiemannHil
         // Denser towards the end of the contact.
         const R d = length * i * i * i * i / (steps * steps * steps * steps);
         const R gap = opening<R>(check, panel, form, problem, k, side, d);
-        findings.compare(penetration, static_cast<double>(max(R(-gap), R(0))));
+        findings.compare("penetration", static_cast<double>(max(R(-gap), R(0))));
       }
     };
     if (k == 0) look(Side::left, R(panel.left - (left - origin) / unit), 6);
@@ -202,58 +198,43 @@ void examine(Findings& findings, const ContactProblem& problem, const RiemannHil
       const R half = density[k + 1].gap / 2;
       const R from_left = opening<R>(check, panel, form, problem, k, Side::right, half);
       const R from_right = opening<R>(check, density[k + 1].panel, form, problem, k + 1, Side::left, half);
-      findings.compare(closure, static_cast<double>(R(abs(from_left - from_right))));
+      findings.compare("closure", static_cast<double>(R(abs(from_left - from_right))));
     }
   }
   // The dearest one last: controls fail before.
-  findings.compare(equation, static_cast<double>(check.equation()));
+  findings.compare("equation", static_cast<double>(check.equation()));
 }
-
-std::vector<Evidence> check(const Context& context, const Candidate& candidate) {
-  const numeric::Digits digits =
-      context.quick ? numeric::Digits::sixteen : std::max(context.digits, numeric::Digits::fifty);
-  const auto walk = [&]<Real R>() {
-    Random random(context.seed, "eq-03-complementarity");
-    Findings findings;
-    const std::size_t count = context.quick ? 1 : 9;
-    std::vector<ContactProblem> problems;
-    for (std::size_t k = 0; k < count; ++k) problems.push_back(random_problem(random, k));
-    problems.push_back(notch(true));
-    if (candidate.with_unsolved) problems.push_back(notch(false));
-    for (const ContactProblem& problem : problems) {
-      findings.begin_case(text_of(problem));
-      // What is not solved ends the walk, with the reason: no case is passed over.
-      const auto held = hold<R>(problem, candidate);
-      R factor = numeric::to_real<R>(candidate.factor);
-      if (candidate.factor_near_miss) factor += near_miss<R>();
-      examine<R>(findings, problem, *held->form, factor);
-    }
-    return findings.evidence("random frictions, profiles with one and two wells and loads, seed " +
-                             std::to_string(context.seed) + "; a notch over a jump");
-  };
-  return gather([&] { return numeric::at_precision(digits, walk); });
-}
-
-Wrong<Candidate> wrong(std::string name, const Candidate& candidate) { return {std::move(name), candidate}; }
 
 }  // namespace
 
 Claim eq_03_complementarity() {
   using Which = Candidate::Which;
-  return make_claim(
-      claim_text("eq-03-complementarity"), check, Candidate{},
-      std::vector<Wrong<Candidate>>{
-          wrong("an end moved by a hundredth of the contact", {.which = Which::moved_end}),
-          wrong("edges within the contact: equation and load right, but the surface penetrates",
-                {.which = Which::too_short}),
-          wrong("edges beyond the contact: equation and load right, but there is tension", {.which = Which::too_long}),
-          wrong("full contact over a notch: equation and load right, but the corner pulls on 1e-11 of it",
-                {.which = Which::full_contact}),
-          wrong("a problem without solution among the others", {.with_unsolved = true}),
-          wrong("the traction of another load", {.factor = Rational(11, 10)}),
-          wrong("the traction of the other sign", {.factor = -1}),
-          wrong("near miss: an end moved by ten times the tolerance", {.which = Which::moved_end, .near_miss = true}),
-          wrong("near miss: the traction moved by ten times the tolerance", {.factor_near_miss = true})});
+  const auto which = [](Which is) { return [is](Candidate& candidate) { candidate.which = is; }; };
+  return formula_claim<ContactProblem, Candidate>("eq-03-complementarity")
+      .cases(problems)
+      .precision(Precision::quick_in_double)
+      .quantities({"equation", "load", "tension", "penetration"})
+      .quantity("closure", {.required = 0})
+      .checked([]<Real R>(Findings& findings, const Candidate& candidate, const ContactProblem& problem,
+                          const Context& context) {
+        // All problems with fifty digits at least.
+        if (std::same_as<R, double> && !context.quick) return examine<Real50>(findings, problem, candidate);
+        examine<R>(findings, problem, candidate);
+      })
+      .wrong("an end moved by a hundredth of the contact", which(Which::moved_end))
+      .wrong("edges within the contact: equation and load right, but the surface penetrates", which(Which::too_short))
+      .wrong("edges beyond the contact: equation and load right, but there is tension", which(Which::too_long))
+      .wrong("full contact over a notch: equation and load right, but the corner pulls on 1e-11 of it",
+             which(Which::full_contact))
+      .wrong("a problem without solution among the others", which(Which::unsolved))
+      .wrong("the traction of another load", [](Candidate& candidate) { candidate.factor = Number(11) / 10; })
+      .wrong("the traction of the other sign", [](Candidate& candidate) { candidate.factor = -1; })
+      .near_miss("an end",
+                 [](Candidate& candidate, const Number& step) {
+                   candidate.which = Which::moved_end;
+                   candidate.by = step;
+                 })
+      .near_miss("the traction", &Candidate::factor);
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -1,19 +1,18 @@
-#include "proofs_checks/instruments/problem_law.hpp"
+#include "proofs_checks/instruments/solutions/problem_law.hpp"
 
 namespace steadyslide::proofs_checks {
-namespace {
-const Rational factor(5, 3);
-}
 
 Claim eq_03_dilation() {
-  const Law law{.scale = factor, .shift = Rational(1, 7), .height = factor, .load = factor, .gap = factor};
-  return law_claim("eq-03-dilation", law,
-                   {variant("heights kept", law, [](Law& l) { l.height = 1; }),
-                    variant("load kept", law, [](Law& l) { l.load = 1; }),
-                    variant("the traction divided by k", law, [](Law& l) { l.traction = 1 / factor; }),
-                    variant("the gap kept", law, [](Law& l) { l.gap = 1; }),
-                    variant("near miss: the load moved by ten times the tolerance", law, miss_of_load),
-                    variant("near miss: the traction on cells moved by ten times the tolerance", law, miss_on_cells)});
+  static const Rational factor(5, 3);
+  return law_claim("eq-03-dilation",
+                   {.scale = factor, .shift = Rational(1, 7), .height = factor, .load = factor, .gap = factor})
+      .wrong("heights kept", [](Law& l) { l.height = 1; })
+      .wrong("load kept", [](Law& l) { l.load = 1; })
+      .wrong("the traction divided by k", [](Law& l) { l.traction = 1 / factor; })
+      .wrong("the gap kept", [](Law& l) { l.gap = 1; })
+      .wrong("near miss: the load moved by ten times the tolerance", [](Law& l) { l.missed = &Law::load; })
+      .wrong("near miss: the traction on cells moved by ten times the tolerance",
+             [](Law& l) { l.missed_on_cells = true; });
 }
 
 }  // namespace steadyslide::proofs_checks

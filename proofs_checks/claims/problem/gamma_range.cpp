@@ -1,5 +1,5 @@
-#include "proofs_checks/instruments/gamma_range.hpp"
-#include "proofs_checks/instruments/identities.hpp"
+#include "proofs_checks/instruments/identities/gamma_range.hpp"
+#include "proofs_checks/instruments/identities/derived.hpp"
 
 namespace steadyslide::proofs_checks {
 

@@ -1,5 +1,5 @@
-#include "proofs_checks/instruments/complex_jet.hpp"
-#include "proofs_checks/instruments/punch_traction.hpp"
+#include "proofs_checks/instruments/operators/complex_jet.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -44,14 +44,6 @@ double distance(const Complex<R>& a, const Complex<R>& b, const R& size) {
 template <Real R>
 void check_jump(Findings& findings, const PlemeljJump& formula, const ContactProblem& problem) {
   using std::abs, std::cos, std::sin;
-  const Quantity jump{
-      "Y^+ = G Y^- on the contact", {"Y on the upper bank", "(s-i)/(s+i) times Y on the lower bank"}, tolerance<R>()};
-  const Quantity angle{"value of G", {"(s-i)/(s+i)", "-exp(2 pi i alpha)"}, tolerance<R>()};
-  const Quantity traction{
-      "value of the traction", {"Phi^+ - Phi^- with Phi = P Y/(2 pi i)", "closed form"}, tolerance<R>()};
-  const Quantity limit{
-      "Y on both banks of the contact", {"Y close to the real axis", "its boundary values"}, tolerance<R>()};
-  const Quantity infinity{"z Phi(z) at infinity", {"far away", "P/(2 pi i)"}, tolerance<R>()};
   const PowerForm<R> form = formula.at<R>();
   const R potential(formula.potential);
   const numeric::PowerTraction<R> t = form.traction();
@@ -63,26 +55,26 @@ void check_jump(Findings& findings, const PlemeljJump& formula, const ContactPro
     const numeric::Panel<R>& panel = y.panel(k);
     const Complex<R> ratio{R(formula.ratios[k].re), R(formula.ratios[k].im)};
     const R turn = 2 * numeric::pi<R>() * numeric::to_real<R>(alpha(problem, k));
-    findings.compare(angle, distance<R>(ratio, {-cos(turn), -sin(turn)}, R(1)));
+    findings.compare("angle", distance<R>(ratio, {-cos(turn), -sin(turn)}, R(1)));
     for (const int tenths : {3, 5, 8}) {
       const numeric::Node<R> node = panel.node_from_left(panel.length * tenths / 10);
       const Complex<R> above = y.boundary(k, node, BoundaryLimit::plus);
       const Complex<R> below = y.boundary(k, node, BoundaryLimit::minus);
       const R size = y.modulus(k, node);
-      findings.compare(jump, distance(above, ratio * below, size));
+      findings.compare("jump", distance(above, ratio * below, size));
       // Phi = potential Y/i, and (a + bi)/i = b - ai.
       const Complex<R> difference{potential * (above.im - below.im), potential * (below.re - above.re)};
       const R value = t(k, node);
-      findings.compare(traction, distance<R>(difference, {value, R(0)}, abs(value)));
+      findings.compare("traction", distance<R>(difference, {value, R(0)}, abs(value)));
       // Off the axis distances are differences of coordinates: a short panel costs digits.
       const R height = small * shortest;
-      findings.compare(limit, static_cast<double>(shortest) * distance(y.at({node.x, height}), above, size));
-      findings.compare(limit, static_cast<double>(shortest) * distance(y.at({node.x, R(-height)}), below, size));
+      findings.compare("limit", static_cast<double>(shortest) * distance(y.at({node.x, height}), above, size));
+      findings.compare("limit", static_cast<double>(shortest) * distance(y.at({node.x, R(-height)}), below, size));
     }
   }
   const Complex<R> far{R(0), R(1 / small)};
   const R load = numeric::to_real<R>(problem.load()) / (2 * numeric::pi<R>());
-  findings.compare(infinity, distance<R>(potential * (far * y.at(far)), {load, R(0)}, load));
+  findings.compare("infinity", distance<R>(potential * (far * y.at(far)), {load, R(0)}, load));
 }
 
 }  // namespace
@@ -91,31 +83,25 @@ Claim plemelj() {
   return formula_claim<ContactProblem, PlemeljJump>("plemelj")
       .cases(punches)
       .effective_where(has_friction)
+      .quantities({"jump", "angle", "traction", "limit", "infinity"})
       .says(jump_of)
-      .checked([]<Real R>(Findings& findings, const PlemeljJump& formula, const ContactProblem& p) {
-        check_jump<R>(findings, formula, p);
-      })
+      .checked([]<numeric::Real R>(auto&... of) { check_jump<R>(of...); })
       .wrong("G = (s+i)/(s-i)",
-             [](PlemeljJump& jump, const ContactProblem&) {
+             [](PlemeljJump& jump) {
                for (auto& ratio : jump.ratios) ratio.im *= -1;
              })
       .wrong("G = -(s-i)/(s+i)",
-             [](PlemeljJump& jump, const ContactProblem&) {
+             [](PlemeljJump& jump) {
                for (auto& ratio : jump.ratios) ratio = {-ratio.re, -ratio.im};
              })
       .wrong("the powers of both edges exchanged",
-             [](PlemeljJump& jump, const ContactProblem&) { std::swap(jump.exponents.front(), jump.exponents.back()); })
-      .wrong("the exponent of one jump missing",
-             [](PlemeljJump& jump, const ContactProblem&) { jump.exponents[1] = Exponent(0); })
-      .wrong("Phi = P Y/(pi i)", [](PlemeljJump& jump, const ContactProblem&) { jump.potential *= 2; })
+             [](PlemeljJump& jump) { std::swap(jump.exponents.front(), jump.exponents.back()); })
+      .wrong("the exponent of one jump missing", [](PlemeljJump& jump) { jump.exponents[1] = Exponent(0); })
+      .wrong("Phi = P Y/(pi i)", [](PlemeljJump& jump) { jump.potential *= 2; })
       .wrong("cos(pi alpha) missing in t",
-             [](PlemeljJump& jump, const ContactProblem&) {
-               std::ranges::fill(jump.amplitudes, Number(-2 * jump.potential));
-             })
-      .near_miss("one jump's exponent",
-                 [](PlemeljJump& jump, const Number& step, const ContactProblem&) { jump.move_power(1, step); })
-      .near_miss("Phi",
-                 [](PlemeljJump& jump, const Number& step, const ContactProblem&) { jump.potential *= 1 + step; });
+             [](PlemeljJump& jump) { std::ranges::fill(jump.amplitudes, Number(-2 * jump.potential)); })
+      .near_miss("one jump's exponent", [](PlemeljJump& jump, const Number& step) { jump.move_power(1, step); })
+      .near_miss("Phi", &PlemeljJump::potential);
 }
 
 }  // namespace steadyslide::proofs_checks

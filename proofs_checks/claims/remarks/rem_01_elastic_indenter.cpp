@@ -1,5 +1,5 @@
 #include "model/elasticity.hpp"
-#include "proofs_checks/instruments/identities.hpp"
+#include "proofs_checks/instruments/identities/derived.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -58,29 +58,19 @@ Values constants(const TwoBodies& c, const Constant& gamma, const Constant& comp
           {"rigid compliance", numeric::to_real<Number>(of(compliance, c.half_space, stiff))}};
 }
 
+auto with(const Constant& gamma, const Constant& compliance) {
+  return [=](Values& p, const TwoBodies& c) { p = constants(c, gamma, compliance); };
+}
+
 }  // namespace
 
 Claim rem_01_elastic_indenter() {
-  const std::vector<std::string> rigid{"the rigid indenter's", "the formula with E = 1e200"};
-  return proved_by(
-      {"dundurs-rigid", "dundurs-rigid-plane-strain", "compliance-rigid", "dundurs-exchange", "dundurs-identical",
-       "dundurs-by-compliances"},
-      "as rational functions of both shear moduli and both Kolosov constants",
+  Claim claim =
       compared<TwoBodies>("rem-01-elastic-indenter")
           .cases(pairs)
-          .quantity({.name = "gamma", .what = "gamma, that problems are solved with, is the formula's", .routes = {}})
-          .quantity({.name = "compliance", .what = "the compliance is the formula's", .routes = {}})
-          .quantity({.name = "exchanged", .what = "exchanging the bodies changes gamma's sign alone", .routes = {}})
-          .quantity({.name = "equal bodies", .what = "gamma of equal bodies is 0", .routes = {}})
-          .quantity({.name = "rigid gamma",
-                     .what = "gamma of a stiff indenter",
-                     .routes = rigid,
-                     .tolerance = 1e-96,
-                     .absolute = true})
-          .quantity({.name = "rigid compliance",
-                     .what = "compliance of a stiff indenter",
-                     .routes = rigid,
-                     .tolerance = 1e-96})
+          .quantities({"gamma", "compliance", "exchanged", "equal bodies"})
+          .quantity("rigid gamma", {.tolerance = 1e-96, .absolute = true})
+          .quantity("rigid compliance", {.tolerance = 1e-96})
           .measured([](const TwoBodies& c) -> Values {
             const Elasticity both(c.half_space, c.indenter, c.plane);
             const Elasticity rigid(c.half_space, c.plane);
@@ -92,28 +82,19 @@ Claim rem_01_elastic_indenter() {
                     {"rigid compliance", numeric::to_real<Number>(rigid.compliance())}};
           })
           .predicted([](const TwoBodies& c) { return constants(c, dundurs, sum_of_compliances); })
-          .wrong("the bodies exchanged in gamma",
-                 [](Values& p, const TwoBodies& c) {
-                   const Constant exchanged = [](const Rational& m1, const Rational& k1, const Rational& m2,
-                                                 const Rational& k2) { return dundurs(m2, k2, m1, k1); };
-                   p = constants(c, exchanged, sum_of_compliances);
-                 })
+          .wrong(
+              "the bodies exchanged in gamma",
+              with([](auto& m1, auto& k1, auto& m2, auto& k2) { return dundurs(m2, k2, m1, k1); }, sum_of_compliances))
           .wrong("kappa + 1 in gamma's numerator",
-                 [](Values& p, const TwoBodies& c) {
-                   const Constant wrong = [](const Rational& m1, const Rational& k1, const Rational& m2,
-                                             const Rational& k2) {
-                     return Rational((m2 * (k1 + 1) - m1 * (k2 + 1)) / (m2 * (k1 + 1) + m1 * (k2 + 1)));
-                   };
-                   p = constants(c, wrong, sum_of_compliances);
-                 })
+                 with([](auto& m1, auto& k1, auto& m2,
+                         auto& k2) { return (m2 * (k1 + 1) - m1 * (k2 + 1)) / (m2 * (k1 + 1) + m1 * (k2 + 1)); },
+                      sum_of_compliances))
           .wrong("the compliance of the half-space alone",
-                 [](Values& p, const TwoBodies& c) {
-                   const Constant alone = [](const Rational& m1, const Rational& k1, const Rational&, const Rational&) {
-                     return Rational((k1 + 1) / (4 * m1));
-                   };
-                   p = constants(c, dundurs, alone);
-                 })
-          .near_misses());
+                 with(dundurs, [](auto& m1, auto& k1, auto&, auto&) { return (k1 + 1) / (4 * m1); }))
+          .near_misses();
+  return proved_by({"dundurs-rigid", "dundurs-rigid-plane-strain", "compliance-rigid", "dundurs-exchange",
+                    "dundurs-identical", "dundurs-by-compliances"},
+                   "as rational functions of both shear moduli and both Kolosov constants", std::move(claim));
 }
 
 }  // namespace steadyslide::proofs_checks

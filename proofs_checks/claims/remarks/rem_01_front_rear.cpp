@@ -1,5 +1,5 @@
-#include "proofs_checks/instruments/local_power.hpp"
-#include "proofs_checks/instruments/near.hpp"
+#include "proofs_checks/instruments/operators/local_power.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -94,51 +94,26 @@ Values predicted(const Sliding& c) {
 }  // namespace
 
 Claim rem_01_front_rear() {
-  const std::string route = "where the residual of A |x|^p vanishes, by quadrature";
   return compared<Sliding>("rem-01-front-rear")
       .cases(contacts)
       .precision(Precision::at_least_fifty)
-      .quantity({.name = "edges", .what = "the powers of front and rear edge differ by 2 alpha", .routes = {}})
-      .quantity({.name = "free ends", .what = "free ends: by 2 alpha as well", .routes = {}})
-      .quantity(
-          {.name = "ends differ", .what = "they differ exactly if gamma f != 0", .routes = {}, .near_miss = false})
-      .quantity({.name = "rear is stronger",
-                 .what = "the rear edge is the stronger singularity exactly if gamma f > 0",
-                 .routes = {},
-                 .near_miss = false})
-      .quantity({.name = "jump is singular",
-                 .what = "a jump of f is singular exactly if gamma != 0",
-                 .routes = {},
-                 .near_miss = false})
-      .quantity({.name = "ends",
-                 .what = "power at the front less power at the rear",
-                 .routes = {route, "2 alpha"},
-                 .absolute = true})
-      .quantity({.name = "jump",
-                 .what = "power at a friction jump",
-                 .routes = {route, "alpha_- - alpha_+"},
-                 .absolute = true})
-      .quantity({.name = "equation",
-                 .what = "equation, solved in double with these powers",
-                 .routes = {"trapezoidal rule", "psi_bar'"},
-                 .tolerance = 1e-10,
-                 .absolute = true})
+      .quantities({"edges", "free ends"})
+      .quantities({"ends differ", "rear is stronger", "jump is singular"}, {.near_miss = false})
+      .quantities({"ends", "jump"}, {.absolute = true})
+      .quantity("equation", {.tolerance = 1e-10, .absolute = true})
       .measured([]<Real R>(const Sliding& c) { return measured<R>(c); })
       .predicted(predicted)
       .wrong("they differ whenever there is friction, gamma = 0 included",
              [](Values& p, const Sliding& c) {
-               p.set("ends differ", c.f_rear != 0);
-               p.set("jump is singular", c.has_jump());
+               p.set({{"ends differ", c.f_rear != 0}, {"jump is singular", c.has_jump()}});
              })
       .wrong("they differ without friction",
              [](Values& p, const Sliding& c) {
-               p.set("ends differ", c.gamma != 0);
-               p.set("jump is singular", c.gamma != 0);
+               p.set({{"ends differ", c.gamma != 0}, {"jump is singular", c.gamma != 0}});
              })
       .wrong("they never differ",
-             [](Values& p, const Sliding&) {
-               p.set("ends differ", false);
-               p.set("jump is singular", false);
+             [](Values& p) {
+               p.set({{"ends differ", false}, {"jump is singular", false}});
              })
       .wrong("the front is the stronger one for gamma f > 0",
              [](Values& p, const Sliding& c) { p.set("rear is stronger", c.gamma * c.f_rear < 0); })

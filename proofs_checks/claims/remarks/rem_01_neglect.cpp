@@ -1,5 +1,5 @@
-#include "proofs_checks/instruments/near.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
@@ -119,28 +119,13 @@ Values predicted(const Neglect& c) {
 }  // namespace
 
 Claim rem_01_neglect() {
-  const std::vector<std::string> on_cells{"fits to cells, which know no exponent", "-1/2 -+ alpha, beta"};
   return compared<Neglect>("rem-01-neglect")
       .cases(parabolas)
       .precision(Precision::at_least_fifty)
-      .quantity({.name = "peak",
-                 .what = "largest pressure under a parabola over the frictionless one",
-                 .routes = {"solved problems", "cos(pi alpha) ((1+2 alpha)/(1-2 alpha))^alpha"}})
-      .quantity({.name = "centre",
-                 .what = "centre of the contact over its half-width",
-                 .routes = {"solved problems", "-2 alpha"}})
-      .quantity({.name = "width",
-                 .what = "width over the frictionless one",
-                 .routes = {"solved problems", "1/sqrt(1-4 alpha^2)"}})
-      .quantity({.name = "loss", .what = "loss of the largest pressure", .routes = {}, .tolerance = 0.01})
-      .quantity({.name = "shift", .what = "shift of the contact", .routes = {}, .tolerance = 0.01})
-      .quantity({.name = "loss over s^2",
-                 .what = "loss of the largest pressure over s^2, s = 1e-8",
-                 .routes = {"solved problems", "1/2 - 4/pi^2"},
-                 .tolerance = 1e-12})
-      .quantity({.name = "rear", .what = "power at the rear edge", .routes = on_cells, .tolerance = 1e-3})
-      .quantity({.name = "front", .what = "power at the front edge", .routes = on_cells, .tolerance = 1e-3})
-      .quantity({.name = "jump", .what = "power at the friction jump", .routes = on_cells, .tolerance = 1e-3})
+      .quantities({"peak", "centre", "width"})
+      .quantities({"loss", "shift"}, {.tolerance = 0.01})
+      .quantity("loss over s^2", {.tolerance = 1e-12})
+      .quantities({"rear", "front", "jump"}, {.tolerance = 1e-3})
       .measured([]<Real R>(const Neglect& c, const Context& context) -> Values {
         if (c.what == What::punch || c.what == What::jump) return powers(c, context.quick);
         const Contact<R> zero = contact<R>(0);
@@ -152,23 +137,12 @@ Claim rem_01_neglect() {
       })
       .predicted(predicted)
       .wrong("the printed 'of': no other power unless the indenter is nonsmooth and friction not constant",
-             [](Values& p, const Neglect& c) {
-               const Number edge = numeric::to_real<Number>(-half);
-               if (c.what == What::punch) p = {{"rear", edge}, {"front", edge}};
-               if (c.what == What::jump) p = {{"jump", Number(0)}};
+             [](Values& p) {
+               p.set({{"rear", Number(-0.5)}, {"front", Number(-0.5)}, {"jump", Number(0)}});
              })
-      .wrong("the largest pressure lost at first order",
-             [](Values& p, const Neglect& c) {
-               if (c.what == What::limit) p.set("loss", Order{1});
-             })
-      .wrong("the contact shifted at second order",
-             [](Values& p, const Neglect& c) {
-               if (c.what == What::limit) p.set("shift", Order{2});
-             })
-      .wrong("the contact shifted to the front",
-             [](Values& p, const Neglect& c) {
-               if (c.what == What::parabola) p["centre"] *= -1;
-             })
+      .wrong("the largest pressure lost at first order", [](Values& p) { p.set("loss", Order{1}); })
+      .wrong("the contact shifted at second order", [](Values& p) { p.set("shift", Order{2}); })
+      .wrong("the contact shifted to the front", [](Values& p) { p.scale({"centre"}, -1); })
       .near_misses();
 }
 

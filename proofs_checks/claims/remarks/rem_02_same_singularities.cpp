@@ -4,7 +4,7 @@
 //   t = -(P/(2 pi)) cos(pi alpha) prod_j |sin((x-x_j)/2)|^{p_j} cos((x + sum_j p_j x_j)/2).
 
 #include "numeric/quadrature/trapezoidal.hpp"
-#include "proofs_checks/instruments/power_product.hpp"
+#include "proofs_checks/instruments/tractions/power_product.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -94,10 +94,6 @@ R smooth_kernel(const R& w) {
 template <Real R>
 void check(Findings& findings, const RowTraction& form, const Row& row) {
   using std::abs, std::max;
-  const Quantity equation{"equation with the periodic kernel",
-                          {"(1/pi) PV int t/(x'-x) and the smooth part by quadrature", "-s t"},
-                          tolerance<R>()};
-  const Quantity load{"total load", {"quadrature", "1"}, tolerance<R>()};
   const numeric::PiecewiseDensity<R> t = density_of<R>(row, form);
   const numeric::trapezoidal::Grid<R> grid(t);
   for (std::size_t k = 0; k < t.size(); ++k) {
@@ -113,10 +109,10 @@ void check(Findings& findings, const RowTraction& form, const Row& row) {
       const R added = R(form.cotangent) * numeric::trapezoidal::Grid<R>(rest).integral() / numeric::pi<R>();
       const R friction = numeric::to_real<R>(row.s[k]) * t[k](at.node);
       const R size = max({R(abs(singular)), R(abs(added)), R(abs(friction))});
-      findings.compare(equation, static_cast<double>(abs(singular + added + friction) / size));
+      findings.compare("equation", R(singular + added), R(-friction), size);
     }
   }
-  findings.compare(load, relative_difference<R>(grid.integral(), R(-1)));
+  findings.compare("load", grid.integral(), R(-1));
   Exponent sum;
   for (const Exponent& p : form.powers) sum += p;
   findings.decide("the powers add up to -1", sum == Exponent(-1));
@@ -128,24 +124,24 @@ Claim rem_02_same_singularities() {
   return formula_claim<Row, RowTraction>("rem-02-same-singularities")
       .cases(rows)
       .precision(Precision::quick_in_double)
+      .quantities({"equation", "load"})
       .says([](const Row& row) { return RowTraction{.powers = half_space_powers(row)}; })
       .checked([]<numeric::Real R>(Findings& findings, const RowTraction& form, const Row& row) {
         check<R>(findings, form, row);
       })
       .wrong("the powers at edges without friction",
-             [](RowTraction& form, const Row&) { form.powers.front() = form.powers.back() = -half; })
-      .wrong(
-          "no singularity at the friction jumps",
-          [](RowTraction& form, const Row&) { std::fill(form.powers.begin() + 1, form.powers.end() - 1, Exponent()); })
+             [](RowTraction& form) { form.powers.front() = form.powers.back() = -half; })
+      .wrong("no singularity at the friction jumps",
+             [](RowTraction& form) { std::fill(form.powers.begin() + 1, form.powers.end() - 1, Exponent()); })
       .wrong("the angles' sign", [](RowTraction& form, const Row& row) { form.powers = half_space_powers(row, true); })
       .wrong("the half-space's traction",
-             [](RowTraction& form, const Row&) {
+             [](RowTraction& form) {
                form.periodic = false;
                form.centre = 0;
              })
-      .wrong("the last factor centred at 0", [](RowTraction& form, const Row&) { form.centre = 0; })
-      .wrong("the half-space's kernel", [](RowTraction& form, const Row&) { form.cotangent = 0; })
-      .near_miss("the power at the rear", [](RowTraction& form, const Number& step, const Row&) { form.moved = step; });
+      .wrong("the last factor centred at 0", [](RowTraction& form) { form.centre = 0; })
+      .wrong("the half-space's kernel", [](RowTraction& form) { form.cotangent = 0; })
+      .near_miss("the power at the rear", [](RowTraction& form, const Number& step) { form.moved = step; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -76,10 +76,7 @@ Claim rh_count() {
   return compared<Edges>("rh-count")
       .cases(every_choice)
       .precision(Precision::in_double)
-      .quantity({.name = "sum", .what = "the exponents sum to S", .routes = {}})
-      .quantity({.name = "S", .what = "S = (free ends) - (components)", .routes = {}})
-      .quantity({.name = "coefficients", .what = "q has -S coefficients", .routes = {}})
-      .quantity({.name = "unknowns", .what = "as many unknowns as conditions", .routes = {}})
+      .quantities({"sum", "S", "coefficients", "unknowns"})
       .measured(counted)
       .predicted([](const Edges& c) { return predicted(c, {}); })
       .wrong("q of degree -S", with({.degree_of_q = 0}))

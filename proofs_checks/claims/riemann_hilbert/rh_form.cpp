@@ -1,8 +1,11 @@
 // The Riemann-Hilbert form on any contact set satisfies the equation.
 
+#include <map>
+
 #include "numeric/number/polynomial.hpp"
-#include "proofs_checks/instruments/punch.hpp"
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
+#include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
@@ -11,33 +14,30 @@ using numeric::Node;
 using numeric::RiemannHilbertForm;
 
 /// t = eps cos(pi alpha) prod |x - e_j|^{p_j} B_k on every segment.
-template <class R>
 struct FormTerms {
-  std::shared_ptr<const TrialForm<R>> trial;
+  std::shared_ptr<const TrialForm<double>> trial;  ///< for what the points and segments are
   std::vector<int> eps;
-  std::vector<R> cosine;
-  std::vector<numeric::Power<R>> powers;
-  std::vector<std::size_t> slope;  ///< k
-  bool polynomial = true;          ///< is [(g_k + tilt)/Y]_poly there?
-  int integral = 1;                ///< the integral's sign
-  bool excess = true;              ///< does A t miss what Y (m_0/z + ...) leaves at infinity?
+  std::vector<Number> cosine;
+  std::map<std::size_t, Exponent> powers;  ///< in place of Y's own
+  std::vector<std::size_t> slope;          ///< k
+  bool polynomial = true;                  ///< is [(g_k + tilt)/Y]_poly there?
+  int integral = 1;                        ///< the integral's sign
+  bool excess = true;                      ///< does A t miss what Y (m_0/z + ...) leaves at infinity?
 
-  const RiemannHilbertForm<R>& form() const { return trial->form(); }
+  const RiemannHilbertForm<double>& form() const { return trial->form(); }
+  bool is_contact(std::size_t k) const { return form().set().in_contact(k); }
+  bool is_end(std::size_t j) const { return form().set().point(j).is_end(); }
 };
-using FormFormula = Formula<FormTerms, Trial>;
 
-FormFormula form_formula() {
-  return FormFormula::from([]<Real R>(const Trial& trial) {
-    FormTerms<R> terms{std::make_shared<const TrialForm<R>>(trial), {}, {}, {}, {}};
-    const RiemannHilbertForm<R>& form = terms.form();
-    terms.powers = form.fundamental_solution().powers();
-    for (std::size_t k = 0; k < form.set().segments(); ++k) {
-      terms.eps.push_back(form.sign(static_cast<std::ptrdiff_t>(k)));
-      terms.cosine.push_back(form.problem().cos_alpha(form.friction_at(k)));
-      terms.slope.push_back(form.slope_at(k));
-    }
-    return terms;
-  });
+FormTerms terms_of(const Trial& trial) {
+  FormTerms terms{std::make_shared<const TrialForm<double>>(trial), {}, {}, {}, {}};
+  const RiemannHilbertForm<double>& form = terms.form();
+  for (std::size_t k = 0; k < form.set().segments(); ++k) {
+    terms.eps.push_back(form.sign(static_cast<std::ptrdiff_t>(k)));
+    terms.cosine.push_back(numeric::cos_pi_alpha<Number>(trial.problem.coupled_friction(form.friction_at(k))));
+    terms.slope.push_back(form.slope_at(k));
+  }
+  return terms;
 }
 
 /// [(g_k + tilt)/Y]_poly at x.
@@ -60,8 +60,7 @@ R polynomial_part(const RiemannHilbertForm<R>& form, std::size_t slope, const R&
 }
 
 template <Real R>
-Surface<R> surface_of(const FormTerms<R>& terms) {
-  const RiemannHilbertForm<R>& form = terms.form();
+Surface<R> surface_of(const RiemannHilbertForm<R>& form, const FormTerms& terms) {
   const auto bracket = [&terms, &form](std::size_t k, const Node<R>& node) {
     R b = form.regular_factor(terms.slope[k], {static_cast<std::ptrdiff_t>(k), node}).value;
     if (!terms.polynomial || terms.integral < 0) {
@@ -69,9 +68,11 @@ Surface<R> surface_of(const FormTerms<R>& terms) {
       if (terms.integral < 0) b = 2 * (poly - numeric::value_of(form.q(), node.x) / numeric::pi<R>()) - b;
       if (!terms.polynomial) b -= poly;
     }
-    return R(terms.eps[k] * terms.cosine[k] * b);
+    return R(terms.eps[k] * R(terms.cosine[k]) * b);
   };
-  const numeric::FundamentalSolution<R> weight(form.set().panels(), terms.powers);
+  std::vector<numeric::Power<R>> powers = form.fundamental_solution().powers();
+  for (const auto& [j, exponent] : terms.powers) powers[j] = numeric::Power<R>::of(exponent);
+  const numeric::FundamentalSolution<R> weight(form.set().panels(), std::move(powers));
   const std::vector<R> rest = terms.excess ? excess(form) : std::vector<R>{};
   const auto slope_at = [&form, rest](const R& xi) {
     const R x = numeric::to_real<R>(Trial::frame().origin) + numeric::to_real<R>(Trial::frame().unit) * xi;
@@ -81,69 +82,52 @@ Surface<R> surface_of(const FormTerms<R>& terms) {
           R(-numeric::pi<R>() * coefficient_at_infinity(form, -1)), load_scale(form)};
 }
 
-std::vector<Evidence> check_form(const Context& context, const FormFormula& formula) {
-  const auto walk = [&]<Real R>() {
-    const std::vector<Trial> all = trials(context, "rh-form", count_for(context, 20, 2, 1), true);
-    Findings findings;
-    for (const Trial& trial : all) {
-      findings.begin_case(trial.name + ": " + text_of(trial.problem), has_friction(trial.problem));
-      const FormTerms<R> terms = formula.at<R>(trial);
-      check_surface(findings, surface_of(terms), context.quick ? 1 : 2);
-    }
-    return findings.evidence(detail_of(context, all));
-  };
-  return gather([&] { return numeric::at_precision(context.digits, walk); });
-}
-
-/// Replaces the power of end j by that of the friction sliding the other way.
-template <class R>
-void turn_alpha(FormTerms<R>& terms, std::size_t j) {
-  const auto& point = terms.form().set().point(j);
-  const Exponent& exponent = terms.form().exponent(j);
-  const Exponent base(Rational(point.vanishes ? 1 : -1, 2));
-  terms.powers[j] = numeric::Power<R>::of(base + base - exponent);
-}
-
 }  // namespace
 
 Claim rh_form() {
-  // Plain: the formula is the solver's form, which lives at the number type it is examined in.
-  const FormFormula right = form_formula();
-  return make_claim(
-      claim_text("rh-form"), check_form, right,
-      std::vector<Wrong<FormFormula>>{
-          {"eps of the other sign on one component", right.changed([](auto& terms, const Trial&) {
-             std::size_t k = 0;
-             while (!terms.form().set().in_contact(k)) ++k;
-             for (; k < terms.eps.size() && terms.form().set().in_contact(k); ++k) terms.eps[k] = -terms.eps[k];
-           })},
-          {"alpha of the other sign in the power of the first end", right.changed([](auto& terms, const Trial&) {
-             std::size_t j = 0;
-             while (!terms.form().set().point(j).is_end()) ++j;
-             turn_alpha(terms, j);
-           })},
-          {"cos(pi alpha) left out", right.changed([]<class R>(FormTerms<R>& terms, const Trial&) {
-             for (R& c : terms.cosine) c = 1;
-           })},
-          {"the power of the jump left out", right.changed([]<class R>(FormTerms<R>& terms, const Trial&) {
-             for (std::size_t j = 0; j < terms.powers.size(); ++j) {
-               if (!terms.form().set().point(j).is_end()) terms.powers[j] = {R(0), R(1)};
-             }
-           })},
-          {"the slope of the other side of a wedge", right.changed([](auto& terms, const Trial&) {
-             for (std::size_t j = 1; j < terms.slope.size(); ++j) {
-               if (terms.form().changes_polynomial(j)) terms.slope[j] = terms.slope[j - 1];
-             }
-           })},
-          {"the integral with the other sign", right.changed([](auto& terms, const Trial&) { terms.integral = -1; })},
-          {"the polynomial at infinity forgotten",
-           right.changed([](auto& terms, const Trial&) { terms.excess = false; })},
-          {"[(g_k + delta)/Y]_poly left out",
-           right.changed([](auto& terms, const Trial&) { terms.polynomial = false; })},
-          {"near miss: the last panel's traction moved by ten times the tolerance",
-           right.changed([]<class R>(FormTerms<R>& terms, const Trial&) {
-             terms.cosine[segments_of(terms.form()).back()] *= 1 + near_miss<R>();
-           })}});
+  return formula_claim<Trial, FormTerms>("rh-form")
+      .cases([](const Context& context) {
+        return trials(context, "rh-form", {20, 2, 1}, true);
+      })
+      .effective_where([](const Trial& trial) { return has_friction(trial.problem); })
+      .says(terms_of)
+      .checked([]<Real R>(Findings& findings, const FormTerms& terms, const Trial& trial, const Context& context) {
+        const TrialForm<R> tried(trial);
+        check_surface(findings, surface_of(tried.form(), terms), context.quick ? 1 : 2);
+      })
+      .wrong("eps of the other sign on one component",
+             [](FormTerms& terms) {
+               std::size_t k = 0;
+               while (!terms.is_contact(k)) ++k;
+               for (; k < terms.eps.size() && terms.is_contact(k); ++k) terms.eps[k] = -terms.eps[k];
+             })
+      .wrong("alpha of the other sign in the power of the first end",
+             [](FormTerms& terms) {
+               std::size_t j = 0;
+               while (!terms.is_end(j)) ++j;
+               // The power of the friction sliding the other way.
+               const Exponent base(Rational(terms.form().set().point(j).vanishes ? 1 : -1, 2));
+               terms.powers[j] = base + base - terms.form().exponent(j);
+             })
+      .wrong("cos(pi alpha) left out", [](FormTerms& terms) { std::ranges::fill(terms.cosine, 1); })
+      .wrong("the power of the jump left out",
+             [](FormTerms& terms) {
+               for (std::size_t j = 0; j < terms.form().set().points().size(); ++j) {
+                 if (!terms.is_end(j)) terms.powers[j] = Exponent();
+               }
+             })
+      .wrong("the slope of the other side of a wedge",
+             [](FormTerms& terms) {
+               for (std::size_t j = 1; j < terms.slope.size(); ++j) {
+                 if (terms.form().changes_polynomial(j)) terms.slope[j] = terms.slope[j - 1];
+               }
+             })
+      .wrong("the integral with the other sign", [](FormTerms& terms) { terms.integral = -1; })
+      .wrong("the polynomial at infinity forgotten", [](FormTerms& terms) { terms.excess = false; })
+      .wrong("[(g_k + delta)/Y]_poly left out", [](FormTerms& terms) { terms.polynomial = false; })
+      .near_miss("the last panel's traction", [](FormTerms& terms, const Number& step) {
+        terms.cosine[segments_of(terms.form()).back()] *= 1 + step;
+      });
 }
 
 }  // namespace steadyslide::proofs_checks

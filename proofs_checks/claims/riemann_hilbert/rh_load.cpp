@@ -1,85 +1,79 @@
 // What the Riemann-Hilbert form says of the load.
 
-#include "proofs_checks/instruments/punch.hpp"
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
+#include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::RiemannHilbertForm;
+/// Over the size of int |t|: int t and int x t by quadrature, and by which the form's rule differs from it on a
+/// segment.
+template <Real R>
+Values by_quadrature(const Trial& trial) {
+  using std::abs, std::max;
+  const TrialForm<R> tried(trial);
+  const numeric::RiemannHilbertForm<R>& form = tried.form();
+  const numeric::trapezoidal::Grid<R> grid(traction_density(form));
+  const R scale = load_scale(form);
+  Values values{{"load", R(grid.integral() / scale)},
+                {"moment", R(grid.moment(R(0)) / scale)},
+                {"moment, solver", R(-form.moment_of_load() / scale)}};
+  if (!form.q().empty()) values.add({"given", R(-form.q().back() / scale)});
+  R part = 0;
+  const std::vector<std::size_t> segments = segments_of(form);
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    if (form.changes_polynomial(segments[k]) || form.changes_polynomial(segments[k] + 1)) continue;
+    const R found = grid.panel_integral(k);
+    part = max(part, R(abs(form.load_on(segments[k]).value - found) / max(scale, R(abs(found)))));
+  }
+  values.add({"part", part});
+  return values;
+}
 
-/// int t and int xi t.
-template <class R>
-struct Resultants {
-  std::shared_ptr<const TrialForm<R>> trial;
-  R load;
-  R moment;
-};
-using LoadFormula = Formula<Resultants, Trial>;
-
-std::vector<Evidence> check_load(const Context& context, const LoadFormula& formula) {
-  const auto walk = [&]<Real R>() {
-    using std::abs, std::max;
-    const Quantity load{"load int t", {"trapezoidal rule", "coefficient of 1/z at infinity"}, tolerance<R>()};
-    const Quantity moment{"moment int x t", {"trapezoidal rule", "coefficient of 1/z^2 at infinity"}, tolerance<R>()};
-    const Quantity given{
-        "load where S < 0", {"coefficient of 1/z at infinity", "leading coefficient of q"}, tolerance<R>()};
-    const Quantity part{
-        "load on one segment of the contact", {"trapezoidal rule", "Gauss-Jacobi rule"}, tolerance<R>()};
-    const std::vector<Trial> all = trials(context, "rh-load", count_for(context, 20, 2, 1));
-    Findings findings;
-    for (const Trial& trial : all) {
-      findings.begin_case(trial.name + ": " + text_of(trial.problem));
-      const Resultants<R> predicted = formula.at<R>(trial);
-      const RiemannHilbertForm<R>& form = predicted.trial->form();
-      const numeric::trapezoidal::Grid<R> grid(traction_density(form));
-      const R scale = max(R(abs(grid.integral())), load_scale(form));
-      findings.compare(load, static_cast<double>(R(abs(grid.integral() - predicted.load) / scale)));
-      findings.compare(moment, static_cast<double>(R(abs(grid.moment(R(0)) - predicted.moment) / scale)));
-      findings.compare(moment, static_cast<double>(R(abs(form.moment_of_load() + predicted.moment) / scale)));
-      if (!form.q().empty()) findings.compare(given, relative_difference<R>(predicted.load, R(-form.q().back())));
-      const std::vector<std::size_t> segments = segments_of(form);
-      for (std::size_t k = 0; k < segments.size(); ++k) {
-        if (form.changes_polynomial(segments[k]) || form.changes_polynomial(segments[k] + 1)) continue;
-        const R difference = form.load_on(segments[k]).value - grid.panel_integral(k);
-        findings.compare(part, static_cast<double>(R(abs(difference) / max(scale, R(abs(grid.panel_integral(k)))))));
-      }
-    }
-    return findings.evidence(detail_of(context, all));
-  };
-  return gather([&] { return numeric::at_precision(context.digits, walk); });
+/// By the coefficients of u'/c at infinity; with those of Y's first term alone, the moment is another.
+template <Real R>
+Values at_infinity(const Trial& trial, bool first_term_alone = false) {
+  const TrialForm<R> tried(trial);
+  const numeric::RiemannHilbertForm<R>& form = tried.form();
+  const R minus_pi = -numeric::pi<R>() / load_scale(form);
+  const int S = form.degree_at_infinity();
+  const R moment = !first_term_alone ? coefficient_at_infinity(form, -2)
+                   : S >= -1         ? form.moments(static_cast<std::size_t>(S + 2)).back()
+                                     : R(form.q()[static_cast<std::size_t>(-S - 2)] / numeric::pi<R>());
+  Values values{{"load", R(minus_pi * coefficient_at_infinity(form, -1))},
+                {"moment", R(minus_pi * moment)},
+                {"moment, solver", R(minus_pi * moment)},
+                {"part", Number(0)}};
+  if (!form.q().empty()) values.add({"given", R(minus_pi * coefficient_at_infinity(form, -1))});
+  return values;
 }
 
 }  // namespace
 
 Claim rh_load() {
-  // Plain: the formula is the solver's form, which lives at the number type it is examined in.
-  const LoadFormula right = LoadFormula::from([]<Real R>(const Trial& trial) {
-    auto form = std::make_shared<const TrialForm<R>>(trial);
-    const R minus_pi = -numeric::pi<R>();
-    return Resultants<R>{form, R(minus_pi * coefficient_at_infinity(form->form(), -1)),
-                         R(minus_pi * coefficient_at_infinity(form->form(), -2))};
-  });
-  return make_claim(
-      claim_text("rh-load"), check_load, right,
-      std::vector<Wrong<LoadFormula>>{
-          {"Y's expansion cut after its first term", right.changed([]<class R>(Resultants<R>& predicted, const Trial&) {
-             const RiemannHilbertForm<R>& form = predicted.trial->form();
-             const int S = form.degree_at_infinity();
-             predicted.moment = S >= -1 ? R(-numeric::pi<R>() * form.moments(static_cast<std::size_t>(S + 2)).back())
-                                        : R(-form.q()[static_cast<std::size_t>(-S - 2)]);
-           })},
-          {"int t = -[z^-1], pi missing",
-           right.changed([]<class R>(Resultants<R>& predicted, const Trial&) { predicted.load /= numeric::pi<R>(); })},
-          {"int x t = +pi [z^-2]",
-           right.changed([](auto& predicted, const Trial&) { predicted.moment = -predicted.moment; })},
-          {"near miss: the load moved by ten times the tolerance",
-           right.changed(
-               []<class R>(Resultants<R>& predicted, const Trial&) { predicted.load *= 1 + near_miss<R>(); })},
-          {"near miss: the moment moved by ten times the tolerance",
-           right.changed([]<class R>(Resultants<R>& predicted, const Trial&) {
-             predicted.moment += near_miss<R>() * predicted.load;
-           })}});
+  return compared<Trial>("rh-load")
+      .cases([](const Context& context) {
+        return trials(context, "rh-load", {20, 2, 1});
+      })
+      .quantities({"load", "moment", "moment, solver"}, {.absolute = true})
+      .quantity("given")
+      .quantity("part", {.absolute = true})
+      .measured([]<Real R>(const Trial& trial) { return by_quadrature<R>(trial); })
+      .predicted([]<Real R>(const Trial& trial) { return at_infinity<R>(trial); })
+      .wrong("Y's expansion cut after its first term",
+             [](Values& p, const Trial& trial) {
+               const Values cut = at_infinity<double>(trial, true);
+               p.set("moment", *cut.find("moment"));
+             })
+      .wrong("int t = -[z^-1], pi missing",
+             [](Values& p) {
+               p.scale({"load", "given"}, 1 / numeric::pi<Number>());
+             })
+      .wrong("int x t = +pi [z^-2]",
+             [](Values& p) {
+               p.scale({"moment", "moment, solver"}, -1);
+             })
+      .near_misses();
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/contact_forces.hpp"
+#include "proofs_checks/instruments/operators/contact_forces.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -13,15 +13,13 @@ struct Pair {
 std::string text_of(const Pair& pair) { return "pair " + std::to_string(pair.number); }
 
 CaseList<Pair> pairs(const Context& context) {
-  Random random(context.seed, "eq-16-conjugate");
   const std::vector<Rational> steps{1, Rational(1, 1000), parse_rational("1e-60")};
-  CaseList<Pair> list;
-  for (std::size_t k = 0; k < (context.quick ? 30 : 300); ++k) {
+  const auto make = [&](Random& random, std::size_t k) {
     Pair pair{k, random_forces(random, k % 2 == 0 ? k % 4 : 5, steps[k / 4 % steps.size()]), {}};
     for (std::size_t i = 0; i < pair.forces.size(); ++i) pair.psi.push_back(random.between(-2, 2));
-    list.cases.push_back(std::move(pair));
-  }
-  return list;
+    return pair;
+  };
+  return random_cases(context, "eq-16-conjugate", 300, 30, "random forces on nodes", make);
 }
 
 /// phi^*(-t_hat), t_hat the q of the forces; nothing where it is infinite.
@@ -102,26 +100,25 @@ Claim eq_16_conjugate() {
       .cases(pairs)
       .says([](const Pair&) { return pairing_on([](const ContactForces& c) { return c.is_admissible(); }); })
       .checked(check)
-      .wrong("+<<psi, t_hat>>", [](Conjugate& conjugate, const Pair&) { scale(conjugate, -1); })
-      .wrong("without <<psi, t_hat>>", [](Conjugate& conjugate, const Pair&) { scale(conjugate, 0); })
-      .wrong(
-          "without the indicator of K_0'",
-          [](Conjugate& conjugate, const Pair&) { conjugate = pairing_on([](const ContactForces&) { return true; }); })
+      .wrong("+<<psi, t_hat>>", [](Conjugate& conjugate) { scale(conjugate, -1); })
+      .wrong("without <<psi, t_hat>>", [](Conjugate& conjugate) { scale(conjugate, 0); })
+      .wrong("without the indicator of K_0'",
+             [](Conjugate& conjugate) { conjugate = pairing_on([](const ContactForces&) { return true; }); })
       .wrong("t_hat >= P t_0 in K_0'",
-             [](Conjugate& conjugate, const Pair&) {
+             [](Conjugate& conjugate) {
                conjugate = pairing_on([](const ContactForces& c) {
                  return all_of_nodes(c, [](const ContactForces& f, std::size_t i) { return f.force(i) <= 0; });
                });
              })
       .wrong("t_hat >= 0 in K_0' as well",
-             [](Conjugate& conjugate, const Pair&) {
+             [](Conjugate& conjugate) {
                conjugate = pairing_on([](const ContactForces& c) {
                  return c.is_admissible() &&
                         all_of_nodes(c, [](const ContactForces& f, std::size_t i) { return f.q[i] >= 0; });
                });
              })
       .wrong("near miss: <<psi, t_hat>> moved by 1e-60",
-             [](Conjugate& conjugate, const Pair&) { scale(conjugate, 1 + parse_rational("1e-60")); });
+             [](Conjugate& conjugate) { scale(conjugate, 1 + parse_rational("1e-60")); });
 }
 
 }  // namespace steadyslide::proofs_checks

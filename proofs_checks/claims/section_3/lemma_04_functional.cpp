@@ -1,6 +1,10 @@
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/gap_functional.hpp"
-#include "proofs_checks/instruments/logarithmic_spike.hpp"
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "numeric/quadrature/tanh_sinh.hpp"
+#include "proofs_checks/instruments/operators/gap_functional.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
@@ -8,7 +12,9 @@ namespace steadyslide::proofs_checks {
 namespace {
 
 using numeric::Real;
+using std::numbers::pi;
 using Function = PiecewiseFunction;
+using Gauss = boost::math::quadrature::gauss<double, 20>;
 
 /// Functions u_hat - psi, and what is done with them.
 struct Functions {
@@ -29,27 +35,24 @@ struct Functions {
 std::string text_of(const Functions& c) { return "s = " + to_string(c.s) + ", P = " + to_string(c.load); }
 
 CaseList<Functions> functions(const Context& context) {
-  Random random(context.seed, "lemma-04-functional");
-  CaseList<Functions> list{{}, "random s of both signs, polygons and cubics, seed " + std::to_string(context.seed)};
-  for (std::size_t k = 0; k < (context.quick ? 2 : 12); ++k) {
+  const auto make = [&](Random& random, std::size_t k) {
     const Rational s = random.between(Rational(1, 10), 3) * (k % 2 == 0 ? 1 : -1);
     const Rational load = random.between(Rational(1, 5), 4);
     const std::vector<Rational> points = random_points(random);
     const bool smooth = !context.quick && k % 3 == 2;
     const auto draw = [&] { return smooth ? random_cubic(random) : random_polygon(random, points); };
-    Functions c{k,
-                s,
-                load,
-                draw(),
-                draw(),
-                draw(),
-                random.between(0, 1),
-                random.between(0, 5),
-                random.between(-3, 3),
-                random_cubic(random)};
-    list.cases.push_back(std::move(c));
-  }
-  return list;
+    return Functions{k,
+                     s,
+                     load,
+                     draw(),
+                     draw(),
+                     draw(),
+                     random.between(0, 1),
+                     random.between(0, 5),
+                     random.between(-3, 3),
+                     random_cubic(random)};
+  };
+  return random_cases(context, "lemma-04-functional", 12, 2, "random s of both signs, polygons and cubics", make);
 }
 
 /// phi(psi + v) = size (reference - <t_0, paired>), t_0 of the friction s.
@@ -61,61 +64,100 @@ struct Functional {
   Number spike = 1;                               ///< phi(u_hat + w_L) -> phi(u_hat) + spike P
 
   template <Real R>
-  R at(const Function& v, UnitPairing<R>& pairing) const {
-    return R(size) * (R(reference(v)) - pairing(s, paired ? *paired : v));
+  R at(const Function& v) const {
+    return R(size) * (R(reference(v)) - pairing<R>(s, paired ? *paired : v));
   }
 };
 
 /// Convexity, homogeneity and the two lines of (13).
 template <Real R>
-void check_functional(Findings& findings, const Functional& form, const Functions& c, UnitPairing<R>& pairing) {
+void check_functional(Findings& findings, const Functional& form, const Functions& c) {
   using std::abs, std::max;
-  const Quantity lines{"phi(u_hat)", {"infimum over C", "ess sup"}, tolerance<R>()};
-  const Quantity convex{"phi between two functions, above the chord", {"phi", "chord"}, tolerance<R>()};
-  const Quantity scaled{"phi(psi + k v + C), k > 0", {"phi", "k phi(psi + v)"}, tolerance<R>()};
-  const Quantity proper{"phi below zero, and at psi", {"phi", "0"}, tolerance<R>()};
-  const auto phi = [&](const Function& v) { return form.at<R>(v, pairing); };
+  const auto phi = [&](const Function& v) { return form.at<R>(v); };
   const R load = numeric::to_real<R>(c.load);
   const auto error = [&](const R& a) { return static_cast<double>(a / load); };
   const R phi_v = phi(c.v);
-  findings.compare(lines, error(abs(-load * (pairing(c.s, c.v) + largest_shift<R>(c.v)) - phi_v)));
-  findings.compare(proper, error(max(R(-phi_v), R(0))));
-  findings.compare(proper, error(abs(phi(Function::constant(0, c.v.points)))));
+  findings.compare("lines", error(abs(-load * (pairing<R>(c.s, c.v) + largest_shift<R>(c.v)) - phi_v)));
+  findings.compare("proper", error(max(R(-phi_v), R(0))));
+  findings.compare("proper", error(abs(phi(Function::constant(0, c.v.points)))));
   const R part = numeric::to_real<R>(c.between);
   const R chord = part * phi_v + (1 - part) * phi(c.w);
-  findings.compare(convex, error(max(R(phi(Function::combined(c.between, c.v, 1 - c.between, c.w)) - chord), R(0))));
+  findings.compare("convex", error(max(R(phi(Function::combined(c.between, c.v, 1 - c.between, c.w)) - chord), R(0))));
   const Function shifted = Function::combined(c.factor, c.v, c.constant, Function::constant(1, c.v.points));
-  findings.compare(scaled, error(abs(phi(shifted) - numeric::to_real<R>(c.factor) * phi_v)));
+  findings.compare("scaled", error(abs(phi(shifted) - numeric::to_real<R>(c.factor) * phi_v)));
 }
 
 template <Real R>
-void check_pairings(Findings& findings, const Functions& c, UnitPairing<R>& pairing, bool quick) {
+void check_pairings(Findings& findings, const Functions& c, bool quick) {
   using std::abs;
-  const Quantity moments{"int t_0 v, polynomials", {"Gauss-Jacobi", "recurrence of moments"}, tolerance<R>()};
-  const Quantity panels{"int t_0 v, piecewise", {"Gauss-Jacobi", "tanh-sinh"}, tolerance<R>()};
-  const auto compare = [&](const Quantity& quantity, const R& a, const R& b) {
+  const auto compare = [&](const char* quantity, const R& a, const R& b) {
     findings.compare(quantity, static_cast<double>(abs(a - b)));
   };
-  compare(moments, pairing(c.s, c.cubic), pairing_by_moments<R>(c.s, c.cubic.pieces.front()));
-  if (!quick) compare(panels, pairing(c.s, c.v), pairing_by_tanh_sinh<R>(c.s, c.v));
+  compare("moments", pairing<R>(c.s, c.cubic), pairing_by_moments<R>(c.s, c.cubic.pieces.front()));
+  if (!quick) compare("panels", pairing<R>(c.s, c.v), pairing_by_tanh_sinh<R>(c.s, c.v));
+}
+
+// Spikes that are as high as 1 and as small as one likes in H^{1/2}:
+//
+//   w_L(x) = min(1, log(1/|2x|)/L) for |x| < 1/2, 0 elsewhere:  1 for |x| < e^-L/2.
+//
+// Their energy, half of the double integral of (w(x)-w(y))^2/(x-y)^2 over pi on the whole line, is that of the harmonic
+// extension, at most the extension min(1, log(1/|2z|)/L)'s, pi/L. Integrated by parts it is
+//
+//   -(1/pi) int int w'(x) w'(y) log|x-y| = (4/(pi L^2)) int_0^L (L-r) log coth(r/2) dr
+//                                        = (4/(pi L^2)) (pi^2 L/4 - 7 zeta(3)/4 + 2 sum_{k odd} e^{-kL}/k^3).
+//
+// In double; distances only enter by their logarithms, so that any L will do.
+
+double spike_energy(double l) {
+  double tail = 0;
+  for (int k = 1; k < 40; k += 2) tail += std::exp(-k * l) / (k * k * k);
+  const double zeta3 = boost::math::constants::zeta_three<double>();
+  return 4 / (pi * l * l) * (pi * pi * l / 4 - 7 * zeta3 / 4 + 2 * tail);
+}
+
+double spike_energy_by_quadrature(double l) {
+  const double length = std::min(l, 40.0);  // e^-40 is left out
+  const auto integrand = [l](const numeric::Node<double>& node) {
+    const double r = node.from_left;
+    return (l - r) * (std::log1p(std::exp(-r)) - std::log(-std::expm1(-r)));
+  };
+  const numeric::Power<double> none{0, 1};
+  return 4 / (pi * l * l) *
+         numeric::tanh_sinh::panel_integral<double>({{0, length, length}, none, none, integrand}).value;
+}
+
+/// int t_0 w_L, t_0 of the friction s.
+double spike_weight(const Rational& s, double l) {
+  const auto alpha = numeric::to_real<double>(Exponent::angle(s));
+  const auto unit = [alpha](double x) {
+    return std::cos(pi * alpha) / pi * std::pow(1 + x, -0.5 - alpha) * std::pow(1 - x, -0.5 + alpha);
+  };
+  // (1/L) int_0^L (mass of t_0 on |x| < e^-r/2) dr.
+  const auto mass = [&](double r) {
+    const double radius = std::exp(-r) / 2;
+    return Gauss::integrate(unit, -radius, radius);
+  };
+  double sum = 0;
+  const double most = std::min(l, 40.0);
+  for (double from = 0; from < most; from += 2) sum += Gauss::integrate(mass, from, std::min(from + 2, most));
+  return sum / l;
 }
 
 /// psi + v + w_L: v a hat with its top under the spike, so that the spike is felt in full.
 void check_spikes(Findings& findings, const Functional& form, const Rational& s, double load) {
-  const Quantity energy{"energy of a spike", {"series", "quadrature"}, tolerance<double>()};
   findings.begin_case("spikes, s = " + to_string(s));
   const Function hat{{-1, 0, 1}, {Polynomial({Rational(1, 3), Rational(1, 2)}), Polynomial({Rational(1, 3), -1})}};
-  UnitPairing<double> pairing;
-  const double at_limit = load * (supremum<double>(hat) - pairing(s, hat));
+  const double at_limit = load * (supremum<double>(hat) - pairing<double>(s, hat));
   const double limit = at_limit + static_cast<double>(form.spike) * load;
   std::vector<Level> energies;
   std::vector<Level> phis;
   for (const double l : {64.0, 256.0, 1024.0, 4096.0, 16384.0}) {
-    findings.compare(energy, relative_difference(spike_energy(l), spike_energy_by_quadrature(l)));
+    findings.compare<double>("energy", spike_energy(l), spike_energy_by_quadrature(l));
     energies.push_back({l, spike_energy(l)});
     const double weight = spike_weight(s, l);
-    const double with = load * (supremum<double>(hat) + 1 - pairing(s, hat) - weight);
-    const double without = load * (supremum<double>(hat) - pairing(s, hat) + weight);
+    const double with = load * (supremum<double>(hat) + 1 - pairing<double>(s, hat) - weight);
+    const double without = load * (supremum<double>(hat) - pairing<double>(s, hat) + weight);
     phis.push_back({l, std::abs(with - limit)});
     findings.require(with >= at_limit - load * weight && without >= at_limit, "phi falls below its value at the limit");
   }
@@ -132,35 +174,35 @@ void check_spikes(Findings& findings, const Functional& form, const Rational& s,
 Claim lemma_04_functional() {
   return formula_claim<Functions, Functional>("lemma-04-functional")
       .cases(functions)
+      .quantities({"lines", "convex", "scaled", "proper", "moments", "panels"})
+      .quantity("energy", {.tolerance = tolerance<double>()})
       .says([](const Functions& c) {
         return Functional{numeric::to_real<Number>(c.load), c.s};
       })
       .checked(
           []<numeric::Real R>(Findings& findings, const Functional& form, const Functions& c, const Context& context) {
-            UnitPairing<R> pairing;
-            check_functional<R>(findings, form, c, pairing);
-            check_pairings<R>(findings, c, pairing, context.quick);
+            check_functional<R>(findings, form, c);
+            check_pairings<R>(findings, c, context.quick);
             if (c.has_spikes()) check_spikes(findings, form, c.s, numeric::to_real<double>(c.load));
           })
       .wrong("the printed u_bar_n instead of u_hat in the second line of (13)",
              [](Functional& form, const Functions& c) { form.paired = c.given; })
       .wrong("ess inf instead of ess sup",
-             [](Functional& form, const Functions&) {
+             [](Functional& form) {
                form.reference = [](const Function& v) {
                  return Number(-supremum<Number>(Function::combined(-1, v, 0, v)));
                };
              })
       .wrong("the value at 0 instead of ess sup",
-             [](Functional& form, const Functions&) {
+             [](Functional& form) {
                form.reference = [](const Function& v) { return numeric::to_real<Number>(v.at(0)); };
              })
-      .wrong("-P t_0 instead of P t_0", [](Functional& form, const Functions&) { form.size *= -1; })
-      .wrong("the t_0 of -alpha", [](Functional& form, const Functions&) { form.s *= -1; })
-      .wrong("phi continuous: phi(u_hat + w_L) -> phi(u_hat)",
-             [](Functional& form, const Functions&) { form.spike = 0; })
+      .wrong("-P t_0 instead of P t_0", [](Functional& form) { form.size *= -1; })
+      .wrong("the t_0 of -alpha", [](Functional& form) { form.s *= -1; })
+      .wrong("phi continuous: phi(u_hat + w_L) -> phi(u_hat)", [](Functional& form) { form.spike = 0; })
       .wrong("phi upper, not lower semicontinuous: phi(u_hat + w_L) -> phi(u_hat) - P",
-             [](Functional& form, const Functions&) { form.spike = -1; })
-      .near_miss("phi", [](Functional& form, const Number& step, const Functions&) { form.size *= 1 + step; });
+             [](Functional& form) { form.spike = -1; })
+      .near_miss("phi", &Functional::size);
 }
 
 }  // namespace steadyslide::proofs_checks

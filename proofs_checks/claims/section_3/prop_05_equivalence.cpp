@@ -1,8 +1,8 @@
 #include <variant>
 
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/contact_forces.hpp"
-#include "proofs_checks/instruments/gap_functional.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/instruments/operators/contact_forces.hpp"
+#include "proofs_checks/instruments/operators/gap_functional.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -29,8 +29,6 @@ struct Case {
   std::string name;
   std::variant<Pair, Steps> data;
 };
-
-std::string text_of(const Case& c) { return c.name; }
 
 CaseList<Case> cases(const Context& context) {
   CaseList<Case> list{{}, "random polygons and friction of both signs, seed " + std::to_string(context.seed)};
@@ -117,43 +115,37 @@ Rational integral(const Function& f) {
 template <Real R>
 void check_steps(Findings& findings, const Equivalence& said, const Steps& steps) {
   using std::abs;
-  const Quantity constant{"<t_n, u_n - psi + C> with the C of (14)", {"Gauss-Jacobi", "0"}, tolerance<R>()};
-  const Quantity mean{
-      "mean of the test traction", {"int over the complement, and 1 less that over S", "0"}, tolerance<R>()};
-  UnitPairing<R> unit_pairing;
-  const auto pairing = [&](const Function& f) { return unit_pairing(steps.s, f); };
+  const auto paired_with = [&](const Function& f) { return pairing<R>(steps.s, f); };
   const R p = numeric::to_real<R>(steps.load);
   const Function weight{{-1, 1}, {steps.weight}};
   Function product = steps.v;
   for (Polynomial& piece : product.pieces) piece = piece * steps.weight;
   // t_n by its integral from the moments, its load by quadrature.
   const R scale = -p / pairing_by_moments<R>(steps.s, steps.weight);
-  const R paired = scale * pairing(product);
+  const R paired = scale * paired_with(product);
   const R c = said.constant * paired / p;
-  findings.compare(constant, static_cast<double>(abs(paired + c * scale * pairing(weight)) / p));
+  findings.compare("constant", static_cast<double>(abs(paired + c * scale * paired_with(weight)) / p));
 
   const PositivePart part = positive_part(steps.v);
-  const R outside = p * pairing(part.complement);
-  const R rest = p - p * pairing(part.set);
+  const R outside = p * paired_with(part.complement);
+  const R rest = p - p * paired_with(part.set);
   const R level = said.test_function * rest / numeric::to_real<R>(part.measure);
-  findings.compare(mean, static_cast<double>(abs(outside + level * numeric::to_real<R>(integral(part.set))) / p));
+  findings.compare("mean", static_cast<double>(abs(outside + level * numeric::to_real<R>(integral(part.set))) / p));
   findings.require(part.measure > 0, "u_n - psi + C is nowhere positive");
   findings.require(level < 0, "the test traction is not in K_0'");
   // <t_hat - P t_0, v> = int_S (level - P t_0) v
-  const R contradiction = level * numeric::to_real<R>(integral(part.values)) - p * pairing(part.values);
+  const R contradiction = level * numeric::to_real<R>(integral(part.values)) - p * paired_with(part.values);
   findings.require(contradiction < 0, "(15) is not contradicted");
 }
 
 }  // namespace
 
 Claim prop_05_equivalence() {
-  const auto conditions = [](auto change) {
-    return [change](Equivalence& said, const Case&) { change(said.conditions); };
-  };
+  const auto conditions = [](auto change) { return [change](Equivalence& said) { change(said.conditions); }; };
   using C = Conditions;
   return formula_claim<Case, Equivalence>("prop-05-equivalence")
       .cases(cases)
-      .says([](const Case&) { return Equivalence(); })
+      .quantities({"constant", "mean"})
       .checked([]<numeric::Real R>(Findings& findings, const Equivalence& said, const Case& c) {
         if (const auto* steps = std::get_if<Steps>(&c.data)) {
           check_steps<R>(findings, said, *steps);
@@ -161,16 +153,15 @@ Claim prop_05_equivalence() {
           check_equivalence(findings, said.conditions, std::get<Pair>(c.data));
         }
       })
-      .wrong("the printed test function without the minus sign",
-             [](Equivalence& said, const Case&) { said.test_function = 1; })
-      .wrong("-C instead of C in (14)", [](Equivalence& said, const Case&) { said.constant = -1; })
+      .wrong("the printed test function without the minus sign", [](Equivalence& said) { said.test_function = 1; })
+      .wrong("-C instead of C in (14)", [](Equivalence& said) { said.constant = -1; })
       .wrong("(11) without the product", conditions([](C& said) { said.complementary = false; }))
       .wrong("(11) without t_n <= 0", conditions([](C& said) { said.compressive = false; }))
       .wrong("(i) with <= 0", conditions([](C& said) { said.first = -1; }))
       .wrong("(i) for all t_hat of zero mean", conditions([](C& said) { said.over_all = true; }))
       .wrong("(ii) without phi", conditions([](C& said) { said.functional = 0; }))
       .wrong("(ii) with -phi", conditions([](C& said) { said.functional = -1; }))
-      .near_miss("a gap that counts as contact", [](Equivalence& said, const Number& step, const Case&) {
+      .near_miss("a gap that counts as contact", [](Equivalence& said, const Number& step) {
         said.conditions.contact_within = Rational(static_cast<double>(step));
       });
 }

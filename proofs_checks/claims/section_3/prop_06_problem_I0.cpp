@@ -1,31 +1,23 @@
 #include <numbers>
 #include <variant>
 
-#include "numeric/variational/active_set.hpp"
-#include "proofs_checks/instruments/dense_algebra.hpp"
-#include "proofs_checks/instruments/dual_study.hpp"
-#include "proofs_checks/instruments/interior_point.hpp"
+#include "proofs_checks/instruments/cells/dense_algebra.hpp"
+#include "proofs_checks/instruments/cells/interior_point.hpp"
+#include "proofs_checks/instruments/operators/dual_study.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::variational::ActiveSetResult;
-using numeric::variational::CellMesh;
 using numeric::variational::CellSet;
 using numeric::variational::DiscreteProblem;
 using numeric::variational::DiscreteState;
 
 /// A problem on cells, contact sets to start from, and forces of any sum to put into the inequality.
 struct OnCells {
-  CellFrictionSteps steps;
-  Polynomial profile;
-  Rational load;
-  CellMesh mesh;
+  ProblemOnCells on_cells;
   std::vector<CellSet> starts;
   std::vector<std::vector<double>> forces = {};
-
-  ContactProblem problem() const { return cell_problem(steps, profile, load); }
 };
 /// One of dual_cases().
 struct Convergence {
@@ -37,8 +29,6 @@ struct Case {
   std::variant<OnCells, Convergence> data;
 };
 
-std::string text_of(const Case& c) { return c.name; }
-
 CaseList<Case> cases(const Context& context) {
   constexpr std::array<Cells, 3> kinds{Cells::equal, Cells::unequal, Cells::alternating};
   Random random(context.seed, "prop-06-problem-I0");
@@ -48,7 +38,8 @@ CaseList<Case> cases(const Context& context) {
     const Polynomial profile = random_profile(random, k % 2 == 0);
     const Rational load = random.between(Rational(1, 5), 4);
     const std::size_t cells = 16 + random.below(16);
-    OnCells c{steps, profile, load, random_cells(random, cell_problem(steps, profile, load), kinds[k % 3], cells), {}};
+    const ContactProblem problem = cell_problem(steps, profile, load);
+    OnCells c{{problem, random_cells(random, problem, kinds[k % 3], cells)}, {}};
     for (int start = 0; start < 3; ++start) {
       c.starts.emplace_back(cells, 0);
       for (char& contact : c.starts.back()) contact = static_cast<char>(random.below(2));
@@ -69,21 +60,6 @@ CaseList<Case> cases(const Context& context) {
   return list;
 }
 
-/// Eight cells under a parabola where s falls from 5 to 0, from every contact set: three solutions
-/// (thm-01-nonuniqueness).
-OnCells falling_friction() {
-  const CellFrictionSteps steps{{5, 0}, {0}};
-  const Polynomial parabola({0, 0, 1});
-  const Rational load(1, 2);
-  constexpr std::size_t cells = 8;
-  OnCells c{steps, parabola, load, CellMesh(cell_problem(steps, parabola, load), cells), {}};
-  for (unsigned bits = 1; bits < 1U << cells; ++bits) {
-    c.starts.emplace_back(cells, 0);
-    for (std::size_t i = 0; i < cells; ++i) c.starts.back()[i] = static_cast<char>(bits >> i & 1U);
-  }
-  return c;
-}
-
 /// What the proposition says: of a problem on cells that it has the one solution that interior points find, of one of
 /// dual_cases() that cells tend to the Riemann-Hilbert solution of its problem.
 struct OneSolution {
@@ -96,17 +72,16 @@ struct OneSolution {
 };
 
 OneSolution one_solution(const Case& c) {
-  if (const auto* cells = std::get_if<OnCells>(&c.data)) return {.unique = *cells, .interior = cells->problem()};
+  if (const auto* cells = std::get_if<OnCells>(&c.data)) return {.unique = *cells, .interior = cells->on_cells.problem};
   return {.rate = dual_cases()[std::get<Convergence>(c.data).index].cells_rate};
 }
 
 /// b(t, t) on zero-mean tractions: friction adds nothing and the logarithm's part is positive.
 void check_form(Findings& findings, const DiscreteProblem& problem, double support) {
-  const Quantity friction{"b(t, t) on zero-mean tractions", {"with friction", "without"}, tolerance<double>()};
   const Eigen::MatrixXd without = symmetric_part(problem.mesh(), problem.galerkin_operator(), false);
   const Eigen::MatrixXd form = on_zero_mean(symmetric_part(problem.mesh(), problem.galerkin_operator(), true));
   const Eigen::MatrixXd plain = on_zero_mean(without);
-  findings.compare(friction, (form - plain).norm() / plain.norm());
+  findings.compare("friction", (form - plain).norm() / plain.norm());
   // A support of another length than 1 takes its logarithm over pi off each entry.
   const Eigen::MatrixXd asked =
       support > 0 ? Eigen::MatrixXd(without.array() - std::log(support) / std::numbers::pi) : form;
@@ -116,8 +91,6 @@ void check_form(Findings& findings, const DiscreteProblem& problem, double suppo
 /// sum g_i (p_hat_i - p_i) h_i >= 0 for random pressures p_hat >= 0 of the same load.
 void check_inequality(Findings& findings, const OnCells& c, const DiscreteProblem& problem,
                       const DiscreteState& state) {
-  const Quantity inequality{
-      "b(t, t_hat-t) - <<psi, t_hat-t>> below zero", {"random t_hat in K_0'", "none"}, 100 * tolerance<double>()};
   const std::vector<double> g = gaps(problem, state);
   double scale = 1;
   for (const double gap : g) scale = std::max(scale, std::abs(gap));
@@ -129,48 +102,30 @@ void check_inequality(Findings& findings, const OnCells& c, const DiscreteProble
     for (std::size_t i = 0; i < g.size(); ++i) {
       value += g[i] * (force[i] / sum - state.pressure[i] * problem.mesh().length(i));
     }
-    findings.compare(inequality, std::max(0.0, -value) / scale);
+    findings.compare("inequality", std::max(0.0, -value) / scale);
   }
 }
 
 void check_uniqueness(Findings& findings, const OneSolution& said) {
-  const Quantity forces{
-      "forces on the cells", {"active sets from random sets", "interior points"}, tolerance<double>(), 0.7};
   const OnCells& c = *said.unique;
-  const DiscreteProblem discrete(c.problem(), c.mesh);
-  auto other = forces_by_interior_points(DiscreteProblem(*said.interior, c.mesh));
+  const DiscreteProblem discrete(c.on_cells.problem, c.on_cells.mesh);
+  auto other = forces_by_interior_points(DiscreteProblem(*said.interior, c.on_cells.mesh));
   if (other) *other *= said.forces;
-  std::size_t found = 0;
-  for (const CellSet& start : c.starts) {
-    const ActiveSetResult result = active_set(discrete, start, {std::vector<double>(c.mesh.size(), 0)}, {});
-    if (result.outcome != ActiveSetResult::Outcome::solved || !other) continue;
-    findings.compare(forces, difference(forces_of(discrete, result.state), *other));
-    check_inequality(findings, c, discrete, result.state);
-    ++found;
+  const std::vector<DiscreteState> found = solutions_from(discrete, c.starts);
+  if (found.empty() || !other) findings.skip("forces");
+  for (std::size_t k = 0; k < found.size() && other; ++k) {
+    findings.compare("forces", difference(forces_of(discrete, found[k]), *other));
+    check_inequality(findings, c, discrete, found[k]);
   }
-  if (found == 0) findings.skip(forces);
   check_form(findings, discrete, said.support);
 }
 
-/// Cells are solved once for a claim and its controls.
-class KnownCells {
- public:
-  const Moments& at(std::size_t k, int n) {
-    Moments& moments = cells_[{k, n}];
-    if (moments.empty()) moments = cell_moments(dual_cases()[k].problem(), static_cast<std::size_t>(n));
-    return moments;
-  }
-
- private:
-  std::map<std::pair<std::size_t, int>, Moments> cells_;
-};
-
-void check_convergence(Findings& findings, KnownCells& cells, const OneSolution& said, std::size_t k, bool quick) {
+void check_convergence(Findings& findings, KnownMoments& known, const OneSolution& said, std::size_t k, bool quick) {
   const DualCase c = dual_cases()[k];
   const std::vector<int> first = quick ? std::vector<int>{32, 64, 128} : std::vector<int>{32, 64, 128, 256, 512, 1024};
   const std::vector<Level> levels =
       levels_of(first, 7, riemann_hilbert_moments(c.problem(said.friction)), numeric::to_real<double>(c.load),
-                [&](int n) -> const Moments& { return cells.at(k, n); });
+                [&](int n) -> const Moments& { return known.cells(k, n); });
   const Rate rate = fitted_rate(levels);
   findings.measure({"t_n on N cells to the Riemann-Hilbert solution, " + c.name, rate.value, rate.error_bar, said.rate,
                     quick ? 0.3 : 0.15,
@@ -182,37 +137,38 @@ void check_convergence(Findings& findings, KnownCells& cells, const OneSolution&
 
 Claim prop_06_problem_I0() {
   const auto of_cells = [](auto change) {
-    return [change](OneSolution& said, const Case&) {
+    return [change](OneSolution& said) {
       if (said.unique) change(said);
     };
   };
-  const auto interior = [&](Rational load, int profile) {
+  const auto interior = [&](Rational load, Rational profile) {
     return of_cells([load, profile](OneSolution& said) {
-      const OnCells& c = *said.unique;
-      said.interior = cell_problem(c.steps, Polynomial::constant(profile) * c.profile, load * c.load);
+      const ContactProblem& p = said.unique->on_cells.problem;
+      said.interior = p.with_load(load * p.load()).with_indenter(p.indenter().scaled(profile));
     });
   };
   return formula_claim<Case, OneSolution>("prop-06-problem-I0")
       .cases(cases)
       .precision(Precision::in_double)
+      .quantity("friction")
+      .quantity("inequality", {.tolerance = 100 * tolerance<double>()})
+      .quantity("forces", {.required = 0.7})
       .says(one_solution)
-      .checked([cells = std::make_shared<KnownCells>()]<numeric::Real R>(Findings& findings, const OneSolution& said,
-                                                                         const Case& c, const Context& context) {
+      .checked([known = std::make_shared<KnownMoments>()]<numeric::Real R>(Findings& findings, const OneSolution& said,
+                                                                           const Case& c, const Context& context) {
         if (said.unique) return check_uniqueness(findings, said);
-        check_convergence(findings, *cells, said, std::get<Convergence>(c.data).index, context.quick);
+        check_convergence(findings, *known, said, std::get<Convergence>(c.data).index, context.quick);
       })
-      .wrong("the friction reversed in the Riemann-Hilbert solution",
-             [](OneSolution& said, const Case&) { said.friction = -1; })
+      .wrong("the friction reversed in the Riemann-Hilbert solution", [](OneSolution& said) { said.friction = -1; })
       .wrong("twice the load", interior(2, 1))
       .wrong("-psi instead of psi", interior(1, -1))
       .wrong("a falling jump of the friction: three solutions", of_cells([](OneSolution& said) {
-               said.unique = falling_friction();
-               said.interior = said.unique->problem();
+               said.unique = OnCells{problem_with_three_solutions(), all_contact_sets(8)};
+               said.interior = said.unique->on_cells.problem;
              }))
-      .wrong("positive also with a mean, on any support", [](OneSolution& said, const Case&) { said.support = 8; })
-      .wrong("one order more", [](OneSolution& said, const Case&) { said.rate += 1; })
-      .near_miss("forces",
-                 [](OneSolution& said, const Number& step, const Case&) { said.forces += static_cast<double>(step); });
+      .wrong("positive also with a mean, on any support", [](OneSolution& said) { said.support = 8; })
+      .wrong("one order more", [](OneSolution& said) { said.rate += 1; })
+      .near_miss("forces", [](OneSolution& said, const Number& step) { said.forces += static_cast<double>(step); });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -1,4 +1,5 @@
-#include "proofs_checks/instruments/dual_study.hpp"
+#include "proofs_checks/instruments/cells/interior_point.hpp"
+#include "proofs_checks/instruments/operators/dual_study.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -13,7 +14,7 @@ struct Case {
   DualCase dual;
   int n;
   std::vector<std::vector<char>> starts;
-  std::vector<std::vector<double>> directions;
+  std::vector<Eigen::VectorXd> directions;
 };
 
 std::string text_of(const Case& c) {
@@ -21,11 +22,7 @@ std::string text_of(const Case& c) {
 }
 
 CaseList<Case> cases(const Context& context) {
-  Random random(context.seed, "prop-07-problem-I");
-  CaseList<Case> list{{},
-                      "random s of both signs, profiles and loads, 8 to 40 nodes, three random sets each, seed " +
-                          std::to_string(context.seed)};
-  for (int k = 0; k < (context.quick ? 6 : 60); ++k) {
+  const auto make = [&](Random& random, std::size_t k) {
     const Rational s = random.between(Rational(1, 10), k % 3 == 0 ? 3 : 1) * (k % 2 == 0 ? 1 : -1);
     const Polynomial profile = random_profile(random, k % 2 == 0);
     const Rational load = random.between(Rational(1, 5), 4);
@@ -37,14 +34,15 @@ CaseList<Case> cases(const Context& context) {
       c.starts.back()[random.below(n)] = 1;
     }
     for (int j = 0; j < 6; ++j) {
-      c.directions.emplace_back(n, 0);
+      c.directions.emplace_back(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n)));
       for (double& at : c.directions.back()) {
         if (j % 2 == 0 || random.below(8) == 0) at = numeric::to_real<double>(random.between(-1, 1));
       }
     }
-    list.cases.push_back(std::move(c));
-  }
-  return list;
+    return c;
+  };
+  return random_cases(context, "prop-07-problem-I", 60, 6,
+                      "random s of both signs, profiles and loads, 8 to 40 nodes, three random sets each", make);
 }
 
 /// Problem I, to be solved by interior points, and its inequality.
@@ -54,43 +52,20 @@ struct ProblemI {
   double functional = 1;  ///< factor of phi in the inequality
 };
 
-/// The largest difference of forces, over the largest one.
-double difference(const State& a, const State& b) {
-  double most = 0;
-  double scale = 0;
-  for (std::size_t i = 0; i < a.force.size(); ++i) {
-    most = std::max(most, std::abs(a.force[i] - b.force[i]));
-    scale = std::max(scale, std::abs(a.force[i]));
-  }
-  return most / scale;
-}
-
-std::vector<double> lowered(const State& state) {
-  std::vector<double> w;
-  for (const double gap : state.gap) w.push_back(-gap);
-  return w;
-}
-
 /// a(v - u, u) + phi(v) - phi(u) for v = u + direction, and for v the other solution.
 void check_inequality(Findings& findings, const DisplacementProblem& problem, const State& other, const State& state,
                       const ProblemI& form, const Case& c) {
-  const Quantity inequality{"a(v-u, u) + phi(v) - phi(u), below zero", {"random v", "none"}, allowed};
-  const std::vector<double> u = lowered(other);
-  const double scale = std::max(1.0, *std::ranges::max_element(state.gap));
-  const auto compare = [&](const std::vector<double>& v) {
-    const double whole = problem.inequality(other, v) + (form.functional - 1) * (problem.phi(v) - problem.phi(u));
-    findings.compare(inequality, std::max(0.0, -whole) / scale);
+  const double scale = std::max(1.0, state.gap.maxCoeff());
+  const auto compare = [&](const Eigen::VectorXd& v) {
+    const double whole =
+        problem.inequality(other, v) + (form.functional - 1) * (problem.phi(v) - problem.phi(-other.gap));
+    findings.compare("inequality", std::max(0.0, -whole) / scale);
   };
-  compare(lowered(state));
-  for (const std::vector<double>& direction : c.directions) {
-    std::vector<double> v = u;
-    for (std::size_t i = 0; i < v.size(); ++i) v[i] += direction[i];
-    compare(v);
-  }
+  compare(-state.gap);
+  for (const Eigen::VectorXd& direction : c.directions) compare(direction - other.gap);
 }
 
 void check(Findings& findings, const ProblemI& form, const Case& c) {
-  const Quantity forces{"contact forces", {"active sets from random sets", "interior points"}, allowed, 0.7};
   const auto load = numeric::to_real<double>(c.dual.load);
   const DisplacementProblem problem(c.dual.s, c.n, c.dual.height(), load);
   std::vector<State> found;
@@ -98,9 +73,9 @@ void check(Findings& findings, const ProblemI& form, const Case& c) {
     if (const auto state = problem.by_active_sets(start)) found.push_back(*state);
   }
   auto other = DisplacementProblem(c.dual.s, c.n, c.dual.height(), load, form.problem).by_interior_points();
-  if (!other || found.empty()) return findings.skip(forces);
-  for (double& force : other->force) force *= form.forces;
-  for (const State& state : found) findings.compare(forces, difference(state, *other));
+  if (!other || found.empty()) return findings.skip("forces");
+  other->force *= form.forces;
+  for (const State& state : found) findings.compare("forces", difference(state.force, other->force));
   check_inequality(findings, problem, *other, found.front(), form, c);
 }
 
@@ -110,17 +85,16 @@ Claim prop_07_problem_I() {
   return formula_claim<Case, ProblemI>("prop-07-problem-I")
       .cases(cases)
       .precision(Precision::in_double)
-      .says([](const Case&) { return ProblemI(); })
+      .quantity("inequality", {.tolerance = allowed})
+      .quantity("forces", {.tolerance = allowed, .required = 0.7})
       .checked(check)
-      .wrong("the friction's sign reversed in L",
-             [](ProblemI& form, const Case&) { form.problem.inverse.friction = -1; })
-      .wrong("L with the printed (1+x)^{1/2}", [](ProblemI& form, const Case&) { form.problem.inverse.printed = true; })
-      .wrong("twice the load", [](ProblemI& form, const Case&) { form.problem.load = 2; })
-      .wrong("-psi instead of psi", [](ProblemI& form, const Case&) { form.problem.profile = -1; })
-      .wrong("the t_0 of -alpha in phi", [](ProblemI& form, const Case&) { form.problem.other_angle = true; })
-      .wrong("the inequality without phi", [](ProblemI& form, const Case&) { form.functional = 0; })
-      .wrong("near miss: forces moved by ten times the tolerance",
-             [](ProblemI& form, const Case&) { form.forces += 10 * allowed; });
+      .wrong("the friction's sign reversed in L", [](ProblemI& form) { form.problem.inverse.friction = -1; })
+      .wrong("L with the printed (1+x)^{1/2}", [](ProblemI& form) { form.problem.inverse.printed = true; })
+      .wrong("twice the load", [](ProblemI& form) { form.problem.load = 2; })
+      .wrong("-psi instead of psi", [](ProblemI& form) { form.problem.profile = -1; })
+      .wrong("the t_0 of -alpha in phi", [](ProblemI& form) { form.problem.other_angle = true; })
+      .wrong("the inequality without phi", [](ProblemI& form) { form.functional = 0; })
+      .wrong("near miss: forces moved by ten times the tolerance", [](ProblemI& form) { form.forces += 10 * allowed; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -1,8 +1,8 @@
 #include <variant>
 
 #include "numeric/number/polynomial.hpp"
-#include "proofs_checks/instruments/dual_study.hpp"
-#include "proofs_checks/instruments/near.hpp"
+#include "proofs_checks/instruments/operators/dual_study.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -24,8 +24,6 @@ struct Case {
   std::string name;
   std::variant<FullContact, Convergence> data;
 };
-
-std::string text_of(const Case& c) { return c.name; }
 
 CaseList<Case> cases(const Context& context) {
   Random random(context.seed, "prop-07-problems-linked");
@@ -57,7 +55,6 @@ struct Link {
 template <Real R>
 void check_full_contact(Findings& findings, const Link& link, const FullContact& c) {
   using std::pow;
-  const Quantity forces{"P t_0 - L(psi) in full contact", {"(10) at the nodes", "Riemann-Hilbert"}, tolerance<R>()};
   const auto solution = solve<R>(cell_problem({{c.s}, {}}, c.profile));
   findings.require(solution->form().set().segments() == 1, "not in full contact");
   const R unit = numeric::to_real<R>(solution->problem().frame().unit);
@@ -78,34 +75,9 @@ void check_full_contact(Findings& findings, const Link& link, const FullContact&
     const R t0 = numeric::cos_pi_alpha<R>(c.s) / numeric::pi<R>() *
                  pow(node.from_left, numeric::to_real<R>(-(half + angle))) *
                  pow(node.from_right, numeric::to_real<R>(-(half - angle)));
-    findings.compare(forces, relative_difference<R>(load * a.tau(i) - bent[i], -t * a.tau(i) / t0));
+    findings.compare<R>("forces", load * a.tau(i) - bent[i], -t * a.tau(i) / t0);
   }
 }
-
-/// Moments found once for a claim and its controls.
-class KnownMoments {
- public:
-  const Moments& exact(std::size_t k) {
-    Moments& moments = exact_[k];
-    if (moments.empty()) moments = riemann_hilbert_moments(dual_cases()[k].problem());
-    return moments;
-  }
-  const Moments& cells(std::size_t k, int n, int friction) {
-    Moments& moments = cells_[{k, n, friction}];
-    if (moments.empty()) moments = cell_moments(dual_cases()[k].problem(friction), static_cast<std::size_t>(n));
-    return moments;
-  }
-  const Moments& polynomials(std::size_t k, int n) {
-    Moments& moments = polynomials_[{k, n}];
-    if (moments.empty()) moments = displacement_moments(dual_cases()[k], n);
-    return moments;
-  }
-
- private:
-  std::map<std::size_t, Moments> exact_;
-  std::map<std::tuple<std::size_t, int, int>, Moments> cells_;
-  std::map<std::pair<std::size_t, int>, Moments> polynomials_;
-};
 
 void check_convergence(Findings& findings, KnownMoments& known, const Link& link, std::size_t k, bool quick) {
   const DualCase c = dual_cases()[k];
@@ -145,7 +117,7 @@ Claim prop_07_problems_linked() {
       .cases(cases)
       // Principal values at 50 digits take a tenth of a second.
       .precision(Precision::quick_in_double)
-      .says([](const Case&) { return Link(); })
+      .quantity("forces")
       .checked([known = std::make_shared<KnownMoments>()]<numeric::Real R>(Findings& findings, const Link& link,
                                                                            const Case& c, const Context& context) {
         if (const auto* full = std::get_if<FullContact>(&c.data)) {
@@ -154,15 +126,13 @@ Claim prop_07_problems_linked() {
           check_convergence(findings, *known, link, std::get<Convergence>(c.data).index, context.quick);
         }
       })
-      .wrong("problem I with the friction's sign reversed",
-             [](Link& link, const Case&) { link.displacement.inverse.friction = -1; })
-      .wrong("problem I0 with the friction's sign reversed", [](Link& link, const Case&) { link.cells_friction = -1; })
-      .wrong("L with the printed (1+x)^{1/2}",
-             [](Link& link, const Case&) { link.displacement.inverse.printed = true; })
-      .wrong("the t_0 of -alpha in phi", [](Link& link, const Case&) { link.displacement.other_angle = true; })
-      .wrong("-psi instead of psi", [](Link& link, const Case&) { link.displacement.profile = -1; })
-      .wrong("twice the load in problem I", [](Link& link, const Case&) { link.displacement.load = 2; })
-      .near_miss("the load of problem I", [](Link& link, const Number& step, const Case&) { link.load += step; });
+      .wrong("problem I with the friction's sign reversed", [](Link& link) { link.displacement.inverse.friction = -1; })
+      .wrong("problem I0 with the friction's sign reversed", [](Link& link) { link.cells_friction = -1; })
+      .wrong("L with the printed (1+x)^{1/2}", [](Link& link) { link.displacement.inverse.printed = true; })
+      .wrong("the t_0 of -alpha in phi", [](Link& link) { link.displacement.other_angle = true; })
+      .wrong("-psi instead of psi", [](Link& link) { link.displacement.profile = -1; })
+      .wrong("twice the load in problem I", [](Link& link) { link.displacement.load = 2; })
+      .near_miss("the load of problem I", [](Link& link, const Number& step) { link.load += step; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -1,7 +1,7 @@
-#include "proofs_checks/instruments/angle_forms.hpp"
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/dense_algebra.hpp"
-#include "proofs_checks/instruments/friction_cases.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/instruments/cells/dense_algebra.hpp"
+#include "proofs_checks/instruments/operators/angle_forms.hpp"
+#include "proofs_checks/instruments/tractions/friction_values.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -21,7 +21,7 @@ std::string text_of(const Coercive& c) { return "s = " + to_string(c.s); }
 
 /// `falling`: the friction on cells falls to zero at 1/7.
 CaseList<Coercive> cases(const Context& context, bool falling) {
-  const CaseList<FrictionValue> frictions = friction_values("sec-31-coercive")(context);
+  const CaseList<FrictionValue> frictions = frictions_of_both_signs(context, "sec-31-coercive");
   Random random(context.seed, "sec-31-coercive-cells");
   CaseList<Coercive> list{{}, "s of both signs, random coefficients and cells, seed " + std::to_string(context.seed)};
   for (const auto& [s] : frictions.cases) {
@@ -34,32 +34,13 @@ CaseList<Coercive> cases(const Context& context, bool falling) {
   return list;
 }
 
-/// The quadratures of both forms, once at each precision.
-template <class R>
-struct AngleForms {
-  FormMatrix<R> logarithm;
-  FormMatrix<R> sign;
-};
-class AllAngleForms {
- public:
-  template <Real R>
-  const AngleForms<R>& at() {
-    auto& forms = std::get<AngleForms<R>>(forms_);
-    if (forms.sign.empty()) forms = {log_form_by_quadrature<R>(4, R(2)), sign_form_by_quadrature<R>(4)};
-    return forms;
-  }
-
- private:
-  std::tuple<AngleForms<double>, AngleForms<numeric::Real50>, AngleForms<numeric::Real100>> forms_;
-};
-
 /// b(t, t)
 template <Real R>
-R energy(const Coercive& at, const AngleForms<R>& forms) {
+R energy(const Coercive& at) {
   std::vector<R> c;
   for (const Rational& coefficient : at.c) c.push_back(numeric::to_real<R>(coefficient));
-  return value_of(forms.logarithm, c, c) / numeric::pi<R>() +
-         numeric::to_real<R>(at.s) / 2 * value_of(forms.sign, c, c);
+  return value_of(log_form_by_quadrature<R>(R(2)), c, c) / numeric::pi<R>() +
+         numeric::to_real<R>(at.s) / 2 * value_of(sign_form_by_quadrature<R>(), c, c);
 }
 
 /// Eigenvalues and norm of b on zero mean, where b without friction is the scalar product.
@@ -67,17 +48,9 @@ Values on_cells(const Coercive& c) {
   const auto b = operator_of(c.steps, c.mesh);
   const Eigen::MatrixXd logarithm = on_zero_mean(symmetric_part(c.mesh, b, false));
   const Eigen::VectorXd values = eigenvalues(on_zero_mean(symmetric_part(c.mesh, b, true)), logarithm);
-  const auto n = static_cast<Eigen::Index>(c.mesh.size());
-  Eigen::MatrixXd whole(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const auto k = static_cast<std::size_t>(j);
-      whole(i, j) = b.entry(static_cast<std::size_t>(i), k) / c.mesh.length(k);
-    }
-  }
   return {{"least", values.minCoeff()},
           {"largest", values.maxCoeff()},
-          {"norm", spectral_norm(in_metric(on_zero_mean(whole), logarithm))}};
+          {"norm", spectral_norm(in_metric(on_zero_mean(gap_of_forces(b, c.mesh)), logarithm))}};
 }
 
 Values predicted(const Coercive& at) {
@@ -100,32 +73,19 @@ Claim sec_31_coercive() {
   return compared<Coercive>("sec-31-coercive")
       .cases([](const Context& context) { return cases(context, false); })
       .effective_where([](const Coercive& c) { return c.s != 0; })
-      .quantity(
-          {.name = "energy", .what = "b(t, t)", .routes = {"quadrature in both angles", "|t|^2/pi from coefficients"}})
-      .quantity({.name = "least",
-                 .what = "least eigenvalue of b on zero mean, over |t|^2/pi",
-                 .routes = {"cells", "1"},
-                 .tolerance = in_double})
-      .quantity({.name = "largest",
-                 .what = "largest eigenvalue of b on zero mean, over |t|^2/pi",
-                 .routes = {"cells", "1"},
-                 .tolerance = in_double})
-      .quantity({.name = "norm",
-                 .what = "norm of b on zero mean, times pi",
-                 .routes = {"cells", "at most sqrt(1+s^2)"},
-                 .tolerance = in_double,
-                 .at_most = true,
-                 .near_miss = false})
-      .measured([forms = std::make_shared<AllAngleForms>()]<numeric::Real R>(const Coercive& c) {
+      .quantity("energy")
+      .quantities({"least", "largest"}, {.tolerance = in_double})
+      .quantity("norm", {.tolerance = in_double, .at_most = true, .near_miss = false})
+      .measured([]<numeric::Real R>(const Coercive& c) {
         Values values = on_cells(c);
-        values.add({"energy", energy(c, forms->at<R>())});
+        values.add({"energy", energy<R>(c)});
         return values;
       })
       .predicted(predicted)
       .wrong("sqrt(1+s^2) in the energy",
              [](Values& p, const Coercive& c) { scale_energy(p, 1 / numeric::cos_pi_alpha<Number>(c.s)); })
-      .wrong("twice the energy", [](Values& p, const Coercive&) { scale_energy(p, 2); })
-      .wrong("the bound without friction", [](Values& p, const Coercive&) { p["norm"] = 1; })
+      .wrong("twice the energy", [](Values& p) { scale_energy(p, 2); })
+      .wrong("the bound without friction", [](Values& p) { p["norm"] = 1; })
       .wrong_beyond("friction that jumps", [](const Context& context) { return cases(context, true); })
       .near_misses();
 }

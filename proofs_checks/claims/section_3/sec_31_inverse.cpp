@@ -1,6 +1,6 @@
 #include "numeric/number/polynomial.hpp"
-#include "proofs_checks/instruments/inverse_formula.hpp"
-#include "proofs_checks/instruments/surface.hpp"
+#include "proofs_checks/instruments/operators/inverse_operator.hpp"
+#include "proofs_checks/instruments/tractions/surface.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -14,16 +14,13 @@ struct PolynomialSlope {
 std::string text_of(const PolynomialSlope& c) { return "s = " + to_string(c.s) + ", u' = " + to_string(c.slope); }
 
 CaseList<PolynomialSlope> slopes(const Context& context) {
-  CaseList<PolynomialSlope> list{
-      {}, "polynomials u of degree up to 4, s of both signs, seed " + std::to_string(context.seed)};
-  Random random(context.seed, "sec-31-inverse");
   const std::vector<Rational> s{Rational(3, 4), -2, 0, 7, Rational(-1, 5)};
-  for (std::size_t k = 0; k < (context.quick ? 1U : 10U); ++k) {
-    std::vector<Rational> u;
-    for (std::size_t i = 0; i <= k % 4; ++i) u.push_back(random.between(-2, 2));
-    list.cases.push_back({k < s.size() ? s[k] : random.between(-3, 3), Polynomial(u)});
-  }
-  return list;
+  return random_cases(context, "sec-31-inverse", 10, 1, "polynomials u of degree up to 4, s of both signs",
+                      [&](Random& random, std::size_t k) {
+                        std::vector<Rational> u;
+                        for (std::size_t i = 0; i <= k % 4; ++i) u.push_back(random.between(-2, 2));
+                        return PolynomialSlope{k < s.size() ? s[k] : random.between(-3, 3), Polynomial(u)};
+                      });
 }
 
 /// int u T_k/sqrt(1-x^2) dx, k >= 1, in the angle: there the midpoint rule is exact.
@@ -47,22 +44,19 @@ R pairing(const Polynomial& slope, int k) {
 template <Real R>
 void check_inverse(Findings& findings, const InverseFormula& formula, const PolynomialSlope& c, bool quick) {
   using std::abs;
-  const Quantity values{
-      "L(u)", {"(10), principal values by staggered nodes", "polynomial part at infinity"}, tolerance<R>()};
-  const Quantity weak{"b(L(u), t_hat), t_hat = T_k/sqrt(1-x^2)", {"Gauss-Jacobi", "<<u, t_hat>>"}, tolerance<R>()};
   const JacobiTraction<R> t = inverse_without_integral<R>(c.s, c.slope);
   const numeric::PanelDensity<R> traction = density_of(t);
-  const InverseByQuadrature<R> inverse(formula, c.slope);
+  const InverseOperator<R> inverse(formula, c.slope);
   for (const int percent : {2, 35, 60, 99}) {
     if (quick && percent != 35) continue;
-    const auto at = inverse.point(percent);
-    findings.compare(values, inverse.difference(at, traction(at.node)));
+    const auto at = inverse.point(0, R(percent) / 100);
+    findings.compare("values", inverse.terms(at).difference(traction(at.node)));
   }
   const R s = numeric::to_real<R>(c.s);
   R size = 0;
   for (const R& coefficient : t.factor) size += abs(coefficient);
   for (int k = 1; k <= 4; ++k) {
-    findings.compare(weak, static_cast<double>(R(abs(form_with_chebyshev(t, s, k) - pairing<R>(c.slope, k)) / size)));
+    findings.compare("weak", static_cast<double>(R(abs(form_with_chebyshev(t, s, k) - pairing<R>(c.slope, k)) / size)));
   }
   // A L(u) = u' and int L(u) = 0.
   const Surface<R> surface{{traction}, {s}, [&c](const R& x) { return numeric::value_of(c.slope, x); }, R(0), size};
@@ -76,18 +70,17 @@ Claim sec_31_inverse() {
       .cases(slopes)
       .effective_where([](const PolynomialSlope& c) { return c.s != 0; })
       .precision(Precision::at_least_fifty)
+      .quantities({"values", "weak"})
       .says([](const PolynomialSlope& c) { return InverseFormula::of(c.s); })
       .checked([]<Real R>(Findings& findings, const InverseFormula& formula, const PolynomialSlope& c,
                           const Context& context) { check_inverse<R>(findings, formula, c, context.quick); })
-      .wrong("the sign of the integral", [](InverseFormula& l, const PolynomialSlope&) { l.integral *= -1; })
-      .wrong("the sign of s u'", [](InverseFormula& l, const PolynomialSlope&) { l.local *= -1; })
-      .wrong("1/(1+s^2) missing before the integral", [](InverseFormula& l, const PolynomialSlope&) { l.integral = 1; })
-      .wrong("alpha's sign: edges exchanged",
-             [](InverseFormula& l, const PolynomialSlope&) { std::swap(l.rear, l.front); })
-      .wrong("the printed (1+x)^{1/2}", [](InverseFormula& l, const PolynomialSlope&) { l.rear = -half; })
-      .near_miss("s u'", [](InverseFormula& l, const Number& step, const PolynomialSlope&) { l.local *= 1 + step; })
-      .near_miss("the integral",
-                 [](InverseFormula& l, const Number& step, const PolynomialSlope&) { l.integral *= 1 + step; });
+      .wrong("the sign of the integral", [](InverseFormula& l) { l.integral *= -1; })
+      .wrong("the sign of s u'", [](InverseFormula& l) { l.local *= -1; })
+      .wrong("1/(1+s^2) missing before the integral", [](InverseFormula& l) { l.integral = 1; })
+      .wrong("alpha's sign: edges exchanged", [](InverseFormula& l) { std::swap(l.rear, l.front); })
+      .wrong("the printed (1+x)^{1/2}", [](InverseFormula& l) { l.rear = -half; })
+      .near_miss("s u'", &InverseFormula::local)
+      .near_miss("the integral", &InverseFormula::integral);
 }
 
 }  // namespace steadyslide::proofs_checks

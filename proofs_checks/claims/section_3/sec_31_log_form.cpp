@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/log_form_claim.hpp"
+#include "proofs_checks/instruments/operators/log_form_claim.hpp"
 
 namespace steadyslide::proofs_checks {
 

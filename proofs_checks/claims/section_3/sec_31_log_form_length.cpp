@@ -1,4 +1,4 @@
-#include "proofs_checks/instruments/log_form_claim.hpp"
+#include "proofs_checks/instruments/operators/log_form_claim.hpp"
 
 namespace steadyslide::proofs_checks {
 
@@ -7,7 +7,7 @@ Claim sec_31_log_form_length() {
       .wrong("positive up to length 8", predicts({.critical = 8}))
       .wrong("positive up to length 2", predicts({.critical = 2}))
       .wrong("beyond length 4 on all tractions",
-             [](Values& p, const Length&) {
+             [](Values& p) {
                p.set("positive on all meshes", true);
                p.set("positive on some mesh", true);
              })

@@ -2,10 +2,10 @@
 #include <numbers>
 #include <variant>
 
-#include "proofs_checks/instruments/angle_forms.hpp"
-#include "proofs_checks/instruments/cell_law.hpp"
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/dense_algebra.hpp"
+#include "proofs_checks/instruments/cells/cell_law.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/instruments/cells/dense_algebra.hpp"
+#include "proofs_checks/instruments/operators/angle_forms.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
@@ -36,14 +36,10 @@ struct Case {
   std::variant<Chebyshev, OnCells, Growth> data;
 };
 
-std::string text_of(const Case& c) { return c.name; }
-
-constexpr int highest = 4;
-
 CaseList<Case> cases(const Context& context, bool jump) {
   CaseList<Case> list{{}, "cells equal and unequal, seed " + std::to_string(context.seed)};
-  for (int j = 0; j <= highest; ++j) {
-    for (int k = 0; k <= highest; ++k) {
+  for (int j = 0; j <= highest_angle; ++j) {
+    for (int k = 0; k <= highest_angle; ++k) {
       list.cases.push_back({"Chebyshev functions " + std::to_string(j) + " and " + std::to_string(k), Chebyshev{j, k}});
     }
   }
@@ -67,15 +63,10 @@ double norm_of(const Eigen::MatrixXd& form, const Eigen::MatrixXd& logarithm) {
 
 /// <<t_1 * sgn, t_2>> on forces, t_1 by columns; the jump where two cells meet.
 Eigen::MatrixXd sign_on_cells(const OnCells& c) {
-  const auto n = static_cast<Eigen::Index>(c.mesh.size());
-  Eigen::MatrixXd form(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const double s = c.mesh.centre(static_cast<std::size_t>(j)) < 0 ? -1 : 1;
-      form(i, j) = c.jump ? (i > j ? 2 * s : i == j ? s : 0) : (i > j ? 1 : i == j ? 0 : -1);
-    }
-  }
-  return form;
+  return matrix_of(c.mesh.size(), c.mesh.size(), [&c](std::size_t i, std::size_t j) -> double {
+    const int s = c.mesh.centre(j) < 0 ? -1 : 1;
+    return c.jump ? (i > j ? 2 * s : i == j ? s : 0) : (i > j ? 1 : i == j ? 0 : -1);
+  });
 }
 
 /// -<<t * log|x|, t>> on forces, the support [-1, 1].
@@ -102,21 +93,13 @@ Values measured(const Growth& c) {
   return {{"growth", Order{growth.value, growth.error_bar, "equal cells"}}};
 }
 
-/// The quadratures, once at each precision.
-class SignForms {
- public:
-  template <Real R>
-  Values measured(const Chebyshev& c) {
-    auto& form = std::get<FormMatrix<R>>(forms_);
-    if (form.empty()) form = sign_form_by_quadrature<R>(highest);
-    const auto j = static_cast<std::size_t>(c.j);
-    const auto k = static_cast<std::size_t>(c.k);
-    return {{"entry", form[j][k]}, {"exchanged", form[k][j]}};
-  }
-
- private:
-  std::tuple<FormMatrix<double>, FormMatrix<numeric::Real50>, FormMatrix<numeric::Real100>> forms_;
-};
+template <Real R>
+Values measured(const Chebyshev& c) {
+  const FormMatrix<R>& form = sign_form_by_quadrature<R>();
+  const auto j = static_cast<std::size_t>(c.j);
+  const auto k = static_cast<std::size_t>(c.k);
+  return {{"entry", form[j][k]}, {"exchanged", form[k][j]}};
+}
 
 Values predicted(const Case& c) {
   if (const auto* at = std::get_if<Chebyshev>(&c.data)) {
@@ -145,52 +128,31 @@ void scale_entries(Values& p, const Number& factor) {
 Claim sec_31_sign_form() {
   return compared<Case>("sec-31-sign-form")
       .cases([](const Context& context) { return cases(context, false); })
-      .quantity({.name = "entry",
-                 .what = "<<t_1 * sgn, t_2>>",
-                 .routes = {"quadrature in both angles", "coefficients"},
-                 .absolute = true})
-      .quantity({.name = "exchanged",
-                 .what = "both arguments exchanged",
-                 .routes = {"quadrature in both angles", "the other sign"},
-                 .absolute = true})
-      .quantity({.name = "zero mean",
-                 .what = "norm of the form on zero mean",
-                 .routes = {"cells", "at most 2/pi"},
-                 .at_most = true,
-                 .near_miss = false})
-      .quantity({.name = "zero mean, nearly",
-                 .what = "norm of the form on zero mean, nearly attained",
-                 .routes = {"cells", "2/pi"},
-                 .tolerance = 0.1})
-      .quantity({.name = "all",
-                 .what = "norm of the form on all tractions",
-                 .routes = {"cells", "at most 1/pi + sqrt(1/pi^2 + 28 zeta(3)/(pi^4 log 2))"},
-                 .at_most = true,
-                 .near_miss = false})
-      .quantity({.name = "growth",
-                 .what = "growth of pi sup T(0)^2/E with log N: what a jump of friction at 0 adds",
-                 .routes = {},
-                 .tolerance = 0.02})
-      .measured([forms = std::make_shared<SignForms>()]<numeric::Real R>(const Case& c) {
-        if (const auto* at = std::get_if<Chebyshev>(&c.data)) return forms->measured<R>(*at);
+      .quantities({"entry", "exchanged"}, {.absolute = true})
+      .quantity("zero mean", {.at_most = true, .near_miss = false})
+      .quantity("zero mean, nearly", {.tolerance = 0.1})
+      .quantity("all", {.at_most = true, .near_miss = false})
+      .quantity("growth", {.tolerance = 0.02})
+      .measured([]<numeric::Real R>(const Case& c) {
+        if (const auto* at = std::get_if<Chebyshev>(&c.data)) return measured<R>(*at);
         if (const auto* cells = std::get_if<OnCells>(&c.data)) return measured(*cells);
         return measured(std::get<Growth>(c.data));
       })
       .predicted(predicted)
       .wrong("symmetric",
-             [](Values& p, const Case&) {
+             [](Values& p) {
                if (p.find("exchanged")) p["exchanged"] *= -1;
              })
-      .wrong("half of it", [](Values& p, const Case&) { scale_entries(p, Number(1) / 2); })
-      .wrong("the other sign", [](Values& p, const Case&) { scale_entries(p, -1); })
+      .wrong("half of it", [](Values& p) { scale_entries(p, Number(1) / 2); })
+      .wrong("the other sign", [](Values& p) { scale_entries(p, -1); })
       .wrong("terms with j + k even, too",
              [](Values& p, const Case& c) {
                const auto* at = std::get_if<Chebyshev>(&c.data);
                if (at && at->j != at->k) p.set("entry", Number(4) / (at->k * at->k - at->j * at->j));
              })
-      .wrong("the bound 1/pi", [](Values& p, const Case&) { set(p, "zero mean", Number(1 / pi)); })
-      .wrong("the bound 2/pi on all tractions", [](Values& p, const Case&) { set(p, "all", Number(2 / pi)); })
-      .wrong("no growth at a jump", [](Values& p, const Case&) { set(p, "growth", Order{0}); })
+      .wrong("the bound 1/pi", [](Values& p) { set(p, "zero mean", Number(1 / pi)); })
+      .wrong("the bound 2/pi on all tractions", [](Values& p) { set(p, "all", Number(2 / pi)); })
+      .wrong("no growth at a jump", [](Values& p) { set(p, "growth", Order{0}); })
       .wrong_beyond("a jump of s within the bound", [](const Context& context) { return cases(context, true); })
       .near_misses();
 }

@@ -1,10 +1,10 @@
+#include <boost/math/special_functions/jacobi.hpp>
 #include <numbers>
 #include <variant>
 
 #include "numeric/quadrature/tanh_sinh.hpp"
-#include "proofs_checks/instruments/dense_algebra.hpp"
-#include "proofs_checks/instruments/displacement_operator.hpp"
-#include "proofs_checks/instruments/jacobi_pair.hpp"
+#include "proofs_checks/instruments/cells/dense_algebra.hpp"
+#include "proofs_checks/instruments/operators/displacement_operator.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -63,6 +63,36 @@ FormA form_a(const Case& c) {
   return {.inverse = {}, .lower = cosine * cosine, .upper = 1};
 }
 
+// Displacements whose tractions are known: with p = 1/2+alpha, q = 1/2-alpha and W = (1+x)^p (1-x)^q
+//
+//   u = (2/n) P_n^{(-p,-q)}   ->   L(u) = 2 cos(pi alpha) P_n^{(-q,-p)}/W,   n >= 1,
+//
+// (P_n^{(a,b)}: the power a at x = 1, b at x = -1). For u' = P_{n-1}^{(q,p)} [DLMF, 18.9.15]; and by Plemelj's formulas
+// cos(pi alpha) A(P_n^{(-q,-p)}/W) is the polynomial part at infinity of P_n^{(-q,-p)} (z+1)^{-p} (z-1)^{-q}, which has
+// the degree n - 1, the leading coefficient of P_n^{(-q,-p)}, half of P_{n-1}^{(q,p)}'s, and is orthogonal to lower
+// degrees under W: P_{n-1}^{(q,p)}/2.
+
+/// sum_n c_n u_n and W L of it, n = 1, ..., c.size().
+template <class R>
+struct JacobiPair {
+  Rational s;
+  std::vector<R> c;
+
+  R displacement(const R& x) const { return sum(-(R(1) / 2 + angle()), x, false); }
+  R traction(const R& x) const { return 2 * numeric::cos_pi_alpha<R>(s) * sum(angle() - R(1) / 2, x, true); }
+
+ private:
+  R angle() const { return numeric::to_real<R>(Exponent::angle(s)); }
+  R sum(const R& at_right, const R& x, bool image) const {
+    R total = 0;
+    for (std::size_t k = 0; k < c.size(); ++k) {
+      const auto n = static_cast<unsigned>(k + 1);
+      total += c[k] * boost::math::jacobi<R>(n, at_right, R(-1 - at_right), x) * (image ? R(1) : R(2) / n);
+    }
+    return total;
+  }
+};
+
 /// -(1/pi) t * log|x| + (slip/2) t * sgn at a node, t = polynomial/W, on the panels before and behind it.
 template <Real R>
 R potential(const JacobiPair<R>& t, const Node<R>& at, const R& slip) {
@@ -95,9 +125,6 @@ JacobiPair<R> jacobi_pair(const Rational& s, const std::vector<Rational>& coeffi
 template <Real R>
 void check_pair(Findings& findings, const FormA& form, const Rational& s, const Pair& pair) {
   using std::abs, std::max;
-  const Quantity inverse{
-      "L(u) at the nodes", {"(10), Gauss-Jacobi and trapezoidal rule", "Jacobi's polynomials"}, tolerance<R>()};
-  const Quantity forms{"a(v, u)", {"int v L(u) by (10)", "b(L(v), L(u)) by tanh-sinh"}, tolerance<R>()};
   const auto u = jacobi_pair<R>(s, pair.u);
   const auto v = jacobi_pair<R>(s, pair.v);
   const DisplacementOperator<R> a(s, static_cast<int>(pair.u.size()) + 1, form.inverse);
@@ -117,45 +144,38 @@ void check_pair(Findings& findings, const FormA& form, const Rational& s, const 
     error = max(error, R(abs(by_formula[i] - image[i])));
     size = max(size, R(abs(image[i])));
   }
-  findings.compare(inverse, static_cast<double>(error / size));
+  findings.compare("inverse", static_cast<double>(error / size));
   // b(L(v), L(u)) = <U, L(u)>, U the displacement under L(v), a polynomial: Gauss's rule is exact.
   const R slip = form.slip * numeric::to_real<R>(s);
   R by_potential = 0;
   for (std::size_t i = 0; i < a.size(); ++i) by_potential += image[i] * potential(v, a.node(i), slip);
-  findings.compare(forms, relative_difference<R>(R(form.scale) * a.form(v_at, u_at), by_potential));
+  findings.compare<R>("forms", R(form.scale) * a.form(v_at, u_at), by_potential);
 }
 
 /// a in Chebyshev's polynomials T_1, ..., T_{n-1}, each divided by the root of a_0(T_k, T_k) = pi k/2.
 Eigen::MatrixXd scaled_form(const Rational& s, int n, const InverseVariant& variant) {
   const DisplacementOperator<double> a(s, n, variant);
-  Eigen::MatrixXd values(n, n - 1);
-  Eigen::MatrixXd force(n, n);
-  for (int i = 0; i < n; ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    for (int j = 0; j < n; ++j) force(i, j) = a.force(row, static_cast<std::size_t>(j));
-    for (int k = 1; k < n; ++k) {
-      values(i, k - 1) = std::cos(k * std::acos(a.node(row).x)) / std::sqrt(std::numbers::pi * k / 2);
-    }
-  }
-  return values.transpose() * force * values;
+  const std::size_t size = a.size();
+  const Eigen::MatrixXd values = matrix_of(size, size - 1, [&](std::size_t i, std::size_t j) {
+    const auto k = static_cast<double>(j + 1);
+    return std::cos(k * std::acos(a.node(i).x)) / std::sqrt(std::numbers::pi * k / 2);
+  });
+  return values.transpose() * matrix_of(size, size, [&](std::size_t i, std::size_t j) { return a.force(i, j); }) *
+         values;
 }
 
 void check_bounds(Findings& findings, const FormA& form, const Rational& s, int n) {
-  const Quantity identity{"a_0(T_j, T_k) on degrees below n", {"(10) with s = 0", "pi k/2, orthogonal"}, 1e-11};
-  const Quantity lower{"least a(u,u)/a_0(u,u), below 1/(1+s^2)", {"eigenvalue", "bound"}, 1e-11};
-  const Quantity upper{"largest |a(v,u)|/(a_0(v,v) a_0(u,u))^{1/2}, above 1", {"singular value", "bound"}, 1e-11};
-  const Quantity sharp{"least a(u,u)/a_0(u,u) on degrees below n", {"eigenvalue", "1/(1+s^2)"}, 1e-9};
   const Eigen::MatrixXd scaled = scaled_form(s, n, form.inverse);
   if (s == 0) {
-    findings.compare(identity, (scaled - Eigen::MatrixXd::Identity(n - 1, n - 1)).cwiseAbs().maxCoeff());
+    findings.compare("identity", (scaled - Eigen::MatrixXd::Identity(n - 1, n - 1)).cwiseAbs().maxCoeff());
     return;
   }
   const Eigen::MatrixXd symmetric = (scaled + scaled.transpose()) / 2;
   const double least = eigenvalues(symmetric).minCoeff();
   const auto bound = static_cast<double>(form.lower);
-  findings.compare(lower, std::max(bound - least, 0.0) / bound);
-  findings.compare(sharp, std::abs(least - bound) / bound);
-  findings.compare(upper, std::max(spectral_norm(scaled) - static_cast<double>(form.upper), 0.0));
+  findings.compare("lower", std::max(bound - least, 0.0) / bound);
+  findings.compare("sharp", std::abs(least - bound) / bound);
+  findings.compare("upper", std::max(spectral_norm(scaled) - static_cast<double>(form.upper), 0.0));
 }
 
 }  // namespace
@@ -164,6 +184,9 @@ Claim sec_32_form_a() {
   return formula_claim<Case, FormA>("sec-32-form-a")
       .cases(cases)
       .precision(Precision::quick_in_double)
+      .quantities({"inverse", "forms"})
+      .quantities({"identity", "lower", "upper"}, {.tolerance = 1e-11})
+      .quantity("sharp", {.tolerance = 1e-9})
       .says(form_a)
       .checked([]<numeric::Real R>(Findings& findings, const FormA& form, const Case& c) {
         if (const auto* bounds = std::get_if<Bounds>(&c.data)) {
@@ -172,14 +195,14 @@ Claim sec_32_form_a() {
           check_pair<R>(findings, form, c.s, std::get<Pair>(c.data));
         }
       })
-      .wrong("L with the printed (1+x)^{1/2}", [](FormA& form, const Case&) { form.inverse.printed = true; })
-      .wrong("L with the friction's sign reversed", [](FormA& form, const Case&) { form.inverse.friction = -1; })
-      .wrong("L with the integral's sign reversed", [](FormA& form, const Case&) { form.inverse.integral = 1; })
-      .wrong("L with 1/sqrt(1+s^2)", [](FormA& form, const Case&) { form.inverse.amplitude = true; })
-      .wrong("b with the friction's sign reversed", [](FormA& form, const Case&) { form.slip = -1; })
-      .wrong("the lower bound 1/sqrt(1+s^2)", [](FormA& form, const Case&) { form.lower = sqrt(form.lower); })
-      .wrong("the upper bound 1/(1+s^2)", [](FormA& form, const Case&) { form.upper = form.lower; })
-      .near_miss("a", [](FormA& form, const Number& step, const Case&) { form.scale += step; });
+      .wrong("L with the printed (1+x)^{1/2}", [](FormA& form) { form.inverse.printed = true; })
+      .wrong("L with the friction's sign reversed", [](FormA& form) { form.inverse.friction = -1; })
+      .wrong("L with the integral's sign reversed", [](FormA& form) { form.inverse.integral = 1; })
+      .wrong("L with 1/sqrt(1+s^2)", [](FormA& form) { form.inverse.amplitude = true; })
+      .wrong("b with the friction's sign reversed", [](FormA& form) { form.slip = -1; })
+      .wrong("the lower bound 1/sqrt(1+s^2)", [](FormA& form) { form.lower = sqrt(form.lower); })
+      .wrong("the upper bound 1/(1+s^2)", [](FormA& form) { form.upper = form.lower; })
+      .near_miss("a", [](FormA& form, const Number& step) { form.scale += step; });
 }
 
 }  // namespace steadyslide::proofs_checks

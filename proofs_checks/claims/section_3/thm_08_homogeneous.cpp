@@ -1,6 +1,6 @@
 #include "numeric/closed_form/closed_form.hpp"
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/near.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -22,10 +22,7 @@ std::string text_of(const Homogeneous& c) {
 
 /// Parabolas with free ends and flat punches, which have closed forms, then edges at the rear and at the front.
 CaseList<Homogeneous> cases(const Context& context) {
-  Random random(context.seed, "thm-08-homogeneous");
-  CaseList<Homogeneous> list{{}, "random s of both signs, profiles and loads, seed " + std::to_string(context.seed)};
-  const int quick = context.digits == numeric::Digits::sixteen ? 4 : 1;
-  for (int k = 0; k < (context.quick ? quick : 8); ++k) {
+  const auto make = [](Random& random, std::size_t k) {
     const Rational s = random.between(Rational(1, 5), 1) * ((k % 4 < 2) == (k < 4) ? 1 : -1);
     const Rational load = random.between(Rational(1, 5), Rational(1, 2));
     Polynomial profile;
@@ -34,9 +31,10 @@ CaseList<Homogeneous> cases(const Context& context) {
     } else if (k % 2 == 0) {
       profile = Polynomial({0, 0, random.between(1, 2)});
     }
-    list.cases.push_back({s, profile, load});
-  }
-  return list;
+    return Homogeneous{s, profile, load};
+  };
+  return random_cases(context, "thm-08-homogeneous", 8, context.digits == numeric::Digits::sixteen ? 4 : 1,
+                      "random s of both signs, profiles and loads", make);
 }
 
 /// What has the same solution: the problem for the closed forms, and one with psi + C, the gap larger by `opened`.
@@ -54,7 +52,7 @@ SameSolution same_solution(const Homogeneous& c) {
 
 /// Ends, traction and gap at some places.
 template <Real R>
-void compare(Findings& findings, const Quantity& quantity, const ContactSolution<R>& a, const ContactSolution<R>& b,
+void compare(Findings& findings, const char* quantity, const ContactSolution<R>& a, const ContactSolution<R>& b,
              const R& load, const R& opened = 0) {
   using std::abs;
   const auto error = [&](const R& x, const R& y, const R& scale) { return static_cast<double>(abs(x - y) / scale); };
@@ -76,23 +74,20 @@ void compare(Findings& findings, const Quantity& quantity, const ContactSolution
 template <Real R>
 void check(Findings& findings, const SameSolution& same, const Homogeneous& c) {
   // Residuals come from rules that lose a digit or two.
-  const Quantity residual{"equation, load, penetration and tension", {"unrelated rule", "zero"}, tolerance<R>()};
-  const Quantity solvers{"ends, traction and gap", {"Riemann-Hilbert", "closed form"}, tolerance<R>(), 0.4};
-  const Quantity shifted{"ends, traction and gap, psi + C", {"psi", "psi + C"}, tolerance<R>()};
   const R load = numeric::to_real<R>(c.load);
   const auto solution = solve<R>(c.problem());
   const auto closed = numeric::closed_form<R>(same.closed.problem());
   if (closed.solution) {
-    compare<R>(findings, solvers, *solution, *closed.solution, load);
+    compare<R>(findings, "solvers", *solution, *closed.solution, load);
   } else {
-    findings.skip(solvers);
+    findings.skip("solvers");
   }
   const auto raised = solve<R>(same.raised.problem());
-  compare<R>(findings, shifted, *solution, *raised, load, numeric::to_real<R>(same.opened));
+  compare<R>(findings, "shifted", *solution, *raised, load, numeric::to_real<R>(same.opened));
   // Last, since they take longer than solutions.
   const numeric::Residuals<R> left = solution->residuals();
   for (const R& value : {left.equation, left.load, left.penetration, left.tension}) {
-    findings.compare(residual, static_cast<double>(value));
+    findings.compare("residual", static_cast<double>(value));
   }
 }
 
@@ -101,22 +96,21 @@ void check(Findings& findings, const SameSolution& same, const Homogeneous& c) {
 Claim thm_08_homogeneous() {
   return formula_claim<Homogeneous, SameSolution>("thm-08-homogeneous")
       .cases(cases)
+      .quantity("residual")
+      .quantity("solvers", {.required = 0.4})
+      .quantity("shifted")
       .says(same_solution)
-      .checked([]<numeric::Real R>(Findings& findings, const SameSolution& same, const Homogeneous& c) {
-        check<R>(findings, same, c);
-      })
-      .wrong("the second solver with the friction's sign reversed",
-             [](SameSolution& same, const Homogeneous&) { same.closed.s *= -1; })
-      .wrong("the second solver with twice the load",
-             [](SameSolution& same, const Homogeneous&) { same.closed.load *= 2; })
+      .checked([]<numeric::Real R>(auto&... of) { check<R>(of...); })
+      .wrong("the second solver with the friction's sign reversed", [](SameSolution& same) { same.closed.s *= -1; })
+      .wrong("the second solver with twice the load", [](SameSolution& same) { same.closed.load *= 2; })
       .wrong("the second solver with twice the profile",
              [](SameSolution& same, const Homogeneous& c) { same.closed.profile = c.profile + c.profile; })
       .wrong("psi + C + x/10 instead of psi + C",
-             [](SameSolution& same, const Homogeneous&) {
+             [](SameSolution& same) {
                same.raised.profile = same.raised.profile + Polynomial({0, Rational(1, 10)});
              })
-      .wrong("psi + C and u_n, not u_n + C", [](SameSolution& same, const Homogeneous&) { same.opened = constant; })
-      .near_miss("the second solver's load", [](SameSolution& same, const Number& step, const Homogeneous&) {
+      .wrong("psi + C and u_n, not u_n + C", [](SameSolution& same) { same.opened = constant; })
+      .near_miss("the second solver's load", [](SameSolution& same, const Number& step) {
         same.closed.load *= 1 + Rational(static_cast<double>(step));
       });
 }

@@ -1,18 +1,19 @@
-#include <algorithm>
-
-#include "numeric/variational/active_set.hpp"
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/interior_point.hpp"
-#include "proofs_checks/kit/findings.hpp"
+#include "proofs_checks/instruments/cells/interior_point.hpp"
+#include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::variational::ActiveSetResult;
-using numeric::variational::CellMesh;
 using numeric::variational::CellSet;
 using numeric::variational::DiscreteProblem;
 using numeric::variational::DiscreteState;
+
+/// A problem, and contact sets to start from.
+struct Started {
+  std::string name;
+  ProblemOnCells on_cells;
+  std::vector<CellSet> starts;
+};
 
 CellSet random_set(Random& random, std::size_t cells) {
   CellSet set(cells, 0);
@@ -21,73 +22,51 @@ CellSet random_set(Random& random, std::size_t cells) {
   return set;
 }
 
-/// The solutions that active sets find from these sets, where they do.
-std::vector<DiscreteState> solutions(const DiscreteProblem& problem, const std::vector<CellSet>& starts) {
-  std::vector<DiscreteState> result;
-  for (const CellSet& start : starts) {
-    const ActiveSetResult found =
-        active_set(problem, start, {std::vector<double>(problem.size(), 0)}, numeric::variational::ActiveSetOptions{});
-    if (found.outcome == ActiveSetResult::Outcome::solved) result.push_back(found.state);
-  }
-  return result;
+CaseList<Started> rising(const Context& context) {
+  return random_cases(context, "thm-01-uniqueness-on-cells", 200, 10,
+                      "random meshes, rising frictions, profiles and loads, four sets each",
+                      [](Random& random, std::size_t k) {
+                        const Rational largest = random.between(Rational(1, 5), 3);
+                        ProblemOnCells on_cells = random_problem_on_cells(random, k, Trend::rising, largest, false);
+                        Started c{"problem " + std::to_string(k) + ": " + text_of(on_cells), on_cells, {}};
+                        for (int i = 0; i < 4; ++i) c.starts.push_back(random_set(random, on_cells.mesh.size()));
+                        return c;
+                      });
 }
 
-struct Variant {
-  bool rising = true;    ///< else a fall of s under a parabola on eight cells, from every contact set
-  bool doubled = false;  ///< the load, for interior points
-  double moved = 0;
+CaseList<Started> falling(const Context&) {
+  return {{{"s falling by 5", problem_with_three_solutions(), all_contact_sets(8)}}, "one problem"};
+}
+
+/// That active sets and interior points find the same forces.
+struct SameForces {
+  int load = 1;  ///< factor of the load for interior points
+  Number forces = 1;
 };
 
-/// s falls by 5: complementary are the contacts of the first cell, of the first and the fifth, and of these and the
-/// fourth.
-ProblemOnCells falling() {
-  const ContactProblem problem = cell_problem({{5, 0}, {0}}, Polynomial({0, 0, 1}), Rational(1, 2));
-  return {problem, CellMesh(problem, 8)};
-}
-
-std::vector<Evidence> check(const Context& context, const Variant& variant) {
-  const Quantity forces{
-      "forces on all cells", {"active sets, from random sets of cells", "interior points"}, tolerance<double>(), 0.5};
-  return gather([&] {
-    Random random(context.seed, "thm-01-uniqueness-on-cells");
-    Findings findings;
-    const std::size_t count = context.quick ? 10 : 200;
-    for (std::size_t k = 0; k < count; ++k) {
-      const Rational largest = random.between(Rational(1, 5), 3);
-      const ProblemOnCells on_cells =
-          variant.rising ? random_problem_on_cells(random, k, Trend::rising, largest, false) : falling();
-      const DiscreteProblem problem(on_cells.problem, on_cells.mesh);
-      std::vector<CellSet> starts;
-      for (unsigned bits = 1; bits < 256 && !variant.rising; ++bits) {
-        starts.emplace_back(8, 0);
-        for (unsigned i = 0; i < 8; ++i) starts.back()[i] = static_cast<char>(bits >> i & 1U);
-      }
-      for (int i = 0; i < 4 && variant.rising; ++i) starts.push_back(random_set(random, problem.size()));
-      const std::vector<DiscreteState> found = solutions(problem, starts);
-      findings.begin_case("problem " + std::to_string(k) + ": " + text_of(on_cells), found.size() > 1);
-      const Rational& load = on_cells.problem.load();
-      auto other = forces_by_interior_points(
-          {variant.doubled ? on_cells.problem.with_load(2 * load) : on_cells.problem, on_cells.mesh});
-      if (found.empty() || !other) {
-        findings.skip(forces);
-        continue;
-      }
-      *other *= 1 + variant.moved;
-      for (const DiscreteState& state : found) findings.compare(forces, difference(forces_of(problem, state), *other));
-    }
-    return findings.evidence("random meshes, rising frictions, profiles and loads, four sets each, seed " +
-                             std::to_string(context.seed));
-  });
+void check(Findings& findings, const SameForces& said, const Started& c) {
+  const auto& [problem, mesh] = c.on_cells;
+  const DiscreteProblem discrete(problem, mesh);
+  const std::vector<DiscreteState> found = solutions_from(discrete, c.starts);
+  auto other = forces_by_interior_points({problem.with_load(said.load * problem.load()), mesh});
+  // Fewer than two starts that lead to a solution say nothing of uniqueness: the case counts as one without effect.
+  if (found.size() < 2 || !other) findings.skip("forces");
+  if (!other) return;
+  *other *= static_cast<double>(said.forces);
+  for (const DiscreteState& state : found) findings.compare("forces", difference(forces_of(discrete, state), *other));
 }
 
 }  // namespace
 
 Claim thm_01_uniqueness_on_cells() {
-  // Plain: a case counts by how many of its starts lead to a solution, which only the measurement knows.
-  return make_claim<Variant>(claim_text("thm-01-uniqueness-on-cells"), check, {},
-                             {{"s falling by 5: a problem with three solutions", {.rising = false}},
-                              {"twice the load for one of the methods", {.doubled = true}},
-                              {"near miss: forces moved by ten times the tolerance", {.moved = near_miss<double>()}}});
+  return formula_claim<Started, SameForces>("thm-01-uniqueness-on-cells")
+      .cases(rising)
+      .precision(Precision::in_double)
+      .quantity("forces")
+      .checked(check)
+      .wrong_beyond("s falling by 5: a problem with three solutions", falling)
+      .wrong("twice the load for one of the methods", [](SameForces& said) { said.load = 2; })
+      .near_miss("forces", &SameForces::forces);
 }
 
 }  // namespace steadyslide::proofs_checks

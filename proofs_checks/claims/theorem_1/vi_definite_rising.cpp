@@ -1,6 +1,6 @@
-#include "proofs_checks/instruments/cell_law.hpp"
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/instruments/dense_algebra.hpp"
+#include "proofs_checks/instruments/cells/cell_law.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/instruments/cells/dense_algebra.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -19,21 +19,17 @@ std::string text_of(const JumpsOnCells& c) {
 
 /// By turns one jump up or down, and one to four jumps of this trend.
 auto jumps(Trend several) {
-  return [several](const Context& context) {
-    Random random(context.seed, "vi-definite-rising");
+  const auto make = [several](Random& random, std::size_t k) {
     constexpr std::array<Cells, 3> kinds{Cells::equal, Cells::unequal, Cells::graded};
-    CaseList<JumpsOnCells> list;
-    const std::size_t count = context.quick ? 9 : 60;
-    for (std::size_t k = 0; k < count; ++k) {
-      CellFrictionSteps steps = k % 2 == 0 ? random_steps(random, k % 4 == 0 ? Trend::falling : Trend::rising, 3, 1)
-                                           : random_steps(random, several, 3, 4);
-      if (random.below(2) == 0) steps = mirrored(steps);
-      const ContactProblem problem = cell_problem(steps);
-      const std::size_t cells = 10 + random.below(20);
-      list.cases.push_back({steps, random_cells(random, problem, kinds[k % 3], cells)});
-    }
-    list.detail = "random meshes and frictions, seed " + std::to_string(context.seed);
-    return list;
+    CellFrictionSteps steps = k % 2 == 0 ? random_steps(random, k % 4 == 0 ? Trend::falling : Trend::rising, 3, 1)
+                                         : random_steps(random, several, 3, 4);
+    if (random.below(2) == 0) steps = mirrored(steps);
+    const ContactProblem problem = cell_problem(steps);
+    const std::size_t cells = 10 + random.below(20);
+    return JumpsOnCells{steps, random_cells(random, problem, kinds[k % 3], cells)};
+  };
+  return [make](const Context& context) {
+    return random_cases(context, "vi-definite-rising", 60, 9, "random meshes and frictions", make);
   };
 }
 
@@ -61,14 +57,7 @@ Claim vi_definite_rising() {
   return compared<JumpsOnCells>("vi-definite-rising")
       .cases(jumps(Trend::rising))
       .precision(Precision::in_double)
-      .quantity({.name = "one",
-                 .what = "smallest eigenvalue relative to E, one jump",
-                 .routes = {"eigenvalues of the matrix of entries", "1 + (s_+ - s_-) sup(T(c)^2/E)/2"},
-                 .absolute = true})
-      .quantity({.name = "several",
-                 .what = "how far the smallest eigenvalue relative to E is below 1, s nondecreasing",
-                 .routes = {"eigenvalues of the matrix of entries", "0, from the energy's formula"},
-                 .absolute = true})
+      .quantities({"one", "several"}, {.absolute = true})
       .measured(measured)
       .predicted([](const JumpsOnCells& c) { return predicted(c, 0.5); })
       .wrong("the jump without the factor 1/2", [](Values& p, const JumpsOnCells& c) { p = predicted(c, 1); })

@@ -4,8 +4,8 @@
 
 #include "numeric/variational/certificate.hpp"
 #include "numeric/variational/lemke.hpp"
-#include "proofs_checks/instruments/cells.hpp"
-#include "proofs_checks/kit/findings.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
+#include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
@@ -27,70 +27,68 @@ struct Variant {
   double moved = 0;        ///< the pressures, in units of what the certificate allows
 };
 
-std::vector<Evidence> check(const Context& context, const Variant& variant) {
-  const Quantity entries{
-      "size of negative entries of the operator, over the largest entry", {"its entries", "none"}, tolerance<double>()};
-  const Quantity residual{"residuals of the state found, in units of what the certificate allows",
-                          {"Lemke's method", "the certificate, from the state alone"},
-                          1,
-                          0.75};
-  return gather([&] {
-    Random random(context.seed, "vi-discrete-existence");
-    Findings findings;
-    const std::size_t count = context.quick ? 12 : 300;
-    for (std::size_t k = 0; k < count; ++k) {
-      // Weak and strong friction: the largest s is 1/5 to 20.
-      const Rational largest = k % 2 == 0 ? random.between(Rational(1, 5), 2) : random.between(2, 20);
-      const ProblemOnCells on_cells = random_problem_on_cells(random, k, Trend::any, largest, true);
-      const DiscreteProblem problem(on_cells.problem, on_cells.mesh);
-      findings.begin_case("problem " + std::to_string(k) + ": " + text_of(on_cells));
-      const GalerkinOperator& b = problem.galerkin_operator();
-      double least = 0;
-      double most = 0;
-      double diagonal = HUGE_VAL;
-      for (std::size_t i = 0; i < b.size(); ++i) {
-        for (std::size_t j = 0; j < b.size(); ++j) {
-          double slip = b.friction_entry(i, j);
-          if (variant.from_left && b.friction().sign < 0) {
-            slip = j < i ? b.friction().whole[j] : i == j ? b.friction().whole[i] + b.friction().own[i] : 0;
-          }
-          const double shift = problem.mesh().length(j) * std::log(variant.unit) / std::numbers::pi;
-          const double entry = variant.logarithm * b.logarithm(i, j) + shift + slip;
-          least = std::min(least, entry);
-          most = std::max(most, entry);
-          if (i == j) diagonal = std::min(diagonal, entry);
-        }
-      }
-      findings.compare(entries, -least / most);
-      findings.require(diagonal > 0, "an entry of the diagonal is not positive");
+struct Numbered {
+  std::string name;
+  ProblemOnCells on_cells;
+};
 
-      const LemkeResult found = numeric::variational::lemke(problem, most_pivots(problem));
-      if (!found.reached) {
-        findings.skip(residual);
-        continue;
+CaseList<Numbered> problems(const Context& context) {
+  return random_cases(context, "vi-discrete-existence", 300, 12,
+                      "random meshes, frictions up to s = 20, profiles and loads, one in four tilting",
+                      [](Random& random, std::size_t k) {
+                        // Weak and strong friction: the largest s is 1/5 to 20.
+                        const Rational largest = k % 2 == 0 ? random.between(Rational(1, 5), 2) : random.between(2, 20);
+                        ProblemOnCells on_cells = random_problem_on_cells(random, k, Trend::any, largest, true);
+                        return Numbered{"problem " + std::to_string(k) + ": " + text_of(on_cells), on_cells};
+                      });
+}
+
+void check(Findings& findings, const Variant& variant, const Numbered& c) {
+  const DiscreteProblem problem(c.on_cells.problem, c.on_cells.mesh);
+  const GalerkinOperator& b = problem.galerkin_operator();
+  double least = 0;
+  double most = 0;
+  double diagonal = HUGE_VAL;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      double slip = b.friction_entry(i, j);
+      if (variant.from_left && b.friction().sign < 0) {
+        slip = j < i ? b.friction().whole[j] : i == j ? b.friction().whole[i] + b.friction().own[i] : 0;
       }
-      const double allowed = certify(problem, found.state).allowed;
-      DiscreteState state = found.state;
-      for (double& p : state.pressure) p *= 1 + variant.moved * allowed;
-      const auto certificate = certify(problem, state);
-      findings.compare(residual, std::max({certificate.natural, certificate.equation, certificate.load,
-                                           certificate.moment, certificate.product}) /
-                                     allowed);
+      const double shift = problem.mesh().length(j) * std::log(variant.unit) / std::numbers::pi;
+      const double entry = variant.logarithm * b.logarithm(i, j) + shift + slip;
+      least = std::min(least, entry);
+      most = std::max(most, entry);
+      if (i == j) diagonal = std::min(diagonal, entry);
     }
-    return findings.evidence("random meshes, frictions up to s = 20, profiles and loads, one in four tilting, seed " +
-                             std::to_string(context.seed));
-  });
+  }
+  findings.compare("entries", -least / most);
+  findings.require(diagonal > 0, "an entry of the diagonal is not positive");
+
+  const LemkeResult found = numeric::variational::lemke(problem, most_pivots(problem));
+  if (!found.reached) return findings.skip("residual");
+  const double allowed = certify(problem, found.state).allowed;
+  DiscreteState state = found.state;
+  for (double& p : state.pressure) p *= 1 + variant.moved * allowed;
+  const auto certificate = certify(problem, state);
+  const double largest =
+      std::max({certificate.natural, certificate.equation, certificate.load, certificate.moment, certificate.product});
+  findings.compare("residual", largest / allowed);
 }
 
 }  // namespace
 
 Claim vi_discrete_existence() {
-  // Plain: the wrong variants change the operator and the state found, and neither is predicted by a formula.
-  return make_claim<Variant>(claim_text("vi-discrete-existence"), check, {},
-                             {{"the logarithm with the other sign", {.logarithm = -1}},
-                              {"negative s integrated from the left end", {.from_left = true}},
-                              {"lengths in units of half the support's", {.unit = 0.5}},
-                              {"near miss: pressures moved by ten times what the certificate allows", {.moved = 10}}});
+  return formula_claim<Numbered, Variant>("vi-discrete-existence")
+      .cases(problems)
+      .precision(Precision::in_double)
+      .quantity("entries")
+      .quantity("residual", {.tolerance = 1, .required = 0.75})
+      .checked(check)
+      .wrong("the logarithm with the other sign", [](Variant& v) { v.logarithm = -1; })
+      .wrong("negative s integrated from the left end", [](Variant& v) { v.from_left = true; })
+      .wrong("lengths in units of half the support's", [](Variant& v) { v.unit = 0.5; })
+      .wrong("near miss: pressures moved by ten times what the certificate allows", [](Variant& v) { v.moved = 10; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -4,7 +4,7 @@
 #include <complex>
 #include <numbers>
 
-#include "proofs_checks/instruments/cells.hpp"
+#include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -100,12 +100,8 @@ CellForces random_forces(Random& random, std::size_t k) {
 }
 
 CaseList<CellForces> forces(const Context& context) {
-  Random random(context.seed, "vi-energy-identity");
-  CaseList<CellForces> list;
-  const std::size_t count = context.quick ? 6 : 60;
-  for (std::size_t k = 0; k < count; ++k) list.cases.push_back(random_forces(random, k));
-  list.detail = "random meshes, frictions of both signs and tractions, seed " + std::to_string(context.seed);
-  return list;
+  return random_cases(context, "vi-energy-identity", 60, 6, "random meshes, frictions of both signs and tractions",
+                      random_forces);
 }
 
 /// q.(B t) by entries, one by one.
@@ -175,25 +171,12 @@ auto with(const EnergyFormula& formula) {
 }  // namespace
 
 Claim vi_energy_identity() {
-  const std::string identity = "-(1/pi) <<t * log|x|, t>> + (1/2) sum_k (s_k - s_{k-1}) T(c_k)^2";
   const Real50 pi = numeric::pi<Real50>();
   return compared<CellForces>("vi-energy-identity")
       .cases(forces)
       .precision(Precision::in_double)
-      .quantity({.name = "entries",
-                 .what = "energy of a random traction, entry by entry",
-                 .routes = {"sum of q_i B_ij t_j", identity},
-                 .absolute = true,
-                 .required = 0.9})
-      .quantity({.name = "products",
-                 .what = "energy of a random traction, by products with the operator",
-                 .routes = {"the operator's product with t", identity},
-                 .absolute = true,
-                 .required = 0.9})
-      .quantity({.name = "logarithm",
-                 .what = "energy without friction, on equal cells",
-                 .routes = {"(1/pi) int |t_hat(k)|^2/k dk", "sum over the jumps of t"},
-                 .required = 0.3})
+      .quantities({"entries", "products"}, {.absolute = true, .required = 0.9})
+      .quantity("logarithm", {.required = 0.3})
       .measured(measured)
       .predicted([](const CellForces& c) { return predicted(c, {}); })
       .wrong("the jumps without the factor 1/2", with({.factor_jump = 1}))

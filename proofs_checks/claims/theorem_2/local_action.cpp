@@ -44,15 +44,14 @@ Values principal_values(const LocalAction& action, const Rational& x) {
   // H anticommutes with the mirror, which takes x^order to (-1)^order of it.
   const int sign = mirrored && action.order % 2 == 0 ? -1 : 1;
   Values values;
+  const auto add = [&](const char* name, const R& value) { values.add({name, R(sign * value)}); };
   if (y > 0) {
     const numeric::PanelPoint<R> at{0, density[0].panel.node_from_left(y)};
-    values.add({"tanh-sinh", R(sign * numeric::tanh_sinh::hilbert(density, at).value)});
-    if (action.logs == 0) values.add({"trapezoidal", R(sign * numeric::trapezoidal::Grid<R>(density).hilbert(at))});
+    add("tanh-sinh", numeric::tanh_sinh::hilbert(density, at).value);
+    if (action.logs == 0) add("trapezoidal", numeric::trapezoidal::Grid<R>(density).hilbert(at));
   } else {
-    values.add({"tanh-sinh", R(sign * numeric::tanh_sinh::cauchy(density, Side::left, R(-y)).value)});
-    if (action.logs == 0) {
-      values.add({"trapezoidal", R(sign * numeric::trapezoidal::Grid<R>(density).cauchy(Side::left, R(-y)))});
-    }
+    add("tanh-sinh", numeric::tanh_sinh::cauchy(density, Side::left, R(-y)).value);
+    if (action.logs == 0) add("trapezoidal", numeric::trapezoidal::Grid<R>(density).cauchy(Side::left, R(-y)));
   }
   return values;
 }
@@ -98,12 +97,7 @@ Claim local_action() {
   const auto with = [](WrongSymbol symbol) { return [symbol](Values& p, const ActionAt& c) { p = said(c, symbol); }; };
   return compared<ActionAt>("local-action")
       .cases(actions)
-      .quantity({.name = "tanh-sinh",
-                 .what = "value of (1/pi) PV int t(x')/(x'-x) dx'",
-                 .routes = {"tanh-sinh rule", "local formula and power series, in CLN"}})
-      .quantity({.name = "trapezoidal",
-                 .what = "the same without logarithms",
-                 .routes = {"trapezoidal rule", "local formula and power series, in CLN"}})
+      .quantities({"tanh-sinh", "trapezoidal"})
       .measured([]<Real R>(const ActionAt& c) { return principal_values<R>(c.action, c.x); })
       .predicted([](const ActionAt& c) { return said(c); })
       .wrong("+cot(pi lambda) on the density's side", with(WrongSymbol::cotangent_sign))

@@ -1,84 +1,84 @@
 // The second sentence in words after theorem 2: a friction jump without a wedge. [Bal16, theorem 2]
 
 #include "numeric/cauchy/residuals.hpp"
-#include "proofs_checks/instruments/flanks.hpp"
-#include "proofs_checks/instruments/local_power.hpp"
-#include "proofs_checks/instruments/near.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/operators/local_power.hpp"
+#include "proofs_checks/instruments/solutions/flanks.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
+#include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
 
 struct JumpCase {
+  enum class Examined { solved, touch, on_cells };
+
   std::string name;
   ContactProblem problem;
-  Rational place;
-};
+  Rational place = corner;
+  Examined examined = Examined::solved;
+  std::optional<ContactProblem> other = {};  ///< the same next to the jump
 
-std::vector<JumpCase> jumps(bool quick) {
+  Rational s(Side side) const { return problem.coupled_friction(problem.friction().piece(place, side)); }
+  bool rises() const { return s(Side::right) > s(Side::left); }
+};
+using Examined = JumpCase::Examined;
+
+JumpCase on_cells(const std::string& name) {
+  const ContactProblem problem = cell_case(name);
+  return {name + ", on cells", problem, problem.friction().jumps().front(), Examined::on_cells};
+}
+
+CaseList<JumpCase> jumps(const Context& context) {
   const Rational low(1, 3);
   const Polynomial parabola({0, 0, 1});
   const Polynomial tilted({0, Rational(1, 4), 1});
-  std::vector<JumpCase> all{
-      {"parabola, f rises", flanks(FrictionProfile({low, 3}, {corner}), parabola, parabola, 6), corner},
-      {"parabola, f rises, twice the load", flanks(FrictionProfile({low, 3}, {corner}), parabola, parabola, 12),
-       corner},
-      {"parabola, f falls", flanks(FrictionProfile({3, low}, {corner}), parabola, parabola, 6), corner}};
-  if (quick) return all;
-  all.push_back({"turned parabola, f rises", flanks(FrictionProfile({0, 2}, {corner}), tilted, tilted, 6), corner});
-  all.push_back({"flat punch, f rises, then falls: the rise",
-                 punch(Rational(-9, 10), {Rational(1, 5), 2, Rational(1, 2)}, {Rational(-1, 3), Rational(1, 2)}),
-                 Rational(-1, 3)});
-  all.push_back({"flat punch, f rises, then falls: the fall",
-                 punch(Rational(-9, 10), {Rational(1, 5), 2, Rational(1, 2)}, {Rational(-1, 3), Rational(1, 2)}),
-                 Rational(1, 2)});
-  all.push_back({"the curvature jumps as well, f falls",
-                 flanks(FrictionProfile({3, low}, {corner}), parabola, Polynomial({0, 0, 2}), 6), corner});
-  return all;
+  const FrictionProfile rise({low, 3}, {corner});
+  const FrictionProfile fall({3, low}, {corner});
+  const ContactProblem punch_on_three =
+      punch(Rational(-9, 10), {Rational(1, 5), 2, Rational(1, 2)}, {Rational(-1, 3), Rational(1, 2)});
+  const ContactProblem twice_the_load = flanks(rise, parabola, parabola, 12);
+  return first_when_quick<JumpCase>(
+      context,
+      {{"parabola, f rises", flanks(rise, parabola, parabola, 6), corner, Examined::solved, twice_the_load},
+       {"parabola, f rises, twice the load", twice_the_load},
+       {"parabola, f falls", flanks(fall, parabola, parabola, 6)},
+       {"f rises, theta = 0", punch(Rational(3, 10), {low, 3}, {Rational(1, 4)}), Rational(1, 4), Examined::touch},
+       {"turned parabola, f rises", flanks(FrictionProfile({0, 2}, {corner}), tilted, tilted, 6)},
+       {"flat punch, f rises, then falls: the rise", punch_on_three, Rational(-1, 3)},
+       {"flat punch, f rises, then falls: the fall", punch_on_three, Rational(1, 2)},
+       {"the curvature jumps as well, f falls", flanks(fall, parabola, Polynomial({0, 0, 2}), 6)},
+       on_cells("jump-up"),
+       on_cells("jump-down")},
+      4, "problems");
 }
 
-template <class R>
-struct JumpFacts {
-  std::string name;
-  Rational s[2];
-  R power;                ///< that the operator asks for
-  double equation_error;  ///< of the solution in double
-  R theta;
-};
-/// A punch whose pressure is cos(pi alpha) |Y| (x-c)^2 under f rising at c: A t is linear there.
-template <class R>
-struct Touch {
-  R equation;  ///< residual
-  R largest;   ///< of t very near c over t halfway to the ends
-};
-struct CellPower {
-  std::string where;
-  Rational s[2];
-  numeric::Estimate<double> power;
-};
-template <class R>
-struct JumpProblems {
-  std::vector<JumpFacts<R>> jumps;
-  Touch<R> touch;
-  std::vector<CellPower> cells;
-};
-
-struct JumpSaid {
-  int sign = 1;  ///< of beta
-  bool gamma = true;
-  bool theta_matters = true;  ///< f rises and theta = 0: no infinite pressure
-  bool local_theta = false;
-  int miss = 0;
-};
+template <Real R>
+R theta_of(const ContactProblem& problem, const Rational& place) {
+  for (const auto& point : solve<R>(problem)->singular_points()) {
+    if (point.x.value == numeric::to_real<R>(place)) return point.intensity.value;
+  }
+  throw Refutation{{"x = " + to_string(place), "no singular point"}};
+}
 
 template <Real R>
-Touch<R> touch() {
-  const Rational c(1, 4);
-  const ContactProblem problem = punch(Rational(3, 10), {Rational(1, 3), 3}, {c});
-  PowerForm<R> form = power_form<R>(
-      {-1, c, 1}, {-(half + alpha(problem, 0)), alpha(problem, 0) - alpha(problem, 1), -(half - alpha(problem, 1))},
-      {R(-numeric::cos_pi_alpha<R>(problem.coupled_friction(0))),
-       R(-numeric::cos_pi_alpha<R>(problem.coupled_friction(1)))});
+Values solved_values(const JumpCase& c) {
+  const R theta = theta_of<R>(c.problem, c.place);
+  const R power = jump_power<R>(numeric::to_real<R>(c.s(Side::left)), numeric::to_real<R>(c.s(Side::right))).power;
+  Values values{
+      {"power", power}, {"unbounded", power < 0}, {"equation", equation_error(c.problem)}, {"theta", theta > 0}};
+  if (c.other) values.add({"other theta", relative_difference<R>(theta, theta_of<R>(*c.other, c.place)) > 0.01});
+  return values;
+}
+
+/// A punch whose pressure is cos(pi alpha) |Y| (x-c)^2 under f rising at c: A t is linear there.
+template <Real R>
+Values touch(const JumpCase& touching) {
+  const ContactProblem& problem = touching.problem;
+  const Rational& c = touching.place;
+  PowerProduct product = punch_traction(problem);
+  product.scale(numeric::pi<Number>());
+  const PowerForm<R> form = product.at<R>();
   // The polynomial part of -Y (z-c)^2 at infinity, Y = z^-1 (1 - sum p_j e_j/z + ...).
   R moment = 0;
   for (std::size_t j = 0; j < 3; ++j) moment += form.powers[j].value * form.points()[j];
@@ -91,114 +91,53 @@ Touch<R> touch() {
     };
   }
   const auto& right = density[1];
-  const R t = right(right.panel.node_from_left(very_near<R>()));
-  const R far = right(right.panel.node_from_left(R(right.panel.length / 2)));
+  const R t = right(right.panel.node_from_left(asymptotic_distance<R>()));
+  const R halfway = right(right.panel.node_from_left(R(right.panel.length / 2)));
   const numeric::SurfaceCheck<R> check(
       density, {numeric::to_real<R>(problem.coupled_friction(0)), numeric::to_real<R>(problem.coupled_friction(1))},
       [=](std::size_t, const numeric::Node<R>& node) { return R(-(node.x - moment - 2 * place)); });
-  return {check.equation(), R(t / far)};
+  return {{"touch", check.equation()}, {"vanishes", t / halfway < 1}};
 }
 
-std::vector<CellPower> powers_on_cells() {
-  std::vector<CellPower> all;
-  for (const std::string name : {"jump-up", "jump-down"}) {
-    const ContactProblem problem = cell_case(name);
-    const auto solution = solve_on_cells(problem, 8192);
-    for (const auto& place : solution->places()) {
-      if (place.kind != SingularKind::friction_jump) continue;
-      for (const Side side : {Side::left, Side::right}) {
-        all.push_back({name + (side == Side::left ? ", left" : ", right"),
-                       {problem.coupled_friction(0), problem.coupled_friction(1)},
-                       power_on_cells(*solution, place, side)});
-      }
-    }
-  }
-  return all;
-}
-
-template <Real R>
-JumpProblems<R> measure(bool quick) {
-  JumpProblems<R> facts{{}, touch<R>(), quick ? std::vector<CellPower>{} : powers_on_cells()};
-  for (const JumpCase& c : jumps(quick)) {
-    const auto solution = solve<R>(c.problem);
-    const Rational left = c.problem.coupled_friction(c.problem.friction().piece(c.place, Side::left));
-    const Rational right = c.problem.coupled_friction(c.problem.friction().piece(c.place, Side::right));
-    JumpFacts<R> jump{c.name,
-                      {left, right},
-                      jump_power<R>(numeric::to_real<R>(left), numeric::to_real<R>(right)).power,
-                      equation_error(c.problem),
-                      0};
-    for (const auto& point : solution->singular_points()) {
-      if (point.x.value == numeric::to_real<R>(c.place)) jump.theta = point.intensity.value;
-    }
-    facts.jumps.push_back(std::move(jump));
-  }
-  return facts;
-}
-
-Exponent power_of(const Rational (&s)[2], const JumpSaid& said) {
-  // gamma = 2/7 for nu = 3/10, the case of the first problems.
-  const Rational gamma = said.gamma ? Rational(1) : Rational(2, 7);
-  const Exponent beta = Exponent::angle(s[0] / gamma) - Exponent::angle(s[1] / gamma);
-  return said.sign > 0 ? beta : -beta;
-}
-
-std::vector<Evidence> check(const Context& context, Once<JumpProblems>& once, const JumpSaid& said) {
-  return gather_quick_in_double(context, [&]<Real R>() {
-    const Quantity power{
-        "power of |x-c|", {"where the residual of A |x|^p vanishes, by quadrature", "beta"}, tolerance<R>()};
-    const Quantity solved{
-        "equation, solved in double with that power", {"trapezoidal rule", "psi_bar'"}, equation_tolerance};
-    const Quantity cells{"power of |x-c| on cells, in its error bars", {"fit", "beta"}, 3};
-    const Quantity bar{"its error bar", {}, 0.02};
-    const Quantity equation{
-        "a touch at c: A t is linear", {"trapezoidal rule", "-(x - sum p_j e_j - 2c)"}, tolerance<R>()};
-    const JumpProblems<R>& facts = once.at<R>(context.quick, [&] { return measure<R>(context.quick); });
-    Findings findings;
-    for (const JumpFacts<R>& jump : facts.jumps) {
-      findings.begin_case(jump.name);
-      const Exponent beta = power_of(jump.s, said);
-      const R expected = numeric::to_real<R>(beta) * (1 + said.miss * R(tolerance<R>()));
-      findings.compare(power, relative_difference<R>(jump.power, expected));
-      findings.compare(solved, jump.equation_error);
-      const bool rises = jump.s[1] > jump.s[0];
-      findings.decide(rises ? "f rises: beta < 0" : "f falls: beta > 0", beta.sign() == (rises ? -1 : 1));
-      findings.require(jump.theta > 0, "theta is not positive");
-    }
-    const bool other = relative_difference<R>(facts.jumps[0].theta, facts.jumps[1].theta) > 0.01;
-    findings.require(other != said.local_theta, "theta under another load");
-    for (const CellPower& found : facts.cells) {
-      findings.begin_case(found.where + ", on cells");
-      findings.compare(bar, found.power.error);
-      const double off = std::abs(found.power.value - numeric::to_real<double>(power_of(found.s, said)));
-      findings.compare(cells, off / found.power.error);
-    }
-    findings.begin_case("f rises, theta = 0");
-    findings.compare(equation, static_cast<double>(facts.touch.equation));
-    findings.require((facts.touch.largest < 1) == said.theta_matters, "t -> 0 although f rises");
-    return findings.evidence(std::to_string(facts.jumps.size()) + " solved problems");
-  });
+/// With alpha = arctan(s/gamma)/pi.
+Values predicted(const JumpCase& c, const Rational& gamma = 1) {
+  if (c.examined == Examined::touch) return {{"touch", Number(0)}, {"vanishes", true}};
+  const Number beta =
+      numeric::to_real<Number>(Exponent::angle(c.s(Side::left) / gamma) - Exponent::angle(c.s(Side::right) / gamma));
+  if (c.examined == Examined::on_cells) return {{"left cells", beta}, {"right cells", beta}, {"error bar", Number(0)}};
+  Values values{{"power", beta}, {"unbounded", c.rises()}, {"equation", Number(0)}, {"theta", true}};
+  if (c.other) values.add({"other theta", true});
+  return values;
 }
 
 }  // namespace
 
-// In its plain form: fits to cells are compared within their own error bars.
 Claim thm_02_words_jump() {
-  return make_claim(
-      claim_text("thm-02-words-jump"),
-      [once = std::make_shared<Once<JumpProblems>>()](const Context& context, const JumpSaid& said) {
-        return check(context, *once, said);
-      },
-      JumpSaid{},
-      std::vector<Wrong<JumpSaid>>{
-          {"infinite where f falls, zero where it rises: the sign of beta",
-           changed<JumpSaid>([](JumpSaid& said) { said.sign = -1; })},
-          {"gamma left out of alpha", changed<JumpSaid>([](JumpSaid& said) { said.gamma = false; })},
-          {"infinite wherever f rises, with theta(c) = 0 as well",
-           changed<JumpSaid>([](JumpSaid& said) { said.theta_matters = false; })},
-          {"theta fixed by what is near c", changed<JumpSaid>([](JumpSaid& said) { said.local_theta = true; })},
-          {"near miss: beta moved by ten times the tolerance",
-           changed<JumpSaid>([](JumpSaid& said) { said.miss = 10; })}});
+  return compared<JumpCase>("thm-02-words-jump")
+      .cases(jumps)
+      .precision(Precision::quick_in_double)
+      .quantity("power")
+      .quantity("unbounded", {.near_miss = false})
+      .quantity("equation", {.tolerance = equation_tolerance, .absolute = true})
+      .quantities({"theta", "other theta", "vanishes"}, {.near_miss = false})
+      .quantities({"left cells", "right cells"}, {.tolerance = 3, .near_miss = false})
+      .quantity("error bar", {.tolerance = 0.02, .absolute = true, .near_miss = false})
+      .quantity("touch", {.absolute = true})
+      .measured([]<Real R>(const JumpCase& c) {
+        return c.examined == Examined::touch      ? touch<R>(c)
+               : c.examined == Examined::on_cells ? powers_on_cells(c.problem, SingularKind::friction_jump)
+                                                  : solved_values<R>(c);
+      })
+      .predicted([](const JumpCase& c) { return predicted(c); })
+      .wrong("infinite where f falls, zero where it rises: the sign of beta",
+             [](Values& p) {
+               p.scale({"power", "left cells", "right cells"}, -1);
+             })
+      .wrong("gamma left out of alpha",
+             [](Values& p, const JumpCase& c) { p = predicted(c, c.problem.elasticity().gamma()); })
+      .wrong("infinite wherever f rises, with theta(c) = 0 as well", [](Values& p) { p.set("vanishes", false); })
+      .wrong("theta fixed by what is near c", [](Values& p) { p.set("other theta", false); })
+      .near_misses();
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -1,7 +1,7 @@
 // The first sentence in words after theorem 2: a wedge where the friction does not jump. [Bal16, theorem 2]
 
-#include "proofs_checks/instruments/flanks.hpp"
-#include "proofs_checks/instruments/near.hpp"
+#include "proofs_checks/instruments/solutions/flanks.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -23,58 +23,44 @@ struct CornerCase {
   Rational place() const { return problem.indenter().breaks().front().x; }
   Rational s() const { return problem.coupled_friction(problem.friction().piece(place(), Side::right)); }
   /// D, reduced.
-  Number wedge() const {
-    return numeric::to_real<Number>(problem.indenter().breaks().front().wedge / problem.elasticity().compliance());
-  }
+  Number wedge() const { return numeric::to_real<Number>(wedge_of(problem)); }
 };
 
-std::string text_of(const CornerCase& c) { return c.name; }
-
-/// One wedge, (1/3) - (-1) in slope under f = 2, in problems that have nothing else in common; then without friction.
-void add_wedges(std::vector<CornerCase>& all, bool quick) {
-  const Rational third(1, 3);
-  const auto add = [&](std::string name, ContactProblem problem, std::optional<ContactProblem> other = {}) {
-    all.push_back({std::move(name), Examined::wedge, std::move(problem), 0, std::move(other)});
-  };
-  const ContactProblem first = flanks(FrictionProfile({2}), Polynomial({0, -1, 1}), Polynomial({0, third, 2}), 6);
-  add("free ends", first);
-  add("twice the load, other flanks, turned, friction jumps on both sides",
-      flanks(FrictionProfile({Rational(1, 2), 2, 0}, {Rational(-1, 4), Rational(3, 8)}),
-             Polynomial({0, Rational(-3, 4), 2, Rational(1, 2)}), Polynomial({0, Rational(7, 12), 1}), 12),
-      first);
-  if (quick) return;
-  add("edges", {Elasticity(Solid(Rational(3, 10), 1)), FrictionProfile({2}),
-                Indenter(-1, {{corner, Polynomial({0, -1})}, {1, Polynomial({Rational(-1, 6), third})}}), 20});
-  add("without friction", flanks(FrictionProfile({0}), Polynomial({0, -third, 1, -third}), Polynomial({0, 1, 1}), 6));
-  add("without friction, twice the load",
-      flanks(FrictionProfile({0}), Polynomial({0, -third, 3}), Polynomial({0, 1, 2}), 12));
+CornerCase wedge(std::string name, ContactProblem problem, std::optional<ContactProblem> other = {}) {
+  return {std::move(name), Examined::wedge, std::move(problem), 0, std::move(other)};
 }
 
-/// 0 - 1 in slope; where the friction rises 0 - 1/8, as little as closes under the load.
-void add_notches(std::vector<CornerCase>& all, bool quick) {
+CornerCase notch(std::string name, FrictionProfile f, const Polynomial& left, const Rational& load, int trend) {
+  return {std::move(name), Examined::notch, flanks(std::move(f), left, Polynomial({0, 0, 1}), load), trend};
+}
+
+/// One wedge, (1/3) - (-1) in slope under f = 2, in problems that have nothing else in common, and without friction.
+/// Notches, 0 - 1 in slope; where the friction rises 0 - 1/8, as little as closes under the load.
+CaseList<CornerCase> corners(const Context& context) {
   const Rational third(1, 3);
   const Polynomial steep({0, 1, 1});
   const Polynomial blunt({0, Rational(1, 8), 1});
-  const auto add = [&](std::string name, FrictionProfile f, const Polynomial& left, const Rational& load, int trend) {
-    all.push_back({std::move(name), Examined::notch, flanks(std::move(f), left, Polynomial({0, 0, 1}), load), trend});
-  };
-  add("notch", FrictionProfile({2}), steep, 4, 0);
-  add("notch, f rises", FrictionProfile({third, 3}, {corner}), blunt, 12, 1);
-  if (quick) return;
-  add("notch, three times the load", FrictionProfile({2}), steep, 12, 0);
-  add("notch without friction", FrictionProfile({0}), steep, 4, 0);
-  add("notch, f falls", FrictionProfile({3, third}, {corner}), steep, 4, -1);
-}
-
-CaseList<CornerCase> corners(const Context& context) {
-  std::vector<CornerCase> all;
-  add_wedges(all, context.quick);
-  const std::size_t wedges = all.size();
-  add_notches(all, context.quick);
-  const std::size_t notches = all.size() - wedges;
-  if (!context.quick) all.push_back({"on 8192 cells", Examined::on_cells, cell_case("wedge")});
-  return {all, std::to_string(wedges) + " solved problems with a wedge, " + std::to_string(notches) +
-                   " with a re-entrant corner"};
+  const FrictionProfile two({2});
+  const FrictionProfile none({0});
+  const ContactProblem first = flanks(two, Polynomial({0, -1, 1}), Polynomial({0, third, 2}), 6);
+  return first_when_quick<CornerCase>(
+      context,
+      {wedge("free ends", first),
+       wedge("twice the load, other flanks, turned, friction jumps on both sides",
+             flanks(FrictionProfile({Rational(1, 2), 2, 0}, {Rational(-1, 4), Rational(3, 8)}),
+                    Polynomial({0, Rational(-3, 4), 2, Rational(1, 2)}), Polynomial({0, Rational(7, 12), 1}), 12),
+             first),
+       notch("notch", two, steep, 4, 0),
+       notch("notch, f rises", FrictionProfile({third, 3}, {corner}), blunt, 12, 1),
+       wedge("edges", {Elasticity(Solid(Rational(3, 10), 1)), two,
+                       Indenter(-1, {{corner, Polynomial({0, -1})}, {1, Polynomial({Rational(-1, 6), third})}}), 20}),
+       wedge("without friction", flanks(none, Polynomial({0, -third, 1, -third}), Polynomial({0, 1, 1}), 6)),
+       wedge("without friction, twice the load", flanks(none, Polynomial({0, -third, 3}), Polynomial({0, 1, 2}), 12)),
+       notch("notch, three times the load", two, steep, 12, 0),
+       notch("notch without friction", none, steep, 4, 0),
+       notch("notch, f falls", FrictionProfile({3, third}, {corner}), steep, 4, -1),
+       {"on 8192 cells", Examined::on_cells, cell_case("wedge")}},
+      4, "solved problems with a wedge or a re-entrant corner");
 }
 
 double coefficient_on_cells(const ContactProblem& problem) {
@@ -94,7 +80,7 @@ template <Real R>
 Values at_wedge(const CornerCase& c) {
   const Solved<R> solution = solve<R>(c.problem);
   const std::size_t j = point_at(*solution, corner);
-  const R d = very_near<R>();
+  const R d = asymptotic_distance<R>();
   const R step = traction_beside(*solution, j, Side::right, d) - traction_beside(*solution, j, Side::left, d);
   Values found{{"left", logarithm_beside(*solution, j, Side::left)},
                {"right", logarithm_beside(*solution, j, Side::right)},
@@ -105,13 +91,6 @@ Values at_wedge(const CornerCase& c) {
   return found;
 }
 
-/// Multiplies the coefficient of the logarithm.
-void scale_logarithm(Values& p, const CornerCase& c, const Number& factor) {
-  if (c.examined != Examined::wedge) return;
-  p["left"] *= factor;
-  p["right"] *= factor;
-}
-
 }  // namespace
 
 Claim thm_02_words_wedge() {
@@ -119,26 +98,10 @@ Claim thm_02_words_wedge() {
       .cases(corners)
       .effective_where([](const CornerCase& c) { return c.examined != Examined::wedge || c.s() != 0; })
       .precision(Precision::quick_in_double)
-      .quantity({.name = "left",
-                 .what = "coefficient of log|x-c|/pi in solved problems, left of c",
-                 .routes = {"read off t at d and 2d", "D/(1+s^2)"}})
-      .quantity({.name = "right",
-                 .what = "coefficient of log|x-c|/pi in solved problems, right of c",
-                 .routes = {"read off t at d and 2d", "D/(1+s^2)"}})
-      .quantity({.name = "step",
-                 .what = "t(c+d) - t(c-d) over D",
-                 .routes = {"solved problems", "s/(1+s^2)"},
-                 .absolute = true,
-                 .required = 0.3})
-      .quantity({.name = "inside",
-                 .what = "is the vertex of a re-entrant corner inside the contact?",
-                 .routes = {"solved problems", "where f rises"},
-                 .absolute = true})
-      .quantity({.name = "on cells",
-                 .what = "coefficient of the logarithm on cells",
-                 .routes = {"fit to the cells", "D/(1+s^2)"},
-                 .tolerance = 0.001,
-                 .near_miss = false})
+      .quantities({"left", "right"})
+      .quantity("step", {.absolute = true, .required = 0.3})
+      .quantity("inside", {.absolute = true})
+      .quantity("on cells", {.tolerance = 0.001, .near_miss = false})
       .measured([]<Real R>(const CornerCase& c) -> Values {
         if (c.examined == Examined::wedge) return at_wedge<R>(c);
         if (c.examined == Examined::on_cells) return {{"on cells", coefficient_on_cells(c.problem)}};
@@ -154,28 +117,27 @@ Claim thm_02_words_wedge() {
         if (c.examined == Examined::on_cells) return {{"on cells", coefficient}};
         return {{"left", coefficient}, {"right", coefficient}, {"step", Number(s / (1 + s * s))}};
       })
-      .wrong(
-          "a coefficient that grows with the load",
-          [](Values& p, const CornerCase& c) { scale_logarithm(p, c, numeric::to_real<Number>(c.problem.load() / 6)); })
+      .wrong("a coefficient that grows with the load",
+             [](Values& p, const CornerCase& c) {
+               p.scale({"left", "right"}, numeric::to_real<Number>(c.problem.load() / 6));
+             })
       .wrong("1/(1+s^2) missing",
              [](Values& p, const CornerCase& c) {
-               const Number s = numeric::to_real<Number>(c.s());
-               scale_logarithm(p, c, 1 + s * s);
-               if (c.examined == Examined::wedge) p["step"] *= 1 + s * s;
+               p.scale({"left", "right", "step"}, numeric::to_real<Number>(1 + c.s() * c.s()));
              })
-      .wrong("the logarithm's sign", [](Values& p, const CornerCase& c) { scale_logarithm(p, c, -1); })
-      .wrong("1/pi missing", [](Values& p, const CornerCase& c) { scale_logarithm(p, c, numeric::pi<Number>()); })
-      .wrong("the step's sign: H(c-x)",
-             [](Values& p, const CornerCase& c) {
-               if (c.examined == Examined::wedge) p["step"] *= -1;
+      .wrong("the logarithm's sign",
+             [](Values& p) {
+               p.scale({"left", "right"}, -1);
              })
-      .wrong("a re-entrant corner excluded where f rises as well",
-             [](Values& p, const CornerCase& c) {
-               if (c.examined == Examined::notch) p["inside"] = 0;
+      .wrong("1/pi missing",
+             [](Values& p) {
+               p.scale({"left", "right"}, numeric::pi<Number>());
              })
+      .wrong("the step's sign: H(c-x)", [](Values& p) { p.scale({"step"}, -1); })
+      .wrong("a re-entrant corner excluded where f rises as well", [](Values& p) { p.scale({"inside"}, 0); })
       .wrong("a re-entrant corner admitted where f does not jump",
              [](Values& p, const CornerCase& c) {
-               if (c.examined == Examined::notch && c.trend == 0) p["inside"] = 1;
+               if (c.trend == 0) p.set("inside", Number(1));
              })
       .near_misses();
 }

@@ -1,11 +1,10 @@
 // Which side's friction governs an end of contact that lies on a friction jump. [Bal16, theorem 3]
 
-#include <array>
 #include <cmath>
 
-#include "proofs_checks/instruments/near.hpp"
-#include "proofs_checks/instruments/power_product.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
+#include "proofs_checks/instruments/tractions/power_product.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -18,7 +17,8 @@ struct StepCase {
   Rational rear_friction;
   Rational front_friction;
   Side contact;
-  std::optional<std::size_t> solved = {};  ///< which of those that are solved with their step and jump
+  bool solved = false;    ///< with its step and jump
+  bool on_cells = false;  ///< too, in a full run
 
   static Rational height() { return 200; }
   ContactProblem problem() const {
@@ -42,18 +42,13 @@ std::string text_of(const StepCase& c) {
          (c.contact == Side::left ? "behind it" : "in front of it");
 }
 
-const std::vector<StepCase>& solved_cases() {
-  static const std::vector<StepCase> all{{Rational(3, 10), Rational(1, 2), 2, Side::right, 0},
-                                         {Rational(3, 10), Rational(1, 2), 2, Side::left, 1},
-                                         {Rational(-9, 10), 10, 1, Side::right, 2},
-                                         {Rational(-9, 10), 10, 1, Side::left, 3}};
-  return all;
-}
-
 CaseList<StepCase> step_cases(const Context& context) {
-  std::vector<StepCase> cases = solved_cases();
+  std::vector<StepCase> cases{{Rational(3, 10), Rational(1, 2), 2, Side::right, true, true},
+                              {Rational(3, 10), Rational(1, 2), 2, Side::left, true, true},
+                              {Rational(-9, 10), 10, 1, Side::right, true},
+                              {Rational(-9, 10), 10, 1, Side::left, true}};
   Random random(context.seed, "contact-side");
-  const std::size_t count = context.quick ? 2 : count_for(context, 30, 10, 4);
+  const std::size_t count = context.quick ? 2 : count_for(context, {30, 10, 4});
   for (std::size_t k = 0; k < count; ++k) {
     const Rational rear = random.friction(50);
     const Rational front = random.friction(50);
@@ -61,18 +56,6 @@ CaseList<StepCase> step_cases(const Context& context) {
   }
   return {cases, "4 of a grid, " + std::to_string(count) + " random with seed " + std::to_string(context.seed)};
 }
-
-/// The problem solved with its step and its friction jump, at some distances from the step.
-constexpr std::array<double, 3> step_distances{1e-9, 0.125, 0.75};
-template <class R>
-struct SolvedStep {
-  std::size_t components;
-  R far_end;  ///< of the contact
-  std::array<R, step_distances.size()> traction;
-  std::optional<numeric::Estimate<double>> power_on_cells;
-};
-template <class R>
-using SolvedSteps = std::vector<SolvedStep<R>>;
 
 numeric::Estimate<double> power_at_step_on_cells(const StepCase& c) {
   const auto solution = solve_on_cells(c.problem(), 8192);
@@ -82,23 +65,12 @@ numeric::Estimate<double> power_at_step_on_cells(const StepCase& c) {
   throw Refutation{{text_of(c), "on cells the contact does not end at the step"}};
 }
 
-template <Real R>
-SolvedSteps<R> solve_steps(bool quick) {
-  SolvedSteps<R> all;
-  for (const StepCase& c : solved_cases()) {
-    const auto solution = solve<R>(c.problem());
-    const std::size_t step = point_at(*solution, Rational(0));
-    const auto contact = solution->contact();
-    SolvedStep<R> found{contact.size(), {}, {}, {}};
-    found.far_end = c.contact == Side::left ? contact.front().left.x.value : contact.front().right.x.value;
-    for (std::size_t k = 0; k < step_distances.size(); ++k) {
-      found.traction[k] = traction_beside(*solution, step, c.contact, R(step_distances[k]));
-    }
-    if (!quick && all.size() < 2) found.power_on_cells = power_at_step_on_cells(c);
-    all.push_back(std::move(found));
-  }
-  return all;
-}
+/// The problem solved with its step and its friction jump.
+template <class R>
+struct SolvedStep {
+  Solved<R> solution;
+  std::optional<numeric::Estimate<double>> power_on_cells;
+};
 
 /// By quadrature of the formula's traction: the surface stays below the other level.
 template <Real R>
@@ -112,24 +84,21 @@ void check_gap(Findings& findings, const PowerForm<R>& form, const StepCase& c) 
 
 template <Real R>
 void check_solved(Findings& findings, const SolvedStep<R>& solved, const PowerForm<R>& form, const StepCase& c) {
-  const Quantity traction{"traction beside the step", {"solved, with step and jump", "the formula"}, tolerance<R>()};
-  const Quantity far_end{"the contact's other end", {"solved, with step and jump", "the edge"}, tolerance<R>()};
-  const Quantity cells{"power at the step on 8192 cells, in its error bars", {"fit", "the formula"}, 3, 0};
-  const Quantity bar{"its error bar", {}, 0.02, 0};
-  findings.require(solved.components == 1, "more than one contact");
-  findings.compare(far_end, relative_difference<R>(solved.far_end, R(c.contact == Side::left ? -1 : 1)));
+  const auto contact = solved.solution->contact();
+  findings.require(contact.size() == 1, "more than one contact");
+  const bool rear = c.contact == Side::left;
+  findings.compare("far end", (rear ? contact.front().left : contact.front().right).x.value, R(rear ? -1 : 1));
   const numeric::PowerTraction<R> said = form.traction();
-  for (std::size_t i = 0; i < step_distances.size(); ++i) {
-    const R d = step_distances[i];
+  const std::size_t step = point_at(*solved.solution, Rational(0));
+  for (const R& d : {R(1e-9), R(0.125), R(0.75)}) {
     const auto panel = said.weight.panel(0);
-    const auto node = c.contact == Side::left ? panel.node_from_right(d) : panel.node_from_left(d);
-    findings.compare(traction, relative_difference<R>(solved.traction[i], said(0, node)));
+    const auto node = rear ? panel.node_from_right(d) : panel.node_from_left(d);
+    findings.compare("traction", traction_beside(*solved.solution, step, c.contact, d), said(0, node));
   }
   if (!solved.power_on_cells) return;
   const numeric::Estimate<double>& found = *solved.power_on_cells;
-  findings.compare(bar, found.error);
-  findings.compare(cells,
-                   std::abs(found.value - static_cast<double>(form.powers[c.end_at_step()].value)) / found.error);
+  findings.compare("error bar", found.error);
+  findings.compare("cells", found.value, static_cast<double>(form.powers[c.end_at_step()].value), found.error);
 }
 
 Exponent contact_angle(const StepCase& c) { return alpha(c.problem(), c.piece()); }
@@ -153,16 +122,22 @@ Claim thm_03_contact_side() {
   return formula_claim<StepCase, PowerProduct>("thm-03-contact-side")
       .cases(step_cases)
       .effective_where([](const StepCase& c) { return c.rear_friction != c.front_friction; })
+      .quantities({"traction", "far end"})
+      .quantity("cells", {.tolerance = 3, .required = 0})
+      .quantity("error bar", {.tolerance = 0.02, .required = 0})
       .says(traction)
-      .checked([once = std::make_shared<Once<SolvedSteps>>()]<Real R>(Findings& findings, const PowerProduct& t,
-                                                                      const StepCase& c, const Context& context) {
+      .checked([kept = std::make_shared<KeptForCases>()]<Real R>(Findings& findings, const PowerProduct& t,
+                                                                 const StepCase& c, const Context& context) {
         const PowerForm<R> form = t.at<R>();
-        const auto no_slope = [](const R&) { return R(0); };
-        check_surface(findings, surface_of<R>(form, c.problem(), c.piece(), no_slope), 1);
+        check_surface(findings, surface_of<R>(form, c.problem(), c.piece()), 1);
         check_gap(findings, form, c);
         if (!c.solved) return;
-        const SolvedSteps<R>& solved = once->at<R>(context.quick, [&] { return solve_steps<R>(context.quick); });
-        check_solved(findings, solved[*c.solved], form, c);
+        const SolvedStep<R>& solved = kept->at(c, [&] {
+          SolvedStep<R> found{solve<R>(c.problem()), {}};
+          if (!context.quick && c.on_cells) found.power_on_cells = power_at_step_on_cells(c);
+          return found;
+        });
+        check_solved(findings, solved, form, c);
       })
       .wrong("the printed angle (5), of the friction behind c, for contact in front of c",
              [](PowerProduct& t, const StepCase& c) {

@@ -4,7 +4,7 @@
 
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
-#include "proofs_checks/instruments/punch.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -25,12 +25,11 @@ struct Outside {
 };
 
 CaseList<ContactProblem> punches(const Context& context) {
-  std::vector<ContactProblem> grid{
+  const std::vector<ContactProblem> grid{
       punch(Rational(3, 10), {Rational(1, 2), 2}, {Rational(1, 4)}, 3), punch(Rational(3, 10), {1}), punch(0, {0}),
       punch(Rational(-9, 10), {50, 1, 10}, {0, Rational(1, 2)}), punch(Rational(499, 1000), {3})};
-  Cases cases = punch_cases(context, "outside", std::move(grid), count_for(context, 30, 8, 3),
-                            [](Random& random) { return random.below(3); });
-  return {std::move(cases.problems), std::move(cases.detail)};
+  return grid_and_random(context, "outside", grid, {30, 8, 3},
+                         [&](Random& random) { return random_punch(context, random, random.below(3)); });
 }
 
 Outside outside(const ContactProblem& p) {
@@ -45,10 +44,6 @@ template <Real R>
 void check_end(Findings& findings, const EndSlope& end, Side side, const PowerForm<R>& form,
                const ContactProblem& problem) {
   using std::pow;
-  const std::vector<std::string> routes{"(1/pi) int t(x')/(x'-x) dx'", "-+(P/pi) |Y|"};
-  const Quantity by_trapezoidal{"u' outside of the contact, trapezoidal rule", routes, tolerance<R>()};
-  const Quantity by_tanh_sinh{"u' outside of the contact, tanh-sinh rule", routes, tolerance<R>()};
-  const Quantity estimate{"u' over theta d^p next to the edges", {"measured", "-+sqrt(1+s^2)"}, tolerance<R>()};
   const numeric::PowerTraction<R> traction = form.traction();
   const numeric::PiecewiseDensity<R> density = traction.density();
   const numeric::trapezoidal::Grid<R> grid(density);
@@ -56,10 +51,9 @@ void check_end(Findings& findings, const EndSlope& end, Side side, const PowerFo
   for (const Rational& distance : {Rational(1, 1000), Rational(1, 10), Rational(2), Rational(50)}) {
     const R d = numeric::to_real<R>(distance);
     const R expected = factor * traction.weight.modulus_beyond(side, d);
-    findings.compare(by_trapezoidal, relative_difference<R>(grid.cauchy(side, d), expected));
+    findings.compare("trapezoidal", grid.cauchy(side, d), expected);
     if (distance != Rational(1, 10)) continue;
-    findings.compare(by_tanh_sinh,
-                     relative_difference<R>(numeric::tanh_sinh::cauchy<R>(density, side, d).value, expected));
+    findings.compare("tanh-sinh", numeric::tanh_sinh::cauchy<R>(density, side, d).value, expected);
   }
   const std::size_t last = side == Side::left ? 0 : form.lengths.size() - 1;
   // The estimate's error is the distance over the length to the next singular point.
@@ -71,7 +65,7 @@ void check_end(Findings& findings, const EndSlope& end, Side side, const PowerFo
     slope = grid.hilbert(at) + numeric::to_real<R>(problem.coupled_friction(last)) * density[last](at.node);
   }
   const R power = numeric::to_real<R>(end.power) + R(end.moved);
-  findings.compare(estimate, relative_difference<R>(slope / (theta * pow(near, power)), R(end.coefficient)));
+  findings.compare("estimate", R(slope / (theta * pow(near, power))), R(end.coefficient));
 }
 
 }  // namespace
@@ -80,33 +74,31 @@ Claim thm_03_outside_slope() {
   return formula_claim<ContactProblem, Outside>("thm-03-outside-slope")
       .cases(punches)
       .effective_where(has_friction)
+      .quantities({"trapezoidal", "tanh-sinh", "estimate"})
       .says(outside)
       .checked([]<Real R>(Findings& findings, const Outside& form, const ContactProblem& problem) {
-        const PowerForm<R> traction = punch_form<R>(problem);
+        const PowerForm<R> traction = punch_traction(problem).at<R>();
         check_end(findings, form.rear, Side::left, traction, problem);
         check_end(findings, form.front, Side::right, traction, problem);
       })
       .wrong("the printed x -> c- at the front: the estimate read inside of the contact",
-             [](Outside& form, const ContactProblem&) { form.front.from_inside = true; })
+             [](Outside& form) { form.front.from_inside = true; })
       .wrong("the other sign of u' in front",
-             [](Outside& form, const ContactProblem&) {
+             [](Outside& form) {
                form.front.factor *= -1;
                form.front.coefficient *= -1;
              })
-      .wrong("sqrt(1+s^2) missing at the rear",
-             [](Outside& form, const ContactProblem&) { form.rear.coefficient = -1; })
+      .wrong("sqrt(1+s^2) missing at the rear", [](Outside& form) { form.rear.coefficient = -1; })
       .wrong("sqrt(1+s^2) of the front at the rear",
-             [](Outside& form, const ContactProblem&) { form.rear.coefficient = -form.front.coefficient; })
+             [](Outside& form) { form.rear.coefficient = -form.front.coefficient; })
       .wrong("the powers of both edges exchanged in the estimate",
-             [](Outside& form, const ContactProblem&) { std::swap(form.rear.power, form.front.power); })
+             [](Outside& form) { std::swap(form.rear.power, form.front.power); })
       .wrong("the power of the other side's friction at the rear",
              [](Outside& form, const ContactProblem& p) {
                form.rear.power = -(half + alpha(p, p.friction().values().size() - 1));
              })
-      .near_miss("the power at the front",
-                 [](Outside& form, const Number& step, const ContactProblem&) { form.front.moved = step; })
-      .near_miss("u' behind",
-                 [](Outside& form, const Number& step, const ContactProblem&) { form.rear.factor *= 1 + step; });
+      .near_miss("the power at the front", [](Outside& form, const Number& step) { form.front.moved = step; })
+      .near_miss("u' behind", [](Outside& form, const Number& step) { form.rear.factor *= 1 + step; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -1,9 +1,7 @@
-#include "proofs_checks/instruments/local_form_families.hpp"
+#include "proofs_checks/instruments/identities/derived.hpp"
 
 namespace steadyslide::proofs_checks {
 
-Claim thm_09_local_forms() {
-  return derived("thm-09-local-forms", decided_local_forms, {wedge_family({"theorem-9", "theorem-9-three-orders"})});
-}
+Claim thm_09_local_forms() { return derived("thm-09-local-forms", decided_local_forms); }
 
 }  // namespace steadyslide::proofs_checks

@@ -1,8 +1,8 @@
 // Why a free end has no edge singularity: the last step in the proof of theorem 10. [Bal16, theorem 10]
 
 #include "numeric/riemann_hilbert/gap_integral.hpp"
-#include "proofs_checks/instruments/near.hpp"
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -63,11 +63,7 @@ Claim thm_10_proof_exclusion() {
   return compared<ForcedEnd>("thm-10-proof-exclusion")
       .cases(forced_ends)
       .precision(Precision::quick_in_double)
-      .quantity({.name = "gap",
-                 .what = "gap beyond a forced end over a d^{p+1}, t ~ -a d^p",
-                 .routes = {"form", "-sqrt(1+s^2)/(p+1)"}})
-      .quantity({.name = "sign", .what = "sign of a", .routes = {"form", "that the case is to show"}})
-      .quantity({.name = "rule", .what = "gap at d = 1/50 over the form's", .routes = {"trapezoidal rule", "1"}})
+      .quantities({"gap", "sign", "rule"})
       .measured([]<Real R>(const ForcedEnd& c) -> Values {
         using std::pow;
         const TrialForm<R> trial(trial_of(c));
@@ -75,7 +71,7 @@ Claim thm_10_proof_exclusion() {
         std::size_t j = 0;
         while (!(form.set().point(j).anchor && form.problem().place(*form.set().point(j).anchor) == 0)) ++j;
         const R unit = numeric::to_real<R>(Trial::frame().unit);
-        const R d = very_near<R>();
+        const R d = asymptotic_distance<R>();
         const R p = numeric::to_real<R>(edge_power(c));
         const R a = -form.traction(beside(form, j, opposite(c.beyond), R(d * unit))).value / pow(d, p);
         const numeric::GapIntegral<R> beyond(form, j);
@@ -91,11 +87,11 @@ Claim thm_10_proof_exclusion() {
       .predicted([](const ForcedEnd& c) -> Values {
         return {{"gap", gap_over_a(c)}, {"sign", Number(c.sign)}, {"rule", Number(1)}};
       })
-      .wrong("the surface below the indenter for a > 0", [](Values& p, const ForcedEnd&) { p["gap"] *= -1; })
-      .wrong("sqrt(1+s^2) missing", [](Values& p, const ForcedEnd&) { p["gap"] *= numeric::cos_pi_alpha<Number>(s); })
+      .wrong("the surface below the indenter for a > 0", [](Values& p) { p["gap"] *= -1; })
+      .wrong("sqrt(1+s^2) missing", [](Values& p) { p["gap"] *= numeric::cos_pi_alpha<Number>(s); })
       .wrong("1/(1/2-alpha) missing",
              [](Values& p, const ForcedEnd& c) { p["gap"] *= numeric::to_real<Number>(edge_power(c)) + 1; })
-      .wrong("a of one sign in all cases", [](Values& p, const ForcedEnd&) { p["sign"] = 1; })
+      .wrong("a of one sign in all cases", [](Values& p) { p["sign"] = 1; })
       .near_misses();
 }
 

@@ -1,6 +1,6 @@
 #include "numeric/cauchy/residuals.hpp"
-#include "proofs_checks/instruments/friction_values.hpp"
-#include "proofs_checks/instruments/inverse_operator.hpp"
+#include "proofs_checks/instruments/operators/inverse_operator.hpp"
+#include "proofs_checks/instruments/tractions/friction_values.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -29,6 +29,7 @@ Claim thm_10_proof_linear() {
       .cases([](const Context& context) { return friction_values(context, "thm-10-proof-linear"); })
       .effective_where([](const FrictionValue& c) { return has_friction(c); })
       .precision(Precision::quick_in_double)
+      .quantities({"formula", "equation"})
       .says([](const FrictionValue& c) {
         const Exponent alpha = Exponent::angle(c.s);
         return LinearForm{constant(c, 2), numeric::pi<Number>() * numeric::to_real<Number>(k), -(half + alpha),
@@ -36,9 +37,6 @@ Claim thm_10_proof_linear() {
       })
       .checked([]<Real R>(Findings& findings, const LinearForm& form, const FrictionValue& c) {
         using std::abs, std::max, std::pow;
-        const Quantity formula{
-            "L of a linear function", {"(10) by the trapezoidal rule", "(a + b (1+x)) t_0"}, tolerance<R>()};
-        const Quantity equation{"A of it", {"trapezoidal rule", "k"}, tolerance<R>()};
         const R slope = numeric::to_real<R>(k);
         const R a(form.a), b(form.b);
         const R size = numeric::cos_pi_alpha<R>(c.s) / numeric::pi<R>();
@@ -50,27 +48,26 @@ Claim thm_10_proof_linear() {
           const R unit =
               size * pow(d, numeric::to_real<R>(form.rear)) * pow(at.node.from_right, numeric::to_real<R>(form.front));
           const R found = inverse.at(at);
-          findings.compare(formula, static_cast<double>(R(abs(found - (a + b * d) * unit) /
-                                                          max(R(abs(found)), R(abs(b) * unit / 100)))));
+          findings.compare("formula", found, R((a + b * d) * unit), max(R(abs(found)), R(abs(b) * unit / 100)));
         }
         const numeric::PanelDensity<R> panel{{R(-1), R(1), R(2)},
                                              numeric::Power<R>::of(form.rear),
                                              numeric::Power<R>::of(form.front),
                                              [=](const auto& node) { return R(size * (a + b * node.from_left)); }};
         const numeric::SurfaceCheck<R> check({panel}, {numeric::to_real<R>(c.s)}, slope_at);
-        findings.compare(equation, static_cast<double>(check.equation()));
+        findings.compare("equation", static_cast<double>(check.equation()));
       })
-      .wrong("the sign of a", [](LinearForm& form, const FrictionValue&) { form.a = -form.a; })
+      .wrong("the sign of a", [](LinearForm& form) { form.a = -form.a; })
       .wrong("alpha's sign in a", [](LinearForm& form, const FrictionValue& c) { form.a = constant(c, -2); })
       .wrong("alpha for 2 alpha in a", [](LinearForm& form, const FrictionValue& c) { form.a = constant(c, 1); })
       .wrong("pi missing",
-             [](LinearForm& form, const FrictionValue&) {
+             [](LinearForm& form) {
                form.a /= numeric::pi<Number>();
                form.b /= numeric::pi<Number>();
              })
-      .wrong("the printed (1+x)^{1/2} in t_0", [](LinearForm& form, const FrictionValue&) { form.rear = -half; })
-      .near_miss("a", [](LinearForm& form, const Number& step, const FrictionValue&) { form.a *= 1 + step; })
-      .near_miss("b", [](LinearForm& form, const Number& step, const FrictionValue&) { form.b *= 1 + step; });
+      .wrong("the printed (1+x)^{1/2} in t_0", [](LinearForm& form) { form.rear = -half; })
+      .near_miss("a", &LinearForm::a)
+      .near_miss("b", &LinearForm::b);
 }
 
 }  // namespace steadyslide::proofs_checks

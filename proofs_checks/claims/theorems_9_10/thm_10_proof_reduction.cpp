@@ -2,11 +2,19 @@
 
 #include "numeric/cauchy/sliding_operator.hpp"
 #include "numeric/cauchy/traction_density.hpp"
-#include "proofs_checks/instruments/near.hpp"
-#include "proofs_checks/instruments/trial.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
+#include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
+
+/// H t + s t = psi_bar' + slope u~' on the second zone alone, under the load P + load int t~.
+struct Reduction {
+  Number slope = -1;
+  bool printed = false;  ///< the printed u~'s derivative for u~'
+  int load = 1;
+};
 
 template <class R>
 struct ReductionPoint {
@@ -25,9 +33,9 @@ struct ReductionFacts {
 };
 
 template <Real R>
-ReductionFacts<R> measure_reduction() {
+ReductionFacts<R> measure(const ContactProblem& problem) {
   using std::abs;
-  const auto solution = solve<R>(cell_case("two-zones"));
+  const auto solution = solve<R>(problem);
   const auto& form = solution->form();
   auto zones = numeric::traction_density(form);
   if (zones.size() != 2) throw Refutation{{"two bumps", "not two contact zones"}};
@@ -57,55 +65,38 @@ ReductionFacts<R> measure_reduction() {
   return facts;
 }
 
-struct ReductionSaid {
-  int sign = -1;  ///< of u~' in the new profile's slope
-  bool printed = false;
-  int load_sign = 1;  ///< of int t~ in the new load
-  int miss = 0;
-};
-
-std::vector<Evidence> check_reduction(const Context& context, Once<ReductionFacts>& once, const ReductionSaid& said) {
-  return gather_quick_in_double(context, [&]<Real R>() {
-    using std::abs, std::max;
-    const Quantity equation{
-        "equation of the second zone alone", {"H t + s t, trapezoidal rule", "psi_bar' - u~'"}, tolerance<R>()};
-    const Quantity load{"load of the second zone", {"trapezoidal rule", "P + int t~"}, tolerance<R>()};
-    const Quantity smooth{"u~' continued across c", {"from c+h, ..., to c-h", "at c-h"}, tolerance<R>()};
-    const ReductionFacts<R>& facts = once.at<R>(context.quick, [] { return measure_reduction<R>(); });
-    Findings findings;
-    findings.begin_case("two bumps, s = 3/10");
-    for (const ReductionPoint<R>& point : facts.points) {
-      const R slope = (said.printed ? point.printed : point.slope) * (1 + said.miss * R(tolerance<R>()));
-      const R size = max(
-          {R(abs(point.zone.hilbert.value)), R(abs(point.zone.friction)), R(abs(point.profile)), R(abs(point.slope))});
-      const R rest = point.zone.sum().value - (point.profile + said.sign * slope);
-      findings.compare(equation, static_cast<double>(R(abs(rest) / size)));
-    }
-    findings.compare(load,
-                     relative_difference<R>(R(-facts.second_zone), R(facts.load + said.load_sign * facts.first_zone)));
-    findings.compare(smooth, static_cast<double>(facts.smooth));
-    return findings.evidence("a solved problem with two contact zones");
-  });
+template <Real R>
+void check(Findings& findings, const Reduction& said, const ReductionFacts<R>& facts) {
+  using std::abs, std::max;
+  for (const ReductionPoint<R>& point : facts.points) {
+    const R expected = point.profile + R(said.slope) * (said.printed ? point.printed : point.slope);
+    findings.compare("equation", point.zone.sum().value, expected,
+                     max({R(abs(point.zone.hilbert.value)), R(abs(point.zone.friction)), R(abs(point.profile)),
+                          R(abs(point.slope))}));
+  }
+  findings.compare("load", R(-facts.second_zone), R(facts.load + said.load * facts.first_zone));
+  findings.compare("smooth", static_cast<double>(facts.smooth));
 }
 
 }  // namespace
 
-// In its plain form: both sides of the equation are measured, on one solution.
 Claim thm_10_proof_reduction() {
-  using Said = ReductionSaid;
-  return make_claim(
-      claim_text("thm-10-proof-reduction"),
-      [once = std::make_shared<Once<ReductionFacts>>()](const Context& context, const Said& said) {
-        return check_reduction(context, *once, said);
-      },
-      Said{},
-      std::vector<Wrong<Said>>{
-          {"the printed u~ where its derivative must stand", changed<Said>([](Said& said) { said.printed = true; })},
-          {"psi_bar + u~", changed<Said>([](Said& said) { said.sign = 1; })},
-          {"psi_bar unchanged", changed<Said>([](Said& said) { said.sign = 0; })},
-          {"P unchanged", changed<Said>([](Said& said) { said.load_sign = 0; })},
-          {"P - int t~", changed<Said>([](Said& said) { said.load_sign = -1; })},
-          {"near miss: u~' moved by ten times the tolerance", changed<Said>([](Said& said) { said.miss = 10; })}});
+  return formula_claim<ContactProblem, Reduction>("thm-10-proof-reduction")
+      .cases([](const Context&) {
+        return CaseList<ContactProblem>{{cell_case("two-zones")}, "a solved problem with two contact zones"};
+      })
+      .precision(Precision::quick_in_double)
+      .quantities({"equation", "load", "smooth"})
+      .checked([kept = std::make_shared<KeptForCases>()]<Real R>(Findings& findings, const Reduction& said,
+                                                                 const ContactProblem& c) {
+        check(findings, said, kept->at(c, [&] { return measure<R>(c); }));
+      })
+      .wrong("the printed u~ where its derivative must stand", [](Reduction& said) { said.printed = true; })
+      .wrong("psi_bar + u~", [](Reduction& said) { said.slope = 1; })
+      .wrong("psi_bar unchanged", [](Reduction& said) { said.slope = 0; })
+      .wrong("P unchanged", [](Reduction& said) { said.load = 0; })
+      .wrong("P - int t~", [](Reduction& said) { said.load = -1; })
+      .near_miss("u~'", &Reduction::slope);
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -1,6 +1,6 @@
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
-#include "proofs_checks/instruments/friction_values.hpp"
+#include "proofs_checks/instruments/tractions/friction_values.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -53,23 +53,9 @@ Claim thm_10_proof_slope() {
       .cases([](const Context& context) { return friction_values(context, "thm-10-proof-slope"); })
       .effective_where([](const FrictionValue& c) { return has_friction(c); })
       .precision(Precision::quick_in_double)
-      .quantity({.name = "tangent",
-                 .what = "tan(2 a) = 2m/(1-m^2) for m = tan(a), and 1 + tan(2 a)^2 is the square of 1/cos(2 a)",
-                 .routes = {},
-                 .near_miss = false})
-      .quantity({.name = "sine",
-                 .what = "sin(pi (1/2+alpha))",
-                 .routes = {"sine of the angle", "1/sqrt(1+s^2)"},
-                 .absolute = true})
-      .quantity({.name = "near",
-                 .what = "(1/pi) int_0^1 y^p/(y+d) dy, p = -(1/2+alpha), d = 1/1000",
-                 .routes = {"trapezoidal rule", "sqrt(1+s^2) d^p and a power series in d"}})
-      .quantity({.name = "far",
-                 .what = "the same at d = 1/20",
-                 .routes = {"trapezoidal rule", "sqrt(1+s^2) d^p and a power series in d"}})
-      .quantity({.name = "far by tanh-sinh",
-                 .what = "the same by tanh-sinh",
-                 .routes = {"tanh-sinh", "sqrt(1+s^2) d^p and a series"}})
+      .quantity("tangent", {.near_miss = false})
+      .quantity("sine", {.absolute = true})
+      .quantities({"near", "far", "far by tanh-sinh"})
       .measured([]<Real R>(const FrictionValue& c) -> Values {
         using std::sin;
         const numeric::PiecewiseDensity<R> power = power_density<R>(c.s);

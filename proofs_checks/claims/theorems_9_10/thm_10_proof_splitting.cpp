@@ -1,6 +1,6 @@
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
-#include "proofs_checks/instruments/friction_values.hpp"
+#include "proofs_checks/instruments/tractions/friction_values.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -43,12 +43,9 @@ Claim thm_10_proof_splitting() {
   return formula_claim<FrictionValue, Splitting>("thm-10-proof-splitting")
       .cases([](const Context& context) { return friction_values(context, "thm-10-proof-splitting"); })
       .precision(Precision::quick_in_double)
-      .says([](const FrictionValue&) { return Splitting{}; })
+      .quantity("integral")
       .checked([]<Real R>(Findings& findings, const Splitting& form, const FrictionValue& c) {
         using std::abs;
-        const Quantity integral{"the integral split in two",
-                                {"left side by tanh-sinh", "right side by the trapezoidal rule"},
-                                tolerance<R>()};
         decide_powers(findings, form);
         const numeric::trapezoidal::Grid<R> grid(density<R>(c.s, 0));
         const auto at = grid.midpoint_near(0, R(3) / 10);
@@ -58,13 +55,12 @@ Claim thm_10_proof_splitting() {
         const R second = before * R(form.integral) * grid.hilbert(at);
         const R last = numeric::to_real<R>(form.last) / numeric::pi<R>() *
                        numeric::trapezoidal::Grid<R>(density<R>(c.s, form.last_power)).integral();
-        findings.compare(integral, static_cast<double>(R(abs(left - second - last) / abs(second))));
+        findings.compare("integral", left, R(second + last), abs(second));
       })
-      .wrong("the last term's sign", [](Splitting& form, const FrictionValue&) { form.last = -1; })
-      .wrong("1+x missing before the second term", [](Splitting& form, const FrictionValue&) { form.slope = 0; })
-      .wrong("another power in the last term", [](Splitting& form, const FrictionValue&) { form.last_power = 1; })
-      .near_miss("the second integral",
-                 [](Splitting& form, const Number& step, const FrictionValue&) { form.integral += step; });
+      .wrong("the last term's sign", [](Splitting& form) { form.last = -1; })
+      .wrong("1+x missing before the second term", [](Splitting& form) { form.slope = 0; })
+      .wrong("another power in the last term", [](Splitting& form) { form.last_power = 1; })
+      .near_miss("the second integral", [](Splitting& form, const Number& step) { form.integral += step; });
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -8,7 +8,7 @@
 #include "app/figures/solved.hpp"
 #include "app/figures/stress_map.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
-#include "proofs_checks/instruments/convergence_cases.hpp"
+#include "proofs_checks/instruments/convergence/convergence_cases.hpp"
 
 using namespace steadyslide::app;
 

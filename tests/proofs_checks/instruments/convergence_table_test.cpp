@@ -1,7 +1,7 @@
 // docs/convergence.md holds what the library computes. Numbers may differ in their last printed digit from machine to
 // machine.
 
-#include "proofs_checks/instruments/convergence_table.hpp"
+#include "proofs_checks/instruments/convergence/convergence_table.hpp"
 #include "support/test.hpp"
 
 using namespace steadyslide::proofs_checks;

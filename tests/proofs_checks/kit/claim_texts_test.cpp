@@ -50,3 +50,19 @@ TEST_CASE("every claim has a near miss among its controls, unless it is decided 
     CHECK((has_near_miss(claim) || is_exact(claim)));
   }
 }
+
+TEST_CASE("what is compared stands in a table, a row of which is a name, what it is, and both routes or none") {
+  const std::string text = "# one\n\na source\n\n## Statement\n\na\n\n## Hypotheses\n\nb\n\n## Compared\n\n";
+  const std::vector<QuantityText> rows =
+      parse_claim_text(text +
+                       "| name | what | measured by | predicted by |\n|---|---|---|---|\n| peak | largest \\|t\\| | "
+                       "solved | 1 |\n| sign | it is negative | | |\n")
+          .compared;
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].name == "peak");
+  CHECK(rows[0].what == "largest |t|");
+  CHECK(rows[0].routes == std::vector<std::string>{"solved", "1"});
+  CHECK(rows[1].routes.empty());
+  CHECK_THROWS_AS(parse_claim_text(text + "| peak | largest pressure | solved | |\n"), std::logic_error);
+  CHECK_THROWS_AS(parse_claim_text(text + "no row\n"), std::logic_error);
+}

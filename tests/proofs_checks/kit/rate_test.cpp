@@ -1,6 +1,6 @@
 #include <random>
 
-#include "proofs_checks/instruments/convergence_cases.hpp"
+#include "proofs_checks/instruments/convergence/convergence_cases.hpp"
 #include "proofs_checks/kit/rate.hpp"
 #include "support/problems.hpp"
 

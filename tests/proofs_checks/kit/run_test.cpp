@@ -6,18 +6,26 @@ using namespace steadyslide::proofs_checks;
 
 namespace {
 
-/// A claim about a number: it is 1 to within 1/2.
-std::vector<Evidence> check_one(const Context&, const double& value) {
-  return gather([&] {
-    Findings findings;
-    findings.begin_case("the only case");
-    findings.compare({"value", {"given", "1"}, 0.5}, value > 1 ? value - 1 : 1 - value);
-    return findings.evidence("");
-  });
+/// A claim about a number, and its wrong variants.
+using Numbers = std::vector<std::pair<std::string, double>>;
+Claim claim_about(double value, const Numbers& wrong, std::vector<Evidence> (*check)(double)) {
+  Claim claim{{"one", "", "", ""}, [=](const Context&) { return check(value); }, {}};
+  for (const auto& [name, number] : wrong) {
+    claim.controls.push_back({name, [check, number = number](const Context&) { return check(number); }});
+  }
+  return claim;
 }
 
-Claim claim_about(double value, std::vector<Wrong<double>> wrong) {
-  return make_claim({"one", "", "", ""}, check_one, value, std::move(wrong));
+/// It is 1 to within 1/2.
+Claim claim_about(double value, const Numbers& wrong) {
+  return claim_about(value, wrong, [](double number) {
+    return gather([&] {
+      Findings findings;
+      findings.begin_case("the only case");
+      findings.compare({"value", {"given", "1"}, 0.5}, number > 1 ? number - 1 : 1 - number);
+      return findings.evidence("");
+    });
+  });
 }
 
 }  // namespace
@@ -47,16 +55,15 @@ TEST_CASE("run: a wrong claim is refuted, NaN included") {
 }
 
 TEST_CASE("run: a rate off the expected one refutes, and one too vague does not") {
-  const auto check = [](const Context&, const double& rate) {
-    return gather([&] {
-      Findings findings;
-      findings.begin_case("all levels");
-      findings.measure({"error", rate, 0.05, 1, 0.1, ""});
-      return findings.evidence("");
+  const auto claim = [](double rate, double wrong) {
+    return claim_about(rate, {{"wrong", wrong}}, [](double found) {
+      return gather([&] {
+        Findings findings;
+        findings.begin_case("all levels");
+        findings.measure({"error", found, 0.05, 1, 0.1, ""});
+        return findings.evidence("");
+      });
     });
-  };
-  const auto claim = [&](double rate, double wrong) {
-    return make_claim<double>({"rate", "", "", ""}, check, rate, {{"wrong", wrong}});
   };
   const Report report = run(claim(1.05, 2), {});
   CHECK(report.verdict == Verdict::supported);

@@ -4,7 +4,7 @@
 #include "symbolic/riemann_hilbert/polynomial_families.hpp"
 #include "symbolic/statements/energy_identity.hpp"
 #include "symbolic/statements/local_form_statements.hpp"
-#include "symbolic/statements/reading_notes.hpp"
+#include "symbolic/statements/local_readings.hpp"
 
 using namespace steadyslide::symbolic;
 using GiNaC::ex;
@@ -33,19 +33,17 @@ TEST_CASE("the local forms of theorems 2, 3, 9 and 10 hold, and every wrong vari
 
 TEST_CASE("the text as extracted and the derivation, side by side") {
   std::set<std::string> ids;
-  for (const ReadingNote& note : reading_notes()) {
-    INFO("note.id = ", note.id, ", note.evidence = ", note.evidence);
-    CHECK(ids.insert(note.id).second);
-    CHECK_FALSE(note.printed_holds);
-    CHECK(note.derived_holds);
-    CHECK(note.printed != note.derived);
-    CHECK(!note.evidence.empty());
+  for (const LocalReading& reading : local_readings()) {
+    CAPTURE(reading.id);
+    CAPTURE(reading.found);
+    CHECK(ids.insert(reading.id).second);
+    CHECK_FALSE(reading.printed_holds);
+    CHECK(reading.derived_holds);
   }
   CHECK(ids.size() == 14);
-  CHECK(
-      reading_notes().front().evidence.starts_with("In the local equation the printed form leaves |x|^lambda, x > 0: "
-                                                   "s_l*theta - s_r*theta in place of 0; the derived form "
-                                                   "holds. "));
+  CHECK(local_readings().front().found ==
+        "In the local equation the printed form leaves |x|^lambda, x > 0: s_l*theta - s_r*theta in place of 0; the "
+        "derived form holds.");
 }
 
 TEST_CASE("every statement on the energy holds, and each of its wrong variants is refuted") {

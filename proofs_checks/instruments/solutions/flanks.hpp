@@ -1,0 +1,23 @@
+#pragma once
+// Indenters of two flanks that meet at `corner`, polynomials in x - corner, over [-4, 4]; nu = 3/10, E = 1. On them
+// wedges in the contact are examined. [Bal16, theorems 2, 9]
+
+#include "model/contact_problem.hpp"
+
+namespace steadyslide::proofs_checks {
+
+inline const Rational corner{1, 8};
+
+inline ContactProblem flanks(FrictionProfile friction, const Polynomial& left, const Polynomial& right,
+                             const Rational& load) {
+  return {Elasticity(Solid(Rational(3, 10), 1)), std::move(friction),
+          Indenter(-4, {{corner, left.composed(1, -corner)}, {4, right.composed(1, -corner)}}), load};
+}
+
+/// psi'(c+) - psi'(c-) at the profile's first break, reduced; 0 if it has none.
+inline Rational wedge_of(const ContactProblem& problem) {
+  const std::vector<Indenter::Break> breaks = problem.indenter().breaks();
+  return breaks.empty() ? Rational(0) : breaks.front().wedge / problem.elasticity().compliance();
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,185 @@
+#include "proofs_checks/instruments/solutions/trial.hpp"
+
+#include <algorithm>
+
+#include "numeric/number/polynomial.hpp"
+
+namespace steadyslide::proofs_checks {
+namespace {
+
+using numeric::ContactInterval;
+using numeric::Node;
+using numeric::RiemannHilbertForm;
+using numeric::value_of;
+
+/// Which piece of the profile lies around a place.
+template <Real R>
+const Polynomial& piece_around(const ContactProblem& problem, const R& x) {
+  const auto& pieces = problem.indenter().pieces();
+  std::size_t k = 0;
+  while (k + 1 < pieces.size() && x > numeric::to_real<R>(pieces[k].to)) ++k;
+  return pieces[k].profile;
+}
+
+}  // namespace
+
+template <Real R>
+R height(const ContactProblem& problem, const R& around, const R& x) {
+  return value_of(piece_around(problem, around), x) / numeric::to_real<R>(problem.elasticity().compliance());
+}
+
+template <Real R>
+R slope(const ContactProblem& problem, const R& around, const R& x) {
+  return value_of(piece_around(problem, around).derivative(), x) /
+         numeric::to_real<R>(problem.elasticity().compliance());
+}
+
+template <class R>
+TrialForm<R>::TrialForm(const Trial& trial) : problem_(trial.problem), reduced_(problem_, Trial::frame()) {
+  auto state = numeric::ContactState<R>::initial(reduced_, numeric::ContactSet<R>(reduced_, trial.zones),
+                                                 numeric::to_real<R>(trial.tilt));
+  for (std::size_t j = 0; j < state.q.size(); ++j) state.q[j] = numeric::to_real<R>(trial.q.at(j));
+  form_.emplace(reduced_, std::move(state.set), std::move(state.q), state.tilt, rules_);
+}
+
+template <class R>
+RiemannHilbertForm<R> TrialForm<R>::form_on(numeric::ContactSet<R> set, const R& tilt) const {
+  return {reduced_, std::move(set), form_->q(), tilt, rules_};
+}
+
+template <Real R>
+R coefficient_at_infinity(const RiemannHilbertForm<R>& form, int power) {
+  const int top = form.degree_at_infinity() - power;
+  const std::vector<R> m = form.moments(static_cast<std::size_t>(std::max(top, 0)));
+  R sum = 0;
+  for (int j = 0; j < top; ++j) {
+    sum += m[static_cast<std::size_t>(j)] * form.expansion().series()[static_cast<std::size_t>(top - 1 - j)];
+  }
+  for (std::size_t l = 0; l < form.q().size(); ++l) {
+    const int index = top + static_cast<int>(l);
+    if (index >= 0) sum += form.q()[l] / numeric::pi<R>() * form.expansion().series()[static_cast<std::size_t>(index)];
+  }
+  return sum;
+}
+
+template <Real R>
+std::vector<R> excess(const RiemannHilbertForm<R>& form) {
+  std::vector<R> result;
+  for (int power = 0; power < form.degree_at_infinity(); ++power) {
+    result.push_back(coefficient_at_infinity(form, power));
+  }
+  return result;
+}
+
+template <Real R>
+std::vector<std::size_t> segments_of(const RiemannHilbertForm<R>& form) {
+  std::vector<std::size_t> result;
+  for (std::size_t k = 0; k < form.set().segments(); ++k) {
+    if (form.set().in_contact(k)) result.push_back(k);
+  }
+  return result;
+}
+
+template <Real R>
+R load_scale(const RiemannHilbertForm<R>& form) {
+  using std::abs;
+  R sum = 0;
+  for (const std::size_t k : segments_of(form)) {
+    const R half = form.set().length(k) / 2;
+    sum +=
+        2 * half * abs(form.traction({static_cast<std::ptrdiff_t>(k), {R(form.set().x(k) + half), half, half}}).value);
+  }
+  return sum;
+}
+
+template <Real R>
+std::vector<R> friction_of(const RiemannHilbertForm<R>& form) {
+  const ContactProblem& problem = form.problem().problem();
+  std::vector<R> result;
+  for (const std::size_t k : segments_of(form)) {
+    const R middle = (form.set().x(k) + form.set().x(k + 1)) / 2;
+    const numeric::Frame& frame = form.problem().frame();
+    const R x = numeric::to_real<R>(frame.origin) + numeric::to_real<R>(frame.unit) * middle;
+    std::size_t piece = 0;
+    for (const Rational& c : problem.friction().jumps()) piece += numeric::to_real<R>(c) < x ? 1 : 0;
+    result.push_back(numeric::to_real<R>(problem.coupled_friction(piece)));
+  }
+  return result;
+}
+
+template <Real R>
+numeric::PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>& form,
+                                        const numeric::FundamentalSolution<R>& weight, const Bracket<R>& bracket) {
+  numeric::PiecewiseDensity<R> density;
+  // At a wedge a power that vanishes lies below the constant or the logarithm.
+  const auto leading = [&](std::size_t j) {
+    const numeric::Power<R>& p = weight.powers()[j];
+    return form.changes_polynomial(j) && p.value > 0 ? numeric::Power<R>{R(0), R(1)} : p;
+  };
+  R gap = 0;
+  for (std::size_t k = 0; k < form.set().segments(); ++k) {
+    if (!form.set().in_contact(k)) {
+      gap += form.set().length(k);
+      continue;
+    }
+    const bool left_kink = leading(k).value != weight.powers()[k].value;
+    const bool right_kink = leading(k + 1).value != weight.powers()[k + 1].value;
+    const auto smooth = [weight, bracket, k, left_kink, right_kink](const Node<R>& node) {
+      using std::pow;
+      R value = weight.smooth_modulus(k, node) * bracket(k, node);
+      if (left_kink) value *= pow(node.from_left, weight.powers()[k].value);
+      if (right_kink) value *= pow(node.from_right, weight.powers()[k + 1].value);
+      return value;
+    };
+    density.push_back({weight.panel(k), leading(k), leading(k + 1), smooth, density.empty() ? R(0) : gap});
+    gap = 0;
+  }
+  return density;
+}
+
+template <Real R>
+void check_equation(Findings& findings, const RiemannHilbertForm<R>& solution) {
+  const Quantity equation{"A t = psi'/c for the solved problem",
+                          {"(1/pi) PV int t/(x'-x) dx' + s t, trapezoidal rule", "psi'/c"},
+                          tolerance<R>()};
+  const std::vector<std::size_t> segments = segments_of(solution);
+  const numeric::SurfaceCheck<R> check(
+      traction_density(solution), friction_of(solution), [&](std::size_t k, const Node<R>& node) {
+        return R(solution.problem().slope(solution.slope_at(segments[k]), node.x) + solution.tilt());
+      });
+  findings.compare(equation, static_cast<double>(check.equation()));
+}
+
+template <Real R>
+R extrapolated(const std::vector<R>& f, int to) {
+  R sum = 0;
+  const int n = static_cast<int>(f.size());
+  for (int i = 1; i <= n; ++i) {
+    R term = f[static_cast<std::size_t>(i - 1)];
+    for (int k = 1; k <= n; ++k) {
+      if (k != i) term *= R(to + k) / (k - i);
+    }
+    sum += term;
+  }
+  return sum;
+}
+
+#define STEADYSLIDE_INSTANTIATE(R)                                                                             \
+  template R height(const ContactProblem&, const R&, const R&);                                                \
+  template R slope(const ContactProblem&, const R&, const R&);                                                 \
+  template class TrialForm<R>;                                                                                 \
+  template R coefficient_at_infinity(const RiemannHilbertForm<R>&, int);                                       \
+  template R load_scale(const RiemannHilbertForm<R>&);                                                         \
+  template std::vector<R> excess(const RiemannHilbertForm<R>&);                                                \
+  template std::vector<std::size_t> segments_of(const RiemannHilbertForm<R>&);                                 \
+  template std::vector<R> friction_of(const RiemannHilbertForm<R>&);                                           \
+  template numeric::PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>&,                               \
+                                                   const numeric::FundamentalSolution<R>&, const Bracket<R>&); \
+  template void check_equation(Findings&, const RiemannHilbertForm<R>&);                                       \
+  template R extrapolated(const std::vector<R>&, int);
+STEADYSLIDE_INSTANTIATE(double)
+STEADYSLIDE_INSTANTIATE(Real50)
+STEADYSLIDE_INSTANTIATE(Real100)
+#undef STEADYSLIDE_INSTANTIATE
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,97 @@
+#pragma once
+// Contact sets on which the Riemann-Hilbert form is tried: any set, whether or not it is the solution's, and solved
+// problems. What the profile and the friction are is read from the problem here, not from the solver.
+
+#include <memory>
+
+#include "numeric/cauchy/residuals.hpp"
+#include "numeric/cauchy/traction_density.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "proofs_checks/instruments/tractions/surface.hpp"
+#include "proofs_checks/kit/cases.hpp"
+
+namespace steadyslide::proofs_checks {
+
+struct Trial {
+  std::string name;
+  ContactProblem problem;
+  std::vector<numeric::ContactInterval> zones;  ///< in xi of frame()
+  std::vector<Rational> q;                      ///< as many of them as the form has coefficients are used
+  Rational tilt;
+
+  static numeric::Frame frame() { return {Rational(1, 8), 2}; }
+};
+
+/// Everywhere one polynomial and any ends; a wedge; a wedge and jump; steps; up to three components. The cheap ones
+/// first, `random` random ones last. At more than 16 digits a quick run has two of them: one component, and two or, if
+/// `corners`, a corner.
+CaseList<Trial> trials(const Context& context, std::string_view stream, const CountByDigits& random,
+                       bool corners = false);
+std::string text_of(const Trial& trial);
+/// A component under a friction jump for every pair: is there an edge at its left end, at its right one?
+Trial with_ends(const std::vector<std::pair<bool, bool>>& edges);
+
+/// psi/c and psi'/c in the user's x, on the piece around another place.
+template <Real R>
+R height(const ContactProblem& problem, const R& around, const R& x);
+template <Real R>
+R slope(const ContactProblem& problem, const R& around, const R& x);
+
+/// The form of a trial, with all that it points to.
+template <class R>
+class TrialForm {
+ public:
+  explicit TrialForm(const Trial& trial);
+  TrialForm(const TrialForm&) = delete;
+  TrialForm& operator=(const TrialForm&) = delete;
+
+  const numeric::RiemannHilbertForm<R>& form() const { return *form_; }
+  /// On another contact set, or with another tilt.
+  numeric::RiemannHilbertForm<R> form_on(numeric::ContactSet<R> set, const R& tilt) const;
+
+ private:
+  ContactProblem problem_;
+  numeric::ReducedProblem<R> reduced_;
+  mutable numeric::JacobiRules<R> rules_;
+  std::optional<numeric::RiemannHilbertForm<R>> form_;
+};
+
+/// The coefficient of z^power of u'/c = Y (m_0/z + m_1/z^2 + ... + q/pi) at infinity.
+template <Real R>
+R coefficient_at_infinity(const numeric::RiemannHilbertForm<R>& form, int power);
+/// Those of z^0, z^1, ...: none for a solution. What t leaves of psi'/c is A t = psi'/c + tilt - these.
+template <Real R>
+std::vector<R> excess(const numeric::RiemannHilbertForm<R>& form);
+
+/// The size of int |t|: int t may vanish.
+template <Real R>
+R load_scale(const numeric::RiemannHilbertForm<R>& form);
+
+/// t = bracket |Y|, Y from `weight`, panel by panel of the contact; segments_of says which they are.
+template <class R>
+using Bracket = std::function<R(std::size_t segment, const numeric::Node<R>&)>;
+template <Real R>
+numeric::PiecewiseDensity<R> density_of(const numeric::RiemannHilbertForm<R>& form,
+                                        const numeric::FundamentalSolution<R>& weight, const Bracket<R>& bracket);
+template <Real R>
+std::vector<std::size_t> segments_of(const numeric::RiemannHilbertForm<R>& form);
+/// s of the contact's panels.
+template <Real R>
+std::vector<R> friction_of(const numeric::RiemannHilbertForm<R>& form);
+
+/// A solution is one: by the trapezoidal rule, which knows nothing of the form.
+template <Real R>
+void check_equation(Findings& findings, const numeric::RiemannHilbertForm<R>& solution);
+
+/// The analytic function with values f_1, ..., f_n at -h, ..., -nh, at `to` times h. With so many values at distances
+/// so small the error stays far below the tolerance.
+template <Real R>
+R extrapolated(const std::vector<R>& f, int to);
+template <Real R>
+inline constexpr int extrapolation_values = std::same_as<R, Real100> ? 15 : 8;
+template <Real R>
+R extrapolation_step() {
+  return R(1) / 100'000'000;
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,37 @@
+#pragma once
+// Tractions t = (1+x)^left (1-x)^right factor(x) on ]-1, 1[, factor a polynomial, and the form
+//
+//   b(t, t_hat) = int t v dx,   v(y) = int t_hat(x) (-(1/pi) log|x-y| + (s/2) sgn(x-y)) dx,
+//
+// with v in closed form: for t_hat = T_k/sqrt(1-x^2), y = cos theta, k >= 1
+//
+//   v = (cos(k theta) + s sin(k theta))/k = (T_k(y) + s U_{k-1}(y) sqrt(1-y^2))/k,
+//
+// which Gauss-Jacobi rules integrate without error; and for t_hat = x^m by elementary functions. [Bal16, section 3.1]
+
+#include <vector>
+
+#include "numeric/cauchy/density.hpp"
+
+namespace steadyslide::proofs_checks {
+
+template <class R>
+struct JacobiTraction {
+  numeric::Power<R> left;
+  numeric::Power<R> right;
+  std::vector<R> factor;  ///< coefficients of 1, x, x^2, ...
+};
+
+template <class R>
+numeric::PanelDensity<R> density_of(const JacobiTraction<R>& t);
+/// int t by tanh-sinh.
+template <class R>
+R integral(const JacobiTraction<R>& t);
+/// b(t, T_k/sqrt(1-x^2)), k >= 1.
+template <class R>
+R form_with_chebyshev(const JacobiTraction<R>& t, const R& s, int k);
+/// b(t, x^m) by tanh-sinh.
+template <class R>
+R form_with_power(const JacobiTraction<R>& t, const R& s, int m);
+
+}  // namespace steadyslide::proofs_checks

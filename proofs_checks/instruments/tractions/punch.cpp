@@ -1,0 +1,114 @@
+#include "proofs_checks/instruments/tractions/punch.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "numeric/closed_form/closed_form.hpp"
+#include "symbolic/cln/cln_closed_form.hpp"
+
+namespace steadyslide::proofs_checks {
+
+ContactProblem punch(const Rational& nu, std::vector<Rational> friction, std::vector<Rational> jumps,
+                     const Rational& load, Sliding sliding) {
+  return ContactProblem(Elasticity(Solid(nu, 1)), FrictionProfile(std::move(friction), std::move(jumps)),
+                        Indenter(-1, {{1, Polynomial()}}), load, sliding);
+}
+
+std::vector<Rational> random_jumps(Random& random, std::size_t m) {
+  std::vector<Rational> jumps;
+  while (jumps.size() < m) {
+    Rational c = random.between(-1, 1);
+    if (std::ranges::find(jumps, c) == jumps.end()) jumps.push_back(std::move(c));
+  }
+  std::ranges::sort(jumps);
+  return jumps;
+}
+
+ContactProblem random_punch(const Context& context, Random& random, std::size_t jumps) {
+  std::vector<Rational> friction;
+  for (std::size_t piece = 0; piece <= jumps; ++piece) friction.push_back(random.friction(largest_friction(context)));
+  const Rational nu = random.poisson();
+  const Rational load = random.between(0, 100);
+  return punch(nu, std::move(friction), random_jumps(random, jumps), load);
+}
+
+bool has_jump(const ContactProblem& problem) {
+  for (std::size_t k = 1; k < problem.friction().values().size(); ++k) {
+    if (problem.coupled_friction(k - 1) != problem.coupled_friction(k)) return true;
+  }
+  return false;
+}
+
+bool has_friction(const ContactProblem& problem) {
+  for (std::size_t k = 0; k < problem.friction().values().size(); ++k) {
+    if (problem.coupled_friction(k) != 0) return true;
+  }
+  return false;
+}
+
+Exponent alpha(const ContactProblem& problem, std::size_t piece) {
+  return Exponent::angle(problem.coupled_friction(piece));
+}
+
+PowerProduct punch_traction(const ContactProblem& problem) {
+  const std::vector<Rational>& jumps = problem.friction().jumps();
+  std::vector<Rational> points{problem.indenter().left()};
+  std::vector<Exponent> exponents{-(half + alpha(problem, 0))};
+  std::vector<Number> amplitudes{punch_amplitude<Number>(problem, 0)};
+  for (std::size_t k = 0; k < jumps.size(); ++k) {
+    points.push_back(jumps[k]);
+    exponents.push_back(alpha(problem, k) - alpha(problem, k + 1));
+    amplitudes.push_back(punch_amplitude<Number>(problem, k + 1));
+  }
+  points.push_back(problem.indenter().right());
+  exponents.push_back(-(half - alpha(problem, jumps.size())));
+  return PowerProduct::on(points, std::move(exponents), std::move(amplitudes));
+}
+
+template <Real R>
+void check_punch_values(Findings& findings, const PowerForm<R>& form, const ContactProblem& problem) {
+  const Quantity by_cln{"values of the traction, in CLN", {"the formula", "closed form in CLN"}, tolerance<R>()};
+  const Quantity by_numeric{
+      "values of the traction, as solved", {"the formula", "the closed form that `solve` uses"}, tolerance<R>()};
+  const auto cln = symbolic::ClnClosedForm::flat_punch(problem, numeric::digits_served<R> + 5);
+  const auto data = numeric::closed_form_data<R>(problem);
+  const auto* closed_form = std::get_if<numeric::ClosedFormData<R>>(&data);
+  findings.require(closed_form != nullptr, "the numeric layer knows no closed form");
+  findings.require(closed_form->exponents == form.exponents, "the numeric layer has other exponents");
+
+  const numeric::PowerTraction<R> traction = form.traction();
+  const std::vector<ContactProblem::Piece> pieces = problem.pieces();
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const auto& [left, right, friction, profile] = pieces[k];
+    for (const Rational& fraction : {Rational(1, 1'000'000), Rational(3, 7), Rational(999'999, 1'000'000)}) {
+      const Rational x = left + fraction * (right - left);
+      const numeric::Node<R> node{numeric::to_real<R>(x), numeric::to_real<R>(x - left),
+                                  numeric::to_real<R>(right - x)};
+      const R t = traction(k, node);
+      findings.compare(by_cln, relative_difference<R>(t, numeric::to_real<R>(cln.traction(x).value)));
+      findings.compare(by_numeric, relative_difference<R>(t, closed_form->traction(k, node)));
+    }
+  }
+}
+
+template <Real R>
+void check_punch_traction(Findings& findings, const PowerProduct& t, const ContactProblem& problem,
+                          std::size_t tanh_sinh_points) {
+  check_surface(findings, surface_of<R>(t.at<R>(), problem, 0), tanh_sinh_points);
+  check_surface_by_gsl(findings, surface_of<double>(t.at<double>(), problem, 0));
+  check_punch_values(findings, t.at<R>(), problem);
+  const Exponent sum = std::accumulate(t.exponents.begin(), t.exponents.end(), Exponent());
+  findings.decide("the exponents sum to -1", sum == Exponent(-1));
+}
+
+Rational largest_friction(const Context& context) { return context.digits == numeric::Digits::sixteen ? 5 : 50; }
+
+#define STEADYSLIDE_INSTANTIATE(R)                                                         \
+  template void check_punch_values(Findings&, const PowerForm<R>&, const ContactProblem&); \
+  template void check_punch_traction<R>(Findings&, const PowerProduct&, const ContactProblem&, std::size_t);
+STEADYSLIDE_INSTANTIATE(double)
+STEADYSLIDE_INSTANTIATE(Real50)
+STEADYSLIDE_INSTANTIATE(Real100)
+#undef STEADYSLIDE_INSTANTIATE
+
+}  // namespace steadyslide::proofs_checks
