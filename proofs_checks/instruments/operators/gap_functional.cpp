@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "numeric/number/polynomial.hpp"
+#include "numeric/quadrature/jacobi_rule.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
-#include "numeric/quadrature/trapezoidal.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
@@ -39,6 +39,41 @@ bool is_nonpositive(const std::array<R, 4>& a, const R& shift, int depth) {
   const R middle = (abc + bcd) / 2;
   return is_nonpositive<R>({a[0], ab, abc, middle}, shift, depth - 1) &&
          is_nonpositive<R>({middle, bcd, cd, a[3]}, shift, depth - 1);
+}
+
+/// int v/W by Gauss-Jacobi rules on panels that are cut until they are no longer than their distance from the other
+/// end.
+template <Real R>
+R on_panel(numeric::JacobiRules<R>& rules, const Rational& s, const Rational& left, const Rational& right,
+           const Polynomial& v) {
+  using std::pow;
+  const Rational length = right - left;
+  const Rational before = left == -1 ? Rational(2) : left + 1;
+  const Rational behind = right == 1 ? Rational(2) : 1 - right;
+  if (length > before || length > behind) {
+    const Rational middle = (left + right) / 2;
+    return on_panel<R>(rules, s, left, middle, v) + on_panel<R>(rules, s, middle, right, v);
+  }
+  const Exponent angle = Exponent::angle(s);
+  const auto a = Power<R>::of(-(half + angle));
+  const auto b = Power<R>::of(-(half - angle));
+  const Power<R> none{R(0), R(1)};
+  // The error falls as 5.8^{-2n}.
+  constexpr int nodes = std::same_as<R, double> ? 14 : std::same_as<R, Real50> ? 42 : 82;
+  const numeric::JacobiRule<R>& rule = rules.get(left == -1 ? a : none, right == 1 ? b : none, nodes);
+  const R h = to_real<R>(length);
+  R scale = h;
+  if (left == -1) scale *= pow(h, a.value);
+  if (right == 1) scale *= pow(h, b.value);
+  R sum = 0;
+  for (std::size_t i = 0; i < rule.size(); ++i) {
+    const R x = to_real<R>(left) + h * rule.from_left[i];
+    R value = value_of(v, x);
+    if (left != -1) value *= pow(R(1 + x), a.value);
+    if (right != 1) value *= pow(R(1 - x), b.value);
+    sum += rule.weights[i] * value;
+  }
+  return scale * sum;
 }
 
 /// t_0 v, t_0 of the friction s.
@@ -161,7 +196,13 @@ R largest_shift(const PiecewiseFunction& v) {
 
 template <Real R>
 R pairing(const Rational& s, const PiecewiseFunction& v) {
-  return numeric::trapezoidal::Grid<R>(weighted<R>(s, v)).integral();
+  // A claim pairs many functions under few frictions.
+  thread_local numeric::JacobiRules<R> rules;
+  R sum = 0;
+  for (std::size_t k = 0; k < v.pieces.size(); ++k) {
+    sum += on_panel(rules, s, v.points[k], v.points[k + 1], v.pieces[k]);
+  }
+  return numeric::cos_pi_alpha<R>(s) / numeric::pi<R>() * sum;
 }
 
 template <Real R>

@@ -41,7 +41,7 @@ R supremum(const PiecewiseFunction& v);
 template <numeric::Real R>
 R largest_shift(const PiecewiseFunction& v);
 
-/// int t_0 v by the trapezoidal rule, t_0 of the friction s.
+/// int t_0 v by Gauss-Jacobi rules, t_0 of the friction s.
 template <numeric::Real R>
 R pairing(const Rational& s, const PiecewiseFunction& v);
 /// The same by tanh-sinh.
