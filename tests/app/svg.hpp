@@ -25,7 +25,7 @@ inline bool is_well_formed(const std::string& xml) {
       if (c == '<' || (quote != 0 && c != quote)) continue;
       quote = quote != 0 ? '\0' : c == '"' || c == '\'' ? c : '\0';
     }
-    static const std::regex whole("/?[A-Za-z][\\w]*(\\s+[\\w:.-]+=)*\\s*/?");
+    static const std::regex whole("/?[A-Za-z][\\w]*(\\s+[\\w:.-]+\\s*=)*\\s*/?");
     if (holds(tag, "<") || quote != 0 || !std::regex_match(unquoted, whole)) return false;
     if (tag.back() == '/') continue;
     const std::string name = tag.substr(0, tag.find_first_of(" \t\n"));
