@@ -4,8 +4,8 @@
 //
 //   u'/c = psi'/c - N Y off the contact,   t = -|N| cos(pi alpha) |Y| on it.
 //
-//   flat punch: the whole support in contact, edges at both ends, N = -P/pi. Contains [Bal16, (4)] and [Bal16,
-//   (5)-(7)]. parabola:   free ends, N = 1/R. Contains Galin's parabola [Bal16, section 2].
+//   flat punch: the whole support in contact, edges at both ends, N = -P/pi. [Bal16, (4), (5)-(7)]
+//   parabola:   free ends, N = 1/R. Contains Galin's parabola [Bal16, section 2].
 //
 // Lengths are measured from an exact origin (the punch's centre, the parabola's vertex).
 

@@ -4,10 +4,11 @@
 //
 //   Claim rem_01_neglect() {
 //     return compared<Parabola>("rem-01-neglect")
-//         .cases(parabolas)                          // CaseList<Parabola>(const Context&); a case has a name or
-//         text_of() .quantity("peak")                          // what it is says the claim's text .measured([]<Real
-//         R>(const Parabola& c) { return Values{{"peak", ...}}; }) .predicted([](const Parabola& c) { return
-//         Values{{"peak", ...}}; }) .wrong("the contact shifted to the front", [](Values& p) { p["centre"] *= -1; })
+//         .cases(parabolas)    // CaseList<Parabola>(const Context&); a case has a name, or text_of()
+//         .quantity("peak")    // the claim's text says what it is
+//         .measured([]<Real R>(const Parabola& c) { return Values{{"peak", ...}}; })
+//         .predicted([](const Parabola& c) { return Values{{"peak", ...}}; })
+//         .wrong("the contact shifted to the front", [](Values& p) { p["centre"] *= -1; })
 //         .near_misses();
 //   }
 //

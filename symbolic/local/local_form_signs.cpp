@@ -111,8 +111,8 @@ bool penetrates(LocalForm& form, const LocalFrame& frame, const LocalExponent& l
   const Formula power = frame.text(lambda);
   const Formula slope = frame.times(coefficient, {"d^(" + power.text + ")", "d^{" + power.latex + "}"});
   form.derivation.act(enters ? "Where `t = -theta d^lambda` with `theta >= 0`, the slope beyond the end is unbounded "
-                               "and drives the surface "
-                               "into the indenter, which goes on there: `theta = 0`, and the next power leads."
+                               "and drives the surface into the indenter, which goes on there: `theta = 0`, and the "
+                               "next power leads."
                              : "The next power: the gap it leaves beyond the end is not negative.",
                       {"t = -theta d^(" + power.text + "),  u_bar' = " + slope.text + " + ...",
                        "\\begin{gathered} t = -\\theta d^{" + power.latex + "} \\\\ \\bar u' = " + slope.latex +

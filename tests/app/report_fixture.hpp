@@ -18,8 +18,7 @@ inline app::VerifyResult fabricated_result() {
         "plane strain, rigid flat punch, `-1 < nu < 1/2`, `f >= 0` constant, `P > 0`",
         "With `Phi(z) = (1/(2 pi i)) int t(x')/(x'-z) dx'` Plemelj's formulas turn `A t = 0` into `Phi^+ = G Phi^-`, "
         "`G = (s-i)/(s+i) = -e^{2 pi i alpha}` [Mus53]. Powers `p_1 = -(1/2+alpha)` and `p_2 = -(1/2-alpha)` at the "
-        "ends "
-        "solve it, and their sum is `-1`: `Phi` falls off as `P/(2 pi i z)`, which is the load."},
+        "ends solve it, and their sum is `-1`: `Phi` falls off as `P/(2 pi i z)`, which is the load."},
        Verdict::supported,
        {Agreement{"A t_0 over the largest term",
                   {"trapezoidal rule after `x = tanh(tau/2)`", "closed form of the integral"},

@@ -103,8 +103,7 @@ Figure make_convergence() {
       "parabola with a step, and of two bumps with free ends; lines with the derived rates. Right: what "
       "Gauss-Jacobi rules of `n` nodes a panel leave of the two equations of the Riemann-Hilbert method, the moment "
       "`int h = 0` and the load, for a wedge on a friction jump, at 50 digits; the line has the rate "
-      "`(3+sqrt(8))^{-2n}` "
-      "of panels no longer than their distance from singular points.",
+      "`(3+sqrt(8))^{-2n}` of panels no longer than their distance from singular points.",
       500,
       {cells, rules}};
 }

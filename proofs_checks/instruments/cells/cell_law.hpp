@@ -3,8 +3,7 @@
 // cells, E = -(1/pi) <t * log|x|, t>.
 //
 // In the continuum there is no bound: E is the square of a norm of H^(1/2) of T = int t, Green's function of that form
-// on
-// ]-1, 1[ is (1/pi) log(2 (1-c^2)/|x-c|) next to c, and so the capacity of a point is zero, that of an interval of
+// on ]-1, 1[ is (1/pi) log(2 (1-c^2)/|x-c|) next to c, and so the capacity of a point is zero, that of an interval of
 // length h about pi/log(1/h). On equal cells of length h, T is piecewise linear; on the whole line the form has the
 // symbol Lambda(theta) = sum_m |theta + 2 pi m| sinc^4(theta/2 + pi m), and what cells put in place of the logarithm's
 // pole is the integral of |T^|^2/Lambda - 1/theta, |T^|^2 = 1 - 2 phi (1-phi) (1 - cos theta) for c at the part phi of
