@@ -16,7 +16,7 @@ int main() {
 
   const numeric::Attempt<Real50> attempt = numeric::closed_form<Real50>(problem);
   if (!attempt.solution) {
-    std::cerr << attempt.why_not << '\n';
+    std::cerr << attempt.reason << '\n';
     return 1;
   }
   std::cout.precision(50);

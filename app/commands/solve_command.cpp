@@ -104,11 +104,11 @@ void check_method(const SolveOptions& options, const Problem& problem) {
   }
 }
 
-Failure inapplicable(const Problem& problem, Method method, const std::string& why_not) {
+Failure inapplicable(const Problem& problem, Method method, const std::string& reason) {
   if (method == Method::closed_form) {
-    return bad_command_line("--method closed-form: no closed form applies; " + why_not);
+    return bad_command_line("--method closed-form: no closed form applies; " + reason);
   }
-  return {ExitCode::bad_input, problem.file + ": " + why_not};
+  return {ExitCode::bad_input, problem.file + ": " + reason};
 }
 
 /// A bar that follows one solve, or a search, on cells.
@@ -147,11 +147,11 @@ ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
 
   Output output(options.common.output);
   const SolutionText solution = solve_shown(options, problem, std::move(wanted));
-  if (!solution.why_not.empty()) throw inapplicable(problem, options.method, solution.why_not);
+  if (!solution.reason.empty()) throw inapplicable(problem, options.method, solution.reason);
   write(options.common.format, problem, solution, output);
   if (solution.is_solved()) return ExitCode::done;
   throw Failure(ExitCode::refuted, fmt::format("{}: the solve did not converge: {}; what was reached is printed",
-                                               problem.file, solution.shortcoming));
+                                               problem.file, solution.failed_condition));
 }
 
 std::vector<Rational> load_list(const std::string& text) {
@@ -183,8 +183,8 @@ ExitCode follow_loads(const SolveOptions& options, const Problem& problem) {
   const std::vector<Rational> loads = load_list(options.load_steps);
   Output output(options.common.output);
   const std::vector<LoadStep> steps = solved_steps(options, problem, loads);
-  if (std::ranges::none_of(steps, [](const LoadStep& step) { return step.solution.why_not.empty(); })) {
-    throw inapplicable(problem, options.method, steps.front().solution.why_not);
+  if (std::ranges::none_of(steps, [](const LoadStep& step) { return step.solution.reason.empty(); })) {
+    throw inapplicable(problem, options.method, steps.front().solution.reason);
   }
   write_load_steps(options.common.format, steps, output);
   output.commit();
@@ -199,7 +199,7 @@ ExitCode follow_loads(const SolveOptions& options, const Problem& problem) {
   throw Failure(ExitCode::refuted,
                 fmt::format("{}: {} of {} loads not solved, first of all {}: {}; what was reached is printed",
                             problem.file, std::ranges::count_if(steps, fails), steps.size(), first->load,
-                            failed.why_not.empty() ? failed.shortcoming : failed.why_not));
+                            failed.reason.empty() ? failed.failed_condition : failed.reason));
 }
 
 /// Not empty: there is no solution, and why.
@@ -208,7 +208,7 @@ std::string nothing_found(const SearchText& search) {
   for (const FoundText& found : search.solutions) {
     if (found.variational.is_solved() || found.refined) return "";
   }
-  return search.solutions.front().variational.shortcoming;
+  return search.solutions.front().variational.failed_condition;
 }
 
 numeric::SolutionSearch search_shown(const SolveOptions& options, const Problem& problem) {
@@ -222,7 +222,7 @@ numeric::SolutionSearch search_shown(const SolveOptions& options, const Problem&
 ExitCode search(const SolveOptions& options, const Problem& problem) {
   Output output(options.common.output);
   const numeric::SolutionSearch found = search_shown(options, problem);
-  if (!found.why_not.empty()) throw inapplicable(problem, options.method, found.why_not);
+  if (!found.reason.empty()) throw inapplicable(problem, options.method, found.reason);
   SearchText text{found.starts, found.unsolved, found.refinements, {}, uniqueness(problem.contact), {}, {}};
   const SolutionWanted wanted{options.common.digits};
   for (const numeric::FoundSolution& solution : found.solutions) {
@@ -234,10 +234,11 @@ ExitCode search(const SolveOptions& options, const Problem& problem) {
     }
     text.solutions.push_back(std::move(shown));
   }
-  text.shortcoming = nothing_found(text);
+  text.failed_condition = nothing_found(text);
   write(options.common.format, problem, text, output);
-  if (text.shortcoming.empty()) return ExitCode::done;
-  throw Failure(ExitCode::refuted, fmt::format("{}: the search found no solution: {}", problem.file, text.shortcoming));
+  if (text.failed_condition.empty()) return ExitCode::done;
+  throw Failure(ExitCode::refuted,
+                fmt::format("{}: the search found no solution: {}", problem.file, text.failed_condition));
 }
 
 ExitCode run(const Given& given) {

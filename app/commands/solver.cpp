@@ -38,9 +38,9 @@ numeric::Attempt<R> attempt(Method method, const ContactProblem& problem, const 
   return numeric::riemann_hilbert<R>(problem, start);
 }
 
-SolutionText inapplicable(const std::string& why_not) {
+SolutionText inapplicable(const std::string& reason) {
   SolutionText text;
-  text.why_not = why_not;
+  text.reason = reason;
   return text;
 }
 
@@ -58,13 +58,13 @@ SolutionText text_on_cells(const Problem& problem, const numeric::ContactSolutio
                            SolutionWanted wanted) {
   wanted.largest_residual = numeric::infinity<double>();
   SolutionText text = solution_text(problem, solution, wanted);
-  if (text.is_solved() && !text.in_range) text.shortcoming = "values out of the range of double";
+  if (text.is_solved() && !text.in_range) text.failed_condition = "values out of the range of double";
   return text;
 }
 
 SolutionText Solver::solve_on_cells(const Problem& problem) const {
   const auto found = numeric::variational_inequality(problem.contact, wanted_.variational);
-  if (!found.solution) return inapplicable(found.why_not);
+  if (!found.solution) return inapplicable(found.reason);
   return text_on_cells(problem, *found.solution, wanted_.solution);
 }
 
@@ -72,7 +72,7 @@ template <numeric::Real R>
 SolutionText Solver::solve_in(const Problem& problem) {
   Solution<R>& last = std::get<Solution<R>>(last_);
   const numeric::Attempt<R> found = attempt<R>(wanted_.method, problem.contact, last.get());
-  if (!found.solution) return inapplicable(found.why_not);
+  if (!found.solution) return inapplicable(found.reason);
   SolutionText text = solution_text(problem, *found.solution, wanted_.solution);
   if (text.is_solved()) last = found.solution;
   return text;
@@ -84,7 +84,7 @@ SolutionText Solver::solve(const Problem& problem) {
   if (digits == numeric::Digits::sixteen) {
     if (fits_double(problem.contact, wanted_.solution.at)) {
       SolutionText text = solve_in<double>(problem);
-      if (!text.why_not.empty() || (text.is_solved() && text.in_range)) return text;
+      if (!text.reason.empty() || (text.is_solved() && text.in_range)) return text;
     }
     digits = numeric::Digits::fifty;
   }

@@ -13,9 +13,9 @@ namespace {
 
 using Solution = numeric::ContactSolution<double>;
 
-void check(const Solution* solution, const std::string& why_not) {
-  if (solution == nullptr) throw std::runtime_error("a figure's problem is not solved: " + why_not);
-  if (const std::string what = solution->shortcoming(); !what.empty()) {
+void check(const Solution* solution, const std::string& reason) {
+  if (solution == nullptr) throw std::runtime_error("a figure's problem is not solved: " + reason);
+  if (const std::string what = solution->failed_condition(); !what.empty()) {
     throw std::runtime_error("a figure's problem is not solved: " + what);
   }
 }
@@ -36,7 +36,7 @@ std::shared_ptr<const Solution> solved(const ContactProblem& problem) {
 std::shared_ptr<const numeric::RiemannHilbertSolution<double>> solved_by_singular_functions(
     const ContactProblem& problem, const Solution* start) {
   const numeric::Attempt<double> attempt = numeric::riemann_hilbert<double>(problem, start);
-  check(attempt.solution.get(), attempt.why_not);
+  check(attempt.solution.get(), attempt.reason);
   return std::dynamic_pointer_cast<const numeric::RiemannHilbertSolution<double>>(attempt.solution);
 }
 
@@ -44,7 +44,7 @@ std::shared_ptr<const numeric::VariationalSolution> solved_on_cells(const Contac
   numeric::VariationalOptions options;
   options.cells = cells;
   const numeric::Attempt<double> attempt = numeric::variational_inequality(problem, options);
-  check(attempt.solution.get(), attempt.why_not);
+  check(attempt.solution.get(), attempt.reason);
   return std::dynamic_pointer_cast<const numeric::VariationalSolution>(attempt.solution);
 }
 

@@ -97,10 +97,10 @@ class Writer {
 
 /// What stands in the way of calling it a solution.
 template <Real R>
-std::string shortcoming(const numeric::ContactSolution<R>& solution,
-                        const std::vector<std::pair<std::string, R>>& residuals, double largest_residual,
-                        bool converged) {
-  if (std::string text = solution.shortcoming(); !text.empty()) return text;
+std::string failed_condition(const numeric::ContactSolution<R>& solution,
+                             const std::vector<std::pair<std::string, R>>& residuals, double largest_residual,
+                             bool converged) {
+  if (std::string text = solution.failed_condition(); !text.empty()) return text;
   for (const auto& [name, value] : residuals) {
     const bool small = value <= largest_residual;  // no number is not
     if (!small) return fmt::format("{} has the residual {}", name, size_text(value, 2));
@@ -167,7 +167,7 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
   text.errors = writer.sizes({{"ends", error.ends}, {"traction", error.traction}, {"resultants", error.resultants}});
   const auto residuals = named(solution.residuals());
   text.warnings = warnings(problem, solution);
-  text.shortcoming = shortcoming(solution, residuals, wanted.largest_residual, writer.converged());
+  text.failed_condition = failed_condition(solution, residuals, wanted.largest_residual, writer.converged());
   text.residuals = writer.sizes(residuals);
   text.uniqueness = uniqueness(problem.contact);
   return text;

@@ -66,12 +66,12 @@ struct SolutionText {
   std::vector<NamedSize> errors;  ///< estimated, relative
   std::vector<NamedSize> residuals;
   Uniqueness uniqueness;
-  std::string why_not;      ///< not empty: the method does not apply, and nothing else is here
-  std::string shortcoming;  ///< not empty: not a solution, and why
+  std::string reason;            ///< not empty: the method does not apply, and nothing else is here
+  std::string failed_condition;  ///< not empty: not a solution, and why
   std::vector<std::string> warnings;
   bool in_range = true;  ///< false: some value is no number, or near the end of the range of its type
 
-  bool is_solved() const { return why_not.empty() && shortcoming.empty(); }
+  bool is_solved() const { return reason.empty() && failed_condition.empty(); }
 };
 
 /// What of a solution is told, and what makes it one.
@@ -79,7 +79,7 @@ struct SolutionWanted {
   int digits = 16;
   std::vector<Rational> at{};  ///< samples at these places,
   int samples = 0;             ///< and so many a component and a gap
-  /// A solution with a larger residual is none. Infinite for a method whose own shortcoming() weighs its residuals.
+  /// A solution with a larger residual is none. Infinite for a method whose own failed_condition() weighs its residuals.
   double largest_residual = 1e-9;
 };
 

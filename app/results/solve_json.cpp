@@ -152,10 +152,10 @@ Json heading(const Problem& problem) {
 template <class Result>
 void finish(Json json, const Result& result, Output& output) {
   const auto& [proved, reason] = result.uniqueness;
-  if (result.shortcoming.empty()) {
+  if (result.failed_condition.empty()) {
     json["uniqueness"] = {{"status", proved ? unique_by_theorem : "not_covered"}, {"reason", reason}};
   } else {
-    json["uniqueness"] = {{"status", "not_solved"}, {"reason", result.shortcoming}};
+    json["uniqueness"] = {{"status", "not_solved"}, {"reason", result.failed_condition}};
   }
   json["warnings"] = result.warnings;
   output.write(json.dump(2) + "\n");

@@ -78,7 +78,7 @@ void write_load_steps(Format format, const std::vector<LoadStep>& steps, Output&
   if (format == Format::json) last.push_back({"warnings"});
   Rows rows(format, joined({{"load"}, {"component"}}, component_columns, last), output);
   for (const auto& [load, solution] : steps) {
-    std::vector<Cell> notes{solution.why_not.empty() ? solution.shortcoming : solution.why_not};
+    std::vector<Cell> notes{solution.reason.empty() ? solution.failed_condition : solution.reason};
     if (format == Format::json) notes.emplace_back(solution.warnings);
     int component = 0;
     for (const Ends& ends : solution.contact) {

@@ -81,7 +81,7 @@ void write_sizes(const std::string& heading, const std::vector<NamedSize>& sizes
 /// Is it the only solution? Nothing where there is no solution.
 template <class Result>
 void write_uniqueness(const Result& result, Output& output) {
-  if (!result.shortcoming.empty()) return;
+  if (!result.failed_condition.empty()) return;
   const auto& [proved, reason] = result.uniqueness;
   output.write(fmt::format("\n{}, {}\n", proved ? unique_by_theorem : "uniqueness: not covered", reason));
 }

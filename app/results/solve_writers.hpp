@@ -28,7 +28,7 @@ struct SearchText {
   std::vector<FoundText> solutions;
   Uniqueness uniqueness;
   std::vector<std::string> warnings;  ///< of all solutions
-  std::string shortcoming;            ///< not empty: none of them is a solution, and why
+  std::string failed_condition;       ///< not empty: none of them is a solution, and why
 
   /// Did every start lead to the same solution?
   bool agreed() const { return solutions.size() == 1 && unsolved == 0; }

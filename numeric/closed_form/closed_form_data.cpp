@@ -115,7 +115,7 @@ std::string too_many_friction_pieces(const ContactProblem& problem) {
 
 template <Real R>
 std::variant<ClosedFormData<R>, std::string> closed_form_data(const ContactProblem& problem) {
-  if (std::string why_not = too_many_friction_pieces(problem); !why_not.empty()) return why_not;
+  if (std::string reason = too_many_friction_pieces(problem); !reason.empty()) return reason;
   if (problem.load_at()) return std::string("the indenter may tilt");
   const std::optional<Polynomial> profile = common_profile(problem.indenter());
   if (profile && profile->degree() <= 0) {
@@ -131,7 +131,7 @@ std::variant<ClosedFormData<R>, std::string> closed_form_data(const ContactProbl
 template <Real R>
 Attempt<R> closed_form(const ContactProblem& problem) {
   std::variant<ClosedFormData<R>, std::string> data = closed_form_data<R>(problem);
-  if (auto* why_not = std::get_if<std::string>(&data)) return {nullptr, std::move(*why_not)};
+  if (auto* reason = std::get_if<std::string>(&data)) return {nullptr, std::move(*reason)};
   return {std::make_shared<const ClosedForm<R>>(problem, std::get<ClosedFormData<R>>(std::move(data))), {}};
 }
 

@@ -51,8 +51,8 @@ class Search {
   using Set = ContactSet<R>;
   using What = typename Violation<R>::What;
 
-  SearchResult<R> result(std::string shortcoming, const R& step) const {
-    return {state_, std::max(step, epsilon<R>() * state_.set.span_length()), std::move(shortcoming)};
+  SearchResult<R> result(std::string failed_condition, const R& step) const {
+    return {state_, std::max(step, epsilon<R>() * state_.set.span_length()), std::move(failed_condition)};
   }
 
   /// Where a gap over a notch has not been found, contact there is the best state: what is wrong with it has a name.

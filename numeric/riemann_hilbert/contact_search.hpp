@@ -11,10 +11,10 @@ namespace steadyslide::numeric {
 template <Real R>
 struct SearchResult {
   ContactState<R> state;
-  R end_error;              ///< estimated absolute error of the free ends, in xi
-  std::string shortcoming;  ///< empty: every condition holds
+  R end_error;                   ///< estimated absolute error of the free ends, in xi
+  std::string failed_condition;  ///< empty: every condition holds
 
-  bool solved() const { return shortcoming.empty(); }
+  bool solved() const { return failed_condition.empty(); }
 };
 
 /// From a set that may be wrong in place and in kind.

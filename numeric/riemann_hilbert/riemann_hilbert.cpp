@@ -168,7 +168,7 @@ std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const Contac
   std::shared_ptr<RiemannHilbertSolution<double>> best;
   for (const int cells : {48, 120, 300}) {
     auto found = search<double>(problem, coarse_start(problem, cells));
-    if (found->shortcoming().empty()) return found;
+    if (found->failed_condition().empty()) return found;
     if (!best) best = std::move(found);
   }
   return best;
@@ -178,7 +178,7 @@ std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const Contac
 
 template <Real R>
 Attempt<R> riemann_hilbert(const ContactProblem& problem, const ContactSolution<R>* start) {
-  if (std::string why_not = too_many_friction_pieces(problem); !why_not.empty()) return {nullptr, std::move(why_not)};
+  if (std::string reason = too_many_friction_pieces(problem); !reason.empty()) return {nullptr, std::move(reason)};
   if (const std::size_t breaks = problem.indenter().pieces().size() - 1; breaks > max_profile_breaks) {
     return {nullptr,
             "the profile has too many breaks for the Riemann-Hilbert method, take --method variational; it "
@@ -188,7 +188,7 @@ Attempt<R> riemann_hilbert(const ContactProblem& problem, const ContactSolution<
   // Whatever the precision, double finds where the contact is.
   std::shared_ptr<RiemannHilbertSolution<double>> rough;
   if (start) rough = search<double>(problem, start_from(problem, *start));
-  if (!rough || !rough->shortcoming().empty()) rough = search_from_nothing(problem);
+  if (!rough || !rough->failed_condition().empty()) rough = search_from_nothing(problem);
   std::shared_ptr<RiemannHilbertSolution<R>> solution;
   if constexpr (std::same_as<R, double>) {
     solution = std::move(rough);

@@ -13,8 +13,8 @@ inline constexpr std::size_t max_profile_breaks = 200;
 
 /// Any profile, any number of friction jumps and contact components. `start`: the solution of a neighbouring problem
 /// (the same but for the load, say), whose contact set is tried first; without it, or where it leads nowhere, a coarse
-/// variational solution says where the contact is. A solution that fails a condition says so by shortcoming();
-/// `why_not` is for problems outside the method: an elastic indenter whose contact reaches an edge, or a profile with
+/// variational solution says where the contact is. A solution that fails a condition says so by failed_condition();
+/// `reason` is for problems outside the method: an elastic indenter whose contact reaches an edge, or a profile with
 /// more than max_profile_breaks places where pieces meet, or more than max_friction_pieces values of friction.
 template <Real R>
 Attempt<R> riemann_hilbert(const ContactProblem& problem, const ContactSolution<R>* start = nullptr);

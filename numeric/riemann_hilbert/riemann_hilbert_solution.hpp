@@ -25,7 +25,7 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   bool has_edge() const;
 
   std::string method() const override { return "riemann-hilbert"; }
-  std::string shortcoming() const override { return found_.shortcoming; }
+  std::string failed_condition() const override { return found_.failed_condition; }
   std::vector<ContactComponent<R>> contact() const override;
   std::vector<SolvedSingularPoint<R>> singular_points() const override;
   Resultants<R> resultants() const override;

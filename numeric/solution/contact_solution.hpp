@@ -109,7 +109,7 @@ class ContactSolution {
 
   virtual std::string method() const = 0;
   /// Empty where every condition of the problem holds; otherwise what the best state reached violates, in words.
-  virtual std::string shortcoming() const { return {}; }
+  virtual std::string failed_condition() const { return {}; }
   virtual std::vector<ContactComponent<R>> contact() const = 0;
   virtual std::vector<SolvedSingularPoint<R>> singular_points() const = 0;
   virtual Resultants<R> resultants() const = 0;
@@ -127,7 +127,7 @@ class ContactSolution {
 template <Real R>
 struct Attempt {
   std::shared_ptr<const ContactSolution<R>> solution;
-  std::string why_not;
+  std::string reason;
 };
 
 /// The closed forms known so far: the flat punch in full contact, and the parabola whose contact stays inside the

@@ -40,7 +40,7 @@ double difference(const VariationalSolution& a, const VariationalSolution& b) {
 std::shared_ptr<const ContactSolution<double>> refined(const ContactProblem& problem,
                                                        const VariationalSolution& rough) {
   const Attempt<double> attempt = riemann_hilbert<double>(problem, &rough);
-  if (!attempt.solution || !attempt.solution->shortcoming().empty()) return nullptr;
+  if (!attempt.solution || !attempt.solution->failed_condition().empty()) return nullptr;
   // The same to within a few cells: a loose bound, solutions that are two are far from each other.
   const Resultants<double> a = attempt.solution->resultants();
   const Resultants<double> b = rough.resultants();
@@ -99,11 +99,11 @@ SolutionSearch search_solutions(const ContactProblem& problem, int starts, const
     auto solution = std::make_shared<VariationalSolution>(
         problem, variational::solve_nested(problem, each, start_set(number, random)));
     if (problem.elasticity().indenter() && solution->reaches_edge()) {
-      search.why_not = "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails";
+      search.reason = "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails";
       return search;
     }
     ++search.starts;
-    if (!solution->shortcoming().empty()) {
+    if (!solution->failed_condition().empty()) {
       ++search.unsolved;
       continue;
     }

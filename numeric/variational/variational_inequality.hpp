@@ -21,7 +21,7 @@ struct VariationalOptions {
 };
 
 /// Any profile. In double whatever else is asked for: the error is that of the cells. What the certificate of the
-/// result does not accept says so by shortcoming(). `why_not`: an elastic indenter whose contact reaches an edge.
+/// result does not accept says so by failed_condition(). `reason`: an elastic indenter whose contact reaches an edge.
 ///
 /// Ends are those of the cells in contact. Their error is a cell where the coarser mesh agrees; ends that move when the
 /// cells are halved, as beside a strong fall of s, are off by more, and an error that reaches across a gap says that
@@ -43,7 +43,7 @@ struct SolutionSearch {
   /// How many different ones the refinements are: few cells under a strong fall of s can have several solutions where
   /// finer ones have one.
   int refinements = 0;
-  std::string why_not;
+  std::string reason;
 };
 
 /// Starts from `starts` >= 1 different contact sets: the whole support, then random ones (of a fixed seed) between

@@ -73,7 +73,7 @@ bool VariationalSolution::reaches_edge() const {
   return !runs_.empty() && (runs_.front().begin == 0 || runs_.back().end == mesh().size());
 }
 
-std::string VariationalSolution::shortcoming() const {
+std::string VariationalSolution::failed_condition() const {
   const ActiveSetResult& last = found_.fine.found;
   if (found_.certificate.accepted()) return {};
   const std::string wrong =

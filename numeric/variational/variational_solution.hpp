@@ -28,7 +28,7 @@ class VariationalSolution : public ContactSolution<double> {
   variational::Cells coarse_cells() const { return {coarse_edges_, coarse_traction_}; }
 
   std::string method() const override { return "variational"; }
-  std::string shortcoming() const override;
+  std::string failed_condition() const override;
   std::vector<ContactComponent<double>> contact() const override;
   std::vector<SolvedSingularPoint<double>> singular_points() const override;
   Resultants<double> resultants() const override;

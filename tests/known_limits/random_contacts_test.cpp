@@ -24,8 +24,8 @@ std::map<std::uint64_t, std::string> listed_unsolved() {
 
 /// Empty where all is as it should be, else what is not, in one line.
 std::string failure(const Attempt<double>& attempt) {
-  if (!attempt.solution) return "no solution: " + attempt.why_not;
-  std::string text = attempt.solution->shortcoming();
+  if (!attempt.solution) return "no solution: " + attempt.reason;
+  std::string text = attempt.solution->failed_condition();
   const std::string residuals = large_residuals(*attempt.solution, 1e-10);
   if (!residuals.empty()) text += (text.empty() ? "" : "; ") + residuals;
   std::ranges::replace(text, '\n', ' ');

@@ -21,7 +21,7 @@ bool solve_and_write(std::uint64_t seed, app::Output& output) {
   app::Solver::Wanted wanted{methods[seed % methods.size()], {.at = {-1, 0, Rational(1, 3)}, .samples = 5}, {}};
   wanted.variational.cells = 128;
   const app::SolutionText solution = app::Solver(std::move(wanted)).solve(problem);
-  if (!solution.why_not.empty()) return false;
+  if (!solution.reason.empty()) return false;
   switch (seed / methods.size() % 3) {
     case 0: app::write_json(problem, solution, output); break;
     case 1: app::write_csv(solution, output); break;

@@ -91,7 +91,7 @@ template <Real R>
 bool grows_with_the_load(const Case<R>& c) {
   if (!uniqueness(c.problem).proved) return true;
   const Attempt<R> more = c.method.solve(scaled(c.problem, 1, 1.25_r));
-  if (!more.solution || !more.solution->shortcoming().empty()) return true;
+  if (!more.solution || !more.solution->failed_condition().empty()) return true;
   const auto larger = more.solution->contact();
   const R slack = c.method.within.end * length_of<R>(larger);
   for (const auto& zone : c.solution.contact()) {
@@ -152,7 +152,7 @@ std::string broken_law(const Method<R>& method, const ContactProblem& problem, c
     const Change change = law.change(problem, some_factor(), regular);
     const Attempt<R> after = method.solve(change.problem);
     const std::string why =
-        after.solution ? difference<R>(problem, solution, *after.solution, change.image, method.within) : after.why_not;
+        after.solution ? difference<R>(problem, solution, *after.solution, change.image, method.within) : after.reason;
     if (!why.empty()) return law.name + (": " + why);
     if (method.local_points && after.solution->singular_points().size() != solution.singular_points().size()) {
       return law.name + std::string(": number of singular points");
@@ -169,7 +169,7 @@ void obeys_the_laws(const Method<R>& method) {
     const ContactProblem problem = *method.problems;
     const Attempt<R> attempt = method.solve(problem);
     ++all;
-    if (!attempt.solution || !attempt.solution->shortcoming().empty()) {
+    if (!attempt.solution || !attempt.solution->failed_condition().empty()) {
       ++unsolved;
       return;
     }
@@ -248,8 +248,8 @@ template <Real R>
 void reproduces_the_closed_form(const ContactProblem& problem, const R& tolerance) {
   using std::abs;
   const Attempt<R> expected = closed_form<R>(problem), found = riemann_hilbert<R>(problem);
-  if (!found.solution) RC_FAIL(found.why_not);
-  RC_ASSERT(found.solution->shortcoming() == "");
+  if (!found.solution) RC_FAIL(found.reason);
+  RC_ASSERT(found.solution->failed_condition() == "");
   const auto a = expected.solution->contact();
   const auto b = found.solution->contact();
   RC_ASSERT(b.size() == 1U);
@@ -285,12 +285,12 @@ void refutes_wrong_laws(const Method<R>& method) {
   const ContactProblem p(Elasticity(Solid(0, 1)), FrictionProfile({0.5_r, 1}, {0.1_r}),
                          Indenter(-1, {{1, Polynomial({0, 0.125_r, 1})}}), 0.25_r);
   const Attempt<R> before = method.solve(p);
-  REQUIRE_MESSAGE(before.solution, before.why_not);
+  REQUIRE_MESSAGE(before.solution, before.reason);
   for (const ChangeLaw& law : wrong_laws()) {
     CAPTURE(std::string(law.name));
     const Change change = law.change(p, 2, 0);
     const Attempt<R> after = method.solve(change.problem);
-    REQUIRE_MESSAGE(after.solution, after.why_not);
+    REQUIRE_MESSAGE(after.solution, after.reason);
     CHECK(difference<R>(p, *before.solution, *after.solution, change.image, method.within) != "");
   }
 }

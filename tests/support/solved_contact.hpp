@@ -32,8 +32,8 @@ std::string large_residuals(const numeric::ContactSolution<R>& solution, const R
 /// What a solution does not keep of its promises, or nothing.
 template <numeric::Real R>
 std::string fault(const numeric::ContactSolution<R>& solution) {
-  const std::string shortcoming = solution.shortcoming();
-  return shortcoming.empty() ? large_residuals<R>(solution, residual_tolerance<R>()) : shortcoming;
+  const std::string failed_condition = solution.failed_condition();
+  return failed_condition.empty() ? large_residuals<R>(solution, residual_tolerance<R>()) : failed_condition;
 }
 
 template <numeric::Real R>
@@ -42,7 +42,7 @@ using Solved = std::shared_ptr<const numeric::RiemannHilbertSolution<R>>;
 template <numeric::Real R>
 Solved<R> solved(const ContactProblem& problem, const numeric::ContactSolution<R>* start = nullptr) {
   const numeric::Attempt<R> attempt = numeric::riemann_hilbert<R>(problem, start);
-  REQUIRE_MESSAGE(attempt.solution, attempt.why_not);
+  REQUIRE_MESSAGE(attempt.solution, attempt.reason);
   CHECK(fault(*attempt.solution) == "");
   return std::dynamic_pointer_cast<const numeric::RiemannHilbertSolution<R>>(attempt.solution);
 }

@@ -80,7 +80,7 @@ Figure make_convergence() {
   using R = numeric::Real50;
   const auto solution = std::dynamic_pointer_cast<const numeric::RiemannHilbertSolution<R>>(
       numeric::riemann_hilbert<R>(case_named("wedge-and-jump").problem).solution);
-  if (!solution || !solution->shortcoming().empty()) throw std::runtime_error("a figure's problem is not solved");
+  if (!solution || !solution->failed_condition().empty()) throw std::runtime_error("a figure's problem is not solved");
   Panel rules{{0.6, 0.975, 0.33, 0.915},
               {"nodes {/:Italic n} of a rule", 0, 35, false, 5},
               {"relative error of an equation", 1e-52, 1, true}};

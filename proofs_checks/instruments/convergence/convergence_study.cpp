@@ -51,7 +51,7 @@ std::vector<double> intensities_of(const numeric::ContactSolution<double>& solut
 std::shared_ptr<const VariationalSolution> on_cells(const ContactProblem& problem, std::size_t cells) {
   auto solution = std::dynamic_pointer_cast<const VariationalSolution>(
       numeric::variational_inequality(problem, {.cells = cells}).solution);
-  if (!solution || !solution->shortcoming().empty()) {
+  if (!solution || !solution->failed_condition().empty()) {
     throw std::runtime_error("not solved on " + std::to_string(cells) + " cells");
   }
   return solution;
@@ -120,7 +120,7 @@ std::vector<std::string> resultant_names(const ContactProblem& problem) {
 
 SolvedReference reference(const ContactProblem& problem) {
   const auto solution = numeric::riemann_hilbert<double>(problem).solution;
-  if (!solution || !solution->shortcoming().empty()) throw std::runtime_error("no Riemann-Hilbert solution");
+  if (!solution || !solution->failed_condition().empty()) throw std::runtime_error("no Riemann-Hilbert solution");
   SolvedReference result{{{}, resultants_of(problem, *solution), intensities_of(*solution)}, {}};
   for (const auto& zone : solution->contact()) {
     for (const auto* end : {&zone.left, &zone.right}) {

@@ -22,8 +22,8 @@ template <Real R>
 Solved<R> solve(const ContactProblem& problem) {
   const numeric::Attempt<R> attempt = numeric::riemann_hilbert<R>(problem);
   auto solution = std::dynamic_pointer_cast<const RiemannHilbertSolution<R>>(attempt.solution);
-  if (!solution) throw Refutation{{"a problem to be solved", attempt.why_not}};
-  if (!solution->shortcoming().empty()) throw Refutation{{"a problem to be solved", solution->shortcoming()}};
+  if (!solution) throw Refutation{{"a problem to be solved", attempt.reason}};
+  if (!solution->failed_condition().empty()) throw Refutation{{"a problem to be solved", solution->failed_condition()}};
   return solution;
 }
 
@@ -96,8 +96,9 @@ ContactProblem cell_case(std::string_view name) {
 std::shared_ptr<const numeric::VariationalSolution> solve_on_cells(const ContactProblem& problem, std::size_t cells) {
   const auto attempt = numeric::variational_inequality(problem, {.cells = cells});
   auto solution = std::dynamic_pointer_cast<const numeric::VariationalSolution>(attempt.solution);
-  if (!solution) throw Refutation{{"a problem to be solved on cells", attempt.why_not}};
-  if (!solution->shortcoming().empty()) throw Refutation{{"a problem to be solved on cells", solution->shortcoming()}};
+  if (!solution) throw Refutation{{"a problem to be solved on cells", attempt.reason}};
+  if (!solution->failed_condition().empty())
+    throw Refutation{{"a problem to be solved on cells", solution->failed_condition()}};
   return solution;
 }
 

@@ -58,7 +58,7 @@ void check_exactly(Findings& findings, const ContactProblem& problem, const Cont
   const Quantity slope{"u'", routes, allowed<R>};
   const auto a = numeric::riemann_hilbert<R>(problem).solution;
   const auto b = numeric::riemann_hilbert<R>(other).solution;
-  if (!a || !b || !a->shortcoming().empty() || !b->shortcoming().empty()) return findings.skip(ends);
+  if (!a || !b || !a->failed_condition().empty() || !b->failed_condition().empty()) return findings.skip(ends);
   const auto before = a->contact();
   auto after = b->contact();
   findings.require(before.size() == after.size(), "another number of contact components");
@@ -101,7 +101,7 @@ void check_on_cells(Findings& findings, const ContactProblem& problem, const Con
   const Quantity traction{"traction on cells", routes, allowed_on_cells};
   const auto a = numeric::variational_inequality(problem, {.cells = cells}).solution;
   const auto b = numeric::variational_inequality(other, {.cells = cells}).solution;
-  if (!a || !b || !a->shortcoming().empty() || !b->shortcoming().empty()) return findings.skip(traction);
+  if (!a || !b || !a->failed_condition().empty() || !b->failed_condition().empty()) return findings.skip(traction);
   const double mean = numeric::to_real<double>(problem.load()) / 2;
   const double factor =
       numeric::to_real<double>(law.traction) * (law.missed_on_cells ? 1 + 10 * allowed_on_cells : 1.0);

@@ -90,7 +90,7 @@ TEST_CASE("where no closed form applies, the reason is given") {
   struct Case {
     Indenter indenter;
     Rational load;
-    std::string why_not;
+    std::string reason;
     std::optional<Rational> load_at = std::nullopt;
     Elasticity elasticity = Elasticity(Solid(0.3_r, 1));
   };
@@ -107,6 +107,6 @@ TEST_CASE("where no closed form applies, the reason is given") {
   for (const Case& c : cases) {
     const ContactProblem problem(c.elasticity, FrictionProfile({0.5_r}), c.indenter, c.load, Sliding::plus_x,
                                  c.load_at);
-    CHECK(closed_form<double>(problem).why_not == c.why_not);
+    CHECK(closed_form<double>(problem).reason == c.reason);
   }
 }

@@ -40,7 +40,7 @@ inline ContactProblem corners(Sliding sliding = Sliding::plus_x) {
 template <Real R>
 struct Solved {
   explicit Solved(const ContactProblem& problem) : found(riemann_hilbert<R>(problem).solution) {
-    REQUIRE(solution.shortcoming().empty());
+    REQUIRE(solution.failed_condition().empty());
   }
   Rational place(double fraction) const { return Rational(left + fraction * length); }
 

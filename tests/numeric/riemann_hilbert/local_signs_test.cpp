@@ -113,7 +113,7 @@ TEST_CASE("gaps over notches without a jump, however short") {
   for (const int load : {4, 8, 12}) {
     const auto found = riemann_hilbert<double>(
         reduced({1}, {}, Indenter(-1, {{0, Polynomial({0, 0.125_r, 1})}, {1, Polynomial({0, 0, 1})}}), load));
-    CHECK(found.solution->shortcoming() == "");
+    CHECK(found.solution->failed_condition() == "");
     CHECK(found.solution->contact().size() == 2U);
     CHECK(found.solution->residuals().load < 1e-13);
     CHECK(found.solution->residuals().equation < 1e-10);
@@ -122,7 +122,7 @@ TEST_CASE("gaps over notches without a jump, however short") {
 
 TEST_CASE("a gap that double cannot hold is refused, with the reason") {
   const auto found = riemann_hilbert<double>(reduced({0.5_r}, {}, roof(0.125_r, -0.125_r), 1000));
-  CHECK(found.solution->shortcoming().find("the leading term at x = 0 pulls") == 0);
+  CHECK(found.solution->failed_condition().find("the leading term at x = 0 pulls") == 0);
   CHECK(found.solution->residuals().tension == infinity<double>());
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("no solution of a random notch over a jump has a sign that is known to
     const ContactProblem q = reduced({s(), s()}, {0}, roof(slope(), -slope(), bend), Rational(uniform(1, 400), 16));
     const ContactProblem p = uniform(0, 1) == 0 ? q : q.mirrored();
     const Attempt<double> attempt = riemann_hilbert<double>(p);
-    const std::string why = attempt.solution->shortcoming();
+    const std::string why = attempt.solution->failed_condition();
     if (!why.empty()) {
       RC_ASSERT(why.find("the leading term") == 0U);
       return;

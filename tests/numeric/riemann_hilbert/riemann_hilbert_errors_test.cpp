@@ -13,7 +13,7 @@ template <Real R>
 SolvedSingularPoint<R> corner(const ContactProblem& problem) {
   const auto solution = riemann_hilbert<R>(problem).solution;
   REQUIRE(solution);
-  REQUIRE(solution->shortcoming() == "");
+  REQUIRE(solution->failed_condition() == "");
   for (const auto& point : solution->singular_points()) {
     if (point.kind == SingularKind::wedge_and_jump) return point;
   }
@@ -92,7 +92,7 @@ class Displaced {
     const auto solution =
         std::dynamic_pointer_cast<const RiemannHilbertSolution<R>>(riemann_hilbert<R>(problem).solution);
     REQUIRE(solution);
-    REQUIRE(solution->shortcoming() == "");
+    REQUIRE(solution->failed_condition() == "");
     return solution;
   }
 

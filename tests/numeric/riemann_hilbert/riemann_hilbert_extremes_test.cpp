@@ -83,8 +83,8 @@ TEST_CASE("16, 50 and 100 digits agree") {
     const auto a = solved<double>(p);
     const auto b = riemann_hilbert<Real50>(p).solution;
     const auto c = riemann_hilbert<Real100>(p).solution;
-    REQUIRE(b->shortcoming() == "");
-    REQUIRE(c->shortcoming() == "");
+    REQUIRE(b->failed_condition() == "");
+    REQUIRE(c->failed_condition() == "");
     agree<double, Real50>(*a, *b, Real50(1e-13));
     agree<Real50, Real100>(*b, *c, Real100(1e-50));
   }

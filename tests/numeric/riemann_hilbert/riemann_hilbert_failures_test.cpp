@@ -37,12 +37,12 @@ TEST_CASE("an elastic indenter whose contact reaches an edge") {
   const ContactProblem pressed(both, FrictionProfile({0.5_r}), one_piece(-1, 1, {0, 0, 1}), 100);
   const Attempt<double> attempt = riemann_hilbert<double>(pressed);
   CHECK(!attempt.solution);
-  CHECK(holds(attempt.why_not, "elastic indenter"));
+  CHECK(holds(attempt.reason, "elastic indenter"));
   const ContactProblem touching(both, FrictionProfile({0.5_r}), one_piece(-1, 1, {0, 0, 1}), 0.01_r);
   CHECK(solved<double>(touching)->contact()[0].left.kind == SingularKind::free);
 }
 
-TEST_CASE("a search that leads nowhere ends with a shortcoming") {
+TEST_CASE("a search that leads nowhere ends with a condition that fails") {
   const ContactProblem p = reduced({0.3_r}, {}, one_piece(-1, 1, {0, 0, 1}), 1);
   const ReducedProblem<double> problem(p, {0, 1});
   JacobiRules<double> rules;
@@ -52,9 +52,9 @@ TEST_CASE("a search that leads nowhere ends with a shortcoming") {
   set.attach_to_anchor(set.all(Set::Kind::ends).front(), Side::right, true);
   const auto found = search_contact(problem, ContactState<double>::initial(problem, set, 0), rules);
   CHECK(!found.solved());
-  CHECK(!found.shortcoming.empty());
+  CHECK(!found.failed_condition.empty());
   const RiemannHilbertSolution<double> solution(p, {0, 1}, [&](const auto&, auto&) { return found; });
-  CHECK(solution.shortcoming() == found.shortcoming);
+  CHECK(solution.failed_condition() == found.failed_condition);
 }
 
 TEST_CASE("control: a displaced end is seen in the load, the equation and the closure of the gap") {
@@ -131,10 +131,10 @@ TEST_CASE("more values of friction than powers take are refused at once, and cel
     if (k > 0) jumps.emplace_back(2 * k - 10'000, 10'000);
   }
   const ContactProblem punch = reduced(s, jumps, one_piece(-1, 1, {0}), 1);
-  const std::string why_not =
+  const std::string reason =
       "too many values of friction for a solution by powers, take --method variational; there are at most 1000; 10000 "
       "values";
-  CHECK(riemann_hilbert<double>(punch).why_not == why_not);
-  CHECK(closed_form<double>(punch).why_not == why_not);
-  CHECK(variational_inequality(punch).solution->shortcoming() == "");
+  CHECK(riemann_hilbert<double>(punch).reason == reason);
+  CHECK(closed_form<double>(punch).reason == reason);
+  CHECK(variational_inequality(punch).solution->failed_condition() == "");
 }

@@ -22,9 +22,9 @@ double nearest(const std::vector<ContactComponent<double>>& contact, bool left, 
 /// Every end lies within its error of a true one, unless the error says that its gap may be none.
 void compare(Count& count, const ContactProblem& problem, std::size_t cells) {
   const auto exact = riemann_hilbert<double>(problem).solution;
-  if (!exact || !exact->shortcoming().empty()) return;
+  if (!exact || !exact->failed_condition().empty()) return;
   const auto found = variational_inequality(problem, {.cells = cells}).solution;
-  if (!found || !found->shortcoming().empty()) return;
+  if (!found || !found->failed_condition().empty()) return;
   const auto truth = exact->contact();
   const auto contact = found->contact();
   const double cell =

@@ -9,8 +9,8 @@ namespace {
 
 std::shared_ptr<const VariationalSolution> on_cells(const ContactProblem& problem, std::size_t cells = 4096) {
   const Attempt<double> attempt = variational_inequality(problem, {.cells = cells});
-  REQUIRE_MESSAGE(attempt.solution, attempt.why_not);
-  CHECK(attempt.solution->shortcoming() == "");
+  REQUIRE_MESSAGE(attempt.solution, attempt.reason);
+  CHECK(attempt.solution->failed_condition() == "");
   return std::dynamic_pointer_cast<const VariationalSolution>(attempt.solution);
 }
 
@@ -154,14 +154,14 @@ TEST_CASE("out of steps: the best state, and what is wrong with it") {
   const Attempt<double> attempt =
       variational_inequality(reduced({0.3_r}, {}, two_wells(), 2), {.cells = 2048, .most_steps = 1});
   REQUIRE(attempt.solution);
-  CHECK(holds(attempt.solution->shortcoming(), "1 iteration"));
+  CHECK(holds(attempt.solution->failed_condition(), "1 iteration"));
   CHECK(!attempt.solution->contact().empty());
 }
 
 TEST_CASE("an elastic indenter whose contact reaches an edge is refused") {
   const Elasticity both(Solid(0.3_r, 1), Solid(0.2_r, 2));
   const ContactProblem pressed(both, FrictionProfile({0.2_r}), one_piece(-1, 1, {0, 0, 1}), 10);
-  CHECK(holds(variational_inequality(pressed).why_not, "reaches an edge"));
+  CHECK(holds(variational_inequality(pressed).reason, "reaches an edge"));
   const ContactProblem touching(both, FrictionProfile({0.2_r}), one_piece(-1, 1, {0, 0, 1}), 0.01_r);
   CHECK(variational_inequality(touching).solution);
   CHECK_THROWS_AS(variational_inequality(touching, {.cells = 8}), std::invalid_argument);
@@ -191,7 +191,7 @@ TEST_CASE("a search: few cells under a strong fall of s have several solutions, 
   CHECK(coarse.solutions.size() >= 2);
   CHECK(coarse.solutions.front().times >= coarse.solutions.back().times);
   for (const FoundSolution& found : coarse.solutions) {
-    CHECK(found.variational->shortcoming() == "");
+    CHECK(found.variational->failed_condition() == "");
     CHECK(found.refined);
   }
   CHECK(coarse.refinements == 1);

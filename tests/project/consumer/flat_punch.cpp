@@ -12,7 +12,7 @@ int main() {
                                Indenter(-1, {{1, Polynomial()}}), 1);
   const numeric::Attempt<double> attempt = numeric::closed_form<double>(problem);
   if (!attempt.solution) {
-    std::cerr << attempt.why_not << '\n';
+    std::cerr << attempt.reason << '\n';
     return 1;
   }
   const double load = attempt.solution->resultants().normal.value;
