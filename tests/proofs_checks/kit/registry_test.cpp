@@ -1,3 +1,4 @@
+#include "proofs_checks/kit/claim_list.hpp"
 #include "proofs_checks/kit/registry.hpp"
 #include "proofs_checks/statements/paper_statements.hpp"
 #include "proofs_checks/statements/reading_notes.hpp"
@@ -48,6 +49,15 @@ std::map<std::string, std::size_t> cases_of(const Report& report) {
     if (const auto* agreement = std::get_if<Agreement>(&e)) cases[agreement->what] = agreement->cases;
   }
   return cases;
+}
+
+/// In the registry's order. A claim keeps what it has measured: those of the registry would return it.
+std::vector<Claim> claims_made_anew() {
+  std::map<std::string_view, Claim> made;
+  for (const ClaimEntry& entry : claim_list()) made.emplace(entry.id, entry.make());
+  std::vector<Claim> all;
+  for (const Claim& claim : registry()) all.push_back(made.at(claim.id));
+  return all;
 }
 
 /// In double, kept: several tests look at the same run.
@@ -142,7 +152,7 @@ TEST_CASE("a full run looks at all that a quick one looks at, in no fewer cases"
 }
 
 TEST_CASE("one seed, one result; another seed, other parameters") {
-  CHECK(texts(quick_run(1)) == texts(run_all(registry(), quick(1))));
+  CHECK(texts(quick_run(1)) == texts(run_all(claims_made_anew(), quick(1))));
   CHECK(texts(quick_run(1)) != texts(quick_run(2)));
 }
 
