@@ -43,12 +43,4 @@ inline std::vector<CellSet> all_sets(std::size_t cells) {
   return sets;
 }
 
-inline std::vector<std::size_t> cells_of(const CellSet& set) {
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < set.size(); ++i) {
-    if (set[i]) result.push_back(i);
-  }
-  return result;
-}
-
 }  // namespace steadyslide::testing

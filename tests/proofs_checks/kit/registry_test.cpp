@@ -1,5 +1,5 @@
-#include "proofs_checks/kit/claim_list.hpp"
 #include "proofs_checks/kit/registry.hpp"
+#include "proofs_checks/kit/claim_list.hpp"
 #include "proofs_checks/statements/paper_statements.hpp"
 #include "proofs_checks/statements/reading_notes.hpp"
 #include "support/test.hpp"
