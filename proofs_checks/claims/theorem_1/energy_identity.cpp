@@ -1,4 +1,4 @@
-#include "symbolic/statements/energy_identity.hpp"
+#include "symbolic/statements/statements.hpp"
 #include "proofs_checks/instruments/identities/derived.hpp"
 
 namespace steadyslide::proofs_checks {
