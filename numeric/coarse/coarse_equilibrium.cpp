@@ -1,9 +1,10 @@
 #include "numeric/coarse/coarse_equilibrium.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <set>
+
+#include "numeric/number/dense_lu.hpp"
 
 namespace steadyslide::numeric::coarse {
 namespace {
@@ -71,7 +72,7 @@ Equilibrium with_contact_on(const Mesh& mesh, const Load& load, const std::vecto
   }
   right(count) = load.force;
   if (load.at) right(count + 1) = 0;
-  const Eigen::VectorXd solution = matrix.partialPivLu().solve(right);
+  const Eigen::VectorXd solution = DenseLu(matrix).solve(right);
 
   Equilibrium state;
   state.active = active;

@@ -1,18 +1,12 @@
 #include "numeric/riemann_hilbert/contact_newton.hpp"
 
-#include <Eigen/LU>
-#include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 
+#include "numeric/number/linear_system.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 
 namespace steadyslide::numeric {
 namespace {
-
-template <Real R>
-using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
-template <Real R>
-using Vector = Eigen::Matrix<R, Eigen::Dynamic, 1>;
 
 /// q(z)/(z - e) without its remainder.
 template <Real R>
@@ -36,9 +30,8 @@ class Linearisation {
         free_(form.set().movable()),
         coefficients_(static_cast<std::size_t>(std::max(-degree_ - 1, 0))),
         tilts_(form.problem().load_at().has_value()),
-        size_(static_cast<Eigen::Index>(free_.size() + coefficients_ + (tilts_ ? 1 : 0))),
-        matrix_(Matrix<R>::Zero(size_, size_)),
-        right_(Vector<R>::Zero(size_)) {
+        size_(free_.size() + coefficients_ + (tilts_ ? 1 : 0)),
+        equations_(size_, std::vector<R>(size_ + 1, R(0))) {
     add_moments();
     add_gaps();
     if (tilts_) add_centre();
@@ -47,16 +40,9 @@ class Linearisation {
   /// False where the number of conditions is not that of the unknowns (ends that cannot move, though they are free).
   bool solve() {
     if (row_ != size_) return false;
-    if (size_ == 0) return true;
-    // Rows of very different size: each is scaled to one.
-    for (Eigen::Index i = 0; i < size_; ++i) {
-      const R largest = matrix_.row(i).cwiseAbs().maxCoeff();
-      if (!(largest > 0)) return false;
-      matrix_.row(i) /= largest;
-      right_(i) /= largest;
-    }
-    solution_ = matrix_.partialPivLu().solve(right_);
-    return true;
+    const std::optional<std::vector<R>> solution = solve_linear(equations_);
+    if (solution) solution_ = *solution;
+    return solution.has_value();
   }
 
   /// Do the conditions beyond the number of unknowns hold? With an end that stays on a jump there is one more than
@@ -68,18 +54,18 @@ class Linearisation {
     for (std::size_t f = 0; f < free_.size(); ++f) {
       const std::size_t j = free_[f];
       const R b = form_.regular_factor_at(j, form_.set().contact_side(j)).value;
-      steps.push_back(solution_(static_cast<Eigen::Index>(f)) / (form_.fundamental_solution().powers()[j].value * b));
+      steps.push_back(solution_[f] / (form_.fundamental_solution().powers()[j].value * b));
     }
     return steps;
   }
 
-  R tilt_step() const { return tilts_ ? solution_(size_ - 1) : R(0); }
+  R tilt_step() const { return tilts_ ? solution_.back() : R(0); }
 
   /// The change of q that goes with ends moved by `moved`, when `part` of the step is taken.
   std::vector<R> q_step(const std::vector<R>& moved, const R& part) const {
     std::vector<R> step(form_.q().size(), R(0));
     for (std::size_t k = 0; k < coefficients_; ++k) {
-      step[k] += part * pi<R>() * solution_(static_cast<Eigen::Index>(free_.size() + k));
+      step[k] += part * pi<R>() * solution_[free_.size() + k];
     }
     for (std::size_t f = 0; f < free_.size(); ++f) {
       const std::vector<R> quot = quotient(form_.q(), form_.set().x(free_[f]));
@@ -90,7 +76,8 @@ class Linearisation {
   }
 
  private:
-  R& at(std::size_t column) { return matrix_(row_, static_cast<Eigen::Index>(column)); }
+  R& at(std::size_t column) { return equations_[row_][column]; }
+  R& right() { return at(size_); }
   R end(std::size_t f) const { return form_.set().x(free_[f]); }
 
   void add_moments() {
@@ -110,7 +97,8 @@ class Linearisation {
         at(f) = power;
       }
       if (tilts_) at(free_.size()) = form_.expansion().tilt_moment(j);
-      right_(row_++) = missing;
+      right() = missing;
+      ++row_;
     }
   }
 
@@ -138,7 +126,7 @@ class Linearisation {
         }
         if (tilts_) at(free_.size() + coefficients_) += weight * form_.expansion().tilt_polynomial(node.at.node.x);
       }
-      right_(row_) = -gap.closure_error(rule);
+      right() = -gap.closure_error(rule);
       ++row_;
     }
   }
@@ -165,7 +153,7 @@ class Linearisation {
     }
     for (std::size_t j = 0; j < count; ++j)
       at(free_.size() + coefficients_) += form_.expansion().tilt_moment(j) * series(j);
-    right_(row_) = (form_.problem().load() * *form_.problem().load_at() - form_.moment_of_load()) / pi<R>();
+    right() = (form_.problem().load() * *form_.problem().load_at() - form_.moment_of_load()) / pi<R>();
     ++row_;
   }
 
@@ -174,11 +162,10 @@ class Linearisation {
   std::vector<std::size_t> free_;
   std::size_t coefficients_;  ///< of r
   bool tilts_;
-  Eigen::Index size_;
-  Matrix<R> matrix_;
-  Vector<R> right_;
-  Vector<R> solution_;
-  Eigen::Index row_ = 0;
+  std::size_t size_;
+  std::vector<std::vector<R>> equations_;  ///< with their right sides
+  std::vector<R> solution_;
+  std::size_t row_ = 0;
   bool complete_ = true;
 };
 

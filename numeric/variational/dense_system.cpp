@@ -1,5 +1,4 @@
-#include <Eigen/LU>
-
+#include "numeric/number/dense_lu.hpp"
 #include "numeric/variational/bordered_system.hpp"
 
 namespace steadyslide::numeric::variational {
@@ -8,24 +7,12 @@ namespace {
 /// Unknowns: pressures, approach, tilt. Equations: cells, load, moment.
 class Dense : public BorderedSystem {
  public:
-  Dense(const DiscreteProblem& problem, const CellSet& contact) : size_(contact.size()), cells_(cells_of(contact)) {
-    const CellMesh& mesh = problem.mesh();
-    const auto n = static_cast<Eigen::Index>(cells_.size());
-    loads_ = problem.load_at() ? 2 : 1;
-    matrix_ = Eigen::MatrixXd::Zero(n + loads_, n + loads_);
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const std::size_t cell = cells_[static_cast<std::size_t>(j)];
-      for (Eigen::Index i = 0; i < n; ++i) {
-        matrix_(i, j) = problem.galerkin_operator().entry(cells_[static_cast<std::size_t>(i)], cell);
-      }
-      matrix_(j, n) = -1;
-      matrix_(n, j) = mesh.length(cell);
-      if (loads_ == 1) continue;
-      matrix_(j, n + 1) = mesh.centre(cell);
-      matrix_(n + 1, j) = mesh.length(cell) * mesh.centre(cell);
-    }
-    lu_.compute(matrix_);
-  }
+  Dense(const DiscreteProblem& problem, const CellSet& contact)
+      : size_(contact.size()),
+        cells_(cells_of(contact)),
+        loads_(problem.load_at() ? 2 : 1),
+        matrix_(matrix(problem)),
+        lu_(matrix_) {}
 
   SystemSolution solve(std::span<const double> rhs, std::array<double, 2> loads) override {
     const auto n = static_cast<Eigen::Index>(cells_.size());
@@ -43,11 +30,29 @@ class Dense : public BorderedSystem {
   }
 
  private:
+  Eigen::MatrixXd matrix(const DiscreteProblem& problem) const {
+    const CellMesh& mesh = problem.mesh();
+    const auto n = static_cast<Eigen::Index>(cells_.size());
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n + loads_, n + loads_);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const std::size_t cell = cells_[static_cast<std::size_t>(j)];
+      for (Eigen::Index i = 0; i < n; ++i) {
+        result(i, j) = problem.galerkin_operator().entry(cells_[static_cast<std::size_t>(i)], cell);
+      }
+      result(j, n) = -1;
+      result(n, j) = mesh.length(cell);
+      if (loads_ == 1) continue;
+      result(j, n + 1) = mesh.centre(cell);
+      result(n + 1, j) = mesh.length(cell) * mesh.centre(cell);
+    }
+    return result;
+  }
+
   std::size_t size_;
   std::vector<std::size_t> cells_;
-  Eigen::Index loads_ = 1;
+  Eigen::Index loads_;
   Eigen::MatrixXd matrix_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  DenseLu lu_;
 };
 
 }  // namespace

@@ -1,7 +1,8 @@
-#include <Eigen/Dense>
+#include <Eigen/Jacobi>
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/number/dense_lu.hpp"
 #include "numeric/variational/bordered_system.hpp"
 #include "numeric/variational/surface_inverse.hpp"
 
@@ -49,7 +50,7 @@ class Krylov : public BorderedSystem {
     if (loads == 2) constants_(1) = guess.tilt;
     lifted_.resize(n, loads);
     for (Eigen::Index k = 0; k < loads; ++k) lifted_.col(k) = inverse(columns_.col(k));
-    border_ = (weights_.transpose() * lifted_).inverse();
+    border_ = DenseLu(weights_.transpose() * lifted_).inverse();
   }
 
   SystemSolution solve(std::span<const double> rhs, std::array<double, 2> loads) override {

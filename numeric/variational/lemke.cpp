@@ -5,7 +5,7 @@
 #include <numeric>
 #include <optional>
 
-#include "numeric/variational/complementary_tableau.hpp"
+#include "numeric/number/complementary_tableau.hpp"
 
 namespace steadyslide::numeric::variational {
 namespace {

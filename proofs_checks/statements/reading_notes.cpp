@@ -4,7 +4,7 @@
 #include <map>
 #include <ranges>
 
-#include "symbolic/statements/local_readings.hpp"
+#include "symbolic/statements/statements.hpp"
 
 namespace steadyslide::proofs_checks {
 

@@ -13,7 +13,8 @@ namespace steadyslide::symbolic {
 class AngleForm {
  public:
   AngleForm() = default;
-  explicit AngleForm(int halves, std::map<std::size_t, int> times = {});
+  explicit AngleForm(int halves) : halves_(halves) {}
+  AngleForm(int halves, std::map<std::size_t, int> times);
 
   int halves() const { return halves_; }
   /// Friction index to a factor that is not 0.

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "symbolic/field/exact_identity.hpp"
 #include "symbolic/field/phase_field.hpp"
-#include "symbolic/statements/exact_identities.hpp"
 
 namespace steadyslide::symbolic {
 

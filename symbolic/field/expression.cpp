@@ -31,4 +31,10 @@ Rational to_rational(const GiNaC::numeric& value) {
   return Rational(Integer(numerator.str()), Integer(denominator.str()));
 }
 
+std::vector<GiNaC::ex> symbols(const std::string& name, std::size_t count, std::size_t first) {
+  std::vector<GiNaC::ex> result;
+  for (std::size_t k = first; k < first + count; ++k) result.push_back(GiNaC::symbol(name + "_" + std::to_string(k)));
+  return result;
+}
+
 }  // namespace steadyslide::symbolic

@@ -4,6 +4,9 @@
 
 #include <ginac/ginac.h>
 
+#include <string>
+#include <vector>
+
 #include "model/exponent.hpp"
 #include "model/rational.hpp"
 
@@ -14,5 +17,8 @@ GiNaC::numeric to_expression(const Rational& value);
 GiNaC::ex to_expression(const Exponent& exponent);
 /// Throws std::domain_error unless the number is rational.
 Rational to_rational(const GiNaC::numeric& value);
+
+/// name_first, name_(first+1), ...
+std::vector<GiNaC::ex> symbols(const std::string& name, std::size_t count, std::size_t first = 0);
 
 }  // namespace steadyslide::symbolic

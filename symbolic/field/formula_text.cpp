@@ -1,6 +1,9 @@
 #include "symbolic/field/formula_text.hpp"
 
 #include <cctype>
+#include <cstdlib>
+
+#include "symbolic/field/exponent_expression.hpp"
 
 namespace steadyslide::symbolic {
 namespace {
@@ -115,6 +118,21 @@ Formula sum(const Formula& a, const Formula& b) {
   if (b.text.empty() || b.text == "0") return a;
   const bool minus = b.text[0] == '-';
   return {a.text + (minus ? " - " + b.text.substr(1) : " + " + b.text), a.latex + (minus ? "" : "+") + b.latex};
+}
+
+Formula formula_of(const AngleForm& form, const std::function<Formula(std::size_t)>& angle) {
+  Formula result;
+  if (form.halves() != 0 || form.times().empty()) {
+    const Rational half(form.halves(), 2);
+    result = {half.str(), latex(half)};
+  }
+  for (const auto& [k, factor] : form.times()) {
+    const std::string sign = factor < 0 ? "-" : "";
+    const std::string size = std::abs(factor) == 1 ? "" : std::to_string(std::abs(factor));
+    const Formula name = angle(k);
+    result = sum(result, {sign + size + (size.empty() ? "" : "*") + name.text, sign + size + name.latex});
+  }
+  return result;
 }
 
 }  // namespace steadyslide::symbolic

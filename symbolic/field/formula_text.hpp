@@ -2,9 +2,11 @@
 // Formulas for readers, from the canonical text of field elements: LaTeX, and products with the parentheses they need.
 // The text of an element is the same in every run, so these are too. Without GiNaC in this header.
 
+#include <functional>
 #include <map>
 #include <string>
 
+#include "symbolic/field/angle_form.hpp"
 #include "symbolic/field/derivation.hpp"
 
 namespace steadyslide::symbolic {
@@ -21,5 +23,8 @@ Formula product(const std::string& canonical_text, const Formula& factor, const 
 
 /// a + b, with the sign of b drawn out.
 Formula sum(const Formula& a, const Formula& b);
+
+/// "1/2 - alpha_0", where `angle` names the angle of a friction.
+Formula formula_of(const AngleForm& form, const std::function<Formula(std::size_t)>& angle);
 
 }  // namespace steadyslide::symbolic

@@ -1,5 +1,6 @@
 #include "symbolic/field/phase_field.hpp"
 
+#include <cstdlib>
 #include <map>
 #include <stdexcept>
 
@@ -122,16 +123,16 @@ PhaseField::PhaseField(const std::vector<ex>& frictions) : i_("i") {
   }
 }
 
-ex PhaseField::phase(int quarter_turns, const std::vector<std::pair<std::size_t, int>>& angles) const {
+ex PhaseField::phase(const AngleForm& form, int times) const {
   ex result = 1;
-  const int turns = ((quarter_turns % 4) + 4) % 4;
-  if (turns % 2 == 1) result *= i_;
-  if (turns >= 2) result *= -1;
-  for (const auto& [k, times] : angles) {
+  const int quarter_turns = ((form.halves() * times % 4) + 4) % 4;
+  if (quarter_turns % 2 == 1) result *= i_;
+  if (quarter_turns >= 2) result *= -1;
+  for (const auto& [k, factor] : form.times()) {
     // exp(-i pi alpha) = conj(exp(i pi alpha)), so that no divisor but r appears.
     const Friction& f = friction(k);
-    const ex unit = f.cos + (times < 0 ? -i_ : ex(i_)) * f.sin;
-    result *= GiNaC::pow(unit, times < 0 ? -times : times);
+    const int power = factor * times;
+    result *= GiNaC::pow(f.cos + (power < 0 ? -i_ : ex(i_)) * f.sin, std::abs(power));
   }
   return result;
 }

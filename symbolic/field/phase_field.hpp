@@ -12,10 +12,10 @@
 
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "model/rational.hpp"
+#include "symbolic/field/angle_form.hpp"
 
 namespace steadyslide::symbolic {
 
@@ -37,8 +37,8 @@ class PhaseField {
   /// The imaginary unit, as a symbol; GiNaC::I in an expression is read as the same.
   const GiNaC::symbol& i() const { return i_; }
 
-  /// exp(i pi (quarter_turns/2 + sum of times * alpha_k)) for pairs {k, times}.
-  GiNaC::ex phase(int quarter_turns, const std::vector<std::pair<std::size_t, int>>& angles) const;
+  /// exp(i pi times form)
+  GiNaC::ex phase(const AngleForm& form, int times = 1) const;
 
   struct Decision {
     bool holds;

@@ -148,29 +148,26 @@ class Solver {
   }
 
   /// The power with this cotangent in ]-1, 0[: the lowest one that is integrable.
-  LocalExponent lowest_integrable(const ex& cotangent) {
+  AngleForm lowest_integrable(const ex& cotangent) {
     const PhaseField& field = frame_.field();
     const ex squared = field.canonical((cotangent + field.i()) / (cotangent - field.i()));
-    std::vector<LocalExponent> candidates;
+    std::vector<AngleForm> candidates;
     // Where numbers make two of them equal, the first one is the name that holds for all frictions.
     for (const int halves : both() ? std::vector{0, 1} : std::vector{1, 0}) {
       for (const int sign : {1, -1}) {
-        if (both())
-          candidates.push_back({halves, sign, -sign});
-        else
-          candidates.push_back(
-              {halves, form_.place.in_contact(Side::left) ? sign : 0, form_.place.in_contact(Side::right) ? sign : 0});
+        const int left = form_.place.in_contact(Side::left) ? sign : 0;
+        const int right = form_.place.in_contact(Side::right) ? sign : 0;
+        candidates.push_back(local_exponent(halves, left, both() ? -right : right));
       }
     }
-    const auto named = std::find_if(candidates.begin(), candidates.end(), [&](const LocalExponent& lambda) {
-      return field.are_equal(frame_.phase_squared(lambda), squared).holds;
-    });
+    const auto named = std::ranges::find_if(
+        candidates, [&](const AngleForm& lambda) { return field.are_equal(field.phase(lambda, 2), squared).holds; });
     if (named == candidates.end()) throw std::domain_error("local form: no angle has this cotangent");
-    LocalExponent lambda = *named;
+    AngleForm lambda = *named;
     const std::optional<int> below = frame_.floor(lambda, form_.place.friction_increases);
     if (!below) throw std::domain_error("local form: say which friction is larger");
     const Formula any = frame_.text(lambda);
-    lambda.halves -= 2 * (*below + 1);
+    lambda += AngleForm(-2 * (*below + 1));
     const Formula text = frame_.text(lambda);
     form_.derivation.conclude(
         "`e^{2 i pi lambda} = (C + i)/(C - i)` is the phase of this angle, so that `lambda` is it up to integers; the "
@@ -182,7 +179,7 @@ class Solver {
   }
 
   /// The amplitudes of x^n |x|^lambda on the sides in contact, of norm cos(pi alpha) on the right.
-  FieldRow amplitudes(const LocalExponent& lambda) {
+  FieldRow amplitudes(const AngleForm& lambda) {
     const std::vector<symbol> all = unknowns("A");
     LocalDensity density;
     for (std::size_t k = 0; k < sides_.size(); ++k) density[{sides_[k], true, 0, 0}] = all[k];
@@ -197,7 +194,7 @@ class Solver {
     return result;
   }
 
-  void choose_branch(LocalExponent lambda) {
+  void choose_branch(AngleForm lambda) {
     FieldRow vector = amplitudes(lambda);
     if (both()) {
       const ex ratio = frame_.field().canonical(vector[0] / vector[1]);
@@ -207,7 +204,7 @@ class Solver {
       if (frame_.field().are_equal(ratio, -positive).holds) {
         form_.derivation.act(
             "Of this power the amplitudes have opposite signs: it dominates `t`, and `t <= 0` excludes it.", equal);
-        lambda.halves += 2;
+        lambda += AngleForm(2);
         vector = amplitudes(lambda);
       }
       form_.ratio = frame_.field().canonical(vector[0] / vector[1]);
@@ -223,7 +220,7 @@ class Solver {
            gathered("\\lambda = " + frame_.text(lambda).latex,
                     "A_- : A_+ = \\cos\\pi\\alpha_- : \\cos\\pi\\alpha_+ = " + kept.latex)});
     } else if (form_.kind == LocalKind::free_end && penetrates(form_, frame_, lambda)) {
-      lambda.halves += 2;
+      lambda += AngleForm(2);
       if (penetrates(form_, frame_, lambda)) throw std::domain_error("local form: no free end");
     }
     form_.exponent = lambda;

@@ -52,7 +52,7 @@ struct LocalForm {
   LocalPlace place;
   LocalFrame frame;  ///< the field of all expressions below: its radicals and its pi are its own
   LocalKind kind;
-  std::optional<LocalExponent> exponent;   ///< the leading power that is no integer, if there is one
+  std::optional<AngleForm> exponent;       ///< the leading power that is no integer, if there is one
   std::optional<Exponent> exact_exponent;  ///< where the frictions are numbers
   std::optional<GiNaC::ex> ratio;          ///< of its amplitudes, left : right, where both sides are in contact
   std::vector<LocalFormTerm> terms;        ///< three orders, the largest near the point first

@@ -11,7 +11,7 @@ using Sign = LocalCondition::Sign;
 Side contact_side(const LocalForm& form) { return form.place.contact == ContactSide::left ? Side::left : Side::right; }
 
 /// u_bar' ~ coefficient d^lambda where t = -theta d^lambda.
-ex outside_coefficient(const LocalForm& form, const LocalFrame& frame, const LocalExponent& lambda) {
+ex outside_coefficient(const LocalForm& form, const LocalFrame& frame, const AngleForm& lambda) {
   const Side contact = contact_side(form);
   const LocalDensity image = act({{{contact, true, 0, 0}, -form.theta}}, frame.constants(lambda));
   return frame.field().canonical(image.at({opposite(contact), true, 0, 0}));
@@ -99,7 +99,7 @@ void add_end_conditions(LocalForm& form, const LocalFrame& frame) {
 
 }  // namespace
 
-bool penetrates(LocalForm& form, const LocalFrame& frame, const LocalExponent& lambda) {
+bool penetrates(LocalForm& form, const LocalFrame& frame, const AngleForm& lambda) {
   const Side contact = contact_side(form);
   const ex sign = contact == Side::right ? 1 : -1;
   const ex coefficient = outside_coefficient(form, frame, lambda);
@@ -200,9 +200,7 @@ void describe(LocalForm& form, const LocalFrame& frame) {
 Formula term_text(const LocalForm& form, const LocalFrame& frame, const LocalFormTerm& term) {
   const bool both = form.place.contact == ContactSide::both;
   if (!both) {
-    LocalExponent power = *form.exponent;
-    power.halves += 2 * term.order;
-    const Formula exponent = frame.text(power);
+    const Formula exponent = frame.text(*form.exponent + AngleForm(2 * term.order));
     const ex mirrored = form.place.contact == ContactSide::left && term.order % 2 != 0 ? -1 : 1;
     return frame.times(mirrored * (form.place.contact == ContactSide::left ? term.left : term.right),
                        {"d^(" + exponent.text + ")", "d^{" + exponent.latex + "}"});

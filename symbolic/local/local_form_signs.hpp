@@ -7,7 +7,7 @@ namespace steadyslide::symbolic {
 
 /// Does t = -theta d^lambda, theta > 0, push the surface into the indenter that goes on beyond the end? The gap there
 /// is [psi_bar'] d + (+-) coefficient d^{lambda+1}/(lambda+1), + beyond a left end, u_bar' ~ coefficient d^lambda.
-bool penetrates(LocalForm& form, const LocalFrame& frame, const LocalExponent& lambda);
+bool penetrates(LocalForm& form, const LocalFrame& frame, const AngleForm& lambda);
 
 /// The slope of the surface beyond the end.
 void add_outside(LocalForm& form, const LocalFrame& frame);

@@ -1,6 +1,5 @@
 #include "symbolic/local/local_place.hpp"
 
-#include <cstdlib>
 #include <stdexcept>
 
 #include "symbolic/field/exponent_expression.hpp"
@@ -30,13 +29,6 @@ Formula angle_text(const ex& s) {
   return {"alpha" + name.substr(1), "\\alpha" + name.substr(1)};
 }
 
-Formula times(int factor, const Formula& of) {
-  const int size = std::abs(factor);
-  const std::string sign = factor < 0 ? "-" : "";
-  if (size == 1) return {sign + of.text, sign + of.latex};
-  return {sign + std::to_string(size) + "*" + of.text, sign + std::to_string(size) + of.latex};
-}
-
 Formula power_text(const LocalMonomial& monomial) {
   const std::string n = std::to_string(monomial.order);
   Formula result;
@@ -61,9 +53,8 @@ bool LocalPlace::in_contact(Side side) const {
 }
 
 LocalFrame::LocalFrame(const LocalPlace& place)
-    : left_(place.left.friction),
-      right_(place.right.friction),
-      field_({place.left.friction, place.right.friction}),
+    : s_{place.left.friction, place.right.friction},
+      field_({s_[0], s_[1]}),
       pi_("pi"),
       names_{{"pi", "\\pi"},
              {"theta", "\\theta"},
@@ -72,7 +63,7 @@ LocalFrame::LocalFrame(const LocalPlace& place)
              {"s_l", "s_-"},
              {"s_r", "s_+"},
              {"i", "i"}} {
-  for (const ex& s : {left_, right_}) {
+  for (const ex& s : s_) {
     const ex positive = GiNaC::is_a<GiNaC::symbol>(s) || is_number(s) ? s : ex(-s);
     if (is_number(positive)) continue;
     const std::string name = GiNaC::ex_to<GiNaC::symbol>(positive).get_name();
@@ -80,60 +71,48 @@ LocalFrame::LocalFrame(const LocalPlace& place)
   }
 }
 
-bool LocalFrame::one_friction() const { return field_.are_equal(left_, right_).holds; }
+bool LocalFrame::one_friction() const { return field_.are_equal(s_[0], s_[1]).holds; }
 
-ex LocalFrame::phase_squared(const LocalExponent& lambda) const {
-  return field_.phase(2 * lambda.halves, {{0, 2 * lambda.left}, {1, 2 * lambda.right}});
-}
-
-LocalConstants LocalFrame::constants(const LocalExponent& lambda) const {
+LocalConstants LocalFrame::constants(const AngleForm& lambda) const {
   // sin and cos by e^{i pi lambda}: cot = i (e^2 + 1)/(e^2 - 1), 1/sin = 2 i e/(e^2 - 1).
-  const ex once = field_.phase(lambda.halves, {{0, lambda.left}, {1, lambda.right}});
+  const ex once = field_.phase(lambda);
   const ex twice = field_.canonical(once * once);
   const ex divisor = field_.canonical(twice - 1);
   if (divisor.is_zero()) throw std::domain_error("local exponent: no integer");
   return {field_.canonical(field_.i() * (twice + 1) / divisor), field_.canonical(2 * field_.i() * once / divisor), pi_};
 }
 
-std::optional<Exponent> LocalFrame::exact(const LocalExponent& lambda) const {
-  Exponent sum(Rational(lambda.halves, 2));
-  for (const auto& [times, s] : {std::pair(lambda.left, left_), std::pair(lambda.right, right_)}) {
-    if (times == 0) continue;
-    if (!is_number(s)) return std::nullopt;
-    const Exponent angle = Exponent::angle(number(s));
-    for (int k = std::abs(times); k > 0; --k) sum += times > 0 ? angle : -angle;
+std::optional<Exponent> LocalFrame::exact(const AngleForm& lambda) const {
+  std::vector<Rational> frictions(s_.size());
+  for (const auto& [k, times] : lambda.times()) {
+    if (!is_number(s_[k])) return std::nullopt;
+    frictions[k] = number(s_[k]);
   }
-  return sum;
+  return lambda.exponent(frictions);
 }
 
-std::optional<int> LocalFrame::floor(const LocalExponent& lambda, std::optional<bool> friction_increases) const {
+std::optional<int> LocalFrame::floor(const AngleForm& lambda, std::optional<bool> friction_increases) const {
   if (const std::optional<Exponent> number = exact(lambda)) {
-    int below = lambda.halves / 2 - std::abs(lambda.left) - std::abs(lambda.right) - 1;
+    int below = lambda.twice_bounds().first / 2 - 1;
     while ((*number - Exponent(below + 1)).sign() >= 0) ++below;
     return below;
   }
   // -1/2 < alpha < 1/2, and alpha_left - alpha_right lies between -1 and 1, on the side that its sign says.
-  const int angles = std::abs(lambda.left) + std::abs(lambda.right);
-  if (angles == 1 && lambda.halves % 2 != 0) return (lambda.halves - 1) / 2;
-  if (lambda.left == -lambda.right && angles == 2 && lambda.halves % 2 == 0 && friction_increases) {
-    const bool negative = (lambda.left > 0) == *friction_increases;
-    return lambda.halves / 2 - (negative ? 1 : 0);
+  const int halves = lambda.halves();
+  const AngleForm angles = lambda - AngleForm(halves);
+  if (angles.twice_bounds().second == 1 && halves % 2 != 0) return (halves - 1) / 2;
+  for (const int sign : {1, -1}) {
+    if (angles != local_exponent(0, sign, -sign) || halves % 2 != 0 || !friction_increases) continue;
+    return halves / 2 - ((sign > 0) == *friction_increases ? 1 : 0);
   }
   return std::nullopt;
 }
 
-Formula LocalFrame::text(const LocalExponent& lambda) const {
+Formula LocalFrame::text(const AngleForm& lambda) const {
   if (const std::optional<Exponent> number = exact(lambda)) {
     return {steadyslide::to_string(*number), symbolic::latex(*number)};
   }
-  Formula result;
-  if (lambda.halves != 0 || (lambda.left == 0 && lambda.right == 0)) {
-    const Rational half(lambda.halves, 2);
-    result = {half.str(), symbolic::latex(half)};
-  }
-  if (lambda.left != 0) result = sum(result, symbolic::times(lambda.left, angle_text(left_)));
-  if (lambda.right != 0) result = sum(result, symbolic::times(lambda.right, angle_text(right_)));
-  return result;
+  return formula_of(lambda, [this](std::size_t k) { return angle_text(s_[k]); });
 }
 
 Formula LocalFrame::text(const ex& element) const { return times(element, {}); }

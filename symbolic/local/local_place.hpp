@@ -8,6 +8,7 @@
 
 #include <ginac/ginac.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,13 +41,8 @@ struct LocalPlace {
   bool in_contact(Side side) const;
 };
 
-/// halves/2 + left alpha_left + right alpha_right.
-struct LocalExponent {
-  int halves = 0;
-  int left = 0;
-  int right = 0;
-  friend bool operator==(const LocalExponent&, const LocalExponent&) = default;
-};
+/// halves/2 + left alpha_left + right alpha_right: friction 0 is that of the left side, 1 that of the right.
+inline AngleForm local_exponent(int halves, int left, int right) { return {halves, {{0, left}, {1, right}}}; }
 
 /// The field in which a place is decided, and its names for readers.
 class LocalFrame {
@@ -61,23 +57,21 @@ class LocalFrame {
   /// Are both frictions one?
   bool one_friction() const;
 
-  /// e^{2 i pi lambda}, and cot(pi lambda) and 1/sin(pi lambda) by it. Throws std::domain_error for an integer lambda.
-  GiNaC::ex phase_squared(const LocalExponent& lambda) const;
-  LocalConstants constants(const LocalExponent& lambda) const;
+  /// cot(pi lambda) and 1/sin(pi lambda) by e^{i pi lambda}. Throws std::domain_error for an integer lambda.
+  LocalConstants constants(const AngleForm& lambda) const;
 
   /// Absent where a friction that counts is no number.
-  std::optional<Exponent> exact(const LocalExponent& lambda) const;
+  std::optional<Exponent> exact(const AngleForm& lambda) const;
   /// The integer below lambda for every friction allowed; absent where it depends on them.
-  std::optional<int> floor(const LocalExponent& lambda, std::optional<bool> friction_increases) const;
+  std::optional<int> floor(const AngleForm& lambda, std::optional<bool> friction_increases) const;
 
-  Formula text(const LocalExponent& lambda) const;
+  Formula text(const AngleForm& lambda) const;
   Formula text(const GiNaC::ex& element) const;
   Formula times(const GiNaC::ex& element, const Formula& factor) const;
   const LatexNames& names() const { return names_; }
 
  private:
-  GiNaC::ex left_;
-  GiNaC::ex right_;
+  std::array<GiNaC::ex, 2> s_;
   PhaseField field_;
   GiNaC::symbol pi_;
   LatexNames names_;

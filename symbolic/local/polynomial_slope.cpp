@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "symbolic/field/expression.hpp"
+
 namespace steadyslide::symbolic {
 
 using GiNaC::ex;
@@ -25,11 +27,7 @@ std::vector<ex> power_sums(const std::vector<ex>& powers, const std::vector<ex>&
   return sums;
 }
 
-std::vector<ex> power_sum_symbols(std::size_t count) {
-  std::vector<ex> symbols;
-  for (std::size_t k = 1; k <= count; ++k) symbols.push_back(GiNaC::symbol("sigma_" + std::to_string(k)));
-  return symbols;
-}
+std::vector<ex> power_sum_symbols(std::size_t count) { return symbols("sigma", count, 1); }
 
 std::vector<ex> series_at_infinity(const std::vector<ex>& sums, int sign, std::size_t count) {
   // E' = sign * (sum sigma_k u^(k-1)) E

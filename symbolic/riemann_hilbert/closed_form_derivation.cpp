@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "symbolic/field/expression.hpp"
 #include "symbolic/riemann_hilbert/contact_derivation.hpp"
 #include "symbolic/riemann_hilbert/derived_contact.hpp"
 
@@ -41,7 +42,7 @@ Derivation closed_form_derivation(ClosedFormKind kind, int jumps) {
     }
     throw std::domain_error("closed form: a kind");
   }();
-  const FundamentalSolution y = one_contact(shape.left, shape.right, static_cast<std::size_t>(jumps));
+  const FundamentalSolution y(shape.left, shape.right, static_cast<std::size_t>(jumps));
   DerivationInput input{shape.name + ", " + std::to_string(jumps) + (jumps == 1 ? " friction jump" : " friction jumps"),
                         y,
                         symbols("s", y.panels()),

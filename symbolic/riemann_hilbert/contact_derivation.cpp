@@ -1,6 +1,5 @@
 #include "symbolic/riemann_hilbert/contact_derivation.hpp"
 
-#include <cstdlib>
 #include <stdexcept>
 
 #include "symbolic/field/rational_function.hpp"
@@ -13,23 +12,9 @@ using GiNaC::ex;
 std::string number(std::size_t k) { return std::to_string(k); }
 
 Formula formula_of(const AngleForm& form) {
-  Formula result;
-  const auto add = [&](bool minus, const std::string& text, const std::string& latex) {
-    const std::string sign = minus ? "-" : "+";
-    const bool first = result.text.empty();
-    result.text += first ? (minus ? "-" : "") + text : " " + sign + " " + text;
-    result.latex += (first && !minus ? "" : sign) + latex;
-  };
-  const int h = std::abs(form.halves());
-  if (h != 0 || form.times().empty()) {
-    add(form.halves() < 0, h % 2 == 0 ? number(static_cast<std::size_t>(h / 2)) : std::to_string(h) + "/2",
-        h % 2 == 0 ? std::to_string(h / 2) : "\\frac{" + std::to_string(h) + "}{2}");
-  }
-  for (const auto& [k, factor] : form.times()) {
-    const std::string times = std::abs(factor) == 1 ? "" : std::to_string(std::abs(factor));
-    add(factor < 0, times + (times.empty() ? "" : " ") + "alpha_" + number(k), times + "\\alpha_{" + number(k) + "}");
-  }
-  return result;
+  return symbolic::formula_of(form, [](std::size_t k) {
+    return Formula{"alpha_" + number(k), "\\alpha_{" + number(k) + "}"};
+  });
 }
 
 std::string kind_in_words(PointKind kind) {
@@ -125,7 +110,7 @@ class ContactDeriver {
     const PhaseField one({s});
     const JumpRelation solved = jump_relation(s, one.i());
     Comparison angle(one);
-    angle.equal("G", solved.ratio, one.phase(2, {{0, 2}}));
+    angle.equal("G", solved.ratio, one.phase({2, {{0, 2}}}));
     if (!angle.holds()) throw std::logic_error("contact derivation: G = -exp(2 pi i alpha)");
     const Formula g = of(solved.ratio);
     const Formula source = of(solved.source);

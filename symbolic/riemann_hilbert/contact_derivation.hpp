@@ -4,7 +4,8 @@
 
 #include "symbolic/field/derivation.hpp"
 #include "symbolic/field/formula_text.hpp"
-#include "symbolic/riemann_hilbert/contact_symbols.hpp"
+#include "symbolic/local/polynomial_slope.hpp"
+#include "symbolic/riemann_hilbert/riemann_hilbert.hpp"
 
 namespace steadyslide::symbolic {
 

@@ -215,7 +215,8 @@ std::vector<DerivedContact> DerivedContact::all(const ContactProblem& problem, i
       const std::size_t first_end = left == EndKind::edge ? 0 : jumps.size();
       for (std::size_t first = 0; first <= first_end; ++first) {
         for (std::size_t last = right == EndKind::edge ? jumps.size() : first; last <= jumps.size(); ++last) {
-          State state{problem, digits, format, profile, one_contact(left, right, last - first), first, {}, {}, 0, {}};
+          State state{problem, digits, format, profile, FundamentalSolution(left, right, last - first),
+                      first,   {},     {},     0,       {}};
           for (std::size_t k = first; k <= last; ++k) state.frictions.push_back(problem.coupled_friction(k));
           for (std::size_t j = 0; j < state.solution.points().size(); ++j) {
             std::optional<Rational> exact;

@@ -38,12 +38,6 @@ JumpRelation jump_relation(const ex& s, const ex& h, const ex& d) {
   return {-action.coeff(minus) / action.coeff(plus), 1 / action.coeff(plus)};
 }
 
-ex phase(const PhaseField& field, const AngleForm& form, int times) {
-  std::vector<std::pair<std::size_t, int>> angles;
-  for (const auto& [k, factor] : form.times()) angles.emplace_back(k, factor * times);
-  return field.phase(form.halves() * times, angles);
-}
-
 ex expression(const AngleForm& form, const std::vector<ex>& alphas) {
   ex sum = ex(form.halves()) / 2;
   for (const auto& [k, factor] : form.times()) sum += factor * alphas.at(k);
@@ -66,7 +60,7 @@ void compare_crossing(Comparison& comparison, const PhaseField& field, PointKind
   const auto quotient = [&](bool contact, std::size_t k) {
     return contact ? jump_relation(field.friction(k).s, field.i()).ratio : ex(1);
   };
-  comparison.equal("Y+/Y- left of the point", phase(field, form, 2) * quotient(contact_on_right(kind), 1),
+  comparison.equal("Y+/Y- left of the point", field.phase(form, 2) * quotient(contact_on_right(kind), 1),
                    quotient(contact_on_left(kind), 0));
 }
 
@@ -132,7 +126,7 @@ int FundamentalSolution::order() const {
 
 int FundamentalSolution::sign_on(const PhaseField& field, const Region& region) const {
   const PhaseField::Friction& f = field.friction(region.friction.value());
-  const ex value = (f.s + field.i()) * phase(field, region.sigma, 1) * f.cos;
+  const ex value = (f.s + field.i()) * field.phase(region.sigma, 1) * f.cos;
   for (const int sign : {1, -1}) {
     if (field.are_equal(value, sign).holds) return sign;
   }
@@ -144,7 +138,7 @@ void FundamentalSolution::compare(Comparison& comparison, const PhaseField& fiel
     const Region& region = regions_[j];
     const std::string name =
         region.friction ? "panel " + std::to_string(*region.friction) : "off contact " + std::to_string(j);
-    comparison.equal(name + ": Y+/Y-", phase(field, region.sigma, 2),
+    comparison.equal(name + ": Y+/Y-", field.phase(region.sigma, 2),
                      region.friction ? jump_relation(field.friction(*region.friction).s, field.i()).ratio : ex(1));
   }
 }

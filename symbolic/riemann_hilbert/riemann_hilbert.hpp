@@ -11,7 +11,6 @@
 
 #include <optional>
 
-#include "symbolic/field/angle_form.hpp"
 #include "symbolic/field/comparison.hpp"
 #include "symbolic/field/phase_field.hpp"
 
@@ -25,8 +24,6 @@ struct JumpRelation {
 /// Solved from h (Phi+ + Phi-) + s d (Phi+ - Phi-) = psi'; Plemelj's formulas are h = i and d = 1.
 JumpRelation jump_relation(const GiNaC::ex& s, const GiNaC::ex& h, const GiNaC::ex& d = 1);
 
-/// exp(i pi times form)
-GiNaC::ex phase(const PhaseField& field, const AngleForm& form, int times);
 /// The form with these expressions for alpha_0, alpha_1, ...
 GiNaC::ex expression(const AngleForm& form, const std::vector<GiNaC::ex>& alphas);
 
@@ -55,6 +52,9 @@ class FundamentalSolution {
  public:
   /// Components from left to right; frictions are numbered by panels, left to right.
   explicit FundamentalSolution(std::vector<Component> components);
+  /// One component.
+  FundamentalSolution(EndKind left, EndKind right, std::size_t jumps)
+      : FundamentalSolution({{left, right, jumps + 1}}) {}
   /// The same points with other exponents: for wrong variants.
   FundamentalSolution with_powers(const std::vector<AngleForm>& powers) const;
 

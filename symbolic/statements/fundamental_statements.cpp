@@ -1,7 +1,7 @@
 // From the operator to Y(z): the relation of Phi+ and Phi-, the exponents at the five kinds of point, Y+ = G Y-, the
 // integer that the exponents sum to.
 
-#include "symbolic/riemann_hilbert/contact_symbols.hpp"
+#include "symbolic/statements/contact_symbols.hpp"
 
 namespace steadyslide::symbolic {
 namespace {
@@ -17,14 +17,14 @@ DecidedStatement plemelj() {
     const JumpRelation derived = jump_relation(s, h, d);
     return Comparison(field).equal("G", derived.ratio, ratio).equal("source", derived.source, 1 / (s + i)).as(words);
   };
-  const ex g = field.phase(2, {{0, 2}});
+  const ex g = field.phase({2, {{0, 2}}});
   return {
       "rh-plemelj",
       relation("A t = psi' is Phi+ = G Phi- + psi'/(s+i) with G = -e^(2 pi i alpha)", i, 1, g),
       {relation("Plemelj's sum with the other sign", -i, 1, g), relation("t = Phi- - Phi+", i, -1, g),
-       relation("Plemelj's sum without i", 1, 1, g), relation("G = e^(2 pi i alpha)", i, 1, field.phase(0, {{0, 2}})),
-       relation("G = -e^(-2 pi i alpha)", i, 1, field.phase(2, {{0, -2}})),
-       relation("G = -e^(i pi alpha)", i, 1, field.phase(2, {{0, 1}}))}};
+       relation("Plemelj's sum without i", 1, 1, g), relation("G = e^(2 pi i alpha)", i, 1, field.phase({0, {{0, 2}}})),
+       relation("G = -e^(-2 pi i alpha)", i, 1, field.phase({2, {{0, -2}}})),
+       relation("G = -e^(i pi alpha)", i, 1, field.phase({2, {{0, 1}}}))}};
 }
 
 DecidedStatement exponent_at(const std::string& id, PointKind kind, const std::string& words, const AngleForm& stated,
@@ -186,11 +186,11 @@ DecidedStatement real_on_contact() {
                            int edge, int free) {
     const AngleForm sigma(3);  // at the right of the jump, whatever it is
     const auto epsilon = [&](PointKind kind) {
-      return (left.s + i) * phase(field, derived_exponent(kind).renamed({0, 0}), 1) * cos_left;
+      return (left.s + i) * field.phase(derived_exponent(kind).renamed({0, 0}), 1) * cos_left;
     };
     return Comparison(field)
-        .equal("over a jump", (left.s + i) * phase(field, sigma + jump, 1) * cos_left,
-               (right.s + i) * phase(field, sigma, 1) * cos_right)
+        .equal("over a jump", (left.s + i) * field.phase(sigma + jump, 1) * cos_left,
+               (right.s + i) * field.phase(sigma, 1) * cos_right)
         .equal("at a right edge", epsilon(PointKind::right_edge), edge)
         .equal("at a free right end", epsilon(PointKind::right_free), free)
         .as(words);
@@ -228,8 +228,8 @@ DecidedStatement general_solution() {
       if (variant == Variant::doubled) h = 2 * h;
       if (variant == Variant::times_modulus) h = h * modulus * modulus;
       if (variant == Variant::sin) h = epsilon * f.sin * slope / modulus;
-      const ex plus = modulus * phase(field, region.sigma, 1) * (mean + h / 2);
-      const ex minus = modulus * phase(field, region.sigma, -1) * (mean - h / 2);
+      const ex plus = modulus * field.phase(region.sigma, 1) * (mean + h / 2);
+      const ex minus = modulus * field.phase(region.sigma, -1) * (mean - h / 2);
       const std::string panel = "panel " + std::to_string(*region.friction) + ": ";
       const JumpRelation relation = jump_relation(f.s, i);
       comparison.equal(panel + "Phi+ - G Phi-", plus - relation.ratio * minus, slope * relation.source)

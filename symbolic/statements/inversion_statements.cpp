@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "symbolic/riemann_hilbert/contact_symbols.hpp"
+#include "symbolic/statements/contact_symbols.hpp"
 
 namespace steadyslide::symbolic {
 namespace {
@@ -27,7 +27,7 @@ struct Variant {
 
 /// Monomials u' = x^d, d = 0..4, contact on [e_0, e_{jumps+1}].
 ExactIdentity decided(const std::string& words, std::size_t jumps, const Variant& variant) {
-  const FundamentalSolution y = one_contact(EndKind::edge, EndKind::edge, jumps);
+  const FundamentalSolution y(EndKind::edge, EndKind::edge, jumps);
   const ContactSymbols data(y);
   const PhaseField& field = data.field;
   const symbol w("w");
@@ -54,8 +54,8 @@ ExactIdentity decided(const std::string& words, std::size_t jumps, const Variant
       if (!region.friction) continue;
       const auto& f = field.friction(*region.friction);
       const AngleForm sigma = variant.other_weight ? region.sigma.mirrored() : region.sigma;
-      const ex above = monomial * w * phase(field, sigma, -1);
-      const ex below = monomial * w * phase(field, sigma, 1);
+      const ex above = monomial * w * field.phase(sigma, -1);
+      const ex below = monomial * w * field.phase(sigma, 1);
       const std::string panel = name + "panel " + std::to_string(*region.friction) + ": ";
       comparison.equal(panel + "density", (above - below) / (2 * i), f.cos * w * monomial);
       const ex integral = (above + below) / 2 - without_load.factor(x);

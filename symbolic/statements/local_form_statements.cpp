@@ -1,8 +1,8 @@
-#include "symbolic/statements/local_form_statements.hpp"
+#include "symbolic/statements/statements.hpp"
 
 #include <string>
 
-#include "symbolic/local/local_form_check.hpp"
+#include "symbolic/statements/local_form_check.hpp"
 
 namespace steadyslide::symbolic {
 namespace {
@@ -21,7 +21,7 @@ class Jump {
   ex total() const { return s_r_ + s_l_; }
 
   /// t = left |x|^lambda for x < 0, right |x|^lambda for x > 0, times x^order, plus the density given.
-  ExactIdentity decide(const std::string& statement, const LocalExponent& lambda, const ex& left, const ex& right,
+  ExactIdentity decide(const std::string& statement, const AngleForm& lambda, const ex& left, const ex& right,
                        int order = 0, LocalDensity more = {}) const {
     more += {{{Side::left, true, order, 0}, -theta_ * left}, {{Side::right, true, order, 0}, -theta_ * right}};
     return verify_local_form(statement, {place_, frame_, lambda, more});
@@ -31,7 +31,7 @@ class Jump {
                   {{{Side::left, false, 0, 0}, left}, {{Side::right, false, 0, 0}, right}});
   }
 
-  static constexpr LocalExponent beta{0, 1, -1};
+  static inline const AngleForm beta = local_exponent(0, 1, -1);
   const LocalFrame& frame() const { return frame_; }
 
  private:
@@ -49,14 +49,14 @@ DecidedStatement theorem_2_jump() {
   return {"theorem-2-jump",
           jump.decide("t = -theta |x|^beta/sqrt(1+s(x)^2), beta = alpha_l - alpha_r, at a friction jump", Jump::beta,
                       1 / l, 1 / r),
-          {jump.decide("beta of the other sign: front and rear exchanged", {0, -1, 1}, 1 / l, 1 / r),
-           jump.decide("alpha_l + alpha_r in place of beta", {0, 1, 1}, 1 / l, 1 / r),
+          {jump.decide("beta of the other sign: front and rear exchanged", local_exponent(0, -1, 1), 1 / l, 1 / r),
+           jump.decide("alpha_l + alpha_r in place of beta", local_exponent(0, 1, 1), 1 / l, 1 / r),
            jump.decide("amplitudes of the sides swapped", Jump::beta, 1 / r, 1 / l),
            jump.decide("1/sqrt(1+s^2) missing", Jump::beta, 1, 1),
            jump.decide("sqrt(1+s^2) in place of its reciprocal", Jump::beta, l, r),
            jump.decide("the sign of one amplitude", Jump::beta, -1 / l, 1 / r),
            jump.decide("|x|^(beta+1) with amplitudes of one sign", Jump::beta, -1 / l, 1 / r, 1),
-           jump.decide("1/2 added to beta", {1, 1, -1}, 1 / l, 1 / r)}};
+           jump.decide("1/2 added to beta", local_exponent(1, 1, -1), 1 / l, 1 / r)}};
 }
 
 DecidedStatement theorem_2_wedge_and_jump() {
@@ -133,7 +133,7 @@ class EndOfContact {
 
   /// t = -theta d^lambda, u_bar' = slope theta d^lambda beyond the end; lambda = halves/2 + times alpha(side).
   ExactIdentity decide(const std::string& statement, int halves, int times, Side side, const ex& slope) const {
-    const LocalExponent lambda{halves, side == Side::left ? times : 0, side == Side::right ? times : 0};
+    const AngleForm lambda(halves, {{side == Side::left ? 0 : 1, times}});
     return verify_local_form(statement, {place_, frame_, lambda, {{{contact_, true, 0, 0}, -theta_}}, slope * theta_});
   }
 

@@ -1,9 +1,9 @@
-#include "symbolic/statements/local_readings.hpp"
+#include "symbolic/statements/statements.hpp"
 
 #include <algorithm>
 
 #include "symbolic/local/local_form.hpp"
-#include "symbolic/local/local_form_check.hpp"
+#include "symbolic/statements/local_form_check.hpp"
 
 namespace steadyslide::symbolic {
 namespace {
@@ -31,7 +31,7 @@ class End {
         frame_(place_) {}
 
   LocalCandidate candidate(int halves, int left, int right) const {
-    return {place_, frame_, LocalExponent{halves, left, right}, {{{contact_, true, 0, 0}, -theta_}}};
+    return {place_, frame_, local_exponent(halves, left, right), {{{contact_, true, 0, 0}, -theta_}}};
   }
   LocalCandidate with_slope(LocalCandidate form, const ex& coefficient) const {
     form.outside = coefficient * theta_;

@@ -1,6 +1,6 @@
 // Galin's parabola psi = x^2/(2R) [Bal16, section 2]: with free ends and constant friction, as it is printed.
 
-#include "symbolic/riemann_hilbert/contact_symbols.hpp"
+#include "symbolic/statements/contact_symbols.hpp"
 
 namespace steadyslide::symbolic {
 namespace {
@@ -9,7 +9,7 @@ using GiNaC::ex;
 using GiNaC::symbol;
 
 struct Galin {
-  FundamentalSolution y = one_contact(EndKind::free, EndKind::free, 0);
+  FundamentalSolution y{EndKind::free, EndKind::free, 0};
   ContactSymbols data{y};
   ex alpha = data.alpha[0];
   symbol a{"a"};
@@ -75,7 +75,7 @@ DecidedStatement traction() {
     const std::vector<ex> series = binomial_product(powers, {-(1 + 2 * g.alpha) * g.a, (1 - 2 * g.alpha) * g.a}, 2);
     const std::vector<ex> slope{0, 1 / g.radius};
     const AngleForm sigma = candidate.regions()[1].sigma;
-    const ex sine = (phase(g.data.field, sigma, 1) - phase(g.data.field, sigma, -1)) / (2 * g.data.field.i());
+    const ex sine = (g.data.field.phase(sigma, 1) - g.data.field.phase(sigma, -1)) / (2 * g.data.field.i());
     for (int power = 1; power >= -1; --power) {
       comparison.equal("F, z^" + std::to_string(power), field_coefficient(1, slope, {1 / g.radius}, series, power),
                        power == -1 ? g.load / g.data.pi : ex(0));
@@ -114,7 +114,7 @@ DecidedStatement traction() {
 constexpr std::size_t most_jumps = 4;
 
 struct Setting {
-  Setting(EndKind left, EndKind right) : left(left), right(right), data(one_contact(left, right, most_jumps)) {}
+  Setting(EndKind left, EndKind right) : left(left), right(right), data(FundamentalSolution(left, right, most_jumps)) {}
   EndKind left;
   EndKind right;
   ContactSymbols data;
@@ -130,7 +130,7 @@ struct Contact {
 };
 
 Contact contact(const Setting& setting, std::size_t jumps, int beta) {
-  const FundamentalSolution y = one_contact(setting.left, setting.right, jumps);
+  const FundamentalSolution y(setting.left, setting.right, jumps);
   Contact c;
   c.powers = setting.data.powers(y);
   const auto count = static_cast<std::ptrdiff_t>(c.powers.size());

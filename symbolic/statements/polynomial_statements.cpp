@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "symbolic/riemann_hilbert/contact_symbols.hpp"
+#include "symbolic/statements/contact_symbols.hpp"
 
 namespace steadyslide::symbolic {
 namespace {
@@ -28,8 +28,8 @@ DecidedStatement substitution() {
     for (const auto& region : y.regions()) {
       if (!region.friction) continue;
       const auto& f = field.friction(*region.friction);
-      const ex above = variant.slope_factor * slope - modulus * phase(field, region.sigma, 1) * factor;
-      const ex below = variant.slope_factor * slope - modulus * phase(field, region.sigma, -1) * factor;
+      const ex above = variant.slope_factor * slope - modulus * field.phase(region.sigma, 1) * factor;
+      const ex below = variant.slope_factor * slope - modulus * field.phase(region.sigma, -1) * factor;
       const ex traction = (above - below) / (2 * field.i());
       const std::string panel = "panel " + std::to_string(*region.friction) + ": ";
       comparison.equal(panel + "A t", (above + below) / 2 + variant.friction * f.s * traction, slope)

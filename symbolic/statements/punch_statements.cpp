@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "symbolic/riemann_hilbert/contact_symbols.hpp"
+#include "symbolic/statements/contact_symbols.hpp"
 
 namespace steadyslide::symbolic {
 namespace {
@@ -33,7 +33,7 @@ ExactIdentity decided(const std::string& words, const ContactSymbols& data, cons
     if (!region.friction) continue;
     const std::size_t k = *region.friction;
     const std::string panel = "panel " + std::to_string(k) + ": ";
-    const ex sine = (phase(field, region.sigma, 1) - phase(field, region.sigma, -1)) / (2 * field.i());
+    const ex sine = (field.phase(region.sigma, 1) - field.phase(region.sigma, -1)) / (2 * field.i());
     comparison.equal(panel + "t from F", printed.amplitudes[k], constant * sine);
     comparison.equal(panel + "t derived", printed.amplitudes[k],
                      y.sign_on(field, y.regions()[j]) * field.friction(k).cos * factor);
@@ -58,7 +58,7 @@ Printed punch(const ContactSymbols& data, std::size_t jumps, const ex& total) {
 }
 
 DecidedStatement flat_punch(const std::string& id, const std::string& words, std::size_t jumps, bool unit) {
-  const FundamentalSolution y = one_contact(EndKind::edge, EndKind::edge, jumps);
+  const FundamentalSolution y(EndKind::edge, EndKind::edge, jumps);
   const ContactSymbols data(y);
   const ex total = unit ? ex(1) : ex(-data.load);
   const Printed right = punch(data, jumps, total);
@@ -102,11 +102,11 @@ DecidedStatement traction() {
     bool exchanged = false;
   };
   const auto decided = [&](const std::string& words, const Variant& variant) {
-    const ContactSymbols data(one_contact(EndKind::edge, EndKind::edge, most_jumps));
+    const ContactSymbols data(FundamentalSolution(EndKind::edge, EndKind::edge, most_jumps));
     const GiNaC::symbol delta("delta");
     Comparison comparison(data.field);
     for (std::size_t jumps = 0; jumps <= most_jumps; ++jumps) {
-      const FundamentalSolution y = one_contact(EndKind::edge, EndKind::edge, jumps);
+      const FundamentalSolution y(EndKind::edge, EndKind::edge, jumps);
       const std::vector<ex> powers = data.powers(y);
       const std::vector<ex> series = binomial_product(
           powers, {data.places.begin(), data.places.begin() + static_cast<std::ptrdiff_t>(powers.size())}, 2);
@@ -143,12 +143,12 @@ DecidedStatement lifting(const std::string& id, bool right) {
     bool no_sum = false;
   };
   const auto decided = [&](const std::string& words, const Variant& variant) {
-    const ContactSymbols data(one_contact(EndKind::edge, EndKind::edge, most_jumps));
+    const ContactSymbols data(FundamentalSolution(EndKind::edge, EndKind::edge, most_jumps));
     Comparison comparison(data.field);
     for (std::size_t jumps = 0; jumps <= most_jumps; ++jumps) {
-      const FundamentalSolution edges = one_contact(EndKind::edge, EndKind::edge, jumps);
+      const FundamentalSolution edges(EndKind::edge, EndKind::edge, jumps);
       const FundamentalSolution lifted =
-          one_contact(right ? EndKind::edge : EndKind::free, right ? EndKind::free : EndKind::edge, jumps);
+          FundamentalSolution(right ? EndKind::edge : EndKind::free, right ? EndKind::free : EndKind::edge, jumps);
       const std::size_t j = right ? jumps + 1 : 0;
       const ex sum = data.sums(edges, 1)[0];
       const ex end = data.places[variant.other_end ? jumps + 1 - j : j];
@@ -177,7 +177,7 @@ DecidedStatement lifting(const std::string& id, bool right) {
 
 /// [-1, 1], no jump: P/(pi (1 + 2 alpha)) and -P/(pi (1 - 2 alpha)).
 DecidedStatement lifting_on_unit() {
-  const FundamentalSolution y = one_contact(EndKind::edge, EndKind::edge, 0);
+  const FundamentalSolution y(EndKind::edge, EndKind::edge, 0);
   const ContactSymbols data(y);
   const ex alpha = data.alpha[0];
   const auto decided = [&](const std::string& words, const ex& at_right, const ex& at_left) {

@@ -7,7 +7,7 @@
 // Without friction u = 0 and (3/8) kappa h^4 = P/pi. The equilibrium measure of the potential V = x^4 is
 // 2 PV int dmu(y)/(x-y) = V': psi' = V'/(2 pi), P = 1, so kappa = 2/pi and h^4 = 4/3.
 
-#include "symbolic/riemann_hilbert/contact_symbols.hpp"
+#include "symbolic/statements/contact_symbols.hpp"
 
 namespace steadyslide::symbolic {
 namespace {
@@ -19,7 +19,7 @@ constexpr std::size_t most_jumps = 2;
 
 /// Any number of jumps by power sums, 0 to 2 by binomial series.
 DecidedStatement any_jumps() {
-  const ContactSymbols data(one_contact(EndKind::free, EndKind::free, most_jumps));
+  const ContactSymbols data(FundamentalSolution(EndKind::free, EndKind::free, most_jumps));
   const symbol kappa("kappa");
   struct Variant {
     int first = 1;    // sign of sigma_1 x
@@ -45,7 +45,7 @@ DecidedStatement any_jumps() {
         .equal("c_1", any.conditions()[0], n[3])
         .equal("c_2 - P/pi", any.conditions()[1], n[4] - load);
     for (std::size_t jumps = 0; jumps <= most_jumps; ++jumps) {
-      const FundamentalSolution y = one_contact(EndKind::free, EndKind::free, jumps);
+      const FundamentalSolution y(EndKind::free, EndKind::free, jumps);
       const std::vector<ex> powers = data.powers(y);
       const std::vector<ex> places(data.places.begin(),
                                    data.places.begin() + static_cast<std::ptrdiff_t>(powers.size()));
@@ -67,7 +67,7 @@ DecidedStatement any_jumps() {
 }
 
 DecidedStatement ends() {
-  const FundamentalSolution y = one_contact(EndKind::free, EndKind::free, 0);
+  const FundamentalSolution y(EndKind::free, EndKind::free, 0);
   const ContactSymbols data(y);
   const ex a = data.alpha[0];
   const symbol u("u");
@@ -94,7 +94,7 @@ DecidedStatement ends() {
 }
 
 DecidedStatement frictionless() {
-  const FundamentalSolution y = one_contact(EndKind::free, EndKind::free, 0);
+  const FundamentalSolution y(EndKind::free, EndKind::free, 0);
   const ContactSymbols data(y);
   const symbol width("a");
   const ex x = data.x;

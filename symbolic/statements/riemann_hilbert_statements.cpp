@@ -1,16 +1,8 @@
-#include "symbolic/statements/riemann_hilbert_statements.hpp"
-
-#include "symbolic/riemann_hilbert/contact_symbols.hpp"
+#include "symbolic/statements/contact_symbols.hpp"
 
 namespace steadyslide::symbolic {
 
 using GiNaC::ex;
-
-std::vector<ex> symbols(const std::string& name, std::size_t count) {
-  std::vector<ex> result;
-  for (std::size_t k = 0; k < count; ++k) result.push_back(GiNaC::symbol(name + "_" + std::to_string(k)));
-  return result;
-}
 
 ContactSymbols::ContactSymbols(const FundamentalSolution& solution)
     : s(symbols("s", solution.panels())),
@@ -26,10 +18,6 @@ std::vector<ex> ContactSymbols::powers(const FundamentalSolution& solution) cons
 
 std::vector<ex> ContactSymbols::sums(const FundamentalSolution& solution, std::size_t count) const {
   return power_sums(powers(solution), places, count);
-}
-
-FundamentalSolution one_contact(EndKind left, EndKind right, std::size_t jumps) {
-  return FundamentalSolution({{left, right, jumps + 1}});
 }
 
 std::vector<DecidedStatement> riemann_hilbert_statements() {

@@ -2,7 +2,7 @@
 // Statements that are decided exactly, each beside wrong variants of itself.
 
 #include "support/test.hpp"
-#include "symbolic/statements/exact_identities.hpp"
+#include "symbolic/field/exact_identity.hpp"
 
 namespace steadyslide::testing {
 

@@ -1,5 +1,5 @@
-#include "symbolic/statements/energy_identity.hpp"
 #include "proofs_checks/instruments/identities/derived.hpp"
+#include "symbolic/statements/statements.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {

@@ -5,8 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "symbolic/statements/local_form_statements.hpp"
-#include "symbolic/statements/riemann_hilbert_statements.hpp"
+#include "symbolic/statements/statements.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {

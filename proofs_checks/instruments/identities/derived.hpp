@@ -7,7 +7,7 @@
 
 #include "model/rational.hpp"
 #include "proofs_checks/kit/claim.hpp"
-#include "symbolic/statements/exact_identities.hpp"
+#include "symbolic/field/exact_identity.hpp"
 
 namespace steadyslide::proofs_checks {
 

@@ -78,7 +78,7 @@ TEST_CASE("theorem 2: forced constants, forced logarithms, amplitude ratios") {
   const LocalForm jump = derive_local_form(symbolic_places()[3]);
   const LocalFrame& frame = jump.frame;
   CHECK(jump.kind == LocalKind::wedge_and_jump);
-  CHECK(jump.exponent == LocalExponent{0, 1, -1});
+  CHECK(jump.exponent == local_exponent(0, 1, -1));
   CHECK(frame.field().are_equal(*jump.ratio, frame.friction(Side::left).cos / frame.friction(Side::right).cos).holds);
   for (int n = 0; n < 3; ++n) {
     const auto k = static_cast<std::size_t>(n);
@@ -109,7 +109,7 @@ TEST_CASE("the root of the characteristic determinant is simple: the system with
   for (std::size_t k = 0; k < 4; ++k) {
     density[{k % 2 == 0 ? Side::left : Side::right, true, 0, k < 2 ? 1 : 0}] = unknowns[k];
   }
-  const auto system = [&](const LocalExponent& lambda) {
+  const auto system = [&](const AngleForm& lambda) {
     std::vector<FieldRow> rows;
     for (const LocalEquation& e : local_equations(place, frame.constants(lambda), density)) {
       FieldRow row;
@@ -118,12 +118,12 @@ TEST_CASE("the root of the characteristic determinant is simple: the system with
     }
     return solve(frame.field(), unknowns.size(), rows, FieldRow(rows.size()));
   };
-  const LinearSolution at_root = system({0, 1, -1});
+  const LinearSolution at_root = system(local_exponent(0, 1, -1));
   REQUIRE(at_root.kernel.size() == 1);
   CHECK(at_root.kernel[0][0].is_zero());
   CHECK(at_root.kernel[0][1].is_zero());
-  CHECK(system({0, -1, 1}).kernel.empty());
-  CHECK(system({1, 1, -1}).kernel.empty());
+  CHECK(system(local_exponent(0, -1, 1)).kernel.empty());
+  CHECK(system(local_exponent(1, 1, -1)).kernel.empty());
 }
 
 TEST_CASE("ends: powers and outside slopes") {
@@ -134,7 +134,7 @@ TEST_CASE("ends: powers and outside slopes") {
     const bool right = place.contact == ContactSide::right;
     const int free = place.beyond == Beyond::indenter ? 1 : -1;
     CAPTURE(form.derivation.title);
-    CHECK(form.exponent == (right ? LocalExponent{free, 0, -1} : LocalExponent{free, 1, 0}));
+    CHECK(form.exponent == (right ? local_exponent(free, 0, -1) : local_exponent(free, 1, 0)));
     const ex r = frame.friction(right ? Side::right : Side::left).r;
     // All amplitudes belong to the distance d, on either side.
     for (const LocalFormTerm& t : form.terms) CHECK(t.text.text.starts_with("-theta"));

@@ -3,8 +3,8 @@
 #include "support/decided_statements.hpp"
 #include "support/test.hpp"
 #include "symbolic/field/expression.hpp"
-#include "symbolic/riemann_hilbert/contact_symbols.hpp"
-#include "symbolic/statements/riemann_hilbert_statements.hpp"
+#include "symbolic/statements/contact_symbols.hpp"
+#include "symbolic/statements/statements.hpp"
 
 using namespace steadyslide::symbolic;
 using GiNaC::ex;
@@ -67,7 +67,7 @@ TEST_CASE("contacts of up to three components: order, signs, as many conditions 
 TEST_CASE("what is no contact or no exponent is refused") {
   CHECK_THROWS_AS(FundamentalSolution({}), std::domain_error);
   CHECK_THROWS_AS(FundamentalSolution({{EndKind::edge, EndKind::edge, 0}}), std::domain_error);
-  const FundamentalSolution y = one_contact(EndKind::edge, EndKind::edge, 0);
+  const FundamentalSolution y(EndKind::edge, EndKind::edge, 0);
   const FundamentalSolution wrong = y.with_powers({AngleForm(-1), AngleForm(-1, {{0, 1}})});
   CHECK_THROWS_AS(wrong.order(), std::domain_error);
   const ContactSymbols data(y);

@@ -1,10 +1,8 @@
 // Statements that are decided exactly, each beside wrong variants of itself.
 
+#include "symbolic/statements/statements.hpp"
 #include "support/decided_statements.hpp"
-#include "symbolic/riemann_hilbert/polynomial_families.hpp"
-#include "symbolic/statements/energy_identity.hpp"
-#include "symbolic/statements/local_form_statements.hpp"
-#include "symbolic/statements/local_readings.hpp"
+#include "symbolic/statements/polynomial_families.hpp"
 
 using namespace steadyslide::symbolic;
 using GiNaC::ex;

@@ -1,10 +1,11 @@
-#include "numeric/variational/complementary_tableau.hpp"
+#include "numeric/number/complementary_tableau.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-namespace steadyslide::numeric::variational {
+#include "numeric/number/dense_lu.hpp"
+
+namespace steadyslide::numeric {
 namespace {
 
 using Eigen::Index;
@@ -96,7 +97,7 @@ void ComplementaryTableau::factorise() {
   for (Index j = 0; j < columns; ++j) fill(right.col(j), right_[static_cast<std::size_t>(j)]);
   right.leftCols(columns) *= -1;
   right.col(columns) = first_constants_;
-  const Eigen::MatrixXd solved = left.partialPivLu().solve(right);
+  const Eigen::MatrixXd solved = DenseLu(left).solve(right);
   matrix_ = solved.leftCols(columns);
   constants_ = solved.col(columns);
 }
@@ -140,4 +141,4 @@ ComplementaryTableau::End ComplementaryTableau::follow(Index entering, Index mea
   }
 }
 
-}  // namespace steadyslide::numeric::variational
+}  // namespace steadyslide::numeric

@@ -1,4 +1,4 @@
-#include "symbolic/riemann_hilbert/polynomial_families.hpp"
+#include "symbolic/statements/polynomial_families.hpp"
 
 namespace steadyslide::symbolic {
 

@@ -1,4 +1,4 @@
-#include "symbolic/statements/exact_identities.hpp"
+#include "symbolic/field/exact_identity.hpp"
 
 #include "symbolic/field/rational_function.hpp"
 #include "symbolic/local/coupling.hpp"

@@ -1,13 +1,12 @@
 #pragma once
 // Names for the data of a contact: s_0.. and alpha_0.. by panel, e_0.. for the ends and jumps; P/pi, x.
 
+#include "symbolic/field/expression.hpp"
 #include "symbolic/local/polynomial_slope.hpp"
 #include "symbolic/riemann_hilbert/riemann_hilbert.hpp"
-#include "symbolic/statements/exact_identities.hpp"
+#include "symbolic/statements/statements.hpp"
 
 namespace steadyslide::symbolic {
-
-std::vector<GiNaC::ex> symbols(const std::string& name, std::size_t count);
 
 struct ContactSymbols {
   explicit ContactSymbols(const FundamentalSolution& solution);
@@ -23,9 +22,6 @@ struct ContactSymbols {
   std::vector<GiNaC::ex> powers(const FundamentalSolution& solution) const;
   std::vector<GiNaC::ex> sums(const FundamentalSolution& solution, std::size_t count) const;
 };
-
-/// One component.
-FundamentalSolution one_contact(EndKind left, EndKind right, std::size_t jumps);
 
 // The parts of riemann_hilbert_statements().
 void add_fundamental_solution(std::vector<DecidedStatement>& all);

@@ -1,4 +1,4 @@
-#include "symbolic/local/local_form_check.hpp"
+#include "symbolic/statements/local_form_check.hpp"
 
 #include <set>
 #include <stdexcept>

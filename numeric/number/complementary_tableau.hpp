@@ -10,13 +10,13 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace steadyslide::numeric::variational {
+namespace steadyslide::numeric {
 
 class ComplementaryTableau {
  public:
   using Index = Eigen::Index;
   /// Variables have the numbers 0..pairs-1 (x), pairs..2*pairs-1 (y), and from 2*pairs on the free ones: those may have
-  /// any sign and never leave the left side.
+  /// any sign and never leave the left side on a path; one that has been exchanged to the right stays zero.
   ComplementaryTableau(Index pairs, std::vector<Index> left, std::vector<Index> right, Eigen::MatrixXd matrix,
                        Eigen::VectorXd constants);
 
@@ -64,4 +64,4 @@ class ComplementaryTableau {
   int pivots_ = 0;
 };
 
-}  // namespace steadyslide::numeric::variational
+}  // namespace steadyslide::numeric

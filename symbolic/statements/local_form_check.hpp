@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "symbolic/field/exact_identity.hpp"
 #include "symbolic/local/local_place.hpp"
-#include "symbolic/statements/exact_identities.hpp"
 
 namespace steadyslide::symbolic {
 
@@ -16,7 +16,7 @@ namespace steadyslide::symbolic {
 struct LocalCandidate {
   LocalPlace place;
   LocalFrame frame;  ///< of the same place: its radicals are those of the density
-  std::optional<LocalExponent> exponent;
+  std::optional<AngleForm> exponent;
   LocalDensity density;
   std::optional<GiNaC::ex> outside = std::nullopt;
 };

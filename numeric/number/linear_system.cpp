@@ -1,0 +1,40 @@
+#include "numeric/number/linear_system.hpp"
+
+#include <algorithm>
+
+namespace steadyslide::numeric {
+
+template <Real R>
+std::optional<std::vector<R>> solve_linear(std::vector<std::vector<R>> rows) {
+  using std::abs;
+  const std::size_t n = rows.size();
+  for (std::vector<R>& row : rows) {
+    R largest = 0;
+    for (std::size_t k = 0; k < n; ++k) largest = std::max(largest, R(abs(row[k])));
+    if (!(largest > 0)) return std::nullopt;
+    for (R& entry : row) entry /= largest;
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < n; ++i) {
+      if (abs(rows[i][k]) > abs(rows[pivot][k])) pivot = i;
+    }
+    std::swap(rows[k], rows[pivot]);
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const R factor = rows[i][k] / rows[k][k];
+      for (std::size_t j = k + 1; j <= n; ++j) rows[i][j] -= factor * rows[k][j];
+    }
+  }
+  std::vector<R> x(n);
+  for (std::size_t k = n; k-- > 0;) {
+    x[k] = rows[k][n] / rows[k][k];
+    for (std::size_t i = 0; i < k; ++i) rows[i][n] -= rows[i][k] * x[k];
+  }
+  return x;
+}
+
+template std::optional<std::vector<double>> solve_linear(std::vector<std::vector<double>>);
+template std::optional<std::vector<Real50>> solve_linear(std::vector<std::vector<Real50>>);
+template std::optional<std::vector<Real100>> solve_linear(std::vector<std::vector<Real100>>);
+
+}  // namespace steadyslide::numeric

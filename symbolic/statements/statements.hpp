@@ -1,0 +1,39 @@
+#pragma once
+// The exact statements that claims rest on, each decided, and each with wrong variants that the same decision refutes.
+// Without GiNaC in this header. Not thread-safe, as GiNaC is not. [Bal16]
+
+#include "symbolic/field/exact_identity.hpp"
+
+namespace steadyslide::symbolic {
+
+/// gamma and the compliance by Kolosov's constant, the limit of a rigid indenter, exchange of the bodies, identical
+/// bodies, the range ]0, 3/4[ of gamma and that it decreases in nu, cot(pi beta) at a friction jump.
+std::vector<DecidedStatement> elasticity_statements();
+
+/// Theorem 2 with a friction jump, with a wedge and a jump, with a wedge alone; theorem 3 at either end of contact, at
+/// a step and free, with the slopes outside; theorem 9, and to all three orders; theorem 10 as theorem 3 under one
+/// friction. Each form is put into the local equation: both sides of an identity list its coefficients.
+std::vector<DecidedStatement> local_form_statements();
+
+/// The relation between Phi+ and Phi-, the exponents, Y+ = G Y-, the integer they sum to, the general solution, the
+/// count of unknowns; polynomial profiles; the flat punch, flat or tilted, with any number of jumps [Bal16, (4),
+/// (5)-(7), (8)]; the inverse of the operator [Bal16, (10)]; the parabola [Bal16, section 2] with any number of jumps,
+/// free or against an edge; the quartic.
+std::vector<DecidedStatement> riemann_hilbert_statements();
+
+/// The energy of a traction t of zero mean is its logarithmic energy and what friction jumps add [Bal16, section 3.1].
+std::vector<DecidedStatement> energy_statements();
+
+/// A place of the paper's text, as extracted from its open version, where the local forms say something else, or ask
+/// for a condition that the words leave out: what the decision procedure makes of the printed reading and of the one
+/// that this project uses. Both stand in the reading notes, by the same ids.
+struct LocalReading {
+  std::string id;
+  std::string found;   ///< what the local equation makes of either, in a sentence; empty if the signs alone decide
+  bool printed_holds;  ///< decided, for the printed reading taken without any further condition
+  bool derived_holds;
+};
+
+std::vector<LocalReading> local_readings();
+
+}  // namespace steadyslide::symbolic
