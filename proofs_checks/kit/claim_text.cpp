@@ -60,11 +60,16 @@ ClaimText parse_claim_text(std::string_view document) {
   ClaimText text;
   std::string nowhere;
   std::string* part = &nowhere;  // null: within a table
-  const std::array<std::pair<std::string_view, std::string*>, 5> parts{{{"## Statement", &text.statement},
-                                                                        {"## Hypotheses", &text.hypotheses},
-                                                                        {"## Derivation", &text.derivation},
-                                                                        {"## Compared", nullptr},
-                                                                        {"## Decided", nullptr}}};
+  std::string in_its_place;
+  const std::array<std::pair<std::string_view, std::string*>, 8> parts{
+      {{"## Statement", &text.statement},
+       {"## Hypotheses", &text.hypotheses},
+       {"## Derivation", &text.derivation},
+       {"## Compared", nullptr},
+       {"## Decided", nullptr},
+       {"## Convergence", &text.convergence},
+       {"## Beyond calculation", &text.beyond_calculation},
+       {"## Checked in its place", &in_its_place}}};
   while (!document.empty()) {
     const std::string_view line = next_line(document);
     if (line.starts_with("# ")) {
@@ -84,6 +89,7 @@ ClaimText parse_claim_text(std::string_view document) {
   if (!nowhere.empty() || text.id.empty() || text.source.empty() || text.statement.empty() || text.hypotheses.empty()) {
     throw std::logic_error("not the text of a claim: " + (text.id.empty() ? nowhere : text.id));
   }
+  if (!in_its_place.empty()) text.checked_in_its_place = list_of(in_its_place, ", ");
   return text;
 }
 

@@ -102,9 +102,11 @@ std::vector<Report> run_all(std::span<const Claim> claims, const Context& contex
   return reports;
 }
 
-Claim beyond_calculation(std::string_view id, BeyondCalculation why) {
+Claim beyond_calculation(std::string_view id) {
   Claim claim{claim_text(id), {}, {}};
-  claim.examine = [why = std::move(why)](const Context&) { return std::vector<Evidence>{why}; };
+  claim.examine = [why = BeyondCalculation{claim.beyond_calculation, claim.checked_in_its_place}](const Context&) {
+    return std::vector<Evidence>{why};
+  };
   return claim;
 }
 
