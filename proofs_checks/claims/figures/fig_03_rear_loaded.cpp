@@ -87,11 +87,9 @@ Claim fig_03_rear_loaded() {
       .wrong("more at the front: alpha's sign",
              [](Values& p, const ContactProblem& c) { p = rear_loaded(c.coupled_friction(0), -alpha_of(c)); })
       .wrong("half of the load on each half", [](Values& p) { p["share, solved"] = p["share, quadrature"] = 0.5; })
-      .wrong(
-          "cos(pi alpha) missing in the share",
-          [](Values& p, const ContactProblem& c) {
-            p.scale({"share, solved", "share, quadrature"}, 1 / numeric::cos_pi_alpha<Number>(c.coupled_friction(0)));
-          })
+      .wrong("cos(pi alpha) missing in the share",
+             scaled({"share, solved", "share, quadrature"},
+                    [](const ContactProblem& c) { return 1 / numeric::cos_pi_alpha<Number>(c.coupled_friction(0)); }))
       .wrong("the minimum at the centre", [](Values& p) { p["place"] = 0; })
       .wrong("the minimum at x = alpha", [](Values& p) { p["place"] /= 2; })
       .near_misses();

@@ -114,18 +114,14 @@ Claim sec_02_infinite_energy() {
              [](Values& p, const ContactProblem& problem) {
                p["energy"] = energy_of_forces(load_of(problem), 0, plane_strain_modulus(problem));
              })
-      .wrong("the work of the stresses instead of half of it", [](Values& p) { p["energy"] *= 2; })
+      .wrong("the work of the stresses instead of half of it", scaled({"energy"}, 2))
       .wrong("the modulus of plane stress",
              [](Values& p, const ContactProblem& problem) {
                const auto young = numeric::to_real<double>(problem.elasticity().half_space()->young());
                p["energy"] *= plane_strain_modulus(problem) / young;
              })
-      .wrong("the surface sinks away from the contact", [](Values& p) { p["rise"] *= -1; })
-      .wrong("errors like 1/R^2",
-             [](Values& p) {
-               p.set("approach of the rise", Order{2});
-               p.set("approach of the energy", Order{2});
-             })
+      .wrong("the surface sinks away from the contact", scaled({"rise"}, -1))
+      .wrong("errors like 1/R^2", replaced({{"approach of the rise", Order{2}}, {"approach of the energy", Order{2}}}))
       .near_misses();
 }
 

@@ -65,14 +65,8 @@ Claim rh_load() {
                const Values cut = at_infinity<double>(trial, true);
                p.set("moment", *cut.find("moment"));
              })
-      .wrong("int t = -[z^-1], pi missing",
-             [](Values& p) {
-               p.scale({"load", "given"}, 1 / numeric::pi<Number>());
-             })
-      .wrong("int x t = +pi [z^-2]",
-             [](Values& p) {
-               p.scale({"moment", "moment, solver"}, -1);
-             })
+      .wrong("int t = -[z^-1], pi missing", scaled({"load", "given"}, 1 / numeric::pi<Number>()))
+      .wrong("int x t = +pi [z^-2]", scaled({"moment", "moment, solver"}, -1))
       .near_misses();
 }
 

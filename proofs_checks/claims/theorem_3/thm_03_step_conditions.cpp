@@ -114,7 +114,7 @@ Claim thm_03_step_conditions() {
              [](Values& p, const EndCase& c) {
                if (!c.place) p.set(powers(End::edge, c.contact, c.problem));
              })
-      .wrong("contact on the side of the higher profile", [](Values& p) { p.scale({"side"}, -1); })
+      .wrong("contact on the side of the higher profile", scaled({"side"}, -1))
       .wrong(
           "the same powers at front and rear",
           [](Values& p, const EndCase& c) { p.set(powers(c.place ? End::edge : End::free, Side::right, c.problem)); })
