@@ -11,13 +11,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-std::string_view next_line(std::string_view& rest) {
-  const std::size_t end = std::min(rest.find('\n'), rest.size());
-  const std::string_view line = rest.substr(0, end);
-  rest.remove_prefix(std::min(end + 1, rest.size()));
-  return line;
-}
-
 /// "| a | b \\| c |" has the cells "a" and "b | c".
 std::vector<std::string> cells_of(std::string_view row) {
   std::vector<std::string> cells;
@@ -70,8 +63,8 @@ ClaimText parse_claim_text(std::string_view document) {
        {"## Convergence", &text.convergence},
        {"## Beyond calculation", &text.beyond_calculation},
        {"## Checked in its place", &in_its_place}}};
-  while (!document.empty()) {
-    const std::string_view line = next_line(document);
+  for (const auto characters : std::views::split(document, '\n')) {
+    const std::string_view line(characters.begin(), characters.end());
     if (line.starts_with("# ")) {
       text.id = line.substr(2);
       part = &text.source;

@@ -52,9 +52,7 @@ Values at_infinity(const Trial& trial, bool first_term_alone = false) {
 
 Claim rh_load() {
   return compared<Trial>("rh-load")
-      .cases([](const Context& context) {
-        return trials(context, "rh-load", {20, 2, 1});
-      })
+      .cases(trials("rh-load", {20, 2, 1}))
       .quantities({"load", "moment", "moment, solver"}, {.absolute = true})
       .quantity("given")
       .quantity("part", {.absolute = true})
