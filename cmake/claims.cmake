@@ -1,18 +1,29 @@
 # cmake -D FOLDER=proofs_checks/claims -D OUTPUT=claim_list.cpp -P claims.cmake: the list that claim_list.hpp declares,
-# from the pairs NAME.cpp and NAME.md below FOLDER.
+# from the pairs NAME.cpp and NAME.md below FOLDER, and the texts that are a claim without a source.
 file(GLOB_RECURSE texts RELATIVE "${FOLDER}" "${FOLDER}/*.md")
 set(declarations "")
 set(entries "")
 foreach(text IN LISTS texts)
   cmake_path(GET text STEM name)
-  cmake_path(GET text PARENT_PATH group)
+  cmake_path(GET text PARENT_PATH directory)
   string(REPLACE "_" "-" id "${name}")
-  string(REPLACE "_" "-" group "${group}")
+  string(REPLACE "_" "-" group "${directory}")
   file(READ "${FOLDER}/${text}" document)
-  string(APPEND declarations "Claim ${name}();\n")
+  if(EXISTS "${FOLDER}/${directory}/${name}.cpp")
+    string(APPEND declarations "Claim ${name}();\n")
+  elseif(document MATCHES "\n## (Decided|Convergence|Beyond calculation)\n")
+    set(make_Decided derived)
+    set(make_Convergence convergence_claim)
+    set("make_Beyond calculation" beyond_calculation)
+    string(APPEND declarations "Claim ${name}() { return ${make_${CMAKE_MATCH_1}}(\"${id}\"); }\n")
+  else()
+    message(FATAL_ERROR "${text}: no source beside it, and no part that would be a claim without")
+  endif()
   string(APPEND entries "    {\"${id}\", \"${group}\", R\"claim(${document})claim\", ${name}},\n")
 endforeach()
-file(WRITE "${OUTPUT}" "#include \"proofs_checks/kit/claim_list.hpp\"
+file(WRITE "${OUTPUT}" "#include \"proofs_checks/instruments/convergence/convergence_claim.hpp\"
+#include \"proofs_checks/instruments/identities/derived.hpp\"
+#include \"proofs_checks/kit/claim_list.hpp\"
 
 namespace steadyslide::proofs_checks {
 

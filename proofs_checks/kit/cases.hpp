@@ -85,13 +85,22 @@ inline std::size_t count_for(const Context& context, const CountByDigits& count)
   }
 }
 
-/// All of these, in a quick run the first `quick` of them: "7 solved problems".
+/// All of these, in a quick run the first `quick` of them.
+template <class Case>
+auto fixed_cases(std::vector<Case> all, std::size_t quick, std::string detail) {
+  return [=](const Context& context) {
+    const std::size_t count = context.quick ? std::min(quick, all.size()) : all.size();
+    return CaseList<Case>{{all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)}, detail};
+  };
+}
+
+/// The same, counted: "7 solved problems".
 template <class Case>
 CaseList<Case> first_when_quick(const Context& context, std::vector<Case> all, std::size_t quick,
                                 const std::string& what) {
-  if (context.quick) all.erase(all.begin() + static_cast<std::ptrdiff_t>(std::min(quick, all.size())), all.end());
-  std::string detail = std::to_string(all.size()) + " " + what;
-  return {std::move(all), std::move(detail)};
+  CaseList<Case> list = fixed_cases(std::move(all), quick, what)(context);
+  list.detail = std::to_string(list.cases.size()) + " " + what;
+  return list;
 }
 
 /// What is made once for a case and serves a claim and all its controls. Cases stay where they are for as long as their

@@ -33,7 +33,7 @@ struct Claim : ClaimText {
   std::string group = {};  ///< its place in the paper, the folder of its source: "theorem-3"
 };
 
-/// A statement that no calculation decides: it stays undecided, and is listed as such.
-Claim beyond_calculation(std::string_view id, BeyondCalculation why);
+/// A statement that no calculation decides, as its text says: it stays undecided, and is listed as such.
+Claim beyond_calculation(std::string_view id);
 
 }  // namespace steadyslide::proofs_checks

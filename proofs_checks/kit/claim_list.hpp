@@ -1,6 +1,7 @@
 #pragma once
 // What the folders of proofs_checks/claims hold, collected by cmake/claims.cmake: a claim `thm-03-outside-slope` is a
-// function thm_03_outside_slope() in a source file of this name, its text in the Markdown file beside it.
+// function thm_03_outside_slope() in a source file of this name, its text in the Markdown file beside it. A text alone
+// is a claim, too, if it lists decided statements, names a study of convergence or says why nothing can be calculated.
 
 #include <span>
 #include <string_view>

@@ -11,13 +11,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-std::string_view next_line(std::string_view& rest) {
-  const std::size_t end = std::min(rest.find('\n'), rest.size());
-  const std::string_view line = rest.substr(0, end);
-  rest.remove_prefix(std::min(end + 1, rest.size()));
-  return line;
-}
-
 /// "| a | b \\| c |" has the cells "a" and "b | c".
 std::vector<std::string> cells_of(std::string_view row) {
   std::vector<std::string> cells;
@@ -60,13 +53,18 @@ ClaimText parse_claim_text(std::string_view document) {
   ClaimText text;
   std::string nowhere;
   std::string* part = &nowhere;  // null: within a table
-  const std::array<std::pair<std::string_view, std::string*>, 5> parts{{{"## Statement", &text.statement},
-                                                                        {"## Hypotheses", &text.hypotheses},
-                                                                        {"## Derivation", &text.derivation},
-                                                                        {"## Compared", nullptr},
-                                                                        {"## Decided", nullptr}}};
-  while (!document.empty()) {
-    const std::string_view line = next_line(document);
+  std::string in_its_place;
+  const std::array<std::pair<std::string_view, std::string*>, 8> parts{
+      {{"## Statement", &text.statement},
+       {"## Hypotheses", &text.hypotheses},
+       {"## Derivation", &text.derivation},
+       {"## Compared", nullptr},
+       {"## Decided", nullptr},
+       {"## Convergence", &text.convergence},
+       {"## Beyond calculation", &text.beyond_calculation},
+       {"## Checked in its place", &in_its_place}}};
+  for (const auto characters : std::views::split(document, '\n')) {
+    const std::string_view line(characters.begin(), characters.end());
     if (line.starts_with("# ")) {
       text.id = line.substr(2);
       part = &text.source;
@@ -84,6 +82,7 @@ ClaimText parse_claim_text(std::string_view document) {
   if (!nowhere.empty() || text.id.empty() || text.source.empty() || text.statement.empty() || text.hypotheses.empty()) {
     throw std::logic_error("not the text of a claim: " + (text.id.empty() ? nowhere : text.id));
   }
+  if (!in_its_place.empty()) text.checked_in_its_place = list_of(in_its_place, ", ");
   return text;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The words of a claim. They stand in a Markdown file beside its source, named like it, and are compiled in:
+// The words of a claim. They stand in a Markdown file beside its source, named like it, and are compiled in; where one
+// of the last three parts says it all, there is no source:
 //
 //   # rem-01-neglect
 //
@@ -18,6 +19,9 @@
 //   | about | statements | wrong variants |
 //   |---|---|---|
 //   | flat punch | rh-flat-punch-0, rh-kernel | edges exchanged; without 1/pi |
+//   ## Convergence           on cells: the problem of convergence_cases() that is studied
+//   ## Beyond calculation    why no calculation decides it
+//   ## Checked in its place  the ids of claims that check what follows from it
 //
 // Lines are joined. A bar within a cell is written \|; where only one value is said to be true, both routes stay empty.
 // Formulas stand between backticks, in the notation of docs/notation.md: readable as they are, typeset in the report.
@@ -50,6 +54,9 @@ struct ClaimText {
   std::string derivation = {};
   std::vector<QuantityText> compared = {};
   std::vector<Family> decided = {};
+  std::string convergence = {};
+  std::string beyond_calculation = {};
+  std::vector<std::string> checked_in_its_place = {};
 };
 
 /// Throws std::logic_error if the document does not have this form.

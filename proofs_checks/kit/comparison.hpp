@@ -8,7 +8,7 @@
 //         .quantity("peak")    // the claim's text says what it is
 //         .measured([]<Real R>(const Parabola& c) { return Values{{"peak", ...}}; })
 //         .predicted([](const Parabola& c) { return Values{{"peak", ...}}; })
-//         .wrong("the contact shifted to the front", [](Values& p) { p["centre"] *= -1; })
+//         .wrong("the contact shifted to the front", scaled({"centre"}, -1))
 //         .near_misses();
 //   }
 //
@@ -25,6 +25,23 @@ void compare(Findings& findings, const Values& measured, const Values& predicted
 /// One control for each quantity: what is predicted of it, moved by ten times the tolerance (a decided value: by 1e-94;
 /// an order: by twice what it may differ).
 void add_near_misses(ExaminedClaim& claim);
+
+/// Changes of a prediction for ClaimBuilder::wrong(). The numbers of these names, those that are there, times a factor: a
+/// number, or factor(case).
+template <class Factor>
+auto scaled(std::vector<std::string> names, Factor factor) {
+  return [names = std::move(names), factor = std::move(factor)](Values& p, const auto& c) {
+    if constexpr (std::is_invocable_v<const Factor&, decltype(c)>) {
+      p.scale(names, Number(factor(c)));
+    } else {
+      p.scale(names, Number(factor));
+    }
+  };
+}
+/// Other values in place of those of these names.
+inline auto replaced(Values values) {
+  return [values = std::move(values)](Values& p) { p.set(values); };
+}
 
 template <class Case>
 class ComparedClaim : public ClaimBuilder<ComparedClaim<Case>, Case, Values> {

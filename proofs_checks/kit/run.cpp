@@ -102,9 +102,11 @@ std::vector<Report> run_all(std::span<const Claim> claims, const Context& contex
   return reports;
 }
 
-Claim beyond_calculation(std::string_view id, BeyondCalculation why) {
+Claim beyond_calculation(std::string_view id) {
   Claim claim{claim_text(id), {}, {}};
-  claim.examine = [why = std::move(why)](const Context&) { return std::vector<Evidence>{why}; };
+  claim.examine = [why = BeyondCalculation{claim.beyond_calculation, claim.checked_in_its_place}](const Context&) {
+    return std::vector<Evidence>{why};
+  };
   return claim;
 }
 
@@ -115,16 +117,10 @@ bool settled(std::span<const Report> reports) {
 }
 
 Counts count(std::span<const Report> reports) {
-  Counts counts;
-  for (const Report& report : reports) {
-    switch (report.verdict) {
-      case Verdict::refuted: ++counts.refuted; break;
-      case Verdict::undecided: ++counts.undecided; break;
-      case Verdict::supported: ++counts.supported; break;
-      case Verdict::proved: ++counts.proved; break;
-    }
-  }
-  return counts;
+  const auto of = [&](Verdict verdict) {
+    return static_cast<std::size_t>(std::ranges::count(reports, verdict, &Report::verdict));
+  };
+  return {of(Verdict::proved), of(Verdict::supported), of(Verdict::undecided), of(Verdict::refuted)};
 }
 
 }  // namespace steadyslide::proofs_checks

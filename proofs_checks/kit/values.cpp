@@ -31,8 +31,8 @@ void Values::set(const Values& values) {
   for (const Named& named : values) set(named.name, named.value);
 }
 
-void Values::scale(std::initializer_list<std::string_view> names, const Number& factor) {
-  for (const std::string_view name : names) {
+void Values::scale(const std::vector<std::string>& names, const Number& factor) {
+  for (const std::string& name : names) {
     if (find(name)) (*this)[name] *= factor;
   }
 }

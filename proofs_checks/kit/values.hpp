@@ -62,7 +62,7 @@ class Values {
   /// Those values that are here as well.
   void set(const Values& values);
   /// Multiplies the numbers of these names, those that are here.
-  void scale(std::initializer_list<std::string_view> names, const Number& factor);
+  void scale(const std::vector<std::string>& names, const Number& factor);
 
   auto begin() const { return all_.begin(); }
   auto end() const { return all_.end(); }

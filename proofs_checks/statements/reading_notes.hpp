@@ -17,9 +17,10 @@ struct ReadingNote {
   std::string printed;
   std::string derived;
   std::string evidence;
-  std::string claim;  ///< that examines the derived reading; empty where the local equation alone decides
-  std::string control =
-      {};  ///< of the claim: the printed reading; empty where it is no formula that a check could take
+  /// That examines the derived reading; empty where the local equation alone decides.
+  std::string claim;
+  /// Of the claim: the printed reading; empty where it is no formula that a check could take.
+  std::string control = {};
 };
 
 /// The evidence is taken from the reports: the control that is the printed reading, and what refuted it; then a

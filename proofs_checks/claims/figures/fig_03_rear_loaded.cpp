@@ -12,15 +12,6 @@ namespace {
 /// Friction f on both halves: a jump of height zero at 0 makes the solver share the load there.
 ContactProblem halves(const Rational& nu, const Rational& f) { return punch(nu, {f, f}, {0}); }
 
-CaseList<ContactProblem> punches(const Context& context) {
-  const Rational nu(3, 10);
-  CaseList<ContactProblem> list{{halves(nu, 2)}, "solved flat punches"};
-  if (context.quick) return list;
-  for (const Rational& f : {Rational(1, 5), Rational(1), Rational(50)}) list.cases.push_back(halves(nu, f));
-  list.cases.push_back(halves(Rational(-9, 10), 2));
-  return list;
-}
-
 /// int_{-1}^0 of (4) under the load 1, by quadrature.
 template <Real R>
 R rear_load_by_quadrature(const ContactProblem& p) {
@@ -56,8 +47,11 @@ Number alpha_of(const ContactProblem& p) { return numeric::to_real<Number>(alpha
 }  // namespace
 
 Claim fig_03_rear_loaded() {
+  const Rational nu(3, 10);
   return compared<ContactProblem>("fig-03-rear-loaded")
-      .cases(punches)
+      .cases(fixed_cases<ContactProblem>(
+          {halves(nu, 2), halves(nu, Rational(1, 5)), halves(nu, 1), halves(nu, 50), halves(Rational(-9, 10), 2)}, 1,
+          "solved flat punches"))
       .precision(Precision::at_least_fifty)
       .quantities({"share, solved", "share, quadrature"})
       .quantity("more than half", {.near_miss = false})
@@ -87,11 +81,9 @@ Claim fig_03_rear_loaded() {
       .wrong("more at the front: alpha's sign",
              [](Values& p, const ContactProblem& c) { p = rear_loaded(c.coupled_friction(0), -alpha_of(c)); })
       .wrong("half of the load on each half", [](Values& p) { p["share, solved"] = p["share, quadrature"] = 0.5; })
-      .wrong(
-          "cos(pi alpha) missing in the share",
-          [](Values& p, const ContactProblem& c) {
-            p.scale({"share, solved", "share, quadrature"}, 1 / numeric::cos_pi_alpha<Number>(c.coupled_friction(0)));
-          })
+      .wrong("cos(pi alpha) missing in the share",
+             scaled({"share, solved", "share, quadrature"},
+                    [](const ContactProblem& c) { return 1 / numeric::cos_pi_alpha<Number>(c.coupled_friction(0)); }))
       .wrong("the minimum at the centre", [](Values& p) { p["place"] = 0; })
       .wrong("the minimum at x = alpha", [](Values& p) { p["place"] /= 2; })
       .near_misses();

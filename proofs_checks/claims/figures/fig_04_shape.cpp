@@ -11,19 +11,6 @@ ContactProblem two_coatings(const Rational& s_rear, const Rational& s_front) {
           Indenter(-1, {{1, Polynomial()}}), 1};
 }
 
-CaseList<ContactProblem> punches(const Context& context) {
-  const Rational low(1, 10);
-  const Rational high(3, 5);
-  // The last has both roots in front of the jump.
-  CaseList<ContactProblem> list{{two_coatings(low, high), two_coatings(high, low), two_coatings(3, Rational(7, 5))},
-                                "solved flat punches"};
-  if (!context.quick) {
-    list.cases.insert(list.cases.end(),
-                      {two_coatings(0, 2), two_coatings(2, 0), two_coatings(Rational(7, 5), 3), two_coatings(20, 15)});
-  }
-  return list;
-}
-
 /// Places of extremes of |t|, from left to right, and how many there are on each half.
 template <Real R>
 void add_extremes(Values& values, const std::vector<R>& places) {
@@ -51,8 +38,14 @@ Number beta_of(const ContactProblem& p) { return numeric::to_real<Number>(alpha(
 }  // namespace
 
 Claim fig_04_shape() {
+  const Rational low(1, 10);
+  const Rational high(3, 5);
   return compared<ContactProblem>("fig-04-shape")
-      .cases(punches)
+      // The third has both roots in front of the jump.
+      .cases(fixed_cases<ContactProblem>(
+          {two_coatings(low, high), two_coatings(high, low), two_coatings(3, Rational(7, 5)), two_coatings(0, 2),
+           two_coatings(2, 0), two_coatings(Rational(7, 5), 3), two_coatings(20, 15)},
+          3, "solved flat punches"))
       .precision(Precision::at_least_fifty)
       .quantity("power")
       .quantity("unbounded", {.near_miss = false})

@@ -14,15 +14,6 @@ ContactProblem parabola(const Rational& f, const Rational& load, Sliding sliding
           Indenter(-2, {{2, Polynomial({0, 0, 1 / (2 * radius)})}}), load, sliding};
 }
 
-CaseList<ContactProblem> parabolas(const Context& context) {
-  CaseList<ContactProblem> list{{parabola(2, 1)}, "solved parabolas"};
-  if (!context.quick) {
-    list.cases.insert(list.cases.end(),
-                      {parabola(Rational(1, 5), 3), parabola(30, 1), parabola(2, 1, Sliding::minus_x)});
-  }
-  return list;
-}
-
 /// The contact of half-width a under the angle alpha. Sliding the other way, alpha is negative and the rear on the
 /// right.
 Values shifted_contact(const Number& alpha, const Number& a) {
@@ -46,7 +37,9 @@ Number half_width(const ContactProblem& p, const Number& alpha) {
 
 Claim fig_05_parabola() {
   return compared<ContactProblem>("fig-05-parabola")
-      .cases(parabolas)
+      .cases(fixed_cases<ContactProblem>(
+          {parabola(2, 1), parabola(Rational(1, 5), 3), parabola(30, 1), parabola(2, 1, Sliding::minus_x)}, 1,
+          "solved parabolas"))
       .precision(Precision::at_least_fifty)
       .quantities({"left end", "right end", "left power", "right power"})
       .quantity("equation", {.tolerance = equation_tolerance, .absolute = true})

@@ -56,14 +56,12 @@ Claim eq_05_07_friction_jump() {
              [](PowerProduct& t, const ContactProblem& p) { t.exponents[2] = -(half - alpha(p, 0)); })
       .wrong("alpha_- and alpha_+ exchanged everywhere in the powers",
              [](PowerProduct& t, const ContactProblem& p) {
-               t.exponents = {-(half + alpha(p, 1)), alpha(p, 1) - alpha(p, 0), -(half - alpha(p, 0))};
+               t.exponents = punch_powers({alpha(p, 1), alpha(p, 0)});
              })
       .wrong("1/sqrt(1+gamma^2 f^2) of the wrong side", [](PowerProduct& t) { std::ranges::reverse(t.amplitudes); })
       .wrong("1/sqrt(1+gamma^2 f^2) missing",
              [](PowerProduct& t, const ContactProblem& p) {
-               for (Number& amplitude : t.amplitudes) {
-                 amplitude = -numeric::to_real<Number>(p.load()) / numeric::pi<Number>();
-               }
+               std::ranges::fill(t.amplitudes, Number(-numeric::to_real<Number>(p.load()) / numeric::pi<Number>()));
              })
       .near_miss("beta", [](PowerProduct& t, const Number& step) { t.move_power(1, step); })
       .near_miss("the amplitude in front", [](PowerProduct& t, const Number& step) { t.amplitudes[1] *= 1 + step; });

@@ -50,20 +50,18 @@ Claim n_jump_punch() {
              })
       .wrong("the friction read from the front to the rear",
              [](PowerProduct& t, const ContactProblem& p) {
-               const std::size_t m = p.friction().jumps().size();
-               t.exponents[0] = -(half + alpha(p, m));
-               for (std::size_t k = 1; k <= m; ++k) t.exponents[k] = alpha(p, m + 1 - k) - alpha(p, m - k);
-               t.exponents[m + 1] = -(half - alpha(p, 0));
+               std::vector<Exponent> alpha = angles(p);
+               std::ranges::reverse(alpha);
+               t.exponents = punch_powers(alpha);
                std::ranges::reverse(t.amplitudes);
              })
       .wrong("one amplitude on all panels",
              [](PowerProduct& t) { std::ranges::fill(t.amplitudes, Number(t.amplitudes[0])); })
       .wrong("the other direction of sliding: alpha of the other sign",
              [](PowerProduct& t, const ContactProblem& p) {
-               const std::size_t m = p.friction().jumps().size();
-               t.exponents[0] = -(half - alpha(p, 0));
-               for (std::size_t k = 1; k <= m; ++k) t.exponents[k] = alpha(p, k) - alpha(p, k - 1);
-               t.exponents[m + 1] = -(half + alpha(p, m));
+               std::vector<Exponent> alpha = angles(p);
+               for (Exponent& angle : alpha) angle = -angle;
+               t.exponents = punch_powers(alpha);
              })
       .near_miss("one jump's exponent", [](PowerProduct& t, const Number& step) { t.move_power(1, step); })
       .near_miss("the amplitude", [](PowerProduct& t, const Number& step) { t.scale(1 + step); });

@@ -17,7 +17,7 @@ struct CauchyIntegral : PowerProduct {
 };
 
 template <Real R>
-void check_integral(Findings& findings, const CauchyIntegral& integral) {
+void check_integral(Findings& findings, const CauchyIntegral& integral, const Published&) {
   const R value(integral.value);
   const R pi = numeric::pi<R>();
   const numeric::PiecewiseDensity<R> density = integral.at<R>().traction().density();
@@ -42,9 +42,7 @@ void check_integral(Findings& findings, const CauchyIntegral& integral) {
 
 Claim published_galin_at_2() {
   return formula_claim<Published, CauchyIntegral>("published-galin-at-2")
-      .cases([](const Context&) {
-        return CaseList<Published>{{Published()}, "the one published case"};
-      })
+      .cases(fixed_cases<Published>({Published()}, 1, "the one published case"))
       .quantities({"trapezoidal", "tanh sinh"})
       .quantity("gsl", {.tolerance = 1e-12})
       .says([](const Published&) {
@@ -52,9 +50,7 @@ Claim published_galin_at_2() {
             PowerProduct::on({-1, 1}, {Exponent(Rational(-3, 4)), Exponent(Rational(-1, 4))}, {Number(1)}),
             -numeric::pi<Number>() * sqrt(Number(2)) / pow(Number(3), Number(3) / 4)};
       })
-      .checked([]<Real R>(Findings& findings, const CauchyIntegral& integral, const Published&) {
-        check_integral<R>(findings, integral);
-      })
+      .checked([]<Real R>(auto&... of) { check_integral<R>(of...); })
       .wrong("the edges exchanged: ((1-x)^3 (1+x))^{1/4}", [](CauchyIntegral& i) { std::ranges::reverse(i.exponents); })
       .wrong("the value with the other sign", [](CauchyIntegral& i) { i.value *= -1; })
       .wrong("3^{1/4} for 3^{3/4}", [](CauchyIntegral& i) { i.value *= sqrt(Number(3)); })

@@ -79,18 +79,13 @@ Claim eq_02_03_reduction() {
         return s;
       })
       .checked([]<numeric::Real R>(auto&... of) { check_reduction<R>(of...); })
-      .wrong("s = -gamma f",
-             [](PiecewiseS& s) {
-               for (Rational& value : s) value = -value;
-             })
+      .wrong("s = -gamma f", [](PiecewiseS& s) { std::ranges::for_each(s, [](Rational& value) { value = -value; }); })
       .wrong("gamma missing", [](PiecewiseS& s, const Sheared& c) { s = c.problem.friction().values(); })
       .wrong("the direction of sliding forgotten",
-             [](PiecewiseS& s) {
-               for (Rational& value : s) value = abs(value);
-             })
+             [](PiecewiseS& s) { std::ranges::for_each(s, [](Rational& value) { value = abs(value); }); })
       .wrong("f taken from the other end", [](PiecewiseS& s) { std::ranges::reverse(s); })
       .wrong("near miss: s moved by a hundred times the tolerance", [](PiecewiseS& s) {
-        for (Rational& value : s) value += parse_rational("1e-43");
+        std::ranges::for_each(s, [](Rational& value) { value += parse_rational("1e-43"); });
       });
 }
 

@@ -87,13 +87,9 @@ Claim plemelj() {
       .says(jump_of)
       .checked([]<numeric::Real R>(auto&... of) { check_jump<R>(of...); })
       .wrong("G = (s+i)/(s-i)",
-             [](PlemeljJump& jump) {
-               for (auto& ratio : jump.ratios) ratio.im *= -1;
-             })
+             [](PlemeljJump& jump) { std::ranges::for_each(jump.ratios, [](auto& g) { g.im *= -1; }); })
       .wrong("G = -(s-i)/(s+i)",
-             [](PlemeljJump& jump) {
-               for (auto& ratio : jump.ratios) ratio = {-ratio.re, -ratio.im};
-             })
+             [](PlemeljJump& jump) { std::ranges::for_each(jump.ratios, [](auto& g) { g = Number(-1) * g; }); })
       .wrong("the powers of both edges exchanged",
              [](PlemeljJump& jump) { std::swap(jump.exponents.front(), jump.exponents.back()); })
       .wrong("the exponent of one jump missing", [](PlemeljJump& jump) { jump.exponents[1] = Exponent(0); })

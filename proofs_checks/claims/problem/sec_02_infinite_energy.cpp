@@ -14,15 +14,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-CaseList<ContactProblem> problems(const Context& context) {
-  CaseList<ContactProblem> list{{punch(Rational(1, 5), {Rational(1, 2), 2}, {Rational(1, 4)}, Rational(3, 2))},
-                                "solved problems with and without friction jumps, sliding both ways"};
-  if (context.quick) return list;
-  list.cases.push_back(parabola(Rational(2, 5), {1, Rational(1, 3)}, {Rational(1, 10)}, 1, 2, Rational(1, 2)));
-  list.cases.push_back(punch(Rational(-1, 2), {Rational(3, 4)}, {}, 1, Sliding::minus_x));
-  return list;
-}
-
 /// int sigma:epsilon/2 over radius < r < 2 radius, z > 0.
 double annulus_energy(const numeric::InteriorStress<double>& stress, const Solid& body, double radius) {
   using boost::math::quadrature::gauss;
@@ -77,7 +68,11 @@ double plane_strain_modulus(const ContactProblem& problem) {
 
 Claim sec_02_infinite_energy() {
   return compared<ContactProblem>("sec-02-infinite-energy")
-      .cases(problems)
+      .cases(fixed_cases<ContactProblem>(
+          {punch(Rational(1, 5), {Rational(1, 2), 2}, {Rational(1, 4)}, Rational(3, 2)),
+           parabola(Rational(2, 5), {1, Rational(1, 3)}, {Rational(1, 10)}, 1, 2, Rational(1, 2)),
+           punch(Rational(-1, 2), {Rational(3, 4)}, {}, 1, Sliding::minus_x)},
+          1, "solved problems with and without friction jumps, sliding both ways"))
       .precision(Precision::in_double)
       // The stresses far away are sums of parts that nearly cancel, and extrapolation takes differences.
       .quantities({"rise", "energy"}, {.tolerance = 1e-11})
@@ -114,18 +109,14 @@ Claim sec_02_infinite_energy() {
              [](Values& p, const ContactProblem& problem) {
                p["energy"] = energy_of_forces(load_of(problem), 0, plane_strain_modulus(problem));
              })
-      .wrong("the work of the stresses instead of half of it", [](Values& p) { p["energy"] *= 2; })
+      .wrong("the work of the stresses instead of half of it", scaled({"energy"}, 2))
       .wrong("the modulus of plane stress",
              [](Values& p, const ContactProblem& problem) {
                const auto young = numeric::to_real<double>(problem.elasticity().half_space()->young());
                p["energy"] *= plane_strain_modulus(problem) / young;
              })
-      .wrong("the surface sinks away from the contact", [](Values& p) { p["rise"] *= -1; })
-      .wrong("errors like 1/R^2",
-             [](Values& p) {
-               p.set("approach of the rise", Order{2});
-               p.set("approach of the energy", Order{2});
-             })
+      .wrong("the surface sinks away from the contact", scaled({"rise"}, -1))
+      .wrong("errors like 1/R^2", replaced({{"approach of the rise", Order{2}}, {"approach of the energy", Order{2}}}))
       .near_misses();
 }
 

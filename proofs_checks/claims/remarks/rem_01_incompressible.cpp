@@ -92,20 +92,12 @@ Claim rem_01_incompressible() {
       .quantities({"slope", "shift"}, {.tolerance = 1e-20})
       .measured([]<Real R>(const Limit& c) { return measured<R>(c); })
       .predicted(predicted)
-      .wrong("a difference of the order gamma^2", [](Values& p) { p.set("order", Order{2}); })
-      .wrong("a difference of the order sqrt(gamma)", [](Values& p) { p.set("order", Order{0.5}); })
-      .wrong("the sign of the first order",
-             [](Values& p) {
-               p.scale({"slope", "shift"}, -1);
-             })
+      .wrong("a difference of the order gamma^2", replaced({{"order", Order{2}}}))
+      .wrong("a difference of the order sqrt(gamma)", replaced({{"order", Order{0.5}}}))
+      .wrong("the sign of the first order", scaled({"slope", "shift"}, -1))
       .wrong("the first order without f",
-             [](Values& p, const Limit& c) {
-               p.scale({"slope", "shift"}, numeric::to_real<Number>(1 / c.f.front()));
-             })
-      .wrong("the first order without 1/pi",
-             [](Values& p) {
-               p.scale({"slope", "shift"}, numeric::pi<Number>());
-             })
+             scaled({"slope", "shift"}, [](const Limit& c) { return numeric::to_real<Number>(1 / c.f.front()); }))
+      .wrong("the first order without 1/pi", scaled({"slope", "shift"}, numeric::pi<Number>()))
       .near_misses();
 }
 

@@ -137,12 +137,10 @@ Claim rem_01_neglect() {
       })
       .predicted(predicted)
       .wrong("the printed 'of': no other power unless the indenter is nonsmooth and friction not constant",
-             [](Values& p) {
-               p.set({{"rear", Number(-0.5)}, {"front", Number(-0.5)}, {"jump", Number(0)}});
-             })
-      .wrong("the largest pressure lost at first order", [](Values& p) { p.set("loss", Order{1}); })
-      .wrong("the contact shifted at second order", [](Values& p) { p.set("shift", Order{2}); })
-      .wrong("the contact shifted to the front", [](Values& p) { p.scale({"centre"}, -1); })
+             replaced({{"rear", Number(-0.5)}, {"front", Number(-0.5)}, {"jump", Number(0)}}))
+      .wrong("the largest pressure lost at first order", replaced({{"loss", Order{1}}}))
+      .wrong("the contact shifted at second order", replaced({{"shift", Order{2}}}))
+      .wrong("the contact shifted to the front", scaled({"centre"}, -1))
       .near_misses();
 }
 

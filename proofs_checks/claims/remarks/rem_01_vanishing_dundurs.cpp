@@ -20,10 +20,10 @@ struct Bodies {
 CaseList<Bodies> pairs(const Context& context) {
   const Solid steel(Rational(3, 10), 2);
   // (1 - 2 nu)/mu equal: nu = 3/10, mu = 10/13 and nu = 2/5, mu = 5/13.
-  std::vector<Bodies> all{{"equal bodies", steel, steel},
-                          {"(1 - 2 nu)/mu equal", steel, Solid(Rational(2, 5), Rational(14, 13))}};
-  if (!context.quick) all.push_back({"equal bodies, plane stress", steel, steel, Plane::stress});
-  return {all, "a smooth profile with free ends over a friction jump"};
+  return fixed_cases<Bodies>({{"equal bodies", steel, steel},
+                              {"(1 - 2 nu)/mu equal", steel, Solid(Rational(2, 5), Rational(14, 13))},
+                              {"equal bodies, plane stress", steel, steel, Plane::stress}},
+                             2, "a smooth profile with free ends over a friction jump")(context);
 }
 
 /// The same half-spaces, the indenters replaced: change(bodies, context).

@@ -4,7 +4,7 @@
 //   t = -(P/(2 pi)) cos(pi alpha) prod_j |sin((x-x_j)/2)|^{p_j} cos((x + sum_j p_j x_j)/2).
 
 #include "numeric/quadrature/trapezoidal.hpp"
-#include "proofs_checks/instruments/tractions/power_product.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -20,10 +20,11 @@ std::string text_of(const Row& row) { return std::to_string(row.s.size()) + " fr
 
 CaseList<Row> rows(const Context& context) {
   // The cheapest first, for the controls.
-  std::vector<Row> all{{{Rational(-5, 2), Rational(5, 2)}, {Rational(2, 3)}},
-                       {{-1, Rational(1, 3), Rational(3, 2)}, {Rational(1, 4), 2}}};
-  if (!context.quick) all.push_back({{Rational(-1, 2), 0, Rational(1, 4), 2}, {3, Rational(1, 5), 1}});
-  return {all, std::to_string(all.size()) + " rows of punches"};
+  return first_when_quick<Row>(context,
+                               {{{Rational(-5, 2), Rational(5, 2)}, {Rational(2, 3)}},
+                                {{-1, Rational(1, 3), Rational(3, 2)}, {Rational(1, 4), 2}},
+                                {{Rational(-1, 2), 0, Rational(1, 4), 2}, {3, Rational(1, 5), 1}}},
+                               2, "rows of punches");
 }
 
 /// The traction for the load 1, and the kernel 1/w + smooth(w).
@@ -36,11 +37,9 @@ struct RowTraction {
 };
 
 std::vector<Exponent> half_space_powers(const Row& row, bool reversed = false) {
-  const auto alpha = [&](std::size_t k) { return Exponent::angle(reversed ? Rational(-row.s[k]) : row.s[k]); };
-  std::vector<Exponent> p{-(half + alpha(0))};
-  for (std::size_t k = 1; k < row.s.size(); ++k) p.push_back(alpha(k - 1) - alpha(k));
-  p.push_back(-(half - alpha(row.s.size() - 1)));
-  return p;
+  std::vector<Exponent> alpha;
+  for (const Rational& s : row.s) alpha.push_back(Exponent::angle(reversed ? Rational(-s) : s));
+  return punch_powers(alpha);
 }
 
 /// The traction panel by panel.
@@ -126,9 +125,7 @@ Claim rem_02_same_singularities() {
       .precision(Precision::quick_in_double)
       .quantities({"equation", "load"})
       .says([](const Row& row) { return RowTraction{.powers = half_space_powers(row)}; })
-      .checked([]<numeric::Real R>(Findings& findings, const RowTraction& form, const Row& row) {
-        check<R>(findings, form, row);
-      })
+      .checked([]<numeric::Real R>(auto&... of) { check<R>(of...); })
       .wrong("the powers at edges without friction",
              [](RowTraction& form) { form.powers.front() = form.powers.back() = -half; })
       .wrong("no singularity at the friction jumps",

@@ -86,9 +86,7 @@ Surface<R> surface_of(const RiemannHilbertForm<R>& form, const FormTerms& terms)
 
 Claim rh_form() {
   return formula_claim<Trial, FormTerms>("rh-form")
-      .cases([](const Context& context) {
-        return trials(context, "rh-form", {20, 2, 1}, true);
-      })
+      .cases(trials("rh-form", {20, 2, 1}, true))
       .effective_where([](const Trial& trial) { return has_friction(trial.problem); })
       .says(terms_of)
       .checked([]<Real R>(Findings& findings, const FormTerms& terms, const Trial& trial, const Context& context) {

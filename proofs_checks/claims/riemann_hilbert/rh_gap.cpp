@@ -135,9 +135,7 @@ class GapCheck {
 
 Claim rh_gap() {
   return formula_claim<Trial, GapTerms>("rh-gap")
-      .cases([](const Context& context) {
-        return trials(context, "rh-gap", {20, 3, 1});
-      })
+      .cases(trials("rh-gap", {20, 3, 1}))
       .quantities({"gap", "closure"})
       .checked([]<Real R>(Findings& findings, const GapTerms& terms, const Trial& trial, const Context& context) {
         const TrialForm<R> tried(trial);

@@ -140,9 +140,8 @@ void check_tilt(Findings& findings, const Derivatives& said, const TrialForm<R>&
 
 CaseList<Trial> all_trials(const Context& context) {
   // In a full run as many as in double, though they are examined at 50 digits.
-  CaseList<Trial> list =
-      trials({context.quick ? context.digits : numeric::Digits::sixteen, context.seed, context.quick},
-             "rh-linearisation", {2, 2, 1}, true);
+  CaseList<Trial> list = trials("rh-linearisation", {2, 2, 1}, true)(
+      {context.quick ? context.digits : numeric::Digits::sixteen, context.seed, context.quick});
   // q/(z - e) leaves a polynomial where q has two coefficients: three components with one free end.
   list.cases.insert(list.cases.begin() + 1, with_ends({{true, true}, {false, true}, {true, true}}));
   return list;

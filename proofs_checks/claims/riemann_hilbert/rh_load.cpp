@@ -52,9 +52,7 @@ Values at_infinity(const Trial& trial, bool first_term_alone = false) {
 
 Claim rh_load() {
   return compared<Trial>("rh-load")
-      .cases([](const Context& context) {
-        return trials(context, "rh-load", {20, 2, 1});
-      })
+      .cases(trials("rh-load", {20, 2, 1}))
       .quantities({"load", "moment", "moment, solver"}, {.absolute = true})
       .quantity("given")
       .quantity("part", {.absolute = true})
@@ -65,14 +63,8 @@ Claim rh_load() {
                const Values cut = at_infinity<double>(trial, true);
                p.set("moment", *cut.find("moment"));
              })
-      .wrong("int t = -[z^-1], pi missing",
-             [](Values& p) {
-               p.scale({"load", "given"}, 1 / numeric::pi<Number>());
-             })
-      .wrong("int x t = +pi [z^-2]",
-             [](Values& p) {
-               p.scale({"moment", "moment, solver"}, -1);
-             })
+      .wrong("int t = -[z^-1], pi missing", scaled({"load", "given"}, 1 / numeric::pi<Number>()))
+      .wrong("int x t = +pi [z^-2]", scaled({"moment", "moment, solver"}, -1))
       .near_misses();
 }
 

@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "proofs_checks/instruments/operators/contact_forces.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
@@ -25,26 +27,11 @@ CaseList<Pair> pairs(const Context& context) {
 /// phi^*(-t_hat), t_hat the q of the forces; nothing where it is infinite.
 using Conjugate = std::function<std::optional<Rational>(const ContactForces&, const std::vector<Rational>& psi)>;
 
-/// -<<psi, t_hat>> on the set K, infinite elsewhere.
-Conjugate pairing_on(bool (*contains)(const ContactForces&)) {
-  return [contains](const ContactForces& c, const std::vector<Rational>& psi) -> std::optional<Rational> {
+/// -<<psi, t_hat>> times a factor on the set K, infinite elsewhere.
+Conjugate pairing_on(bool (*contains)(const ContactForces&), const Rational& factor = 1) {
+  return [=](const ContactForces& c, const std::vector<Rational>& psi) -> std::optional<Rational> {
     if (!contains(c)) return std::nullopt;
-    return -dot(psi, c.q);
-  };
-}
-
-bool all_of_nodes(const ContactForces& c, bool (*holds)(const ContactForces&, std::size_t)) {
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    if (!holds(c, i)) return false;
-  }
-  return true;
-}
-
-void scale(Conjugate& conjugate, const Rational& factor) {
-  conjugate = [right = conjugate, factor](const ContactForces& c, const std::vector<Rational>& psi) {
-    std::optional<Rational> value = right(c, psi);
-    if (value) *value *= factor;
-    return value;
+    return -factor * dot(psi, c.q);
   };
 }
 
@@ -96,29 +83,24 @@ void check(Findings& findings, const Conjugate& conjugate, const Pair& pair) {
 }  // namespace
 
 Claim eq_16_conjugate() {
+  const auto admissible = [](const ContactForces& c) { return c.is_admissible(); };
+  const auto times = [=](const Rational& factor) {
+    return [=](Conjugate& conjugate) { conjugate = pairing_on(admissible, factor); };
+  };
+  const auto on = [](auto contains) { return [=](Conjugate& conjugate) { conjugate = pairing_on(contains); }; };
   return formula_claim<Pair, Conjugate>("eq-16-conjugate")
       .cases(pairs)
-      .says([](const Pair&) { return pairing_on([](const ContactForces& c) { return c.is_admissible(); }); })
+      .says([=](const Pair&) { return pairing_on(admissible); })
       .checked(check)
-      .wrong("+<<psi, t_hat>>", [](Conjugate& conjugate) { scale(conjugate, -1); })
-      .wrong("without <<psi, t_hat>>", [](Conjugate& conjugate) { scale(conjugate, 0); })
-      .wrong("without the indicator of K_0'",
-             [](Conjugate& conjugate) { conjugate = pairing_on([](const ContactForces&) { return true; }); })
+      .wrong("+<<psi, t_hat>>", times(-1))
+      .wrong("without <<psi, t_hat>>", times(0))
+      .wrong("without the indicator of K_0'", on([](const ContactForces&) { return true; }))
       .wrong("t_hat >= P t_0 in K_0'",
-             [](Conjugate& conjugate) {
-               conjugate = pairing_on([](const ContactForces& c) {
-                 return all_of_nodes(c, [](const ContactForces& f, std::size_t i) { return f.force(i) <= 0; });
-               });
-             })
-      .wrong("t_hat >= 0 in K_0' as well",
-             [](Conjugate& conjugate) {
-               conjugate = pairing_on([](const ContactForces& c) {
-                 return c.is_admissible() &&
-                        all_of_nodes(c, [](const ContactForces& f, std::size_t i) { return f.q[i] >= 0; });
-               });
-             })
-      .wrong("near miss: <<psi, t_hat>> moved by 1e-60",
-             [](Conjugate& conjugate) { scale(conjugate, 1 + parse_rational("1e-60")); });
+             on([](const ContactForces& c) { return c.all_nodes([&](std::size_t i) { return c.force(i) <= 0; }); }))
+      .wrong("t_hat >= 0 in K_0' as well", on([](const ContactForces& c) {
+               return c.is_admissible() && c.all_nodes([&](std::size_t i) { return c.q[i] >= 0; });
+             }))
+      .wrong("near miss: <<psi, t_hat>> moved by 1e-60", times(1 + parse_rational("1e-60")));
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -172,6 +172,9 @@ void check_spikes(Findings& findings, const Functional& form, const Rational& s,
 }  // namespace
 
 Claim lemma_04_functional() {
+  const auto with_reference = [](Number (*reference)(const Function&)) {
+    return [reference](Functional& form) { form.reference = reference; };
+  };
   return formula_claim<Functions, Functional>("lemma-04-functional")
       .cases(functions)
       .quantities({"lines", "convex", "scaled", "proper", "moments", "panels"})
@@ -187,16 +190,11 @@ Claim lemma_04_functional() {
           })
       .wrong("the printed u_bar_n instead of u_hat in the second line of (13)",
              [](Functional& form, const Functions& c) { form.paired = c.given; })
-      .wrong("ess inf instead of ess sup",
-             [](Functional& form) {
-               form.reference = [](const Function& v) {
-                 return Number(-supremum<Number>(Function::combined(-1, v, 0, v)));
-               };
-             })
+      .wrong("ess inf instead of ess sup", with_reference([](const Function& v) {
+               return Number(-supremum<Number>(Function::combined(-1, v, 0, v)));
+             }))
       .wrong("the value at 0 instead of ess sup",
-             [](Functional& form) {
-               form.reference = [](const Function& v) { return numeric::to_real<Number>(v.at(0)); };
-             })
+             with_reference([](const Function& v) { return numeric::to_real<Number>(v.at(0)); }))
       .wrong("-P t_0 instead of P t_0", [](Functional& form) { form.size *= -1; })
       .wrong("the t_0 of -alpha", [](Functional& form) { form.s *= -1; })
       .wrong("phi continuous: phi(u_hat + w_L) -> phi(u_hat)", [](Functional& form) { form.spike = 0; })

@@ -62,14 +62,11 @@ Values predicted(const Coercive& at) {
           {"norm", Number(1 / numeric::cos_pi_alpha<Number>(at.s))}};
 }
 
-void scale_energy(Values& p, const Number& factor) {
-  for (const char* name : {"energy", "least", "largest"}) p[name] *= factor;
-}
-
 }  // namespace
 
 Claim sec_31_coercive() {
   const double in_double = tolerance<double>();
+  const std::vector<std::string> energies{"energy", "least", "largest"};
   return compared<Coercive>("sec-31-coercive")
       .cases([](const Context& context) { return cases(context, false); })
       .effective_where([](const Coercive& c) { return c.s != 0; })
@@ -83,8 +80,8 @@ Claim sec_31_coercive() {
       })
       .predicted(predicted)
       .wrong("sqrt(1+s^2) in the energy",
-             [](Values& p, const Coercive& c) { scale_energy(p, 1 / numeric::cos_pi_alpha<Number>(c.s)); })
-      .wrong("twice the energy", [](Values& p) { scale_energy(p, 2); })
+             scaled(energies, [](const Coercive& c) { return 1 / numeric::cos_pi_alpha<Number>(c.s); }))
+      .wrong("twice the energy", scaled(energies, 2))
       .wrong("the bound without friction", [](Values& p) { p["norm"] = 1; })
       .wrong_beyond("friction that jumps", [](const Context& context) { return cases(context, true); })
       .near_misses();

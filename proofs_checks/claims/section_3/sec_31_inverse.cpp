@@ -27,16 +27,16 @@ CaseList<PolynomialSlope> slopes(const Context& context) {
 template <Real R>
 R pairing(const Polynomial& slope, int k) {
   using std::cos;
+  std::vector<R> u{R(0)};
+  for (int n = 0; n <= slope.degree(); ++n) {
+    u.push_back(numeric::to_real<R>(slope.coefficient(static_cast<std::size_t>(n)) / (n + 1)));
+  }
   const int nodes = slope.degree() + k + 4;
   R sum = 0;
   for (int i = 0; i < nodes; ++i) {
     const R angle = numeric::pi<R>() * (2 * i + 1) / (2 * nodes);
     const R x = cos(angle);
-    R u = 0;
-    for (int n = slope.degree(); n >= 0; --n) {
-      u = u * x + numeric::to_real<R>(slope.coefficient(static_cast<std::size_t>(n))) / (n + 1);
-    }
-    sum += x * u * cos(R(k * angle));
+    sum += numeric::value_of(u, x) * cos(R(k * angle));
   }
   return sum * numeric::pi<R>() / nodes;
 }

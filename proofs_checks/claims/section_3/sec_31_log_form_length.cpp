@@ -7,10 +7,7 @@ Claim sec_31_log_form_length() {
       .wrong("positive up to length 8", predicts({.critical = 8}))
       .wrong("positive up to length 2", predicts({.critical = 2}))
       .wrong("beyond length 4 on all tractions",
-             [](Values& p) {
-               p.set("positive on all meshes", true);
-               p.set("positive on some mesh", true);
-             })
+             replaced({{"positive on all meshes", true}, {"positive on some mesh", true}}))
       .wrong("pi^2/k", predicts({.first = 1}));
 }
 

@@ -112,17 +112,6 @@ Values predicted(const Case& c) {
   return {{"zero mean", 2 / pi}, {"zero mean, nearly", 2 / pi}, {"all", 1 / pi + std::sqrt(1 / (pi * pi) + v)}};
 }
 
-/// Where there is one of this name.
-void set(Values& p, const std::string& name, const Value& value) {
-  if (p.find(name)) p.set(name, value);
-}
-
-void scale_entries(Values& p, const Number& factor) {
-  for (const char* name : {"entry", "exchanged"}) {
-    if (p.find(name)) p[name] *= factor;
-  }
-}
-
 }  // namespace
 
 Claim sec_31_sign_form() {
@@ -139,20 +128,17 @@ Claim sec_31_sign_form() {
         return measured(std::get<Growth>(c.data));
       })
       .predicted(predicted)
-      .wrong("symmetric",
-             [](Values& p) {
-               if (p.find("exchanged")) p["exchanged"] *= -1;
-             })
-      .wrong("half of it", [](Values& p) { scale_entries(p, Number(1) / 2); })
-      .wrong("the other sign", [](Values& p) { scale_entries(p, -1); })
+      .wrong("symmetric", scaled({"exchanged"}, -1))
+      .wrong("half of it", scaled({"entry", "exchanged"}, 0.5))
+      .wrong("the other sign", scaled({"entry", "exchanged"}, -1))
       .wrong("terms with j + k even, too",
              [](Values& p, const Case& c) {
                const auto* at = std::get_if<Chebyshev>(&c.data);
                if (at && at->j != at->k) p.set("entry", Number(4) / (at->k * at->k - at->j * at->j));
              })
-      .wrong("the bound 1/pi", [](Values& p) { set(p, "zero mean", Number(1 / pi)); })
-      .wrong("the bound 2/pi on all tractions", [](Values& p) { set(p, "all", Number(2 / pi)); })
-      .wrong("no growth at a jump", [](Values& p) { set(p, "growth", Order{0}); })
+      .wrong("the bound 1/pi", replaced({{"zero mean", 1 / pi}}))
+      .wrong("the bound 2/pi on all tractions", replaced({{"all", 2 / pi}}))
+      .wrong("no growth at a jump", replaced({{"growth", Order{0}}}))
       .wrong_beyond("a jump of s within the bound", [](const Context& context) { return cases(context, true); })
       .near_misses();
 }

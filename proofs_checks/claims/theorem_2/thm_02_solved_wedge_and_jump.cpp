@@ -27,9 +27,7 @@ Claim thm_02_solved_wedge_and_jump() {
               solved_corner("curvature, friction falls", 3, third, Polynomial({0, 0, 1}), Polynomial({0, 0, 2}), 6)},
              2, at_wedge_and_jump)
       .wrong("[s] of the other sign",
-             [](CornerForm& form) {
-               for (Number& constant : form.step) constant *= -1;
-             })
+             [](CornerForm& form) { std::ranges::for_each(form.step, [](Number& constant) { constant *= -1; }); })
       .wrong("beta = alpha_+ - alpha_-", [](CornerForm& form) { form.power *= -1; })
       .wrong("the constant D/[s] missing", [](CornerForm& form) { form.step = {}; })
       .wrong("cos(pi alpha) of the other side", [](CornerForm& form) { std::swap(form.cosine[0], form.cosine[1]); })

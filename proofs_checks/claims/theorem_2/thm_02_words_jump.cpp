@@ -130,13 +130,11 @@ Claim thm_02_words_jump() {
       })
       .predicted([](const JumpCase& c) { return predicted(c); })
       .wrong("infinite where f falls, zero where it rises: the sign of beta",
-             [](Values& p) {
-               p.scale({"power", "left cells", "right cells"}, -1);
-             })
+             scaled({"power", "left cells", "right cells"}, -1))
       .wrong("gamma left out of alpha",
              [](Values& p, const JumpCase& c) { p = predicted(c, c.problem.elasticity().gamma()); })
-      .wrong("infinite wherever f rises, with theta(c) = 0 as well", [](Values& p) { p.set("vanishes", false); })
-      .wrong("theta fixed by what is near c", [](Values& p) { p.set("other theta", false); })
+      .wrong("infinite wherever f rises, with theta(c) = 0 as well", replaced({{"vanishes", false}}))
+      .wrong("theta fixed by what is near c", replaced({{"other theta", false}}))
       .near_misses();
 }
 

@@ -117,28 +117,18 @@ Claim thm_02_words_wedge() {
         if (c.examined == Examined::on_cells) return {{"on cells", coefficient}};
         return {{"left", coefficient}, {"right", coefficient}, {"step", Number(s / (1 + s * s))}};
       })
-      .wrong("a coefficient that grows with the load",
-             [](Values& p, const CornerCase& c) {
-               p.scale({"left", "right"}, numeric::to_real<Number>(c.problem.load() / 6));
-             })
+      .wrong(
+          "a coefficient that grows with the load",
+          scaled({"left", "right"}, [](const CornerCase& c) { return numeric::to_real<Number>(c.problem.load() / 6); }))
       .wrong("1/(1+s^2) missing",
-             [](Values& p, const CornerCase& c) {
-               p.scale({"left", "right", "step"}, numeric::to_real<Number>(1 + c.s() * c.s()));
-             })
-      .wrong("the logarithm's sign",
-             [](Values& p) {
-               p.scale({"left", "right"}, -1);
-             })
-      .wrong("1/pi missing",
-             [](Values& p) {
-               p.scale({"left", "right"}, numeric::pi<Number>());
-             })
-      .wrong("the step's sign: H(c-x)", [](Values& p) { p.scale({"step"}, -1); })
-      .wrong("a re-entrant corner excluded where f rises as well", [](Values& p) { p.scale({"inside"}, 0); })
+             scaled({"left", "right", "step"},
+                    [](const CornerCase& c) { return numeric::to_real<Number>(1 + c.s() * c.s()); }))
+      .wrong("the logarithm's sign", scaled({"left", "right"}, -1))
+      .wrong("1/pi missing", scaled({"left", "right"}, numeric::pi<Number>()))
+      .wrong("the step's sign: H(c-x)", scaled({"step"}, -1))
+      .wrong("a re-entrant corner excluded where f rises as well", scaled({"inside"}, 0))
       .wrong("a re-entrant corner admitted where f does not jump",
-             [](Values& p, const CornerCase& c) {
-               if (c.trend == 0) p.set("inside", Number(1));
-             })
+             [](Values& p, const CornerCase& c) { p.set("inside", Number(c.trend >= 0 ? 1 : 0)); })
       .near_misses();
 }
 

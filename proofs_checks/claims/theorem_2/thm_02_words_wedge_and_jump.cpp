@@ -116,10 +116,7 @@ Claim thm_02_words_wedge_and_jump() {
       .measured([]<Real R>(const CornerCase& c) { return measured<R>(c); })
       .predicted(predicted)
       .wrong("zero where f falls, as without the wedge", [](Values& p) { set_limit(p, 0); })
-      .wrong("the sign of [s]",
-             [](Values& p) {
-               p.scale({"left limit", "right limit", "cells"}, -1);
-             })
+      .wrong("the sign of [s]", scaled({"left limit", "right limit", "cells"}, -1))
       .wrong("D/(1+s^2), as for the logarithm",
              [](Values& p, const CornerCase& c) { set_limit(p, -c.wedge() / (1 + c.rear() * c.rear())); })
       .wrong("the wedge changes the power where f rises",
@@ -130,7 +127,7 @@ Claim thm_02_words_wedge_and_jump() {
                }
              })
       .wrong("a negative limit for any wedge: contact at a re-entrant corner where f falls",
-             [](Values& p) { p.set("inside", Number(1)); })
+             replaced({{"inside", Number(1)}}))
       .near_misses();
 }
 

@@ -105,15 +105,16 @@ Exponent contact_angle(const StepCase& c) { return alpha(c.problem(), c.piece())
 Exponent other_angle(const StepCase& c) { return alpha(c.problem(), 1 - c.piece()); }
 
 PowerProduct traction(const StepCase& c) {
-  const Exponent angle = contact_angle(c);
-  const std::vector<Rational> points =
-      c.contact == Side::right ? std::vector<Rational>{0, 1} : std::vector<Rational>{-1, 0};
-  return PowerProduct::on(points, {-(half + angle), -(half - angle)},
+  const Rational left = c.contact == Side::right ? 0 : -1;
+  return PowerProduct::on({left, left + 1}, punch_powers({contact_angle(c)}),
                           {punch_amplitude<Number>(c.problem(), c.piece())});
 }
 
-void with_the_other_angle(PowerProduct& t, const StepCase& c) {
-  t.exponents[c.end_at_step()] = c.power_at_step(other_angle(c));
+/// With the angle of the other side's friction, for contact on this side.
+auto other_angle_for(Side contact) {
+  return [contact](PowerProduct& t, const StepCase& c) {
+    if (c.contact == contact) t.exponents[c.end_at_step()] = c.power_at_step(other_angle(c));
+  };
 }
 
 }  // namespace
@@ -139,14 +140,8 @@ Claim thm_03_contact_side() {
         });
         check_solved(findings, solved, form, c);
       })
-      .wrong("the printed angle (5), of the friction behind c, for contact in front of c",
-             [](PowerProduct& t, const StepCase& c) {
-               if (c.contact == Side::right) with_the_other_angle(t, c);
-             })
-      .wrong("the printed angle (6), of the friction in front of c, for contact behind c",
-             [](PowerProduct& t, const StepCase& c) {
-               if (c.contact == Side::left) with_the_other_angle(t, c);
-             })
+      .wrong("the printed angle (5), of the friction behind c, for contact in front of c", other_angle_for(Side::right))
+      .wrong("the printed angle (6), of the friction in front of c, for contact behind c", other_angle_for(Side::left))
       .wrong("the mean of both angles' powers",
              [](PowerProduct& t, const StepCase& c) {
                t.move_power(c.end_at_step(), numeric::to_real<Number>(contact_angle(c) - other_angle(c)) / 2);

@@ -1,6 +1,7 @@
 // The slope of the surface beyond the ends of the contact of solved problems, against the traction within.
 
 #include "numeric/cauchy/traction_density.hpp"
+#include "proofs_checks/instruments/solutions/flanks.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
@@ -19,21 +20,19 @@ struct SolvedProblem {
 
 std::string text_of(const SolvedProblem& c) { return proofs_checks::text_of(c.problem); }
 
-/// Two flanks that meet at 1/8, where the friction jumps.
-ContactProblem flanks(const Rational& rear, const Rational& front, const Polynomial& left, const Polynomial& right,
-                      const Rational& load) {
-  const Rational c(1, 8);
-  return {Elasticity(Solid(Rational(-1, 2), 1)), FrictionProfile({rear, front}, {c}),
-          Indenter(-4, {{c, left - Polynomial({left(c)})}, {4, right - Polynomial({right(c)})}}), load};
+/// The friction jumps where two flanks meet.
+ContactProblem with_jump(const Rational& rear, const Rational& front, const Polynomial& left, const Polynomial& right,
+                         const Rational& load) {
+  return flanks(FrictionProfile({rear, front}, {corner}), left, right, load, Rational(-1, 2));
 }
 
 CaseList<SolvedProblem> problems(const Context& context) {
   return first_when_quick<SolvedProblem>(
       context,
-      {{flanks(1, Rational(1, 4), Polynomial(), Polynomial({0, 0, 1}), 30), {false, true}},
-       {flanks(Rational(1, 3), 2, Polynomial({0, Rational(-1, 10)}), Polynomial({0, Rational(1, 10)}), 60),
+      {{with_jump(1, Rational(1, 4), Polynomial(), Polynomial({0, Rational(1, 4), 1}), 30), {false, true}},
+       {with_jump(Rational(1, 3), 2, Polynomial({0, Rational(-1, 10)}), Polynomial({0, Rational(1, 10)}), 60),
         {false, false}},
-       {flanks(2, 0, Polynomial({0, -1, 1}), Polynomial({0, 1, 2}), 5), {true, true}}},
+       {with_jump(2, 0, Polynomial({0, Rational(-3, 4), 1}), Polynomial({0, Rational(3, 2), 2}), 5), {true, true}}},
       1, "solved problems");
 }
 
@@ -113,7 +112,7 @@ Claim thm_03_solved_ends() {
              })
       .wrong("sqrt(1+s^2) missing",
              [](EndSlopes& said) {
-               for (EndSlope& end : said) end.coefficient = end.coefficient > 0 ? 1 : -1;
+               std::ranges::for_each(said, [](EndSlope& end) { end.coefficient = end.coefficient > 0 ? 1 : -1; });
              })
       .wrong("the powers of both ends exchanged", [](EndSlopes& said) { std::swap(said[0].power, said[1].power); })
       .near_miss("the power at the front", [](EndSlopes& said, const Number& step) { said[1].power += step; })

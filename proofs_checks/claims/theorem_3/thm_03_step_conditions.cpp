@@ -78,6 +78,9 @@ Values powers(End end, Side contact, const ContactProblem& problem) {
 }  // namespace
 
 Claim thm_03_step_conditions() {
+  const auto all_ends = [](End end) {
+    return [end](Values& p, const EndCase& c) { p.set(powers(end, c.contact, c.problem)); };
+  };
   return compared<EndCase>("thm-03-step-conditions")
       .cases(ends)
       .precision(Precision::quick_in_double)
@@ -106,15 +109,9 @@ Claim thm_03_step_conditions() {
         if (c.place) said.add({"side", Number(c.problem.indenter().breaks().front().step > 0 ? -1 : 1)});
         return said;
       })
-      .wrong("the power of a free end at a step",
-             [](Values& p, const EndCase& c) {
-               if (c.place) p.set(powers(End::free, c.contact, c.problem));
-             })
-      .wrong("the power of an edge where psi is continuous",
-             [](Values& p, const EndCase& c) {
-               if (!c.place) p.set(powers(End::edge, c.contact, c.problem));
-             })
-      .wrong("contact on the side of the higher profile", [](Values& p) { p.scale({"side"}, -1); })
+      .wrong("the power of a free end at a step", all_ends(End::free))
+      .wrong("the power of an edge where psi is continuous", all_ends(End::edge))
+      .wrong("contact on the side of the higher profile", scaled({"side"}, -1))
       .wrong(
           "the same powers at front and rear",
           [](Values& p, const EndCase& c) { p.set(powers(c.place ? End::edge : End::free, Side::right, c.problem)); })

@@ -24,17 +24,6 @@ std::string text_of(const ForcedEnd& c) {
          ", psi' = " + to_string(c.slope) + " at its end";
 }
 
-CaseList<ForcedEnd> forced_ends(const Context& context) {
-  std::vector<ForcedEnd> all{{Side::left, 0.4, Rational(-1, 4), 1},
-                             {Side::left, 0.4, Rational(1), 1},
-                             {Side::right, -0.4, Rational(1, 4), -1}};
-  if (!context.quick) {
-    all.push_back({Side::right, -0.4, Rational(-1), 1});
-    all.push_back({Side::left, 1.1, Rational(-1, 2), 1});
-  }
-  return {all, "contacts made to end where the profile is continuous"};
-}
-
 Trial trial_of(const ForcedEnd& c) {
   const Polynomial profile({0, c.slope, Rational(1, 2), Rational(1, 12)});
   const auto place = numeric::to_real<double>(-Trial::frame().origin / Trial::frame().unit);
@@ -61,7 +50,12 @@ Number gap_over_a(const ForcedEnd& c) {
 
 Claim thm_10_proof_exclusion() {
   return compared<ForcedEnd>("thm-10-proof-exclusion")
-      .cases(forced_ends)
+      .cases(fixed_cases<ForcedEnd>({{Side::left, 0.4, Rational(-1, 4), 1},
+                                     {Side::left, 0.4, Rational(1), 1},
+                                     {Side::right, -0.4, Rational(1, 4), -1},
+                                     {Side::right, -0.4, Rational(-1), 1},
+                                     {Side::left, 1.1, Rational(-1, 2), 1}},
+                                    3, "contacts made to end where the profile is continuous"))
       .precision(Precision::quick_in_double)
       .quantities({"gap", "sign", "rule"})
       .measured([]<Real R>(const ForcedEnd& c) -> Values {
@@ -87,8 +81,8 @@ Claim thm_10_proof_exclusion() {
       .predicted([](const ForcedEnd& c) -> Values {
         return {{"gap", gap_over_a(c)}, {"sign", Number(c.sign)}, {"rule", Number(1)}};
       })
-      .wrong("the surface below the indenter for a > 0", [](Values& p) { p["gap"] *= -1; })
-      .wrong("sqrt(1+s^2) missing", [](Values& p) { p["gap"] *= numeric::cos_pi_alpha<Number>(s); })
+      .wrong("the surface below the indenter for a > 0", scaled({"gap"}, -1))
+      .wrong("sqrt(1+s^2) missing", scaled({"gap"}, numeric::cos_pi_alpha<Number>(s)))
       .wrong("1/(1/2-alpha) missing",
              [](Values& p, const ForcedEnd& c) { p["gap"] *= numeric::to_real<Number>(edge_power(c)) + 1; })
       .wrong("a of one sign in all cases", [](Values& p) { p["sign"] = 1; })

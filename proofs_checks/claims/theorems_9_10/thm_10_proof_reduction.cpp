@@ -82,9 +82,7 @@ void check(Findings& findings, const Reduction& said, const ReductionFacts<R>& f
 
 Claim thm_10_proof_reduction() {
   return formula_claim<ContactProblem, Reduction>("thm-10-proof-reduction")
-      .cases([](const Context&) {
-        return CaseList<ContactProblem>{{cell_case("two-zones")}, "a solved problem with two contact zones"};
-      })
+      .cases(fixed_cases<ContactProblem>({cell_case("two-zones")}, 1, "a solved problem with two contact zones"))
       .precision(Precision::quick_in_double)
       .quantities({"equation", "load", "smooth"})
       .checked([kept = std::make_shared<KeptForCases>()]<Real R>(Findings& findings, const Reduction& said,

@@ -119,15 +119,15 @@ class Comparison {
 
 }  // namespace
 
-Claim convergence_claim(std::string_view name) {
-  const ContactProblem problem = cell_case(name);
+Claim convergence_claim(std::string_view id) {
+  const ContactProblem problem = cell_case(claim_text(id).convergence);
   const auto cases = [problem](const Context& context) -> CaseList<ContactProblem> {
     const StudyPlan plan = context.quick ? StudyPlan::quick() : StudyPlan::full();
     return {{problem},
             "from 64 to " + std::to_string(plan.last) + " cells; intensities and exponents on " +
                 std::to_string(plan.fine)};
   };
-  return formula_claim<ContactProblem, Prediction>("vi-convergence-" + std::string(name))
+  return formula_claim<ContactProblem, Prediction>(std::string(id))
       .cases(cases)
       .precision(Precision::in_double)
       // A study is long, and a claim and all its controls look at the same one.

@@ -1,6 +1,6 @@
 #pragma once
-// The claim that the solver on cells tends to the Riemann-Hilbert solution of one of the problems of
-// convergence_cases(): vi-convergence-NAME.
+// The claim that the solver on cells tends to the Riemann-Hilbert solution of the problem of convergence_cases() that
+// its text names.
 
 #include <string_view>
 
@@ -8,6 +8,6 @@
 
 namespace steadyslide::proofs_checks {
 
-Claim convergence_claim(std::string_view name);
+Claim convergence_claim(std::string_view id);
 
 }  // namespace steadyslide::proofs_checks

@@ -65,9 +65,23 @@ std::vector<symbolic::ExactIdentity> right_identities(const Statements& chosen) 
   return identities;
 }
 
-Statements chosen(DecidedStatements source, const Family& family) {
+/// All that stand where this one does. Deciding takes seconds: it is done when a claim is first examined, and once.
+const Statements& decided_with(const std::string& id) {
+  if (id.starts_with("rh-")) {
+    static const Statements riemann_hilbert = symbolic::riemann_hilbert_statements();
+    return riemann_hilbert;
+  }
+  if (id.starts_with("energy-")) {
+    static const Statements energies = symbolic::energy_statements();
+    return energies;
+  }
+  static const Statements local_forms = symbolic::local_form_statements();
+  return local_forms;
+}
+
+Statements chosen(const Family& family) {
   Statements result;
-  for (const symbolic::DecidedStatement& statement : source()) {
+  for (const symbolic::DecidedStatement& statement : decided_with(family.ids.front())) {
     const auto names = [&](const std::string& id) {
       return id.ends_with('-') ? statement.id.starts_with(id) : statement.id == id;
     };
@@ -86,10 +100,10 @@ void require_all_named(const Statements& statements, const Family& family) {
   }
 }
 
-Evidence examine_right(DecidedStatements source, const std::vector<Family>& families) {
+Evidence examine_right(const std::vector<Family>& families) {
   std::vector<symbolic::ExactIdentity> identities;
   for (const Family& family : families) {
-    const Statements statements = chosen(source, family);
+    const Statements statements = chosen(family);
     require_all_named(statements, family);
     std::ranges::move(right_identities(statements), std::back_inserter(identities));
   }
@@ -99,9 +113,9 @@ Evidence examine_right(DecidedStatements source, const std::vector<Family>& fami
 }
 
 /// Refuted only if it is refuted of every statement that has it.
-Evidence examine_wrong(DecidedStatements source, const Family& family, const std::string& variant) {
+Evidence examine_wrong(const Family& family, const std::string& variant) {
   std::optional<Counterexample> example;
-  for (const symbolic::DecidedStatement& statement : chosen(source, family)) {
+  for (const symbolic::DecidedStatement& statement : chosen(family)) {
     const auto control = std::ranges::find(statement.controls, variant, &symbolic::ExactIdentity::statement);
     if (control == statement.controls.end()) continue;
     if (control->identical) return ExactIdentity{"not refuted: " + variant, {statement.identity.statement}, {}};
@@ -115,29 +129,19 @@ Evidence examine_wrong(DecidedStatements source, const Family& family, const std
 
 }  // namespace
 
-const Statements& decided_riemann_hilbert() {
-  static const Statements all = symbolic::riemann_hilbert_statements();
-  return all;
-}
-
-Claim derived(std::string_view id, DecidedStatements source) {
+Claim derived(std::string_view id) {
   Claim claim{claim_text(id), {}, {}};
   for (const Family& family : claim.decided) {
     for (const std::string& variant : family.variants) {
-      claim.controls.push_back({family.about + ": " + variant, [source, family, variant](const Context&) {
-                                  return std::vector<Evidence>{examine_wrong(source, family, variant)};
+      claim.controls.push_back({family.about + ": " + variant, [family, variant](const Context&) {
+                                  return std::vector<Evidence>{examine_wrong(family, variant)};
                                 }});
     }
   }
-  claim.examine = [source, families = claim.decided](const Context&) {
-    return std::vector<Evidence>{examine_right(source, families)};
+  claim.examine = [families = claim.decided](const Context&) {
+    return std::vector<Evidence>{examine_right(families)};
   };
   return claim;
-}
-
-const Statements& decided_local_forms() {
-  static const Statements all = symbolic::local_form_statements();
-  return all;
 }
 
 Claim proved_by(const std::vector<std::string>& ids, std::string argument, Claim claim) {

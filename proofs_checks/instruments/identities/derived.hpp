@@ -5,21 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "model/rational.hpp"
 #include "proofs_checks/kit/claim.hpp"
-#include "symbolic/field/exact_identity.hpp"
 
 namespace steadyslide::proofs_checks {
 
-/// Deciding takes seconds: it is done when a claim is first examined, and once.
-using DecidedStatements = const std::vector<symbolic::DecidedStatement>& (*)();
-const std::vector<symbolic::DecidedStatement>& decided_riemann_hilbert();
-/// Of theorems 2, 3, 9 and 10.
-const std::vector<symbolic::DecidedStatement>& decided_local_forms();
-
-/// Names are known without deciding anything, and are compared with the symbolic layer's when the claim is examined.
-/// The families are those that the claim's text lists.
-Claim derived(std::string_view id, DecidedStatements source);
+/// Of the families of statements that the claim's text lists. Names are known without deciding anything, and are compared
+/// with the symbolic layer's when the claim is examined.
+Claim derived(std::string_view id);
 
 /// The claim, proved by the statements with these ids, as `argument` says; each of their wrong variants is a control
 /// more. What the claim itself compares stands behind.

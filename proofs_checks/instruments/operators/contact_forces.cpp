@@ -30,13 +30,6 @@ std::vector<Rational> indicator(std::size_t size, unsigned bits, const Rational&
   return w;
 }
 
-bool ContactForces::is_admissible() const {
-  for (std::size_t i = 0; i < size(); ++i) {
-    if (force(i) < 0) return false;
-  }
-  return true;
-}
-
 Rational phi_on_nodes(const ContactForces& c, const std::vector<Rational>& w) {
   return c.load * (*std::ranges::max_element(w) - dot(c.tau, w));
 }
@@ -44,11 +37,9 @@ Rational phi_on_nodes(const ContactForces& c, const std::vector<Rational>& w) {
 bool holds_11(const ContactForces& c, const Conditions& conditions) {
   // Some force is positive, since their sum is: so C can only be this one.
   const Rational top = *std::ranges::max_element(c.v);
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    if (conditions.compressive && c.force(i) < 0) return false;
-    if (conditions.complementary && c.force(i) != 0 && top - c.v[i] > conditions.contact_within) return false;
-  }
-  return true;
+  return (!conditions.compressive || c.is_admissible()) &&
+         (!conditions.complementary ||
+          c.all_nodes([&](std::size_t i) { return c.force(i) == 0 || top - c.v[i] <= conditions.contact_within; }));
 }
 
 bool holds_i_by_corners(const ContactForces& c, const Conditions& conditions) {
@@ -59,21 +50,14 @@ bool holds_i_by_corners(const ContactForces& c, const Conditions& conditions) {
   }
   const Rational here = dot(c.q, c.v);
   const Rational mean = dot(c.tau, c.v);
-  for (const Rational& v : c.v) {
-    const Rational corner = c.load * (mean - v);
-    if (conditions.first * (corner - here) < 0) return false;
-  }
-  return true;
+  return std::ranges::all_of(c.v,
+                             [&](const Rational& v) { return conditions.first * (c.load * (mean - v) - here) >= 0; });
 }
 
 bool holds_i_by_exchanges(const ContactForces& c) {
-  if (!c.is_admissible()) return false;
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    for (std::size_t j = 0; j < c.size(); ++j) {
-      if (c.force(i) > 0 && c.v[j] > c.v[i]) return false;
-    }
-  }
-  return true;
+  return c.is_admissible() && c.all_nodes([&](std::size_t i) {
+    return c.all_nodes([&](std::size_t j) { return c.force(i) == 0 || c.v[j] <= c.v[i]; });
+  });
 }
 
 bool holds_ii_by_test_functions(const ContactForces& c, const Conditions& conditions) {

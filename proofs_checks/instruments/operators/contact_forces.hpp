@@ -8,7 +8,8 @@
 // the w_i does not change: F(v) <= F everywhere if and only if it does not fall towards v + h x for the indicator x of
 // any set of nodes, h small. Unrelated to that: the paper's test functions w = 0, 2 v and -e_i.
 
-#include <optional>
+#include <algorithm>
+#include <ranges>
 #include <vector>
 
 #include "proofs_checks/kit/random.hpp"
@@ -23,7 +24,15 @@ struct ContactForces {
 
   std::size_t size() const { return tau.size(); }
   Rational force(std::size_t i) const { return load * tau[i] - q[i]; }
-  bool is_admissible() const;  ///< q in K_0'
+  /// holds(i) for every node i.
+  template <class Holds>
+  bool all_nodes(const Holds& holds) const {
+    return std::ranges::all_of(std::views::iota(std::size_t{0}, size()), holds);
+  }
+  /// q in K_0'
+  bool is_admissible() const {
+    return all_nodes([this](std::size_t i) { return force(i) >= 0; });
+  }
 };
 
 /// The three conditions as they are said: those of the paper, or wrong ones.

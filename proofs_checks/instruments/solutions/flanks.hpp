@@ -1,5 +1,5 @@
 #pragma once
-// Indenters of two flanks that meet at `corner`, polynomials in x - corner, over [-4, 4]; nu = 3/10, E = 1. On them
+// Indenters of two flanks that meet at `corner`, polynomials in x - corner, over [-4, 4]; E = 1. On them
 // wedges in the contact are examined. [Bal16, theorems 2, 9]
 
 #include "model/contact_problem.hpp"
@@ -9,8 +9,8 @@ namespace steadyslide::proofs_checks {
 inline const Rational corner{1, 8};
 
 inline ContactProblem flanks(FrictionProfile friction, const Polynomial& left, const Polynomial& right,
-                             const Rational& load) {
-  return {Elasticity(Solid(Rational(3, 10), 1)), std::move(friction),
+                             const Rational& load, const Rational& nu = Rational(3, 10)) {
+  return {Elasticity(Solid(nu, 1)), std::move(friction),
           Indenter(-4, {{corner, left.composed(1, -corner)}, {4, right.composed(1, -corner)}}), load};
 }
 

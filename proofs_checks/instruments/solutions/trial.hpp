@@ -25,8 +25,8 @@ struct Trial {
 /// Everywhere one polynomial and any ends; a wedge; a wedge and jump; steps; up to three components. The cheap ones
 /// first, `random` random ones last. At more than 16 digits a quick run has two of them: one component, and two or, if
 /// `corners`, a corner.
-CaseList<Trial> trials(const Context& context, std::string_view stream, const CountByDigits& random,
-                       bool corners = false);
+std::function<CaseList<Trial>(const Context&)> trials(std::string stream, const CountByDigits& random,
+                                                      bool corners = false);
 std::string text_of(const Trial& trial);
 /// A component under a friction jump for every pair: is there an edge at its left end, at its right one?
 Trial with_ends(const std::vector<std::pair<bool, bool>>& edges);

@@ -64,66 +64,68 @@ Trial random_trial(Random& random, std::size_t components, bool kinks) {
 
 std::string text_of(const Trial& trial) { return trial.name + ": " + text_of(trial.problem); }
 
-CaseList<Trial> trials(const Context& context, std::string_view stream, const CountByDigits& random_ones,
-                       bool corners) {
-  const bool cheap = context.digits == numeric::Digits::sixteen;
-  const Polynomial bent({0, Rational(1, 3), Rational(1, 2), Rational(-1, 5)});
-  const auto lifted = [&](const Rational& by) { return bent + Polynomial({by}); };
-  const std::vector<Rational> q{Rational(3, 4), Rational(-5, 7), Rational(2, 3), Rational(-1, 9)};
-  CaseList<Trial> list{{}, "contact sets, the random ones of seed " + std::to_string(context.seed)};
-  std::vector<Trial>& all = list.cases;
-  all.push_back({"one free component",
-                 problem(Rational(2, 5), FrictionProfile({1, 3}, {Rational(1, 3)}), {{-3, lifted(1)}, {4, bent}}),
-                 {{-0.7, 0.9, false, false}},
-                 q,
-                 Rational(-1, 5)});
-  const bool short_run = context.quick && !cheap;
-  if (!short_run || !corners) {
-    all.push_back({"two punches",
-                   problem(Rational(3, 10), FrictionProfile({1, Rational(1, 4)}, {0}),
-                           {{-1, bent}, {1, lifted(1)}, {4, lifted(Rational(1, 3))}}),
-                   {{in_frame(-4), in_frame(-1), true, true}, {in_frame(1), in_frame(4), true, true}},
+std::function<CaseList<Trial>(const Context&)> trials(std::string stream, const CountByDigits& random_ones,
+                                                      bool corners) {
+  return [=](const Context& context) {
+    const bool cheap = context.digits == numeric::Digits::sixteen;
+    const Polynomial bent({0, Rational(1, 3), Rational(1, 2), Rational(-1, 5)});
+    const auto lifted = [&](const Rational& by) { return bent + Polynomial({by}); };
+    const std::vector<Rational> q{Rational(3, 4), Rational(-5, 7), Rational(2, 3), Rational(-1, 9)};
+    CaseList<Trial> list{{}, "contact sets, the random ones of seed " + std::to_string(context.seed)};
+    std::vector<Trial>& all = list.cases;
+    all.push_back({"one free component",
+                   problem(Rational(2, 5), FrictionProfile({1, 3}, {Rational(1, 3)}), {{-3, lifted(1)}, {4, bent}}),
+                   {{-0.7, 0.9, false, false}},
                    q,
-                   Rational(1, 6)});
-  }
-  if (short_run && !corners) return list;
-  all.push_back({"wedge and jump",
-                 problem(Rational(1, 5), FrictionProfile({Rational(1, 3), 2}, {Rational(1, 2)}),
-                         {{Rational(1, 2), bent}, {4, Polynomial({0, Rational(4, 3), Rational(1, 4)})}}),
-                 {{in_frame(-4), in_frame(2), true, false}},
-                 q,
-                 0});
-  if (!context.quick) {
-    all.push_back({"three free components",
-                   problem(Rational(-1, 2), FrictionProfile({2, Rational(1, 2), 1}, {-2, 3}),
-                           {{4, Polynomial({0, 0, 1, 0, Rational(-1, 6), Rational(1, 9)})}}, Sliding::minus_x),
-                   {{-1.9, -0.8, false, false}, {-0.4, 0.5, false, false}, {0.9, 1.7, false, false}},
-                   q,
-                   Rational(-1, 4)});
-    all.push_back({"wedge",
-                   problem(Rational(-4, 5), FrictionProfile({5}),
-                           {{0, bent}, {4, Polynomial({0, 1, Rational(-1, 6), Rational(1, 9)})}}),
-                   {{-1.1, 0.8, false, false}},
-                   q,
-                   Rational(1, 5)});
-    all.push_back({"wedges in two components, free end and edge at each",
-                   problem(Rational(1, 4), FrictionProfile({Rational(1, 2), 3, 0}, {-2, 2}),
-                           {{-2, bent},
-                            {Rational(-1, 2), Polynomial({1, 0, Rational(1, 2)})},
-                            {1, Polynomial({2, 0, Rational(1, 2)})},
-                            {2, Polynomial({0, 0, Rational(1, 2)})},
-                            {4, Polynomial({-4, 2, Rational(1, 2)})}}),
-                   {{-1.5, in_frame(Rational(-1, 2)), false, true}, {in_frame(1), 1.6, true, false}},
+                   Rational(-1, 5)});
+    const bool short_run = context.quick && !cheap;
+    if (!short_run || !corners) {
+      all.push_back({"two punches",
+                     problem(Rational(3, 10), FrictionProfile({1, Rational(1, 4)}, {0}),
+                             {{-1, bent}, {1, lifted(1)}, {4, lifted(Rational(1, 3))}}),
+                     {{in_frame(-4), in_frame(-1), true, true}, {in_frame(1), in_frame(4), true, true}},
+                     q,
+                     Rational(1, 6)});
+    }
+    if (short_run && !corners) return list;
+    all.push_back({"wedge and jump",
+                   problem(Rational(1, 5), FrictionProfile({Rational(1, 3), 2}, {Rational(1, 2)}),
+                           {{Rational(1, 2), bent}, {4, Polynomial({0, Rational(4, 3), Rational(1, 4)})}}),
+                   {{in_frame(-4), in_frame(2), true, false}},
                    q,
                    0});
-  }
-  Random random(context.seed, stream);
-  const std::size_t random_count = !context.quick ? count_for(context, random_ones) : cheap ? 1 : 0;
-  for (std::size_t k = 0; k < random_count; ++k) {
-    const std::size_t components = 1 + random.below(cheap ? 3 : 2);
-    all.push_back(random_trial(random, components, k % 2 == 1));
-  }
-  return list;
+    if (!context.quick) {
+      all.push_back({"three free components",
+                     problem(Rational(-1, 2), FrictionProfile({2, Rational(1, 2), 1}, {-2, 3}),
+                             {{4, Polynomial({0, 0, 1, 0, Rational(-1, 6), Rational(1, 9)})}}, Sliding::minus_x),
+                     {{-1.9, -0.8, false, false}, {-0.4, 0.5, false, false}, {0.9, 1.7, false, false}},
+                     q,
+                     Rational(-1, 4)});
+      all.push_back({"wedge",
+                     problem(Rational(-4, 5), FrictionProfile({5}),
+                             {{0, bent}, {4, Polynomial({0, 1, Rational(-1, 6), Rational(1, 9)})}}),
+                     {{-1.1, 0.8, false, false}},
+                     q,
+                     Rational(1, 5)});
+      all.push_back({"wedges in two components, free end and edge at each",
+                     problem(Rational(1, 4), FrictionProfile({Rational(1, 2), 3, 0}, {-2, 2}),
+                             {{-2, bent},
+                              {Rational(-1, 2), Polynomial({1, 0, Rational(1, 2)})},
+                              {1, Polynomial({2, 0, Rational(1, 2)})},
+                              {2, Polynomial({0, 0, Rational(1, 2)})},
+                              {4, Polynomial({-4, 2, Rational(1, 2)})}}),
+                     {{-1.5, in_frame(Rational(-1, 2)), false, true}, {in_frame(1), 1.6, true, false}},
+                     q,
+                     0});
+    }
+    Random random(context.seed, stream);
+    const std::size_t random_count = !context.quick ? count_for(context, random_ones) : cheap ? 1 : 0;
+    for (std::size_t k = 0; k < random_count; ++k) {
+      const std::size_t components = 1 + random.below(cheap ? 3 : 2);
+      all.push_back(random_trial(random, components, k % 2 == 1));
+    }
+    return list;
+  };
 }
 
 Trial with_ends(const std::vector<std::pair<bool, bool>>& edges) {

@@ -51,8 +51,7 @@ Claim constant_punch_claim(std::string id, PunchLoad load) {
       .wrong("1/pi missing", [](PowerProduct& t) { t.scale(numeric::pi<Number>()); })
       .wrong("alpha = arctan(f)/pi, gamma missing",
              [](PowerProduct& t, const ContactProblem& p) {
-               const Exponent angle = Exponent::angle(p.friction().values()[0]);
-               t.exponents = {-(half + angle), -(half - angle)};
+               t.exponents = punch_powers({Exponent::angle(p.friction().values()[0])});
              })
       .near_miss("the rear exponent", [](PowerProduct& t, const Number& step) { t.move_power(0, step); })
       .near_miss("alpha, the exponents' sum kept,",

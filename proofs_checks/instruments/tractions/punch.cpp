@@ -50,19 +50,26 @@ Exponent alpha(const ContactProblem& problem, std::size_t piece) {
   return Exponent::angle(problem.coupled_friction(piece));
 }
 
+std::vector<Exponent> punch_powers(const std::vector<Exponent>& alpha) {
+  std::vector<Exponent> powers{-(half + alpha.front())};
+  for (std::size_t k = 1; k < alpha.size(); ++k) powers.push_back(alpha[k - 1] - alpha[k]);
+  powers.push_back(-(half - alpha.back()));
+  return powers;
+}
+
+std::vector<Exponent> angles(const ContactProblem& problem) {
+  std::vector<Exponent> all;
+  for (std::size_t k = 0; k < problem.friction().values().size(); ++k) all.push_back(alpha(problem, k));
+  return all;
+}
+
 PowerProduct punch_traction(const ContactProblem& problem) {
-  const std::vector<Rational>& jumps = problem.friction().jumps();
-  std::vector<Rational> points{problem.indenter().left()};
-  std::vector<Exponent> exponents{-(half + alpha(problem, 0))};
-  std::vector<Number> amplitudes{punch_amplitude<Number>(problem, 0)};
-  for (std::size_t k = 0; k < jumps.size(); ++k) {
-    points.push_back(jumps[k]);
-    exponents.push_back(alpha(problem, k) - alpha(problem, k + 1));
-    amplitudes.push_back(punch_amplitude<Number>(problem, k + 1));
-  }
+  std::vector<Rational> points = problem.friction().jumps();
+  points.insert(points.begin(), problem.indenter().left());
   points.push_back(problem.indenter().right());
-  exponents.push_back(-(half - alpha(problem, jumps.size())));
-  return PowerProduct::on(points, std::move(exponents), std::move(amplitudes));
+  std::vector<Number> amplitudes;
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) amplitudes.push_back(punch_amplitude<Number>(problem, k));
+  return PowerProduct::on(points, punch_powers(angles(problem)), std::move(amplitudes));
 }
 
 template <Real R>

@@ -35,6 +35,11 @@ R punch_amplitude(const ContactProblem& problem, std::size_t piece) {
          numeric::pi<R>();
 }
 
+/// The powers at the edges and jumps, from the angles on the pieces between them.
+std::vector<Exponent> punch_powers(const std::vector<Exponent>& alpha);
+/// alpha on every piece.
+std::vector<Exponent> angles(const ContactProblem& problem);
+
 /// A power at each point, an amplitude on each piece between them.
 PowerProduct punch_traction(const ContactProblem& problem);
 
