@@ -4,6 +4,7 @@
 
 #include "app/report/math_symbols.hpp"
 #include "app/report/mathml.hpp"
+#include "app/svg.hpp"
 #include "app/terminal/utf8.hpp"
 #include "support/test.hpp"
 
