@@ -91,13 +91,13 @@ int among_the_problems(const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("answers: exponents") { CHECK(among_the_problems("exponents") >= 10); }
+TEST_CASE("answers: exponents") { CHECK(among_the_problems("exponents") >= 9); }
 TEST_CASE("answers: table") { CHECK(among_the_problems("table") >= 7); }
 TEST_CASE("answers: verify") { CHECK(among_the_problems("verify") >= 2); }
-TEST_CASE("answers: solve") { CHECK(among_the_problems("solve") >= 40); }
+TEST_CASE("answers: solve") { CHECK(among_the_problems("solve") >= 39); }
 
 TEST_CASE("answers: the examples, solved") {
-  CHECK(check_answers("solve", "example_answers.txt", STEADYSLIDE_EXAMPLES) >= 19);
+  CHECK(check_answers("solve", "example_answers.txt", STEADYSLIDE_EXAMPLES) >= 21);
 }
 
 TEST_CASE("control: another answer is noticed") {

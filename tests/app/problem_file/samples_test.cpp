@@ -10,7 +10,6 @@ std::string problem(const std::string& indenter, const std::string& load = "1") 
 }
 
 const std::string named = R"(samples = "trace.csv")", wedge = "-1,1/4\n0,0\n1,1/2\n";
-const std::string wedge_pieces = R"(pieces = [{to = 0, profile = "-x/4"}, {to = 1, profile = "x/2"}])";
 
 }  // namespace
 
