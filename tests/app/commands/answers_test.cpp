@@ -16,7 +16,15 @@ std::string part_of(const Finished& answer, const std::string& what) {
   if (what.starts_with("line:")) return rows.at(std::stoul(where));
   if (what.starts_with("commas:")) return std::to_string(times(rows.at(std::stoul(where)), ","));
   const Json json = Json::parse(answer.out).at(Json::json_pointer(where));
-  return what.starts_with("keys:") ? keys(json) : what.starts_with("size:") ? std::to_string(json.size()) : json.dump();
+  if (what.starts_with("keys:")) return keys(json);
+  if (!what.starts_with("size:")) return json.dump();
+  return std::to_string(json.is_string() ? json.get<std::string>().size() : json.size());
+}
+
+/// Of a text with quotes or without.
+Rational number_of(std::string text) {
+  std::erase(text, '"');
+  return parse_rational(text);
 }
 
 bool holds_for(const std::string& found, const std::string& relation, const std::string& value) {
@@ -25,34 +33,36 @@ bool holds_for(const std::string& found, const std::string& relation, const std:
   if (relation == "ends") return found.ends_with(value);
   if (relation == "holds") return holds(found, value);
   if (relation == "lacks") return !holds(found, value);
-  const Rational number = parse_rational(found.starts_with('"') ? found.substr(1, found.size() - 2) : found);
+  if (relation == "differs") return found != value;
   const std::size_t tolerance = value.find(" +- ");
-  const Rational expected = parse_rational(value.substr(0, tolerance));
+  const Rational number = number_of(found), expected = number_of(value.substr(0, tolerance));
   if (relation == "<") return number < expected;
   if (relation == ">") return number > expected;
   REQUIRE(relation == "~");
   return abs(number - expected) <= parse_rational(value.substr(tolerance + 4));
 }
 
-/// "/contact/0/left/kind = ...", see answers.txt.
-void check_one(const Finished& answer, const std::string& expected) {
+/// "/contact/0/left/kind = ...", see answers.txt; `that` is part of the answer beside it.
+void check_one(const Finished& answer, const std::string& expected, const Finished& beside) {
   CAPTURE(expected);
   const std::size_t space = expected.find(' '), next = std::min(expected.find(' ', space + 1), expected.size());
   const std::string what = expected.substr(0, space), relation = expected.substr(space + 1, next - space - 1);
   std::string value = next == expected.size() ? "" : expected.substr(next + 1);
   if (!holds(what, "/")) value = std::regex_replace(value, std::regex("\\\\n"), "\n");
+  if (value.starts_with("that")) value = part_of(beside, what) + value.substr(4);
   const std::string found = part_of(answer, what);
   CAPTURE(found);
   CHECK(holds_for(found, relation, value));
 }
 
-/// Returns the number of commands.
-int check_answers(const std::string& file, const std::string& folder) {
+/// What `steadyslide COMMAND` answers. Returns the number of command lines.
+int check_answers(const std::string& command_name, const std::string& file, const std::string& folder) {
   std::map<std::string, std::vector<std::string>> expected;
   std::string command;
   for (const std::string& line : lines(file_text(STEADYSLIDE_TESTS "/app/commands/" + file))) {
     if (line.starts_with("steadyslide ")) command = line;
-    if (line.starts_with("    ")) expected[command].push_back(line.substr(4));
+    const bool wanted = command.starts_with("steadyslide " + command_name + " ");
+    if (wanted && line.starts_with("    ")) expected[command].push_back(line.substr(4));
   }
   for (const auto& [line, parts] : expected) {
     CAPTURE(line);
@@ -62,18 +72,33 @@ int check_answers(const std::string& file, const std::string& folder) {
     };
     if (!said("code ")) CHECK(answer.code == 0);
     if (!said("err ")) CHECK(answer.err == "");
-    for (const std::string& part : parts) check_one(answer, part);
+    Finished beside;
+    for (const std::string& part : parts) {
+      if (!part.starts_with("beside ")) {
+        check_one(answer, part, beside);
+        continue;
+      }
+      beside = run_program(arguments_of(part.substr(7)), folder);
+      CHECK(beside.code == 0);
+    }
   }
   return static_cast<int>(expected.size());
 }
 
-}  // namespace
-
-TEST_CASE("answers: among the problems of the tests") {
-  CHECK(check_answers("answers.txt", STEADYSLIDE_TESTS "/app/commands/problems") >= 39);
+int among_the_problems(const std::string& command) {
+  return check_answers(command, "answers.txt", STEADYSLIDE_TESTS "/app/commands/problems");
 }
 
-TEST_CASE("answers: among the examples") { CHECK(check_answers("example_answers.txt", STEADYSLIDE_EXAMPLES) >= 16); }
+}  // namespace
+
+TEST_CASE("answers: exponents") { CHECK(among_the_problems("exponents") >= 9); }
+TEST_CASE("answers: table") { CHECK(among_the_problems("table") >= 7); }
+TEST_CASE("answers: verify") { CHECK(among_the_problems("verify") >= 2); }
+TEST_CASE("answers: solve") { CHECK(among_the_problems("solve") >= 39); }
+
+TEST_CASE("answers: the examples, solved") {
+  CHECK(check_answers("solve", "example_answers.txt", STEADYSLIDE_EXAMPLES) >= 21);
+}
 
 TEST_CASE("control: another answer is noticed") {
   const Finished answer{0, "{\"a\":{\"b\":\"0.3\"},\"c\":[1]}\n", ""};
@@ -84,6 +109,8 @@ TEST_CASE("control: another answer is noticed") {
   CHECK_FALSE(holds_for(part_of(answer, "/a/b"), "<", "0.3"));
   CHECK_FALSE(holds_for(part_of(answer, "keys:"), "=", "a"));
   CHECK_FALSE(holds_for(part_of(answer, "size:/c"), "=", "2"));
+  CHECK_FALSE(holds_for(part_of(answer, "size:/a/b"), "=", "5"));
+  CHECK_FALSE(holds_for(part_of(answer, "/a"), "differs", part_of(answer, "/a")));
   CHECK_FALSE(holds_for(part_of(answer, "out"), "starts", "{}"));
   CHECK_FALSE(holds_for(part_of(answer, "out"), "ends", "}"));
   CHECK_FALSE(holds_for(part_of(answer, "out"), "holds", "0.31"));

@@ -69,29 +69,10 @@ TEST_CASE("solved examples: effective friction is the sum of f times load share,
   }
 }
 
-namespace {
-
-/// "left_kind right_kind" of every contact component.
-std::vector<std::string> kinds(const Json& json) {
-  std::vector<std::string> result;
-  for (const Json& component : json["contact"]) {
-    result.push_back(component["left"]["kind"].get<std::string>() + " " +
-                     component["right"]["kind"].get<std::string>());
-  }
-  return result;
-}
-
-}  // namespace
-
-TEST_CASE("what the headers of the examples without a formula promise") {
-  CHECK(kinds(solve_example("two_bumps.toml")) == std::vector<std::string>{"free free", "free free"});
-
-  CHECK(kinds(solve_example("stepped_punch.toml")) == std::vector<std::string>{"edge step", "free edge"});
-
-  const Json tilting = solve_example("tilting_punch.toml");
-  CHECK(kinds(tilting) == std::vector<std::string>{"edge edge"});
-  CHECK(number(tilting["resultants"]["tilt"]) < 0);
-  CHECK(near(tilting["resultants"]["centre_of_pressure"], "0.2", "1e-12"));
+TEST_CASE("the tilting punch lifts off under the load that its header says") {
   const Finished lifted = run_other({"sed", "s/^load_at = .*/load_at = \"0.8\"/", "tilting_punch.toml"}, folder);
-  CHECK(kinds(solve(lifted.out)) == std::vector<std::string>{"free edge"});
+  const Json contact = solve(lifted.out)["contact"];
+  REQUIRE(contact.size() == 1);
+  CHECK(contact[0]["left"]["kind"] == "free");
+  CHECK(contact[0]["right"]["kind"] == "edge");
 }

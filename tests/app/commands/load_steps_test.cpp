@@ -57,14 +57,6 @@ TEST_CASE("each row is what a single solve says, whatever came before") {
   }
 }
 
-TEST_CASE("a tilting indenter has its tilt in every row") {
-  const Json json = solve_steps("load_at = \"0.1\"\n" + bumps, "0.5,1,2");
-  for (const Json& row : json) {
-    CHECK(row["tilt"].is_string());
-    CHECK(near(row["centre_of_pressure"], "0.1", "1e-12"));
-  }
-}
-
 TEST_CASE("a bar on a terminal, gone at the end; nothing elsewhere") {
   const TemporaryFolder folder;
   const Arguments arguments{"solve", "-", "--load-steps", "0.5,1", "-o", "rows"};

@@ -44,24 +44,6 @@ TEST_CASE("the contact's ends are those of the other methods to a cell, and the 
   CHECK(distance(rear["contact"][0]["left"]["x"], front["contact"][0]["left"]["x"]) > reach(rear));
 }
 
-TEST_CASE("a tilting punch tilts alike, and its centre of pressure lies under the load") {
-  const Json cells = on_cells("tilting_punch.toml")["resultants"];
-  const Json exact = solve_example("tilting_punch.toml")["resultants"];
-  CHECK(distance(cells["tilt"], exact["tilt"]) < 0.001_r);
-  CHECK(number(cells["tilt"]) < 0);
-  CHECK(distance(cells["centre_of_pressure"], Json("0.2")) < 1e-9_r);
-}
-
-TEST_CASE("what cells cannot show is null in JSON") {
-  const Json json = on_cells("rough_surface.toml");
-  std::size_t unknown = 0;
-  for (const Json& component : json["contact"]) {
-    unknown += component["left"]["intensity"].is_null() ? 1 : 0;
-    CHECK(component["left"]["x"].is_string());
-  }
-  CHECK(unknown > 0);
-}
-
 TEST_CASE("more cells, a smaller error") {
   const auto error = [](const char* cells) {
     return number(on_cells("two_bumps.toml", {"--cells", cells})["estimated_error"]["ends"]);

@@ -10,28 +10,8 @@ std::string problem(const std::string& indenter, const std::string& load = "1") 
 }
 
 const std::string named = R"(samples = "trace.csv")", wedge = "-1,1/4\n0,0\n1,1/2\n";
-const std::string wedge_pieces = R"(pieces = [{to = 0, profile = "-x/4"}, {to = 1, profile = "x/2"}])";
 
 }  // namespace
-
-TEST_CASE("samples are the same problem as the pieces between them") {
-  const TemporaryFolder folder;
-  folder.write("trace.csv", wedge);
-  folder.write("s.toml", problem(named));
-  folder.write("p.toml", problem(wedge_pieces));
-  for (const char* command : {"exponents", "solve"}) {
-    const Finished samples = run_program({command, "s.toml"}, folder.path());
-    // A trace ends where somebody stopped to measure, and this contact is full.
-    const std::string warning =
-        "steadyslide: s.toml: warning: contact reaches a cut end of the trace; what was measured ends there, the "
-        "indenter may go on; x = -1, 1\n";
-    CHECK(samples.err == (command == std::string("solve") ? warning : ""));
-    CHECK(samples.code == 0);
-    CHECK(samples.out == run_program({command, "p.toml"}, folder.path()).out);
-  }
-  folder.write("trace.csv", "-1,1/4\n0,0\n1,1/3\n");
-  CHECK(run_program({"solve", "s.toml"}, folder.path()).out != run_program({"solve", "p.toml"}, folder.path()).out);
-}
 
 TEST_CASE("a trace is looked for beside the problem file; from the standard input, in the working directory") {
   const TemporaryFolder folder;
@@ -53,17 +33,6 @@ TEST_CASE("a trace is looked for beside the problem file; from the standard inpu
   folder.write("data/trace.csv", "0,0\n1,one\n");
   check_refused(run_program({"exponents", "data/s.toml"}, folder.path()),
                 "data/trace.csv:2: psi: not a number; a number is written like 2, -0.25, 1e-3 or 1/3; 'one'");
-}
-
-TEST_CASE("a support within the trace cuts it") {
-  const TemporaryFolder folder;
-  folder.write("trace.csv", wedge);
-  folder.write("s.toml", problem(named + "\nsupport = [\"-1/3\", \"0.75\"]"));
-  folder.write("p.toml", problem("support = [\"-1/3\", \"0.75\"]\n"
-                                 R"(pieces = [{to = 0, profile = "-x/4"}, {to = "0.75", profile = "x/2"}])"));
-  const Finished samples = run_program({"solve", "s.toml"}, folder.path());
-  CHECK(samples.code == 0);
-  CHECK(samples.out == run_program({"solve", "p.toml"}, folder.path()).out);
 }
 
 TEST_CASE("jumps lie within the trace") {
