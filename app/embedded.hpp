@@ -3,7 +3,12 @@
 
 #include <string_view>
 
-namespace steadyslide::app::embedded {
+namespace steadyslide::app {
+
+/// The project's version, as CMake has it.
+extern const char* const version;
+
+namespace embedded {
 
 // What --help says: of a command what it does and, after an empty line, what stands below its options.
 extern const std::string_view help_program;  ///< below the commands
@@ -26,4 +31,5 @@ extern const std::string_view report_guide;
 extern const std::string_view references_md;
 extern const std::string_view mutants_csv;
 
-}  // namespace steadyslide::app::embedded
+}  // namespace embedded
+}  // namespace steadyslide::app

@@ -11,7 +11,6 @@
 #include "app/embedded.hpp"
 #include "app/problem_file/list_parser.hpp"
 #include "app/terminal/interrupt.hpp"
-#include "app/version.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -1,12 +1,12 @@
-#include "app/report/evidence_html.hpp"
+// What an examination brought back, piece by piece, as HTML.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "app/report/html.hpp"
 #include "app/report/mathml.hpp"
+#include "app/report/sections.hpp"
 
 namespace steadyslide::app {
 namespace {

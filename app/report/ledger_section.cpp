@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/report/evidence_html.hpp"
 #include "app/report/mathml.hpp"
 #include "app/report/sections.hpp"
 #include "proofs_checks/statements/paper_statements.hpp"

@@ -1,4 +1,4 @@
-#include "app/report/math_leaves.hpp"
+#include "app/report/math_row.hpp"
 
 #include <fmt/format.h>
 

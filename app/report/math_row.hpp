@@ -1,7 +1,9 @@
 #pragma once
-// A row of a formula, element after element, as MathML: the spaces between them and the places where a line may break.
+// A formula as MathML: its smallest parts (names, numbers, signs, brackets, scripts: math_leaves.cpp), and a row of them
+// (math_row.cpp) with the spaces between them and the places where a line may break.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/report/math_symbols.hpp"
@@ -21,6 +23,29 @@ struct MathItem {
 };
 
 using MathRow = std::vector<MathItem>;
+
+MathItem number_item(std::string_view digits);
+/// A letter, alpha, dx, or a longer name, which is set upright.
+MathItem name_item(std::string_view name);
+/// What is no operand: a function, a word, the sign of an operation or a relation. Signs say their spaces: MathML takes
+/// an operator at the beginning of a row, where a line may have been broken, for a prefix.
+MathItem symbol_item(const MathSymbol& symbol, bool small);
+/// A sign before an operand, or after one: -x, c+.
+MathItem prefix_item(const MathSymbol& symbol);
+MathItem postfix_item(const MathSymbol& symbol);
+MathItem group_item(std::string_view open, MathRow row, std::string_view close);
+
+struct Scripts {
+  std::vector<std::string> sub, sup;
+  std::size_t primes = 0;
+
+  bool empty() const { return sub.empty() && sup.empty() && primes == 0; }
+};
+MathItem scripted(MathItem base, const Scripts& scripts);
+MathItem accented(MathItem base, std::string_view accent);
+
+/// A name inside a script, without braces: xx of sigma_xx is two letters, poly a word.
+std::string script_name(std::string_view name);
 
 std::string row_xml(const MathRow& row);
 std::size_t row_width(const MathRow& row);

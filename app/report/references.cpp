@@ -1,4 +1,4 @@
-#include "app/report/references.hpp"
+// docs/references.md as a list of the page, and citations as links into it.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,6 +9,7 @@
 
 #include "app/embedded.hpp"
 #include "app/report/mathml.hpp"
+#include "app/report/sections.hpp"
 
 namespace steadyslide::app {
 namespace {

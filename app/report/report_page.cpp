@@ -6,7 +6,6 @@
 
 #include "app/embedded.hpp"
 #include "app/report/sections.hpp"
-#include "app/version.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -5,9 +5,7 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include "app/embedded.hpp"
-#include "app/report/evidence_html.hpp"
 #include "app/report/mathml.hpp"
-#include "app/version.hpp"
 #include "proofs_checks/statements/paper_statements.hpp"
 
 namespace steadyslide::app {

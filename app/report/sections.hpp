@@ -1,8 +1,9 @@
 #pragma once
-// The parts of the page.
+// The parts of the page, and what they are made of: evidence as HTML, citations as links.
+
+#include <span>
 
 #include "app/report/html.hpp"
-#include "app/report/references.hpp"
 #include "app/report/report_page.hpp"
 
 namespace steadyslide::app {
@@ -18,6 +19,22 @@ Section figures_section(const Supplement& supplement);
 Section tables_section(const std::vector<TextTable>& tables);
 Section mutants_section(const std::vector<Mutant>& mutants);
 Section reproduce_section(const VerifyResult& result);
+/// docs/references.md.
+Section references_section();
+
+/// The paragraphs of a Markdown text that begin with **[Key]**, as <dl>: emphasis and links, no more.
+std::string references_list(std::string_view markdown);
+/// Text with formulas, as prose() has it, with [Key, place] linked to the list.
+std::string cited_prose(std::string_view text);
+
+/// The report on a claim; null if there is none.
+const proofs_checks::Report* report_on(std::string_view id, std::span<const proofs_checks::Report> reports);
+std::string badge(proofs_checks::Verdict verdict);
+/// All evidence of a report, one block for each kind, and the note on it. `reports` is the whole ledger: consequences
+/// that are in it are linked.
+std::string evidence_html(const proofs_checks::Report& report, std::span<const proofs_checks::Report> reports);
+/// The controls, each with what refuted it or the fact that nothing did.
+std::string controls_html(const proofs_checks::Report& report);
 
 /// The options that repeat a run.
 std::string options_again(const proofs_checks::Context& context);

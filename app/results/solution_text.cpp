@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "app/results/solve_warnings.hpp"
-
 namespace steadyslide::app {
 namespace {
 

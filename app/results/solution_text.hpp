@@ -94,4 +94,18 @@ template <numeric::Real R>
 LimitText limit_text(const numeric::TwoSided<R>& limits, const numeric::TwoSided<R>& traction, int digits,
                      bool apart = false);
 
+/// Of estimated errors, relative as in numeric::EstimatedError. Above the first a warning, above the second no
+/// solution.
+inline constexpr double large_error = 0.1;
+inline constexpr double useless_error_from = 0.5;
+
+/// Estimated errors above 10 %; contact that reaches the cut end of a trace; contact of a trace within the last 1 % of
+/// the support alone.
+template <numeric::Real R>
+std::vector<std::string> warnings(const Problem& problem, const numeric::ContactSolution<R>& solution);
+
+/// Empty unless one of the errors is above 50 %, or no number.
+template <numeric::Real R>
+std::string useless_error(const numeric::EstimatedError<R>& error);
+
 }  // namespace steadyslide::app

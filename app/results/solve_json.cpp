@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
+#include "app/embedded.hpp"
 #include "app/results/solve_writers.hpp"
-#include "app/version.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -16,6 +16,8 @@ Json numbers(const std::vector<Rational>& values) {
   for (const Rational& value : values) list.push_back(exact_text(value));
   return list;
 }
+
+void add(Json& json, const std::string& key, const std::string& text) { json[key] = number(text); }
 
 /// KEY and KEY_error.
 void add(Json& json, const std::string& key, const NumberText& text) {
@@ -36,6 +38,14 @@ void add(Json& json, const std::string& key, const std::vector<NumberText>& list
     json[key].push_back(number(text.value));
     json[key + "_error"].push_back(number(text.error));
   }
+}
+
+/// The object with more keys, each followed by what stands there.
+template <class Value, class... More>
+Json with(Json json, const char* key, const Value& value, const More&... more) {
+  add(json, key, value);
+  if constexpr (sizeof...(more) > 0) return with(std::move(json), more...);
+  return json;
 }
 
 Json solid(const Solid& body) { return {{"poisson", exact_text(body.poisson())}, {"young", exact_text(body.young())}}; }
@@ -78,50 +88,30 @@ Json problem_json(const ContactProblem& problem, const std::optional<MeasuredPro
 }
 
 Json end_json(const EndText& end) {
-  Json json;
-  add(json, "x", end.x);
-  json["kind"] = end.kind;
-  json["exponent"] = number(end.exponent);
-  add(json, "intensity", end.intensity);
-  return json;
+  return with(Json(), "x", end.x, "kind", end.kind, "exponent", end.exponent, "intensity", end.intensity);
 }
 
 Json singular_json(const SingularText& point) {
-  Json json;
-  add(json, "x", point.x);
-  json["kind"] = point.kind;
-  json["exponent"] = point.exponent.value;
-  json["symbolic"] = point.exponent.symbolic;
-  json["latex"] = point.exponent.latex;
-  add(json, "intensity", point.intensity);
-  add(json, "constant", point.constant);
-  return json;
+  const auto& [value, symbolic, latex] = point.exponent;
+  return with(Json(), "x", point.x, "kind", point.kind, "exponent", value, "symbolic", symbolic, "latex", latex,
+              "intensity", point.intensity, "constant", point.constant);
 }
 
 Json resultants_json(const SolutionText& solution) {
-  Json json;
-  add(json, "normal", solution.normal);
-  add(json, "tangential", solution.tangential);
-  add(json, "centre_of_pressure", solution.centre_of_pressure);
-  add(json, "effective_friction", solution.effective_friction);
-  add(json, "load_share", solution.load_share);
-  if (solution.tilt) add(json, "tilt", *solution.tilt);
-  return json;
+  Json json = with(Json(), "normal", solution.normal, "tangential", solution.tangential, "centre_of_pressure",
+                   solution.centre_of_pressure, "effective_friction", solution.effective_friction, "load_share",
+                   solution.load_share);
+  return solution.tilt ? with(std::move(json), "tilt", *solution.tilt) : json;
 }
 
 Json sample_json(const SampleText& sample) {
-  Json json;
-  json["x"] = number(sample.x);
-  add(json, "traction", sample.traction);
-  add(json, "shear", sample.shear);
-  add(json, "gap", sample.gap);
-  add(json, "slope", sample.slope);
-  return json;
+  return with(Json(), "x", sample.x, "traction", sample.traction, "shear", sample.shear, "gap", sample.gap, "slope",
+              sample.slope);
 }
 
 Json sizes_json(const std::vector<NamedSize>& sizes) {
   Json json;
-  for (const auto& [name, size] : sizes) json[name] = number(size);
+  for (const auto& [name, size] : sizes) add(json, name, size);
   return json;
 }
 

@@ -1,4 +1,5 @@
-#include "app/results/solve_warnings.hpp"
+// What a person should know before a solution is used: large errors, and traces that look wrong. One line each,
+// "what; the rule; the value".
 
 #include <fmt/format.h>
 
@@ -6,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/results/number_format.hpp"
+#include "app/results/solution_text.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/version.hpp"
+#include "app/embedded.hpp"
 
 namespace steadyslide::app {
 namespace {

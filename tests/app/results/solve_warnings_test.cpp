@@ -1,6 +1,6 @@
 // From which error on a solution is doubted, and from which on it is none.
 
-#include "app/results/solve_warnings.hpp"
+#include "app/results/solution_text.hpp"
 #include "support/made_up_solution.hpp"
 #include "support/test.hpp"
 
