@@ -1,0 +1,275 @@
+#include "enclosure/number/ball.hpp"
+
+#include <acb.h>
+#include <arb_hypgeom.h>
+#include <flint/fmpq.h>
+
+#include <cmath>
+#include <memory>
+#include <ostream>
+
+#include "model/invalid_data.hpp"
+
+namespace steadyslide::enclosure {
+namespace {
+
+/// A unary function of Arb's.
+Ball applied(void (*function)(arb_t, const arb_t, slong), const Ball& x) {
+  Ball result(0, x.bits());
+  function(result.get(), x.get(), x.bits());
+  return result;
+}
+
+Bits larger(const Ball& a, const Ball& b) { return std::max(a.bits(), b.bits()); }
+
+}  // namespace
+
+Bits bits_for(int digits) { return static_cast<Bits>(std::ceil(digits * 3.3219280948873626)) + 64; }
+
+Ball::Ball(int value, Bits bits) : bits_(bits) {
+  arb_init(value_);
+  arb_set_si(value_, value);
+}
+
+Ball::Ball(const Rational& value, Bits bits) : Ball(0, bits) {
+  fmpq_t exact;
+  fmpq_init(exact);
+  fmpq_set_mpq(exact, value.backend().data());
+  arb_set_fmpq(value_, exact, bits);
+  fmpq_clear(exact);
+}
+
+Ball Ball::exactly(double value, Bits bits) {
+  Ball result(0, bits);
+  arb_set_d(result.value_, value);
+  if (!std::isfinite(value)) arb_indeterminate(result.value_);
+  return result;
+}
+
+Ball::Ball(const Exponent& exponent, Bits bits) : Ball(0, bits) {
+  const Exponent::Reduced reduced = exponent.reduced();
+  *this = Ball(Rational(reduced.halves) / 2, bits) + atan(Ball(reduced.slope, bits)) / pi(bits);
+}
+
+Ball Ball::hull(const Ball& a, const Ball& b) {
+  Ball result(0, larger(a, b));
+  arb_union(result.value_, a.value_, b.value_, result.bits_);
+  return result;
+}
+
+Ball Ball::around(const Ball& centre, const Ball& radius) {
+  Ball result = centre.midpoint();
+  result.bits_ = larger(centre, radius);
+  arb_add_error(result.value_, radius.value_);
+  return result;
+}
+
+Ball Ball::pi(Bits bits) {
+  Ball result(0, bits);
+  arb_const_pi(result.value_, bits);
+  return result;
+}
+
+Ball Ball::unknown(Bits bits) {
+  Ball result(0, bits);
+  arb_indeterminate(result.value_);
+  return result;
+}
+
+Ball::Ball(const Ball& other) : bits_(other.bits_) {
+  arb_init(value_);
+  arb_set(value_, other.value_);
+}
+
+Ball::Ball(Ball&& other) noexcept : bits_(other.bits_) {
+  arb_init(value_);
+  arb_swap(value_, other.value_);
+}
+
+Ball& Ball::operator=(const Ball& other) {
+  arb_set(value_, other.value_);
+  bits_ = other.bits_;
+  return *this;
+}
+
+Ball& Ball::operator=(Ball&& other) noexcept {
+  arb_swap(value_, other.value_);
+  bits_ = other.bits_;
+  return *this;
+}
+
+Ball Ball::at(Bits bits) const {
+  Ball result(*this);
+  result.bits_ = bits;
+  return result;
+}
+
+Ball& Ball::operator+=(const Ball& other) {
+  use(other);
+  arb_add(value_, value_, other.value_, bits_);
+  return *this;
+}
+
+Ball& Ball::operator-=(const Ball& other) {
+  use(other);
+  arb_sub(value_, value_, other.value_, bits_);
+  return *this;
+}
+
+Ball& Ball::operator*=(const Ball& other) {
+  use(other);
+  arb_mul(value_, value_, other.value_, bits_);
+  return *this;
+}
+
+Ball& Ball::operator/=(const Ball& other) {
+  use(other);
+  arb_div(value_, value_, other.value_, bits_);
+  return *this;
+}
+
+Ball Ball::operator-() const {
+  Ball result(*this);
+  arb_neg(result.value_, result.value_);
+  return result;
+}
+
+bool Ball::contains(const Ball& other) const {
+  return is_finite() && other.is_finite() && arb_contains(value_, other.value_) != 0;
+}
+
+bool Ball::contains(const Rational& value) const {
+  fmpq_t exact;
+  fmpq_init(exact);
+  fmpq_set_mpq(exact, value.backend().data());
+  const bool contained = is_finite() && arb_contains_fmpq(value_, exact) != 0;
+  fmpq_clear(exact);
+  return contained;
+}
+
+bool Ball::contains_inside(const Ball& other) const {
+  return is_finite() && other.is_finite() && arb_contains_interior(value_, other.value_) != 0;
+}
+
+bool Ball::overlaps(const Ball& other) const {
+  return is_finite() && other.is_finite() && arb_overlaps(value_, other.value_) != 0;
+}
+
+Ball Ball::midpoint() const {
+  Ball result(0, bits_);
+  arb_get_mid_arb(result.value_, value_);
+  return result;
+}
+
+Ball Ball::radius() const {
+  Ball result(0, bits_);
+  arb_get_rad_arb(result.value_, value_);
+  return result;
+}
+
+Ball Ball::lower() const {
+  Ball result(0, bits_);
+  arf_t end;
+  arf_init(end);
+  arb_get_lbound_arf(end, value_, bits_);
+  arb_set_arf(result.value_, end);
+  arf_clear(end);
+  return result;
+}
+
+Ball Ball::upper() const {
+  Ball result(0, bits_);
+  arf_t end;
+  arf_init(end);
+  arb_get_ubound_arf(end, value_, bits_);
+  arb_set_arf(result.value_, end);
+  arf_clear(end);
+  return result;
+}
+
+Ball Ball::intersection(const Ball& other) const {
+  if (!other.is_finite()) return *this;
+  if (!is_finite()) return other;
+  Ball result(0, larger(*this, other));
+  if (!arb_intersection(result.value_, value_, other.value_, result.bits_)) return unknown(result.bits_);
+  return result;
+}
+
+double Ball::to_double() const { return arf_get_d(arb_midref(value_), ARF_RND_NEAR); }
+
+std::string Ball::to_string(int digits) const {
+  const std::unique_ptr<char, void (*)(void*)> text(arb_get_str(value_, digits, 0), flint_free);
+  return text.get();
+}
+
+std::string Ball::dump() const {
+  const std::unique_ptr<char, void (*)(void*)> text(arb_dump_str(value_), flint_free);
+  return text.get();
+}
+
+Ball Ball::load(std::string_view text, Bits bits) {
+  Ball result(0, bits);
+  if (arb_load_str(result.value_, std::string(text).c_str()) != 0) {
+    throw InvalidData("", "not a ball", "four integers in Arb's notation", std::string(text));
+  }
+  return result;
+}
+
+Ball abs(const Ball& x) {
+  Ball result(0, x.bits());
+  arb_abs(result.get(), x.get());
+  return result;
+}
+
+Ball sqrt(const Ball& x) { return applied(arb_sqrt, x); }
+Ball exp(const Ball& x) { return applied(arb_exp, x); }
+Ball log(const Ball& x) { return applied(arb_log, x); }
+Ball sin(const Ball& x) { return applied(arb_sin, x); }
+Ball cos(const Ball& x) { return applied(arb_cos, x); }
+Ball atan(const Ball& x) { return applied(arb_atan, x); }
+Ball gamma(const Ball& x) { return applied(arb_gamma, x); }
+
+Ball min(const Ball& a, const Ball& b) {
+  Ball result(0, larger(a, b));
+  arb_min(result.get(), a.get(), b.get(), result.bits());
+  return result;
+}
+
+Ball max(const Ball& a, const Ball& b) {
+  Ball result(0, larger(a, b));
+  arb_max(result.get(), a.get(), b.get(), result.bits());
+  return result;
+}
+
+Ball power(const Ball& x, int n) {
+  Ball result(0, x.bits());
+  if (n >= 0) {
+    arb_pow_ui(result.get(), x.get(), static_cast<ulong>(n), x.bits());
+    return result;
+  }
+  return Ball(1) / power(x, -n);
+}
+
+namespace {
+
+/// x^p for x > 0: one logarithm, one exponential.
+Ball positive_power(const Ball& x, const Ball& p) { return exp(p * log(x)); }
+
+}  // namespace
+
+Ball power(const Ball& x, const Ball& p) {
+  const Bits bits = larger(x, p);
+  if (!x.is_finite() || !p.is_finite() || x.is_negative()) return Ball::unknown(bits);
+  // Arb's logarithm and exponential know how to treat a thin ball; the ends of a wide one are closer.
+  if (arb_rel_accuracy_bits(x.get()) > 8 && x.is_positive()) return positive_power(x, p);
+  const Ball low = x.lower();
+  const Ball high = x.upper();
+  if (low.is_positive()) return Ball::hull(positive_power(low, p), positive_power(high, p));
+  if (!p.is_positive()) return Ball::unknown(bits);
+  // x >= 0 by definition: what lies below is rounding.
+  return Ball::hull(Ball(0, bits), high.is_positive() ? positive_power(high, p) : Ball(0, bits));
+}
+
+std::ostream& operator<<(std::ostream& out, const Ball& ball) { return out << ball.to_string(20); }
+
+}  // namespace steadyslide::enclosure
