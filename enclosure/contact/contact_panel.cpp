@@ -1,0 +1,92 @@
+#include "enclosure/contact/contact_panel.hpp"
+
+namespace steadyslide::enclosure {
+
+ContactPanel::ContactPanel(const ContactSet& set, Part part, int n, std::optional<std::size_t> lowered, int count,
+                           JacobiRules& rules)
+    : part_(std::move(part)), power_(0, set.bits()) {
+  const std::size_t k = part_.segment;
+  const auto power = [&](std::size_t j) {
+    return (n > 0 ? set.power(j) : -set.power(j)) - Ball(lowered == j ? 1 : 0, set.bits());
+  };
+  std::optional<std::size_t> touched;
+  if (part_.touches) touched = *part_.touches == Side::left ? k : k + 1;
+  if (touched) power_ = power(*touched);
+
+  struct Factor {
+    std::size_t j;
+    Ball power;
+    Ball to_left;  ///< of the segment's nearer point from point j
+  };
+  std::vector<Factor> factors;
+  for (std::size_t j = 0; j < set.points(); ++j) {
+    if (touched == j || (set.is_regular(j) && lowered != j)) continue;
+    const bool left = j <= k;
+    Factor factor{j, power(j), left ? set.distance(j, k) : set.distance(k + 1, j)};
+    outside_.push_back({factor.to_left + (left ? part_.from_left : part_.from_right), factor.power});
+    factors.push_back(std::move(factor));
+  }
+
+  const Ball zero(0, set.bits());
+  const bool at_right = part_.touches == Side::right;
+  rule_ = &rules(count, at_right ? zero : power_, at_right ? power_ : zero);
+  const Ball half_length = part_.length / Ball(2);
+  scale_ = enclosure::power(half_length, power_ + Ball(1));
+  for (std::size_t i = 0; i < rule_->size(); ++i) {
+    const Ball from_left = part_.from_left + half_length * rule_->from_left[i];
+    const Ball from_right = part_.from_right + half_length * rule_->from_right[i];
+    Ball sum(0, set.bits());
+    for (const Factor& factor : factors) {
+      sum += factor.power * log(factor.to_left + (factor.j <= k ? from_left : from_right));
+    }
+    const Ball weight = rule_->weights[i] * scale_;
+    nodes_.push_back({from_left, from_right, weight * exp(sum), weight});
+  }
+}
+
+Ball ContactPanel::reach(const Ball& rho) const {
+  return ((rho + Ball(1) / rho) / Ball(2) - Ball(1)) * part_.length / Ball(2);
+}
+
+Ball ContactPanel::remainder(const Ball& bound, const Ball& rho) const {
+  const Ball beyond = reach(rho);
+  Ball sum(0, rho.bits());
+  for (const Outside& point : outside_) {
+    const Ball nearest = point.distance - beyond;
+    if (!nearest.is_positive()) return Ball::unknown(rho.bits());
+    sum += max(point.power * log(nearest), point.power * log(point.distance + part_.length + beyond));
+  }
+  return end_remainder(bound * exp(sum), rho);
+}
+
+std::vector<ContactPanel::Part> ContactPanel::graded(const ContactSet& set, std::size_t segment, Extent extent) {
+  const Ball half = set.length(segment) / Ball(2);
+  std::vector<Part> result;
+  // Outwards from one of the segment's points to its middle, each panel as long as what lies behind it.
+  const auto fill = [&](Side side) {
+    const bool left = side == Side::left;
+    const std::size_t point = left ? segment : segment + 1;
+    const bool at_margin = left ? point == 0 : point + 1 == set.points();
+    Ball from(0, set.bits());
+    bool touches = true;
+    for (bool more = true; more;) {
+      // Places are our choice: midpoints of balls, so that only the last length carries the box's width.
+      Ball length = touches ? (at_margin ? half : set.length(left ? segment - 1 : segment + 1)) : from;
+      length = length.lower();
+      more = length < half - from;
+      if (!more || Ball(2) * length > half - from) length = more ? ((half - from) / Ball(2)).lower() : half - from;
+      Ball to = from + length;
+      const Ball rest = set.length(segment) - to;
+      Part part{segment, left ? from : rest, left ? rest : from, length, {}};
+      if (touches) part.touches = side;
+      result.push_back(std::move(part));
+      from = to;
+      touches = false;
+    }
+  };
+  if (extent != Extent::right_half) fill(Side::left);
+  if (extent != Extent::left_half) fill(Side::right);
+  return result;
+}
+
+}  // namespace steadyslide::enclosure

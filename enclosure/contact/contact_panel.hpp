@@ -1,0 +1,69 @@
+#pragma once
+// A Gauss-Jacobi rule for int F |Y|^n dx over a panel, a part of a segment of the contact set which touches one of the
+// segment's points at most: n = 1 or -1, and |Y| is a product of powers of distances to the set's points, one of which
+// may be lowered by one more. With the panel's length L, the power a of the point that it touches (0 if none) and F
+// analytic and |F| <= M in the panel's Bernstein ellipse rho > 1, the rule of N nodes errs by no more than
+//
+//   4 mu (L/2)^(a+1) M Q rho^(1-2N)/(rho-1),   mu = int_{-1}^{1} (1+x)^a dx,
+//
+// Q the largest product of the other powers on the ellipse. The ellipse reaches L/2 beyond both ends of the panel,
+// A = (rho + 1/rho)/2, so that a distance D from an end lies between D - (A-1) L/2 and D + L + (A-1) L/2 on it.
+
+#include <vector>
+
+#include "enclosure/contact/contact_set.hpp"
+#include "enclosure/quadrature/jacobi_rules.hpp"
+
+namespace steadyslide::enclosure {
+
+class ContactPanel {
+ public:
+  struct Part {
+    std::size_t segment;
+    Ball from_left;   ///< of the panel's left end from the segment's left point; exactly 0 where it touches it
+    Ball from_right;  ///< of the panel's right end from the segment's right point
+    Ball length;
+    std::optional<Side> touches;
+  };
+  struct Node {
+    Ball from_left;  ///< distances from the segment's two points
+    Ball from_right;
+    Ball weight;
+    Ball end_weight;  ///< without the powers of the points that the panel does not touch
+  };
+
+  /// `lowered`: the point whose power is one less than in |Y|^n.
+  ContactPanel(const ContactSet& set, Part part, int n, std::optional<std::size_t> lowered, int count,
+               JacobiRules& rules);
+
+  const Part& part() const { return part_; }
+  const std::vector<Node>& nodes() const { return nodes_; }
+  /// The exponent a at the point that the panel touches.
+  const Ball& power() const { return power_; }
+  /// (A - 1) L/2.
+  Ball reach(const Ball& rho) const;
+  /// The rule's error if |F| <= bound in the ellipse rho; not finite if a point of the set lies in it.
+  Ball remainder(const Ball& bound, const Ball& rho) const;
+  /// The same where the bound is one on F and those powers together.
+  Ball end_remainder(const Ball& bound, const Ball& rho) const { return rule_->remainder(bound, rho) * scale_; }
+
+  /// Panels that fill a segment, or its left or right half: each is no longer than its distance from any point that it
+  /// does not touch.
+  enum class Extent { whole, left_half, right_half };
+  static std::vector<Part> graded(const ContactSet& set, std::size_t segment, Extent extent = Extent::whole);
+
+ private:
+  struct Outside {
+    Ball distance;  ///< from the nearer end of the panel
+    Ball power;
+  };
+
+  Part part_;
+  const JacobiRule* rule_;
+  Ball power_;
+  Ball scale_;  ///< (L/2)^(a+1)
+  std::vector<Outside> outside_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace steadyslide::enclosure

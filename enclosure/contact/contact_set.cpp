@@ -1,0 +1,141 @@
+#include "enclosure/contact/contact_set.hpp"
+
+#include <algorithm>
+
+#include "model/singular_point.hpp"
+
+namespace steadyslide::enclosure {
+
+using Kind = ContactTopology::Kind;
+
+std::vector<std::size_t> ContactTopology::movable() const {
+  std::vector<std::size_t> result;
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    if (points[j].beside) result.push_back(j);
+  }
+  return result;
+}
+
+int ContactTopology::degree_at_infinity() const {
+  int degree = 0;
+  for (const Point& point : points) degree += (point.vanishes ? 1 : 0) - (point.kind == Kind::begins ? 1 : 0);
+  return degree;
+}
+
+std::string ContactTopology::fault(const ReducedProblem& problem) const {
+  std::size_t next = 0;  // the anchor that has not been met yet
+  bool contact = false;
+  bool any = false;
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    const Point& point = points[j];
+    if (point.anchor >= problem.anchors.size()) return "a point names an anchor that the problem does not have";
+    if (point.beside) {
+      const bool right = *point.beside == Side::right;
+      if (point.anchor + (right ? 1 : 0) != next || next == 0 || next == problem.anchors.size()) {
+        return "a free end is not beside its anchor";
+      }
+      if (!point.vanishes || !point.is_end()) return "a point that moves is no free end";
+    } else if (point.anchor != next++) {
+      return "the anchors are not met one after the other";
+    }
+    if (point.kind == Kind::interior && point.vanishes) return "a point that is no end vanishes";
+    if (point.kind == Kind::interior) continue;
+    if (contact == (point.kind == Kind::begins)) return "contact does not begin and end in turns";
+    contact = !contact;
+    any = true;
+    if (!point.beside && !point.vanishes && point.anchor != 0 && point.anchor + 1 != problem.anchors.size()) {
+      // At a step contact lies on the side that protrudes: the lower one.
+      const int step = sign(problem.anchors[point.anchor].step);
+      if (step == 0) return "an edge is neither at the support's end nor at a step";
+      if ((step > 0) != (point.kind == Kind::ends)) return "contact at a step lies on the receding side";
+    }
+  }
+  if (next != problem.anchors.size()) return "an anchor is missing";
+  if (!any || contact) return "contact does not begin and end in turns";
+  return {};
+}
+
+ContactSet::ContactSet(const ReducedProblem& problem, ContactTopology topology, const std::vector<Ball>& log_offsets,
+                       Bits bits)
+    : problem_(&problem), topology_(std::move(topology)), bits_(bits), degree_(topology_.degree_at_infinity()) {
+  std::size_t movable = 0;
+  std::size_t interval = 0;
+  bool contact = false;
+  for (const ContactTopology::Point& point : topology_.points) {
+    Ball offset(0, bits);
+    if (point.beside) {
+      offset = exp(log_offsets[movable++].at(bits));
+      if (*point.beside == Side::left) offset = -offset;
+    }
+    x_.push_back(Ball(problem.anchors[point.anchor].x, bits) + offset);
+    offsets_.push_back(offset);
+    if (!point.beside) interval = point.anchor;
+    if (point.kind != Kind::interior) contact = point.kind == Kind::begins;
+    if (offsets_.size() == topology_.points.size()) break;
+    intervals_.push_back(interval);
+    contact_.push_back(contact);
+    cosines_.push_back(Ball(1) / sqrt(Ball(1 + problem.intervals[interval].s * problem.intervals[interval].s, bits)));
+  }
+  for (std::size_t k = 0; k + 1 < points(); ++k) lengths_.push_back(distance(k, k + 1));
+
+  for (std::size_t j = 0; j < points(); ++j) {
+    const ContactTopology::Point& p = point(j);
+    Exponent exponent;
+    if (p.is_end()) {
+      const End end = p.kind == Kind::begins ? End::left : End::right;
+      const Rational& s = this->interval(p.kind == Kind::begins ? j : j - 1).s;
+      exponent = p.vanishes ? free_exponent(end, s) : edge_exponent(end, s);
+    } else if (j > 0 && j + 1 < points() && contact_[j]) {
+      exponent = jump_exponent(this->interval(j - 1).s, this->interval(j).s);
+    }
+    regular_.push_back(exponent.sign() == 0);
+    powers_.emplace_back(exponent, bits);
+    exponents_.push_back(std::move(exponent));
+  }
+
+  // Y+ = |Y| e^{i pi sigma}, sigma the sum of the powers to the right; (s+i) cos(pi alpha) = i e^{-i pi alpha}. So eps is
+  // e^{i pi (1/2 + sigma - alpha)}; off the contact sigma is an integer.
+  Exponent sigma;
+  signs_.resize(segments());
+  for (std::size_t k = segments(); k-- > 0;) {
+    sigma += exponents_[k + 1];
+    const Exponent phase = in_contact(k) ? half + sigma - Exponent::angle(this->interval(k).s) : sigma;
+    signs_[k] = phase.reduced().halves % 4 == 0 ? 1 : -1;
+  }
+}
+
+Ball ContactSet::velocity(std::size_t j) const { return offsets_[j]; }
+
+Ball ContactSet::distance(std::size_t i, std::size_t j) const {
+  const std::size_t from = point(i).anchor;
+  const std::size_t to = point(j).anchor;
+  const Ball moved = offsets_[j] - offsets_[i];
+  return from == to ? moved : Ball(problem_->anchors[to].x - problem_->anchors[from].x, bits_) + moved;
+}
+
+bool ContactSet::is_ordered() const {
+  return std::all_of(lengths_.begin(), lengths_.end(), [](const Ball& length) { return length.is_positive(); });
+}
+
+std::vector<ContactSet::Run> ContactSet::runs(bool contact) const {
+  std::vector<Run> result;
+  for (std::size_t k = 0; k < segments(); ++k) {
+    if (contact_[k] != contact) continue;
+    if (k > 0 && contact_[k - 1] == contact && !point(k).is_end()) {
+      result.back().last = k;
+    } else {
+      result.push_back({k, k});
+    }
+  }
+  return result;
+}
+
+std::vector<ContactSet::Run> ContactSet::gaps() const {
+  std::vector<Run> result;
+  for (const Run& run : runs(false)) {
+    if (point(run.first).kind == Kind::ends && point(run.last + 1).kind == Kind::begins) result.push_back(run);
+  }
+  return result;
+}
+
+}  // namespace steadyslide::enclosure

@@ -1,0 +1,106 @@
+#pragma once
+// Where there is contact, for all values of the free ends in a box: the line of points from the support's left end to
+// its right end, anchors and free ends. A free end is an anchor plus or minus an offset h > 0, and what is unknown is
+// log h: ends close to each other or to an anchor keep their distances to full relative precision.
+//
+// Powers of the fundamental solution Y = prod (z - e_j)^{p_j} [Bal16, theorem 36]: at an end of contact that of an edge
+// or of a free end, inside the contact that of the friction's jump, else 0.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "enclosure/contact/reduced_problem.hpp"
+#include "enclosure/number/ball.hpp"
+#include "model/direction.hpp"
+
+namespace steadyslide::enclosure {
+
+/// The points of a contact set, without numbers.
+struct ContactTopology {
+  enum class Kind { interior, begins, ends };  ///< contact begins or ends here, from left to right
+
+  struct Point {
+    std::size_t anchor;               ///< the anchor itself, or
+    std::optional<Side> beside = {};  ///< a free end on this side of it
+    Kind kind = Kind::interior;
+    bool vanishes = false;  ///< an end where the traction vanishes
+
+    bool is_end() const { return kind != Kind::interior; }
+    friend bool operator==(const Point&, const Point&) = default;
+  };
+
+  /// Every anchor is among them, left to right.
+  std::vector<Point> points;
+
+  /// The points that move: indices.
+  std::vector<std::size_t> movable() const;
+  /// Free ends, at anchors or not, less the number of components: the degree S of Y at infinity.
+  int degree_at_infinity() const;
+  /// The reason why this is no contact set of the problem; empty if it is one.
+  std::string fault(const ReducedProblem& problem) const;
+  friend bool operator==(const ContactTopology&, const ContactTopology&) = default;
+};
+
+class ContactSet {
+ public:
+  /// `log_offsets` in the order of movable(). The topology has no fault.
+  ContactSet(const ReducedProblem& problem, ContactTopology topology, const std::vector<Ball>& log_offsets, Bits bits);
+
+  const ReducedProblem& problem() const { return *problem_; }
+  const ContactTopology& topology() const { return topology_; }
+  Bits bits() const { return bits_; }
+  std::size_t points() const { return topology_.points.size(); }
+  const ContactTopology::Point& point(std::size_t j) const { return topology_.points[j]; }
+  std::size_t segments() const { return points() - 1; }
+  /// Of segment k, between points k and k + 1.
+  bool in_contact(std::size_t k) const { return contact_[k]; }
+  const ReducedProblem::Interval& interval(std::size_t k) const { return problem_->intervals[intervals_[k]]; }
+  const Ball& length(std::size_t k) const { return lengths_[k]; }
+  /// xi of point j.
+  const Ball& x(std::size_t j) const { return x_[j]; }
+  /// How the end j moves with the logarithm of its offset: -h or +h.
+  Ball velocity(std::size_t j) const;
+  /// From point i to point j > i.
+  Ball distance(std::size_t i, std::size_t j) const;
+  /// Are the points in this order, for all values in the box?
+  bool is_ordered() const;
+
+  const Exponent& exponent(std::size_t j) const { return exponents_[j]; }
+  const Ball& power(std::size_t j) const { return powers_[j]; }
+  /// p is 0 exactly: Y is analytic there.
+  bool is_regular(std::size_t j) const { return regular_[j]; }
+  int degree_at_infinity() const { return degree_; }
+  /// On a segment in contact eps = +-1 from Y+ = eps |Y|/((s+i) cos(pi alpha)), else the sign of Y.
+  int sign(std::size_t k) const { return signs_[k]; }
+  /// cos(pi alpha) = 1/sqrt(1 + s^2) on a segment.
+  const Ball& cos_alpha(std::size_t k) const { return cosines_[k]; }
+
+  /// The first and the last segment of each component, and of each gap between two of them.
+  struct Run {
+    std::size_t first;
+    std::size_t last;
+  };
+  std::vector<Run> components() const { return runs(true); }
+  std::vector<Run> gaps() const;
+
+ private:
+  std::vector<Run> runs(bool contact) const;
+
+  const ReducedProblem* problem_;
+  ContactTopology topology_;
+  Bits bits_;
+  std::vector<Ball> offsets_;  ///< of every point from its anchor, signed; 0 for the anchor
+  std::vector<char> contact_;
+  std::vector<std::size_t> intervals_;
+  std::vector<Ball> x_;
+  std::vector<Ball> lengths_;
+  std::vector<Exponent> exponents_;
+  std::vector<Ball> powers_;
+  std::vector<char> regular_;
+  std::vector<int> signs_;
+  std::vector<Ball> cosines_;
+  int degree_;
+};
+
+}  // namespace steadyslide::enclosure

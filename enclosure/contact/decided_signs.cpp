@@ -1,0 +1,246 @@
+#include "enclosure/contact/decided_signs.hpp"
+
+#include <algorithm>
+
+namespace steadyslide::enclosure {
+namespace {
+
+using Kind = ContactTopology::Kind;
+
+/// Half a segment, seen from one of its points: distances d from it, from 0 to half the segment's length.
+struct Half {
+  std::size_t segment;
+  Side from;  ///< on which side of the segment that point is
+};
+
+/// Distances from `low` to `high`; both ends are exact.
+struct Interval {
+  Ball low;
+  Ball high;
+};
+
+class Decision {
+ public:
+  explicit Decision(const ContactForm& form) : form_(form), set_(form.set()), bits_(set_.bits()) {}
+
+  SignsDecided run() {
+    for (std::size_t k = 0; k < set_.segments() && result_.proved; ++k) {
+      if (!set_.in_contact(k)) continue;
+      for (const Side side : {Side::left, Side::right}) decide_half({k, side}, -set_.sign(k));
+    }
+    decide_gaps();
+    return std::move(result_);
+  }
+
+ private:
+  Place place(const Half& half, const Interval& d) const {
+    const Ball from = Ball::hull(d.low, d.high);
+    const Ball rest = set_.length(half.segment) - from;
+    return half.from == Side::left ? Place{half.segment, from, rest} : Place{half.segment, rest, from};
+  }
+
+  /// To the right of the middle for all values in the box: the two halves overlap a little.
+  Ball end_of(const Half& half) const { return (set_.length(half.segment) / Ball(2)).upper(); }
+
+  int sign_on(const Half& half, const Interval& d) {
+    ++result_.intervals;
+    return form_.regular_factor(place(half, d)).sign();
+  }
+
+  void fail(const Half& half, const Interval& d, std::string reason) {
+    if (!result_.proved) return;
+    result_.proved = false;
+    result_.reason = std::move(reason);
+    result_.x = half.from == Side::left ? set_.x(half.segment) + Ball::hull(d.low, d.high)
+                                        : set_.x(half.segment + 1) - Ball::hull(d.low, d.high);
+  }
+
+  /// A closed interval [0, d_1] next to the half's point on which B has this sign. 0 where there is none.
+  Ball first_interval(const Half& half, int wanted) {
+    const Ball zero(0, bits_);
+    const Ball end = end_of(half);
+    for (int k = 1; k <= 1 << 20; k *= 2) {
+      const Ball d = end * power(Ball(2, bits_), -k);
+      const int sign = sign_on(half, {zero, d.upper()});
+      if (sign == wanted) return d.upper();
+      if (sign == -wanted) return zero;
+    }
+    return zero;
+  }
+
+  /// B has the sign `wanted` on half a segment in contact, up to its point.
+  void decide_half(const Half& half, int wanted) {
+    if (!result_.proved) return;
+    const Ball first = first_interval(half, wanted);
+    if (!first.is_positive()) {
+      fail(half, {Ball(0, bits_), Ball(0, bits_)}, "the traction's leading term has not the sign of a pressure");
+      return;
+    }
+    std::vector<Interval> open{{first, end_of(half)}};
+    while (!open.empty() && result_.proved) {
+      const Interval d = std::move(open.back());
+      open.pop_back();
+      if (!(d.low < d.high)) continue;
+      const int sign = sign_on(half, d);
+      if (sign == wanted) continue;
+      if (sign == -wanted || !is_divisible(d)) {
+        fail(half, d, sign == -wanted ? "the traction pulls" : "the traction's sign is not decided");
+        return;
+      }
+      const Ball middle = divide(d);
+      open.push_back({middle, d.high});
+      open.push_back({d.low, middle});
+    }
+  }
+
+  /// Intervals of relative width 2^-20 that are not decided touch a zero, or the precision does not suffice.
+  bool is_divisible(const Interval& d) const { return d.high - d.low > d.high * power(Ball(2, bits_), -20); }
+
+  Ball divide(const Interval& d) const {
+    if (d.low * Ball(4) < d.high) return sqrt(d.low * d.high).midpoint();
+    return ((d.low + d.high) / Ball(2)).midpoint();
+  }
+
+  /// A part of a gap, with what the gap's height changes by, from left to right.
+  struct Cell {
+    Half half;
+    Interval d;
+    int sign;  ///< of gap' for x to the right; 0 if it is not decided
+    Ball increment;
+  };
+
+  Cell cell(const Half& half, const Interval& d) {
+    ++result_.intervals;
+    const LocalValue b = form_.regular_factor(place(half, d));
+    const int sign = b.sign() * set_.sign(half.segment);
+    // int |Y| over the cell: the power of the half's own point is integrated, the others are enclosed.
+    const std::size_t point = half.from == Side::left ? half.segment : half.segment + 1;
+    const Ball exponent = set_.power(point) + Ball(1);
+    const Ball low = d.low.is_positive() ? power(d.low, exponent) : Ball(0, bits_);
+    const Ball weight = (power(d.high, exponent) - low) / exponent * form_.modulus(place(half, d), point);
+    Ball increment = b.value() * weight * Ball(set_.sign(half.segment));
+    if (!increment.is_finite()) increment = Ball::unknown(bits_);
+    return {half, d, sign, std::move(increment)};
+  }
+
+  void decide_gaps() {
+    std::size_t k = 0;
+    while (k < set_.segments() && result_.proved) {
+      if (set_.in_contact(k)) {
+        ++k;
+        continue;
+      }
+      std::size_t last = k;
+      while (last + 1 < set_.segments() && !set_.in_contact(last + 1)) ++last;
+      decide_gap(k, last);
+      k = last + 1;
+    }
+  }
+
+  /// The step of the profile at point j, seen to the right.
+  Ball step(std::size_t j) const {
+    return set_.point(j).beside ? Ball(0, bits_) : Ball(set_.problem().anchors[set_.point(j).anchor].step, bits_);
+  }
+
+  /// Cells from left to right: first intervals up to the contact on either side, the rest in geometric proportion.
+  std::vector<Cell> cells_of(std::size_t first, std::size_t last) {
+    std::vector<Cell> cells;
+    for (std::size_t k = first; k <= last; ++k) {
+      for (const Side side : {Side::left, Side::right}) {
+        const Half half{k, side};
+        const std::size_t point = side == Side::left ? k : k + 1;
+        const Ball end = end_of(half);
+        Ball start = end;
+        if (set_.point(point).is_end()) {
+          // Away from the contact the gap opens: seen to the right, gap' > 0 to the right of an end, < 0 to the left.
+          start = first_interval(half, (side == Side::left ? 1 : -1) * set_.sign(k));
+          if (!start.is_positive()) {
+            if (step(point).contains_zero()) {
+              fail(half, {Ball(0, bits_), Ball(0, bits_)}, "the surface does not open beside the contact's end");
+              return {};
+            }
+            start = end;
+          }
+        }
+        std::vector<Cell> of_half{cell(half, {Ball(0, bits_), start})};
+        if (start < end) of_half.push_back(cell(half, {start, end}));
+        if (side == Side::right) std::reverse(of_half.begin(), of_half.end());
+        std::move(of_half.begin(), of_half.end(), std::back_inserter(cells));
+      }
+    }
+    return cells;
+  }
+
+  void decide_gap(std::size_t first, std::size_t last) {
+    const bool from_left = set_.point(first).kind == Kind::ends;
+    const bool from_right = set_.point(last + 1).kind == Kind::begins;
+    std::vector<Cell> cells = cells_of(first, last);
+    constexpr int most_rounds = 12;
+    for (int round = 0; result_.proved; ++round) {
+      std::vector<char> open(cells.size(), 0);
+      if (from_left) mark(cells, open, Side::left);
+      if (from_right) mark(cells, open, Side::right);
+      const auto undecided = std::find(open.begin(), open.end(), 0);
+      if (undecided == open.end()) return;
+      if (round == most_rounds) {
+        const Cell& at = cells[static_cast<std::size_t>(undecided - open.begin())];
+        fail(at.half, at.d, at.sign != 0 ? "the gap closes" : "the gap's sign is not decided");
+        return;
+      }
+      cells = divided(cells);
+    }
+  }
+
+  /// Marks the cells in which the gap is positive by what it is at the contact's end on that side.
+  void mark(const std::vector<Cell>& cells, std::vector<char>& open, Side side) const {
+    const bool left = side == Side::left;
+    const std::size_t n = cells.size();
+    const auto at = [&](std::size_t i) -> const Cell& { return cells[left ? i : n - 1 - i]; };
+    const auto direction = Ball(left ? 1 : -1);
+    const auto entered = [&](const Cell& c) { return left ? c.half.segment : c.half.segment + 1; };
+    Ball height = direction * step(entered(at(0)));
+    if (height.is_negative()) return;
+    bool grows = true;  // all the way from the contact
+    for (std::size_t i = 0; i < n; ++i) {
+      const Cell& c = at(i);
+      if (i > 0 && at(i - 1).half.segment != c.half.segment) {
+        const Ball risen = direction * step(entered(c));
+        height += risen;
+        grows = grows && !(risen.is_negative());
+      }
+      const Ball change = direction * c.increment;
+      grows = grows && c.sign == (left ? 1 : -1);
+      const Ball least = grows ? max(change.lower(), Ball(0, bits_)) : change.is_finite() ? change.lower() : change;
+      const bool stays_open = grows || (height + min(least, Ball(0, bits_))).is_positive();
+      if (stays_open) open[left ? i : n - 1 - i] = 1;
+      height += change.is_finite() ? least : (grows ? Ball(0, bits_) : Ball::unknown(bits_));
+      if (!height.is_finite()) return;
+    }
+  }
+
+  std::vector<Cell> divided(const std::vector<Cell>& cells) {
+    std::vector<Cell> result;
+    for (const Cell& c : cells) {
+      if (!c.d.low.is_positive() && c.sign != 0) {
+        result.push_back(c);
+        continue;
+      }
+      const Ball middle = c.d.low.is_positive() ? divide(c.d) : (c.d.high / Ball(2)).midpoint();
+      Cell parts[] = {cell(c.half, {c.d.low, middle}), cell(c.half, {middle, c.d.high})};
+      if (c.half.from == Side::right) std::swap(parts[0], parts[1]);
+      for (Cell& part : parts) result.push_back(std::move(part));
+    }
+    return result;
+  }
+
+  const ContactForm& form_;
+  const ContactSet& set_;
+  Bits bits_;
+  SignsDecided result_;
+};
+
+}  // namespace
+
+SignsDecided decide_signs(const ContactForm& form) { return Decision(form).run(); }
+
+}  // namespace steadyslide::enclosure

@@ -1,0 +1,179 @@
+#include "enclosure/contact/krawczyk.hpp"
+
+#include <arb_mat.h>
+
+#include <algorithm>
+
+namespace steadyslide::enclosure {
+namespace {
+
+using Matrix = std::vector<std::vector<Ball>>;
+
+/// The unknowns in one list.
+std::vector<Ball> unknowns(const ContactBox& box, bool tilts) {
+  std::vector<Ball> result = box.log_offsets;
+  result.insert(result.end(), box.q.begin(), box.q.end());
+  if (tilts) result.push_back(box.tilt);
+  return result;
+}
+
+ContactBox with_unknowns(const ContactBox& box, const std::vector<Ball>& values) {
+  ContactBox result = box;
+  auto next = values.begin();
+  for (Ball& x : result.log_offsets) x = *next++;
+  for (Ball& x : result.q) x = *next++;
+  if (next != values.end()) result.tilt = *next;
+  return result;
+}
+
+/// An approximate inverse: its error does not matter. Empty where there is none.
+Matrix approximate_inverse(const Matrix& matrix, Bits bits) {
+  const auto n = static_cast<slong>(matrix.size());
+  arb_mat_t a;
+  arb_mat_init(a, n, n);
+  for (slong i = 0; i < n; ++i) {
+    for (slong j = 0; j < n; ++j) {
+      arb_set(arb_mat_entry(a, i, j), matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].get());
+    }
+  }
+  Matrix result;
+  if (arb_mat_approx_inv(a, a, bits)) {
+    result.assign(matrix.size(), std::vector<Ball>(matrix.size(), Ball(0, bits)));
+    for (slong i = 0; i < n; ++i) {
+      for (slong j = 0; j < n; ++j) {
+        Ball& entry = result[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+        arb_get_mid_arb(entry.get(), arb_mat_entry(a, i, j));
+      }
+    }
+  }
+  arb_mat_clear(a);
+  return result;
+}
+
+std::vector<Ball> product(const Matrix& matrix, const std::vector<Ball>& vector, Bits bits) {
+  std::vector<Ball> result;
+  for (const std::vector<Ball>& row : matrix) {
+    Ball sum(0, bits);
+    for (std::size_t j = 0; j < row.size(); ++j) sum += row[j] * vector[j];
+    result.push_back(std::move(sum));
+  }
+  return result;
+}
+
+bool all_finite(const std::vector<Ball>& values) {
+  return std::all_of(values.begin(), values.end(), [](const Ball& x) { return x.is_finite(); });
+}
+
+}  // namespace
+
+int count_for(Bits bits) { return static_cast<int>(bits) / 4 + 4; }
+
+ContactForm ContactBox::form(const ReducedProblem& problem, int count, JacobiRules& rules) const {
+  const Bits bits = rules.bits();
+  std::vector<Ball> coefficients;
+  for (const Ball& c : q) coefficients.push_back(c.at(bits));
+  return {ContactSet(problem, topology, log_offsets, bits), std::move(coefficients), tilt.at(bits), count, rules};
+}
+
+ContactBox ApproximateContact::box(Bits bits) const {
+  ContactBox box{topology, {}, {}, Ball(tilt, bits).midpoint()};
+  for (const Rational& h : offsets) box.log_offsets.push_back(log(Ball(h, bits)).midpoint());
+  for (const Rational& c : q) box.q.push_back(Ball(c, bits).midpoint());
+  return box;
+}
+
+KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules) {
+  const Bits bits = rules.bits();
+  KrawczykResult result{false, {}, box};
+  const bool tilts = problem.load_at.has_value();
+  const std::vector<Ball> wide = unknowns(box, tilts);
+  std::vector<Ball> middle;
+  for (const Ball& x : wide) middle.push_back(x.at(bits).midpoint());
+
+  const int count = count_for(bits);
+  const ContactForm over_box = box.form(problem, count, rules);
+  if (!over_box.set().is_ordered()) {
+    result.reason = "the points of the contact set are not in order all over the box";
+    return result;
+  }
+  const ContactForm at_middle = with_unknowns(box, middle).form(problem, count, rules);
+  const std::vector<Ball> values = at_middle.conditions();
+  if (values.size() != wide.size() || over_box.unknowns() != wide.size()) {
+    result.reason = "there are " + std::to_string(values.size()) + " conditions on " + std::to_string(wide.size()) +
+                    " unknowns: a free end that stays on an anchor is an exact threshold";
+    return result;
+  }
+  if (wide.empty()) {
+    result.proved = true;
+    return result;
+  }
+  const Matrix derivatives = over_box.jacobian();
+  const Matrix inverse = approximate_inverse(derivatives, bits);
+  if (inverse.empty() || !all_finite(values)) {
+    result.reason = inverse.empty() ? "the conditions' derivative is singular" : "the conditions cannot be enclosed";
+    return result;
+  }
+  const std::vector<Ball> step = product(inverse, values, bits);
+  std::vector<Ball> image;
+  for (std::size_t i = 0; i < wide.size(); ++i) {
+    Ball sum = middle[i] - step[i];
+    for (std::size_t j = 0; j < wide.size(); ++j) {
+      Ball entry(i == j ? 1 : 0, bits);
+      for (std::size_t k = 0; k < wide.size(); ++k) entry -= inverse[i][k] * derivatives[k][j];
+      sum += entry * (wide[j] - middle[j]);
+    }
+    image.push_back(std::move(sum));
+  }
+  for (std::size_t i = 0; i < wide.size(); ++i) {
+    if (!wide[i].contains_inside(image[i])) {
+      result.reason = "Krawczyk's operator does not map the box into itself (unknown " + std::to_string(i) + ")";
+      return result;
+    }
+  }
+  result.proved = true;
+  result.box = with_unknowns(box, image);
+  return result;
+}
+
+KrawczykResult enclose_zero(const ReducedProblem& problem, const ApproximateContact& start, JacobiRules& rules) {
+  const Bits bits = rules.bits();
+  const bool tilts = problem.load_at.has_value();
+  ContactBox box = start.box(bits);
+  KrawczykResult result{false, "Newton's method does not converge", box};
+  std::vector<Ball> values = unknowns(box, tilts);
+  const int count = count_for(bits);
+  constexpr int most_steps = 12;
+  std::vector<Ball> widths(values.size(), Ball(0, bits));
+  Ball before = Ball::unknown(bits);
+  for (int step = 0; step < most_steps && !values.empty(); ++step) {
+    const ContactForm form = with_unknowns(box, values).form(problem, count, rules);
+    if (!form.set().is_ordered()) return result;
+    const std::vector<Ball> conditions = form.conditions();
+    if (conditions.size() != values.size()) break;  // prove_zero() says so
+    const Matrix inverse = approximate_inverse(form.jacobian(), bits);
+    if (inverse.empty() || !all_finite(conditions)) return result;
+    const std::vector<Ball> change = product(inverse, conditions, bits);
+    Ball largest(0, bits);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = (values[i] - change[i]).midpoint();
+      widths[i] = abs(change[i]).upper();
+      largest = max(largest, widths[i]);
+    }
+    // Once rounding and the quadrature's error are reached, steps no longer shrink.
+    if (before.is_finite() && !(largest < before * Ball(Rational(1, 16), bits))) break;
+    before = largest;
+  }
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    const Ball factor = power(Ball(16, bits), attempt + 1);
+    std::vector<Ball> wide;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const Ball rounding = abs(values[i]).upper() * power(Ball(2, bits), -static_cast<int>(bits) + 8);
+      wide.push_back(Ball::around(values[i], factor * (widths[i] + rounding)));
+    }
+    result = prove_zero(problem, with_unknowns(box, wide), rules);
+    if (result.proved) return result;
+  }
+  return result;
+}
+
+}  // namespace steadyslide::enclosure

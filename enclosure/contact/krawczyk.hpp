@@ -1,0 +1,52 @@
+#pragma once
+// Exactly one zero of a contact set's conditions in a box. With F the conditions, v the midpoint of the box V, C an
+// approximate inverse of F'(v), Krawczyk's operator
+//
+//   K(V) = v - C F(v) + (1 - C F'(V)) (V - v)
+//
+// maps V into its interior: then F has one zero in V, and it lies in K(V). (F' is enclosed on all of V, on which the
+// points keep their order; Brouwer's theorem for existence, |1 - C F'(V)| < 1 for uniqueness.)
+
+#include <string>
+#include <vector>
+
+#include "enclosure/contact/contact_form.hpp"
+
+namespace steadyslide::enclosure {
+
+/// The unknowns of a contact set: logarithms of the movable ends' offsets, q without its leading coefficient, the tilt.
+struct ContactBox {
+  ContactTopology topology;
+  std::vector<Ball> log_offsets;
+  std::vector<Ball> q;
+  Ball tilt;  ///< 0 exactly where the indenter keeps its attitude
+
+  /// At the rules' precision, with `count` nodes a panel.
+  ContactForm form(const ReducedProblem& problem, int count, JacobiRules& rules) const;
+};
+
+/// What a solver found, as plain numbers.
+struct ApproximateContact {
+  ContactTopology topology;
+  std::vector<Rational> offsets;  ///< of the movable ends from their anchors, in xi, > 0
+  std::vector<Rational> q;        ///< without the leading coefficient
+  Rational tilt;
+
+  ContactBox box(Bits bits) const;
+};
+
+struct KrawczykResult {
+  bool proved = false;
+  std::string reason;  ///< why not
+  ContactBox box;      ///< K(V), if proved; else the best state reached
+};
+
+/// Does the box hold exactly one zero? No Newton step before it: the box is taken as it is.
+KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules);
+/// Newton's method from the approximation, then a box around where it leads.
+KrawczykResult enclose_zero(const ReducedProblem& problem, const ApproximateContact& start, JacobiRules& rules);
+
+/// Nodes a panel that leave the quadrature's error at the precision's rounding.
+int count_for(Bits bits);
+
+}  // namespace steadyslide::enclosure

@@ -1,0 +1,41 @@
+#pragma once
+// The contact problem in reduced quantities, exact: xi = (x - origin)/unit, heights psi/(c unit), so that the slope
+//
+//   g(xi) = psi'(x)/c,   A t = g + tilt on the contact,   int t dxi = -load,   load = P/unit.
+//
+// Places that are data (ends of the support, friction jumps, breaks of the profile) are anchors, in order.
+
+#include <optional>
+#include <vector>
+
+#include "model/contact_problem.hpp"
+
+namespace steadyslide::enclosure {
+
+/// Coordinates xi = (x - origin)/unit.
+struct Frame {
+  Rational origin;
+  Rational unit;  ///< > 0
+};
+
+struct ReducedProblem {
+  ReducedProblem(const ContactProblem& problem, const Frame& frame);
+
+  struct Anchor {
+    Rational x;     ///< xi
+    Rational step;  ///< height on the right minus height on the left; 0 at the ends of the support
+  };
+  /// Between an anchor and the next one.
+  struct Interval {
+    Polynomial slope;  ///< g
+    Rational s;        ///< +-gamma f
+  };
+
+  Frame frame;
+  std::vector<Anchor> anchors;
+  std::vector<Interval> intervals;
+  Rational load;
+  std::optional<Rational> load_at;  ///< where the load acts, if the indenter may tilt
+};
+
+}  // namespace steadyslide::enclosure
