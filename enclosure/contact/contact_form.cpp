@@ -19,13 +19,6 @@ Ball value_at(const Polynomial_& polynomial, const Ball& x) {
   return value;
 }
 
-/// max |p(z)| for |z| <= r.
-Ball largest(const Polynomial_& polynomial, const Ball& r) {
-  Ball value(0, r.bits());
-  for (std::size_t i = polynomial.size(); i-- > 0;) value = value * r + abs(polynomial[i]);
-  return value;
-}
-
 /// int_x^{x+length} p: from the derivatives at x, so that a short interval loses nothing.
 Ball integral_over(Polynomial_ polynomial, const Ball& x, const Ball& length) {
   Ball sum(0, x.bits());
@@ -78,10 +71,7 @@ ContactForm::ContactForm(ContactSet set, std::vector<Ball> q, Ball tilt, int cou
       tilt_(std::move(tilt)),
       count_(count),
       rules_(&rules),
-      degree_(set_.degree_at_infinity()),
-      rho_direct_(Rational(16, 5), set_.bits()),
-      rho_far_(Rational(5), set_.bits()),
-      rho_beside_(Rational(23, 5), set_.bits()) {
+      degree_(set_.degree_at_infinity()) {
   const Bits bits = set_.bits();
   if (degree_ < 0) q_.emplace_back(set_.problem().load, bits);
 
@@ -142,7 +132,7 @@ ContactForm::ContactForm(ContactSet set, std::vector<Ball> q, Ball tilt, int cou
   differences_.resize(slopes_.size());
   for (std::size_t segment = 0; segment < set_.segments(); ++segment) {
     for (std::size_t k = 0; k < slopes_.size(); ++k) {
-      Difference difference{set_.interval(segment).slope - slopes_[k].exact, {}};
+      Difference difference{set_.interval(segment).slope - slopes_[k].exact, {}, {}, {}};
       difference.coefficients = in_balls(difference.exact, bits);
       if (set_.in_contact(segment)) {
         const Ball factor = Ball(set_.sign(segment)) * set_.cos_alpha(segment);
@@ -153,6 +143,22 @@ ContactForm::ContactForm(ContactSet set, std::vector<Ball> q, Ball tilt, int cou
     if (!set_.in_contact(segment) || !integrates) continue;
     for (ContactPanel::Part& part : ContactPanel::graded(set_, segment)) {
       panels_[segment].emplace_back(set_, std::move(part), -1, std::nullopt, count_, rules);
+    }
+    for (std::size_t k = 0; k < slopes_.size(); ++k) {
+      if (k == slopes_of_[segment]) continue;
+      Difference& difference = differences_[k][segment];
+      difference.mass = Ball(0, set_.bits());
+      for (const ContactPanel& panel : panels_[segment]) {
+        const Ball size = panel.largest(difference.coefficients, Ellipse::far);
+        std::vector<Ball> values;
+        for (const ContactPanel::Node& node : panel.nodes()) {
+          values.push_back(node.weight * value_at(difference.coefficients, set_.x(segment) + node.from_left));
+          difference.mass += node.weight.at(size.bits()) * size;
+        }
+        difference.mass += panel.remainder(size, Ellipse::far);
+        difference.values.push_back(std::move(values));
+      }
+      difference.mass = (difference.mass / pi).at(64);
     }
   }
 }
@@ -207,37 +213,32 @@ void ContactForm::add_cauchy(std::size_t k, std::size_t segment, const Place& pl
   const bool to_the_right = segment > place.segment;
   const Difference& difference = differences_[k][segment];
   const Ball to_segment = distance(place, to_the_right ? segment : segment + 1);
-  for (const ContactPanel& panel : panels_[segment]) {
+  for (std::size_t n = 0; n < panels_[segment].size(); ++n) {
+    const ContactPanel& panel = panels_[segment][n];
+    const std::vector<Ball>& values = difference.values[n];
     const ContactPanel::Part& part = panel.part();
     const std::optional<Side> facing = to_the_right ? Side::left : Side::right;
     const bool neighbours = to_the_right ? segment == place.segment + 1 : segment + 1 == place.segment;
     if (neighbours && part.touches == facing && Ball(2) * to_segment < part.length) {
-      add_beside(panel, difference, place, sum);
+      add_beside(panel, difference, values, place, sum);
       continue;
     }
     const Ball to_panel = to_segment + (to_the_right ? part.from_left : part.from_right);
-    const Ball& rho = to_panel > part.length * Ball(Rational(19, 20), set_.bits()) ? rho_far_ : rho_direct_;
-    const Ball clear = to_panel.lower() - panel.reach(rho);
+    const Ellipse ellipse =
+        to_panel > part.length * Ball(Rational(19, 20), set_.bits()) ? Ellipse::far : Ellipse::close;
+    const Ball clear = to_panel.lower() - panel.reach(ellipse);
     Ball part_sum(0, set_.bits());
-    for (const ContactPanel::Node& node : panel.nodes()) {
-      const Ball x = to_the_right ? set_.x(segment) + node.from_left : set_.x(segment + 1) - node.from_right;
-      part_sum += node.weight * value_at(difference.coefficients, x) /
-                  (to_segment + (to_the_right ? node.from_left : node.from_right));
+    for (std::size_t i = 0; i < panel.nodes().size(); ++i) {
+      const ContactPanel::Node& node = panel.nodes()[i];
+      part_sum += values[i] / (to_segment + (to_the_right ? node.from_left : node.from_right));
     }
-    part_sum += error(panel.remainder(largest_on(panel, difference.coefficients, rho) * pole_bound(clear), rho));
+    part_sum += error(panel.remainder(panel.largest(difference.coefficients, ellipse) * pole_bound(clear), ellipse));
     sum.regular += to_the_right ? part_sum : -part_sum;
   }
 }
 
-Ball ContactForm::largest_on(const ContactPanel& panel, const std::vector<Ball>& polynomial, const Ball& rho) const {
-  const ContactPanel::Part& part = panel.part();
-  const Ball left = abs(set_.x(part.segment) + part.from_left);
-  const Ball right = abs(set_.x(part.segment + 1) - part.from_right);
-  return largest(polynomial, max(left, right) + panel.reach(rho));
-}
-
-void ContactForm::add_beside(const ContactPanel& panel, const Difference& difference, const Place& place,
-                             LocalValue& sum) const {
+void ContactForm::add_beside(const ContactPanel& panel, const Difference& difference, const std::vector<Ball>& values,
+                             const Place& place, LocalValue& sum) const {
   const Bits bits = set_.bits();
   const ContactPanel::Part& part = panel.part();
   const bool to_the_right = *part.touches == Side::left;
@@ -274,15 +275,14 @@ void ContactForm::add_beside(const ContactPanel& panel, const Difference& differ
 
   // int y^a (G(y) - G(-d))/(y + d) dy.
   Ball total(0, bits);
-  for (const ContactPanel::Node& node : panel.nodes()) {
-    const Ball& y = to_the_right ? node.from_left : node.from_right;
-    const Ball x = to_the_right ? set_.x(part.segment) + y : set_.x(part.segment + 1) - y;
-    total += (node.weight * value_at(difference.coefficients, x) - node.end_weight * at_place) / (y + d);
+  for (std::size_t i = 0; i < panel.nodes().size(); ++i) {
+    const ContactPanel::Node& node = panel.nodes()[i];
+    total += (values[i] - node.end_weight * at_place) / ((to_the_right ? node.from_left : node.from_right) + d);
   }
-  const Ball clear = panel.reach(rho_beside_) - d.upper();
-  total +=
-      error(panel.remainder(largest_on(panel, difference.coefficients, rho_beside_) * pole_bound(clear), rho_beside_));
-  total += error(panel.end_remainder(abs(at_place) * pole_bound(clear), rho_beside_));
+  const Ball clear = panel.reach(Ellipse::beside) - d.upper();
+  total += error(
+      panel.remainder(panel.largest(difference.coefficients, Ellipse::beside) * pole_bound(clear), Ellipse::beside));
+  total += error(panel.end_remainder(abs(at_place) * pole_bound(clear), Ellipse::beside));
 
   // G(-d) I(d), its singular term apart: (-1/pi) of it belongs to B.
   const Ball sign(to_the_right ? 1 : -1, bits);
@@ -342,7 +342,7 @@ Ball ContactForm::integral(std::size_t k, std::size_t j) const {
       for (const ContactPanel::Node& node : panel.nodes()) {
         sum += node.weight * value_at(polynomial, set_.x(segment) + node.from_left);
       }
-      sum += error(panel.remainder(largest_on(panel, polynomial, rho_far_), rho_far_));
+      sum += error(panel.remainder(panel.largest(polynomial, Ellipse::far), Ellipse::far));
     }
   }
   return sum;
@@ -468,22 +468,16 @@ std::vector<GapPart> parts_of(const ContactSet::Run& gap) {
 
 }  // namespace
 
-Ball ContactForm::bound(std::size_t k, const ContactPanel& panel, const Ball& rho) const {
-  Ball sum = largest_on(panel, slopes_[k].rational, rho);
+Ball ContactForm::bound(std::size_t k, const ContactPanel& panel, Ellipse ellipse) const {
+  Ball sum = panel.largest(slopes_[k].rational, ellipse);
   const std::size_t at = panel.part().segment;
   for (std::size_t segment = 0; segment < set_.segments(); ++segment) {
     if (!set_.in_contact(segment) || slopes_of_[segment] == k) continue;
     const bool to_the_right = segment > at;
     const Ball clear = (to_the_right ? set_.distance(at + 1, segment) + panel.part().from_right
                                      : set_.distance(segment + 1, at) + panel.part().from_left) -
-                       panel.reach(rho);
-    Ball mass(0, set_.bits());
-    for (const ContactPanel& other : panels_[segment]) {
-      const Ball size = largest_on(other, differences_[k][segment].coefficients, rho_far_);
-      for (const ContactPanel::Node& node : other.nodes()) mass += node.weight * size;
-      mass += other.remainder(size, rho_far_);
-    }
-    sum += mass * pole_bound(clear) / Ball::pi(set_.bits());
+                       panel.reach(ellipse);
+    sum += differences_[k][segment].mass * pole_bound(clear.at(sum.bits()));
   }
   return sum;
 }
@@ -503,7 +497,7 @@ Ball ContactForm::gap_condition(const ContactSet::Run& gap) const {
       for (const ContactPanel::Node& node : panel.nodes()) {
         sum += sign * node.weight * regular_factor(k, {part.segment, node.from_left, node.from_right}).value();
       }
-      sum += error(panel.remainder(bound(k, panel, rho_far_), rho_far_));
+      sum += error(panel.remainder(bound(k, panel, Ellipse::far), Ellipse::far));
     }
   }
   return sum;
@@ -543,7 +537,7 @@ std::vector<Ball> ContactForm::gap_derivatives(const ContactSet::Run& gap, const
         for (const ContactPanel::Node& node : panel.nodes()) {
           row[i] += sign * node.weight * value_at(polynomials[i], set_.x(segment) + node.from_left);
         }
-        row[i] += error(panel.remainder(largest_on(panel, polynomials[i], rho_far_), rho_far_));
+        row[i] += error(panel.remainder(panel.largest(polynomials[i], Ellipse::far), Ellipse::far));
       }
       for (std::size_t i = 0; i < movable.size(); ++i) {
         const std::size_t f = movable[i];
@@ -553,15 +547,15 @@ std::vector<Ball> ContactForm::gap_derivatives(const ContactSet::Run& gap, const
           for (const ContactPanel::Node& node : lowered.nodes()) {
             row[i] -= sign * direction * residues[i] * node.weight;
           }
-          row[i] += error(lowered.remainder(abs(residues[i]), rho_far_));
+          row[i] += error(lowered.remainder(abs(residues[i]), Ellipse::far));
         } else {
           for (const ContactPanel::Node& node : panel.nodes()) {
             row[i] -= sign * residues[i] * node.weight / pole_distance(f, node.from_left, node.from_right);
           }
           const Ball clear = (f <= segment ? piece.from_left + set_.distance(f, segment)
                                            : piece.from_right + set_.distance(segment + 1, f)) -
-                             panel.reach(rho_direct_);
-          row[i] += error(panel.remainder(abs(residues[i]) * pole_bound(clear), rho_direct_));
+                             panel.reach(Ellipse::close);
+          row[i] += error(panel.remainder(abs(residues[i]) * pole_bound(clear), Ellipse::close));
         }
       }
     }

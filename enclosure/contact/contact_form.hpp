@@ -70,12 +70,15 @@ class ContactForm {
   struct Difference {
     Polynomial exact;
     Polynomials coefficients;
+    std::vector<std::vector<Ball>> values;  ///< at the nodes of each panel, times 1/|Y| and the node's weight
+    Ball mass;                              ///< (1/pi) int |...|/|Y| is no larger
   };
 
   LocalValue regular_factor(std::size_t k, const Place& place) const;
   /// Of the panels of a segment: its part of int eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x).
   void add_cauchy(std::size_t k, std::size_t segment, const Place& place, LocalValue& sum) const;
-  void add_beside(const ContactPanel& panel, const Difference& difference, const Place& place, LocalValue& sum) const;
+  void add_beside(const ContactPanel& panel, const Difference& difference, const std::vector<Ball>& values,
+                  const Place& place, LocalValue& sum) const;
   Ball distance(const Place& place, std::size_t j) const;
   Ball coordinate(const Place& place) const;
   /// int eps cos(pi alpha) (g - g_k)/|Y| x^j dx over the contact.
@@ -83,10 +86,8 @@ class ContactForm {
   Ball moment(std::size_t j) const;
   Ball gap_condition(const ContactSet::Run& gap) const;
   std::vector<Ball> gap_derivatives(const ContactSet::Run& gap, const std::vector<Ball>& residues) const;
-  /// max |p| on the ellipse of a panel.
-  Ball largest_on(const ContactPanel& panel, const std::vector<Ball>& polynomial, const Ball& rho) const;
   /// max |B_k| on the ellipse of a panel in a gap.
-  Ball bound(std::size_t k, const ContactPanel& panel, const Ball& rho) const;
+  Ball bound(std::size_t k, const ContactPanel& panel, Ellipse ellipse) const;
   Ball series(const std::vector<Ball>& coefficients, int n) const;
 
   ContactSet set_;
@@ -101,10 +102,6 @@ class ContactForm {
   std::vector<std::size_t> slopes_of_;
   std::vector<std::vector<ContactPanel>> panels_;  ///< of 1/|Y|, for each segment in contact where there are two slopes
   std::vector<std::vector<Difference>> differences_;  ///< [k][segment]
-  // A panel's ellipse reaches 0.38 of its length beyond it, 0.8, and 0.7; its own points apart, the next ones are at 1.
-  Ball rho_direct_;
-  Ball rho_far_;
-  Ball rho_beside_;
 };
 
 }  // namespace steadyslide::enclosure

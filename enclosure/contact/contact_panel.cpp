@@ -13,6 +13,13 @@ ContactPanel::ContactPanel(const ContactSet& set, Part part, int n, std::optiona
   if (part_.touches) touched = *part_.touches == Side::left ? k : k + 1;
   if (touched) power_ = power(*touched);
 
+  // For the bounds: distances of the other points from the panel's nearer end.
+  constexpr Bits few = 64;
+  struct Outside {
+    Ball distance;
+    Ball power;
+  };
+  std::vector<Outside> outside;
   struct Factor {
     std::size_t j;
     Ball power;
@@ -23,40 +30,48 @@ ContactPanel::ContactPanel(const ContactSet& set, Part part, int n, std::optiona
     if (touched == j || (set.is_regular(j) && lowered != j)) continue;
     const bool left = j <= k;
     Factor factor{j, power(j), left ? set.distance(j, k) : set.distance(k + 1, j)};
-    outside_.push_back({factor.to_left + (left ? part_.from_left : part_.from_right), factor.power});
+    outside.push_back({(factor.to_left + (left ? part_.from_left : part_.from_right)).at(few), factor.power.at(few)});
     factors.push_back(std::move(factor));
   }
 
   const Ball zero(0, set.bits());
   const bool at_right = part_.touches == Side::right;
-  rule_ = &rules(count, at_right ? zero : power_, at_right ? power_ : zero);
+  const JacobiRule& rule = rules(count, at_right ? zero : power_, at_right ? power_ : zero);
   const Ball half_length = part_.length / Ball(2);
-  scale_ = enclosure::power(half_length, power_ + Ball(1));
-  for (std::size_t i = 0; i < rule_->size(); ++i) {
-    const Ball from_left = part_.from_left + half_length * rule_->from_left[i];
-    const Ball from_right = part_.from_right + half_length * rule_->from_right[i];
+  const Ball scale = enclosure::power(half_length, power_ + Ball(1));
+  for (std::size_t i = 0; i < rule.size(); ++i) {
+    const Ball from_left = part_.from_left + half_length * rule.from_left[i];
+    const Ball from_right = part_.from_right + half_length * rule.from_right[i];
     Ball sum(0, set.bits());
     for (const Factor& factor : factors) {
       sum += factor.power * log(factor.to_left + (factor.j <= k ? from_left : from_right));
     }
-    const Ball weight = rule_->weights[i] * scale_;
+    const Ball weight = rule.weights[i] * scale;
     nodes_.push_back({from_left, from_right, weight * exp(sum), weight});
   }
-}
 
-Ball ContactPanel::reach(const Ball& rho) const {
-  return ((rho + Ball(1) / rho) / Ball(2) - Ball(1)) * part_.length / Ball(2);
-}
-
-Ball ContactPanel::remainder(const Ball& bound, const Ball& rho) const {
-  const Ball beyond = reach(rho);
-  Ball sum(0, rho.bits());
-  for (const Outside& point : outside_) {
-    const Ball nearest = point.distance - beyond;
-    if (!nearest.is_positive()) return Ball::unknown(rho.bits());
-    sum += max(point.power * log(nearest), point.power * log(point.distance + part_.length + beyond));
+  const Ball length = part_.length.at(few);
+  for (std::size_t i = 0; i < bounds_.size(); ++i) {
+    const Ball rho(std::array{Rational(16, 5), Rational(23, 5), Rational(5)}[i], few);
+    const Ball reach = ((rho + Ball(1) / rho) / Ball(2) - Ball(1)) * length / Ball(2);
+    Ball sum(0, few);
+    bool clear = true;
+    for (const Outside& point : outside) {
+      const Ball nearest = point.distance - reach;
+      clear = clear && nearest.is_positive();
+      sum += max(point.power * log(nearest), point.power * log(point.distance + length + reach));
+    }
+    const Ball end = rule.remainder(Ball(1, few), rho).at(few) * scale.at(few);
+    bounds_[i] = {reach, clear ? end * exp(sum) : Ball::unknown(few), end};
   }
-  return end_remainder(bound * exp(sum), rho);
+  farthest_ = max(abs(set.x(k) + part_.from_left), abs(set.x(k + 1) - part_.from_right)).at(few);
+}
+
+Ball ContactPanel::largest(const std::vector<Ball>& polynomial, Ellipse ellipse) const {
+  const Ball r = farthest_ + reach(ellipse);
+  Ball value(0, r.bits());
+  for (std::size_t i = polynomial.size(); i-- > 0;) value = value * r + abs(polynomial[i].at(r.bits()));
+  return value;
 }
 
 std::vector<ContactPanel::Part> ContactPanel::graded(const ContactSet& set, std::size_t segment, Extent extent) {

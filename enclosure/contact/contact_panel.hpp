@@ -7,14 +7,19 @@
 //   4 mu (L/2)^(a+1) M Q rho^(1-2N)/(rho-1),   mu = int_{-1}^{1} (1+x)^a dx,
 //
 // Q the largest product of the other powers on the ellipse. The ellipse reaches L/2 beyond both ends of the panel,
-// A = (rho + 1/rho)/2, so that a distance D from an end lies between D - (A-1) L/2 and D + L + (A-1) L/2 on it.
+// A = (rho + 1/rho)/2, so that a distance D from an end lies between D - (A-1) L/2 and D + L + (A-1) L/2 on it. Three
+// ellipses serve: panels are no longer than their distance from points that they do not touch. Bounds have 64 bits.
 
+#include <array>
 #include <vector>
 
 #include "enclosure/contact/contact_set.hpp"
 #include "enclosure/quadrature/jacobi_rules.hpp"
 
 namespace steadyslide::enclosure {
+
+/// rho = 16/5, 23/5, 5: it reaches 0.38, 0.7, 0.8 of the panel's length beyond both ends.
+enum class Ellipse { close, beside, far };
 
 class ContactPanel {
  public:
@@ -41,11 +46,17 @@ class ContactPanel {
   /// The exponent a at the point that the panel touches.
   const Ball& power() const { return power_; }
   /// (A - 1) L/2.
-  Ball reach(const Ball& rho) const;
-  /// The rule's error if |F| <= bound in the ellipse rho; not finite if a point of the set lies in it.
-  Ball remainder(const Ball& bound, const Ball& rho) const;
+  const Ball& reach(Ellipse ellipse) const { return bounds_[static_cast<std::size_t>(ellipse)].reach; }
+  /// The rule's error if |F| <= bound in the ellipse; not finite if a point of the set lies in it.
+  Ball remainder(const Ball& bound, Ellipse ellipse) const {
+    return bound * bounds_[static_cast<std::size_t>(ellipse)].remainder;
+  }
   /// The same where the bound is one on F and those powers together.
-  Ball end_remainder(const Ball& bound, const Ball& rho) const { return rule_->remainder(bound, rho) * scale_; }
+  Ball end_remainder(const Ball& bound, Ellipse ellipse) const {
+    return bound * bounds_[static_cast<std::size_t>(ellipse)].end_remainder;
+  }
+  /// max |p(x)| in the ellipse, x the coordinate xi.
+  Ball largest(const std::vector<Ball>& polynomial, Ellipse ellipse) const;
 
   /// Panels that fill a segment, or its left or right half: each is no longer than its distance from any point that it
   /// does not touch.
@@ -53,17 +64,17 @@ class ContactPanel {
   static std::vector<Part> graded(const ContactSet& set, std::size_t segment, Extent extent = Extent::whole);
 
  private:
-  struct Outside {
-    Ball distance;  ///< from the nearer end of the panel
-    Ball power;
+  struct Bounds {
+    Ball reach;
+    Ball remainder;
+    Ball end_remainder;
   };
 
   Part part_;
-  const JacobiRule* rule_;
   Ball power_;
-  Ball scale_;  ///< (L/2)^(a+1)
-  std::vector<Outside> outside_;
   std::vector<Node> nodes_;
+  std::array<Bounds, 3> bounds_;
+  Ball farthest_;  ///< |xi| on the panel is no larger
 };
 
 }  // namespace steadyslide::enclosure

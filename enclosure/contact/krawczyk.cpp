@@ -82,21 +82,23 @@ ContactBox ApproximateContact::box(Bits bits) const {
   return box;
 }
 
-KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules) {
-  const Bits bits = rules.bits();
+namespace {
+
+/// One attempt, with F' enclosed by the rules `coarse`.
+KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, JacobiRules& coarse) {
   KrawczykResult result{false, {}, box};
+  const Bits bits = rules.bits();
   const bool tilts = problem.load_at.has_value();
   const std::vector<Ball> wide = unknowns(box, tilts);
   std::vector<Ball> middle;
   for (const Ball& x : wide) middle.push_back(x.at(bits).midpoint());
 
-  const int count = count_for(bits);
-  const ContactForm over_box = box.form(problem, count, rules);
+  const ContactForm over_box = box.form(problem, count_for(coarse.bits()), coarse);
   if (!over_box.set().is_ordered()) {
     result.reason = "the points of the contact set are not in order all over the box";
     return result;
   }
-  const ContactForm at_middle = with_unknowns(box, middle).form(problem, count, rules);
+  const ContactForm at_middle = with_unknowns(box, middle).form(problem, count_for(bits), rules);
   const std::vector<Ball> values = at_middle.conditions();
   if (values.size() != wide.size() || over_box.unknowns() != wide.size()) {
     result.reason = "there are " + std::to_string(values.size()) + " conditions on " + std::to_string(wide.size()) +
@@ -135,22 +137,35 @@ KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, 
   return result;
 }
 
+}  // namespace
+
+KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules) {
+  // A few digits of F' are enough: they multiply the box's width.
+  JacobiRules coarse(std::min<Bits>(rules.bits(), 96));
+  KrawczykResult result = attempt(problem, box, rules, coarse);
+  return result.proved || coarse.bits() == rules.bits() ? result : attempt(problem, box, rules, rules);
+}
+
 KrawczykResult enclose_zero(const ReducedProblem& problem, const ApproximateContact& start, JacobiRules& rules) {
   const Bits bits = rules.bits();
   const bool tilts = problem.load_at.has_value();
-  ContactBox box = start.box(bits);
+  const ContactBox box = start.box(bits);
   KrawczykResult result{false, "Newton's method does not converge", box};
   std::vector<Ball> values = unknowns(box, tilts);
-  const int count = count_for(bits);
-  constexpr int most_steps = 12;
   std::vector<Ball> widths(values.size(), Ball(0, bits));
+  JacobiRules coarse(std::min<Bits>(bits, 96));
+  // With the derivative where it starts, a step gains as many digits as the start has.
+  Matrix inverse;
   Ball before = Ball::unknown(bits);
+  constexpr int most_steps = 40;
   for (int step = 0; step < most_steps && !values.empty(); ++step) {
-    const ContactForm form = with_unknowns(box, values).form(problem, count, rules);
+    const ContactBox here = with_unknowns(box, values);
+    const ContactForm form = here.form(problem, count_for(bits), rules);
     if (!form.set().is_ordered()) return result;
     const std::vector<Ball> conditions = form.conditions();
     if (conditions.size() != values.size()) break;  // prove_zero() says so
-    const Matrix inverse = approximate_inverse(form.jacobian(), bits);
+    if (inverse.empty())
+      inverse = approximate_inverse(here.form(problem, count_for(coarse.bits()), coarse).jacobian(), bits);
     if (inverse.empty() || !all_finite(conditions)) return result;
     const std::vector<Ball> change = product(inverse, conditions, bits);
     Ball largest(0, bits);
@@ -160,18 +175,23 @@ KrawczykResult enclose_zero(const ReducedProblem& problem, const ApproximateCont
       largest = max(largest, widths[i]);
     }
     // Once rounding and the quadrature's error are reached, steps no longer shrink.
-    if (before.is_finite() && !(largest < before * Ball(Rational(1, 16), bits))) break;
+    if (before.is_finite() && !(largest < before * Ball(Rational(1, 16), bits))) {
+      if (!(before < power(Ball(2, bits), -static_cast<int>(bits) / 2)))
+        inverse.clear();
+      else
+        break;
+    }
     before = largest;
   }
-  for (int attempt = 0; attempt < 4; ++attempt) {
-    const Ball factor = power(Ball(16, bits), attempt + 1);
+  for (int inflation = 1; inflation <= 4; ++inflation) {
+    const Ball factor = power(Ball(16, bits), inflation);
     std::vector<Ball> wide;
     for (std::size_t i = 0; i < values.size(); ++i) {
       const Ball rounding = abs(values[i]).upper() * power(Ball(2, bits), -static_cast<int>(bits) + 8);
       wide.push_back(Ball::around(values[i], factor * (widths[i] + rounding)));
     }
     result = prove_zero(problem, with_unknowns(box, wide), rules);
-    if (result.proved) return result;
+    if (result.proved || values.empty()) return result;
   }
   return result;
 }
