@@ -75,10 +75,39 @@ ContactForm ContactBox::form(const ReducedProblem& problem, int count, JacobiRul
   return {ContactSet(problem, topology, log_offsets, bits), std::move(coefficients), tilt.at(bits), count, rules};
 }
 
-ContactBox ApproximateContact::box(Bits bits) const {
-  ContactBox box{topology, {}, {}, Ball(tilt, bits).midpoint()};
+ContactStart::ContactStart(const ReducedProblem& problem, const ApproximateContact& contact) {
+  using Kind = ContactTopology::Kind;
+  const auto anchor_at = [&](const Rational& x) {
+    const Rational xi = (x - problem.frame.origin) / problem.frame.unit;
+    const auto found = std::find_if(problem.anchors.begin(), problem.anchors.end(),
+                                    [&](const ReducedProblem::Anchor& anchor) { return anchor.x == xi; });
+    return static_cast<std::size_t>(found - problem.anchors.begin());
+  };
+  bool begins = true;
+  std::size_t next = 0;  // the first anchor that is not among the points yet
+  const auto pass = [&](std::size_t count) {
+    for (; next < std::min(count, problem.anchors.size()); ++next) topology.points.push_back({next});
+  };
+  for (const ApproximateContact::End& end : contact.ends) {
+    const std::size_t anchor = anchor_at(end.anchor);
+    ContactTopology::Point point{anchor, end.beside, begins ? Kind::begins : Kind::ends, end.vanishes};
+    pass(end.beside == Side::right ? anchor + 1 : anchor);
+    topology.points.push_back(point);
+    if (end.beside) {
+      offsets.push_back(end.offset / problem.frame.unit);
+    } else {
+      next = anchor + 1;
+    }
+    begins = !begins;
+  }
+  pass(problem.anchors.size());
+}
+
+ContactBox ContactStart::box(Bits bits) const {
+  ContactBox box{topology, {}, {}, Ball(0, bits)};
   for (const Rational& h : offsets) box.log_offsets.push_back(log(Ball(h, bits)).midpoint());
-  for (const Rational& c : q) box.q.push_back(Ball(c, bits).midpoint());
+  const int free_coefficients = std::max(-topology.degree_at_infinity() - 1, 0);
+  box.q.assign(static_cast<std::size_t>(free_coefficients), Ball(0, bits));
   return box;
 }
 
@@ -146,7 +175,7 @@ KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, 
   return result.proved || coarse.bits() == rules.bits() ? result : attempt(problem, box, rules, rules);
 }
 
-KrawczykResult enclose_zero(const ReducedProblem& problem, const ApproximateContact& start, JacobiRules& rules) {
+KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactStart& start, JacobiRules& rules) {
   const Bits bits = rules.bits();
   const bool tilts = problem.load_at.has_value();
   const ContactBox box = start.box(bits);

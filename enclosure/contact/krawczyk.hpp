@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "enclosure/contact/contact_form.hpp"
+#include "model/approximate_contact.hpp"
 
 namespace steadyslide::enclosure {
 
@@ -25,13 +26,13 @@ struct ContactBox {
   ContactForm form(const ReducedProblem& problem, int count, JacobiRules& rules) const;
 };
 
-/// What a solver found, as plain numbers.
-struct ApproximateContact {
+/// The points of a contact as a solver found it, the problem's other anchors among them; empty offsets where the contact
+/// names an anchor that the problem does not have.
+struct ContactStart {
   ContactTopology topology;
-  std::vector<Rational> offsets;  ///< of the movable ends from their anchors, in xi, > 0
-  std::vector<Rational> q;        ///< without the leading coefficient
-  Rational tilt;
+  std::vector<Rational> offsets;  ///< of the movable ends, in xi, > 0
 
+  ContactStart(const ReducedProblem& problem, const ApproximateContact& contact);
   ContactBox box(Bits bits) const;
 };
 
@@ -43,8 +44,9 @@ struct KrawczykResult {
 
 /// Does the box hold exactly one zero? No Newton step before it: the box is taken as it is.
 KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules);
-/// Newton's method from the approximation, then a box around where it leads.
-KrawczykResult enclose_zero(const ReducedProblem& problem, const ApproximateContact& start, JacobiRules& rules);
+/// Newton's method from there, then a box around where it leads. The conditions are affine in q and the tilt, which its
+/// first step finds from nothing.
+KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactStart& start, JacobiRules& rules);
 
 /// Nodes a panel that leave the quadrature's error at the precision's rounding.
 int count_for(Bits bits);

@@ -11,6 +11,7 @@
 #include <iosfwd>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "model/exponent.hpp"
 #include "model/rational.hpp"
@@ -24,7 +25,7 @@ Bits bits_for(int digits);
 
 class Ball {
  public:
-  /// Exact.
+  /// Exact. By itself it is rounded at 64 bits; beside a ball of more, at theirs.
   Ball(int value = 0) : Ball(value, exact_) {}  // NOLINT(google-explicit-constructor): numbers are balls
   Ball(int value, Bits bits);
   Ball(const Rational& value, Bits bits);
@@ -36,6 +37,8 @@ class Ball {
   static Ball hull(const Ball& a, const Ball& b);
   /// [mid - radius, mid + radius] around the ball's midpoint.
   static Ball around(const Ball& centre, const Ball& radius);
+  /// Every number within the distance `error` of one in the ball.
+  static Ball plus_or_minus(const Ball& ball, const Ball& error);
   static Ball pi(Bits bits);
   /// What contains everything.
   static Ball unknown(Bits bits);
@@ -79,7 +82,7 @@ class Ball {
 
   Ball midpoint() const;
   Ball radius() const;
-  /// The ends of the ball, exact.
+  /// The ends of the ball as exact numbers, rounded outwards.
   Ball lower() const;
   Ball upper() const;
   /// What both contain; the ball itself where the other one is not finite, unknown() where they have nothing in common.
@@ -91,14 +94,14 @@ class Ball {
   std::string to_string(int digits) const;
   /// Arb's own notation, exact: mantissas and exponents in hexadecimal.
   std::string dump() const;
-  /// Reads it back. Throws InvalidData for anything else.
+  /// Reads back what dump() wrote of a finite ball. Throws InvalidData for anything else.
   static Ball load(std::string_view text, Bits bits);
 
   const arb_struct* get() const { return value_; }
   arb_struct* get() { return value_; }
 
  private:
-  static constexpr Bits exact_ = 2;
+  static constexpr Bits exact_ = 64;
   void use(const Ball& other) { bits_ = bits_ < other.bits_ ? other.bits_ : bits_; }
 
   arb_t value_;
@@ -120,6 +123,9 @@ Ball power(const Ball& x, int n);
 /// x^p for x >= 0. Where x reaches 0 or is wide, from its ends, at which the power is monotone in x and in p; not
 /// finite where x reaches 0 and p reaches 0 or a negative number.
 Ball power(const Ball& x, const Ball& p);
+
+/// log2 of the largest |x| in the ball to two digits or so: for choices, not for bounds. -inf for 0.
+double rough_log2(const Ball& x);
 
 /// "[0.3183098861837907 +/- 1e-17]"
 std::ostream& operator<<(std::ostream& out, const Ball& ball);
