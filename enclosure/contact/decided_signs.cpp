@@ -47,23 +47,26 @@ class Decision {
     return form_.regular_factor(place(half, d)).sign();
   }
 
-  void fail(const Half& half, const Interval& d, std::string reason) {
+  void fail(const Half& half, const Interval& d, bool refuted, std::string reason) {
     if (!result_.proved) return;
     result_.proved = false;
+    result_.refuted = refuted;
     result_.reason = std::move(reason);
     result_.x = half.from == Side::left ? set_.x(half.segment) + Ball::hull(d.low, d.high)
                                         : set_.x(half.segment + 1) - Ball::hull(d.low, d.high);
   }
 
-  /// A closed interval [0, d_1] next to the half's point on which B has this sign. 0 where there is none.
-  Ball first_interval(const Half& half, int wanted) {
+  /// A closed interval [0, d_1] next to the half's point on which B has this sign. Where there is none 0, and `refuted` says
+  /// whether B has the other one.
+  Ball first_interval(const Half& half, int wanted, bool& refuted) {
     const Ball zero(0, bits_);
     const Ball end = end_of(half);
     for (int k = 1; k <= 1 << 20; k *= 2) {
       const Ball d = end * power(Ball(2, bits_), -k);
       const int sign = sign_on(half, {zero, d.upper()});
       if (sign == wanted) return d.upper();
-      if (sign == -wanted) return zero;
+      refuted = sign == -wanted;
+      if (refuted) return zero;
     }
     return zero;
   }
@@ -71,9 +74,11 @@ class Decision {
   /// B has the sign `wanted` on half a segment in contact, up to its point.
   void decide_half(const Half& half, int wanted) {
     if (!result_.proved) return;
-    const Ball first = first_interval(half, wanted);
+    bool refuted = false;
+    const Ball first = first_interval(half, wanted, refuted);
     if (!first.is_positive()) {
-      fail(half, {Ball(0, bits_), Ball(0, bits_)}, "the traction's leading term has not the sign of a pressure");
+      fail(half, {Ball(0, bits_), Ball(0, bits_)}, refuted,
+           refuted ? "the traction's leading term pulls" : "the sign of the traction's leading term is not decided");
       return;
     }
     std::vector<Interval> open{{first, end_of(half)}};
@@ -84,7 +89,7 @@ class Decision {
       const int sign = sign_on(half, d);
       if (sign == wanted) continue;
       if (sign == -wanted || !is_divisible(d)) {
-        fail(half, d, sign == -wanted ? "the traction pulls" : "the traction's sign is not decided");
+        fail(half, d, sign == -wanted, sign == -wanted ? "the traction pulls" : "the traction's sign is not decided");
         return;
       }
       const Ball middle = divide(d);
@@ -153,10 +158,13 @@ class Decision {
         Ball start = end;
         if (set_.point(point).is_end()) {
           // Away from the contact the gap opens: seen to the right, gap' > 0 to the right of an end, < 0 to the left.
-          start = first_interval(half, (side == Side::left ? 1 : -1) * set_.sign(k));
+          bool refuted = false;
+          start = first_interval(half, (side == Side::left ? 1 : -1) * set_.sign(k), refuted);
           if (!start.is_positive()) {
             if (step(point).contains_zero()) {
-              fail(half, {Ball(0, bits_), Ball(0, bits_)}, "the surface does not open beside the contact's end");
+              fail(half, {Ball(0, bits_), Ball(0, bits_)}, refuted,
+                   refuted ? "the surfaces penetrate beside the contact's end"
+                           : "whether the surfaces open beside the contact's end is not decided");
               return {};
             }
             start = end;
@@ -184,7 +192,7 @@ class Decision {
       if (undecided == open.end()) return;
       if (round == most_rounds) {
         const Cell& at = cells[static_cast<std::size_t>(undecided - open.begin())];
-        fail(at.half, at.d, at.sign != 0 ? "the gap closes" : "the gap's sign is not decided");
+        fail(at.half, at.d, false, "the gap's sign is not decided");
         return;
       }
       cells = divided(cells);

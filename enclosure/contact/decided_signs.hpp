@@ -19,7 +19,9 @@ namespace steadyslide::enclosure {
 
 struct SignsDecided {
   bool proved = true;
-  /// Of the first one that is not: decided the other way, or not decided with this precision.
+  /// A sign is decided the other way: more precision will not help.
+  bool refuted = false;
+  /// Of the first one that is not as it has to be, or not decided.
   std::string reason;
   Ball x;  ///< where, in xi
   std::size_t intervals = 0;

@@ -1,0 +1,83 @@
+#include "enclosure/contact/contact_proof.hpp"
+
+#include <algorithm>
+
+namespace steadyslide::enclosure {
+namespace {
+
+/// Signs need few digits, except next to a threshold.
+SignsDecided decide(const ReducedProblem& problem, const ContactBox& box, Bits bits) {
+  SignsDecided signs;
+  for (const Bits few : {Bits(96), Bits(192), Bits(384)}) {
+    const Bits used = std::min(few, bits);
+    JacobiRules rules(used);
+    signs = decide_signs(box.form(problem, std::min(count_for(used), 16 * static_cast<int>(few / 96)), rules));
+    if (signs.proved || signs.refuted || used == bits) break;
+  }
+  return signs;
+}
+
+void judge(ContactProof& proof, KrawczykResult zero) {
+  proof.box = std::move(zero.box);
+  proof.reason = std::move(zero.reason);
+  if (!zero.proved) return;
+  const SignsDecided signs = decide(proof.problem, proof.box, proof.bits);
+  proof.proved = signs.proved;
+  proof.refuted = signs.refuted;
+  proof.reason = signs.reason;
+  proof.intervals = signs.intervals;
+  if (!signs.proved) {
+    const Frame& frame = proof.problem.frame;
+    proof.where = (Ball(frame.origin, 64) + Ball(frame.unit, 64) * signs.x).to_double();
+  }
+}
+
+}  // namespace
+
+Frame frame_of(const ContactProblem& problem, const ApproximateContact& contact) {
+  const auto place = [](const ApproximateContact::End& end) -> Rational {
+    if (!end.beside) return end.anchor;
+    return *end.beside == Side::left ? end.anchor - end.offset : end.anchor + end.offset;
+  };
+  const Indenter& indenter = problem.indenter();
+  const Rational from = contact.ends.empty() ? indenter.left() : place(contact.ends.front());
+  const Rational to = contact.ends.empty() ? indenter.right() : place(contact.ends.back());
+  Rational unit = 1;
+  while (unit < to - from) unit *= 2;
+  while (unit > to - from && to > from) unit /= 2;
+  // A short number near the middle keeps the data short.
+  const Rational eighths = (from + to) / 2 / unit * 8;
+  const Integer whole = numerator(eighths) / denominator(eighths);
+  return {Rational(whole) * unit / 8, unit};
+}
+
+ContactProof prove_contact(const ContactProblem& problem, const ApproximateContact& contact, int digits) {
+  const Bits least = bits_for(digits);
+  ContactProof proof{false, false, {}, {}, ReducedProblem(problem, frame_of(problem, contact)), {{}, {}, {}, Ball(0)},
+                     least};
+  const ContactStart start(proof.problem, contact);
+  if (std::string fault = start.topology.fault(proof.problem); !fault.empty()) {
+    proof.reason = std::move(fault);
+    return proof;
+  }
+  for (const int factor : {1, 2, 4}) {
+    proof.bits = factor * least;
+    JacobiRules rules(proof.bits);
+    judge(proof, enclose_zero(proof.problem, start, rules));
+    if (proof.proved || proof.refuted) break;
+  }
+  return proof;
+}
+
+ContactProof prove_box(const ReducedProblem& problem, const ContactBox& box, Bits bits) {
+  ContactProof proof{false, false, {}, {}, problem, box, bits};
+  if (std::string fault = box.topology.fault(problem); !fault.empty()) {
+    proof.reason = std::move(fault);
+    return proof;
+  }
+  JacobiRules rules(bits);
+  judge(proof, prove_zero(proof.problem, box, rules));
+  return proof;
+}
+
+}  // namespace steadyslide::enclosure
