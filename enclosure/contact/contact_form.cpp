@@ -32,6 +32,14 @@ Ball integral_over(Polynomial_ polynomial, const Ball& x, const Ball& length) {
   return sum;
 }
 
+/// The coefficients of powers of x - c.
+Polynomial_ shifted(Polynomial_ polynomial, const Ball& c) {
+  for (std::size_t low = 0; low < polynomial.size(); ++low) {
+    for (std::size_t i = polynomial.size() - 1; i-- > low;) polynomial[i] += polynomial[i + 1] * c;
+  }
+  return polynomial;
+}
+
 /// q(z)/(z - e) without its remainder.
 Polynomial_ quotient(const Polynomial_& q, const Ball& e) {
   Polynomial_ result(q.empty() ? 0 : q.size() - 1, Ball(0, e.bits()));
@@ -50,8 +58,6 @@ Ball pole_bound(const Ball& distance) {
 
 /// [-x, x].
 Ball error(const Ball& x) { return Ball::around(Ball(0, x.bits()), x.upper()); }
-
-Rational exact_value(const Polynomial& p, const Rational& x) { return p(x); }
 
 }  // namespace
 
@@ -147,18 +153,17 @@ ContactForm::ContactForm(ContactSet set, std::vector<Ball> q, Ball tilt, int cou
     for (std::size_t k = 0; k < slopes_.size(); ++k) {
       if (k == slopes_of_[segment]) continue;
       Difference& difference = differences_[k][segment];
-      difference.mass = Ball(0, set_.bits());
       for (const ContactPanel& panel : panels_[segment]) {
         const Ball size = panel.largest(difference.coefficients, Ellipse::far);
         std::vector<Ball> values;
+        Ball mass = panel.remainder(size, Ellipse::far);
         for (const ContactPanel::Node& node : panel.nodes()) {
           values.push_back(node.weight * value_at(difference.coefficients, set_.x(segment) + node.from_left));
-          difference.mass += node.weight.at(size.bits()) * size;
+          mass += node.weight.at(size.bits()) * size;
         }
-        difference.mass += panel.remainder(size, Ellipse::far);
         difference.values.push_back(std::move(values));
+        difference.masses.push_back(mass / Ball(3));  // 3 < pi
       }
-      difference.mass = (difference.mass / pi).at(64);
     }
   }
 }
@@ -248,23 +253,11 @@ void ContactForm::add_beside(const ContactPanel& panel, const Difference& differ
   const Ball pi = Ball::pi(bits);
 
   // G(-d) without the zero of order m that it has from g - g_k.
-  Rational at_c = exact_value(difference.exact, set_.problem().anchors[set_.point(c).anchor].x);
+  const Rational& c_exact = set_.problem().anchors[set_.point(c).anchor].x;
   int m = 0;
-  std::vector<Ball> around(difference.coefficients);  // of powers of x - c
-  {
-    const Ball& x = set_.x(c);
-    for (std::size_t low = 0; low < around.size(); ++low) {
-      for (std::size_t i = around.size() - 1; i-- > low;) around[i] += around[i + 1] * x;
-    }
-    Polynomial exact = difference.exact;
-    const Rational& place_c = set_.problem().anchors[set_.point(c).anchor].x;
-    while (at_c == 0) {
-      ++m;
-      exact = exact.derivative();
-      at_c = exact_value(exact, place_c);
-    }
-    around.erase(around.begin(), around.begin() + m);
-  }
+  for (Polynomial exact = difference.exact; exact(c_exact) == 0; exact = exact.derivative()) ++m;
+  std::vector<Ball> around = shifted(difference.coefficients, set_.x(c));
+  around.erase(around.begin(), around.begin() + m);
   Ball exponents(0, bits);
   for (std::size_t j = 0; j < set_.points(); ++j) {
     if (j != c && !set_.is_regular(j)) exponents -= set_.power(j) * log(distance(place, j));
@@ -468,18 +461,120 @@ std::vector<GapPart> parts_of(const ContactSet::Run& gap) {
 
 }  // namespace
 
-Ball ContactForm::bound(std::size_t k, const ContactPanel& panel, Ellipse ellipse) const {
+Ball ContactForm::bound(std::size_t k, const ContactPanel& panel, Ellipse ellipse,
+                        std::optional<std::size_t> without) const {
   Ball sum = panel.largest(slopes_[k].rational, ellipse);
   const std::size_t at = panel.part().segment;
   for (std::size_t segment = 0; segment < set_.segments(); ++segment) {
-    if (!set_.in_contact(segment) || slopes_of_[segment] == k) continue;
+    if (!set_.in_contact(segment) || slopes_of_[segment] == k || without == segment) continue;
     const bool to_the_right = segment > at;
     const Ball clear = (to_the_right ? set_.distance(at + 1, segment) + panel.part().from_right
-                                     : set_.distance(segment + 1, at) + panel.part().from_left) -
+                                     : set_.distance(segment + 1, at) + panel.part().from_left)
+                           .at(sum.bits()) -
                        panel.reach(ellipse);
-    sum += differences_[k][segment].mass * pole_bound(clear.at(sum.bits()));
+    for (const Ball& mass : differences_[k][segment].masses) sum += mass * pole_bound(clear);
   }
   return sum;
+}
+
+bool ContactForm::changes_polynomial(std::size_t j) const {
+  return j > 0 && j < set_.segments() && set_.in_contact(j - 1) && set_.in_contact(j) &&
+         slopes_of_[j - 1] != slopes_of_[j];
+}
+
+const ContactPanel& ContactForm::facing_panel(std::size_t c, std::size_t segment) const {
+  return segment < c ? panels_[c].front() : panels_[c - 1].back();
+}
+
+Ball ContactForm::bound_beside(std::size_t c, const ContactPanel& panel) const {
+  // With y, z in the ellipse E of the panel on the other side, of length D: the quotient of differences is at most
+  // 2 max |G|/(their distance from E's boundary). |z| <= 9/20 D puts them into the confocal ellipse with the larger
+  // semi-axis 19/10 D/2, and two of these are as far apart as their larger semi-axes differ.
+  const std::size_t segment = panel.part().segment;
+  const std::size_t k = slopes_of_[segment];
+  const std::size_t other = segment < c ? c : c - 1;
+  const ContactPanel& facing = facing_panel(c, segment);
+  const Difference& difference = differences_[k][other];
+  const Ball length = facing.part().length.at(64);
+  const Bits bits = length.bits();
+  if (!(Ball(4) * panel.part().length.at(64) <= length)) return Ball::unknown(bits);
+  const Ball margin = (facing.reach(Ellipse::beside) + length / Ball(2)) - length * Ball(Rational(19, 20), bits);
+  const Ball largest =
+      facing.largest(difference.coefficients, Ellipse::beside) * facing.largest_product(Ellipse::beside);
+  const Ball a = facing.power().at(64);
+  const Ball ratio(Rational(9, 11), bits);  // |w|/(1 - |w|) for |w| <= 9/20
+  Ball rest =
+      set_.is_regular(c) ? abs(log(length)) + ratio : power(length, a) * (Ball(1) / abs(a) + ratio / (Ball(1) - a));
+  rest += power(length, a + Ball(1)) / (a + Ball(1)) * Ball(2) * pole_bound(margin);
+  Ball sum = bound(k, panel, Ellipse::far, other) + largest * rest / Ball(3);
+  for (std::size_t n = 0; n < panels_[other].size(); ++n) {
+    const ContactPanel& beyond = panels_[other][n];
+    if (&beyond == &facing) continue;
+    const Ball clear =
+        (segment < c ? beyond.part().from_left : beyond.part().from_right).at(bits) - panel.reach(Ellipse::far);
+    sum += difference.masses[n] * pole_bound(clear);
+  }
+  return sum;
+}
+
+Ball ContactForm::singular_load(std::size_t c, std::size_t segment, const Ball& length) const {
+  const std::size_t k = slopes_of_[segment];
+  const std::size_t other = segment < c ? c : c - 1;
+  Polynomials around = shifted(differences_[k][other].coefficients, set_.x(c));
+  const Ball pi = Ball::pi(set_.bits());
+  const bool logarithm = set_.is_regular(c);
+  Ball sum(0, set_.bits());
+  Ball power = length;
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    // (x - c)^i = (-d)^i to the left of c.
+    Ball term = around[i] * power / Ball(static_cast<int>(i) + 1);
+    if (logarithm) term *= log(length) - Ball(1) / Ball(static_cast<int>(i) + 1, set_.bits());
+    sum += segment < c && i % 2 == 1 ? -term : term;
+    power *= length;
+  }
+  const Ball factor = Ball(set_.sign(segment) * (segment < c ? 1 : -1)) * set_.cos_alpha(segment);
+  return sum * factor / (logarithm ? pi : -sin(pi * set_.power(c)));
+}
+
+Ball ContactForm::load_on(std::size_t segment) const {
+  const Bits bits = set_.bits();
+  const std::size_t k = slopes_of_[segment];
+  Ball sum(0, bits);  // of |Y| B, and apart from it the singular terms
+  Ball singular(0, bits);
+  const auto add = [&](ContactPanel::Part part, std::optional<std::size_t> c) {
+    const ContactPanel panel(set_, std::move(part), 1, std::nullopt, count_, *rules_);
+    for (const ContactPanel::Node& node : panel.nodes()) {
+      const LocalValue b = regular_factor(k, {segment, node.from_left, node.from_right});
+      sum += node.weight * (c ? b.regular : b.value());
+    }
+    sum += error(panel.remainder(c ? bound_beside(*c, panel) : bound(k, panel, Ellipse::far), Ellipse::far));
+  };
+  for (ContactPanel::Part& part : ContactPanel::graded(set_, segment)) {
+    const std::size_t c = part.touches == Side::right ? segment + 1 : segment;
+    if (!part.touches || !changes_polynomial(c)) {
+      add(std::move(part), std::nullopt);
+      continue;
+    }
+    // A panel a fifth as long as the one on the other side, then each as long as what lies behind it.
+    const bool left = *part.touches == Side::left;
+    const Ball whole = part.length;
+    const Ball fifth = (facing_panel(c, segment).part().length / Ball(5)).lower();
+    Ball from(0, bits);
+    for (bool first = true, more = true; more; first = false) {
+      Ball length = first ? fifth : from;
+      more = length < whole - from;
+      if (!more) length = whole - from;
+      const Ball rest = set_.length(segment) - from - length;
+      ContactPanel::Part piece{segment, left ? from : rest, left ? rest : from, length, {}};
+      if (first) {
+        piece.touches = part.touches;
+        singular += singular_load(c, segment, length);
+      }
+      add(std::move(piece), first ? std::optional(c) : std::nullopt);
+      from += length;
+    }
+  }
+  return sum * Ball(set_.sign(segment)) * set_.cos_alpha(segment) + singular;
 }
 
 Ball ContactForm::gap_condition(const ContactSet::Run& gap) const {

@@ -52,6 +52,8 @@ class ContactForm {
   Ball regular_factor_at_end(std::size_t j) const;
   /// |Y| at a place, without the power of point `without`.
   Ball modulus(const Place& place, std::optional<std::size_t> without = std::nullopt) const;
+  /// int t dxi over a segment in contact.
+  Ball load_on(std::size_t segment) const;
   /// The conditions on the unknowns, in the order moments, gaps, moment of the load: all of them are 0 at a solution.
   std::vector<Ball> conditions() const;
   /// Their derivatives by the logarithms of the offsets, the coefficients of q and the tilt.
@@ -71,7 +73,7 @@ class ContactForm {
     Polynomial exact;
     Polynomials coefficients;
     std::vector<std::vector<Ball>> values;  ///< at the nodes of each panel, times 1/|Y| and the node's weight
-    Ball mass;                              ///< (1/pi) int |...|/|Y| is no larger
+    std::vector<Ball> masses;               ///< (1/pi) int |...|/|Y| over each panel is no larger
   };
 
   LocalValue regular_factor(std::size_t k, const Place& place) const;
@@ -86,8 +88,17 @@ class ContactForm {
   Ball moment(std::size_t j) const;
   Ball gap_condition(const ContactSet::Run& gap) const;
   std::vector<Ball> gap_derivatives(const ContactSet::Run& gap, const std::vector<Ball>& residues) const;
-  /// max |B_k| on the ellipse of a panel in a gap.
-  Ball bound(std::size_t k, const ContactPanel& panel, Ellipse ellipse) const;
+  /// max |B_k| on the ellipse of a panel; without what a segment contributes.
+  Ball bound(std::size_t k, const ContactPanel& panel, Ellipse ellipse,
+             std::optional<std::size_t> without = std::nullopt) const;
+  /// In a segment in contact, beside its point c on the other side of which the contact has another polynomial: a bound
+  /// of B_k without its singular term on the ellipse of a panel that touches c.
+  Ball bound_beside(std::size_t c, const ContactPanel& panel) const;
+  /// The integral of t's singular term beside c, from c to the distance `length`: a polynomial, times log d where p = 0.
+  Ball singular_load(std::size_t c, std::size_t segment, const Ball& length) const;
+  /// The panel on the other side of c that touches it.
+  const ContactPanel& facing_panel(std::size_t c, std::size_t segment) const;
+  bool changes_polynomial(std::size_t j) const;
   Ball series(const std::vector<Ball>& coefficients, int n) const;
 
   ContactSet set_;

@@ -1,5 +1,7 @@
 #include "enclosure/contact/contact_panel.hpp"
 
+#include <algorithm>
+
 namespace steadyslide::enclosure {
 
 ContactPanel::ContactPanel(const ContactSet& set, Part part, int n, std::optional<std::size_t> lowered, int count,
@@ -62,7 +64,8 @@ ContactPanel::ContactPanel(const ContactSet& set, Part part, int n, std::optiona
       sum += max(point.power * log(nearest), point.power * log(point.distance + length + reach));
     }
     const Ball end = rule.remainder(Ball(1, few), rho).at(few) * scale.at(few);
-    bounds_[i] = {reach, clear ? end * exp(sum) : Ball::unknown(few), end};
+    const Ball product = clear ? exp(sum) : Ball::unknown(few);
+    bounds_[i] = {reach, product, end * product, end};
   }
   farthest_ = max(abs(set.x(k) + part_.from_left), abs(set.x(k + 1) - part_.from_right)).at(few);
 }
@@ -100,7 +103,9 @@ std::vector<ContactPanel::Part> ContactPanel::graded(const ContactSet& set, std:
     }
   };
   if (extent != Extent::right_half) fill(Side::left);
+  const auto middle = static_cast<std::ptrdiff_t>(result.size());
   if (extent != Extent::left_half) fill(Side::right);
+  std::reverse(result.begin() + middle, result.end());
   return result;
 }
 

@@ -55,10 +55,12 @@ class ContactPanel {
   Ball end_remainder(const Ball& bound, Ellipse ellipse) const {
     return bound * bounds_[static_cast<std::size_t>(ellipse)].end_remainder;
   }
+  /// The largest product of the powers of the points that the panel does not touch, in the ellipse.
+  const Ball& largest_product(Ellipse ellipse) const { return bounds_[static_cast<std::size_t>(ellipse)].product; }
   /// max |p(x)| in the ellipse, x the coordinate xi.
   Ball largest(const std::vector<Ball>& polynomial, Ellipse ellipse) const;
 
-  /// Panels that fill a segment, or its left or right half: each is no longer than its distance from any point that it
+  /// Panels that fill a segment, or its left or right half, from left to right: each is no longer than its distance from any point that it
   /// does not touch.
   enum class Extent { whole, left_half, right_half };
   static std::vector<Part> graded(const ContactSet& set, std::size_t segment, Extent extent = Extent::whole);
@@ -66,6 +68,7 @@ class ContactPanel {
  private:
   struct Bounds {
     Ball reach;
+    Ball product;
     Ball remainder;
     Ball end_remainder;
   };
