@@ -11,6 +11,7 @@
 #include <iosfwd>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "model/exponent.hpp"
 #include "model/rational.hpp"
@@ -24,7 +25,7 @@ Bits bits_for(int digits);
 
 class Ball {
  public:
-  /// Exact.
+  /// Exact. By itself it is rounded at 64 bits; beside a ball of more, at theirs.
   Ball(int value = 0) : Ball(value, exact_) {}  // NOLINT(google-explicit-constructor): numbers are balls
   Ball(int value, Bits bits);
   Ball(const Rational& value, Bits bits);
@@ -79,7 +80,7 @@ class Ball {
 
   Ball midpoint() const;
   Ball radius() const;
-  /// The ends of the ball, exact.
+  /// The ends of the ball as exact numbers, rounded outwards.
   Ball lower() const;
   Ball upper() const;
   /// What both contain; the ball itself where the other one is not finite, unknown() where they have nothing in common.
@@ -91,14 +92,14 @@ class Ball {
   std::string to_string(int digits) const;
   /// Arb's own notation, exact: mantissas and exponents in hexadecimal.
   std::string dump() const;
-  /// Reads it back. Throws InvalidData for anything else.
+  /// Reads back what dump() wrote of a finite ball. Throws InvalidData for anything else.
   static Ball load(std::string_view text, Bits bits);
 
   const arb_struct* get() const { return value_; }
   arb_struct* get() { return value_; }
 
  private:
-  static constexpr Bits exact_ = 2;
+  static constexpr Bits exact_ = 64;
   void use(const Ball& other) { bits_ = bits_ < other.bits_ ? other.bits_ : bits_; }
 
   arb_t value_;
