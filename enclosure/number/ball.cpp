@@ -84,6 +84,12 @@ Ball Ball::around(const Ball& centre, const Ball& radius) {
   return result;
 }
 
+Ball Ball::plus_or_minus(const Ball& ball, const Ball& error) {
+  Ball result(ball);
+  arb_add_error(result.value_, error.value_);
+  return result;
+}
+
 Ball Ball::pi(Bits bits) {
   Ball result(0, bits);
   arb_const_pi(result.value_, bits);
@@ -291,6 +297,15 @@ Ball power(const Ball& x, const Ball& p) {
   if (!p.is_positive()) return Ball::unknown(bits);
   // x >= 0 by definition: what lies below is rounding.
   return Ball::hull(Ball(0, bits), high.is_positive() ? positive_power(high, p) : Ball(0, bits));
+}
+
+double rough_log2(const Ball& x) {
+  mag_t size;
+  mag_init(size);
+  arb_get_mag(size, x.get());
+  const double result = mag_get_d_log2_approx(size);
+  mag_clear(size);
+  return result;
 }
 
 std::ostream& operator<<(std::ostream& out, const Ball& ball) { return out << ball.to_string(20); }

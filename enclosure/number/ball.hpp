@@ -37,6 +37,8 @@ class Ball {
   static Ball hull(const Ball& a, const Ball& b);
   /// [mid - radius, mid + radius] around the ball's midpoint.
   static Ball around(const Ball& centre, const Ball& radius);
+  /// Every number within the distance `error` of one in the ball.
+  static Ball plus_or_minus(const Ball& ball, const Ball& error);
   static Ball pi(Bits bits);
   /// What contains everything.
   static Ball unknown(Bits bits);
@@ -121,6 +123,9 @@ Ball power(const Ball& x, int n);
 /// x^p for x >= 0. Where x reaches 0 or is wide, from its ends, at which the power is monotone in x and in p; not
 /// finite where x reaches 0 and p reaches 0 or a negative number.
 Ball power(const Ball& x, const Ball& p);
+
+/// log2 of the largest |x| in the ball to two digits or so: for choices, not for bounds. -inf for 0.
+double rough_log2(const Ball& x);
 
 /// "[0.3183098861837907 +/- 1e-17]"
 std::ostream& operator<<(std::ostream& out, const Ball& ball);

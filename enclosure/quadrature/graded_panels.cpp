@@ -1,0 +1,102 @@
+#include "enclosure/quadrature/graded_panels.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace steadyslide::enclosure {
+namespace {
+
+struct Part {
+  Ball from_left;
+  Ball from_right;
+  Ball length;
+};
+
+bool is_zero(const Ball& x) { return arb_is_zero(x.get()) != 0; }
+
+Ball halved(const Ball& x) {
+  Ball result(x);
+  arb_mul_2exp_si(result.get(), x.get(), -1);
+  return result;
+}
+
+class Grading {
+ public:
+  Grading(const Ball& left, const Ball& right, const std::vector<OutsidePoint>& outside, double clearance)
+      : left_{left, {}}, right_{right, {}}, outside_(outside), clearance_(Ball::exactly(clearance * 0.9375, 64)) {
+    for (const OutsidePoint& point : outside) {
+      std::optional<Ball>& nearest = (point.side == Side::left ? left_ : right_).nearest;
+      if (!nearest || point.distance.midpoint() < *nearest) nearest = point.distance.midpoint();
+    }
+  }
+
+  /// A choice, made with midpoints: what is equal up to rounding is far enough.
+  bool is_clear(const Part& part) const {
+    return is_far(left_, part.from_left, part.length) && is_far(right_, part.from_right, part.length);
+  }
+
+  GradedPanel panel(Part part) const {
+    std::vector<OutsidePoint> outside;
+    for (const OutsidePoint& point : outside_) {
+      const Ball& to_end = point.side == Side::left ? part.from_left : part.from_right;
+      outside.push_back({point.side, point.distance + to_end, point.power});
+    }
+    const auto own_power = [&](const Surroundings& end, const Ball& to_end, Side side) {
+      if (is_zero(to_end)) return end.power;
+      if (!is_zero(end.power)) outside.push_back({side, to_end, end.power});
+      return Ball(0);
+    };
+    const Ball left = own_power(left_, part.from_left, Side::left);
+    const Ball right = own_power(right_, part.from_right, Side::right);
+    return {std::move(part.from_left), std::move(part.from_right), std::move(part.length), left, right,
+            std::move(outside)};
+  }
+
+ private:
+  struct Surroundings {
+    Ball power;
+    std::optional<Ball> nearest;
+  };
+
+  bool is_far(const Surroundings& end, const Ball& to_end, const Ball& length) const {
+    Ball distance = to_end.midpoint();
+    if (is_zero(to_end) || is_zero(end.power)) {
+      if (!end.nearest) return true;
+      distance += *end.nearest;
+    }
+    return clearance_ * length.midpoint() < distance;
+  }
+
+  Surroundings left_;
+  Surroundings right_;
+  const std::vector<OutsidePoint>& outside_;
+  Ball clearance_;
+};
+
+}  // namespace
+
+std::vector<GradedPanel> graded(const Ball& length, const Ball& left, const Ball& right,
+                                const std::vector<OutsidePoint>& outside, double clearance) {
+  const Grading grading(left, right, outside, clearance);
+  const bool decided = length.is_finite() && length.is_positive() &&
+                       std::all_of(outside.begin(), outside.end(), [](const OutsidePoint& point) {
+                         return point.distance.is_finite() && point.distance.is_positive();
+                       });
+  std::vector<GradedPanel> panels;
+  std::vector<Part> waiting{{Ball(0, length.bits()), Ball(0, length.bits()), length}};
+  while (!waiting.empty()) {
+    Part part = std::move(waiting.back());
+    waiting.pop_back();
+    if (!decided || grading.is_clear(part)) {
+      panels.push_back(grading.panel(std::move(part)));
+      continue;
+    }
+    const Ball half = halved(part.length);
+    waiting.push_back({part.from_left + half, part.from_right, half});
+    waiting.push_back({part.from_left, part.from_right + half, half});
+  }
+  return panels;
+}
+
+}  // namespace steadyslide::enclosure

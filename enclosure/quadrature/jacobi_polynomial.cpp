@@ -1,0 +1,154 @@
+#include "enclosure/quadrature/jacobi_polynomial.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace steadyslide::enclosure {
+namespace {
+
+/// Bounds need few digits.
+constexpr Bits coarse = 64;
+
+Ball upper_size(const Ball& x) { return abs(x).at(coarse).upper(); }
+
+Ball two_to(Bits exponent) {
+  Ball result(1, coarse);
+  arb_mul_2exp_si(result.get(), result.get(), exponent);
+  return result;
+}
+
+struct ValueAndSlope {
+  Ball value{0};
+  Ball slope{0};
+};
+
+/// sum_{k <= degree} c_k d^k and its derivative, by Horner's scheme.
+ValueAndSlope horner(const std::vector<Ball>& c, std::size_t degree, const Ball& d, Bits bits) {
+  ValueAndSlope result;
+  arb_struct* const value = result.value.get();
+  arb_struct* const slope = result.slope.get();
+  for (std::size_t k = degree + 1; k-- > 0;) {
+    arb_mul(slope, slope, d.get(), bits);
+    arb_add(slope, slope, value, bits);
+    arb_mul(value, value, d.get(), bits);
+    arb_add(value, value, c[k].get(), bits);
+  }
+  return {result.value.at(bits), result.slope.at(bits)};
+}
+
+/// A root of Taylor's polynomial, not proved: Newton's steps, each at the precision that it can reach and with the terms
+/// that show there.
+Ball approximate_root(const std::vector<Ball>& c, double bits_per_term, Bits bits) {
+  Ball root = (-c[0] / c[1]).midpoint();
+  double known = bits_per_term;
+  while (known < static_cast<double>(bits)) {
+    known = 2 * known;
+    const Bits precision = std::min(bits, static_cast<Bits>(known) + 32);
+    const auto degree = std::min(c.size() - 1, static_cast<std::size_t>(known / bits_per_term) + 1);
+    const ValueAndSlope at = horner(c, degree, root, precision);
+    Ball step(0, precision);
+    arb_div(step.get(), at.value.get(), at.slope.get(), precision);
+    root = (root.at(bits) - step.midpoint()).midpoint();
+  }
+  return root;
+}
+
+}  // namespace
+
+JacobiPolynomial::JacobiPolynomial(int count, const Ball& left, const Ball& right, Bits bits)
+    : count_(count), bits_(bits), left_(left.at(bits)), right_(right.at(bits)), sum_(left_ + right_) {
+  const Ball &l = left_, &r = right_, &s = sum_;
+  eigenvalue_ = count * (s + (count + 1));
+  // Written so that nothing vanishes in a denominator: s > -2, and s = 0 or s = -1 are allowed.
+  centres_.push_back((l - r) / (s + 2));
+  products_.push_back(Ball(0));
+  products_.push_back(4 * (l + 1) * (r + 1) / ((s + 2) * (s + 2) * (s + 3)));
+  const Ball difference = (l - r) * s;
+  for (int k = 1; k < count; ++k) centres_.push_back(difference / ((s + 2 * k) * (s + (2 * k + 2))));
+  for (int k = 2; k <= count; ++k) {
+    const Ball t = s + 2 * k;
+    products_.push_back(4 * k * (l + k) * (r + k) * (s + k) / (t * t * (t + 1) * (t - 1)));
+  }
+  norm_ = s + (2 * count + 1);
+  for (int k = 1; k <= count; ++k) norm_ *= products_[static_cast<std::size_t>(k)];
+}
+
+JacobiPolynomial::Pair JacobiPolynomial::at(const Ball& x) const {
+  Ball before(0, bits_), p(1, bits_), next(0, bits_), term(0, bits_);
+  for (std::size_t k = 0; k < centres_.size(); ++k) {
+    arb_sub(next.get(), x.get(), centres_[k].get(), bits_);
+    arb_mul(next.get(), next.get(), p.get(), bits_);
+    if (k > 0) {
+      arb_mul(term.get(), products_[k].get(), before.get(), bits_);
+      arb_sub(next.get(), next.get(), term.get(), bits_);
+    }
+    arb_swap(before.get(), p.get());
+    arb_swap(p.get(), next.get());
+  }
+  return {p, before};
+}
+
+std::optional<JacobiPolynomial::Zero> JacobiPolynomial::zero_near(double start, Side side) const {
+  if (!(start > 0 && start < 2)) return std::nullopt;
+  const Ball from_end = Ball::exactly(start, bits_);
+  Ball x = side == Side::left ? from_end : -from_end;
+  arb_add_si(x.get(), x.get(), side == Side::left ? -1 : 1, ARF_PREC_EXACT);
+  const Ball u = from_end * (2 - from_end);
+  const Ball e = left_ - right_ - (sum_ + 2) * x;
+
+  // c_0 and c_1: (1-x^2) P' = n ((r-l)/(2n+s) - x) P + b_n (2n+s+1) P_{n-1} [DLMF 18.9.17].
+  const Pair values = at(x);
+  const Ball twice = sum_ + 2 * count_;
+  std::vector<Ball> c{values.p};
+  c.push_back((count_ * ((right_ - left_) / twice - x) * values.p + products_.back() * (twice + 1) * values.before) /
+              u);
+
+  // The bounds of the header. The root is about |c_0/c_1| away; R has room for twice that.
+  const Ball c_1 = abs(c[1]).lower();
+  if (!c_1.is_positive()) return std::nullopt;
+  const Ball t = max(2 * max(Ball(2), upper_size(e)) / u.at(coarse).lower(), sqrt(upper_size(eigenvalue_ / u))).upper();
+  const Ball reach = max(2 * upper_size(c[0]) / c_1.at(coarse), two_to(-bits_)).upper();
+  const Ball q = (t * reach).upper();
+  if (!(q < Ball(Rational(1) / 1024, coarse))) return std::nullopt;
+  const Ball size = max(upper_size(c[0]), upper_size(c[1]) / t).upper();
+
+  const double bits_per_term = -rough_log2(q) - 1;
+  const auto degree = static_cast<std::size_t>(static_cast<double>(bits_) / bits_per_term) + 2;
+  for (std::size_t j = 2; j <= degree; ++j) {
+    const int k = static_cast<int>(j) - 2;
+    // A later term shows less: R^k of it is small.
+    const Bits bits = std::max(coarse, bits_ - static_cast<Bits>((k - 1) * bits_per_term) + 64);
+    Ball next(0, bits), term(0, bits);
+    arb_mul_si(next.get(), x.get(), 2 * k, bits);
+    arb_sub(next.get(), next.get(), e.get(), bits);
+    arb_mul(next.get(), next.get(), c[j - 1].get(), bits);
+    arb_mul_si(next.get(), next.get(), k + 1, bits);
+    arb_add_si(term.get(), sum_.get(), k + 1, bits);
+    arb_mul_si(term.get(), term.get(), -k, bits);
+    arb_add(term.get(), term.get(), eigenvalue_.get(), bits);
+    arb_submul(next.get(), term.get(), c[j - 2].get(), bits);
+    arb_div(next.get(), next.get(), u.get(), bits);
+    arb_div_si(next.get(), next.get(), static_cast<slong>(k + 1) * (k + 2), bits);
+    c.push_back(std::move(next));
+  }
+
+  const Ball d = approximate_root(c, bits_per_term, bits_);
+  ValueAndSlope there = horner(c, degree, d, bits_);
+  const int m = static_cast<int>(degree);
+  const Ball rest = size * power(q, m) / power(1 - q, 2);
+  there.value = Ball::plus_or_minus(there.value, rest * q);
+  there.slope = Ball::plus_or_minus(there.slope, rest * t * (m + 1));
+
+  const Ball least_slope = abs(there.slope).at(coarse).lower();
+  if (!least_slope.is_positive()) return std::nullopt;
+  const Ball r = max(2 * upper_size(there.value) / least_slope, two_to(-4 * bits_)).upper();
+  if (!(upper_size(d) + r <= reach)) return std::nullopt;
+  const Ball slope = Ball::plus_or_minus(there.slope, r * 2 * size * t * t / power(1 - q, 3));
+  const Ball step = there.value / slope;
+  if (!(upper_size(step) < r)) return std::nullopt;
+
+  const Ball root = d - step;
+  return Zero{side == Side::left ? from_end + root : from_end - root, slope};
+}
+
+}  // namespace steadyslide::enclosure
