@@ -1,5 +1,5 @@
 # The libraries that steadyslide's own libraries link. Included by the build and by the installed package's config file,
-# so that both look for the same things. GMP, MPFR, FFTW, CLN and GiNaC ship pkg-config files only.
+# so that both look for the same things. GMP, MPFR, FFTW, CLN and GiNaC ship pkg-config files only, Arb nothing.
 
 # find_package() REQUIRED in a config file would make an optional find_package(steadyslide) fatal, and find_dependency()
 # outside a config file leaves in silence.
@@ -31,3 +31,12 @@ foreach(library IN ITEMS gmp mpfr fftw3 cln ginac)
     return()
   endif()
 endforeach()
+
+# FindArb.cmake stands beside this file, here and in the installed package.
+list(PREPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")
+if(CMAKE_FIND_PACKAGE_NAME STREQUAL "steadyslide")
+  find_dependency(Arb)
+else()
+  find_package(Arb REQUIRED)
+endif()
+list(POP_FRONT CMAKE_MODULE_PATH)

@@ -1,6 +1,6 @@
 # What `cmake --install` puts where, and the package that find_package(steadyslide) finds: targets steadyslide::model,
-# steadyslide::symbolic, steadyslide::statements, steadyslide::numeric, steadyslide::proofs_checks; headers as in the
-# sources ("model/rational.hpp").
+# steadyslide::symbolic, steadyslide::statements, steadyslide::numeric, steadyslide::enclosure, steadyslide::proofs_checks;
+# headers as in the sources ("model/rational.hpp").
 # A project that takes steadyslide by add_subdirectory installs itself, not us.
 
 option(STEADYSLIDE_INSTALL "Make the install rules" ${PROJECT_IS_TOP_LEVEL})
@@ -14,7 +14,7 @@ set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/steadyslide")
 file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/public_headers.txt" public_headers REGEX "^[a-z]")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/public_headers.txt")
 
-foreach(layer IN ITEMS model symbolic statements numeric proofs_checks)
+foreach(layer IN ITEMS model symbolic statements numeric enclosure proofs_checks)
   if(TARGET steadyslide_${layer})
     install(TARGETS steadyslide_${layer} EXPORT steadyslideTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
     set(headers ${public_headers})
@@ -42,6 +42,7 @@ write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/steadyslideConfigV
 install(FILES
           "${CMAKE_CURRENT_BINARY_DIR}/steadyslideConfig.cmake"
           "${CMAKE_CURRENT_BINARY_DIR}/steadyslideConfigVersion.cmake"
+          "${CMAKE_CURRENT_LIST_DIR}/FindArb.cmake"
           "${CMAKE_CURRENT_LIST_DIR}/SteadyslideDependencies.cmake"
         DESTINATION "${package_dir}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")

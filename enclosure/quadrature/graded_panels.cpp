@@ -49,7 +49,8 @@ class Grading {
     };
     const Ball left = own_power(left_, part.from_left, Side::left);
     const Ball right = own_power(right_, part.from_right, Side::right);
-    return {std::move(part.from_left), std::move(part.from_right), std::move(part.length), left, right, std::move(outside)};
+    return {std::move(part.from_left), std::move(part.from_right), std::move(part.length), left, right,
+            std::move(outside)};
   }
 
  private:

@@ -22,6 +22,6 @@ struct GradedPanel {
 /// From left to right. A place with the power 0 counts as well: something else may be singular there. An interval whose
 /// length or distances are not certainly positive is left whole; its PowerPanel says so by remainders that are not finite.
 std::vector<GradedPanel> graded(const Ball& length, const Ball& left, const Ball& right,
-                                const std::vector<OutsidePoint>& outside, double clearance = 1);
+                                const std::vector<OutsidePoint>& outside, double clearance = 0.5);
 
 }  // namespace steadyslide::enclosure

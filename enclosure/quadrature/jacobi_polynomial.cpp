@@ -100,7 +100,8 @@ std::optional<JacobiPolynomial::Zero> JacobiPolynomial::zero_near(double start, 
   const Pair values = at(x);
   const Ball twice = sum_ + 2 * count_;
   std::vector<Ball> c{values.p};
-  c.push_back((count_ * ((right_ - left_) / twice - x) * values.p + products_.back() * (twice + 1) * values.before) / u);
+  c.push_back((count_ * ((right_ - left_) / twice - x) * values.p + products_.back() * (twice + 1) * values.before) /
+              u);
 
   // The bounds of the header. The root is about |c_0/c_1| away; R has room for twice that.
   const Ball c_1 = abs(c[1]).lower();

@@ -53,9 +53,9 @@ class JacobiPolynomial {
   Ball left_;
   Ball right_;
   Ball sum_;
-  Ball eigenvalue_;  ///< n (n+s+1)
-  std::vector<Ball> centres_;  ///< a_k
-  std::vector<Ball> products_; ///< b_k; the first one is not used
+  Ball eigenvalue_;             ///< n (n+s+1)
+  std::vector<Ball> centres_;   ///< a_k
+  std::vector<Ball> products_;  ///< b_k; the first one is not used
   Ball norm_;
 };
 

@@ -71,7 +71,8 @@ bool JacobiRule::make(int count, const Ball& left, const Ball& right, Bits bits,
   const std::vector<double> rights = jacobi_starts(count, count - in_left, b, a);
   for (int i = 0; i < count; ++i) {
     const Side side = i < in_left ? Side::left : Side::right;
-    const double y = side == Side::left ? lefts[static_cast<std::size_t>(i)] : rights[static_cast<std::size_t>(count - 1 - i)];
+    const double y =
+        side == Side::left ? lefts[static_cast<std::size_t>(i)] : rights[static_cast<std::size_t>(count - 1 - i)];
     const std::optional<JacobiPolynomial::Zero> zero = polynomial.zero_near(2 * y, side);
     if (!zero) return false;
     const Ball other = 2 - zero->distance;

@@ -66,7 +66,8 @@ class RemainderEstimate {
     const double axis = (rho + 1 / rho) / 2;
     double result = std::log(4.0) + (1 - 2 * n) * std::log(rho) - log_excess;
     for (const auto& [from_centre, power] : points_) {
-      const double ratio = power < 0 ? (from_centre - axis) / (from_centre - 1) : (from_centre + axis) / (from_centre + 1);
+      const double ratio =
+          power < 0 ? (from_centre - axis) / (from_centre - 1) : (from_centre + axis) / (from_centre + 1);
       result += power * std::log(ratio);
     }
     return result;

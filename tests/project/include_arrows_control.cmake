@@ -11,6 +11,8 @@ set(wrong
   "numeric/a.cpp" "#include \"../model/rational.hpp\""
   "numeric/a.cpp" "#include <cln/cln.h>"
   "enclosure/a.cpp" "#include \"numeric/number/real.hpp\""
+  "enclosure/a.hpp" "#include \"symbolic/field/expression.hpp\""
+  "numeric/a.cpp" "#include \"enclosure/number/ball.hpp\""
   "numeric/a.hpp" "#include \"proofs_checks/kit/claim.hpp\""
   "proofs_checks/claims/a.cpp" "#include \"app/table.hpp\""
   "app/a.cpp" "#include <ginac/ginac.h>"
@@ -19,6 +21,7 @@ set(right
   "model/a.cpp" "#include <numeric>"
   "model/a.hpp" "#include \"model/rational.hpp\""
   "symbolic/a.cpp" "#include <ginac/ginac.h>"
+  "enclosure/a.cpp" "#include \"model/rational.hpp\""
   "proofs_checks/claims/a.cpp" "#include \"symbolic/field/expression.hpp\""
   "app/a.cpp" "#include \"proofs_checks/kit/claim.hpp\"")
 

@@ -1,0 +1,43 @@
+#pragma once
+// What the tests of enclosures start from: balls with exact points inside. The number of cases is RapidCheck's max_success,
+// which CMake sets: 10^3, and 10^5 in the slow test.
+
+#include "enclosure/number/ball.hpp"
+#include "support/test.hpp"
+
+using namespace steadyslide::enclosure;
+
+/// 2^n.
+inline Rational two_to(int n) {
+  const Rational power = Rational(Integer(1) << std::abs(n));
+  return n < 0 ? Rational(1 / power) : power;
+}
+
+/// A ball and a number in it, exactly.
+struct Sample {
+  Ball ball;
+  Rational point;
+};
+
+inline Ball midpoint_and_radius(const Rational& midpoint, const Rational& radius, Bits bits) {
+  return Ball::around(Ball(midpoint, 4096), Ball(radius, 4096)).at(bits);
+}
+
+/// Between low and high (multiples of 1/1024), with a midpoint that has up to 30 bits more: exact, thin or wide, its point
+/// anywhere or at an end.
+inline Sample sample(int low, int high, Bits bits) {
+  const Rational fine = Rational(uniform(0, 1 << 15)) * two_to(-25);
+  Rational midpoint = Rational(uniform(low * 1024, high * 1024 - 1)) / 1024 + fine;
+  if (uniform(0, 7) == 0) midpoint = Rational(uniform(low, high));
+  Rational radius = two_to(-uniform(0, 2 * static_cast<int>(bits)));
+  radius = std::min({radius, Rational(midpoint - low), Rational(high - midpoint)});
+  if (uniform(0, 3) == 0) radius = 0;
+  const Rational point = midpoint + radius * Rational(uniform(-8, 8)) / 8;
+  return {midpoint_and_radius(midpoint, radius, bits), point};
+}
+
+/// The number alone, at so many bits that its ball is no wider than a hair.
+inline Ball tight(const Rational& point, Bits bits) { return Ball(point, 3 * bits + 256); }
+
+/// 30 to 300.
+inline Bits some_bits() { return uniform(30, 300); }
