@@ -138,9 +138,7 @@ Claim derived(std::string_view id) {
                                 }});
     }
   }
-  claim.examine = [families = claim.decided](const Context&) {
-    return std::vector<Evidence>{examine_right(families)};
-  };
+  claim.examine = [families = claim.decided](const Context&) { return std::vector<Evidence>{examine_right(families)}; };
   return claim;
 }
 
