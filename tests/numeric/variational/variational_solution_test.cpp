@@ -97,6 +97,23 @@ TEST_CASE("a step, two zones, a tilting punch") {
   agree_everywhere(reduced({0.1_r, 0.5_r}, {0}, one_piece(-1, 1, {0}), 1, 0.2_r));
 }
 
+TEST_CASE("an end where friction jumps has the friction of the contact's side, in any frame") {
+  // Cells of 1/128: one of these jumps lies where contact ends. Found by 400 random laws.
+  int met = 0;
+  for (int k = 45; k < 65; ++k) {
+    const Rational jump = -0.1_r + Rational(k, 128);
+    const ContactProblem problem = reduced({0.1_r, 0.6_r}, {jump}, one_piece(-1.1_r, 0.9_r, {0, 0, 2.5_r}), 1);
+    for (const Rational& scale : {Rational(1), Rational(1, 3), Rational(5, 7), Rational(7, 3)}) {
+      const ContactProblem moved = problem.moved(scale, scale / 3);
+      const auto end = on_cells(moved, 256)->contact().back().right;
+      if (std::abs(end.x.value - static_cast<double>(moved.friction().jumps()[0])) > 1e-12) continue;
+      ++met;
+      CHECK(end.exponent == free_exponent(End::right, 0.1_r));
+    }
+  }
+  CHECK(met >= 4);
+}
+
 TEST_CASE("control: another load is another solution") {
   const Indenter parabola = one_piece(-1, 1, {0, 0, 2.5_r});
   const auto cells = on_cells(reduced({0.1_r, 0.6_r}, {0}, parabola, 1));
