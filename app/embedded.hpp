@@ -24,6 +24,8 @@ extern const std::string_view exponent_tables_md;  ///< the exponents' tables wi
 extern const std::string_view tables_tex;          ///< what a document of tables begins with
 
 // What the report is made of.
+extern const std::string_view report_page;   ///< with places in braces for what it is about
+extern const std::string_view report_tools;  ///< above the ledger: filter, order, folds
 extern const std::string_view report_css;
 extern const std::string_view report_print_css;
 extern const std::string_view report_js;
