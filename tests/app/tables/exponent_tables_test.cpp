@@ -4,7 +4,6 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include "app/tables/exponent_tables.hpp"
-#include "app/tables/materials.hpp"
 #include "support/test.hpp"
 
 using namespace steadyslide::app;
@@ -27,25 +26,35 @@ bool is(const std::string& text, const Real& value) {
 
 std::string word(const Real& beta) { return beta < 0 ? "blows up" : beta > 0 ? "vanishes" : "stays finite"; }
 
+const TextTable& table(std::size_t k) {
+  static const std::vector<TextTable> tables = exponent_tables();
+  return tables.at(k);
+}
+
+/// E in GPa and nu, as the table of constants prints them.
+struct Material {
+  Real young, poisson;
+};
+Material material(const std::string& name) {
+  for (const Row& row : table(1).rows) {
+    if (row[0] == name) return {Real(row[1]), Real(row[2])};
+  }
+  FAIL("no such material: " << name);
+  return {};
+}
+
 /// Dundurs' constants as quotients of compliances, without Kolosov's constant [Joh85, (5.3)]: G = E/(2(1+nu)).
 struct Dundurs {
   Real alpha;
   Real beta;
 };
 Dundurs dundurs(const Material& one, const Material& two) {
-  const auto over_shear = [](const Material& m, const Real& factor) {
-    return factor * 2 * (1 + Real(m.poisson)) / Real(m.young);
-  };
-  const Real a1 = over_shear(one, 1 - Real(one.poisson));
-  const Real a2 = over_shear(two, 1 - Real(two.poisson));
-  const Real b1 = over_shear(one, 1 - 2 * Real(one.poisson));
-  const Real b2 = over_shear(two, 1 - 2 * Real(two.poisson));
+  const auto over_shear = [](const Material& m, const Real& factor) { return factor * 2 * (1 + m.poisson) / m.young; };
+  const Real a1 = over_shear(one, 1 - one.poisson);
+  const Real a2 = over_shear(two, 1 - two.poisson);
+  const Real b1 = over_shear(one, 1 - 2 * one.poisson);
+  const Real b2 = over_shear(two, 1 - 2 * two.poisson);
   return {(a1 - a2) / (a1 + a2), (b1 - b2) / (2 * (a1 + a2))};
-}
-
-const TextTable& table(std::size_t k) {
-  static const std::vector<TextTable> tables = exponent_tables();
-  return tables.at(k);
 }
 
 }  // namespace
@@ -93,8 +102,8 @@ TEST_CASE(
   for (const Row& row : table(2).rows) {
     CAPTURE(row[0]);
     CAPTURE(row[1]);
-    const Material& body = material(row[0]);
-    const Real nu(body.poisson);
+    const Material body = material(row[0]);
+    const Real& nu = body.poisson;
     const Dundurs constants =
         row[1] == "rigid" ? Dundurs{1, (1 - 2 * nu) / (2 * (1 - nu))} : dundurs(body, material(row[1]));
     const Real& gamma = constants.beta;
@@ -118,20 +127,14 @@ TEST_CASE(
 
 TEST_CASE("materials: E = 2 mu (1 + nu) within 0.4 percent where the source gives all three") {
   int checked = 0;
-  for (const Material& m : materials()) {
-    CAPTURE(m.name);
-    CHECK_NOTHROW(m.solid());
-    if (!m.shear) continue;
+  for (const Row& row : table(1).rows) {
+    CAPTURE(row[0]);
+    if (row[3] == "-") continue;
     ++checked;
-    const Real young(m.young);
-    CHECK(abs(2 * Real(*m.shear) * (1 + Real(m.poisson)) - young) <= young * Real("0.004"));
+    const Real young(row[1]);
+    CHECK(abs(2 * Real(row[3]) * (1 + Real(row[2])) - young) <= young * Real("0.004"));
   }
   CHECK(checked >= 9);
-  for (const MaterialPair& pair : material_pairs()) {
-    CHECK_NOTHROW(material(pair.half_plane));
-    if (pair.indenter) CHECK_NOTHROW(material(*pair.indenter));
-  }
-  CHECK_THROWS_AS(material("unobtainium"), std::out_of_range);
 }
 
 TEST_CASE("a text table in three formats") {

@@ -34,7 +34,6 @@ TEST_CASE("run: right formula, refuted controls") {
   const Report report = run(claim_about(1, {{"two", 2.0}, {"nothing", 0.0}}), {});
   CHECK(report.verdict == Verdict::supported);
   CHECK(report.controls_refuted() == 2);
-  CHECK(report.survivors().empty());
   CHECK(report.note.empty());
   CHECK(holds(report.controls[0].detail, "exceeds the tolerance"));
 }
@@ -43,8 +42,7 @@ TEST_CASE("run: a surviving control leaves the claim undecided") {
   const Report report = run(claim_about(1, {{"two", 2.0}, {"a little more", 1.25}}), {});
   CHECK(report.verdict == Verdict::undecided);
   CHECK(report.controls_refuted() == 1);
-  CHECK(report.survivors() == std::vector<std::string>{"a little more"});
-  CHECK(holds(report.note, "a little more"));
+  CHECK(report.note == "not checked: the control survives: a little more");
 }
 
 TEST_CASE("run: no controls, no check") { CHECK(run(claim_about(1, {}), {}).verdict == Verdict::undecided); }
@@ -150,12 +148,7 @@ TEST_CASE("select, run_all, count") {
     CHECK(index == seen.size());
     CHECK(total == 3);
     seen.push_back(claim.id);
-    return true;
   };
-  const Counts counts = count(run_all(claims, {}, progress));
+  CHECK(counts_line(run_all(claims, {}, progress)) == "0 proved, 2 supported, 1 undecided, 0 refuted");
   CHECK(seen == std::vector<std::string>{"a-1", "b-1", "a-2"});
-  CHECK(counts.supported == 2);
-  CHECK(counts.undecided == 1);
-  CHECK(counts.proved + counts.refuted == 0);
-  CHECK(run_all(claims, {}, [](std::size_t index, std::size_t, const Claim&) { return index < 1; }).size() == 1);
 }
