@@ -9,10 +9,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::variational::CellSet;
-using numeric::variational::DiscreteProblem;
-using numeric::variational::DiscreteState;
-
 /// A problem on cells, contact sets to start from, and forces of any sum to put into the inequality.
 struct OnCells {
   ProblemOnCells on_cells;
@@ -48,7 +44,7 @@ CaseList<Case> cases(const Context& context) {
     for (int j = 0; j < 4; ++j) {
       c.forces.emplace_back(cells, 0);
       for (double& force : c.forces.back()) {
-        if (j % 2 == 0 || random.below(4) == 0) force = numeric::to_real<double>(random.between(0, 1));
+        if (j % 2 == 0 || random.below(4) == 0) force = to_real<double>(random.between(0, 1));
       }
     }
     list.cases.push_back({"problem " + std::to_string(k) + ", " + text_of(steps), std::move(c)});
@@ -124,7 +120,7 @@ void check_convergence(Findings& findings, KnownMoments& known, const OneSolutio
   const DualCase c = dual_cases()[k];
   const std::vector<int> first = quick ? std::vector<int>{32, 64, 128} : std::vector<int>{32, 64, 128, 256, 512, 1024};
   const std::vector<Level> levels =
-      levels_of(first, 7, riemann_hilbert_moments(c.problem(said.friction)), numeric::to_real<double>(c.load),
+      levels_of(first, 7, riemann_hilbert_moments(c.problem(said.friction)), to_real<double>(c.load),
                 [&](int n) -> const Moments& { return known.cells(k, n); });
   const Rate rate = fitted_rate(levels);
   findings.measure({"t_n on N cells to the Riemann-Hilbert solution, " + c.name, rate.value, rate.error_bar, said.rate,
@@ -154,8 +150,8 @@ Claim prop_06_problem_I0() {
       .quantity("inequality", {.tolerance = 100 * tolerance<double>()})
       .quantity("forces", {.required = 0.7})
       .says(one_solution)
-      .checked([known = std::make_shared<KnownMoments>()]<numeric::Real R>(Findings& findings, const OneSolution& said,
-                                                                           const Case& c, const Context& context) {
+      .checked([known = std::make_shared<KnownMoments>()]<Real R>(Findings& findings, const OneSolution& said,
+                                                                  const Case& c, const Context& context) {
         if (said.unique) return check_uniqueness(findings, said);
         check_convergence(findings, *known, said, std::get<Convergence>(c.data).index, context.quick);
       })

@@ -1,14 +1,11 @@
 #include <variant>
 
-#include "numeric/number/polynomial.hpp"
 #include "proofs_checks/instruments/operators/dual_study.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
-
-using numeric::Real;
 
 /// u_n = psi is a polynomial.
 struct FullContact {
@@ -57,24 +54,23 @@ void check_full_contact(Findings& findings, const Link& link, const FullContact&
   using std::pow;
   const auto solution = solve<R>(cell_problem({{c.s}, {}}, c.profile));
   findings.require(solution->form().set().segments() == 1, "not in full contact");
-  const R unit = numeric::to_real<R>(solution->problem().frame().unit);
-  const R origin = numeric::to_real<R>(solution->problem().frame().origin);
+  const R unit = to_real<R>(solution->problem().frame().unit);
+  const R origin = to_real<R>(solution->problem().frame().origin);
   const DisplacementOperator<R> a(c.s, c.profile.degree() + 1, link.displacement.inverse);
   std::vector<R> psi;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    psi.push_back(R(link.displacement.profile) * numeric::value_of(c.profile, a.node(i).x));
+    psi.push_back(R(link.displacement.profile) * value_of(c.profile, a.node(i).x));
   }
   const std::vector<R> bent = a.forces(psi);
   const Exponent angle = Exponent::angle(c.s);
   const R load = R(link.displacement.load) * R(link.load);
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const numeric::Node<R>& node = a.node(i);
+    const Node<R>& node = a.node(i);
     const R t = solution->form()
                     .traction({0, {R((node.x - origin) / unit), R(node.from_left / unit), R(node.from_right / unit)}})
                     .value;
-    const R t0 = numeric::cos_pi_alpha<R>(c.s) / numeric::pi<R>() *
-                 pow(node.from_left, numeric::to_real<R>(-(half + angle))) *
-                 pow(node.from_right, numeric::to_real<R>(-(half - angle)));
+    const R t0 = cos_pi_alpha<R>(c.s) / numeric::pi<R>() * pow(node.from_left, to_real<R>(-(half + angle))) *
+                 pow(node.from_right, to_real<R>(-(half - angle)));
     findings.compare<R>("forces", load * a.tau(i) - bent[i], -t * a.tau(i) / t0);
   }
 }
@@ -83,7 +79,7 @@ void check_convergence(Findings& findings, KnownMoments& known, const Link& link
   const DualCase c = dual_cases()[k];
   const std::vector<int> first = quick ? std::vector<int>{12, 24, 36} : std::vector<int>{16, 32, 64, 128};
   const int meshes = quick ? 7 : 14;
-  const auto load = numeric::to_real<double>(c.load);
+  const auto load = to_real<double>(c.load);
   std::map<int, Moments> wrong;
   const auto polynomials = [&](int n) -> const Moments& {
     if (link.has_right_displacement()) return known.polynomials(k, n);
@@ -118,8 +114,8 @@ Claim prop_07_problems_linked() {
       // Principal values at 50 digits take a tenth of a second.
       .precision(Precision::quick_in_double)
       .quantity("forces")
-      .checked([known = std::make_shared<KnownMoments>()]<numeric::Real R>(Findings& findings, const Link& link,
-                                                                           const Case& c, const Context& context) {
+      .checked([known = std::make_shared<KnownMoments>()]<Real R>(Findings& findings, const Link& link, const Case& c,
+                                                                  const Context& context) {
         if (const auto* full = std::get_if<FullContact>(&c.data)) {
           check_full_contact<R>(findings, link, *full);
         } else {

@@ -3,11 +3,7 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::ContactInterval;
-
-double in_frame(const Rational& x) {
-  return numeric::to_real<double>((x - Trial::frame().origin) / Trial::frame().unit);
-}
+double in_frame(const Rational& x) { return to_real<double>((x - Trial::frame().origin) / Trial::frame().unit); }
 
 ContactProblem problem(const Rational& nu, FrictionProfile friction, std::vector<Indenter::Piece> pieces,
                        Sliding sliding = Sliding::plus_x) {
