@@ -141,11 +141,8 @@ AtCorner<R> at_corner(const WedgeProblem& w, const RiemannHilbertSolution<R>& so
   using std::abs, std::log;
   const Rational c = w.c();
   const auto linear = [&](std::size_t k) { return Polynomial({-w.slope_at_c(k) * c, w.slope_at_c(k)}); };
-  const auto in_frame = [](const Rational& x) {
-    return to_real<double>((x - Trial::frame().origin) / Trial::frame().unit);
-  };
   const ContactProblem of_phi = w.problem.with_indenter(Indenter(-1, {{c, linear(0)}, {1, linear(1)}})).with_load(1);
-  const TrialForm<R> trial({"", of_phi, {{in_frame(-1), in_frame(1), true, true}}, {0}, 0});
+  const TrialForm<R> trial({"", of_phi, {{Trial::in_frame(-1), Trial::in_frame(1), true, true}}, {0}, 0});
   const std::size_t j = point_at(solution, c);
   const R d = asymptotic_distance<R>();
   const auto first = [&](Side side, const R& at) {

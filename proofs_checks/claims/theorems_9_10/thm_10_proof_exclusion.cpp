@@ -26,7 +26,7 @@ std::string text_of(const ForcedEnd& c) {
 
 Trial trial_of(const ForcedEnd& c) {
   const Polynomial profile({0, c.slope, Rational(1, 2), Rational(1, 12)});
-  const auto place = to_real<double>(-Trial::frame().origin / Trial::frame().unit);
+  const double place = Trial::in_frame(0);
   const ContactInterval zone = c.beyond == Side::left ? ContactInterval{place, c.other_end, true, false}
                                                       : ContactInterval{c.other_end, place, false, true};
   return {

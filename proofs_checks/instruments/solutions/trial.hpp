@@ -25,6 +25,7 @@ struct Trial {
   Rational tilt;
 
   static numeric::Frame frame() { return {Rational(1, 8), 2}; }
+  static double in_frame(const Rational& x) { return to_real<double>((x - frame().origin) / frame().unit); }
 };
 
 /// Everywhere one polynomial and any ends; a wedge; a wedge and jump; steps; up to three components. The cheap ones
