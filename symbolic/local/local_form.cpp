@@ -50,7 +50,7 @@ LocalPlace with_jump(const LocalPlace& place, const ex& jump) {
 class Solver {
  public:
   explicit Solver(const LocalPlace& place)
-      : frame_(place), form_{place, frame_, LocalKind::interior, {}, {}, {}, {}, {}, {}, {}, symbol("theta"), {}} {
+      : frame_(place), form_{place, frame_, LocalKind::interior, {}, {}, {}, {}, {}, {}, symbol("theta"), {}} {
     if (place.left.slopes.size() < 3 || place.right.slopes.size() < 3) {
       throw std::domain_error("local form: slopes to the order 2");
     }
