@@ -6,14 +6,6 @@
 
 namespace {
 
-std::vector<double> random_pressure(std::size_t n) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> value(-1, 1);
-  std::vector<double> p(n);
-  for (double& x : p) x = value(random);
-  return p;
-}
-
 /// The largest difference between a product and the sum of entries times pressures, and the largest sum of ∣entries∣;
 /// the same without friction.
 struct ProductError {
@@ -21,14 +13,15 @@ struct ProductError {
 };
 
 ProductError product_error(const GalerkinOperator& b) {
-  const std::vector<double> p = random_pressure(b.size());
-  std::vector<double> found(b.size());
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> value(-1, 1);
+  std::vector<double> p(b.size()), found(b.size());
+  for (double& x : p) x = value(random);
   b.multiply(p, found);
   ProductError result;
   double scale = 0;
   for (std::size_t i = 0; i < b.size(); ++i) {
-    long double sum = 0;
-    long double logarithms = 0;
+    long double sum = 0, logarithms = 0;
     double row = 0;
     for (std::size_t j = 0; j < b.size(); ++j) {
       sum += static_cast<long double>(b.entry(i, j)) * p[j];
