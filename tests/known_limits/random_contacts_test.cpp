@@ -2,7 +2,6 @@
 // unsolved.txt, seed by seed.
 
 #include "support/made_up_solution.hpp"
-#include "support/numeric_test.hpp"
 #include "support/random_contact.hpp"
 #include "support/solved_contact.hpp"
 

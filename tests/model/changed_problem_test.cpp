@@ -2,7 +2,6 @@
 
 #include "broken_rule.hpp"
 #include "support/random_problem.hpp"
-#include "support/test.hpp"
 
 namespace {
 

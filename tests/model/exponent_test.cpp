@@ -3,7 +3,6 @@
 
 #include "broken_rule.hpp"
 #include "model/exponent.hpp"
-#include "support/test.hpp"
 
 namespace {
 

@@ -1,6 +1,5 @@
 #include "model/singular_point.hpp"
 #include "support/random_problem.hpp"
-#include "support/test.hpp"
 
 namespace {
 

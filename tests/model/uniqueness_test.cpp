@@ -3,7 +3,6 @@
 
 #include "model/uniqueness.hpp"
 #include "support/random_problem.hpp"
-#include "support/test.hpp"
 
 namespace {
 

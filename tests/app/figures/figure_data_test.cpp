@@ -1,6 +1,6 @@
 // The numbers in the figures, against `solve` and against formulas.
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/command_line.hpp"
 #include "app/figures/moment_rule.hpp"

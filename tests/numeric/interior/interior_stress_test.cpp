@@ -5,7 +5,6 @@
 
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/interior/interior_stress_problems.hpp"
-#include "support/numeric_test.hpp"
 
 using namespace steadyslide::numeric::stress_test;
 

@@ -1,6 +1,5 @@
 // Large friction, high degrees, supports that are wide or far away, many digits, and a neighbour to start from.
 
-#include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 
 namespace {

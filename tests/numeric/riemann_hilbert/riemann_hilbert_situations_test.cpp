@@ -1,7 +1,6 @@
 // Contact that changes its shape as the load grows: components merge, wedges, jumps and steps are reached; and contact
 // in a point.
 
-#include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 
 namespace {

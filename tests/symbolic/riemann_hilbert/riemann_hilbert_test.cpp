@@ -1,7 +1,6 @@
 #include "symbolic/riemann_hilbert/riemann_hilbert.hpp"
 #include "model/singular_point.hpp"
 #include "support/decided_statements.hpp"
-#include "support/test.hpp"
 #include "symbolic/field/expression.hpp"
 #include "symbolic/statements/contact_symbols.hpp"
 #include "symbolic/statements/statements.hpp"
