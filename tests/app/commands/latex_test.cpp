@@ -47,7 +47,8 @@ void check_notation(const std::string& document) {
   for (const auto& [text, wrong] : {std::pair(prose, in_prose), {formulas, in_formulas}}) {
     std::smatch match;
     const bool found = std::regex_search(text, match, wrong);
-    CHECK_MESSAGE(!found, match.prefix().str().substr(std::max(match.prefix().length(), 60L) - 60) << " >> " << match.str());
+    CHECK_MESSAGE(!found, match.prefix().str().substr(std::max(match.prefix().length(), 60L) - 60)
+                              << " >> " << match.str());
   }
   CHECK(holds(formulas, "\\lambda"));
 }
@@ -71,9 +72,7 @@ TEST_CASE("tables compile, narrow and wide") {
   check_compiles({"table", "--poisson", "0", "--rear", "0", "--front", "0", "--digits", "1"});
 }
 
-TEST_CASE("exponents compile") {
-  check_compiles({"exponents", "-", "--digits", "50"}, problem_text("four_pieces"));
-}
+TEST_CASE("exponents compile") { check_compiles({"exponents", "-", "--digits", "50"}, problem_text("four_pieces")); }
 
 TEST_CASE("derivations compile: jumps, a wedge with a jump, a wedge alone, steps both ways, a closed form") {
   for (const char* name : {"five_pieces", "wide_parabola"}) {
