@@ -37,14 +37,14 @@ Finished run_limited(const std::string& text, const std::string& trace = "") {
                    folder.path());
 }
 
-void check_refused(const Finished& finished, const std::string& message) {
+void check_refusal(const Finished& finished, const std::string& message) {
   CHECK(finished.code == 2);
   CHECK(finished.err.starts_with("steadyslide: " + message));
   CHECK(finished.err.size() < 700);
   CHECK(finished.err.find('\n') == finished.err.size() - 1);
 }
 
-void check_refused(const std::string& text, const std::string& message) { check_refused(run_limited(text), message); }
+void check_refused(const std::string& text, const std::string& message) { check_refusal(run_limited(text), message); }
 
 std::string problem_with(const std::string& friction, const std::string& profile) {
   return "load = 1\n[half_space]\npoisson = 0.3\n[friction]\n" + friction + "[indenter]\n" + profile;
@@ -129,7 +129,7 @@ TEST_CASE("the most complicated pieces that are accepted do not take long") {
 
 TEST_CASE("traces of ten megabytes that nobody measured") {
   const auto refused = [](const std::string& trace, const char* why) {
-    check_refused(run_with_trace(trace), std::string("t.csv:") + why);
+    check_refusal(run_with_trace(trace), std::string("t.csv:") + why);
   };
   refused(noise(""), "");
   std::string bytes = noise("0123456789.,-e/ ;\t#");
@@ -148,7 +148,7 @@ TEST_CASE("a trace whose exact heights would fill the memory") {
   for (int k = 0; trace.size() < ten_megabytes; ++k) {
     trace += std::to_string(k) + (k % 2 == 0 ? ",1e-400\n" : ",1e400\n");
   }
-  check_refused(run_with_trace(trace), "t.csv:124917: trace too complicated; all numbers together are limited in ");
+  check_refusal(run_with_trace(trace), "t.csv:124917: trace too complicated; all numbers together are limited in ");
 }
 
 TEST_CASE("a trace of a hundred thousand points with all digits of a double") {
