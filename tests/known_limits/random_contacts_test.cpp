@@ -72,10 +72,11 @@ struct Feature {
   const char* name;
   bool (*has)(const ContactProblem&, const Contact&);
 };
-constexpr Feature features[] = {{"free end", has_free_end},
-                                {"two zones or more", [](const ContactProblem&, const Contact& c) { return c.size() > 1; }},
-                                {"wedge in contact", has_wedge_inside},
-                                {"decreasing jump in contact", has_decreasing_jump_inside}};
+constexpr Feature features[] = {
+    {"free end", has_free_end},
+    {"two zones or more", [](const ContactProblem&, const Contact& c) { return c.size() > 1; }},
+    {"wedge in contact", has_wedge_inside},
+    {"decreasing jump in contact", has_decreasing_jump_inside}};
 
 struct Tally {
   int all = 0, solved = 0;

@@ -83,7 +83,8 @@ TEST_CASE("the pressures under flat punches are those of solve; cells agree") {
   std::vector<double> centres;
   for (const Point& p : rising[1].points) centres.push_back(p.x);
   const std::vector<double> found = pressures({"0.2", "0.1, 1", "0"}, centres);
-  for (std::size_t k = 0; k < found.size(); ++k) CHECK(found[k] == doctest::Approx(rising[1].points[k].y).epsilon(0.01));
+  for (std::size_t k = 0; k < found.size(); ++k)
+    CHECK(found[k] == doctest::Approx(rising[1].points[k].y).epsilon(0.01));
   // The curve leaves the frame at the jump up, and reaches the axis at the jump down.
   const auto highest = [](const Series& s) {
     double y = 0;

@@ -43,10 +43,10 @@ TEST_CASE("fifty and a hundred digits are served, and one digit too") {
 
 TEST_CASE("digits that the error does not support are not printed") {
   // A value, its error, the digits asked for, what is written; with an infinite error a value is not known.
-  for (const std::string& row :
-       words("1.23456789:0:16:1.23456789 1.23456789:3e-5:16:1.2346 1.23456789:1e-4:16:1.2346 1.23456789:1.1e-4:16:1.235 "
-             "1.23456789:1e-4:3:1.23 3:2:16:3 1e-17:1e-16:16:0 1.5:nan:16: -inf:0:16:-inf 1.5:inf:16: 0:inf:16: "
-             "1.5:1e300:16:0 -inf:inf:16:-inf")) {
+  for (const std::string& row : words(
+           "1.23456789:0:16:1.23456789 1.23456789:3e-5:16:1.2346 1.23456789:1e-4:16:1.2346 1.23456789:1.1e-4:16:1.235 "
+           "1.23456789:1e-4:3:1.23 3:2:16:3 1e-17:1e-16:16:0 1.5:nan:16: -inf:0:16:-inf 1.5:inf:16: 0:inf:16: "
+           "1.5:1e300:16:0 -inf:inf:16:-inf")) {
     CAPTURE(row);
     const std::size_t error = row.find(':') + 1, digits = row.find(':', error) + 1, last = row.rfind(':') + 1;
     const Estimate<double> estimate{std::stod(row), std::stod(row.substr(error))};

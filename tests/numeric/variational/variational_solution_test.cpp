@@ -47,8 +47,8 @@ void agree_everywhere(const ContactProblem& problem) {
   const auto a = cells->resultants();
   const auto b = exact->resultants();
   agree(a.normal, b.normal, 1e-12);
-  for (const auto total :
-       {&Resultants<double>::tangential, &Resultants<double>::effective_friction, &Resultants<double>::centre_of_pressure}) {
+  for (const auto total : {&Resultants<double>::tangential, &Resultants<double>::effective_friction,
+                           &Resultants<double>::centre_of_pressure}) {
     agree(a.*total, b.*total, 1e-3);
   }
   for (std::size_t k = 0; k < a.load_share.size(); ++k) agree(a.load_share[k], b.load_share[k], 1e-3);
