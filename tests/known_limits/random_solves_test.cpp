@@ -1,6 +1,6 @@
-// The generator keeps its promises, and its problems survive being written to a problem file and read back. Whole solves
-// of them, from the file's text to the result's: nothing may throw, and every result is written. With the sanitizers it is
-// the many-sided run that they want.
+// The generator keeps its promises, and its problems survive being written to a problem file and read back. Whole
+// solves of them, from the file's text to the result's: nothing may throw, and every result is written. With the
+// sanitizers it is the many-sided run that they want.
 
 #include <array>
 

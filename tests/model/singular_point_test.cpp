@@ -73,8 +73,8 @@ TEST_CASE("a wedge has a logarithm, on a jump of height zero too") {
 }
 
 TEST_CASE("a step ends the contact on its protruding side") {
-  // psi is measured away from the body: a step up (psi grows) leaves the left side protruding. With a wedge it is a step
-  // all the same.
+  // psi is measured away from the body: a step up (psi grows) leaves the left side protruding. With a wedge it is a
+  // step all the same.
   for (const auto& [right, step] : {std::pair(Polynomial({1}), "0 step left 1: -1/2 + arctan(1/2)/pi"),
                                     {Polynomial({-1}), "0 step right 1: -1/2 - arctan(1/2)/pi"},
                                     {Polynomial({1, 1}), "0 step left 1: -1/2 + arctan(1/2)/pi"}}) {

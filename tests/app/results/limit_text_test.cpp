@@ -23,14 +23,13 @@ std::string shown(const LimitText& text) { return text.left.value + (text.two_si
 }  // namespace
 
 TEST_CASE("one text for both limits, or two: blow-ups, what is not known, and what differs by no more than its error") {
-  // The limits, those of the traction, and what is written.
-  for (
-      const std::string& row : words(
-          // A blow-up is one text, at an edge too; of two blow-ups of different sign both are written.
-          "0,-inf:0,-inf:-inf 0,inf:0,-inf:inf -inf,inf:-inf,inf:-inf,inf "
-          // Shear without friction beside a blow-up keeps both limits; one that is not known hides no other.
-          "0,inf:-inf,-inf:0,inf 1+-inf,2:1+-inf,2:,2 "
-          "1,2:1,2:1,2 1,1:1,1:1 1+-0.02,1.03+-0.02:1+-0.02,1.03+-0.02:1 1+-0.02,1.05+-0.02:1+-0.02,1.05+-0.02:1,1.05")) {
+  // The limits, those of the traction, and what is written. A blow-up is one text, at an edge too; of two of different
+  // sign both are written. Shear without friction beside a blow-up keeps both limits; one not known hides no other.
+  const std::string rows =
+      "0,-inf:0,-inf:-inf 0,inf:0,-inf:inf -inf,inf:-inf,inf:-inf,inf 0,inf:-inf,-inf:0,inf 1+-inf,2:1+-inf,2:,2 "
+      "1,2:1,2:1,2 1,1:1,1:1 1+-0.02,1.03+-0.02:1+-0.02,1.03+-0.02:1 "
+      "1+-0.02,1.05+-0.02:1+-0.02,1.05+-0.02:1,1.05";
+  for (const std::string& row : words(rows)) {
     CAPTURE(row);
     const std::size_t traction = row.find(':') + 1, written = row.rfind(':') + 1;
     const auto limits = two_sided(row.substr(0, traction - 1));

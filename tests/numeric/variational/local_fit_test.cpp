@@ -1,6 +1,6 @@
-// What fits read off cells next to singular points of every kind: on cells whose means are exact, of the traction that a
-// Riemann-Hilbert form states, on such cells spoilt, and on those of the variational solver: exponents that nobody told
-// it.
+// What fits read off cells next to singular points of every kind: on cells whose means are exact, of the traction that
+// a Riemann-Hilbert form states, on such cells spoilt, and on those of the variational solver: exponents that nobody
+// told it.
 
 #include "numeric/variational/local_fit.hpp"
 
