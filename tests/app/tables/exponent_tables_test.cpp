@@ -45,15 +45,12 @@ Material material(const std::string& name) {
 
 /// Dundurs' constants as quotients of compliances, without Kolosov's constant [Joh85, (5.3)]: G = E/(2(1+nu)).
 struct Dundurs {
-  Real alpha;
-  Real beta;
+  Real alpha, beta;
 };
 Dundurs dundurs(const Material& one, const Material& two) {
   const auto over_shear = [](const Material& m, const Real& factor) { return factor * 2 * (1 + m.poisson) / m.young; };
-  const Real a1 = over_shear(one, 1 - one.poisson);
-  const Real a2 = over_shear(two, 1 - two.poisson);
-  const Real b1 = over_shear(one, 1 - 2 * one.poisson);
-  const Real b2 = over_shear(two, 1 - 2 * two.poisson);
+  const Real a1 = over_shear(one, 1 - one.poisson), a2 = over_shear(two, 1 - two.poisson);
+  const Real b1 = over_shear(one, 1 - 2 * one.poisson), b2 = over_shear(two, 1 - 2 * two.poisson);
   return {(a1 - a2) / (a1 + a2), (b1 - b2) / (2 * (a1 + a2))};
 }
 
@@ -67,8 +64,8 @@ TEST_CASE("docs/exponents.* are what exponent-tables writes, byte by byte") {
 }
 
 TEST_CASE("exponent tables: every row has its cells, and no row occurs twice") {
-  CHECK(exponent_tables().size() == 3);
-  for (const TextTable& t : exponent_tables()) {
+  REQUIRE(tables().size() == 3);
+  for (const TextTable& t : tables()) {
     CAPTURE(t.title);
     CHECK(std::set<Row>(t.rows.begin(), t.rows.end()).size() == t.rows.size());
     CHECK_FALSE(t.references.empty());
@@ -146,7 +143,6 @@ TEST_CASE("a text table in three formats") {
   const std::string latex = latex_document("D", {t});
   for (const char* part : {"\\subsection*{T of $\\nu $}", "One, $\\alpha _{-}$.\n\nTwo: 50 \\%.",
                            "a & $f_{+}$ \\\\ \\hline", "1, 2 & $-0.5$ \\\\\n\\end{longtable}}"}) {
-    CAPTURE(part);
-    CHECK(holds(latex, part));
+    CHECK_MESSAGE(holds(latex, part), part);
   }
 }

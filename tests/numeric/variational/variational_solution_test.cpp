@@ -2,7 +2,6 @@
 
 #include "numeric/variational/variational_solution.hpp"
 #include "numeric/variational/variational_inequality.hpp"
-#include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 
 namespace {
@@ -48,9 +47,10 @@ void agree_everywhere(const ContactProblem& problem) {
   const auto a = cells->resultants();
   const auto b = exact->resultants();
   agree(a.normal, b.normal, 1e-12);
-  agree(a.tangential, b.tangential, 1e-3);
-  agree(a.effective_friction, b.effective_friction, 1e-3);
-  agree(a.centre_of_pressure, b.centre_of_pressure, 1e-3);
+  for (const auto total : {&Resultants<double>::tangential, &Resultants<double>::effective_friction,
+                           &Resultants<double>::centre_of_pressure}) {
+    agree(a.*total, b.*total, 1e-3);
+  }
   for (std::size_t k = 0; k < a.load_share.size(); ++k) agree(a.load_share[k], b.load_share[k], 1e-3);
   REQUIRE(cells->tilt().has_value() == exact->tilt().has_value());
   if (cells->tilt()) agree(*cells->tilt(), *exact->tilt(), 1e-3);
