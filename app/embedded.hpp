@@ -20,10 +20,12 @@ extern const std::string_view help_verify;
 extern const std::string_view help_figures;
 extern const std::string_view help_report;
 
-// The exponents' tables without their numbers.
-extern const std::string_view exponent_tables_md;
+extern const std::string_view exponent_tables_md;  ///< the exponents' tables without their numbers
+extern const std::string_view tables_tex;          ///< what a document of tables begins with
 
 // What the report is made of.
+extern const std::string_view report_page;   ///< with places in braces for what it is about
+extern const std::string_view report_tools;  ///< above the ledger: filter, order, folds
 extern const std::string_view report_css;
 extern const std::string_view report_print_css;
 extern const std::string_view report_js;

@@ -58,22 +58,17 @@ void solve_cold(benchmark::State& state, bool wedge) {
 }
 
 template <Real R>
-void warm(benchmark::State& state, bool wedge) {
+void solve_warm(benchmark::State& state, bool wedge) {
   const ContactProblem problem = punch(few, wedge);
   const ContactSolution<R>& start = solution<R>(few, wedge);
   for (auto _ : state) benchmark::DoNotOptimize(riemann_hilbert<R>(problem, &start));
 }
 
 template <Real R>
-void from_nothing(benchmark::State& state, bool wedge) {
+void solve_from_nothing(benchmark::State& state, bool wedge) {
   const ContactProblem problem = punch(few, wedge);
   for (auto _ : state) benchmark::DoNotOptimize(riemann_hilbert<R>(problem));
 }
-
-void solve_warm(benchmark::State& state, bool wedge) { warm<double>(state, wedge); }
-void solve_50_digits(benchmark::State& state, bool wedge) { from_nothing<Real50>(state, wedge); }
-void solve_50_digits_warm(benchmark::State& state, bool wedge) { warm<Real50>(state, wedge); }
-void solve_100_digits(benchmark::State& state, bool wedge) { from_nothing<Real100>(state, wedge); }
 
 void variational_1024(benchmark::State& state, bool wedge) {
   const ContactProblem problem = punch(few, wedge);
@@ -149,30 +144,31 @@ void traction_by_jumps(benchmark::State& state, bool wedge) {
   state.SetComplexityN(state.range(0));
 }
 
-void by_jumps(benchmark::internal::Benchmark* benchmark) {
-  benchmark->RangeMultiplier(4)->Range(4, 1024)->Unit(benchmark::kMicrosecond)->Complexity();
-}
-
 }  // namespace
 
-#define STEADYSLIDE_BENCH(function)                                           \
-  BENCHMARK_CAPTURE(function, quartic, false)->Unit(benchmark::kMicrosecond); \
-  BENCHMARK_CAPTURE(function, wedge, true)->Unit(benchmark::kMicrosecond)
-STEADYSLIDE_BENCH(solve_cold);
-STEADYSLIDE_BENCH(solve_warm);
-STEADYSLIDE_BENCH(variational_1024);
-STEADYSLIDE_BENCH(solve_50_digits);
-STEADYSLIDE_BENCH(solve_50_digits_warm);
-STEADYSLIDE_BENCH(solve_100_digits);
-STEADYSLIDE_BENCH(traction);
-STEADYSLIDE_BENCH(traction_by_gsl);
-#undef STEADYSLIDE_BENCH
-
-#define STEADYSLIDE_BENCH(function)                             \
-  BENCHMARK_CAPTURE(function, quartic, false)->Apply(by_jumps); \
-  BENCHMARK_CAPTURE(function, wedge, true)->Apply(by_jumps)
-STEADYSLIDE_BENCH(solve_by_jumps);
-STEADYSLIDE_BENCH(traction_by_jumps);
-#undef STEADYSLIDE_BENCH
-
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  using Measured = std::pair<const char*, void (*)(benchmark::State&, bool)>;
+  const auto each_profile = [](const Measured& measured) {
+    const auto& [name, run] = measured;
+    return std::array{benchmark::RegisterBenchmark((name + std::string("/quartic")).c_str(), run, false),
+                      benchmark::RegisterBenchmark((name + std::string("/wedge")).c_str(), run, true)};
+  };
+  for (const Measured& measured : {Measured("solve_cold", solve_cold),
+                                   {"solve_warm", solve_warm<double>},
+                                   {"variational_1024", variational_1024},
+                                   {"solve_50_digits", solve_from_nothing<Real50>},
+                                   {"solve_50_digits_warm", solve_warm<Real50>},
+                                   {"solve_100_digits", solve_from_nothing<Real100>},
+                                   {"traction", traction},
+                                   {"traction_by_gsl", traction_by_gsl}}) {
+    for (auto* benchmark : each_profile(measured)) benchmark->Unit(benchmark::kMicrosecond);
+  }
+  for (const Measured& by_jumps :
+       {Measured("solve_by_jumps", solve_by_jumps), {"traction_by_jumps", traction_by_jumps}}) {
+    for (auto* benchmark : each_profile(by_jumps)) {
+      benchmark->RangeMultiplier(4)->Range(4, 1024)->Unit(benchmark::kMicrosecond)->Complexity();
+    }
+  }
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,4 +1,4 @@
-# cmake -D FOLDER=proofs_checks/claims -D OUTPUT=claim_list.cpp -P claims.cmake: the list that claim_list.hpp declares,
+# cmake -D FOLDER=proofs_checks/claims -D OUTPUT=claim_list.cpp -P claims.cmake: the list that kit/registry.hpp declares,
 # from the pairs NAME.cpp and NAME.md below FOLDER, and the texts that are a claim without a source.
 file(GLOB_RECURSE texts RELATIVE "${FOLDER}" "${FOLDER}/*.md")
 set(declarations "")
@@ -23,7 +23,7 @@ foreach(text IN LISTS texts)
 endforeach()
 file(WRITE "${OUTPUT}" "#include \"proofs_checks/instruments/convergence/convergence_claim.hpp\"
 #include \"proofs_checks/instruments/identities/derived.hpp\"
-#include \"proofs_checks/kit/claim_list.hpp\"
+#include \"proofs_checks/kit/registry.hpp\"
 
 namespace steadyslide::proofs_checks {
 

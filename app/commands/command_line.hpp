@@ -3,7 +3,6 @@
 // library that reads command lines.
 
 #include <initializer_list>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +10,10 @@
 
 #include "app/results/rows.hpp"
 #include "app/terminal/failure.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace steadyslide::app {
 
@@ -33,17 +36,14 @@ struct CommonOptions {
 /// What stands behind a command. Functions that check a text throw Failure (exit code 2), which names the option.
 class Given {
  public:
-  struct Value {
-    bool given = false;
-    std::string text;
-    std::vector<std::string> texts;
-  };
+  /// What the library has read of the command.
+  explicit Given(const CLI::App& options) : options_(options) {}
 
-  bool has(const std::string& option) const { return values_.at(option).given; }
+  bool has(const std::string& option) const;
   /// Empty without the option.
-  const std::string& text(const std::string& option) const { return values_.at(option).text; }
+  std::string text(const std::string& option) const;
   /// Of a repeatable option.
-  const std::vector<std::string>& texts(const std::string& option) const { return values_.at(option).texts; }
+  std::vector<std::string> texts(const std::string& option) const;
   /// A whole number; absent without the option.
   std::optional<int> count(const std::string& option, int least, int most) const;
   /// The name of a `thing`, which is not empty; absent without the option.
@@ -57,8 +57,7 @@ class Given {
   std::optional<unsigned long long> seed() const;
 
  private:
-  friend class CommandLine;
-  std::map<std::string, Value> values_;
+  const CLI::App& options_;
 };
 
 /// PROBLEM, --seed, and the folder to write into.

@@ -1,6 +1,5 @@
 // steadyslide exponents
 
-#include <iterator>
 #include <stdexcept>
 
 #include "app/commands/command_line.hpp"
@@ -30,16 +29,14 @@ std::vector<symbolic::Derivation> closed_forms(const ContactProblem& problem) {
 /// How each exponent comes about, and the closed form where there is one: as text, or as a LaTeX document.
 void write_derivations(const ContactProblem& problem, Format format, Output& output) {
   std::vector<symbolic::Derivation> derivations = symbolic::local_derivations(problem);
-  std::vector<symbolic::Derivation> whole = closed_forms(problem);
-  std::move(whole.begin(), whole.end(), std::back_inserter(derivations));
+  for (symbolic::Derivation& whole : closed_forms(problem)) derivations.push_back(std::move(whole));
   if (format == Format::latex) return output.write(symbolic::latex_document(derivations));
   for (const symbolic::Derivation& derivation : derivations) output.write(symbolic::to_text(derivation) + "\n");
 }
 
 void write_exponents(const ContactProblem& problem, const CommonOptions& options, Output& output) {
   Rows rows(options.format,
-            {{"x"}, {"kind"}, {"side"}, {"friction"}, {"exponent"}, {"symbolic"}, {"latex", Column::Holds::formulas}},
-            output);
+            {"x", "kind", "side", "friction", "exponent", "symbolic", {"latex", Column::Holds::formulas}}, output);
   for (const SingularPoint& point : possible_singular_points(problem)) {
     std::vector<std::string> friction;
     for (const Rational& f : point.friction) friction.push_back(format_number(f, options.digits));

@@ -112,10 +112,8 @@ Failure inapplicable(const Problem& problem, Method method, const std::string& r
 }
 
 /// A bar that follows one solve, or a search, on cells.
-std::function<void(std::size_t, std::size_t)> follow(Progress& progress, const std::size_t& done) {
-  return [&progress, &done](std::size_t part, std::size_t whole) {
-    progress.show(done, static_cast<double>(part) / static_cast<double>(whole));
-  };
+std::function<void(std::size_t, std::size_t)> follow(Progress& progress) {
+  return [&progress](std::size_t part, std::size_t whole) { progress.show(part, whole); };
 }
 
 template <class Result>
@@ -132,10 +130,7 @@ void write(Format format, const Problem& problem, const Result& result, Output& 
 SolutionText solve_shown(const SolveOptions& options, const Problem& problem, SolutionWanted solution) {
   Solver::Wanted wanted{options.method, std::move(solution), options.variational()};
   std::optional<Progress> progress;
-  constexpr std::size_t done = 0;
-  if (takes_variational(options.method, problem.contact)) {
-    wanted.variational.progress = follow(progress.emplace(1), done);
-  }
+  if (takes_variational(options.method, problem.contact)) wanted.variational.progress = follow(progress.emplace(1));
   return Solver(std::move(wanted)).solve(problem);
 }
 
@@ -167,14 +162,13 @@ std::vector<LoadStep> solved_steps(const SolveOptions& options, const Problem& p
                                    const std::vector<Rational>& loads) {
   std::vector<LoadStep> steps;
   Progress progress(loads.size());
-  std::size_t done = 0;
   Solver::Wanted wanted{options.method, {options.common.digits}, options.variational()};
-  wanted.variational.progress = follow(progress, done);
+  wanted.variational.progress = follow(progress);
   Solver solver(std::move(wanted));
   for (const Rational& load : loads) {
     const Problem loaded{problem.contact.with_load(load), problem.file, problem.measured};
     steps.push_back({full_number(load, options.common.digits), solver.solve(loaded)});
-    progress.show(++done);
+    progress.next();
   }
   return steps;
 }
@@ -214,8 +208,7 @@ std::string nothing_found(const SearchText& search) {
 numeric::SolutionSearch search_shown(const SolveOptions& options, const Problem& problem) {
   numeric::VariationalOptions variational = options.variational();
   Progress progress(1);
-  constexpr std::size_t done = 0;
-  variational.progress = follow(progress, done);
+  variational.progress = follow(progress);
   return numeric::search_solutions(problem.contact, options.search_starts, variational);
 }
 

@@ -67,17 +67,8 @@ ExitCode run(const Given& given) {
 
   Output output(file);
   Rows rows(format,
-            {{"nu"},
-             {"f_rear"},
-             {"f_front"},
-             {"gamma"},
-             {"alpha_rear"},
-             {"alpha_front"},
-             {"beta"},
-             {"edge_rear"},
-             {"edge_front"},
-             {"free_rear"},
-             {"free_front"}},
+            {"nu", "f_rear", "f_front", "gamma", "alpha_rear", "alpha_front", "beta", "edge_rear", "edge_front",
+             "free_rear", "free_front"},
             output);
   for (std::size_t i = 0; i < poisson.size(); ++i) {
     const std::string nu_text = format_number(poisson[i], digits);

@@ -1,6 +1,5 @@
 #include "app/figures/figures.hpp"
 
-#include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 
 #include "app/figures/gnuplot.hpp"
@@ -12,18 +11,12 @@ namespace steadyslide::app {
 namespace {
 
 std::vector<FigureMaker> selected(const std::vector<std::string>& patterns) {
-  using proofs_checks::matches_glob;
+  using proofs_checks::select;
   for (const std::string& pattern : patterns) {
-    const auto named = [&](const FigureMaker& figure) { return matches_glob(figure.name, pattern); };
-    if (std::ranges::any_of(figures(), named)) continue;
+    if (!select(figures(), {pattern}, &FigureMaker::name).empty()) continue;
     throw bad_command_line("--figure: no such figure", "figures --help names them", pattern);
   }
-  std::vector<FigureMaker> result;
-  for (const FigureMaker& figure : figures()) {
-    const auto names_it = [&](const std::string& pattern) { return matches_glob(figure.name, pattern); };
-    if (patterns.empty() || std::ranges::any_of(patterns, names_it)) result.push_back(figure);
-  }
-  return result;
+  return select(figures(), patterns, &FigureMaker::name);
 }
 
 std::string escaped(std::string text) {
@@ -77,8 +70,8 @@ std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns) 
   Progress progress(wanted.size());
   std::vector<DrawnFigure> result;
   for (const FigureMaker& maker : wanted) {
-    progress.show(result.size());
     result.push_back(draw(maker.make()));
+    progress.next();
   }
   return result;
 }

@@ -145,13 +145,7 @@ class Script {
 
   void data(const std::string& name, const std::vector<Point>& points) {
     line("{} << END", name);
-    for (const Point& point : points) {
-      if (std::isnan(point.x)) {
-        line("");
-      } else {
-        line("{} {}", number(point.x), number(point.y));
-      }
-    }
+    for (const Point& point : points) line("{}", std::isnan(point.x) ? "" : number(point.x) + " " + number(point.y));
     line("END");
   }
 

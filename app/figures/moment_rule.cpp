@@ -11,14 +11,11 @@ namespace {
 using R = numeric::Real50;
 using Form = numeric::RiemannHilbertForm<R>;
 
-/// How far the contact goes on beyond an end of a segment: 0 if it ends there, which leaves nothing singular beyond.
-R beyond(const numeric::ContactSet<R>& set, std::size_t segment, Side side) {
-  if (side == Side::left) return segment > 0 && set.in_contact(segment - 1) ? set.length(segment - 1) : R(0);
-  const std::size_t next = segment + 1;
-  return next < set.segments() && set.in_contact(next) ? set.length(next) : R(0);
+/// How far the contact goes on in a segment: if it has ended there, nothing singular lies beyond.
+R length_beyond(const numeric::ContactSet<R>& set, std::size_t segment) {
+  const bool goes_on = segment < set.segments() && set.in_contact(segment);
+  return goes_on ? set.length(segment) : numeric::infinity<R>();
 }
-
-R or_infinity(const R& length) { return length > 0 ? length : numeric::infinity<R>(); }
 
 struct Moments {
   R zeroth = 0, first = 0, size = 0;
@@ -27,8 +24,8 @@ struct Moments {
 void add(const Form& form, std::size_t k, int nodes, numeric::JacobiRules<R>& rules, Moments& moments) {
   using std::abs;
   const numeric::ContactSet<R>& set = form.set();
-  const numeric::Surroundings<R> around{true, true, or_infinity(beyond(set, k, Side::left)),
-                                        or_infinity(beyond(set, k, Side::right))};
+  // Before the first segment, k - 1 is none.
+  const numeric::Surroundings<R> around{true, true, length_beyond(set, k - 1), length_beyond(set, k + 1)};
   const R amplitude = form.sign(static_cast<std::ptrdiff_t>(k)) * form.problem().cos_alpha(form.friction_at(k));
   for (const numeric::GradedPanel<R>& panel : numeric::graded_panels(set.length(k), around)) {
     numeric::Power<R> power{R(0), R(1)};

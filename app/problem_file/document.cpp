@@ -158,9 +158,9 @@ Value converted(const toml::node& node, std::size_t enclosing_line) {
 
 }  // namespace
 
-const Value* Value::find(std::string_view key) const {
+const Entry* Value::find(std::string_view key) const {
   const auto entry = std::ranges::find(entries, key, &Entry::key);
-  return entry == entries.end() ? nullptr : &entry->value;
+  return entry == entries.end() ? nullptr : &*entry;
 }
 
 const char* name_of(Value::Kind kind) {

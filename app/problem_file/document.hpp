@@ -18,8 +18,8 @@ struct Value {
   std::vector<Value> items;    ///< of a list
   std::vector<Entry> entries;  ///< of a table, in the order of lines
 
-  /// The entry's value, or null.
-  const Value* find(std::string_view key) const;
+  /// The entry of this key, or null.
+  const Entry* find(std::string_view key) const;
 };
 
 struct Entry {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <boost/algorithm/string/split.hpp>
 #include <charconv>
 
 #include "app/terminal/failure.hpp"
@@ -18,14 +19,9 @@ Rational entry(const std::string& option, std::string_view text) {
   }
 }
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (std::size_t at = text.find(separator); at != std::string_view::npos; at = text.find(separator)) {
-    parts.push_back(text.substr(0, at));
-    text.remove_prefix(at + 1);
-  }
-  parts.push_back(text);
-  return parts;
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  return boost::algorithm::split(parts, text, [=](char c) { return c == separator; });
 }
 
 Failure too_long(const std::string& option, std::size_t most, std::string_view text) {
@@ -33,7 +29,7 @@ Failure too_long(const std::string& option, std::size_t most, std::string_view t
 }
 
 std::vector<Rational> parse_range(const std::string& option, std::string_view text, std::size_t most) {
-  const std::vector<std::string_view> parts = split(text, ':');
+  const std::vector<std::string> parts = split(text, ':');
   if (parts.size() != 3) {
     throw bad_command_line(option + ": not a range", "a range is written FIRST:LAST:STEP", text);
   }
@@ -54,7 +50,7 @@ std::vector<Rational> parse_range(const std::string& option, std::string_view te
 std::vector<Rational> parse_list(const std::string& option, std::string_view text, std::size_t most) {
   if (text.find(':') != std::string_view::npos) return parse_range(option, text, most);
   std::vector<Rational> list;
-  for (const std::string_view part : split(text, ',')) {
+  for (const std::string& part : split(text, ',')) {
     if (list.size() == most) throw too_long(option, most, text);
     list.push_back(entry(option, part));
   }

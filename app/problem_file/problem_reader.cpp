@@ -30,9 +30,8 @@ ProblemReader::Found ProblemReader::locate(std::string_view field) const {
       if (index >= found.value->items.size()) return {nullptr, found.line};
       found = {&found.value->items[index], found.value->items[index].line};
     } else {
-      const std::vector<Entry>& entries = found.value->entries;
-      const auto entry = std::ranges::find(entries, part, &Entry::key);
-      if (entry == entries.end()) return {nullptr, found.line};
+      const Entry* entry = found.value->find(part);
+      if (entry == nullptr) return {nullptr, found.line};
       found = {&entry->value, entry->line};
     }
   }

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "app/terminal/utf8.hpp"
 
 namespace steadyslide::app {
 
 std::string escaped(std::string_view text) {
+  static const std::map<char, std::string_view> names{{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}};
   std::string result;
   result.reserve(text.size());
   while (!text.empty()) {
@@ -19,14 +22,8 @@ std::string escaped(std::string_view text) {
       // C1 controls and the two noncharacters that XML refuses.
       const bool allowed = character.code >= 0xa0 && character.code != 0xfffe && character.code != 0xffff;
       if (allowed) result += text.substr(0, length);
-    } else if (c == '<') {
-      result += "&lt;";
-    } else if (c == '>') {
-      result += "&gt;";
-    } else if (c == '&') {
-      result += "&amp;";
-    } else if (c == '"') {
-      result += "&quot;";
+    } else if (const auto name = names.find(c); name != names.end()) {
+      result += name->second;
     } else if (c == '\n' || c == '\t' || (c >= ' ' && c != '\x7f')) {
       result += c;
     }

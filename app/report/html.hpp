@@ -29,11 +29,4 @@ using HtmlRows = std::vector<std::vector<std::string>>;
 /// and rows are HTML already.
 std::string table_element(std::string_view label, const std::vector<std::string>& columns, const HtmlRows& rows);
 
-/// A part of the page under a heading of its own.
-struct Section {
-  std::string id;
-  std::string title;
-  std::string html;  ///< empty: the part is left out
-};
-
 }  // namespace steadyslide::app

@@ -29,25 +29,18 @@ struct Examination {
   std::string group{};                ///< empty: all places of the paper
 };
 
-void check_patterns(const std::vector<std::string>& patterns) {
-  for (const std::string& pattern : patterns) {
-    const auto matches = [&](const checks::Claim& claim) { return checks::matches_glob(claim.id, pattern); };
-    if (std::ranges::any_of(checks::registry(), matches)) continue;
+std::vector<checks::Claim> selected(const Examination& wanted) {
+  for (const std::string& pattern : wanted.claims) {
+    if (!checks::select(checks::registry(), {pattern}).empty()) continue;
     throw bad_command_line("--claim: no such claim", "verify --list names them", pattern);
   }
-}
-
-std::vector<checks::Claim> selected(const Examination& wanted) {
-  check_patterns(wanted.claims);
-  std::vector<checks::Claim> claims = checks::select(checks::registry(), wanted.claims);
-  if (wanted.group.empty()) return claims;
+  if (wanted.group.empty()) return checks::select(checks::registry(), wanted.claims);
   const std::vector<std::string> groups = checks::groups();
   if (std::ranges::find(groups, wanted.group) == groups.end()) {
-    throw bad_command_line("--group: no such place in the paper",
-                           "one of " + fmt::format("{}", fmt::join(groups, ", ")), wanted.group);
+    throw bad_command_line("--group: no such place in the paper", fmt::format("one of {}", fmt::join(groups, ", ")),
+                           wanted.group);
   }
-  std::erase_if(claims, [&](const checks::Claim& claim) { return claim.group != wanted.group; });
-  return claims;
+  return checks::select(checks::claims_of_group(wanted.group), wanted.claims);
 }
 
 /// On a terminal only: a line that the next one overwrites.
@@ -63,7 +56,6 @@ VerifyResult examine(const Examination& wanted, const std::vector<checks::Claim>
   result.reports =
       checks::run_all(claims, result.context, [&](std::size_t index, std::size_t total, const checks::Claim& claim) {
         if (on_terminal) show_progress(fmt::format("[{}/{}] {}", index + 1, total, claim.id));
-        return true;
       });
   if (on_terminal) show_progress("");
   result.notes = checks::reading_notes(result.reports);
@@ -129,7 +121,7 @@ ExitCode report(const Given& given) {
   const VerifyResult result = examine(wanted, checks::registry());
   write_report(result, page);
   Output line(std::nullopt);
-  line.write(fmt::format("{}: {}; {}\n", file, counts_line(result), controls_line(result)));
+  line.write(fmt::format("{}: {}; {}\n", file, counts_line(result.reports), controls_line(result)));
   line.commit();
   return exit_code_of(result.reports);
 }

@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "app/embedded.hpp"
 #include "app/report/mathml.hpp"
 #include "app/report/sections.hpp"
-#include "proofs_checks/statements/paper_statements.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -16,18 +14,6 @@ std::string searched(const checks::ClaimText& claim) {
   std::string text = claim.id + " " + claim.source + " " + claim.statement;
   std::erase(text, '`');
   return text;
-}
-
-/// The paper's order; what it does not have comes last.
-std::vector<const checks::Report*> in_order(std::span<const checks::Report> reports) {
-  std::vector<std::string_view> ids;
-  for (const checks::PaperStatement& s : checks::paper_statements())
-    ids.insert(ids.end(), s.claims.begin(), s.claims.end());
-  std::vector<const checks::Report*> ordered;
-  for (const checks::Report& report : reports) ordered.push_back(&report);
-  std::ranges::stable_sort(ordered, {},
-                           [&](const checks::Report* r) { return std::ranges::find(ids, r->claim.id) - ids.begin(); });
-  return ordered;
 }
 
 std::string controls_text(const checks::Report& report) {
@@ -71,49 +57,23 @@ std::string entry(const checks::Report& report, std::size_t order, const VerifyR
                 {"data-text", searched(claim)}});
 }
 
-std::string verdict_boxes(const VerifyResult& result) {
-  const checks::Counts counts = count(result.reports);
-  std::string boxes = element("legend", "Verdict");
-  for (const auto& [verdict, n] : {std::pair("proved", counts.proved),
-                                   {"supported", counts.supported},
-                                   {"undecided", counts.undecided},
-                                   {"refuted", counts.refuted}}) {
+/// To filter, to sort and to open: of no use without JavaScript, and hidden without it.
+std::string tools(const VerifyResult& result) {
+  std::string boxes;
+  for (const auto& [verdict, n] : count(result.reports)) {
     boxes += element(
         "label", fmt::format(R"(<input type="checkbox" name="verdict" value="{0}" checked> {0} ({1}))", verdict, n));
   }
-  return element("fieldset", boxes);
-}
-
-std::string sort_buttons() {
-  std::string buttons = element("legend", "Sort by");
-  for (const char* key : {"place", "id", "verdict", "seconds"}) {
-    buttons += element("button", key, {{"type", "button"}, {"data-sort", key}, {"aria-pressed", "false"}});
-  }
-  return element("fieldset", buttons, {{"id", "sort"}});
-}
-
-/// Of no use without JavaScript, and hidden without it.
-std::string tools(const VerifyResult& result) {
-  const std::string filter =
-      R"(<label for="filter">Filter</label><input id="filter" type="search" )"
-      R"(placeholder="id, place or words of the statement" autocomplete="off" spellcheck="false">)";
-  const std::string folds = element("button", "open all", {{"type", "button"}, {"id", "open-all"}}) +
-                            element("button", "close all", {{"type", "button"}, {"id", "close-all"}}) +
-                            element("span", "", {{"id", "shown"}, {"role", "status"}, {"aria-live", "polite"}});
-  return block("form",
-               element("p", filter, {{"class", "filter"}}) + verdict_boxes(result) + sort_buttons() +
-                   element("p", folds, {{"class", "folds"}}),
-               {{"id", "tools"}, {"hidden", "hidden"}});
+  return fmt::format(fmt::runtime(embedded::report_tools), fmt::arg("verdicts", boxes));
 }
 
 }  // namespace
 
-Section ledger_section(const VerifyResult& result) {
+std::string ledger_html(const VerifyResult& result) {
   std::string entries;
   std::size_t order = 0;
-  for (const checks::Report* report : in_order(result.reports)) entries += entry(*report, order++, result);
-  return {"ledger", "The ledger",
-          entries.empty() ? "" : tools(result) + block("div", "\n" + entries, {{"id", "claims"}})};
+  for (const checks::Report& report : result.reports) entries += entry(report, order++, result);
+  return entries.empty() ? "" : tools(result) + block("div", "\n" + entries, {{"id", "claims"}});
 }
 
 }  // namespace steadyslide::app

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include <ranges>
 #include <regex>
 #include <vector>
 
@@ -22,10 +22,8 @@ struct Reference {
 std::vector<Reference> references(std::string_view markdown) {
   std::vector<Reference> found;
   bool inside = false;
-  while (!markdown.empty()) {
-    const std::size_t end = std::min(markdown.find('\n'), markdown.size());
-    const std::string_view line = markdown.substr(0, end);
-    markdown.remove_prefix(std::min(end + 1, markdown.size()));
+  for (const auto part : std::views::split(markdown, '\n')) {
+    const std::string_view line(part.begin(), part.end());
     const std::size_t close = line.find("]**");
     if (line.starts_with("**[") && close != std::string_view::npos) {
       found.push_back({std::string(line.substr(3, close - 3)), std::string(line.substr(close + 3))});
@@ -63,8 +61,6 @@ std::string references_list(std::string_view markdown) {
   }
   return items.empty() ? "" : block("dl", "\n" + items, {{"class", "references"}});
 }
-
-Section references_section() { return {"references", "References", references_list(embedded::references_md)}; }
 
 std::string cited_prose(std::string_view text) {
   static const std::regex known = citation();

@@ -126,10 +126,7 @@ std::string options_again(const checks::Context& context) {
                      context.quick ? " --quick" : "");
 }
 
-Section guide_section() { return {"guide", "How to read this", std::string(embedded::report_guide)}; }
-
-Section paper_section(const VerifyResult& result) {
-  Section section{"paper", "The paper, statement by statement", ""};
+std::string paper_html(const VerifyResult& result) {
   HtmlRows rows;
   for (const checks::PaperStatement& statement : checks::paper_statements()) {
     std::string links;
@@ -143,24 +140,22 @@ Section paper_section(const VerifyResult& result) {
     const std::string place = statement.place.empty() ? "<em>beyond the paper</em>" : escaped(statement.place);
     rows.push_back({place, prose(statement.what), links});
   }
-  if (rows.empty()) return section;
-  section.html = block("p",
-                       "What the paper says, in its order, and the entries of the ledger that examine it. Where there "
-                       "are several, each looks at it in a way of its own.") +
-                 table_element(section.title, {"place", "statement", "examined by"}, rows);
-  return section;
+  if (rows.empty()) return "";
+  return block("p",
+               "What the paper says, in its order, and the entries of the ledger that examine it. Where there are "
+               "several, each looks at it in a way of its own.") +
+         table_element("The paper, statement by statement", {"place", "statement", "examined by"}, rows);
 }
 
-Section notes_section(const VerifyResult& result) {
-  Section section{"notes", "Reading notes", ""};
-  if (result.notes.empty() && result.notes_left_out == 0) return section;
-  section.html = block("p",
-                       "Places where the text of the paper at hand and the mathematics disagree. That text was "
-                       "extracted from a PDF: each note says whether that may have made the difference, or whether "
-                       "it is more likely <em>the print's</em>, a slip in the paper itself.");
+std::string notes_html(const VerifyResult& result) {
+  if (result.notes.empty() && result.notes_left_out == 0) return "";
+  std::string html = block("p",
+                           "Places where the text of the paper at hand and the mathematics disagree. That text was "
+                           "extracted from a PDF: each note says whether that may have made the difference, or whether "
+                           "it is more likely <em>the print's</em>, a slip in the paper itself.");
   if (result.notes_left_out > 0) {
-    section.html += block("p", fmt::format("Left out are {} notes on statements that were not examined in this run.",
-                                           result.notes_left_out));
+    html += block("p", fmt::format("Left out are {} notes on statements that were not examined in this run.",
+                                   result.notes_left_out));
   }
   HtmlRows rows;
   for (const checks::ReadingNote& note : result.notes) {
@@ -169,52 +164,48 @@ Section notes_section(const VerifyResult& result) {
     if (!note.claim.empty()) place += "<br>" + element("a", "the statement", {{"href", "#" + note.claim}});
     rows.push_back({place, cited_prose(note.printed), cited_prose(note.derived), cited_prose(note.evidence)});
   }
-  if (rows.empty()) return section;
-  section.html +=
-      table_element("Reading notes", {"place", "printed", "derived", "evidence, and the likely origin"}, rows);
-  return section;
+  if (rows.empty()) return html;
+  return html +
+         table_element("Reading notes", {"place", "printed", "derived", "evidence, and the likely origin"}, rows);
 }
 
-Section figures_section(const Supplement& supplement) {
-  Section section{"figures", "Figures", ""};
-  if (!supplement.no_figures.empty()) section.html += block("p", escaped(supplement.no_figures));
-  for (const DrawnFigure& drawn : supplement.figures) section.html += drawing(drawn);
-  return section;
+std::string figures_html(const Supplement& supplement) {
+  std::string html;
+  if (!supplement.no_figures.empty()) html += block("p", escaped(supplement.no_figures));
+  for (const DrawnFigure& drawn : supplement.figures) html += drawing(drawn);
+  return html;
 }
 
-Section tables_section(const std::vector<TextTable>& tables) {
-  Section section{"tables", "Exponents", ""};
-  for (const TextTable& table : tables) section.html += table_html(table);
-  return section;
+std::string tables_html(const std::vector<TextTable>& tables) {
+  std::string html;
+  for (const TextTable& table : tables) html += table_html(table);
+  return html;
 }
 
-Section mutants_section(const std::vector<Mutant>& mutants) {
-  Section section{"mutants", "Faults put into the program", ""};
-  if (mutants.empty()) return section;
+std::string mutants_html(const std::vector<Mutant>& mutants) {
+  if (mutants.empty()) return "";
   HtmlRows rows;
   for (const auto& [id, file, change, killer, evidence] : mutants) {
     rows.push_back({code(id), path(file), cited_prose(change), code(killer), cited_prose(evidence)});
   }
-  section.html = block("p", fmt::format("Controls change a statement; these changes, {} of them, were made in the "
-                                        "program itself, one at a time, and each was noticed by the executable named, "
-                                        "a test or a part of the checks, with its arguments.",
-                                        mutants.size())) +
-                 table_element(section.title, {"id", "file", "change", "noticed by", "evidence"}, rows);
-  return section;
+  return block("p", fmt::format("Controls change a statement; these changes, {} of them, were made in the program "
+                                "itself, one at a time, and each was noticed by the executable named, a test or a part "
+                                "of the checks, with its arguments.",
+                                mutants.size())) +
+         table_element("Faults put into the program", {"id", "file", "change", "noticed by", "evidence"}, rows);
 }
 
-Section reproduce_section(const VerifyResult& result) {
+std::string reproduce_html(const VerifyResult& result) {
   const std::string options = options_again(result.context);
   const std::string commands = "steadyslide report -o DIR" + options + "\nsteadyslide verify --claim ID" + options +
                                "\nsteadyslide verify --list\n";
-  return {"reproduce", "How to reproduce this",
-          block("p",
-                "The page again, one statement alone, and the list of all statements. Random parameters follow from "
-                "the seed, so that only the seconds differ:") +
-              block("pre", code(commands), {{"tabindex", "0"}}) +
-              block("p", fmt::format("To cite it: <em>steadyslide</em>, version {}, together with the paper whose "
-                                     "theory it examines, [<a href=\"#ref-Bal16\">Bal16</a>].",
-                                     version))};
+  return block("p",
+               "The page again, one statement alone, and the list of all statements. Random parameters follow from the "
+               "seed, so that only the seconds differ:") +
+         block("pre", code(commands), {{"tabindex", "0"}}) +
+         block("p", fmt::format("To cite it: <em>steadyslide</em>, version {}, together with the paper whose theory it "
+                                "examines, [<a href=\"#ref-Bal16\">Bal16</a>].",
+                                version));
 }
 
 }  // namespace steadyslide::app

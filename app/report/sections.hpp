@@ -8,19 +8,15 @@
 
 namespace steadyslide::app {
 
-/// What the verdicts and the controls mean.
-Section guide_section();
-/// The paper's statements in its order, with the verdicts on them.
-Section paper_section(const VerifyResult& result);
+/// The paper's statements in its order, with the verdicts on them. Here and below: empty where there is nothing to tell.
+std::string paper_html(const VerifyResult& result);
 /// Every claim with its verdict, to be opened.
-Section ledger_section(const VerifyResult& result);
-Section notes_section(const VerifyResult& result);
-Section figures_section(const Supplement& supplement);
-Section tables_section(const std::vector<TextTable>& tables);
-Section mutants_section(const std::vector<Mutant>& mutants);
-Section reproduce_section(const VerifyResult& result);
-/// docs/references.md.
-Section references_section();
+std::string ledger_html(const VerifyResult& result);
+std::string notes_html(const VerifyResult& result);
+std::string figures_html(const Supplement& supplement);
+std::string tables_html(const std::vector<TextTable>& tables);
+std::string mutants_html(const std::vector<Mutant>& mutants);
+std::string reproduce_html(const VerifyResult& result);
 
 /// The paragraphs of a Markdown text that begin with **[Key]**, as <dl>: emphasis and links, no more.
 std::string references_list(std::string_view markdown);

@@ -13,6 +13,8 @@
 namespace steadyslide::app {
 namespace {
 
+using std::isinf, std::isnan;
+
 /// +-d.ddd * 10^exponent, the digits without the point.
 struct Scientific {
   bool negative = false;
@@ -65,18 +67,6 @@ std::string lay_out(const Scientific& number, int digits) {
   return text + mantissa.substr(0, whole) + "." + mantissa.substr(whole);
 }
 
-template <numeric::Real R>
-bool is_nan(const R& value) {
-  using std::isnan;
-  return isnan(value);
-}
-
-template <numeric::Real R>
-bool is_infinite(const R& value) {
-  using std::abs;
-  return abs(value) == numeric::infinity<R>();
-}
-
 /// The smallest p with error <= 10^p.
 template <numeric::Real R>
 long last_place(const R& error) {
@@ -89,9 +79,9 @@ long last_place(const R& error) {
 
 template <numeric::Real R>
 std::string format_number(const R& value, int digits) {
-  if (is_nan(value)) return "";
+  if (isnan(value)) return "";
   if (value == 0) return "0";
-  if (is_infinite(value)) return value > 0 ? "inf" : "-inf";
+  if (isinf(value)) return value > 0 ? "inf" : "-inf";
   return lay_out(scientific(value, digits), digits);
 }
 
@@ -99,9 +89,9 @@ template <numeric::Real R>
 std::string format_number(const numeric::Estimate<R>& estimate, int digits) {
   using std::abs;
   const R& value = estimate.value;
-  if (is_nan(value) || is_infinite(value)) return format_number(value, digits);
+  if (isnan(value) || isinf(value)) return format_number(value, digits);
   const R error = abs(estimate.error);
-  if (is_nan(error) || is_infinite(error)) return "";
+  if (isnan(error) || isinf(error)) return "";
   if (value == 0) return "0";
   if (error >= abs(value)) return "0";
   if (error == 0) return format_number(value, digits);
@@ -129,7 +119,7 @@ NumberText number_text(const numeric::Estimate<R>& estimate, int digits) {
   text.shown = format_number(estimate, digits);
   if (text.shown.empty()) return text;
   text.value = full_number(estimate.value, digits);
-  text.error = is_infinite(estimate.value) ? "0" : size_text(estimate.error, digits);
+  text.error = isinf(estimate.value) ? "0" : size_text(estimate.error, digits);
   return text;
 }
 

@@ -205,7 +205,8 @@ std::string_view format_name(Format format) {
 Rows::Rows(Format format, const std::vector<Column>& columns, Output& output) : format_(format) {
   std::vector<Column> all = columns;
   for (const Column& column : columns) {
-    if (column.holds == Holds::numbers && for_files()) all.push_back({column.name + "_error"});
+    if (column.holds != Holds::numbers || !for_files()) continue;
+    all.emplace_back("").name = column.name + "_error";
   }
   writer_ = writers.at(static_cast<std::size_t>(format))(std::move(all), output);
 }

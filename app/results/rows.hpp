@@ -24,8 +24,10 @@ std::string_view format_name(Format format);
 struct Column {
   enum class Holds { words, formulas, numbers };
 
+  Column(const char* its_name, Holds what = Holds::words) : name(its_name), holds(what) {}
+
   std::string name;
-  Holds holds = Holds::words;  ///< formulas are for LaTeX's math mode; numbers have an error
+  Holds holds;  ///< formulas are for LaTeX's math mode; numbers have an error
 };
 
 /// One text, or several: an array in JSON, separated by spaces elsewhere.

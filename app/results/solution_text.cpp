@@ -2,18 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace steadyslide::app {
 namespace {
 
 using numeric::Estimate;
 using numeric::Real;
 using numeric::TwoSided;
-
-template <Real R>
-bool is_infinite(const R& value) {
-  using std::abs;
-  return abs(value) == numeric::infinity<R>();
-}
+using std::isinf, std::isnan;
 
 /// Do the limits differ by no more than their errors?
 template <Real R>
@@ -74,14 +71,14 @@ class Writer {
 
   void notice(const Estimate<R>& estimate) {
     if (estimate.convergence == numeric::Convergence::stalled) converged_ = false;
-    if (is_infinite(estimate.error)) return;  // not known, and printed as such
+    if (isinf(estimate.error)) return;  // not known, and printed as such
     notice(estimate.value);
   }
 
   void notice(const R& value) {
-    using std::abs, std::isnan;
+    using std::abs;
     const R magnitude = abs(value);
-    if (magnitude == 0 || is_infinite(magnitude)) return;
+    if (magnitude == 0 || isinf(magnitude)) return;
     // Also false for what is no number.
     const bool fine = magnitude < R(1e150) && magnitude > R(1e-150);
     if (!fine) result_.in_range = false;
@@ -114,13 +111,13 @@ LimitText limit_text(const TwoSided<R>& limits, const TwoSided<R>& traction, int
   const Estimate<R>& left = limits.left;
   const Estimate<R>& right = limits.right;
   LimitText text{number_text(left, digits), number_text(right, digits)};
-  if (is_infinite(left.value) || is_infinite(right.value)) {
-    const bool opposite = is_infinite(left.value) && is_infinite(right.value) && left.value != right.value;
+  if (isinf(left.value) || isinf(right.value)) {
+    const bool opposite = isinf(left.value) && isinf(right.value) && left.value != right.value;
     // Without friction the shear stays 0 where the traction blows up: that limit is worth telling.
-    const bool blows_up_alone = (is_infinite(traction.left.value) && !is_infinite(left.value)) ||
-                                (is_infinite(traction.right.value) && !is_infinite(right.value));
+    const bool blows_up_alone =
+        (isinf(traction.left.value) && !isinf(left.value)) || (isinf(traction.right.value) && !isinf(right.value));
     if (opposite || blows_up_alone) return text;
-    const NumberText& infinite = is_infinite(left.value) ? text.left : text.right;
+    const NumberText& infinite = isinf(left.value) ? text.left : text.right;
     return {infinite, infinite};
   }
   const bool known = !text.left.shown.empty() && !text.right.shown.empty();

@@ -11,11 +11,15 @@ using Json = nlohmann::ordered_json;
 /// A number's text; null where there is no number.
 Json number(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
-Json numbers(const std::vector<Rational>& values) {
-  Json list = Json::array();
-  for (const Rational& value : values) list.push_back(exact_text(value));
-  return list;
+/// What json_of makes of each.
+template <class List, class JsonOf>
+Json array(const List& list, JsonOf json_of) {
+  Json result = Json::array();
+  for (const auto& one : list) result.push_back(json_of(one));
+  return result;
 }
+
+Json numbers(const std::vector<Rational>& values) { return array(values, exact_text); }
 
 void add(Json& json, const std::string& key, const std::string& text) { json[key] = number(text); }
 
@@ -32,12 +36,8 @@ void add(Json& json, const std::string& key, const LimitText& limits) {
 }
 
 void add(Json& json, const std::string& key, const std::vector<NumberText>& list) {
-  json[key] = Json::array();
-  json[key + "_error"] = Json::array();
-  for (const NumberText& text : list) {
-    json[key].push_back(number(text.value));
-    json[key + "_error"].push_back(number(text.error));
-  }
+  json[key] = array(list, [](const NumberText& text) { return number(text.value); });
+  json[key + "_error"] = array(list, [](const NumberText& text) { return number(text.error); });
 }
 
 /// The object with more keys, each followed by what stands there.
@@ -119,15 +119,12 @@ Json solution_json(const SolutionText& solution) {
   Json json;
   json["method"] = solution.method;
   json["digits"] = solution.digits;
-  json["contact"] = Json::array();
-  for (const auto& [left, right] : solution.contact) {
-    json["contact"].push_back({{"left", end_json(left)}, {"right", end_json(right)}});
-  }
-  json["singular_points"] = Json::array();
-  for (const SingularText& point : solution.singular_points) json["singular_points"].push_back(singular_json(point));
+  json["contact"] = array(solution.contact, [](const auto& ends) -> Json {
+    return {{"left", end_json(ends.first)}, {"right", end_json(ends.second)}};
+  });
+  json["singular_points"] = array(solution.singular_points, singular_json);
   json["resultants"] = resultants_json(solution);
-  json["samples"] = Json::array();
-  for (const SampleText& sample : solution.samples) json["samples"].push_back(sample_json(sample));
+  json["samples"] = array(solution.samples, sample_json);
   json["estimated_error"] = sizes_json(solution.errors);
   json["residuals"] = sizes_json(solution.residuals);
   return json;
@@ -172,12 +169,11 @@ void write_json(const Problem& problem, const SearchText& search, Output& output
                     {"unsolved", search.unsolved},
                     {"agreed", search.agreed()},
                     {"different_refinements", search.refinements}};
-  json["solutions"] = Json::array();
-  for (const FoundText& found : search.solutions) {
-    json["solutions"].push_back({{"times", found.times},
-                                 {"variational", found_json(found.variational)},
-                                 {"refined", found.refined ? found_json(*found.refined) : Json()}});
-  }
+  json["solutions"] = array(search.solutions, [](const FoundText& found) -> Json {
+    return {{"times", found.times},
+            {"variational", found_json(found.variational)},
+            {"refined", found.refined ? found_json(*found.refined) : Json()}};
+  });
   finish(std::move(json), search, output);
 }
 

@@ -4,33 +4,8 @@ namespace steadyslide::app {
 namespace {
 
 using Ends = std::pair<EndText, EndText>;
-constexpr auto numbers = Column::Holds::numbers;
 
-/// What a row says of a contact component, and of the contact that it belongs to.
-const std::vector<Column> component_columns{{"left", numbers},
-                                            {"left_kind"},
-                                            {"left_intensity", numbers},
-                                            {"right", numbers},
-                                            {"right_kind"},
-                                            {"right_intensity", numbers},
-                                            {"effective_friction", numbers},
-                                            {"centre_of_pressure", numbers},
-                                            {"load_share", numbers},
-                                            {"tilt", numbers}};
-
-std::vector<Cell> component_cells(const SolutionText& whole, const Ends& component) {
-  const auto& [left, right] = component;
-  return {left.x,
-          left.kind,
-          left.intensity,
-          right.x,
-          right.kind,
-          right.intensity,
-          whole.effective_friction,
-          whole.centre_of_pressure,
-          whole.load_share,
-          whole.tilt.value_or(NumberText{})};
-}
+Column number(const char* name) { return {name, Column::Holds::numbers}; }
 
 template <class T>
 std::vector<T> joined(std::vector<T> first, const std::vector<T>& second, const std::vector<T>& third) {
@@ -39,11 +14,22 @@ std::vector<T> joined(std::vector<T> first, const std::vector<T>& second, const 
   return first;
 }
 
+/// What a row says of a contact component, and of the contact that it belongs to.
+const std::vector<Column> component_columns = joined<Column>(
+    {number("left"), "left_kind", number("left_intensity")}, {number("right"), "right_kind", number("right_intensity")},
+    {number("effective_friction"), number("centre_of_pressure"), number("load_share"), number("tilt")});
+
+std::vector<Cell> component_cells(const SolutionText& whole, const Ends& component) {
+  const auto& [left, right] = component;
+  return joined<Cell>(
+      {left.x, left.kind, left.intensity}, {right.x, right.kind, right.intensity},
+      {whole.effective_friction, whole.centre_of_pressure, whole.load_share, whole.tilt.value_or(NumberText())});
+}
+
 }  // namespace
 
 void write_csv(const SolutionText& solution, Output& output) {
-  Rows rows(Format::csv, {{"x"}, {"traction", numbers}, {"shear", numbers}, {"gap", numbers}, {"slope", numbers}},
-            output);
+  Rows rows(Format::csv, {"x", number("traction"), number("shear"), number("gap"), number("slope")}, output);
   for (const auto& [x, traction, shear, gap, slope] : solution.samples) {
     rows.row({x, traction.left, shear.left, gap, slope.left});
     if (traction.two_sided() || shear.two_sided() || slope.two_sided()) {
@@ -55,8 +41,8 @@ void write_csv(const SolutionText& solution, Output& output) {
 
 void write_csv(const SearchText& search, Output& output) {
   Rows rows(Format::csv,
-            joined({{"solution"}, {"times"}, {"component"}}, component_columns,
-                   {{"equation"}, {"load"}, {"penetration"}, {"tension"}, {"refined"}}),
+            joined({"solution", "times", "component"}, component_columns,
+                   {"equation", "load", "penetration", "tension", "refined"}),
             output);
   int number = 0;
   for (const auto& [times, solution, refined] : search.solutions) {
@@ -74,9 +60,9 @@ void write_csv(const SearchText& search, Output& output) {
 }
 
 void write_load_steps(Format format, const std::vector<LoadStep>& steps, Output& output) {
-  std::vector<Column> last{{"shortcoming"}};
+  std::vector<Column> last{"shortcoming"};
   if (format == Format::json) last.push_back({"warnings"});
-  Rows rows(format, joined({{"load"}, {"component"}}, component_columns, last), output);
+  Rows rows(format, joined({"load", "component"}, component_columns, last), output);
   for (const auto& [load, solution] : steps) {
     std::vector<Cell> notes{solution.reason.empty() ? solution.failed_condition : solution.reason};
     if (format == Format::json) notes.emplace_back(solution.warnings);

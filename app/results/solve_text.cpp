@@ -44,7 +44,7 @@ void write_singular_points(const SolutionText& solution, Output& output) {
   output.write(
       "\nsingular points (t = -intensity d^exponent; constant - intensity cos(pi alpha) d^exponent at jumps;\n"
       "constant + intensity log(d)/pi at wedges)\n");
-  Rows rows(Format::text, {{"  x"}, {"kind"}, {"exponent"}, {"intensity"}, {"constant"}, {"exact"}}, output);
+  Rows rows(Format::text, {"  x", "kind", "exponent", "intensity", "constant", "exact"}, output);
   for (const auto& [x, kind, exponent, intensity, constant] : solution.singular_points) {
     rows.row({"  " + shown(x), kind, exponent.value, intensity, constant, exponent.symbolic});
   }
@@ -66,7 +66,7 @@ void write_resultants(const Problem& problem, const SolutionText& solution, Outp
 void write_samples(const SolutionText& solution, Output& output) {
   if (solution.samples.empty()) return;
   output.write("\nsamples (left | right where the limits differ; traction and shear: force per area)\n");
-  Rows rows(Format::text, {{"  x"}, {"traction"}, {"shear"}, {"gap"}, {"slope"}}, output);
+  Rows rows(Format::text, {"  x", "traction", "shear", "gap", "slope"}, output);
   for (const auto& [x, traction, shear, gap, slope] : solution.samples) {
     rows.row({"  " + x, shown(traction), shown(shear), gap, shown(slope)});
   }

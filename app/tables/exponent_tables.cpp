@@ -1,10 +1,11 @@
 #include "app/tables/exponent_tables.hpp"
 
 #include <algorithm>
+#include <ranges>
+#include <stdexcept>
 
 #include "app/embedded.hpp"
 #include "app/results/number_format.hpp"
-#include "app/tables/materials.hpp"
 #include "model/singular_point.hpp"
 
 namespace steadyslide::app {
@@ -17,23 +18,35 @@ struct Coatings {
   Rational right;
 };
 
-/// The tables as exponent_tables.md has them, without rows: a heading, paragraphs, a line of columns, references.
-std::vector<TextTable> empty_tables() {
+/// "| a | b |" has the cells "a" and "b".
+std::vector<std::string> cells_of(const std::string& row) {
+  std::vector<std::string> cells;
+  for (std::size_t at = 2; at < row.size(); at = row.find('|', at) + 2) {
+    cells.push_back(row.substr(at, row.find(" |", at) - at));
+  }
+  return cells;
+}
+
+/// The tables as exponent_tables.md has them: a heading, paragraphs, the columns, references; and rows, a line each, as
+/// far as they are data and no results.
+std::vector<TextTable> given_tables() {
   std::vector<TextTable> tables;
-  std::string_view rest = embedded::exponent_tables_md;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find("\n\n"), rest.size() - 1);
-    std::string block(rest.substr(0, end));
-    rest.remove_prefix(std::min(end + 2, rest.size()));
+  for (const auto part : std::views::split(embedded::exponent_tables_md, std::string_view("\n\n"))) {
+    std::string block(part.begin(), part.end());
+    if (block.starts_with('|') && !tables.back().columns.empty()) {
+      for (const auto row : std::views::split(block, '\n')) {
+        if (!row.empty()) tables.back().rows.push_back(cells_of({row.begin(), row.end()}));
+      }
+      continue;
+    }
+    if (block.ends_with('\n')) block.pop_back();
     std::ranges::replace(block, '\n', ' ');
     if (block.starts_with("## ")) {
       tables.push_back({block.substr(3), "", {}, {}, {}});
     } else if (block.starts_with('[')) {
       tables.back().references.push_back(block);
     } else if (block.starts_with('|')) {
-      for (std::size_t at = 2; at < block.size(); at = block.find('|', at) + 2) {
-        tables.back().columns.push_back(block.substr(at, block.find(" |", at) - at));
-      }
+      tables.back().columns = cells_of(block);
     } else {
       tables.back().note += (tables.back().note.empty() ? "" : "\n") + block;
     }
@@ -78,24 +91,23 @@ void fill_by_poisson(TextTable& table) {
   }
 }
 
-void fill_constants(TextTable& table) {
-  for (const auto& [name, young, poisson, shear, source] : materials()) {
-    table.rows.push_back({name, young, poisson, shear.value_or("-"), source});
-  }
+/// A material of the table of constants; E in GPa.
+Solid solid(const TextTable& constants, const std::string& name) {
+  const auto row = std::ranges::find(constants.rows, name, [](const auto& cells) { return cells.front(); });
+  if (row == constants.rows.end()) throw std::out_of_range("no such material: " + name);
+  return {parse_rational(row->at(2)), parse_rational(row->at(1))};
 }
 
-Elasticity elasticity_of(const MaterialPair& pair) {
-  const Solid half_plane = material(pair.half_plane).solid();
-  return pair.indenter ? Elasticity(half_plane, material(*pair.indenter).solid()) : Elasticity(half_plane);
-}
-
-void fill_by_pair(TextTable& table) {
+/// Behind the half-plane and the indenter, which are given.
+void fill_by_pair(TextTable& table, const TextTable& constants) {
   const Coatings jump{Rational(1, 10), Rational(1, 2)};
-  for (const MaterialPair& pair : material_pairs()) {
-    const Elasticity elasticity = elasticity_of(pair);
+  for (std::vector<std::string>& row : table.rows) {
+    const Solid half_plane = solid(constants, row[0]);
+    const Elasticity elasticity =
+        row[1] == "rigid" ? Elasticity(half_plane) : Elasticity(half_plane, solid(constants, row[1]));
     const Rational& gamma = elasticity.gamma();
-    std::vector<std::string> row{pair.half_plane, pair.indenter.value_or("rigid"), text(dundurs_alpha(elasticity)),
-                                 text(gamma)};
+    row.push_back(text(dundurs_alpha(elasticity)));
+    row.push_back(text(gamma));
     for (const Rational& f : {Rational(1, 5), Rational(1, 2)}) {
       row.push_back(text(free_exponent(End::left, gamma * f)));
       row.push_back(text(free_exponent(End::right, gamma * f)));
@@ -105,7 +117,6 @@ void fill_by_pair(TextTable& table) {
       row.push_back(text(beta));
       row.push_back(behaviour(beta));
     }
-    table.rows.push_back(std::move(row));
   }
 }
 
@@ -122,10 +133,9 @@ Rational dundurs_alpha(const Elasticity& elasticity) {
 }
 
 std::vector<TextTable> exponent_tables() {
-  std::vector<TextTable> tables = empty_tables();
+  std::vector<TextTable> tables = given_tables();
   fill_by_poisson(tables.at(0));
-  fill_constants(tables.at(1));
-  fill_by_pair(tables.at(2));
+  fill_by_pair(tables.at(2), tables.at(1));
   return tables;
 }
 

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <cctype>
+#include <ranges>
 #include <regex>
 
+#include "app/embedded.hpp"
 #include "app/results/rows.hpp"
 
 namespace steadyslide::app {
@@ -30,15 +32,11 @@ std::string latex_formula(const std::string& formula) {
 std::string latex_text(const std::string& text) {
   if (is_number(text)) return "$" + text + "$";
   std::string result;
-  std::size_t at = 0;
-  while (at < text.size()) {
-    const std::size_t end = text[at] == '`' ? text.find('`', at + 1) : std::string::npos;
-    if (end != std::string::npos) {
-      result += "$" + latex_formula(text.substr(at + 1, end - at - 1)) + "$";
-      at = end + 1;
-      continue;
-    }
-    result += latex_escaped(text.substr(at++, 1));
+  bool is_formula = false;
+  for (const auto part : std::views::split(text, '`')) {
+    const std::string words(part.begin(), part.end());
+    result += is_formula ? "$" + latex_formula(words) + "$" : latex_escaped(words);
+    is_formula = !is_formula;
   }
   return result;
 }
@@ -79,25 +77,8 @@ std::string markdown_document(const std::string& title, const std::vector<TextTa
 }
 
 std::string latex_document(const std::string& title, const std::vector<TextTable>& tables) {
-  std::string result = fmt::format(R"(% A document of its own; pdflatex, twice for the widths of the columns.
-% To take a table over, copy its longtable (\usepackage{{longtable}}).
-\documentclass[a4paper]{{article}}
-\usepackage{{longtable}}
-\setlength{{\paperwidth}}{{297mm}}
-\setlength{{\paperheight}}{{210mm}}
-\setlength{{\pdfpagewidth}}{{297mm}}
-\setlength{{\pdfpageheight}}{{210mm}}
-\setlength{{\textwidth}}{{277mm}}
-\setlength{{\textheight}}{{160mm}}
-\setlength{{\oddsidemargin}}{{-15mm}}
-\setlength{{\topmargin}}{{-15mm}}
-\setlength{{\tabcolsep}}{{3pt}}
-\setlength{{\parindent}}{{0pt}}
-\setlength{{\parskip}}{{1ex}}
-\begin{{document}}
-\section*{{{}}}
-)",
-                                   latex_text(title));
+  std::string result(embedded::tables_tex);
+  result += fmt::format("\\section*{{{}}}\n", latex_text(title));
   for (const TextTable& table : tables) {
     result += fmt::format("\n\\subsection*{{{}}}\n\n", latex_text(table.title)) + latex_text(paragraphs(table.note));
     result += fmt::format("{{\\footnotesize\n\\begin{{longtable}}{{{}}}\n", std::string(table.columns.size(), 'l'));

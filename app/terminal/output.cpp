@@ -33,17 +33,12 @@ Output::Output(const std::optional<std::string>& file) : name_(file.value_or("st
   target_ = std::filesystem::weakly_canonical(*file, error).string();
   if (error || target_.empty()) target_ = *file;
   struct stat status {};
-  if (::stat(target_.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+  const bool exists = ::stat(target_.c_str(), &status) == 0;
+  if (exists && !S_ISREG(status.st_mode)) {
     descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor_ < 0) fail("cannot be written");
-  } else {
-    open_temporary();
+    return;
   }
-}
-
-void Output::open_temporary() {
-  struct stat status {};
-  const bool exists = ::stat(target_.c_str(), &status) == 0;
   if (exists && ::access(target_.c_str(), W_OK) != 0) fail("cannot be written");
   const SignalsHeld held;
   temporary_ = (std::filesystem::path(target_).parent_path() / ".steadyslide-XXXXXX").string();

@@ -22,7 +22,6 @@ class Output {
   void commit();
 
  private:
-  void open_temporary();
   void flush();
   [[noreturn]] void fail(const std::string& what) const;
 

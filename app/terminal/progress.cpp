@@ -25,7 +25,7 @@ std::string clock_text(long seconds) {
 Progress::Progress(std::size_t total) : total_(total), on_terminal_(::isatty(STDERR_FILENO) == 1) {
   if (!on_terminal_) return;
   erase_line_when_interrupted(true);
-  show(0);
+  show(0, 1);
 }
 
 Progress::~Progress() {
@@ -34,15 +34,21 @@ Progress::~Progress() {
   erase_line_when_interrupted(false);
 }
 
-void Progress::show(std::size_t done, double part) {
+void Progress::next() {
+  ++done_;
+  show(0, 1);
+}
+
+void Progress::show(std::size_t part, std::size_t whole) {
   if (!on_terminal_) return;
   const Clock::time_point now = Clock::now();
   if (now - shown_ < pause) return;
   shown_ = now;
-  const double ratio = std::clamp((static_cast<double>(done) + part) / static_cast<double>(total_), 0.0, 1.0);
+  const double done = static_cast<double>(done_) + static_cast<double>(part) / static_cast<double>(whole);
+  const double ratio = std::clamp(done / static_cast<double>(total_), 0.0, 1.0);
   const auto full = static_cast<std::size_t>(ratio * width);
   std::string line = fmt::format("\r\x1b[K[{}{}]", std::string(full, '#'), std::string(width - full, '.'));
-  if (total_ > 1) line += fmt::format(" {}/{}", done, total_);
+  if (total_ > 1) line += fmt::format(" {}/{}", done_, total_);
   line += fmt::format(" {} %", static_cast<int>(ratio * 100));
   if (ratio > 0) {
     const double seconds = std::chrono::duration<double>(now - start_).count();

@@ -13,13 +13,16 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// So many of the total are done, and of the next one this part, in [0, 1].
-  void show(std::size_t done, double part = 0);
+  /// One more of the total is done.
+  void next();
+  /// Of the next one, `part` of `whole` is done.
+  void show(std::size_t part, std::size_t whole);
 
  private:
   using Clock = std::chrono::steady_clock;
 
   std::size_t total_;
+  std::size_t done_ = 0;
   bool on_terminal_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point shown_{};

@@ -68,7 +68,7 @@ std::string wrapped(const std::string& head, std::string_view text) {
 /// One line a claim; what was found, for those that are not settled. verify --list has the statements.
 void write_verify_text(const VerifyResult& result, Output& output) {
   output.write(head_text(result) + "\n\n");
-  Rows rows(Format::text, {{"verdict"}, {"controls"}, {"seconds"}, {"claim"}, {"place"}}, output);
+  Rows rows(Format::text, {"verdict", "controls", "seconds", "claim", "place"}, output);
   for (const checks::Report& report : result.reports) {
     rows.row({std::string(name_of(report.verdict)), controls_text(report), fmt::format("{:.2f}", report.seconds),
               report.claim.id, report.claim.source});
@@ -83,7 +83,7 @@ void write_verify_text(const VerifyResult& result, Output& output) {
     }
     if (!report.note.empty()) output.write(fmt::format("  {}\n", report.note));
   }
-  output.write("\n" + counts_line(result) + "\n");
+  output.write("\n" + counts_line(result.reports) + "\n");
   if (const std::string beyond = beyond_text(result); !beyond.empty()) output.write(beyond + "\n");
   if (result.notes_left_out > 0) output.write("\n" + left_out_text(result) + "\n");
   if (result.notes.empty()) return;
@@ -107,9 +107,9 @@ std::string cell(std::string_view text) {
 }
 
 void write_verify_markdown(const VerifyResult& result, Output& output) {
-  output.write(fmt::format("# Verification\n\n{}: {}.\n\n", head_text(result), counts_line(result)));
-  Rows rows(Format::markdown,
-            {{"claim"}, {"source"}, {"statement"}, {"hypotheses"}, {"verdict"}, {"controls"}, {"evidence"}}, output);
+  output.write(fmt::format("# Verification\n\n{}: {}.\n\n", head_text(result), counts_line(result.reports)));
+  Rows rows(Format::markdown, {"claim", "source", "statement", "hypotheses", "verdict", "controls", "evidence"},
+            output);
   for (const checks::Report& report : result.reports) {
     std::string evidence;
     for (const checks::Evidence& e : report.evidence) {
@@ -123,7 +123,7 @@ void write_verify_markdown(const VerifyResult& result, Output& output) {
   if (result.notes_left_out > 0) output.write("\n" + left_out_text(result) + "\n");
   if (result.notes.empty()) return;
   output.write("\n## Reading notes\n\n");
-  Rows notes(Format::markdown, {{"note"}, {"place"}, {"printed"}, {"derived"}, {"evidence"}}, output);
+  Rows notes(Format::markdown, {"note", "place", "printed", "derived", "evidence"}, output);
   for (const checks::ReadingNote& note : result.notes) {
     notes.row({cell(note.id), cell(note.place), cell(note.printed), cell(note.derived), cell(note.evidence)});
   }
@@ -154,16 +154,12 @@ Json report_json(const checks::Report& report) {
 }
 
 void write_verify_json(const VerifyResult& result, Output& output) {
-  const checks::Counts counts = count(result.reports);
   Json json;
   json["schema"] = 1;
   json["version"] = version;
   json["digits"] = static_cast<int>(result.context.digits);
   json["seed"] = result.context.seed;
-  json["counts"] = {{"proved", counts.proved},
-                    {"supported", counts.supported},
-                    {"undecided", counts.undecided},
-                    {"refuted", counts.refuted}};
+  for (const auto& [verdict, n] : count(result.reports)) json["counts"][std::string(verdict)] = n;
   json["claims"] = Json::array();
   for (const checks::Report& report : result.reports) json["claims"].push_back(report_json(report));
   json["reading_notes"] = Json::array();
@@ -209,17 +205,11 @@ void write_claims(Format format, std::span<const checks::Claim> claims, Output& 
     }
     return;
   }
-  Rows rows(format, {{"claim"}, {"source"}, {"statement"}, {"hypotheses"}}, output);
+  Rows rows(format, {"claim", "source", "statement", "hypotheses"}, output);
   for (const checks::Claim& claim : claims) {
     rows.row({cell(claim.id), cell(claim.source), cell(claim.statement), cell(claim.hypotheses)});
   }
   rows.end();
-}
-
-std::string counts_line(const VerifyResult& result) {
-  const checks::Counts counts = count(result.reports);
-  return fmt::format("{} proved, {} supported, {} undecided, {} refuted", counts.proved, counts.supported,
-                     counts.undecided, counts.refuted);
 }
 
 std::string controls_line(const VerifyResult& result) {

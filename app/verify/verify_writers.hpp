@@ -29,9 +29,6 @@ void write_verify(Format format, const VerifyResult& result, Output& output);
 /// The claims alone, unchecked.
 void write_claims(Format format, std::span<const proofs_checks::Claim> claims, Output& output);
 
-/// "3 proved, 2 supported, 0 undecided, 0 refuted".
-std::string counts_line(const VerifyResult& result);
-
 /// "12 of 12 controls refuted".
 std::string controls_line(const VerifyResult& result);
 

@@ -47,14 +47,13 @@ SurfaceInverse::SurfaceInverse(const GalerkinOperator& influence, double length)
   const auto n = static_cast<double>(fourier_.size());
   modes_.resize(logarithm.size());
   for (const double value : values) {
-    Zone zone;
+    std::vector<std::complex<double>>& reciprocal = reciprocals_.emplace_back();
     for (std::size_t k = 0; k < logarithm.size(); ++k) {
       // The symbol of sum over the cells before, half of the cell itself: -i h/2 cot(theta/2).
       const double cot = k == 0 ? 0 : 1 / std::tan(std::numbers::pi * static_cast<double>(k) / n);
       const std::complex<double> symbol(logarithm[k], -value * length / 2 * cot);
-      zone.reciprocal.push_back(std::conj(symbol) / (std::norm(symbol) * n));
+      reciprocal.push_back(std::conj(symbol) / (std::norm(symbol) * n));
     }
-    zones_.push_back(std::move(zone));
   }
 }
 
@@ -64,10 +63,10 @@ void SurfaceInverse::apply(std::span<const double> r, std::span<double> p) {
   std::copy(r.begin(), r.end(), values.begin());
   std::fill(values.begin() + static_cast<std::ptrdiff_t>(r.size()), values.end(), 0);
   fourier_.forward();
-  if (zones_.size() > 1) std::copy(modes.begin(), modes.end(), modes_.begin());
-  for (std::size_t zone = 0; zone < zones_.size(); ++zone) {
-    const std::complex<double>* const from = zones_.size() > 1 ? modes_.data() : modes.data();
-    for (std::size_t k = 0; k < modes.size(); ++k) modes[k] = from[k] * zones_[zone].reciprocal[k];
+  if (reciprocals_.size() > 1) std::copy(modes.begin(), modes.end(), modes_.begin());
+  for (std::size_t zone = 0; zone < reciprocals_.size(); ++zone) {
+    const std::complex<double>* const from = reciprocals_.size() > 1 ? modes_.data() : modes.data();
+    for (std::size_t k = 0; k < modes.size(); ++k) modes[k] = from[k] * reciprocals_[zone][k];
     fourier_.backward();
     for (std::size_t i = 0; i < p.size(); ++i) {
       if (zone_of_[i] == zone) p[i] = values[i];

@@ -17,12 +17,8 @@ class SurfaceInverse {
   void apply(std::span<const double> r, std::span<double> p);
 
  private:
-  /// Cells under about the same s, and 1/symbol for it.
-  struct Zone {
-    std::vector<std::complex<double>> reciprocal;
-  };
-  std::vector<unsigned char> zone_of_;
-  std::vector<Zone> zones_;
+  std::vector<unsigned char> zone_of_;                          ///< cells under about the same s
+  std::vector<std::vector<std::complex<double>>> reciprocals_;  ///< 1/symbol for the s of each zone
   Fourier fourier_;
   std::vector<std::complex<double>> modes_;
 };

@@ -56,7 +56,9 @@ VariationalSolution::Place VariationalSolution::end_place(const Run& run, End en
       return make(x, piece->to, SingularKind::step);
     }
   }
-  return make(boundary, Rational(origin_ + boundary), SingularKind::free);
+  // Exact: where friction jumps at a cell's edge, rounding would choose the side.
+  const Rational edge = Rational(mesh().left(end == End::left ? cell : cell + 1));
+  return make(boundary, mesh().frame().origin + mesh().frame().unit * edge, SingularKind::free);
 }
 
 void VariationalSolution::find_places() {

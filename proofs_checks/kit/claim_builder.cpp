@@ -24,7 +24,7 @@ class Runner {
       Findings findings(quantities_of(claim_, tolerance_there));
       for (const ExaminedCase& c : examples.cases) {
         findings.begin_case(c.where, !claim_.effective || claim_.effective(c.data.get()));
-        claim_.examine(findings, c.data, context, change, step);
+        claim_.examine(findings, c.data.get(), context, change, step);
       }
       return findings.evidence(examples.detail);
     });

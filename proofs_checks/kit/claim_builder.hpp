@@ -4,6 +4,7 @@
 // exclude.
 
 #include <functional>
+#include <stdexcept>
 
 #include "proofs_checks/kit/cases.hpp"
 #include "proofs_checks/kit/findings.hpp"
@@ -25,7 +26,7 @@ struct HowCompared {
 struct ExaminedClaim {
   /// Changes a formula; `step`: what a near miss moves, ten times the tolerance.
   using Change = std::function<void(void* formula, const Number& step, const void* data)>;
-  using Examine = std::function<void(Findings&, const CaseData&, const Context&, const Change&, const Number& step)>;
+  using Examine = std::function<void(Findings&, const void* data, const Context&, const Change&, const Number& step)>;
   struct Variant {
     std::string name;
     Change change;
@@ -47,6 +48,13 @@ std::vector<NamedQuantity> quantities_of(const ExaminedClaim& claim, double tole
 
 Claim claim_of(ExaminedClaim claim);
 
+/// All that either has; throws std::logic_error where that is no quantity of the claim.
+void compare(Findings& findings, const Values& measured, const Values& predicted);
+
+/// One control for each quantity: what is predicted of it, moved by ten times the tolerance (a decided value: by 1e-94;
+/// an order: by twice what it may differ).
+void add_near_misses(ExaminedClaim& claim);
+
 /// f(arguments...), at the number type of the context's digits where f has a type parameter, with the context behind
 /// the arguments where f takes one.
 template <class F, class... Arguments>
@@ -64,37 +72,71 @@ decltype(auto) called_at(const Context& context, const F& f, Arguments&... argum
   }
 }
 
-template <class Derived, class Case, class Form>
+/// A claim, said step by step, about cases and a formula of these types. It becomes a Claim where one is asked for.
+template <class Case, class Form>
 class ClaimBuilder {
  public:
   explicit ClaimBuilder(std::string id) { claim_.id = std::move(id); }
 
   /// list(const Context&) is a CaseList<Case>; a case is named by text_of(c), or else by its member `name`.
   template <class List>
-  Derived&& cases(List list) && {
+  ClaimBuilder&& cases(List list) && {
     claim_.cases = case_source<Case>(std::move(list));
-    return derived();
+    return std::move(*this);
   }
   /// At the others the statement says nothing special (a jump of height zero).
-  Derived&& effective_where(std::function<bool(const Case&)> effective) && {
+  ClaimBuilder&& effective_where(std::function<bool(const Case&)> effective) && {
     claim_.effective = [effective = std::move(effective)](const void* data) { return effective(case_of(data)); };
-    return derived();
+    return std::move(*this);
   }
-  Derived&& precision(Precision precision) && {
+  ClaimBuilder&& precision(Precision precision) && {
     claim_.precision = precision;
-    return derived();
+    return std::move(*this);
   }
-  Derived&& quantity(std::string name, HowCompared how = {}) && {
+  ClaimBuilder&& quantity(std::string name, HowCompared how = {}) && {
     claim_.quantities.emplace_back(std::move(name), how);
-    return derived();
+    return std::move(*this);
   }
-  Derived&& quantities(std::initializer_list<const char*> names, HowCompared how = {}) && {
+  ClaimBuilder&& quantities(std::initializer_list<const char*> names, HowCompared how = {}) && {
     for (const char* name : names) claim_.quantities.emplace_back(name, how);
-    return derived();
+    return std::move(*this);
   }
+
+  /// The formula: formula(const Case&), called as called_at() says; Form() if nothing is said. Of values that are
+  /// compared, what is predicted.
+  template <class Formula>
+  ClaimBuilder&& says(Formula formula) && {
+    formula_ = [formula = std::move(formula)](const Case& c, const Context& context) -> Form {
+      return called_at(context, formula, c);
+    };
+    return std::move(*this);
+  }
+  template <class Formula>
+  ClaimBuilder&& predicted(Formula formula) && {
+    return std::move(*this).says(std::move(formula));
+  }
+  /// check(Findings&, const Form&, const Case&), called as called_at() says.
+  template <class Check>
+  ClaimBuilder&& checked(Check check) && {
+    check_ = [check = std::move(check)](Findings& findings, const Form& form, const Case& c, const Context& context) {
+      called_at(context, check, findings, form, c);
+    };
+    return std::move(*this);
+  }
+  /// measure(const Case&), called as called_at() says, makes the values that the predicted ones are compared with: once
+  /// for the claim and all its controls.
+  template <class Measure>
+  ClaimBuilder&& measured(Measure measure) && {
+    check_ = [measure = std::move(measure), kept = std::make_shared<KeptForCases>()](
+                 Findings& findings, const Form& predicted, const Case& c, const Context& context) {
+      compare(findings, kept->at(c, [&]() -> Values { return called_at(context, measure, c); }), predicted);
+    };
+    return std::move(*this);
+  }
+
   /// change(Form&) or change(Form&, const Case&) makes a wrong formula.
   template <class Change>
-  Derived&& wrong(std::string name, Change change) && {
+  ClaimBuilder&& wrong(std::string name, Change change) && {
     return control(std::move(name), [change = std::move(change)](Form& form, const Number&, const Case& c) {
       if constexpr (std::is_invocable_v<const Change&, Form&>) {
         change(form);
@@ -105,27 +147,63 @@ class ClaimBuilder {
   }
   /// The statement is wrong at these cases, which its hypotheses exclude.
   template <class List>
-  Derived&& wrong_beyond(std::string name, List list) && {
+  ClaimBuilder&& wrong_beyond(std::string name, List list) && {
     claim_.controls.push_back({std::move(name), {}, case_source<Case>(std::move(list))});
-    return derived();
+    return std::move(*this);
+  }
+  /// change(Form&, const Number& step), or with a const Case& behind these, moves one value by `step`; a member is
+  /// moved by this part of itself.
+  template <class Change>
+  ClaimBuilder&& near_miss(const std::string& name, Change change) && {
+    return control("near miss: " + name + " moved by ten times the tolerance",
+                   [change = std::move(change)](Form& form, const Number& step, const Case& c) {
+                     if constexpr (std::is_member_object_pointer_v<Change>) {
+                       form.*change *= 1 + step;
+                     } else if constexpr (std::is_invocable_v<const Change&, Form&, const Number&>) {
+                       change(form, step);
+                     } else {
+                       change(form, step, c);
+                     }
+                   });
+  }
+  /// Of values, one for each quantity said so far.
+  ClaimBuilder&& near_misses() && {
+    add_near_misses(claim_);
+    return std::move(*this);
   }
 
- protected:
+  operator Claim() && {
+    claim_.examine = [formula = std::move(formula_), check = std::move(check_)](
+                         Findings& findings, const void* data, const Context& context,
+                         const ExaminedClaim::Change& change, const Number& step) {
+      const Case& c = case_of(data);
+      Form form = formula(c, context);
+      if (change) change(&form, step, data);
+      check(findings, form, c, context);
+    };
+    return claim_of(std::move(claim_));
+  }
+
+ private:
   static const Case& case_of(const void* data) { return *static_cast<const Case*>(data); }
-  Derived&& derived() { return static_cast<Derived&&>(*this); }
 
   /// change(Form&, const Number& step, const Case&).
   template <class Change>
-  Derived&& control(std::string name, Change change) {
+  ClaimBuilder&& control(std::string name, Change change) {
     claim_.controls.push_back({std::move(name),
                                [change = std::move(change)](void* form, const Number& step, const void* data) {
                                  change(*static_cast<Form*>(form), step, case_of(data));
                                },
                                {}});
-    return derived();
+    return std::move(*this);
   }
 
   ExaminedClaim claim_;
+  std::function<Form(const Case&, const Context&)> formula_ = [](const Case&, const Context&) {
+    if constexpr (std::is_default_constructible_v<Form>) return Form();
+    throw std::logic_error("a claim that says nothing");
+  };
+  std::function<void(Findings&, const Form&, const Case&, const Context&)> check_;
 };
 
 }  // namespace steadyslide::proofs_checks

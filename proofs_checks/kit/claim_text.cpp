@@ -6,7 +6,7 @@
 #include <ranges>
 #include <stdexcept>
 
-#include "proofs_checks/kit/claim_list.hpp"
+#include "proofs_checks/kit/registry.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {

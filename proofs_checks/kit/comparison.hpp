@@ -19,13 +19,6 @@
 
 namespace steadyslide::proofs_checks {
 
-/// All that either has; throws std::logic_error where that is no quantity of the claim.
-void compare(Findings& findings, const Values& measured, const Values& predicted);
-
-/// One control for each quantity: what is predicted of it, moved by ten times the tolerance (a decided value: by 1e-94;
-/// an order: by twice what it may differ).
-void add_near_misses(ExaminedClaim& claim);
-
 /// Changes of a prediction for ClaimBuilder::wrong(). The numbers of these names, those that are there, times a factor: a
 /// number, or factor(case).
 template <class Factor>
@@ -44,51 +37,7 @@ inline auto replaced(Values values) {
 }
 
 template <class Case>
-class ComparedClaim : public ClaimBuilder<ComparedClaim<Case>, Case, Values> {
- public:
-  using ClaimBuilder<ComparedClaim, Case, Values>::ClaimBuilder;
-
-  template <class F>
-  ComparedClaim&& measured(F f) && {
-    measured_ = route(std::move(f));
-    return this->derived();
-  }
-  template <class F>
-  ComparedClaim&& predicted(F f) && {
-    predicted_ = route(std::move(f));
-    return this->derived();
-  }
-  ComparedClaim&& near_misses() && {
-    near_misses_ = true;
-    return this->derived();
-  }
-
-  operator Claim() && {
-    if (near_misses_) add_near_misses(this->claim_);
-    this->claim_.examine = [measured = std::move(measured_), predicted = std::move(predicted_),
-                            kept = std::make_shared<KeptForCases>()](
-                               Findings& findings, const CaseData& data, const Context& context,
-                               const ExaminedClaim::Change& change, const Number& step) {
-      const Case& c = ComparedClaim::case_of(data.get());
-      Values values = predicted(c, context);
-      if (change) change(&values, step, data.get());
-      compare(findings, kept->at(c, [&] { return measured(c, context); }), values);
-    };
-    return claim_of(std::move(this->claim_));
-  }
-
- private:
-  using Route = std::function<Values(const Case&, const Context&)>;
-
-  template <class F>
-  static Route route(F f) {
-    return [f = std::move(f)](const Case& c, const Context& context) -> Values { return called_at(context, f, c); };
-  }
-
-  Route measured_;
-  Route predicted_;
-  bool near_misses_ = false;
-};
+using ComparedClaim = ClaimBuilder<Case, Values>;
 
 template <class Case>
 ComparedClaim<Case> compared(std::string id) {

@@ -1,16 +1,11 @@
 #include "proofs_checks/kit/evidence.hpp"
 
 #include <array>
+#include <boost/algorithm/string/join.hpp>
 #include <cstdio>
 
 namespace steadyslide::proofs_checks {
 namespace {
-
-std::string joined(const std::vector<std::string>& parts, std::string_view separator) {
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : std::string(separator)) + part;
-  return text;
-}
 
 std::string with(std::string text, std::string_view before, const std::string& more) {
   return more.empty() ? text : text.append(before).append(more);
@@ -23,10 +18,12 @@ std::string text_of(double rate) {
 }
 
 struct Describe {
-  std::string operator()(const ExactIdentity& e) const { return with(e.detail, ": ", joined(e.identities, "; ")); }
+  std::string operator()(const ExactIdentity& e) const {
+    return with(e.detail, ": ", boost::algorithm::join(e.identities, "; "));
+  }
   std::string operator()(const Agreement& e) const {
     std::string text = e.what;
-    if (!e.routes.empty()) text += " (" + joined(e.routes, " against ") + ")";
+    if (!e.routes.empty()) text += " (" + boost::algorithm::join(e.routes, " against ") + ")";
     text += ": largest relative difference " + e.worst + ", tolerance " + e.tolerance + ", " +
             std::to_string(e.effective) + " of " + std::to_string(e.cases) + " cases effective";
     if (e.effective < e.required) text += " (" + std::to_string(e.required) + " required)";
@@ -39,7 +36,7 @@ struct Describe {
   }
   std::string operator()(const Counterexample& e) const { return with(e.detail, " at ", e.where); }
   std::string operator()(const BeyondCalculation& e) const {
-    return with(e.reason, "; consequences checked: ", joined(e.consequences, ", "));
+    return with(e.reason, "; consequences checked: ", boost::algorithm::join(e.consequences, ", "));
   }
 };
 

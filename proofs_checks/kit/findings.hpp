@@ -5,8 +5,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "numeric/number/real.hpp"
 #include "proofs_checks/kit/claim.hpp"
+#include "proofs_checks/kit/numbers.hpp"
 
 namespace steadyslide::proofs_checks {
 
@@ -31,7 +31,7 @@ struct Refutation {
 };
 
 /// |a - b| / max(|a|, |b|).
-template <numeric::Real R>
+template <Real R>
 double relative_difference(const R& a, const R& b) {
   using std::abs, std::max;
   if (a == b) return 0;
@@ -55,7 +55,7 @@ class Findings {
   void compare(const Quantity& quantity, double difference);
   void compare(std::string_view name, double difference) { compare(quantity(name), difference); }
   /// Two values, as the quantity says.
-  template <numeric::Real R>
+  template <Real R>
   void compare(std::string_view name, const R& value, const R& other) {
     using std::abs;
     const Quantity& q = quantity(name);
@@ -64,7 +64,7 @@ class Findings {
                                            : relative_difference(value, other));
   }
   /// Two values by their difference over `size`, where either may vanish.
-  template <numeric::Real R>
+  template <Real R>
   void compare(std::string_view name, const R& value, const R& other, const std::type_identity_t<R>& size) {
     using std::abs;
     compare(quantity(name), static_cast<double>(R(abs(value - other) / size)));
@@ -117,13 +117,13 @@ std::vector<Evidence> gather(Walk walk) {
 std::string short_text(double value);
 
 /// Relative tolerance of every numerical claim.
-template <numeric::Real R>
+template <Real R>
 double tolerance() {
-  return std::same_as<R, double> ? 1e-12 : std::same_as<R, numeric::Real50> ? 1e-45 : 1e-95;
+  return std::same_as<R, double> ? 1e-12 : std::same_as<R, Real50> ? 1e-45 : 1e-95;
 }
 
 /// Ten times the tolerance: a near miss.
-template <numeric::Real R>
+template <Real R>
 R near_miss() {
   return R(10) * R(tolerance<R>());
 }

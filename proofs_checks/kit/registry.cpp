@@ -5,7 +5,6 @@
 #include <set>
 #include <stdexcept>
 
-#include "proofs_checks/kit/claim_list.hpp"
 #include "proofs_checks/statements/paper_statements.hpp"
 
 namespace steadyslide::proofs_checks {

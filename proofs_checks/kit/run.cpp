@@ -2,7 +2,6 @@
 
 #include <fnmatch.h>
 
-#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <optional>
@@ -55,26 +54,18 @@ bool Report::beyond_calculation() const {
          std::ranges::any_of(evidence, [](const Evidence& e) { return std::holds_alternative<BeyondCalculation>(e); });
 }
 
-std::vector<std::string> Report::survivors() const {
-  std::vector<std::string> names;
-  for (const ControlReport& control : controls) {
-    if (!control.refuted) names.push_back(control.name);
-  }
-  return names;
-}
-
 Report run(const Claim& claim, const Context& context) {
   const auto start = std::chrono::steady_clock::now();
   Outcome outcome = examine(claim.examine, context);
   Report report{claim, Verdict::undecided, std::move(outcome.evidence), std::move(outcome.failure), {}, 0};
   for (const Control& control : claim.controls) report.controls.push_back(run(control, context));
 
-  const std::vector<std::string> survivors = report.survivors();
-  const bool checked = !claim.controls.empty() && survivors.empty();
+  const bool checked = !claim.controls.empty() && report.controls_refuted() == report.controls.size();
   report.verdict = weigh(report.evidence, checked);
   if (claim.controls.empty() && !report.beyond_calculation()) report.note += "not checked: the claim has no controls";
-  for (const std::string& name : survivors) {
-    report.note += (report.note.empty() ? "" : "; ") + ("not checked: the control survives: " + name);
+  for (const ControlReport& control : report.controls) {
+    if (control.refuted) continue;
+    report.note += (report.note.empty() ? "" : "; ") + ("not checked: the control survives: " + control.name);
   }
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
@@ -84,19 +75,10 @@ bool matches_glob(const std::string& text, const std::string& pattern) {
   return fnmatch(pattern.c_str(), text.c_str(), FNM_NOESCAPE) == 0;
 }
 
-std::vector<Claim> select(std::span<const Claim> claims, std::span<const std::string> patterns) {
-  std::vector<Claim> selected;
-  for (const Claim& claim : claims) {
-    const auto matches = [&](const std::string& pattern) { return matches_glob(claim.id, pattern); };
-    if (patterns.empty() || std::ranges::any_of(patterns, matches)) selected.push_back(claim);
-  }
-  return selected;
-}
-
 std::vector<Report> run_all(std::span<const Claim> claims, const Context& context, const Progress& progress) {
   std::vector<Report> reports;
   for (const Claim& claim : claims) {
-    if (progress && !progress(reports.size(), claims.size(), claim)) break;
+    if (progress) progress(reports.size(), claims.size(), claim);
     reports.push_back(run(claim, context));
   }
   return reports;
@@ -116,11 +98,20 @@ bool settled(std::span<const Report> reports) {
   });
 }
 
-Counts count(std::span<const Report> reports) {
-  const auto of = [&](Verdict verdict) {
-    return static_cast<std::size_t>(std::ranges::count(reports, verdict, &Report::verdict));
-  };
-  return {of(Verdict::proved), of(Verdict::supported), of(Verdict::undecided), of(Verdict::refuted)};
+std::vector<std::pair<std::string_view, std::size_t>> count(std::span<const Report> reports) {
+  std::vector<std::pair<std::string_view, std::size_t>> counts;
+  for (const Verdict verdict : {Verdict::proved, Verdict::supported, Verdict::undecided, Verdict::refuted}) {
+    counts.emplace_back(name_of(verdict), std::ranges::count(reports, verdict, &Report::verdict));
+  }
+  return counts;
+}
+
+std::string counts_line(std::span<const Report> reports) {
+  std::string line;
+  for (const auto& [verdict, n] : count(reports)) {
+    line += (line.empty() ? "" : ", ") + std::to_string(n) + " " + std::string(verdict);
+  }
+  return line;
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -1,6 +1,7 @@
 #pragma once
 // Runs claims with their controls and weighs what comes back. Prints nothing.
 
+#include <algorithm>
 #include <functional>
 #include <span>
 #include <string>
@@ -28,7 +29,6 @@ struct Report {
   std::size_t controls_refuted() const;
   /// No calculation decides it: an undecided claim that is no failure.
   bool beyond_calculation() const;
-  std::vector<std::string> survivors() const;
 };
 
 /// An exception inside the check leaves the claim undecided with its message as note; one inside a control leaves that
@@ -39,22 +39,29 @@ Report run(const Claim& claim, const Context& context);
 /// these)?
 bool matches_glob(const std::string& text, const std::string& pattern);
 
-/// The claims whose id matches at least one of the patterns, in order; all of them if there is no pattern.
-std::vector<Claim> select(std::span<const Claim> claims, std::span<const std::string> patterns);
+/// Claims (or others) whose id (or other name) matches at least one of the patterns, in order; all of them if there is no
+/// pattern.
+template <class Named>
+std::vector<Named> select(const std::vector<Named>& all, const std::vector<std::string>& patterns,
+                          std::string Named::*name = &Named::id) {
+  std::vector<Named> selected;
+  for (const Named& one : all) {
+    const auto matches = [&](const std::string& pattern) { return matches_glob(one.*name, pattern); };
+    if (patterns.empty() || std::ranges::any_of(patterns, matches)) selected.push_back(one);
+  }
+  return selected;
+}
 
-/// Called before each claim; false stops the run.
-using Progress = std::function<bool(std::size_t index, std::size_t total, const Claim& claim)>;
+/// Called before each claim.
+using Progress = std::function<void(std::size_t index, std::size_t total, const Claim& claim)>;
 
 /// One after the other on the calling thread (GiNaC and CLN allow no other).
 std::vector<Report> run_all(std::span<const Claim> claims, const Context& context, const Progress& progress = {});
 
-struct Counts {
-  std::size_t proved = 0;
-  std::size_t supported = 0;
-  std::size_t undecided = 0;
-  std::size_t refuted = 0;
-};
-Counts count(std::span<const Report> reports);
+/// How many reports have each verdict, from proved to refuted.
+std::vector<std::pair<std::string_view, std::size_t>> count(std::span<const Report> reports);
+/// "3 proved, 2 supported, 0 undecided, 0 refuted".
+std::string counts_line(std::span<const Report> reports);
 
 /// Nothing refuted, and nothing undecided but what is beyond calculation.
 bool settled(std::span<const Report> reports);

@@ -8,12 +8,9 @@
 #include <variant>
 #include <vector>
 
-#include "numeric/number/real.hpp"
+#include "proofs_checks/kit/numbers.hpp"
 
 namespace steadyslide::proofs_checks {
-
-/// Every number of the numeric layer is one of these, exactly.
-using Number = numeric::Real100;
 
 /// 1e-94: far below every tolerance of the ledger, and still visible to exact arithmetic.
 Rational tiny();
@@ -42,7 +39,7 @@ class Values {
  public:
   struct Named {
     Named(std::string n, Value v) : name(std::move(n)), value(std::move(v)) {}
-    template <numeric::Real R>
+    template <Real R>
     Named(std::string n, const R& number) : Named(std::move(n), Value(Number(number))) {}
 
     std::string name;

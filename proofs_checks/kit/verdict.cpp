@@ -38,16 +38,12 @@ bool refutes(const Evidence& evidence) {
   return std::holds_alternative<Counterexample>(evidence);
 }
 
-Verdict weigh(std::span<const Evidence> evidence) {
+Verdict weigh(std::span<const Evidence> evidence, bool all_controls_refuted) {
   if (std::ranges::any_of(evidence, refutes)) return Verdict::refuted;
+  if (!all_controls_refuted) return Verdict::undecided;
   if (std::ranges::any_of(evidence, covers_the_claim)) return Verdict::proved;
   if (evidence.empty() || std::ranges::any_of(evidence, is_empty)) return Verdict::undecided;
   return Verdict::supported;
-}
-
-Verdict weigh(std::span<const Evidence> evidence, bool all_controls_refuted) {
-  const Verdict verdict = weigh(evidence);
-  return all_controls_refuted || verdict == Verdict::refuted ? verdict : Verdict::undecided;
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -25,7 +25,6 @@ std::string_view name_of(Verdict verdict);
 /// Does this piece alone refute?
 [[nodiscard]] bool refutes(const Evidence& evidence);
 
-[[nodiscard]] Verdict weigh(std::span<const Evidence> evidence);
-[[nodiscard]] Verdict weigh(std::span<const Evidence> evidence, bool all_controls_refuted);
+[[nodiscard]] Verdict weigh(std::span<const Evidence> evidence, bool all_controls_refuted = true);
 
 }  // namespace steadyslide::proofs_checks

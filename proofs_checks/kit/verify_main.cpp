@@ -36,19 +36,17 @@ Options options_from(int argc, char** argv) {
   proofs_checks::Context& context = options.context;
   for (int k = 1; k < argc; ++k) {
     const std::string_view option = argv[k];
+    const bool has_value = k + 1 < argc;
     if (option == "--quick") {
       context.quick = true;
-    } else if ((option == "--digits" || option == "--seed" || option == "--claim") && k + 1 < argc) {
-      const std::string_view value = argv[++k];
-      if (option == "--claim") {
-        options.claims.emplace_back(value);
-      } else if (option == "--seed") {
-        context.seed = number<std::uint64_t>(option, value);
-      } else {
-        const int digits = number<int>(option, value);
-        if (digits < 1 || digits > 100) throw std::invalid_argument("--digits: 1 to 100");
-        context.digits = numeric::precision_for(digits);
-      }
+    } else if (option == "--claim" && has_value) {
+      options.claims.emplace_back(argv[++k]);
+    } else if (option == "--seed" && has_value) {
+      context.seed = number<std::uint64_t>(option, argv[++k]);
+    } else if (option == "--digits" && has_value) {
+      const int digits = number<int>(option, argv[++k]);
+      if (digits < 1 || digits > 100) throw std::invalid_argument("--digits: 1 to 100");
+      context.digits = numeric::precision_for(digits);
     } else {
       throw std::invalid_argument("usage: [--claim GLOB]... [--digits N] [--seed N] [--quick]; not understood: " +
                                   std::string(option));
@@ -78,9 +76,7 @@ int main(int argc, char** argv) {
         run_all(select(proofs_checks::claims_of_group(STEADYSLIDE_GROUP), patterns), context);
     for (const proofs_checks::Report& report : reports) print(report);
     if (reports.empty()) throw std::invalid_argument("--claim: no such claim here");
-    const proofs_checks::Counts counts = count(reports);
-    std::printf("%zu proved, %zu supported, %zu undecided, %zu refuted\n", counts.proved, counts.supported,
-                counts.undecided, counts.refuted);
+    std::printf("%s\n", counts_line(reports).c_str());
     return settled(reports) ? 0 : 1;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "%s: %s\n", argv[0], e.what());

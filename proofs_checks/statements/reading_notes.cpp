@@ -1,6 +1,7 @@
 #include "proofs_checks/statements/reading_notes.hpp"
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <map>
 #include <ranges>
 
@@ -68,11 +69,9 @@ std::vector<ReadingNote> reading_notes(std::span<const Report> reports) {
     const auto found = std::ranges::find(local, e.id, &symbolic::LocalReading::id);
     if (found != local.end()) evidence.push_back(found->found);
     for (const char* name : {"evidence", "fault"}) evidence.push_back(e.part(name));
-    std::string text;
-    for (const std::string& sentence : evidence) {
-      if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
-    }
-    notes.push_back({e.id, e.part("place"), e.part("printed"), e.part("derived"), text, claim, control});
+    std::erase(evidence, std::string());
+    notes.push_back({e.id, e.part("place"), e.part("printed"), e.part("derived"), boost::algorithm::join(evidence, " "),
+                     claim, control});
   }
   return notes;
 }

@@ -11,14 +11,6 @@ GiNaC::numeric to_expression(const Rational& value) {
   return numerator / denominator;
 }
 
-GiNaC::ex to_expression(const Exponent& exponent) {
-  GiNaC::ex sum = to_expression(exponent.offset());
-  for (const Exponent::Angle& angle : exponent.angles()) {
-    sum += angle.times * GiNaC::atan(GiNaC::ex(to_expression(angle.slope))) / GiNaC::Pi;
-  }
-  return sum;
-}
-
 Rational to_rational(const GiNaC::numeric& value) {
   std::ostringstream numerator;
   std::ostringstream denominator;

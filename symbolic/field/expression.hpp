@@ -7,14 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "model/exponent.hpp"
 #include "model/rational.hpp"
 
 namespace steadyslide::symbolic {
 
 GiNaC::numeric to_expression(const Rational& value);
-/// offset + sum of times * atan(slope)/Pi; GiNaC itself turns atan(1) into Pi/4.
-GiNaC::ex to_expression(const Exponent& exponent);
 /// Throws std::domain_error unless the number is rational.
 Rational to_rational(const GiNaC::numeric& value);
 

@@ -50,7 +50,7 @@ LocalPlace with_jump(const LocalPlace& place, const ex& jump) {
 class Solver {
  public:
   explicit Solver(const LocalPlace& place)
-      : frame_(place), form_{place, frame_, LocalKind::interior, {}, {}, {}, {}, {}, {}, {}, symbol("theta"), {}} {
+      : frame_(place), form_{place, frame_, LocalKind::interior, {}, {}, {}, {}, {}, {}, symbol("theta"), {}} {
     if (place.left.slopes.size() < 3 || place.right.slopes.size() < 3) {
       throw std::domain_error("local form: slopes to the order 2");
     }
@@ -224,7 +224,6 @@ class Solver {
       if (penetrates(form_, frame_, lambda)) throw std::domain_error("local form: no free end");
     }
     form_.exponent = lambda;
-    form_.exact_exponent = frame_.exact(lambda);
     for (int n = 0; n < 3; ++n) {
       const ex amplitude = n == 0 ? ex(form_.theta) : ex(symbol("theta_" + std::to_string(n)));
       LocalFormTerm term{true, n, 0, 0, 0, false, {}};

@@ -52,10 +52,9 @@ struct LocalForm {
   LocalPlace place;
   LocalFrame frame;  ///< the field of all expressions below: its radicals and its pi are its own
   LocalKind kind;
-  std::optional<AngleForm> exponent;       ///< the leading power that is no integer, if there is one
-  std::optional<Exponent> exact_exponent;  ///< where the frictions are numbers
-  std::optional<GiNaC::ex> ratio;          ///< of its amplitudes, left : right, where both sides are in contact
-  std::vector<LocalFormTerm> terms;        ///< three orders, the largest near the point first
+  std::optional<AngleForm> exponent;  ///< the leading power that is no integer, if there is one
+  std::optional<GiNaC::ex> ratio;     ///< of its amplitudes, left : right, where both sides are in contact
+  std::vector<LocalFormTerm> terms;   ///< three orders, the largest near the point first
   std::vector<LocalCondition> conditions;
   std::optional<OutsideSlope> outside;
   std::set<std::string> nonvanishing;  ///< where one of these vanishes, nothing is said

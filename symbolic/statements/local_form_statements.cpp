@@ -121,62 +121,43 @@ class Wedge {
   LocalFrame frame_;
 };
 
-/// One end of contact; `other` is the friction beyond, which must not count.
-class EndOfContact {
- public:
-  EndOfContact(Side contact, bool one_friction)
-      : contact_(contact),
-        place_{contact == Side::right ? ContactSide::right : ContactSide::left,
-               {one_friction ? ex(s_) : ex(s_l_)},
-               {one_friction ? ex(s_) : ex(s_r_)}},
-        frame_(place_) {}
-
-  /// t = -theta d^lambda, u_bar' = slope theta d^lambda beyond the end; lambda = halves/2 + times alpha(side).
-  ExactIdentity decide(const std::string& statement, int halves, int times, Side side, const ex& slope) const {
-    const AngleForm lambda(halves, {{side == Side::left ? 0 : 1, times}});
-    return verify_local_form(statement, {place_, frame_, lambda, {{{contact_, true, 0, 0}, -theta_}}, slope * theta_});
+/// The power and the slope at an end of contact; the friction beyond must not count.
+DecidedStatement end_statement(const std::string& id, const LocalEnd& end, bool free) {
+  const Side contact = end.contact();
+  const bool right = contact == Side::right;
+  const bool one = end.frame().one_friction();
+  const int halves = free ? 1 : -1;
+  const int times = right ? -1 : 1;
+  const ex r = end.r(contact);
+  const ex slope = (right ? 1 : -1) * halves * r;
+  const std::string angle = one ? "alpha" : right ? "alpha_r" : "alpha_l";
+  const std::string power = std::string(free ? "1/2" : "-1/2") + (right ? " - " : " + ") + angle;
+  // lambda = halves/2 + times alpha(side)
+  const auto decide = [&](const std::string& words, int of_two, int angles, Side side, const ex& beyond) {
+    const AngleForm lambda(of_two, {{side == Side::left ? 0 : 1, angles}});
+    return verify_local_form(words, end.candidate(lambda, beyond));
+  };
+  DecidedStatement result{
+      id,
+      decide("contact on the " + std::string(right ? "right" : "left") + ": t = -theta d^(" + power +
+                 "), u_bar' = " + (right == free ? "" : "-") + "theta sqrt(1+s^2) d^(" + power + ") beyond",
+             halves, times, contact, slope),
+      {decide("the sign of alpha: front and rear exchanged", halves, -times, contact, slope),
+       decide("alpha missing in the power", halves, 0, contact, slope),
+       decide("1/2 missing in the power", 0, times, contact, slope),
+       decide("sqrt(1+s^2) missing in the slope", halves, times, contact, slope / r),
+       decide("1/sqrt(1+s^2) in the slope", halves, times, contact, slope / (r * r)),
+       decide("the sign of the slope", halves, times, contact, -slope),
+       decide("the power of the " + std::string(free ? "edge" : "free end") + " with this slope", -halves, times,
+              contact, slope)}};
+  if (!one) {
+    const Side other = opposite(contact);
+    result.controls.push_back(decide("the angle of the other side", halves, times, other, slope));
+    result.controls.push_back(
+        decide("sqrt(1+s^2) of the other side in the slope", halves, times, contact, slope / r * end.r(other)));
   }
-
-  DecidedStatement statement(const std::string& id, bool free) const {
-    const bool right = contact_ == Side::right;
-    const bool one = frame_.one_friction();
-    const int halves = free ? 1 : -1;
-    const int times = right ? -1 : 1;
-    const ex r = frame_.friction(contact_).r;
-    const ex slope = (right ? 1 : -1) * halves * r;
-    const std::string angle = one ? "alpha" : right ? "alpha_r" : "alpha_l";
-    const std::string power = std::string(free ? "1/2" : "-1/2") + (right ? " - " : " + ") + angle;
-    DecidedStatement result{
-        id,
-        decide("contact on the " + std::string(right ? "right" : "left") + ": t = -theta d^(" + power +
-                   "), u_bar' = " + (right == free ? "" : "-") + "theta sqrt(1+s^2) d^(" + power + ") beyond",
-               halves, times, contact_, slope),
-        {decide("the sign of alpha: front and rear exchanged", halves, -times, contact_, slope),
-         decide("alpha missing in the power", halves, 0, contact_, slope),
-         decide("1/2 missing in the power", 0, times, contact_, slope),
-         decide("sqrt(1+s^2) missing in the slope", halves, times, contact_, slope / r),
-         decide("1/sqrt(1+s^2) in the slope", halves, times, contact_, slope / (r * r)),
-         decide("the sign of the slope", halves, times, contact_, -slope),
-         decide("the power of the " + std::string(free ? "edge" : "free end") + " with this slope", -halves, times,
-                contact_, slope)}};
-    if (!one) {
-      const Side other = opposite(contact_);
-      result.controls.push_back(decide("the angle of the other side", halves, times, other, slope));
-      result.controls.push_back(decide("sqrt(1+s^2) of the other side in the slope", halves, times, contact_,
-                                       slope / r * frame_.friction(other).r));
-    }
-    return result;
-  }
-
- private:
-  symbol s_{"s"};
-  symbol s_l_{"s_l"};
-  symbol s_r_{"s_r"};
-  symbol theta_{"theta"};
-  Side contact_;
-  LocalPlace place_;
-  LocalFrame frame_;
-};
+  return result;
+}
 
 }  // namespace
 
@@ -189,11 +170,12 @@ std::vector<DecidedStatement> local_form_statements() {
                                     wedge.statement("theorem-2-wedge", form + " without a friction jump")};
   for (const bool one_friction : {false, true}) {
     for (const Side contact : {Side::right, Side::left}) {
-      const EndOfContact end(contact, one_friction);
+      const ex s = symbol("s");
+      const LocalEnd end = one_friction ? LocalEnd(contact, s, s) : LocalEnd(contact);
       const std::string theorem = one_friction ? "theorem-10" : "theorem-3";
       const std::string side = contact == Side::right ? "-left-end" : "-right-end";
-      all.push_back(end.statement(theorem + "-edge" + side, false));
-      all.push_back(end.statement(theorem + "-free" + side, true));
+      all.push_back(end_statement(theorem + "-edge" + side, end, false));
+      all.push_back(end_statement(theorem + "-free" + side, end, true));
     }
     if (!one_friction) {
       all.push_back(wedge.statement("theorem-9", form + " under constant friction"));

@@ -22,55 +22,31 @@ LocalReading compared(std::string id, const LocalCandidate& printed, const Local
           d.empty()};
 }
 
-/// t = -theta d^lambda on one side of a friction jump, with a slope outside where one is given.
-class End {
- public:
-  explicit End(Side contact)
-      : contact_(contact),
-        place_{contact == Side::right ? ContactSide::right : ContactSide::left, {s_l_}, {s_r_}},
-        frame_(place_) {}
-
-  LocalCandidate candidate(int halves, int left, int right) const {
-    return {place_, frame_, local_exponent(halves, left, right), {{{contact_, true, 0, 0}, -theta_}}};
-  }
-  LocalCandidate with_slope(LocalCandidate form, const ex& coefficient) const {
-    form.outside = coefficient * theta_;
-    return form;
-  }
-  ex r(Side side) const { return frame_.friction(side).r; }
-
- private:
-  symbol s_l_{"s_l"};
-  symbol s_r_{"s_r"};
-  symbol theta_{"theta"};
-  Side contact_;
-  LocalPlace place_;
-  LocalFrame frame_;
-};
-
 void add_ends(std::vector<LocalReading>& readings) {
-  const End rear(Side::right);
-  const End front(Side::left);
-  const LocalCandidate edge = front.candidate(-1, 1, 0);
-  const LocalCandidate with_its_slope = front.with_slope(edge, front.r(Side::left));
-  readings.push_back(compared("thm-03-angle-rear", rear.candidate(-1, -1, 0), rear.candidate(-1, 0, -1)));
-  readings.push_back(compared("theorem-3-free-rear", rear.candidate(1, -1, 0), rear.candidate(1, 0, -1)));
-  readings.push_back(compared("thm-03-angle-front", front.candidate(-1, 0, 1), edge));
-  readings.push_back(compared("theorem-3-free-front", front.candidate(1, 0, 1), front.candidate(1, 1, 0)));
+  const LocalEnd rear(Side::right);
+  const LocalEnd front(Side::left);
+  const auto compare = [&](const char* id, const LocalEnd& end, const AngleForm& printed, const AngleForm& derived) {
+    readings.push_back(compared(id, end.candidate(printed), end.candidate(derived)));
+  };
+  const AngleForm edge = local_exponent(-1, 1, 0);
+  const LocalCandidate with_its_slope = front.candidate(edge, front.r(Side::left));
+  compare("thm-03-angle-rear", rear, local_exponent(-1, -1, 0), local_exponent(-1, 0, -1));
+  compare("theorem-3-free-rear", rear, local_exponent(1, -1, 0), local_exponent(1, 0, -1));
+  compare("thm-03-angle-front", front, local_exponent(-1, 0, 1), edge);
+  compare("theorem-3-free-front", front, local_exponent(1, 0, 1), local_exponent(1, 1, 0));
   readings.push_back(
-      compared("theorem-3-slope-factor-front", front.with_slope(edge, front.r(Side::right)), with_its_slope));
+      compared("theorem-3-slope-factor-front", front.candidate(edge, front.r(Side::right)), with_its_slope));
   // The slope on the contact side is H t + s t there, and that has no such power.
-  const std::vector<LocalEquation> inside =
-      local_equations(edge.place, edge.frame.constants(*edge.exponent), edge.density);
+  const ex inside = local_equations(with_its_slope.place, front.frame().constants(edge), with_its_slope.density)[0].lhs;
   readings.push_back({"thm-03-front-limit",
                       "On the left of `c` there is contact and `u_bar' = psi_bar'` is bounded: the coefficient of the "
                       "power in `H t + s t` there is " +
-                          edge.frame.text(inside.front().lhs).text + "; beyond the end it is `sqrt(1 + s^2) theta`.",
-                      !edge.frame.field().is_identically_zero(inside.front().lhs).holds,
+                          front.frame().text(inside).text + "; beyond the end it is `sqrt(1 + s^2) theta`.",
+                      !front.frame().field().is_identically_zero(inside).holds,
                       first_mismatch(with_its_slope).empty()});
   // The weight (1+x)^{1/2} at the rear end.
   for (const char* id : {"eq-04-exponent", "eq-05-exponent", "eq-08-exponent", "eq-10-exponents"}) {
-    readings.push_back(compared(id, rear.candidate(-1, 0, 0), rear.candidate(-1, 0, -1)));
+    compare(id, rear, local_exponent(-1, 0, 0), local_exponent(-1, 0, -1));
   }
 }
 

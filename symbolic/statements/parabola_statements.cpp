@@ -8,6 +8,15 @@ namespace {
 using GiNaC::ex;
 using GiNaC::symbol;
 
+/// F = psi' - Y N falls as load/z: what z, 1 and 1/z have in it.
+void compare_decay(Comparison& comparison, const std::string& name, int order, const std::vector<ex>& slope,
+                   const std::vector<ex>& factor, const std::vector<ex>& series, const ex& load) {
+  for (int power = 1; power >= -1; --power) {
+    comparison.equal(name + "F, z^" + std::to_string(power), field_coefficient(order, slope, factor, series, power),
+                     power == -1 ? load : ex(0));
+  }
+}
+
 struct Galin {
   FundamentalSolution y{EndKind::free, EndKind::free, 0};
   ContactSymbols data{y};
@@ -76,10 +85,7 @@ DecidedStatement traction() {
     const std::vector<ex> slope{0, 1 / g.radius};
     const AngleForm sigma = candidate.regions()[1].sigma;
     const ex sine = (g.data.field.phase(sigma, 1) - g.data.field.phase(sigma, -1)) / (2 * g.data.field.i());
-    for (int power = 1; power >= -1; --power) {
-      comparison.equal("F, z^" + std::to_string(power), field_coefficient(1, slope, {1 / g.radius}, series, power),
-                       power == -1 ? g.load / g.data.pi : ex(0));
-    }
+    compare_decay(comparison, "", 1, slope, {1 / g.radius}, series, g.load / g.data.pi);
     return comparison.equal("t from F", second, -sine / g.radius)
         .equal("both forms", first, second)
         .equal("derived", second,
@@ -120,6 +126,7 @@ struct Setting {
   ContactSymbols data;
   symbol radius{"R"};
   symbol vertex{"v"};
+  std::vector<ex> slope{-vertex / radius, 1 / radius};
 };
 
 struct Contact {
@@ -161,14 +168,10 @@ DecidedStatement free_ends() {
       const std::vector<ex> about = power_sums(c.powers, variant.squared ? distances : c.places, 2);
       const ex load_over_pi = about[1] / (variant.factor * setting.radius);
       const ex vertex = variant.n_sign * c.sums[0];
-      const std::vector<ex> slope{-setting.vertex / setting.radius, 1 / setting.radius};
-      const auto field_at = [&](int power) {
-        return field_coefficient(1, slope, {1 / setting.radius}, c.series, power).subs(setting.vertex == vertex);
-      };
-      const std::string name = std::to_string(jumps) + " jumps: F, z^";
-      comparison.equal(name + "1", field_at(1), 0);
-      comparison.equal(name + "0", field_at(0), 0);
-      comparison.equal(name + "-1", field_at(-1), load_over_pi.subs(setting.vertex == vertex));
+      std::vector<ex> slope = setting.slope;
+      for (ex& coefficient : slope) coefficient = coefficient.subs(setting.vertex == vertex);
+      compare_decay(comparison, std::to_string(jumps) + " jumps: ", 1, slope, {1 / setting.radius}, c.series,
+                    load_over_pi.subs(setting.vertex == vertex));
     }
     // And for any number of jumps: with the power sums about the vertex as symbols.
     const std::vector<ex> sums = power_sum_symbols(2);
@@ -198,13 +201,8 @@ DecidedStatement one_edge(const std::string& id, const std::string& words, EndKi
       const ex square = variant.squared ? c.sums[0] * c.sums[0] : ex(0);
       const ex load_over_pi = (c.sums[1] + square - 2 * setting.vertex * c.sums[0]) / (variant.factor * setting.radius);
       const std::vector<ex> factor{(variant.n_sign * c.sums[0] - setting.vertex) / setting.radius, 1 / setting.radius};
-      const std::vector<ex> slope{-setting.vertex / setting.radius, 1 / setting.radius};
-      const std::string name = std::to_string(jumps) + " jumps: F, z^";
-      for (int power = 1; power >= -1; --power) {
-        comparison.equal(name + std::to_string(power), field_coefficient(0, slope, factor, c.series, power),
-                         power == -1 ? load_over_pi : ex(0));
-      }
-      const PolynomialSlope derived(0, slope, c.sums, load_over_pi);
+      compare_decay(comparison, std::to_string(jumps) + " jumps: ", 0, setting.slope, factor, c.series, load_over_pi);
+      const PolynomialSlope derived(0, setting.slope, c.sums, load_over_pi);
       comparison.equal("N derived", derived.factor(data.x), factor[0] + factor[1] * data.x);
     }
     return comparison.as(statement);
@@ -227,12 +225,7 @@ DecidedStatement two_edges() {
       const ex load = data.load / data.pi;
       const std::vector<ex> factor{(half - setting.vertex * first) / setting.radius + load_sign * load,
                                    (first - setting.vertex) / setting.radius, 1 / setting.radius};
-      const std::vector<ex> slope{-setting.vertex / setting.radius, 1 / setting.radius};
-      const std::string name = std::to_string(jumps) + " jumps: F, z^";
-      for (int power = 1; power >= -1; --power) {
-        comparison.equal(name + std::to_string(power), field_coefficient(-1, slope, factor, c.series, power),
-                         power == -1 ? load : ex(0));
-      }
+      compare_decay(comparison, std::to_string(jumps) + " jumps: ", -1, setting.slope, factor, c.series, load);
     }
     return comparison.as(statement);
   };

@@ -34,12 +34,4 @@ inline bool near(const Json& a, const Json& b, const char* tolerance) {
   return abs(number(a) - number(b)) <= parse_rational(tolerance);
 }
 
-/// The same numbers at each of these paths.
-inline void check_near(const Json& a, const Json& b, const char* tolerance, std::initializer_list<const char*> paths) {
-  for (const std::string path : paths) {
-    CAPTURE(path);
-    CHECK(near(a.at(Json::json_pointer(path)), b.at(Json::json_pointer(path)), tolerance));
-  }
-}
-
 }  // namespace steadyslide::testing

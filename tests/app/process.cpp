@@ -45,13 +45,18 @@ pid_t start(const std::vector<std::string>& command, const fs::path& folder, int
   ::_exit(127);
 }
 
-Finished run(const std::vector<std::string>& command, const fs::path& folder, const std::string& input, Stdout where) {
+/// `meanwhile` is called with the process as soon as it runs.
+template <class Act>
+Finished run(const std::vector<std::string>& command, const fs::path& folder, const std::string& input, Stdout where,
+             const Act& meanwhile) {
   const MemoryFile in(input);
   const MemoryFile out;
   const MemoryFile err;
   const int target = open_stdout(out, where);
-  const int code = wait_for(start(command, folder, in.descriptor(), target, err.descriptor()));
+  const pid_t child = start(command, folder, in.descriptor(), target, err.descriptor());
   if (target != out.descriptor()) ::close(target);
+  meanwhile(child);
+  const int code = wait_for(child);
   return {code, out.text(), err.text()};
 }
 
@@ -62,15 +67,6 @@ std::vector<std::string> program(const std::vector<std::string>& arguments) {
   command.insert(command.end(), arguments.begin(), arguments.end());
   return command;
 }
-
-}  // namespace
-
-Finished run_program(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& input,
-                     Stdout where) {
-  return run(program(arguments), folder, input, where);
-}
-
-namespace {
 
 /// `watch` sees the child and all that the terminal has been sent so far.
 template <class Watch>
@@ -98,6 +94,11 @@ Finished run_watched(const std::vector<std::string>& arguments, const fs::path& 
 
 }  // namespace
 
+Finished run_program(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& input,
+                     Stdout where) {
+  return run(program(arguments), folder, input, where, [](pid_t) {});
+}
+
 Finished run_on_terminal(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& input) {
   return run_watched(arguments, folder, input, [](pid_t, const std::string&) {});
 }
@@ -113,7 +114,7 @@ Finished interrupt_on_terminal(const std::vector<std::string>& arguments, const 
 }
 
 Finished run_other(const std::vector<std::string>& command, const fs::path& folder) {
-  return run(command, folder, "", Stdout::captured);
+  return run(command, folder, "", Stdout::captured, [](pid_t) {});
 }
 
 TemporaryFolder::TemporaryFolder() {
@@ -145,18 +146,15 @@ std::vector<std::string> TemporaryFolder::names() const {
 
 Finished run_and_interrupt(const std::vector<std::string>& arguments, const TemporaryFolder& folder, int signal,
                            std::chrono::milliseconds later) {
-  const MemoryFile in;
-  const MemoryFile out;
-  const MemoryFile err;
   const std::size_t before = folder.names().size();
-  const pid_t child = start(program(arguments), folder.path(), in.descriptor(), out.descriptor(), err.descriptor());
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (folder.names().size() == before && std::chrono::steady_clock::now() < deadline) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  std::this_thread::sleep_for(later);
-  ::kill(child, signal);
-  return {wait_for(child), out.text(), err.text()};
+  return run(program(arguments), folder.path(), "", Stdout::captured, [&](pid_t child) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (folder.names().size() == before && std::chrono::steady_clock::now() < deadline) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    std::this_thread::sleep_for(later);
+    ::kill(child, signal);
+  });
 }
 
 }  // namespace steadyslide::testing

@@ -48,20 +48,10 @@ inline bool is_well_formed(const std::string& xml) {
 /// What a reader sees: the characters of each <text>, one after the other in a line.
 inline std::string shown_text(const std::string& svg) {
   std::string result;
-  bool in_text = false;
-  for (std::size_t at = 0; at < svg.size(); ++at) {
-    if (svg[at] == '<') {
-      const std::size_t end = std::min(svg.find('>', at), svg.size() - 1);
-      const std::string tag = svg.substr(at + 1, end - at - 1);
-      if (tag.starts_with("text")) in_text = true;
-      if (tag == "/text") {
-        in_text = false;
-        result += '\n';
-      }
-      at = end;
-    } else if (in_text) {
-      result += svg[at];
-    }
+  for (std::size_t at = 0; (at = svg.find("<text", at)) != std::string::npos;) {
+    const std::size_t end = svg.find("</text>", at);
+    result += std::regex_replace(svg.substr(at, end - at), std::regex("<[^>]*>"), "") + '\n';
+    at = end;
   }
   return result;
 }

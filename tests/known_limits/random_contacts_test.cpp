@@ -2,7 +2,6 @@
 // unsolved.txt, seed by seed.
 
 #include "support/made_up_solution.hpp"
-#include "support/numeric_test.hpp"
 #include "support/random_contact.hpp"
 #include "support/solved_contact.hpp"
 
@@ -68,11 +67,7 @@ bool has_decreasing_jump_inside(const ContactProblem& problem, const Contact& co
   return false;
 }
 
-bool has_step(const ContactProblem& problem, const Contact&) {
-  return std::ranges::any_of(problem.indenter().breaks(), [](const Indenter::Break& b) { return b.step != 0; });
-}
-
-/// What a solved problem may have; of the first four there are enough on the list.
+/// What a solved problem may have; there are enough of each on the list.
 struct Feature {
   const char* name;
   bool (*has)(const ContactProblem&, const Contact&);
@@ -81,40 +76,17 @@ constexpr Feature features[] = {
     {"free end", has_free_end},
     {"two zones or more", [](const ContactProblem&, const Contact& c) { return c.size() > 1; }},
     {"wedge in contact", has_wedge_inside},
-    {"decreasing jump in contact", has_decreasing_jump_inside},
-    {"steps", has_step},
-    {"tilting", [](const ContactProblem& p, const Contact&) { return p.load_at().has_value(); }}};
-
-/// The decade of load/(height/c), from the heights at a few places: which force is a large one.
-int decade(const ContactProblem& problem) {
-  double low = infinity<double>(), high = -low;
-  Rational from = problem.indenter().left();
-  for (const Indenter::Piece& piece : problem.indenter().pieces()) {
-    for (int k = 0; k <= 16; ++k) {
-      const auto height = piece.profile(from + (piece.to - from) * k / 16).convert_to<double>();
-      low = std::min(low, height);
-      high = std::max(high, height);
-    }
-    from = piece.to;
-  }
-  const double size = high > low ? high - low : 1;
-  return static_cast<int>(
-      std::floor(std::log10(Rational(problem.load() * problem.elasticity().compliance()).convert_to<double>() / size)));
-}
+    {"decreasing jump in contact", has_decreasing_jump_inside}};
 
 struct Tally {
   int all = 0, solved = 0;
   std::array<int, std::size(features)> with{};
-  std::map<std::size_t, int> by_zones;
-  std::map<int, int> by_decade;
   Residuals<double> worst{0, 0, 0, 0};
 
   void add(const ContactProblem& problem, const ContactSolution<double>& solution) {
     const Contact contact = solution.contact();
     ++solved;
     for (std::size_t k = 0; k < with.size(); ++k) with[k] += features[k].has(problem, contact) ? 1 : 0;
-    ++by_zones[contact.size()];
-    ++by_decade[decade(problem)];
     const Residuals<double> r = solution.residuals();
     worst = {std::max(worst.equation, r.equation), std::max(worst.load, r.load),
              std::max(worst.penetration, r.penetration), std::max(worst.tension, r.tension)};
@@ -124,10 +96,6 @@ struct Tally {
     std::ostringstream out;
     out << "solved " << solved << ", failed " << all - solved << "\nof those solved:";
     for (std::size_t k = 0; k < with.size(); ++k) out << "  " << features[k].name << ' ' << with[k];
-    out << "\nzones:";
-    for (const auto& [count, problems] : by_zones) out << "  " << count << ": " << problems;
-    out << "\nload/(height/c), by powers of ten:";
-    for (const auto& [power, problems] : by_decade) out << "  " << power << ": " << problems;
     out << "\nworst residuals: equation " << worst.equation << ", load " << worst.load << ", penetration "
         << worst.penetration << ", tension " << worst.tension;
     return out.str();
@@ -154,7 +122,7 @@ void solve_the_first(int count) {
     }
   }
   MESSAGE(tally.text());
-  for (std::size_t k = 0; k < 4; ++k) CHECK(5 * tally.with[k] >= count);
+  for (const int problems : tally.with) CHECK(5 * problems >= count);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
-// Whole solves of random problems, from the file's text to the result's: nothing may throw, and every result is
-// written. With the sanitizers it is the many-sided run that they want.
+// The generator keeps its promises, and its problems survive being written to a problem file and read back. Whole
+// solves of them, from the file's text to the result's: nothing may throw, and every result is written. With the
+// sanitizers it is the many-sided run that they want.
 
 #include <array>
 
@@ -51,3 +52,53 @@ TEST_CASE("the first 48 problems") { solve_the_first(48); }
 
 // Slow: a minute or two, with sanitizers twenty times that.
 TEST_CASE("slow: 3000 problems" * doctest::skip()) { solve_the_first(3000); }
+
+TEST_CASE("files say the same problem") {
+  for (int i = 0; i < listed_problems; i += 5) {
+    const std::string text = problem_toml(random_contact(first_listed_seed + static_cast<std::uint64_t>(i)));
+    CHECK(problem_toml(app::parse_problem(text, "random").contact) == text);
+  }
+}
+
+TEST_CASE("ranges") {
+  Rational highest_friction = 0;
+  int tilting = 0, with_steps = 0;
+  for (int i = 0; i < listed_problems; ++i) {
+    const ContactProblem p = random_contact(first_listed_seed + static_cast<std::uint64_t>(i));
+    const std::vector<Rational>& f = p.friction().values();
+    const std::vector<Indenter::Break> breaks = p.indenter().breaks();
+    CHECK(2 <= f.size());
+    CHECK(f.size() <= 7);
+    highest_friction = std::max(highest_friction, *std::max_element(f.begin(), f.end()));
+    CHECK(highest_friction <= 20);
+    CHECK(breaks.size() <= 4);
+    for (const Indenter::Piece& piece : p.indenter().pieces()) CHECK(piece.profile.degree() <= 6);
+    tilting += p.load_at() ? 1 : 0;
+    with_steps += std::any_of(breaks.begin(), breaks.end(), [](const auto& b) { return b.step != 0; }) ? 1 : 0;
+  }
+  CHECK(highest_friction == 20);
+  CHECK(tilting >= listed_problems / 50);
+  CHECK(with_steps >= listed_problems / 20);
+}
+
+TEST_CASE("the same problem on every platform") {
+  CHECK(problem_toml(random_contact(first_listed_seed)) == R"(load = "4.375"
+sliding = "+x"
+
+[half_space]
+poisson = "0.2"
+young = "70"
+plane = "stress"
+
+[friction]
+values = ["0", "1.9", "12", "0", "0", "0"]
+jumps = ["-2.5", "-0.01953125", "0", "3.125", "4.140625"]
+
+[indenter]
+support = ["-5", "5"]
+pieces = [
+  {to = "0", profile = "0.04*x^2 + 0.2*x + 0.255859375"},
+  {to = "5", profile = "0.04*x^2 - 0.2*x + 0.25"},
+]
+)");
+}

@@ -21,9 +21,8 @@ double energy_of_chebyshev(std::size_t cells, int n, int left, int right) {
   const DiscreteProblem discrete = on_cells(problem_of(left, right, {}, 1), cells);
   const CellMesh& mesh = discrete.mesh();
   const auto primitive = [n](double xi) { return -std::sin(n * std::acos(std::clamp(2 * xi, -1.0, 1.0))) / (n * pi); };
-  std::vector<double> p(cells);
+  std::vector<double> p(cells), product(cells);
   for (std::size_t i = 0; i < cells; ++i) p[i] = (primitive(mesh.right(i)) - primitive(mesh.left(i))) / mesh.length(i);
-  std::vector<double> product(cells);
   discrete.galerkin_operator().multiply(p, product);
   double sum = 0;
   for (std::size_t i = 0; i < cells; ++i) sum += p[i] * product[i] * mesh.length(i);
@@ -61,18 +60,15 @@ Punch worst_punch(const GalerkinOperator& b) {
   Punch worst{HUGE_VAL, -HUGE_VAL};
   for (const CellSet& set : all_sets(b.size())) {
     const Punch punch = punch_of(b, set);
-    worst.least_pressure = std::min(worst.least_pressure, punch.least_pressure);
-    worst.most_outside = std::max(worst.most_outside, punch.most_outside);
+    worst = {std::min(worst.least_pressure, punch.least_pressure), std::max(worst.most_outside, punch.most_outside)};
   }
   return worst;
 }
 
-std::size_t solutions(const DiscreteProblem& problem) {
-  std::size_t count = 0;
-  for (const CellSet& set : all_sets(problem.size())) {
-    count += natural_residual(problem, solve(*dense_system(problem, set), problem).state) <= 1e-10;
-  }
-  return count;
+std::ptrdiff_t solutions(const DiscreteProblem& problem) {
+  return std::ranges::count_if(all_sets(problem.size()), [&](const CellSet& set) {
+    return natural_residual(problem, solve(*dense_system(problem, set), problem).state) <= 1e-10;
+  });
 }
 
 /// How many cells lose contact, or pressure, from a load to the next one.
@@ -153,9 +149,7 @@ TEST_CASE("contact and pressures grow with the load, unless the indenter tilts")
   std::vector<Rational> loads;
   for (int k = 1; k <= 12; ++k) loads.emplace_back(k * k, 30);
   for (const auto& [left, right] : {std::pair(0, 0), {0, 5}, {5, 0}, {3, 4}}) {
-    for (const auto& profile : {parabola, two_bumps, lopsided}) {
-      CHECK(losses(left, right, profile, loads) == 0);
-    }
+    for (const auto& profile : {parabola, two_bumps, lopsided}) CHECK(losses(left, right, profile, loads) == 0);
   }
   CHECK(losses(0, 0, two_bumps, {1.3_r, 3.9_r}, 0.625_r) > 0);
   CHECK(losses(0, 0, two_bumps, {1.3_r, 3.9_r}) == 0);

@@ -1,6 +1,5 @@
 #include "model/contact_problem.hpp"
 #include "broken_rule.hpp"
-#include "support/test.hpp"
 
 namespace {
 
@@ -8,8 +7,7 @@ const Polynomial flat;
 const Polynomial slope({0, 1});
 const Polynomial bowl({0, 0, 1});
 
-Elasticity rigid() { return Elasticity(Solid(0.3_r, 1)); }
-Elasticity elastic() { return Elasticity(Solid(0.3_r, 1), Solid(0.2_r, 2)); }
+const Elasticity rigid(Solid(0.3_r, 1)), elastic(Solid(0.3_r, 1), Solid(0.2_r, 2));
 Indenter on_unit(const Polynomial& profile) { return Indenter(-1, {{1, profile}}); }
 
 }  // namespace
@@ -64,14 +62,9 @@ TEST_CASE("breaks of an indenter: value and slope on the right minus those on th
   // psi = -x/2 up to 1, then x^2 - 2 up to 2, then 3x - 3: at 1 value -1 - -1/2, slope 2 + 1/2; at 2 value 3 - 2, slope
   // 3 - 4.
   const Indenter indenter(0, {{1, Polynomial({0, -0.5_r})}, {2, Polynomial({-2, 0, 1})}, {3, Polynomial({-3, 3})}});
-  const auto breaks = indenter.breaks();
-  REQUIRE(breaks.size() == 2);
-  CHECK(breaks[0].x == 1);
-  CHECK(breaks[0].step == -0.5_r);
-  CHECK(breaks[0].wedge == 2.5_r);
-  CHECK(breaks[1].x == 2);
-  CHECK(breaks[1].step == 1);
-  CHECK(breaks[1].wedge == -1);
+  std::vector<std::vector<Rational>> breaks;
+  for (const auto& b : indenter.breaks()) breaks.push_back({b.x, b.step, b.wedge});
+  CHECK(breaks == std::vector<std::vector<Rational>>{{1, -0.5_r, 2.5_r}, {2, 1, -1}});
   CHECK_FALSE(indenter.is_smooth());
   CHECK(indenter.left() == 0);
   CHECK(indenter.right() == 3);
@@ -92,37 +85,36 @@ TEST_CASE("problems that do not exist") {
   };
   const FrictionProfile one({1});
   const auto jump_at = [](const Rational& c) { return FrictionProfile({1, 2}, {c}); };
-  CHECK(problem(rigid(), one, on_unit(flat), 0) == "load: load out of range; the load is positive; 0");
-  CHECK(problem(rigid(), one, on_unit(flat), -0.5_r) == "load: load out of range; the load is positive; -0.5");
-  CHECK(problem(rigid(), jump_at(1), on_unit(flat), 1) ==
+  CHECK(problem(rigid, one, on_unit(flat), 0) == "load: load out of range; the load is positive; 0");
+  CHECK(problem(rigid, one, on_unit(flat), -0.5_r) == "load: load out of range; the load is positive; -0.5");
+  CHECK(problem(rigid, jump_at(1), on_unit(flat), 1) ==
         "friction.jumps[0]: jump outside the support; jumps lie in ]-1, 1[; 1");
-  CHECK(problem(rigid(), jump_at(-1), on_unit(flat), 1) ==
+  CHECK(problem(rigid, jump_at(-1), on_unit(flat), 1) ==
         "friction.jumps[0]: jump outside the support; jumps lie in ]-1, 1[; -1");
-  CHECK(problem(rigid(), FrictionProfile({1, 2, 3}, {0, 2}), on_unit(flat), 1) ==
+  CHECK(problem(rigid, FrictionProfile({1, 2, 3}, {0, 2}), on_unit(flat), 1) ==
         "friction.jumps[1]: jump outside the support; jumps lie in ]-1, 1[; 2");
-  CHECK(problem(rigid(), one, on_unit(flat), 1, 1) == "load_at: load outside the support; the load acts in ]-1, 1[; 1");
-  CHECK(problem(rigid(), one, on_unit(flat), 1, -1.5_r) ==
+  CHECK(problem(rigid, one, on_unit(flat), 1, 1) == "load_at: load outside the support; the load acts in ]-1, 1[; 1");
+  CHECK(problem(rigid, one, on_unit(flat), 1, -1.5_r) ==
         "load_at: load outside the support; the load acts in ]-1, 1[; -1.5");
-  CHECK(problem(elastic(), one, Indenter(-1, {{0, flat}, {1, slope}}), 1) ==
+  CHECK(problem(elastic, one, Indenter(-1, {{0, flat}, {1, slope}}), 1) ==
         "indenter.pieces: elastic indenter with a wedge or a step; the profile of an elastic indenter is smooth; at x "
         "= 0");
-  CHECK(problem(elastic(), one, Indenter(-1, {{0, flat}, {0.5_r, bowl}, {1, flat}}), 1) ==
+  CHECK(problem(elastic, one, Indenter(-1, {{0, flat}, {0.5_r, bowl}, {1, flat}}), 1) ==
         "indenter.pieces: elastic indenter with a wedge or a step; the profile of an elastic indenter is smooth; at x "
         "= 0.5");
-  CHECK(problem(elastic(), one, Indenter(-1, {{0, flat}, {1, bowl}}), 1) == "accepted");
-  CHECK(problem(rigid(), one, Indenter(-1, {{0, flat}, {1, slope}}), 1, 0) == "accepted");
-  CHECK(problem(rigid(), jump_at(0.999_r), on_unit(flat), 1e-400_r) == "accepted");
+  CHECK(problem(elastic, one, Indenter(-1, {{0, flat}, {1, bowl}}), 1) == "accepted");
+  CHECK(problem(rigid, one, Indenter(-1, {{0, flat}, {1, slope}}), 1, 0) == "accepted");
+  CHECK(problem(rigid, jump_at(0.999_r), on_unit(flat), 1e-400_r) == "accepted");
 }
 
 TEST_CASE("coupled friction has the sign of gamma and of the direction") {
-  const FrictionProfile friction({1, 2}, {0});
-  const ContactProblem right(Elasticity::reduced(Rational(2, 7)), friction, on_unit(flat), 1);
-  const ContactProblem left(Elasticity::reduced(Rational(2, 7)), friction, on_unit(flat), 1, Sliding::minus_x);
-  const ContactProblem soft(Elasticity::reduced(Rational(-2, 7)), friction, on_unit(flat), 1);
+  const Rational gamma(2, 7);
+  const ContactProblem right(Elasticity::reduced(gamma), FrictionProfile({1, 2}, {0}), on_unit(flat), 1);
   CHECK(right.sliding() == Sliding::plus_x);
-  CHECK(right.coupled_friction(0) == Rational(2, 7));
-  CHECK(right.coupled_friction(1) == Rational(4, 7));
-  CHECK(left.coupled_friction(1) == Rational(-4, 7));
-  CHECK(soft.coupled_friction(1) == Rational(-4, 7));
+  CHECK(right.coupled_friction(0) == gamma);
+  CHECK(right.coupled_friction(1) == 2 * gamma);
+  CHECK(right.with_sliding(Sliding::minus_x).coupled_friction(1) == -2 * gamma);
+  const ContactProblem soft(Elasticity::reduced(-gamma), right.friction(), on_unit(flat), 1);
+  CHECK(soft.coupled_friction(1) == -2 * gamma);
   CHECK_THROWS_AS(right.coupled_friction(2), std::out_of_range);
 }

@@ -1,6 +1,5 @@
 #include "model/elasticity.hpp"
 #include "broken_rule.hpp"
-#include "support/test.hpp"
 
 namespace {
 

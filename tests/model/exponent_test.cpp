@@ -3,7 +3,6 @@
 
 #include "broken_rule.hpp"
 #include "model/exponent.hpp"
-#include "support/test.hpp"
 
 namespace {
 
@@ -24,17 +23,14 @@ int sign_by_summation(const Exponent& exponent, mpfr_prec_t bits = 4096) {
   const bool zero = mpfr_zero_p(sum) != 0 || mpfr_get_exp(sum) < -bits / 2;
   const int sign = zero ? 0 : mpfr_sgn(sum);
   mpfr_clears(sum, term, pi, static_cast<mpfr_ptr>(nullptr));
-  return sign < 0 ? -1 : sign > 0 ? 1 : 0;
+  return (sign > 0) - (sign < 0);
 }
 
+/// Small fractions, often equal or related, and now and then a very large or very small one.
 Rational random_slope() {
-  // Small fractions, often equal or related, and now and then a very large or very small one.
   const Rational slope(uniform(-12, 12), uniform(1, 8));
-  switch (uniform(0, 9)) {
-    case 0: return slope * 1e100_r;
-    case 1: return slope * 1e-100_r;
-    default: return slope;
-  }
+  const int kind = uniform(0, 9);
+  return kind == 0 ? slope * 1e100_r : kind == 1 ? slope * 1e-100_r : slope;
 }
 
 Exponent random_exponent(int most_terms) {
@@ -155,18 +151,22 @@ TEST_CASE("the reduced form is in its range, is the same number, and is unique")
 }
 
 TEST_CASE("the corners of the reduced form") {
-  const auto reduced = [](const Exponent& e) { return e.reduced(); };
-  using Reduced = Exponent::Reduced;
-  CHECK(reduced(Exponent()) == Reduced{0, 0});
-  CHECK(reduced(Exponent(0.25_r)) == Reduced{0, 1});
-  CHECK(reduced(Exponent(-0.25_r)) == Reduced{-1, 1});
-  CHECK(reduced(Exponent(0.75_r)) == Reduced{1, 1});
-  CHECK(reduced(Exponent(-0.75_r)) == Reduced{-2, 1});
-  CHECK(reduced(Exponent::angle(1)) == Reduced{0, 1});
-  CHECK(reduced(Exponent::angle(-1)) == Reduced{-1, 1});
-  CHECK(reduced(Exponent::angle(2)) == Reduced{1, -0.5_r});
-  CHECK(reduced(Exponent(-0.5_r) - Exponent::angle(2)) == Reduced{-2, 0.5_r});
-  CHECK(reduced(Exponent(1000000)) == Reduced{2000000, 0});
+  struct Case {
+    Exponent exponent;
+    Exponent::Reduced reduced;
+  };
+  for (const Case& c : {Case{Exponent(), {0, 0}},
+                        {Exponent(0.25_r), {0, 1}},
+                        {Exponent(-0.25_r), {-1, 1}},
+                        {Exponent(0.75_r), {1, 1}},
+                        {Exponent(-0.75_r), {-2, 1}},
+                        {Exponent::angle(1), {0, 1}},
+                        {Exponent::angle(-1), {-1, 1}},
+                        {Exponent::angle(2), {1, -0.5_r}},
+                        {-half - Exponent::angle(2), {-2, 0.5_r}},
+                        {Exponent(1000000), {2000000, 0}}}) {
+    CHECK(c.exponent.reduced() == c.reduced);
+  }
 }
 
 TEST_CASE("huge and tiny slopes") {

@@ -1,6 +1,5 @@
 #include "model/singular_point.hpp"
 #include "support/random_problem.hpp"
-#include "support/test.hpp"
 
 namespace {
 
@@ -74,39 +73,34 @@ TEST_CASE("a wedge has a logarithm, on a jump of height zero too") {
 }
 
 TEST_CASE("a step ends the contact on its protruding side") {
-  // psi is measured away from the body: a step up (psi grows) leaves the left side protruding.
-  CHECK(points(FrictionProfile({1}), {{0, flat}, {1, Polynomial({1})}}) ==
-        around({"0 step left 1: -1/2 + arctan(1/2)/pi"}));
-  CHECK(points(FrictionProfile({1}), {{0, flat}, {1, Polynomial({-1})}}) ==
-        around({"0 step right 1: -1/2 - arctan(1/2)/pi"}));
-  // With a wedge it is a step all the same.
-  CHECK(points(FrictionProfile({1}), {{0, flat}, {1, Polynomial({1, 1})}}) ==
-        around({"0 step left 1: -1/2 + arctan(1/2)/pi"}));
+  // psi is measured away from the body: a step up (psi grows) leaves the left side protruding. With a wedge it is a
+  // step all the same.
+  for (const auto& [right, step] : {std::pair(Polynomial({1}), "0 step left 1: -1/2 + arctan(1/2)/pi"),
+                                    {Polynomial({-1}), "0 step right 1: -1/2 - arctan(1/2)/pi"},
+                                    {Polynomial({1, 1}), "0 step left 1: -1/2 + arctan(1/2)/pi"}}) {
+    CHECK(points(FrictionProfile({1}), {{0, flat}, {1, right}}) == around({step}));
+  }
 }
 
 TEST_CASE("jumps, wedges on jumps, and steps on jumps") {
   const FrictionProfile friction({1, 3, 1}, {0, 0.5_r});
-  const Lines free_ends{"anywhere free right 3: 1/2 - arctan(3/2)/pi", "anywhere free left 3: 1/2 + arctan(3/2)/pi"};
-  const auto expected = [&](const Lines& inside) {
-    Lines all = around(inside);
-    all.insert(all.end(), free_ends.begin(), free_ends.end());
+  // Before the jump down at 1/2 and the free ends under the friction between the jumps.
+  const auto expected = [&](Lines before) {
+    before.push_back("0.5 friction_jump both 3 1: arctan(3/2)/pi - arctan(1/2)/pi");
+    Lines all = around(before);
+    for (const char* end : {"right 3: 1/2 -", "left 3: 1/2 +"}) {
+      all.push_back(std::string("anywhere free ") + end + " arctan(3/2)/pi");
+    }
     return all;
   };
-  CHECK(points(friction, {{1, flat}}) == expected({"0 friction_jump both 1 3: arctan(1/2)/pi - arctan(3/2)/pi",
-                                                   "0.5 friction_jump both 3 1: arctan(3/2)/pi - arctan(1/2)/pi"}));
-  CHECK(points(friction, {{0, flat}, {1, Polynomial({0, 1})}}) ==
-        expected({"0 wedge_and_jump both 1 3: arctan(1/2)/pi - arctan(3/2)/pi",
-                  "0.5 friction_jump both 3 1: arctan(3/2)/pi - arctan(1/2)/pi"}));
+  const std::string up = " both 1 3: arctan(1/2)/pi - arctan(3/2)/pi";
+  CHECK(points(friction, {{1, flat}}) == expected({"0 friction_jump" + up}));
+  CHECK(points(friction, {{0, flat}, {1, Polynomial({0, 1})}}) == expected({"0 wedge_and_jump" + up}));
   CHECK(points(friction, {{0.25_r, flat}, {1, Polynomial({-0.25_r, 1})}}) ==
-        expected({"0 friction_jump both 1 3: arctan(1/2)/pi - arctan(3/2)/pi", "0.25 wedge both 3 3: log",
-                  "0.5 friction_jump both 3 1: arctan(3/2)/pi - arctan(1/2)/pi"}));
+        expected({"0 friction_jump" + up, "0.25 wedge both 3 3: log"}));
   // A step on a jump: the friction of the protruding side.
-  CHECK(points(friction, {{0, flat}, {1, Polynomial({-1})}}) ==
-        expected(
-            {"0 step right 3: -1/2 - arctan(3/2)/pi", "0.5 friction_jump both 3 1: arctan(3/2)/pi - arctan(1/2)/pi"}));
-  CHECK(points(friction, {{0, flat}, {1, Polynomial({1})}}) ==
-        expected(
-            {"0 step left 1: -1/2 + arctan(1/2)/pi", "0.5 friction_jump both 3 1: arctan(3/2)/pi - arctan(1/2)/pi"}));
+  CHECK(points(friction, {{0, flat}, {1, Polynomial({-1})}}) == expected({"0 step right 3: -1/2 - arctan(3/2)/pi"}));
+  CHECK(points(friction, {{0, flat}, {1, Polynomial({1})}}) == expected({"0 step left 1: -1/2 + arctan(1/2)/pi"}));
 }
 
 TEST_CASE("without coupling nothing depends on friction, and jumps are singular nowhere") {

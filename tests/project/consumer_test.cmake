@@ -27,7 +27,8 @@ if(KIND STREQUAL "installed")
   endif()
   list(APPEND programs flat_punch)
 else()
-  list(APPEND options "-DSTEADYSLIDE_SOURCES=${SOURCE}")
+  # What is compiled here runs for a moment.
+  list(APPEND options "-DSTEADYSLIDE_SOURCES=${SOURCE}" -DCMAKE_BUILD_TYPE=Debug)
 endif()
 
 run("${CMAKE_COMMAND}" -S "${WORK}/consumer" -B "${WORK}/build" ${options})

@@ -11,6 +11,7 @@
 #include "app/figures/solved.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "proofs_checks/instruments/convergence/convergence_cases.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
 namespace steadyslide::app {
@@ -21,14 +22,7 @@ using Resultants = numeric::Resultants<double>;
 
 constexpr std::size_t most_cells = 4096;
 
-checks::ConvergenceCase case_named(const std::string& name) {
-  for (checks::ConvergenceCase& c : checks::convergence_cases()) {
-    if (c.name == name) return c;
-  }
-  throw std::logic_error("no such case: " + name);
-}
-
-using Resultant = numeric::Estimate<double> numeric::Resultants<double>::*;
+using Resultant = numeric::Estimate<double> Resultants::*;
 
 /// Consecutive numbers of cells, so that ends and jumps fall everywhere within a cell; more of them where the error is
 /// that of a free end in its cell, and scatters.
@@ -43,7 +37,7 @@ double error_on_cells(const ContactProblem& problem, std::size_t cells, Resultan
 
 /// The error of a case's resultant against the number of cells, and a line with the derived rate.
 void add(Panel& panel, const std::string& name, const std::string& legend, Resultant resultant, int style) {
-  const ContactProblem problem = case_named(name).problem;
+  const ContactProblem problem = checks::cell_case(name);
   const double exact = (solved(problem)->resultants().*resultant).value;
   const double rate = checks::expected_rate(problem, solved_on_cells(problem, most_cells)->places());
   Series marks{"", Look::marks, style, {}};
@@ -79,7 +73,7 @@ Figure make_convergence() {
 
   using R = numeric::Real50;
   const auto solution = std::dynamic_pointer_cast<const numeric::RiemannHilbertSolution<R>>(
-      numeric::riemann_hilbert<R>(case_named("wedge-and-jump").problem).solution);
+      numeric::riemann_hilbert<R>(checks::cell_case("wedge-and-jump")).solution);
   if (!solution || !solution->failed_condition().empty()) throw std::runtime_error("a figure's problem is not solved");
   Panel rules{{0.6, 0.975, 0.33, 0.915},
               {"nodes {/:Italic n} of a rule", 0, 35, false, 5},
@@ -91,8 +85,8 @@ Figure make_convergence() {
     condition.points.push_back({double(n), static_cast<double>(errors.condition)});
     load.points.push_back({double(n), static_cast<double>(errors.load)});
   }
-  Series bound{"derived rate (3 + √8)^{−2{/:Italic n}}", Look::line, 3, {}};
-  for (const double n : {0.0, 34.0}) bound.points.push_back({n, std::pow(3 + std::sqrt(8.0), -2 * n)});
+  const double at_34 = std::pow(3 + std::sqrt(8.0), -2 * 34.0);
+  const Series bound{"derived rate (3 + √8)^{−2{/:Italic n}}", Look::line, 3, {{0, 1}, {34, at_34}}};
   rules.legend = LegendAt::below;
   rules.series = {condition, load, bound};
   return {

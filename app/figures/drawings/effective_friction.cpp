@@ -51,12 +51,8 @@ Figure make_effective_friction() {
       {0.085, 0.49, 0.175, 0.9}, {"place of the jump {/:Italic c} / {/:Italic L}", -1, 1, false, 0.5}, friction};
   by_place.legend = LegendAt::none;
   by_place.series = curves(place, moved);
-  Series mean{"plain mean", Look::line, 3, {}};
-  for (const double c : {-1.0, 1.0}) {
-    mean.points.push_back(
-        {c, (numeric::to_real<double>(low) * (1 + c) + numeric::to_real<double>(high) * (1 - c)) / 2});
-  }
-  by_place.series.push_back(mean);
+  const auto low_value = numeric::to_real<double>(low);
+  by_place.series.push_back({"plain mean", Look::line, 3, {{-1, numeric::to_real<double>(high)}, {1, low_value}}});
   by_place.notes = {{{0.04, 0.06, true, true}, "{/:Italic f} = 0.1 on the left, 1 on the right"}};
 
   const Rational largest(3);
@@ -69,9 +65,7 @@ Figure make_effective_friction() {
                  {"effective friction {/:Italic T}/{/:Italic P}", 0, 2, false, 0.5}};
   by_value.legend = LegendAt::top_left;
   by_value.series = curves(value, rougher);
-  mean.points.clear();
-  for (const double f : {0.0, 3.0}) mean.points.push_back({f, (numeric::to_real<double>(low) + f) / 2});
-  by_value.series.push_back(mean);
+  by_value.series.push_back({"plain mean", Look::line, 3, {{0, low_value / 2}, {3, (low_value + 3) / 2}}});
   by_value.notes = {{{0.96, 0.06, true, true}, "{/:Italic f} = 0.1 on the left half", Align::right}};
   return {
       "effective-friction",

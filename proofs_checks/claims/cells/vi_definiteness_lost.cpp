@@ -6,8 +6,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::variational::CellMesh;
-
 /// A fall of s by `step` at c on `cells` equal cells; or, without a step, how fast sup T(c)^2/E tends to its law for
 /// c = 0, on 16 cells to so many.
 struct Fall {
@@ -29,7 +27,7 @@ struct DefinitenessLaw {
 
   bool definite(const Fall& fall) const {
     const double cells = static_cast<double>(fall.cells);
-    return factor * numeric::to_real<double>(fall.step) * largest(cells, numeric::to_real<double>(fall.c)) < 1;
+    return factor * to_real<double>(fall.step) * largest(cells, to_real<double>(fall.c)) < 1;
   }
 };
 
@@ -39,8 +37,8 @@ CaseList<Fall> falls(const Context& context) {
   CaseList<Fall> list{{}, "falling jumps, N 10 % on either side, seed " + std::to_string(context.seed)};
   const PointValueLaw law;
   const auto both_sides = [&](const Rational& step, const Rational& place) {
-    const double limit = 2 / numeric::to_real<double>(step);
-    const auto c = numeric::to_real<double>(place);
+    const double limit = 2 / to_real<double>(step);
+    const auto c = to_real<double>(place);
     for (const double factor : {0.9, 1.1}) {
       const auto cells = 2 * static_cast<std::size_t>(std::lround(factor * law.cells(limit, c) / 2));
       // A jump inside a cell is felt less than one between two: the law says how much less.

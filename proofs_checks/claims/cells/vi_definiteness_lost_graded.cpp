@@ -7,8 +7,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::variational::CellMesh;
-
 /// s falls by `step` in the middle of the support.
 struct Fall {
   Rational step;
@@ -45,7 +43,7 @@ struct GradedLaw {
   }
   /// h where the symmetric part is semidefinite.
   double critical(const Rational& step) const {
-    return std::exp((constant - 1 / (factor * numeric::to_real<double>(step))) / slope);
+    return std::exp((constant - 1 / (factor * to_real<double>(step))) / slope);
   }
 };
 

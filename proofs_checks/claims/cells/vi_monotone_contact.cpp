@@ -17,8 +17,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::variational::CellMesh;
-using numeric::variational::DiscreteProblem;
 using numeric::variational::LemkeResult;
 
 /// The punch of some cells, or a profile under a load and under one that is `growth` times as large.
@@ -114,7 +112,7 @@ LemkeResult solved(const OnCells& c, const Rational& load) {
   const ContactProblem problem = cell_problem(c.steps, c.profile, load, c.load_at);
   LemkeResult result = lemke(DiscreteProblem(problem, c.mesh), 100 * static_cast<int>(c.mesh.size()));
   if (!result.reached) throw Refutation{{text_of(c), "Lemke's path does not reach the load " + to_string(load)}};
-  for (double& value : result.state.pressure) value *= numeric::to_real<double>(load);
+  for (double& value : result.state.pressure) value *= to_real<double>(load);
   return result;
 }
 

@@ -1,6 +1,5 @@
 #include <boost/math/special_functions/digamma.hpp>
 
-#include "numeric/quadrature/tanh_sinh.hpp"
 #include "proofs_checks/instruments/operators/local_power.hpp"
 #include "proofs_checks/instruments/solutions/extremes.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
@@ -18,7 +17,7 @@ R rear_load_by_quadrature(const ContactProblem& p) {
   const Number size = -punch_amplitude<Number>(p, 0);
   const PowerProduct t =
       PowerProduct::on({-1, 0, 1}, {-(half + alpha(p, 0)), Exponent(), -(half - alpha(p, 0))}, {size, size});
-  return numeric::tanh_sinh::panel_integral<R>(t.at<R>().traction().density().front()).value;
+  return tanh_sinh::panel_integral<R>(t.at<R>().traction().density().front()).value;
 }
 
 /// What (4) says with this alpha, the minimum at `place` times alpha. The share of the rear half is
@@ -27,7 +26,7 @@ R rear_load_by_quadrature(const ContactProblem& p) {
 ///     = (cos(pi alpha)/(2 pi)) (digamma(3/4 - alpha/2) - digamma(1/4 - alpha/2)).
 Values rear_loaded(const Rational& s, const Number& alpha, int place = 2) {
   using boost::math::digamma;
-  const Number cosine = numeric::cos_pi_alpha<Number>(s);
+  const Number cosine = cos_pi_alpha<Number>(s);
   const Number pi = numeric::pi<Number>();
   const Number share =
       cosine / (2 * pi) * (digamma(Number((3 - 2 * alpha) / 4)) - digamma(Number((1 - 2 * alpha) / 4)));
@@ -42,7 +41,7 @@ Values rear_loaded(const Rational& s, const Number& alpha, int place = 2) {
           {"smallest", smallest}};
 }
 
-Number alpha_of(const ContactProblem& p) { return numeric::to_real<Number>(alpha(p, 0)); }
+Number alpha_of(const ContactProblem& p) { return to_real<Number>(alpha(p, 0)); }
 
 }  // namespace
 
@@ -59,7 +58,7 @@ Claim fig_03_rear_loaded() {
       .measured([]<Real R>(const ContactProblem& p) {
         const auto solution = solve<R>(p);
         const R share = solution->resultants().load_share.front().value;
-        const R s = numeric::to_real<R>(p.coupled_friction(0));
+        const R s = to_real<R>(p.coupled_friction(0));
         const auto pressure = [&](const R& x) {
           const std::size_t end = contact_end(*solution, x < 0 ? Side::left : Side::right);
           return x < 0 ? R(-traction_beside(*solution, end, Side::right, R(1 + x)))
@@ -83,7 +82,7 @@ Claim fig_03_rear_loaded() {
       .wrong("half of the load on each half", [](Values& p) { p["share, solved"] = p["share, quadrature"] = 0.5; })
       .wrong("cos(pi alpha) missing in the share",
              scaled({"share, solved", "share, quadrature"},
-                    [](const ContactProblem& c) { return 1 / numeric::cos_pi_alpha<Number>(c.coupled_friction(0)); }))
+                    [](const ContactProblem& c) { return 1 / cos_pi_alpha<Number>(c.coupled_friction(0)); }))
       .wrong("the minimum at the centre", [](Values& p) { p["place"] = 0; })
       .wrong("the minimum at x = alpha", [](Values& p) { p["place"] /= 2; })
       .near_misses();

@@ -32,8 +32,8 @@ Values shape(const Number& sum, const Number& beta) {
   return values;
 }
 
-Number alpha_of(const ContactProblem& p, std::size_t piece) { return numeric::to_real<Number>(alpha(p, piece)); }
-Number beta_of(const ContactProblem& p) { return numeric::to_real<Number>(alpha(p, 0) - alpha(p, 1)); }
+Number alpha_of(const ContactProblem& p, std::size_t piece) { return to_real<Number>(alpha(p, piece)); }
+Number beta_of(const ContactProblem& p) { return to_real<Number>(alpha(p, 0) - alpha(p, 1)); }
 
 }  // namespace
 
@@ -59,8 +59,8 @@ Claim fig_04_shape() {
           return x < 0 ? R(-traction_beside(*solution, jump, Side::left, R(-x)))
                        : R(-traction_beside(*solution, jump, Side::right, x));
         };
-        const R s_rear = numeric::to_real<R>(p.coupled_friction(0));
-        const R s_front = numeric::to_real<R>(p.coupled_friction(1));
+        const R s_rear = to_real<R>(p.coupled_friction(0));
+        const R s_front = to_real<R>(p.coupled_friction(1));
         const R d = asymptotic_distance<R>();
         Values values{{"power", jump_power<R>(s_rear, s_front).power},
                       {"unbounded", pressure(d) > pressure(R(2 * d)) && pressure(R(-d)) > pressure(R(-2 * d))},

@@ -26,10 +26,10 @@ Values shifted_contact(const Number& alpha, const Number& a) {
           {"to the rear", true}};
 }
 
-Number alpha_of(const ContactProblem& p) { return numeric::to_real<Number>(alpha(p, 0)); }
+Number alpha_of(const ContactProblem& p) { return to_real<Number>(alpha(p, 0)); }
 
 Number half_width(const ContactProblem& p, const Number& alpha) {
-  const auto product = numeric::to_real<Number>(p.load() * radius);
+  const auto product = to_real<Number>(p.load() * radius);
   return sqrt(Number(product / (2 * numeric::pi<Number>() * (0.25 - alpha * alpha))));
 }
 
@@ -50,7 +50,7 @@ Claim fig_05_parabola() {
         const auto contact = solution->contact().front();
         const R left = contact.left.x.value;
         const R right = contact.right.x.value;
-        const R s = numeric::to_real<R>(p.coupled_friction(0));
+        const R s = to_real<R>(p.coupled_friction(0));
         Values values{{"left end", left},
                       {"right end", right},
                       {"left power", end_power<R>(Side::right, Power::vanishing, s)},

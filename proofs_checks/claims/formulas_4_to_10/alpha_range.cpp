@@ -46,7 +46,7 @@ Claim alpha_range() {
       .cases(contacts)
       .effective_where([](const RigidContact& c) { return c.f != 0; })
       .quantities({"by cln", "cosine"})
-      .checked([]<numeric::Real R>(Findings& findings, const Angle& angle, const RigidContact& c) {
+      .checked([]<Real R>(Findings& findings, const Angle& angle, const RigidContact& c) {
         using std::abs, std::cos;
         const Rational gamma = c.gamma();
         const Exponent alpha = angle.of(gamma, c.f);
@@ -56,11 +56,11 @@ Claim alpha_range() {
         const Exponent gap = angle.supremum - angle.of(gamma, 1 / (gamma * tiny()));
         findings.decide("alpha comes within 1e-94 of the upper end",
                         gap.sign() > 0 && (Exponent::angle(tiny()) - gap).sign() >= 0);
-        const R value = numeric::to_real<R>(alpha);
+        const R value = to_real<R>(alpha);
         const auto cln = symbolic::cln_alpha(c.nu, c.f, Plane::strain, numeric::digits_served<R> + 5);
-        findings.compare<R>("by cln", value, numeric::to_real<R>(cln.value));
+        findings.compare<R>("by cln", value, to_real<R>(cln.value));
         // With large f the cosine is as ill-conditioned as it is small.
-        const R root = numeric::cos_pi_alpha<R>(gamma * c.f);
+        const R root = cos_pi_alpha<R>(gamma * c.f);
         findings.compare("cosine", static_cast<double>(R(abs(cos(R(numeric::pi<R>() * value)) - root))));
       })
       .wrong("the interval [0, 1/4[", [](Angle& a) { a.supremum = Exponent(Rational(1, 4)); })

@@ -26,7 +26,7 @@ void check_at_the_jump(Findings& findings, const PowerProduct& t, const ContactP
   using std::abs;
   const Rational rear = problem.coupled_friction(0);
   const Rational front = problem.coupled_friction(1);
-  const JumpPower<R> measured = jump_power<R>(numeric::to_real<R>(rear), numeric::to_real<R>(front));
+  const JumpPower<R> measured = jump_power<R>(to_real<R>(rear), to_real<R>(front));
   const PowerForm<R> form = t.at<R>();
   findings.compare("power", static_cast<double>(R(abs(measured.power - form.powers[1].value))));
   findings.compare<R>("ratio", measured.ratio, form.amplitudes[0] / form.amplitudes[1]);
@@ -61,7 +61,7 @@ Claim eq_05_07_friction_jump() {
       .wrong("1/sqrt(1+gamma^2 f^2) of the wrong side", [](PowerProduct& t) { std::ranges::reverse(t.amplitudes); })
       .wrong("1/sqrt(1+gamma^2 f^2) missing",
              [](PowerProduct& t, const ContactProblem& p) {
-               std::ranges::fill(t.amplitudes, Number(-numeric::to_real<Number>(p.load()) / numeric::pi<Number>()));
+               std::ranges::fill(t.amplitudes, Number(-to_real<Number>(p.load()) / numeric::pi<Number>()));
              })
       .near_miss("beta", [](PowerProduct& t, const Number& step) { t.move_power(1, step); })
       .near_miss("the amplitude in front", [](PowerProduct& t, const Number& step) { t.amplitudes[1] *= 1 + step; });

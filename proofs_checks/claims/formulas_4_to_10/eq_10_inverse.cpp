@@ -1,5 +1,4 @@
 #include "numeric/cauchy/residuals.hpp"
-#include "numeric/number/polynomial.hpp"
 #include "proofs_checks/instruments/operators/inverse_operator.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
@@ -39,11 +38,10 @@ template <Real R>
 void check_inverse(Findings& findings, const InverseFormula& formula, const LinearSlope& c) {
   using std::abs;
   // Of load 0, with A t = u': with u'/Y = Q + O(1/z), t = cos(pi alpha) |Y| Q.
-  const numeric::PanelDensity<R> closed = density_of(inverse_without_integral<R>(c.s(), c.slope));
-  const std::vector<R> u = numeric::coefficients_of<R>(c.slope);
-  const numeric::SurfaceCheck<R> surface(
-      {closed}, {numeric::to_real<R>(c.s())},
-      [&u](std::size_t, const numeric::Node<R>& node) { return numeric::value_of(u, node.x); });
+  const PanelDensity<R> closed = density_of(inverse_without_integral<R>(c.s(), c.slope));
+  const std::vector<R> u = coefficients_of<R>(c.slope);
+  const numeric::SurfaceCheck<R> surface({closed}, {to_real<R>(c.s())},
+                                         [&u](std::size_t, const Node<R>& node) { return value_of(u, node.x); });
   R size = 0;
   for (const R& coefficient : u) size += abs(coefficient);
   findings.compare("equation", static_cast<double>(surface.equation()));
@@ -66,7 +64,7 @@ Claim eq_10_inverse() {
       .effective_where([](const LinearSlope& c) { return c.s() != 0; })
       .quantities({"equation", "load", "trapezoidal", "tanh sinh"})
       .says([](const LinearSlope& c) { return InverseFormula::of(c.s()); })
-      .checked([]<numeric::Real R>(auto&... of) { check_inverse<R>(of...); })
+      .checked([]<Real R>(auto&... of) { check_inverse<R>(of...); })
       .wrong("the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha}, in both places",
              [](InverseFormula& l) { l.rear = -half; })
       .wrong("alpha of the other sign in the weight", [](InverseFormula& l) { std::swap(l.rear, l.front); })

@@ -29,21 +29,21 @@ CaseList<ContactProblem> parabolas(const Context& context) {
 /// The zone and the peak for a half-width.
 void put_half_width(Galin& t, const Number& a, const ContactProblem& p) {
   t.half_width = a;
-  t.left_end = -2 * numeric::to_real<Number>(half + alpha(p, 0)) * a;
+  t.left_end = -2 * to_real<Number>(half + alpha(p, 0)) * a;
   t.lengths = {2 * a};
-  t.peak = -4 * numeric::to_real<Number>(alpha(p, 0)) * a;
+  t.peak = -4 * to_real<Number>(alpha(p, 0)) * a;
 }
 
 Galin galin(const ContactProblem& p) {
   // 1/4 - alpha^2 as a product: alpha may be next to 1/2.
-  const Number quarter = numeric::to_real<Number>(half - alpha(p, 0)) * numeric::to_real<Number>(half + alpha(p, 0));
-  const auto load = numeric::to_real<Number>(p.load());
-  const auto radius = numeric::to_real<Number>(radius_of(p));
+  const Number quarter = to_real<Number>(half - alpha(p, 0)) * to_real<Number>(half + alpha(p, 0));
+  const auto load = to_real<Number>(p.load());
+  const auto radius = to_real<Number>(radius_of(p));
   const Number pi = numeric::pi<Number>();
   Galin t;
   put_half_width(t, sqrt(Number(load * radius / (2 * pi * quarter))), p);
   t.exponents = {half - alpha(p, 0), half + alpha(p, 0)};
-  t.amplitudes = {-numeric::cos_pi_alpha<Number>(p.coupled_friction(0)) / radius};
+  t.amplitudes = {-cos_pi_alpha<Number>(p.coupled_friction(0)) / radius};
   t.factor = load / (2 * pi * t.half_width * t.half_width * quarter);
   return t;
 }
@@ -63,7 +63,7 @@ void check_peak(Findings& findings, const Galin& t, const ContactProblem& proble
   const R before = (peak - r[0]) / 1000;
   const R after = (r[1] - peak) / 1000;
   findings.require(derivative(peak - before) > 0 && derivative(peak + after) < 0, "the pressure has no maximum there");
-  findings.compare<R>("factor", R(t.factor), 1 / numeric::to_real<R>(radius_of(problem)));
+  findings.compare<R>("factor", R(t.factor), 1 / to_real<R>(radius_of(problem)));
   if (problem.coupled_friction(0) > 0) {
     findings.require(peak < (r[0] + r[1]) / 2 && r[0] + r[1] < 0, "peak or zone is not shifted to the rear");
   }
@@ -86,7 +86,7 @@ Claim parabola_galin() {
       .wrong("the zone shifted to the front", [](Galin& t) { t.left_end = -(t.left_end + t.lengths[0]); })
       .wrong("1/4 + alpha^2 in the half-width",
              [](Galin& t, const ContactProblem& p) {
-               const auto angle = numeric::to_real<Number>(alpha(p, 0));
+               const auto angle = to_real<Number>(alpha(p, 0));
                const Number ratio = (1 - 4 * angle * angle) / (1 + 4 * angle * angle);
                put_half_width(t, t.half_width * sqrt(ratio), p);
              })
@@ -94,9 +94,8 @@ Claim parabola_galin() {
       .wrong(
           "pi missing in the half-width",
           [](Galin& t, const ContactProblem& p) { put_half_width(t, t.half_width * sqrt(numeric::pi<Number>()), p); })
-      .wrong(
-          "cos(pi alpha) missing",
-          [](Galin& t, const ContactProblem& p) { t.scale(1 / numeric::cos_pi_alpha<Number>(p.coupled_friction(0))); })
+      .wrong("cos(pi alpha) missing",
+             [](Galin& t, const ContactProblem& p) { t.scale(1 / cos_pi_alpha<Number>(p.coupled_friction(0))); })
       .wrong("the largest pressure at -2 alpha a, the middle of the zone", [](Galin& t) { t.peak /= 2; })
       .wrong("the largest pressure at +4 alpha a", [](Galin& t) { t.peak *= -1; })
       .wrong("P/(4 pi a^2 (1/4-alpha^2)) for the printed factor", [](Galin& t) { t.factor /= 2; })

@@ -32,10 +32,10 @@ ParabolaTraction traction_on_solved_zone(const ContactProblem& p) {
   t.first_piece = data.first_piece;
   t.left_end = data.left_end;
   t.exponents = data.exponents;
-  const auto radius = numeric::to_real<Number>(radius_of(p));
+  const auto radius = to_real<Number>(radius_of(p));
   for (std::size_t k = 0; k < data.traction.weight.panel_count(); ++k) {
     t.lengths.push_back(data.traction.weight.panel(k).length);
-    t.amplitudes.push_back(-numeric::cos_pi_alpha<Number>(p.coupled_friction(data.first_piece + k)) / radius);
+    t.amplitudes.push_back(-cos_pi_alpha<Number>(p.coupled_friction(data.first_piece + k)) / radius);
   }
   return t;
 }

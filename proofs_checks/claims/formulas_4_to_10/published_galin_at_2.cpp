@@ -1,6 +1,4 @@
 #include "numeric/quadrature/gsl_quadrature.hpp"
-#include "numeric/quadrature/tanh_sinh.hpp"
-#include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/instruments/tractions/power_product.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
@@ -20,12 +18,12 @@ template <Real R>
 void check_integral(Findings& findings, const CauchyIntegral& integral, const Published&) {
   const R value(integral.value);
   const R pi = numeric::pi<R>();
-  const numeric::PiecewiseDensity<R> density = integral.at<R>().traction().density();
-  findings.compare<R>("trapezoidal", pi * numeric::trapezoidal::Grid<R>(density).cauchy(Side::right, R(1)), value);
-  findings.compare<R>("tanh sinh", pi * numeric::tanh_sinh::cauchy<R>(density, Side::right, R(1)).value, value);
+  const PiecewiseDensity<R> density = integral.at<R>().traction().density();
+  findings.compare<R>("trapezoidal", pi * trapezoidal::Grid<R>(density).cauchy(Side::right, R(1)), value);
+  findings.compare<R>("tanh sinh", pi * tanh_sinh::cauchy<R>(density, Side::right, R(1)).value, value);
 
-  numeric::PiecewiseDensity<double> with_kernel = integral.at<double>().traction().density();
-  with_kernel[0].smooth = [](const numeric::Node<double>& node) { return 1 / (node.x - 2); };
+  PiecewiseDensity<double> with_kernel = integral.at<double>().traction().density();
+  with_kernel[0].smooth = [](const Node<double>& node) { return 1 / (node.x - 2); };
   const auto by_gsl = numeric::gsl::integral(with_kernel);
   if (by_gsl.convergence == numeric::Convergence::reached) {
     findings.compare<double>("gsl", by_gsl.value, static_cast<double>(value));

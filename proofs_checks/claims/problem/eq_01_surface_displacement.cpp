@@ -1,5 +1,3 @@
-#include "numeric/number/polynomial.hpp"
-#include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/instruments/operators/half_plane_field.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
@@ -79,8 +77,8 @@ void check_field(Findings& findings, const HalfPlaneField<R>& field, const Body&
   }
   small("compatibility", mean - at.xx - at.zz);
   const StressComponents<R> surface = field.stress(x, R(0));
-  small("boundary", surface.zz - numeric::value_of(body.normal, x));
-  small("boundary", surface.xz + numeric::value_of(body.tangential, x));
+  small("boundary", surface.zz - value_of(body.normal, x));
+  small("boundary", surface.xz + value_of(body.tangential, x));
 }
 
 template <Real R>
@@ -89,16 +87,16 @@ void check_slopes(Findings& findings, const SurfaceSlopes& formula, const Body& 
   const PiecewiseTraction t_n{{-1, 1, body.normal}};
   const PiecewiseTraction t_t{{-1, 1, body.tangential}};
   const HalfPlaneField<R> field(body.solid, t_n, t_t);
-  const numeric::trapezoidal::Grid<R> grid_n(density_of<R>(t_n));
-  const numeric::trapezoidal::Grid<R> grid_t(density_of<R>(t_t));
+  const trapezoidal::Grid<R> grid_n(density_of<R>(t_n));
+  const trapezoidal::Grid<R> grid_t(density_of<R>(t_t));
   const R pi = numeric::pi<R>();
   const R compliance(formula.compliance);
   const R hilbert = R(formula.hilbert) * pi;
   for (const int percent : {30, 58, 75}) {
-    const numeric::PanelPoint<R> at = grid_n.midpoint_near(0, R(percent) / 100);
+    const PanelPoint<R> at = grid_n.midpoint_near(0, R(percent) / 100);
     const R& x = at.node.x;
-    const R n = numeric::value_of(body.normal, x);
-    const R t = numeric::value_of(body.tangential, x);
+    const R n = value_of(body.normal, x);
+    const R t = value_of(body.tangential, x);
     const R h_n = grid_n.hilbert(at);
     const R h_t = grid_t.hilbert(at);
     const R scale = compliance * (abs(n) + abs(t) + abs(h_n) + abs(h_t));
@@ -120,9 +118,9 @@ Claim eq_01_surface_displacement() {
       .quantities({"equilibrium", "compatibility", "boundary", "radial", "normal", "tangential"}, {.tolerance = 1e-45})
       .says([](const Body& body) {
         const Rational& nu = body.solid.poisson();
-        const auto gamma = numeric::to_real<Number>((1 - 2 * nu) / (2 * (1 - nu)));
-        return SurfaceSlopes{numeric::to_real<Number>(2 * (1 - nu * nu) / body.solid.young()),
-                             1 / numeric::pi<Number>(), -gamma, gamma};
+        const auto gamma = to_real<Number>((1 - 2 * nu) / (2 * (1 - nu)));
+        return SurfaceSlopes{to_real<Number>(2 * (1 - nu * nu) / body.solid.young()), 1 / numeric::pi<Number>(), -gamma,
+                             gamma};
       })
       .checked([]<Real R>(Findings& findings, const SurfaceSlopes& formula, const Body& body, const Context& context) {
         check_slopes<R>(findings, formula, body, context.quick);
@@ -132,7 +130,7 @@ Claim eq_01_surface_displacement() {
       .wrong("gamma's sign in both", [](SurfaceSlopes& u) { std::swap(u.shear, u.pressure); })
       .wrong("gamma of plane stress, (1-nu)/2",
              [](SurfaceSlopes& u, const Body& body) {
-               u.pressure = numeric::to_real<Number>((1 - body.solid.poisson()) / 2);
+               u.pressure = to_real<Number>((1 - body.solid.poisson()) / 2);
                u.shear = -u.pressure;
              })
       .wrong("1/pi missing", [](SurfaceSlopes& u) { u.hilbert *= numeric::pi<Number>(); })

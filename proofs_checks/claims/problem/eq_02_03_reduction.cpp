@@ -48,15 +48,15 @@ void check_reduction(Findings& findings, const PiecewiseS& s, const Sheared& c) 
     const Rational ratio = c.problem.shear_ratio(friction);
     normal.push_back({left, right, c.normal});
     tangential.push_back({left, right, Polynomial::constant(ratio) * c.normal});
-    said.push_back(numeric::to_real<R>(s[friction]));
+    said.push_back(to_real<R>(s[friction]));
   }
   const HalfPlaneField<R> field(*elasticity.half_space(), normal, tangential);
-  const numeric::trapezoidal::Grid<R> grid(density_of<R>(normal));
+  const trapezoidal::Grid<R> grid(density_of<R>(normal));
   const numeric::SlidingOperator<R> A(grid, said);
   for (std::size_t i = 0; i < s.size(); ++i) {
-    const numeric::PanelPoint<R> at = grid.midpoint_near(i, R(1) / 2);
+    const PanelPoint<R> at = grid.midpoint_near(i, R(1) / 2);
     const numeric::SlidingTerms<R> terms = A.at(at);
-    const R slope = field.normal_slope(at.node.x) / numeric::to_real<R>(elasticity.compliance());
+    const R slope = field.normal_slope(at.node.x) / to_real<R>(elasticity.compliance());
     const R size = abs(terms.hilbert.value) + abs(terms.traction);
     findings.compare("equation", static_cast<double>(R(abs(terms.sum().value - slope) / size)));
   }
@@ -78,7 +78,7 @@ Claim eq_02_03_reduction() {
         for (const auto& piece : c.problem.pieces()) s.push_back(c.problem.coupled_friction(piece.friction));
         return s;
       })
-      .checked([]<numeric::Real R>(auto&... of) { check_reduction<R>(of...); })
+      .checked([]<Real R>(auto&... of) { check_reduction<R>(of...); })
       .wrong("s = -gamma f", [](PiecewiseS& s) { std::ranges::for_each(s, [](Rational& value) { value = -value; }); })
       .wrong("gamma missing", [](PiecewiseS& s, const Sheared& c) { s = c.problem.friction().values(); })
       .wrong("the direction of sliding forgotten",

@@ -12,9 +12,7 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::ContactSet;
 using numeric::ContactState;
-using numeric::RiemannHilbertForm;
 
 /// Which traction is held to be the solution.
 struct Candidate {
@@ -73,7 +71,7 @@ ContactProblem on_support(const ContactProblem& p, const Rational& left, const R
 /// A form with all that it points to.
 template <class R>
 struct Held {
-  std::shared_ptr<const numeric::RiemannHilbertSolution<R>> solution;
+  std::shared_ptr<const RiemannHilbertSolution<R>> solution;
   std::optional<ContactProblem> problem;  ///< on another support
   std::optional<numeric::ReducedProblem<R>> reduced;
   numeric::JacobiRules<R> rules;
@@ -122,11 +120,11 @@ template <Real R>
 R opening(const numeric::SurfaceCheck<R>& check, const numeric::Panel<R>& panel, const RiemannHilbertForm<R>& form,
           const ContactProblem& problem, std::size_t k, Side side, const R& distance) {
   const numeric::Frame& frame = form.problem().frame();
-  const R unit = numeric::to_real<R>(frame.unit);
-  const R end = numeric::to_real<R>(frame.origin) + unit * (side == Side::left ? panel.left : panel.right);
+  const R unit = to_real<R>(frame.unit);
+  const R end = to_real<R>(frame.origin) + unit * (side == Side::left ? panel.left : panel.right);
   const R x = end + (side == Side::left ? R(-unit * distance) : R(unit * distance));
   const R rise = height<R>(problem, x, x) - height<R>(problem, end, end);
-  return (rise - unit * check.displacement(k, side, distance)) / numeric::to_real<R>(problem.load());
+  return (rise - unit * check.displacement(k, side, distance)) / to_real<R>(problem.load());
 }
 
 /// How many sides of ends, jumps and wedges pull in the limit: read off the traction at a distance where the leading
@@ -141,7 +139,7 @@ int pulling_sides(const RiemannHilbertForm<R>& form, const R& factor) {
     if (!set.in_contact(k)) continue;
     for (const bool left : {true, false}) {
       const R rest = set.length(k) - d;
-      const numeric::Estimate<R> t =
+      const Estimate<R> t =
           form.traction({static_cast<std::ptrdiff_t>(k), {set.x(left ? k : k + 1), left ? d : rest, left ? rest : d}});
       if (factor * t.value > 4 * abs(factor) * t.error) ++count;
     }
@@ -158,18 +156,18 @@ void examine(Findings& findings, const ContactProblem& problem, const Candidate&
   const auto held = hold<R>(problem, candidate);
   const RiemannHilbertForm<R>& form = *held->form;
   const R factor(candidate.factor);
-  numeric::PiecewiseDensity<R> density = traction_density(form);
+  PiecewiseDensity<R> density = traction_density(form);
   for (auto& panel : density) {
-    panel.smooth = [smooth = panel.smooth, factor](const numeric::Node<R>& node) { return R(factor * smooth(node)); };
+    panel.smooth = [smooth = panel.smooth, factor](const Node<R>& node) { return R(factor * smooth(node)); };
   }
-  const R unit = numeric::to_real<R>(form.problem().frame().unit);
-  const R origin = numeric::to_real<R>(form.problem().frame().origin);
-  const auto profile_slope = [&](std::size_t, const numeric::Node<R>& node) {
+  const R unit = to_real<R>(form.problem().frame().unit);
+  const R origin = to_real<R>(form.problem().frame().origin);
+  const auto profile_slope = [&](std::size_t, const Node<R>& node) {
     const R x = origin + unit * node.x;
     return slope<R>(problem, x, x);
   };
   const numeric::SurfaceCheck<R> check(density, friction_of(form), profile_slope);
-  const R p = numeric::to_real<R>(problem.load()) / unit;
+  const R p = to_real<R>(problem.load()) / unit;
   findings.compare<R>("load", check.integral(), -p);
   findings.compare("tension",
                    static_cast<double>(R(max(check.highest_traction(), R(0)) * form.set().span_length() / p)));
@@ -177,8 +175,8 @@ void examine(Findings& findings, const ContactProblem& problem, const Candidate&
 
   for (std::size_t k = 0; k < density.size(); ++k) {
     const numeric::Panel<R>& panel = density[k].panel;
-    const R left = numeric::to_real<R>(problem.indenter().left());
-    const R right = numeric::to_real<R>(problem.indenter().right());
+    const R left = to_real<R>(problem.indenter().left());
+    const R right = to_real<R>(problem.indenter().right());
     const auto look = [&](Side side, const R& length, int steps) {
       // Contact that reaches the support's end leaves nothing beyond but a rounding.
       if (!(length > 64 * numeric::epsilon<R>() * form.set().span_length())) return;

@@ -24,12 +24,12 @@ CaseList<ContactProblem> punches(const Context& context) {
 }
 
 PlemeljJump jump_of(const ContactProblem& p) {
-  PlemeljJump jump{punch_traction(p), {}, numeric::to_real<Number>(p.load()) / (2 * numeric::pi<Number>())};
+  PlemeljJump jump{punch_traction(p), {}, to_real<Number>(p.load()) / (2 * numeric::pi<Number>())};
   for (std::size_t k = 0; k < p.friction().values().size(); ++k) {
     // (s-i)/(s+i) = (s-i)^2/(1+s^2)
     const Rational s = p.coupled_friction(k);
     const Rational scale = 1 + s * s;
-    jump.ratios.push_back({numeric::to_real<Number>((s * s - 1) / scale), numeric::to_real<Number>(-2 * s / scale)});
+    jump.ratios.push_back({to_real<Number>((s * s - 1) / scale), to_real<Number>(-2 * s / scale)});
   }
   return jump;
 }
@@ -54,10 +54,10 @@ void check_jump(Findings& findings, const PlemeljJump& formula, const ContactPro
   for (std::size_t k = 0; k < y.panel_count(); ++k) {
     const numeric::Panel<R>& panel = y.panel(k);
     const Complex<R> ratio{R(formula.ratios[k].re), R(formula.ratios[k].im)};
-    const R turn = 2 * numeric::pi<R>() * numeric::to_real<R>(alpha(problem, k));
+    const R turn = 2 * numeric::pi<R>() * to_real<R>(alpha(problem, k));
     findings.compare("angle", distance<R>(ratio, {-cos(turn), -sin(turn)}, R(1)));
     for (const int tenths : {3, 5, 8}) {
-      const numeric::Node<R> node = panel.node_from_left(panel.length * tenths / 10);
+      const Node<R> node = panel.node_from_left(panel.length * tenths / 10);
       const Complex<R> above = y.boundary(k, node, BoundaryLimit::plus);
       const Complex<R> below = y.boundary(k, node, BoundaryLimit::minus);
       const R size = y.modulus(k, node);
@@ -73,7 +73,7 @@ void check_jump(Findings& findings, const PlemeljJump& formula, const ContactPro
     }
   }
   const Complex<R> far{R(0), R(1 / small)};
-  const R load = numeric::to_real<R>(problem.load()) / (2 * numeric::pi<R>());
+  const R load = to_real<R>(problem.load()) / (2 * numeric::pi<R>());
   findings.compare("infinity", distance<R>(potential * (far * y.at(far)), {load, R(0)}, load));
 }
 
@@ -85,7 +85,7 @@ Claim plemelj() {
       .effective_where(has_friction)
       .quantities({"jump", "angle", "traction", "limit", "infinity"})
       .says(jump_of)
-      .checked([]<numeric::Real R>(auto&... of) { check_jump<R>(of...); })
+      .checked([]<Real R>(auto&... of) { check_jump<R>(of...); })
       .wrong("G = (s+i)/(s-i)",
              [](PlemeljJump& jump) { std::ranges::for_each(jump.ratios, [](auto& g) { g.im *= -1; }); })
       .wrong("G = -(s-i)/(s+i)",

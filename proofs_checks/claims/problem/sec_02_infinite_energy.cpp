@@ -4,7 +4,6 @@
 
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/interior/interior_stress.hpp"
-#include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/instruments/tractions/parabola_cases.hpp"
@@ -17,8 +16,8 @@ namespace {
 /// int sigma:epsilon/2 over radius < r < 2 radius, z > 0.
 double annulus_energy(const numeric::InteriorStress<double>& stress, const Solid& body, double radius) {
   using boost::math::quadrature::gauss;
-  const double nu = numeric::to_real<double>(body.poisson());
-  const double young = numeric::to_real<double>(body.young());
+  const double nu = to_real<double>(body.poisson());
+  const double young = to_real<double>(body.young());
   const auto density = [&](double r, double angle) {
     const auto s = stress.at(Rational(r * std::cos(angle)), Rational(r * std::sin(angle)));
     const double xx = s.xx.value;
@@ -57,11 +56,11 @@ double energy_of_forces(double p, double f, double modulus) {
   return std::numbers::ln2 * (p * p + f * f) / (std::numbers::pi * modulus);
 }
 
-double load_of(const ContactProblem& problem) { return numeric::to_real<double>(problem.load()); }
+double load_of(const ContactProblem& problem) { return to_real<double>(problem.load()); }
 
 double plane_strain_modulus(const ContactProblem& problem) {
   const Solid& body = *problem.elasticity().half_space();
-  return numeric::to_real<double>(body.young() / (1 - body.poisson() * body.poisson()));
+  return to_real<double>(body.young() / (1 - body.poisson() * body.poisson()));
 }
 
 }  // namespace
@@ -80,10 +79,10 @@ Claim sec_02_infinite_energy() {
       .measured([](const ContactProblem& problem) -> Values {
         const auto solution = solve<double>(problem);
         const auto& form = solution->form();
-        const numeric::trapezoidal::Grid<double> grid(numeric::traction_density(form));
+        const trapezoidal::Grid<double> grid(numeric::traction_density(form));
         const std::size_t last = segments_of(form).size() - 1;
         const numeric::InteriorStress<double> stress(*solution);
-        const auto scale = numeric::to_real<double>(problem.elasticity().compliance() * form.problem().frame().unit);
+        const auto scale = to_real<double>(problem.elasticity().compliance() * form.problem().frame().unit);
         std::vector<double> radii, rises, energies;
         for (double radius = 64; radius <= 1024; radius *= 2) {
           radii.push_back(radius);
@@ -99,7 +98,7 @@ Claim sec_02_infinite_energy() {
       .predicted([](const ContactProblem& problem) -> Values {
         // F, which the statement takes as given.
         const double f = solve<double>(problem)->resultants().tangential.value;
-        const auto compliance = numeric::to_real<double>(problem.elasticity().compliance());
+        const auto compliance = to_real<double>(problem.elasticity().compliance());
         return {{"rise", compliance * load_of(problem) * std::numbers::ln2 / std::numbers::pi},
                 {"energy", energy_of_forces(load_of(problem), f, plane_strain_modulus(problem))},
                 {"approach of the rise", Order{1}},
@@ -112,7 +111,7 @@ Claim sec_02_infinite_energy() {
       .wrong("the work of the stresses instead of half of it", scaled({"energy"}, 2))
       .wrong("the modulus of plane stress",
              [](Values& p, const ContactProblem& problem) {
-               const auto young = numeric::to_real<double>(problem.elasticity().half_space()->young());
+               const auto young = to_real<double>(problem.elasticity().half_space()->young());
                p["energy"] *= plane_strain_modulus(problem) / young;
              })
       .wrong("the surface sinks away from the contact", scaled({"rise"}, -1))

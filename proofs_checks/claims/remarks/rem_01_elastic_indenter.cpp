@@ -54,8 +54,8 @@ Values constants(const TwoBodies& c, const Constant& gamma, const Constant& comp
           {"compliance", of(compliance, c.half_space, c.indenter)},
           {"exchanged", Rational(-of(gamma, c.half_space, c.indenter))},
           {"equal bodies", Rational(0)},
-          {"rigid gamma", numeric::to_real<Number>(of(gamma, c.half_space, stiff))},
-          {"rigid compliance", numeric::to_real<Number>(of(compliance, c.half_space, stiff))}};
+          {"rigid gamma", to_real<Number>(of(gamma, c.half_space, stiff))},
+          {"rigid compliance", to_real<Number>(of(compliance, c.half_space, stiff))}};
 }
 
 auto with(const Constant& gamma, const Constant& compliance) {
@@ -78,8 +78,8 @@ Claim rem_01_elastic_indenter() {
                     {"compliance", both.compliance()},
                     {"exchanged", Elasticity(c.indenter, c.half_space, c.plane).gamma()},
                     {"equal bodies", Elasticity(c.half_space, c.half_space, c.plane).gamma()},
-                    {"rigid gamma", numeric::to_real<Number>(rigid.gamma())},
-                    {"rigid compliance", numeric::to_real<Number>(rigid.compliance())}};
+                    {"rigid gamma", to_real<Number>(rigid.gamma())},
+                    {"rigid compliance", to_real<Number>(rigid.compliance())}};
           })
           .predicted([](const TwoBodies& c) { return constants(c, dundurs, sum_of_compliances); })
           .wrong(

@@ -66,8 +66,8 @@ Values measured(const Sliding& c) {
                 {"rear is stronger", edges.sign() > 0},
                 {"jump is singular", beta.sign() != 0}};
   if (!c.profile) return values;
-  const R rear = numeric::to_real<R>(rear_s);
-  const R front = numeric::to_real<R>(front_s);
+  const R rear = to_real<R>(rear_s);
+  const R front = to_real<R>(front_s);
   const Power power = c.is_flat() ? Power::unbounded : Power::vanishing;
   values.add({"ends", R(end_power<R>(Side::left, power, front) - end_power<R>(Side::right, power, rear))});
   if (c.has_jump()) values.add({"jump", jump_power<R>(rear, front).power});
@@ -85,8 +85,8 @@ Values predicted(const Sliding& c) {
                 {"rear is stronger", c.gamma * c.f_rear > 0},
                 {"jump is singular", c.gamma != 0 && c.has_jump()}};
   if (!c.profile) return values;
-  values.add({"ends", numeric::to_real<Number>(rear + front)});
-  if (c.has_jump()) values.add({"jump", numeric::to_real<Number>(rear - front)});
+  values.add({"ends", to_real<Number>(rear + front)});
+  if (c.has_jump()) values.add({"jump", to_real<Number>(rear - front)});
   values.add({"equation", Number(0)});
   return values;
 }

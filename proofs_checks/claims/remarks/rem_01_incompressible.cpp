@@ -41,7 +41,7 @@ CaseList<Limit> limits(const Context& context) {
 template <Real R>
 Values measured(const Limit& c) {
   using std::abs;
-  const auto span = [](const numeric::RiemannHilbertSolution<R>& solution) {
+  const auto span = [](const RiemannHilbertSolution<R>& solution) {
     const auto contact = solution.contact();
     return std::pair(contact.front().left.x.value, contact.back().right.x.value);
   };
@@ -59,7 +59,7 @@ Values measured(const Limit& c) {
       change = (with->at(x).traction.left.value - t) / t;
       largest = std::max(largest, static_cast<double>(abs(change)));
     }
-    const R gamma = numeric::to_real<R>(body.gamma());
+    const R gamma = to_real<R>(body.gamma());
     levels.push_back({static_cast<double>(1 / gamma), largest});
     const auto [left, right] = span(*with);
     const auto [zero_left, zero_right] = span(*without);
@@ -75,7 +75,7 @@ Values measured(const Limit& c) {
 }
 
 Values predicted(const Limit& c) {
-  const Number first = numeric::to_real<Number>(c.f.front()) / numeric::pi<Number>();
+  const Number first = to_real<Number>(c.f.front()) / numeric::pi<Number>();
   Values values{{"order", Order{1}}};
   if (c.name == "flat punch") values.add({"slope", Number(-first * log(Number(3)))});
   if (c.name == "parabola") values.add({"shift", Number(-2 * first)});
@@ -96,7 +96,7 @@ Claim rem_01_incompressible() {
       .wrong("a difference of the order sqrt(gamma)", replaced({{"order", Order{0.5}}}))
       .wrong("the sign of the first order", scaled({"slope", "shift"}, -1))
       .wrong("the first order without f",
-             scaled({"slope", "shift"}, [](const Limit& c) { return numeric::to_real<Number>(1 / c.f.front()); }))
+             scaled({"slope", "shift"}, [](const Limit& c) { return to_real<Number>(1 / c.f.front()); }))
       .wrong("the first order without 1/pi", scaled({"slope", "shift"}, numeric::pi<Number>()))
       .near_misses();
 }

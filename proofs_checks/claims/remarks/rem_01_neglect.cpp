@@ -69,7 +69,7 @@ Values in_the_limit(const Contact<R>& zero) {
   for (const char* small : {"1e-4", "1e-6", "1e-8"}) {
     const Rational s = parse_rational(small);
     const Contact<R> c = contact<R>(s);
-    const auto inverse = numeric::to_real<double>(Rational(1 / s));
+    const auto inverse = to_real<double>(Rational(1 / s));
     peaks.push_back({inverse, static_cast<double>(R(1 - c.peak / zero.peak))});
     centres.push_back({inverse, std::abs(static_cast<double>(R(c.centre / c.width)))});
   }
@@ -103,15 +103,13 @@ Values predicted(const Neglect& c) {
   const Exponent angle = Exponent::angle(c.s);
   switch (c.what) {
     case What::limit: return {{"loss", Order{2}}, {"shift", Order{1}}, {"loss over s^2", Number(0.5 - 4 / (pi * pi))}};
-    case What::punch:
-      return {{"rear", numeric::to_real<Number>(-(half + angle))},
-              {"front", numeric::to_real<Number>(-(half - angle))}};
-    case What::jump: return {{"jump", numeric::to_real<Number>(angle - Exponent::angle(s_front))}};
+    case What::punch: return {{"rear", to_real<Number>(-(half + angle))}, {"front", to_real<Number>(-(half - angle))}};
+    case What::jump: return {{"jump", to_real<Number>(angle - Exponent::angle(s_front))}};
     default: break;
   }
-  const Number alpha = numeric::to_real<Number>(angle);
+  const Number alpha = to_real<Number>(angle);
   const Number ratio = pow(Number((1 + 2 * alpha) / (1 - 2 * alpha)), alpha);
-  return {{"peak", Number(numeric::cos_pi_alpha<Number>(c.s) * ratio)},
+  return {{"peak", Number(cos_pi_alpha<Number>(c.s) * ratio)},
           {"centre", Number(-2 * alpha)},
           {"width", Number(1 / sqrt(Number(1 - 4 * alpha * alpha)))}};
 }

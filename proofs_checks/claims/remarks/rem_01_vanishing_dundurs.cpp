@@ -57,25 +57,25 @@ BodyConstants constants_of(const Solid& body, Plane plane) {
 /// The frictionless t_n on both bodies with t_t = -f t_n on one and +f t_n on the other: by how much their surfaces,
 /// each with its own constants, miss the profile.
 template <Real R>
-double misfit(const Bodies& bodies, const numeric::RiemannHilbertSolution<R>& frictionless) {
+double misfit(const Bodies& bodies, const RiemannHilbertSolution<R>& frictionless) {
   using std::abs, std::max;
   const BodyConstants lower = constants_of(bodies.half_space, bodies.plane);
   const BodyConstants upper = bodies.indenter ? constants_of(*bodies.indenter, bodies.plane) : BodyConstants{0, 0};
-  const R compliance = numeric::to_real<R>(bodies.elasticity().compliance());
+  const R compliance = to_real<R>(bodies.elasticity().compliance());
   const auto& form = frictionless.form();
-  const R unit = numeric::to_real<R>(form.problem().frame().unit);
-  const R origin = numeric::to_real<R>(form.problem().frame().origin);
+  const R unit = to_real<R>(form.problem().frame().unit);
+  const R origin = to_real<R>(form.problem().frame().origin);
   const auto segments = segments_of(form);
-  const numeric::trapezoidal::Grid<R> grid(traction_density(form));
+  const trapezoidal::Grid<R> grid(traction_density(form));
   double worst = 0;
   for (std::size_t k = 0; k < segments.size(); ++k) {
     for (const int percent : {3, 20, 45, 60, 80, 97}) {
       const auto at = grid.midpoint_near(k, R(percent) / 100);
       const R hilbert = grid.hilbert(at);
-      const bool behind = origin + unit * at.node.x < numeric::to_real<R>(jump_place);
-      const R shear = -numeric::to_real<R>(friction[behind ? 0 : 1]) * grid.density()[k](at.node);
-      const R below = numeric::to_real<R>(lower.direct) * hilbert - numeric::to_real<R>(lower.coupled) * shear;
-      const R above = numeric::to_real<R>(upper.direct) * hilbert + numeric::to_real<R>(upper.coupled) * shear;
+      const bool behind = origin + unit * at.node.x < to_real<R>(jump_place);
+      const R shear = -to_real<R>(friction[behind ? 0 : 1]) * grid.density()[k](at.node);
+      const R below = to_real<R>(lower.direct) * hilbert - to_real<R>(lower.coupled) * shear;
+      const R above = to_real<R>(upper.direct) * hilbert + to_real<R>(upper.coupled) * shear;
       const R profile = compliance * form.problem().slope(form.slope_at(segments[k]), at.node.x);
       const R scale = max({R(abs(below)), R(abs(above)), R(abs(profile))});
       const auto error = static_cast<double>(abs(below + above - profile) / scale);
@@ -104,9 +104,9 @@ Values measured(const Bodies& bodies) {
 Values predicted(const Bodies&) {
   return {{"surfaces", Number(0)},
           {"gamma", Rational(0)},
-          {"far behind", numeric::to_real<Number>(-friction[0])},
-          {"behind", numeric::to_real<Number>(-friction[0])},
-          {"before", numeric::to_real<Number>(-friction[1])}};
+          {"far behind", to_real<Number>(-friction[0])},
+          {"behind", to_real<Number>(-friction[0])},
+          {"before", to_real<Number>(-friction[1])}};
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 //
 //   t = -(P/(2 pi)) cos(pi alpha) prod_j |sin((x-x_j)/2)|^{p_j} cos((x + sum_j p_j x_j)/2).
 
-#include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
@@ -44,9 +43,9 @@ std::vector<Exponent> half_space_powers(const Row& row, bool reversed = false) {
 
 /// The traction panel by panel.
 template <Real R>
-numeric::PiecewiseDensity<R> density_of(const Row& row, const RowTraction& form) {
+PiecewiseDensity<R> density_of(const Row& row, const RowTraction& form) {
   std::vector<R> x;
-  for (const Rational& place : row.places) x.push_back(numeric::to_real<R>(place));
+  for (const Rational& place : row.places) x.push_back(to_real<R>(place));
   std::vector<numeric::Power<R>> p;
   for (const Exponent& exponent : form.powers) p.push_back(numeric::Power<R>::of(exponent));
   p[0].value += R(form.moved);
@@ -54,10 +53,10 @@ numeric::PiecewiseDensity<R> density_of(const Row& row, const RowTraction& form)
   R moment = 0;
   for (std::size_t j = 0; j < x.size(); ++j) moment += p[j].value * x[j];
   if (form.centre) moment = R(*form.centre);
-  numeric::PiecewiseDensity<R> density;
+  PiecewiseDensity<R> density;
   for (std::size_t k = 0; k + 1 < x.size(); ++k) {
-    const R size = -numeric::cos_pi_alpha<R>(row.s[k]) / (2 * numeric::pi<R>());
-    const auto smooth = [=, periodic = form.periodic](const numeric::Node<R>& node) {
+    const R size = -cos_pi_alpha<R>(row.s[k]) / (2 * numeric::pi<R>());
+    const auto smooth = [=, periodic = form.periodic](const Node<R>& node) {
       using std::cos, std::pow, std::sin;
       R value = size * cos(R((node.x + moment) / 2));
       for (std::size_t j = 0; j < x.size(); ++j) {
@@ -67,7 +66,7 @@ numeric::PiecewiseDensity<R> density_of(const Row& row, const RowTraction& form)
       }
       return value;
     };
-    const R length = numeric::to_real<R>(row.places[k + 1] - row.places[k]);
+    const R length = to_real<R>(row.places[k + 1] - row.places[k]);
     density.push_back({{x[k], x[k + 1], length}, p[k], p[k + 1], smooth});
   }
   return density;
@@ -93,20 +92,20 @@ R smooth_kernel(const R& w) {
 template <Real R>
 void check(Findings& findings, const RowTraction& form, const Row& row) {
   using std::abs, std::max;
-  const numeric::PiecewiseDensity<R> t = density_of<R>(row, form);
-  const numeric::trapezoidal::Grid<R> grid(t);
+  const PiecewiseDensity<R> t = density_of<R>(row, form);
+  const trapezoidal::Grid<R> grid(t);
   for (std::size_t k = 0; k < t.size(); ++k) {
     for (const int percent : {30, 85}) {
       const auto at = grid.midpoint_near(k, R(percent) / 100);
-      numeric::PiecewiseDensity<R> rest = t;
+      PiecewiseDensity<R> rest = t;
       for (auto& panel : rest) {
-        panel.smooth = [smooth = panel.smooth, x = at.node.x](const numeric::Node<R>& node) {
+        panel.smooth = [smooth = panel.smooth, x = at.node.x](const Node<R>& node) {
           return R(smooth(node) * smooth_kernel(R(node.x - x)));
         };
       }
       const R singular = grid.hilbert(at);
-      const R added = R(form.cotangent) * numeric::trapezoidal::Grid<R>(rest).integral() / numeric::pi<R>();
-      const R friction = numeric::to_real<R>(row.s[k]) * t[k](at.node);
+      const R added = R(form.cotangent) * trapezoidal::Grid<R>(rest).integral() / numeric::pi<R>();
+      const R friction = to_real<R>(row.s[k]) * t[k](at.node);
       const R size = max({R(abs(singular)), R(abs(added)), R(abs(friction))});
       findings.compare("equation", R(singular + added), R(-friction), size);
     }
@@ -125,7 +124,7 @@ Claim rem_02_same_singularities() {
       .precision(Precision::quick_in_double)
       .quantities({"equation", "load"})
       .says([](const Row& row) { return RowTraction{.powers = half_space_powers(row)}; })
-      .checked([]<numeric::Real R>(auto&... of) { check<R>(of...); })
+      .checked([]<Real R>(auto&... of) { check<R>(of...); })
       .wrong("the powers at edges without friction",
              [](RowTraction& form) { form.powers.front() = form.powers.back() = -half; })
       .wrong("no singularity at the friction jumps",

@@ -2,16 +2,12 @@
 
 #include <map>
 
-#include "numeric/number/polynomial.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
-
-using numeric::Node;
-using numeric::RiemannHilbertForm;
 
 /// t = eps cos(pi alpha) prod |x - e_j|^{p_j} B_k on every segment.
 struct FormTerms {
@@ -34,7 +30,7 @@ FormTerms terms_of(const Trial& trial) {
   const RiemannHilbertForm<double>& form = terms.form();
   for (std::size_t k = 0; k < form.set().segments(); ++k) {
     terms.eps.push_back(form.sign(static_cast<std::ptrdiff_t>(k)));
-    terms.cosine.push_back(numeric::cos_pi_alpha<Number>(trial.problem.coupled_friction(form.friction_at(k))));
+    terms.cosine.push_back(cos_pi_alpha<Number>(trial.problem.coupled_friction(form.friction_at(k))));
     terms.slope.push_back(form.slope_at(k));
   }
   return terms;
@@ -65,7 +61,7 @@ Surface<R> surface_of(const RiemannHilbertForm<R>& form, const FormTerms& terms)
     R b = form.regular_factor(terms.slope[k], {static_cast<std::ptrdiff_t>(k), node}).value;
     if (!terms.polynomial || terms.integral < 0) {
       const R poly = polynomial_part(form, terms.slope[k], node.x);
-      if (terms.integral < 0) b = 2 * (poly - numeric::value_of(form.q(), node.x) / numeric::pi<R>()) - b;
+      if (terms.integral < 0) b = 2 * (poly - value_of(form.q(), node.x) / numeric::pi<R>()) - b;
       if (!terms.polynomial) b -= poly;
     }
     return R(terms.eps[k] * R(terms.cosine[k]) * b);
@@ -75,8 +71,8 @@ Surface<R> surface_of(const RiemannHilbertForm<R>& form, const FormTerms& terms)
   const numeric::FundamentalSolution<R> weight(form.set().panels(), std::move(powers));
   const std::vector<R> rest = terms.excess ? excess(form) : std::vector<R>{};
   const auto slope_at = [&form, rest](const R& xi) {
-    const R x = numeric::to_real<R>(Trial::frame().origin) + numeric::to_real<R>(Trial::frame().unit) * xi;
-    return R(slope<R>(form.problem().problem(), x, x) + form.tilt() - numeric::value_of(rest, xi));
+    const R x = to_real<R>(Trial::frame().origin) + to_real<R>(Trial::frame().unit) * xi;
+    return R(slope<R>(form.problem().problem(), x, x) + form.tilt() - value_of(rest, xi));
   };
   return {density_of<R>(form, weight, bracket), friction_of(form), slope_at,
           R(-numeric::pi<R>() * coefficient_at_infinity(form, -1)), load_scale(form)};

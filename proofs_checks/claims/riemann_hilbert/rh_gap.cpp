@@ -7,9 +7,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::RiemannHilbertForm;
-using numeric::SurfacePoint;
-
 /// gap = steps on the way + int Y B_k, from a contact end to a place.
 struct GapTerms {
   Number scale = 1;
@@ -38,8 +35,8 @@ struct Facing {
 
   /// Of the profile from the contact at the end to a place in the gap.
   R rise(const R& xi) const {
-    const R origin = numeric::to_real<R>(Trial::frame().origin);
-    const R unit = numeric::to_real<R>(Trial::frame().unit);
+    const R origin = to_real<R>(Trial::frame().origin);
+    const R unit = to_real<R>(Trial::frame().unit);
     const std::size_t inside = rightwards() ? end - 1 : end;
     const R contact = (form.set().x(inside) + form.set().x(inside + 1)) / 2;
     const auto at = [&](const R& near, const R& place) {
@@ -72,7 +69,7 @@ class GapCheck {
       std::optional<Facing<R>> right;
       if (end < set.segments()) right.emplace(Facing<R>{form_, end, panel});
       for (int i = 0; i < places; ++i) {
-        gap(left, right, k, numeric::to_real<R>(random.between(Rational(1, 20), Rational(19, 20))));
+        gap(left, right, k, to_real<R>(random.between(Rational(1, 20), Rational(19, 20))));
       }
     }
   }
@@ -127,7 +124,7 @@ class GapCheck {
   Findings& findings_;
   const GapTerms& terms_;
   const RiemannHilbertForm<R>& form_;
-  numeric::trapezoidal::Grid<R> grid_;
+  trapezoidal::Grid<R> grid_;
   std::vector<R> excess_;
 };
 

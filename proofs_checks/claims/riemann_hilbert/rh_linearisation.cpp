@@ -2,16 +2,11 @@
 
 #include <array>
 
-#include "numeric/number/polynomial.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
-
-using numeric::ContactSet;
-using numeric::RiemannHilbertForm;
-using numeric::SurfacePoint;
 
 /// d(u'/c)/de = Y (p B(e)/(x - e) - (p/pi) [q/(z - e)]_poly), q and the tilt fixed; in the contact
 /// dt = -eps cos(pi alpha) |Y| (...). d(u'/c)/dtilt = 1 - Y [1/Y]_poly.
@@ -85,7 +80,7 @@ template <Real R>
 std::vector<R> differences(const TrialForm<R>& trial, std::size_t f, const std::vector<SurfacePoint<R>>& at) {
   const ContactSet<R>& set = trial.form().set();
   const std::size_t end = set.movable()[f];
-  const R h = std::same_as<R, numeric::Real50> ? R(1e-7) : R(1e-12);
+  const R h = std::same_as<R, Real50> ? R(1e-7) : R(1e-12);
   constexpr std::array<std::array<int, 2>, 5> weights{{{5, 6}, {-5, 21}, {5, 84}, {-5, 504}, {1, 1260}}};
   std::vector<R> result(at.size(), R(0));
   for (int k = 1; k <= 5; ++k) {
@@ -119,7 +114,7 @@ void check_ends(Findings& findings, const Derivatives& said, const TrialForm<R>&
     const Bracket<R> bracket(form, ends[f], said);
     const std::vector<R> measured = differences(trial, f, at);
     for (std::size_t i = 0; i < at.size(); ++i) {
-      const R sum = numeric::value_of(bracket.polynomial, at[i].node.x) + bracket.pole / form.distance(at[i], ends[f]);
+      const R sum = value_of(bracket.polynomial, at[i].node.x) + bracket.pole / form.distance(at[i], ends[f]);
       findings.compare("end", R(factor(form, at[i]) * sum), measured[i]);
     }
   }

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/quadrature/tanh_sinh.hpp"
 #include "proofs_checks/instruments/operators/gap_functional.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 #include "proofs_checks/kit/rate.hpp"
@@ -11,7 +10,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::Real;
 using std::numbers::pi;
 using Function = PiecewiseFunction;
 using Gauss = boost::math::quadrature::gauss<double, 20>;
@@ -74,17 +72,17 @@ template <Real R>
 void check_functional(Findings& findings, const Functional& form, const Functions& c) {
   using std::abs, std::max;
   const auto phi = [&](const Function& v) { return form.at<R>(v); };
-  const R load = numeric::to_real<R>(c.load);
+  const R load = to_real<R>(c.load);
   const auto error = [&](const R& a) { return static_cast<double>(a / load); };
   const R phi_v = phi(c.v);
   findings.compare("lines", error(abs(-load * (pairing<R>(c.s, c.v) + largest_shift<R>(c.v)) - phi_v)));
   findings.compare("proper", error(max(R(-phi_v), R(0))));
   findings.compare("proper", error(abs(phi(Function::constant(0, c.v.points)))));
-  const R part = numeric::to_real<R>(c.between);
+  const R part = to_real<R>(c.between);
   const R chord = part * phi_v + (1 - part) * phi(c.w);
   findings.compare("convex", error(max(R(phi(Function::combined(c.between, c.v, 1 - c.between, c.w)) - chord), R(0))));
   const Function shifted = Function::combined(c.factor, c.v, c.constant, Function::constant(1, c.v.points));
-  findings.compare("scaled", error(abs(phi(shifted) - numeric::to_real<R>(c.factor) * phi_v)));
+  findings.compare("scaled", error(abs(phi(shifted) - to_real<R>(c.factor) * phi_v)));
 }
 
 template <Real R>
@@ -118,18 +116,17 @@ double spike_energy(double l) {
 
 double spike_energy_by_quadrature(double l) {
   const double length = std::min(l, 40.0);  // e^-40 is left out
-  const auto integrand = [l](const numeric::Node<double>& node) {
+  const auto integrand = [l](const Node<double>& node) {
     const double r = node.from_left;
     return (l - r) * (std::log1p(std::exp(-r)) - std::log(-std::expm1(-r)));
   };
   const numeric::Power<double> none{0, 1};
-  return 4 / (pi * l * l) *
-         numeric::tanh_sinh::panel_integral<double>({{0, length, length}, none, none, integrand}).value;
+  return 4 / (pi * l * l) * tanh_sinh::panel_integral<double>({{0, length, length}, none, none, integrand}).value;
 }
 
 /// int t_0 w_L, t_0 of the friction s.
 double spike_weight(const Rational& s, double l) {
-  const auto alpha = numeric::to_real<double>(Exponent::angle(s));
+  const auto alpha = to_real<double>(Exponent::angle(s));
   const auto unit = [alpha](double x) {
     return std::cos(pi * alpha) / pi * std::pow(1 + x, -0.5 - alpha) * std::pow(1 - x, -0.5 + alpha);
   };
@@ -180,21 +177,20 @@ Claim lemma_04_functional() {
       .quantities({"lines", "convex", "scaled", "proper", "moments", "panels"})
       .quantity("energy", {.tolerance = tolerance<double>()})
       .says([](const Functions& c) {
-        return Functional{numeric::to_real<Number>(c.load), c.s};
+        return Functional{to_real<Number>(c.load), c.s};
       })
-      .checked(
-          []<numeric::Real R>(Findings& findings, const Functional& form, const Functions& c, const Context& context) {
-            check_functional<R>(findings, form, c);
-            check_pairings<R>(findings, c, context.quick);
-            if (c.has_spikes()) check_spikes(findings, form, c.s, numeric::to_real<double>(c.load));
-          })
+      .checked([]<Real R>(Findings& findings, const Functional& form, const Functions& c, const Context& context) {
+        check_functional<R>(findings, form, c);
+        check_pairings<R>(findings, c, context.quick);
+        if (c.has_spikes()) check_spikes(findings, form, c.s, to_real<double>(c.load));
+      })
       .wrong("the printed u_bar_n instead of u_hat in the second line of (13)",
              [](Functional& form, const Functions& c) { form.paired = c.given; })
       .wrong("ess inf instead of ess sup", with_reference([](const Function& v) {
                return Number(-supremum<Number>(Function::combined(-1, v, 0, v)));
              }))
       .wrong("the value at 0 instead of ess sup",
-             with_reference([](const Function& v) { return numeric::to_real<Number>(v.at(0)); }))
+             with_reference([](const Function& v) { return to_real<Number>(v.at(0)); }))
       .wrong("-P t_0 instead of P t_0", [](Functional& form) { form.size *= -1; })
       .wrong("the t_0 of -alpha", [](Functional& form) { form.s *= -1; })
       .wrong("phi continuous: phi(u_hat + w_L) -> phi(u_hat)", [](Functional& form) { form.spike = 0; })

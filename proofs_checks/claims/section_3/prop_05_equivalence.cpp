@@ -8,7 +8,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::Real;
 using Function = PiecewiseFunction;
 
 /// Forces and gaps on nodes, built to satisfy (11) or to miss it.
@@ -42,7 +41,7 @@ CaseList<Case> cases(const Context& context) {
     list.cases.push_back({"s = " + to_string(s), Steps{s, load, v, Polynomial({2, of_steps.between(-1, 1)})}});
   }
   // What is wrong may be as small as one likes: everything here is exact.
-  const double smallest = numeric::at_precision(context.digits, []<numeric::Real R>() { return tolerance<R>(); });
+  const double smallest = numeric::at_precision(context.digits, []<Real R>() { return tolerance<R>(); });
   const std::vector<Rational> steps{1, Rational(1, 1000), Rational(smallest)};
   Random random(context.seed, "prop-05-equivalence");
   for (std::size_t k = 0; k < (context.quick ? 36 : 600); ++k) {
@@ -116,7 +115,7 @@ template <Real R>
 void check_steps(Findings& findings, const Equivalence& said, const Steps& steps) {
   using std::abs;
   const auto paired_with = [&](const Function& f) { return pairing<R>(steps.s, f); };
-  const R p = numeric::to_real<R>(steps.load);
+  const R p = to_real<R>(steps.load);
   const Function weight{{-1, 1}, {steps.weight}};
   Function product = steps.v;
   for (Polynomial& piece : product.pieces) piece = piece * steps.weight;
@@ -129,12 +128,12 @@ void check_steps(Findings& findings, const Equivalence& said, const Steps& steps
   const PositivePart part = positive_part(steps.v);
   const R outside = p * paired_with(part.complement);
   const R rest = p - p * paired_with(part.set);
-  const R level = said.test_function * rest / numeric::to_real<R>(part.measure);
-  findings.compare("mean", static_cast<double>(abs(outside + level * numeric::to_real<R>(integral(part.set))) / p));
+  const R level = said.test_function * rest / to_real<R>(part.measure);
+  findings.compare("mean", static_cast<double>(abs(outside + level * to_real<R>(integral(part.set))) / p));
   findings.require(part.measure > 0, "u_n - psi + C is nowhere positive");
   findings.require(level < 0, "the test traction is not in K_0'");
   // <t_hat - P t_0, v> = int_S (level - P t_0) v
-  const R contradiction = level * numeric::to_real<R>(integral(part.values)) - p * paired_with(part.values);
+  const R contradiction = level * to_real<R>(integral(part.values)) - p * paired_with(part.values);
   findings.require(contradiction < 0, "(15) is not contradicted");
 }
 
@@ -146,7 +145,7 @@ Claim prop_05_equivalence() {
   return formula_claim<Case, Equivalence>("prop-05-equivalence")
       .cases(cases)
       .quantities({"constant", "mean"})
-      .checked([]<numeric::Real R>(Findings& findings, const Equivalence& said, const Case& c) {
+      .checked([]<Real R>(Findings& findings, const Equivalence& said, const Case& c) {
         if (const auto* steps = std::get_if<Steps>(&c.data)) {
           check_steps<R>(findings, said, *steps);
         } else {

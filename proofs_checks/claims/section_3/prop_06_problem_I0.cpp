@@ -9,24 +9,15 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::variational::CellSet;
-using numeric::variational::DiscreteProblem;
-using numeric::variational::DiscreteState;
-
 /// A problem on cells, contact sets to start from, and forces of any sum to put into the inequality.
 struct OnCells {
   ProblemOnCells on_cells;
   std::vector<CellSet> starts;
   std::vector<std::vector<double>> forces = {};
 };
-/// One of dual_cases().
-struct Convergence {
-  std::size_t index;
-};
-
 struct Case {
   std::string name;
-  std::variant<OnCells, Convergence> data;
+  std::variant<OnCells, DualCase> data;
 };
 
 CaseList<Case> cases(const Context& context) {
@@ -48,15 +39,12 @@ CaseList<Case> cases(const Context& context) {
     for (int j = 0; j < 4; ++j) {
       c.forces.emplace_back(cells, 0);
       for (double& force : c.forces.back()) {
-        if (j % 2 == 0 || random.below(4) == 0) force = numeric::to_real<double>(random.between(0, 1));
+        if (j % 2 == 0 || random.below(4) == 0) force = to_real<double>(random.between(0, 1));
       }
     }
     list.cases.push_back({"problem " + std::to_string(k) + ", " + text_of(steps), std::move(c)});
   }
-  const std::vector<DualCase> dual = dual_cases();
-  for (std::size_t k = 0; k < (context.quick ? 2 : dual.size()); ++k) {
-    list.cases.push_back({dual[k].name, Convergence{k}});
-  }
+  for (const DualCase& dual : dual_cases(context)) list.cases.push_back({dual.name, dual});
   return list;
 }
 
@@ -73,7 +61,7 @@ struct OneSolution {
 
 OneSolution one_solution(const Case& c) {
   if (const auto* cells = std::get_if<OnCells>(&c.data)) return {.unique = *cells, .interior = cells->on_cells.problem};
-  return {.rate = dual_cases()[std::get<Convergence>(c.data).index].cells_rate};
+  return {.rate = std::get<DualCase>(c.data).cells_rate};
 }
 
 /// b(t, t) on zero-mean tractions: friction adds nothing and the logarithm's part is positive.
@@ -120,12 +108,13 @@ void check_uniqueness(Findings& findings, const OneSolution& said) {
   check_form(findings, discrete, said.support);
 }
 
-void check_convergence(Findings& findings, KnownMoments& known, const OneSolution& said, std::size_t k, bool quick) {
-  const DualCase c = dual_cases()[k];
+void check_convergence(Findings& findings, KnownMoments& known, const OneSolution& said, const DualCase& c,
+                       bool quick) {
   const std::vector<int> first = quick ? std::vector<int>{32, 64, 128} : std::vector<int>{32, 64, 128, 256, 512, 1024};
+  const Moments exact = riemann_hilbert_moments(c.problem(said.friction));
+  const auto cells = [&](int n) -> const Moments& { return known.cells(c, n); };
   const std::vector<Level> levels =
-      levels_of(first, 7, riemann_hilbert_moments(c.problem(said.friction)), numeric::to_real<double>(c.load),
-                [&](int n) -> const Moments& { return known.cells(k, n); });
+      levels_of(first, 7, to_real<double>(c.load), cells, [&](int) -> const Moments& { return exact; });
   const Rate rate = fitted_rate(levels);
   findings.measure({"t_n on N cells to the Riemann-Hilbert solution, " + c.name, rate.value, rate.error_bar, said.rate,
                     quick ? 0.3 : 0.15,
@@ -154,10 +143,10 @@ Claim prop_06_problem_I0() {
       .quantity("inequality", {.tolerance = 100 * tolerance<double>()})
       .quantity("forces", {.required = 0.7})
       .says(one_solution)
-      .checked([known = std::make_shared<KnownMoments>()]<numeric::Real R>(Findings& findings, const OneSolution& said,
-                                                                           const Case& c, const Context& context) {
+      .checked([known = std::make_shared<KnownMoments>()]<Real R>(Findings& findings, const OneSolution& said,
+                                                                  const Case& c, const Context& context) {
         if (said.unique) return check_uniqueness(findings, said);
-        check_convergence(findings, *known, said, std::get<Convergence>(c.data).index, context.quick);
+        check_convergence(findings, *known, said, std::get<DualCase>(c.data), context.quick);
       })
       .wrong("the friction reversed in the Riemann-Hilbert solution", [](OneSolution& said) { said.friction = -1; })
       .wrong("twice the load", interior(2, 1))

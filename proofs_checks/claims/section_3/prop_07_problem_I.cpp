@@ -36,7 +36,7 @@ CaseList<Case> cases(const Context& context) {
     for (int j = 0; j < 6; ++j) {
       c.directions.emplace_back(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n)));
       for (double& at : c.directions.back()) {
-        if (j % 2 == 0 || random.below(8) == 0) at = numeric::to_real<double>(random.between(-1, 1));
+        if (j % 2 == 0 || random.below(8) == 0) at = to_real<double>(random.between(-1, 1));
       }
     }
     return c;
@@ -66,7 +66,7 @@ void check_inequality(Findings& findings, const DisplacementProblem& problem, co
 }
 
 void check(Findings& findings, const ProblemI& form, const Case& c) {
-  const auto load = numeric::to_real<double>(c.dual.load);
+  const auto load = to_real<double>(c.dual.load);
   const DisplacementProblem problem(c.dual.s, c.n, c.dual.height(), load);
   std::vector<State> found;
   for (const std::vector<char>& start : c.starts) {

@@ -1,6 +1,5 @@
 #include <variant>
 
-#include "numeric/number/polynomial.hpp"
 #include "proofs_checks/instruments/operators/dual_study.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
@@ -8,21 +7,14 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::Real;
-
 /// u_n = psi is a polynomial.
 struct FullContact {
   Rational s;
   Polynomial profile;
 };
-/// One of dual_cases().
-struct Convergence {
-  std::size_t index;
-};
-
 struct Case {
   std::string name;
-  std::variant<FullContact, Convergence> data;
+  std::variant<FullContact, DualCase> data;
 };
 
 CaseList<Case> cases(const Context& context) {
@@ -35,10 +27,7 @@ CaseList<Case> cases(const Context& context) {
         {0, random.between(Rational(-1, 50), Rational(1, 50)), random.between(0, Rational(1, 30)), cubic});
     list.cases.push_back({"s = " + to_string(s) + ", " + to_string(profile), FullContact{s, profile}});
   }
-  const std::vector<DualCase> dual = dual_cases();
-  for (std::size_t k = 0; k < (context.quick ? 2 : dual.size()); ++k) {
-    list.cases.push_back({dual[k].name, Convergence{k}});
-  }
+  for (const DualCase& dual : dual_cases(context)) list.cases.push_back({dual.name, dual});
   return list;
 }
 
@@ -57,36 +46,34 @@ void check_full_contact(Findings& findings, const Link& link, const FullContact&
   using std::pow;
   const auto solution = solve<R>(cell_problem({{c.s}, {}}, c.profile));
   findings.require(solution->form().set().segments() == 1, "not in full contact");
-  const R unit = numeric::to_real<R>(solution->problem().frame().unit);
-  const R origin = numeric::to_real<R>(solution->problem().frame().origin);
+  const R unit = to_real<R>(solution->problem().frame().unit);
+  const R origin = to_real<R>(solution->problem().frame().origin);
   const DisplacementOperator<R> a(c.s, c.profile.degree() + 1, link.displacement.inverse);
   std::vector<R> psi;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    psi.push_back(R(link.displacement.profile) * numeric::value_of(c.profile, a.node(i).x));
+    psi.push_back(R(link.displacement.profile) * value_of(c.profile, a.node(i).x));
   }
   const std::vector<R> bent = a.forces(psi);
   const Exponent angle = Exponent::angle(c.s);
   const R load = R(link.displacement.load) * R(link.load);
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const numeric::Node<R>& node = a.node(i);
+    const Node<R>& node = a.node(i);
     const R t = solution->form()
                     .traction({0, {R((node.x - origin) / unit), R(node.from_left / unit), R(node.from_right / unit)}})
                     .value;
-    const R t0 = numeric::cos_pi_alpha<R>(c.s) / numeric::pi<R>() *
-                 pow(node.from_left, numeric::to_real<R>(-(half + angle))) *
-                 pow(node.from_right, numeric::to_real<R>(-(half - angle)));
+    const R t0 = cos_pi_alpha<R>(c.s) / numeric::pi<R>() * pow(node.from_left, to_real<R>(-(half + angle))) *
+                 pow(node.from_right, to_real<R>(-(half - angle)));
     findings.compare<R>("forces", load * a.tau(i) - bent[i], -t * a.tau(i) / t0);
   }
 }
 
-void check_convergence(Findings& findings, KnownMoments& known, const Link& link, std::size_t k, bool quick) {
-  const DualCase c = dual_cases()[k];
+void check_convergence(Findings& findings, KnownMoments& known, const Link& link, const DualCase& c, bool quick) {
   const std::vector<int> first = quick ? std::vector<int>{12, 24, 36} : std::vector<int>{16, 32, 64, 128};
   const int meshes = quick ? 7 : 14;
-  const auto load = numeric::to_real<double>(c.load);
+  const auto load = to_real<double>(c.load);
   std::map<int, Moments> wrong;
   const auto polynomials = [&](int n) -> const Moments& {
-    if (link.has_right_displacement()) return known.polynomials(k, n);
+    if (link.has_right_displacement()) return known.polynomials(c, n);
     Moments& moments = wrong[n];
     if (moments.empty()) moments = displacement_moments(c, n, link.displacement);
     return moments;
@@ -96,18 +83,11 @@ void check_convergence(Findings& findings, KnownMoments& known, const Link& link
     findings.measure({what + ", " + c.name, rate.value, rate.error_bar, expected, quick ? 0.35 : 0.2,
                       "difference " + short_text(levels.back().error) + " at the last level"});
   };
-  measure("L(u_n) of problem I to the Riemann-Hilbert solution",
-          levels_of(first, meshes, known.exact(k), load, polynomials), 2);
+  const auto exact = [&](int) -> const Moments& { return known.exact(c); };
   // Four cells to a node: neither error is the other's.
-  std::vector<Level> levels;
-  for (const int n : first) {
-    std::vector<double> errors;
-    for (int j = 0; j < meshes; ++j) {
-      errors.push_back(distance(polynomials(n + j), known.cells(k, 4 * (n + j), link.cells_friction), load));
-    }
-    levels.push_back({n + (meshes - 1) / 2.0, root_mean_square(errors)});
-  }
-  measure("L(u_n) of problem I to t_n of problem I0", levels, c.cells_rate);
+  const auto cells = [&](int n) -> const Moments& { return known.cells(c, 4 * n, link.cells_friction); };
+  measure("L(u_n) of problem I to the Riemann-Hilbert solution", levels_of(first, meshes, load, polynomials, exact), 2);
+  measure("L(u_n) of problem I to t_n of problem I0", levels_of(first, meshes, load, polynomials, cells), c.cells_rate);
 }
 
 }  // namespace
@@ -118,12 +98,12 @@ Claim prop_07_problems_linked() {
       // Principal values at 50 digits take a tenth of a second.
       .precision(Precision::quick_in_double)
       .quantity("forces")
-      .checked([known = std::make_shared<KnownMoments>()]<numeric::Real R>(Findings& findings, const Link& link,
-                                                                           const Case& c, const Context& context) {
+      .checked([known = std::make_shared<KnownMoments>()]<Real R>(Findings& findings, const Link& link, const Case& c,
+                                                                  const Context& context) {
         if (const auto* full = std::get_if<FullContact>(&c.data)) {
           check_full_contact<R>(findings, link, *full);
         } else {
-          check_convergence(findings, *known, link, std::get<Convergence>(c.data).index, context.quick);
+          check_convergence(findings, *known, link, std::get<DualCase>(c.data), context.quick);
         }
       })
       .wrong("problem I with the friction's sign reversed", [](Link& link) { link.displacement.inverse.friction = -1; })

@@ -7,14 +7,12 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::Real;
-
 /// A traction sum_k c_k T_k/sqrt(1-x^2), k >= 1, and cells.
 struct Coercive {
   Rational s;
   std::vector<Rational> c;
   CellFrictionSteps steps;
-  numeric::variational::CellMesh mesh;
+  CellMesh mesh;
 };
 
 std::string text_of(const Coercive& c) { return "s = " + to_string(c.s); }
@@ -38,9 +36,9 @@ CaseList<Coercive> cases(const Context& context, bool falling) {
 template <Real R>
 R energy(const Coercive& at) {
   std::vector<R> c;
-  for (const Rational& coefficient : at.c) c.push_back(numeric::to_real<R>(coefficient));
+  for (const Rational& coefficient : at.c) c.push_back(to_real<R>(coefficient));
   return value_of(log_form_by_quadrature<R>(R(2)), c, c) / numeric::pi<R>() +
-         numeric::to_real<R>(at.s) / 2 * value_of(sign_form_by_quadrature<R>(), c, c);
+         to_real<R>(at.s) / 2 * value_of(sign_form_by_quadrature<R>(), c, c);
 }
 
 /// Eigenvalues and norm of b on zero mean, where b without friction is the scalar product.
@@ -55,11 +53,11 @@ Values on_cells(const Coercive& c) {
 
 Values predicted(const Coercive& at) {
   Number squares = 0;
-  for (std::size_t k = 1; k < at.c.size(); ++k) squares += numeric::to_real<Number>(at.c[k] * at.c[k]) / (2 * k);
+  for (std::size_t k = 1; k < at.c.size(); ++k) squares += to_real<Number>(at.c[k] * at.c[k]) / (2 * k);
   return {{"energy", Number(numeric::pi<Number>() * squares)},
           {"least", Number(1)},
           {"largest", Number(1)},
-          {"norm", Number(1 / numeric::cos_pi_alpha<Number>(at.s))}};
+          {"norm", Number(1 / cos_pi_alpha<Number>(at.s))}};
 }
 
 }  // namespace
@@ -73,14 +71,14 @@ Claim sec_31_coercive() {
       .quantity("energy")
       .quantities({"least", "largest"}, {.tolerance = in_double})
       .quantity("norm", {.tolerance = in_double, .at_most = true, .near_miss = false})
-      .measured([]<numeric::Real R>(const Coercive& c) {
+      .measured([]<Real R>(const Coercive& c) {
         Values values = on_cells(c);
         values.add({"energy", energy<R>(c)});
         return values;
       })
       .predicted(predicted)
       .wrong("sqrt(1+s^2) in the energy",
-             scaled(energies, [](const Coercive& c) { return 1 / numeric::cos_pi_alpha<Number>(c.s); }))
+             scaled(energies, [](const Coercive& c) { return 1 / cos_pi_alpha<Number>(c.s); }))
       .wrong("twice the energy", scaled(energies, 2))
       .wrong("the bound without friction", [](Values& p) { p["norm"] = 1; })
       .wrong_beyond("friction that jumps", [](const Context& context) { return cases(context, true); })

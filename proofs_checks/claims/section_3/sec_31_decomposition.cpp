@@ -7,8 +7,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::Real;
-
 /// t_0 = factor (1+x)^left (1-x)^right, and b(t_0, t) = constant <<t, 1>>, b under the friction s.
 struct UnitSolution {
   Exponent left;
@@ -22,21 +20,21 @@ struct UnitSolution {
 /// -(log 2 + C + (psi(1/2+alpha) + psi(1/2-alpha))/2)/pi, C Euler's constant, psi the digamma function.
 Number punch_constant(const Rational& s) {
   using boost::math::digamma;
-  const Number plus = numeric::to_real<Number>(half + Exponent::angle(s));
-  const Number minus = numeric::to_real<Number>(half - Exponent::angle(s));
+  const Number plus = to_real<Number>(half + Exponent::angle(s));
+  const Number minus = to_real<Number>(half - Exponent::angle(s));
   return -(log(Number(2)) + (digamma(plus) + digamma(minus)) / 2 - digamma(Number(1))) / numeric::pi<Number>();
 }
 
 UnitSolution unit_solution(const FrictionValue& c) {
   const Exponent alpha = Exponent::angle(c.s);
-  return {-(half + alpha), -(half - alpha), numeric::cos_pi_alpha<Number>(c.s) / numeric::pi<Number>(), c.s,
+  return {-(half + alpha), -(half - alpha), cos_pi_alpha<Number>(c.s) / numeric::pi<Number>(), c.s,
           punch_constant(c.s)};
 }
 
 template <Real R>
 void check(Findings& findings, const UnitSolution& form, bool quick) {
   using std::abs;
-  const R s = numeric::to_real<R>(form.s);
+  const R s = to_real<R>(form.s);
   const R constant(form.constant);
   JacobiTraction<R> t{numeric::Power<R>::of(form.left), numeric::Power<R>::of(form.right), {R(form.factor)}};
   t.left.value += R(form.moved);
@@ -57,8 +55,9 @@ Claim sec_31_decomposition() {
       .precision(Precision::at_least_fifty)
       .quantities({"mean", "zero", "powers"})
       .says(unit_solution)
-      .checked([]<numeric::Real R>(Findings& findings, const UnitSolution& form, const FrictionValue&,
-                                   const Context& context) { check<R>(findings, form, context.quick); })
+      .checked([]<Real R>(Findings& findings, const UnitSolution& form, const FrictionValue&, const Context& context) {
+        check<R>(findings, form, context.quick);
+      })
       .wrong("alpha's sign in t_0", [](UnitSolution& form) { std::swap(form.left, form.right); })
       .wrong("arguments exchanged: b(t_hat, t_0)", [](UnitSolution& form) { form.s *= -1; })
       .wrong("t_0 of the frictionless punch", [](UnitSolution& form) { form.left = form.right = -half; })

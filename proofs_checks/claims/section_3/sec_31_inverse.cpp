@@ -1,4 +1,3 @@
-#include "numeric/number/polynomial.hpp"
 #include "proofs_checks/instruments/operators/inverse_operator.hpp"
 #include "proofs_checks/instruments/tractions/surface.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
@@ -29,14 +28,14 @@ R pairing(const Polynomial& slope, int k) {
   using std::cos;
   std::vector<R> u{R(0)};
   for (int n = 0; n <= slope.degree(); ++n) {
-    u.push_back(numeric::to_real<R>(slope.coefficient(static_cast<std::size_t>(n)) / (n + 1)));
+    u.push_back(to_real<R>(slope.coefficient(static_cast<std::size_t>(n)) / (n + 1)));
   }
   const int nodes = slope.degree() + k + 4;
   R sum = 0;
   for (int i = 0; i < nodes; ++i) {
     const R angle = numeric::pi<R>() * (2 * i + 1) / (2 * nodes);
     const R x = cos(angle);
-    sum += numeric::value_of(u, x) * cos(R(k * angle));
+    sum += value_of(u, x) * cos(R(k * angle));
   }
   return sum * numeric::pi<R>() / nodes;
 }
@@ -45,21 +44,21 @@ template <Real R>
 void check_inverse(Findings& findings, const InverseFormula& formula, const PolynomialSlope& c, bool quick) {
   using std::abs;
   const JacobiTraction<R> t = inverse_without_integral<R>(c.s, c.slope);
-  const numeric::PanelDensity<R> traction = density_of(t);
+  const PanelDensity<R> traction = density_of(t);
   const InverseOperator<R> inverse(formula, c.slope);
   for (const int percent : {2, 35, 60, 99}) {
     if (quick && percent != 35) continue;
     const auto at = inverse.point(0, R(percent) / 100);
     findings.compare("values", inverse.terms(at).difference(traction(at.node)));
   }
-  const R s = numeric::to_real<R>(c.s);
+  const R s = to_real<R>(c.s);
   R size = 0;
   for (const R& coefficient : t.factor) size += abs(coefficient);
   for (int k = 1; k <= 4; ++k) {
     findings.compare("weak", static_cast<double>(R(abs(form_with_chebyshev(t, s, k) - pairing<R>(c.slope, k)) / size)));
   }
   // A L(u) = u' and int L(u) = 0.
-  const Surface<R> surface{{traction}, {s}, [&c](const R& x) { return numeric::value_of(c.slope, x); }, R(0), size};
+  const Surface<R> surface{{traction}, {s}, [&c](const R& x) { return value_of(c.slope, x); }, R(0), size};
   check_surface(findings, surface, quick ? 0 : 2);
 }
 

@@ -12,8 +12,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::Real;
-using numeric::variational::CellMesh;
 using std::numbers::pi;
 
 /// T_j/sqrt(1-x^2) and T_k/sqrt(1-x^2).
@@ -122,7 +120,7 @@ Claim sec_31_sign_form() {
       .quantity("zero mean, nearly", {.tolerance = 0.1})
       .quantity("all", {.at_most = true, .near_miss = false})
       .quantity("growth", {.tolerance = 0.02})
-      .measured([]<numeric::Real R>(const Case& c) {
+      .measured([]<Real R>(const Case& c) {
         if (const auto* at = std::get_if<Chebyshev>(&c.data)) return measured<R>(*at);
         if (const auto* cells = std::get_if<OnCells>(&c.data)) return measured(*cells);
         return measured(std::get<Growth>(c.data));

@@ -2,7 +2,6 @@
 #include <numbers>
 #include <variant>
 
-#include "numeric/quadrature/tanh_sinh.hpp"
 #include "proofs_checks/instruments/cells/dense_algebra.hpp"
 #include "proofs_checks/instruments/operators/displacement_operator.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
@@ -10,9 +9,7 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::Node;
 using numeric::Power;
-using numeric::Real;
 
 /// The form on polynomials of degree below n.
 struct Bounds {
@@ -59,7 +56,7 @@ struct FormA {
 };
 
 FormA form_a(const Case& c) {
-  const Number cosine = numeric::cos_pi_alpha<Number>(c.s);
+  const Number cosine = cos_pi_alpha<Number>(c.s);
   return {.inverse = {}, .lower = cosine * cosine, .upper = 1};
 }
 
@@ -79,10 +76,10 @@ struct JacobiPair {
   std::vector<R> c;
 
   R displacement(const R& x) const { return sum(-(R(1) / 2 + angle()), x, false); }
-  R traction(const R& x) const { return 2 * numeric::cos_pi_alpha<R>(s) * sum(angle() - R(1) / 2, x, true); }
+  R traction(const R& x) const { return 2 * cos_pi_alpha<R>(s) * sum(angle() - R(1) / 2, x, true); }
 
  private:
-  R angle() const { return numeric::to_real<R>(Exponent::angle(s)); }
+  R angle() const { return to_real<R>(Exponent::angle(s)); }
   R sum(const R& at_right, const R& x, bool image) const {
     R total = 0;
     for (std::size_t k = 0; k < c.size(); ++k) {
@@ -110,14 +107,14 @@ R potential(const JacobiPair<R>& t, const Node<R>& at, const R& slip) {
     return R(t.traction(y.x) * pow(R(y.from_left + at.from_left), left.value) *
              (-slip / 2 - log(y.from_left) / numeric::pi<R>()));
   };
-  return numeric::tanh_sinh::panel_integral<R>({{R(-1), at.x, at.from_left}, left, none, before}).value +
-         numeric::tanh_sinh::panel_integral<R>({{at.x, R(1), at.from_right}, none, right, behind}).value;
+  return tanh_sinh::panel_integral<R>({{R(-1), at.x, at.from_left}, left, none, before}).value +
+         tanh_sinh::panel_integral<R>({{at.x, R(1), at.from_right}, none, right, behind}).value;
 }
 
 template <Real R>
 JacobiPair<R> jacobi_pair(const Rational& s, const std::vector<Rational>& coefficients) {
   JacobiPair<R> pair{s, {}};
-  for (const Rational& c : coefficients) pair.c.push_back(numeric::to_real<R>(c));
+  for (const Rational& c : coefficients) pair.c.push_back(to_real<R>(c));
   return pair;
 }
 
@@ -131,7 +128,7 @@ void check_pair(Findings& findings, const FormA& form, const Rational& s, const 
   std::vector<R> u_at;
   std::vector<R> v_at;
   std::vector<R> image;
-  const R scale = numeric::pi<R>() / numeric::cos_pi_alpha<R>(s);
+  const R scale = numeric::pi<R>() / cos_pi_alpha<R>(s);
   for (std::size_t i = 0; i < a.size(); ++i) {
     u_at.push_back(u.displacement(a.node(i).x));
     v_at.push_back(v.displacement(a.node(i).x));
@@ -146,7 +143,7 @@ void check_pair(Findings& findings, const FormA& form, const Rational& s, const 
   }
   findings.compare("inverse", static_cast<double>(error / size));
   // b(L(v), L(u)) = <U, L(u)>, U the displacement under L(v), a polynomial: Gauss's rule is exact.
-  const R slip = form.slip * numeric::to_real<R>(s);
+  const R slip = form.slip * to_real<R>(s);
   R by_potential = 0;
   for (std::size_t i = 0; i < a.size(); ++i) by_potential += image[i] * potential(v, a.node(i), slip);
   findings.compare<R>("forms", R(form.scale) * a.form(v_at, u_at), by_potential);
@@ -188,7 +185,7 @@ Claim sec_32_form_a() {
       .quantities({"identity", "lower", "upper"}, {.tolerance = 1e-11})
       .quantity("sharp", {.tolerance = 1e-9})
       .says(form_a)
-      .checked([]<numeric::Real R>(Findings& findings, const FormA& form, const Case& c) {
+      .checked([]<Real R>(Findings& findings, const FormA& form, const Case& c) {
         if (const auto* bounds = std::get_if<Bounds>(&c.data)) {
           check_bounds(findings, form, c.s, bounds->n);
         } else {

@@ -74,7 +74,7 @@ void compare(Findings& findings, const char* quantity, const ContactSolution<R>&
 template <Real R>
 void check(Findings& findings, const SameSolution& same, const Homogeneous& c) {
   // Residuals come from rules that lose a digit or two.
-  const R load = numeric::to_real<R>(c.load);
+  const R load = to_real<R>(c.load);
   const auto solution = solve<R>(c.problem());
   const auto closed = numeric::closed_form<R>(same.closed.problem());
   if (closed.solution) {
@@ -83,7 +83,7 @@ void check(Findings& findings, const SameSolution& same, const Homogeneous& c) {
     findings.skip("solvers");
   }
   const auto raised = solve<R>(same.raised.problem());
-  compare<R>(findings, "shifted", *solution, *raised, load, numeric::to_real<R>(same.opened));
+  compare<R>(findings, "shifted", *solution, *raised, load, to_real<R>(same.opened));
   // Last, since they take longer than solutions.
   const numeric::Residuals<R> left = solution->residuals();
   for (const R& value : {left.equation, left.load, left.penetration, left.tension}) {
@@ -100,7 +100,7 @@ Claim thm_08_homogeneous() {
       .quantity("solvers", {.required = 0.4})
       .quantity("shifted")
       .says(same_solution)
-      .checked([]<numeric::Real R>(auto&... of) { check<R>(of...); })
+      .checked([]<Real R>(auto&... of) { check<R>(of...); })
       .wrong("the second solver with the friction's sign reversed", [](SameSolution& same) { same.closed.s *= -1; })
       .wrong("the second solver with twice the load", [](SameSolution& same) { same.closed.load *= 2; })
       .wrong("the second solver with twice the profile",

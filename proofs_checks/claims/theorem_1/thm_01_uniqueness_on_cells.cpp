@@ -4,10 +4,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::variational::CellSet;
-using numeric::variational::DiscreteProblem;
-using numeric::variational::DiscreteState;
-
 /// A problem, and contact sets to start from.
 struct Started {
   std::string name;

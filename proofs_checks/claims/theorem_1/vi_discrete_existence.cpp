@@ -10,11 +10,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::variational::DiscreteProblem;
-using numeric::variational::DiscreteState;
-using numeric::variational::GalerkinOperator;
-using numeric::variational::LemkeResult;
-
 /// Where short cells meet strong friction the paths turn back again and again: of 1800 random problems 30 take more
 /// than 100 n pivots, the longest 168 000 with 30 cells. A path that is not followed to its end says nothing.
 int most_pivots(const DiscreteProblem& problem) { return 2000 * static_cast<int>(problem.size()); }
@@ -65,7 +60,7 @@ void check(Findings& findings, const Variant& variant, const Numbered& c) {
   findings.compare("entries", -least / most);
   findings.require(diagonal > 0, "an entry of the diagonal is not positive");
 
-  const LemkeResult found = numeric::variational::lemke(problem, most_pivots(problem));
+  const auto found = numeric::variational::lemke(problem, most_pivots(problem));
   if (!found.reached) return findings.skip("residual");
   const double allowed = certify(problem, found.state).allowed;
   DiscreteState state = found.state;

@@ -10,10 +10,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::Real50;
-using numeric::variational::CellMesh;
-using numeric::variational::GalerkinOperator;
-
 /// factor_log sum_{i<j} J_i J_j r^2 log r + factor_jump sum_k (s_k - s_{k-1}) T(c_k)^2; J_i the jumps of t at the
 /// cells' ends, r their distance.
 struct EnergyFormula {
@@ -73,7 +69,7 @@ std::vector<Real50> energy_terms(const CellForces& c, const EnergyFormula& formu
   for (std::size_t k = 0; k < jumps.size(); ++k) {
     const Rational step = c.problem.coupled_friction(k + 1) - c.problem.coupled_friction(k);
     const Real50 t = force_before(c, c.mesh.place(jumps[k]), formula.at);
-    const Real50 term = formula.factor_jump * numeric::to_real<Real50>(step) * t * t;
+    const Real50 term = formula.factor_jump * to_real<Real50>(step) * t * t;
     terms.push_back(formula.modulus ? abs(term) : term);
   }
   return terms;
@@ -91,7 +87,7 @@ CellForces random_forces(Random& random, std::size_t k) {
   CellForces c{steps, problem, random_cells(random, problem, kinds[k % 3], cells), {}};
   Real50 sum = 0;
   for (std::size_t i = 0; i < c.mesh.size(); ++i) {
-    c.q.push_back(numeric::to_real<Real50>(random.between(-1, 1)));
+    c.q.push_back(to_real<Real50>(random.between(-1, 1)));
     sum += c.q.back();
   }
   for (Real50& force : c.q) force -= sum / static_cast<int>(c.mesh.size());

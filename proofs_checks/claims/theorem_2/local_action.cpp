@@ -2,18 +2,13 @@
 
 #include <optional>
 
-#include "numeric/quadrature/tanh_sinh.hpp"
-#include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 #include "symbolic/local/local_action_value.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::Node;
 using numeric::Panel;
-using numeric::PiecewiseDensity;
-using numeric::Real;
 using symbolic::LocalAction;
 using symbolic::WrongSymbol;
 
@@ -25,7 +20,7 @@ struct ActionAt {
 /// Mirrored to the right half, where the density is x^mu log(x)^logs on ]0, 1[.
 template <Real R>
 PiecewiseDensity<R> density_of(const LocalAction& action) {
-  const R mu = numeric::to_real<R>(action.fractional ? Rational(action.lambda + action.order) : Rational(action.order));
+  const R mu = to_real<R>(action.fractional ? Rational(action.lambda + action.order) : Rational(action.order));
   const int logs = action.logs;
   return {{Panel<R>{0, 1, 1}, {mu, R(1 + mu)}, {R(0), R(1)}, [logs](const Node<R>& node) {
              using std::log;
@@ -40,18 +35,18 @@ template <Real R>
 Values principal_values(const LocalAction& action, const Rational& x) {
   const PiecewiseDensity<R> density = density_of<R>(action);
   const bool mirrored = action.side == Side::left;
-  const R y = numeric::to_real<R>(mirrored ? Rational(-x) : x);
+  const R y = to_real<R>(mirrored ? Rational(-x) : x);
   // H anticommutes with the mirror, which takes x^order to (-1)^order of it.
   const int sign = mirrored && action.order % 2 == 0 ? -1 : 1;
   Values values;
   const auto add = [&](const char* name, const R& value) { values.add({name, R(sign * value)}); };
   if (y > 0) {
-    const numeric::PanelPoint<R> at{0, density[0].panel.node_from_left(y)};
-    add("tanh-sinh", numeric::tanh_sinh::hilbert(density, at).value);
-    if (action.logs == 0) add("trapezoidal", numeric::trapezoidal::Grid<R>(density).hilbert(at));
+    const PanelPoint<R> at{0, density[0].panel.node_from_left(y)};
+    add("tanh-sinh", tanh_sinh::hilbert(density, at).value);
+    if (action.logs == 0) add("trapezoidal", trapezoidal::Grid<R>(density).hilbert(at));
   } else {
-    add("tanh-sinh", numeric::tanh_sinh::cauchy(density, Side::left, R(-y)).value);
-    if (action.logs == 0) add("trapezoidal", numeric::trapezoidal::Grid<R>(density).cauchy(Side::left, R(-y)));
+    add("tanh-sinh", tanh_sinh::cauchy(density, Side::left, R(-y)).value);
+    if (action.logs == 0) add("trapezoidal", trapezoidal::Grid<R>(density).cauchy(Side::left, R(-y)));
   }
   return values;
 }
@@ -85,7 +80,7 @@ CaseList<ActionAt> actions(const Context& context) {
 Values said(const ActionAt& c, std::optional<WrongSymbol> wrong = {}) {
   const int digits = static_cast<int>(numeric::Digits::hundred) + 10;
   const symbolic::Decimal decimal = local_action_value(c.action, c.x, digits, wrong);
-  const Number value = numeric::to_real<Number>(decimal.value);
+  const Number value = to_real<Number>(decimal.value);
   Values values{{"tanh-sinh", value}};
   if (c.action.logs == 0) values.add({"trapezoidal", value});
   return values;

@@ -6,10 +6,10 @@ namespace {
 CornerForm at_wedge_and_jump(const SolvedCorner& c) {
   const Rational rear = c.problem.coupled_friction(0);
   const Rational front = c.problem.coupled_friction(1);
-  const Number constant = numeric::to_real<Number>(1 / (front - rear));
-  return {.power = numeric::to_real<Number>(Exponent::angle(rear) - Exponent::angle(front)),
+  const Number constant = to_real<Number>(1 / (front - rear));
+  return {.power = to_real<Number>(Exponent::angle(rear) - Exponent::angle(front)),
           .step = {constant, constant},
-          .cosine = {numeric::cos_pi_alpha<Number>(rear), numeric::cos_pi_alpha<Number>(front)}};
+          .cosine = {cos_pi_alpha<Number>(rear), cos_pi_alpha<Number>(front)}};
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ CaseList<JumpCase> jumps(const Context& context) {
 template <Real R>
 R theta_of(const ContactProblem& problem, const Rational& place) {
   for (const auto& point : solve<R>(problem)->singular_points()) {
-    if (point.x.value == numeric::to_real<R>(place)) return point.intensity.value;
+    if (point.x.value == to_real<R>(place)) return point.intensity.value;
   }
   throw Refutation{{"x = " + to_string(place), "no singular point"}};
 }
@@ -64,7 +64,7 @@ R theta_of(const ContactProblem& problem, const Rational& place) {
 template <Real R>
 Values solved_values(const JumpCase& c) {
   const R theta = theta_of<R>(c.problem, c.place);
-  const R power = jump_power<R>(numeric::to_real<R>(c.s(Side::left)), numeric::to_real<R>(c.s(Side::right))).power;
+  const R power = jump_power<R>(to_real<R>(c.s(Side::left)), to_real<R>(c.s(Side::right))).power;
   Values values{
       {"power", power}, {"unbounded", power < 0}, {"equation", equation_error(c.problem)}, {"theta", theta > 0}};
   if (c.other) values.add({"other theta", relative_difference<R>(theta, theta_of<R>(*c.other, c.place)) > 0.01});
@@ -82,10 +82,10 @@ Values touch(const JumpCase& touching) {
   // The polynomial part of -Y (z-c)^2 at infinity, Y = z^-1 (1 - sum p_j e_j/z + ...).
   R moment = 0;
   for (std::size_t j = 0; j < 3; ++j) moment += form.powers[j].value * form.points()[j];
-  const R place = numeric::to_real<R>(c);
-  numeric::PiecewiseDensity<R> density = form.traction().density();
+  const R place = to_real<R>(c);
+  PiecewiseDensity<R> density = form.traction().density();
   for (std::size_t k = 0; k < 2; ++k) {
-    density[k].smooth = [smooth = density[k].smooth, k](const numeric::Node<R>& node) {
+    density[k].smooth = [smooth = density[k].smooth, k](const Node<R>& node) {
       const R d = k == 0 ? node.from_right : node.from_left;
       return R(smooth(node) * d * d);
     };
@@ -94,8 +94,8 @@ Values touch(const JumpCase& touching) {
   const R t = right(right.panel.node_from_left(asymptotic_distance<R>()));
   const R halfway = right(right.panel.node_from_left(R(right.panel.length / 2)));
   const numeric::SurfaceCheck<R> check(
-      density, {numeric::to_real<R>(problem.coupled_friction(0)), numeric::to_real<R>(problem.coupled_friction(1))},
-      [=](std::size_t, const numeric::Node<R>& node) { return R(-(node.x - moment - 2 * place)); });
+      density, {to_real<R>(problem.coupled_friction(0)), to_real<R>(problem.coupled_friction(1))},
+      [=](std::size_t, const Node<R>& node) { return R(-(node.x - moment - 2 * place)); });
   return {{"touch", check.equation()}, {"vanishes", t / halfway < 1}};
 }
 
@@ -103,7 +103,7 @@ Values touch(const JumpCase& touching) {
 Values predicted(const JumpCase& c, const Rational& gamma = 1) {
   if (c.examined == Examined::touch) return {{"touch", Number(0)}, {"vanishes", true}};
   const Number beta =
-      numeric::to_real<Number>(Exponent::angle(c.s(Side::left) / gamma) - Exponent::angle(c.s(Side::right) / gamma));
+      to_real<Number>(Exponent::angle(c.s(Side::left) / gamma) - Exponent::angle(c.s(Side::right) / gamma));
   if (c.examined == Examined::on_cells) return {{"left cells", beta}, {"right cells", beta}, {"error bar", Number(0)}};
   Values values{{"power", beta}, {"unbounded", c.rises()}, {"equation", Number(0)}, {"theta", true}};
   if (c.other) values.add({"other theta", true});

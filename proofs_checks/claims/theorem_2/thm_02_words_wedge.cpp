@@ -23,7 +23,7 @@ struct CornerCase {
   Rational place() const { return problem.indenter().breaks().front().x; }
   Rational s() const { return problem.coupled_friction(problem.friction().piece(place(), Side::right)); }
   /// D, reduced.
-  Number wedge() const { return numeric::to_real<Number>(wedge_of(problem)); }
+  Number wedge() const { return to_real<Number>(wedge_of(problem)); }
 };
 
 CornerCase wedge(std::string name, ContactProblem problem, std::optional<ContactProblem> other = {}) {
@@ -112,17 +112,15 @@ Claim thm_02_words_wedge() {
       })
       .predicted([](const CornerCase& c) -> Values {
         if (c.examined == Examined::notch) return {{"inside", Number(c.trend > 0 ? 1 : 0)}};
-        const Number s = numeric::to_real<Number>(c.s());
+        const Number s = to_real<Number>(c.s());
         const Number coefficient = c.wedge() / (1 + s * s);
         if (c.examined == Examined::on_cells) return {{"on cells", coefficient}};
         return {{"left", coefficient}, {"right", coefficient}, {"step", Number(s / (1 + s * s))}};
       })
-      .wrong(
-          "a coefficient that grows with the load",
-          scaled({"left", "right"}, [](const CornerCase& c) { return numeric::to_real<Number>(c.problem.load() / 6); }))
+      .wrong("a coefficient that grows with the load",
+             scaled({"left", "right"}, [](const CornerCase& c) { return to_real<Number>(c.problem.load() / 6); }))
       .wrong("1/(1+s^2) missing",
-             scaled({"left", "right", "step"},
-                    [](const CornerCase& c) { return numeric::to_real<Number>(1 + c.s() * c.s()); }))
+             scaled({"left", "right", "step"}, [](const CornerCase& c) { return to_real<Number>(1 + c.s() * c.s()); }))
       .wrong("the logarithm's sign", scaled({"left", "right"}, -1))
       .wrong("1/pi missing", scaled({"left", "right"}, numeric::pi<Number>()))
       .wrong("the step's sign: H(c-x)", scaled({"step"}, -1))

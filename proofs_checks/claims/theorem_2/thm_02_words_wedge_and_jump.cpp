@@ -64,7 +64,7 @@ Values measured(const CornerCase& c) {
   Values values{{"inside", Number(inside ? 1 : 0)}, {"equation", equation_error(c.problem)}};
   if (!inside) return values;
   if (c.rises()) {
-    values.add({"power", jump_power<R>(numeric::to_real<R>(c.rear()), numeric::to_real<R>(c.front())).power});
+    values.add({"power", jump_power<R>(to_real<R>(c.rear()), to_real<R>(c.front())).power});
     return values;
   }
   const R left = limit_beside(*solution, j, Side::left);
@@ -76,8 +76,8 @@ Values measured(const CornerCase& c) {
 }
 
 Values predicted(const CornerCase& c) {
-  const auto beta = numeric::to_real<Number>(Exponent::angle(c.rear()) - Exponent::angle(c.front()));
-  const auto limit = numeric::to_real<Number>(c.wedge() / (c.front() - c.rear()));
+  const auto beta = to_real<Number>(Exponent::angle(c.rear()) - Exponent::angle(c.front()));
+  const auto limit = to_real<Number>(c.wedge() / (c.front() - c.rear()));
   if (c.on_cells && !c.rises()) return {{"cells", limit}};
   if (c.on_cells) return {{"left cells", beta}, {"right cells", beta}, {"error bar", Number(0)}};
   const bool inside = c.rises() || c.wedge() >= 0;
@@ -94,7 +94,7 @@ Values predicted(const CornerCase& c) {
 }
 
 void set_limit(Values& p, const Rational& limit) {
-  const auto value = numeric::to_real<Number>(limit);
+  const auto value = to_real<Number>(limit);
   p.set({{"left limit", value}, {"right limit", value}, {"cells", value}});
 }
 

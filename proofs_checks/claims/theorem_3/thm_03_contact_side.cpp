@@ -57,7 +57,7 @@ CaseList<StepCase> step_cases(const Context& context) {
   return {cases, "4 of a grid, " + std::to_string(count) + " random with seed " + std::to_string(context.seed)};
 }
 
-numeric::Estimate<double> power_at_step_on_cells(const StepCase& c) {
+Estimate<double> power_at_step_on_cells(const StepCase& c) {
   const auto solution = solve_on_cells(c.problem(), 8192);
   for (const auto& place : solution->places()) {
     if (place.kind == SingularKind::step) return power_on_cells(*solution, place, c.contact);
@@ -69,14 +69,14 @@ numeric::Estimate<double> power_at_step_on_cells(const StepCase& c) {
 template <class R>
 struct SolvedStep {
   Solved<R> solution;
-  std::optional<numeric::Estimate<double>> power_on_cells;
+  std::optional<Estimate<double>> power_on_cells;
 };
 
 /// By quadrature of the formula's traction: the surface stays below the other level.
 template <Real R>
 void check_gap(Findings& findings, const PowerForm<R>& form, const StepCase& c) {
-  const numeric::trapezoidal::Grid<R> grid(form.traction().density());
-  const R height = numeric::to_real<R>(StepCase::height() / c.problem().elasticity().compliance());
+  const trapezoidal::Grid<R> grid(form.traction().density());
+  const R height = to_real<R>(StepCase::height() / c.problem().elasticity().compliance());
   for (const R& d : {R(R(1) / 1000), R(R(1) / 10), R(1)}) {
     findings.require(height - grid.displacement(0, opposite(c.contact), d) > 0, "no gap beside the step");
   }
@@ -96,7 +96,7 @@ void check_solved(Findings& findings, const SolvedStep<R>& solved, const PowerFo
     findings.compare("traction", traction_beside(*solved.solution, step, c.contact, d), said(0, node));
   }
   if (!solved.power_on_cells) return;
-  const numeric::Estimate<double>& found = *solved.power_on_cells;
+  const Estimate<double>& found = *solved.power_on_cells;
   findings.compare("error bar", found.error);
   findings.compare("cells", found.value, static_cast<double>(form.powers[c.end_at_step()].value), found.error);
 }
@@ -144,7 +144,7 @@ Claim thm_03_contact_side() {
       .wrong("the printed angle (6), of the friction in front of c, for contact behind c", other_angle_for(Side::left))
       .wrong("the mean of both angles' powers",
              [](PowerProduct& t, const StepCase& c) {
-               t.move_power(c.end_at_step(), numeric::to_real<Number>(contact_angle(c) - other_angle(c)) / 2);
+               t.move_power(c.end_at_step(), to_real<Number>(contact_angle(c) - other_angle(c)) / 2);
              })
       .near_miss("the power at the step",
                  [](PowerProduct& t, const Number& step, const StepCase& c) { t.move_power(c.end_at_step(), step); });

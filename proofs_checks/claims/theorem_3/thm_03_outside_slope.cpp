@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "numeric/quadrature/tanh_sinh.hpp"
-#include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
@@ -34,8 +32,8 @@ CaseList<ContactProblem> punches(const Context& context) {
 
 Outside outside(const ContactProblem& p) {
   const std::size_t last = p.friction().jumps().size();
-  const Number over_pi = numeric::to_real<Number>(p.load()) / numeric::pi<Number>();
-  const auto root = [&](std::size_t k) { return Number(1 / numeric::cos_pi_alpha<Number>(p.coupled_friction(k))); };
+  const Number over_pi = to_real<Number>(p.load()) / numeric::pi<Number>();
+  const auto root = [&](std::size_t k) { return Number(1 / cos_pi_alpha<Number>(p.coupled_friction(k))); };
   return {{-over_pi, -root(0), -(half + alpha(p, 0))}, {over_pi, root(last), -(half - alpha(p, last))}};
 }
 
@@ -45,15 +43,15 @@ void check_end(Findings& findings, const EndSlope& end, Side side, const PowerFo
                const ContactProblem& problem) {
   using std::pow;
   const numeric::PowerTraction<R> traction = form.traction();
-  const numeric::PiecewiseDensity<R> density = traction.density();
-  const numeric::trapezoidal::Grid<R> grid(density);
+  const PiecewiseDensity<R> density = traction.density();
+  const trapezoidal::Grid<R> grid(density);
   const R factor(end.factor);
   for (const Rational& distance : {Rational(1, 1000), Rational(1, 10), Rational(2), Rational(50)}) {
-    const R d = numeric::to_real<R>(distance);
+    const R d = to_real<R>(distance);
     const R expected = factor * traction.weight.modulus_beyond(side, d);
     findings.compare("trapezoidal", grid.cauchy(side, d), expected);
     if (distance != Rational(1, 10)) continue;
-    findings.compare("tanh-sinh", numeric::tanh_sinh::cauchy<R>(density, side, d).value, expected);
+    findings.compare("tanh-sinh", tanh_sinh::cauchy<R>(density, side, d).value, expected);
   }
   const std::size_t last = side == Side::left ? 0 : form.lengths.size() - 1;
   // The estimate's error is the distance over the length to the next singular point.
@@ -62,9 +60,9 @@ void check_end(Findings& findings, const EndSlope& end, Side side, const PowerFo
   R slope = factor * traction.weight.modulus_beyond(side, near);
   if (end.from_inside) {
     const auto at = grid.midpoint_near(last, side == Side::left ? R(1) / 1'000'000 : R(999'999) / 1'000'000);
-    slope = grid.hilbert(at) + numeric::to_real<R>(problem.coupled_friction(last)) * density[last](at.node);
+    slope = grid.hilbert(at) + to_real<R>(problem.coupled_friction(last)) * density[last](at.node);
   }
-  const R power = numeric::to_real<R>(end.power) + R(end.moved);
+  const R power = to_real<R>(end.power) + R(end.moved);
   findings.compare("estimate", R(slope / (theta * pow(near, power))), R(end.coefficient));
 }
 

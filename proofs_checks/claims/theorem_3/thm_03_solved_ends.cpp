@@ -47,9 +47,8 @@ EndSlopes slopes(const SolvedProblem& c) {
   EndSlopes said;
   for (const std::size_t i : {0U, 1U}) {
     const Exponent angle = i == 0 ? -Exponent::angle(c.s(i)) : Exponent::angle(c.s(i));
-    const Number root = 1 / numeric::cos_pi_alpha<Number>(c.s(i));
-    said[i] = {(i == 0) == c.free[i] ? root : Number(-root),
-               numeric::to_real<Number>((c.free[i] ? half : -half) + angle)};
+    const Number root = 1 / cos_pi_alpha<Number>(c.s(i));
+    said[i] = {(i == 0) == c.free[i] ? root : Number(-root), to_real<Number>((c.free[i] ? half : -half) + angle)};
   }
   return said;
 }
@@ -64,7 +63,7 @@ struct SolvedEnds {
 template <Real R>
 SolvedEnds<R> measure(const SolvedProblem& c) {
   const auto solution = solve<R>(c.problem);
-  const numeric::trapezoidal::Grid<R> grid(numeric::traction_density(solution->form()));
+  const trapezoidal::Grid<R> grid(numeric::traction_density(solution->form()));
   const R h = extrapolation_step<R>();
   return {solution, {grid.cauchy(Side::left, h), grid.cauchy(Side::right, h)}};
 }

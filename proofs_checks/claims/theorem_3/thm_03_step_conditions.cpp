@@ -50,7 +50,7 @@ CaseList<EndCase> ends(const Context& context) {
       4, "ends of contact in solved problems");
 }
 
-numeric::Estimate<double> power_at_end_on_cells(const EndCase& c, std::size_t cells) {
+Estimate<double> power_at_end_on_cells(const EndCase& c, std::size_t cells) {
   const auto solution = solve_on_cells(c.problem, cells);
   for (const auto& place : solution->places()) {
     if (!place.is_end() || place.contact != c.contact || place.exact != c.place.has_value()) continue;
@@ -61,7 +61,7 @@ numeric::Estimate<double> power_at_end_on_cells(const EndCase& c, std::size_t ce
 
 /// Of the step, 1 or -1: the side in contact less the side without.
 template <Real R>
-int contact_at(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point) {
+int contact_at(const RiemannHilbertSolution<R>& solution, std::size_t point) {
   return int(in_contact(solution, point, Side::right)) - int(in_contact(solution, point, Side::left));
 }
 
@@ -70,8 +70,7 @@ enum class End { edge, free };
 /// -(1/2+alpha), 1/2-alpha with the contact on the right; mirrored on the left.
 Values powers(End end, Side contact, const ContactProblem& problem) {
   const Exponent alpha = Exponent::angle(problem.coupled_friction(0));
-  const Number power =
-      numeric::to_real<Number>((end == End::edge ? -half : half) + (contact == Side::right ? -alpha : alpha));
+  const Number power = to_real<Number>((end == End::edge ? -half : half) + (contact == Side::right ? -alpha : alpha));
   return {{"power", power}, {"cells", power}};
 }
 
@@ -94,9 +93,9 @@ Claim thm_03_step_conditions() {
         const auto solution = solve<R>(c.problem);
         if (c.place) found.add({"side", Number(contact_at(*solution, point_at(*solution, *c.place)))});
         if (!c.on_cells) return found;
-        const numeric::Estimate<double> on_cells = power_at_end_on_cells(c, context.quick ? 2048 : 8192);
+        const Estimate<double> on_cells = power_at_end_on_cells(c, context.quick ? 2048 : 8192);
         const Power kind = on_cells.value < 0 ? Power::unbounded : Power::vanishing;
-        const R s = numeric::to_real<R>(c.problem.coupled_friction(0));
+        const R s = to_real<R>(c.problem.coupled_friction(0));
         found.add({"power", end_power<R>(c.contact, kind, s)});
         found.add({"cells", Fitted{on_cells.value, on_cells.error}});
         found.add({"error bar", on_cells.error});

@@ -2,7 +2,6 @@
 //
 //   t = L(phi) + L(psi - phi) + L(u - psi) - P t_0,   phi' = psi'(c-) left and psi'(c+) right of c.
 
-#include "numeric/number/polynomial.hpp"
 #include "proofs_checks/instruments/operators/inverse_operator.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
@@ -72,14 +71,14 @@ template <Real R>
 R unit_solution(const Rational& s, const R& from_rear, const R& from_front) {
   using std::pow;
   const Exponent alpha = Exponent::angle(s);
-  return numeric::cos_pi_alpha<R>(s) / numeric::pi<R>() * pow(from_rear, numeric::to_real<R>(-(half + alpha))) *
-         pow(from_front, numeric::to_real<R>(-(half - alpha)));
+  return cos_pi_alpha<R>(s) / numeric::pi<R>() * pow(from_rear, to_real<R>(-(half + alpha))) *
+         pow(from_front, to_real<R>(-(half - alpha)));
 }
 
 template <Real R>
-std::vector<SlopePanel<R>> panels_of(const numeric::RiemannHilbertSolution<R>& solution) {
+std::vector<SlopePanel<R>> panels_of(const RiemannHilbertSolution<R>& solution) {
   const auto& set = solution.form().set();
-  const R unit = numeric::to_real<R>(solution.problem().frame().unit);
+  const R unit = to_real<R>(solution.problem().frame().unit);
   std::vector<SlopePanel<R>> panels;
   R left = -1;
   for (std::size_t k = 0; k < set.segments(); ++k) {
@@ -92,11 +91,11 @@ std::vector<SlopePanel<R>> panels_of(const numeric::RiemannHilbertSolution<R>& s
 
 /// u' - psi' beyond the contact: a power at its end, beside the support's own end where it is smooth.
 template <Real R>
-void set_beyond(SlopePanel<R>& panel, const numeric::RiemannHilbertSolution<R>& solution, std::size_t end, Side side) {
+void set_beyond(SlopePanel<R>& panel, const RiemannHilbertSolution<R>& solution, std::size_t end, Side side) {
   const auto& form = solution.form();
   const numeric::Power<R> power = form.fundamental_solution().powers()[end];
   (side == Side::left ? panel.at_right : panel.at_left) = power;
-  panel.smooth = [&form, end, side, power](const numeric::Node<R>& node) {
+  panel.smooth = [&form, end, side, power](const Node<R>& node) {
     using std::pow;
     const R d = side == Side::left ? node.from_right : node.from_left;
     const auto at = beside(form, end, side, d);
@@ -107,18 +106,16 @@ void set_beyond(SlopePanel<R>& panel, const numeric::RiemannHilbertSolution<R>& 
 }
 
 template <Real R>
-std::vector<Terms<R>> terms_of(const WedgeProblem& w, const numeric::RiemannHilbertSolution<R>& solution) {
+std::vector<Terms<R>> terms_of(const WedgeProblem& w, const RiemannHilbertSolution<R>& solution) {
   const auto& pieces = w.problem.indenter().pieces();
   const std::vector<SlopePanel<R>> empty = panels_of(solution);
   std::vector<SlopePanel<R>> phi = empty, rest = empty, beyond = empty;
   const std::size_t corner = point_at(solution, w.c());
   for (std::size_t k = 0; k < empty.size(); ++k) {
     const Polynomial slope = pieces[k < corner ? 0 : 1].profile.derivative();
-    const R at_corner = numeric::to_real<R>(slope(w.c()));
+    const R at_corner = to_real<R>(slope(w.c()));
     phi[k].smooth = [at_corner](const auto&) { return at_corner; };
-    rest[k].smooth = [slope, at_corner](const numeric::Node<R>& node) {
-      return R(numeric::value_of(slope, node.x) - at_corner);
-    };
+    rest[k].smooth = [slope, at_corner](const Node<R>& node) { return R(value_of(slope, node.x) - at_corner); };
   }
   const std::size_t left = contact_end(solution, Side::left);
   const std::size_t right = contact_end(solution, Side::right);
@@ -132,8 +129,7 @@ std::vector<Terms<R>> terms_of(const WedgeProblem& w, const numeric::RiemannHilb
       const R from_rear = at.node.from_left + (empty[k].left + 1);
       const R t = traction_beside(solution, k, Side::right, at.node.from_left);
       terms.push_back({of_phi.at(at), of_rest.at(at), left > 0 ? of_beyond.at(at) : R(0),
-                       R(numeric::to_real<R>(w.problem.load()) * unit_solution<R>(w.s(), from_rear, R(2 - from_rear))),
-                       t});
+                       R(to_real<R>(w.problem.load()) * unit_solution<R>(w.s(), from_rear, R(2 - from_rear))), t});
     }
   }
   return terms;
@@ -141,15 +137,12 @@ std::vector<Terms<R>> terms_of(const WedgeProblem& w, const numeric::RiemannHilb
 
 /// L(phi) on the whole of [-1, 1] as a Riemann-Hilbert form without load.
 template <Real R>
-AtCorner<R> at_corner(const WedgeProblem& w, const numeric::RiemannHilbertSolution<R>& solution) {
+AtCorner<R> at_corner(const WedgeProblem& w, const RiemannHilbertSolution<R>& solution) {
   using std::abs, std::log;
   const Rational c = w.c();
   const auto linear = [&](std::size_t k) { return Polynomial({-w.slope_at_c(k) * c, w.slope_at_c(k)}); };
-  const auto in_frame = [](const Rational& x) {
-    return numeric::to_real<double>((x - Trial::frame().origin) / Trial::frame().unit);
-  };
   const ContactProblem of_phi = w.problem.with_indenter(Indenter(-1, {{c, linear(0)}, {1, linear(1)}})).with_load(1);
-  const TrialForm<R> trial({"", of_phi, {{in_frame(-1), in_frame(1), true, true}}, {0}, 0});
+  const TrialForm<R> trial({"", of_phi, {{Trial::in_frame(-1), Trial::in_frame(1), true, true}}, {0}, 0});
   const std::size_t j = point_at(solution, c);
   const R d = asymptotic_distance<R>();
   const auto first = [&](Side side, const R& at) {
@@ -182,8 +175,8 @@ void check(Findings& findings, const Decomposition& said, const WedgeProblem& w,
                      max({R(abs(term.phi)), R(abs(term.rest)), R(abs(term.load)), R(abs(term.traction))}));
   }
   if (!found.at_corner) return;
-  const R s = numeric::to_real<R>(w.s());
-  const R coefficient = said.logarithm * numeric::to_real<R>(w.slope_at_c(1) - w.slope_at_c(0)) / (1 + s * s);
+  const R s = to_real<R>(w.s());
+  const R coefficient = said.logarithm * to_real<R>(w.slope_at_c(1) - w.slope_at_c(0)) / (1 + s * s);
   for (const R& logarithm : found.at_corner->logarithm) findings.compare("logarithm", logarithm, coefficient);
   findings.compare("step", found.at_corner->step, R(said.step * s * coefficient));
   findings.compare("others", found.at_corner->others);

@@ -5,8 +5,8 @@ namespace {
 
 CornerForm at_wedge(const SolvedCorner& c) {
   const Rational s = c.problem.coupled_friction(0);
-  const Number over = numeric::to_real<Number>(1 / (1 + s * s));
-  return {.log_factor = over / numeric::pi<Number>(), .step = {0, numeric::to_real<Number>(s) * over}};
+  const Number over = to_real<Number>(1 / (1 + s * s));
+  return {.log_factor = over / numeric::pi<Number>(), .step = {0, to_real<Number>(s) * over}};
 }
 
 }  // namespace
@@ -22,7 +22,7 @@ Claim thm_09_solved_wedge() {
       .wrong("H(c-x) instead of H(x-c)", [](CornerForm& form) { std::swap(form.step[0], form.step[1]); })
       .wrong("1/(1+s^2) missing",
              [](CornerForm& form, const SolvedCorner& c) {
-               const Number s = numeric::to_real<Number>(c.problem.coupled_friction(0));
+               const Number s = to_real<Number>(c.problem.coupled_friction(0));
                form.log_factor *= 1 + s * s;
                form.step[1] *= 1 + s * s;
              })

@@ -26,10 +26,9 @@ std::string text_of(const ForcedEnd& c) {
 
 Trial trial_of(const ForcedEnd& c) {
   const Polynomial profile({0, c.slope, Rational(1, 2), Rational(1, 12)});
-  const auto place = numeric::to_real<double>(-Trial::frame().origin / Trial::frame().unit);
-  const numeric::ContactInterval zone = c.beyond == Side::left
-                                            ? numeric::ContactInterval{place, c.other_end, true, false}
-                                            : numeric::ContactInterval{c.other_end, place, false, true};
+  const double place = Trial::in_frame(0);
+  const ContactInterval zone = c.beyond == Side::left ? ContactInterval{place, c.other_end, true, false}
+                                                      : ContactInterval{c.other_end, place, false, true};
   return {
       text_of(c),
       {Elasticity::reduced(Rational(1, 2)), FrictionProfile({2 * s}), Indenter(-4, {{0, profile}, {4, profile}}), 1},
@@ -42,9 +41,7 @@ Exponent edge_power(const ForcedEnd& c) {
   return c.beyond == Side::left ? -(half + Exponent::angle(s)) : -(half - Exponent::angle(s));
 }
 
-Number gap_over_a(const ForcedEnd& c) {
-  return -1 / (numeric::cos_pi_alpha<Number>(s) * (numeric::to_real<Number>(edge_power(c)) + 1));
-}
+Number gap_over_a(const ForcedEnd& c) { return -1 / (cos_pi_alpha<Number>(s) * (to_real<Number>(edge_power(c)) + 1)); }
 
 }  // namespace
 
@@ -64,16 +61,16 @@ Claim thm_10_proof_exclusion() {
         const auto& form = trial.form();
         std::size_t j = 0;
         while (!(form.set().point(j).anchor && form.problem().place(*form.set().point(j).anchor) == 0)) ++j;
-        const R unit = numeric::to_real<R>(Trial::frame().unit);
+        const R unit = to_real<R>(Trial::frame().unit);
         const R d = asymptotic_distance<R>();
-        const R p = numeric::to_real<R>(edge_power(c));
+        const R p = to_real<R>(edge_power(c));
         const R a = -form.traction(beside(form, j, opposite(c.beyond), R(d * unit))).value / pow(d, p);
         const numeric::GapIntegral<R> beyond(form, j);
         const R gap = beyond.reduced_gap(beside(form, j, c.beyond, R(d * unit))).value / pow(d, R(p + 1));
         // A place where nothing is small.
         const R far = R(1) / 50;
         const auto at = beside(form, j, c.beyond, R(far * unit));
-        const numeric::trapezoidal::Grid<R> grid(traction_density(form));
+        const trapezoidal::Grid<R> grid(traction_density(form));
         const R by_rule = beyond.profile_increment(at) - grid.displacement(0, c.beyond, far);
         return {
             {"gap", R(gap / a)}, {"sign", Number(a > 0 ? 1 : -1)}, {"rule", R(by_rule / beyond.reduced_gap(at).value)}};
@@ -82,9 +79,9 @@ Claim thm_10_proof_exclusion() {
         return {{"gap", gap_over_a(c)}, {"sign", Number(c.sign)}, {"rule", Number(1)}};
       })
       .wrong("the surface below the indenter for a > 0", scaled({"gap"}, -1))
-      .wrong("sqrt(1+s^2) missing", scaled({"gap"}, numeric::cos_pi_alpha<Number>(s)))
+      .wrong("sqrt(1+s^2) missing", scaled({"gap"}, cos_pi_alpha<Number>(s)))
       .wrong("1/(1/2-alpha) missing",
-             [](Values& p, const ForcedEnd& c) { p["gap"] *= numeric::to_real<Number>(edge_power(c)) + 1; })
+             [](Values& p, const ForcedEnd& c) { p["gap"] *= to_real<Number>(edge_power(c)) + 1; })
       .wrong("a of one sign in all cases", [](Values& p) { p["sign"] = 1; })
       .near_misses();
 }

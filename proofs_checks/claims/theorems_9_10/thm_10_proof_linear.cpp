@@ -18,8 +18,8 @@ const Rational k(3, 2);
 
 /// a = -pi k (1 - times alpha).
 Number constant(const FrictionValue& c, int times) {
-  const Number alpha = numeric::to_real<Number>(Exponent::angle(c.s));
-  return -numeric::pi<Number>() * numeric::to_real<Number>(k) * (1 - times * alpha);
+  const Number alpha = to_real<Number>(Exponent::angle(c.s));
+  return -numeric::pi<Number>() * to_real<Number>(k) * (1 - times * alpha);
 }
 
 }  // namespace
@@ -32,29 +32,27 @@ Claim thm_10_proof_linear() {
       .quantities({"formula", "equation"})
       .says([](const FrictionValue& c) {
         const Exponent alpha = Exponent::angle(c.s);
-        return LinearForm{constant(c, 2), numeric::pi<Number>() * numeric::to_real<Number>(k), -(half + alpha),
-                          -(half - alpha)};
+        return LinearForm{constant(c, 2), numeric::pi<Number>() * to_real<Number>(k), -(half + alpha), -(half - alpha)};
       })
       .checked([]<Real R>(Findings& findings, const LinearForm& form, const FrictionValue& c) {
         using std::abs, std::max, std::pow;
-        const R slope = numeric::to_real<R>(k);
+        const R slope = to_real<R>(k);
         const R a(form.a), b(form.b);
-        const R size = numeric::cos_pi_alpha<R>(c.s) / numeric::pi<R>();
+        const R size = cos_pi_alpha<R>(c.s) / numeric::pi<R>();
         const auto slope_at = [slope](const auto&...) { return slope; };
         const InverseOperator<R> inverse(c.s, {{R(-1), R(2), {R(0), R(1)}, {R(0), R(1)}, slope_at}});
         for (const int percent : {30, 2}) {
           const auto at = inverse.point(0, R(percent) / 100);
           const R& d = at.node.from_left;
-          const R unit =
-              size * pow(d, numeric::to_real<R>(form.rear)) * pow(at.node.from_right, numeric::to_real<R>(form.front));
+          const R unit = size * pow(d, to_real<R>(form.rear)) * pow(at.node.from_right, to_real<R>(form.front));
           const R found = inverse.at(at);
           findings.compare("formula", found, R((a + b * d) * unit), max(R(abs(found)), R(abs(b) * unit / 100)));
         }
-        const numeric::PanelDensity<R> panel{{R(-1), R(1), R(2)},
-                                             numeric::Power<R>::of(form.rear),
-                                             numeric::Power<R>::of(form.front),
-                                             [=](const auto& node) { return R(size * (a + b * node.from_left)); }};
-        const numeric::SurfaceCheck<R> check({panel}, {numeric::to_real<R>(c.s)}, slope_at);
+        const PanelDensity<R> panel{{R(-1), R(1), R(2)},
+                                    numeric::Power<R>::of(form.rear),
+                                    numeric::Power<R>::of(form.front),
+                                    [=](const auto& node) { return R(size * (a + b * node.from_left)); }};
+        const numeric::SurfaceCheck<R> check({panel}, {to_real<R>(c.s)}, slope_at);
         findings.compare("equation", static_cast<double>(check.equation()));
       })
       .wrong("the sign of a", [](LinearForm& form) { form.a = -form.a; })

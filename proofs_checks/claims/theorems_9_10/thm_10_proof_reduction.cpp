@@ -41,8 +41,8 @@ ReductionFacts<R> measure(const ContactProblem& problem) {
   if (zones.size() != 2) throw Refutation{{"two bumps", "not two contact zones"}};
   const R between = zones[1].gap;
   zones[1].gap = 0;
-  const numeric::trapezoidal::Grid<R> first({zones[0]});
-  const numeric::trapezoidal::Grid<R> second({zones[1]});
+  const trapezoidal::Grid<R> first({zones[0]});
+  const trapezoidal::Grid<R> second({zones[1]});
   const std::size_t segment = segments_of(form).back();
   const numeric::SlidingOperator<R> A(second, {friction_of(form).back()});
   ReductionFacts<R> facts{{}, form.problem().load(), first.integral(), second.integral(), 0};
@@ -50,13 +50,13 @@ ReductionFacts<R> measure(const ContactProblem& problem) {
     const auto at = second.midpoint_near(0, R(percent) / 100);
     const R distance = between + at.node.from_left;
     auto squared = zones[0];
-    squared.smooth = [smooth = squared.smooth, distance](const numeric::Node<R>& node) {
+    squared.smooth = [smooth = squared.smooth, distance](const Node<R>& node) {
       const R d = distance + node.from_right;
       return R(smooth(node) / (d * d));
     };
     facts.points.push_back({A.at(at), form.problem().slope(form.slope_at(segment), at.node.x),
                             first.cauchy(Side::right, distance),
-                            R(numeric::trapezoidal::Grid<R>({squared}).integral() / numeric::pi<R>())});
+                            R(trapezoidal::Grid<R>({squared}).integral() / numeric::pi<R>())});
   }
   std::vector<R> values;
   const R h = extrapolation_step<R>();

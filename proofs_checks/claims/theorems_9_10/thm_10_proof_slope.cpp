@@ -1,30 +1,26 @@
-#include "numeric/quadrature/tanh_sinh.hpp"
-#include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/instruments/tractions/friction_values.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::Real;
-
 const Rational near(1, 1000);
 const Rational far(1, 20);
 
 /// t = y^p on ]0, 1[, p = -(1/2+alpha).
 template <Real R>
-numeric::PiecewiseDensity<R> power_density(const Rational& s) {
+PiecewiseDensity<R> power_density(const Rational& s) {
   return {{{R(0), R(1), R(1)}, numeric::Power<R>::of(-(half + Exponent::angle(s))), {R(0), R(1)}, [](const auto&) {
              return R(1);
            }}};
 }
 
-Number sine(const Rational& s) { return 1 / sqrt(Number(1 + numeric::to_real<Number>(s * s))); }
+Number sine(const Rational& s) { return 1 / sqrt(Number(1 + to_real<Number>(s * s))); }
 
 /// d^p/sine less the power series that ]1, oo[ leaves.
 Number slope_beyond(const Rational& s, const Rational& distance, const Number& sine) {
-  const Number p = -numeric::to_real<Number>(half + Exponent::angle(s));
-  const Number d = numeric::to_real<Number>(distance);
+  const Number p = -to_real<Number>(half + Exponent::angle(s));
+  const Number d = to_real<Number>(distance);
   Number series = 0;
   Number term = 1;
   for (int k = 0; abs(term) > numeric::epsilon<Number>() / 100; ++k, term *= -d) series += term / (k - p);
@@ -58,13 +54,13 @@ Claim thm_10_proof_slope() {
       .quantities({"near", "far", "far by tanh-sinh"})
       .measured([]<Real R>(const FrictionValue& c) -> Values {
         using std::sin;
-        const numeric::PiecewiseDensity<R> power = power_density<R>(c.s);
-        const numeric::trapezoidal::Grid<R> grid(power);
-        const R d = numeric::to_real<R>(far);
-        return {{"sine", R(sin(R(numeric::pi<R>() * numeric::to_real<R>(half + Exponent::angle(c.s)))))},
-                {"near", grid.cauchy(Side::left, numeric::to_real<R>(near))},
+        const PiecewiseDensity<R> power = power_density<R>(c.s);
+        const trapezoidal::Grid<R> grid(power);
+        const R d = to_real<R>(far);
+        return {{"sine", R(sin(R(numeric::pi<R>() * to_real<R>(half + Exponent::angle(c.s)))))},
+                {"near", grid.cauchy(Side::left, to_real<R>(near))},
                 {"far", grid.cauchy(Side::left, d)},
-                {"far by tanh-sinh", numeric::tanh_sinh::cauchy<R>(power, Side::left, d).value},
+                {"far by tanh-sinh", tanh_sinh::cauchy<R>(power, Side::left, d).value},
                 {"tangent", tangent_of_twice_the_angle(c.s / 5)}};
       })
       .predicted([](const FrictionValue& c) { return values_with(c.s, sine(c.s)); })
@@ -76,7 +72,7 @@ Claim thm_10_proof_slope() {
              })
       .wrong("the sine of pi alpha",
              [](Values& p, const FrictionValue& c) {
-               if (has_friction(c)) p = values_with(c.s, numeric::to_real<Number>(c.s) * sine(c.s));
+               if (has_friction(c)) p = values_with(c.s, to_real<Number>(c.s) * sine(c.s));
              })
       .near_misses();
 }

@@ -1,12 +1,8 @@
-#include "numeric/quadrature/tanh_sinh.hpp"
-#include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/instruments/tractions/friction_values.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
-
-using numeric::Real;
 
 /// (1+x')^{1+b} = (constant + slope x) (1+x')^b + last (x'-x) (1+x')^{b + last_power}.
 struct Splitting {
@@ -19,12 +15,12 @@ struct Splitting {
 
 /// (1+x')^{b + extra} eta(x') with b = 1/2+alpha, eta = (1-x')^{1/2-alpha}/(3+x').
 template <Real R>
-numeric::PiecewiseDensity<R> density(const Rational& s, int extra) {
+PiecewiseDensity<R> density(const Rational& s, int extra) {
   const Exponent alpha = Exponent::angle(s);
   return {{{R(-1), R(1), R(2)},
            numeric::Power<R>::of(half + alpha + Exponent(extra)),
            numeric::Power<R>::of(half - alpha),
-           [](const numeric::Node<R>& node) { return R(1 / (3 + node.x)); }}};
+           [](const Node<R>& node) { return R(1 / (3 + node.x)); }}};
 }
 
 /// Of first degree in x and in x': four corners of a rectangle decide it.
@@ -47,14 +43,13 @@ Claim thm_10_proof_splitting() {
       .checked([]<Real R>(Findings& findings, const Splitting& form, const FrictionValue& c) {
         using std::abs;
         decide_powers(findings, form);
-        const numeric::trapezoidal::Grid<R> grid(density<R>(c.s, 0));
+        const trapezoidal::Grid<R> grid(density<R>(c.s, 0));
         const auto at = grid.midpoint_near(0, R(3) / 10);
-        const R left = numeric::tanh_sinh::hilbert<R>(density<R>(c.s, 1), at).value;
-        const R before =
-            numeric::to_real<R>(form.constant - form.slope) + numeric::to_real<R>(form.slope) * at.node.from_left;
+        const R left = tanh_sinh::hilbert<R>(density<R>(c.s, 1), at).value;
+        const R before = to_real<R>(form.constant - form.slope) + to_real<R>(form.slope) * at.node.from_left;
         const R second = before * R(form.integral) * grid.hilbert(at);
-        const R last = numeric::to_real<R>(form.last) / numeric::pi<R>() *
-                       numeric::trapezoidal::Grid<R>(density<R>(c.s, form.last_power)).integral();
+        const R last = to_real<R>(form.last) / numeric::pi<R>() *
+                       trapezoidal::Grid<R>(density<R>(c.s, form.last_power)).integral();
         findings.compare("integral", left, R(second + last), abs(second));
       })
       .wrong("the last term's sign", [](Splitting& form) { form.last = -1; })

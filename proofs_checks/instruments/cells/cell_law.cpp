@@ -41,11 +41,11 @@ double largest_point_value(const Eigen::MatrixXd& form, const Eigen::VectorXd& w
   return zero_mean ? value - mean * mean / solved.col(1).sum() : value;
 }
 
-double largest_point_value(const numeric::variational::CellMesh& mesh, double c) {
+double largest_point_value(const CellMesh& mesh, double c) {
   return largest_point_value(symmetric_part(mesh, operator_of({{0, 0}, {0}}, mesh), false), weights_of(mesh, c), true);
 }
 
-double smallest_eigenvalue(const CellFrictionSteps& steps, const numeric::variational::CellMesh& mesh) {
+double smallest_eigenvalue(const CellFrictionSteps& steps, const CellMesh& mesh) {
   return eigenvalues(on_zero_mean(symmetric_part(mesh, operator_of(steps, mesh), true)))(0);
 }
 

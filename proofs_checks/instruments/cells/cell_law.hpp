@@ -18,9 +18,9 @@ namespace steadyslide::proofs_checks {
 double largest_point_value(const Eigen::MatrixXd& form, const Eigen::VectorXd& weights, bool zero_mean);
 
 /// sup T(c)^2/E, c a place in the mesh.
-double largest_point_value(const numeric::variational::CellMesh& mesh, double c);
+double largest_point_value(const CellMesh& mesh, double c);
 /// Of the operator's symmetric part on zero mean.
-double smallest_eigenvalue(const CellFrictionSteps& steps, const numeric::variational::CellMesh& mesh);
+double smallest_eigenvalue(const CellFrictionSteps& steps, const CellMesh& mesh);
 /// Has the smallest eigenvalue on these cells the sign that a law foretells?
 void check_sign(Findings& findings, double smallest_eigenvalue, bool definite, const std::string& where);
 

@@ -9,9 +9,6 @@
 
 namespace steadyslide::proofs_checks {
 
-using numeric::variational::CellMesh;
-using numeric::variational::GalerkinOperator;
-
 CellFrictionSteps random_steps(Random& random, Trend trend, const Rational& largest, std::size_t most_jumps) {
   CellFrictionSteps steps;
   const std::size_t jumps = 1 + random.below(most_jumps);
@@ -63,7 +60,7 @@ CellMesh random_cells(Random& random, const ContactProblem& problem, Cells cells
       for (std::size_t i = 0; i < count; ++i) {
         const Rational turn = i % 2 == 0 ? Rational(1) : Rational(1, 20);
         const Rational length = cells == Cells::unequal ? random.between(Rational(1, 20), 1) : turn;
-        edges.push_back(edges.back() + numeric::to_real<double>(length));
+        edges.push_back(edges.back() + to_real<double>(length));
       }
       const double length = edges.back();
       for (double& edge : edges) edge = edge / length - 0.5;
@@ -74,7 +71,7 @@ CellMesh random_cells(Random& random, const ContactProblem& problem, Cells cells
       const std::vector<Rational>& jumps = problem.friction().jumps();
       const Rational c = jumps[random.below(jumps.size())];
       const double smallest = std::pow(10.0, -3.0 - static_cast<double>(random.below(5)));
-      const double left = numeric::to_real<double>((-1 - c) / 2);
+      const double left = to_real<double>((-1 - c) / 2);
       return {problem, c, numeric::variational::graded_edges(left, left + 1, smallest, 3, 0.2)};
     }
     default: return {problem, count};

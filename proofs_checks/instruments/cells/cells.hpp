@@ -6,9 +6,16 @@
 #include <string>
 
 #include "numeric/variational/discrete_problem.hpp"
+#include "proofs_checks/kit/numbers.hpp"
 #include "proofs_checks/kit/random.hpp"
 
 namespace steadyslide::proofs_checks {
+
+using numeric::variational::CellMesh;
+using numeric::variational::CellSet;
+using numeric::variational::DiscreteProblem;
+using numeric::variational::DiscreteState;
+using numeric::variational::GalerkinOperator;
 
 /// s on its pieces, left to right; all of one sign, as one direction of sliding has it.
 struct CellFrictionSteps {
@@ -31,12 +38,11 @@ Polynomial random_profile(Random& random, bool convex);
 enum class Cells { equal, unequal, alternating, graded };
 /// `unequal`: lengths in ratios up to 1:20. `alternating`: long and short by turns, 20:1. `graded`: towards a friction
 /// jump, down to 1e-7; `count` is not looked at.
-numeric::variational::CellMesh random_cells(Random& random, const ContactProblem& problem, Cells cells,
-                                            std::size_t count);
+CellMesh random_cells(Random& random, const ContactProblem& problem, Cells cells, std::size_t count);
 
 struct ProblemOnCells {
   ContactProblem problem;
-  numeric::variational::CellMesh mesh;
+  CellMesh mesh;
 };
 /// 16 to 39 cells, by k's remainder equal, unequal or graded; 0 <= |s| <= largest, a profile with one well for even k.
 /// One in four may tilt, or none.
@@ -45,19 +51,16 @@ ProblemOnCells random_problem_on_cells(Random& random, std::size_t k, Trend tren
 std::string text_of(const ProblemOnCells& on_cells);
 
 /// Without load and profile.
-numeric::variational::GalerkinOperator operator_of(const CellFrictionSteps& steps,
-                                                   const numeric::variational::CellMesh& mesh);
+GalerkinOperator operator_of(const CellFrictionSteps& steps, const CellMesh& mesh);
 
 /// The symmetric part of B as a form of forces q_i = t_i h_i: (B_ij/h_j + B_ji/h_i)/2; `slip`: with friction.
-Eigen::MatrixXd symmetric_part(const numeric::variational::CellMesh& mesh,
-                               const numeric::variational::GalerkinOperator& b, bool slip);
+Eigen::MatrixXd symmetric_part(const CellMesh& mesh, const GalerkinOperator& b, bool slip);
 /// B_ij/h_j: the gap in cell i of a unit force on cell j.
-Eigen::MatrixXd gap_of_forces(const numeric::variational::GalerkinOperator& b,
-                              const numeric::variational::CellMesh& mesh);
+Eigen::MatrixXd gap_of_forces(const GalerkinOperator& b, const CellMesh& mesh);
 /// A form of forces as one of T at the cells' inner ends, q_i = T_{i+1} - T_i: on tractions of zero mean.
 Eigen::MatrixXd on_zero_mean(const Eigen::MatrixXd& form);
 /// The values T(c) = weights . q takes: 1 for cells left of c, the part that is left of c for its own.
-Eigen::VectorXd weights_of(const numeric::variational::CellMesh& mesh, double c);
+Eigen::VectorXd weights_of(const CellMesh& mesh, double c);
 
 std::string text_of(const CellFrictionSteps& steps);
 

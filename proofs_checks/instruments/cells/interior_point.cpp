@@ -8,9 +8,6 @@
 namespace steadyslide::proofs_checks {
 
 using numeric::variational::ActiveSetResult;
-using numeric::variational::CellSet;
-using numeric::variational::DiscreteProblem;
-using numeric::variational::DiscreteState;
 
 namespace {
 
@@ -76,7 +73,7 @@ std::vector<DiscreteState> solutions_from(const DiscreteProblem& problem, const 
 
 ProblemOnCells problem_with_three_solutions() {
   const ContactProblem problem = cell_problem({{5, 0}, {0}}, Polynomial({0, 0, 1}), Rational(1, 2));
-  return {problem, numeric::variational::CellMesh(problem, 8)};
+  return {problem, CellMesh(problem, 8)};
 }
 
 std::vector<CellSet> all_contact_sets(std::size_t cells) {

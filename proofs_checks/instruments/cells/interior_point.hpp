@@ -25,19 +25,17 @@ std::optional<ComplementaryPair> by_interior_points(const Eigen::MatrixXd& m, co
                                                     std::optional<double> total);
 
 /// The solutions that active sets find from these sets, where they do.
-std::vector<numeric::variational::DiscreteState> solutions_from(
-    const numeric::variational::DiscreteProblem& problem, const std::vector<numeric::variational::CellSet>& starts);
+std::vector<DiscreteState> solutions_from(const DiscreteProblem& problem, const std::vector<CellSet>& starts);
 
 /// s falls by 5 under a parabola on eight cells: complementary are the contacts of the first cell, of the first and the
 /// fifth, and of these and the fourth. To be solved from every contact set.
 ProblemOnCells problem_with_three_solutions();
-std::vector<numeric::variational::CellSet> all_contact_sets(std::size_t cells);
+std::vector<CellSet> all_contact_sets(std::size_t cells);
 
 /// p_i h_i.
-Eigen::VectorXd forces_of(const numeric::variational::DiscreteProblem& problem,
-                          const numeric::variational::DiscreteState& state);
+Eigen::VectorXd forces_of(const DiscreteProblem& problem, const DiscreteState& state);
 /// Those of the solution, the attitude given. Nothing where the path is lost.
-std::optional<Eigen::VectorXd> forces_by_interior_points(const numeric::variational::DiscreteProblem& problem);
+std::optional<Eigen::VectorXd> forces_by_interior_points(const DiscreteProblem& problem);
 /// The largest difference, over the largest force.
 double difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 

@@ -20,8 +20,11 @@
 #include <span>
 
 #include "numeric/variational/variational_solution.hpp"
+#include "proofs_checks/kit/numbers.hpp"
 
 namespace steadyslide::proofs_checks {
+
+using numeric::VariationalSolution;
 
 struct ConvergenceCase {
   std::string name;  ///< "jump-up"
@@ -37,9 +40,9 @@ std::vector<ConvergenceCase> convergence_cases();
 ContactProblem with_friction_reversed(const ContactProblem& problem);
 
 /// lambda + lambda* + 2 at one place of the contact.
-double local_rate(const ContactProblem& problem, const numeric::VariationalSolution::Place& place);
+double local_rate(const ContactProblem& problem, const VariationalSolution::Place& place);
 
 /// The smallest of them.
-double expected_rate(const ContactProblem& problem, std::span<const numeric::VariationalSolution::Place> places);
+double expected_rate(const ContactProblem& problem, std::span<const VariationalSolution::Place> places);
 
 }  // namespace steadyslide::proofs_checks

@@ -15,7 +15,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::VariationalSolution;
 using Place = VariationalSolution::Place;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -59,7 +58,7 @@ std::shared_ptr<const VariationalSolution> on_cells(const ContactProblem& proble
 
 OnMesh on_mesh(const ContactProblem& problem, const VariationalSolution& solution, std::size_t cells) {
   OnMesh result{cells, solution.cell_length(), {{}, resultants_of(problem, solution), {}}};
-  const double middle = numeric::to_real<double>((problem.indenter().left() + problem.indenter().right()) / 2);
+  const double middle = to_real<double>((problem.indenter().left() + problem.indenter().right()) / 2);
   for (const Place& place : solution.places()) {
     if (place.is_end()) result.solved.ends.push_back({middle + place.x, place.exact});
   }
@@ -79,7 +78,7 @@ std::vector<ReadExponent> read_exponents(const ContactProblem& problem, const Va
                                          StudyPlan::Exponents which) {
   std::vector<ReadExponent> result;
   if (which == StudyPlan::Exponents::none) return result;
-  const double middle = numeric::to_real<double>((problem.indenter().left() + problem.indenter().right()) / 2);
+  const double middle = to_real<double>((problem.indenter().left() + problem.indenter().right()) / 2);
   std::set<SingularKind> kinds;
   for (const Place& place : solution.places()) {
     if (!place.exponent || place.exponent->sign() == 0) continue;

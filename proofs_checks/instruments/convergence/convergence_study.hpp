@@ -48,7 +48,7 @@ struct MeshLevel {
 struct ReadExponent {
   double x;
   Side side;
-  numeric::Estimate<double> found;
+  Estimate<double> found;
   Exponent derived;
   Exponent reversed;  ///< of the friction sliding the other way
 };

@@ -97,8 +97,8 @@ std::string exponents_table(const ConvergenceStudy& study) {
   std::string result = head({"x", "side", "read", "error bar", "derived", "with the other sign of α"});
   for (const ReadExponent& read : study.exponents) {
     result += line({text("%.4f", read.x), read.side == Side::left ? "left" : "right", text("%.5f", read.found.value),
-                    text("%.0e", read.found.error), text("%.5f", numeric::to_real<double>(read.derived)),
-                    text("%.5f", numeric::to_real<double>(read.reversed))});
+                    text("%.0e", read.found.error), text("%.5f", to_real<double>(read.derived)),
+                    text("%.5f", to_real<double>(read.reversed))});
   }
   return result;
 }

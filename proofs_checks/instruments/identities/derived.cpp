@@ -1,7 +1,9 @@
 #include "proofs_checks/instruments/identities/derived.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <stdexcept>
 
@@ -32,18 +34,6 @@ std::string text_of(const symbolic::ExactIdentity& identity) {
   return identity.statement + ", where " + conditions;
 }
 
-/// Those with these ids. Throws std::logic_error if one is missing.
-Statements statements(const std::vector<std::string>& ids) {
-  Statements chosen;
-  for (const symbolic::DecidedStatement& s : symbolic::elasticity_statements()) {
-    for (const std::string& id : ids) {
-      if (s.id == id) chosen.push_back(s);
-    }
-  }
-  if (chosen.size() != ids.size()) throw std::logic_error("a symbolic statement has no such id");
-  return chosen;
-}
-
 /// A counterexample among the identities, or all of them as one piece of evidence that covers the claim.
 Evidence weigh_identities(const std::vector<symbolic::ExactIdentity>& identities, std::string detail) {
   ExactIdentity evidence{std::move(detail), {}, ExactIdentity::Covers::claim};
@@ -67,27 +57,29 @@ std::vector<symbolic::ExactIdentity> right_identities(const Statements& chosen) 
 
 /// All that stand where this one does. Deciding takes seconds: it is done when a claim is first examined, and once.
 const Statements& decided_with(const std::string& id) {
-  if (id.starts_with("rh-")) {
-    static const Statements riemann_hilbert = symbolic::riemann_hilbert_statements();
-    return riemann_hilbert;
-  }
-  if (id.starts_with("energy-")) {
-    static const Statements energies = symbolic::energy_statements();
-    return energies;
-  }
-  static const Statements local_forms = symbolic::local_form_statements();
-  return local_forms;
+  using Source = std::pair<std::string_view, Statements (*)()>;
+  static constexpr std::array<Source, 4> sources{{{"rh-", symbolic::riemann_hilbert_statements},
+                                                  {"energy-", symbolic::energy_statements},
+                                                  {"theorem-", symbolic::local_form_statements},
+                                                  {"", symbolic::elasticity_statements}}};
+  static std::map<std::string_view, Statements> decided;
+  const auto& [start, decide] =
+      *std::ranges::find_if(sources, [&](const Source& s) { return id.starts_with(s.first); });
+  Statements& all = decided[start];
+  if (all.empty()) all = decide();
+  return all;
 }
 
-Statements chosen(const Family& family) {
+/// Those with these ids; one that ends in a dash names all that begin like it. Throws std::logic_error if one is missing.
+Statements statements(const std::vector<std::string>& ids) {
   Statements result;
-  for (const symbolic::DecidedStatement& statement : decided_with(family.ids.front())) {
+  for (const symbolic::DecidedStatement& statement : decided_with(ids.front())) {
     const auto names = [&](const std::string& id) {
       return id.ends_with('-') ? statement.id.starts_with(id) : statement.id == id;
     };
-    if (std::ranges::any_of(family.ids, names)) result.push_back(statement);
+    if (std::ranges::any_of(ids, names)) result.push_back(statement);
   }
-  if (result.empty()) throw std::logic_error("no statement is named " + family.ids.front());
+  if (result.size() < ids.size()) throw std::logic_error("a symbolic statement is missing beside " + ids.front());
   return result;
 }
 
@@ -103,9 +95,9 @@ void require_all_named(const Statements& statements, const Family& family) {
 Evidence examine_right(const std::vector<Family>& families) {
   std::vector<symbolic::ExactIdentity> identities;
   for (const Family& family : families) {
-    const Statements statements = chosen(family);
-    require_all_named(statements, family);
-    std::ranges::move(right_identities(statements), std::back_inserter(identities));
+    const Statements found = statements(family.ids);
+    require_all_named(found, family);
+    std::ranges::move(right_identities(found), std::back_inserter(identities));
   }
   return weigh_identities(identities,
                           "decided for frictions s that are symbols, as equations between rational functions of s, r = "
@@ -115,7 +107,7 @@ Evidence examine_right(const std::vector<Family>& families) {
 /// Refuted only if it is refuted of every statement that has it.
 Evidence examine_wrong(const Family& family, const std::string& variant) {
   std::optional<Counterexample> example;
-  for (const symbolic::DecidedStatement& statement : chosen(family)) {
+  for (const symbolic::DecidedStatement& statement : statements(family.ids)) {
     const auto control = std::ranges::find(statement.controls, variant, &symbolic::ExactIdentity::statement);
     if (control == statement.controls.end()) continue;
     if (control->identical) return ExactIdentity{"not refuted: " + variant, {statement.identity.statement}, {}};
@@ -138,9 +130,7 @@ Claim derived(std::string_view id) {
                                 }});
     }
   }
-  claim.examine = [families = claim.decided](const Context&) {
-    return std::vector<Evidence>{examine_right(families)};
-  };
+  claim.examine = [families = claim.decided](const Context&) { return std::vector<Evidence>{examine_right(families)}; };
   return claim;
 }
 

@@ -18,8 +18,8 @@ CaseList<PoissonRatio> all_ratios(const Context& context) {
 
 /// One of the ends of the interval, for what lies next to it.
 void add_end(Values& values, Where where, const Rational& at_minus_one, const Rational& at_one_half) {
-  if (where == Where::next_to_minus_one) values.add({"supremum", numeric::to_real<Number>(at_minus_one)});
-  if (where == Where::next_to_one_half) values.add({"infimum", numeric::to_real<Number>(at_one_half)});
+  if (where == Where::next_to_minus_one) values.add({"supremum", to_real<Number>(at_minus_one)});
+  if (where == Where::next_to_one_half) values.add({"infimum", to_real<Number>(at_one_half)});
 }
 
 }  // namespace
@@ -67,8 +67,8 @@ std::function<void(Values&, const PoissonRatio&)> with_gamma(GammaFormula gamma)
 
 std::function<void(Values&, const PoissonRatio&)> with_range(const Rational& infimum, const Rational& supremum) {
   return [infimum, supremum](Values& p, const PoissonRatio& c) {
-    if (c.where == Where::next_to_minus_one) p["supremum"] = numeric::to_real<Number>(supremum);
-    if (c.where == Where::next_to_one_half) p["infimum"] = numeric::to_real<Number>(infimum);
+    if (c.where == Where::next_to_minus_one) p["supremum"] = to_real<Number>(supremum);
+    if (c.where == Where::next_to_one_half) p["infimum"] = to_real<Number>(infimum);
   };
 }
 

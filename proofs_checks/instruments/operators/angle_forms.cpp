@@ -6,7 +6,6 @@ namespace steadyslide::proofs_checks {
 namespace {
 
 using numeric::JacobiRule;
-using numeric::Real;
 
 constexpr std::size_t count = highest_angle + 1;
 
@@ -19,9 +18,9 @@ std::vector<R> cosines(const R& cosine) {
 }
 
 template <class R>
-constexpr int gauss_nodes = std::same_as<R, double>            ? 24
-                            : std::same_as<R, numeric::Real50> ? 44
-                                                               : 80;
+constexpr int gauss_nodes = std::same_as<R, double>   ? 24
+                            : std::same_as<R, Real50> ? 44
+                                                      : 80;
 
 }  // namespace
 
@@ -94,8 +93,8 @@ const FormMatrix<R>& sign_form_by_quadrature() {
   template FormMatrix<R> log_form_by_quadrature(const R&); \
   template const FormMatrix<R>& sign_form_by_quadrature();
 STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(numeric::Real50)
-STEADYSLIDE_INSTANTIATE(numeric::Real100)
+STEADYSLIDE_INSTANTIATE(Real50)
+STEADYSLIDE_INSTANTIATE(Real100)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

@@ -12,7 +12,7 @@
 
 #include <vector>
 
-#include "numeric/number/real.hpp"
+#include "proofs_checks/kit/numbers.hpp"
 
 namespace steadyslide::proofs_checks {
 

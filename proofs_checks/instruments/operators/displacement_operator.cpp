@@ -1,15 +1,9 @@
 #include "proofs_checks/instruments/operators/displacement_operator.hpp"
 
-#include "numeric/quadrature/trapezoidal.hpp"
-
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::Node;
 using numeric::Power;
-using numeric::Real;
-using numeric::Real100;
-using numeric::Real50;
 
 /// a - b from the end that is nearer.
 template <Real R>
@@ -42,7 +36,7 @@ void DisplacementOperator<R>::place_nodes(const Rational& s, int n) {
   const auto rule = numeric::jacobi_rule<R>(Power<R>::of(-(half + angle)), Power<R>::of(-(half - angle)), n);
   nodes_ = nodes_of(rule);
   // The powers of t_0 sum to -1: an interval twice as long has the same integral.
-  const R amplitude = numeric::cos_pi_alpha<R>(s) / numeric::pi<R>();
+  const R amplitude = cos_pi_alpha<R>(s) / numeric::pi<R>();
   for (const R& weight : rule.weights) tau_.push_back(amplitude * weight);
 }
 
@@ -82,14 +76,14 @@ DisplacementOperator<R>::DisplacementOperator(const Rational& s, int n, const In
   const Exponent angle = Exponent::angle(told);
   const auto left = Power<R>::of(variant.printed ? half : half + angle);
   const auto right = Power<R>::of(half - angle);
-  const R cosine = numeric::cos_pi_alpha<R>(s);
+  const R cosine = cos_pi_alpha<R>(s);
   const R factor = variant.amplitude ? cosine : R(cosine * cosine);
 
   const auto w_rule = numeric::jacobi_rule<R>(left, right, std::max(n - 1, 1));
   const std::vector<Node<R>> y = nodes_of(w_rule);
   const R stretch = pow(R(2), R(left.value + right.value + 1));
   const numeric::Panel<R> whole{R(-1), R(1), R(2)};
-  const numeric::trapezoidal::Grid<R> w({{whole, left, right, [](const Node<R>&) { return R(1); }}});
+  const trapezoidal::Grid<R> w({{whole, left, right, [](const Node<R>&) { return R(1); }}});
 
   const std::vector<R> barycentric = barycentric_weights();
   const std::vector<R> slope = derivatives(barycentric);
@@ -119,13 +113,12 @@ DisplacementOperator<R>::DisplacementOperator(const Rational& s, int n, const In
         sum += w_rule.weights[k] * (slope_at_y[k * count + j] - here) / apart(y[k], nodes_[i]);
       }
       const R integral = stretch * sum / numeric::pi<R>() + here * kernel;
-      force_[i * count + j] = factor * (numeric::to_real<R>(told) * here + variant.integral * integral / at_node);
+      force_[i * count + j] = factor * (to_real<R>(told) * here + variant.integral * integral / at_node);
     }
     // L(u)/t_0 times the weight: the true W, whatever (10) is said to have.
     const Exponent true_angle = Exponent::angle(s);
-    const R scale = tau_[i] * numeric::pi<R>() / cosine *
-                    pow(nodes_[i].from_left, numeric::to_real<R>(half + true_angle)) *
-                    pow(nodes_[i].from_right, numeric::to_real<R>(half - true_angle));
+    const R scale = tau_[i] * numeric::pi<R>() / cosine * pow(nodes_[i].from_left, to_real<R>(half + true_angle)) *
+                    pow(nodes_[i].from_right, to_real<R>(half - true_angle));
     for (std::size_t j = 0; j < count; ++j) force_[i * count + j] *= scale;
   }
 }

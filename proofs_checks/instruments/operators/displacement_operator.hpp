@@ -11,8 +11,8 @@
 
 #include <vector>
 
-#include "numeric/number/node.hpp"
 #include "numeric/quadrature/jacobi_rule.hpp"
+#include "proofs_checks/kit/numbers.hpp"
 
 namespace steadyslide::proofs_checks {
 
@@ -34,7 +34,7 @@ class DisplacementOperator {
 
   std::size_t size() const { return tau_.size(); }
   /// Distances from -1 and from 1.
-  const numeric::Node<R>& node(std::size_t i) const { return nodes_[i]; }
+  const Node<R>& node(std::size_t i) const { return nodes_[i]; }
   /// Weights of t_0, of sum 1.
   const R& tau(std::size_t i) const { return tau_[i]; }
   /// force_ij: what the polynomial that is 1 at node j and 0 at the others has of int v L(u) for that of node i.
@@ -51,7 +51,7 @@ class DisplacementOperator {
   std::vector<R> barycentric_weights() const;
   std::vector<R> derivatives(const std::vector<R>& weights) const;
 
-  std::vector<numeric::Node<R>> nodes_;
+  std::vector<Node<R>> nodes_;
   std::vector<R> tau_;
   std::vector<R> force_;
 };

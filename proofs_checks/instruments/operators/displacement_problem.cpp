@@ -36,7 +36,7 @@ DisplacementProblem::DisplacementProblem(const Rational& s, int n, const std::fu
       load_(formula.load * load) {
   if (!formula.other_angle) return;
   // (1-x)^{2 alpha}/(1+x)^{2 alpha} times the weight.
-  const double twice = 2 * numeric::to_real<double>(Exponent::angle(s));
+  const double twice = 2 * to_real<double>(Exponent::angle(s));
   tau_ = vector_of(size(), [&](std::size_t i) {
     const auto& node = operator_.node(i);
     return operator_.tau(i) * std::pow(node.from_left / node.from_right, twice);

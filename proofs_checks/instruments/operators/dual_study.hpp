@@ -10,6 +10,7 @@
 
 #include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/instruments/operators/displacement_problem.hpp"
+#include "proofs_checks/kit/claim.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -28,8 +29,9 @@ struct DualCase {
   std::function<double(double)> height() const;
 };
 
-/// A parabola with two free ends; one with an edge at the rear and one at the front, either direction; two wells.
-std::vector<DualCase> dual_cases();
+/// A parabola with two free ends; one with an edge at the rear and one at the front, either direction; two wells. In a
+/// quick run the first two.
+std::vector<DualCase> dual_cases(const Context& context);
 
 using Moments = std::vector<double>;
 /// The norm above of a difference, over the load.
@@ -44,20 +46,20 @@ Moments displacement_moments(const DualCase& c, int n, const DisplacementFormula
 /// Moments of dual_cases(), found once for a claim and its controls.
 class KnownMoments {
  public:
-  const Moments& exact(std::size_t k) {
-    return known({0, k, 0, 1}, [&] { return riemann_hilbert_moments(dual_cases()[k].problem()); });
+  const Moments& exact(const DualCase& c) {
+    return known({0, c.name, 0, 1}, [&] { return riemann_hilbert_moments(c.problem()); });
   }
-  const Moments& cells(std::size_t k, int n, int friction = 1) {
-    return known({1, k, n, friction},
-                 [&] { return cell_moments(dual_cases()[k].problem(friction), static_cast<std::size_t>(n)); });
+  const Moments& cells(const DualCase& c, int n, int friction = 1) {
+    return known({1, c.name, n, friction},
+                 [&] { return cell_moments(c.problem(friction), static_cast<std::size_t>(n)); });
   }
-  const Moments& polynomials(std::size_t k, int n) {
-    return known({2, k, n, 1}, [&] { return displacement_moments(dual_cases()[k], n); });
+  const Moments& polynomials(const DualCase& c, int n) {
+    return known({2, c.name, n, 1}, [&] { return displacement_moments(c, n); });
   }
 
  private:
   /// Which of the three, the case, the size and the friction's sign.
-  using Key = std::tuple<int, std::size_t, int, int>;
+  using Key = std::tuple<int, std::string, int, int>;
   template <class Make>
   const Moments& known(const Key& key, const Make& make) {
     Moments& moments = moments_[key];
@@ -67,14 +69,15 @@ class KnownMoments {
   std::map<Key, Moments> moments_;
 };
 
-/// Root mean squares of the distance to `exact` over `meshes` neighbouring sizes, `first` being a level's first one.
-template <class Solve>
-std::vector<Level> levels_of(const std::vector<int>& first, int meshes, const Moments& exact, double load,
-                             const Solve& moments) {
+/// Root mean squares of the distance of moments(n) to reference(n) over `meshes` neighbouring sizes n, `first` being a
+/// level's first one.
+template <class Solve, class Reference>
+std::vector<Level> levels_of(const std::vector<int>& first, int meshes, double load, const Solve& moments,
+                             const Reference& reference) {
   std::vector<Level> levels;
   for (const int size : first) {
     std::vector<double> errors;
-    for (int k = 0; k < meshes; ++k) errors.push_back(distance(moments(size + k), exact, load));
+    for (int n = size; n < size + meshes; ++n) errors.push_back(distance(moments(n), reference(n), load));
     levels.push_back({size + (meshes - 1) / 2.0, root_mean_square(errors)});
   }
   return levels;

@@ -2,20 +2,12 @@
 
 #include <algorithm>
 
-#include "numeric/number/polynomial.hpp"
 #include "numeric/quadrature/jacobi_rule.hpp"
-#include "numeric/quadrature/tanh_sinh.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
 
 using numeric::Power;
-using numeric::Real;
-using numeric::Real100;
-using numeric::Real50;
-using numeric::to_real;
-
-using numeric::value_of;
 
 /// Bernstein's coefficients of degree 3 on [left, right].
 template <Real R>
@@ -78,19 +70,19 @@ R on_panel(numeric::JacobiRules<R>& rules, const Rational& s, const Rational& le
 
 /// t_0 v, t_0 of the friction s.
 template <Real R>
-numeric::PiecewiseDensity<R> weighted(const Rational& s, const PiecewiseFunction& v) {
+PiecewiseDensity<R> weighted(const Rational& s, const PiecewiseFunction& v) {
   const Exponent angle = Exponent::angle(s);
   const auto a = Power<R>::of(-(half + angle));
   const auto b = Power<R>::of(-(half - angle));
   const Power<R> none{R(0), R(1)};
-  const R size = numeric::cos_pi_alpha<R>(s) / numeric::pi<R>();
-  numeric::PiecewiseDensity<R> density;
+  const R size = cos_pi_alpha<R>(s) / numeric::pi<R>();
+  PiecewiseDensity<R> density;
   for (std::size_t k = 0; k < v.pieces.size(); ++k) {
     const bool first = k == 0;
     const bool last = k + 1 == v.pieces.size();
     const R left = to_real<R>(v.points[k]);
     const R right = to_real<R>(v.points[k + 1]);
-    const auto smooth = [=, piece = numeric::coefficients_of<R>(v.pieces[k])](const numeric::Node<R>& node) {
+    const auto smooth = [=, piece = coefficients_of<R>(v.pieces[k])](const Node<R>& node) {
       using std::pow;
       R value = size * value_of(piece, node.x);
       if (!first) value *= pow(R(1 + left + node.from_left), a.value);
@@ -202,12 +194,12 @@ R pairing(const Rational& s, const PiecewiseFunction& v) {
   for (std::size_t k = 0; k < v.pieces.size(); ++k) {
     sum += on_panel(rules, s, v.points[k], v.points[k + 1], v.pieces[k]);
   }
-  return numeric::cos_pi_alpha<R>(s) / numeric::pi<R>() * sum;
+  return cos_pi_alpha<R>(s) / numeric::pi<R>() * sum;
 }
 
 template <Real R>
 R pairing_by_tanh_sinh(const Rational& s, const PiecewiseFunction& v) {
-  return numeric::tanh_sinh::integral(weighted<R>(s, v)).value;
+  return tanh_sinh::integral(weighted<R>(s, v)).value;
 }
 
 template <Real R>

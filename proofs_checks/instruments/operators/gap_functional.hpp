@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/polynomial.hpp"
-#include "numeric/number/real.hpp"
+#include "proofs_checks/kit/numbers.hpp"
 #include "proofs_checks/kit/random.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -34,21 +34,21 @@ PiecewiseFunction random_cubic(Random& random);
 std::vector<Rational> random_points(Random& random);
 
 /// max v by ends of panels and zeros of derivatives.
-template <numeric::Real R>
+template <Real R>
 R supremum(const PiecewiseFunction& v);
 /// The largest C with v + C <= 0 everywhere, by bisection over C; whether C is allowed is decided by the signs of
 /// Bernstein's coefficients on ever shorter intervals.
-template <numeric::Real R>
+template <Real R>
 R largest_shift(const PiecewiseFunction& v);
 
 /// int t_0 v by Gauss-Jacobi rules, t_0 of the friction s.
-template <numeric::Real R>
+template <Real R>
 R pairing(const Rational& s, const PiecewiseFunction& v);
 /// The same by tanh-sinh.
-template <numeric::Real R>
+template <Real R>
 R pairing_by_tanh_sinh(const Rational& s, const PiecewiseFunction& v);
 /// The same for one polynomial: int x^k t_0 by (k+1) m_{k+1} = k m_{k-1} - 2 alpha m_k.
-template <numeric::Real R>
+template <Real R>
 R pairing_by_moments(const Rational& s, const Polynomial& v);
 
 }  // namespace steadyslide::proofs_checks

@@ -2,18 +2,13 @@
 
 #include <algorithm>
 
-#include "numeric/number/polynomial.hpp"
 #include "numeric/quadrature/jacobi_rule.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::coefficients_of;
 using numeric::Complex;
-using numeric::Real;
 using numeric::StressComponents;
-using numeric::to_real;
-using numeric::value_of;
 
 /// Coefficients of Q: of t = x^k it is sum_j zeta^(k-1-j) (b^(j+1) - a^(j+1))/(j+1).
 template <Real R>
@@ -35,18 +30,17 @@ std::vector<R> remainder_polynomial(const TractionPiece& piece) {
 /// are exact to 100 digits and more.
 template <Real R>
 const numeric::JacobiRule<R>& gauss_rule() {
-  static const auto rule =
-      numeric::jacobi_rule<R>({R(0), R(1)}, {R(0), R(1)}, std::same_as<R, numeric::Real100> ? 180 : 90);
+  static const auto rule = numeric::jacobi_rule<R>({R(0), R(1)}, {R(0), R(1)}, std::same_as<R, Real100> ? 180 : 90);
   return rule;
 }
 
 }  // namespace
 
 template <class R>
-numeric::PiecewiseDensity<R> density_of(const PiecewiseTraction& traction) {
-  numeric::PiecewiseDensity<R> density;
+PiecewiseDensity<R> density_of(const PiecewiseTraction& traction) {
+  PiecewiseDensity<R> density;
   for (const TractionPiece& piece : traction) {
-    const auto value = [p = coefficients_of<R>(piece.t)](const numeric::Node<R>& node) { return value_of(p, node.x); };
+    const auto value = [p = coefficients_of<R>(piece.t)](const Node<R>& node) { return value_of(p, node.x); };
     density.push_back({{to_real<R>(piece.from), to_real<R>(piece.to), to_real<R>(piece.to - piece.from)},
                        {R(0), R(1)},
                        {R(0), R(1)},
@@ -166,12 +160,12 @@ R HalfPlaneField<R>::normal_slope(const R& x) const {
   return sum;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                            \
-  template numeric::PiecewiseDensity<R> density_of(const PiecewiseTraction&); \
+#define STEADYSLIDE_INSTANTIATE(R)                                   \
+  template PiecewiseDensity<R> density_of(const PiecewiseTraction&); \
   template class HalfPlaneField<R>;
 STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(numeric::Real50)
-STEADYSLIDE_INSTANTIATE(numeric::Real100)
+STEADYSLIDE_INSTANTIATE(Real50)
+STEADYSLIDE_INSTANTIATE(Real100)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

@@ -11,9 +11,9 @@
 
 #include "model/elasticity.hpp"
 #include "model/polynomial.hpp"
-#include "numeric/cauchy/density.hpp"
 #include "numeric/interior/half_plane_stress.hpp"
 #include "proofs_checks/instruments/operators/complex_jet.hpp"
+#include "proofs_checks/kit/numbers.hpp"
 
 namespace steadyslide::proofs_checks {
 
@@ -27,7 +27,7 @@ struct TractionPiece {
 using PiecewiseTraction = std::vector<TractionPiece>;
 
 template <class R>
-numeric::PiecewiseDensity<R> density_of(const PiecewiseTraction& traction);
+PiecewiseDensity<R> density_of(const PiecewiseTraction& traction);
 
 template <class R>
 class HalfPlaneField {

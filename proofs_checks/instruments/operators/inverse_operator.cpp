@@ -2,36 +2,32 @@
 
 #include <algorithm>
 
-#include "numeric/number/polynomial.hpp"
-#include "numeric/quadrature/tanh_sinh.hpp"
-
 namespace steadyslide::proofs_checks {
 namespace {
 
 /// 1/W at a node of a panel; if not `whole`, without the power of a panel end at -1 or 1.
 template <Real R>
-R inverse_weight(const InverseFormula& formula, const SlopePanel<R>& panel, const numeric::Node<R>& node, bool whole) {
+R inverse_weight(const InverseFormula& formula, const SlopePanel<R>& panel, const Node<R>& node, bool whole) {
   using std::pow;
   R value = 1;
-  if (whole || panel.left != -1) value *= pow(R(node.from_left + (panel.left + 1)), -numeric::to_real<R>(formula.rear));
+  if (whole || panel.left != -1) value *= pow(R(node.from_left + (panel.left + 1)), -to_real<R>(formula.rear));
   const R rest = 1 - (panel.left + panel.length);
   const bool at_end = rest < panel.length * numeric::epsilon<R>() * 16;
-  if (whole || !at_end) value *= pow(R(node.from_right + (at_end ? R(0) : rest)), -numeric::to_real<R>(formula.front));
+  if (whole || !at_end) value *= pow(R(node.from_right + (at_end ? R(0) : rest)), -to_real<R>(formula.front));
   return value;
 }
 
 template <Real R>
-numeric::PiecewiseDensity<R> over_weight(const InverseFormula& formula, const std::vector<SlopePanel<R>>& slope) {
-  numeric::PiecewiseDensity<R> density;
+PiecewiseDensity<R> over_weight(const InverseFormula& formula, const std::vector<SlopePanel<R>>& slope) {
+  PiecewiseDensity<R> density;
   for (std::size_t k = 0; k < slope.size(); ++k) {
     const SlopePanel<R>& panel = slope[k];
     // Where u' is smooth the weight brings the power of an end of ]-1, 1[.
     const auto left = k == 0 ? numeric::Power<R>::of(-formula.rear) : panel.at_left;
     const auto right = k + 1 == slope.size() ? numeric::Power<R>::of(-formula.front) : panel.at_right;
-    density.push_back(
-        {{panel.left, R(panel.left + panel.length), panel.length}, left, right, [=](const numeric::Node<R>& node) {
-           return R(panel.smooth(node) * inverse_weight(formula, panel, node, false));
-         }});
+    density.push_back({{panel.left, R(panel.left + panel.length), panel.length}, left, right, [=](const Node<R>& node) {
+                         return R(panel.smooth(node) * inverse_weight(formula, panel, node, false));
+                       }});
   }
   return density;
 }
@@ -58,7 +54,7 @@ std::vector<R> binomial_product(const R& p, const R& q, std::size_t count) {
 InverseFormula InverseFormula::of(const Rational& s) {
   const Rational share = 1 / (1 + s * s);
   const Exponent alpha = Exponent::angle(s);
-  return {numeric::to_real<Number>(s * share), numeric::to_real<Number>(share), -(half + alpha), -(half - alpha)};
+  return {to_real<Number>(s * share), to_real<Number>(share), -(half + alpha), -(half - alpha)};
 }
 
 template <class R>
@@ -73,16 +69,13 @@ InverseOperator<R>::InverseOperator(const InverseFormula& formula, std::vector<S
 
 template <Real R>
 InverseOperator<R>::InverseOperator(const InverseFormula& formula, const Polynomial& slope)
-    : InverseOperator(formula, {{R(-1),
-                                 R(2),
-                                 {R(0), R(1)},
-                                 {R(0), R(1)},
-                                 [p = numeric::coefficients_of<R>(slope)](const numeric::Node<R>& node) {
-                                   return numeric::value_of(p, node.x);
-                                 }}}) {}
+    : InverseOperator(formula,
+                      {{R(-1), R(2), {R(0), R(1)}, {R(0), R(1)}, [p = coefficients_of<R>(slope)](const Node<R>& node) {
+                          return value_of(p, node.x);
+                        }}}) {}
 
 template <Real R>
-InverseTerms<R> InverseOperator<R>::terms(const numeric::PanelPoint<R>& at, const R& hilbert) const {
+InverseTerms<R> InverseOperator<R>::terms(const PanelPoint<R>& at, const R& hilbert) const {
   using std::pow;
   const SlopePanel<R>& panel = slope_[at.panel];
   R u = panel.smooth(at.node);
@@ -92,20 +85,19 @@ InverseTerms<R> InverseOperator<R>::terms(const numeric::PanelPoint<R>& at, cons
 }
 
 template <Real R>
-InverseTerms<R> InverseOperator<R>::terms_by_tanh_sinh(const numeric::PanelPoint<R>& at) const {
-  return terms(at, numeric::tanh_sinh::hilbert<R>(grid_.density(), at).value);
+InverseTerms<R> InverseOperator<R>::terms_by_tanh_sinh(const PanelPoint<R>& at) const {
+  return terms(at, tanh_sinh::hilbert<R>(grid_.density(), at).value);
 }
 
 template <Real R>
 JacobiTraction<R> inverse_without_integral(const Rational& s, const Polynomial& slope) {
   const Exponent alpha = Exponent::angle(s);
-  const std::vector<R> u = numeric::coefficients_of<R>(slope);
-  const std::vector<R> series =
-      binomial_product<R>(numeric::to_real<R>(half + alpha), numeric::to_real<R>(half - alpha), u.size() + 2);
+  const std::vector<R> u = coefficients_of<R>(slope);
+  const std::vector<R> series = binomial_product<R>(to_real<R>(half + alpha), to_real<R>(half - alpha), u.size() + 2);
   // Coefficients of 1, z, ... of z (sum u_k z^k) (sum series_n z^-n).
   std::vector<R> q(u.size() + 1, R(0));
   for (std::size_t k = 0; k < u.size(); ++k) {
-    for (std::size_t n = 0; n <= k + 1; ++n) q[k + 1 - n] += numeric::cos_pi_alpha<R>(s) * u[k] * series[n];
+    for (std::size_t n = 0; n <= k + 1; ++n) q[k + 1 - n] += cos_pi_alpha<R>(s) * u[k] * series[n];
   }
   return {numeric::Power<R>::of(-(half + alpha)), numeric::Power<R>::of(-(half - alpha)), std::move(q)};
 }
@@ -115,8 +107,8 @@ JacobiTraction<R> inverse_without_integral(const Rational& s, const Polynomial& 
   template class InverseOperator<R>; \
   template JacobiTraction<R> inverse_without_integral(const Rational&, const Polynomial&);
 STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(numeric::Real50)
-STEADYSLIDE_INSTANTIATE(numeric::Real100)
+STEADYSLIDE_INSTANTIATE(Real50)
+STEADYSLIDE_INSTANTIATE(Real100)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

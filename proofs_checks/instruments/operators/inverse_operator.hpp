@@ -6,13 +6,10 @@
 // with principal values by quadrature; beside it the closed form of its values for a polynomial u'.
 
 #include "model/polynomial.hpp"
-#include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/instruments/tractions/jacobi_traction.hpp"
 #include "proofs_checks/kit/values.hpp"
 
 namespace steadyslide::proofs_checks {
-
-using numeric::Real;
 
 struct InverseFormula {
   Number local;
@@ -30,7 +27,7 @@ struct SlopePanel {
   R length;
   numeric::Power<R> at_left;
   numeric::Power<R> at_right;
-  std::function<R(const numeric::Node<R>&)> smooth;
+  std::function<R(const Node<R>&)> smooth;
 };
 
 /// L(u) at one point, by its terms.
@@ -53,19 +50,17 @@ class InverseOperator {
       : InverseOperator(InverseFormula::of(s), std::move(slope)) {}
 
   /// Halfway between two samples, where principal values need no new ones.
-  numeric::PanelPoint<R> point(std::size_t panel, const R& fraction) const {
-    return grid_.midpoint_near(panel, fraction);
-  }
-  InverseTerms<R> terms(const numeric::PanelPoint<R>& at) const { return terms(at, grid_.hilbert(at)); }
-  InverseTerms<R> terms_by_tanh_sinh(const numeric::PanelPoint<R>& at) const;
-  R at(const numeric::PanelPoint<R>& at) const { return terms(at).sum(); }
+  PanelPoint<R> point(std::size_t panel, const R& fraction) const { return grid_.midpoint_near(panel, fraction); }
+  InverseTerms<R> terms(const PanelPoint<R>& at) const { return terms(at, grid_.hilbert(at)); }
+  InverseTerms<R> terms_by_tanh_sinh(const PanelPoint<R>& at) const;
+  R at(const PanelPoint<R>& at) const { return terms(at).sum(); }
 
  private:
-  InverseTerms<R> terms(const numeric::PanelPoint<R>& at, const R& hilbert) const;
+  InverseTerms<R> terms(const PanelPoint<R>& at, const R& hilbert) const;
 
   InverseFormula formula_;
   std::vector<SlopePanel<R>> slope_;
-  numeric::trapezoidal::Grid<R> grid_;  ///< of u'/W
+  trapezoidal::Grid<R> grid_;  ///< of u'/W
 };
 
 /// cos(pi alpha) W Q, Q the polynomial part at infinity of u' (z+1)^{1/2+alpha} (z-1)^{1/2-alpha}.

@@ -6,8 +6,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::Real;
-
 /// S(p) for 0 < p < 1; `below_one` is 1 - p, which would cancel next to 1. S is odd.
 template <Real R>
 R half_line_integral(const R& p, const R& below_one) {
@@ -119,8 +117,8 @@ JumpPower<R> jump_power(const R& s_left, const R& s_right) {
   template R end_power(Side, Power, const R&); \
   template JumpPower<R> jump_power(const R&, const R&);
 STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(numeric::Real50)
-STEADYSLIDE_INSTANTIATE(numeric::Real100)
+STEADYSLIDE_INSTANTIATE(Real50)
+STEADYSLIDE_INSTANTIATE(Real100)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

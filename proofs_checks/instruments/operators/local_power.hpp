@@ -12,7 +12,7 @@
 // leaves out a constant: m(p) = m(p-1), n(p) = -n(p-1).
 
 #include "model/direction.hpp"
-#include "numeric/number/real.hpp"
+#include "proofs_checks/kit/numbers.hpp"
 
 namespace steadyslide::proofs_checks {
 
@@ -20,7 +20,7 @@ namespace steadyslide::proofs_checks {
 enum class Power { unbounded, vanishing };
 
 /// p of t ~ d^p at an end of contact, -1 < p < 0 or 0 < p < 1, `contact` the side of the contact.
-template <numeric::Real R>
+template <Real R>
 R end_power(Side contact, Power power, const R& s);
 
 /// t ~ A_- |x|^p on the left, A_+ |x|^p on the right.
@@ -29,7 +29,7 @@ struct JumpPower {
   R power;  ///< -1/2 < p < 1/2; 0 where no other power solves the equation
   R ratio;  ///< A_-/A_+
 };
-template <numeric::Real R>
+template <Real R>
 JumpPower<R> jump_power(const R& s_left, const R& s_right);
 
 }  // namespace steadyslide::proofs_checks

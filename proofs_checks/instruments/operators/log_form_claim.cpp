@@ -10,12 +10,10 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::Real;
-
 /// On forces of N equal cells of a unit interval.
 Eigen::MatrixXd form_on_cells(std::size_t cells) {
   const CellFrictionSteps none{{0, 0}, {0}};
-  const numeric::variational::CellMesh mesh(cell_problem(none), cells);
+  const CellMesh mesh(cell_problem(none), cells);
   return std::numbers::pi * symmetric_part(mesh, operator_of(none, mesh), false);
 }
 
@@ -33,7 +31,7 @@ Values definiteness(const Length& length) {
   bool zero_mean = true;
   for (const std::size_t cells : {16U, 24U, 32U, 48U, 64U}) {
     Eigen::MatrixXd form = form_on_cells(cells);
-    form.array() -= std::log(numeric::to_real<double>(length.value));
+    form.array() -= std::log(to_real<double>(length.value));
     const bool positive = least_eigenvalue(form) > 0;
     always = always && positive;
     ever = ever || positive;
@@ -66,7 +64,7 @@ Values measured(const Length& length) {
   using std::abs, std::max;
   Values values = definiteness(length);
   const R pi = numeric::pi<R>();
-  const FormMatrix<R> form = log_form_by_quadrature<R>(numeric::to_real<R>(length.value));
+  const FormMatrix<R> form = log_form_by_quadrature<R>(to_real<R>(length.value));
   R rest = 0;
   for (std::size_t j = 0; j < form.size(); ++j) {
     values.add({std::to_string(j), R(form[j][j] / (pi * pi))});
@@ -89,16 +87,16 @@ Values predicted_by(const LogForm& form, const Length& length) {
                 {"positive on some mesh", positive},
                 {"second eigenvalue", true},
                 {"zero mean", true},
-                {"0", Number(log(numeric::to_real<Number>(form.critical / length.value)))},
+                {"0", Number(log(to_real<Number>(form.critical / length.value)))},
                 {"rest", Number(0)}};
   for (int k = 1; k <= highest_angle; ++k) {
     Rational coefficient = form.first;
     for (int m = 0; m < form.power; ++m) coefficient /= k;
-    values.add({std::to_string(k), numeric::to_real<Number>(coefficient)});
+    values.add({std::to_string(k), to_real<Number>(coefficient)});
   }
   if (length.is_first) {
     values.add({"rate", Order{1}});
-    values.add({"critical", numeric::to_real<Number>(form.critical)});
+    values.add({"critical", to_real<Number>(form.critical)});
   }
   return values;
 }
@@ -117,7 +115,7 @@ ComparedClaim<Length> log_form_claim(std::string id, std::vector<Rational> lengt
       .quantity("rate", {.tolerance = 0.05})
       .quantity("critical", {.tolerance = 1e-3})
       .quantities({"0", "1", "2", "3", "4"}, {.absolute = true})
-      .measured([]<numeric::Real R>(const Length& length) { return measured<R>(length); })
+      .measured([]<Real R>(const Length& length) { return measured<R>(length); })
       .predicted([](const Length& length) { return predicted_by({}, length); })
       .near_misses();
 }

@@ -18,7 +18,7 @@ struct SolvedAtCorner {
 
 template <Real R>
 SolvedAtCorner<R> solve_corner(const SolvedCorner& c) {
-  SolvedAtCorner<R> found{solve<R>(c.problem), numeric::to_real<R>(corner), 0, 0};
+  SolvedAtCorner<R> found{solve<R>(c.problem), to_real<R>(corner), 0, 0};
   while (!found.solution->form().changes_polynomial(found.j)) ++found.j;
   for (const auto& point : found.solution->singular_points()) {
     if (point.x.value != found.x) continue;
@@ -46,7 +46,7 @@ R regular_part(const SolvedAtCorner<R>& at_corner, const CornerForm& said, Side 
   const std::size_t i = side == Side::left ? 0 : 1;
   R singular(said.step[i]);
   if (said.log_factor != 0) singular += R(said.log_factor) * log(d);
-  const numeric::RiemannHilbertSolution<R>& solution = *at_corner.solution;
+  const RiemannHilbertSolution<R>& solution = *at_corner.solution;
   return (traction_beside(solution, at_corner.j, side, d) -
           difference_of_slopes(solution.problem().problem(), c, x) * singular) /
          (R(said.cosine[i]) * pow(d, R(said.power)));

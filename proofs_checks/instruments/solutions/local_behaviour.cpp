@@ -10,7 +10,6 @@ namespace steadyslide::proofs_checks {
 namespace {
 
 using numeric::ContactSet;
-using numeric::RiemannHilbertSolution;
 
 std::ptrdiff_t segment_beside(std::size_t point, Side side) {
   return static_cast<std::ptrdiff_t>(point) - (side == Side::left ? 1 : 0);
@@ -51,8 +50,8 @@ bool in_contact(const RiemannHilbertSolution<R>& solution, std::size_t point, Si
 }
 
 template <Real R>
-numeric::SurfacePoint<R> beside(const numeric::RiemannHilbertForm<R>& form, std::size_t point, Side side, const R& d) {
-  return numeric::beside(form.set(), point, side, R(d / numeric::to_real<R>(form.problem().frame().unit)));
+SurfacePoint<R> beside(const RiemannHilbertForm<R>& form, std::size_t point, Side side, const R& d) {
+  return numeric::beside(form.set(), point, side, R(d / to_real<R>(form.problem().frame().unit)));
 }
 
 template <Real R>
@@ -93,17 +92,17 @@ ContactProblem cell_case(std::string_view name) {
   throw std::logic_error("no such case on cells");
 }
 
-std::shared_ptr<const numeric::VariationalSolution> solve_on_cells(const ContactProblem& problem, std::size_t cells) {
+std::shared_ptr<const VariationalSolution> solve_on_cells(const ContactProblem& problem, std::size_t cells) {
   const auto attempt = numeric::variational_inequality(problem, {.cells = cells});
-  auto solution = std::dynamic_pointer_cast<const numeric::VariationalSolution>(attempt.solution);
+  auto solution = std::dynamic_pointer_cast<const VariationalSolution>(attempt.solution);
   if (!solution) throw Refutation{{"a problem to be solved on cells", attempt.reason}};
   if (!solution->failed_condition().empty())
     throw Refutation{{"a problem to be solved on cells", solution->failed_condition()}};
   return solution;
 }
 
-numeric::Estimate<double> power_on_cells(const numeric::VariationalSolution& solution,
-                                         const numeric::VariationalSolution::Place& place, Side side) {
+Estimate<double> power_on_cells(const VariationalSolution& solution, const VariationalSolution::Place& place,
+                                Side side) {
   using numeric::variational::PlaceIs;
   return numeric::variational::fitted_exponent(solution.cells(), place.surroundings, side, place.wedge_degree,
                                                place.exact ? PlaceIs::exact : PlaceIs::to_one_cell)
@@ -117,7 +116,7 @@ Values powers_on_cells(const ContactProblem& problem, SingularKind kind) {
   for (const auto& place : solution->places()) {
     if (place.kind != kind) continue;
     for (const Side side : {Side::left, Side::right}) {
-      const numeric::Estimate<double> power = power_on_cells(*solution, place, side);
+      const Estimate<double> power = power_on_cells(*solution, place, side);
       values.add({side == Side::left ? "left cells" : "right cells", Fitted{power.value, power.error}});
       error_bar = std::max(error_bar, power.error);
     }
@@ -126,15 +125,15 @@ Values powers_on_cells(const ContactProblem& problem, SingularKind kind) {
   return values;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                                                              \
-  template Solved<R> solve(const ContactProblem&);                                                              \
-  template std::size_t point_at(const RiemannHilbertSolution<R>&, const Rational&);                             \
-  template std::size_t contact_end(const RiemannHilbertSolution<R>&, Side);                                     \
-  template bool in_contact(const RiemannHilbertSolution<R>&, std::size_t, Side);                                \
-  template numeric::SurfacePoint<R> beside(const numeric::RiemannHilbertForm<R>&, std::size_t, Side, const R&); \
-  template R traction_beside(const RiemannHilbertSolution<R>&, std::size_t, Side, const R&);                    \
-  template R asymptotic_distance();                                                                             \
-  template R limit_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);                                 \
+#define STEADYSLIDE_INSTANTIATE(R)                                                            \
+  template Solved<R> solve(const ContactProblem&);                                            \
+  template std::size_t point_at(const RiemannHilbertSolution<R>&, const Rational&);           \
+  template std::size_t contact_end(const RiemannHilbertSolution<R>&, Side);                   \
+  template bool in_contact(const RiemannHilbertSolution<R>&, std::size_t, Side);              \
+  template SurfacePoint<R> beside(const RiemannHilbertForm<R>&, std::size_t, Side, const R&); \
+  template R traction_beside(const RiemannHilbertSolution<R>&, std::size_t, Side, const R&);  \
+  template R asymptotic_distance();                                                           \
+  template R limit_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);               \
   template R logarithm_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)

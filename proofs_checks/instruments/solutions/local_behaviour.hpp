@@ -15,12 +15,13 @@
 
 namespace steadyslide::proofs_checks {
 
-using numeric::Real;
-using numeric::Real100;
-using numeric::Real50;
+using numeric::RiemannHilbertForm;
+using numeric::RiemannHilbertSolution;
+using numeric::SurfacePoint;
+using numeric::VariationalSolution;
 
 template <Real R>
-using Solved = std::shared_ptr<const numeric::RiemannHilbertSolution<R>>;
+using Solved = std::shared_ptr<const RiemannHilbertSolution<R>>;
 
 /// Throws Refutation unless a solution is found that meets every condition.
 template <Real R>
@@ -28,18 +29,18 @@ Solved<R> solve(const ContactProblem& problem);
 
 /// The point of the contact set at a place of the data. Throws Refutation if there is none.
 template <Real R>
-std::size_t point_at(const numeric::RiemannHilbertSolution<R>& solution, const Rational& place);
+std::size_t point_at(const RiemannHilbertSolution<R>& solution, const Rational& place);
 /// The outermost end of the contact.
 template <Real R>
-std::size_t contact_end(const numeric::RiemannHilbertSolution<R>& solution, Side side);
+std::size_t contact_end(const RiemannHilbertSolution<R>& solution, Side side);
 /// Is there contact next to the point, on this side?
 template <Real R>
-bool in_contact(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side);
+bool in_contact(const RiemannHilbertSolution<R>& solution, std::size_t point, Side side);
 
 template <Real R>
-numeric::SurfacePoint<R> beside(const numeric::RiemannHilbertForm<R>& form, std::size_t point, Side side, const R& d);
+SurfacePoint<R> beside(const RiemannHilbertForm<R>& form, std::size_t point, Side side, const R& d);
 template <Real R>
-R traction_beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side, const R& d);
+R traction_beside(const RiemannHilbertSolution<R>& solution, std::size_t point, Side side, const R& d);
 /// 10^-(digits + 10): t at such distances is its leading term to all digits, if the next one is a whole power smaller.
 template <Real R>
 R asymptotic_distance();
@@ -52,10 +53,10 @@ inline constexpr double equation_tolerance = 1e-10;
 
 /// A of t ~ A + b d^p, whatever p > 0.
 template <Real R>
-R limit_beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side);
+R limit_beside(const RiemannHilbertSolution<R>& solution, std::size_t point, Side side);
 /// K of t ~ K log(d)/pi.
 template <Real R>
-R logarithm_beside(const numeric::RiemannHilbertSolution<R>& solution, std::size_t point, Side side);
+R logarithm_beside(const RiemannHilbertSolution<R>& solution, std::size_t point, Side side);
 
 /// f'(x), by central differences of eighth order; `scale`: the distance to the next singular point.
 template <Real R, class F>
@@ -69,10 +70,10 @@ R derivative(const F& f, const R& x, const R& scale) {
 /// The problem of this name among those that the claims about convergence solve on cells.
 ContactProblem cell_case(std::string_view name);
 /// On cells, accepted by its certificate. Throws Refutation otherwise.
-std::shared_ptr<const numeric::VariationalSolution> solve_on_cells(const ContactProblem& problem, std::size_t cells);
+std::shared_ptr<const VariationalSolution> solve_on_cells(const ContactProblem& problem, std::size_t cells);
 /// The power that the cells show on one side of a singular point.
-numeric::Estimate<double> power_on_cells(const numeric::VariationalSolution& solution,
-                                         const numeric::VariationalSolution::Place& place, Side side);
+Estimate<double> power_on_cells(const VariationalSolution& solution, const VariationalSolution::Place& place,
+                                Side side);
 /// Those of 8192 cells on both sides of its singular points of this kind: "left cells", "right cells", and the larger
 /// "error bar".
 Values powers_on_cells(const ContactProblem& problem, SingularKind kind);

@@ -10,8 +10,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::Real;
-
 const std::vector<std::string> routes{"solution of the changed problem", "solution changed by the law"};
 
 /// At this part of the last component, to a 1000th; the jumps of random problems have other denominators. Throws
@@ -69,19 +67,19 @@ void check_exactly(Findings& findings, const ContactProblem& problem, const Cont
   /// |found - factor from| over the size of the right one and of `least`.
   const auto compare = [&](const Quantity& quantity, const R& found, const Rational& factor, const R& from,
                            const R& least) {
-    const R f = numeric::to_real<R>(factor);
+    const R f = to_real<R>(factor);
     findings.compare(quantity, static_cast<double>(R(abs(found - f * from) / (abs(f) * (least + abs(from))))));
   };
   const R length = before.back().right.x.value - before.front().left.x.value;
-  const R scale = numeric::to_real<R>(law.scale);
-  const R shift = numeric::to_real<R>(law.shift);
+  const R scale = to_real<R>(law.scale);
+  const R shift = to_real<R>(law.shift);
   for (std::size_t k = 0; k < before.size(); ++k) {
     for (const auto end : {&numeric::ContactComponent<R>::left, &numeric::ContactComponent<R>::right}) {
       const R expected = scale * (before[k].*end).x.value + shift;
       findings.compare(ends, static_cast<double>(R(abs(expected - (after[k].*end).x.value) / abs(scale * length))));
     }
   }
-  const R load = numeric::to_real<R>(problem.load());
+  const R load = to_real<R>(problem.load());
   const Rational width = problem.indenter().right() - problem.indenter().left();
   // Over the whole support, none of the places a singular one.
   for (int i = 0; i < 7; ++i) {
@@ -102,9 +100,8 @@ void check_on_cells(Findings& findings, const ContactProblem& problem, const Con
   const auto a = numeric::variational_inequality(problem, {.cells = cells}).solution;
   const auto b = numeric::variational_inequality(other, {.cells = cells}).solution;
   if (!a || !b || !a->failed_condition().empty() || !b->failed_condition().empty()) return findings.skip(traction);
-  const double mean = numeric::to_real<double>(problem.load()) / 2;
-  const double factor =
-      numeric::to_real<double>(law.traction) * (law.missed_on_cells ? 1 + 10 * allowed_on_cells : 1.0);
+  const double mean = to_real<double>(problem.load()) / 2;
+  const double factor = to_real<double>(law.traction) * (law.missed_on_cells ? 1 + 10 * allowed_on_cells : 1.0);
   const Rational width = problem.indenter().right() - problem.indenter().left();
   for (std::size_t i = 0; i < cells; ++i) {
     // In the middle of a cell.

@@ -2,22 +2,15 @@
 
 #include <algorithm>
 
-#include "numeric/number/polynomial.hpp"
-
 namespace steadyslide::proofs_checks {
 namespace {
-
-using numeric::ContactInterval;
-using numeric::Node;
-using numeric::RiemannHilbertForm;
-using numeric::value_of;
 
 /// Which piece of the profile lies around a place.
 template <Real R>
 const Polynomial& piece_around(const ContactProblem& problem, const R& x) {
   const auto& pieces = problem.indenter().pieces();
   std::size_t k = 0;
-  while (k + 1 < pieces.size() && x > numeric::to_real<R>(pieces[k].to)) ++k;
+  while (k + 1 < pieces.size() && x > to_real<R>(pieces[k].to)) ++k;
   return pieces[k].profile;
 }
 
@@ -25,25 +18,24 @@ const Polynomial& piece_around(const ContactProblem& problem, const R& x) {
 
 template <Real R>
 R height(const ContactProblem& problem, const R& around, const R& x) {
-  return value_of(piece_around(problem, around), x) / numeric::to_real<R>(problem.elasticity().compliance());
+  return value_of(piece_around(problem, around), x) / to_real<R>(problem.elasticity().compliance());
 }
 
 template <Real R>
 R slope(const ContactProblem& problem, const R& around, const R& x) {
-  return value_of(piece_around(problem, around).derivative(), x) /
-         numeric::to_real<R>(problem.elasticity().compliance());
+  return value_of(piece_around(problem, around).derivative(), x) / to_real<R>(problem.elasticity().compliance());
 }
 
 template <class R>
 TrialForm<R>::TrialForm(const Trial& trial) : problem_(trial.problem), reduced_(problem_, Trial::frame()) {
-  auto state = numeric::ContactState<R>::initial(reduced_, numeric::ContactSet<R>(reduced_, trial.zones),
-                                                 numeric::to_real<R>(trial.tilt));
-  for (std::size_t j = 0; j < state.q.size(); ++j) state.q[j] = numeric::to_real<R>(trial.q.at(j));
+  auto state =
+      numeric::ContactState<R>::initial(reduced_, ContactSet<R>(reduced_, trial.zones), to_real<R>(trial.tilt));
+  for (std::size_t j = 0; j < state.q.size(); ++j) state.q[j] = to_real<R>(trial.q.at(j));
   form_.emplace(reduced_, std::move(state.set), std::move(state.q), state.tilt, rules_);
 }
 
 template <class R>
-RiemannHilbertForm<R> TrialForm<R>::form_on(numeric::ContactSet<R> set, const R& tilt) const {
+RiemannHilbertForm<R> TrialForm<R>::form_on(ContactSet<R> set, const R& tilt) const {
   return {reduced_, std::move(set), form_->q(), tilt, rules_};
 }
 
@@ -99,18 +91,18 @@ std::vector<R> friction_of(const RiemannHilbertForm<R>& form) {
   for (const std::size_t k : segments_of(form)) {
     const R middle = (form.set().x(k) + form.set().x(k + 1)) / 2;
     const numeric::Frame& frame = form.problem().frame();
-    const R x = numeric::to_real<R>(frame.origin) + numeric::to_real<R>(frame.unit) * middle;
+    const R x = to_real<R>(frame.origin) + to_real<R>(frame.unit) * middle;
     std::size_t piece = 0;
-    for (const Rational& c : problem.friction().jumps()) piece += numeric::to_real<R>(c) < x ? 1 : 0;
-    result.push_back(numeric::to_real<R>(problem.coupled_friction(piece)));
+    for (const Rational& c : problem.friction().jumps()) piece += to_real<R>(c) < x ? 1 : 0;
+    result.push_back(to_real<R>(problem.coupled_friction(piece)));
   }
   return result;
 }
 
 template <Real R>
-numeric::PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>& form,
-                                        const numeric::FundamentalSolution<R>& weight, const Bracket<R>& bracket) {
-  numeric::PiecewiseDensity<R> density;
+PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>& form, const numeric::FundamentalSolution<R>& weight,
+                               const Bracket<R>& bracket) {
+  PiecewiseDensity<R> density;
   // At a wedge a power that vanishes lies below the constant or the logarithm.
   const auto leading = [&](std::size_t j) {
     const numeric::Power<R>& p = weight.powers()[j];
@@ -164,18 +156,18 @@ R extrapolated(const std::vector<R>& f, int to) {
   return sum;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                                                             \
-  template R height(const ContactProblem&, const R&, const R&);                                                \
-  template R slope(const ContactProblem&, const R&, const R&);                                                 \
-  template class TrialForm<R>;                                                                                 \
-  template R coefficient_at_infinity(const RiemannHilbertForm<R>&, int);                                       \
-  template R load_scale(const RiemannHilbertForm<R>&);                                                         \
-  template std::vector<R> excess(const RiemannHilbertForm<R>&);                                                \
-  template std::vector<std::size_t> segments_of(const RiemannHilbertForm<R>&);                                 \
-  template std::vector<R> friction_of(const RiemannHilbertForm<R>&);                                           \
-  template numeric::PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>&,                               \
-                                                   const numeric::FundamentalSolution<R>&, const Bracket<R>&); \
-  template void check_equation(Findings&, const RiemannHilbertForm<R>&);                                       \
+#define STEADYSLIDE_INSTANTIATE(R)                                                                              \
+  template R height(const ContactProblem&, const R&, const R&);                                                 \
+  template R slope(const ContactProblem&, const R&, const R&);                                                  \
+  template class TrialForm<R>;                                                                                  \
+  template R coefficient_at_infinity(const RiemannHilbertForm<R>&, int);                                        \
+  template R load_scale(const RiemannHilbertForm<R>&);                                                          \
+  template std::vector<R> excess(const RiemannHilbertForm<R>&);                                                 \
+  template std::vector<std::size_t> segments_of(const RiemannHilbertForm<R>&);                                  \
+  template std::vector<R> friction_of(const RiemannHilbertForm<R>&);                                            \
+  template PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>&, const numeric::FundamentalSolution<R>&, \
+                                          const Bracket<R>&);                                                   \
+  template void check_equation(Findings&, const RiemannHilbertForm<R>&);                                        \
   template R extrapolated(const std::vector<R>&, int);
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)

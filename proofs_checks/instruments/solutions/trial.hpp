@@ -12,14 +12,20 @@
 
 namespace steadyslide::proofs_checks {
 
+using numeric::ContactInterval;
+using numeric::ContactSet;
+using numeric::RiemannHilbertForm;
+using numeric::SurfacePoint;
+
 struct Trial {
   std::string name;
   ContactProblem problem;
-  std::vector<numeric::ContactInterval> zones;  ///< in xi of frame()
-  std::vector<Rational> q;                      ///< as many of them as the form has coefficients are used
+  std::vector<ContactInterval> zones;  ///< in xi of frame()
+  std::vector<Rational> q;             ///< as many of them as the form has coefficients are used
   Rational tilt;
 
   static numeric::Frame frame() { return {Rational(1, 8), 2}; }
+  static double in_frame(const Rational& x) { return to_real<double>((x - frame().origin) / frame().unit); }
 };
 
 /// Everywhere one polynomial and any ends; a wedge; a wedge and jump; steps; up to three components. The cheap ones
@@ -45,43 +51,43 @@ class TrialForm {
   TrialForm(const TrialForm&) = delete;
   TrialForm& operator=(const TrialForm&) = delete;
 
-  const numeric::RiemannHilbertForm<R>& form() const { return *form_; }
+  const RiemannHilbertForm<R>& form() const { return *form_; }
   /// On another contact set, or with another tilt.
-  numeric::RiemannHilbertForm<R> form_on(numeric::ContactSet<R> set, const R& tilt) const;
+  RiemannHilbertForm<R> form_on(ContactSet<R> set, const R& tilt) const;
 
  private:
   ContactProblem problem_;
   numeric::ReducedProblem<R> reduced_;
   mutable numeric::JacobiRules<R> rules_;
-  std::optional<numeric::RiemannHilbertForm<R>> form_;
+  std::optional<RiemannHilbertForm<R>> form_;
 };
 
 /// The coefficient of z^power of u'/c = Y (m_0/z + m_1/z^2 + ... + q/pi) at infinity.
 template <Real R>
-R coefficient_at_infinity(const numeric::RiemannHilbertForm<R>& form, int power);
+R coefficient_at_infinity(const RiemannHilbertForm<R>& form, int power);
 /// Those of z^0, z^1, ...: none for a solution. What t leaves of psi'/c is A t = psi'/c + tilt - these.
 template <Real R>
-std::vector<R> excess(const numeric::RiemannHilbertForm<R>& form);
+std::vector<R> excess(const RiemannHilbertForm<R>& form);
 
 /// The size of int |t|: int t may vanish.
 template <Real R>
-R load_scale(const numeric::RiemannHilbertForm<R>& form);
+R load_scale(const RiemannHilbertForm<R>& form);
 
 /// t = bracket |Y|, Y from `weight`, panel by panel of the contact; segments_of says which they are.
 template <class R>
-using Bracket = std::function<R(std::size_t segment, const numeric::Node<R>&)>;
+using Bracket = std::function<R(std::size_t segment, const Node<R>&)>;
 template <Real R>
-numeric::PiecewiseDensity<R> density_of(const numeric::RiemannHilbertForm<R>& form,
-                                        const numeric::FundamentalSolution<R>& weight, const Bracket<R>& bracket);
+PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>& form, const numeric::FundamentalSolution<R>& weight,
+                               const Bracket<R>& bracket);
 template <Real R>
-std::vector<std::size_t> segments_of(const numeric::RiemannHilbertForm<R>& form);
+std::vector<std::size_t> segments_of(const RiemannHilbertForm<R>& form);
 /// s of the contact's panels.
 template <Real R>
-std::vector<R> friction_of(const numeric::RiemannHilbertForm<R>& form);
+std::vector<R> friction_of(const RiemannHilbertForm<R>& form);
 
 /// A solution is one: by the trapezoidal rule, which knows nothing of the form.
 template <Real R>
-void check_equation(Findings& findings, const numeric::RiemannHilbertForm<R>& solution);
+void check_equation(Findings& findings, const RiemannHilbertForm<R>& solution);
 
 /// The analytic function with values f_1, ..., f_n at -h, ..., -nh, at `to` times h. With so many values at distances
 /// so small the error stays far below the tolerance.

@@ -3,12 +3,6 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::ContactInterval;
-
-double in_frame(const Rational& x) {
-  return numeric::to_real<double>((x - Trial::frame().origin) / Trial::frame().unit);
-}
-
 ContactProblem problem(const Rational& nu, FrictionProfile friction, std::vector<Indenter::Piece> pieces,
                        Sliding sliding = Sliding::plus_x) {
   return {Elasticity(Solid(nu, 1)), std::move(friction), Indenter(-4, std::move(pieces)), Rational(3, 2), sliding};
@@ -49,7 +43,7 @@ Trial random_trial(Random& random, std::size_t components, bool kinks) {
       profile = profile + change - Polynomial({change(inside)});
     }
     if (right_edge) step(right);
-    zones.push_back({in_frame(left), in_frame(right), left_edge, right_edge});
+    zones.push_back({Trial::in_frame(left), Trial::in_frame(right), left_edge, right_edge});
   }
   pieces.push_back({4, profile});
   std::vector<Rational> q;
@@ -83,7 +77,8 @@ std::function<CaseList<Trial>(const Context&)> trials(std::string stream, const 
       all.push_back({"two punches",
                      problem(Rational(3, 10), FrictionProfile({1, Rational(1, 4)}, {0}),
                              {{-1, bent}, {1, lifted(1)}, {4, lifted(Rational(1, 3))}}),
-                     {{in_frame(-4), in_frame(-1), true, true}, {in_frame(1), in_frame(4), true, true}},
+                     {{Trial::in_frame(-4), Trial::in_frame(-1), true, true},
+                      {Trial::in_frame(1), Trial::in_frame(4), true, true}},
                      q,
                      Rational(1, 6)});
     }
@@ -91,7 +86,7 @@ std::function<CaseList<Trial>(const Context&)> trials(std::string stream, const 
     all.push_back({"wedge and jump",
                    problem(Rational(1, 5), FrictionProfile({Rational(1, 3), 2}, {Rational(1, 2)}),
                            {{Rational(1, 2), bent}, {4, Polynomial({0, Rational(4, 3), Rational(1, 4)})}}),
-                   {{in_frame(-4), in_frame(2), true, false}},
+                   {{Trial::in_frame(-4), Trial::in_frame(2), true, false}},
                    q,
                    0});
     if (!context.quick) {
@@ -114,7 +109,7 @@ std::function<CaseList<Trial>(const Context&)> trials(std::string stream, const 
                               {1, Polynomial({2, 0, Rational(1, 2)})},
                               {2, Polynomial({0, 0, Rational(1, 2)})},
                               {4, Polynomial({-4, 2, Rational(1, 2)})}}),
-                     {{-1.5, in_frame(Rational(-1, 2)), false, true}, {in_frame(1), 1.6, true, false}},
+                     {{-1.5, Trial::in_frame(Rational(-1, 2)), false, true}, {Trial::in_frame(1), 1.6, true, false}},
                      q,
                      0});
     }
@@ -142,7 +137,7 @@ Trial with_ends(const std::vector<std::pair<bool, bool>>& edges) {
     if (right_edge) pieces.push_back({right, Polynomial()});
     jumps.push_back(from + width / 2);
     friction.push_back(Rational(1, static_cast<long>(friction.size() + 1)));
-    zones.push_back({in_frame(left), in_frame(right), left_edge, right_edge});
+    zones.push_back({Trial::in_frame(left), Trial::in_frame(right), left_edge, right_edge});
   }
   pieces.push_back({4, Polynomial()});
   return {"all kinds of ends",

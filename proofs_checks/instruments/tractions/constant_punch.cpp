@@ -45,9 +45,7 @@ Claim constant_punch_claim(std::string id, PunchLoad load) {
              [](PowerProduct& t, const ContactProblem& p) { t.exponents[0] = -(half - alpha(p, 0)); })
       .wrong("the powers of both edges exchanged", [](PowerProduct& t) { std::swap(t.exponents[0], t.exponents[1]); })
       .wrong("cos(pi alpha) missing",
-             [](PowerProduct& t, const ContactProblem& p) {
-               t.scale(1 / numeric::cos_pi_alpha<Number>(p.coupled_friction(0)));
-             })
+             [](PowerProduct& t, const ContactProblem& p) { t.scale(1 / cos_pi_alpha<Number>(p.coupled_friction(0))); })
       .wrong("1/pi missing", [](PowerProduct& t) { t.scale(numeric::pi<Number>()); })
       .wrong("alpha = arctan(f)/pi, gamma missing",
              [](PowerProduct& t, const ContactProblem& p) {

@@ -2,17 +2,12 @@
 
 #include <boost/math/special_functions/chebyshev.hpp>
 
-#include "numeric/number/polynomial.hpp"
 #include "numeric/quadrature/jacobi_rule.hpp"
-#include "numeric/quadrature/tanh_sinh.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
 
-using numeric::Node;
 using numeric::Power;
-using numeric::Real;
-using numeric::value_of;
 
 /// int_{-1}^1 (1+x)^left (1-x)^right f(x) dx, f a polynomial of degree below 2 nodes.
 template <class R, class F>
@@ -56,13 +51,13 @@ R potential_of_power(const R& s, int m, const Node<R>& node) {
 }  // namespace
 
 template <class R>
-numeric::PanelDensity<R> density_of(const JacobiTraction<R>& t) {
+PanelDensity<R> density_of(const JacobiTraction<R>& t) {
   return {{R(-1), R(1), R(2)}, t.left, t.right, [p = t.factor](const Node<R>& node) { return value_of(p, node.x); }};
 }
 
 template <class R>
 R integral(const JacobiTraction<R>& t) {
-  return numeric::tanh_sinh::panel_integral<R>(density_of(t)).value;
+  return tanh_sinh::panel_integral<R>(density_of(t)).value;
 }
 
 template <class R>
@@ -80,21 +75,21 @@ R form_with_chebyshev(const JacobiTraction<R>& t, const R& s, int k) {
 
 template <class R>
 R form_with_power(const JacobiTraction<R>& t, const R& s, int m) {
-  numeric::PanelDensity<R> density = density_of(t);
+  PanelDensity<R> density = density_of(t);
   density.smooth = [smooth = density.smooth, s, m](const Node<R>& node) {
     return R(smooth(node) * potential_of_power(s, m, node));
   };
-  return numeric::tanh_sinh::panel_integral<R>(density).value;
+  return tanh_sinh::panel_integral<R>(density).value;
 }
 
 #define STEADYSLIDE_INSTANTIATE(R)                                         \
-  template numeric::PanelDensity<R> density_of(const JacobiTraction<R>&);  \
+  template PanelDensity<R> density_of(const JacobiTraction<R>&);           \
   template R integral(const JacobiTraction<R>&);                           \
   template R form_with_chebyshev(const JacobiTraction<R>&, const R&, int); \
   template R form_with_power(const JacobiTraction<R>&, const R&, int);
 STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(numeric::Real50)
-STEADYSLIDE_INSTANTIATE(numeric::Real100)
+STEADYSLIDE_INSTANTIATE(Real50)
+STEADYSLIDE_INSTANTIATE(Real100)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include "numeric/cauchy/density.hpp"
+#include "proofs_checks/kit/numbers.hpp"
 
 namespace steadyslide::proofs_checks {
 
@@ -23,7 +23,7 @@ struct JacobiTraction {
 };
 
 template <class R>
-numeric::PanelDensity<R> density_of(const JacobiTraction<R>& t);
+PanelDensity<R> density_of(const JacobiTraction<R>& t);
 /// int t by tanh-sinh.
 template <class R>
 R integral(const JacobiTraction<R>& t);

@@ -40,9 +40,9 @@ void check_parabola(Findings& findings, const ParabolaTraction& t, const Contact
   const PowerForm<R> form = t.at<R>();
   const Quantity first{"equation for the middle of the contact", {"sum p_j r_j", "0"}, tolerance<R>()};
   const Quantity second{"equation for the width of the contact", {"sum p_j r_j^2", "2 P R/pi"}, tolerance<R>()};
-  const R radius = numeric::to_real<R>(radius_of(problem));
+  const R radius = to_real<R>(radius_of(problem));
   const std::function<R(const R&)> slope = [radius](const R& x) { return R(x / radius); };
-  const numeric::trapezoidal::Grid<R> grid =
+  const trapezoidal::Grid<R> grid =
       check_surface(findings, surface_of<R>(form, problem, t.first_piece, slope), count_for(context, {9, 2, 2}));
 
   R sum1 = 0, size1 = 0, sum2 = 0;
@@ -54,8 +54,7 @@ void check_parabola(Findings& findings, const ParabolaTraction& t, const Contact
     sum2 += term * r[j];
   }
   findings.compare(first, static_cast<double>(R(abs(sum1) / size1)));
-  findings.compare(
-      second, relative_difference<R>(sum2, R(2 * numeric::to_real<R>(problem.load()) * radius / numeric::pi<R>())));
+  findings.compare(second, relative_difference<R>(sum2, R(2 * to_real<R>(problem.load()) * radius / numeric::pi<R>())));
   const R width = r.back() - r.front();
   const R allowed = R(-tolerance<R>()) * width * width / radius;
   for (const Side side : {Side::left, Side::right}) {
@@ -92,7 +91,7 @@ void visit_values(const PowerForm<R>& form, const Visit& visit) {
   for (std::size_t k = 0; k < form.lengths.size(); ++k) {
     const numeric::Panel<R>& panel = traction.weight.panel(k);
     for (const int tenths : {2, 5, 9}) {
-      const numeric::Node<R> node = panel.node_from_left(panel.length * tenths / 10);
+      const Node<R> node = panel.node_from_left(panel.length * tenths / 10);
       visit(k, node, traction(k, node));
     }
   }
@@ -113,11 +112,11 @@ void check_parabola_by_cln(Findings& findings, const ParabolaTraction& t, const 
   // CLN rounds its ends in the user's x: with the vertex far away digits go there.
   const auto zones = symbolic::ClnClosedForm::parabola(problem, numeric::digits_served<R> + 15);
   findings.require(zones.size() == 1, "CLN finds " + std::to_string(zones.size()) + " contact zones");
-  compare_ends(findings, ends, form, numeric::to_real<R>(zones[0].left().value - vertex),
-               numeric::to_real<R>(zones[0].right().value - vertex));
-  visit_values(form, [&](std::size_t, const numeric::Node<R>& node, const R& value) {
+  compare_ends(findings, ends, form, to_real<R>(zones[0].left().value - vertex),
+               to_real<R>(zones[0].right().value - vertex));
+  visit_values(form, [&](std::size_t, const Node<R>& node, const R& value) {
     const Rational x = Rational(node.x) + vertex;
-    const R by_cln = numeric::to_real<R>(zones[0].traction(x).value);
+    const R by_cln = to_real<R>(zones[0].traction(x).value);
     findings.compare(values, static_cast<double>(conditioning) * relative_difference<R>(value, by_cln));
   });
 }
@@ -133,7 +132,7 @@ void check_parabola_by_numeric(Findings& findings, const ParabolaTraction& t, co
   findings.require(closed_form != nullptr, "the numeric layer knows no closed form");
   const auto& weight = closed_form->traction.weight;
   compare_ends(findings, quantity, form, weight.point(0), weight.point(weight.panel_count()));
-  visit_values(form, [&](std::size_t k, const numeric::Node<R>& node, const R& value) {
+  visit_values(form, [&](std::size_t k, const Node<R>& node, const R& value) {
     findings.compare(quantity, relative_difference<R>(value, closed_form->traction(k, node)));
   });
 }

@@ -7,10 +7,6 @@
 
 namespace steadyslide::proofs_checks {
 
-using numeric::Real;
-using numeric::Real100;
-using numeric::Real50;
-
 /// The traction in the numbers of a check.
 // (Not constrained: g++ 12 takes no constrained templates as template arguments.)
 template <class R>
@@ -41,9 +37,9 @@ struct PowerProduct {
   /// On exactly known points.
   static PowerProduct on(const std::vector<Rational>& points, std::vector<Exponent> exponents,
                          std::vector<Number> amplitudes) {
-    PowerProduct product{numeric::to_real<Number>(points.front()), {}, std::move(exponents), std::move(amplitudes)};
+    PowerProduct product{to_real<Number>(points.front()), {}, std::move(exponents), std::move(amplitudes)};
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-      product.lengths.push_back(numeric::to_real<Number>(points[k + 1] - points[k]));
+      product.lengths.push_back(to_real<Number>(points[k + 1] - points[k]));
     }
     return product;
   }

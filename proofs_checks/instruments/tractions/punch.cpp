@@ -89,10 +89,9 @@ void check_punch_values(Findings& findings, const PowerForm<R>& form, const Cont
     const auto& [left, right, friction, profile] = pieces[k];
     for (const Rational& fraction : {Rational(1, 1'000'000), Rational(3, 7), Rational(999'999, 1'000'000)}) {
       const Rational x = left + fraction * (right - left);
-      const numeric::Node<R> node{numeric::to_real<R>(x), numeric::to_real<R>(x - left),
-                                  numeric::to_real<R>(right - x)};
+      const Node<R> node{to_real<R>(x), to_real<R>(x - left), to_real<R>(right - x)};
       const R t = traction(k, node);
-      findings.compare(by_cln, relative_difference<R>(t, numeric::to_real<R>(cln.traction(x).value)));
+      findings.compare(by_cln, relative_difference<R>(t, to_real<R>(cln.traction(x).value)));
       findings.compare(by_numeric, relative_difference<R>(t, closed_form->traction(k, node)));
     }
   }

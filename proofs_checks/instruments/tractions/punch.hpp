@@ -31,8 +31,7 @@ bool has_friction(const ContactProblem& problem);
 Exponent alpha(const ContactProblem& problem, std::size_t piece);
 template <Real R>
 R punch_amplitude(const ContactProblem& problem, std::size_t piece) {
-  return -numeric::to_real<R>(problem.load()) * numeric::cos_pi_alpha<R>(problem.coupled_friction(piece)) /
-         numeric::pi<R>();
+  return -to_real<R>(problem.load()) * cos_pi_alpha<R>(problem.coupled_friction(piece)) / numeric::pi<R>();
 }
 
 /// The powers at the edges and jumps, from the angles on the pieces between them.

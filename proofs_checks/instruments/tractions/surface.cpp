@@ -4,14 +4,9 @@
 
 #include "numeric/cauchy/sliding_operator.hpp"
 #include "numeric/quadrature/gsl_quadrature.hpp"
-#include "numeric/quadrature/tanh_sinh.hpp"
-#include "numeric/quadrature/trapezoidal.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
-
-using numeric::Estimate;
-using numeric::PanelPoint;
 
 template <Real R>
 double load_error(const Surface<R>& surface, const R& integral) {
@@ -24,7 +19,7 @@ double load_error(const Surface<R>& surface, const R& integral) {
 /// All panels have a length, all powers are above -1: or a traction cannot be sampled.
 template <Real R>
 void require_integrable(Findings& findings, const Surface<R>& surface) {
-  for (const numeric::PanelDensity<R>& panel : surface.traction) {
+  for (const PanelDensity<R>& panel : surface.traction) {
     findings.require(panel.panel.length > 0, "a panel has no length");
     findings.require(panel.left.plus_one > 0 && panel.right.plus_one > 0, "the traction is not integrable");
   }
@@ -41,18 +36,17 @@ std::string list(const std::vector<Rational>& values) {
 template <Real R>
 Surface<R> surface_of(const PowerForm<R>& form, const ContactProblem& problem, std::size_t first_piece,
                       std::function<R(const R&)> slope) {
-  Surface<R> surface{form.traction().density(), {}, std::move(slope), R(-numeric::to_real<R>(problem.load()))};
+  Surface<R> surface{form.traction().density(), {}, std::move(slope), R(-to_real<R>(problem.load()))};
   for (std::size_t k = 0; k < form.lengths.size(); ++k) {
-    surface.s.push_back(numeric::to_real<R>(problem.coupled_friction(first_piece + k)));
+    surface.s.push_back(to_real<R>(problem.coupled_friction(first_piece + k)));
   }
   return surface;
 }
 
 template <Real R>
-numeric::trapezoidal::Grid<R> check_surface(Findings& findings, const Surface<R>& surface,
-                                            std::size_t tanh_sinh_points) {
+trapezoidal::Grid<R> check_surface(Findings& findings, const Surface<R>& surface, std::size_t tanh_sinh_points) {
   require_integrable(findings, surface);
-  numeric::trapezoidal::Grid<R> grid(surface.traction);
+  trapezoidal::Grid<R> grid(surface.traction);
   const double allowed = tolerance<R>();
   const Quantity load_1{"total load int t, trapezoidal rule", {"trapezoidal rule", "the load given"}, allowed};
   const Quantity load_2{
@@ -82,7 +76,7 @@ numeric::trapezoidal::Grid<R> check_surface(Findings& findings, const Surface<R>
   for (std::size_t i = 0; i < tanh_sinh_points && i < points.size(); ++i) {
     findings.compare(equation_2, residual(by_tanh_sinh, points[i]));
   }
-  findings.compare(load_2, load_error(surface, numeric::tanh_sinh::integral<R>(surface.traction).value));
+  findings.compare(load_2, load_error(surface, tanh_sinh::integral<R>(surface.traction).value));
   return grid;
 }
 
@@ -126,7 +120,7 @@ std::string text_of(const ContactProblem& problem) {
 
 #define STEADYSLIDE_INSTANTIATE(R)                                                                                     \
   template Surface<R> surface_of(const PowerForm<R>&, const ContactProblem&, std::size_t, std::function<R(const R&)>); \
-  template numeric::trapezoidal::Grid<R> check_surface(Findings&, const Surface<R>&, std::size_t);
+  template trapezoidal::Grid<R> check_surface(Findings&, const Surface<R>&, std::size_t);
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)
 STEADYSLIDE_INSTANTIATE(Real100)

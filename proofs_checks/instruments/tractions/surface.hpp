@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "model/contact_problem.hpp"
-#include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/instruments/tractions/power_product.hpp"
 #include "proofs_checks/kit/findings.hpp"
 
@@ -13,7 +12,7 @@ namespace steadyslide::proofs_checks {
 
 template <Real R>
 struct Surface {
-  numeric::PiecewiseDensity<R> traction;
+  PiecewiseDensity<R> traction;
   std::vector<R> s;                  ///< per panel
   std::function<R(const R&)> slope;  ///< psi'/c
   R integral;                        ///< what int t has to be
@@ -29,8 +28,7 @@ Surface<R> surface_of(
 /// Load and equation, the points 1e-6 of a panel from its ends included. `tanh_sinh_points` per case, spread over the
 /// panels: that route costs a hundred times the other one. Returns the samples of the other one.
 template <Real R>
-numeric::trapezoidal::Grid<R> check_surface(Findings& findings, const Surface<R>& surface,
-                                            std::size_t tanh_sinh_points);
+trapezoidal::Grid<R> check_surface(Findings& findings, const Surface<R>& surface, std::size_t tanh_sinh_points);
 
 /// Load and equation by GSL, where it converges, to 1e-11.
 void check_surface_by_gsl(Findings& findings, const Surface<double>& surface);

@@ -1,4 +1,4 @@
-// Bad command lines: the whole message and the exit code of each.
+// Bad command lines: the whole message and the exit code of each; help.
 
 #include "app/command_line.hpp"
 

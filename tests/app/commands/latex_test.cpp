@@ -44,13 +44,12 @@ void check_notation(const std::string& document) {
   const std::regex in_formulas(
       "(^|[^\\\\A-Za-z])(theta|lambda|alpha|psi|sigma|Phi|pi|cos|sin|cot|log|arctan|sqrt|infinity)(?![A-Za-z])"
       "|<=|>=|\\*|_bar|_l|_r|_\\{[lr]\\}");
-  std::smatch match;
-  const bool raw = std::regex_search(prose, match, in_prose);
-  CHECK_MESSAGE(!raw, match.prefix().str().substr(match.prefix().length() > 60 ? match.prefix().length() - 60 : 0)
-                          << " >> " << match.str());
-  const bool named = std::regex_search(formulas, match, in_formulas);
-  CHECK_MESSAGE(!named, match.prefix().str().substr(match.prefix().length() > 60 ? match.prefix().length() - 60 : 0)
-                            << " >> " << match.str());
+  for (const auto& [text, wrong] : {std::pair(prose, in_prose), {formulas, in_formulas}}) {
+    std::smatch match;
+    const bool found = std::regex_search(text, match, wrong);
+    CHECK_MESSAGE(!found, match.prefix().str().substr(std::max(match.prefix().length(), 60L) - 60)
+                              << " >> " << match.str());
+  }
   CHECK(holds(formulas, "\\lambda"));
 }
 
@@ -73,25 +72,12 @@ TEST_CASE("tables compile, narrow and wide") {
   check_compiles({"table", "--poisson", "0", "--rear", "0", "--front", "0", "--digits", "1"});
 }
 
-TEST_CASE("exponents compile") {
-  check_compiles(
-      {"exponents", "-", "--digits", "50"},
-      "load = 1\n[half_space]\ngamma = \"1/2\"\n[friction]\nvalues = [2, 0.123456789, 0]\njumps = [0, 0.5]\n"
-      "[indenter]\npieces = [{to = 0, profile = \"-x\"}, {to = \"1/3\", profile = \"x\"}, {to = 0.9, profile "
-      "= \"2*x\"}, {to = 1, profile = \"x+0.9\"}]\n");
-}
+TEST_CASE("exponents compile") { check_compiles({"exponents", "-", "--digits", "50"}, problem_text("four_pieces")); }
 
 TEST_CASE("derivations compile: jumps, a wedge with a jump, a wedge alone, steps both ways, a closed form") {
-  check_compiles(
-      {"exponents", "-", "--derivation"},
-      "load = 1\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.2, 0.6, 0.1]\njumps = [-0.5, 0.5]\n"
-      "[indenter]\npieces = [{to = -0.5, profile = \"-x\"}, {to = 0, profile = \"x+1\"}, {to = 0.25, profile "
-      "= \"2*x+1\"}, {to = 0.75, profile = \"x\"}, {to = 1, profile = \"x+1\"}]\n",
-      "enumerate");
-  check_compiles({"exponents", "-", "--derivation"},
-                 "load = 1\n[half_space]\ngamma = \"1/2\"\n[friction]\nvalues = [2, 0]\njumps = [0]\n"
-                 "[indenter]\nsupport = [-9, 9]\nprofile = \"x^2\"\n",
-                 "enumerate");
+  for (const char* name : {"five_pieces", "wide_parabola"}) {
+    check_compiles({"exponents", "-", "--derivation"}, problem_text(name), "enumerate");
+  }
 }
 
 TEST_CASE("the tables of exponents compile, and fit on their pages") {

@@ -5,10 +5,6 @@
 namespace {
 
 const std::string bumps = problem_text("bumps");
-// The load is replaced: nobody solves this one.
-const std::string parabola =
-    "load = \"1e300\"\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.1, 0.7]\njumps = [0]\n[indenter]\n"
-    "profile = \"x^2\"\n";
 
 Json solve_steps(const std::string& problem, const std::string& loads, const Arguments& arguments = {}) {
   return solve(problem, joined({"--load-steps", loads}, arguments));
@@ -17,7 +13,7 @@ Json solve_steps(const std::string& problem, const std::string& loads, const Arg
 }  // namespace
 
 TEST_CASE("under a parabola the ends move outwards with the load, also where it reaches the edges") {
-  const Json json = solve_steps(parabola, "0.1:3:0.1");
+  const Json json = solve_steps(problem_text("crushed_parabola"), "0.1:3:0.1");
   REQUIRE(json.size() == 30);
   for (std::size_t k = 1; k < json.size(); ++k) {
     const bool at_left_edge = json[k]["left_kind"] == "edge";

@@ -38,33 +38,29 @@ struct Coulomb {
   }
 };
 
-std::vector<std::string> cells(const std::string& line) {
-  std::vector<std::string> result;
-  std::istringstream stream(line + ",");
-  for (std::string cell; std::getline(stream, cell, ',');) result.push_back(cell);
-  return result;
+std::vector<std::string> cells(std::string line) {
+  std::ranges::replace(line, ',', '\n');
+  return lines(line + '\n');
 }
 
 }  // namespace
 
 TEST_CASE("the rough surface is what its generator prints") {
   const std::string stored = stored_trace();
-  const auto generated = [](const std::string& parameter) {
-    return run_other(
-        parameter.empty() ? Arguments{STEADYSLIDE_ROUGH_SURFACE} : Arguments{STEADYSLIDE_ROUGH_SURFACE, parameter},
-        STEADYSLIDE_EXAMPLES);
+  const auto generated = [](const Arguments& parameters) {
+    return run_other(joined({STEADYSLIDE_ROUGH_SURFACE}, parameters), STEADYSLIDE_EXAMPLES);
   };
-  const Finished same = generated("");
+  const Finished same = generated({});
   CHECK(same.code == 0);
   CHECK(lines(same.out)[0] == lines(stored)[0]);
   CHECK(numbers(stored).size() == 2 * 4001);
   CHECK(largest_difference(numbers(same.out), numbers(stored)) <= 1e-9);
   for (const char* other : {"seed=2", "rms=0.00301", "hurst=0.81", "radius=8.01", "points=4000"}) {
-    CHECK(largest_difference(numbers(generated(other).out), numbers(stored)) > 1e-6);
+    CHECK(largest_difference(numbers(generated({other}).out), numbers(stored)) > 1e-6);
   }
   for (const char* bad : {"sead=2", "rms", "rms=", "rms=-1", "rms=nan", "longest=5", "points=1"}) {
     CAPTURE(bad);
-    const Finished refused = generated(bad);
+    const Finished refused = generated({bad});
     CHECK(refused.code == 2);
     CHECK(refused.out == "");
     CHECK(times(refused.err, "\n") == 1);

@@ -18,9 +18,7 @@ Answer solve_trace(Height height, const Arguments& arguments = {}) {
   for (int k = -200; k <= 200; ++k) trace += std::to_string(k) + "/200," + std::to_string(height(k / 200.0)) + "\n";
   folder.write("trace.csv", trace);
   const Finished finished =
-      run_program(joined({"solve", "-", "--format", "json"}, arguments), folder.path(),
-                  "load = 0.01\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.3]\n[indenter]\n"
-                  "samples = \"trace.csv\"\n");
+      run_program(joined({"solve", "-", "--format", "json"}, arguments), folder.path(), problem_text("sampled"));
   return {finished.code, finished.err, Json::parse(finished.out)};
 }
 

@@ -3,7 +3,7 @@
 #include <csignal>
 
 #include "app/command_line.hpp"
-#include "app/figures/figures.hpp"
+#include "app/made_figures.hpp"
 #include "app/svg.hpp"
 
 using namespace steadyslide::app;
@@ -18,16 +18,6 @@ std::string plain(const std::string& text) {
     if (std::string("{}_^").find(text[i]) == std::string::npos) result += text[i];
   }
   return result;
-}
-
-/// All of them, made once.
-const std::vector<Figure>& made() {
-  static const std::vector<Figure> all = [] {
-    std::vector<Figure> result;
-    for (const FigureMaker& maker : figures()) result.push_back(maker.make());
-    return result;
-  }();
-  return all;
 }
 
 void check_texts(const Figure& figure, const std::string& svg) {
@@ -65,18 +55,24 @@ Finished with_path(const std::string& path, const std::filesystem::path& folder)
 
 }  // namespace
 
-TEST_CASE("every figure is written, whole, and the same each time") {
+TEST_CASE("every figure is written, whole, the same each time, and shows its title, axes with units, legend, command") {
   const TemporaryFolder folder;
   CHECK(out_of(run_program({"figures", "-o", "new/folder"}, folder.path())) == "");
-  REQUIRE(made().size() == 9);
+  REQUIRE(figures().size() == 9);
   std::set<std::string> all_ids;
   std::vector<std::string> files;
-  for (std::size_t k = 0; k < made().size(); ++k) {
-    const DrawnFigure drawn = draw(made()[k]);
+  for (const FigureMaker& maker : figures()) {
+    const Figure& figure = made(maker.name);
+    const DrawnFigure drawn = draw(figure);
     CAPTURE(drawn.name);
+    for (const Panel& panel : figure.panels) {
+      CHECK(has_unit(panel.x.label));
+      CHECK(has_unit(panel.y.label));
+    }
+    check_texts(figure, drawn.svg);
     const std::string svg = folder.read("new/folder/" + drawn.name + ".svg");
     CHECK((svg == drawn.svg));
-    CHECK(drawn.name == figures()[k].name);
+    CHECK(drawn.name == maker.name);
     CHECK(drawn.command == "steadyslide figures --figure " + drawn.name);
     CHECK(std::ranges::count(drawn.caption, '`') % 2 == 0);
     CHECK(svg.rfind("<?xml", 0) == 0);
@@ -107,17 +103,6 @@ TEST_CASE("every figure is written, whole, and the same each time") {
   }
   std::ranges::sort(written);
   CHECK(written == files);
-}
-
-TEST_CASE("a figure shows its title, its axes with units, its legend and its command") {
-  for (const Figure& figure : made()) {
-    CAPTURE(figure.name);
-    for (const Panel& panel : figure.panels) {
-      CHECK(has_unit(panel.x.label));
-      CHECK(has_unit(panel.y.label));
-    }
-    check_texts(figure, draw(figure).svg);
-  }
   CHECK_FALSE(has_unit("pressure"));
 }
 

@@ -21,41 +21,25 @@ pieces = [{to = 0, profile = "-x/2"}, {to = "1.5", profile = "x^2 + 1"}]
 )",
                                                "f")
                                      .contact;
-  CHECK(problem.load() == Rational(5, 2));
-  CHECK(problem.load_at() == Rational(1, 3));
-  CHECK(problem.sliding() == Sliding::minus_x);
-  CHECK(problem.elasticity().half_space()->poisson() == Rational(-1, 5));
-  CHECK(problem.elasticity().half_space()->young() == 210000);
-  CHECK(problem.elasticity().plane() == Plane::stress);
-  CHECK(problem.friction().values() == std::vector<Rational>{0, Rational(1, 3), Rational(1, 10)});
-  CHECK(problem.friction().jumps() == std::vector<Rational>{Rational(-1, 2), Rational(1, 4)});
-  CHECK(problem.indenter().left() == -2);
-  CHECK(problem.indenter().right() == Rational(3, 2));
-  REQUIRE(problem.indenter().pieces().size() == 2);
-  CHECK(problem.indenter().pieces()[0].profile == Polynomial({0, Rational(-1, 2)}));
-  CHECK(problem.indenter().pieces()[1].profile == Polynomial({1, 0, 1}));
+  CHECK(problem == ContactProblem(Elasticity(Solid(-0.2_r, 210000), Plane::stress),
+                                  FrictionProfile({0, Rational(1, 3), 0.1_r}, {-0.5_r, 0.25_r}),
+                                  Indenter(-2, {{0, Polynomial({0, -0.5_r})}, {1.5_r, Polynomial({1, 0, 1})}}), 2.5_r,
+                                  Sliding::minus_x, Rational(1, 3)));
 }
 
 TEST_CASE("defaults") {
   const Problem problem =
       parse_problem("load = 1\nhalf_space = {poisson = 0.3}\nfriction.values = [0.1]\nindenter.profile = 'x'\n", "f");
-  CHECK(problem.contact.sliding() == Sliding::plus_x);
-  CHECK(problem.contact.elasticity().half_space()->young() == 1);
-  CHECK(problem.contact.elasticity().plane() == Plane::strain);
-  CHECK(problem.contact.indenter().left() == -1);
-  CHECK(problem.contact.indenter().right() == 1);
-  CHECK_FALSE(problem.contact.load_at());
+  CHECK(problem.contact == ContactProblem(Elasticity(Solid(0.3_r, 1), Plane::strain), FrictionProfile({0.1_r}),
+                                          Indenter(-1, {{1, Polynomial({0, 1})}}), 1, Sliding::plus_x));
 }
 
 TEST_CASE("reduced data and an elastic indenter") {
   const std::string rest = "load = 1\nfriction.values = [0.1]\nindenter.profile = 'x^2'\n";
-  const Problem reduced = parse_problem(rest + "half_space.gamma = '-2/7'\n", "f");
-  CHECK(reduced.contact.elasticity().gamma() == Rational(-2, 7));
-  CHECK(reduced.contact.elasticity().compliance() == 1);
-  const Problem elastic =
-      parse_problem(rest + "half_space.poisson = 0.3\nindenter.elastic = {poisson = 0.1, young = '1/2'}\n", "f");
-  CHECK(elastic.contact.elasticity().indenter()->poisson() == Rational(1, 10));
-  CHECK(elastic.contact.elasticity().indenter()->young() == Rational(1, 2));
+  const auto elasticity = [&](const std::string& text) { return parse_problem(rest + text, "f").contact.elasticity(); };
+  CHECK(elasticity("half_space.gamma = '-2/7'\n") == Elasticity::reduced(Rational(-2, 7)));
+  CHECK(elasticity("half_space.poisson = 0.3\nindenter.elastic = {poisson = 0.1, young = '1/2'}\n") ==
+        Elasticity(Solid(0.3_r, 1), Solid(0.1_r, 0.5_r)));
 }
 
 TEST_CASE("a key of an inline table is found on its line") {

@@ -1,4 +1,4 @@
-// Filter, verdicts, order, folds: ledger.json says what is to be seen.
+// Filter, verdicts, order, folds, links, print: ledger.json says what is to be seen.
 var r = {};
 r.all = ids(visible());
 r.tools = getComputedStyle(document.getElementById("tools")).display !== "none";
@@ -26,4 +26,15 @@ click("close-all"); r.nothing = opened().length;
 r.manyFormulas = document.querySelectorAll("math").length > 20;
 r.fraction = document.querySelector("#eq-04-flat-punch mfrac").getBoundingClientRect().height > 10;
 r.unknown = document.querySelectorAll("math merror").length;
+// The entries before and after printing.
+window.dispatchEvent(new Event("beforeprint")); r.printed = opened().length;
+window.dispatchEvent(new Event("afterprint")); r.afterPrint = opened().length;
+// A link opens its statement, also where the filter hides it.
+type("flat punch");
+location.hash = "#energy-identity";
+window.dispatchEvent(new HashChangeEvent("hashchange"));
+r.linked = opened(); r.linkedVisible = visible().length;
+location.hash = "#references";
+window.dispatchEvent(new HashChangeEvent("hashchange"));
+r.still = opened();
 result = JSON.stringify(r);

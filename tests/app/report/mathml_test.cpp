@@ -6,7 +6,6 @@
 #include "app/report/mathml.hpp"
 #include "app/svg.hpp"
 #include "app/terminal/utf8.hpp"
-#include "support/test.hpp"
 
 using namespace steadyslide::app;
 

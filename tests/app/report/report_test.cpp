@@ -8,31 +8,10 @@ using namespace steadyslide::app;
 
 TEST_CASE("the page has every statement with its verdict, evidence and controls") {
   const std::string page = report_html(fabricated_result(), fabricated_supplement());
-  CHECK(holds(page,
-              "1 proved, 2 supported, 1 undecided, 1 refuted; 4 of 5 controls refuted. Undecided because beyond "
-              "calculation: 1."));
   CHECK(times(page, "<details class=\"claim\"") == 5);
-  CHECK(holds(page, "50 digits · seed 7 · quick"));
-  check_holds(page, {"<details class=\"claim\" id=\"eq-04-flat-punch\"",
-                     "data-verdict=\"supported\"",
-                     "controls 2/2",
-                     "controls 0/1",
-                     "20 of 24",
-                     "Exact identities, which establish the statement",
-                     "Agreement of unrelated routes",
-                     "0.98 ± 0.02",
-                     "1 ± 0.1",
-                     "an abstract proof of existence",
-                     "<a href=\"#eq-04-flat-punch\">",
-                     "<code>not-here</code> (not in this run)",
-                     "a control survives",
-                     "not refuted",
-                     "Reading notes",
-                     "The paper, statement by statement",
-                     "Powers at a jump",
-                     "m-01",
-                     "<a href=\"#ref-Mus53\">Mus53</a>",
-                     "id=\"ref-Bal16\""});
+  for (const std::string& part : lines(file_text(STEADYSLIDE_TESTS "/app/report/page.txt"))) {
+    CHECK_MESSAGE(holds(page, part), part);
+  }
   CHECK(times(page, "<svg") == 2);
 }
 
@@ -101,8 +80,10 @@ TEST_CASE("references: paragraphs with a key, tables left out") {
 
 TEST_CASE("verify --report writes the page beside its own output, from one run") {
   const TemporaryFolder folder;
-  const Finished finished =
-      run_program({"verify", "--quick", "--claim", "gamma-*", "--report", "a/b", "-o", "out.txt"}, folder.path());
+  // Without gnuplot, and so without figures: report_browser_test.cpp looks at a page with them.
+  const Finished finished = run_other({"env", "PATH=", STEADYSLIDE_EXECUTABLE, "verify", "--quick", "--claim",
+                                       "gamma-*", "--report", "a/b", "-o", "out.txt"},
+                                      folder.path());
   CHECK(finished.code == 0);
   CHECK(finished.out == "");
   CHECK(holds(folder.read("out.txt"), "2 proved, 0 supported"));

@@ -2,62 +2,45 @@
 #include "support/test.hpp"
 
 using namespace steadyslide::app;
-using steadyslide::numeric::Estimate;
-using steadyslide::numeric::infinity;
-using TwoSided = steadyslide::numeric::TwoSided<double>;
 
 namespace {
 
-const Estimate<double> blow_up{-infinity<double>(), 0};
-const Estimate<double> up{infinity<double>(), 0};
-const Estimate<double> zero{};
+/// "1+-0.02": an estimate; infinities have no error.
+numeric::Estimate<double> estimate(const std::string& text) {
+  const std::size_t error = text.find("+-");
+  return {std::stod(text), error == std::string::npos ? 0 : std::stod(text.substr(error + 2))};
+}
+
+/// "left,right".
+numeric::TwoSided<double> two_sided(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  return {estimate(text.substr(0, comma)), estimate(text.substr(comma + 1))};
+}
+
+/// One text, or both limits; of what is not known there is none.
+std::string shown(const LimitText& text) { return text.left.value + (text.two_sided() ? "," + text.right.value : ""); }
 
 }  // namespace
 
-TEST_CASE("a blow-up is one text, also at an edge") {
-  const LimitText edge = limit_text(TwoSided{zero, blow_up}, TwoSided{zero, blow_up}, 16);
-  CHECK(edge.left.value == "-inf");
-  CHECK_FALSE(edge.two_sided());
-  const LimitText shear = limit_text(TwoSided{zero, up}, TwoSided{zero, blow_up}, 16);
-  CHECK(shear.left.value == "inf");
-  CHECK_FALSE(shear.two_sided());
-}
-
-TEST_CASE("shear without friction beside a blow-up keeps both limits") {
-  const LimitText shear = limit_text(TwoSided{zero, up}, TwoSided{blow_up, blow_up}, 16);
-  CHECK(shear.left.value == "0");
-  CHECK(shear.right.value == "inf");
-}
-
-TEST_CASE("infinities of both signs are two texts") {
-  const LimitText slope = limit_text(TwoSided{blow_up, up}, TwoSided{blow_up, up}, 16);
-  CHECK(slope.left.value == "-inf");
-  CHECK(slope.right.value == "inf");
-}
-
-TEST_CASE("a limit that is not known does not hide the other one") {
-  const TwoSided values{{1, infinity<double>()}, {2, 0}};
-  const LimitText text = limit_text(values, values, 16);
-  CHECK(text.left.value == "");
-  CHECK(text.right.value == "2");
-}
-
-TEST_CASE("finite limits are two texts only if they differ by more than their errors") {
-  const auto limits = [](double a, double b, double error) {
-    const TwoSided values{{a, error}, {b, error}};
-    return limit_text(values, values, 16);
-  };
-  CHECK(limits(1, 2, 0).left.value == "1");
-  CHECK(limits(1, 2, 0).right.value == "2");
-  CHECK_FALSE(limits(1, 1, 0).two_sided());
-  CHECK_FALSE(limits(1, 1.03, 0.02).two_sided());
-  CHECK(limits(1, 1.05, 0.02).two_sided());
+TEST_CASE("one text for both limits, or two: blow-ups, what is not known, and what differs by no more than its error") {
+  // The limits, those of the traction, and what is written. A blow-up is one text, at an edge too; of two of different
+  // sign both are written. Shear without friction beside a blow-up keeps both limits; one not known hides no other.
+  const std::string rows =
+      "0,-inf:0,-inf:-inf 0,inf:0,-inf:inf -inf,inf:-inf,inf:-inf,inf 0,inf:-inf,-inf:0,inf 1+-inf,2:1+-inf,2:,2 "
+      "1,2:1,2:1,2 1,1:1,1:1 1+-0.02,1.03+-0.02:1+-0.02,1.03+-0.02:1 "
+      "1+-0.02,1.05+-0.02:1+-0.02,1.05+-0.02:1,1.05";
+  for (const std::string& row : words(rows)) {
+    CAPTURE(row);
+    const std::size_t traction = row.find(':') + 1, written = row.rfind(':') + 1;
+    const auto limits = two_sided(row.substr(0, traction - 1));
+    CHECK(shown(limit_text(limits, two_sided(row.substr(traction, written - traction - 1)), 16)) ==
+          row.substr(written));
+  }
 }
 
 TEST_CASE("sides that are kept apart are two in files, one to a person") {
-  const TwoSided values{{1, 0.02}, {1.03, 0.02}};
+  const auto values = two_sided("1+-0.02,1.03+-0.02");
   const LimitText text = limit_text(values, values, 16, true);
-  CHECK(text.two_sided());
-  CHECK(text.right.value == "1.03");
+  CHECK(shown(text) == "1,1.03");
   CHECK(text.right.shown == text.left.shown);
 }

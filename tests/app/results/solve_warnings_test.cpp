@@ -9,32 +9,26 @@ using namespace steadyslide::numeric;
 
 namespace {
 
-MadeUp with_error(double ends, double traction, double resultants) {
+MadeUp with_error(const EstimatedError<double>& error) {
   MadeUp shown;
-  shown.shown_error = {ends, traction, resultants};
+  shown.shown_error = error;
   return shown;
 }
 
 /// Contact from left to right on a trace over [-1, 1].
 MadeUp with_contact(double left, double right) {
-  MadeUp shown = with_error(0, 0, 0);
+  MadeUp shown;
   const auto end = [](double x, End side) {
-    const bool edge = std::abs(x) == 1;
-    return ContactEnd<double>{{x},
-                              edge ? SingularKind::edge : SingularKind::free,
-                              edge ? edge_exponent(side, 0) : free_exponent(side, 0),
-                              {}};
+    if (std::abs(x) == 1) return ContactEnd<double>{{x}, SingularKind::edge, edge_exponent(side, 0), {}};
+    return ContactEnd<double>{{x}, SingularKind::free, free_exponent(side, 0), {}};
   };
   shown.shown_contact.push_back({end(left, End::left), end(right, End::right)});
   return shown;
 }
 
 Problem punch(bool is_trace) {
-  const std::optional<MeasuredProfile> measured =
-      is_trace ? std::optional(MeasuredProfile{"trace.csv", 2}) : std::nullopt;
-  return {ContactProblem(Elasticity::reduced(0), FrictionProfile({0}, {}),
-                         Indenter(-1, {{1, Polynomial(std::vector<Rational>{})}}), 1),
-          "punch.toml", measured};
+  return {ContactProblem(Elasticity::reduced(0), FrictionProfile({0}), Indenter(-1, {{1, Polynomial()}}), 1),
+          "punch.toml", is_trace ? std::optional(MeasuredProfile{"trace.csv", 2}) : std::nullopt};
 }
 
 std::size_t count(const MadeUp& shown, bool is_trace = true) { return warnings(punch(is_trace), shown).size(); }
@@ -42,12 +36,12 @@ std::size_t count(const MadeUp& shown, bool is_trace = true) { return warnings(p
 }  // namespace
 
 TEST_CASE("an error above 10 % is warned of, above 50 % there is no solution") {
-  CHECK(count(with_error(0.1, 0.1, 0.1)) == 0);
-  CHECK(count(with_error(0.11, 0, 0)) == 1);
-  CHECK(count(with_error(0, 0.11, 0)) == 1);
-  CHECK(count(with_error(0, 0, 0.11)) == 1);
-  CHECK(count(with_error(0.2, 0.2, std::nan(""))) == 3);
-  CHECK(warnings(punch(false), with_error(0, 0.22, 0)).front() ==
+  CHECK(count(with_error({0.1, 0.1, 0.1})) == 0);
+  for (const EstimatedError<double>& one : {EstimatedError<double>{0.11, 0, 0}, {0, 0.11, 0}, {0, 0, 0.11}}) {
+    CHECK(count(with_error(one)) == 1);
+  }
+  CHECK(count(with_error({0.2, 0.2, std::nan("")})) == 3);
+  CHECK(warnings(punch(false), with_error({0, 0.22, 0})).front() ==
         "traction: large estimated error; more than 10 % of its size; 22 %");
 
   CHECK(useless_error(EstimatedError<double>{0.5, 0.5, 0.5}).empty());

@@ -4,7 +4,6 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include "app/tables/exponent_tables.hpp"
-#include "app/tables/materials.hpp"
 #include "support/test.hpp"
 
 using namespace steadyslide::app;
@@ -27,25 +26,32 @@ bool is(const std::string& text, const Real& value) {
 
 std::string word(const Real& beta) { return beta < 0 ? "blows up" : beta > 0 ? "vanishes" : "stays finite"; }
 
-/// Dundurs' constants as quotients of compliances, without Kolosov's constant [Joh85, (5.3)]: G = E/(2(1+nu)).
-struct Dundurs {
-  Real alpha;
-  Real beta;
-};
-Dundurs dundurs(const Material& one, const Material& two) {
-  const auto over_shear = [](const Material& m, const Real& factor) {
-    return factor * 2 * (1 + Real(m.poisson)) / Real(m.young);
-  };
-  const Real a1 = over_shear(one, 1 - Real(one.poisson));
-  const Real a2 = over_shear(two, 1 - Real(two.poisson));
-  const Real b1 = over_shear(one, 1 - 2 * Real(one.poisson));
-  const Real b2 = over_shear(two, 1 - 2 * Real(two.poisson));
-  return {(a1 - a2) / (a1 + a2), (b1 - b2) / (2 * (a1 + a2))};
+const std::vector<TextTable>& tables() {
+  static const std::vector<TextTable> all = exponent_tables();
+  return all;
 }
 
-const TextTable& table(std::size_t k) {
-  static const std::vector<TextTable> tables = exponent_tables();
-  return tables.at(k);
+/// E in GPa and nu, as the table of constants prints them.
+struct Material {
+  Real young, poisson;
+};
+Material material(const std::string& name) {
+  for (const Row& row : tables()[1].rows) {
+    if (row[0] == name) return {Real(row[1]), Real(row[2])};
+  }
+  FAIL("no such material: " << name);
+  return {};
+}
+
+/// Dundurs' constants as quotients of compliances, without Kolosov's constant [Joh85, (5.3)]: G = E/(2(1+nu)).
+struct Dundurs {
+  Real alpha, beta;
+};
+Dundurs dundurs(const Material& one, const Material& two) {
+  const auto over_shear = [](const Material& m, const Real& factor) { return factor * 2 * (1 + m.poisson) / m.young; };
+  const Real a1 = over_shear(one, 1 - one.poisson), a2 = over_shear(two, 1 - two.poisson);
+  const Real b1 = over_shear(one, 1 - 2 * one.poisson), b2 = over_shear(two, 1 - 2 * two.poisson);
+  return {(a1 - a2) / (a1 + a2), (b1 - b2) / (2 * (a1 + a2))};
 }
 
 }  // namespace
@@ -58,21 +64,21 @@ TEST_CASE("docs/exponents.* are what exponent-tables writes, byte by byte") {
 }
 
 TEST_CASE("exponent tables: every row has its cells, and no row occurs twice") {
-  CHECK(exponent_tables().size() == 3);
-  for (const TextTable& t : exponent_tables()) {
+  REQUIRE(tables().size() == 3);
+  for (const TextTable& t : tables()) {
     CAPTURE(t.title);
     CHECK(std::set<Row>(t.rows.begin(), t.rows.end()).size() == t.rows.size());
     CHECK_FALSE(t.references.empty());
     for (const Row& row : t.rows) CHECK(row.size() == t.columns.size());
   }
-  CHECK(table(0).rows.size() == 7 * 6);
-  CHECK(table(2).rows.size() >= 12);
+  CHECK(tables()[0].rows.size() == 7 * 6);
+  CHECK(tables()[2].rows.size() >= 12);
 }
 
 TEST_CASE("exponents by Poisson's ratio, all rows by 50-digit arithmetic") {
   const Real half = Real(1) / 2;
   std::set<std::string> words;
-  for (const Row& row : table(0).rows) {
+  for (const Row& row : tables()[0].rows) {
     const Real nu(row[0]);
     const Real gamma = (1 - 2 * nu) / (2 * (1 - nu)), left = angle(gamma * Real(row[1]));
     const Real right = angle(gamma * Real(row[2]));
@@ -90,11 +96,11 @@ TEST_CASE(
     "exponents by pairs of materials, all rows by 50-digit arithmetic and other formulas for Dundurs' constants") {
   const Real half = Real(1) / 2;
   int negative = 0;
-  for (const Row& row : table(2).rows) {
+  for (const Row& row : tables()[2].rows) {
     CAPTURE(row[0]);
     CAPTURE(row[1]);
-    const Material& body = material(row[0]);
-    const Real nu(body.poisson);
+    const Material body = material(row[0]);
+    const Real& nu = body.poisson;
     const Dundurs constants =
         row[1] == "rigid" ? Dundurs{1, (1 - 2 * nu) / (2 * (1 - nu))} : dundurs(body, material(row[1]));
     const Real& gamma = constants.beta;
@@ -118,20 +124,14 @@ TEST_CASE(
 
 TEST_CASE("materials: E = 2 mu (1 + nu) within 0.4 percent where the source gives all three") {
   int checked = 0;
-  for (const Material& m : materials()) {
-    CAPTURE(m.name);
-    CHECK_NOTHROW(m.solid());
-    if (!m.shear) continue;
+  for (const Row& row : tables()[1].rows) {
+    CAPTURE(row[0]);
+    if (row[3] == "-") continue;
     ++checked;
-    const Real young(m.young);
-    CHECK(abs(2 * Real(*m.shear) * (1 + Real(m.poisson)) - young) <= young * Real("0.004"));
+    const Real young(row[1]);
+    CHECK(abs(2 * Real(row[3]) * (1 + Real(row[2])) - young) <= young * Real("0.004"));
   }
   CHECK(checked >= 9);
-  for (const MaterialPair& pair : material_pairs()) {
-    CHECK_NOTHROW(material(pair.half_plane));
-    if (pair.indenter) CHECK_NOTHROW(material(*pair.indenter));
-  }
-  CHECK_THROWS_AS(material("unobtainium"), std::out_of_range);
 }
 
 TEST_CASE("a text table in three formats") {
@@ -143,7 +143,6 @@ TEST_CASE("a text table in three formats") {
   const std::string latex = latex_document("D", {t});
   for (const char* part : {"\\subsection*{T of $\\nu $}", "One, $\\alpha _{-}$.\n\nTwo: 50 \\%.",
                            "a & $f_{+}$ \\\\ \\hline", "1, 2 & $-0.5$ \\\\\n\\end{longtable}}"}) {
-    CAPTURE(part);
-    CHECK(holds(latex, part));
+    CHECK_MESSAGE(holds(latex, part), part);
   }
 }

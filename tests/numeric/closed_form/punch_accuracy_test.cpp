@@ -19,18 +19,24 @@ ContactProblem punch(int jumps, const Rational& nu, const Rational& f, const Rat
                         Rational(7, 3));
 }
 
+/// Poisson's ratio enters by s alone, and a part without jumps has one s: what is the same s is measured once.
 template <Real R>
 void check_residuals(int jumps, const R& tolerance) {
   using std::abs;
+  std::set<std::vector<Rational>> measured;
   for (const char* nu : {"-0.9", "0", "0.3", "0.499"}) {
     for (const auto& [f, g] : {std::pair("0", "0"), {"0.5", "0.2"}, {"0", "50"}, {"50", "0.1"}, {"10", "3"}}) {
       INFO("jumps = ", jumps, ", nu = ", nu, ", f = ", f, ", g = ", g);
       const ContactProblem problem = punch(jumps, parse_rational(nu), parse_rational(f), parse_rational(g));
-      const Residuals<R> residuals = closed_form<R>(problem).solution->residuals();
+      std::vector<Rational> s;
+      for (std::size_t k = 0; k < problem.friction().values().size(); ++k) s.push_back(problem.coupled_friction(k));
+      if (!measured.insert(s).second) continue;
+      const auto solution = closed_form<R>(problem).solution;
+      const Residuals<R> residuals = solution->residuals();
       CHECK(residuals.equation <= tolerance);
       CHECK(residuals.load <= tolerance);
       CHECK(residuals.tension == 0);
-      const Resultants<R> resultants = closed_form<R>(problem).solution->resultants();
+      const Resultants<R> resultants = solution->resultants();
       CHECK(abs(resultants.normal.value * 3 / 7 - 1) <= tolerance);
       CHECK(resultants.normal.convergence == Convergence::reached);
     }

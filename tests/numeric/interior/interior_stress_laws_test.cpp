@@ -2,7 +2,6 @@
 // surface, the resultants far away.
 
 #include "numeric/interior/interior_stress_problems.hpp"
-#include "support/numeric_test.hpp"
 
 using namespace steadyslide::numeric::stress_test;
 

@@ -97,7 +97,9 @@ TEST_CASE_TEMPLATE("H of Galin's weight is -tan(pi a) times it, from 1e-9 of an 
     const Exponent a = Exponent::angle(s);
     const auto density = jacobi<R>(-half - a, -half + a, one<R>);
     const trapezoidal::Grid<R> grid(density);
-    for (const char* distance : {"1e-9", "1e-3", "0.7", "1"}) {
+    // A place is a second at 100 digits: the nearest, and one inside.
+    for (const char* distance :
+         std::same_as<R, Real100> ? std::vector{"1e-9", "0.7"} : std::vector{"1e-9", "1e-3", "0.7", "1"}) {
       const R d = to_real<R>(parse_rational(distance));
       for (const Node<R>& node : {density[0].panel.node_from_left(d), density[0].panel.node_from_right(d)}) {
         const PanelPoint<R> at{0, node};

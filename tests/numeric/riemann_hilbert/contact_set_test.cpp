@@ -54,43 +54,32 @@ void change(ContactSet<R>& set) {
   const auto part = [](int low, int high) { return R(uniform(low, high)) / 1000; };
   const std::vector<std::size_t> free = set.movable();
   const auto any_segment = static_cast<std::size_t>(uniform(0, static_cast<int>(set.segments()) - 1));
-  switch (uniform(0, 4)) {
-    case 0: {
-      if (free.empty()) return;
-      std::vector<R> steps;
-      for (const std::size_t j : free) {
-        const R p = part(-450, 450);
-        steps.push_back(p * (p < 0 ? set.length(j - 1) : set.length(j)));
-      }
-      set.move(steps);
-      return;
+  const int kind = uniform(0, 4);
+  if (kind == 1) {
+    if (set.components() > 4) return;
+    set.open(place(set, any_segment, part(1, 499)), place(set, any_segment, part(501, 999)));
+  } else if (kind == 2) {
+    const auto begins = set.all(uniform(0, 1) == 0 ? Kind<R>::begins : Kind<R>::ends);
+    if (begins.size() > 1) set.remove_interval(begins.front());
+  } else if (free.empty()) {
+    return;
+  } else if (kind == 0) {
+    std::vector<R> steps;
+    for (const std::size_t j : free) {
+      const R p = part(-450, 450);
+      steps.push_back(p * (p < 0 ? set.length(j - 1) : set.length(j)));
     }
-    case 1: {
-      if (set.components() > 4) return;
-      set.open(place(set, any_segment, part(1, 499)), place(set, any_segment, part(501, 999)));
-      return;
-    }
-    case 2: {
-      const auto begins = set.all(uniform(0, 1) == 0 ? Kind<R>::begins : Kind<R>::ends);
-      if (begins.size() > 1) set.remove_interval(begins.front());
-      return;
-    }
-    case 3: {
-      if (free.empty()) return;
-      const std::size_t j = free[static_cast<std::size_t>(uniform(0, static_cast<int>(free.size()) - 1))];
-      const Side side = uniform(0, 1) == 0 ? Side::left : Side::right;
-      const std::size_t neighbour = side == Side::left ? j - 1 : j + 1;
-      const bool at_support = neighbour == 0 || neighbour == set.segments();
-      if (set.point(neighbour).is_end() || at_support) return;
-      using std::pow;
-      set.cross_anchor(j, side, pow(R(10), -uniform(1, 40)));
-      return;
-    }
-    default: {
-      if (free.empty()) return;
-      const std::size_t j = free.front(), k = uniform(0, 1) == 0 ? j : j - 1;
-      set.move_end(j, k, part(1, 999) * set.length(k));
-    }
+    set.move(steps);
+  } else if (kind == 3) {
+    const std::size_t j = free[static_cast<std::size_t>(uniform(0, static_cast<int>(free.size()) - 1))];
+    const Side side = uniform(0, 1) == 0 ? Side::left : Side::right;
+    const std::size_t neighbour = side == Side::left ? j - 1 : j + 1;
+    const bool at_support = neighbour == 0 || neighbour == set.segments();
+    using std::pow;
+    if (!set.point(neighbour).is_end() && !at_support) set.cross_anchor(j, side, pow(R(10), -uniform(1, 40)));
+  } else {
+    const std::size_t j = free.front(), k = uniform(0, 1) == 0 ? j : j - 1;
+    set.move_end(j, k, part(1, 999) * set.length(k));
   }
 }
 

@@ -3,7 +3,6 @@
 
 #include "numeric/riemann_hilbert/local_signs.hpp"
 #include "numeric/riemann_hilbert/contact_inequalities.hpp"
-#include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 
 namespace {

@@ -1,7 +1,6 @@
 // Free ends beside, at and across friction jumps, and at the edges of the support.
 
 #include "numeric/closed_form/closed_form.hpp"
-#include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 
 namespace {

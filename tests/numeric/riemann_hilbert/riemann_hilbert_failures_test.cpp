@@ -4,7 +4,6 @@
 #include "numeric/riemann_hilbert/contact_inequalities.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/variational/variational_inequality.hpp"
-#include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 
 namespace {

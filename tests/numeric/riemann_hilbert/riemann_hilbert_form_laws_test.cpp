@@ -3,10 +3,11 @@
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
-#include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 
 namespace {
+
+using R = double;
 
 /// Three pieces on [-2, 2] with wedges at -1/2 and 1, a step up at 1, jumps at -1/2, 0, 3/2.
 ContactProblem some_problem() {
@@ -17,7 +18,6 @@ ContactProblem some_problem() {
 }
 
 /// One to three components, with edges where they can be, ends anywhere, q and tilt anything.
-template <Real R>
 RiemannHilbertForm<R> random_form(const ReducedProblem<R>& problem, JacobiRules<R>& rules) {
   ContactSet<R> set(problem, {{-1.3, 1.7, uniform(0, 1) == 0, uniform(0, 1) == 0}});
   const auto inside = [&] {
@@ -37,25 +37,26 @@ RiemannHilbertForm<R> random_form(const ReducedProblem<R>& problem, JacobiRules<
   return {problem, std::move(set), std::move(q), R(uniform(-100, 100)) / 100, rules};
 }
 
-template <Real R>
 SurfacePoint<R> point(const ContactSet<R>& set, std::size_t segment, const R& part) {
   return beside(set, segment, Side::right, R(part * set.length(segment)));
 }
 
-template <Real R>
 std::vector<SurfacePoint<R>> beyond_support(const ContactSet<R>& set, const R& d) {
   return {beside(set, 0, Side::left, d), beside(set, set.segments(), Side::right, d)};
+}
+
+template <class Law>
+void check_on_random_forms(const char* name, const Law& law) {
+  const ContactProblem p = some_problem();
+  const ReducedProblem<R> problem(p, {0, 1});
+  JacobiRules<R> rules;
+  CHECK(rc::check(name, [&] { law(random_form(problem, rules)); }));
 }
 
 }  // namespace
 
 TEST_CASE("eps is the sign of (s + i) cos(pi alpha) Y+, and off the contact that of Y") {
-  using R = double;
-  const ContactProblem p = some_problem();
-  const ReducedProblem<R> problem(p, {0, 1});
-  JacobiRules<R> rules;
-  CHECK(rc::check("signs", [&] {
-    const auto form = random_form(problem, rules);
+  check_on_random_forms("signs", [](const RiemannHilbertForm<R>& form) {
     const ContactSet<R>& set = form.set();
     int degree = 0;
     for (const auto& end : set.points()) degree += end.is_free() ? 1 : 0;
@@ -66,8 +67,8 @@ TEST_CASE("eps is the sign of (s + i) cos(pi alpha) Y+, and off the contact that
       const R modulus = form.modulus(at);
       // (s + i)(re + i im) on the contact.
       const bool contact = set.in_contact(k);
-      const R s = contact ? problem.s(form.friction_at(k)) : R(0);
-      const R cosine = contact ? problem.cos_alpha(form.friction_at(k)) : R(1);
+      const R s = contact ? form.problem().s(form.friction_at(k)) : R(0);
+      const R cosine = contact ? form.problem().cos_alpha(form.friction_at(k)) : R(1);
       const R real = contact ? R(cosine * (s * y.re - y.im)) : y.re;
       const R imaginary = contact ? R(cosine * (s * y.im + y.re)) : y.im;
       RC_ASSERT(size_of(R(real - form.sign(at.segment) * modulus)) <= 100 * epsilon<R>() * modulus);
@@ -78,17 +79,13 @@ TEST_CASE("eps is the sign of (s + i) cos(pi alpha) Y+, and off the contact that
       const Complex<R> y = form.fundamental_solution().at({at.node.x, height});
       RC_ASSERT(size_of(R(y.re - form.sign(at.segment) * form.modulus(at))) <= 1e-8 * form.modulus(at));
     }
-  }));
+  });
 }
 
 TEST_CASE("u' = g_k + tilt - Y B_k off the contact is the same for every k") {
-  using R = double;
-  const ContactProblem p = some_problem();
-  const ReducedProblem<R> problem(p, {0, 1});
-  JacobiRules<R> rules;
   const R tolerance = 2000 * epsilon<R>();
-  CHECK(rc::check("brackets", [&] {
-    const auto form = random_form(problem, rules);
+  check_on_random_forms("brackets", [&](const RiemannHilbertForm<R>& form) {
+    const ReducedProblem<R>& problem = form.problem();
     const ContactSet<R>& set = form.set();
     std::vector<SurfacePoint<R>> all = beyond_support(set, R(R(uniform(1, 100)) / 50));
     for (std::size_t k = 0; k < set.segments(); ++k) {
@@ -103,15 +100,11 @@ TEST_CASE("u' = g_k + tilt - Y B_k off the contact is the same for every k") {
                   tolerance * (1 + size_of(expected)) + 8 * size_of(y) * (b.error + tolerance * size_of(b.value)));
       }
     }
-  }));
+  });
 }
 
 TEST_CASE("loads of segments and openings of gaps against unrelated quadratures") {
-  const ContactProblem p = some_problem();
-  const ReducedProblem<double> problem(p, {0, 1});
-  JacobiRules<double> rules;
-  CHECK(rc::check("quadratures", [&] {
-    const auto form = random_form(problem, rules);
+  check_on_random_forms("quadratures", [](const RiemannHilbertForm<R>& form) {
     const ContactSet<double>& set = form.set();
     const auto density = traction_density(form);
     const auto check = check_of(form);
@@ -139,22 +132,19 @@ TEST_CASE("loads of segments and openings of gaps against unrelated quadratures"
         if (!set.point(j).is_end()) continue;
         const double distance = std::abs(form.distance(at, j));
         const double surface = check.displacement(side == End::right ? panel - 1 : panel, side, distance);
-        const double expected = GapIntegral(form, j).profile_increment(at) - surface;
-        RC_ASSERT(std::abs(GapIntegral(form, j).reduced_gap(at).value - expected) <=
-                  1e-10 * (1 + size + std::abs(expected)));
+        const GapIntegral<double> gap(form, j);
+        const double expected = gap.profile_increment(at) - surface;
+        RC_ASSERT(std::abs(gap.reduced_gap(at).value - expected) <= 1e-10 * (1 + size + std::abs(expected)));
       }
     }
-  }));
+  });
 }
 
 TEST_CASE("the traction next to ends, jumps and wedges is that of the same form with 50 digits") {
   const ContactProblem p = some_problem();
-  const ReducedProblem<double> problem(p, {0, 1});
   const ReducedProblem<Real50> fine_problem(p, {0, 1});
-  JacobiRules<double> rules;
   JacobiRules<Real50> fine_rules;
-  CHECK(rc::check("near", [&] {
-    const auto form = random_form(problem, rules);
+  check_on_random_forms("near", [&](const RiemannHilbertForm<R>& form) {
     const RiemannHilbertForm<Real50> fine(fine_problem, ContactSet<Real50>::converted(fine_problem, form.set()),
                                           {form.q().begin(), form.q().end()}, form.tilt(), fine_rules);
     const ContactSet<double>& set = form.set();
@@ -172,5 +162,5 @@ TEST_CASE("the traction next to ends, jumps and wedges is that of the same form 
         RC_ASSERT(t.error <= 1e-8 * std::abs(expected) + 1e-10);
       }
     }
-  }));
+  });
 }

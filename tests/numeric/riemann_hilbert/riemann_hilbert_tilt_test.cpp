@@ -1,6 +1,5 @@
 // Indenters that may tilt.
 
-#include "support/numeric_test.hpp"
 #include "support/solved_contact.hpp"
 
 namespace {

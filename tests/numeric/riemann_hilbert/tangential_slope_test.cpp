@@ -7,8 +7,9 @@
 namespace {
 
 template <Real R>
-void agree(Sliding sliding, const R& tolerance) {
+void agree(Sliding sliding) {
   using std::abs, std::pow;
+  const R tolerance = 2000 * epsilon<R>();
   const ContactProblem p = stress_test::jumps(sliding);
   const stress_test::Solved<R> solved(p);
   const RiemannHilbertSolution<R>& solution = solved.solution;
@@ -63,8 +64,8 @@ void agree(Sliding sliding, const R& tolerance) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("the tangential displacement's slope, sliding both ways", R, double, Real50) {
-  const R tolerance = 2000 * epsilon<R>();
-  agree<R>(Sliding::plus_x, tolerance);
-  agree<R>(Sliding::minus_x, tolerance);
+TEST_CASE("the tangential displacement's slope, sliding both ways") {
+  agree<double>(Sliding::plus_x);
+  agree<double>(Sliding::minus_x);
+  agree<Real50>(Sliding::minus_x);
 }

@@ -70,10 +70,6 @@ Rational mean_height(const ContactProblem& problem, const Rational& left, const 
   return sum / (right - left);
 }
 
-std::vector<double> means_of(const ContactProblem& problem, const CellMesh& mesh) {
-  return CellProfile(problem, mesh.frame()).means(mesh);
-}
-
 }  // namespace
 
 TEST_CASE("friction within cells, whichever way the indenter slides") {
@@ -107,7 +103,8 @@ TEST_CASE("the profile's means over cells, with wedges and steps anywhere") {
   const Rational scale = problem.elasticity().compliance() * problem.load();
   for (int cells : {1, 2, 4, 7, 40, 41}) {
     CAPTURE(cells);
-    const std::vector<double> found = means_of(problem, CellMesh(problem, static_cast<std::size_t>(cells)));
+    const CellMesh mesh(problem, static_cast<std::size_t>(cells));
+    const std::vector<double> found = CellProfile(problem, mesh.frame()).means(mesh);
     bool differs = false;
     for (int i = 0; i < cells; ++i) {
       const Rational left = 1 + Rational(4 * i, cells), right = 1 + Rational(4 * (i + 1), cells);

@@ -42,37 +42,29 @@ TEST_CASE("certificate: another load and another moment are refused for these al
   const CellSet contact = solved(problem).contact;
   const double moment = *problem.load_at();
 
-  const Certificate heavier = certify(problem, under(problem, contact, {1 + 1e-7, moment}));
-  CHECK(heavier.load == doctest::Approx(1e-7).epsilon(1e-4));
-  CHECK(std::max({heavier.natural, heavier.equation, heavier.moment, heavier.product}) <= heavier.allowed);
-  CHECK_FALSE(heavier.accepted());
-
-  const Certificate turned = certify(problem, under(problem, contact, {1, moment + 1e-7}));
-  CHECK(turned.moment == doctest::Approx(1e-7).epsilon(1e-4));
-  CHECK(std::max({turned.natural, turned.equation, turned.load, turned.product}) <= turned.allowed);
-  CHECK_FALSE(turned.accepted());
+  for (const bool heavier : {true, false}) {
+    const double more = heavier ? 1e-7 : 0, turned = 1e-7 - more;
+    const Certificate c = certify(problem, under(problem, contact, {1 + more, moment + turned}));
+    CHECK((heavier ? c.load : c.moment) == doctest::Approx(1e-7).epsilon(1e-4));
+    CHECK(std::max({c.natural, c.equation, heavier ? c.moment : c.load, c.product}) <= c.allowed);
+    CHECK_FALSE(c.accepted());
+  }
 }
 
 TEST_CASE("certificate: a contact too small penetrates beside it, one too large pulls") {
   const DiscreteProblem problem = parabola();
   const ActiveSetResult solution = solved(problem);
-  const auto first = std::find(solution.contact.begin(), solution.contact.end(), 1) - solution.contact.begin();
-
-  CellSet small = solution.contact;
-  small[static_cast<std::size_t>(first)] = 0;
-  const Certificate penetrating = certify(problem, under(problem, small, {1, 0}));
-  CHECK(penetrating.penetration > 1e-6);
-  CHECK(penetrating.natural == doctest::Approx(penetrating.penetration));
-  CHECK(std::max({penetrating.equation, penetrating.load, penetrating.tension}) <= penetrating.allowed);
-  CHECK_FALSE(penetrating.accepted());
-
-  CellSet large = solution.contact;
-  large[static_cast<std::size_t>(first) - 1] = 1;
-  const Certificate pulling = certify(problem, under(problem, large, {1, 0}));
-  CHECK(pulling.tension > 1e-6);
-  CHECK(pulling.natural == doctest::Approx(pulling.tension));
-  CHECK(std::max({pulling.equation, pulling.load, pulling.penetration}) <= pulling.allowed);
-  CHECK_FALSE(pulling.accepted());
+  const std::size_t first = cells_of(solution.contact).front();
+  for (const bool small : {true, false}) {
+    CellSet contact = solution.contact;
+    contact[small ? first : first - 1] = small ? 0 : 1;
+    const Certificate c = certify(problem, under(problem, contact, {1, 0}));
+    const double wrong = small ? c.penetration : c.tension;
+    CHECK(wrong > 1e-6);
+    CHECK(c.natural == doctest::Approx(wrong));
+    CHECK(std::max({c.equation, c.load, small ? c.tension : c.penetration}) <= c.allowed);
+    CHECK_FALSE(c.accepted());
+  }
 }
 
 TEST_CASE("certificate: a pressure across a gap, however small, and what is no number") {

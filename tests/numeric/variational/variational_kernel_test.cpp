@@ -45,8 +45,7 @@ TEST_CASE("the mean logarithm over two cells is exact, however they lie") {
     const auto [a, b, c, d] = random_cells(random, k % 3 == 0);
     for (const Cells& pair : {Cells{a, b, c, d}, Cells{c, d, a, b}, Cells{a, b, a, b}}) {
       const Real100 exact = exact_mean(pair.a, pair.b, pair.c, pair.d);
-      const double e = error(mean_log(pair.a, pair.b, pair.c, pair.d), exact);
-      worst = std::max(worst, e);
+      worst = std::max(worst, error(mean_log(pair.a, pair.b, pair.c, pair.d), exact));
     }
     // Control: the logarithm of the centres' distance is not the mean.
     worst_of_centres = std::max(worst_of_centres, error(std::log((c + d - a - b) / 2), exact_mean(a, b, c, d)));

@@ -1,5 +1,4 @@
 #include "proofs_checks/kit/registry.hpp"
-#include "proofs_checks/kit/claim_list.hpp"
 #include "proofs_checks/statements/paper_statements.hpp"
 #include "proofs_checks/statements/reading_notes.hpp"
 #include "support/test.hpp"
@@ -81,7 +80,7 @@ void check_all_hold(const std::vector<Report>& reports) {
     if (const auto listed = expected.claims.find(report.claim.id); listed != expected.claims.end()) {
       CHECK(name_of(report.verdict) == listed->second.first);
     }
-    CHECK(report.survivors().empty());
+    CHECK(report.controls_refuted() == report.controls.size());
     for (const Evidence& e : report.evidence) {
       if (std::holds_alternative<Counterexample>(e)) MESSAGE(describe(e));
     }
@@ -98,11 +97,22 @@ TEST_CASE("every claim is complete") {
     CHECK_FALSE(claim.source.empty());
     CHECK_FALSE(claim.statement.empty());
     CHECK_FALSE(claim.hypotheses.empty());
-    // Beyond calculation: beyond_calculation_test.cpp.
+    // Beyond calculation: claim_texts_test.cpp.
     if (claim.controls.empty()) continue;
     CHECK(claim.controls.size() >= 3);
     std::set<std::string> names;
     for (const Control& control : claim.controls) CHECK(names.insert(control.name).second);
+  }
+}
+
+TEST_CASE("every claim has a near miss among its controls, unless it is decided exactly") {
+  for (const Report& report : quick_run(1)) {
+    CAPTURE(report.claim.id);
+    const bool near_miss =
+        std::ranges::any_of(report.controls, [](const auto& c) { return c.name.starts_with("near miss"); });
+    const bool exact = std::ranges::all_of(report.evidence,
+                                           [](const Evidence& e) { return std::holds_alternative<ExactIdentity>(e); });
+    CHECK((near_miss || (exact && !report.evidence.empty()) || report.beyond_calculation()));
   }
 }
 
@@ -128,8 +138,9 @@ TEST_CASE("the ledger has lost nothing that its list says, and has what the pape
   CHECK(notes == expected.notes);
 }
 
+// A further seed: the tests verify-*.
 TEST_CASE("all claims hold in double, for several seeds, and every control is refuted") {
-  for (const std::uint64_t seed : {1U, 2U, 77U, 123456U}) {
+  for (const std::uint64_t seed : {1U, 2U, 123456U}) {
     CAPTURE(seed);
     check_all_hold(quick_run(seed));
   }

@@ -34,7 +34,6 @@ TEST_CASE("run: right formula, refuted controls") {
   const Report report = run(claim_about(1, {{"two", 2.0}, {"nothing", 0.0}}), {});
   CHECK(report.verdict == Verdict::supported);
   CHECK(report.controls_refuted() == 2);
-  CHECK(report.survivors().empty());
   CHECK(report.note.empty());
   CHECK(holds(report.controls[0].detail, "exceeds the tolerance"));
 }
@@ -43,15 +42,14 @@ TEST_CASE("run: a surviving control leaves the claim undecided") {
   const Report report = run(claim_about(1, {{"two", 2.0}, {"a little more", 1.25}}), {});
   CHECK(report.verdict == Verdict::undecided);
   CHECK(report.controls_refuted() == 1);
-  CHECK(report.survivors() == std::vector<std::string>{"a little more"});
-  CHECK(holds(report.note, "a little more"));
+  CHECK(report.note == "not checked: the control survives: a little more");
 }
 
-TEST_CASE("run: no controls, no check") { CHECK(run(claim_about(1, {}), {}).verdict == Verdict::undecided); }
-
-TEST_CASE("run: a wrong claim is refuted, NaN included") {
-  CHECK(run(claim_about(3, {{"two", 2.0}}), {}).verdict == Verdict::refuted);
-  CHECK(run(claim_about(std::numeric_limits<double>::quiet_NaN(), {{"two", 2.0}}), {}).verdict == Verdict::refuted);
+TEST_CASE("run: no controls, no check; a wrong claim is refuted, NaN included") {
+  CHECK(run(claim_about(1, {}), {}).verdict == Verdict::undecided);
+  for (const double wrong : {3.0, std::nan("")}) {
+    CHECK(run(claim_about(wrong, {{"two", 2.0}}), {}).verdict == Verdict::refuted);
+  }
 }
 
 TEST_CASE("run: a rate off the expected one refutes, and one too vague does not") {
@@ -123,12 +121,10 @@ TEST_CASE("glob") {
     CHECK(matches_glob("eq-04-flat-punch", pattern));
   }
   CHECK(matches_glob("aXbXc", "a*X*c"));
-  CHECK(matches_glob("", "*"));
-  CHECK(matches_glob("", ""));
+  for (const char* pattern : {"*", ""}) CHECK(matches_glob("", pattern));
+  for (const char* pattern : {"eq", "*-punc", "eq-05-flat-punch"})
+    CHECK_FALSE(matches_glob("eq-04-flat-punch", pattern));
   CHECK_FALSE(matches_glob("", "?"));
-  CHECK_FALSE(matches_glob("eq-04-flat-punch", "eq"));
-  CHECK_FALSE(matches_glob("eq-04-flat-punch", "*-punc"));
-  CHECK_FALSE(matches_glob("eq-04", "eq-05"));
 }
 
 TEST_CASE("select, run_all, count") {
@@ -150,12 +146,7 @@ TEST_CASE("select, run_all, count") {
     CHECK(index == seen.size());
     CHECK(total == 3);
     seen.push_back(claim.id);
-    return true;
   };
-  const Counts counts = count(run_all(claims, {}, progress));
+  CHECK(counts_line(run_all(claims, {}, progress)) == "0 proved, 2 supported, 1 undecided, 0 refuted");
   CHECK(seen == std::vector<std::string>{"a-1", "b-1", "a-2"});
-  CHECK(counts.supported == 2);
-  CHECK(counts.undecided == 1);
-  CHECK(counts.proved + counts.refuted == 0);
-  CHECK(run_all(claims, {}, [](std::size_t index, std::size_t, const Claim&) { return index < 1; }).size() == 1);
 }

@@ -50,12 +50,10 @@ TEST_CASE("weigh: the truth table, and what stands beside") {
 
 TEST_CASE("weigh: a claim with a surviving control was not checked") {
   const std::vector<Evidence> proof{evidence.at("whole")};
-  const std::vector<Evidence> support{evidence.at("agreement")};
-  const std::vector<Evidence> against{evidence.at("counterexample")};
   CHECK(weigh(proof, true) == Verdict::proved);
   CHECK(weigh(proof, false) == Verdict::undecided);
-  CHECK(weigh(support, false) == Verdict::undecided);
-  CHECK(weigh(against, false) == Verdict::refuted);
+  CHECK(weigh(std::vector{evidence.at("agreement")}, false) == Verdict::undecided);
+  CHECK(weigh(std::vector{evidence.at("counterexample")}, false) == Verdict::refuted);
   CHECK(weigh({}, true) == Verdict::undecided);
 }
 

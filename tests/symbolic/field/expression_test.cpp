@@ -1,6 +1,5 @@
 #include "symbolic/field/expression.hpp"
 #include "model/elasticity.hpp"
-#include "model/singular_point.hpp"
 #include "support/test.hpp"
 #include "symbolic/local/coupling.hpp"
 
@@ -17,22 +16,6 @@ TEST_CASE("numbers go to GiNaC and back unchanged") {
   }));
   CHECK(to_rational(to_expression(-7e-400_r)) == -7e-400_r);
   CHECK_THROWS_AS(to_rational(numeric(0.5)), std::domain_error);
-}
-
-TEST_CASE("exponents as expressions") {
-  CHECK(to_expression(Exponent::angle(1)).is_equal(ex(1) / 4));
-  CHECK(to_expression(edge_exponent(End::left, Rational(3, 35)))
-            .is_equal(-ex(1) / 2 - GiNaC::atan(ex(3) / 35) / GiNaC::Pi));
-  CHECK(rc::check([] {
-    Exponent sum(Rational(uniform(-8, 7), 4));
-    double value = sum.offset().convert_to<double>();
-    for (int terms = uniform(0, 5); terms > 0; --terms) {
-      const Rational slope(uniform(-1000, 999), uniform(1, 99));
-      sum += Exponent::angle(slope);
-      value += std::atan(slope.convert_to<double>()) / std::acos(-1.0);
-    }
-    RC_ASSERT(std::abs(ex_to<numeric>(to_expression(sum).evalf()).to_double() - value) < 1e-13);
-  }));
 }
 
 TEST_CASE("the symbolic constants at rational arguments are the model's") {

@@ -5,19 +5,16 @@ using namespace steadyslide::symbolic;
 
 namespace {
 
-constexpr ClosedFormKind kinds[] = {
-    ClosedFormKind::flat_punch,         ClosedFormKind::tilted_punch,
-    ClosedFormKind::lifted_punch,       ClosedFormKind::parabola,
-    ClosedFormKind::parabola_left_edge, ClosedFormKind::parabola_right_edge,
-    ClosedFormKind::parabola_two_edges, ClosedFormKind::quartic,
-};
-
-bool says(const Derivation& derivation, const std::string& text) { return holds(to_text(derivation), text); }
+void check_says(const Derivation& derivation, std::initializer_list<const char*> parts) {
+  for (const char* part : parts) CHECK_MESSAGE(holds(to_text(derivation), part), part);
+}
 
 }  // namespace
 
 TEST_CASE("every closed form is derived with up to four jumps, in the same words every time") {
-  for (const ClosedFormKind kind : kinds) {
+  using enum ClosedFormKind;
+  for (const ClosedFormKind kind : {flat_punch, tilted_punch, lifted_punch, parabola, parabola_left_edge,
+                                    parabola_right_edge, parabola_two_edges, quartic}) {
     for (int jumps = 0; jumps <= 4; ++jumps) {
       const Derivation derivation = closed_form_derivation(kind, jumps);
       const auto results =
@@ -34,21 +31,14 @@ TEST_CASE("every closed form is derived with up to four jumps, in the same words
 TEST_CASE("the flat punch with one jump, as it reads") {
   const Derivation d = closed_form_derivation(1);
   CHECK(d.title == "Flat punch, 1 friction jump");
-  CHECK(says(d, "p_0 = -1/2 - alpha_0"));
-  CHECK(says(d, "p_1 = alpha_0 - alpha_1"));
-  CHECK(says(d, "p_2 = -1/2 + alpha_1"));
-  CHECK(says(d, "S = -1"));
-  CHECK(says(d, "N = -P/pi"));
-  CHECK(says(d, "(s+i) Y+ = |Y|/cos(pi alpha)"));
+  check_says(d, {"p_0 = -1/2 - alpha_0", "p_1 = alpha_0 - alpha_1", "p_2 = -1/2 + alpha_1", "S = -1", "N = -P/pi",
+                 "(s+i) Y+ = |Y|/cos(pi alpha)"});
 }
 
 TEST_CASE("the parabola and the quartic: factor and conditions") {
-  const Derivation parabola = closed_form_derivation(ClosedFormKind::parabola, 2);
-  CHECK(says(parabola, "N = 1/R"));
-  CHECK(says(parabola, "(s+i) Y+ = -|Y|/cos(pi alpha)"));
-  CHECK(says(parabola, "S = 1"));
-  const Derivation quartic = closed_form_derivation(ClosedFormKind::quartic, 0);
-  CHECK(says(quartic, "N = kappa*x^2 + kappa*sigma_1*x"));
+  check_says(closed_form_derivation(ClosedFormKind::parabola, 2),
+             {"N = 1/R", "(s+i) Y+ = -|Y|/cos(pi alpha)", "S = 1"});
+  check_says(closed_form_derivation(ClosedFormKind::quartic, 0), {"N = kappa*x^2 + kappa*sigma_1*x"});
 }
 
 TEST_CASE("a problem's own derivation has its numbers") {
@@ -56,9 +46,6 @@ TEST_CASE("a problem's own derivation has its numbers") {
                                Indenter(-1, {{1, Polynomial({0, 0, 2.5_r})}}), 1);
   const std::vector<Derivation> all = riemann_hilbert_derivations(problem);
   REQUIRE(all.size() == 1);
-  CHECK(says(all[0], "s_0 = 1/10"));
-  CHECK(says(all[0], "s_1 = 3/5"));
-  CHECK(says(all[0], "-0.40030177520230828358748137134"));
-  CHECK(says(all[0], "0.2789364365421476101051427811"));
-  CHECK(says(all[0], "N = 5"));
+  check_says(all[0], {"s_0 = 1/10", "s_1 = 3/5", "-0.40030177520230828358748137134", "0.2789364365421476101051427811",
+                      "N = 5"});
 }

@@ -1,6 +1,18 @@
+// What no list of answers says of `verify` and `table`.
+
 #include <chrono>
 
-#include "app/command_line.hpp"
+#include "app/json_answers.hpp"
+
+TEST_CASE("--list names every claim once and checks nothing") {
+  const Json json = Json::parse(run_alone({"verify", "--list", "--format", "json"}).out);
+  const std::string text = run_alone({"verify", "--list"}).out;
+  CHECK(json["claims"].size() >= 5);
+  for (const Json& claim : json["claims"]) {
+    CHECK(holds("\n" + text, "\n" + claim["id"].get<std::string>() + "\n"));
+    CHECK_FALSE(claim.contains("verdict"));
+  }
+}
 
 TEST_CASE("8820 rows of 30 digits in less than two seconds") {
   const auto start = std::chrono::steady_clock::now();

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/figures/figures.hpp"
+#include "support/test.hpp"
+
+namespace steadyslide::testing {
+
+/// The figure of this name, made once for all tests.
+inline const app::Figure& made(const std::string& name) {
+  static std::map<std::string, app::Figure> figures;
+  const auto maker = std::ranges::find(app::figures(), name, &app::FigureMaker::name);
+  REQUIRE(maker != app::figures().end());
+  if (!figures.contains(name)) figures.emplace(name, maker->make());
+  return figures.at(name);
+}
+
+}  // namespace steadyslide::testing
