@@ -4,8 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/direction.hpp"
-#include "model/rational.hpp"
+#include "model/contact_problem.hpp"
 
 namespace steadyslide {
 
@@ -22,7 +21,11 @@ struct ApproximateContact {
     bool vanishes = false;
     friend bool operator==(const End&, const End&) = default;
   };
+  /// None where a method knows them no better than to a cell.
   std::vector<End> ends;
+
+  /// A free end at x, beside the nearest place of the data. `x` lies strictly between two of them.
+  static End free_end(const ContactProblem& problem, const Rational& x);
 };
 
 }  // namespace steadyslide

@@ -351,6 +351,25 @@ Ball ContactForm::moment(std::size_t j) const {
   return sum;
 }
 
+Ball ContactForm::second_coefficient() const {
+  Ball sum(0, set_.bits());
+  for (std::size_t l = 0; l < q_.size(); ++l) {
+    sum += q_[l] / Ball::pi(set_.bits()) * series(y_series_, degree_ + static_cast<int>(l) + 2);
+  }
+  for (int j = 0; j <= degree_ + 1; ++j) {
+    sum += moment(static_cast<std::size_t>(j)) * series(y_series_, degree_ + 1 - j);
+  }
+  return sum;
+}
+
+Ball ContactForm::centre_of_pressure() const {
+  return second_coefficient() * Ball::pi(set_.bits()) / Ball(set_.problem().load, set_.bits());
+}
+
+Ball ContactForm::profile_slope(const Place& place) const {
+  return value_at(slopes_[slopes_of_[place.segment]].coefficients, coordinate(place));
+}
+
 std::size_t ContactForm::unknowns() const {
   return set_.topology().movable().size() + static_cast<std::size_t>(std::max(-degree_ - 1, 0)) +
          (set_.problem().load_at ? 1 : 0);
@@ -367,15 +386,7 @@ std::vector<Ball> ContactForm::conditions() const {
   }
   for (const ContactSet::Run& gap : set_.gaps()) result.push_back(gap_condition(gap));
   if (set_.problem().load_at) {
-    // The coefficient of z^-2 in u'/c is P load_at/pi.
-    Ball sum = -load * Ball(*set_.problem().load_at, set_.bits()) / pi;
-    for (std::size_t l = 0; l < q_.size(); ++l) {
-      sum += q_[l] / pi * series(y_series_, degree_ + static_cast<int>(l) + 2);
-    }
-    for (int j = 0; j <= degree_ + 1; ++j) {
-      sum += moment(static_cast<std::size_t>(j)) * series(y_series_, degree_ + 1 - j);
-    }
-    result.push_back(std::move(sum));
+    result.push_back(second_coefficient() - load * Ball(*set_.problem().load_at, set_.bits()) / pi);
   }
   return result;
 }

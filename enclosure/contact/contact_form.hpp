@@ -54,6 +54,10 @@ class ContactForm {
   Ball modulus(const Place& place, std::optional<std::size_t> without = std::nullopt) const;
   /// int t dxi over a segment in contact.
   Ball load_on(std::size_t segment) const;
+  /// g_k + tilt at a place of a segment, k its own slope.
+  Ball profile_slope(const Place& place) const;
+  /// int xi t dxi / int t dxi, from the expansion at infinity.
+  Ball centre_of_pressure() const;
   /// The conditions on the unknowns, in the order moments, gaps, moment of the load: all of them are 0 at a solution.
   std::vector<Ball> conditions() const;
   /// Their derivatives by the logarithms of the offsets, the coefficients of q and the tilt.
@@ -86,6 +90,8 @@ class ContactForm {
   /// int eps cos(pi alpha) (g - g_k)/|Y| x^j dx over the contact.
   Ball integral(std::size_t k, std::size_t j) const;
   Ball moment(std::size_t j) const;
+  /// The coefficient of z^-2 of u'/c: (1/pi) times the load's moment.
+  Ball second_coefficient() const;
   Ball gap_condition(const ContactSet::Run& gap) const;
   std::vector<Ball> gap_derivatives(const ContactSet::Run& gap, const std::vector<Ball>& residues) const;
   /// max |B_k| on the ellipse of a panel; without what a segment contributes.

@@ -62,6 +62,13 @@ std::vector<ContactComponent<R>> ClosedForm<R>::contact() const {
 }
 
 template <Real R>
+ApproximateContact ClosedForm<R>::approximate_contact() const {
+  if (data_.ends == SingularKind::edge) return {{{problem_.indenter().left()}, {problem_.indenter().right()}}};
+  const auto end = [&](std::size_t j) { return ApproximateContact::free_end(problem_, Rational(coordinate(j).value)); };
+  return {{end(0), end(weight().panel_count())}};
+}
+
+template <Real R>
 std::vector<SolvedSingularPoint<R>> ClosedForm<R>::singular_points() const {
   std::vector<SolvedSingularPoint<R>> points;
   const std::size_t last = weight().panel_count();

@@ -53,6 +53,7 @@ class ClosedForm : public ContactSolution<R> {
 
   std::string method() const override { return "closed-form"; }
   std::vector<ContactComponent<R>> contact() const override;
+  ApproximateContact approximate_contact() const override;
   std::vector<SolvedSingularPoint<R>> singular_points() const override;
   Resultants<R> resultants() const override;
   EstimatedError<R> estimated_error() const override;

@@ -132,6 +132,30 @@ std::vector<ContactComponent<R>> RiemannHilbertSolution<R>::contact() const {
 }
 
 template <Real R>
+ApproximateContact RiemannHilbertSolution<R>::approximate_contact() const {
+  ApproximateContact contact;
+  const ContactSet<R>& set = contact_set();
+  for (std::size_t j = 0; j < set.points().size(); ++j) {
+    const auto& point = set.point(j);
+    if (!point.is_end()) continue;
+    if (point.anchor) {
+      contact.ends.push_back({reduced_.place(*point.anchor), std::nullopt, 0, point.vanishes});
+      continue;
+    }
+    // Lengths are what is known exactly: their sums to the anchors on both sides.
+    R to_left = 0, to_right = 0;
+    std::size_t left = j, right = j;
+    while (!set.point(left).anchor) to_left += set.length(--left);
+    while (!set.point(right).anchor) to_right += set.length(right++);
+    const bool from_left = to_left < to_right;
+    contact.ends.push_back({reduced_.place(*set.point(from_left ? left : right).anchor),
+                            from_left ? Side::right : Side::left,
+                            reduced_.frame().unit * Rational(from_left ? to_left : to_right), true});
+  }
+  return contact;
+}
+
+template <Real R>
 std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points() const {
   std::vector<SolvedSingularPoint<R>> result;
   for (std::size_t j = 0; j < contact_set().points().size(); ++j) {

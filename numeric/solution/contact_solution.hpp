@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "model/approximate_contact.hpp"
 #include "model/contact_problem.hpp"
 #include "model/singular_point.hpp"
 #include "numeric/number/estimate.hpp"
@@ -111,6 +112,8 @@ class ContactSolution {
   /// Empty where every condition of the problem holds; otherwise what the best state reached violates, in words.
   virtual std::string failed_condition() const { return {}; }
   virtual std::vector<ContactComponent<R>> contact() const = 0;
+  /// Where contact is, in plain exact numbers: what a proof starts from.
+  virtual ApproximateContact approximate_contact() const { return {}; }
   virtual std::vector<SolvedSingularPoint<R>> singular_points() const = 0;
   virtual Resultants<R> resultants() const = 0;
   /// The slope added to psi where the indenter may tilt; absent where it may not.
