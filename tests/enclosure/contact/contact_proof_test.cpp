@@ -1,0 +1,175 @@
+// Contact solutions proved, and wrong ones refused, from what the Riemann-Hilbert solver hands over.
+
+#include "enclosure/contact/contact_proof.hpp"
+#include "enclosure/contact/enclosed_solution.hpp"
+#include "numeric/closed_form/closed_form.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "support/numeric_test.hpp"
+#include "support/problems.hpp"
+#include "support/random_contact.hpp"
+
+namespace {
+
+using namespace steadyslide::enclosure;
+using Kind = ContactTopology::Kind;
+
+/// psi = -|x|/5 on [-1, 1], nu = 0.2, f = 0.1 | 0.5: a notch whose corner lies where friction rises.
+ContactProblem notch(const Rational& load) {
+  const Indenter indenter(-1, {{0, Polynomial({0, 0.2_r})}, {1, Polynomial({0, -0.2_r})}});
+  return {Elasticity(Solid(0.2_r, 1)), FrictionProfile({0.1_r, 0.5_r}, {0}), indenter, load};
+}
+/// From it on there is full contact: the traction's power at the corner has the amplitude 0. By two unrelated
+/// computations; the compliance of these data is 1.92.
+const Rational full_contact_from = 8.308222888593932767_r / 1.92_r;
+
+const ApproximateContact everywhere{{{-1}, {1}}};
+
+/// Do the two agree within what double knows?
+void agrees(const Ball& enclosed, const Estimate<double>& estimate, double scale = 0) {
+  REQUIRE(enclosed.is_finite());
+  CHECK(enclosed.to_double() ==
+        doctest::Approx(estimate.value).epsilon(1e-7).scale(scale + std::abs(estimate.value) + 1e-12));
+}
+
+/// The proof, and its numbers beside those of double.
+ContactProof proved_beside(const ContactProblem& problem, const ContactSolution<double>& solution, int digits) {
+  const ContactProof proof = prove_contact(problem, solution.approximate_contact(), digits);
+  if (!proof.proved) return proof;
+  const EnclosedSolution enclosed(problem, proof);
+  const auto resultants = enclosed.resultants();
+  const auto estimated = solution.resultants();
+  CHECK(resultants.normal.contains(problem.load()));
+  CHECK(resultants.normal.radius() < Ball(problem.load(), 64) * power(Ball(10, 64), -digits + 8));
+  agrees(resultants.effective_friction, estimated.effective_friction);
+  const auto zones = enclosed.contact();
+  const auto found = solution.contact();
+  REQUIRE(zones.size() == found.size());
+  const double length = found.back().right.x.value - found.front().left.x.value;
+  agrees(resultants.centre_of_pressure, estimated.centre_of_pressure, length);
+  for (std::size_t k = 0; k < zones.size(); ++k) {
+    CHECK(zones[k].first.kind == found[k].left.kind);
+    CHECK(zones[k].second.exponent == found[k].right.exponent);
+    agrees(zones[k].first.x, found[k].left.x, length);
+    agrees(zones[k].second.x, found[k].right.x, length);
+    agrees(zones[k].first.intensity, found[k].left.intensity);
+    agrees(zones[k].second.intensity, found[k].right.intensity);
+  }
+  return proof;
+}
+
+}  // namespace
+
+TEST_CASE("a notch over a rising jump: below the threshold a gap is proved, and full contact refuted") {
+  std::vector<double> laws;
+  for (const char* part : {"0.5", "0.6", "0.7", "0.9", "0.99", "0.999", "0.999999"}) {
+    CAPTURE(part);
+    const ContactProblem problem = notch(full_contact_from * parse_rational(part));
+    const ContactProof full = prove_contact(problem, everywhere, 30);
+    CHECK_FALSE(full.proved);
+    CHECK(full.refuted);
+    CHECK(full.reason == "the traction's leading term pulls");
+    CHECK(full.where == 0);
+
+    const auto solution = riemann_hilbert<double>(problem).solution;
+    REQUIRE(solution);
+    const ContactProof proof = prove_contact(problem, solution->approximate_contact(), 30);
+    CHECK_MESSAGE(proof.proved, proof.reason);
+    REQUIRE(proof.box.log_offsets.size() == 2);
+    // The gap is (C (1 - P/P_c))^(-1/beta) near P_c.
+    const Ball beta(jump_exponent(problem.coupled_friction(0), problem.coupled_friction(1)), 64);
+    laws.push_back((-beta * proof.box.log_offsets[0]).to_double() - std::log(1 - std::stod(part)));
+  }
+  CHECK(laws[6] == doctest::Approx(laws[5]).epsilon(1e-3));
+  const ContactProof above = prove_contact(notch(full_contact_from * 1.000001_r), everywhere, 30);
+  CHECK_MESSAGE(above.proved, above.reason);
+}
+
+TEST_CASE("closed forms are proved: punches with jumps, parabolas over jumps") {
+  for (const ContactProblem& problem : {reduced({0.1_r, 0.5_r, 0.2_r}, {-0.3_r, 0.4_r}, one_piece(-1, 1, {}), 1),
+                                        reduced({0.1_r, 0.6_r}, {0}, one_piece(-1, 1, {0, 0, 2.5_r}), 1)}) {
+    const auto solution = closed_form<double>(problem).solution;
+    REQUIRE(solution);
+    const ContactProof proof = proved_beside(problem, *solution, 50);
+    CHECK_MESSAGE(proof.proved, proof.reason);
+  }
+}
+
+namespace {
+
+void proves_random_problems(int problems) {
+  int solved = 0, proved = 0;
+  for (int i = 0; i < problems; ++i) {
+    CAPTURE(i);
+    const ContactProblem problem = random_contact(first_listed_seed + static_cast<std::uint64_t>(i));
+    const auto solution = riemann_hilbert<double>(problem).solution;
+    if (!solution || !solution->failed_condition().empty()) continue;
+    ++solved;
+    const ContactProof proof = proved_beside(problem, *solution, 30);
+    proved += proof.proved;
+    if (!proof.proved) MESSAGE(i << ": " << proof.reason);
+  }
+  CHECK(10 * solved >= 9 * problems);
+  CHECK(100 * proved >= 97 * solved);
+}
+
+}  // namespace
+
+TEST_CASE("random problems that the solver solves are proved, and their numbers are its numbers") {
+  proves_random_problems(40);
+}
+
+TEST_CASE("slow: a thousand random problems" * doctest::skip()) { proves_random_problems(1000); }
+
+namespace {
+
+void refuses_perturbed_boxes(int perturbations) {
+  int tried = 0;
+  for (int i = 0; tried < perturbations; ++i) {
+    const ContactProblem problem = random_contact(first_listed_seed + static_cast<std::uint64_t>(i));
+    if (problem.indenter().pieces().size() > 1) continue;  // milliseconds each
+    const auto solution = riemann_hilbert<double>(problem).solution;
+    if (!solution || !solution->failed_condition().empty()) continue;
+    const ContactProof proof = prove_contact(problem, solution->approximate_contact(), 50);
+    if (!proof.proved || proof.box.log_offsets.empty()) continue;
+    CAPTURE(i);
+    const Bits bits = proof.bits;
+    const auto refused = [&](const ContactBox& box) {
+      ++tried;
+      CHECK_FALSE(prove_box(proof.problem, box, bits).proved);
+    };
+    // The box itself, a little wider, is proved: what refuses the others is not the lack of a Newton step.
+    ContactBox wider = proof.box;
+    for (Ball& x : wider.log_offsets) x = Ball::around(x, power(Ball(10, bits), -50));
+    for (Ball& x : wider.q) x = Ball::around(x, power(Ball(10, bits), -50));
+    if (problem.load_at()) wider.tilt = Ball::around(wider.tilt, power(Ball(10, bits), -50));
+    CHECK(prove_box(proof.problem, wider, bits).proved);
+    for (std::size_t f = 0; f < wider.log_offsets.size(); ++f) {
+      for (const int sign : {-1, 1}) {
+        ContactBox moved = wider;
+        moved.log_offsets[f] += Ball(sign, bits) * power(Ball(10, bits), -20);
+        refused(moved);
+      }
+    }
+    for (std::size_t j = 0; j < wider.topology.points.size(); ++j) {
+      ContactBox other = wider;
+      ContactTopology::Point& point = other.topology.points[j];
+      if (point.kind == Kind::interior) continue;
+      point.vanishes = !point.vanishes;
+      if (!point.beside) refused(other);
+      // A component less.
+      if (point.kind == Kind::begins && wider.topology.movable().size() > 2 && point.beside &&
+          wider.topology.points[j + 1].beside) {
+        ContactBox dropped = wider;
+        dropped.topology.points.erase(dropped.topology.points.begin() + static_cast<std::ptrdiff_t>(j),
+                                      dropped.topology.points.begin() + static_cast<std::ptrdiff_t>(j) + 2);
+        refused(dropped);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("no perturbed box is proved") { refuses_perturbed_boxes(50); }
+
+TEST_CASE("slow: no perturbed box is proved" * doctest::skip()) { refuses_perturbed_boxes(1000); }
