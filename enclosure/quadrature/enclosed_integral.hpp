@@ -25,7 +25,7 @@ struct PowerIntegrand {
   std::vector<Ball> points;  ///< e_j, increasing
   std::vector<Ball> powers;  ///< p_j
   std::vector<Ball> polynomial{Ball(1)};
-  std::optional<Ball> pole;  ///< t
+  std::optional<Ball> pole = std::nullopt;  ///< t
 };
 
 enum class Route { panels, trapezoidal };

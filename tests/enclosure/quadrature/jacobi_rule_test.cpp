@@ -26,7 +26,7 @@ Ball integral_of_power(const JacobiRule& rule, int k) {
 Rational random_power() {
   switch (uniform(0, 3)) {
     case 0: return Rational(two_to(-uniform(0, 40)) - 1);
-    case 1: return Rational(uniform(-1, 3));
+    case 1: return Rational(uniform(0, 3));
     default: return Rational(Rational(uniform(-99, 199)) / 100);
   }
 }
@@ -123,9 +123,9 @@ TEST_CASE("controls: the remainder is needed, and so is every node") {
   for (std::size_t i = 0; i < rule.size(); ++i) {
     JacobiRule moved = rule;
     moved.from_left[i] += Ball(two_to(-100), bits);
-    CHECK(!integral_of_power(moved, 7).overlaps(moment(l, r, 7)));
+    CHECK(!integral_of_power(moved, 1).overlaps(moment(l, r, 1)));
   }
-  CHECK(integral_of_power(rule, 7).overlaps(moment(l, r, 7)));
+  CHECK(integral_of_power(rule, 1).overlaps(moment(l, r, 1)));
 }
 
 TEST_CASE("what is no rule is refused") {
