@@ -54,7 +54,10 @@ TEST_CASE("arithmetic contains the rational result") {
     Rational exact = 1;
     for (int k = 0; k < n; ++k) exact *= x.point;
     RC_ASSERT(power(x.ball, n).contains(exact));
-    if (!x.ball.contains_zero() && n > 0) RC_ASSERT(power(x.ball, -n).contains(Rational(1 / exact)));
+    // A power of a ball that nearly touches 0 may reach it by rounding.
+    const Ball reciprocal = power(x.ball, -n);
+    RC_ASSERT(reciprocal.is_finite() != power(x.ball, n).contains_zero());
+    if (reciprocal.is_finite()) RC_ASSERT(reciprocal.contains(Rational(1 / exact)));
   }));
 }
 

@@ -57,7 +57,8 @@ TEST_CASE("random rules") {
   CHECK(rc::check("moments", [] {
     const Bits bits = some_bits();
     const int n = uniform(1, 12);
-    const Ball l(random_power(), bits), r(random_power(), bits);
+    // With few bits a power near -1 would reach it.
+    const Ball l(random_power(), 900), r(random_power(), 900);
     const JacobiRule rule(n, l, r, bits);
     const int k = uniform(0, 2 * n - 1);
     RC_ASSERT(integral_of_power(rule, k).overlaps(moment(l, r, k)));
