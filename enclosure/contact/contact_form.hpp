@@ -16,6 +16,7 @@
 // at c. A quotient of differences on the ellipse is at most (max |G| + |G(-d)|)/(distance of -d from the ellipse).
 
 #include "enclosure/contact/contact_panel.hpp"
+#include "enclosure/number/ball_polynomial.hpp"
 
 namespace steadyslide::enclosure {
 
@@ -43,81 +44,79 @@ struct LocalValue {
 class ContactForm {
  public:
   /// `q`: coefficients of 1, xi, ... without the leading one, which is the load. `count` nodes a panel.
-  ContactForm(ContactSet set, std::vector<Ball> q, Ball tilt, int count, JacobiRules& rules);
+  ContactForm(ContactSet set, BallPolynomial q, Ball tilt, int count, JacobiRules& rules);
 
   const ContactSet& set() const { return set_; }
+  /// With the load.
+  const BallPolynomial& q() const { return q_; }
   /// B_k in a segment, k its own slope.
   LocalValue regular_factor(const Place& place) const { return regular_factor(slopes_of_[place.segment], place); }
   /// B_k of the contact at its end j, where nothing is singular.
   Ball regular_factor_at_end(std::size_t j) const;
   /// |Y| at a place, without the power of point `without`.
   Ball modulus(const Place& place, std::optional<std::size_t> without = std::nullopt) const;
-  /// int t dxi over a segment in contact.
-  Ball load_on(std::size_t segment) const;
   /// g_k + tilt at a place of a segment, k its own slope.
   Ball profile_slope(const Place& place) const;
-  /// int xi t dxi / int t dxi, from the expansion at infinity.
-  Ball centre_of_pressure() const;
-  /// The conditions on the unknowns, in the order moments, gaps, moment of the load: all of them are 0 at a solution.
-  std::vector<Ball> conditions() const;
-  /// Their derivatives by the logarithms of the offsets, the coefficients of q and the tilt.
-  std::vector<std::vector<Ball>> jacobian() const;
-  /// The number of unknowns; that of conditions is the same, or there is no isolated solution.
-  std::size_t unknowns() const;
+  /// int (psi' - u')/c dxi over a part of a segment off the contact that touches none of its points.
+  Ball gap_change(const ContactPanel::Part& part) const;
 
- private:
-  using Polynomials = std::vector<Ball>;
+  // What conditions and loads are made of.
+  /// The different polynomials g_k, and which of them holds on a segment.
   struct Slope {
     Polynomial exact;
-    Polynomials coefficients;  ///< of g_k + tilt
-    Polynomials rational;      ///< of [(g_k + tilt)/Y]_poly - q/pi
+    BallPolynomial coefficients;  ///< of g_k + tilt
+    BallPolynomial rational;      ///< of [(g_k + tilt)/Y]_poly - q/pi
   };
-  /// eps cos(pi alpha) (g - g_k) on a segment.
+  std::size_t slope_of(std::size_t segment) const { return slopes_of_[segment]; }
+  const Slope& slope(std::size_t k) const { return slopes_[k]; }
+  /// g - g_k on a segment; in contact eps cos(pi alpha) times that.
   struct Difference {
     Polynomial exact;
-    Polynomials coefficients;
+    BallPolynomial coefficients;
     std::vector<std::vector<Ball>> values;  ///< at the nodes of each panel, times 1/|Y| and the node's weight
     std::vector<Ball> masses;               ///< (1/pi) int |...|/|Y| over each panel is no larger
   };
-
+  const Difference& difference(std::size_t k, std::size_t segment) const { return differences_[k][segment]; }
+  /// Of 1/|Y|, on segments in contact, left to right; none where the contact has one polynomial.
+  const std::vector<ContactPanel>& panels(std::size_t segment) const { return panels_[segment]; }
+  /// Of |Y|, one power lower at the point `lowered`.
+  ContactPanel panel(ContactPanel::Part part, std::optional<std::size_t> lowered = std::nullopt) const {
+    return {set_, std::move(part), 1, lowered, count_, *rules_};
+  }
   LocalValue regular_factor(std::size_t k, const Place& place) const;
-  /// Of the panels of a segment: its part of int eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x).
+  /// max |B_k| on the ellipse of a panel; without what a segment contributes.
+  Ball bound(std::size_t k, const ContactPanel& panel, Ellipse ellipse,
+             std::optional<std::size_t> without = std::nullopt) const;
+  /// Y = z^S (y_0 + y_1/z + ...): y_n. 0 for n < 0.
+  Ball expansion(int n) const { return coefficient(expansion_, n); }
+  /// 1/Y = z^-S (d_0 + d_1/z + ...): d_n.
+  Ball reciprocal(int n) const { return coefficient(reciprocal_, n); }
+
+ private:
+  Ball coefficient(const std::vector<Ball>& series, int n) const {
+    return n < 0 ? Ball(0, set_.bits()) : series[static_cast<std::size_t>(n)];
+  }
+  // What the constructor does: series at infinity, then for each slope and each segment what B_k is made of.
+  void expand_at_infinity();
+  void take_polynomial_parts(Slope& slope);
+  void take_differences(std::size_t segment);
+  /// Adds a segment's part of int eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x).
   void add_cauchy(std::size_t k, std::size_t segment, const Place& place, LocalValue& sum) const;
   void add_beside(const ContactPanel& panel, const Difference& difference, const std::vector<Ball>& values,
                   const Place& place, LocalValue& sum) const;
   Ball distance(const Place& place, std::size_t j) const;
   Ball coordinate(const Place& place) const;
-  /// int eps cos(pi alpha) (g - g_k)/|Y| x^j dx over the contact.
-  Ball integral(std::size_t k, std::size_t j) const;
-  Ball moment(std::size_t j) const;
-  /// The coefficient of z^-2 of u'/c: (1/pi) times the load's moment.
-  Ball second_coefficient() const;
-  Ball gap_condition(const ContactSet::Run& gap) const;
-  std::vector<Ball> gap_derivatives(const ContactSet::Run& gap, const std::vector<Ball>& residues) const;
-  /// max |B_k| on the ellipse of a panel; without what a segment contributes.
-  Ball bound(std::size_t k, const ContactPanel& panel, Ellipse ellipse,
-             std::optional<std::size_t> without = std::nullopt) const;
-  /// In a segment in contact, beside its point c on the other side of which the contact has another polynomial: a bound
-  /// of B_k without its singular term on the ellipse of a panel that touches c.
-  Ball bound_beside(std::size_t c, const ContactPanel& panel) const;
-  /// The integral of t's singular term beside c, from c to the distance `length`: a polynomial, times log d where p = 0.
-  Ball singular_load(std::size_t c, std::size_t segment, const Ball& length) const;
-  /// The panel on the other side of c that touches it.
-  const ContactPanel& facing_panel(std::size_t c, std::size_t segment) const;
-  bool changes_polynomial(std::size_t j) const;
-  Ball series(const std::vector<Ball>& coefficients, int n) const;
 
   ContactSet set_;
-  Polynomials q_;  ///< with the load
+  BallPolynomial q_;
   Ball tilt_;
   int count_;
   JacobiRules* rules_;
-  int degree_;
-  std::vector<Ball> y_series_;    ///< Y = z^S (y_0 + y_1/z + ...)
-  std::vector<Ball> reciprocal_;  ///< 1/Y = z^-S (d_0 + d_1/z + ...)
+  std::vector<Ball> expansion_;
+  std::vector<Ball> reciprocal_;
   std::vector<Slope> slopes_;
   std::vector<std::size_t> slopes_of_;
-  std::vector<std::vector<ContactPanel>> panels_;  ///< of 1/|Y|, for each segment in contact where there are two slopes
+  std::vector<std::vector<ContactPanel>> panels_;
   std::vector<std::vector<Difference>> differences_;  ///< [k][segment]
 };
 

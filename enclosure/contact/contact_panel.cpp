@@ -109,4 +109,8 @@ std::vector<ContactPanel::Part> ContactPanel::graded(const ContactSet& set, std:
   return result;
 }
 
+Ball pole_bound(const Ball& distance) {
+  return distance.is_positive() ? Ball(1) / distance : Ball::unknown(distance.bits());
+}
+
 }  // namespace steadyslide::enclosure

@@ -80,4 +80,7 @@ class ContactPanel {
   Ball farthest_;  ///< |xi| on the panel is no larger
 };
 
+/// 1/distance; not finite where the distance may be 0, so that no bound is made of it.
+Ball pole_bound(const Ball& distance);
+
 }  // namespace steadyslide::enclosure

@@ -110,8 +110,9 @@ class Decision {
   struct Cell {
     Half half;
     Interval d;
-    int sign;  ///< of gap' for x to the right; 0 if it is not decided
-    Ball increment;
+    int sign;     ///< of gap' for x to the right; 0 if it is not decided
+    Ball change;  ///< of the gap over the cell, to the right
+    Ball range;   ///< what it changes by up to any place of the cell lies between 0 and this
   };
 
   Cell cell(const Half& half, const Interval& d) {
@@ -123,9 +124,16 @@ class Decision {
     const Ball exponent = set_.power(point) + Ball(1);
     const Ball low = d.low.is_positive() ? power(d.low, exponent) : Ball(0, bits_);
     const Ball weight = (power(d.high, exponent) - low) / exponent * form_.modulus(place(half, d), point);
-    Ball increment = b.value() * weight * Ball(set_.sign(half.segment));
-    if (!increment.is_finite()) increment = Ball::unknown(bits_);
-    return {half, d, sign, std::move(increment)};
+    const Ball range = b.value() * weight * Ball(set_.sign(half.segment));
+    Ball change = range;
+    // Away from its point a cell is integrated: its range alone would add up to more than the gap's own variation.
+    if (d.low * Ball(2) >= d.high) {
+      const Ball rest = set_.length(half.segment) - d.high;
+      const bool left = half.from == Side::left;
+      const ContactPanel::Part part{half.segment, left ? d.low : rest, left ? rest : d.low, d.high - d.low, {}};
+      change = change.intersection(form_.gap_change(part));
+    }
+    return {half, d, sign, std::move(change), range};
   }
 
   void decide_gaps() {
@@ -216,13 +224,15 @@ class Decision {
         height += risen;
         grows = grows && !(risen.is_negative());
       }
-      const Ball change = direction * c.increment;
       grows = grows && c.sign == (left ? 1 : -1);
-      const Ball least = grows ? max(change.lower(), Ball(0, bits_)) : change.is_finite() ? change.lower() : change;
-      const bool stays_open = grows || (height + min(least, Ball(0, bits_))).is_positive();
-      if (stays_open) open[left ? i : n - 1 - i] = 1;
-      height += change.is_finite() ? least : (grows ? Ball(0, bits_) : Ball::unknown(bits_));
-      if (!height.is_finite()) return;
+      const Ball lowest = (direction * c.range).lower();
+      if (grows || (height + min(lowest, Ball(0, bits_))).is_positive()) open[left ? i : n - 1 - i] = 1;
+      const Ball least = (direction * c.change).lower();
+      height += grows ? max(least, Ball(0, bits_)) : least;
+      if (!height.is_finite()) {
+        if (!grows) return;
+        height = Ball(0, bits_);
+      }
     }
   }
 

@@ -76,7 +76,7 @@ EnclosedSolution::Resultants EnclosedSolution::resultants() const {
   std::size_t piece = 0;
   for (std::size_t k = 0; k < set().segments(); ++k) {
     if (k > 0 && !set().point(k).beside) ++piece;
-    if (set().in_contact(k)) loads[pieces[piece].friction] -= unit_ * form_.load_on(k);
+    if (set().in_contact(k)) loads[pieces[piece].friction] -= unit_ * ContactLoad(form_).load_on(k);
   }
   Resultants result{Ball(0, bits_), Ball(0, bits_), Ball(0, bits_), Ball(0, bits_), {}};
   for (const Ball& load : loads) result.normal += load;
@@ -87,7 +87,7 @@ EnclosedSolution::Resultants EnclosedSolution::resultants() const {
     result.effective_friction += Ball(problem_.friction().values()[k], bits_) * result.load_share[k];
   }
   result.tangential = result.effective_friction * load;
-  result.centre_of_pressure = user(form_.centre_of_pressure());
+  result.centre_of_pressure = user(ContactConditions(form_).centre_of_pressure());
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "enclosure/contact/contact_load.hpp"
 #include "enclosure/contact/contact_proof.hpp"
 #include "model/singular_point.hpp"
 

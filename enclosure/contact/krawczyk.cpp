@@ -70,7 +70,7 @@ int count_for(Bits bits) { return static_cast<int>(bits) / 4 + 4; }
 
 ContactForm ContactBox::form(const ReducedProblem& problem, int count, JacobiRules& rules) const {
   const Bits bits = rules.bits();
-  std::vector<Ball> coefficients;
+  BallPolynomial coefficients;
   for (const Ball& c : q) coefficients.push_back(c.at(bits));
   return {ContactSet(problem, topology, log_offsets, bits), std::move(coefficients), tilt.at(bits), count, rules};
 }
@@ -128,8 +128,8 @@ KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, Jac
     return result;
   }
   const ContactForm at_middle = with_unknowns(box, middle).form(problem, count_for(bits), rules);
-  const std::vector<Ball> values = at_middle.conditions();
-  if (values.size() != wide.size() || over_box.unknowns() != wide.size()) {
+  const std::vector<Ball> values = ContactConditions(at_middle).conditions();
+  if (values.size() != wide.size() || ContactConditions(over_box).unknowns() != wide.size()) {
     result.reason = "there are " + std::to_string(values.size()) + " conditions on " + std::to_string(wide.size()) +
                     " unknowns: a free end that stays on an anchor is an exact threshold";
     return result;
@@ -138,7 +138,7 @@ KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, Jac
     result.proved = true;
     return result;
   }
-  const Matrix derivatives = over_box.jacobian();
+  const Matrix derivatives = ContactConditions(over_box).jacobian();
   const Matrix inverse = approximate_inverse(derivatives, bits);
   if (inverse.empty() || !all_finite(values)) {
     result.reason = inverse.empty() ? "the conditions' derivative is singular" : "the conditions cannot be enclosed";
@@ -191,10 +191,12 @@ KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactStart& s
     const ContactBox here = with_unknowns(box, values);
     const ContactForm form = here.form(problem, count_for(bits), rules);
     if (!form.set().is_ordered()) return result;
-    const std::vector<Ball> conditions = form.conditions();
+    const std::vector<Ball> conditions = ContactConditions(form).conditions();
     if (conditions.size() != values.size()) break;  // prove_zero() says so
-    if (inverse.empty())
-      inverse = approximate_inverse(here.form(problem, count_for(coarse.bits()), coarse).jacobian(), bits);
+    if (inverse.empty()) {
+      const ContactForm rough = here.form(problem, count_for(coarse.bits()), coarse);
+      inverse = approximate_inverse(ContactConditions(rough).jacobian(), bits);
+    }
     if (inverse.empty() || !all_finite(conditions)) return result;
     const std::vector<Ball> change = product(inverse, conditions, bits);
     Ball largest(0, bits);
@@ -205,10 +207,8 @@ KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactStart& s
     }
     // Once rounding and the quadrature's error are reached, steps no longer shrink.
     if (before.is_finite() && !(largest < before * Ball(Rational(1, 16), bits))) {
-      if (!(before < power(Ball(2, bits), -static_cast<int>(bits) / 2)))
-        inverse.clear();
-      else
-        break;
+      if (before < power(Ball(2, bits), -static_cast<int>(bits) / 2)) break;
+      inverse.clear();
     }
     before = largest;
   }

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "enclosure/contact/contact_form.hpp"
+#include "enclosure/contact/contact_conditions.hpp"
 #include "model/approximate_contact.hpp"
 
 namespace steadyslide::enclosure {

@@ -1,0 +1,234 @@
+#include "enclosure/contact/contact_conditions.hpp"
+
+#include <algorithm>
+
+namespace steadyslide::enclosure {
+
+namespace {
+
+struct GapPart {
+  std::size_t segment;
+  ContactPanel::Extent extent;
+  std::size_t contact;  ///< the segment in contact whose polynomial is used
+};
+
+/// Next to either end B_k takes the polynomial of the contact there, with which it is analytic up to that end.
+std::vector<GapPart> parts_of(const ContactSet::Run& gap) {
+  using Extent = ContactPanel::Extent;
+  if (gap.first == gap.last) {
+    return {{gap.first, Extent::left_half, gap.first - 1}, {gap.first, Extent::right_half, gap.last + 1}};
+  }
+  std::vector<GapPart> parts;
+  for (std::size_t k = gap.first; k <= gap.last; ++k) {
+    parts.push_back({k, Extent::whole, k < gap.last ? gap.first - 1 : gap.last + 1});
+  }
+  return parts;
+}
+
+}  // namespace
+
+Ball ContactConditions::integral(std::size_t k, std::size_t j) const {
+  Ball sum(0, set_.bits());
+  for (std::size_t segment = 0; segment < set_.segments(); ++segment) {
+    if (!set_.in_contact(segment) || form_.slope_of(segment) == k) continue;
+    BallPolynomial polynomial(j, Ball(0, set_.bits()));
+    const BallPolynomial& difference = form_.difference(k, segment).coefficients;
+    polynomial.insert(polynomial.end(), difference.begin(), difference.end());
+    for (const ContactPanel& panel : form_.panels(segment)) {
+      for (const ContactPanel::Node& node : panel.nodes()) {
+        sum += node.weight * value_at(polynomial, set_.x(segment) + node.from_left);
+      }
+      sum = Ball::plus_or_minus(sum, panel.remainder(panel.largest(polynomial, Ellipse::far), Ellipse::far));
+    }
+  }
+  return sum;
+}
+
+Ball ContactConditions::moment(std::size_t j) const {
+  std::size_t k = form_.slope_of(set_.components().front().first);
+  Ball sum = -integral(k, j) / Ball::pi(set_.bits());
+  const BallPolynomial& g = form_.slope(k).coefficients;
+  for (std::size_t m = 0; m < g.size(); ++m) {
+    sum += g[m] * form_.reciprocal(static_cast<int>(m) - degree_ + 1 + static_cast<int>(j));
+  }
+  return sum;
+}
+
+Ball ContactConditions::second_coefficient() const {
+  Ball sum(0, set_.bits());
+  for (std::size_t l = 0; l < q_.size(); ++l) {
+    sum += q_[l] / Ball::pi(set_.bits()) * form_.expansion(degree_ + static_cast<int>(l) + 2);
+  }
+  for (int j = 0; j <= degree_ + 1; ++j) {
+    sum += moment(static_cast<std::size_t>(j)) * form_.expansion(degree_ + 1 - j);
+  }
+  return sum;
+}
+
+Ball ContactConditions::centre_of_pressure() const {
+  return second_coefficient() * Ball::pi(set_.bits()) / Ball(set_.problem().load, set_.bits());
+}
+
+std::size_t ContactConditions::unknowns() const {
+  return set_.topology().movable().size() + static_cast<std::size_t>(std::max(-degree_ - 1, 0)) +
+         (set_.problem().load_at ? 1 : 0);
+}
+
+std::vector<Ball> ContactConditions::conditions() const {
+  const Ball pi = Ball::pi(set_.bits());
+  const Ball load(set_.problem().load, set_.bits());
+  std::vector<Ball> result;
+  for (int j = 0; j <= degree_; ++j) {
+    Ball missing = moment(static_cast<std::size_t>(j));
+    if (j == degree_) missing -= load / pi;
+    result.push_back(std::move(missing));
+  }
+  for (const ContactSet::Run& gap : set_.gaps()) result.push_back(gap_condition(gap));
+  if (set_.problem().load_at) {
+    result.push_back(second_coefficient() - load * Ball(*set_.problem().load_at, set_.bits()) / pi);
+  }
+  return result;
+}
+
+std::vector<std::vector<Ball>> ContactConditions::jacobian() const {
+  const Bits bits = set_.bits();
+  const Ball pi = Ball::pi(bits);
+  const std::vector<std::size_t> movable = set_.topology().movable();
+  const auto free_coefficients = static_cast<std::size_t>(std::max(-degree_ - 1, 0));
+  const bool tilts = set_.problem().load_at.has_value();
+  std::vector<std::vector<Ball>> rows;
+
+  std::vector<Ball> residues;  // rho_f for a change of log h
+  for (const std::size_t f : movable) {
+    residues.push_back(set_.power(f) * form_.regular_factor_at_end(f) * set_.velocity(f));
+  }
+  std::vector<Ball> moments;
+  for (int j = 0; j <= degree_ + (tilts ? 1 : 0); ++j) moments.push_back(moment(static_cast<std::size_t>(j)));
+
+  for (int j = 0; j <= degree_; ++j) {
+    std::vector<Ball> row;
+    for (std::size_t f = 0; f < movable.size(); ++f) {
+      const Ball& e = set_.x(movable[f]);
+      Ball entry = residues[f] * power(e, j);
+      for (int i = 0; i < j; ++i) {
+        entry += set_.power(movable[f]) * set_.velocity(movable[f]) * moments[static_cast<std::size_t>(i)] *
+                 power(e, j - 1 - i);
+      }
+      row.push_back(std::move(entry));
+    }
+    if (tilts) row.push_back(form_.reciprocal(1 + j - degree_));
+    rows.push_back(std::move(row));
+  }
+
+  for (const ContactSet::Run& gap : set_.gaps()) rows.push_back(gap_derivatives(gap, residues));
+
+  if (tilts) {
+    std::vector<Ball> row;
+    for (std::size_t f = 0; f < movable.size(); ++f) {
+      const Ball& e = set_.x(movable[f]);
+      Ball entry(0, bits);
+      for (int i = 0; i <= degree_ + 1; ++i) entry += residues[f] * power(e, i) * form_.expansion(degree_ + 1 - i);
+      const BallPolynomial r = quotient(q_, e);
+      for (std::size_t l = 0; l < r.size(); ++l) {
+        entry -= set_.power(movable[f]) * set_.velocity(movable[f]) * r[l] / pi *
+                 form_.expansion(degree_ + static_cast<int>(l) + 2);
+      }
+      row.push_back(std::move(entry));
+    }
+    for (std::size_t l = 0; l < free_coefficients; ++l) {
+      row.push_back(form_.expansion(degree_ + static_cast<int>(l) + 2) / pi);
+    }
+    Ball entry(0, bits);
+    for (int j = 0; j <= degree_ + 1; ++j) {
+      entry += form_.reciprocal(1 + j - degree_) * form_.expansion(degree_ + 1 - j);
+    }
+    row.push_back(std::move(entry));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Ball ContactConditions::gap_condition(const ContactSet::Run& gap) const {
+  Ball sum(0, set_.bits());
+  for (std::size_t j = gap.first; j <= gap.last + 1; ++j) {
+    if (!set_.point(j).beside) sum += Ball(set_.problem().anchors[set_.point(j).anchor].step, set_.bits());
+  }
+  for (const GapPart& part : parts_of(gap)) {
+    const std::size_t k = form_.slope_of(part.contact);
+    const Ball sign(set_.sign(part.segment));
+    for (ContactPanel::Part& piece : ContactPanel::graded(set_, part.segment, part.extent)) {
+      sum += integral_over(form_.difference(k, part.segment).coefficients, set_.x(part.segment) + piece.from_left,
+                           piece.length);
+      const ContactPanel panel = form_.panel(std::move(piece));
+      for (const ContactPanel::Node& node : panel.nodes()) {
+        sum += sign * node.weight * form_.regular_factor(k, {part.segment, node.from_left, node.from_right}).value();
+      }
+      sum = Ball::plus_or_minus(sum, panel.remainder(form_.bound(k, panel, Ellipse::far), Ellipse::far));
+    }
+  }
+  return sum;
+}
+
+std::vector<Ball> ContactConditions::gap_derivatives(const ContactSet::Run& gap,
+                                                     const std::vector<Ball>& residues) const {
+  const Bits bits = set_.bits();
+  const Ball pi = Ball::pi(bits);
+  const std::vector<std::size_t> movable = set_.topology().movable();
+  const auto free_coefficients = static_cast<std::size_t>(std::max(-degree_ - 1, 0));
+
+  // What multiplies Y in the derivative of profile slope - u'/c, but for the poles.
+  std::vector<BallPolynomial> polynomials;
+  for (const std::size_t f : movable) {
+    BallPolynomial r = quotient(q_, set_.x(f));
+    for (Ball& c : r) c *= set_.power(f) * set_.velocity(f) / pi;
+    polynomials.push_back(std::move(r));
+  }
+  for (std::size_t l = 0; l < free_coefficients; ++l) {
+    polynomials.emplace_back(l + 1, Ball(0, bits));
+    polynomials.back()[l] = -Ball(1) / pi;
+  }
+  if (set_.problem().load_at) {
+    polynomials.emplace_back();
+    for (int i = 0; i <= -degree_; ++i) polynomials.back().push_back(form_.reciprocal(-degree_ - i));
+  }
+
+  std::vector<Ball> row(polynomials.size(), Ball(0, bits));
+  for (std::size_t segment = gap.first; segment <= gap.last; ++segment) {
+    const Ball sign(set_.sign(segment));
+    for (ContactPanel::Part& piece : ContactPanel::graded(set_, segment)) {
+      const ContactPanel panel = form_.panel(piece);
+      const auto pole_distance = [&](std::size_t f, const Ball& from_left, const Ball& from_right) {
+        return f <= segment ? from_left + set_.distance(f, segment) : -(from_right + set_.distance(segment + 1, f));
+      };
+      for (std::size_t i = 0; i < polynomials.size(); ++i) {
+        for (const ContactPanel::Node& node : panel.nodes()) {
+          row[i] += sign * node.weight * value_at(polynomials[i], set_.x(segment) + node.from_left);
+        }
+        row[i] =
+            Ball::plus_or_minus(row[i], panel.remainder(panel.largest(polynomials[i], Ellipse::far), Ellipse::far));
+      }
+      for (std::size_t i = 0; i < movable.size(); ++i) {
+        const std::size_t f = movable[i];
+        if (f == gap.first || f == gap.last + 1) {
+          const ContactPanel lowered = form_.panel(piece, f);
+          const Ball direction(f == gap.first ? 1 : -1);
+          for (const ContactPanel::Node& node : lowered.nodes()) {
+            row[i] -= sign * direction * residues[i] * node.weight;
+          }
+          row[i] = Ball::plus_or_minus(row[i], lowered.remainder(abs(residues[i]), Ellipse::far));
+        } else {
+          for (const ContactPanel::Node& node : panel.nodes()) {
+            row[i] -= sign * residues[i] * node.weight / pole_distance(f, node.from_left, node.from_right);
+          }
+          const Ball clear = (f <= segment ? piece.from_left + set_.distance(f, segment)
+                                           : piece.from_right + set_.distance(segment + 1, f)) -
+                             panel.reach(Ellipse::close);
+          row[i] = Ball::plus_or_minus(row[i], panel.remainder(abs(residues[i]) * pole_bound(clear), Ellipse::close));
+        }
+      }
+    }
+  }
+  return row;
+}
+
+}  // namespace steadyslide::enclosure

@@ -1,0 +1,48 @@
+#pragma once
+// What the unknowns of a contact set have to fulfil: its free ends e_f, the polynomial q, the tilt. With
+//
+//   u'/(c Y) = m_0/z + m_1/z^2 + ... + q/pi,
+//
+//   moments         m_j = 0 for j < S, and P/pi as the coefficient of 1/z in u'/c;
+//   gaps            int psi' - u' over each gap, the profile's steps added, is 0;
+//   moment of load  the coefficient of z^-2 in u'/c is P load_at/pi, where the indenter may tilt.
+//
+// Their derivatives need none of an integral: near e_f, d(u'/c)/d e_f = Y (rho_f/(z - e_f) + r(z)) with rho_f = p_f B(e_f)
+// and r the polynomial part of -p_f q/(pi (z - e_f)); d/d tilt is 1 - Y [1/Y]_poly. (Liouville's theorem.)
+
+#include "enclosure/contact/contact_form.hpp"
+
+namespace steadyslide::enclosure {
+
+class ContactConditions {
+ public:
+  /// `form` has to outlive it.
+  explicit ContactConditions(const ContactForm& form)
+      : form_(form), set_(form.set()), q_(form.q()), degree_(set_.degree_at_infinity()) {}
+
+  /// In the order moments, gaps, moment of the load: all of them are 0 at a solution.
+  std::vector<Ball> conditions() const;
+  /// Their derivatives by the logarithms of the offsets, the coefficients of q and the tilt.
+  std::vector<std::vector<Ball>> jacobian() const;
+  /// The number of unknowns; that of conditions is the same, or there is no isolated solution.
+  std::size_t unknowns() const;
+  /// int xi t dxi / int t dxi, from the expansion at infinity.
+  Ball centre_of_pressure() const;
+
+ private:
+  /// int eps cos(pi alpha) (g - g_k)/|Y| x^j dx over the contact.
+  Ball integral(std::size_t k, std::size_t j) const;
+  /// m_j.
+  Ball moment(std::size_t j) const;
+  /// The coefficient of z^-2 of u'/c: (1/pi) times the load's moment.
+  Ball second_coefficient() const;
+  Ball gap_condition(const ContactSet::Run& gap) const;
+  std::vector<Ball> gap_derivatives(const ContactSet::Run& gap, const std::vector<Ball>& residues) const;
+
+  const ContactForm& form_;
+  const ContactSet& set_;
+  const BallPolynomial& q_;
+  int degree_;
+};
+
+}  // namespace steadyslide::enclosure
