@@ -126,8 +126,9 @@ class Decision {
     const Ball weight = (power(d.high, exponent) - low) / exponent * form_.modulus(place(half, d), point);
     const Ball range = b.value() * weight * Ball(set_.sign(half.segment));
     Ball change = range;
-    // Away from its point a cell is integrated: its range alone would add up to more than the gap's own variation.
-    if (d.low * Ball(2) >= d.high) {
+    // Away from the contact's ends a cell is integrated: ranges alone would add up to more than the gap's own variation.
+    const bool apart = d.low * Ball(2) >= d.high || !(set_.point(point).is_end() || d.low.is_positive());
+    if (apart) {
       const Ball rest = set_.length(half.segment) - d.high;
       const bool left = half.from == Side::left;
       const ContactPanel::Part part{half.segment, left ? d.low : rest, left ? rest : d.low, d.high - d.low, {}};
@@ -239,10 +240,6 @@ class Decision {
   std::vector<Cell> divided(const std::vector<Cell>& cells) {
     std::vector<Cell> result;
     for (const Cell& c : cells) {
-      if (!c.d.low.is_positive() && c.sign != 0) {
-        result.push_back(c);
-        continue;
-      }
       const Ball middle = c.d.low.is_positive() ? divide(c.d) : (c.d.high / Ball(2)).midpoint();
       Cell parts[] = {cell(c.half, {c.d.low, middle}), cell(c.half, {middle, c.d.high})};
       if (c.half.from == Side::right) std::swap(parts[0], parts[1]);
