@@ -54,6 +54,29 @@ ContactProof proved_beside(const ContactProblem& problem, const ContactSolution<
     agrees(zones[k].first.intensity, found[k].left.intensity);
     agrees(zones[k].second.intensity, found[k].right.intensity);
   }
+  std::vector<SolvedSingularPoint<double>> inside = solution.singular_points();
+  std::erase_if(inside, [](const auto& p) {
+    return p.kind == SingularKind::edge || p.kind == SingularKind::free || p.kind == SingularKind::step;
+  });
+  const auto points = enclosed.singular_points();
+  REQUIRE(points.size() == inside.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    CHECK(points[k].kind == inside[k].kind);
+    CHECK(points[k].exponent == inside[k].exponent);
+    agrees(points[k].x, inside[k].x, length);
+    agrees(points[k].intensity, inside[k].intensity);
+    agrees(points[k].constant, inside[k].constant, std::abs(inside[k].intensity.value));
+  }
+  REQUIRE(enclosed.tilt().has_value() == solution.tilt().has_value());
+  if (solution.tilt()) agrees(*enclosed.tilt(), *solution.tilt());
+  const double mean = static_cast<double>(problem.load()) / length;
+  const Rational left = problem.indenter().left(), width = problem.indenter().right() - left;
+  for (int i = 1; i < 38; i += 2) {
+    const Rational x = left + width * Rational(i, 38);
+    const Sample<double> sample = solution.at(x);
+    if (!std::isinf(sample.traction.left.value)) agrees(enclosed.traction(x).left, sample.traction.left, mean);
+    if (!std::isinf(sample.slope.right.value)) agrees(enclosed.slope(x).right, sample.slope.right);
+  }
   return proof;
 }
 
