@@ -107,6 +107,17 @@ TEST_CASE("a notch over a rising jump: below the threshold a gap is proved, and 
   CHECK_MESSAGE(above.proved, above.reason);
 }
 
+TEST_CASE("an unbounded term decides a sign only from where it exceeds the rest") {
+  const auto sign = [](int regular, const Ball& coefficient, int least) {
+    return LocalValue{Ball(regular, 64), coefficient, Ball::unknown(64), Ball(least, 64), true}.sign();
+  };
+  CHECK(sign(-5, Ball(1, 64), 6) == 1);
+  CHECK(sign(-5, Ball(1, 64), 2) == 0);
+  CHECK(sign(5, Ball(-1, 64), 6) == -1);
+  CHECK(sign(5, Ball(-1, 64), 5) == 0);
+  CHECK(sign(5, Ball::plus_or_minus(Ball(0, 64), Ball(1, 64)), 6) == 0);
+}
+
 TEST_CASE("closed forms are proved: punches with jumps, parabolas over jumps") {
   for (const ContactProblem& problem : {reduced({0.1_r, 0.5_r, 0.2_r}, {-0.3_r, 0.4_r}, one_piece(-1, 1, {}), 1),
                                         reduced({0.1_r, 0.6_r}, {0}, one_piece(-1, 1, {0, 0, 2.5_r}), 1)}) {
