@@ -66,7 +66,7 @@ Ball ContactConditions::second_coefficient() const {
 }
 
 Ball ContactConditions::centre_of_pressure() const {
-  return second_coefficient() * Ball::pi(set_.bits()) / Ball(set_.problem().load, set_.bits());
+  return second_coefficient() * Ball::pi(set_.bits()) / set_.problem().loads(set_.bits());
 }
 
 std::size_t ContactConditions::unknowns() const {
@@ -76,7 +76,7 @@ std::size_t ContactConditions::unknowns() const {
 
 std::vector<Ball> ContactConditions::conditions() const {
   const Ball pi = Ball::pi(set_.bits());
-  const Ball load(set_.problem().load, set_.bits());
+  const Ball load = set_.problem().loads(set_.bits());
   std::vector<Ball> result;
   for (int j = 0; j <= degree_; ++j) {
     Ball missing = moment(static_cast<std::size_t>(j));
@@ -117,6 +117,7 @@ std::vector<std::vector<Ball>> ContactConditions::jacobian() const {
       row.push_back(std::move(entry));
     }
     if (tilts) row.push_back(form_.reciprocal(1 + j - degree_));
+    row.push_back(j == degree_ ? -Ball(1) / pi : Ball(0, bits));
     rows.push_back(std::move(row));
   }
 
@@ -143,6 +144,9 @@ std::vector<std::vector<Ball>> ContactConditions::jacobian() const {
       entry += form_.reciprocal(1 + j - degree_) * form_.expansion(degree_ + 1 - j);
     }
     row.push_back(std::move(entry));
+    Ball by_load = -Ball(*set_.problem().load_at, bits);
+    if (degree_ < 0) by_load += form_.expansion(1);
+    row.push_back(by_load / pi);
     rows.push_back(std::move(row));
   }
   return rows;
@@ -155,15 +159,8 @@ Ball ContactConditions::gap_condition(const ContactSet::Run& gap) const {
   }
   for (const GapPart& part : parts_of(gap)) {
     const std::size_t k = form_.slope_of(part.contact);
-    const Ball sign(set_.sign(part.segment));
-    for (ContactPanel::Part& piece : ContactPanel::graded(set_, part.segment, part.extent)) {
-      sum += integral_over(form_.difference(k, part.segment).coefficients, set_.x(part.segment) + piece.from_left,
-                           piece.length);
-      const ContactPanel panel = form_.panel(std::move(piece));
-      for (const ContactPanel::Node& node : panel.nodes()) {
-        sum += sign * node.weight * form_.regular_factor(k, {part.segment, node.from_left, node.from_right}).value();
-      }
-      sum = Ball::plus_or_minus(sum, panel.remainder(form_.bound(k, panel, Ellipse::far), Ellipse::far));
+    for (const ContactPanel::Part& piece : ContactPanel::graded(set_, part.segment, part.extent)) {
+      sum += form_.gap_change(piece, k);
     }
   }
   return sum;
@@ -183,14 +180,18 @@ std::vector<Ball> ContactConditions::gap_derivatives(const ContactSet::Run& gap,
     for (Ball& c : r) c *= set_.power(f) * set_.velocity(f) / pi;
     polynomials.push_back(std::move(r));
   }
-  for (std::size_t l = 0; l < free_coefficients; ++l) {
-    polynomials.emplace_back(l + 1, Ball(0, bits));
-    polynomials.back()[l] = -Ball(1) / pi;
-  }
+  const auto coefficient_of_q = [&](std::size_t l) {
+    BallPolynomial polynomial(l + 1, Ball(0, bits));
+    polynomial[l] = -Ball(1) / pi;
+    return polynomial;
+  };
+  for (std::size_t l = 0; l < free_coefficients; ++l) polynomials.push_back(coefficient_of_q(l));
   if (set_.problem().load_at) {
     polynomials.emplace_back();
     for (int i = 0; i <= -degree_; ++i) polynomials.back().push_back(form_.reciprocal(-degree_ - i));
   }
+  // The load is q's leading coefficient, or among the moments.
+  polynomials.push_back(degree_ < 0 ? coefficient_of_q(free_coefficients) : BallPolynomial{Ball(0, bits)});
 
   std::vector<Ball> row(polynomials.size(), Ball(0, bits));
   for (std::size_t segment = gap.first; segment <= gap.last; ++segment) {

@@ -22,7 +22,8 @@ class ContactConditions {
 
   /// In the order moments, gaps, moment of the load: all of them are 0 at a solution.
   std::vector<Ball> conditions() const;
-  /// Their derivatives by the logarithms of the offsets, the coefficients of q and the tilt.
+  /// Their derivatives by the logarithms of the offsets, the coefficients of q and the tilt, and in a last column by the
+  /// load. (It enters linearly, as q does.)
   std::vector<std::vector<Ball>> jacobian() const;
   /// The number of unknowns; that of conditions is the same, or there is no isolated solution.
   std::size_t unknowns() const;

@@ -16,7 +16,7 @@ Ball LocalValue::value() const { return has_singular ? regular + coefficient * s
 
 ContactForm::ContactForm(ContactSet set, BallPolynomial q, Ball tilt, int count, JacobiRules& rules)
     : set_(std::move(set)), q_(std::move(q)), tilt_(std::move(tilt)), count_(count), rules_(&rules) {
-  if (set_.degree_at_infinity() < 0) q_.emplace_back(set_.problem().load, set_.bits());
+  if (set_.degree_at_infinity() < 0) q_.push_back(set_.problem().loads(set_.bits()));
   for (std::size_t k = 0; k < set_.segments(); ++k) {
     const Polynomial& g = set_.interval(k).slope;
     const auto found =
@@ -86,7 +86,8 @@ void ContactForm::take_differences(std::size_t segment) {
   const Ball factor =
       set_.in_contact(segment) ? Ball(set_.sign(segment)) * set_.cos_alpha(segment) : Ball(1, set_.bits());
   for (std::size_t k = 0; k < slopes_.size(); ++k) {
-    Difference difference{set_.interval(segment).slope - slopes_[k].exact, {}, {}, {}};
+    Difference difference;
+    difference.exact = set_.interval(segment).slope - slopes_[k].exact;
     difference.coefficients = in_balls(difference.exact, set_.bits());
     for (Ball& c : difference.coefficients) c *= factor;
     for (const ContactPanel& panel : panels_[segment]) {
@@ -100,14 +101,15 @@ void ContactForm::take_differences(std::size_t segment) {
       }
       difference.values.push_back(std::move(values));
       difference.masses.push_back(mass / Ball(3));  // 3 < pi
+      difference.sizes.push_back(size);
     }
     differences_[k].push_back(std::move(difference));
   }
 }
 
 Ball ContactForm::distance(const Place& place, std::size_t j) const {
-  return j <= place.segment ? place.from_left + set_.distance(j, place.segment)
-                            : place.from_right + set_.distance(place.segment + 1, j);
+  return abs(j <= place.segment ? place.from_left + set_.distance(j, place.segment)
+                                : place.from_right + set_.distance(place.segment + 1, j));
 }
 
 Ball ContactForm::coordinate(const Place& place) const {
@@ -151,7 +153,18 @@ void ContactForm::add_cauchy(std::size_t k, std::size_t segment, const Place& pl
   const bool to_the_right = segment > place.segment;
   const Difference& difference = differences_[k][segment];
   const Ball to_segment = distance(place, to_the_right ? segment : segment + 1);
-  for (std::size_t n = 0; n < panels_[segment].size(); ++n) {
+  const std::size_t count = panels_[segment].size();
+  PanelMoments::Rest rest{Ball(0, set_.bits()), 0, count};
+  // An expansion costs as much as a few panels, and loses what a wide distance leaves of it.
+  const bool is_thin = to_segment.radius() * power(Ball(2, 64), 20) < to_segment;
+  if (count > 12 && is_thin) {
+    if (const PanelMoments* all = moments(difference, segment, to_the_right ? Side::left : Side::right)) {
+      rest = all->seen_from(to_segment);
+      sum.regular += to_the_right ? rest.sum : -rest.sum;
+    }
+  }
+  for (std::size_t from_c = rest.first; from_c < rest.last; ++from_c) {
+    const std::size_t n = to_the_right ? from_c : count - 1 - from_c;
     const ContactPanel& panel = panels_[segment][n];
     const std::vector<Ball>& values = difference.values[n];
     const ContactPanel::Part& part = panel.part();
@@ -174,6 +187,15 @@ void ContactForm::add_cauchy(std::size_t k, std::size_t segment, const Place& pl
         part_sum, panel.remainder(panel.largest(difference.coefficients, ellipse) * pole_bound(clear), ellipse));
     sum.regular += to_the_right ? part_sum : -part_sum;
   }
+}
+
+const PanelMoments* ContactForm::moments(const Difference& difference, std::size_t segment, Side facing) const {
+  const std::size_t side = facing == Side::left ? 0 : 1;
+  std::shared_ptr<const PanelMoments>& made = difference.moments[side];
+  if (!made && 2 * ++difference.asked[side] > set_.bits()) {
+    made = std::make_shared<PanelMoments>(panels_[segment], difference.values, difference.sizes, facing, set_.bits());
+  }
+  return made.get();
 }
 
 void ContactForm::add_beside(const ContactPanel& panel, const Difference& difference, const std::vector<Ball>& values,
@@ -230,8 +252,8 @@ void ContactForm::add_beside(const ContactPanel& panel, const Difference& differ
       sum.least = term(upper);
     } else {
       // -d^m log d increases from 0 to exp(-1/m) >= 0.36.
-      sum.singular =
-          upper < Ball(Rational(36, 100), bits) ? Ball::hull(Ball(0, bits), term(upper)) : Ball::unknown(bits);
+      const Ball largest = upper.is_positive() ? term(upper) : Ball(0, bits);
+      sum.singular = upper < Ball(Rational(36, 100), bits) ? Ball::hull(Ball(0, bits), largest) : Ball::unknown(bits);
       sum.least = Ball(0, bits);
     }
   } else {
@@ -279,14 +301,15 @@ Ball ContactForm::bound(std::size_t k, const ContactPanel& panel, Ellipse ellips
   return sum;
 }
 
-Ball ContactForm::gap_change(const ContactPanel::Part& part) const {
-  const std::size_t k = slopes_of_[part.segment];
-  const ContactPanel panel(set_, part, 1, std::nullopt, count_, *rules_);
+Ball ContactForm::gap_change(const ContactPanel::Part& part, std::size_t k) const {
+  const std::size_t segment = part.segment;
+  const ContactPanel panel = this->panel(part);
   Ball sum = Ball::plus_or_minus(Ball(0, set_.bits()), panel.remainder(bound(k, panel, Ellipse::far), Ellipse::far));
   for (const ContactPanel::Node& node : panel.nodes()) {
-    sum += node.weight * regular_factor(k, {part.segment, node.from_left, node.from_right}).value();
+    sum += node.weight * regular_factor(k, {segment, node.from_left, node.from_right}).value();
   }
-  return Ball(set_.sign(part.segment)) * sum;
+  return Ball(set_.sign(segment)) * sum +
+         integral_over(differences_[k][segment].coefficients, set_.x(segment) + part.from_left, part.length);
 }
 
 }  // namespace steadyslide::enclosure

@@ -15,12 +15,16 @@
 // so that B_k = R + C d^(a+m), or R - C d^m log d: R and C are analytic up to c, m is the order of the zero of g - g_k
 // at c. A quotient of differences on the ellipse is at most (max |G| + |G(-d)|)/(distance of -d from the ellipse).
 
-#include "enclosure/contact/contact_panel.hpp"
+#include <array>
+#include <memory>
+
+#include "enclosure/contact/panel_moments.hpp"
 #include "enclosure/number/ball_polynomial.hpp"
 
 namespace steadyslide::enclosure {
 
-/// A point of the support: in segment k of the contact set, with its distances from both points. They may be wide.
+/// A point of the surface: in segment k of the contact set, with its distances from both points. They may be wide. Beside the
+/// support it is seen from the outermost segment, with a negative distance from the support's end.
 struct Place {
   std::size_t segment;
   Ball from_left;
@@ -57,8 +61,9 @@ class ContactForm {
   Ball modulus(const Place& place, std::optional<std::size_t> without = std::nullopt) const;
   /// g_k + tilt at a place of a segment, k its own slope.
   Ball profile_slope(const Place& place) const;
-  /// int (psi' - u')/c dxi over a part of a segment off the contact that touches none of its points.
-  Ball gap_change(const ContactPanel::Part& part) const;
+  /// int (psi' - u')/c dxi over a part of a segment off the contact, from B_k. Where the part touches a segment in contact
+  /// k is the slope there.
+  Ball gap_change(const ContactPanel::Part& part, std::size_t k) const;
 
   // What conditions and loads are made of.
   /// The different polynomials g_k, and which of them holds on a segment.
@@ -75,6 +80,10 @@ class ContactForm {
     BallPolynomial coefficients;
     std::vector<std::vector<Ball>> values;  ///< at the nodes of each panel, times 1/|Y| and the node's weight
     std::vector<Ball> masses;               ///< (1/pi) int |...|/|Y| over each panel is no larger
+    std::vector<Ball> sizes;                ///< max |...| in the far ellipse of each panel
+    /// Seen from the left and from the right; made when they have been asked for often enough.
+    mutable std::array<std::shared_ptr<const PanelMoments>, 2> moments;
+    mutable std::array<Bits, 2> asked{};
   };
   const Difference& difference(std::size_t k, std::size_t segment) const { return differences_[k][segment]; }
   /// Of 1/|Y|, on segments in contact, left to right; none where the contact has one polynomial.
@@ -102,6 +111,9 @@ class ContactForm {
   void take_differences(std::size_t segment);
   /// Adds a segment's part of int eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x).
   void add_cauchy(std::size_t k, std::size_t segment, const Place& place, LocalValue& sum) const;
+  /// A segment's panels from a place: those far from it and close to the segment's point together. None at first: they cost
+  /// as much as all panels do for half as many places as they have bits.
+  const PanelMoments* moments(const Difference& difference, std::size_t segment, Side facing) const;
   void add_beside(const ContactPanel& panel, const Difference& difference, const std::vector<Ball>& values,
                   const Place& place, LocalValue& sum) const;
   Ball distance(const Place& place, std::size_t j) const;

@@ -42,65 +42,106 @@ Ball ContactLoad::bound_beside(std::size_t c, const ContactPanel& panel) const {
   return sum;
 }
 
-Ball ContactLoad::singular_load(std::size_t c, std::size_t segment, const Ball& length) const {
-  const std::size_t k = form_.slope_of(segment);
+TractionRule::Singular ContactLoad::singular_term(std::size_t c, std::size_t segment) const {
   const std::size_t other = segment < c ? c : c - 1;
-  BallPolynomial around = shifted(form_.difference(k, other).coefficients, set_.x(c));
   const Ball pi = Ball::pi(set_.bits());
   const bool logarithm = set_.is_regular(c);
-  Ball sum(0, set_.bits());
+  const Ball factor = Ball(set_.sign(segment) * (segment < c ? 1 : -1)) * set_.cos_alpha(segment) /
+                      (logarithm ? pi : -sin(pi * set_.power(c)));
+  TractionRule::Singular result{shifted(form_.difference(form_.slope_of(segment), other).coefficients, set_.x(c)),
+                                logarithm, segment < c ? -1 : 1};
+  for (Ball& coefficient : result.factor) coefficient *= factor;
+  return result;
+}
+
+TractionRule ContactLoad::rule(ContactPanel::Part part) const {
+  const std::size_t segment = part.segment;
+  const std::size_t k = form_.slope_of(segment);
+  const std::size_t c = part.touches == Side::right ? segment + 1 : segment;
+  const bool apart = part.touches && changes_polynomial(c);
+  TractionRule result{form_.panel(std::move(part)), {}, Ball(0), Ball(0, 64), {}};
+  // cos(pi alpha) <= 1.
+  result.bound = apart ? bound_beside(c, result.panel) : form_.bound(k, result.panel, Ellipse::far);
+  if (apart) result.singular = singular_term(c, segment);
+  // A panel beside a tiny gap carries less than what is rounded away of the load: its bound is as good as its values.
+  Ball mass(0, 64);
+  for (const ContactPanel::Node& node : result.panel.nodes()) mass += node.weight.at(64);
+  const Ball most = result.bound * mass;
+  if (most < Ball(set_.problem().load, 64) * power(Ball(2, 64), -static_cast<int>(set_.bits()))) {
+    result.neglected = most;
+    return result;
+  }
+  const Ball factor = Ball(set_.sign(segment)) * set_.cos_alpha(segment);
+  for (const ContactPanel::Node& node : result.panel.nodes()) {
+    const LocalValue b = form_.regular_factor(k, {segment, node.from_left, node.from_right});
+    result.values.push_back(factor * node.weight * (apart ? b.regular : b.value()));
+  }
+  return result;
+}
+
+std::vector<TractionRule> ContactLoad::rules(std::size_t segment, const ContactPanel::Range& range,
+                                             const Longest& longest) const {
+  std::vector<TractionRule> result;
+  const auto outward = [&](Side from, const ContactPanel::Range& distances) {
+    const std::size_t j = from == Side::left ? segment : segment + 1;
+    // Where the polynomial changes, a panel a fifth as long as the one on the other side.
+    std::optional<Ball> first;
+    if (changes_polynomial(j)) first = facing_panel(j, segment).part().length / Ball(5);
+    for (ContactPanel::Part& part : ContactPanel::outward(set_, segment, from, distances, first)) {
+      for (ContactPanel::Part& piece : ContactPanel::divided(std::move(part), longest)) {
+        result.push_back(rule(std::move(piece)));
+      }
+    }
+  };
+  // Outwards from the nearer of the segment's points.
+  const Ball& whole = set_.length(segment);
+  const Ball half = whole / Ball(2);
+  const auto is_before = [](const Ball& a, const Ball& b) { return a.midpoint() < b.midpoint(); };
+  const bool ends_before = is_before(range.to, half);
+  if (is_before(range.from, half)) outward(Side::left, {range.from, ends_before ? range.to : half});
+  if (ends_before) return result;
+  const Ball rest = is_before(range.to, whole) ? whole - range.to : Ball(0, set_.bits());
+  outward(Side::right, {rest, is_before(range.from, half) ? half : whole - range.from});
+  return result;
+}
+
+namespace {
+
+/// int_0^length p(+-d) S dd.
+Ball integral(const TractionRule::Singular& term, const BallPolynomial& weight, const Ball& length) {
+  const BallPolynomial p = product(term.factor, weight);
+  Ball sum(0, length.bits());
   Ball power = length;
-  for (std::size_t i = 0; i < around.size(); ++i) {
-    // (x - c)^i = (-d)^i to the left of c.
-    Ball term = around[i] * power / Ball(static_cast<int>(i) + 1);
-    if (logarithm) term *= log(length) - Ball(1) / Ball(static_cast<int>(i) + 1, set_.bits());
-    sum += segment < c && i % 2 == 1 ? -term : term;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Ball n(static_cast<int>(i) + 1, length.bits());
+    Ball part = p[i] * power / n;
+    if (term.logarithm) part *= log(length) - Ball(1) / n;
+    sum += term.direction < 0 && i % 2 == 1 ? -part : part;
     power *= length;
   }
-  const Ball factor = Ball(set_.sign(segment) * (segment < c ? 1 : -1)) * set_.cos_alpha(segment);
-  return sum * factor / (logarithm ? pi : -sin(pi * set_.power(c)));
+  return sum;
+}
+
+}  // namespace
+
+Ball ContactLoad::load_on(std::size_t segment, const ContactPanel::Range& range, const BallPolynomial& weight) const {
+  Ball sum(0, set_.bits());
+  for (const TractionRule& rule : rules(segment, range, {})) {
+    const auto& nodes = rule.panel.nodes();
+    for (std::size_t i = 0; i < rule.values.size(); ++i) {
+      sum += rule.values[i] * value_at(weight, set_.x(segment) + nodes[i].from_left);
+    }
+    sum = Ball::plus_or_minus(sum, rule.error(rule.panel.largest(weight, Ellipse::far)));
+    if (!rule.singular) continue;
+    const ContactPanel::Part& part = rule.panel.part();
+    const Ball& c = set_.x(part.touches == Side::right ? segment + 1 : segment);
+    sum += integral(*rule.singular, shifted(weight, c), part.length);
+  }
+  return sum;
 }
 
 Ball ContactLoad::load_on(std::size_t segment) const {
-  const Bits bits = set_.bits();
-  const std::size_t k = form_.slope_of(segment);
-  Ball sum(0, bits);  // of |Y| B, and apart from it the singular terms
-  Ball singular(0, bits);
-  const auto add = [&](ContactPanel::Part part, std::optional<std::size_t> c) {
-    const ContactPanel panel = form_.panel(std::move(part));
-    for (const ContactPanel::Node& node : panel.nodes()) {
-      const LocalValue b = form_.regular_factor(k, {segment, node.from_left, node.from_right});
-      sum += node.weight * (c ? b.regular : b.value());
-    }
-    sum = Ball::plus_or_minus(
-        sum, panel.remainder(c ? bound_beside(*c, panel) : form_.bound(k, panel, Ellipse::far), Ellipse::far));
-  };
-  for (ContactPanel::Part& part : ContactPanel::graded(set_, segment)) {
-    const std::size_t c = part.touches == Side::right ? segment + 1 : segment;
-    if (!part.touches || !changes_polynomial(c)) {
-      add(std::move(part), std::nullopt);
-      continue;
-    }
-    // A panel a fifth as long as the one on the other side, then each as long as what lies behind it.
-    const bool left = *part.touches == Side::left;
-    const Ball whole = part.length;
-    const Ball fifth = (facing_panel(c, segment).part().length / Ball(5)).lower();
-    Ball from(0, bits);
-    for (bool first = true, more = true; more; first = false) {
-      Ball length = first ? fifth : from;
-      more = length < whole - from;
-      if (!more) length = whole - from;
-      const Ball rest = set_.length(segment) - from - length;
-      ContactPanel::Part piece{segment, left ? from : rest, left ? rest : from, length, {}};
-      if (first) {
-        piece.touches = part.touches;
-        singular += singular_load(c, segment, length);
-      }
-      add(std::move(piece), first ? std::optional(c) : std::nullopt);
-      from += length;
-    }
-  }
-  return sum * Ball(set_.sign(segment)) * set_.cos_alpha(segment) + singular;
+  return load_on(segment, {Ball(0, set_.bits()), set_.length(segment)}, {Ball(1, set_.bits())});
 }
 
 }  // namespace steadyslide::enclosure

@@ -77,35 +77,65 @@ Ball ContactPanel::largest(const std::vector<Ball>& polynomial, Ellipse ellipse)
   return value;
 }
 
-std::vector<ContactPanel::Part> ContactPanel::graded(const ContactSet& set, std::size_t segment, Extent extent) {
-  const Ball half = set.length(segment) / Ball(2);
+namespace {
+
+/// Enough for a distance of 1e-1200 of the contact.
+constexpr std::size_t most_panels = 4096;
+
+}  // namespace
+
+std::vector<ContactPanel::Part> ContactPanel::outward(const ContactSet& set, std::size_t segment, Side from,
+                                                      const Range& range, std::optional<Ball> first) {
+  const bool left = from == Side::left;
+  const Ball& whole = set.length(segment);
+  if (const bool at_margin = left ? segment == 0 : segment + 1 == set.segments(); !at_margin) {
+    const Ball& neighbour = set.length(left ? segment - 1 : segment + 1);
+    first = first ? min(*first, neighbour) : neighbour;
+  }
   std::vector<Part> result;
-  // Outwards from one of the segment's points to its middle, each panel as long as what lies behind it.
-  const auto fill = [&](Side side) {
-    const bool left = side == Side::left;
-    const std::size_t point = left ? segment : segment + 1;
-    const bool at_margin = left ? point == 0 : point + 1 == set.points();
-    Ball from(0, set.bits());
-    bool touches = true;
-    for (bool more = true; more;) {
-      // Places are our choice: midpoints of balls, so that only the last length carries the box's width.
-      Ball length = touches ? (at_margin ? half : set.length(left ? segment - 1 : segment + 1)) : from;
-      length = length.lower();
-      more = length < half - from;
-      if (!more || Ball(2) * length > half - from) length = more ? ((half - from) / Ball(2)).lower() : half - from;
-      Ball to = from + length;
-      const Ball rest = set.length(segment) - to;
-      Part part{segment, left ? from : rest, left ? rest : from, length, {}};
-      if (touches) part.touches = side;
-      result.push_back(std::move(part));
-      from = to;
-      touches = false;
-    }
-  };
-  if (extent != Extent::right_half) fill(Side::left);
-  const auto middle = static_cast<std::ptrdiff_t>(result.size());
-  if (extent != Extent::left_half) fill(Side::right);
-  std::reverse(result.begin() + middle, result.end());
+  Ball at = range.from;
+  for (bool more = true; more;) {
+    const bool touches = at.is_zero();
+    Ball length = (whole - at) / Ball(2);
+    if (!touches) length = min(length, at);
+    if (touches && first) length = min(length, *first);
+    // Places are our choice: midpoints of balls, so that only the last length carries the box's width.
+    length = length.lower();
+    const Ball left_over = range.to - at;
+    // Points out of order, or closer than any solution has them: one panel, whose bounds are not finite.
+    if (!length.is_positive() || result.size() == most_panels) length = left_over;
+    more = length < left_over;
+    if (!more || Ball(2) * length > left_over) length = more ? (left_over / Ball(2)).lower() : left_over;
+    const Ball to = at + length;
+    const Ball rest = whole - to;
+    Part part{segment, left ? at : rest, left ? rest : at, length, {}};
+    if (touches) part.touches = from;
+    result.push_back(std::move(part));
+    at = to;
+  }
+  if (!left) std::reverse(result.begin(), result.end());
+  return result;
+}
+
+std::vector<ContactPanel::Part> ContactPanel::divided(Part part, const std::function<Ball(const Part&)>& longest) {
+  if (!longest || part.length.midpoint() <= longest(part).midpoint()) return {std::move(part)};
+  const Ball half = (part.length / Ball(2)).midpoint();
+  const Ball rest = part.length - half;
+  Part left{part.segment, part.from_left, part.from_right + rest, half, {}};
+  Part right{part.segment, part.from_left + half, part.from_right, rest, {}};
+  if (part.touches) (*part.touches == Side::left ? left : right).touches = part.touches;
+  std::vector<Part> result = divided(std::move(left), longest);
+  for (Part& piece : divided(std::move(right), longest)) result.push_back(std::move(piece));
+  return result;
+}
+
+std::vector<ContactPanel::Part> ContactPanel::graded(const ContactSet& set, std::size_t segment, Extent extent) {
+  const Range half{Ball(0, set.bits()), set.length(segment) / Ball(2)};
+  std::vector<Part> result;
+  if (extent != Extent::right_half) result = outward(set, segment, Side::left, half);
+  if (extent != Extent::left_half) {
+    for (Part& part : outward(set, segment, Side::right, half)) result.push_back(std::move(part));
+  }
   return result;
 }
 

@@ -11,6 +11,7 @@
 // ellipses serve: panels are no longer than their distance from points that they do not touch. Bounds have 64 bits.
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "enclosure/contact/contact_set.hpp"
@@ -60,8 +61,18 @@ class ContactPanel {
   /// max |p(x)| in the ellipse, x the coordinate xi.
   Ball largest(const std::vector<Ball>& polynomial, Ellipse ellipse) const;
 
-  /// Panels that fill a segment, or its left or right half, from left to right: each is no longer than its distance from any point that it
-  /// does not touch.
+  /// Distances from one of a segment's points, from < to; the smaller one may be 0 exactly.
+  struct Range {
+    Ball from;
+    Ball to;
+  };
+  /// Panels that fill such a range, which ends before the segment's other point, from left to right: each is no longer than
+  /// its distance from any point that it does not touch, the one that touches the point no longer than `first` either.
+  static std::vector<Part> outward(const ContactSet& set, std::size_t segment, Side from, const Range& range,
+                                   std::optional<Ball> first = std::nullopt);
+  /// A part in halves, and these in halves, until each is no longer than `longest` says of it; whole without that.
+  static std::vector<Part> divided(Part part, const std::function<Ball(const Part&)>& longest);
+  /// The same as outward() for a segment, or its left or right half.
   enum class Extent { whole, left_half, right_half };
   static std::vector<Part> graded(const ContactSet& set, std::size_t segment, Extent extent = Extent::whole);
 

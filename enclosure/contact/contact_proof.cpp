@@ -6,22 +6,25 @@ namespace steadyslide::enclosure {
 namespace {
 
 /// Signs need few digits, except next to a threshold.
-SignsDecided decide(const ReducedProblem& problem, const ContactBox& box, Bits bits) {
+SignsDecided decide(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules) {
   SignsDecided signs;
+  const int rounds = problem.load_radius > 0 ? 8 : 12;
   for (const Bits few : {Bits(96), Bits(192), Bits(384)}) {
-    const Bits used = std::min(few, bits);
-    JacobiRules rules(used);
-    signs = decide_signs(box.form(problem, std::min(count_for(used), 16 * static_cast<int>(few / 96)), rules));
-    if (signs.proved || signs.refuted || used == bits) break;
+    const Bits used = std::min(few, rules.bits());
+    JacobiRules own(used);
+    JacobiRules& chosen = used == rules.bits() ? rules : own;
+    const int count = std::min(count_for(used), 16 * static_cast<int>(few / 96));
+    signs = decide_signs(box.form(problem, count, chosen), rounds);
+    if (signs.proved || signs.refuted || used == rules.bits()) break;
   }
   return signs;
 }
 
-void judge(ContactProof& proof, KrawczykResult zero) {
+void judge(ContactProof& proof, KrawczykResult zero, JacobiRules& rules) {
   proof.box = std::move(zero.box);
   proof.reason = std::move(zero.reason);
   if (!zero.proved) return;
-  const SignsDecided signs = decide(proof.problem, proof.box, proof.bits);
+  const SignsDecided signs = decide(proof.problem, proof.box, rules);
   proof.proved = signs.proved;
   proof.refuted = signs.refuted;
   proof.reason = signs.reason;
@@ -63,9 +66,15 @@ ContactProof prove_contact(const ContactProblem& problem, const ApproximateConta
   for (const int factor : {1, 2, 4}) {
     proof.bits = factor * least;
     JacobiRules rules(proof.bits);
-    judge(proof, enclose_zero(proof.problem, start, rules));
+    judge(proof, enclose_zero(proof.problem, start, rules), rules);
     if (proof.proved || proof.refuted) break;
   }
+  return proof;
+}
+
+ContactProof prove_signs(const ReducedProblem& problem, KrawczykResult zero, JacobiRules& rules) {
+  ContactProof proof{false, false, {}, {}, problem, {{}, {}, {}, Ball(0)}, rules.bits()};
+  judge(proof, std::move(zero), rules);
   return proof;
 }
 
@@ -76,7 +85,7 @@ ContactProof prove_box(const ReducedProblem& problem, const ContactBox& box, Bit
     return proof;
   }
   JacobiRules rules(bits);
-  judge(proof, prove_zero(proof.problem, box, rules));
+  judge(proof, prove_zero(proof.problem, box, rules), rules);
   return proof;
 }
 

@@ -34,6 +34,9 @@ Frame frame_of(const ContactProblem& problem, const ApproximateContact& contact)
 /// where it does not suffice, to four times what the digits need.
 ContactProof prove_contact(const ContactProblem& problem, const ApproximateContact& contact, int digits);
 
+/// What Krawczyk's operator says, then the signs over its box.
+ContactProof prove_signs(const ReducedProblem& problem, KrawczykResult zero, JacobiRules& rules);
+
 /// A box that is given: no Newton step before the proof.
 ContactProof prove_box(const ReducedProblem& problem, const ContactBox& box, Bits bits);
 

@@ -21,7 +21,8 @@ struct Interval {
 
 class Decision {
  public:
-  explicit Decision(const ContactForm& form) : form_(form), set_(form.set()), bits_(set_.bits()) {}
+  Decision(const ContactForm& form, int most_rounds)
+      : form_(form), set_(form.set()), bits_(set_.bits()), most_rounds_(most_rounds) {}
 
   SignsDecided run() {
     for (std::size_t k = 0; k < set_.segments() && result_.proved; ++k) {
@@ -132,7 +133,7 @@ class Decision {
       const Ball rest = set_.length(half.segment) - d.high;
       const bool left = half.from == Side::left;
       const ContactPanel::Part part{half.segment, left ? d.low : rest, left ? rest : d.low, d.high - d.low, {}};
-      change = change.intersection(form_.gap_change(part));
+      change = change.intersection(form_.gap_change(part, form_.slope_of(half.segment)));
     }
     return {half, d, sign, std::move(change), range};
   }
@@ -192,14 +193,13 @@ class Decision {
     const bool from_left = set_.point(first).kind == Kind::ends;
     const bool from_right = set_.point(last + 1).kind == Kind::begins;
     std::vector<Cell> cells = cells_of(first, last);
-    constexpr int most_rounds = 12;
     for (int round = 0; result_.proved; ++round) {
       std::vector<char> open(cells.size(), 0);
       if (from_left) mark(cells, open, Side::left);
       if (from_right) mark(cells, open, Side::right);
       const auto undecided = std::find(open.begin(), open.end(), 0);
       if (undecided == open.end()) return;
-      if (round == most_rounds) {
+      if (round == most_rounds_) {
         const Cell& at = cells[static_cast<std::size_t>(undecided - open.begin())];
         fail(at.half, at.d, false, "the gap's sign is not decided");
         return;
@@ -251,11 +251,12 @@ class Decision {
   const ContactForm& form_;
   const ContactSet& set_;
   Bits bits_;
+  int most_rounds_;
   SignsDecided result_;
 };
 
 }  // namespace
 
-SignsDecided decide_signs(const ContactForm& form) { return Decision(form).run(); }
+SignsDecided decide_signs(const ContactForm& form, int most_rounds) { return Decision(form, most_rounds).run(); }
 
 }  // namespace steadyslide::enclosure

@@ -27,7 +27,8 @@ struct SignsDecided {
   std::size_t intervals = 0;
 };
 
-/// `form` over the box; its precision and its number of nodes are those of the decision.
-SignsDecided decide_signs(const ContactForm& form);
+/// `form` over the box; its precision and its number of nodes are those of the decision. A gap is divided `most_rounds` times:
+/// cells that are thin beside what the box's own width does to them decide nothing more.
+SignsDecided decide_signs(const ContactForm& form, int most_rounds = 12);
 
 }  // namespace steadyslide::enclosure

@@ -1,5 +1,7 @@
 #include "enclosure/contact/enclosed_solution.hpp"
 
+#include "enclosure/contact/contact_gap.hpp"
+
 namespace steadyslide::enclosure {
 
 using Kind = ContactTopology::Kind;
@@ -46,8 +48,13 @@ std::vector<std::pair<EnclosedSolution::End, EnclosedSolution::End>> EnclosedSol
 std::vector<EnclosedSolution::Point> EnclosedSolution::singular_points() const {
   std::vector<Point> result;
   const Ball pi = Ball::pi(bits_);
-  for (std::size_t j = 1; j + 1 < set().points(); ++j) {
-    if (set().point(j).is_end() || !set().in_contact(j)) continue;
+  for (std::size_t j = 0; j < set().points(); ++j) {
+    if (set().point(j).is_end()) {
+      End here = end(j);
+      result.push_back({here.x, here.kind, std::move(here.exponent), here.intensity, Ball(0, bits_)});
+      continue;
+    }
+    if (!in_contact_at(j, Side::left) || !in_contact_at(j, Side::right)) continue;
     const ReducedProblem::Anchor& anchor = reduced_->anchors[set().point(j).anchor];
     const Rational& s_left = set().interval(j - 1).s;
     const Rational& s_right = set().interval(j).s;
@@ -68,15 +75,20 @@ std::vector<EnclosedSolution::Point> EnclosedSolution::singular_points() const {
   return result;
 }
 
+std::size_t EnclosedSolution::friction_of(std::size_t segment) const {
+  // The intervals of the reduced problem are the pieces of the problem.
+  std::size_t piece = 0;
+  for (std::size_t j = 1; j <= segment; ++j) {
+    if (!set().point(j).beside) ++piece;
+  }
+  return problem_.pieces()[piece].friction;
+}
+
 EnclosedSolution::Resultants EnclosedSolution::resultants() const {
   const std::size_t values = problem_.friction().values().size();
   std::vector<Ball> loads(values, Ball(0, bits_));
-  // The intervals of the reduced problem are the pieces of the problem.
-  const std::vector<ContactProblem::Piece> pieces = problem_.pieces();
-  std::size_t piece = 0;
   for (std::size_t k = 0; k < set().segments(); ++k) {
-    if (k > 0 && !set().point(k).beside) ++piece;
-    if (set().in_contact(k)) loads[pieces[piece].friction] -= unit_ * ContactLoad(form_).load_on(k);
+    if (set().in_contact(k)) loads[friction_of(k)] -= unit_ * ContactLoad(form_).load_on(k);
   }
   Resultants result{Ball(0, bits_), Ball(0, bits_), Ball(0, bits_), Ball(0, bits_), {}};
   for (const Ball& load : loads) result.normal += load;
@@ -96,52 +108,145 @@ std::optional<Ball> EnclosedSolution::tilt() const {
   return Ball(problem_.elasticity().compliance(), bits_) * tilt_;
 }
 
+std::optional<Rational> EnclosedSolution::exact(std::size_t j) const {
+  if (set().point(j).beside) return std::nullopt;
+  return reduced_->anchors[set().point(j).anchor].x;
+}
+
+Place EnclosedSolution::seen_from(std::size_t segment, const Rational& xi) const {
+  const Ball at(xi, bits_);
+  const std::optional<Rational> left = exact(segment);
+  const std::optional<Rational> right = exact(segment + 1);
+  return {segment, left ? Ball(Rational(xi - *left), bits_) : at - set().x(segment),
+          right ? Ball(Rational(*right - xi), bits_) : set().x(segment + 1) - at};
+}
+
+std::optional<ContactPanel::Range> EnclosedSolution::range(std::size_t segment, const Rational& from,
+                                                           const Rational& to) const {
+  const Ball zero(0, bits_);
+  const Place first = seen_from(segment, from);
+  const Place last = seen_from(segment, to);
+  if (first.from_right <= zero || last.from_left <= zero) return std::nullopt;
+  const auto clipped = [&](const Ball& inside, const Ball& beyond, const Ball& end) {
+    if (beyond <= zero) return end;
+    return beyond > zero ? inside : Ball::unknown(bits_);
+  };
+  return ContactPanel::Range{clipped(first.from_left, first.from_left, zero),
+                             clipped(last.from_left, last.from_right, set().length(segment))};
+}
+
 std::optional<Place> EnclosedSolution::place(const Rational& x, Side side) const {
   const Rational xi = (x - reduced_->frame.origin) / reduced_->frame.unit;
   const Ball at(xi, bits_);
-  const auto exact = [&](std::size_t j) {
-    return set().point(j).beside ? std::nullopt : std::optional(reduced_->anchors[set().point(j).anchor].x);
+  const auto segment_at = [&]() -> std::optional<std::size_t> {
+    if (xi <= reduced_->anchors.front().x && (side == Side::left || xi < reduced_->anchors.front().x)) return 0;
+    for (std::size_t k = 0; k < set().segments(); ++k) {
+      const std::optional<Rational> right = exact(k + 1);
+      if (right ? (side == Side::left ? xi <= *right : xi < *right) : at < set().x(k + 1)) return k;
+      if (!right && !(at > set().x(k + 1))) return std::nullopt;
+    }
+    return set().segments() - 1;
   };
-  for (std::size_t k = 0; k < set().segments(); ++k) {
-    const std::optional<Rational> left = exact(k);
-    const std::optional<Rational> right = exact(k + 1);
-    const bool after = left ? (side == Side::right ? xi >= *left : xi > *left) : at > set().x(k);
-    const bool before = right ? (side == Side::left ? xi <= *right : xi < *right) : at < set().x(k + 1);
-    if (!after || !before) continue;
-    const Ball from_left = left ? Ball(Rational(xi - *left), bits_) : at - set().x(k);
-    const Ball from_right = right ? Ball(Rational(*right - xi), bits_) : set().x(k + 1) - at;
-    return Place{k, from_left, from_right};
-  }
+  const std::optional<std::size_t> k = segment_at();
+  if (!k) return std::nullopt;
+  return seen_from(*k, xi);
+}
+
+bool EnclosedSolution::is_in_support(const Place& place) const {
+  return !place.from_left.is_negative() && !place.from_right.is_negative();
+}
+
+std::optional<std::size_t> EnclosedSolution::point_at(const Place& place) const {
+  if (place.from_left.is_zero()) return place.segment;
+  if (place.from_right.is_zero()) return place.segment + 1;
   return std::nullopt;
 }
 
+bool EnclosedSolution::in_contact_at(std::size_t j, Side side) const {
+  if (side == Side::left) return j > 0 && set().in_contact(j - 1);
+  return j < set().segments() && set().in_contact(j);
+}
+
+Ball EnclosedSolution::traction_limit(std::size_t j, Side side) const {
+  if (!in_contact_at(j, side)) return Ball(0, bits_);
+  const std::size_t segment = side == Side::left ? j - 1 : j;
+  if (set().point(j).is_end() || !set().is_regular(j)) {
+    if (set().power(j).is_negative()) return Ball::infinity(-1, bits_);
+    if (set().point(j).is_end()) return Ball(0, bits_);
+  }
+  const Rational& at = reduced_->anchors[set().point(j).anchor].x;
+  const Rational wedge = set().interval(j).slope(at) - set().interval(j - 1).slope(at);
+  if (!set().is_regular(j)) return Ball(Rational(wedge / (set().interval(j).s - set().interval(j - 1).s)), bits_);
+  return wedge == 0 ? amplitude(j, segment) : Ball::infinity(-1, bits_);
+}
+
 Ball EnclosedSolution::traction_at(const Place& place) const {
-  if (!set().in_contact(place.segment)) return Ball(0, bits_);
+  if (!is_in_support(place) || !set().in_contact(place.segment)) return Ball(0, bits_);
   return Ball(set().sign(place.segment)) * set().cos_alpha(place.segment) * form_.modulus(place) *
          form_.regular_factor(place).value();
+}
+
+Ball EnclosedSolution::slope_limit(std::size_t j, Side side) const {
+  const bool contact = in_contact_at(j, side);
+  const ContactTopology::Point& point = set().point(j);
+  if (!contact && point.is_end() && !point.vanishes) return Ball::infinity(side == Side::left ? -1 : 1, bits_);
+  const Ball zero(0, bits_);
+  const auto beside = [&](bool left) {
+    return left ? Place{j - 1, set().length(j - 1), zero} : Place{j, zero, set().length(j)};
+  };
+  const Ball c(problem_.elasticity().compliance(), bits_);
+  // The surface leaves a free end along the profile of the contact.
+  if (contact || point.is_end()) return c * form_.profile_slope(beside((side == Side::left) == contact));
+  return slope_at(beside(j == set().segments() || (side == Side::left && j > 0)));
 }
 
 Ball EnclosedSolution::slope_at(const Place& place) const {
   const Ball profile = form_.profile_slope(place);
   const Ball c(problem_.elasticity().compliance(), bits_);
-  if (set().in_contact(place.segment)) return c * profile;
-  return c * (profile - Ball(set().sign(place.segment)) * form_.modulus(place) * form_.regular_factor(place).value());
+  if (is_in_support(place) && set().in_contact(place.segment)) return c * profile;
+  // Beyond all points Y has the sign of z^S.
+  int sign = set().sign(place.segment);
+  if (place.from_left.is_negative()) sign = set().degree_at_infinity() % 2 == 0 ? 1 : -1;
+  if (place.from_right.is_negative()) sign = 1;
+  return c * (profile - Ball(sign) * form_.modulus(place) * form_.regular_factor(place).value());
+}
+
+template <class Limit, class Value>
+EnclosedSolution::TwoSided EnclosedSolution::two_sided(const Rational& x, Limit limit, Value value) const {
+  const auto from = [&](Side side) {
+    const std::optional<Place> at = place(x, side);
+    if (!at) return Ball::unknown(bits_);
+    const std::optional<std::size_t> point = point_at(*at);
+    return point ? limit(*point, side) : value(*at);
+  };
+  return {from(Side::left), from(Side::right)};
 }
 
 EnclosedSolution::TwoSided EnclosedSolution::traction(const Rational& x) const {
-  const auto limit = [&](Side side) {
-    const std::optional<Place> at = place(x, side);
-    return at ? traction_at(*at) : Ball::unknown(bits_);
-  };
-  return {limit(Side::left), limit(Side::right)};
+  return two_sided(
+      x, [&](std::size_t j, Side side) { return traction_limit(j, side); },
+      [&](const Place& at) { return traction_at(at); });
 }
 
 EnclosedSolution::TwoSided EnclosedSolution::slope(const Rational& x) const {
-  const auto limit = [&](Side side) {
+  return two_sided(
+      x, [&](std::size_t j, Side side) { return slope_limit(j, side); }, [&](const Place& at) { return slope_at(at); });
+}
+
+std::optional<Ball> EnclosedSolution::gap(const Rational& x) const {
+  std::optional<Ball> lowest;  // of the two at a step
+  for (const Side side : {Side::left, Side::right}) {
     const std::optional<Place> at = place(x, side);
-    return at ? slope_at(*at) : Ball::unknown(bits_);
-  };
-  return {limit(Side::left), limit(Side::right)};
+    if (!at) return Ball::unknown(bits_);
+    const std::optional<std::size_t> point = point_at(*at);
+    // Beside the support there is nothing.
+    if (!is_in_support(*at) || (point && *point == (side == Side::left ? 0 : set().segments()))) continue;
+    const bool contact = set().in_contact(at->segment) || (point && set().point(*point).is_end());
+    const Ball here =
+        contact ? Ball(0, bits_) : Ball(problem_.elasticity().compliance(), bits_) * unit_ * ContactGap(form_).at(*at);
+    lowest = lowest ? min(*lowest, here) : here;
+  }
+  return lowest;
 }
 
 }  // namespace steadyslide::enclosure

@@ -37,7 +37,7 @@ class EnclosedSolution {
     Ball intensity;
     Ball constant;
   };
-  /// Those inside the contact, left to right.
+  /// Those at ends of contact, whose constant is 0, and inside, left to right.
   std::vector<Point> singular_points() const;
 
   struct Resultants {
@@ -48,6 +48,13 @@ class EnclosedSolution {
     std::vector<Ball> load_share;
   };
   Resultants resultants() const;
+  // For what integrates tractions: the form, in xi, and the part of a segment between two xi; absent if there is none, not
+  // finite where an end of contact may lie at one of them.
+  const ContactForm& form() const { return form_; }
+  std::optional<ContactPanel::Range> range(std::size_t segment, const Rational& from, const Rational& to) const;
+  /// t_t/t on a segment.
+  Rational shear_ratio(std::size_t segment) const { return problem_.shear_ratio(friction_of(segment)); }
+
   /// The slope added to psi where the indenter may tilt.
   std::optional<Ball> tilt() const;
 
@@ -55,21 +62,37 @@ class EnclosedSolution {
     Ball left;
     Ball right;
   };
-  /// t at x; 0 off the contact, not finite where it is singular or where x may be an end.
+  /// t at x: 0 off the contact, -infinity where it blows up; what contains everything where x may be a free end.
   TwoSided traction(const Rational& x) const;
-  /// u' at x in the support.
+  /// u' at x, in the support or not; infinite beside an edge.
   TwoSided slope(const Rational& x) const;
+  /// psi - u - C at x; absent outside the support.
+  std::optional<Ball> gap(const Rational& x) const;
 
  private:
   const ContactSet& set() const { return form_.set(); }
   Ball user(const Ball& xi) const;
+  /// Which of the friction's values rules on a segment.
+  std::size_t friction_of(std::size_t segment) const;
+  /// xi of a point of the data; absent for a free end.
+  std::optional<Rational> exact(std::size_t j) const;
+  Place seen_from(std::size_t segment, const Rational& xi) const;
   Ball from_unit(const Ball& power) const;
   End end(std::size_t j) const;
   /// eps cos(pi alpha) prod' |x - x_j|^p B without its singular term, in the segment's limit at its point j.
   Ball amplitude(std::size_t j, std::size_t segment) const;
+  /// Where x is, seen from one of its sides; absent where x may be a free end.
   std::optional<Place> place(const Rational& x, Side side) const;
+  bool is_in_support(const Place& place) const;
+  /// The point of the contact set that the place is exactly.
+  std::optional<std::size_t> point_at(const Place& place) const;
+  bool in_contact_at(std::size_t j, Side side) const;
+  Ball traction_limit(std::size_t j, Side side) const;
   Ball traction_at(const Place& place) const;
+  Ball slope_limit(std::size_t j, Side side) const;
   Ball slope_at(const Place& place) const;
+  template <class Limit, class Value>
+  TwoSided two_sided(const Rational& x, Limit limit, Value value) const;
 
   ContactProblem problem_;
   Bits bits_;

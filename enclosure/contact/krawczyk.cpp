@@ -26,7 +26,7 @@ ContactBox with_unknowns(const ContactBox& box, const std::vector<Ball>& values)
   return result;
 }
 
-/// An approximate inverse: its error does not matter. Empty where there is none.
+/// An approximate inverse of the square part: its error does not matter. Empty where there is none.
 Matrix approximate_inverse(const Matrix& matrix, Bits bits) {
   const auto n = static_cast<slong>(matrix.size());
   arb_mat_t a;
@@ -47,6 +47,13 @@ Matrix approximate_inverse(const Matrix& matrix, Bits bits) {
     }
   }
   arb_mat_clear(a);
+  return result;
+}
+
+/// The last column of the conditions' derivatives: by the load.
+std::vector<Ball> by_load(const Matrix& derivatives) {
+  std::vector<Ball> result;
+  for (const std::vector<Ball>& row : derivatives) result.push_back(row.back());
   return result;
 }
 
@@ -113,6 +120,15 @@ ContactBox ContactStart::box(Bits bits) const {
 
 namespace {
 
+/// Rules of no more bits serve as their own coarse ones.
+constexpr Bits few_bits = 96;
+
+ReducedProblem at_middle_load(const ReducedProblem& problem) {
+  ReducedProblem result = problem;
+  result.load_radius = 0;
+  return result;
+}
+
 /// One attempt, with F' enclosed by the rules `coarse`.
 KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, JacobiRules& coarse) {
   KrawczykResult result{false, {}, box};
@@ -127,7 +143,8 @@ KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, Jac
     result.reason = "the points of the contact set are not in order all over the box";
     return result;
   }
-  const ContactForm at_middle = with_unknowns(box, middle).form(problem, count_for(bits), rules);
+  const ReducedProblem one_load = at_middle_load(problem);
+  const ContactForm at_middle = with_unknowns(box, middle).form(one_load, count_for(bits), rules);
   const std::vector<Ball> values = ContactConditions(at_middle).conditions();
   if (values.size() != wide.size() || ContactConditions(over_box).unknowns() != wide.size()) {
     result.reason = "there are " + std::to_string(values.size()) + " conditions on " + std::to_string(wide.size()) +
@@ -136,6 +153,7 @@ KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, Jac
   }
   if (wide.empty()) {
     result.proved = true;
+    result.at_smallest = result.at_largest = box;
     return result;
   }
   const Matrix derivatives = ContactConditions(over_box).jacobian();
@@ -145,7 +163,10 @@ KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, Jac
     return result;
   }
   const std::vector<Ball> step = product(inverse, values, bits);
-  std::vector<Ball> image;
+  const std::vector<Ball> moved = product(inverse, by_load(derivatives), bits);
+  const Ball radius(problem.load_radius, bits);
+  const Ball loads = Ball::plus_or_minus(Ball(0, bits), radius);
+  std::vector<Ball> image, at_smallest, at_largest;
   for (std::size_t i = 0; i < wide.size(); ++i) {
     Ball sum = middle[i] - step[i];
     for (std::size_t j = 0; j < wide.size(); ++j) {
@@ -153,36 +174,47 @@ KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, Jac
       for (std::size_t k = 0; k < wide.size(); ++k) entry -= inverse[i][k] * derivatives[k][j];
       sum += entry * (wide[j] - middle[j]);
     }
-    image.push_back(std::move(sum));
+    image.push_back(sum - moved[i] * loads);
+    at_smallest.push_back(sum + moved[i] * radius);
+    at_largest.push_back(sum - moved[i] * radius);
   }
   for (std::size_t i = 0; i < wide.size(); ++i) {
     if (!wide[i].contains_inside(image[i])) {
       result.reason = "Krawczyk's operator does not map the box into itself (unknown " + std::to_string(i) + ")";
+      if (all_finite(image)) result.box = with_unknowns(box, image);
       return result;
     }
   }
   result.proved = true;
   result.box = with_unknowns(box, image);
+  result.at_smallest = with_unknowns(box, at_smallest);
+  result.at_largest = with_unknowns(box, at_largest);
   return result;
 }
 
 }  // namespace
 
 KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules) {
+  if (rules.bits() <= few_bits) return attempt(problem, box, rules, rules);
   // A few digits of F' are enough: they multiply the box's width.
-  JacobiRules coarse(std::min<Bits>(rules.bits(), 96));
+  JacobiRules coarse(few_bits);
   KrawczykResult result = attempt(problem, box, rules, coarse);
-  return result.proved || coarse.bits() == rules.bits() ? result : attempt(problem, box, rules, rules);
+  return result.proved ? result : attempt(problem, box, rules, rules);
 }
 
 KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactStart& start, JacobiRules& rules) {
+  return enclose_zero(problem, start.box(rules.bits()), rules);
+}
+
+KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules) {
   const Bits bits = rules.bits();
   const bool tilts = problem.load_at.has_value();
-  const ContactBox box = start.box(bits);
   KrawczykResult result{false, "Newton's method does not converge", box};
-  std::vector<Ball> values = unknowns(box, tilts);
+  std::vector<Ball> values;
+  for (const Ball& x : unknowns(box, tilts)) values.push_back(x.at(bits).midpoint());
   std::vector<Ball> widths(values.size(), Ball(0, bits));
-  JacobiRules coarse(std::min<Bits>(bits, 96));
+  JacobiRules own(few_bits);
+  JacobiRules& coarse = bits <= few_bits ? rules : own;
   // With the derivative where it starts, a step gains as many digits as the start has.
   Matrix inverse;
   Ball before = Ball::unknown(bits);
@@ -196,6 +228,11 @@ KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactStart& s
     if (inverse.empty()) {
       const ContactForm rough = here.form(problem, count_for(coarse.bits()), coarse);
       inverse = approximate_inverse(ContactConditions(rough).jacobian(), bits);
+      if (inverse.empty() && step == 0 && tilts) {
+        // Under a flat punch that does not tilt no end could be free; any other tilt will do, the conditions are affine in it.
+        values.back() = Ball(1, bits);
+        continue;
+      }
     }
     if (inverse.empty() || !all_finite(conditions)) return result;
     const std::vector<Ball> change = product(inverse, conditions, bits);
@@ -223,6 +260,40 @@ KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactStart& s
     if (result.proved || values.empty()) return result;
   }
   return result;
+}
+
+std::optional<ContactBox> box_for_loads(const ReducedProblem& problem, const ContactBox& guess, JacobiRules& rules) {
+  const Bits bits = rules.bits();
+  const ReducedProblem one_load = at_middle_load(problem);
+  const Ball radius(problem.load_radius, bits);
+  std::vector<Ball> values;
+  for (const Ball& x : unknowns(guess, problem.load_at.has_value())) values.push_back(x.at(bits).midpoint());
+  constexpr int most_steps = 8;
+  for (int i = 0; i < most_steps; ++i) {
+    const ContactBox here = with_unknowns(guess, values);
+    const ContactForm form = here.form(one_load, count_for(bits), rules);
+    if (!form.set().is_ordered()) break;
+    const ContactConditions at_form(form);
+    const std::vector<Ball> conditions = at_form.conditions();
+    if (values.empty() || conditions.size() != values.size()) return here;  // prove_zero() says what is wrong
+    const Matrix derivatives = at_form.jacobian();
+    const Matrix inverse = approximate_inverse(derivatives, bits);
+    if (inverse.empty() || !all_finite(conditions)) break;
+    const std::vector<Ball> step = product(inverse, conditions, bits);
+    const std::vector<Ball> moved = product(inverse, by_load(derivatives), bits);
+    Ball longest(0, bits), widest(0, bits);
+    std::vector<Ball> wide;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const Ball length = abs(step[k]).upper(), width = abs(moved[k] * radius).upper();
+      longest = max(longest, length);
+      widest = max(widest, width);
+      values[k] = (values[k] - step[k]).midpoint();
+      const Ball rounding = abs(values[k]).upper() * power(Ball(2, bits), -static_cast<int>(bits) + 8);
+      wide.push_back(Ball::around(values[k], width * Ball(Rational(5, 4), bits) + length + rounding));
+    }
+    if (longest * Ball(16) < widest) return with_unknowns(guess, wide);
+  }
+  return std::nullopt;
 }
 
 }  // namespace steadyslide::enclosure

@@ -6,7 +6,11 @@
 //
 // maps V into its interior: then F has one zero in V, and it lies in K(V). (F' is enclosed on all of V, on which the
 // points keep their order; Brouwer's theorem for existence, |1 - C F'(V)| < 1 for uniqueness.)
+//
+// Where the problem's load is any from p - r to p + r, F(v; load) = F(v; p) + dF/dload (load - p), since the load enters
+// linearly, and -C dF/dload [-r, r] belongs to K(V): then there is exactly one zero in V for each of these loads.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +44,9 @@ struct KrawczykResult {
   bool proved = false;
   std::string reason;  ///< why not
   ContactBox box;      ///< K(V), if proved; else the best state reached
+  /// The zeros for the smallest and the largest load alone, if proved: K(V) of these, of second order in V's width.
+  ContactBox at_smallest = {};
+  ContactBox at_largest = {};
 };
 
 /// Does the box hold exactly one zero? No Newton step before it: the box is taken as it is.
@@ -47,6 +54,12 @@ KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, 
 /// Newton's method from there, then a box around where it leads. The conditions are affine in q and the tilt, which its
 /// first step finds from nothing.
 KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactStart& start, JacobiRules& rules);
+/// From the middle of a box, for one load.
+KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules);
+
+/// The box of the zeros for all of a problem's loads, to first order, with a margin: Newton's method from the middle of
+/// `guess` to the middle load's zero, and |dv/dload| from there. Proves nothing; nothing where it does not converge.
+std::optional<ContactBox> box_for_loads(const ReducedProblem& problem, const ContactBox& guess, JacobiRules& rules);
 
 /// Nodes a panel that leave the quadrature's error at the precision's rounding.
 int count_for(Bits bits);

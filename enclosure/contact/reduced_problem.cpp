@@ -1,5 +1,7 @@
 #include "enclosure/contact/reduced_problem.hpp"
 
+#include "model/invalid_data.hpp"
+
 namespace steadyslide::enclosure {
 
 ReducedProblem::ReducedProblem(const ContactProblem& problem, const Frame& frame)
@@ -21,6 +23,17 @@ ReducedProblem::ReducedProblem(const ContactProblem& problem, const Frame& frame
     }
   }
   if (problem.load_at()) load_at = reduced(*problem.load_at());
+}
+
+ReducedProblem ReducedProblem::for_loads(const Rational& from, const Rational& to) const {
+  if (from <= 0 || to < from) {
+    throw InvalidData("load", "these are no loads from the smaller to the larger", "0 < from <= to",
+                      "from " + to_string(from) + " to " + to_string(to));
+  }
+  ReducedProblem result = *this;
+  result.load = (from + to) / 2 / frame.unit;
+  result.load_radius = (to - from) / 2 / frame.unit;
+  return result;
 }
 
 }  // namespace steadyslide::enclosure

@@ -102,6 +102,12 @@ Ball Ball::unknown(Bits bits) {
   return result;
 }
 
+Ball Ball::infinity(int sign, Bits bits) {
+  Ball result(0, bits);
+  sign < 0 ? arb_neg_inf(result.value_) : arb_pos_inf(result.value_);
+  return result;
+}
+
 Ball::Ball(const Ball& other) : bits_(other.bits_) {
   arb_init(value_);
   arb_set(value_, other.value_);

@@ -42,6 +42,9 @@ class Ball {
   static Ball pi(Bits bits);
   /// What contains everything.
   static Ball unknown(Bits bits);
+  /// Infinity itself, with the sign of `sign`: a limit. It is not finite.
+  static Ball infinity(int sign, Bits bits);
+  bool is_infinity() const { return arf_is_inf(arb_midref(value_)) && mag_is_zero(arb_radref(value_)); }
 
   Ball(const Ball& other);
   Ball(Ball&& other) noexcept;
@@ -70,6 +73,8 @@ class Ball {
   friend bool operator>=(const Ball& a, const Ball& b) { return b <= a; }
   bool is_positive() const { return arb_is_positive(value_) != 0; }
   bool is_negative() const { return arb_is_negative(value_) != 0; }
+  /// 0 exactly.
+  bool is_zero() const { return arb_is_zero(value_) != 0; }
   bool is_finite() const { return arb_is_finite(value_) != 0; }
   /// False for what is not finite, unlike Arb's own test.
   bool contains(const Ball& other) const;

@@ -26,6 +26,15 @@ Ball integral_over(BallPolynomial polynomial, const Ball& x, const Ball& length)
   return sum;
 }
 
+BallPolynomial product(const BallPolynomial& a, const BallPolynomial& b) {
+  if (a.empty() || b.empty()) return {};
+  BallPolynomial result(a.size() + b.size() - 1, Ball(0));
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) result[i + j] += a[i] * b[j];
+  }
+  return result;
+}
+
 BallPolynomial shifted(BallPolynomial polynomial, const Ball& c) {
   for (std::size_t low = 0; low < polynomial.size(); ++low) {
     for (std::size_t i = polynomial.size() - 1; i-- > low;) polynomial[i] += polynomial[i + 1] * c;

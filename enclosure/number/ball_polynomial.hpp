@@ -14,6 +14,7 @@ BallPolynomial in_balls(const Polynomial& polynomial, Bits bits);
 Ball value_at(const BallPolynomial& polynomial, const Ball& x);
 /// int_x^{x+length} p: from the derivatives at x, so that a short interval loses nothing.
 Ball integral_over(BallPolynomial polynomial, const Ball& x, const Ball& length);
+BallPolynomial product(const BallPolynomial& a, const BallPolynomial& b);
 /// The coefficients of powers of x - c.
 BallPolynomial shifted(BallPolynomial polynomial, const Ball& c);
 /// p(z)/(z - e) without its remainder.

@@ -31,6 +31,36 @@ void agrees(const Ball& enclosed, const Estimate<double>& estimate, double scale
         doctest::Approx(estimate.value).epsilon(1e-7).scale(scale + std::abs(estimate.value) + 1e-12));
 }
 
+void agrees_in_the_limit(const Ball& enclosed, const Estimate<double>& estimate, double scale) {
+  if (!std::isinf(estimate.value)) return agrees(enclosed, estimate, scale);
+  CHECK(enclosed.is_infinity());
+  CHECK((enclosed.to_double() > 0) == (estimate.value > 0));
+}
+
+/// Tractions, slopes and gaps inside the support, beside it and at places of the data.
+void agrees_at_places(const ContactProblem& problem, const EnclosedSolution& enclosed,
+                      const ContactSolution<double>& solution) {
+  const auto found = solution.contact();
+  const double length = found.back().right.x.value - found.front().left.x.value;
+  const double mean = static_cast<double>(problem.load()) / length;
+  const Rational left = problem.indenter().left(), width = problem.indenter().right() - left;
+  std::vector<Rational> places{left, left + width};
+  for (int i = -3; i < 42; i += 2) places.push_back(left + width * Rational(i, 38));
+  for (const Rational& jump : problem.friction().jumps()) places.push_back(jump);
+  for (const Indenter::Piece& piece : problem.indenter().pieces()) places.push_back(piece.to);
+  for (const Rational& x : places) {
+    CAPTURE(to_string(x));
+    const Sample<double> sample = solution.at(x);
+    agrees_in_the_limit(enclosed.traction(x).left, sample.traction.left, mean);
+    agrees_in_the_limit(enclosed.traction(x).right, sample.traction.right, mean);
+    agrees_in_the_limit(enclosed.slope(x).left, sample.slope.left, 1);
+    agrees_in_the_limit(enclosed.slope(x).right, sample.slope.right, 1);
+    const std::optional<Ball> gap = enclosed.gap(x);
+    REQUIRE(gap.has_value() == sample.gap.has_value());
+    if (gap) agrees(*gap, *sample.gap, length);
+  }
+}
+
 /// The proof, and its numbers beside those of double.
 ContactProof proved_beside(const ContactProblem& problem, const ContactSolution<double>& solution, int digits) {
   const ContactProof proof = prove_contact(problem, solution.approximate_contact(), digits);
@@ -54,37 +84,28 @@ ContactProof proved_beside(const ContactProblem& problem, const ContactSolution<
     agrees(zones[k].first.intensity, found[k].left.intensity);
     agrees(zones[k].second.intensity, found[k].right.intensity);
   }
-  std::vector<SolvedSingularPoint<double>> inside = solution.singular_points();
-  std::erase_if(inside, [](const auto& p) {
-    return p.kind == SingularKind::edge || p.kind == SingularKind::free || p.kind == SingularKind::step;
-  });
+  const std::vector<SolvedSingularPoint<double>> singular = solution.singular_points();
   const auto points = enclosed.singular_points();
-  REQUIRE(points.size() == inside.size());
+  REQUIRE(points.size() == singular.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
-    CHECK(points[k].kind == inside[k].kind);
-    CHECK(points[k].exponent == inside[k].exponent);
-    agrees(points[k].x, inside[k].x, length);
-    agrees(points[k].intensity, inside[k].intensity);
-    agrees(points[k].constant, inside[k].constant, std::abs(inside[k].intensity.value));
+    CHECK(points[k].kind == singular[k].kind);
+    CHECK(points[k].exponent == singular[k].exponent);
+    agrees(points[k].x, singular[k].x, length);
+    agrees(points[k].intensity, singular[k].intensity);
+    agrees(points[k].constant, singular[k].constant, std::abs(singular[k].intensity.value));
   }
   REQUIRE(enclosed.tilt().has_value() == solution.tilt().has_value());
   if (solution.tilt()) agrees(*enclosed.tilt(), *solution.tilt());
-  const double mean = static_cast<double>(problem.load()) / length;
-  const Rational left = problem.indenter().left(), width = problem.indenter().right() - left;
-  for (int i = 1; i < 38; i += 2) {
-    const Rational x = left + width * Rational(i, 38);
-    const Sample<double> sample = solution.at(x);
-    if (!std::isinf(sample.traction.left.value)) agrees(enclosed.traction(x).left, sample.traction.left, mean);
-    if (!std::isinf(sample.slope.right.value)) agrees(enclosed.slope(x).right, sample.slope.right);
-  }
   return proof;
 }
 
 }  // namespace
 
-TEST_CASE("a notch over a rising jump: below the threshold a gap is proved, and full contact refuted") {
+namespace {
+
+void proves_notches(std::initializer_list<const char*> parts) {
   std::vector<double> laws;
-  for (const char* part : {"0.5", "0.6", "0.7", "0.9", "0.99", "0.999", "0.999999"}) {
+  for (const char* part : parts) {
     CAPTURE(part);
     const ContactProblem problem = notch(full_contact_from * parse_rational(part));
     const ContactProof full = prove_contact(problem, everywhere, 30);
@@ -102,9 +123,19 @@ TEST_CASE("a notch over a rising jump: below the threshold a gap is proved, and 
     const Ball beta(jump_exponent(problem.coupled_friction(0), problem.coupled_friction(1)), 64);
     laws.push_back((-beta * proof.box.log_offsets[0]).to_double() - std::log(1 - std::stod(part)));
   }
-  CHECK(laws[6] == doctest::Approx(laws[5]).epsilon(1e-3));
+  CHECK(laws.back() == doctest::Approx(laws[laws.size() - 2]).epsilon(1e-3));
   const ContactProof above = prove_contact(notch(full_contact_from * 1.000001_r), everywhere, 30);
   CHECK_MESSAGE(above.proved, above.reason);
+}
+
+}  // namespace
+
+TEST_CASE("a notch over a rising jump: below the threshold a gap is proved, and full contact refuted") {
+  proves_notches({"0.5", "0.6", "0.7", "0.9"});
+}
+
+TEST_CASE("slow: a notch whose gap is 1e-43 to 1e-127 of the contact" * doctest::skip()) {
+  proves_notches({"0.99", "0.999", "0.999999"});
 }
 
 TEST_CASE("an unbounded term decides a sign only from where it exceeds the rest") {
@@ -124,7 +155,8 @@ TEST_CASE("closed forms are proved: punches with jumps, parabolas over jumps") {
     const auto solution = closed_form<double>(problem).solution;
     REQUIRE(solution);
     const ContactProof proof = proved_beside(problem, *solution, 50);
-    CHECK_MESSAGE(proof.proved, proof.reason);
+    REQUIRE_MESSAGE(proof.proved, proof.reason);
+    agrees_at_places(problem, EnclosedSolution(problem, proof), *solution);
   }
 }
 
@@ -140,6 +172,7 @@ void proves_random_problems(int problems) {
     ++solved;
     const ContactProof proof = proved_beside(problem, *solution, 30);
     proved += proof.proved;
+    if (proof.proved && i % 4 == 0) agrees_at_places(problem, EnclosedSolution(problem, proof), *solution);
     if (!proof.proved) MESSAGE(i << ": " << proof.reason);
   }
   CHECK(10 * solved >= 9 * problems);
@@ -149,7 +182,7 @@ void proves_random_problems(int problems) {
 }  // namespace
 
 TEST_CASE("random problems that the solver solves are proved, and their numbers are its numbers") {
-  proves_random_problems(40);
+  proves_random_problems(12);
 }
 
 TEST_CASE("slow: a thousand random problems" * doctest::skip()) { proves_random_problems(1000); }
@@ -177,6 +210,10 @@ void refuses_perturbed_boxes(int perturbations) {
     for (Ball& x : wider.q) x = Ball::around(x, power(Ball(10, bits), -50));
     if (problem.load_at()) wider.tilt = Ball::around(wider.tilt, power(Ball(10, bits), -50));
     CHECK(prove_box(proof.problem, wider, bits).proved);
+    // An end of the box on the zero: Krawczyk's image reaches beyond it.
+    ContactBox halved = wider;
+    halved.log_offsets[0] += wider.log_offsets[0].radius();
+    refused(halved);
     for (std::size_t f = 0; f < wider.log_offsets.size(); ++f) {
       for (const int sign : {-1, 1}) {
         ContactBox moved = wider;

@@ -1,0 +1,140 @@
+#include "enclosure/contact/interior_stress.hpp"
+
+#include <array>
+
+#include "enclosure/quadrature/power_panel.hpp"
+#include "model/invalid_data.hpp"
+
+namespace steadyslide::enclosure {
+namespace {
+
+/// Re, Im of (1/pi) int t/(x'-zeta), then of the same with the square.
+using Potential = std::array<Ball, 4>;
+
+void add(Potential& sum, const Ball& factor, const Potential& term) {
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor * term[i];
+}
+
+class CauchyIntegral {
+ public:
+  /// All in xi.
+  CauchyIntegral(const ContactForm& form, JacobiRules& rules, const Rational& x, const Rational& depth)
+      : form_(form),
+        set_(form.set()),
+        rules_(rules),
+        bits_(set_.bits()),
+        x_(x, bits_),
+        depth_(depth, bits_),
+        zero_{Ball(0, bits_), Ball(0, bits_), Ball(0, bits_), Ball(0, bits_)} {}
+
+  /// int t/(x'-zeta)^n over a segment in contact.
+  Potential over(std::size_t segment) const {
+    Potential sum = zero_;
+    const auto near = [&](const ContactPanel::Part& part) { return distance(part); };
+    const ContactPanel::Range whole{Ball(0, bits_), set_.length(segment)};
+    for (const TractionRule& rule : ContactLoad(form_).rules(segment, whole, near)) {
+      const auto& nodes = rule.panel.nodes();
+      for (std::size_t i = 0; i < rule.values.size(); ++i)
+        add(sum, rule.values[i], kernel(segment, nodes[i].from_left));
+      const Ball pole = pole_bound(distance(rule.panel.part()) - rule.panel.reach(Ellipse::far));
+      widen(sum, rule.error(pole), pole);
+      if (rule.singular) add(sum, Ball(1), singular_part(rule, pole));
+    }
+    return sum;
+  }
+
+ private:
+  /// 1/(x'-zeta) and its square.
+  Potential kernel(std::size_t segment, const Ball& from_left) const {
+    const Ball d = set_.x(segment) + from_left - x_;
+    const Ball square = d * d + depth_ * depth_;
+    return {d / square, depth_ / square, (d * d - depth_ * depth_) / (square * square),
+            Ball(2) * d * depth_ / (square * square)};
+  }
+
+  void widen(Potential& sum, const Ball& error, const Ball& pole) const {
+    for (std::size_t i = 0; i < 2; ++i) sum[i] = Ball::plus_or_minus(sum[i], error);
+    for (std::size_t i = 2; i < 4; ++i) sum[i] = Ball::plus_or_minus(sum[i], error * pole);
+  }
+
+  /// From zeta to the panel, at least.
+  Ball distance(const ContactPanel::Part& part) const {
+    const Ball left = set_.x(part.segment) + part.from_left - x_;
+    const Ball right = x_ - (left + x_ + part.length);
+    const Ball aside = max(max(left, right), Ball(0, bits_));
+    return sqrt(aside * aside + depth_ * depth_).lower();
+  }
+
+  /// int (g - g_k) S/(x'-zeta)^n on a panel that touches c. With u = d/L, and log u = -int_u^1 dv/v,
+  /// int_0^1 f(u) log u du = -int_0^1 int_0^1 f(v w) dv dw: the rule is applied twice.
+  Potential singular_part(const TractionRule& rule, const Ball& pole) const {
+    const ContactPanel::Part& part = rule.panel.part();
+    const TractionRule::Singular& term = *rule.singular;
+    const bool right = part.touches == Side::right;
+    const Ball two(2, bits_);
+    const Ball rho(5, bits_);
+    const JacobiRule& unit = rules_(PowerPanel::count_for(bits_, 5), Ball(0, bits_), Ball(0, bits_));  // on [0, 2]
+    const auto at = [&](const Ball& u) {
+      const Ball d = part.length * u;
+      Potential result = zero_;
+      add(result, value_at(term.factor, Ball(term.direction) * d),
+          kernel(part.segment, right ? set_.length(part.segment) - d : d));
+      return result;
+    };
+    Potential sum = zero_;
+    Ball log_length(1, bits_);
+    if (term.logarithm) log_length = log(part.length);
+    for (std::size_t i = 0; i < unit.size(); ++i) {
+      const Ball v = unit.from_left[i] / two;
+      add(sum, log_length * unit.weights[i] / two, at(v));
+      for (std::size_t j = 0; term.logarithm && j < unit.size(); ++j) {
+        add(sum, -(unit.weights[i] * unit.weights[j] / Ball(4)), at(v * unit.from_left[j] / two));
+      }
+    }
+    // The ellipse rho = 5 about [0, 1] reaches 4/5 beyond: |d| <= 9/5 L on it.
+    Ball largest(0, 64);
+    for (std::size_t i = term.factor.size(); i-- > 0;) {
+      largest = largest * part.length * Ball(Rational(9, 5), 64) + abs(term.factor[i]);
+    }
+    const Ball applied = term.logarithm ? abs(log_length) + Ball(2) : Ball(1);
+    widen(sum, unit.remainder(largest.upper() * pole, rho) / two * applied, pole);
+    for (Ball& component : sum) component *= part.length;
+    return sum;
+  }
+
+  const ContactForm& form_;
+  const ContactSet& set_;
+  JacobiRules& rules_;
+  Bits bits_;
+  Ball x_;
+  Ball depth_;
+  Potential zero_;
+};
+
+}  // namespace
+
+StressComponents interior_stress(const EnclosedSolution& solution, const Rational& x, const Rational& z) {
+  if (z <= 0) throw InvalidData("z", "place not inside the body", "the depth z is positive", to_string(z));
+  const ContactForm& form = solution.form();
+  const ContactSet& set = form.set();
+  const Frame& frame = set.problem().frame;
+  const Bits bits = set.bits();
+  JacobiRules rules(bits);
+  const CauchyIntegral cauchy(form, rules, (x - frame.origin) / frame.unit, z / frame.unit);
+  const Ball zero(0, bits);
+  Potential normal{zero, zero, zero, zero};
+  Potential tangential{zero, zero, zero, zero};
+  for (std::size_t segment = 0; segment < set.segments(); ++segment) {
+    if (!set.in_contact(segment)) continue;
+    const Potential potential = cauchy.over(segment);
+    add(normal, Ball(1) / Ball::pi(bits), potential);
+    add(tangential, Ball(solution.shear_ratio(segment), bits) / Ball::pi(bits), potential);
+  }
+  const Ball depth(Rational(z / frame.unit), bits);
+  const auto& [re, im, re_1, im_1] = normal;
+  const auto& [re_t, im_t, re_t1, im_t1] = tangential;
+  const Ball shift = depth * (re_1 - im_t1);
+  return {im + Ball(2) * re_t + shift, im - shift, -im_t - depth * (im_1 + re_t1)};
+}
+
+}  // namespace steadyslide::enclosure

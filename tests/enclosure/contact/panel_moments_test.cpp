@@ -1,0 +1,68 @@
+// Panels seen from afar by their moments are the sum over their nodes.
+
+#include "enclosure/contact/panel_moments.hpp"
+#include "model/contact_problem.hpp"
+#include "support/problems.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+using namespace steadyslide::enclosure;
+using Kind = ContactTopology::Kind;
+
+/// Contact to the left of a gap of 1e-30 at the origin, and to the right of it.
+struct Notch {
+  ReducedProblem problem{
+      reduced({0.1_r, 0.5_r}, {0}, Indenter(-1, {{0, Polynomial({0, 0.2_r})}, {1, Polynomial({0, -0.2_r})}}), 1),
+      {0, 1}};
+  Bits bits = 160;
+  JacobiRules rules{bits};
+  ContactSet set{problem,
+                 ContactTopology{{{0, {}, Kind::begins, false},
+                                  {1, Side::left, Kind::ends, true},
+                                  {1, {}, Kind::interior, false},
+                                  {1, Side::right, Kind::begins, true},
+                                  {2, {}, Kind::ends, false}}},
+                 {Ball(-69, bits), Ball(-69, bits)},
+                 bits};
+};
+
+}  // namespace
+
+TEST_CASE("panels seen from afar by their moments: the sum over their nodes, from either side and any distance") {
+  const Notch notch;
+  for (const Side c : {Side::left, Side::right}) {
+    const std::size_t segment = c == Side::left ? 3 : 0;
+    JacobiRules rules(notch.bits);
+    std::vector<ContactPanel> panels;
+    std::vector<std::vector<Ball>> values;
+    std::vector<Ball> sizes;
+    for (ContactPanel::Part& part : ContactPanel::graded(notch.set, segment)) {
+      panels.emplace_back(notch.set, std::move(part), -1, std::nullopt, 40, rules);
+      values.emplace_back();
+      for (const ContactPanel::Node& node : panels.back().nodes()) values.back().push_back(node.weight);
+      sizes.push_back(Ball(1, 64));
+    }
+    REQUIRE(panels.size() > 90);
+    const PanelMoments moments(panels, values, sizes, c, notch.bits);
+    for (const int exponent : {-32, -29, -20, -10, -3, 0, 1}) {
+      CAPTURE(exponent);
+      const Ball distance = Ball(3, notch.bits) * power(Ball(10, notch.bits), exponent);
+      const PanelMoments::Rest rest = moments.seen_from(distance);
+      Ball all(0, notch.bits), near = rest.sum;
+      for (std::size_t n = 0; n < panels.size(); ++n) {
+        const std::size_t at = c == Side::left ? n : panels.size() - 1 - n;
+        Ball sum(0, notch.bits);
+        for (std::size_t i = 0; i < values[at].size(); ++i) {
+          const ContactPanel::Node& node = panels[at].nodes()[i];
+          sum += values[at][i] / (distance + (c == Side::left ? node.from_left : node.from_right));
+        }
+        all += sum;
+        if (n >= rest.first && n < rest.last) near += sum;
+      }
+      CHECK(rest.last - rest.first < 12);
+      CHECK(near.contains(all.midpoint()));
+      CHECK(near.radius() < all * power(Ball(10, 64), -30));
+    }
+  }
+}
