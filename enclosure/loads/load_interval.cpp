@@ -1,0 +1,82 @@
+#include "enclosure/loads/load_interval.hpp"
+
+#include <algorithm>
+
+#include "enclosure/loads/contact_anchors.hpp"
+
+namespace steadyslide::enclosure {
+namespace {
+
+/// The box around two, each of its intervals longer by an eighth.
+ContactBox around(const ContactBox& a, const ContactBox& b) {
+  const auto widened = [&](const Ball& x, const Ball& y) {
+    const Ball both = Ball::hull(x, y);
+    return Ball::plus_or_minus(both, both.radius() / Ball(8));
+  };
+  ContactBox result = a;
+  for (std::size_t i = 0; i < a.log_offsets.size(); ++i) {
+    result.log_offsets[i] = widened(a.log_offsets[i], b.log_offsets[i]);
+  }
+  for (std::size_t i = 0; i < a.q.size(); ++i) result.q[i] = widened(a.q[i], b.q[i]);
+  result.tilt = widened(a.tilt, b.tilt);
+  return result;
+}
+
+bool contains(const ContactBox& wide, const ContactBox& thin) {
+  const auto all = [](const std::vector<Ball>& wides, const std::vector<Ball>& thins) {
+    return std::equal(wides.begin(), wides.end(), thins.begin(), thins.end(),
+                      [](const Ball& a, const Ball& b) { return a.contains(b); });
+  };
+  return all(wide.log_offsets, thin.log_offsets) && all(wide.q, thin.q) && wide.tilt.contains(thin.tilt);
+}
+
+}  // namespace
+
+LoadInterval prove_loads(const ReducedProblem& problem, const Rational& from, const Rational& to,
+                         const ContactBox& guess, JacobiRules& rules) {
+  const ReducedProblem all = problem.for_loads(from, to);
+  LoadInterval result{from, to, {}, {}, guess, {false, false, {}, {}, all, guess, rules.bits()}};
+  const std::optional<ContactBox> first = box_for_loads(all, guess, rules);
+  if (!first) {
+    result.proof.reason = "Newton's method does not converge";
+    return result;
+  }
+  result.box = *first;
+  KrawczykResult zero = prove_zero(all, result.box, rules);
+  // What K(V) needs more is of second order in the interval's length: where V has grown a few times, that is too long.
+  constexpr int most_boxes = 5;
+  for (int i = 1; i < most_boxes && !zero.proved; ++i) {
+    if (contains(result.box, zero.box)) break;  // no image that V could grow by
+    result.box = around(result.box, zero.box);
+    zero = prove_zero(all, result.box, rules);
+  }
+  result.at_from = zero.at_smallest;
+  result.at_to = zero.at_largest;
+  result.proof = prove_signs(all, std::move(zero), rules);
+  return result;
+}
+
+LoadInterval prove_loads(const ContactProblem& problem, const ApproximateContact& contact, const Rational& from,
+                         const Rational& to, Bits bits) {
+  const ReducedProblem reduced = ReducedProblem(problem, frame_of(problem, contact)).for_loads(from, to);
+  const ContactStart start(reduced, contact);
+  if (std::string fault = start.topology.fault(reduced); !fault.empty()) {
+    return {from, to, {}, {}, {}, {false, false, std::move(fault), {}, reduced, {}, bits}};
+  }
+  JacobiRules rules(bits);
+  return prove_loads(reduced, from, to, start.box(bits), rules);
+}
+
+bool are_joined(const LoadInterval& left, const LoadInterval& right, JacobiRules& rules) {
+  const ReducedProblem& problem = left.proof.problem;
+  const auto holds = [&](const LoadInterval& interval, const ContactBox& zero) {
+    const std::optional<ContactBox> seen = seen_from(problem, zero, interval.box.topology);
+    return seen && contains(interval.box, *seen);
+  };
+  if (holds(right, left.at_to) || holds(left, right.at_from)) return true;
+  if (!seen_from(problem, left.at_to, right.box.topology)) return false;
+  const KrawczykResult zero = enclose_zero(problem.for_loads(left.to, left.to), left.at_to, rules);
+  return zero.proved && holds(left, zero.box) && holds(right, zero.box);
+}
+
+}  // namespace steadyslide::enclosure

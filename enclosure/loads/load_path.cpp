@@ -1,0 +1,209 @@
+#include "enclosure/loads/load_path.hpp"
+
+#include <algorithm>
+
+#include "enclosure/loads/contact_anchors.hpp"
+#include "enclosure/loads/contact_change.hpp"
+#include "model/invalid_data.hpp"
+
+namespace steadyslide::enclosure {
+namespace {
+
+using Kind = LoadStretch::Kind;
+
+/// A load, and the zero there.
+struct Place {
+  Rational load;
+  ContactBox zero;
+};
+
+/// On the line through two zeros; where they are seen from other anchors, the nearer one of them.
+ContactBox predicted(const ReducedProblem& problem, const std::optional<Place>& before, const Place& here,
+                     const Rational& load) {
+  if (!before) return here.zero;
+  const std::optional<ContactBox> earlier = seen_from(problem, before->zero, here.zero.topology);
+  if (!earlier) return here.zero;
+  const Ball ratio(Rational((load - here.load) / (here.load - before->load)), load_interval_bits);
+  const auto onward = [&](const Ball& from, const Ball& to) { return (to + (to - from) * ratio).midpoint(); };
+  ContactBox result = here.zero;
+  for (std::size_t i = 0; i < result.log_offsets.size(); ++i) {
+    result.log_offsets[i] = onward(earlier->log_offsets[i], result.log_offsets[i]);
+  }
+  for (std::size_t i = 0; i < result.q.size(); ++i) result.q[i] = onward(earlier->q[i], result.q[i]);
+  result.tilt = onward(earlier->tilt, result.tilt);
+  return result;
+}
+
+class Follower {
+ public:
+  Follower(const ContactProblem& problem, const Frame& frame, const ContactAtLoad& contact_at,
+           const LoadPathOptions& options)
+      : problem_(problem, frame), contact_at_(contact_at), options_(options), rules_(options.bits) {}
+
+  /// Proves what it can of the loads from `low` to `high`. A part that hardly anything can be proved of is left open.
+  void fill(const Rational& low, const Rational& high, int depth = 12) {
+    if (depth == 0 || high - low <= options_.width * high) return;
+    // An event may lie at any of these loads, at least where the data are round numbers.
+    for (const int sixteenths : {7, 11, 4, 14, 1}) {
+      const Rational load = low + (high - low) * Rational(sixteenths, 16);
+      const std::optional<Place> start = start_at(load);
+      if (!start) continue;
+      const std::size_t before = proved_.size();
+      const Rational up = march(*start, high);
+      const Rational down = march(*start, low);
+      if ((up - down) * 64 < high - low) {
+        proved_.erase(proved_.begin() + static_cast<std::ptrdiff_t>(before), proved_.end());
+        continue;
+      }
+      fill(low, down, depth - 1);
+      fill(up, high, depth - 1);
+      return;
+    }
+  }
+
+  /// All of it, with what is not proved between what is.
+  std::vector<LoadStretch> stretches(const Rational& from, const Rational& to) {
+    std::sort(proved_.begin(), proved_.end(),
+              [](const LoadInterval& a, const LoadInterval& b) { return a.from < b.from; });
+    std::vector<LoadStretch> result;
+    for (std::size_t i = 0; i <= proved_.size(); ++i) {
+      const Rational& low = i > 0 ? proved_[i - 1].to : from;
+      const Rational& high = i < proved_.size() ? proved_[i].from : to;
+      if (low < high || (i > 0 && i < proved_.size() && !are_joined(proved_[i - 1], proved_[i], rules_))) {
+        result.push_back(between(i, low, high));
+      }
+      if (i < proved_.size()) result.push_back({Kind::proved, proved_[i].from, proved_[i].to, proved_[i], {}});
+    }
+    return result;
+  }
+
+ private:
+  std::optional<Place> start_at(const Rational& load) {
+    const std::optional<ApproximateContact> contact = contact_at_(load);
+    if (!contact) {
+      fail(load, "the solver finds no solution");
+      return std::nullopt;
+    }
+    const ContactStart start(problem_, *contact);
+    if (std::string fault = start.topology.fault(problem_); !fault.empty()) {
+      fail(load, std::move(fault));
+      return std::nullopt;
+    }
+    KrawczykResult zero = enclose_zero(problem_.for_loads(load, load), start.box(options_.bits), rules_);
+    if (!zero.proved) {
+      fail(load, std::move(zero.reason));
+      return std::nullopt;
+    }
+    return Place{load, std::move(zero.box)};
+  }
+
+  /// Towards `limit`, as far as intervals are proved: the load reached.
+  Rational march(Place here, const Rational& limit) {
+    here.zero = seen_from_nearer(problem_, here.zero);
+    std::optional<Place> before;
+    Rational step = (limit - here.load) / 4;
+    const Rational least = options_.width * std::min(here.load, limit) / 8;
+    // How many proofs in turn it takes until a longer step is tried: more next to an event, where longer ones fail.
+    constexpr int most_patience = 16;
+    int patience = 2;
+    int proved_in_turn = 0;
+    bool grown = false;
+    while (here.load != limit) {
+      const Rational most = options_.longest * here.load;
+      if (abs(step) > most) step = limit > here.load ? most : -most;
+      if (abs(limit - here.load) <= abs(step)) step = limit - here.load;
+      std::optional<std::pair<Place, Place>> next = stepped(before, here, here.load + step);
+      if (!next) {
+        if (grown) patience = std::min(2 * patience, most_patience);
+        grown = false;
+        proved_in_turn = 0;
+        if (abs(step) < least) break;
+        step /= 2;
+        continue;
+      }
+      before = std::move(next->first);
+      here = std::move(next->second);
+      here.zero = seen_from_nearer(problem_, here.zero);
+      if (grown) patience = 2;
+      grown = ++proved_in_turn >= patience;
+      if (!grown) continue;
+      proved_in_turn = 0;
+      step *= 2;
+    }
+    return here.load;
+  }
+
+  /// Proves the loads between here and `load`: the zeros at both; nothing if it does not.
+  std::optional<std::pair<Place, Place>> stepped(const std::optional<Place>& before, const Place& here,
+                                                 const Rational& load) {
+    const bool upwards = here.load < load;
+    const Rational& from = upwards ? here.load : load;
+    const Rational& to = upwards ? load : here.load;
+    LoadInterval interval = prove_loads(problem_, from, to, predicted(problem_, before, here, (from + to) / 2), rules_);
+    if (!interval.proof.proved) {
+      fail(load, interval.proof.reason);
+      return std::nullopt;
+    }
+    proved_.push_back(std::move(interval));
+    return std::pair(Place{here.load, upwards ? proved_.back().at_from : proved_.back().at_to},
+                     Place{load, upwards ? proved_.back().at_to : proved_.back().at_from});
+  }
+
+  void fail(const Rational& load, std::string reason) { failures_.push_back({load, std::move(reason)}); }
+
+  /// What lies before the proved interval i, from `low` to `high`.
+  LoadStretch between(std::size_t i, const Rational& low, const Rational& high) const {
+    const bool inside = i > 0 && i < proved_.size();
+    if (inside) {
+      const ContactBox& before = proved_[i - 1].at_to;
+      const ContactBox& after = proved_[i].at_from;
+      const bool same = seen_from(problem_, before, after.topology).has_value();
+      if (low < high && !same) return {Kind::event, low, high, {}, contact_change(problem_, before, after)};
+      if (low == high) {
+        return {Kind::open,
+                low,
+                high,
+                {},
+                same ? "whether the solutions on both sides are one branch is not proved"
+                     : "two solutions are proved at this load"};
+      }
+    }
+    // The last attempt's reason says most: it was the shortest one.
+    std::string reason = "nothing was tried";
+    for (const Failure& failure : failures_) {
+      if (low <= failure.load && failure.load <= high) reason = failure.reason;
+    }
+    return {Kind::open, low, high, {}, reason};
+  }
+
+  struct Failure {
+    Rational load;
+    std::string reason;
+  };
+
+  ReducedProblem problem_;
+  const ContactAtLoad& contact_at_;
+  LoadPathOptions options_;
+  JacobiRules rules_;
+  std::vector<LoadInterval> proved_;
+  std::vector<Failure> failures_;
+};
+
+}  // namespace
+
+std::vector<LoadStretch> follow_loads(const ContactProblem& problem, const Rational& from, const Rational& to,
+                                      const ContactAtLoad& contact_at, const LoadPathOptions& options) {
+  if (from <= 0 || to <= from) {
+    throw InvalidData("load", "these are no loads from the smaller to the larger", "0 < from < to",
+                      "from " + to_string(from) + " to " + to_string(to));
+  }
+  if (options.width <= 0) {
+    throw InvalidData("width", "an event has no width", "0 < width", to_string(options.width));
+  }
+  const std::optional<ApproximateContact> largest = contact_at(to);
+  Follower follower(problem, frame_of(problem, largest ? *largest : ApproximateContact{}), contact_at, options);
+  follower.fill(from, to);
+  return follower.stretches(from, to);
+}
+
+}  // namespace steadyslide::enclosure

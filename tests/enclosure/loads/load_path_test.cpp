@@ -1,0 +1,253 @@
+// Contact proved for whole intervals of loads, with the events between them, beside the Riemann-Hilbert solver at single
+// loads and beside loads that are known in closed form.
+
+#include "enclosure/loads/load_path.hpp"
+
+#include "enclosure/loads/contact_anchors.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "support/numeric_test.hpp"
+#include "support/problems.hpp"
+#include "support/random_contact.hpp"
+
+namespace {
+
+using namespace steadyslide::enclosure;
+using Kind = LoadStretch::Kind;
+
+template <class R>
+std::optional<ApproximateContact> solved(const ContactProblem& problem) {
+  const auto solution = riemann_hilbert<R>(problem).solution;
+  if (!solution || !solution->failed_condition().empty()) return std::nullopt;
+  return solution->approximate_contact();
+}
+
+std::vector<LoadStretch> path(const ContactProblem& problem, const Rational& from, const Rational& to,
+                              const Rational& width = Rational(1, 1000000)) {
+  return follow_loads(problem, from, to, [&](const Rational& load) { return solved<double>(problem.with_load(load)); },
+                      {width});
+}
+
+/// No holes, no overlaps, events between proved stretches alone; the words of what is not proved, in order.
+std::vector<std::string> words_of(const std::vector<LoadStretch>& stretches, const Rational& from, const Rational& to) {
+  std::vector<std::string> result;
+  REQUIRE_FALSE(stretches.empty());
+  CHECK(stretches.front().from == from);
+  CHECK(stretches.back().to == to);
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    const LoadStretch& s = stretches[i];
+    if (i > 0) CHECK(s.from == stretches[i - 1].to);
+    CHECK((s.kind == Kind::proved) == s.interval.has_value());
+    if (s.interval) {
+      CHECK(s.interval->proof.proved);
+      CHECK(s.from < s.to);
+      CHECK(s.interval->from == s.from);
+      CHECK(s.interval->to == s.to);
+    } else {
+      result.push_back(s.words);
+    }
+    if (s.kind == Kind::event) {
+      REQUIRE((i > 0 && i + 1 < stretches.size()));
+      CHECK(stretches[i - 1].interval);
+      CHECK(stretches[i + 1].interval);
+    }
+  }
+  return result;
+}
+
+std::vector<LoadStretch> events(const std::vector<LoadStretch>& stretches) {
+  std::vector<LoadStretch> result;
+  for (const LoadStretch& s : stretches) {
+    if (s.kind == Kind::event) result.push_back(s);
+  }
+  return result;
+}
+
+/// Is the solver's contact at this load in the box of the interval?
+bool holds_solution(const LoadInterval& interval, const ApproximateContact& contact) {
+  const ReducedProblem& problem = interval.proof.problem;
+  const ContactStart start(problem, contact);
+  const std::optional<ContactBox> seen = seen_from(problem, start.box(interval.proof.bits), interval.box.topology);
+  if (!seen) return false;
+  for (std::size_t i = 0; i < seen->log_offsets.size(); ++i) {
+    if (!interval.proof.box.log_offsets[i].contains(seen->log_offsets[i])) return false;
+  }
+  return true;
+}
+
+/// A parabola of the radius 1/5 over s = 1/10, and 6/10 beyond x = c.
+ContactProblem parabola(const Rational& c, const Rational& load) {
+  return reduced({0.1_r, 0.6_r}, {c}, one_piece(-2, 2, {0, 0, 2.5_r}), load);
+}
+
+/// The load at which the front end of a parabola on s = 1/10 alone is at c: a^2 = P R/(2 pi (1/4 - alpha^2)), the end
+/// at (1 - 2 alpha) a.
+double load_at_jump(double c) {
+  const double alpha = std::atan(0.1) / std::numbers::pi;
+  const double a = c / (1 - 2 * alpha);
+  return a * a * 2 * std::numbers::pi * (0.25 - alpha * alpha) / 0.2;
+}
+
+bool is_between(double value, const LoadStretch& stretch) {
+  return static_cast<double>(stretch.from) <= value && value <= static_cast<double>(stretch.to);
+}
+
+bool is_narrow(const LoadStretch& stretch, const Rational& width = Rational(1, 1000000)) {
+  return stretch.to - stretch.from <= width * stretch.to;
+}
+
+}  // namespace
+
+TEST_CASE("an interval of loads: what the solver finds at single loads lies in the box") {
+  const ContactProblem problem = parabola(0, 1);
+  const LoadInterval interval = prove_loads(problem, *solved<double>(problem), 0.95_r, 1.05_r);
+  REQUIRE_MESSAGE(interval.proof.proved, interval.proof.reason);
+  CHECK(prove_box(interval.proof.problem, interval.box, interval.proof.bits).proved);
+  for (int i = 0; i <= 10; ++i) {
+    const Rational load = 0.95_r + Rational(i, 100);
+    CHECK(holds_solution(interval, *solved<Real50>(problem.with_load(load))));
+  }
+  // At loads beyond, it does not: the box is no wider than the interval needs.
+  CHECK_FALSE(holds_solution(interval, *solved<Real50>(problem.with_load(0.85_r))));
+  CHECK_FALSE(holds_solution(interval, *solved<Real50>(problem.with_load(1.15_r))));
+}
+
+TEST_CASE("a box that leaves out the ends of some of the loads is not proved") {
+  const ContactProblem problem = parabola(0, 1);
+  const LoadInterval interval = prove_loads(problem, *solved<double>(problem), 0.99_r, 1.01_r);
+  REQUIRE(interval.proof.proved);
+  const auto proved = [&](const ContactBox& box) {
+    return prove_box(interval.proof.problem, box, interval.proof.bits).proved;
+  };
+  const ContactBox& box = interval.box;
+  CHECK(proved(box));
+  for (std::size_t i = 0; i < box.log_offsets.size(); ++i) {
+    const Ball width = box.log_offsets[i].radius();
+    for (const int sign : {-1, 1}) {
+      ContactBox moved = box;
+      moved.log_offsets[i] += Ball(sign) * width / Ball(2);
+      CHECK_FALSE(proved(moved));
+    }
+    ContactBox narrow = box;
+    narrow.log_offsets[i] = Ball::around(box.log_offsets[i], width / Ball(2));
+    CHECK_FALSE(proved(narrow));
+  }
+  CHECK_FALSE(proved(interval.at_from));
+  CHECK_FALSE(proved(interval.at_to));
+}
+
+TEST_CASE("loads in the wrong order, or no loads, are refused") {
+  const ContactProblem problem = parabola(0, 1);
+  const ApproximateContact contact = *solved<double>(problem);
+  CHECK(thrown_by([&] { prove_loads(problem, contact, 1.1_r, 1); }) ==
+        "these are no loads from the smaller to the larger; 0 < from <= to; from 1.1 to 1");
+  CHECK(holds(thrown_by([&] { prove_loads(problem, contact, 0, 1); }), "from 0 to 1"));
+  CHECK(holds(thrown_by([&] { path(problem, 2, 1); }), "0 < from < to; from 2 to 1"));
+  CHECK(holds(thrown_by([&] { path(problem, 1, 1); }), "from 1 to 1"));
+  CHECK(holds(thrown_by([&] { path(problem, -1, 1); }), "from -1 to 1"));
+  CHECK(holds(thrown_by([&] { path(problem, 1, 2, 0); }), "an event has no width"));
+}
+
+TEST_CASE("an end passes a jump at the load that is known; without a jump on its way nothing happens") {
+  const Rational c = 0.2_r;
+  const double known = load_at_jump(0.2);
+  const Rational from = 0.2_r, to = 0.8_r;
+  const auto stretches = path(parabola(c, 1), from, to);
+  CHECK(words_of(stretches, from, to) ==
+        std::vector<std::string>{"the right end of contact passes the friction jump at x = 0.2"});
+  const LoadStretch event = events(stretches).front();
+  CHECK(is_between(known, event));
+  CHECK(is_narrow(event));
+  // An interval that contains it is not proved from either side, however short.
+  for (const Rational& load : {event.from, event.to}) {
+    const ContactProblem problem = parabola(c, load);
+    CHECK_FALSE(prove_loads(problem, *solved<Real50>(problem), event.from, event.to).proof.proved);
+  }
+  // What is proved holds the solver's ends, at loads that have no part in the proof.
+  for (const LoadStretch& s : stretches) {
+    if (!s.interval) continue;
+    const Rational load = (2 * s.from + s.to) / 3;
+    CHECK(holds_solution(*s.interval, *solved<Real50>(parabola(c, load))));
+  }
+  CHECK(words_of(path(parabola(0, 1), from, to), from, to).empty());
+  CHECK(words_of(path(reduced({0.1_r}, {}, one_piece(-2, 2, {0, 0, 2.5_r}), 1), from, to), from, to).empty());
+}
+
+TEST_CASE("two wells: a second zone of contact is born, and later both meet") {
+  const ContactProblem problem = on_two_coatings(two_wells(), 1);
+  const auto happens = [&](const Rational& from, const Rational& to, const std::string& what, std::size_t ends_before,
+                           std::size_t ends_after) {
+    const auto stretches = path(problem, from, to, 0.002_r);
+    const auto words = words_of(stretches, from, to);
+    REQUIRE(words.size() == 1);
+    CHECK_MESSAGE(words.front().starts_with(what), words.front());
+    const LoadStretch event = events(stretches).at(0);
+    CHECK(is_narrow(event, 0.002_r));
+    // The solver's zones at both ends of the event.
+    CHECK(solved<Real50>(problem.with_load(event.from))->ends.size() == ends_before);
+    CHECK(solved<Real50>(problem.with_load(event.to))->ends.size() == ends_after);
+  };
+  happens(0.379_r, 0.388_r, "a zone of contact is born near x = 0.9", 2, 4);
+  happens(4.7_r, 5, "two zones of contact meet near x = -0.1", 4, 2);
+}
+
+TEST_CASE("a rounded punch which may tilt comes to rest on its edges one after the other") {
+  const ContactProblem problem = reduced({0.1_r, 0.3_r}, {0.1_r}, one_piece(-1, 1, {0, 0, 1}), 1, 0.05_r);
+  const auto stretches = path(problem, 2, 5, 0.00001_r);
+  CHECK(words_of(stretches, 2, 5) ==
+        std::vector<std::string>{"the right end of contact reaches the support's edge at x = 1",
+                                 "the left end of contact reaches the support's edge at x = -1"});
+  // The solver's contact is bounded by one edge between the two events, and by none before.
+  const auto edges = [&](const Rational& load) {
+    const auto ends = solved<Real50>(problem.with_load(load))->ends;
+    return std::count_if(ends.begin(), ends.end(), [](const auto& end) { return !end.vanishes; });
+  };
+  const auto at = events(stretches);
+  for (const std::size_t k : {0, 1}) {
+    CHECK(is_narrow(at[k], 0.00001_r));
+    CHECK(edges(at[k].from) == static_cast<std::ptrdiff_t>(k));
+    CHECK(edges(at[k].to) == static_cast<std::ptrdiff_t>(k) + 1);
+  }
+}
+
+TEST_CASE("a notch over a rising jump: full contact is proved from the threshold on, a gap for loads below it") {
+  // By two unrelated computations.
+  const Rational threshold = 8.308222888593932767_r;
+  const ContactProblem problem = reduced({0.0375_r, 0.1875_r}, {0}, roof(0.2_r, -0.2_r), threshold);
+  const ApproximateContact everywhere{{{-1}, {1}}};
+  const auto full = [&](const Rational& from, const Rational& to) {
+    return prove_loads(problem, everywhere, threshold * from, threshold * to).proof.proved;
+  };
+  CHECK(full(1.000001_r, 1.01_r));
+  CHECK_FALSE(full(0.999999_r, 1.01_r));
+  CHECK_FALSE(full(0.99_r, 0.999999_r));
+
+  const auto gap = solved<double>(problem.with_load(2));
+  REQUIRE(gap);
+  REQUIRE(gap->ends.size() == 4);
+  const LoadInterval interval = prove_loads(problem, *gap, 1.998_r, 2.002_r);
+  CHECK_MESSAGE(interval.proof.proved, interval.proof.reason);
+  CHECK(holds_solution(interval, *solved<Real50>(problem.with_load(1.9985_r))));
+  CHECK_FALSE(holds_solution(interval, *solved<Real50>(problem.with_load(2.01_r))));
+}
+
+TEST_CASE("slow: random problems are followed over loads, and the solver's contact is in the boxes" * doctest::skip()) {
+  int solved_problems = 0;
+  Rational proved = 0;
+  for (int i = 0; i < 100; ++i) {
+    CAPTURE(i);
+    const ContactProblem problem = random_contact(first_listed_seed + static_cast<std::uint64_t>(i));
+    if (!solved<double>(problem)) continue;
+    ++solved_problems;
+    const Rational from = problem.load() * 0.99_r, to = problem.load() * 1.01_r;
+    const auto stretches = path(problem, from, to, 0.001_r);
+    words_of(stretches, from, to);
+    for (const LoadStretch& s : stretches) {
+      if (s.kind == Kind::open) MESSAGE(i << ": " << s.words);
+      if (!s.interval) continue;
+      proved += (s.to - s.from) / (to - from);
+      const auto contact = solved<Real50>(problem.with_load((2 * s.from + s.to) / 3));
+      if (contact) CHECK(holds_solution(*s.interval, *contact));
+    }
+  }
+  CHECK(proved > 0.9_r * solved_problems);
+}
