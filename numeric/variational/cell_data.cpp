@@ -91,6 +91,12 @@ CellProfile::CellProfile(const ContactProblem& problem, const Frame& frame) {
   ends_.pop_back();
 }
 
+double CellProfile::operator()(double xi, Side side) const {
+  const auto end = side == Side::left ? std::lower_bound(ends_.begin(), ends_.end(), xi)
+                                      : std::upper_bound(ends_.begin(), ends_.end(), xi);
+  return pieces_[static_cast<std::size_t>(end - ends_.begin())](xi);
+}
+
 std::vector<double> CellProfile::means(const CellMesh& mesh) const {
   std::vector<double> result(mesh.size());
   for_each_part(mesh, ends_, [&](std::size_t i, std::size_t piece, const Part& part) {

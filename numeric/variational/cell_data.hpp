@@ -28,6 +28,10 @@ class CellProfile {
   CellProfile(const ContactProblem& problem, const Frame& frame);
   /// Means over each cell of a mesh with the frame given.
   std::vector<double> means(const CellMesh& mesh) const;
+  /// At a place; where two pieces meet, on that side.
+  double operator()(double xi, Side side) const;
+  /// Where two pieces meet.
+  const std::vector<double>& breaks() const { return ends_; }
 
  private:
   /// A piece about a point of its own: nothing cancels far from the origin of x.

@@ -12,6 +12,14 @@ DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh, c
   if (problem.load_at()) load_at_ = mesh_.place(*problem.load_at());
 }
 
+DiscreteProblem::DiscreteProblem(const DiscreteProblem& other, const std::vector<double>& lowered)
+    : mesh_(other.mesh_),
+      galerkin_operator_(mesh_, other.galerkin_operator_.friction()),
+      profile_(other.profile_),
+      load_at_(other.load_at_) {
+  for (std::size_t i = 0; i < profile_.size(); ++i) profile_[i] -= lowered[i];
+}
+
 std::vector<std::size_t> cells_of(const CellSet& contact) {
   std::vector<std::size_t> cells;
   for (std::size_t i = 0; i < contact.size(); ++i) {

@@ -17,6 +17,8 @@ class DiscreteProblem {
   DiscreteProblem(const ContactProblem& problem, CellMesh mesh);
   /// With a profile made before, in the mesh's frame: meshes share one.
   DiscreteProblem(const ContactProblem& problem, CellMesh mesh, const CellProfile& profile);
+  /// Another problem with the profile of cell i lowered by lowered[i].
+  DiscreteProblem(const DiscreteProblem& other, const std::vector<double>& lowered);
 
   const CellMesh& mesh() const { return mesh_; }
   const GalerkinOperator& galerkin_operator() const { return galerkin_operator_; }

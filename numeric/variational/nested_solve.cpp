@@ -31,6 +31,45 @@ std::vector<std::size_t> mesh_sizes(std::size_t cells) {
   return sizes;
 }
 
+bool solved(const MeshSolution& solution) { return solution.found.outcome == ActiveSetResult::Outcome::solved; }
+
+/// Which cells are wrong in what Lemke's method has found?
+void inspect(MeshSolution& solution, const LemkeResult& found, ActiveSetOptions options) {
+  options.most_steps = 1;
+  options.first_tolerance = options.tolerance;
+  ActiveSetResult again = active_set(*solution.problem, found.contact, found.state, options);
+  again.steps += solution.found.steps;
+  again.products += solution.found.products;
+  solution.found = std::move(again);
+  solution.by_lemke = true;
+}
+
+/// Where the active sets cycle, Lemke's method decides: on all of a small mesh, or on the cells that are wrong, and
+/// on those that this turns wrong, until there are none.
+void go_on(MeshSolution& solution, const ActiveSetOptions& options) {
+  const DiscreteProblem& problem = *solution.problem;
+  const std::size_t n = problem.size();
+  if (n <= most_in_tableau) {
+    const LemkeResult found = lemke(problem, static_cast<int>(std::min(200 * n, tableau_work / (n * n))));
+    if (found.reached) inspect(solution, found, options);
+    return;
+  }
+  const BorderedSystemMaker system = [&](const DiscreteProblem& p, const CellSet& contact) {
+    return cells_of(contact).size() <= most_factorised ? dense_system(p, contact)
+                                                       : krylov_system(p, contact, solution.found.state, 1e-13);
+  };
+  std::set<std::size_t> contested;
+  for (int round = 0; round < most_rounds && !solved(solution); ++round) {
+    contested.insert(solution.found.wrong.begin(), solution.found.wrong.end());
+    if (contested.size() > most_contested) return;
+    const LemkeResult found = lemke_on(problem, solution.found.contact, {contested.begin(), contested.end()}, system,
+                                       static_cast<int>(100 + 20 * contested.size()));
+    // A path that did not end where nothing else is in contact leaves no state to go on from.
+    if (found.state.pressure.empty()) return;
+    inspect(solution, found, options);
+  }
+}
+
 class Nested {
  public:
   Nested(const ContactProblem& problem, const VariationalOptions& options, const std::optional<CellSet>& start)
@@ -57,7 +96,7 @@ class Nested {
 
  private:
   MeshSolution solve_on(std::size_t n, const MeshSolution& coarse) {
-    MeshSolution solution{std::make_shared<DiscreteProblem>(problem_, CellMesh(problem_, n), profile_), {}, false};
+    auto problem = std::make_shared<DiscreteProblem>(problem_, CellMesh(problem_, n), profile_);
     CellSet start(n, 1);
     DiscreteState guess;
     guess.pressure.assign(n, 0);
@@ -70,51 +109,7 @@ class Nested {
     } else if (start_) {
       start = prolonged(*start_, n);
     }
-    solution.found = active_set(*solution.problem, std::move(start), guess, active_set_options());
-    if (solution.found.outcome == ActiveSetResult::Outcome::cycled) go_on(solution);
-    return solution;
-  }
-
-  /// Where the active sets cycle, Lemke's method decides: on all of a small mesh, or on the cells that are wrong, and
-  /// on those that this turns wrong, until there are none.
-  void go_on(MeshSolution& solution) {
-    const DiscreteProblem& problem = *solution.problem;
-    const std::size_t n = problem.size();
-    if (n <= most_in_tableau) {
-      const LemkeResult found = lemke(problem, static_cast<int>(std::min(200 * n, tableau_work / (n * n))));
-      if (found.reached) inspect(solution, found);
-      return;
-    }
-    const BorderedSystemMaker system = [&](const DiscreteProblem& p, const CellSet& contact) {
-      return cells_of(contact).size() <= most_factorised ? dense_system(p, contact)
-                                                         : krylov_system(p, contact, solution.found.state, 1e-13);
-    };
-    std::set<std::size_t> contested;
-    for (int round = 0; round < most_rounds && !solved(solution); ++round) {
-      contested.insert(solution.found.wrong.begin(), solution.found.wrong.end());
-      if (contested.size() > most_contested) return;
-      const LemkeResult found = lemke_on(problem, solution.found.contact, {contested.begin(), contested.end()}, system,
-                                         static_cast<int>(100 + 20 * contested.size()));
-      // A path that did not end where nothing else is in contact leaves no state to go on from.
-      if (found.state.pressure.empty()) return;
-      inspect(solution, found);
-    }
-  }
-
-  /// Which cells are wrong in what Lemke's method has found?
-  void inspect(MeshSolution& solution, const LemkeResult& found) {
-    ActiveSetOptions options = active_set_options();
-    options.most_steps = 1;
-    options.first_tolerance = options.tolerance;
-    ActiveSetResult again = active_set(*solution.problem, found.contact, found.state, options);
-    again.steps += solution.found.steps;
-    again.products += solution.found.products;
-    solution.found = std::move(again);
-    solution.by_lemke = true;
-  }
-
-  static bool solved(const MeshSolution& solution) {
-    return solution.found.outcome == ActiveSetResult::Outcome::solved;
+    return solve_on_cells(std::move(problem), std::move(start), guess, active_set_options());
   }
 
   ActiveSetOptions active_set_options() const {
@@ -136,6 +131,14 @@ class Nested {
 };
 
 }  // namespace
+
+MeshSolution solve_on_cells(std::shared_ptr<const DiscreteProblem> problem, CellSet start, const DiscreteState& guess,
+                            const ActiveSetOptions& options) {
+  MeshSolution solution{std::move(problem), {}, false};
+  solution.found = active_set(*solution.problem, std::move(start), guess, options);
+  if (solution.found.outcome == ActiveSetResult::Outcome::cycled) go_on(solution, options);
+  return solution;
+}
 
 CellSet prolonged(const CellSet& set, std::size_t cells) {
   CellSet result(cells);

@@ -27,6 +27,10 @@ struct NestedResult {
 NestedResult solve_nested(const ContactProblem& problem, const VariationalOptions& options,
                           const std::optional<CellSet>& start = {});
 
+/// A problem that is on its cells already, from a contact set, not empty, and a state.
+MeshSolution solve_on_cells(std::shared_ptr<const DiscreteProblem> problem, CellSet start, const DiscreteState& guess,
+                            const ActiveSetOptions& options);
+
 /// A contact set on `cells` equal cells, from one on any other number of them.
 CellSet prolonged(const CellSet& set, std::size_t cells);
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "numeric/variational/touching_state.hpp"
+
 namespace steadyslide::numeric {
 namespace {
 
@@ -71,6 +73,12 @@ void VariationalSolution::find_runs() {
 
 bool VariationalSolution::reaches_edge() const {
   return !runs_.empty() && (runs_.front().begin == 0 || runs_.back().end == mesh().size());
+}
+
+std::vector<double> VariationalSolution::touching_pressures() const {
+  std::vector<double> result = variational::touching_state(problem_, found_.fine).state.pressure;
+  for (double& p : result) p *= stress_;
+  return result;
 }
 
 std::string VariationalSolution::failed_condition() const {

@@ -27,6 +27,10 @@ class VariationalSolution : public ContactSolution<double> {
   /// The same on half as many cells.
   variational::Cells coarse_cells() const { return {coarse_edges_, coarse_traction_}; }
 
+  /// -t on the cells, in the user's unit, of a state that touches in every cell in contact: what an error bound is asked
+  /// for. Some seconds on 2^16 cells.
+  std::vector<double> touching_pressures() const;
+
   std::string method() const override { return "variational"; }
   std::string failed_condition() const override;
   std::vector<ContactComponent<double>> contact() const override;

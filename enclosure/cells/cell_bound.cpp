@@ -1,0 +1,105 @@
+#include "enclosure/cells/cell_bound.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+
+#include "enclosure/cells/load_bounds.hpp"
+#include "enclosure/cells/lowest_gap.hpp"
+#include "model/uniqueness.hpp"
+
+namespace steadyslide::enclosure {
+namespace {
+
+/// H's rounding is far below any gap that cells have.
+constexpr Bits bits = 128;
+
+CellBound refused(std::string reason) {
+  CellBound result;
+  result.reason = std::move(reason);
+  return result;
+}
+
+/// value +/- error, cut to [low, high].
+Ball enclosed(const Rational& value, const Ball& error, const Rational& low, const Rational& high) {
+  const Ball x = Ball::plus_or_minus(Ball(value, bits), error);
+  return Ball::hull(max(x.lower(), Ball(low, bits)).lower(), min(x.upper(), Ball(high, bits)).upper());
+}
+
+/// The parts of the load left of the jumps, exactly as the cells have them.
+std::vector<Rational> loads_before(const ContactProblem& problem, const CellPressures& pressures) {
+  const Rational left = problem.indenter().left();
+  const Rational h = (problem.indenter().right() - left) / Rational(pressures.size());
+  std::vector<Rational> result{0};
+  for (const Rational& c : problem.friction().jumps()) {
+    result.push_back(pressures.load_before((c - left) / h) / Rational(pressures.total()));
+  }
+  result.push_back(1);
+  return result;
+}
+
+void enclose_resultants(const ContactProblem& problem, const CellPressures& pressures, CellBound& bound) {
+  const std::vector<Rational> loads = loads_before(problem, pressures);
+  const LoadBounds known(problem, pressures, bound.energy);
+  const std::vector<Rational>& f = problem.friction().values();
+  Rational friction = 0;
+  std::vector<Rational> factors(f.size() - 1);
+  for (std::size_t k = 0; k < f.size(); ++k) {
+    const Rational share = loads[k + 1] - loads[k];
+    friction += f[k] * share;
+    std::vector<Rational> ends(f.size() - 1);
+    if (k > 0) ends[k - 1] = -1;
+    if (k + 1 < f.size()) ends[k] = 1;
+    bound.load_share.push_back(enclosed(share, known.deviation(ends), 0, 1));
+    if (k > 0) factors[k - 1] = f[k - 1] - f[k];
+  }
+  const auto [least, most] = std::minmax_element(f.begin(), f.end());
+  bound.effective_friction = enclosed(friction, known.deviation(factors), *least, *most);
+}
+
+}  // namespace
+
+CellBound bound_cells(const ContactProblem& problem, std::span<const double> pressures) {
+  if (const Uniqueness unique = uniqueness(problem); !unique.proved) {
+    return refused("the energy bounds no error: " + unique.reason);
+  }
+  std::optional<CellPressures> cells;
+  try {
+    cells.emplace(pressures);
+  } catch (const std::invalid_argument& error) {
+    return refused(error.what());
+  }
+  const Rational h = (problem.indenter().right() - problem.indenter().left()) / Rational(pressures.size());
+  double sum = 0;
+  for (const double p : pressures) sum += p;
+  const auto load = static_cast<double>(Rational(problem.load() / h));
+  if (!(std::abs(sum - load) <= 1e-6 * load)) {
+    return refused("the pressures carry " + std::to_string(sum / load) + " of the load");
+  }
+
+  const CellGap gap(problem, *cells, bits);
+  Ball mean(0, bits);
+  std::optional<Ball> least, most;
+  for (std::size_t i = 0; i < cells->size(); ++i) {
+    const std::int64_t weight = cells->weights()[i];
+    if (weight == 0) continue;
+    const Ball here = gap.mean(i);
+    mean += Ball(Rational(weight), bits) * here;
+    least = least ? min(*least, here) : here;
+    most = most ? max(*most, here) : here;
+  }
+  mean /= Ball(Rational(cells->total()), bits);
+  const LowestGap lowest = lowest_gap(gap, mean, *least);
+
+  CellBound result;
+  result.cells = cells->size();
+  result.energy = (mean - lowest.bound).upper();
+  result.sharpness = max((mean - lowest.somewhere).lower(), Ball(0, bits)).lower();
+  result.largest_gap = (*most - lowest.bound).upper();
+  if (!result.energy.is_finite()) return refused("the gap could not be enclosed");
+  result.proved = true;
+  enclose_resultants(problem, *cells, result);
+  return result;
+}
+
+}  // namespace steadyslide::enclosure

@@ -1,0 +1,56 @@
+#include "enclosure/cells/lowest_gap.hpp"
+
+namespace steadyslide::enclosure {
+namespace {
+
+/// Ends are multiples of 2^-20: every place met is one of 2^-44.
+constexpr int most_halvings = 24;
+
+class Search {
+ public:
+  Search(const CellGap& gap, const Ball& mean, const Ball& low)
+      : gap_(gap), logarithms_(gap.bits()), mean_(mean), least_(low.upper()), result_{Ball(0), low.upper()} {}
+
+  LowestGap run() {
+    for (std::size_t i = 0; i < gap_.size(); ++i) {
+      for (const GapPart& part : gap_.parts(i)) {
+        search(part, part.from, part.to, part.value(part.from, logarithms_), part.value(part.to, logarithms_), 0);
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  /// `at_z0`, `at_z1`: H without its rest there.
+  void search(const GapPart& part, double z0, double z1, const Ball& at_z0, const Ball& at_z1, int halvings) {
+    const Ball lower = (min(at_z0, at_z1) - part.rest - part.dip(z0, z1)).lower();
+    if (lower >= enough() || halvings == most_halvings || !lower.is_finite()) {
+      result_.bound = result_.intervals++ == 0 ? lower : min(result_.bound, lower).lower();
+      return;
+    }
+    const double middle = (z0 + z1) / 2;
+    const Ball value = part.value(middle, logarithms_);
+    least_ = min(least_, value - part.rest).upper();
+    result_.somewhere = min(result_.somewhere, value + part.rest).upper();
+    // The lower half first: what it finds spares the other one.
+    const bool left = at_z0 < at_z1;
+    if (left) search(part, z0, middle, at_z0, value, halvings + 1);
+    search(part, middle, z1, value, at_z1, halvings + 1);
+    if (!left) search(part, z0, middle, at_z0, value, halvings + 1);
+  }
+
+  /// What a bound need not exceed: the search is one for the least of H less its rest, which no halving reduces.
+  Ball enough() const { return least_ - (mean_ - least_) / Ball(256); }
+
+  const CellGap& gap_;
+  NearLogarithms logarithms_;
+  const Ball& mean_;
+  Ball least_;
+  LowestGap result_;
+};
+
+}  // namespace
+
+LowestGap lowest_gap(const CellGap& gap, const Ball& mean, const Ball& low) { return Search(gap, mean, low).run(); }
+
+}  // namespace steadyslide::enclosure

@@ -1,0 +1,139 @@
+#include "numeric/variational/touching_state.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace steadyslide::numeric::variational {
+namespace {
+
+/// Places of a cell, in parts of its length, close to its ends, next to which the slope has logarithms.
+constexpr std::array places{0.0, 0.01, 0.04, 0.09, 0.16, 0.25, 0.37, 0.5, 0.63, 0.75, 0.84, 0.91, 0.96, 0.99, 1.0};
+
+/// The bound is the root of the duality gap.
+constexpr double near_enough = 1.1;
+
+/// int log|u| du.
+long double once(long double u) { return u == 0 ? 0 : u * (std::log(std::abs(u)) - 1); }
+
+/// No less than twice the cells, even.
+std::size_t transform_length(std::size_t cells) {
+  std::size_t n = 8;
+  while (n < 2 * cells) n *= 2;
+  return n;
+}
+
+}  // namespace
+
+InnerGaps::InnerGaps(const ContactProblem& problem, const DiscreteProblem& discrete)
+    : discrete_(discrete),
+      profile_(problem, discrete.mesh().frame()),
+      breaks_(profile_.breaks()),
+      fourier_(transform_length(discrete.size())) {
+  const CellMesh& mesh = discrete.mesh();
+  for (const Rational& c : problem.friction().jumps()) jumps_.push_back(mesh.place(c));
+  for (std::size_t k = 0; k <= jumps_.size(); ++k) s_.push_back(to_real<double>(problem.coupled_friction(k)));
+  const auto n = static_cast<std::ptrdiff_t>(mesh.size());
+  const double h = mesh.length(0);
+  for (const double z : places) {
+    const std::span<double> values = fourier_.values();
+    std::fill(values.begin(), values.end(), 0);
+    for (std::ptrdiff_t k = 1 - n; k < n; ++k) {
+      const long double u = static_cast<long double>(k) + z;
+      const auto size = static_cast<std::ptrdiff_t>(values.size());
+      values[static_cast<std::size_t>((k + size) % size)] = -h *
+                                                            (std::log(h) + static_cast<double>(once(u) - once(u - 1))) /
+                                                            std::numbers::pi / static_cast<double>(values.size());
+    }
+    fourier_.forward();
+    spectra_.emplace_back(fourier_.modes().begin(), fourier_.modes().end());
+  }
+}
+
+void InnerGaps::displacement(std::size_t place, const std::vector<double>& p, std::vector<double>& result) const {
+  const std::span<double> values = fourier_.values();
+  std::copy(p.begin(), p.end(), values.begin());
+  std::fill(values.begin() + static_cast<std::ptrdiff_t>(p.size()), values.end(), 0);
+  fourier_.forward();
+  const std::span<std::complex<double>> modes = fourier_.modes();
+  for (std::size_t k = 0; k < modes.size(); ++k) modes[k] *= spectra_[place][k];
+  fourier_.backward();
+  std::copy(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(p.size()), result.begin());
+}
+
+double InnerGaps::friction(std::size_t i, double part) const {
+  double left = discrete_.mesh().left(i);
+  const double right = left + part * discrete_.mesh().length(i);
+  auto jump = std::upper_bound(jumps_.begin(), jumps_.end(), left);
+  double sum = 0;
+  for (; jump != jumps_.end() && *jump < right; ++jump) {
+    sum += s_[static_cast<std::size_t>(jump - jumps_.begin())] * (*jump - left);
+    left = *jump;
+  }
+  return sum + s_[static_cast<std::size_t>(jump - jumps_.begin())] * (right - left);
+}
+
+InnerGaps::Least InnerGaps::least(const DiscreteState& state) const {
+  const CellMesh& mesh = discrete_.mesh();
+  const std::vector<double>& p = state.pressure;
+  const CellFriction& s = discrete_.galerkin_operator().friction();
+  const std::size_t n = mesh.size();
+  // What friction adds at the cells' left ends, as the operator counts it.
+  std::vector<double> before(n + 1);
+  for (std::size_t i = 0; i < n; ++i) before[i + 1] = before[i] + s.whole[i] * p[i];
+  const double from_right = s.sign < 0 ? before[n] : 0;
+
+  std::vector<double> lowest(n, std::numeric_limits<double>::infinity());
+  std::vector<double> sample(n), last(n);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    displacement(k, p, sample);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double xi = mesh.left(i) + places[k] * mesh.length(i);
+      sample[i] += before[i] - from_right + p[i] * friction(i, places[k]) - state.approach;
+      const double height = k == 0 ? profile_(xi, Side::right) : profile_(xi, Side::left);
+      lowest[i] = std::min(lowest[i], sample[i] + height + state.tilt * xi);
+    }
+    // A wedge or a step may have the least gap at itself: displacements between two places along a line.
+    for (const double xi : k == 0 ? std::vector<double>() : breaks_) {
+      const std::size_t i = mesh.cell_at(xi);
+      const double z = (xi - mesh.left(i)) / mesh.length(i);
+      if (z < places[k - 1] || z > places[k]) continue;
+      const double along = (z - places[k - 1]) / (places[k] - places[k - 1]);
+      const double height = std::min(profile_(xi, Side::left), profile_(xi, Side::right));
+      lowest[i] = std::min(lowest[i], last[i] + along * (sample[i] - last[i]) + height + state.tilt * xi);
+    }
+    std::swap(sample, last);
+  }
+
+  const std::vector<double> means = gaps(discrete_, state);
+  Least result{std::vector<double>(n), 0, 0};
+  double mean = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    result.below_mean[i] = std::max(means[i] - lowest[i], 0.0);
+    mean += p[i] * mesh.length(i) * means[i];
+    result.within_cells += p[i] * mesh.length(i) * result.below_mean[i];
+  }
+  result.duality_gap = mean - *std::min_element(lowest.begin(), lowest.end());
+  return result;
+}
+
+TouchingState touching_state(const ContactProblem& problem, const MeshSolution& found, int most_passes) {
+  const InnerGaps inner(problem, *found.problem);
+  InnerGaps::Least least = inner.least(found.found.state);
+  TouchingState best{found.found.state, least.duality_gap, 0};
+  CellSet contact = found.found.contact;
+  DiscreteState state = found.found.state;
+  for (int pass = 1; pass <= most_passes && best.duality_gap > near_enough * least.within_cells; ++pass) {
+    const MeshSolution next =
+        solve_on_cells(std::make_shared<DiscreteProblem>(*found.problem, least.below_mean), contact, state, {});
+    if (next.found.outcome != ActiveSetResult::Outcome::solved) break;
+    contact = next.found.contact;
+    state = next.found.state;
+    least = inner.least(state);
+    if (least.duality_gap < best.duality_gap) best = {state, least.duality_gap, pass};
+  }
+  return best;
+}
+
+}  // namespace steadyslide::numeric::variational
