@@ -28,9 +28,11 @@ foreach(layer IN ITEMS model symbolic statements numeric enclosure proofs_checks
     endforeach()
   endif()
 endforeach()
-if(TARGET steadyslide)
-  install(TARGETS steadyslide RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-endif()
+foreach(program IN ITEMS steadyslide steadyslide-check)
+  if(TARGET ${program})
+    install(TARGETS ${program} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  endif()
+endforeach()
 
 install(EXPORT steadyslideTargets NAMESPACE steadyslide:: DESTINATION "${package_dir}")
 configure_package_config_file(

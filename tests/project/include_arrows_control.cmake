@@ -16,14 +16,18 @@ set(wrong
   "numeric/a.hpp" "#include \"proofs_checks/kit/claim.hpp\""
   "proofs_checks/claims/a.cpp" "#include \"app/table.hpp\""
   "app/a.cpp" "#include <ginac/ginac.h>"
-  "app/a.cpp" "#include \"tests/helpers.hpp\"")
+  "app/a.cpp" "#include \"tests/helpers.hpp\""
+  "checker/a.cpp" "#include \"model/rational.hpp\""
+  "checker/a.hpp" "#include \"enclosure/number/ball.hpp\""
+  "app/a.cpp" "#include \"checker/ball.hpp\"")
 set(right
   "model/a.cpp" "#include <numeric>"
   "model/a.hpp" "#include \"model/rational.hpp\""
   "symbolic/a.cpp" "#include <ginac/ginac.h>"
   "enclosure/a.cpp" "#include \"model/rational.hpp\""
   "proofs_checks/claims/a.cpp" "#include \"symbolic/field/expression.hpp\""
-  "app/a.cpp" "#include \"proofs_checks/kit/claim.hpp\"")
+  "app/a.cpp" "#include \"proofs_checks/kit/claim.hpp\""
+  "checker/a.cpp" "#include \"checker/ball.hpp\"")
 
 foreach(kind IN ITEMS wrong right)
   while(${kind})

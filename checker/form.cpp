@@ -1,0 +1,204 @@
+#include "checker/form.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "checker/failure.hpp"
+
+namespace steadyslide::checker {
+
+Ball bound_near(const std::vector<Ball>& p, const Ball& centre, const Ball& radius) {
+  std::vector<Ball> shifted = p;  // Taylor coefficients about the centre
+  for (std::size_t i = 0; i < shifted.size(); ++i) {
+    for (std::size_t k = shifted.size() - 1; k > i; --k) shifted[k - 1] += centre * shifted[k];
+  }
+  Ball sum;
+  for (std::size_t k = shifted.size(); k-- > 0;) sum = sum * radius.size() + shifted[k].size();
+  return sum.upper();
+}
+
+Trapezoid PowerPanel::rule(slong bits, const Ball& left_reach, const Ball& right_reach) const {
+  Trapezoid::Panel panel;
+  panel.length = contact.distance(i, j) - start - end;
+  panel.degree = degree;
+  for (std::size_t m = 0; m < contact.points(); ++m) {
+    Ball p = exponent > 0 ? contact.power_at(m) : -contact.power_at(m);
+    if (m == extra) p -= Ball(1);
+    if ((i < m && m < j) || p.is_zero()) continue;
+    if (m <= i) panel.left.push_back({contact.distance(m, i) + start, p});
+    if (m >= j) panel.right.push_back({contact.distance(j, m) + end, p});
+  }
+  const auto beside = [&](bool there, std::size_t segment) {
+    return there ? contact.length(segment) * Ball(0.5) : panel.length;
+  };
+  panel.left_reach = left_reach.is_zero() ? beside(i > 0, i - 1) : left_reach;
+  panel.right_reach = right_reach.is_zero() ? beside(j < contact.segments(), j) : right_reach;
+  return Trapezoid(std::move(panel), bits, contact.precision());
+}
+
+Form::Form(const Contact& contact, const Unknowns& unknowns, const Problem::Loads& loads, slong bits)
+    : contact_(&contact), q_(unknowns.q), bits_(bits), integrals_(contact.segments()) {
+  const slong precision = contact.precision();
+  const Rational& unit = contact.problem().unit;
+  load_ = Ball(loads.from / unit, precision);
+  if (loads.from != loads.to) load_ = hull(load_, Ball(loads.to / unit, precision));
+  if (contact.degree_at_infinity() < 0) q_.push_back(load_);
+  const Ball pi = Ball::pi(precision);
+  for (const Polynomial& g : contact.problem().slopes) {
+    std::vector<Ball>& slope = slopes_.emplace_back(balls(g, precision));
+    if (slope.empty()) slope.emplace_back();
+    if (!unknowns.tilt.empty()) slope[0] += unknowns.tilt[0];
+    std::vector<Ball>& p = polynomials_.emplace_back();
+    const int top = static_cast<int>(slope.size()) - 1 - contact.degree_at_infinity();
+    for (int k = 0; k <= top; ++k) p.push_back(contact.coefficient(slope, k));
+    p.resize(std::max(p.size(), q_.size()));
+    for (std::size_t k = 0; k < q_.size(); ++k) p[k] -= q_[k] / pi;
+  }
+  std::vector<bool> asked(slopes_.size(), false);
+  for (std::size_t i = 0; i < contact.segments(); ++i) {
+    if (contact.in_contact(i)) asked[contact.slope_of(i)] = true;
+  }
+  if (std::ranges::count(asked, true) < 2) return;
+  for (std::size_t i = 0; i < contact.segments(); ++i) {
+    if (contact.in_contact(i)) add_integrals(i, asked);
+  }
+}
+
+Ball Form::reach(std::size_t point) const {
+  const Ball left = contact_->length(point - 1).lower();
+  const Ball right = contact_->length(point).lower();
+  return ((left - right).is_positive() ? right : left) * Ball(std::ldexp(0.5, -static_cast<int>(bits_)));
+}
+
+void Form::add_integrals(std::size_t i, const std::vector<bool>& asked) {
+  const std::vector<Polynomial>& g = contact_->problem().slopes;
+  std::size_t degree = 0;
+  for (std::size_t k = 0; k < g.size(); ++k) degree = std::max(degree, asked[k] ? g[k].size() : 0);
+  const auto reach_at = [&](std::size_t j) { return contact_->changes_slope(j) ? reach(j) : Ball(); };
+  Integral integral{
+      PowerPanel{*contact_, i, i + 1, {}, {}, -1, none, degree}.rule(bits_, reach_at(i), reach_at(i + 1)), {}, {}};
+  const std::size_t own = contact_->slope_of(i);
+  const Ball factor = contact_->cosine(i) / Ball::pi(contact_->precision());
+  // |x - middle| = (L/2) |tanh(tau/2)| <= (L/2) sec(d/2).
+  const Ball half = contact_->length(i) * Ball(0.5);
+  const Ball middle = contact_->xi(i) + half;
+  for (std::size_t k = 0; k < slopes_.size(); ++k) {
+    std::vector<Ball>& density = integral.densities.emplace_back();
+    integral.bounds.emplace_back();
+    if (!asked[k] || k == own) continue;
+    const std::vector<Ball> d = balls(g[own] - g[k], contact_->precision());
+    integral.bounds.back() = factor * bound_near(d, middle, half * integral.rule.secant());
+    for (const Trapezoid::Node& node : integral.rule.nodes()) {
+      density.push_back(Ball(contact_->sign(i)) * factor * node.weight * horner(d, contact_->xi(i) + node.u));
+    }
+  }
+  integrals_[i] = std::move(integral);
+}
+
+Form::Value Form::regular(std::size_t k, const Place& at, std::size_t without) const {
+  const Ball x = contact_->xi(at);
+  const std::vector<Ball>& p = polynomials_[k];
+  Value result{horner(p, x), {}, {}};
+  for (std::size_t l = p.size(); l-- > 1;) result.slope = result.slope * x + Ball(static_cast<int>(l)) * p[l];
+  for (std::size_t i = 0; i < integrals_.size(); ++i) {
+    if (without != i) add_cauchy(i, k, at, true, 2 * Ball::exact, result);
+  }
+  return result;
+}
+
+Form::Value Form::regular_to(slong bits, std::size_t k, const Place& at) const {
+  Value result{horner(polynomials_[k], contact_->xi(at)), {}, {}};
+  for (std::size_t i = 0; i < integrals_.size(); ++i) add_cauchy(i, k, at, false, bits, result);
+  return result;
+}
+
+void Form::add_cauchy(std::size_t i, std::size_t k, const Place& at, bool with_slope, slong bits, Value& result) const {
+  if (!integrals_[i] || contact_->slope_of(i) == k) return;
+  const Integral& integral = *integrals_[i];
+  const std::vector<Trapezoid::Node>& nodes = integral.rule.nodes();
+  const std::vector<Ball>& density = integral.densities[k];
+  const bool on_right = at.right <= i;
+  if (!on_right && i + 1 > at.left) throw Unproved("B is asked for inside a piece with another polynomial");
+  // |x' - x| = near + u for a segment on the right, near + v on the left.
+  const Ball near =
+      on_right ? contact_->distance(at.right, i) + at.from_right : contact_->distance(i + 1, at.left) + at.from_left;
+  const slong precision = std::min(contact_->precision(), bits + 48);
+  const Ball& length = integral.rule.panel().length;
+  Bound negligible;
+  if (near.is_positive()) {
+    const slong closeness = std::min<slong>(near.lower().exponent() - length.exponent(), 0);
+    mag_mul_2exp_si(negligible.get(), nodes.front().behind.get(), closeness - bits - 4);
+  }
+  Ball sum, slope, distance, inverse;
+  // Upper bounds: of 1/|x' - x|, of its sum and of that of its squares, and of the weights that were left out.
+  Bound pole, poles, squares, left_out;
+  for (std::size_t l = 0; l < nodes.size(); ++l) {
+    const Trapezoid::Node& node = nodes[l];
+    if (mag_cmp(node.behind.get(), negligible.get()) < 0) {
+      mag_add(left_out.get(), left_out.get(), node.behind.get());
+      if (l >= integral.rule.nodes_to_right()) break;
+      l = integral.rule.nodes_to_right() - 1;
+      continue;
+    }
+    arb_add(distance.get(), near.get(), (on_right ? node.u : node.v).get(), precision);
+    arb_inv(inverse.get(), distance.get(), precision);
+    arb_addmul(sum.get(), inverse.get(), density[l].get(), precision);
+    arb_get_mag(pole.get(), inverse.get());
+    mag_addmul(poles.get(), node.above.get(), pole.get());
+    if (!with_slope) continue;
+    arb_mul(inverse.get(), inverse.get(), inverse.get(), precision);
+    arb_addmul(slope.get(), inverse.get(), density[l].get(), precision);
+    arb_get_mag(pole.get(), inverse.get());
+    mag_addmul(squares.get(), node.above.get(), pole.get());
+  }
+  const Ball& M = integral.bounds[k];
+  const Ball rest = Ball(left_out) / near.lower();
+  const Ball absolute = Ball(poles) + rest;
+  result.value -= (on_right ? sum : -sum).widened(integral.rule.error(1, M, absolute) + M * rest);
+  result.integrals += M * Trapezoid::integral_bound(absolute);
+  if (!with_slope) return;
+  const Ball rest_of_squares = rest / near.lower();
+  result.slope -= slope.widened(integral.rule.error(2, M, Ball(squares) + rest_of_squares) + M * rest_of_squares);
+}
+
+Ball Form::at_end(std::size_t j) const {
+  const bool begins = contact_->layout().points[j].contact == Point::Contact::begins;
+  const std::size_t segment = begins ? j : j - 1;
+  const Ball length = contact_->length(segment);
+  const Place at = begins ? Place{j, j + 1, Ball(), length} : Place{j - 1, j, length, Ball()};
+  return regular(contact_->slope_of(segment), at).value;
+}
+
+Ball Form::polynomial_bound(std::size_t k, const Ball& centre, const Ball& radius) const {
+  return bound_near(polynomials_[k], centre, radius);
+}
+
+Ball Form::moment(std::size_t j) const {
+  const std::size_t k = contact_->slope_of(contact_->layout().all(Point::Contact::begins).front());
+  Ball sum = contact_->coefficient(slopes_[k], -static_cast<int>(j) - 1);
+  for (std::size_t i = 0; i < integrals_.size(); ++i) {
+    if (!integrals_[i] || contact_->slope_of(i) == k) continue;
+    const Integral& integral = *integrals_[i];
+    Ball total;
+    Ball weights;
+    for (std::size_t l = 0; l < integral.rule.nodes().size(); ++l) {
+      Ball term = integral.densities[k][l];
+      for (std::size_t m = 0; m < j; ++m) term *= contact_->xi(i) + integral.rule.nodes()[l].u;
+      total += term;
+      weights += integral.rule.nodes()[l].weight;
+    }
+    const Ball half = contact_->length(i) * Ball(0.5);
+    const Ball largest = (contact_->xi(i) + half).size() + half * integral.rule.secant();
+    Ball M = integral.bounds[k];
+    for (std::size_t m = 0; m < j; ++m) M *= largest;
+    sum -= total.widened(integral.rule.error(0, M, weights));
+  }
+  return sum;
+}
+
+std::vector<Ball> Form::difference(std::size_t l, std::size_t k, std::size_t anchor) const {
+  const ReducedProblem& problem = contact_->problem();
+  return balls(composed(problem.slopes[l] - problem.slopes[k], 1, problem.anchors[anchor]), contact_->precision());
+}
+
+}  // namespace steadyslide::checker

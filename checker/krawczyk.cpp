@@ -1,0 +1,103 @@
+#include "checker/krawczyk.hpp"
+
+#include <arb_mat.h>
+
+#include <algorithm>
+
+#include "checker/failure.hpp"
+
+namespace steadyslide::checker {
+namespace {
+
+/// F'(V) to these many bits is plenty for a contraction.
+constexpr slong jacobian_bits = 48;
+
+using Matrix = std::vector<std::vector<Ball>>;
+
+/// An approximate inverse of the centre of a; any matrix serves, but a bad one proves nothing.
+Matrix inverse_of_centre(const Matrix& a, slong precision) {
+  const auto n = static_cast<slong>(a.size());  // columns beyond these, of the load, are left out
+  Matrix result(a.size(), std::vector<Ball>(a.size(), Ball().rounded(precision)));
+  arb_mat_t matrix;
+  arb_mat_init(matrix, n, n);
+  const auto each = [&](const auto& visit) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      for (std::size_t j = 0; j < a.size(); ++j) {
+        visit(arb_mat_entry(matrix, static_cast<slong>(i), static_cast<slong>(j)), a[i][j], result[i][j]);
+      }
+    }
+  };
+  each([](arb_ptr entry, const Ball& given, Ball&) { arb_set(entry, given.middle().get()); });
+  const bool regular = arb_mat_inv(matrix, matrix, precision) != 0;
+  each([](arb_srcptr entry, const Ball&, Ball& inverse) { arb_get_mid_arb(inverse.get(), entry); });
+  arb_mat_clear(matrix);
+  if (!regular) throw Unproved("the conditions' derivative is singular as far as can be seen");
+  return result;
+}
+
+std::string name_of(std::size_t unknown, const Layout& layout) {
+  const std::vector<std::size_t> free = layout.free_ends();
+  if (unknown < free.size()) return "the free end at point " + std::to_string(free[unknown]);
+  return "coefficient " + std::to_string(unknown - free.size()) + " of q, tilt";
+}
+
+Matrix jacobian_over(const ReducedProblem& problem, const Box& box, slong precision) {
+  const Contact contact(problem, box.layout, box.V.log_offsets, precision);
+  return jacobian(Form(contact, box.V, box.loads, jacobian_bits));
+}
+
+/// At the middle load.
+std::vector<Ball> conditions_at(const ReducedProblem& problem, const Box& box, const std::vector<Ball>& v, slong bits,
+                                slong precision) {
+  const Unknowns at = box.V.with(v);
+  const Contact contact(problem, box.layout, at.log_offsets, precision);
+  const Rational p = (box.loads.from + box.loads.to) / 2;
+  return conditions(Form(contact, at, {p, p}, bits));
+}
+
+}  // namespace
+
+Krawczyk prove_zero(const ReducedProblem& problem, const Box& box, slong least_precision) {
+  const std::vector<Ball> V = box.V.list();
+  const std::size_t n = V.size();
+  Krawczyk result;
+  // The box has to be wider than what the integrals leave open.
+  slong narrowest = 0;
+  for (const Ball& v : V) {
+    if (!v.radius().is_positive()) throw Unproved("a box without interior proves no zero");
+    narrowest = std::max(narrowest, std::max<slong>(v.exponent(), 0) - v.radius().exponent());
+  }
+  if (narrowest > 5000) throw Unproved("a box narrower than 2^-5000");
+  result.bits = 24 + narrowest;
+  const slong precision = std::max(least_precision, result.bits + 96);
+
+  std::vector<Ball> v;
+  for (const Ball& x : V) v.push_back(x.rounded(precision).middle());
+  const std::vector<Ball> F = conditions_at(problem, box, v, result.bits, precision);
+  if (F.size() != n) throw Unproved("as many conditions as unknowns are needed");
+  if (n == 0) return result;
+  const Matrix J = jacobian_over(problem, box, precision);
+  const Matrix C = inverse_of_centre(J, precision);
+  // V - v, and P - p after it.
+  std::vector<Ball> deviations;
+  for (std::size_t k = 0; k < n; ++k) deviations.push_back(V[k].rounded(precision) - v[k]);
+  const Rational width = (box.loads.to - box.loads.from) / problem.unit;
+  deviations.push_back(Ball().widened(Ball(width / 2, precision)).rounded(precision));
+  for (std::size_t i = 0; i < n; ++i) {
+    Ball K = v[i];
+    for (std::size_t k = 0; k < n; ++k) K -= C[i][k] * F[k];
+    for (std::size_t k = 0; k <= n; ++k) {
+      Ball entry = i == k ? 1 : 0;
+      for (std::size_t j = 0; j < n; ++j) entry -= C[i][j] * J[j][k];
+      K += entry * deviations[k];
+    }
+    if (!V[i].contains_inside(K)) {
+      throw Unproved("Krawczyk's step leads out of the box: " + name_of(i, box.layout) + ", box " + V[i].text(20) +
+                     ", step " + K.text(20));
+    }
+    result.contraction = std::max(result.contraction, ((K - v[i]).size() / V[i].radius()).approximately());
+  }
+  return result;
+}
+
+}  // namespace steadyslide::checker

@@ -1,0 +1,21 @@
+#pragma once
+// Krawczyk's operator: for a box V, its centre v, F and an approximate inverse C of F'(v),
+//
+//   K(V) = v - C F(v) + (1 - C F'(V)) (V - v);
+//
+// if K(V) lies inside the interior of V, there is exactly one zero of F in V. For an interval of loads, p the middle one, F
+// is taken at (v, p), F' for all of them, and -C dF/dP (P - p) is added: then there is exactly one for each.
+
+#include "checker/conditions.hpp"
+
+namespace steadyslide::checker {
+
+struct Krawczyk {
+  slong bits = 0;          ///< to which F(v) was enclosed
+  double contraction = 0;  ///< the largest radius of K(V) relative to that of V
+};
+
+/// Throws Unproved, with the unknown that leaves its box.
+Krawczyk prove_zero(const ReducedProblem& problem, const Box& box, slong least_precision);
+
+}  // namespace steadyslide::checker

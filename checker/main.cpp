@@ -1,0 +1,103 @@
+// steadyslide-check: proves contact solutions again from their certificate, and from nothing else.
+
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <string>
+
+#include "checker/krawczyk.hpp"
+#include "checker/reader.hpp"
+#include "checker/signs.hpp"
+
+namespace {
+
+using namespace steadyslide::checker;
+
+constexpr const char* usage =
+    "usage: steadyslide-check [--problem FILE.toml] CERTIFICATE\n"
+    "\n"
+    "Proves again what a certificate of 'steadyslide solve --certify' claims, from the certificate alone.\n"
+    "With --problem it also has to be a certificate for the problem in that file.\n"
+    "\n"
+    "Exit code: 0 if all is proved, 1 if something is not, 2 if the certificate or the command line breaks a rule.\n";
+
+/// Signs first with few digits in the integrals, then with more where those do not decide.
+Signs signs_of(const ReducedProblem& problem, const Box& box) {
+  for (slong bits = 40;; bits *= 2) {
+    try {
+      const Contact contact(problem, box.layout, box.V.log_offsets, 3 * bits + 64);
+      return prove_signs(Form(contact, box.V, box.loads, bits));
+    } catch (const Unproved&) {
+      if (bits >= 160) throw;
+    }
+  }
+}
+
+void prove(const Certificate& certificate) {
+  const ReducedProblem problem(certificate.problem, certificate.origin, certificate.unit);
+  for (const Box& box : certificate.boxes) {
+    const auto& [from, to] = box.loads;
+    std::printf("load %s\n", from == to ? from.text().c_str() : (from.text() + " to " + to.text()).c_str());
+    const std::size_t unknowns = box.V.list().size();
+    const Krawczyk zero = prove_zero(problem, box, certificate.bits);
+    if (unknowns > 0) {
+      std::printf(
+          "  proved: one zero of the conditions in the box, %zu unknowns, contraction %.2g, integrals to 2^-%ld\n",
+          unknowns, zero.contraction, static_cast<long>(zero.bits));
+    } else {
+      std::printf("  proved: the contact has no unknown\n");
+    }
+    const Signs signs = signs_of(problem, box);
+    std::printf("  proved: t < 0 in the contact on %zu intervals, gap > 0 off it on %zu, integrals to 2^-%ld\n",
+                signs.in_contact, signs.in_gaps, static_cast<long>(signs.bits));
+  }
+  const double seconds = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;  // of the processor, since the start
+  const bool one_load = certificate.problem.loads.from == certificate.problem.loads.to;
+  std::printf("proved: %s a solution of the contact problem%s (%.2f s)\n",
+              one_load ? "the box contains" : "for every load its box contains",
+              certificate.unique_by_theorem_1 ? ", the only one by theorem 1 of [Bal16]" : "", seconds);
+}
+
+int run(int count, char** arguments) {
+  std::string file;
+  std::string problem;
+  for (int k = 1; k < count; ++k) {
+    const std::string word = arguments[k];
+    if (word == "--help" || word == "-h") {
+      std::fputs(usage, stdout);
+      return 0;
+    }
+    if (word == "--problem" && k + 1 < count && problem.empty()) {
+      problem = arguments[++k];
+    } else if (file.empty() && !word.starts_with("--")) {
+      file = word;
+    } else {
+      throw Malformed("command line", "unknown argument", "steadyslide-check [--problem FILE.toml] CERTIFICATE", word);
+    }
+  }
+  if (file.empty()) {
+    throw Malformed("command line", "no certificate", "steadyslide-check [--problem FILE.toml] CERTIFICATE", "none");
+  }
+  const Certificate certificate = Certificate::parsed(read_file(file), file);
+  if (!problem.empty()) {
+    const std::string differs = certificate.problem.difference(Problem::of_file(problem));
+    if (!differs.empty()) throw Unproved(problem + ": not the certificate's problem; it differs in " + differs);
+    std::printf("the problem is that of %s\n", problem.c_str());
+  }
+  prove(certificate);
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    return run(count, arguments);
+  } catch (const Malformed& error) {
+    std::fprintf(stderr, "steadyslide-check: %s\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "steadyslide-check: not proved: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,67 @@
+#pragma once
+// The contact problem as exact data, read from a certificate or from a problem file (docs/problem-file.md), and reduced:
+//
+//   A t = g + tilt on the contact, g(xi) = psi'(x)/c, int t dxi = -P/unit, xi = (x - origin)/unit, s = +-gamma f.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checker/rational.hpp"
+
+namespace steadyslide::checker {
+
+class Reader;
+
+struct Problem {
+  struct Piece {
+    Rational to;
+    Polynomial profile;
+    bool operator==(const Piece&) const = default;
+  };
+  /// Loads P with from <= P <= to.
+  struct Loads {
+    Rational from;
+    Rational to;
+    static Loads read(const Reader& at);
+  };
+
+  Loads loads;
+  std::optional<Rational> load_at;
+  bool slides_to_plus_x = true;
+  Rational gamma;
+  Rational compliance;
+  std::vector<Rational> friction;
+  std::vector<Rational> jumps;
+  Rational left;
+  std::vector<Piece> pieces;
+
+  /// Of a certificate, for one load or for an interval of them.
+  static Problem of_certificate(const Reader& at, bool one_load);
+  /// Of a problem file; a measured trace is looked for beside it.
+  static Problem of_file(const std::string& name);
+  /// Throws Malformed where a datum breaks a rule of docs/problem-file.md.
+  void check(const std::string& place) const;
+  /// The first datum in which the problem of a file, which has one load, is not one of these; empty if it is.
+  std::string difference(const Problem& file) const;
+  /// s never decreases, the attitude is fixed: one solution at most, by theorem 1 of [Bal16].
+  bool theorem_1_applies() const;
+};
+
+/// Reduced and exact, but for the load. Anchors are the data's points: ends of the support, friction jumps, ends of pieces,
+/// left to right; interval k reaches from anchor k to the next one.
+struct ReducedProblem {
+  ReducedProblem(const Problem& problem, Rational origin, Rational unit);
+
+  Rational origin;
+  Rational unit;
+  std::vector<Rational> places;       ///< of the anchors, in x
+  std::vector<Rational> anchors;      ///< in xi
+  std::vector<Rational> steps;        ///< of psi/(c unit) at the anchors, right minus left; 0 at the support's ends
+  std::vector<Polynomial> slopes;     ///< the different polynomials g
+  std::vector<std::size_t> slope_of;  ///< of an interval
+  std::vector<Rational> s;            ///< of an interval
+  std::optional<Rational> load_at;
+};
+
+}  // namespace steadyslide::checker

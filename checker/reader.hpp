@@ -1,0 +1,51 @@
+#pragma once
+// A document, JSON or TOML, as a tree of values, each with its place, which every error names.
+
+#include <initializer_list>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "checker/failure.hpp"
+#include "checker/rational.hpp"
+
+namespace steadyslide::checker {
+
+class Reader {
+ public:
+  /// No key stands twice in one object.
+  static Reader of_json(const std::string& text, const std::string& name);
+  /// Numbers become strings, a float the shortest decimal that gives it back.
+  static Reader of_toml(const std::string& text, const std::string& name);
+
+  bool is_null() const { return value_->is_null(); }
+  bool has(const std::string& key) const { return value_->contains(key); }
+  /// An object with these keys, no others, all of the first list.
+  void check_keys(std::initializer_list<const char*> required, std::initializer_list<const char*> optional = {}) const;
+  /// Of a key that check_keys has found.
+  Reader operator[](const std::string& key) const;
+  std::vector<Reader> list() const;
+  std::string string() const;
+  bool boolean() const;
+  int integer(int least, int most) const;
+  /// Which of these strings it is.
+  std::size_t choice(std::initializer_list<const char*> names) const;
+  Rational rational() const { return Rational::parse(string(), place_); }
+  std::vector<Rational> rationals() const;
+  const std::string& place() const { return place_; }
+  [[noreturn]] void fail(const std::string& what, const std::string& rule) const;
+
+ private:
+  Reader(std::shared_ptr<const nlohmann::json> document, const nlohmann::json& value, std::string place)
+      : document_(std::move(document)), value_(&value), place_(std::move(place)) {}
+
+  std::shared_ptr<const nlohmann::json> document_;  ///< which holds the value
+  const nlohmann::json* value_;
+  std::string place_;
+};
+
+/// The text of a file. Throws Malformed where it cannot be read.
+std::string read_file(const std::string& name);
+
+}  // namespace steadyslide::checker

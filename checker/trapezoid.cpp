@@ -1,0 +1,104 @@
+#include "checker/trapezoid.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "checker/failure.hpp"
+
+namespace steadyslide::checker {
+namespace {
+
+constexpr std::size_t most_nodes = 400000;
+
+/// The power at the end itself, 0 if there is none.
+Ball end_exponent(const std::vector<Trapezoid::Factor>& factors) {
+  Ball sum;
+  for (const auto& [beyond, exponent] : factors) {
+    if (beyond.is_zero()) sum += exponent;
+  }
+  return sum;
+}
+
+}  // namespace
+
+Trapezoid::Trapezoid(Panel panel, slong bits, slong precision) : panel_(std::move(panel)) {
+  kappa_ = Ball(2).rounded(precision);
+  for (const std::vector<Factor>* factors : {&panel_.left, &panel_.right}) {
+    for (const auto& [beyond, exponent] : *factors) {
+      // The end's own u^(c + 1) grows with c, also where c < 0; any other power counts by its size.
+      kappa_ += beyond.is_zero() ? exponent : exponent.size();
+    }
+  }
+  // The strip that needs the fewest nodes: a wider one has a larger bound on its rim.
+  double h = 0;
+  double d = 0;
+  for (const double width : {1.6, 2.0, 2.4, 2.8}) {
+    const double powers = kappa_.approximately() + 3 + static_cast<double>(panel_.degree);
+    const double effort = static_cast<double>(bits + 2) * std::numbers::ln2 - powers * std::log(std::cos(width / 2));
+    const double step = 2 * std::numbers::pi * width / effort;
+    if (step > h) {
+      h = step;
+      d = width;
+    }
+  }
+  h = std::ldexp(std::round(std::ldexp(h, 20)), -20);
+  secant_ = Ball(1) / cos(Ball(d / 2).rounded(precision));
+  suppression_ = Ball(2) / (exp(Ball(2) * Ball::pi(precision) * Ball(d) / Ball(h)) - Ball(1));
+
+  const Ball a = end_exponent(panel_.left) + Ball(1);
+  const Ball b = end_exponent(panel_.right) + Ball(1);
+  if (!a.is_positive() || !b.is_positive() || !panel_.length.is_positive() || !(h > 0)) {
+    throw Unproved("a power that is not integrable, or a segment of no length");
+  }
+  // The node at tau = k h, or the one that stands for all beyond it.
+  const auto node = [&](slong k, bool all_beyond) {
+    const Ball t = Ball(std::fabs(static_cast<double>(k) * h)).rounded(precision);
+    const Ball e = all_beyond ? hull(Ball(), exp(-t)) : exp(-t);
+    const Ball large = panel_.length / (Ball(1) + e);
+    const Ball small = large * e;
+    Node result{k < 0 ? small : large, k < 0 ? large : small, {}, {}, {}};
+    const Ball& near = k < 0 ? a : b;
+    Ball exponent = (a + b) * log(large) - near * t;
+    for (const auto& [beyond, c] : panel_.left) {
+      if (!beyond.is_zero()) exponent += c * log(result.u + beyond);
+    }
+    for (const auto& [beyond, c] : panel_.right) {
+      if (!beyond.is_zero()) exponent += c * log(result.v + beyond);
+    }
+    result.weight = Ball(h) / panel_.length * exp(exponent);
+    if (all_beyond) result.weight = result.weight / (exp(near * Ball(h)) - Ball(1));
+    return result;
+  };
+  Ball total;
+  // From the middle outwards, until what is unknown of the rest, and of a pole beside it, no longer counts beside the sum.
+  const auto march = [&](slong first, slong step, const Ball& reach) {
+    const Ball wanted =
+        (Ball(1) + panel_.length / reach) * Ball(std::ldexp(1.0, static_cast<int>(std::min<slong>(bits, 1000))));
+    for (slong k = first;; k += step) {
+      nodes_.push_back(node(k, false));
+      total += nodes_.back().weight;
+      if (nodes_.size() > most_nodes) throw Unproved("an integral that needs too many nodes");
+      if ((k & 7) != 0) continue;
+      const Node rest = node(k, true);
+      const Ball unknown = rest.weight.radius() + rest.weight * (step < 0 ? rest.u : rest.v) / reach;
+      if (!(total - unknown.size() * wanted).is_positive()) continue;
+      nodes_.push_back(rest);
+      return;
+    }
+  };
+  march(0, 1, panel_.right_reach);
+  nodes_to_right_ = nodes_.size();
+  march(-1, -1, panel_.left_reach);
+  Bound behind;
+  for (std::size_t k = nodes_.size(); k-- > 0;) {
+    if (k + 1 == nodes_to_right_) behind = Bound();
+    nodes_[k].above = nodes_[k].weight.bound();
+    mag_add(behind.get(), behind.get(), nodes_[k].above.get());
+    nodes_[k].behind = behind;
+  }
+  if (!(Ball(0.5) - relative_error(2)).is_positive()) throw Unproved("a quadrature without accuracy");
+}
+
+Ball Trapezoid::relative_error(int more) const { return suppression_ * power(secant_, kappa_ + Ball(more)); }
+
+}  // namespace steadyslide::checker

@@ -1,0 +1,278 @@
+#!/usr/bin/env python3
+"""check_certificates.py CHECKER: steadyslide-check proves the certificates in certificates/, and none that is changed.
+
+A file NAME.json has to be proved, NAME.loads.json too, an interval of loads; NAME.refused.json has to be refused, with the
+words in its name's line of REFUSED. The problem files stand in problems/.
+Changes: every kind in CHANGES, on the certificate it names; then every key left out, and every value of another type.
+"""
+
+import copy
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).parent / "certificates"
+REFUSED = {
+    "wedge_on_jump_below_threshold": "theta > 0 fails",
+    "wedge_on_jump_closed_corner": "theta > 0 fails",
+}
+
+
+def run(checker, text, *options):
+    with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+        file.write(text)
+        file.flush()
+        done = subprocess.run([checker, *options, file.name], capture_output=True, text=True, timeout=300, check=False)
+    return done.returncode, done.stdout + done.stderr
+
+
+def shifted(ball, power):
+    """The ball's midpoint moved by 2^power, its radius as it was."""
+    mantissa, exponent, *radius = ball.split()
+    m, e = int(mantissa, 16), int(exponent, 16)
+    low = min(e, power)
+    m = (m << (e - low)) + (1 << (power - low))
+    return " ".join([f"{m:x}", f"{low:x}", *radius])
+
+
+def with_radius(ball, radius):
+    return " ".join(ball.split()[:2] + radius.split())
+
+
+def free(c):
+    return [p for p in c["points"] if "side" in p]
+
+
+def change(path, value):
+    """The value at a path of keys, replaced."""
+
+    def apply(c):
+        at = c
+        for key in path[:-1]:
+            at = at[key]
+        at[path[-1]] = value(at[path[-1]]) if callable(value) else value
+
+    return apply
+
+
+def drop_zone(c):
+    """The zone on the right is forgotten, with the coefficient of q that goes with it."""
+    ends = [k for k, p in enumerate(c["points"]) if p["contact"] in ("begins", "ends")]
+    c["points"] = [p for k, p in enumerate(c["points"]) if k not in ends[2:]]
+    c["segments"] = c["segments"][: len(c["points"]) - 1]
+    for k in range(ends[1], len(c["segments"])):
+        c["segments"][k] = False
+
+
+def close_gap(c):
+    """Contact everywhere: the free ends and the coefficient of q are gone."""
+    c["points"] = [p for p in c["points"] if "side" not in p]
+    c["segments"] = [True] * (len(c["points"]) - 1)
+    for point in c["points"][1:-1]:
+        point["contact"] = "interior"
+    c["q"] = []
+
+
+def split_zone(c):
+    """A gap of length 2^-10 or so is opened in the middle of the contact."""
+    inner = next(k for k, p in enumerate(c["points"]) if p["contact"] == "interior")
+    anchor = c["points"][inner]["anchor"]
+    c["points"][inner]["contact"] = "outside"
+    end = {"anchor": anchor, "log_offset": "-7 0 1 -64", "free": True}
+    c["points"].insert(inner + 1, {**end, "side": "right", "contact": "begins"})
+    c["points"].insert(inner, {**end, "side": "left", "contact": "ends"})
+    c["segments"].insert(inner, False)
+    c["segments"].insert(inner, False)
+
+
+def exchange_side(c):
+    """A free end keeps its place, and belongs to the anchor's other side."""
+    point = free(c)[0]
+    point["side"] = "left" if point["side"] == "right" else "right"
+
+
+def exchange_kind(c):
+    """An edge of the support becomes a free end just beside it."""
+    last = c["points"][-1]
+    last["contact"] = "outside"
+    end = {"anchor": last["anchor"], "side": "left", "log_offset": "-14 0 1 -64", "contact": "ends", "free": True}
+    c["points"].insert(-1, end)
+    c["segments"].append(False)
+
+
+def wide_loads(c):
+    """The last box is claimed for loads twice as far up as it was made for."""
+    c["problem"]["loads"][1] = c["boxes"][-1]["loads"][1] = "1.2"
+
+
+LOADS, LIFTED_LOADS = "parabola_rough_front.loads", "lifted_punch.loads"
+PARABOLA, STEP, SLOT, TILT, PUNCH, BUMPS, WEDGE = (
+    "parabola_rough_front", "stepped_punch", "slotted_punch", "tilting_punch", "two_coatings", "two_bumps", "wedge_on_jump")
+
+CHANGES = [
+    ("version", PARABOLA, change(["certificate"], 2)),
+    ("kind", PARABOLA, change(["kind"], "load-interval")),
+    ("generator", PARABOLA, change(["generator"], "by hand")),
+    ("load", PARABOLA, change(["problem", "load"], "1.000000000000000000000000000000000000001")),
+    ("negative load", PARABOLA, change(["problem", "load"], "-1")),
+    ("load of a wedge on a jump", WEDGE, change(["problem", "load"], "4.327")),
+    ("load_at appears", PARABOLA, change(["problem", "load_at"], "0")),
+    ("load_at moves", TILT, change(["problem", "load_at"], "0.2000000000000000000000000000001")),
+    ("load_at disappears", TILT, change(["problem", "load_at"], None)),
+    ("sliding", PARABOLA, change(["problem", "sliding"], "-x")),
+    ("gamma", PARABOLA, change(["problem", "gamma"], "0.5000000000000000000000000000001")),
+    ("gamma out of range", PARABOLA, change(["problem", "gamma"], "1")),
+    ("compliance", PARABOLA, change(["problem", "compliance"], "1.000000000000000000000000000001")),
+    ("friction value", PARABOLA, change(["problem", "friction", "values", 1], "1.2000000000000000000000000000001")),
+    ("negative friction", PUNCH, change(["problem", "friction", "values", 0], "-0.1")),
+    ("friction jump", PARABOLA, change(["problem", "friction", "jumps", 0], "1e-30")),
+    ("left end of the support before contact", SLOT, change(["problem", "indenter", "left"], "-1.1")),
+    ("left end of the support", PUNCH, change(["problem", "indenter", "left"], "1")),
+    ("end of a piece", STEP, change(["problem", "indenter", "pieces", 0, "to"], "1e-30")),
+    ("profile", PARABOLA, change(["problem", "indenter", "pieces", 0, "profile", 2], "2.5000000000000000000000000001")),
+    ("height of a step", STEP, change(["problem", "indenter", "pieces", 1, "profile", 0], "1")),
+    ("step the other way", STEP, change(["problem", "indenter", "pieces", 1, "profile", 0], lambda c: "-" + c)),
+    # Without q a frame may move: offsets belong to anchors, and the certificate says what it said.
+    ("origin of the frame", SLOT, change(["frame", "origin"], "1e-30")),
+    ("unit of the frame", PARABOLA, change(["frame", "unit"], "1.000000000000000000000000000001")),
+    ("no unit", PARABOLA, change(["frame", "unit"], "0")),
+    ("too few bits", PARABOLA, change(["bits"], 64)),
+    ("bits without reason", PARABOLA, change(["bits"], 1000000)),
+    ("anchor of a point", PARABOLA, change(["points", 0, "anchor"], 1)),
+    ("anchor of a free end", PARABOLA, lambda c: free(c)[0].update(anchor=0)),
+    ("contact of a point", PARABOLA, change(["points", 0, "contact"], "begins")),
+    ("a free end at an edge", PUNCH, change(["points", 0, "free"], True)),
+    ("an edge that is free", PARABOLA, lambda c: free(c)[0].update(free=False)),
+    ("side of a free end", PARABOLA, exchange_side),
+    ("place of a free end", PARABOLA, lambda c: free(c)[0].update(log_offset=shifted(free(c)[0]["log_offset"], -100))),
+    ("box moved by its width", PARABOLA, lambda c: free(c)[1].update(log_offset=shifted(free(c)[1]["log_offset"], -174))),
+    ("box without width", PARABOLA, lambda c: free(c)[0].update(log_offset=with_radius(free(c)[0]["log_offset"], "0 0"))),
+    ("box too wide", PARABOLA, lambda c: free(c)[0].update(log_offset=with_radius(free(c)[0]["log_offset"], "1 1"))),
+    ("box of everything", PARABOLA, lambda c: free(c)[0].update(log_offset=with_radius(free(c)[0]["log_offset"], "1 ff"))),
+    ("infinite place", PARABOLA, lambda c: free(c)[0].update(log_offset="0 -1 0 0")),
+    ("place that is no number", PARABOLA, lambda c: free(c)[0].update(log_offset="0 -3 0 -1")),
+    ("place in decimals", PARABOLA, lambda c: free(c)[0].update(log_offset="-0.9")),
+    ("a segment's contact", PARABOLA, change(["segments", 0], True)),
+    ("no contact at all", PARABOLA, lambda c: c.update(segments=[False] * len(c["segments"]))),
+    ("a segment less", PARABOLA, lambda c: c["segments"].pop()),
+    ("a point less", PARABOLA, lambda c: c["points"].pop()),
+    ("points in another order", PARABOLA, lambda c: c["points"].reverse()),
+    ("an anchor twice", PARABOLA, lambda c: (c["points"].append(c["points"][-1]), c["segments"].append(False))),
+    ("coefficient of q", SLOT, lambda c: c.update(q=[shifted(c["q"][0], -100)])),
+    ("coefficient of q too many", SLOT, lambda c: c["q"].append(c["q"][0])),
+    ("coefficient of q too few", SLOT, lambda c: c["q"].pop()),
+    ("coefficient of q that is none", PARABOLA, lambda c: c["q"].append("1 0 1 -64")),
+    ("tilt", TILT, lambda c: c.update(tilt=shifted(c["tilt"], -100))),
+    ("tilt's box without width", TILT, lambda c: c.update(tilt=with_radius(c["tilt"], "0 0"))),
+    ("tilt left out", TILT, lambda c: c.pop("tilt")),
+    ("tilt without load_at", PARABOLA, lambda c: c.update(tilt="0 0 1 -64")),
+    ("existence", PARABOLA, change(["claims", "exists"], False)),
+    ("uniqueness not proved", "parabola_rough_rear", change(["claims", "unique_by_theorem_1"], True)),
+    ("uniqueness denied", PARABOLA, change(["claims", "unique_by_theorem_1"], False)),
+    ("a zone dropped", BUMPS, drop_zone),
+    ("a zone split", PARABOLA, split_zone),
+    ("a free end for an edge", PUNCH, exchange_kind),
+    ("loads that begin lower", LOADS, change(["problem", "loads", 0], "0.89")),
+    ("loads that end higher", LOADS, change(["problem", "loads", 1], "1.11")),
+    ("loads from 0", LOADS, lambda c: (change(["problem", "loads", 0], "0")(c), change(["boxes", 0, "loads", 0], "0")(c))),
+    ("loads the other way", LOADS, lambda c: c["problem"]["loads"].reverse()),
+    ("loads of three ends", LOADS, lambda c: c["problem"]["loads"].append("2")),
+    ("a load beside the loads", LOADS, lambda c: c["problem"].update(load="1")),
+    ("loads of a part", LOADS, change(["boxes", 1, "loads", 1], "0.981")),
+    ("loads of a part with nothing in between", LOADS, change(["boxes", 1, "loads", 0], "0.9400000000000000001")),
+    ("loads too many for their box", LOADS, wide_loads),
+    ("a part left out", LOADS, lambda c: c["boxes"].pop(1)),
+    ("the last part left out", LOADS, lambda c: c["boxes"].pop()),
+    ("parts in another order", LOADS, lambda c: c["boxes"].reverse()),
+    ("boxes of each other", LOADS, lambda c: c["boxes"][0].update(points=c["boxes"][1]["points"])),
+    ("no part", LOADS, change(["boxes"], [])),
+    ("boxes for one load", PARABOLA, change(["kind"], "loads")),
+    ("one load for boxes", LOADS, change(["kind"], "solution")),
+    ("a point in one box", LOADS, lambda c: c["boxes"][2]["points"].pop()),
+    ("a free end in one box", LOADS, lambda c: free(c["boxes"][2])[0].update(
+        log_offset=shifted(free(c["boxes"][2])[0]["log_offset"], -4))),
+    ("one box too narrow for its loads", LOADS, lambda c: free(c["boxes"][2])[0].update(
+        log_offset=with_radius(free(c["boxes"][2])[0]["log_offset"], "1 -40"))),
+    ("a tilt in one box", LIFTED_LOADS, lambda c: c["boxes"][1].update(tilt=shifted(c["boxes"][1]["tilt"], -3))),
+    ("friction under loads", LOADS, change(["problem", "friction", "values", 1], "1.3")),
+    ("sliding under loads", LOADS, change(["problem", "sliding"], "-x")),
+    ("a radius of 33 bits", PARABOLA, lambda c: free(c)[0].update(log_offset=with_radius(free(c)[0]["log_offset"], "80000001 -f0"))),
+    ("a ball not in lowest terms", PARABOLA, lambda c: free(c)[0].update(log_offset=with_radius(free(c)[0]["log_offset"], "2 -b1"))),
+    ("an anchor in the contact that is an end", "three_jumps", change(["points", 1, "contact"], "ends")),
+    ("an end in the contact that is none", SLOT,
+     lambda c: next(p for p in c["points"] if p["contact"] == "ends").update(contact="interior")),
+    ("contact beyond the gap of a notch", "notch_gap", drop_zone),
+    ("the gap of a notch closed", "notch_gap", close_gap),
+    ("the gap of a notch on the other side", "notch_gap", exchange_side),
+    ("load of a notch", "notch_gap", change(["problem", "load"], "2.1636")),
+    ("an unknown key", PARABOLA, lambda c: c.update(proved=True)),
+    ("an unknown key of a point", PARABOLA, lambda c: c["points"][0].update(proved=True)),
+]
+
+
+def paths(value, path=()):
+    yield path
+    items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, item in items:
+        yield from paths(item, (*path, key))
+
+
+def main():
+    checker = sys.argv[1]
+    failures, checked = [], 0
+
+    def expect(codes, what, text, words="", options=()):
+        nonlocal checked
+        checked += 1
+        code, said = run(checker, text, *options)
+        lines = said.strip().splitlines()
+        clear = code == 0 or len(lines) >= 1 and lines[-1].startswith("steadyslide-check: ")
+        if code not in codes or words not in said or not clear:
+            failures.append(f"{what}: exit code {code}: {said.strip()[:300]}")
+
+    certificates = {f.name.removesuffix(".json"): f.read_text() for f in sorted(HERE.glob("*.json"))}
+    for name, text in certificates.items():
+        if name.endswith(".refused"):
+            expect({1}, name, text, REFUSED[name.removesuffix(".refused")])
+            continue
+        problem = HERE.parent / "problems" / f"{name.removesuffix('.loads')}.toml"
+        proved = "for every load its box" if name.endswith(".loads") else "the box"
+        expect({0}, name, text, f"proved: {proved} contains a solution", ("--problem", problem))
+        other = certificates[PUNCH if name.startswith(PARABOLA) else PARABOLA]
+        expect({1}, f"{name}'s problem, another certificate", other, "not the certificate's", ("--problem", problem))
+
+    for what, name, apply in CHANGES:
+        changed = json.loads(certificates[name])
+        apply(changed)
+        expect({1, 2}, f"changed: {what}", json.dumps(changed))
+
+    # Every key left out but those that may be, every value of another type.
+    original = json.loads(certificates[PARABOLA])
+    for path in list(paths(original))[1:]:
+        for kind, value in (("left out", None), ("another type", 7.5)):
+            changed = copy.deepcopy(original)
+            at = changed
+            for key in path[:-1]:
+                at = at[key]
+            if kind == "another type":
+                at[path[-1]] = value
+            elif path[-1] == "free" and "side" not in at:
+                continue
+            else:
+                del at[path[-1]]
+            expect({1, 2}, f"{kind}: {'.'.join(map(str, path))}", json.dumps(changed))
+    text = certificates[PARABOLA]
+    expect({2}, "a key twice", text.replace('"bits": 256', '"bits": 512, "bits": 256'), "key given twice")
+    expect({2}, "half a document", text[: len(text) // 2], "not JSON")
+    expect({2}, "nothing", "", "not JSON")
+
+    print("\n".join(failures))
+    print(f"{checked - len(failures)} passed, {len(failures)} failed")
+    print(f"{len(CHANGES)} kinds of change")
+    sys.exit(bool(failures) or len(certificates) < 12)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,124 @@
+#include "checker/conditions.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "checker/reader.hpp"
+
+namespace {
+
+using namespace steadyslide::checker;
+using Kind = Point::Contact;
+
+/// Two zones over a profile of three pieces, with a jump of friction and a free tilt: every kind of unknown. The place
+/// of the zones is no solution; the conditions and their derivative are there all the same.
+struct Example {
+  Problem problem = Problem::of_certificate(Reader::of_json(R"({
+"load": "1", "load_at": "1/10", "sliding": "+x", "gamma": "1/2", "compliance": "1",
+"friction": {"values": ["0.4", "1.2", "0.2"], "jumps": ["-1", "1"]},
+"indenter": {"left": "-2", "pieces": [{"to": "-1.1", "profile": ["0", "0", "1"]},
+  {"to": "0", "profile": ["0", "1/3", "1"]}, {"to": "2", "profile": ["0", "0", "2", "-1/7"]}]}})",
+                                                            "example"),
+                                            true);
+  ReducedProblem reduced{problem, Rational(1) / Rational(7), Rational(3) / Rational(2)};
+  Layout layout;
+  Unknowns v;
+
+  Example(bool four_free) {
+    // Anchors: -2, -1.1, -1, 0, 1, 2.
+    const auto anchor = [](std::size_t a, Kind kind) { return Point{a, 0, kind}; };
+    const auto beside = [](std::size_t a, int side, Kind kind) { return Point{a, side, kind}; };
+    if (four_free) {
+      layout.points = {anchor(0, Kind::outside),    beside(0, 1, Kind::begins), anchor(1, Kind::interior),
+                       anchor(2, Kind::interior),   beside(2, 1, Kind::ends),   anchor(3, Kind::outside),
+                       beside(4, -1, Kind::begins), anchor(4, Kind::interior),  beside(5, -1, Kind::ends),
+                       anchor(5, Kind::outside)};
+      layout.in_contact = {false, true, true, true, false, false, true, true, false};
+      layout.intervals = {0, 0, 1, 2, 2, 3, 3, 4, 4};
+      v.log_offsets = {Ball(-1.0), Ball(-2.0), Ball(-1.5), Ball(-0.5)};
+    } else {
+      layout.points = {anchor(0, Kind::begins),   anchor(1, Kind::interior), anchor(2, Kind::interior),
+                       beside(2, 1, Kind::ends),  anchor(3, Kind::outside),  beside(4, -1, Kind::begins),
+                       anchor(4, Kind::interior), anchor(5, Kind::ends)};
+      layout.in_contact = {true, true, true, false, false, true, true};
+      layout.intervals = {0, 1, 2, 2, 3, 3, 4};
+      v.log_offsets = {Ball(-2.0), Ball(-1.5)};
+    }
+    v.q.assign(static_cast<std::size_t>(std::max(-layout.degree_at_infinity() - 1, 0)), Ball(0.25));
+    v.tilt = {Ball(0.125)};
+  }
+
+  std::vector<Ball> conditions_at(const std::vector<Ball>& list, slong bits) const {
+    const Unknowns at = v.with(list);
+    const Contact contact(reduced, layout, at.log_offsets, bits + 64);
+    return conditions(Form(contact, at, problem.loads, bits));
+  }
+};
+
+bool overlap(const Ball& a, const Ball& b) {
+  return a.is_finite() && b.is_finite() && arb_overlaps(a.get(), b.get()) != 0;
+}
+
+}  // namespace
+
+TEST_CASE("the derivative of the conditions is that of their differences") {
+  for (const bool four_free : {true, false}) {
+    const Example example(four_free);
+    const Contact contact(example.reduced, example.layout, example.v.log_offsets, 192);
+    const auto J = jacobian(Form(contact, example.v, example.problem.loads, 40));
+    std::vector<Ball> list = example.v.list();
+    REQUIRE(J.size() == list.size());
+    const double step = std::ldexp(1, -18);
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      std::vector<Ball> up = list;
+      std::vector<Ball> down = list;
+      up[k] = up[k] + Ball(step);
+      down[k] = down[k] - Ball(step);
+      const std::vector<Ball> above = example.conditions_at(up, 50);
+      const std::vector<Ball> below = example.conditions_at(down, 50);
+      for (std::size_t i = 0; i < J.size(); ++i) {
+        CAPTURE(four_free);
+        CAPTURE(i);
+        CAPTURE(k);
+        const Ball difference = (above[i] - below[i]) / Ball(2 * step);
+        CAPTURE(difference.text(20));
+        CAPTURE(J[i][k].text(20));
+        REQUIRE(difference.is_finite());
+        // The third derivative times step^2/6, and the integrals' errors over the step.
+        CHECK((Ball(1e-8) - (difference - J[i][k]).size()).is_positive());
+      }
+    }
+  }
+}
+
+TEST_CASE("conditions at different precision enclose the same numbers") {
+  const Example example(true);
+  const std::vector<Ball> list = example.v.list();
+  const std::vector<Ball> coarse = example.conditions_at(list, 30);
+  const std::vector<Ball> fine = example.conditions_at(list, 60);
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    CHECK(overlap(coarse[i], fine[i]));
+    CHECK((coarse[i].radius() - fine[i].radius()).is_positive());
+    CHECK((Ball(1e-15) - fine[i].radius()).is_positive());
+  }
+}
+
+TEST_CASE("B_k on both sides of a wedge differ as the profile's slopes over Y") {
+  // u'/c = g_k + tilt - Y B_k is one function off the contact, whatever k is asked for.
+  const Example example(true);
+  const Contact contact(example.reduced, example.layout, example.v.log_offsets, 192);
+  const Form form(contact, example.v, example.problem.loads, 80);
+  const Place place{4, 5, contact.length(4) * Ball(0.25), contact.length(4) * Ball(0.75)};
+  const Ball x = contact.xi(place);
+  std::vector<Ball> slopes;
+  for (const std::size_t k : {contact.slope_of(1), contact.slope_of(3), contact.slope_of(7)}) {
+    const Ball g = horner(balls(example.reduced.slopes[k], 192), x);
+    slopes.push_back(g -
+                     Ball(contact.sign(4)) * contact.modulus(place, contact.points()) * form.regular(k, place).value);
+  }
+  CHECK(overlap(slopes[0], slopes[1]));
+  CHECK(overlap(slopes[1], slopes[2]));
+  CHECK((Ball(1e-15) - slopes[0].radius()).is_positive());
+  CHECK((Ball(1e-15) - slopes[2].radius()).is_positive());
+}
