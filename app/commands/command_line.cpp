@@ -118,8 +118,8 @@ std::optional<std::string> Given::name(const std::string& option, const std::str
   return text(option);
 }
 
-CommonOptions Given::common(int digits_otherwise, std::initializer_list<Format> formats) const {
-  const int wanted = digits(digits_otherwise);
+CommonOptions Given::common(int digits_otherwise, std::initializer_list<Format> formats, int most) const {
+  const int wanted = digits(digits_otherwise, most);
   const std::string name = has("--format") ? text("--format") : "text";
   const auto format = std::ranges::find(formats, name, format_name);
   if (format == formats.end()) {
@@ -142,6 +142,7 @@ std::optional<unsigned long long> Given::seed() const {
 }
 
 Option problem_argument() { return {"PROBLEM", "", "Problem file, or -", Option::Kind::required}; }
+Option certify_option(const std::string& what) { return {"--certify", "", what, Option::Kind::flag}; }
 Option seed_option() { return {"--seed", "N", "Seed of the random parameters, a whole number"}; }
 Option folder_option() { return {"-o,--output", "DIR", "Write into DIR, which is made if need be; default: here"}; }
 

@@ -33,6 +33,10 @@ struct CommonOptions {
   std::optional<std::string> output;  ///< absent: the standard output
 };
 
+/// Of --digits, estimated and proved.
+inline constexpr int most_digits = 100;
+inline constexpr int most_proved_digits = 1000;
+
 /// What stands behind a command. Functions that check a text throw Failure (exit code 2), which names the option.
 class Given {
  public:
@@ -50,8 +54,8 @@ class Given {
   std::optional<std::string> name(const std::string& option, const std::string& thing) const;
 
   /// `otherwise` without --digits.
-  int digits(int otherwise) const { return count("--digits", 1, 100).value_or(otherwise); }
-  CommonOptions common(int digits, std::initializer_list<Format> formats) const;
+  int digits(int otherwise, int most = most_digits) const { return count("--digits", 1, most).value_or(otherwise); }
+  CommonOptions common(int digits, std::initializer_list<Format> formats, int most = most_digits) const;
   /// --output; the current one without.
   std::string folder() const { return name("--output", "folder").value_or("."); }
   std::optional<unsigned long long> seed() const;
@@ -62,6 +66,7 @@ class Given {
 
 /// PROBLEM, --seed, and the folder to write into.
 Option problem_argument();
+Option certify_option(const std::string& what);
 Option seed_option();
 Option folder_option();
 /// A command's own options, then --digits with its help, --format and --output.

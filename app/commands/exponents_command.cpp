@@ -34,23 +34,29 @@ void write_derivations(const ContactProblem& problem, Format format, Output& out
   for (const symbolic::Derivation& derivation : derivations) output.write(symbolic::to_text(derivation) + "\n");
 }
 
-void write_exponents(const ContactProblem& problem, const CommonOptions& options, Output& output) {
+void write_exponents(const ContactProblem& problem, const CommonOptions& options, bool certify, Output& output) {
+  const Column exponent_column{"exponent", certify ? Column::Holds::numbers : Column::Holds::words};
   Rows rows(options.format,
-            {"x", "kind", "side", "friction", "exponent", "symbolic", {"latex", Column::Holds::formulas}}, output);
+            {"x", "kind", "side", "friction", exponent_column, "symbolic", {"latex", Column::Holds::formulas}}, output);
   for (const SingularPoint& point : possible_singular_points(problem)) {
     std::vector<std::string> friction;
     for (const Rational& f : point.friction) friction.push_back(format_number(f, options.digits));
     const ExponentText exponent = exponent_text(point.exponent, options.digits);
     rows.row({point.x ? format_number(*point.x, options.digits) : std::string("anywhere"),
-              std::string(name_of(point.kind)), std::string(name_of(point.contact)), friction, exponent.value,
-              exponent.symbolic, exponent.latex});
+              std::string(name_of(point.kind)), std::string(name_of(point.contact)), friction,
+              certify ? Cell(proved_exponent(point.exponent, options.digits)) : Cell(exponent.value), exponent.symbolic,
+              exponent.latex});
   }
   rows.end();
 }
 
 ExitCode run(const Given& given) {
-  const CommonOptions options = given.common(16, all_formats);
+  const bool certify = given.has("--certify");
+  const CommonOptions options = given.common(16, all_formats, certify ? most_proved_digits : most_digits);
   const bool derivation = given.has("--derivation");
+  if (derivation && certify) {
+    throw bad_command_line("--derivation: conflicting option", "a derivation is exact", "--certify");
+  }
   if (derivation && options.format != Format::text && options.format != Format::latex) {
     throw bad_command_line("--derivation: wrong format", "a derivation is text or latex", format_name(options.format));
   }
@@ -59,7 +65,7 @@ ExitCode run(const Given& given) {
   if (derivation) {
     write_derivations(problem.contact, options.format, output);
   } else {
-    write_exponents(problem.contact, options, output);
+    write_exponents(problem.contact, options, certify, output);
   }
   output.commit();
   return ExitCode::done;
@@ -70,8 +76,9 @@ ExitCode run(const Given& given) {
 Command exponents_command() {
   return {"exponents", std::string(embedded::help_exponents).append(embedded::help_problem),
           with_common({problem_argument(),
-                       {"--derivation", "", "How they are derived, step by step: text or latex", Option::Kind::flag}},
-                      "Significant digits, 1 to 100; default 16", all_formats),
+                       {"--derivation", "", "How they are derived, step by step: text or latex", Option::Kind::flag},
+                       certify_option("Enclosed in ball arithmetic, with an error that is proved")},
+                      "Significant digits, 1 to 100, with --certify 1000; default 16", all_formats),
           run};
 }
 

@@ -20,6 +20,8 @@ namespace {
 constexpr std::size_t max_places = 100000;
 constexpr std::size_t max_loads = 10000;
 constexpr int csv_samples = 101;
+/// What is proved beyond that takes minutes, unless the solution has a closed form.
+constexpr int most_digits_of_integrals = 200;
 constexpr std::initializer_list<Format> formats{Format::text, Format::json, Format::csv};
 
 struct SolveOptions {
@@ -32,6 +34,8 @@ struct SolveOptions {
   int search_starts;       ///< of a search for several solutions; 0: one solve
   std::optional<int> cells;
   std::optional<int> iterations;
+  bool certify;
+  std::optional<std::string> certificate;  ///< a file
 
   numeric::VariationalOptions variational() const {
     numeric::VariationalOptions result;
@@ -64,6 +68,7 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
   if (!options.load_steps.empty()) {
     refuse("--load-steps", {"--at", "--samples"}, "samples are those of one load");
   }
+  if (options.certify) refuse("--certify", {"--search-solutions"}, "it proves one solution");
   if (options.search_starts == 0) return;
   refuse("--search-solutions", {"--at", "--samples", "--load-steps"},
          "it compares contact zones and resultants under the file's load");
@@ -75,7 +80,9 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
 
 SolveOptions read(const Given& given) {
   SolveOptions options;
-  options.common = given.common(16, formats);
+  options.certificate = given.name("--certificate", "file");
+  options.certify = given.has("--certify") || options.certificate;
+  options.common = given.common(16, formats, options.certify ? most_proved_digits : most_digits);
   options.method_name = given.has("--method") ? given.text("--method") : "auto";
   options.method = method_named(options.method_name);
   options.at = list(given, "--at");
@@ -94,6 +101,19 @@ void check_method(const SolveOptions& options, const Problem& problem) {
   if (on_cells && numeric::precision_for(options.common.digits) != numeric::Digits::sixteen) {
     throw bad_command_line("--digits: out of range", "the variational method works in double, 16 digits at most",
                            std::to_string(options.common.digits));
+  }
+  for (const auto& [option, given] : {std::pair("--certificate", options.certificate.has_value()),
+                                      {"--load-steps", options.certify && !options.load_steps.empty()}}) {
+    if (!on_cells || !given) continue;
+    throw bad_command_line(std::string(option) + ": method without a proof of contact",
+                           "with --certify it goes with closed-form and riemann-hilbert",
+                           "--method " + options.method_name);
+  }
+  if (options.common.digits > most_digits_of_integrals && !numeric::closed_form<double>(problem.contact).solution) {
+    throw bad_command_line(
+        "--digits: out of range",
+        fmt::format("at most {} are proved of a solution without closed form", most_digits_of_integrals),
+        std::to_string(options.common.digits));
   }
   for (const auto& [option, given] : {std::pair("--cells", options.cells), {"--iterations", options.iterations}}) {
     if (on_cells || !given) continue;
@@ -128,7 +148,7 @@ void write(Format format, const Problem& problem, const Result& result, Output& 
 }
 
 SolutionText solve_shown(const SolveOptions& options, const Problem& problem, SolutionWanted solution) {
-  Solver::Wanted wanted{options.method, std::move(solution), options.variational()};
+  Solver::Wanted wanted{options.method, std::move(solution), options.variational(), options.certify};
   std::optional<Progress> progress;
   if (takes_variational(options.method, problem.contact)) wanted.variational.progress = follow(progress.emplace(1));
   return Solver(std::move(wanted)).solve(problem);
@@ -141,12 +161,19 @@ ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
   if (options.common.format == Format::csv && !any_samples) wanted.samples = csv_samples;
 
   Output output(options.common.output);
+  std::optional<Output> certificate;
+  if (options.certificate) certificate.emplace(*options.certificate);
   const SolutionText solution = solve_shown(options, problem, std::move(wanted));
   if (!solution.reason.empty()) throw inapplicable(problem, options.method, solution.reason);
   write(options.common.format, problem, solution, output);
-  if (solution.is_solved()) return ExitCode::done;
-  throw Failure(ExitCode::refuted, fmt::format("{}: the solve did not converge: {}; what was reached is printed",
-                                               problem.file, solution.failed_condition));
+  if (solution.is_solved()) {
+    if (certificate) certificate->write(solution.proof->certificate);
+    if (certificate) certificate->commit();
+    return ExitCode::done;
+  }
+  const char* what = solution.proof ? "" : "the solve did not converge: ";
+  throw Failure(ExitCode::refuted,
+                fmt::format("{}: {}{}; what was reached is printed", problem.file, what, solution.failed_condition));
 }
 
 std::vector<Rational> load_list(const std::string& text) {
@@ -158,37 +185,68 @@ std::vector<Rational> load_list(const std::string& text) {
   return loads;
 }
 
-std::vector<LoadStep> solved_steps(const SolveOptions& options, const Problem& problem,
-                                   const std::vector<Rational>& loads) {
+struct FollowedLoads {
+  std::vector<LoadStep> steps;
+  std::string certificate;  ///< of two loads between which one contact set is proved throughout
+};
+
+FollowedLoads solved_steps(const SolveOptions& options, const Problem& problem, const std::vector<Rational>& loads) {
   std::vector<LoadStep> steps;
   Progress progress(loads.size());
-  Solver::Wanted wanted{options.method, {options.common.digits}, options.variational()};
+  Solver::Wanted wanted{options.method, {options.common.digits}, options.variational(), options.certify};
   wanted.variational.progress = follow(progress);
   Solver solver(std::move(wanted));
   for (const Rational& load : loads) {
     const Problem loaded{problem.contact.with_load(load), problem.file, problem.measured};
-    steps.push_back({full_number(load, options.common.digits), solver.solve(loaded)});
+    LoadStep step{full_number(load, options.common.digits), solver.solve(loaded), {}};
+    if (options.certify && !steps.empty()) {
+      const Rational& before = loads[steps.size() - 1];
+      if (before != load) step.until = solver.between(problem, std::min(before, load), std::max(before, load));
+    }
+    steps.push_back(std::move(step));
     progress.next();
   }
-  return steps;
+  const bool is_one_branch = options.certificate && steps[1].until.size() == 1 && steps[1].until[0].is_proved();
+  return {std::move(steps), is_one_branch ? solver.loads_certificate(problem) : ""};
 }
 
 ExitCode follow_loads(const SolveOptions& options, const Problem& problem) {
   const std::vector<Rational> loads = load_list(options.load_steps);
+  if (options.certificate && (loads.size() != 2 || loads[0] >= loads[1])) {
+    throw bad_command_line("--load-steps: no interval",
+                           "a certificate is for all loads between two, the smaller one first", options.load_steps);
+  }
   Output output(options.common.output);
-  const std::vector<LoadStep> steps = solved_steps(options, problem, loads);
+  std::optional<Output> certificate;
+  if (options.certificate) certificate.emplace(*options.certificate);
+  const auto [steps, proved] = solved_steps(options, problem, loads);
   if (std::ranges::none_of(steps, [](const LoadStep& step) { return step.solution.reason.empty(); })) {
     throw inapplicable(problem, options.method, steps.front().solution.reason);
   }
-  write_load_steps(options.common.format, steps, output);
+  write_load_steps(options.common.format, steps, options.certify, output);
   output.commit();
-  for (const auto& [load, solution] : steps) {
+  for (const auto& [load, solution, until] : steps) {
     for (const std::string& what : solution.warnings) warn(problem.file, {"load " + load + ": " + what});
   }
 
   const auto fails = [](const LoadStep& step) { return !step.solution.is_solved(); };
   const auto first = std::ranges::find_if(steps, fails);
-  if (first == steps.end()) return ExitCode::done;
+  if (first == steps.end()) {
+    for (const LoadStep& step : steps) {
+      const auto open = std::ranges::find_if(step.until, &StretchText::is_open);
+      if (open == step.until.end()) continue;
+      throw Failure(ExitCode::refuted, fmt::format("{}: not proved between the loads {} and {}: {}", problem.file,
+                                                   open->from, open->to, open->words));
+    }
+    if (certificate && proved.empty()) {
+      const StretchText& event = *std::ranges::find_if_not(steps[1].until, &StretchText::is_proved);
+      throw Failure(ExitCode::refuted, fmt::format("{}: no certificate: an event between the loads {} and {}: {}",
+                                                   problem.file, event.from, event.to, event.words));
+    }
+    if (certificate) certificate->write(proved);
+    if (certificate) certificate->commit();
+    return ExitCode::done;
+  }
   const SolutionText& failed = first->solution;
   throw Failure(ExitCode::refuted,
                 fmt::format("{}: {} of {} loads not solved, first of all {}: {}; what was reached is printed",
@@ -245,20 +303,22 @@ ExitCode run(const Given& given) {
 }  // namespace
 
 Command solve_command() {
-  return {
-      "solve", std::string(embedded::help_solve).append(embedded::help_problem),
-      with_common({problem_argument(),
-                   {"--method", "METHOD", "auto, closed-form, riemann-hilbert or variational"},
-                   {"--at", "LIST", "Results at these x, in your units; may lie outside the support"},
-                   {"--samples", "N", "Results at N places in each contact component and gap, 1 to 100000"},
-                   {"--cells", "N", "Equal cells on the support, 16 to 4194304; default 4096: variational only"},
-                   {"--iterations", "N",
-                    "Most steps of the active sets on each mesh, 1 to 10000; default 100: variational only"},
-                   {"--load-steps", "LIST", "The contact under each of these loads, one row for each component"},
-                   {"--search-solutions", "N",
-                    "Start from N contact sets, 1 to 1000: do all lead to one solution? By the variational method"}},
-                  "Significant digits, 1 to 100; default 16", formats),
-      run};
+  return {"solve", std::string(embedded::help_solve).append(embedded::help_problem),
+          with_common(
+              {problem_argument(),
+               {"--method", "METHOD", "auto, closed-form, riemann-hilbert or variational"},
+               {"--at", "LIST", "Results at these x, in your units; may lie outside the support"},
+               {"--samples", "N", "Results at N places in each contact component and gap, 1 to 100000"},
+               {"--cells", "N", "Equal cells on the support, 16 to 4194304; default 4096: variational only"},
+               {"--iterations", "N",
+                "Most steps of the active sets on each mesh, 1 to 10000; default 100: variational only"},
+               {"--load-steps", "LIST", "The contact under each of these loads, one row for each component"},
+               {"--search-solutions", "N",
+                "Start from N contact sets, 1 to 1000: do all lead to one solution? By the variational method"},
+               certify_option("Prove the solution, enclose every number in ball arithmetic; exit code 1 if unproved"),
+               {"--certificate", "FILE", "Write the proof's certificate, for steadyslide-check; implies --certify"}},
+              "Significant digits, 1 to 100, with --certify 1000; default 16", formats),
+          run};
 }
 
 }  // namespace steadyslide::app

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/results/certified_text.hpp"
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "numeric/variational/variational_solution.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -65,7 +67,12 @@ SolutionText text_on_cells(const Problem& problem, const numeric::ContactSolutio
 SolutionText Solver::solve_on_cells(const Problem& problem) const {
   const auto found = numeric::variational_inequality(problem.contact, wanted_.variational);
   if (!found.solution) return inapplicable(found.reason);
-  return text_on_cells(problem, *found.solution, wanted_.solution);
+  SolutionText text = text_on_cells(problem, *found.solution, wanted_.solution);
+  if (wanted_.certify) {
+    const auto& on_cells = dynamic_cast<const numeric::VariationalSolution&>(*found.solution);
+    add_bound(text, problem, enclosure::bound_cells(problem.contact, on_cells.touching_pressures()));
+  }
+  return text;
 }
 
 template <numeric::Real R>
@@ -78,8 +85,54 @@ SolutionText Solver::solve_in(const Problem& problem) {
   return text;
 }
 
+std::vector<StretchText> Solver::between(const Problem& problem, const Rational& from, const Rational& to) {
+  const auto contact_at = [&](const Rational& load) -> std::optional<ApproximateContact> {
+    const numeric::Attempt<double> found = attempt<double>(wanted_.method, problem.contact.with_load(load), nullptr);
+    if (!found.solution || !found.solution->failed_condition().empty()) return std::nullopt;
+    return found.solution->approximate_contact();
+  };
+  std::vector<StretchText> result;
+  for (const enclosure::LoadStretch& stretch : enclosure::follow_loads(problem.contact, from, to, contact_at)) {
+    StretchText text = stretch_text(stretch, wanted_.solution.digits);
+    if (stretch.interval) intervals_.push_back(*stretch.interval);
+    // Those proved one after the other are one branch.
+    if (!result.empty() && text.is_proved() && result.back().is_proved()) {
+      result.back().to = text.to;
+    } else {
+      result.push_back(std::move(text));
+    }
+  }
+  return result;
+}
+
+template <numeric::Real R>
+SolutionText Solver::prove_in(const Problem& problem) {
+  Solution<R>& last = std::get<Solution<R>>(last_);
+  const numeric::Attempt<R> found = attempt<R>(wanted_.method, problem.contact, last.get());
+  if (!found.solution) return inapplicable(found.reason);
+  SolutionWanted approximate = wanted_.solution;
+  approximate.digits = std::min(approximate.digits, 16);
+  SolutionText text = solution_text(problem, *found.solution, approximate);
+  if (text.is_solved()) last = found.solution;
+  const auto proof =
+      enclosure::prove_contact(problem.contact, found.solution->approximate_contact(), wanted_.solution.digits);
+  certify(text, problem, proof, wanted_.solution);
+  return text;
+}
+
+SolutionText Solver::solve_certified(const Problem& problem) {
+  SolutionText text;
+  if (fits_double(problem.contact, wanted_.solution.at)) {
+    text = prove_in<double>(problem);
+    if (!text.reason.empty() || text.is_solved()) return text;
+  }
+  text = prove_in<numeric::Real50>(problem);
+  return text.is_solved() ? text : prove_in<numeric::Real100>(problem);
+}
+
 SolutionText Solver::solve(const Problem& problem) {
   if (takes_variational(wanted_.method, problem.contact)) return solve_on_cells(problem);
+  if (wanted_.certify) return solve_certified(problem);
   numeric::Digits digits = numeric::precision_for(wanted_.solution.digits);
   if (digits == numeric::Digits::sixteen) {
     if (fits_double(problem.contact, wanted_.solution.at)) {

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "app/results/certificate.hpp"
 #include "app/results/solution_text.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 
@@ -24,6 +25,7 @@ class Solver {
     Method method = Method::automatic;
     SolutionWanted solution;
     numeric::VariationalOptions variational;
+    bool certify = false;  ///< proof, and enclosed numbers
   };
 
   explicit Solver(Wanted wanted) : wanted_(std::move(wanted)) {}
@@ -32,15 +34,25 @@ class Solver {
   /// variational method knows double only.
   SolutionText solve(const Problem& problem);
 
+  /// What is proved of all loads between two, left to right (enclosure/loads/load_path.hpp).
+  std::vector<StretchText> between(const Problem& problem, const Rational& from, const Rational& to);
+  /// Of all stretches asked for so far, which were proved and follow each other.
+  std::string loads_certificate(const Problem& problem) const { return certificate(problem.contact, intervals_); }
+
  private:
   template <numeric::Real R>
   using Solution = std::shared_ptr<const numeric::ContactSolution<R>>;
 
   template <numeric::Real R>
   SolutionText solve_in(const Problem& problem);
+  /// From what double finds; where that cannot be proved, from what is found with 50 and with 100 digits.
+  SolutionText solve_certified(const Problem& problem);
+  template <numeric::Real R>
+  SolutionText prove_in(const Problem& problem);
   SolutionText solve_on_cells(const Problem& problem) const;
 
   Wanted wanted_;
+  std::vector<enclosure::LoadInterval> intervals_;
   std::tuple<Solution<double>, Solution<numeric::Real50>, Solution<numeric::Real100>> last_;
 };
 

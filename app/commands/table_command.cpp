@@ -19,17 +19,38 @@ constexpr std::size_t max_rows = 1000000;
 /// What a row says of the friction at one end of the contact.
 struct EndCells {
   Rational s;
-  std::string friction, alpha, edge, free;
+  std::string friction;
+  Cell alpha, edge, free;
 };
 
-std::vector<EndCells> end_cells(End end, const Rational& gamma, const std::vector<Rational>& friction, int digits) {
+/// An exponent as a text; where it is to be proved, with its error.
+struct ExponentCell {
+  int digits;
+  bool certify;
+
+  Cell operator()(const Exponent& exponent) const {
+    if (certify) return proved_exponent(exponent, digits);
+    return format_exponent(exponent, digits);
+  }
+};
+
+std::vector<EndCells> end_cells(End end, const Rational& gamma, const std::vector<Rational>& friction,
+                                const ExponentCell& cell) {
   std::vector<EndCells> cells;
   for (const Rational& f : friction) {
     const Rational s = gamma * f;
-    cells.push_back({s, format_number(f, digits), format_exponent(Exponent::angle(s), digits),
-                     format_exponent(edge_exponent(end, s), digits), format_exponent(free_exponent(end, s), digits)});
+    cells.push_back({s, format_number(f, cell.digits), cell(Exponent::angle(s)), cell(edge_exponent(end, s)),
+                     cell(free_exponent(end, s))});
   }
   return cells;
+}
+
+std::vector<Column> columns(bool certify) {
+  std::vector<Column> result{"nu", "f_rear", "f_front", "gamma"};
+  for (const char* name : {"alpha_rear", "alpha_front", "beta", "edge_rear", "edge_front", "free_rear", "free_front"}) {
+    result.emplace_back(name, certify ? Column::Holds::numbers : Column::Holds::words);
+  }
+  return result;
 }
 
 std::vector<Rational> friction_list(const Given& given, const std::string& option) {
@@ -55,7 +76,9 @@ std::vector<Rational> gammas(const std::vector<Rational>& poisson) {
 }
 
 ExitCode run(const Given& given) {
-  const auto [digits, format, file] = given.common(16, all_formats);
+  const bool certify = given.has("--certify");
+  const auto [digits, format, file] = given.common(16, all_formats, certify ? most_proved_digits : most_digits);
+  const ExponentCell cell{digits, certify};
   const std::vector<Rational> poisson = parse_list("--poisson", given.text("--poisson"), max_rows);
   const std::vector<Rational> gamma = gammas(poisson);
   const std::vector<Rational> rear = friction_list(given, "--rear");
@@ -66,19 +89,16 @@ ExitCode run(const Given& given) {
   }
 
   Output output(file);
-  Rows rows(format,
-            {"nu", "f_rear", "f_front", "gamma", "alpha_rear", "alpha_front", "beta", "edge_rear", "edge_front",
-             "free_rear", "free_front"},
-            output);
+  Rows rows(format, columns(certify), output);
   for (std::size_t i = 0; i < poisson.size(); ++i) {
     const std::string nu_text = format_number(poisson[i], digits);
     const std::string gamma_text = format_number(gamma[i], digits);
-    const std::vector<EndCells> in_front = end_cells(End::right, gamma[i], front, digits);
-    for (const EndCells& at_rear : end_cells(End::left, gamma[i], rear, digits)) {
+    const std::vector<EndCells> in_front = end_cells(End::right, gamma[i], front, cell);
+    for (const EndCells& at_rear : end_cells(End::left, gamma[i], rear, cell)) {
       for (const EndCells& at_front : in_front) {
         rows.row({nu_text, at_rear.friction, at_front.friction, gamma_text, at_rear.alpha, at_front.alpha,
-                  format_exponent(jump_exponent(at_rear.s, at_front.s), digits), at_rear.edge, at_front.edge,
-                  at_rear.free, at_front.free});
+                  cell(jump_exponent(at_rear.s, at_front.s)), at_rear.edge, at_front.edge, at_rear.free,
+                  at_front.free});
       }
     }
   }
@@ -95,8 +115,9 @@ Command table_command() {
   };
   return {"table", std::string(embedded::help_table),
           with_common({list("--poisson", "Poisson's ratios"), list("--rear", "Friction coefficients at the rear"),
-                       list("--front", "Friction coefficients at the front")},
-                      "Significant digits, 1 to 100; default 16", all_formats),
+                       list("--front", "Friction coefficients at the front"),
+                       certify_option("Exponents enclosed in ball arithmetic, with errors that are proved")},
+                      "Significant digits, 1 to 100, with --certify 1000; default 16", all_formats),
           run};
 }
 

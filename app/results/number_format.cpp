@@ -1,5 +1,6 @@
 #include "app/results/number_format.hpp"
 
+#include <fmt/format.h>
 #include <mpfr.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 #include "symbolic/field/exponent_expression.hpp"
 
@@ -40,14 +42,35 @@ Scientific scientific_text(double value, Precision... precision) {
 
 Scientific scientific(double value, int digits) { return scientific_text(value, digits - 1); }
 
-template <numeric::Real R>
-Scientific scientific(const R& value, int digits) {
-  std::array<char, 160> buffer;
+Scientific scientific(mpfr_srcptr value, int digits, mpfr_rnd_t rounding = MPFR_RNDN) {
+  std::vector<char> buffer(static_cast<std::size_t>(digits) + 8);
   mpfr_exp_t exponent = 0;
-  mpfr_get_str(buffer.data(), &exponent, 10, static_cast<std::size_t>(digits), value.backend().data(), MPFR_RNDN);
+  mpfr_get_str(buffer.data(), &exponent, 10, static_cast<std::size_t>(digits), value, rounding);
   const bool negative = buffer[0] == '-';
   return {negative, buffer.data() + (negative ? 1 : 0), exponent - 1};
 }
+
+template <numeric::Real R>
+Scientific scientific(const R& value, int digits) {
+  return scientific(value.backend().data(), digits);
+}
+
+/// The ball's midpoint, exactly.
+class Midpoint {
+ public:
+  explicit Midpoint(const enclosure::Ball& ball) {
+    mpfr_init2(value_, std::max<mpfr_prec_t>(MPFR_PREC_MIN, arf_bits(arb_midref(ball.get()))));
+    arf_get_mpfr(value_, arb_midref(ball.get()), MPFR_RNDN);
+  }
+  Midpoint(const Midpoint&) = delete;
+  Midpoint& operator=(const Midpoint&) = delete;
+  ~Midpoint() { mpfr_clear(value_); }
+
+  Scientific rounded(int digits, mpfr_rnd_t rounding = MPFR_RNDN) const { return scientific(value_, digits, rounding); }
+
+ private:
+  mpfr_t value_;
+};
 
 std::string lay_out(const Scientific& number, int digits) {
   std::string mantissa = number.digits;
@@ -65,6 +88,32 @@ std::string lay_out(const Scientific& number, int digits) {
   const auto whole = static_cast<std::size_t>(number.exponent + 1);
   if (length <= number.exponent + 1) return text + mantissa + std::string(whole - mantissa.size(), '0');
   return text + mantissa.substr(0, whole) + "." + mantissa.substr(whole);
+}
+
+enclosure::Ball ball_of(const Rational& value, int digits) { return {value, enclosure::bits_for(digits)}; }
+
+/// An upper bound of the distance between what the text says and every number in the ball.
+std::string distance_text(const std::string& text, const enclosure::Ball& ball) {
+  enclosure::Ball read(0, ball.bits());
+  arb_set_str(read.get(), text.c_str(), ball.bits() + 64);
+  return upper_text(abs(read - ball));
+}
+
+/// The most digits, up to so many, to which all numbers in the ball are rounded alike; 0 if there is none.
+int common_digits(const enclosure::Ball& ball, int digits) {
+  if (ball.contains_zero()) return ball.is_zero() ? digits : 0;
+  const enclosure::Ball low = ball.lower();
+  const enclosure::Ball high = ball.upper();
+  const Midpoint from(low);
+  const Midpoint to(high);
+  constexpr double digits_in_a_bit = 0.30103;
+  const double known = digits_in_a_bit * static_cast<double>(arb_rel_accuracy_bits(ball.get())) + 2;
+  for (int n = static_cast<int>(std::min<double>(digits, known)); n >= 1; --n) {
+    const Scientific a = from.rounded(n);
+    const Scientific b = to.rounded(n);
+    if (a.digits == b.digits && a.exponent == b.exponent) return n;
+  }
+  return 0;
 }
 
 /// The smallest p with error <= 10^p.
@@ -109,8 +158,34 @@ std::string full_number(const R& value, int digits) {
                                                                  : format_number(value, digits);
 }
 
-std::string full_number(const Rational& value, int digits) {
-  return full_number(numeric::to_real<numeric::Real100>(value), digits);
+std::string full_number(const Rational& value, int digits) { return number_text(ball_of(value, digits), digits).value; }
+
+std::string upper_text(const enclosure::Ball& ball, int digits) {
+  const enclosure::Ball upper = ball.upper();
+  return upper.is_zero() ? "0" : lay_out(Midpoint(upper).rounded(digits, MPFR_RNDU), digits);
+}
+
+NumberText number_text(const enclosure::Ball& ball, int digits) {
+  if (ball.is_infinity()) {
+    const std::string text = ball.is_positive() ? "inf" : "-inf";
+    return {text, text, "0"};
+  }
+  if (!ball.is_finite()) return {};
+  if (ball.is_zero()) return {"0", "0", "0"};
+  NumberText text;
+  const enclosure::Ball middle = ball.midpoint();
+  const double nearest = middle.to_double();
+  const bool as_double = digits == 16 && std::isnormal(nearest);
+  if (as_double) {
+    text.value = full_number(nearest, digits);
+  } else {
+    text.value = middle.is_zero() ? "0" : lay_out(Midpoint(middle).rounded(digits), digits);
+  }
+  text.error = distance_text(text.value, ball);
+  const int common = common_digits(ball, digits);
+  text.shown =
+      common > 0 ? lay_out(Midpoint(middle).rounded(common), digits) : fmt::format("{} +/- {}", text.value, text.error);
+  return text;
 }
 
 template <numeric::Real R>
@@ -131,7 +206,8 @@ std::string size_text(const R& value, int digits) {
 }
 
 std::string format_number(const Rational& value, int digits) {
-  return format_number(numeric::to_real<numeric::Real100>(value), digits);
+  if (value == 0) return "0";
+  return lay_out(Midpoint(ball_of(value, digits)).rounded(digits), digits);
 }
 
 std::string exact_text(const Rational& value) {
@@ -155,9 +231,13 @@ std::string exact_text(const Rational& value) {
 }
 
 std::string format_exponent(const Exponent& exponent, int digits) {
-  // Both types hold more digits than they serve.
-  return digits <= 50 ? format_number(numeric::to_real<numeric::Real50>(exponent), digits)
-                      : format_number(numeric::to_real<numeric::Real100>(exponent), digits);
+  const enclosure::Ball ball(exponent, enclosure::bits_for(digits));
+  return ball.is_zero() ? "0" : lay_out(Midpoint(ball).rounded(digits), digits);
+}
+
+NumberText proved_exponent(const std::optional<Exponent>& exponent, int digits) {
+  if (!exponent) return {"log", "log", ""};
+  return number_text(enclosure::Ball(*exponent, enclosure::bits_for(digits)), digits);
 }
 
 ExponentText exponent_text(const std::optional<Exponent>& exponent, int digits) {

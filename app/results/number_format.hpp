@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "enclosure/number/ball.hpp"
 #include "model/exponent.hpp"
 #include "numeric/number/estimate.hpp"
 
@@ -32,6 +33,12 @@ struct NumberText {
   std::string error;  ///< estimated, absolute, two digits; 0 for an infinite limit
 };
 
+/// A proved number: every number in the ball, rounded to as many digits, is the text shown; where there is no such digit
+/// "value +/- error". The error is a bound on the distance of the value's text from every number in the ball.
+NumberText number_text(const enclosure::Ball& ball, int digits);
+/// A bound: no number in the ball exceeds it.
+std::string upper_text(const enclosure::Ball& ball, int digits = 2);
+
 template <numeric::Real R>
 NumberText number_text(const numeric::Estimate<R>& estimate, int digits);
 
@@ -39,7 +46,7 @@ NumberText number_text(const numeric::Estimate<R>& estimate, int digits);
 template <numeric::Real R>
 std::string size_text(const R& value, int digits);
 
-/// The exact value rounded to `digits` <= 100.
+/// The exact value rounded to `digits`.
 std::string format_number(const Rational& value, int digits);
 
 /// Exactly the value, in a form that parse_rational reads back: "-0.25", "1/3", "1e-400".
@@ -57,5 +64,7 @@ ExponentText exponent_text(const std::optional<Exponent>& exponent, int digits);
 
 /// The value alone.
 std::string format_exponent(const Exponent& exponent, int digits);
+/// Enclosed; "log" where there is none.
+NumberText proved_exponent(const std::optional<Exponent>& exponent, int digits);
 
 }  // namespace steadyslide::app

@@ -54,6 +54,28 @@ struct NamedSize {
 /// What theorem 1 of the paper says of a solution where Uniqueness::proved.
 inline constexpr const char* unique_by_theorem = "unique by theorem 1 of [Bal16]";
 
+/// What was proved of a solution, where that was asked for.
+struct ProofText {
+  bool proved = false;
+  std::string reason;  ///< why not, and where: x, if it is about a place
+  std::string x;
+  long bits = 0;              ///< of the balls
+  std::size_t intervals = 0;  ///< on which signs were decided
+  std::string certificate;    ///< of a proved solution, docs/certificate.md
+
+  /// "reason; x = ..."
+  std::string why_not() const { return x.empty() ? reason : reason + "; x = " + x; }
+};
+
+/// What was proved of pressures on cells, where that was asked for (enclosure/cells/cell_bound.hpp).
+struct BoundText {
+  bool proved = false;
+  std::string reason;  ///< why not
+  std::size_t cells = 0;
+  std::string energy;       ///< of the error, in parts of P^2: an upper bound
+  std::string largest_gap;  ///< under pressure, in units of c P
+};
+
 struct SolutionText {
   std::string method;
   int digits = 0;
@@ -63,15 +85,28 @@ struct SolutionText {
   std::optional<NumberText> tilt;  ///< absent unless the indenter may tilt
   std::vector<NumberText> load_share;
   std::vector<SampleText> samples;
-  std::vector<NamedSize> errors;  ///< estimated, relative
+  std::vector<NamedSize> errors;  ///< estimated, relative; proved where the solution is
   std::vector<NamedSize> residuals;
   Uniqueness uniqueness;
   std::string reason;            ///< not empty: the method does not apply, and nothing else is here
   std::string failed_condition;  ///< not empty: not a solution, and why
   std::vector<std::string> warnings;
-  bool in_range = true;  ///< false: some value is no number, or near the end of the range of its type
+  bool in_range = true;            ///< false: some value is no number, or near the end of the range of its type
+  std::optional<ProofText> proof;  ///< absent: not asked for
+  std::optional<BoundText> bound;  ///< the same, on cells
 
   bool is_solved() const { return reason.empty() && failed_condition.empty(); }
+};
+
+/// What is proved of the loads between two that follow each other.
+struct StretchText {
+  std::string from;
+  std::string to;
+  std::string status;  ///< proved, event or open
+  std::string words;   ///< what happens, or why nothing is proved
+
+  bool is_proved() const { return status == "proved"; }
+  bool is_open() const { return status == "open"; }
 };
 
 /// What of a solution is told, and what makes it one.

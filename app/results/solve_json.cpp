@@ -115,6 +115,16 @@ Json sizes_json(const std::vector<NamedSize>& sizes) {
   return json;
 }
 
+Json proof_json(const ProofText& proof) {
+  if (proof.proved) return {{"status", "proved"}, {"bits", proof.bits}, {"intervals", proof.intervals}};
+  return {{"status", "not_proved"}, {"reason", proof.reason}, {"x", number(proof.x)}};
+}
+
+Json bound_json(const BoundText& bound) {
+  if (!bound.proved) return {{"status", "not_proved"}, {"reason", bound.reason}};
+  return {{"status", "proved"}, {"cells", bound.cells}, {"energy", bound.energy}, {"largest_gap", bound.largest_gap}};
+}
+
 Json solution_json(const SolutionText& solution) {
   Json json;
   json["method"] = solution.method;
@@ -127,6 +137,8 @@ Json solution_json(const SolutionText& solution) {
   json["samples"] = array(solution.samples, sample_json);
   json["estimated_error"] = sizes_json(solution.errors);
   json["residuals"] = sizes_json(solution.residuals);
+  if (solution.proof) json["proof"] = proof_json(*solution.proof);
+  if (solution.bound) json["bound"] = bound_json(*solution.bound);
   return json;
 }
 

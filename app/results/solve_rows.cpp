@@ -59,13 +59,21 @@ void write_csv(const SearchText& search, Output& output) {
   rows.end();
 }
 
-void write_load_steps(Format format, const std::vector<LoadStep>& steps, Output& output) {
+void write_load_steps(Format format, const std::vector<LoadStep>& steps, bool certify, Output& output) {
   std::vector<Column> last{"shortcoming"};
   if (format == Format::json) last.push_back({"warnings"});
+  if (certify) last.insert(last.end(), {{"until_load"}, {"status"}, {"event"}});
   Rows rows(format, joined({"load", "component"}, component_columns, last), output);
-  for (const auto& [load, solution] : steps) {
+  for (const auto& [load, solution, until] : steps) {
+    for (const StretchText& stretch : until) {
+      std::vector<Cell> told{stretch.is_open() ? stretch.words : ""};
+      if (format == Format::json) told.emplace_back(std::vector<std::string>());
+      told.insert(told.end(), {stretch.to, stretch.status, stretch.is_open() ? "" : stretch.words});
+      rows.row(joined({stretch.from, ""}, component_cells({}, {}), told));
+    }
     std::vector<Cell> notes{solution.reason.empty() ? solution.failed_condition : solution.reason};
     if (format == Format::json) notes.emplace_back(solution.warnings);
+    if (certify) notes.insert(notes.end(), {"", solution.is_solved() ? "proved" : "open", ""});
     int component = 0;
     for (const Ends& ends : solution.contact) {
       rows.row(joined({load, std::to_string(++component)}, component_cells(solution, ends), notes));

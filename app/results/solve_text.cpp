@@ -106,6 +106,28 @@ void write_found(const SolutionText& solution, Output& output) {
 
 }  // namespace
 
+namespace {
+
+void write_proof(const ProofText& proof, Output& output) {
+  output.write(
+      proof.proved
+          ? fmt::format("\nproved: there is a solution with this contact, and every number printed is one of its\n"
+                        "own to the last digit (balls of {} bits, signs decided on {} intervals)\n",
+                        proof.bits, proof.intervals)
+          : fmt::format("\nnot proved: {}\n", proof.why_not()));
+}
+
+void write_bound(const BoundText& bound, Output& output) {
+  output.write(
+      bound.proved
+          ? fmt::format("\nproved: load shares, friction and tangential force lie within the errors printed beside\n"
+                        "them (energy of the error at most {} P^2, gap under pressure at most {} c P)\n",
+                        bound.energy, bound.largest_gap)
+          : fmt::format("\nnot proved: {}\n", bound.reason));
+}
+
+}  // namespace
+
 void write_text(const Problem& problem, const SolutionText& solution, Output& output) {
   write_problem(problem.contact, output);
   output.write(fmt::format("method {}, {} digits\n\ncontact\n", solution.method, solution.digits));
@@ -113,8 +135,11 @@ void write_text(const Problem& problem, const SolutionText& solution, Output& ou
   write_singular_points(solution, output);
   write_resultants(problem, solution, output);
   write_samples(solution, output);
-  write_sizes("estimated relative errors", solution.errors, output);
+  const bool proved = solution.proof && solution.proof->proved;
+  write_sizes(proved ? "relative errors, proved" : "estimated relative errors", solution.errors, output);
   write_sizes("relative residuals, by an unrelated rule", solution.residuals, output);
+  if (solution.proof) write_proof(*solution.proof, output);
+  if (solution.bound) write_bound(*solution.bound, output);
   write_uniqueness(solution, output);
 }
 

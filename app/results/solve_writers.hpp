@@ -12,6 +12,7 @@ namespace steadyslide::app {
 struct LoadStep {
   std::string load;
   SolutionText solution;
+  std::vector<StretchText> until;  ///< of the loads between the step before and this one, where that is to be proved
 };
 
 /// One of the solutions that a search has met.
@@ -46,7 +47,8 @@ void write_csv(const SolutionText& solution, Output& output);
 /// One row for each solution and contact component.
 void write_csv(const SearchText& search, Output& output);
 
-/// One row for each load and contact component; without a contact, one row for the load.
-void write_load_steps(Format format, const std::vector<LoadStep>& steps, Output& output);
+/// One row for each load and contact component; without a contact, one row for the load. Where it is to be proved, one row
+/// for each stretch between two loads as well.
+void write_load_steps(Format format, const std::vector<LoadStep>& steps, bool certify, Output& output);
 
 }  // namespace steadyslide::app

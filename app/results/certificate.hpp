@@ -1,0 +1,16 @@
+#pragma once
+// The certificate of a proved solution: all that is needed to prove it again (docs/certificate.md).
+
+#include <string>
+
+#include "enclosure/loads/load_interval.hpp"
+
+namespace steadyslide::app {
+
+/// JSON. `proof` is one: proved, to so many digits.
+std::string certificate(const ContactProblem& problem, const enclosure::ContactProof& proof, int digits);
+
+/// The same for all loads of intervals that follow each other.
+std::string certificate(const ContactProblem& problem, const std::vector<enclosure::LoadInterval>& intervals);
+
+}  // namespace steadyslide::app

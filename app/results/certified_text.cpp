@@ -1,0 +1,166 @@
+#include "app/results/certified_text.hpp"
+
+#include "app/results/certificate.hpp"
+#include "enclosure/contact/enclosed_solution.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+using enclosure::Ball;
+using enclosure::EnclosedSolution;
+
+/// The friction that acts beside x, on this side: f t = shear.
+Rational shear_ratio(const ContactProblem& problem, const Rational& x, Side side) {
+  std::size_t k = 0;
+  for (const Rational& jump : problem.friction().jumps()) {
+    if (side == Side::left ? jump < x : jump <= x) ++k;
+  }
+  return problem.shear_ratio(k);
+}
+
+/// The largest relative radius among numbers that are not 0.
+Ball relative_radius(const std::vector<Ball>& balls) {
+  Ball largest(0);
+  for (const Ball& ball : balls) {
+    if (!ball.is_zero()) largest = max(largest, ball.radius() / abs(ball));
+  }
+  return largest.upper();
+}
+
+class CertifiedWriter {
+ public:
+  CertifiedWriter(SolutionText& text, const Problem& problem, const enclosure::ContactProof& proof, int digits)
+      : text_(text), problem_(problem.contact), solution_(problem.contact, proof), digits_(digits) {}
+
+  void write(const std::vector<Rational>& places) {
+    std::vector<Ball> ends;
+    std::vector<Ball> intensities;
+    text_.contact.clear();
+    for (const auto& [left, right] : solution_.contact()) {
+      text_.contact.emplace_back(end(left), end(right));
+      ends.insert(ends.end(), {left.x, right.x});
+      intensities.insert(intensities.end(), {left.intensity, right.intensity});
+    }
+    const Ball length = ends.back() - ends.front();
+    for (Ball& x : ends) x = length + (x - x.midpoint());  // relative to the contact's length
+
+    text_.singular_points.clear();
+    for (const EnclosedSolution::Point& point : solution_.singular_points()) {
+      text_.singular_points.push_back({number(point.x), std::string(name_of(point.kind)),
+                                       exponent_text(point.exponent, digits_), number(point.intensity),
+                                       number(point.constant)});
+      intensities.push_back(point.intensity);
+    }
+
+    const EnclosedSolution::Resultants resultants = solution_.resultants();
+    text_.normal = number(resultants.normal);
+    text_.tangential = number(resultants.tangential);
+    text_.centre_of_pressure = number(resultants.centre_of_pressure);
+    text_.effective_friction = number(resultants.effective_friction);
+    text_.load_share.clear();
+    for (const Ball& share : resultants.load_share) text_.load_share.push_back(number(share));
+    if (const std::optional<Ball> tilt = solution_.tilt()) text_.tilt = number(*tilt);
+
+    text_.samples.clear();
+    for (const Rational& x : places) text_.samples.push_back(sample(x));
+    text_.errors = {{"ends", upper_text(relative_radius(ends))},
+                    {"traction", upper_text(relative_radius(intensities))},
+                    {"resultants", upper_text(relative_radius(resultants.load_share))}};
+  }
+
+ private:
+  NumberText number(const Ball& ball) const { return number_text(ball, digits_); }
+
+  EndText end(const EnclosedSolution::End& end) const {
+    return {number(end.x), std::string(name_of(end.kind)), format_exponent(end.exponent, digits_),
+            number(end.intensity)};
+  }
+
+  /// One number where the limits may be the same, and where one of them is infinite: as limit_text has it.
+  LimitText limits(const EnclosedSolution::TwoSided& limits, const EnclosedSolution::TwoSided& traction) const {
+    const auto& [left, right] = limits;
+    const auto alone = [](const Ball& t, const Ball& value) { return t.is_infinity() && !value.is_infinity(); };
+    const bool opposite = left.is_infinity() && right.is_infinity() && left.is_negative() != right.is_negative();
+    if (left.is_infinity() || right.is_infinity()) {
+      if (opposite || alone(traction.left, left) || alone(traction.right, right)) return {number(left), number(right)};
+      const NumberText infinite = number(left.is_infinity() ? left : right);
+      return {infinite, infinite};
+    }
+    if (!left.overlaps(right)) return {number(left), number(right)};
+    const NumberText both = number(Ball::hull(left, right));
+    return {both, both};
+  }
+
+  SampleText sample(const Rational& x) const {
+    const EnclosedSolution::TwoSided traction = solution_.traction(x);
+    const auto shear = [&](const Ball& t, Side side) {
+      const Rational ratio = shear_ratio(problem_, x, side);
+      if (ratio == 0) return Ball(0, t.bits());  // under an infinite pressure, too
+      return t.is_infinity() ? Ball::infinity(-sign(ratio), t.bits()) : Ball(ratio, t.bits()) * t;
+    };
+    const std::optional<Ball> gap = solution_.gap(x);
+    const EnclosedSolution::TwoSided slope = solution_.slope(x);
+    return {full_number(x, digits_), limits(traction, traction),
+            limits({shear(traction.left, Side::left), shear(traction.right, Side::right)}, traction),
+            gap ? number(*gap) : NumberText{}, limits(slope, slope)};
+  }
+
+  SolutionText& text_;
+  const ContactProblem& problem_;
+  EnclosedSolution solution_;
+  int digits_;
+};
+
+}  // namespace
+
+void certify(SolutionText& text, const Problem& problem, const enclosure::ContactProof& proof,
+             const SolutionWanted& wanted) {
+  ProofText told{proof.proved, proof.reason, {}, proof.bits, proof.intervals, {}};
+  if (proof.where) told.x = format_number(*proof.where, 6);
+  if (!proof.proved) {
+    if (text.failed_condition.empty()) text.failed_condition = "not proved: " + told.why_not();
+    text.proof = std::move(told);
+    return;
+  }
+  std::vector<Rational> places = wanted.at;
+  for (std::size_t i = places.size(); i < text.samples.size(); ++i) {
+    places.push_back(parse_rational(text.samples[i].x));
+  }
+  text.digits = wanted.digits;
+  CertifiedWriter(text, problem, proof, wanted.digits).write(places);
+  told.certificate = certificate(problem.contact, proof, wanted.digits);
+  text.proof = std::move(told);
+  // What the approximation could not vouch for is proved.
+  text.failed_condition.clear();
+  text.in_range = true;
+}
+
+void add_bound(SolutionText& text, const Problem& problem, const enclosure::CellBound& bound) {
+  BoundText told{bound.proved, bound.reason, bound.cells, {}, {}};
+  if (bound.proved) {
+    // A bound's digits are few: the error is told with the value.
+    const auto told_with_error = [](const Ball& ball) {
+      constexpr int digits = 6;
+      NumberText number = number_text(ball, digits);
+      number.shown = number.value + " +/- " + number.error;
+      return number;
+    };
+    told.energy = upper_text(bound.energy);
+    told.largest_gap = upper_text(bound.largest_gap);
+    text.load_share.clear();
+    for (const Ball& share : bound.load_share) text.load_share.push_back(told_with_error(share));
+    text.effective_friction = told_with_error(bound.effective_friction);
+    text.tangential = told_with_error(bound.effective_friction * Ball(problem.contact.load(), 64));
+  } else if (text.failed_condition.empty()) {
+    text.failed_condition = "not proved: " + bound.reason;
+  }
+  text.bound = std::move(told);
+}
+
+StretchText stretch_text(const enclosure::LoadStretch& stretch, int digits) {
+  using Kind = enclosure::LoadStretch::Kind;
+  const char* status = stretch.kind == Kind::proved ? "proved" : stretch.kind == Kind::event ? "event" : "open";
+  return {full_number(stretch.from, digits), full_number(stretch.to, digits), status, stretch.words};
+}
+
+}  // namespace steadyslide::app

@@ -1,0 +1,147 @@
+// solve --certify: proofs, enclosed numbers and their digits, certificates, and what is not proved.
+
+#include "app/json_answers.hpp"
+
+namespace {
+
+const std::string notch = problem_text("notch_below_threshold");
+
+/// Every number with an error beside it: is the other answer's number within both errors? How many are there?
+int check_enclosed(const Json& proved, const Json& other) {
+  int count = 0;
+  if (proved.is_array()) {
+    REQUIRE(proved.size() == other.size());
+    for (std::size_t k = 0; k < proved.size(); ++k) count += check_enclosed(proved[k], other[k]);
+    return count;
+  }
+  if (!proved.is_object()) return count;
+  for (const auto& item : proved.items()) {
+    count += check_enclosed(item.value(), other[item.key()]);
+    if (!item.value().is_string() || !proved.contains(item.key() + "_error")) continue;
+    CAPTURE(item.key() + " = " + item.value().dump() + ", " + other[item.key()].dump());
+    const std::string text = item.value().get<std::string>();
+    ++count;
+    if (holds(text, "inf")) {
+      CHECK(other[item.key()] == text);
+      continue;
+    }
+    const Rational error = number(proved[item.key() + "_error"]);
+    CHECK(error >= 0);
+    CHECK(abs(number(item.value()) - number(other[item.key()])) <= error + number(other[item.key() + "_error"]));
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a proved solution's numbers enclose those of other digits and of the solver") {
+  for (const char* name : {"coated_punch", "parabola"}) {
+    CAPTURE(name);
+    const std::string problem = problem_text(name);
+    const Arguments places{"--at=-2,-1,-0.5,0,0.3,1,2"};
+    const Json proved = solve(problem, joined(places, {"--certify", "--digits", "40"}));
+    CHECK(proved["proof"]["status"] == "proved");
+    CHECK(proved["digits"] == 40);
+    const Json more = solve(problem, joined(places, {"--certify", "--digits", "150"}));
+    const Json solver = solve(problem, joined(places, {"--digits", "40"}));
+    for (const char* part : {"contact", "singular_points", "resultants", "samples"}) {
+      CHECK(check_enclosed(proved[part], more[part]) >= 4);
+      CHECK(check_enclosed(proved[part], solver[part]) >= 4);
+    }
+    CHECK(number(more["resultants"]["effective_friction_error"]) < 1e-145_r);
+  }
+}
+
+TEST_CASE("digits shown are proved ones; a number that has none is shown with its error") {
+  const std::string text = output(problem_text("coated_punch"), {"--certify", "--digits", "60"});
+  check_holds(text, {"\nproved: ", "relative errors, proved", "unique by theorem 1 of [Bal16]"});
+  // The same digits with more of them.
+  const std::string more = output(problem_text("coated_punch"), {"--certify", "--digits", "90"});
+  const auto friction = [](const std::string& answer) {
+    const std::size_t at = answer.find("0.", answer.find("effective friction"));
+    return answer.substr(at, answer.find('\n', at) - at);
+  };
+  CHECK(friction(text).size() == 62);
+  CHECK(friction(more).substr(0, 59) == friction(text).substr(0, 59));
+}
+
+TEST_CASE("a notch below its threshold: the gap of 1e-93 is proved, and has a certificate") {
+  const TemporaryFolder folder;
+  const Finished finished =
+      run_program({"solve", "-", "--certificate", "gap.json", "--format", "json"}, folder.path(), notch);
+  CHECK(finished.code == 0);
+  CHECK(finished.err == "");
+  const Json proved = Json::parse(finished.out);
+  REQUIRE(proved["contact"].size() == 2);
+  CHECK(number(proved["contact"][1]["left"]["x"]) > 0);
+  CHECK(number(proved["contact"][1]["left"]["x"]) < 1e-3_r);
+  const Json certificate = Json::parse(folder.read("gap.json"));
+  CHECK(certificate["certificate"] == 1);
+  CHECK(certificate["kind"] == "solution");
+  CHECK(certificate["points"].size() == certificate["segments"].size() + 1);
+  CHECK(certificate["claims"] == Json::parse(R"({"exists": true, "unique_by_theorem_1": true})"));
+}
+
+TEST_CASE("what is not proved is printed as the solver has it, with the reason, exit code 1 and no certificate") {
+  const TemporaryFolder folder;
+  // Under this load the wedge's left flank just ends: an exact threshold.
+  const Finished finished =
+      run_program({"solve", "-", "--certificate", "none.json"}, folder.path(), problem_text("edge_without_pressure"));
+  CHECK(finished.code == 1);
+  CHECK(holds(finished.out, "\nnot proved: "));
+  CHECK(holds(finished.err, ": not proved: "));
+  CHECK(folder.names().empty());
+}
+
+TEST_CASE("loads are proved, and all loads between them") {
+  const Json rows = Json::parse(
+      output(problem_text("parabola"), {"--load-steps", "0.5,1,2", "--certify", "--format", "json", "--digits", "30"}));
+  std::string statuses;
+  for (const Json& row : rows) {
+    CHECK(row["shortcoming"].is_null());
+    statuses += row["load"].get<std::string>() + (row["until_load"].is_null() ? " " : "-");
+    CHECK(row["status"] == "proved");
+    if (row["until_load"].is_null()) CHECK(number(row["effective_friction_error"]) < 1e-29_r);
+  }
+  CHECK(statuses == "0.5 0.5-1 1-2 ");
+}
+
+TEST_CASE("on cells load shares are enclosed, and the other method's lie there; where s falls nothing is proved") {
+  const Json proved = solve(problem_text("parabola"), {"--method", "variational", "--cells", "1024", "--certify"});
+  const Json exact = solve(problem_text("parabola"));
+  CHECK(proved["bound"]["status"] == "proved");
+  CHECK(check_enclosed(proved["resultants"], exact["resultants"]) >= 4);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Rational error = number(proved["resultants"]["load_share_error"][k]);
+    CHECK(abs(number(proved["resultants"]["load_share"][k]) - number(exact["resultants"]["load_share"][k])) <= error);
+    CHECK(error < 0.02_r);
+  }
+  const Finished falling = run(problem_text("parabola_rough_rear"), {"--method", "variational", "--certify"});
+  CHECK(falling.code == 1);
+  CHECK(holds(falling.out, "\nnot proved: "));
+}
+
+TEST_CASE("a certificate for all loads between two: boxes that follow each other; none over an event") {
+  const TemporaryFolder folder;
+  const Finished finished = run_program({"solve", "-", "--load-steps", "0.5,1", "--certificate", "loads.json"},
+                                        folder.path(), problem_text("parabola"));
+  CHECK(finished.err == "");
+  CHECK(finished.code == 0);
+  const Json certificate = Json::parse(folder.read("loads.json"));
+  CHECK(certificate["kind"] == "loads");
+  CHECK(certificate["problem"]["loads"] == Json::parse(R"(["0.5", "1"])"));
+  Json last = "0.5";
+  for (const Json& box : certificate["boxes"]) {
+    CHECK(box["loads"][0] == last);
+    last = box["loads"][1];
+  }
+  CHECK(last == "1");
+  // In between the contact's end passes the jump: at the load 0.557387094, by bisection of its end in 50 digits.
+  const std::string passing = replaced(problem_text("parabola"), "jumps = [0]", "jumps = [0.25]");
+  const Finished event =
+      run_program({"solve", "-", "--load-steps", "0.5,2", "--certificate", "none.json"}, folder.path(), passing);
+  CHECK(event.code == 1);
+  CHECK(holds(event.err, "0.557387"));
+  CHECK(holds(event.err, "the right end of contact passes the friction jump at x = 0.25"));
+  CHECK(folder.names() == std::vector<std::string>{"loads.json"});
+}
