@@ -171,7 +171,7 @@ ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
     if (certificate) certificate->commit();
     return ExitCode::done;
   }
-  const char* what = solution.proof ? "" : "the solve did not converge: ";
+  const char* what = solution.proof || solution.bound ? "" : "the solve did not converge: ";
   throw Failure(ExitCode::refuted,
                 fmt::format("{}: {}{}; what was reached is printed", problem.file, what, solution.failed_condition));
 }

@@ -132,6 +132,7 @@ void certify(SolutionText& text, const Problem& problem, const enclosure::Contac
   text.proof = std::move(told);
   // What the approximation could not vouch for is proved.
   text.failed_condition.clear();
+  std::erase_if(text.warnings, [](const std::string& line) { return line.find(estimated_error_warning) != line.npos; });
   text.in_range = true;
 }
 

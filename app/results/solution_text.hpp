@@ -72,7 +72,7 @@ struct BoundText {
   bool proved = false;
   std::string reason;  ///< why not
   std::size_t cells = 0;
-  std::string energy;       ///< of the error, in parts of P^2: an upper bound
+  std::string energy;       ///< of the error, in units of c P^2: an upper bound
   std::string largest_gap;  ///< under pressure, in units of c P
 };
 
@@ -128,6 +128,9 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
 template <numeric::Real R>
 LimitText limit_text(const numeric::TwoSided<R>& limits, const numeric::TwoSided<R>& traction, int digits,
                      bool apart = false);
+
+/// What a warning of an estimated error says.
+inline constexpr const char* estimated_error_warning = "large estimated error";
 
 /// Of estimated errors, relative as in numeric::EstimatedError. Above the first a warning, above the second no
 /// solution.

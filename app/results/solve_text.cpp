@@ -108,22 +108,24 @@ void write_found(const SolutionText& solution, Output& output) {
 
 namespace {
 
+void write_unproved(const std::string& why_not, Output& output) {
+  output.write(fmt::format("\nnot proved: {}\n", why_not));
+}
+
 void write_proof(const ProofText& proof, Output& output) {
+  if (!proof.proved) return write_unproved(proof.why_not(), output);
   output.write(
-      proof.proved
-          ? fmt::format("\nproved: there is a solution with this contact, and every number printed is one of its\n"
-                        "own to the last digit (balls of {} bits, signs decided on {} intervals)\n",
-                        proof.bits, proof.intervals)
-          : fmt::format("\nnot proved: {}\n", proof.why_not()));
+      fmt::format("\nproved: there is a solution with this contact; all numbers above but the residuals are its own,\n"
+                  "to the last digit (balls of {} bits, signs decided on {} intervals)\n",
+                  proof.bits, proof.intervals));
 }
 
 void write_bound(const BoundText& bound, Output& output) {
+  if (!bound.proved) return write_unproved(bound.reason, output);
   output.write(
-      bound.proved
-          ? fmt::format("\nproved: load shares, friction and tangential force lie within the errors printed beside\n"
-                        "them (energy of the error at most {} P^2, gap under pressure at most {} c P)\n",
-                        bound.energy, bound.largest_gap)
-          : fmt::format("\nnot proved: {}\n", bound.reason));
+      fmt::format("\nproved: load shares, friction and tangential force lie within the errors printed beside\n"
+                  "them (energy of the error at most {} c P^2, gap under pressure at most {} c P)\n",
+                  bound.energy, bound.largest_gap));
 }
 
 }  // namespace

@@ -70,8 +70,8 @@ std::vector<std::string> warnings(const Problem& problem, const numeric::Contact
   for (const NamedError& error : named(solution.estimated_error())) {
     const bool fine = error.value <= large_error;  // no number is not
     if (fine) continue;
-    result.push_back(fmt::format("{}: large estimated error; more than {} of {}; {}", error.name, percent(large_error),
-                                 error.of, percent(error.value)));
+    result.push_back(fmt::format("{}: {}; more than {} of {}; {}", error.name, estimated_error_warning,
+                                 percent(large_error), error.of, percent(error.value)));
   }
   if (!problem.measured) return result;
   const std::vector<ContactComponent<R>> contact = solution.contact();
