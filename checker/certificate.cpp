@@ -9,7 +9,7 @@
 namespace steadyslide::checker {
 namespace {
 
-using Contact = Point::Contact;
+using Kind = Point::Contact;
 
 Ball read_ball(const Reader& at, int bits) {
   const Ball ball = Ball::parse(at.string(), bits);
@@ -32,7 +32,7 @@ Point read_point(const Reader& at, int bits, std::vector<Ball>& log_offsets) {
     at.check_keys({"anchor", "contact"}, {"free"});
   }
   point.anchor = static_cast<std::size_t>(at["anchor"].integer(0, 1000000));
-  constexpr std::array contacts{Contact::interior, Contact::outside, Contact::begins, Contact::ends};
+  constexpr std::array contacts{Kind::interior, Kind::outside, Kind::begins, Kind::ends};
   point.contact = contacts.at(at["contact"].choice({"interior", "outside", "begins", "ends"}));
   if (point.is_free() && !point.is_end()) at["contact"].fail("no end", "a point beside an anchor is an end of contact");
   if ((at.has("free") && at["free"].boolean()) != point.is_free()) {
@@ -60,12 +60,12 @@ Layout read_layout(const Reader& at, const ReducedProblem& problem, int bits, st
     if (j + 1 < points.size()) layout.intervals.push_back(next - 1);
     const bool left = j > 0 && layout.in_contact[j - 1];
     const bool right = j + 1 < points.size() && layout.in_contact[j];
-    const Contact expected =
-        left ? (right ? Contact::interior : Contact::ends) : (right ? Contact::begins : Contact::outside);
+    const Kind expected =
+        left ? (right ? Kind::interior : Kind::ends) : (right ? Kind::begins : Kind::outside);
     if (contact != expected) points[j].fail("contact against segments", "they say where it begins and ends alike");
   }
   if (next != problem.anchors.size()) at["points"].fail("missing anchor", "every anchor of the problem stands once");
-  if (layout.all(Contact::begins).empty()) at["segments"].fail("no contact", "the load needs some");
+  if (layout.all(Kind::begins).empty()) at["segments"].fail("no contact", "the load needs some");
   return layout;
 }
 
@@ -120,7 +120,7 @@ std::vector<std::size_t> Layout::free_ends() const {
 }
 
 int Layout::degree_at_infinity() const {
-  return static_cast<int>(free_ends().size()) - static_cast<int>(all(Contact::begins).size());
+  return static_cast<int>(free_ends().size()) - static_cast<int>(all(Kind::begins).size());
 }
 
 std::vector<Ball> Unknowns::list() const {

@@ -262,10 +262,12 @@ class Prover {
     const Ball change = f * weight + direction_ * half.slope_difference(k_, u, v);
     const Ball after = (gap_ + change).lower();
     const Ball lowest = gap_ - weight * positive_part((-f).upper()) - (v - u) * positive_part((-h).upper());
-    // From 0 the gap opens where it grows; elsewhere it stays above `lowest`, and a crude `after` is not worth keeping.
+    // From 0 the gap opens where it grows; elsewhere it stays above `lowest`. What it loses by wide balls on an octave of
+    // distances is a small part of it, the smaller the more bits.
     const bool opens = gap_.is_zero() && u.is_zero() && outwards && own == k_ && f.is_positive();
-    const bool sharp = (gap_ + change.middle().size() - Ball(32) * change.radius()).is_positive();
-    if ((opens || (lowest.is_positive() && sharp)) && after.is_positive()) {
+    const Ball lost = Ball(static_cast<int>(form_.bits() * form_.bits() / 200)) * v / (v - u) * change.radius();
+    const bool sharp = (gap_ + change.middle().size() - lost).is_positive();
+    if ((opens || lowest.is_positive()) && sharp && after.is_positive()) {
       gap_ = after;
       return;
     }

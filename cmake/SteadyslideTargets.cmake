@@ -3,6 +3,7 @@
 # steadyslide_library(<layer> SOURCES ... [PUBLIC libs...] [PRIVATE libs...])
 # steadyslide_executable(<name> SOURCES ... LIBRARIES ...)
 # steadyslide_compile_quickly(<target>)
+# steadyslide_compile_apart(<target>)
 # steadyslide_precompile(<target> HEADERS ...), steadyslide_precompile(<target> LIKE <other target>)
 # Every target of the project is made here, so that warnings and sanitizers are said once and reach no consumer.
 
@@ -10,6 +11,9 @@ include(GNUInstallDirs)
 
 function(steadyslide_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
+  # Several sources in one translation unit: what they instantiate alike is compiled once, which halves the time. Names in
+  # unnamed namespaces then meet those of the target's other sources: one name for one thing.
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${STEADYSLIDE_UNITY_BUILD})
   if(STEADYSLIDE_WARNINGS)
     # -Wrestrict of g++ 12 fires on every std::string assignment (GCC bug 105651).
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wno-restrict)
@@ -29,15 +33,19 @@ function(steadyslide_compile_options target)
   endif()
 endfunction()
 
-# Boost.Multiprecision alone takes two seconds a file to read. Precompiled are headers of other projects and never our own,
-# so that a header of ours that is not included is missed at once; one of theirs that is not included is missed in the
-# sanitize build and by clang-tidy, which both read every file by itself. LIKE takes the headers that another target has
-# precompiled; both have to be compiled alike.
 # Code that is compiled more often than it runs: the time goes into the numeric layer's loops, which it calls.
 function(steadyslide_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
+# Suites whose sources use names of several layers, each its own.
+function(steadyslide_compile_apart target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
+endfunction()
+
+# Boost.Multiprecision alone takes two seconds a file to read. Precompiled are headers of other projects and never our own.
+# LIKE takes the headers that another target has precompiled; both have to be compiled alike. A header that a file uses and
+# does not include is missed in the sanitize build and by clang-tidy, which both read every file by itself.
 function(steadyslide_precompile target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "LIKE" "HEADERS")
   if(STEADYSLIDE_PRECOMPILED_HEADERS AND arg_LIKE)

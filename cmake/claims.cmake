@@ -1,5 +1,6 @@
 # cmake -D FOLDER=proofs_checks/claims -D OUTPUT=claim_list.cpp -P claims.cmake: the list that kit/registry.hpp declares,
-# from the pairs NAME.cpp and NAME.md below FOLDER, and the texts that are a claim without a source.
+# from the pairs NAME.cpp and NAME.md below FOLDER, and the texts that are a claim without a source. Each claim has a
+# namespace of its own, so that the sources can be compiled together.
 file(GLOB_RECURSE texts RELATIVE "${FOLDER}" "${FOLDER}/*.md")
 set(declarations "")
 set(entries "")
@@ -10,16 +11,16 @@ foreach(text IN LISTS texts)
   string(REPLACE "_" "-" group "${directory}")
   file(READ "${FOLDER}/${text}" document)
   if(EXISTS "${FOLDER}/${directory}/${name}.cpp")
-    string(APPEND declarations "Claim ${name}();\n")
+    string(APPEND declarations "namespace ${name} {\nClaim claim();\n}\n")
   elseif(document MATCHES "\n## (Decided|Convergence|Beyond calculation)\n")
     set(make_Decided derived)
     set(make_Convergence convergence_claim)
     set("make_Beyond calculation" beyond_calculation)
-    string(APPEND declarations "Claim ${name}() { return ${make_${CMAKE_MATCH_1}}(\"${id}\"); }\n")
+    string(APPEND declarations "namespace ${name} {\nClaim claim() { return ${make_${CMAKE_MATCH_1}}(\"${id}\"); }\n}\n")
   else()
     message(FATAL_ERROR "${text}: no source beside it, and no part that would be a claim without")
   endif()
-  string(APPEND entries "    {\"${id}\", \"${group}\", R\"claim(${document})claim\", ${name}},\n")
+  string(APPEND entries "    {\"${id}\", \"${group}\", R\"claim(${document})claim\", ${name}::claim},\n")
 endforeach()
 file(WRITE "${OUTPUT}" "#include \"proofs_checks/instruments/convergence/convergence_claim.hpp\"
 #include \"proofs_checks/instruments/identities/derived.hpp\"

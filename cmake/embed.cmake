@@ -6,9 +6,9 @@ file(WRITE "${OUTPUT}" "#include <string_view>
 
 namespace ${NAMESPACE} {
 namespace {
-constexpr unsigned char bytes[]{${bytes}0};
+constexpr unsigned char ${NAME}_bytes[]{${bytes}0};
 }
 extern const std::string_view ${NAME};
-const std::string_view ${NAME}{reinterpret_cast<const char*>(bytes), sizeof bytes - 1};
+const std::string_view ${NAME}{reinterpret_cast<const char*>(${NAME}_bytes), sizeof ${NAME}_bytes - 1};
 }
 ")

@@ -50,7 +50,7 @@ void write_exponents(const ContactProblem& problem, const CommonOptions& options
   rows.end();
 }
 
-ExitCode run(const Given& given) {
+ExitCode run_exponents(const Given& given) {
   const bool certify = given.has("--certify");
   const CommonOptions options = given.common(16, all_formats, certify ? most_proved_digits : most_digits);
   const bool derivation = given.has("--derivation");
@@ -79,7 +79,7 @@ Command exponents_command() {
                        {"--derivation", "", "How they are derived, step by step: text or latex", Option::Kind::flag},
                        certify_option("Enclosed in ball arithmetic, with an error that is proved")},
                       "Significant digits, 1 to 100, with --certify 1000; default 16", all_formats),
-          run};
+          run_exponents};
 }
 
 }  // namespace steadyslide::app

@@ -292,7 +292,7 @@ ExitCode search(const SolveOptions& options, const Problem& problem) {
                 fmt::format("{}: the search found no solution: {}", problem.file, text.failed_condition));
 }
 
-ExitCode run(const Given& given) {
+ExitCode run_solve(const Given& given) {
   const SolveOptions options = read(given);
   const Problem problem = read_problem(given.text("PROBLEM"));
   check_method(options, problem);
@@ -318,7 +318,7 @@ Command solve_command() {
                certify_option("Prove the solution, enclose every number in ball arithmetic; exit code 1 if unproved"),
                {"--certificate", "FILE", "Write the proof's certificate, for steadyslide-check; implies --certify"}},
               "Significant digits, 1 to 100, with --certify 1000; default 16", formats),
-          run};
+          run_solve};
 }
 
 }  // namespace steadyslide::app

@@ -75,7 +75,7 @@ std::vector<Rational> gammas(const std::vector<Rational>& poisson) {
   return result;
 }
 
-ExitCode run(const Given& given) {
+ExitCode run_table(const Given& given) {
   const bool certify = given.has("--certify");
   const auto [digits, format, file] = given.common(16, all_formats, certify ? most_proved_digits : most_digits);
   const ExponentCell cell{digits, certify};
@@ -118,7 +118,7 @@ Command table_command() {
                        list("--front", "Friction coefficients at the front"),
                        certify_option("Exponents enclosed in ball arithmetic, with errors that are proved")},
                       "Significant digits, 1 to 100, with --certify 1000; default 16", all_formats),
-          run};
+          run_table};
 }
 
 }  // namespace steadyslide::app

@@ -19,7 +19,7 @@ std::vector<FigureMaker> selected(const std::vector<std::string>& patterns) {
   return select(figures(), patterns, &FigureMaker::name);
 }
 
-std::string escaped(std::string text) {
+std::string svg_escaped(std::string text) {
   std::erase(text, '`');
   for (const auto& [sign, name] : {std::pair("&", "&amp;"), {"<", "&lt;"}, {">", "&gt;"}}) {
     boost::replace_all(text, sign, name);
@@ -47,8 +47,8 @@ std::string finished_svg(const std::string& svg, const Figure& figure) {
   }
   // Without it, blanks between upright and italic text are lost.
   boost::replace_all(result, "<svg \n", "<svg xml:space=\"preserve\"\n");
-  set_element(result, "title", escaped(figure.title));
-  set_element(result, "desc", escaped(figure.caption + " Made by: " + figure.command()));
+  set_element(result, "title", svg_escaped(figure.title));
+  set_element(result, "desc", svg_escaped(figure.caption + " Made by: " + figure.command()));
   boost::replace_all(result, "font-family=\"Helvetica\"",
                      "font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\"");
   return result;

@@ -10,7 +10,7 @@
 namespace steadyslide::app {
 namespace {
 
-ExitCode run(const Given& given) {
+ExitCode run_figures(const Given& given) {
   namespace fs = std::filesystem;
   const fs::path folder(given.folder());
   const auto fail = [&](const std::string& what) -> Failure {
@@ -39,7 +39,7 @@ Command figures_command() {
           {{"--figure", "GLOB", "Only figures whose name matches, * and ? being wildcards; repeatable",
             Option::Kind::repeatable},
            folder_option()},
-          run};
+          run_figures};
 }
 
 }  // namespace steadyslide::app

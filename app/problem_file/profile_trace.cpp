@@ -13,7 +13,7 @@
 namespace steadyslide::app {
 namespace {
 
-constexpr std::size_t longest_line = 1000;
+constexpr std::size_t longest_trace_line = 1000;
 /// Bits of all coefficients together: about twice those of 10^6 points with 17 digits each.
 constexpr std::size_t most_bits = 1000000000;
 constexpr std::string_view blanks = " \t";
@@ -66,8 +66,8 @@ class TraceParser {
 
  private:
   void read(std::string_view line) {
-    if (line.size() > longest_line) {
-      throw error("line too long", fmt::format("a line of a trace has at most {} characters", longest_line),
+    if (line.size() > longest_trace_line) {
+      throw error("line too long", fmt::format("a line of a trace has at most {} characters", longest_trace_line),
                   fmt::format("{} characters", line.size()));
     }
     if (line.find('\0') != line.npos) throw error("not a text", "a trace has no NUL bytes", excerpt(line));

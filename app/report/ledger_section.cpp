@@ -16,7 +16,7 @@ std::string searched(const checks::ClaimText& claim) {
   return text;
 }
 
-std::string controls_text(const checks::Report& report) {
+std::string controls_badge(const checks::Report& report) {
   if (report.controls.empty()) return "no controls";
   return fmt::format("controls {}/{}", report.controls_refuted(), report.controls.size());
 }
@@ -25,7 +25,7 @@ std::string summary(const checks::Report& report) {
   std::string badges = badge(report.verdict);
   if (report.beyond_calculation()) badges += " " + element("span", "beyond calculation", {{"class", "badge"}});
   const std::string head = element("h3", escaped(report.claim.id)) + badges +
-                           element("span", controls_text(report), {{"class", "meta"}}) +
+                           element("span", controls_badge(report), {{"class", "meta"}}) +
                            element("span", fmt::format("{:.2f} s", report.seconds), {{"class", "meta seconds"}});
   return block("summary", element("span", head, {{"class", "head"}}) +
                               element("span", prose(report.claim.source), {{"class", "source"}}) +

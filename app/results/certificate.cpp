@@ -14,7 +14,7 @@ using enclosure::Ball;
 using enclosure::ContactTopology;
 using Json = nlohmann::ordered_json;
 
-Json numbers(const std::vector<Rational>& values) {
+Json exact_numbers(const std::vector<Rational>& values) {
   Json json = Json::array();
   for (const Rational& value : values) json.push_back(exact_text(value));
   return json;
@@ -23,14 +23,15 @@ Json numbers(const std::vector<Rational>& values) {
 Json problem_json(const ContactProblem& problem) {
   Json pieces = Json::array();
   for (const Indenter::Piece& piece : problem.indenter().pieces()) {
-    pieces.push_back({{"to", exact_text(piece.to)}, {"profile", numbers(piece.profile.coefficients())}});
+    pieces.push_back({{"to", exact_text(piece.to)}, {"profile", exact_numbers(piece.profile.coefficients())}});
   }
   return {
       {"load_at", problem.load_at() ? Json(exact_text(*problem.load_at())) : Json()},
       {"sliding", problem.sliding() == Sliding::plus_x ? "+x" : "-x"},
       {"gamma", exact_text(problem.elasticity().gamma())},
       {"compliance", exact_text(problem.elasticity().compliance())},
-      {"friction", {{"values", numbers(problem.friction().values())}, {"jumps", numbers(problem.friction().jumps())}}},
+      {"friction",
+       {{"values", exact_numbers(problem.friction().values())}, {"jumps", exact_numbers(problem.friction().jumps())}}},
       {"indenter", {{"left", exact_text(problem.indenter().left())}, {"pieces", std::move(pieces)}}}};
 }
 
@@ -112,12 +113,12 @@ std::string certificate(const ContactProblem& problem, const std::vector<enclosu
   };
   Json boxes = Json::array();
   for (const enclosure::LoadInterval& interval : intervals) {
-    Json box{{"loads", numbers({interval.from, interval.to})}};
+    Json box{{"loads", exact_numbers({interval.from, interval.to})}};
     add_box(box, interval.box, problem.load_at().has_value(), written);
     boxes.push_back(std::move(box));
   }
   Json json = heading("loads", problem, intervals.front().proof.problem.frame, bits);
-  json["problem"]["loads"] = numbers({intervals.front().from, intervals.back().to});
+  json["problem"]["loads"] = exact_numbers({intervals.front().from, intervals.back().to});
   json["boxes"] = std::move(boxes);
   return finished(std::move(json), problem);
 }

@@ -12,7 +12,7 @@ namespace steadyslide::enclosure {
 namespace {
 
 /// H's rounding is far below any gap that cells have.
-constexpr Bits bits = 128;
+constexpr Bits cell_bits = 128;
 
 CellBound refused(std::string reason) {
   CellBound result;
@@ -22,8 +22,8 @@ CellBound refused(std::string reason) {
 
 /// value +/- error, cut to [low, high].
 Ball enclosed(const Rational& value, const Ball& error, const Rational& low, const Rational& high) {
-  const Ball x = Ball::plus_or_minus(Ball(value, bits), error);
-  return Ball::hull(max(x.lower(), Ball(low, bits)).lower(), min(x.upper(), Ball(high, bits)).upper());
+  const Ball x = Ball::plus_or_minus(Ball(value, cell_bits), error);
+  return Ball::hull(max(x.lower(), Ball(low, cell_bits)).lower(), min(x.upper(), Ball(high, cell_bits)).upper());
 }
 
 /// The parts of the load left of the jumps, exactly as the cells have them.
@@ -77,24 +77,24 @@ CellBound bound_cells(const ContactProblem& problem, std::span<const double> pre
     return refused("the pressures carry " + std::to_string(sum / load) + " of the load");
   }
 
-  const CellGap gap(problem, *cells, bits);
-  Ball mean(0, bits);
+  const CellGap gap(problem, *cells, cell_bits);
+  Ball mean(0, cell_bits);
   std::optional<Ball> least, most;
   for (std::size_t i = 0; i < cells->size(); ++i) {
     const std::int64_t weight = cells->weights()[i];
     if (weight == 0) continue;
     const Ball here = gap.mean(i);
-    mean += Ball(Rational(weight), bits) * here;
+    mean += Ball(Rational(weight), cell_bits) * here;
     least = least ? min(*least, here) : here;
     most = most ? max(*most, here) : here;
   }
-  mean /= Ball(Rational(cells->total()), bits);
+  mean /= Ball(Rational(cells->total()), cell_bits);
   const LowestGap lowest = lowest_gap(gap, mean, *least);
 
   CellBound result;
   result.cells = cells->size();
   result.energy = (mean - lowest.bound).upper();
-  result.sharpness = max((mean - lowest.somewhere).lower(), Ball(0, bits)).lower();
+  result.sharpness = max((mean - lowest.somewhere).lower(), Ball(0, cell_bits)).lower();
   result.largest_gap = (*most - lowest.bound).upper();
   if (!result.energy.is_finite()) return refused("the gap could not be enclosed");
   result.proved = true;

@@ -7,11 +7,11 @@ namespace {
 
 constexpr int table_size = 64;
 
-Ball times_log(const Ball& x) { return arb_is_zero(x.get()) != 0 ? x : x * log(x); }
+Ball times_log(const Ball& x) { return x.is_zero() ? x : x * log(x); }
 
 /// M of -c e_k over [z0, z1], x0 = k + z0 and x1 = k + z1, into `curvature`, or how far it dips into `beside`.
 void add(const Ball& c, const Ball& x0, const Ball& x1, Ball& curvature, Ball& beside) {
-  if (arb_is_zero(c.get()) != 0) return;
+  if (c.is_zero()) return;
   if (c.is_negative()) {
     curvature += c / x1;
   } else if (x0.is_positive()) {

@@ -6,19 +6,19 @@
 namespace steadyslide::enclosure {
 namespace {
 
-constexpr Bits bits = 64;
+constexpr Bits load_bits = 64;
 constexpr int most_tried = 200;
 
 Ball agm_with_one(const Ball& x) {
-  Ball result(0, bits);
-  arb_agm(result.get(), Ball(1, bits).get(), x.get(), bits);
+  Ball result(0, load_bits);
+  arb_agm(result.get(), Ball(1, load_bits).get(), x.get(), load_bits);
   return result;
 }
 
 }  // namespace
 
 LoadBounds::LoadBounds(const ContactProblem& problem, const CellPressures& pressures, const Ball& energy)
-    : energy_(energy.upper().at(bits)) {
+    : energy_(energy.upper().at(load_bits)) {
   const Rational left = problem.indenter().left();
   const Rational h = (problem.indenter().right() - left) / Rational(pressures.size());
   for (std::size_t k = 0; k < problem.friction().jumps().size(); ++k) {
@@ -41,9 +41,9 @@ LoadBounds::Capacity LoadBounds::best(const CellPressures& pressures, const Rati
     const Rational far = right ? Rational(c + eps) : Rational(c - eps);
     const Rational load = abs(pressures.load_before(far) - pressures.load_before(c)) / total;
     const Rational k_squared = eps * end / ((behind + eps) * room);
-    const Ball k = sqrt(Ball(k_squared, bits));
-    const Ball other_k = sqrt(Ball(Rational(1 - k_squared), bits));
-    Capacity found{Ball(load, bits), sqrt(agm_with_one(other_k) / agm_with_one(k))};
+    const Ball k = sqrt(Ball(k_squared, load_bits));
+    const Ball other_k = sqrt(Ball(Rational(1 - k_squared), load_bits));
+    Capacity found{Ball(load, load_bits), sqrt(agm_with_one(other_k) / agm_with_one(k))};
     if (!result || found.load + found.root * root < result->load + result->root * root) result = std::move(found);
   }
   return *result;
@@ -57,18 +57,20 @@ Ball LoadBounds::deviation(const std::vector<Rational>& a) const {
     bounded = bounded && rises_[k] > 0;
     if (bounded) sum += a[k] * a[k] / rises_[k];
   }
-  const auto by_jumps = [&](const Ball& beta) { return sqrt(Ball(2) * (energy_ - beta) * Ball(sum, bits)).upper(); };
+  const auto by_jumps = [&](const Ball& beta) {
+    return sqrt(Ball(2) * (energy_ - beta) * Ball(sum, load_bits)).upper();
+  };
   const auto by_capacity = [&](const Ball& beta) {
-    Ball bound(0, bits);
+    Ball bound(0, load_bits);
     for (std::size_t k = 0; k < a.size(); ++k) {
       const auto side = [&](const Capacity& c) { return c.load + c.root * sqrt(beta); };
-      bound += Ball(Rational(abs(a[k])), bits) * max(side(capacities_[k][0]), side(capacities_[k][1]));
+      bound += Ball(Rational(abs(a[k])), load_bits) * max(side(capacities_[k][0]), side(capacities_[k][1]));
     }
     return bound.upper();
   };
   if (!bounded) return by_capacity(energy_);
   // Where the two meet, to the right of it.
-  Ball low(0, bits), beta = energy_;
+  Ball low(0, load_bits), beta = energy_;
   for (int i = 0; i < 40; ++i) {
     const Ball middle = ((low + beta) / Ball(2)).midpoint();
     (by_capacity(middle) >= by_jumps(middle) ? beta : low) = middle;

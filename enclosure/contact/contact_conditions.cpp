@@ -6,19 +6,19 @@ namespace steadyslide::enclosure {
 
 namespace {
 
-struct GapPart {
+struct SegmentPart {
   std::size_t segment;
   ContactPanel::Extent extent;
   std::size_t contact;  ///< the segment in contact whose polynomial is used
 };
 
 /// Next to either end B_k takes the polynomial of the contact there, with which it is analytic up to that end.
-std::vector<GapPart> parts_of(const ContactSet::Run& gap) {
+std::vector<SegmentPart> parts_of(const ContactSet::Run& gap) {
   using Extent = ContactPanel::Extent;
   if (gap.first == gap.last) {
     return {{gap.first, Extent::left_half, gap.first - 1}, {gap.first, Extent::right_half, gap.last + 1}};
   }
-  std::vector<GapPart> parts;
+  std::vector<SegmentPart> parts;
   for (std::size_t k = gap.first; k <= gap.last; ++k) {
     parts.push_back({k, Extent::whole, k < gap.last ? gap.first - 1 : gap.last + 1});
   }
@@ -157,7 +157,7 @@ Ball ContactConditions::gap_condition(const ContactSet::Run& gap) const {
   for (std::size_t j = gap.first; j <= gap.last + 1; ++j) {
     if (!set_.point(j).beside) sum += Ball(set_.problem().anchors[set_.point(j).anchor].step, set_.bits());
   }
-  for (const GapPart& part : parts_of(gap)) {
+  for (const SegmentPart& part : parts_of(gap)) {
     const std::size_t k = form_.slope_of(part.contact);
     for (const ContactPanel::Part& piece : ContactPanel::graded(set_, part.segment, part.extent)) {
       sum += form_.gap_change(piece, k);

@@ -67,10 +67,6 @@ std::vector<Ball> product(const Matrix& matrix, const std::vector<Ball>& vector,
   return result;
 }
 
-bool all_finite(const std::vector<Ball>& values) {
-  return std::all_of(values.begin(), values.end(), [](const Ball& x) { return x.is_finite(); });
-}
-
 }  // namespace
 
 int count_for(Bits bits) { return static_cast<int>(bits) / 4 + 4; }

@@ -6,7 +6,7 @@
 namespace steadyslide::enclosure {
 namespace {
 
-constexpr Bits bits = 64;
+constexpr Bits change_bits = 64;
 
 /// A zone of contact: its two points, and where they are.
 struct Zone {
@@ -20,8 +20,8 @@ class Change {
  public:
   Change(const ReducedProblem& problem, const ContactBox& before, const ContactBox& after)
       : problem_(problem),
-        sets_{ContactSet(problem, before.topology, before.log_offsets, bits),
-              ContactSet(problem, after.topology, after.log_offsets, bits)},
+        sets_{ContactSet(problem, before.topology, before.log_offsets, change_bits),
+              ContactSet(problem, after.topology, after.log_offsets, change_bits)},
         zones_{zones(0), zones(1)} {}
 
   std::string words() const {
@@ -59,7 +59,7 @@ class Change {
   }
 
   std::string place(const Ball& xi) const {
-    const Ball x = Ball(problem_.frame.origin, bits) + Ball(problem_.frame.unit, bits) * xi;
+    const Ball x = Ball(problem_.frame.origin, change_bits) + Ball(problem_.frame.unit, change_bits) * xi;
     std::ostringstream text;
     text.precision(4);
     text << x.to_double();

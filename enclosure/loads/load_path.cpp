@@ -9,7 +9,7 @@
 namespace steadyslide::enclosure {
 namespace {
 
-using Kind = LoadStretch::Kind;
+using Stretch = LoadStretch::Kind;
 
 /// A load, and the zero there.
 struct Place {
@@ -72,7 +72,7 @@ class Follower {
       if (low < high || (i > 0 && i < proved_.size() && !are_joined(proved_[i - 1], proved_[i], rules_))) {
         result.push_back(between(i, low, high));
       }
-      if (i < proved_.size()) result.push_back({Kind::proved, proved_[i].from, proved_[i].to, proved_[i], {}});
+      if (i < proved_.size()) result.push_back({Stretch::proved, proved_[i].from, proved_[i].to, proved_[i], {}});
     }
     return result;
   }
@@ -158,9 +158,9 @@ class Follower {
       const ContactBox& before = proved_[i - 1].at_to;
       const ContactBox& after = proved_[i].at_from;
       const bool same = seen_from(problem_, before, after.topology).has_value();
-      if (low < high && !same) return {Kind::event, low, high, {}, contact_change(problem_, before, after)};
+      if (low < high && !same) return {Stretch::event, low, high, {}, contact_change(problem_, before, after)};
       if (low == high) {
-        return {Kind::open,
+        return {Stretch::open,
                 low,
                 high,
                 {},
@@ -173,7 +173,7 @@ class Follower {
     for (const Failure& failure : failures_) {
       if (low <= failure.load && failure.load <= high) reason = failure.reason;
     }
-    return {Kind::open, low, high, {}, reason};
+    return {Stretch::open, low, high, {}, reason};
   }
 
   struct Failure {

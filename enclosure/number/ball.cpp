@@ -264,6 +264,10 @@ Ball cos(const Ball& x) { return applied(arb_cos, x); }
 Ball atan(const Ball& x) { return applied(arb_atan, x); }
 Ball gamma(const Ball& x) { return applied(arb_gamma, x); }
 
+bool all_finite(const std::vector<Ball>& balls) {
+  return std::all_of(balls.begin(), balls.end(), [](const Ball& ball) { return ball.is_finite(); });
+}
+
 Ball min(const Ball& a, const Ball& b) {
   Ball result(0, larger(a, b));
   arb_min(result.get(), a.get(), b.get(), result.bits());

@@ -120,6 +120,8 @@ Ball log(const Ball& x);
 Ball sin(const Ball& x);
 Ball cos(const Ball& x);
 Ball atan(const Ball& x);
+bool all_finite(const std::vector<Ball>& balls);
+
 Ball min(const Ball& a, const Ball& b);
 Ball max(const Ball& a, const Ball& b);
 Ball gamma(const Ball& x);

@@ -147,10 +147,6 @@ Ball principal_value_by_panels(const PieceIntegral& integral, const Piece& piece
   return integral.by_panels(right) - integral.by_panels(left) + integral.symmetric_principal_value(middle);
 }
 
-bool all_finite(const std::vector<Ball>& balls) {
-  return std::all_of(balls.begin(), balls.end(), [](const Ball& ball) { return ball.is_finite(); });
-}
-
 /// Why there is no integral; empty if nothing speaks against it.
 std::string refusal_of(const PowerIntegrand& integrand, std::size_t first, std::size_t last) {
   const std::vector<Ball>& e = integrand.points;

@@ -13,8 +13,6 @@ struct Part {
   Ball length;
 };
 
-bool is_zero(const Ball& x) { return arb_is_zero(x.get()) != 0; }
-
 Ball halved(const Ball& x) {
   Ball result(x);
   arb_mul_2exp_si(result.get(), x.get(), -1);
@@ -43,8 +41,8 @@ class Grading {
       outside.push_back({point.side, point.distance + to_end, point.power});
     }
     const auto own_power = [&](const Surroundings& end, const Ball& to_end, Side side) {
-      if (is_zero(to_end)) return end.power;
-      if (!is_zero(end.power)) outside.push_back({side, to_end, end.power});
+      if (to_end.is_zero()) return end.power;
+      if (!end.power.is_zero()) outside.push_back({side, to_end, end.power});
       return Ball(0);
     };
     const Ball left = own_power(left_, part.from_left, Side::left);
@@ -61,7 +59,7 @@ class Grading {
 
   bool is_far(const Surroundings& end, const Ball& to_end, const Ball& length) const {
     Ball distance = to_end.midpoint();
-    if (is_zero(to_end) || is_zero(end.power)) {
+    if (to_end.is_zero() || end.power.is_zero()) {
       if (!end.nearest) return true;
       distance += *end.nearest;
     }

@@ -7,12 +7,12 @@ namespace steadyslide::enclosure {
 namespace {
 
 /// Bounds need few digits.
-constexpr Bits coarse = 64;
+constexpr Bits root_bits = 64;
 
-Ball upper_size(const Ball& x) { return abs(x).at(coarse).upper(); }
+Ball upper_size(const Ball& x) { return abs(x).at(root_bits).upper(); }
 
 Ball two_to(Bits exponent) {
-  Ball result(1, coarse);
+  Ball result(1, root_bits);
   arb_mul_2exp_si(result.get(), result.get(), exponent);
   return result;
 }
@@ -106,10 +106,11 @@ std::optional<JacobiPolynomial::Zero> JacobiPolynomial::zero_near(double start, 
   // The bounds of the header. The root is about |c_0/c_1| away; R has room for twice that.
   const Ball c_1 = abs(c[1]).lower();
   if (!c_1.is_positive()) return std::nullopt;
-  const Ball t = max(2 * max(Ball(2), upper_size(e)) / u.at(coarse).lower(), sqrt(upper_size(eigenvalue_ / u))).upper();
-  const Ball reach = max(2 * upper_size(c[0]) / c_1.at(coarse), two_to(-bits_)).upper();
+  const Ball t =
+      max(2 * max(Ball(2), upper_size(e)) / u.at(root_bits).lower(), sqrt(upper_size(eigenvalue_ / u))).upper();
+  const Ball reach = max(2 * upper_size(c[0]) / c_1.at(root_bits), two_to(-bits_)).upper();
   const Ball q = (t * reach).upper();
-  if (!(q < Ball(Rational(1) / 1024, coarse))) return std::nullopt;
+  if (!(q < Ball(Rational(1) / 1024, root_bits))) return std::nullopt;
   const Ball size = max(upper_size(c[0]), upper_size(c[1]) / t).upper();
 
   const double bits_per_term = -rough_log2(q) - 1;
@@ -117,7 +118,7 @@ std::optional<JacobiPolynomial::Zero> JacobiPolynomial::zero_near(double start, 
   for (std::size_t j = 2; j <= degree; ++j) {
     const int k = static_cast<int>(j) - 2;
     // A later term shows less: R^k of it is small.
-    const Bits bits = std::max(coarse, bits_ - static_cast<Bits>((k - 1) * bits_per_term) + 64);
+    const Bits bits = std::max(root_bits, bits_ - static_cast<Bits>((k - 1) * bits_per_term) + 64);
     Ball next(0, bits), term(0, bits);
     arb_mul_si(next.get(), x.get(), 2 * k, bits);
     arb_sub(next.get(), next.get(), e.get(), bits);
@@ -139,7 +140,7 @@ std::optional<JacobiPolynomial::Zero> JacobiPolynomial::zero_near(double start, 
   there.value = Ball::plus_or_minus(there.value, rest * q);
   there.slope = Ball::plus_or_minus(there.slope, rest * t * (m + 1));
 
-  const Ball least_slope = abs(there.slope).at(coarse).lower();
+  const Ball least_slope = abs(there.slope).at(root_bits).lower();
   if (!least_slope.is_positive()) return std::nullopt;
   const Ball r = max(2 * upper_size(there.value) / least_slope, two_to(-4 * bits_)).upper();
   if (!(upper_size(d) + r <= reach)) return std::nullopt;

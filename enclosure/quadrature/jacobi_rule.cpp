@@ -30,7 +30,7 @@ Ball rounded(const Ball& x, Bits bits) {
   return result;
 }
 
-bool is_zero(const Ball& x) { return arf_is_zero(arb_midref(x.get())) != 0; }
+bool centred_at_zero(const Ball& x) { return arf_is_zero(arb_midref(x.get())) != 0; }
 
 }  // namespace
 
@@ -45,7 +45,7 @@ JacobiRule::JacobiRule(int count, const Ball& left, const Ball& right, Bits bits
   }
   for (std::vector<Ball>* part : {&from_left, &from_right, &weights}) part->reserve(static_cast<std::size_t>(count));
   const Ball l = left.midpoint(), r = right.midpoint();
-  if (is_zero(l) && is_zero(r)) {
+  if (centred_at_zero(l) && centred_at_zero(r)) {
     make_legendre(count, bits);
     if (is_proved(bits)) return;
   }

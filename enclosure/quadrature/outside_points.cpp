@@ -37,14 +37,12 @@ int small_whole(const Ball& power) {
 
 bool same_midpoint(const Ball& a, const Ball& b) { return arf_equal(arb_midref(a.get()), arb_midref(b.get())) != 0; }
 
-bool is_zero(const Ball& x) { return arb_is_zero(x.get()) != 0; }
-
 }  // namespace
 
 OutsideProduct::OutsideProduct(std::vector<OutsidePoint> points) : points_(std::move(points)) {
   for (std::size_t j = 0; j < points_.size(); ++j) {
     const Ball& power = points_[j].power;
-    if (is_zero(power)) continue;
+    if (power.is_zero()) continue;
     const bool negative = !power.midpoint().is_positive();
     const Ball size = abs(power.midpoint());
     // What is whole but not exactly known has to take the way of logarithms.
@@ -86,7 +84,7 @@ Ball OutsideProduct::bound(const Ball& length, const Ball& reach) const {
   for (const OutsidePoint& point : points_) {
     const Ball nearest = (point.distance.at(64) - reach.at(64)).lower();
     if (!nearest.is_positive()) return Ball::unknown(64);
-    if (is_zero(point.power)) continue;
+    if (point.power.is_zero()) continue;
     const Ball farthest = (point.distance.at(64) + length.at(64) + reach.at(64)).upper();
     result *= max(power(nearest, point.power.at(64)), power(farthest, point.power.at(64)));
   }

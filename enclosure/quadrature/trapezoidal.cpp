@@ -8,7 +8,7 @@
 namespace steadyslide::enclosure {
 namespace {
 
-constexpr Bits coarse = 64;
+constexpr Bits bound_bits = 64;
 
 /// d and h, chosen in double.
 struct Strip {
@@ -56,10 +56,10 @@ Trapezoidal::Trapezoidal(const Ball& length, const Ball& left, const Ball& right
                      });
   if (!valid) throw std::invalid_argument("trapezoidal rule: powers > -1, lengths > 0");
 
-  const Ball a = left.at(coarse) + 1, b = right.at(coarse) + 1;
-  Ball outside_powers(0, coarse), largest(1, coarse), middle(1, coarse);
+  const Ball a = left.at(bound_bits) + 1, b = right.at(bound_bits) + 1;
+  Ball outside_powers(0, bound_bits), largest(1, bound_bits), middle(1, bound_bits);
   for (const OutsidePoint& point : outside) {
-    const Ball near = point.distance.at(coarse), far = near + length.at(coarse), p = point.power.at(coarse);
+    const Ball near = point.distance.at(bound_bits), far = near + length.at(bound_bits), p = point.power.at(bound_bits);
     outside_powers += abs(p);
     largest *= max(power(near, p), power(far, p));
     middle *= power((near + far) / 2, p);
@@ -100,21 +100,21 @@ Trapezoidal::Trapezoidal(const Ball& length, const Ball& left, const Ball& right
   }
 
   // The bounds of the header.
-  const Ball half = d.at(coarse) / 2, k = cos(half);
-  const Ball size = (power(l.at(coarse), a + b - 1) * largest).upper();
-  Ball lines = 2 * power(k, -(a + b + outside_powers)) * beta(a, b) / (exp(Ball::pi(coarse) * 2 * d / h) - 1);
+  const Ball half = d.at(bound_bits) / 2, k = cos(half);
+  const Ball size = (power(l.at(bound_bits), a + b - 1) * largest).upper();
+  Ball lines = 2 * power(k, -(a + b + outside_powers)) * beta(a, b) / (exp(Ball::pi(bound_bits) * 2 * d / h) - 1);
   // The first nodes left out on either side.
   const Ball e_below = at_pole * shift_at(h, -below - 1), e_above = at_pole * shift_at(h, above);
   Ball low = power(1 / e_below, a) / (1 - exp(-a * h)) * h, high = power(e_above, b) / (1 - exp(-b * h)) * h;
   if (pole) {
-    const Ball p = pole->from_left.at(coarse), q = pole->from_right.at(coarse);
+    const Ball p = pole->from_left.at(bound_bits), q = pole->from_right.at(bound_bits);
     lines *= max(1 / p, 1 / q) / sin(half);
     const Ball before = p - l / (1 + e_below), behind = q - l * e_above / (1 + e_above);
-    low = before.is_positive() ? low / before : Ball::unknown(coarse);
-    high = behind.is_positive() ? high / behind : Ball::unknown(coarse);
+    low = before.is_positive() ? low / before : Ball::unknown(bound_bits);
+    high = behind.is_positive() ? high / behind : Ball::unknown(bound_bits);
   }
   remainder_ = (size * (lines + low + high)).upper();
-  lens_radius_ = (l.at(coarse) / 2 * sin(half) / k).upper();
+  lens_radius_ = (l.at(bound_bits) / 2 * sin(half) / k).upper();
 }
 
 }  // namespace steadyslide::enclosure

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "proofs_checks/kit/claim.hpp"
+#include "proofs_checks/kit/problem_text.hpp"
 #include "proofs_checks/kit/random.hpp"
 
 namespace steadyslide::proofs_checks {

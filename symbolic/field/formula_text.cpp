@@ -1,15 +1,12 @@
 #include "symbolic/field/formula_text.hpp"
 
-#include <cctype>
 #include <cstdlib>
 
+#include "symbolic/field/character.hpp"
 #include "symbolic/field/exponent_expression.hpp"
 
 namespace steadyslide::symbolic {
 namespace {
-
-bool starts_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 std::string latex_name(const std::string& name, const LatexNames& names) {
   const auto known = names.find(name);
@@ -23,9 +20,9 @@ std::string latex_sum(const std::string& text, const LatexNames& names) {
   std::string result;
   for (std::size_t k = 0; k < text.size();) {
     const char c = text[k];
-    if (starts_name(c)) {
+    if (is_letter(c)) {
       std::size_t end = k;
-      while (end < text.size() && (starts_name(text[end]) || is_digit(text[end]) || text[end] == '_')) ++end;
+      while (end < text.size() && (is_letter(text[end]) || is_digit(text[end]) || text[end] == '_')) ++end;
       result += latex_name(text.substr(k, end - k), names);
       k = end;
     } else if (c == '^') {
@@ -63,7 +60,7 @@ std::string readable(const std::string& text, const LatexNames& names) {
   std::string result;
   for (std::size_t k = 0; k < text.size();) {
     std::size_t end = k;
-    while (end < text.size() && (starts_name(text[end]) || is_digit(text[end]) || text[end] == '_')) ++end;
+    while (end < text.size() && (is_letter(text[end]) || is_digit(text[end]) || text[end] == '_')) ++end;
     const std::string name = text.substr(k, end - k);
     if (name.empty()) {
       result += text[k++];

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
+
+#include "symbolic/field/character.hpp"
 
 namespace steadyslide::symbolic {
 namespace {
@@ -14,9 +15,6 @@ constexpr std::array<std::string_view, 26> commands{
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> signs{
     {{"...", "\\dots "}, {"<=", "\\le "}, {">=", "\\ge "}, {"!=", "\\ne "}, {"->", "\\to "}, {"+-", "\\pm "}}};
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 class Reader {
  public:

@@ -14,12 +14,17 @@ namespace steadyslide::symbolic {
 using cln::cl_F;
 using GiNaC::ex;
 
+using SymbolValues = std::map<ex, cl_F, GiNaC::ex_is_less>;
+
+struct ContactProfile {
+  Rational origin;              // lengths are measured from it
+  std::vector<Rational> slope;  // psi'/c, by coefficients in the length from the origin
+};
+
 namespace {
 
-using Values = std::map<ex, cl_F, GiNaC::ex_is_less>;
-
 /// A polynomial in symbols with values.
-cl_F evaluate(const ex& e, const Values& values, cln::float_format_t format) {
+cl_F evaluate(const ex& e, const SymbolValues& values, cln::float_format_t format) {
   if (GiNaC::is_a<GiNaC::numeric>(e)) return to_cln(to_rational(GiNaC::ex_to<GiNaC::numeric>(e)), format);
   if (GiNaC::is_a<GiNaC::symbol>(e)) return values.at(e);
   if (GiNaC::is_a<GiNaC::power>(e)) {
@@ -38,12 +43,7 @@ cl_F evaluate(const ex& e, const Values& values, cln::float_format_t format) {
   return value;
 }
 
-struct Profile {
-  Rational origin;              // lengths are measured from it
-  std::vector<Rational> slope;  // psi'/c, by coefficients in the length from the origin
-};
-
-Profile profile_of(const ContactProblem& problem) {
+ContactProfile profile_of(const ContactProblem& problem) {
   const std::vector<Indenter::Piece>& pieces = problem.indenter().pieces();
   for (const Indenter::Piece& piece : pieces) {
     if (piece.profile != pieces[0].profile)
@@ -72,7 +72,7 @@ struct DerivedContact::State {
   ContactProblem problem;
   int digits;
   cln::float_format_t format;
-  Profile profile;
+  ContactProfile profile;
   FundamentalSolution solution;
   std::size_t first;                ///< the friction piece of panel 0
   std::vector<Rational> frictions;  ///< of the panels
@@ -97,7 +97,7 @@ struct DerivedContact::State {
 namespace {
 
 /// Newton's method for as many polynomial conditions as unknowns, one or two, down to the digits carried.
-bool newton(const std::vector<ex>& conditions, const std::vector<ex>& unknowns, Values& values, const cl_F& tiny,
+bool newton(const std::vector<ex>& conditions, const std::vector<ex>& unknowns, SymbolValues& values, const cl_F& tiny,
             cln::float_format_t format, int limit) {
   const auto at = [&](const ex& e) { return evaluate(e, values, format); };
   std::vector<ex> derivatives;
@@ -144,7 +144,7 @@ bool DerivedContact::State::solve() {
                                 load);
   if (derived.factor().empty()) return false;
 
-  Values values;
+  SymbolValues values;
   values[load] = number(problem.load()) / cln::pi(format);
   // Wider than the contact can be: from there Newton's method comes down monotonically.
   cl_F farthest = number(Rational(problem.indenter().right() - problem.indenter().left()));
@@ -206,7 +206,7 @@ bool DerivedContact::State::fits() const {
 std::vector<DerivedContact> DerivedContact::all(const ContactProblem& problem, int digits) {
   if (digits < 1) throw std::domain_error("derived contact: at least one digit; " + std::to_string(digits));
   const cln::float_format_t format = cln_format(digits + 2 * cln_guard_digits);
-  const Profile profile = profile_of(problem);
+  const ContactProfile profile = profile_of(problem);
   const std::vector<Rational>& jumps = problem.friction().jumps();
   std::vector<DerivedContact> found;
   for (const EndKind left : {EndKind::free, EndKind::edge}) {

@@ -57,7 +57,7 @@ ex friction_form(const Panels& panels, const std::vector<ex>& first, const std::
   return sum;
 }
 
-struct Variant {
+struct EnergyVariant {
   ex factor = ex(1) / 2;
   int before = -1;  // sign of s_{k-1}
   int power = 2;
@@ -65,7 +65,7 @@ struct Variant {
 };
 
 /// factor * sum (s_k + before s_{k-1}) T(c_k)^power
-ex jump_terms(const Panels& panels, const std::vector<ex>& primitive, const Variant& variant) {
+ex jump_terms(const Panels& panels, const std::vector<ex>& primitive, const EnergyVariant& variant) {
   ex sum = 0;
   for (std::size_t k = 1; k < panels.count(); ++k) {
     const ex value = primitive[k].subs(panels.x == panels.cuts[k]);
@@ -75,7 +75,7 @@ ex jump_terms(const Panels& panels, const std::vector<ex>& primitive, const Vari
 }
 
 DecidedStatement piecewise() {
-  const auto decided = [](const std::string& words, const Variant& variant) {
+  const auto decided = [](const std::string& words, const EnergyVariant& variant) {
     const Panels panels(2);
     const std::vector<ex> t = primitives(panels, "b", 2, variant.zero_mean);
     return Comparison(panels.field)
@@ -163,7 +163,7 @@ DecidedStatement primitive() {
 
 /// -int s t T, t T a polynomial, against the jumps of s with T(c)^2 = (1-c^2) (sum a_n U_{n-1}(c)/n)^2.
 DecidedStatement weighted() {
-  const auto decided = [](const std::string& words, const Variant& variant, bool with_weight) {
+  const auto decided = [](const std::string& words, const EnergyVariant& variant, bool with_weight) {
     const Panels panels(3);
     const symbol& x = panels.x;
     ex numerator = 0;

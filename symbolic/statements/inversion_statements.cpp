@@ -17,7 +17,7 @@ using GiNaC::symbol;
 
 constexpr int most_degree = 4;
 
-struct Variant {
+struct InversionVariant {
   int integral_sign = -1;
   int load_sign = -1;
   bool first_divided = true;   // s u'/(1+s^2), not s u'
@@ -26,7 +26,7 @@ struct Variant {
 };
 
 /// Monomials u' = x^d, d = 0..4, contact on [e_0, e_{jumps+1}].
-ExactIdentity decided(const std::string& words, std::size_t jumps, const Variant& variant) {
+ExactIdentity decided(const std::string& words, std::size_t jumps, const InversionVariant& variant) {
   const FundamentalSolution y(EndKind::edge, EndKind::edge, jumps);
   const ContactSymbols data(y);
   const PhaseField& field = data.field;

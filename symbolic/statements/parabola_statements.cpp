@@ -71,7 +71,7 @@ DecidedStatement peak() {
 }
 
 /// Both printed amplitudes, by substitution: F = x/R - Y N with N = 1/R.
-DecidedStatement traction() {
+DecidedStatement parabola_traction() {
   const Galin g;
   const auto& f = g.data.field.friction(0);
   const ex quarter = ex(1) / 4;
@@ -117,10 +117,11 @@ DecidedStatement traction() {
 //
 // Each is put into F = psi' - Y N with Y by binomial series, for 0 to 4 jumps.
 
-constexpr std::size_t most_jumps = 4;
+constexpr std::size_t parabola_jumps = 4;
 
 struct Setting {
-  Setting(EndKind left, EndKind right) : left(left), right(right), data(FundamentalSolution(left, right, most_jumps)) {}
+  Setting(EndKind left, EndKind right)
+      : left(left), right(right), data(FundamentalSolution(left, right, parabola_jumps)) {}
   EndKind left;
   EndKind right;
   ContactSymbols data;
@@ -148,7 +149,7 @@ Contact contact(const Setting& setting, std::size_t jumps, int beta) {
   return c;
 }
 
-struct Variant {
+struct ParabolaVariant {
   int beta = 1;         // sign of beta in the equations
   int factor = 2;       // of P R/pi
   int n_sign = 1;       // of N's first term
@@ -158,9 +159,9 @@ struct Variant {
 DecidedStatement free_ends() {
   const Setting setting(EndKind::free, EndKind::free);
   const ContactSymbols& data = setting.data;
-  const auto decided = [&](const std::string& words, const Variant& variant) {
+  const auto decided = [&](const std::string& words, const ParabolaVariant& variant) {
     Comparison comparison(data.field);
-    for (std::size_t jumps = 0; jumps <= most_jumps; ++jumps) {
+    for (std::size_t jumps = 0; jumps <= parabola_jumps; ++jumps) {
       const Contact c = contact(setting, jumps, variant.beta);
       // The two equations, as stated; in them v is the vertex and P the load that they give.
       std::vector<ex> distances;
@@ -194,9 +195,9 @@ DecidedStatement free_ends() {
 DecidedStatement one_edge(const std::string& id, const std::string& words, EndKind left, EndKind right) {
   const Setting setting(left, right);
   const ContactSymbols& data = setting.data;
-  const auto decided = [&](const std::string& statement, const Variant& variant) {
+  const auto decided = [&](const std::string& statement, const ParabolaVariant& variant) {
     Comparison comparison(data.field);
-    for (std::size_t jumps = 0; jumps <= most_jumps; ++jumps) {
+    for (std::size_t jumps = 0; jumps <= parabola_jumps; ++jumps) {
       const Contact c = contact(setting, jumps, variant.beta);
       const ex square = variant.squared ? c.sums[0] * c.sums[0] : ex(0);
       const ex load_over_pi = (c.sums[1] + square - 2 * setting.vertex * c.sums[0]) / (variant.factor * setting.radius);
@@ -216,9 +217,9 @@ DecidedStatement one_edge(const std::string& id, const std::string& words, EndKi
 DecidedStatement two_edges() {
   const Setting setting(EndKind::edge, EndKind::edge);
   const ContactSymbols& data = setting.data;
-  const auto decided = [&](const std::string& statement, const Variant& variant, int load_sign) {
+  const auto decided = [&](const std::string& statement, const ParabolaVariant& variant, int load_sign) {
     Comparison comparison(data.field);
-    for (std::size_t jumps = 0; jumps <= most_jumps; ++jumps) {
+    for (std::size_t jumps = 0; jumps <= parabola_jumps; ++jumps) {
       const Contact c = contact(setting, jumps, variant.beta);
       const ex first = variant.n_sign * c.sums[0];
       const ex half = (c.sums[1] + (variant.squared ? c.sums[0] * c.sums[0] : ex(0))) / variant.factor;
@@ -241,7 +242,7 @@ DecidedStatement two_edges() {
 void add_parabola(std::vector<DecidedStatement>& all) {
   all.push_back(zone());
   all.push_back(peak());
-  all.push_back(traction());
+  all.push_back(parabola_traction());
   all.push_back(free_ends());
   all.push_back(
       one_edge("rh-parabola-left-edge",

@@ -90,10 +90,10 @@ DecidedStatement flat_punch(const std::string& id, const std::string& words, std
 // The flat punch tilted by delta: psi' = delta, t = cos(pi alpha) |Y| (delta (x + sigma_1) - P/pi) as long as both
 // edges carry. The right edge lifts at delta = P/(pi (b + sigma_1)), the left one at delta = P/(pi (a + sigma_1)).
 
-constexpr std::size_t most_jumps = 4;
+constexpr std::size_t punch_jumps = 4;
 
 /// Putting N into F = delta - Y N, with Y by binomial series.
-DecidedStatement traction() {
+DecidedStatement punch_traction() {
   struct Variant {
     int order_sign = 1;  // of sigma_1
     int load_sign = -1;
@@ -102,10 +102,10 @@ DecidedStatement traction() {
     bool exchanged = false;
   };
   const auto decided = [&](const std::string& words, const Variant& variant) {
-    const ContactSymbols data(FundamentalSolution(EndKind::edge, EndKind::edge, most_jumps));
+    const ContactSymbols data(FundamentalSolution(EndKind::edge, EndKind::edge, punch_jumps));
     const GiNaC::symbol delta("delta");
     Comparison comparison(data.field);
-    for (std::size_t jumps = 0; jumps <= most_jumps; ++jumps) {
+    for (std::size_t jumps = 0; jumps <= punch_jumps; ++jumps) {
       const FundamentalSolution y(EndKind::edge, EndKind::edge, jumps);
       const std::vector<ex> powers = data.powers(y);
       const std::vector<ex> series = binomial_product(
@@ -143,9 +143,9 @@ DecidedStatement lifting(const std::string& id, bool right) {
     bool no_sum = false;
   };
   const auto decided = [&](const std::string& words, const Variant& variant) {
-    const ContactSymbols data(FundamentalSolution(EndKind::edge, EndKind::edge, most_jumps));
+    const ContactSymbols data(FundamentalSolution(EndKind::edge, EndKind::edge, punch_jumps));
     Comparison comparison(data.field);
-    for (std::size_t jumps = 0; jumps <= most_jumps; ++jumps) {
+    for (std::size_t jumps = 0; jumps <= punch_jumps; ++jumps) {
       const FundamentalSolution edges(EndKind::edge, EndKind::edge, jumps);
       const FundamentalSolution lifted =
           FundamentalSolution(right ? EndKind::edge : EndKind::free, right ? EndKind::free : EndKind::edge, jumps);
@@ -210,7 +210,7 @@ void add_flat_punch(std::vector<DecidedStatement>& all) {
     all.push_back(flat_punch("rh-flat-punch-" + count,
                              "the flat punch with " + count + " jumps solves A t = 0, int t = -P", jumps, false));
   }
-  all.push_back(traction());
+  all.push_back(punch_traction());
   all.push_back(lifting("rh-lifting-right", true));
   all.push_back(lifting("rh-lifting-left", false));
   all.push_back(lifting_on_unit());

@@ -15,11 +15,11 @@ namespace {
 using GiNaC::ex;
 using GiNaC::symbol;
 
-constexpr std::size_t most_jumps = 2;
+constexpr std::size_t quartic_jumps = 2;
 
 /// Any number of jumps by power sums, 0 to 2 by binomial series.
 DecidedStatement any_jumps() {
-  const ContactSymbols data(FundamentalSolution(EndKind::free, EndKind::free, most_jumps));
+  const ContactSymbols data(FundamentalSolution(EndKind::free, EndKind::free, quartic_jumps));
   const symbol kappa("kappa");
   struct Variant {
     int first = 1;    // sign of sigma_1 x
@@ -44,7 +44,7 @@ DecidedStatement any_jumps() {
     comparison.equal("N", any.factor(data.x), n[0] + n[1] * data.x + n[2] * data.x * data.x)
         .equal("c_1", any.conditions()[0], n[3])
         .equal("c_2 - P/pi", any.conditions()[1], n[4] - load);
-    for (std::size_t jumps = 0; jumps <= most_jumps; ++jumps) {
+    for (std::size_t jumps = 0; jumps <= quartic_jumps; ++jumps) {
       const FundamentalSolution y(EndKind::free, EndKind::free, jumps);
       const std::vector<ex> powers = data.powers(y);
       const std::vector<ex> places(data.places.begin(),

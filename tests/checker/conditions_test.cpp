@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "checker/reader.hpp"
+#include "overlap.hpp"
 
 namespace {
 
@@ -55,10 +56,6 @@ struct Example {
     return conditions(Form(contact, at, problem.loads, bits));
   }
 };
-
-bool overlap(const Ball& a, const Ball& b) {
-  return a.is_finite() && b.is_finite() && arb_overlaps(a.get(), b.get()) != 0;
-}
 
 }  // namespace
 

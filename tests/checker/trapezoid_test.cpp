@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "overlap.hpp"
+
 namespace {
 
 using namespace steadyslide::checker;
@@ -21,10 +23,6 @@ Ball beta(const Ball& a, const Ball& b) {
     return result;
   };
   return gamma(a + Ball(1)) * gamma(b + Ball(1)) / gamma(a + b + Ball(2));
-}
-
-bool overlap(const Ball& a, const Ball& b) {
-  return a.is_finite() && b.is_finite() && arb_overlaps(a.get(), b.get()) != 0;
 }
 
 Ball rounded(double x) { return Ball(x).rounded(precision); }

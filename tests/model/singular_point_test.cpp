@@ -25,7 +25,7 @@ Lines points(FrictionProfile friction, std::vector<Indenter::Piece> pieces, Slid
       ContactProblem(Elasticity::reduced(gamma), std::move(friction), Indenter(-1, std::move(pieces)), 1, sliding)));
 }
 
-const Polynomial flat;
+const Polynomial level;
 
 /// Edges and free ends under one friction coefficient of 1.
 const Lines left_end{"-1 edge right 1: -1/2 - arctan(1/2)/pi", "-1 free right 1: 1/2 - arctan(1/2)/pi"};
@@ -58,18 +58,18 @@ bool same(const SingularPoint& a, const SingularPoint& b) {
 }  // namespace
 
 TEST_CASE("a flat punch: its edges and the free ends") {
-  CHECK(points(FrictionProfile({1}), {{1, flat}}) == around({}));
+  CHECK(points(FrictionProfile({1}), {{1, level}}) == around({}));
   // A break where nothing breaks, and one where only the curvature does.
-  CHECK(points(FrictionProfile({1}), {{0, flat}, {1, flat}}) == around({}));
-  CHECK(points(FrictionProfile({1}), {{0, flat}, {1, Polynomial({0, 0, 1})}}) == around({}));
+  CHECK(points(FrictionProfile({1}), {{0, level}, {1, level}}) == around({}));
+  CHECK(points(FrictionProfile({1}), {{0, level}, {1, Polynomial({0, 0, 1})}}) == around({}));
   // A jump of height zero is singular nowhere.
-  CHECK(points(FrictionProfile({1, 1}, {0}), {{1, flat}}) == around({}));
+  CHECK(points(FrictionProfile({1, 1}, {0}), {{1, level}}) == around({}));
 }
 
 TEST_CASE("a wedge has a logarithm, on a jump of height zero too") {
   const Polynomial ramp({0, 1});
-  CHECK(points(FrictionProfile({1}), {{0, flat}, {1, ramp}}) == around({"0 wedge both 1 1: log"}));
-  CHECK(points(FrictionProfile({1, 1}, {0}), {{0, flat}, {1, ramp}}) == around({"0 wedge both 1 1: log"}));
+  CHECK(points(FrictionProfile({1}), {{0, level}, {1, ramp}}) == around({"0 wedge both 1 1: log"}));
+  CHECK(points(FrictionProfile({1, 1}, {0}), {{0, level}, {1, ramp}}) == around({"0 wedge both 1 1: log"}));
 }
 
 TEST_CASE("a step ends the contact on its protruding side") {
@@ -78,7 +78,7 @@ TEST_CASE("a step ends the contact on its protruding side") {
   for (const auto& [right, step] : {std::pair(Polynomial({1}), "0 step left 1: -1/2 + arctan(1/2)/pi"),
                                     {Polynomial({-1}), "0 step right 1: -1/2 - arctan(1/2)/pi"},
                                     {Polynomial({1, 1}), "0 step left 1: -1/2 + arctan(1/2)/pi"}}) {
-    CHECK(points(FrictionProfile({1}), {{0, flat}, {1, right}}) == around({step}));
+    CHECK(points(FrictionProfile({1}), {{0, level}, {1, right}}) == around({step}));
   }
 }
 
@@ -94,20 +94,20 @@ TEST_CASE("jumps, wedges on jumps, and steps on jumps") {
     return all;
   };
   const std::string up = " both 1 3: arctan(1/2)/pi - arctan(3/2)/pi";
-  CHECK(points(friction, {{1, flat}}) == expected({"0 friction_jump" + up}));
-  CHECK(points(friction, {{0, flat}, {1, Polynomial({0, 1})}}) == expected({"0 wedge_and_jump" + up}));
-  CHECK(points(friction, {{0.25_r, flat}, {1, Polynomial({-0.25_r, 1})}}) ==
+  CHECK(points(friction, {{1, level}}) == expected({"0 friction_jump" + up}));
+  CHECK(points(friction, {{0, level}, {1, Polynomial({0, 1})}}) == expected({"0 wedge_and_jump" + up}));
+  CHECK(points(friction, {{0.25_r, level}, {1, Polynomial({-0.25_r, 1})}}) ==
         expected({"0 friction_jump" + up, "0.25 wedge both 3 3: log"}));
   // A step on a jump: the friction of the protruding side.
-  CHECK(points(friction, {{0, flat}, {1, Polynomial({-1})}}) == expected({"0 step right 3: -1/2 - arctan(3/2)/pi"}));
-  CHECK(points(friction, {{0, flat}, {1, Polynomial({1})}}) == expected({"0 step left 1: -1/2 + arctan(1/2)/pi"}));
+  CHECK(points(friction, {{0, level}, {1, Polynomial({-1})}}) == expected({"0 step right 3: -1/2 - arctan(3/2)/pi"}));
+  CHECK(points(friction, {{0, level}, {1, Polynomial({1})}}) == expected({"0 step left 1: -1/2 + arctan(1/2)/pi"}));
 }
 
 TEST_CASE("without coupling nothing depends on friction, and jumps are singular nowhere") {
   const Lines expected{"-1 edge right 1: -1/2",     "-1 free right 1: 1/2",       "0 wedge both 1 3: log",
                        "1 edge left 3: -1/2",       "1 free left 3: 1/2",         "anywhere free right 1: 1/2",
                        "anywhere free left 1: 1/2", "anywhere free right 3: 1/2", "anywhere free left 3: 1/2"};
-  CHECK(points(FrictionProfile({1, 3}, {0}), {{0, flat}, {1, Polynomial({0, 1})}}, Sliding::plus_x, 0) == expected);
+  CHECK(points(FrictionProfile({1, 3}, {0}), {{0, level}, {1, Polynomial({0, 1})}}, Sliding::plus_x, 0) == expected);
 }
 
 TEST_CASE("sliding the other way, and a negative gamma, change the sign of every angle") {
@@ -121,8 +121,8 @@ TEST_CASE("sliding the other way, and a negative gamma, change the sign of every
                        "anywhere free right 3: 1/2 + arctan(3/2)/pi",
                        "anywhere free left 3: 1/2 - arctan(3/2)/pi"};
   const FrictionProfile friction({1, 3}, {0});
-  CHECK(points(friction, {{1, flat}}, Sliding::minus_x) == expected);
-  CHECK(points(friction, {{1, flat}}, Sliding::plus_x, -0.5_r) == expected);
+  CHECK(points(friction, {{1, level}}, Sliding::minus_x) == expected);
+  CHECK(points(friction, {{1, level}}, Sliding::plus_x, -0.5_r) == expected);
 }
 
 TEST_CASE("an elastic indenter has no edges of its own") {

@@ -34,14 +34,32 @@ class BuildTree:
     def executable(self, name):
         return self.directory / "bin" / name
 
+    def unit_of(self, source):
+        """What the build compiles for a source: the source, or the file that includes it with others and the line."""
+        if source in self.compilations:
+            return source, None
+        line = f'#include "{source}"'
+        for unit in self.compilations:
+            if "/Unity/" in unit and line in Path(unit).read_text(encoding="utf-8").splitlines():
+                return unit, line
+        raise BuildFailed(f"{source} is not compiled in this build")
+
+    @staticmethod
+    def unit_with(unit, include, mutant, folder):
+        """The unit with the mutant in the source's place, so that its object defines all that the library's would."""
+        copy = folder / f"unit_{Path(unit).name}"
+        copy.write_text(Path(unit).read_text(encoding="utf-8").replace(include, f'#include "{mutant}"'), encoding="utf-8")
+        return copy
+
     def compile(self, file, text, folder):
         """Compiles `text` in the place of the source `file`; returns the object. Includes are named from the root, so
         that the copy may lie anywhere."""
         source = str(self.root / file)
-        if source not in self.compilations:
-            raise BuildFailed(f"{file} is not compiled in this build")
         copy = folder / Path(file).name
         copy.write_text(text, encoding="utf-8")
+        unit, include = self.unit_of(source)
+        if include:
+            source, copy = unit, self.unit_with(unit, include, copy, folder)
         target = folder / (copy.name + ".o")
         # A mutant may leave a variable unused.
         command = [word for word in self.compilations[source] if word != "-Werror"]

@@ -5,7 +5,8 @@ cmake_minimum_required(VERSION 3.25)
 
 set(wrong "")
 
-# proofs_checks/claims/<place>/thm_03_outside_slope.{cpp,md}: "# thm-03-outside-slope", "Claim thm_03_outside_slope() {".
+# proofs_checks/claims/<place>/thm_03_outside_slope.{cpp,md}: "# thm-03-outside-slope" and "Claim claim() {" in a namespace
+# thm_03_outside_slope.
 # A text that makes a claim by itself says how.
 set(count 0)
 file(GLOB_RECURSE claims RELATIVE "${SOURCE}" "${SOURCE}/proofs_checks/claims/*")
@@ -29,7 +30,10 @@ foreach(file IN LISTS claims)
     endif()
   else()
     string(REGEX REPLACE "cpp$" "md" other "${file}")
-    string(FIND "${text}" "\nClaim ${name}() {" found)
+    string(FIND "${text}" "\nnamespace steadyslide::proofs_checks::${name} {\n" found)
+    if(NOT text MATCHES "\nClaim claim\\(\\) {")
+      set(found -1)
+    endif()
   endif()
   if(found EQUAL -1)
     list(APPEND wrong "${file}: does not say ${id}")

@@ -10,33 +10,36 @@
 namespace steadyslide::app {
 namespace {
 
-using Solution = std::shared_ptr<const numeric::RiemannHilbertSolution<double>>;
+using SharedSolution = std::shared_ptr<const numeric::RiemannHilbertSolution<double>>;
 
 /// A solution for every load, each starting from the one before. The loads are squares: the contact's length grows like
 /// the root.
-std::vector<Solution> load_steps(const ContactProblem& problem, const Rational& last, int steps) {
-  std::vector<Solution> result;
+std::vector<SharedSolution> load_steps(const ContactProblem& problem, const Rational& last, int steps) {
+  std::vector<SharedSolution> result;
   for (int i = 1; i <= steps; ++i) {
-    const Solution* before = result.empty() ? nullptr : &result.back();
+    const SharedSolution* before = result.empty() ? nullptr : &result.back();
     const Rational load = last * i * i / (steps * steps);
     result.push_back(solved_by_singular_functions(problem.with_load(load), before ? before->get() : nullptr));
   }
   return result;
 }
 
-double load_of(const Solution& solution) { return solution->resultants().normal.value; }
+double load_of(const SharedSolution& solution) { return solution->resultants().normal.value; }
 
-Point at(const Solution& solution, const numeric::ContactEnd<double>& end) { return {load_of(solution), end.x.value}; }
+Point at(const SharedSolution& solution, const numeric::ContactEnd<double>& end) {
+  return {load_of(solution), end.x.value};
+}
 
 /// Two zones in, one zone out: the solutions between them are halved until their loads are one to six digits.
 /// Returned are those that have two zones.
-std::vector<Solution> up_to_merging(const ContactProblem& problem, const Solution& two, const Solution& one) {
-  std::vector<Solution> result{two};
+std::vector<SharedSolution> up_to_merging(const ContactProblem& problem, const SharedSolution& two,
+                                          const SharedSolution& one) {
+  std::vector<SharedSolution> result{two};
   Rational low(load_of(two));
   Rational high(load_of(one));
   while (high - low > Rational(1, 1000000) * high) {
     const Rational middle = (low + high) / 2;
-    const Solution solution = solved_by_singular_functions(problem.with_load(middle), result.back().get());
+    const SharedSolution solution = solved_by_singular_functions(problem.with_load(middle), result.back().get());
     if (solution->contact().size() == 2) {
       result.push_back(solution);
       low = middle;
@@ -55,17 +58,17 @@ Panel merging_zones(const Elasticity& body) {
   Panel panel{{0.59, 0.985, 0.175, 0.9},
               {"load {/:Italic P}  ({/:Italic E L})", 0, 1.2, false, 0.2},
               {"ends of contact {/:Italic x} / {/:Italic L}", -2, 2.6, false, 1}};
-  std::vector<Solution> solutions = load_steps(bumps, Rational(6, 5), 100);
-  const auto one = std::ranges::find_if(solutions, [](const Solution& s) { return s->contact().size() == 1; });
+  std::vector<SharedSolution> solutions = load_steps(bumps, Rational(6, 5), 100);
+  const auto one = std::ranges::find_if(solutions, [](const SharedSolution& s) { return s->contact().size() == 1; });
   if (one == solutions.begin() || one == solutions.end()) throw std::runtime_error("the contact zones do not meet");
-  const std::vector<Solution> meeting = up_to_merging(bumps, *(one - 1), *one);
+  const std::vector<SharedSolution> meeting = up_to_merging(bumps, *(one - 1), *one);
   const double merged = load_of(meeting.back());
   solutions.insert(one, meeting.begin(), meeting.end());
   Series outer_left{"outer ends", Look::line, 1, {{0, -1}}};
   Series outer_right{"", Look::line, 1, {{0, 1}}};
   Series inner_left{"inner ends", Look::line, 2, {{0, -1}}};
   Series inner_right{"", Look::line, 2, {{0, 1}}};
-  for (const Solution& solution : solutions) {
+  for (const SharedSolution& solution : solutions) {
     const auto zones = solution->contact();
     outer_left.points.push_back(at(solution, zones.front().left));
     outer_right.points.push_back(at(solution, zones.back().right));
@@ -97,7 +100,7 @@ Panel growing_zone(const Elasticity& body) {
     Series rear{
         "{/:Italic f} = " + to_string(left) + " left, " + to_string(right) + " right", Look::line, ++style, {{0, 0}}};
     Series front{"", Look::line, style, {{0, 0}}};
-    for (const Solution& solution : load_steps(problem, Rational(3, 20), 100)) {
+    for (const SharedSolution& solution : load_steps(problem, Rational(3, 20), 100)) {
       rear.points.push_back(at(solution, solution->contact().front().left));
       front.points.push_back(at(solution, solution->contact().back().right));
     }

@@ -3,7 +3,7 @@
 #include "proofs_checks/instruments/cells/cell_law.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::vi_definiteness_lost {
 namespace {
 
 /// A fall of s by `step` at c on `cells` equal cells; or, without a step, how fast sup T(c)^2/E tends to its law for
@@ -89,7 +89,7 @@ void check(Findings& findings, const DefinitenessLaw& law, const Fall& fall) {
 
 }  // namespace
 
-Claim vi_definiteness_lost() {
+Claim claim() {
   using L = DefinitenessLaw;
   return formula_claim<Fall, L>("vi-definiteness-lost")
       .cases(falls)
@@ -102,4 +102,4 @@ Claim vi_definiteness_lost() {
       .wrong("near miss: the constant moved by 1/1000", [](L& law) { law.largest.moved = 1e-3; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::vi_definiteness_lost

@@ -4,7 +4,7 @@
 #include "proofs_checks/instruments/cells/cell_law.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::vi_definiteness_lost_graded {
 namespace {
 
 /// s falls by `step` in the middle of the support.
@@ -59,7 +59,7 @@ void check(Findings& findings, const GradedLaw& law, const Fall& fall) {
 
 }  // namespace
 
-Claim vi_definiteness_lost_graded() {
+Claim claim() {
   using L = GradedLaw;
   constexpr double slope = 1 / std::numbers::pi;
   return formula_claim<Fall, L>("vi-definiteness-lost-graded")
@@ -74,4 +74,4 @@ Claim vi_definiteness_lost_graded() {
       .wrong("near miss: h foretold a sixth too small", [](L& law) { law.constant -= 0.05; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::vi_definiteness_lost_graded

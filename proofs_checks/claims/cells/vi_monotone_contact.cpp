@@ -14,7 +14,7 @@
 #include "proofs_checks/instruments/cells/dense_algebra.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::vi_monotone_contact {
 namespace {
 
 using numeric::variational::LemkeResult;
@@ -134,7 +134,7 @@ Values under_both_loads(const OnCells& c) {
 
 }  // namespace
 
-Claim vi_monotone_contact() {
+Claim claim() {
   return compared<OnCells>("vi-monotone-contact")
       .cases(within({}))
       .precision(Precision::in_double)
@@ -155,4 +155,4 @@ Claim vi_monotone_contact() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::vi_monotone_contact

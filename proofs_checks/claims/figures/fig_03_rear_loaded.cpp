@@ -5,7 +5,7 @@
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::fig_03_rear_loaded {
 namespace {
 
 /// Friction f on both halves: a jump of height zero at 0 makes the solver share the load there.
@@ -45,7 +45,7 @@ Number alpha_of(const ContactProblem& p) { return to_real<Number>(alpha(p, 0)); 
 
 }  // namespace
 
-Claim fig_03_rear_loaded() {
+Claim claim() {
   const Rational nu(3, 10);
   return compared<ContactProblem>("fig-03-rear-loaded")
       .cases(fixed_cases<ContactProblem>(
@@ -67,8 +67,8 @@ Claim fig_03_rear_loaded() {
         Values values{{"share, solved", share},
                       {"share, quadrature", rear_load_by_quadrature<R>(p)},
                       {"more than half", share > R(1) / 2},
-                      {"rear power", end_power<R>(Side::right, Power::unbounded, s)},
-                      {"front power", end_power<R>(Side::left, Power::unbounded, s)}};
+                      {"rear power", end_power<R>(Side::right, EndTraction::unbounded, s)},
+                      {"front power", end_power<R>(Side::left, EndTraction::unbounded, s)}};
         // Unbounded at both ends: one extreme is the minimum.
         const std::vector<R> extremes = extremes_between<R>(pressure, R(-1), R(1));
         if (extremes.size() != 1) return values;
@@ -88,4 +88,4 @@ Claim fig_03_rear_loaded() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::fig_03_rear_loaded

@@ -3,7 +3,7 @@
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::fig_04_shape {
 namespace {
 
 ContactProblem two_coatings(const Rational& s_rear, const Rational& s_front) {
@@ -37,7 +37,7 @@ Number beta_of(const ContactProblem& p) { return to_real<Number>(alpha(p, 0) - a
 
 }  // namespace
 
-Claim fig_04_shape() {
+Claim claim() {
   const Rational low(1, 10);
   const Rational high(3, 5);
   return compared<ContactProblem>("fig-04-shape")
@@ -82,4 +82,4 @@ Claim fig_04_shape() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::fig_04_shape

@@ -3,7 +3,7 @@
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::fig_05_parabola {
 namespace {
 
 /// psi/c = x^2/(2 R), R = 1/5.
@@ -35,7 +35,7 @@ Number half_width(const ContactProblem& p, const Number& alpha) {
 
 }  // namespace
 
-Claim fig_05_parabola() {
+Claim claim() {
   return compared<ContactProblem>("fig-05-parabola")
       .cases(fixed_cases<ContactProblem>(
           {parabola(2, 1), parabola(Rational(1, 5), 3), parabola(30, 1), parabola(2, 1, Sliding::minus_x)}, 1,
@@ -53,8 +53,8 @@ Claim fig_05_parabola() {
         const R s = to_real<R>(p.coupled_friction(0));
         Values values{{"left end", left},
                       {"right end", right},
-                      {"left power", end_power<R>(Side::right, Power::vanishing, s)},
-                      {"right power", end_power<R>(Side::left, Power::vanishing, s)},
+                      {"left power", end_power<R>(Side::right, EndTraction::vanishing, s)},
+                      {"right power", end_power<R>(Side::left, EndTraction::vanishing, s)},
                       {"equation", equation_error(p)}};
         const std::size_t end = contact_end(*solution, Side::left);
         const auto pressure = [&](const R& x) { return R(-traction_beside(*solution, end, Side::right, R(x - left))); };
@@ -81,4 +81,4 @@ Claim fig_05_parabola() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::fig_05_parabola

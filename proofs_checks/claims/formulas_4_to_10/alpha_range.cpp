@@ -3,7 +3,7 @@
 #include "proofs_checks/kit/formula_claim.hpp"
 #include "symbolic/cln/cln_evaluation.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::alpha_range {
 namespace {
 
 struct RigidContact {
@@ -41,7 +41,7 @@ struct Angle {
 
 }  // namespace
 
-Claim alpha_range() {
+Claim claim() {
   return formula_claim<RigidContact, Angle>("alpha-range")
       .cases(contacts)
       .effective_where([](const RigidContact& c) { return c.f != 0; })
@@ -71,4 +71,4 @@ Claim alpha_range() {
       .wrong("near miss: alpha moved by 1e-94", [](Angle& a) { a.moved = Exponent::angle(tiny()); });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::alpha_range

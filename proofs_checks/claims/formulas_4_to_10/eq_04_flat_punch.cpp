@@ -1,7 +1,7 @@
 #include "proofs_checks/instruments/tractions/constant_punch.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::eq_04_flat_punch {
 
-Claim eq_04_flat_punch() { return constant_punch_claim("eq-04-flat-punch", PunchLoad::given); }
+Claim claim() { return constant_punch_claim("eq-04-flat-punch", PunchLoad::given); }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::eq_04_flat_punch

@@ -2,7 +2,7 @@
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::eq_05_07_friction_jump {
 namespace {
 
 CaseList<ContactProblem> punches(const Context& context) {
@@ -35,7 +35,7 @@ void check_at_the_jump(Findings& findings, const PowerProduct& t, const ContactP
 
 }  // namespace
 
-Claim eq_05_07_friction_jump() {
+Claim claim() {
   return formula_claim<ContactProblem, PowerProduct>("eq-05-07-friction-jump")
       .cases(punches)
       .effective_where(has_jump)
@@ -67,4 +67,4 @@ Claim eq_05_07_friction_jump() {
       .near_miss("the amplitude in front", [](PowerProduct& t, const Number& step) { t.amplitudes[1] *= 1 + step; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::eq_05_07_friction_jump

@@ -3,7 +3,7 @@
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::eq_10_inverse {
 namespace {
 
 /// u' linear under constant friction.
@@ -58,7 +58,7 @@ void check_inverse(Findings& findings, const InverseFormula& formula, const Line
 
 }  // namespace
 
-Claim eq_10_inverse() {
+Claim claim() {
   return formula_claim<LinearSlope, InverseFormula>("eq-10-inverse")
       .cases(slopes)
       .effective_where([](const LinearSlope& c) { return c.s() != 0; })
@@ -74,4 +74,4 @@ Claim eq_10_inverse() {
       .near_miss("the integral", &InverseFormula::integral);
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::eq_10_inverse

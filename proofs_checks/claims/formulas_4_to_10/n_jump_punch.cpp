@@ -1,7 +1,7 @@
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::n_jump_punch {
 namespace {
 
 /// 0, 1, ..., 8 jumps, towards +x and -x, Poisson ratios and friction over their whole ranges. In this order the
@@ -28,7 +28,7 @@ CaseList<ContactProblem> punches(const Context& context) {
 
 }  // namespace
 
-Claim n_jump_punch() {
+Claim claim() {
   return formula_claim<ContactProblem, PowerProduct>("n-jump-punch")
       .cases(punches)
       .effective_where(has_jump)
@@ -67,4 +67,4 @@ Claim n_jump_punch() {
       .near_miss("the amplitude", [](PowerProduct& t, const Number& step) { t.scale(1 + step); });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::n_jump_punch

@@ -1,7 +1,7 @@
 #include "proofs_checks/instruments/tractions/parabola_cases.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::parabola_galin {
 namespace {
 
 /// The printed formulas: the zone from `half_width`, the traction with the factor 1/R, and that factor from the load.
@@ -71,7 +71,7 @@ void check_peak(Findings& findings, const Galin& t, const ContactProblem& proble
 
 }  // namespace
 
-Claim parabola_galin() {
+Claim claim() {
   return formula_claim<ContactProblem, Galin>("parabola-galin")
       .cases(parabolas)
       .effective_where(has_friction)
@@ -108,4 +108,4 @@ Claim parabola_galin() {
       .near_miss("the peak", [](Galin& t, const Number& step) { t.peak += t.half_width * step; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::parabola_galin

@@ -2,7 +2,7 @@
 #include "proofs_checks/instruments/tractions/parabola_cases.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::parabola_n_jumps {
 namespace {
 
 CaseList<ContactProblem> parabolas(const Context& context) {
@@ -53,7 +53,7 @@ void move_rear_end(ParabolaTraction& t, const Number& by) {
 
 }  // namespace
 
-Claim parabola_n_jumps() {
+Claim claim() {
   return formula_claim<ContactProblem, ParabolaTraction>("parabola-n-jumps")
       .cases(parabolas)
       .effective_where(jumps_inside)
@@ -81,4 +81,4 @@ Claim parabola_n_jumps() {
       .near_miss("the amplitude", [](ParabolaTraction& t, const Number& step) { t.scale(1 + step); });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::parabola_n_jumps

@@ -2,7 +2,7 @@
 #include "proofs_checks/instruments/tractions/power_product.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::published_galin_at_2 {
 namespace {
 
 struct Published {};
@@ -38,7 +38,7 @@ void check_integral(Findings& findings, const CauchyIntegral& integral, const Pu
 
 }  // namespace
 
-Claim published_galin_at_2() {
+Claim claim() {
   return formula_claim<Published, CauchyIntegral>("published-galin-at-2")
       .cases(fixed_cases<Published>({Published()}, 1, "the one published case"))
       .quantities({"trapezoidal", "tanh sinh"})
@@ -58,4 +58,4 @@ Claim published_galin_at_2() {
       .near_miss("the rear power", [](CauchyIntegral& i, const Number& step) { i.move_power(0, step); });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::published_galin_at_2

@@ -2,7 +2,7 @@
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::eq_01_surface_displacement {
 namespace {
 
 using numeric::StressComponents;
@@ -111,7 +111,7 @@ void check_slopes(Findings& findings, const SurfaceSlopes& formula, const Body& 
 
 }  // namespace
 
-Claim eq_01_surface_displacement() {
+Claim claim() {
   return formula_claim<Body, SurfaceSlopes>("eq-01-surface-displacement")
       .cases(bodies)
       .precision(Precision::at_least_fifty)
@@ -141,4 +141,4 @@ Claim eq_01_surface_displacement() {
              [](SurfaceSlopes& u) { u.hilbert *= 1 + Number("1e-43"); });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::eq_01_surface_displacement

@@ -5,7 +5,7 @@
 #include "proofs_checks/instruments/tractions/surface.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::eq_02_03_reduction {
 namespace {
 
 /// A traction under friction with jumps; the profile says nothing.
@@ -67,7 +67,7 @@ void check_reduction(Findings& findings, const PiecewiseS& s, const Sheared& c) 
 
 }  // namespace
 
-Claim eq_02_03_reduction() {
+Claim claim() {
   return formula_claim<Sheared, PiecewiseS>("eq-02-03-reduction")
       .cases(cases)
       .effective_where([](const Sheared& c) { return c.problem.elasticity().gamma() != 0; })
@@ -89,4 +89,4 @@ Claim eq_02_03_reduction() {
       });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::eq_02_03_reduction

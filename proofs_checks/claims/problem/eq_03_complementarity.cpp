@@ -9,7 +9,7 @@
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::eq_03_complementarity {
 namespace {
 
 using numeric::ContactState;
@@ -205,7 +205,7 @@ void examine(Findings& findings, const ContactProblem& problem, const Candidate&
 
 }  // namespace
 
-Claim eq_03_complementarity() {
+Claim claim() {
   using Which = Candidate::Which;
   const auto which = [](Which is) { return [is](Candidate& candidate) { candidate.which = is; }; };
   return formula_claim<ContactProblem, Candidate>("eq-03-complementarity")
@@ -235,4 +235,4 @@ Claim eq_03_complementarity() {
       .near_miss("the traction", &Candidate::factor);
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::eq_03_complementarity

@@ -1,8 +1,8 @@
 #include "proofs_checks/instruments/solutions/problem_law.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::eq_03_dilation {
 
-Claim eq_03_dilation() {
+Claim claim() {
   static const Rational factor(5, 3);
   return law_claim("eq-03-dilation",
                    {.scale = factor, .shift = Rational(1, 7), .height = factor, .load = factor, .gap = factor})
@@ -14,4 +14,4 @@ Claim eq_03_dilation() {
       .near_miss("the traction on cells", [](Law& l, const Number&) { l.missed_on_cells = true; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::eq_03_dilation

@@ -1,8 +1,8 @@
 #include "proofs_checks/instruments/solutions/problem_law.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::eq_03_height_zero {
 
-Claim eq_03_height_zero() {
+Claim claim() {
   return law_claim("eq-03-height-zero", {.jump = Rational(0)})
       .wrong("a jump of 1/10", [](Law& l) { l.jump = Rational(1, 10); })
       .wrong("the load changes, too", [](Law& l) { l.load = Rational(1001, 1000); })
@@ -10,4 +10,4 @@ Claim eq_03_height_zero() {
       .near_miss("the traction on cells", [](Law& l, const Number&) { l.missed_on_cells = true; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::eq_03_height_zero

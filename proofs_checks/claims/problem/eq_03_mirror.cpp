@@ -1,8 +1,8 @@
 #include "proofs_checks/instruments/solutions/problem_law.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::eq_03_mirror {
 
-Claim eq_03_mirror() {
+Claim claim() {
   return law_claim("eq-03-mirror", {.scale = -1, .turned = true})
       .wrong("the sliding direction kept", [](Law& l) { l.turned = false; })
       .wrong("the direction turned, the data not mirrored", [](Law& l) { l.scale = 1; })
@@ -11,4 +11,4 @@ Claim eq_03_mirror() {
       .near_miss("the traction on cells", [](Law& l, const Number&) { l.missed_on_cells = true; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::eq_03_mirror

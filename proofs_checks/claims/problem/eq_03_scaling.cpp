@@ -1,8 +1,8 @@
 #include "proofs_checks/instruments/solutions/problem_law.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::eq_03_scaling {
 
-Claim eq_03_scaling() {
+Claim claim() {
   static const Rational factor(5, 3);
   return law_claim("eq-03-scaling", {.height = factor, .load = factor, .traction = factor, .gap = factor})
       .wrong("load kept", [](Law& l) { l.load = 1; })
@@ -13,4 +13,4 @@ Claim eq_03_scaling() {
       .near_miss("the traction on cells", [](Law& l, const Number&) { l.missed_on_cells = true; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::eq_03_scaling

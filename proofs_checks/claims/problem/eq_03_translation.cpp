@@ -1,8 +1,8 @@
 #include "proofs_checks/instruments/solutions/problem_law.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::eq_03_translation {
 
-Claim eq_03_translation() {
+Claim claim() {
   static const Polynomial tilt({0, Rational(1, 100)});
   return law_claim("eq-03-translation", {.lift = Polynomial::constant(Rational(-7, 5))})
       .wrong("the gap grows with C", [](Law& l) { l.gap = Rational(7, 5); })
@@ -12,4 +12,4 @@ Claim eq_03_translation() {
       .near_miss("the traction on cells", [](Law& l, const Number&) { l.missed_on_cells = true; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::eq_03_translation

@@ -1,9 +1,9 @@
 #include "proofs_checks/instruments/identities/derived.hpp"
 #include "proofs_checks/instruments/identities/gamma_range.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::gamma_plane_stress {
 
-Claim gamma_plane_stress() {
+Claim claim() {
   return proved_by(
       {"gamma-plane-stress"},
       "gamma is linear in nu with slope -1/2: it takes every value between its values at both ends once",
@@ -17,4 +17,4 @@ Claim gamma_plane_stress() {
           .near_misses());
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::gamma_plane_stress

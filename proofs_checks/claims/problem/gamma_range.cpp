@@ -1,9 +1,9 @@
 #include "proofs_checks/instruments/identities/gamma_range.hpp"
 #include "proofs_checks/instruments/identities/derived.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::gamma_range {
 
-Claim gamma_range() {
+Claim claim() {
   return proved_by(
       {"gamma-plane-strain", "gamma-decreases", "gamma-below-three-quarters", "gamma-at-minus-one",
        "gamma-at-one-half"},
@@ -24,4 +24,4 @@ Claim gamma_range() {
           .near_misses());
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::gamma_range

@@ -2,7 +2,7 @@
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::plemelj {
 namespace {
 
 using numeric::BoundaryLimit;
@@ -79,7 +79,7 @@ void check_jump(Findings& findings, const PlemeljJump& formula, const ContactPro
 
 }  // namespace
 
-Claim plemelj() {
+Claim claim() {
   return formula_claim<ContactProblem, PlemeljJump>("plemelj")
       .cases(punches)
       .effective_where(has_friction)
@@ -100,4 +100,4 @@ Claim plemelj() {
       .near_miss("Phi", &PlemeljJump::potential);
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::plemelj

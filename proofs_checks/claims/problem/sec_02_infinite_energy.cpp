@@ -10,7 +10,7 @@
 #include "proofs_checks/kit/comparison.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::sec_02_infinite_energy {
 namespace {
 
 /// int sigma:epsilon/2 over radius < r < 2 radius, z > 0.
@@ -65,7 +65,7 @@ double plane_strain_modulus(const ContactProblem& problem) {
 
 }  // namespace
 
-Claim sec_02_infinite_energy() {
+Claim claim() {
   return compared<ContactProblem>("sec-02-infinite-energy")
       .cases(fixed_cases<ContactProblem>(
           {punch(Rational(1, 5), {Rational(1, 2), 2}, {Rational(1, 4)}, Rational(3, 2)),
@@ -119,4 +119,4 @@ Claim sec_02_infinite_energy() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::sec_02_infinite_energy

@@ -2,7 +2,7 @@
 #include "proofs_checks/instruments/identities/derived.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::rem_01_elastic_indenter {
 namespace {
 
 struct TwoBodies {
@@ -64,7 +64,7 @@ auto with(const Constant& gamma, const Constant& compliance) {
 
 }  // namespace
 
-Claim rem_01_elastic_indenter() {
+Claim claim() {
   Claim claim =
       compared<TwoBodies>("rem-01-elastic-indenter")
           .cases(pairs)
@@ -97,4 +97,4 @@ Claim rem_01_elastic_indenter() {
                    "as rational functions of both shear moduli and both Kolosov constants", std::move(claim));
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::rem_01_elastic_indenter

@@ -2,7 +2,7 @@
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::rem_01_front_rear {
 namespace {
 
 /// A contact with the friction coefficients f at its ends, and one jump between them if they differ.
@@ -68,7 +68,7 @@ Values measured(const Sliding& c) {
   if (!c.profile) return values;
   const R rear = to_real<R>(rear_s);
   const R front = to_real<R>(front_s);
-  const Power power = c.is_flat() ? Power::unbounded : Power::vanishing;
+  const EndTraction power = c.is_flat() ? EndTraction::unbounded : EndTraction::vanishing;
   values.add({"ends", R(end_power<R>(Side::left, power, front) - end_power<R>(Side::right, power, rear))});
   if (c.has_jump()) values.add({"jump", jump_power<R>(rear, front).power});
   values.add({"equation", solve<double>(c.problem())->residuals().equation});
@@ -93,7 +93,7 @@ Values predicted(const Sliding& c) {
 
 }  // namespace
 
-Claim rem_01_front_rear() {
+Claim claim() {
   return compared<Sliding>("rem-01-front-rear")
       .cases(contacts)
       .precision(Precision::at_least_fifty)
@@ -117,4 +117,4 @@ Claim rem_01_front_rear() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::rem_01_front_rear

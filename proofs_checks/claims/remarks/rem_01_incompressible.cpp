@@ -2,7 +2,7 @@
 #include "proofs_checks/kit/comparison.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::rem_01_incompressible {
 namespace {
 
 /// Problems that differ by gamma alone: of a reduced problem, or by nu -> 1/2 at the same compliance.
@@ -84,7 +84,7 @@ Values predicted(const Limit& c) {
 
 }  // namespace
 
-Claim rem_01_incompressible() {
+Claim claim() {
   return compared<Limit>("rem-01-incompressible")
       .cases(limits)
       .precision(Precision::at_least_fifty)
@@ -101,4 +101,4 @@ Claim rem_01_incompressible() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::rem_01_incompressible

@@ -3,7 +3,7 @@
 #include "proofs_checks/kit/comparison.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::rem_01_neglect {
 namespace {
 
 const Rational s_front(1);  ///< in front of the friction jump
@@ -116,7 +116,7 @@ Values predicted(const Neglect& c) {
 
 }  // namespace
 
-Claim rem_01_neglect() {
+Claim claim() {
   return compared<Neglect>("rem-01-neglect")
       .cases(parabolas)
       .precision(Precision::at_least_fifty)
@@ -142,4 +142,4 @@ Claim rem_01_neglect() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::rem_01_neglect

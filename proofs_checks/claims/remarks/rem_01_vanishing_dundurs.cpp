@@ -2,7 +2,7 @@
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::rem_01_vanishing_dundurs {
 namespace {
 
 struct Bodies {
@@ -111,7 +111,7 @@ Values predicted(const Bodies&) {
 
 }  // namespace
 
-Claim rem_01_vanishing_dundurs() {
+Claim claim() {
   return compared<Bodies>("rem-01-vanishing-dundurs")
       .cases(pairs)
       .precision(Precision::at_least_fifty)
@@ -138,4 +138,4 @@ Claim rem_01_vanishing_dundurs() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::rem_01_vanishing_dundurs

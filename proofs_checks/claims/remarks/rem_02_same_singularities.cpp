@@ -6,7 +6,7 @@
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::rem_02_same_singularities {
 namespace {
 
 /// One punch of the row.
@@ -118,7 +118,7 @@ void check(Findings& findings, const RowTraction& form, const Row& row) {
 
 }  // namespace
 
-Claim rem_02_same_singularities() {
+Claim claim() {
   return formula_claim<Row, RowTraction>("rem-02-same-singularities")
       .cases(rows)
       .precision(Precision::quick_in_double)
@@ -140,4 +140,4 @@ Claim rem_02_same_singularities() {
       .near_miss("the power at the rear", [](RowTraction& form, const Number& step) { form.moved = step; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::rem_02_same_singularities

@@ -1,7 +1,7 @@
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::rh_count {
 namespace {
 
 /// Of each component: is there an edge at its left end, at its right one? Else the end is free.
@@ -72,7 +72,7 @@ auto with(const Count& count) {
 
 }  // namespace
 
-Claim rh_count() {
+Claim claim() {
   return compared<Edges>("rh-count")
       .cases(every_choice)
       .precision(Precision::in_double)
@@ -85,4 +85,4 @@ Claim rh_count() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::rh_count

@@ -6,7 +6,7 @@
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::rh_form {
 namespace {
 
 /// t = eps cos(pi alpha) prod |x - e_j|^{p_j} B_k on every segment.
@@ -80,7 +80,7 @@ Surface<R> surface_of(const RiemannHilbertForm<R>& form, const FormTerms& terms)
 
 }  // namespace
 
-Claim rh_form() {
+Claim claim() {
   return formula_claim<Trial, FormTerms>("rh-form")
       .cases(trials("rh-form", {20, 2, 1}, true))
       .effective_where([](const Trial& trial) { return has_friction(trial.problem); })
@@ -124,4 +124,4 @@ Claim rh_form() {
       });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::rh_form

@@ -4,7 +4,7 @@
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::rh_gap {
 namespace {
 
 /// gap = steps on the way + int Y B_k, from a contact end to a place.
@@ -130,7 +130,7 @@ class GapCheck {
 
 }  // namespace
 
-Claim rh_gap() {
+Claim claim() {
   return formula_claim<Trial, GapTerms>("rh-gap")
       .cases(trials("rh-gap", {20, 3, 1}))
       .quantities({"gap", "closure"})
@@ -148,4 +148,4 @@ Claim rh_gap() {
       .near_miss("the gap", [](GapTerms& terms, const Number& step) { terms.scale += 2 * step; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::rh_gap

@@ -5,7 +5,7 @@
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::rh_linearisation {
 namespace {
 
 /// d(u'/c)/de = Y (p B(e)/(x - e) - (p/pi) [q/(z - e)]_poly), q and the tilt fixed; in the contact
@@ -144,7 +144,7 @@ CaseList<Trial> all_trials(const Context& context) {
 
 }  // namespace
 
-Claim rh_linearisation() {
+Claim claim() {
   using Power = Derivatives::Power;
   return formula_claim<Trial, Derivatives>("rh-linearisation")
       .cases(all_trials)
@@ -166,4 +166,4 @@ Claim rh_linearisation() {
       .near_miss("the residue", &Derivatives::residue);
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::rh_linearisation

@@ -3,7 +3,7 @@
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::rh_load {
 namespace {
 
 /// Over the size of int |t|: int t and int x t by quadrature, and by which the form's rule differs from it on a
@@ -50,7 +50,7 @@ Values at_infinity(const Trial& trial, bool first_term_alone = false) {
 
 }  // namespace
 
-Claim rh_load() {
+Claim claim() {
   return compared<Trial>("rh-load")
       .cases(trials("rh-load", {20, 2, 1}))
       .quantities({"load", "moment", "moment, solver"}, {.absolute = true})
@@ -68,4 +68,4 @@ Claim rh_load() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::rh_load

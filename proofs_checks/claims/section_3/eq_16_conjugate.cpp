@@ -3,7 +3,7 @@
 #include "proofs_checks/instruments/operators/contact_forces.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::eq_16_conjugate {
 namespace {
 
 struct Pair {
@@ -82,7 +82,7 @@ void check(Findings& findings, const Conjugate& conjugate, const Pair& pair) {
 
 }  // namespace
 
-Claim eq_16_conjugate() {
+Claim claim() {
   const auto admissible = [](const ContactForces& c) { return c.is_admissible(); };
   const auto times = [=](const Rational& factor) {
     return [=](Conjugate& conjugate) { conjugate = pairing_on(admissible, factor); };
@@ -103,4 +103,4 @@ Claim eq_16_conjugate() {
       .wrong("near miss: <<psi, t_hat>> moved by 1e-60", times(1 + parse_rational("1e-60")));
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::eq_16_conjugate

@@ -7,7 +7,7 @@
 #include "proofs_checks/kit/formula_claim.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::lemma_04_functional {
 namespace {
 
 using std::numbers::pi;
@@ -168,7 +168,7 @@ void check_spikes(Findings& findings, const Functional& form, const Rational& s,
 
 }  // namespace
 
-Claim lemma_04_functional() {
+Claim claim() {
   const auto with_reference = [](Number (*reference)(const Function&)) {
     return [reference](Functional& form) { form.reference = reference; };
   };
@@ -199,4 +199,4 @@ Claim lemma_04_functional() {
       .near_miss("phi", &Functional::size);
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::lemma_04_functional

@@ -5,7 +5,7 @@
 #include "proofs_checks/instruments/operators/gap_functional.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::prop_05_equivalence {
 namespace {
 
 using Function = PiecewiseFunction;
@@ -139,7 +139,7 @@ void check_steps(Findings& findings, const Equivalence& said, const Steps& steps
 
 }  // namespace
 
-Claim prop_05_equivalence() {
+Claim claim() {
   const auto conditions = [](auto change) { return [change](Equivalence& said) { change(said.conditions); }; };
   using C = Conditions;
   return formula_claim<Case, Equivalence>("prop-05-equivalence")
@@ -165,4 +165,4 @@ Claim prop_05_equivalence() {
       });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::prop_05_equivalence

@@ -6,7 +6,7 @@
 #include "proofs_checks/instruments/operators/dual_study.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::prop_06_problem_I0 {
 namespace {
 
 /// A problem on cells, contact sets to start from, and forces of any sum to put into the inequality.
@@ -124,7 +124,7 @@ void check_convergence(Findings& findings, KnownMoments& known, const OneSolutio
 
 }  // namespace
 
-Claim prop_06_problem_I0() {
+Claim claim() {
   const auto of_cells = [](auto change) {
     return [change](OneSolution& said) {
       if (said.unique) change(said);
@@ -160,4 +160,4 @@ Claim prop_06_problem_I0() {
       .near_miss("forces", [](OneSolution& said, const Number& step) { said.forces += static_cast<double>(step); });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::prop_06_problem_I0

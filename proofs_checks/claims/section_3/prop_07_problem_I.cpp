@@ -2,7 +2,7 @@
 #include "proofs_checks/instruments/operators/dual_study.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::prop_07_problem_I {
 namespace {
 
 using State = DisplacementProblem::State;
@@ -81,7 +81,7 @@ void check(Findings& findings, const ProblemI& form, const Case& c) {
 
 }  // namespace
 
-Claim prop_07_problem_I() {
+Claim claim() {
   return formula_claim<Case, ProblemI>("prop-07-problem-I")
       .cases(cases)
       .precision(Precision::in_double)
@@ -97,4 +97,4 @@ Claim prop_07_problem_I() {
       .wrong("near miss: forces moved by ten times the tolerance", [](ProblemI& form) { form.forces += 10 * allowed; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::prop_07_problem_I

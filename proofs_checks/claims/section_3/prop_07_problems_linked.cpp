@@ -4,7 +4,7 @@
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::prop_07_problems_linked {
 namespace {
 
 /// u_n = psi is a polynomial.
@@ -92,7 +92,7 @@ void check_convergence(Findings& findings, KnownMoments& known, const Link& link
 
 }  // namespace
 
-Claim prop_07_problems_linked() {
+Claim claim() {
   return formula_claim<Case, Link>("prop-07-problems-linked")
       .cases(cases)
       // Principal values at 50 digits take a tenth of a second.
@@ -115,4 +115,4 @@ Claim prop_07_problems_linked() {
       .near_miss("the load of problem I", [](Link& link, const Number& step) { link.load += step; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::prop_07_problems_linked

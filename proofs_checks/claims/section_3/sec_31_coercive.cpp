@@ -4,7 +4,7 @@
 #include "proofs_checks/instruments/tractions/friction_values.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::sec_31_coercive {
 namespace {
 
 /// A traction sum_k c_k T_k/sqrt(1-x^2), k >= 1, and cells.
@@ -62,7 +62,7 @@ Values predicted(const Coercive& at) {
 
 }  // namespace
 
-Claim sec_31_coercive() {
+Claim claim() {
   const double in_double = tolerance<double>();
   const std::vector<std::string> energies{"energy", "least", "largest"};
   return compared<Coercive>("sec-31-coercive")
@@ -85,4 +85,4 @@ Claim sec_31_coercive() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::sec_31_coercive

@@ -4,7 +4,7 @@
 #include "proofs_checks/instruments/tractions/jacobi_traction.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::sec_31_decomposition {
 namespace {
 
 /// t_0 = factor (1+x)^left (1-x)^right, and b(t_0, t) = constant <<t, 1>>, b under the friction s.
@@ -49,7 +49,7 @@ void check(Findings& findings, const UnitSolution& form, bool quick) {
 
 }  // namespace
 
-Claim sec_31_decomposition() {
+Claim claim() {
   return formula_claim<FrictionValue, UnitSolution>("sec-31-decomposition")
       .cases([](const Context& context) { return frictions_of_both_signs(context, "sec-31-decomposition"); })
       .precision(Precision::at_least_fifty)
@@ -68,4 +68,4 @@ Claim sec_31_decomposition() {
       .near_miss("ten times an exponent", [](UnitSolution& form, const Number& step) { form.moved = 10 * step; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::sec_31_decomposition

@@ -2,7 +2,7 @@
 #include "proofs_checks/instruments/tractions/surface.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::sec_31_inverse {
 namespace {
 
 struct PolynomialSlope {
@@ -64,7 +64,7 @@ void check_inverse(Findings& findings, const InverseFormula& formula, const Poly
 
 }  // namespace
 
-Claim sec_31_inverse() {
+Claim claim() {
   return formula_claim<PolynomialSlope, InverseFormula>("sec-31-inverse")
       .cases(slopes)
       .effective_where([](const PolynomialSlope& c) { return c.s != 0; })
@@ -82,4 +82,4 @@ Claim sec_31_inverse() {
       .near_miss("the integral", &InverseFormula::integral);
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::sec_31_inverse

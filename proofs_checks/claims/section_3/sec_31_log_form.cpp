@@ -1,8 +1,8 @@
 #include "proofs_checks/instruments/operators/log_form_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::sec_31_log_form {
 
-Claim sec_31_log_form() {
+Claim claim() {
   return log_form_claim("sec-31-log-form", {2})
       .wrong("log 2 missing", predicts({.critical = 2}))
       .wrong("pi^2/k", predicts({.first = 1}))
@@ -10,4 +10,4 @@ Claim sec_31_log_form() {
       .wrong("the other sign", predicts({.first = Rational(-1, 2)}));
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::sec_31_log_form

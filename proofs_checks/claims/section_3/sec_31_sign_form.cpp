@@ -9,7 +9,7 @@
 #include "proofs_checks/kit/comparison.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::sec_31_sign_form {
 namespace {
 
 using std::numbers::pi;
@@ -112,7 +112,7 @@ Values predicted(const Case& c) {
 
 }  // namespace
 
-Claim sec_31_sign_form() {
+Claim claim() {
   return compared<Case>("sec-31-sign-form")
       .cases([](const Context& context) { return cases(context, false); })
       .quantities({"entry", "exchanged"}, {.absolute = true})
@@ -141,4 +141,4 @@ Claim sec_31_sign_form() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::sec_31_sign_form

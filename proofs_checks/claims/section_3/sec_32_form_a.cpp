@@ -6,7 +6,7 @@
 #include "proofs_checks/instruments/operators/displacement_operator.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::sec_32_form_a {
 namespace {
 
 using numeric::Power;
@@ -177,7 +177,7 @@ void check_bounds(Findings& findings, const FormA& form, const Rational& s, int 
 
 }  // namespace
 
-Claim sec_32_form_a() {
+Claim claim() {
   return formula_claim<Case, FormA>("sec-32-form-a")
       .cases(cases)
       .precision(Precision::quick_in_double)
@@ -202,4 +202,4 @@ Claim sec_32_form_a() {
       .near_miss("a", [](FormA& form, const Number& step) { form.scale += step; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::sec_32_form_a

@@ -3,7 +3,7 @@
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::thm_08_homogeneous {
 namespace {
 
 using numeric::ContactSolution;
@@ -93,7 +93,7 @@ void check(Findings& findings, const SameSolution& same, const Homogeneous& c) {
 
 }  // namespace
 
-Claim thm_08_homogeneous() {
+Claim claim() {
   return formula_claim<Homogeneous, SameSolution>("thm-08-homogeneous")
       .cases(cases)
       .quantity("residual")
@@ -115,4 +115,4 @@ Claim thm_08_homogeneous() {
       });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::thm_08_homogeneous

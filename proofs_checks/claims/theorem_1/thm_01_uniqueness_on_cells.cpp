@@ -1,7 +1,7 @@
 #include "proofs_checks/instruments/cells/interior_point.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::thm_01_uniqueness_on_cells {
 namespace {
 
 /// A problem, and contact sets to start from.
@@ -50,7 +50,7 @@ void check(Findings& findings, const SameForces& said, const Started& c) {
 
 }  // namespace
 
-Claim thm_01_uniqueness_on_cells() {
+Claim claim() {
   return formula_claim<Started, SameForces>("thm-01-uniqueness-on-cells")
       .cases(rising)
       .precision(Precision::in_double)
@@ -63,4 +63,4 @@ Claim thm_01_uniqueness_on_cells() {
       .near_miss("forces", &SameForces::forces);
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::thm_01_uniqueness_on_cells

@@ -3,7 +3,7 @@
 #include "proofs_checks/instruments/cells/dense_algebra.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::vi_definite_rising {
 namespace {
 
 struct JumpsOnCells {
@@ -51,7 +51,7 @@ Values predicted(const JumpsOnCells& c, double factor, bool zero_mean = true) {
 
 }  // namespace
 
-Claim vi_definite_rising() {
+Claim claim() {
   return compared<JumpsOnCells>("vi-definite-rising")
       .cases(jumps(Trend::rising))
       .precision(Precision::in_double)
@@ -66,4 +66,4 @@ Claim vi_definite_rising() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::vi_definite_rising

@@ -7,7 +7,7 @@
 #include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::vi_discrete_existence {
 namespace {
 
 /// Where short cells meet strong friction the paths turn back again and again: of 1800 random problems 30 take more
@@ -73,7 +73,7 @@ void check(Findings& findings, const Variant& variant, const Numbered& c) {
 
 }  // namespace
 
-Claim vi_discrete_existence() {
+Claim claim() {
   return formula_claim<Numbered, Variant>("vi-discrete-existence")
       .cases(problems)
       .precision(Precision::in_double)
@@ -86,4 +86,4 @@ Claim vi_discrete_existence() {
       .wrong("near miss: pressures moved by ten times what the certificate allows", [](Variant& v) { v.moved = 10; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::vi_discrete_existence

@@ -7,7 +7,7 @@
 #include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::vi_energy_identity {
 namespace {
 
 /// factor_log sum_{i<j} J_i J_j r^2 log r + factor_jump sum_k (s_k - s_{k-1}) T(c_k)^2; J_i the jumps of t at the
@@ -166,7 +166,7 @@ auto with(const EnergyFormula& formula) {
 
 }  // namespace
 
-Claim vi_energy_identity() {
+Claim claim() {
   const Real50 pi = numeric::pi<Real50>();
   return compared<CellForces>("vi-energy-identity")
       .cases(forces)
@@ -183,4 +183,4 @@ Claim vi_energy_identity() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::vi_energy_identity

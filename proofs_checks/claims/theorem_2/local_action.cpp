@@ -5,7 +5,7 @@
 #include "proofs_checks/kit/comparison.hpp"
 #include "symbolic/local/local_action_value.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::local_action {
 namespace {
 
 using numeric::Panel;
@@ -88,7 +88,7 @@ Values said(const ActionAt& c, std::optional<WrongSymbol> wrong = {}) {
 
 }  // namespace
 
-Claim local_action() {
+Claim claim() {
   const auto with = [](WrongSymbol symbol) { return [symbol](Values& p, const ActionAt& c) { p = said(c, symbol); }; };
   return compared<ActionAt>("local-action")
       .cases(actions)
@@ -102,4 +102,4 @@ Claim local_action() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::local_action

@@ -1,6 +1,6 @@
 #include "proofs_checks/instruments/solutions/corner_form.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::thm_02_solved_wedge_and_jump {
 namespace {
 
 CornerForm at_wedge_and_jump(const SolvedCorner& c) {
@@ -14,7 +14,7 @@ CornerForm at_wedge_and_jump(const SolvedCorner& c) {
 
 }  // namespace
 
-Claim thm_02_solved_wedge_and_jump() {
+Claim claim() {
   const Rational third(1, 3);
   return corner_claim(
              "thm-02-solved-wedge-and-jump",
@@ -37,4 +37,4 @@ Claim thm_02_solved_wedge_and_jump() {
       .near_miss("theta", [](CornerForm& form, const Number& step) { form.limit += step; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::thm_02_solved_wedge_and_jump

@@ -7,7 +7,7 @@
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::thm_02_words_jump {
 namespace {
 
 struct JumpCase {
@@ -112,7 +112,7 @@ Values predicted(const JumpCase& c, const Rational& gamma = 1) {
 
 }  // namespace
 
-Claim thm_02_words_jump() {
+Claim claim() {
   return compared<JumpCase>("thm-02-words-jump")
       .cases(jumps)
       .precision(Precision::quick_in_double)
@@ -138,4 +138,4 @@ Claim thm_02_words_jump() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::thm_02_words_jump

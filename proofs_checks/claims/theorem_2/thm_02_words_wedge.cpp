@@ -4,7 +4,7 @@
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::thm_02_words_wedge {
 namespace {
 
 enum class Examined {
@@ -93,7 +93,7 @@ Values at_wedge(const CornerCase& c) {
 
 }  // namespace
 
-Claim thm_02_words_wedge() {
+Claim claim() {
   return compared<CornerCase>("thm-02-words-wedge")
       .cases(corners)
       .effective_where([](const CornerCase& c) { return c.examined != Examined::wedge || c.s() != 0; })
@@ -130,4 +130,4 @@ Claim thm_02_words_wedge() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::thm_02_words_wedge

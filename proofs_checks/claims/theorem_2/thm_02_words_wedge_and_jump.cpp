@@ -6,7 +6,7 @@
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::thm_02_words_wedge_and_jump {
 namespace {
 
 struct CornerCase {
@@ -100,7 +100,7 @@ void set_limit(Values& p, const Rational& limit) {
 
 }  // namespace
 
-Claim thm_02_words_wedge_and_jump() {
+Claim claim() {
   return compared<CornerCase>("thm-02-words-wedge-and-jump")
       .cases(corners)
       .precision(Precision::quick_in_double)
@@ -131,4 +131,4 @@ Claim thm_02_words_wedge_and_jump() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::thm_02_words_wedge_and_jump

@@ -7,7 +7,7 @@
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::thm_03_contact_side {
 namespace {
 
 /// Two flat levels that meet in a step at c = 0, where the friction jumps too: the lower one is in contact, and the
@@ -119,7 +119,7 @@ auto other_angle_for(Side contact) {
 
 }  // namespace
 
-Claim thm_03_contact_side() {
+Claim claim() {
   return formula_claim<StepCase, PowerProduct>("thm-03-contact-side")
       .cases(step_cases)
       .effective_where([](const StepCase& c) { return c.rear_friction != c.front_friction; })
@@ -150,4 +150,4 @@ Claim thm_03_contact_side() {
                  [](PowerProduct& t, const Number& step, const StepCase& c) { t.move_power(c.end_at_step(), step); });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::thm_03_contact_side

@@ -5,7 +5,7 @@
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::thm_03_outside_slope {
 namespace {
 
 /// u' = factor |Y| beyond an end, and u' ~ coefficient theta d^power next to it, t ~ -theta d^power inside.
@@ -68,7 +68,7 @@ void check_end(Findings& findings, const EndSlope& end, Side side, const PowerFo
 
 }  // namespace
 
-Claim thm_03_outside_slope() {
+Claim claim() {
   return formula_claim<ContactProblem, Outside>("thm-03-outside-slope")
       .cases(punches)
       .effective_where(has_friction)
@@ -99,4 +99,4 @@ Claim thm_03_outside_slope() {
       .near_miss("u' behind", [](Outside& form, const Number& step) { form.rear.factor *= 1 + step; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::thm_03_outside_slope

@@ -6,7 +6,7 @@
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::thm_03_solved_ends {
 namespace {
 
 struct SolvedProblem {
@@ -89,7 +89,7 @@ void check_end(Findings& findings, const EndSlope& said, Side side, const Solved
 
 }  // namespace
 
-Claim thm_03_solved_ends() {
+Claim claim() {
   return formula_claim<SolvedProblem, EndSlopes>("thm-03-solved-ends")
       .cases(problems)
       .precision(Precision::at_least_fifty)
@@ -118,4 +118,4 @@ Claim thm_03_solved_ends() {
       .near_miss("u' in front", [](EndSlopes& said, const Number& step) { said[1].coefficient *= 1 + step; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::thm_03_solved_ends

@@ -4,7 +4,7 @@
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::thm_03_step_conditions {
 namespace {
 
 const Rational jump_of_profile(1, 5);
@@ -76,7 +76,7 @@ Values powers(End end, Side contact, const ContactProblem& problem) {
 
 }  // namespace
 
-Claim thm_03_step_conditions() {
+Claim claim() {
   const auto all_ends = [](End end) {
     return [end](Values& p, const EndCase& c) { p.set(powers(end, c.contact, c.problem)); };
   };
@@ -94,7 +94,7 @@ Claim thm_03_step_conditions() {
         if (c.place) found.add({"side", Number(contact_at(*solution, point_at(*solution, *c.place)))});
         if (!c.on_cells) return found;
         const Estimate<double> on_cells = power_at_end_on_cells(c, context.quick ? 2048 : 8192);
-        const Power kind = on_cells.value < 0 ? Power::unbounded : Power::vanishing;
+        const EndTraction kind = on_cells.value < 0 ? EndTraction::unbounded : EndTraction::vanishing;
         const R s = to_real<R>(c.problem.coupled_friction(0));
         found.add({"power", end_power<R>(c.contact, kind, s)});
         found.add({"cells", Fitted{on_cells.value, on_cells.error}});
@@ -117,4 +117,4 @@ Claim thm_03_step_conditions() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::thm_03_step_conditions

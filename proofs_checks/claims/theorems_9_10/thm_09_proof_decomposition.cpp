@@ -7,7 +7,7 @@
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::thm_09_proof_decomposition {
 namespace {
 
 /// Reduced, on [-1, 1], a wedge at c and constant friction.
@@ -184,7 +184,7 @@ void check(Findings& findings, const Decomposition& said, const WedgeProblem& w,
 
 }  // namespace
 
-Claim thm_09_proof_decomposition() {
+Claim claim() {
   return formula_claim<WedgeProblem, Decomposition>("thm-09-proof-decomposition")
       .cases(problems)
       .precision(Precision::quick_in_double)
@@ -202,4 +202,4 @@ Claim thm_09_proof_decomposition() {
       .near_miss("P t_0", &Decomposition::load);
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::thm_09_proof_decomposition

@@ -1,6 +1,6 @@
 #include "proofs_checks/instruments/solutions/corner_form.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::thm_09_solved_wedge {
 namespace {
 
 CornerForm at_wedge(const SolvedCorner& c) {
@@ -11,7 +11,7 @@ CornerForm at_wedge(const SolvedCorner& c) {
 
 }  // namespace
 
-Claim thm_09_solved_wedge() {
+Claim claim() {
   const Rational third(1, 3);
   return corner_claim("thm-09-solved-wedge",
                       {solved_corner("wedge", 2, 2, Polynomial({0, -1, 1}), Polynomial({0, third, 2}), 6),
@@ -33,4 +33,4 @@ Claim thm_09_solved_wedge() {
       .near_miss("the constant", [](CornerForm& form, const Number& step) { form.limit += step; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::thm_09_solved_wedge

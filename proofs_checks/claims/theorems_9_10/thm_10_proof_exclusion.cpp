@@ -5,7 +5,7 @@
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::thm_10_proof_exclusion {
 namespace {
 
 /// A contact that is made to end at 0 with an edge, where the profile is continuous: no solution, but the equation
@@ -45,7 +45,7 @@ Number gap_over_a(const ForcedEnd& c) { return -1 / (cos_pi_alpha<Number>(s) * (
 
 }  // namespace
 
-Claim thm_10_proof_exclusion() {
+Claim claim() {
   return compared<ForcedEnd>("thm-10-proof-exclusion")
       .cases(fixed_cases<ForcedEnd>({{Side::left, 0.4, Rational(-1, 4), 1},
                                      {Side::left, 0.4, Rational(1), 1},
@@ -86,4 +86,4 @@ Claim thm_10_proof_exclusion() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::thm_10_proof_exclusion

@@ -3,7 +3,7 @@
 #include "proofs_checks/instruments/tractions/friction_values.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::thm_10_proof_linear {
 namespace {
 
 /// (a + b (1+x)) t_0, t_0 = cos(pi alpha)/pi (1+x)^rear (1-x)^front.
@@ -24,10 +24,10 @@ Number constant(const FrictionValue& c, int times) {
 
 }  // namespace
 
-Claim thm_10_proof_linear() {
+Claim claim() {
   return formula_claim<FrictionValue, LinearForm>("thm-10-proof-linear")
       .cases([](const Context& context) { return friction_values(context, "thm-10-proof-linear"); })
-      .effective_where([](const FrictionValue& c) { return has_friction(c); })
+      .effective_where([](const FrictionValue& c) { return is_coupled(c); })
       .precision(Precision::quick_in_double)
       .quantities({"formula", "equation"})
       .says([](const FrictionValue& c) {
@@ -68,4 +68,4 @@ Claim thm_10_proof_linear() {
       .near_miss("b", &LinearForm::b);
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::thm_10_proof_linear

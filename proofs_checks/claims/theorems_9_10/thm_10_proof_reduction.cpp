@@ -6,7 +6,7 @@
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::thm_10_proof_reduction {
 namespace {
 
 /// H t + s t = psi_bar' + slope u~' on the second zone alone, under the load P + load int t~.
@@ -80,7 +80,7 @@ void check(Findings& findings, const Reduction& said, const ReductionFacts<R>& f
 
 }  // namespace
 
-Claim thm_10_proof_reduction() {
+Claim claim() {
   return formula_claim<ContactProblem, Reduction>("thm-10-proof-reduction")
       .cases(fixed_cases<ContactProblem>({cell_case("two-zones")}, 1, "a solved problem with two contact zones"))
       .precision(Precision::quick_in_double)
@@ -97,4 +97,4 @@ Claim thm_10_proof_reduction() {
       .near_miss("u~'", &Reduction::slope);
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::thm_10_proof_reduction

@@ -1,7 +1,7 @@
 #include "proofs_checks/instruments/tractions/friction_values.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::thm_10_proof_slope {
 namespace {
 
 const Rational near(1, 1000);
@@ -44,10 +44,10 @@ bool tangent_of_twice_the_angle(const Rational& m) {
 
 }  // namespace
 
-Claim thm_10_proof_slope() {
+Claim claim() {
   return compared<FrictionValue>("thm-10-proof-slope")
       .cases([](const Context& context) { return friction_values(context, "thm-10-proof-slope"); })
-      .effective_where([](const FrictionValue& c) { return has_friction(c); })
+      .effective_where([](const FrictionValue& c) { return is_coupled(c); })
       .precision(Precision::quick_in_double)
       .quantity("tangent", {.near_miss = false})
       .quantity("sine", {.absolute = true})
@@ -72,9 +72,9 @@ Claim thm_10_proof_slope() {
              })
       .wrong("the sine of pi alpha",
              [](Values& p, const FrictionValue& c) {
-               if (has_friction(c)) p = values_with(c.s, to_real<Number>(c.s) * sine(c.s));
+               if (is_coupled(c)) p = values_with(c.s, to_real<Number>(c.s) * sine(c.s));
              })
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::thm_10_proof_slope

@@ -1,7 +1,7 @@
 #include "proofs_checks/instruments/tractions/friction_values.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
-namespace steadyslide::proofs_checks {
+namespace steadyslide::proofs_checks::thm_10_proof_splitting {
 namespace {
 
 /// (1+x')^{1+b} = (constant + slope x) (1+x')^b + last (x'-x) (1+x')^{b + last_power}.
@@ -35,7 +35,7 @@ void decide_powers(Findings& findings, const Splitting& form) {
 
 }  // namespace
 
-Claim thm_10_proof_splitting() {
+Claim claim() {
   return formula_claim<FrictionValue, Splitting>("thm-10-proof-splitting")
       .cases([](const Context& context) { return friction_values(context, "thm-10-proof-splitting"); })
       .precision(Precision::quick_in_double)
@@ -58,4 +58,4 @@ Claim thm_10_proof_splitting() {
       .near_miss("the second integral", [](Splitting& form, const Number& step) { form.integral += step; });
 }
 
-}  // namespace steadyslide::proofs_checks
+}  // namespace steadyslide::proofs_checks::thm_10_proof_splitting

@@ -7,7 +7,7 @@ namespace {
 
 using numeric::JacobiRule;
 
-constexpr std::size_t count = highest_angle + 1;
+constexpr std::size_t form_size = highest_angle + 1;
 
 /// cos(k angle), k = 0, 1, ..., from the cosine.
 template <class R>
@@ -29,11 +29,11 @@ FormMatrix<R> log_form_by_quadrature(const R& length) {
   using std::cos, std::log, std::sin;
   const R pi = numeric::pi<R>();
   const JacobiRule<R> rule = numeric::double_exponential_rule<R>(R(1));
-  FormMatrix<R> form(count, std::vector<R>(count, R(0)));
+  FormMatrix<R> form(form_size, std::vector<R>(form_size, R(0)));
   constexpr int outer = highest_angle + 1;  // exact up to cos(2 highest_angle angle)
   for (int i = 0; i < outer; ++i) {
     const R angle = pi * (2 * i + 1) / (2 * outer);
-    std::vector<R> inner(count, R(0));
+    std::vector<R> inner(form_size, R(0));
     for (const bool beyond : {false, true}) {
       const R range = beyond ? R(pi - angle) : angle;
       for (std::size_t m = 0; m < rule.size(); ++m) {
@@ -61,7 +61,7 @@ FormMatrix<R> sign_form() {
   using std::cos;
   const R pi = numeric::pi<R>();
   const JacobiRule<R> rule = numeric::jacobi_rule<R>({R(0), R(1)}, {R(0), R(1)}, gauss_nodes<R>);
-  FormMatrix<R> form(count, std::vector<R>(count, R(0)));
+  FormMatrix<R> form(form_size, std::vector<R>(form_size, R(0)));
   for (std::size_t i = 0; i < rule.size(); ++i) {
     const R angle = pi * rule.from_left[i];
     const std::vector<R> outer = cosines(R(cos(angle)));

@@ -31,7 +31,7 @@ struct Symbol {
 };
 
 template <Real R>
-Symbol<R> symbol(const R& p) {
+Symbol<R> local_symbol(const R& p) {
   // Of the place in ]-1, 0[: what lies above it and below it, each without cancellation.
   const R above = p < 0 ? R(-p) : R(1 - p);
   const R below = p < 0 ? R(1 + p) : p;
@@ -44,14 +44,14 @@ Symbol<R> symbol(const R& p) {
 /// The residual of the equation at y = 1 for a density on one side.
 template <Real R>
 R end_residual(Side contact, const R& s, const R& p) {
-  const R m = symbol(p).m;
+  const R m = local_symbol(p).m;
   return contact == Side::right ? R(s + m) : R(s - m);
 }
 
 /// The determinant of the equations at y = 1 and y = -1 for the two amplitudes.
 template <Real R>
 R jump_residual(const R& s_left, const R& s_right, const R& p) {
-  const Symbol<R> at = symbol(p);
+  const Symbol<R> at = local_symbol(p);
   return s_left * s_right + at.m * (s_left - s_right) + at.difference;
 }
 
@@ -90,11 +90,11 @@ constexpr double least = 1e-18;
 }  // namespace
 
 template <Real R>
-R end_power(Side contact, Power power, const R& s) {
+R end_power(Side contact, EndTraction end, const R& s) {
   const auto in_double = static_cast<double>(s);
   const auto coarse = [&](double p) { return end_residual<double>(contact, in_double, p); };
   const double root =
-      power == Power::unbounded ? bisected(coarse, -1 + 1e-15, -least) : bisected(coarse, least, 1 - 1e-15);
+      end == EndTraction::unbounded ? bisected(coarse, -1 + 1e-15, -least) : bisected(coarse, least, 1 - 1e-15);
   return refined<R>([&](const R& p) { return end_residual<R>(contact, s, p); }, root);
 }
 
@@ -107,14 +107,14 @@ JumpPower<R> jump_power(const R& s_left, const R& s_right) {
     if ((coarse(sign * 0.5) > 0) == (coarse(sign * least) > 0)) continue;
     const double root = bisected(coarse, sign * least, sign * 0.5);
     const R p = refined<R>([&](const R& at) { return jump_residual<R>(s_left, s_right, at); }, root);
-    const Symbol<R> at = symbol(p);
+    const Symbol<R> at = local_symbol(p);
     return {p, R((at.m + s_right) / at.n)};
   }
   return {R(0), R(1)};
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)             \
-  template R end_power(Side, Power, const R&); \
+#define STEADYSLIDE_INSTANTIATE(R)                   \
+  template R end_power(Side, EndTraction, const R&); \
   template JumpPower<R> jump_power(const R&, const R&);
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)

@@ -17,11 +17,11 @@
 namespace steadyslide::proofs_checks {
 
 /// An edge or a free end.
-enum class Power { unbounded, vanishing };
+enum class EndTraction { unbounded, vanishing };
 
 /// p of t ~ d^p at an end of contact, -1 < p < 0 or 0 < p < 1, `contact` the side of the contact.
 template <Real R>
-R end_power(Side contact, Power power, const R& s);
+R end_power(Side contact, EndTraction end, const R& s);
 
 /// t ~ A_- |x|^p on the left, A_+ |x|^p on the right.
 template <class R>

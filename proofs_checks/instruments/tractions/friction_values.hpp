@@ -10,7 +10,7 @@ struct FrictionValue {
 };
 
 inline std::string text_of(const FrictionValue& friction) { return "s = " + to_string(friction.s); }
-inline bool has_friction(const FrictionValue& friction) { return friction.s != 0; }
+inline bool is_coupled(const FrictionValue& friction) { return friction.s != 0; }
 
 /// Four fixed ones (one in a quick run) and a random one.
 inline CaseList<FrictionValue> friction_values(const Context& context, std::string_view stream) {

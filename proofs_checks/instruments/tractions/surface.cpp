@@ -25,12 +25,6 @@ void require_integrable(Findings& findings, const Surface<R>& surface) {
   }
 }
 
-std::string list(const std::vector<Rational>& values) {
-  std::string text;
-  for (const Rational& value : values) text += (text.empty() ? "" : ", ") + to_string(value);
-  return text;
-}
-
 }  // namespace
 
 template <Real R>
@@ -103,19 +97,6 @@ void check_surface_by_gsl(Findings& findings, const Surface<double>& surface) {
       }
     }
   }
-}
-
-std::string text_of(const ContactProblem& problem) {
-  const Elasticity& elasticity = problem.elasticity();
-  std::string text = elasticity.half_space() ? "nu = " + to_string(elasticity.half_space()->poisson())
-                                             : "gamma = " + to_string(elasticity.gamma());
-  text += ", f = " + list(problem.friction().values());
-  if (!problem.friction().jumps().empty()) text += ", jumps at " + list(problem.friction().jumps());
-  text += ", load " + to_string(problem.load());
-  const Indenter& indenter = problem.indenter();
-  text += ", psi = " + to_string(indenter.pieces().front().profile);
-  text += " on [" + to_string(indenter.left()) + ", " + to_string(indenter.right()) + "]";
-  return problem.sliding() == Sliding::plus_x ? text : text + ", sliding to -x";
 }
 
 #define STEADYSLIDE_INSTANTIATE(R)                                                                                     \

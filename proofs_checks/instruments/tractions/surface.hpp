@@ -33,7 +33,4 @@ trapezoidal::Grid<R> check_surface(Findings& findings, const Surface<R>& surface
 /// Load and equation by GSL, where it converges, to 1e-11.
 void check_surface_by_gsl(Findings& findings, const Surface<double>& surface);
 
-/// "nu = 3/10, f = 1/5, 3/5, jump at 0, load 1"
-std::string text_of(const ContactProblem& problem);
-
 }  // namespace steadyslide::proofs_checks

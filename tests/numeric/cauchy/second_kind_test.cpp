@@ -20,7 +20,7 @@ R ten_to(int exponent) {
 
 /// Evenly, or one in two near to -1, 0 or 1.
 template <Real R>
-Power<R> random_power() {
+Power<R> random_end_power() {
   using std::pow;
   const R tiny = pow(R(10), R(-uniform(5, 240)) / 20), even = R(uniform(1, 199)) / 100;
   switch (uniform(0, 7)) {
@@ -62,7 +62,7 @@ TEST_CASE_TEMPLATE("halves: y = z/2 on the first one, a Gauss rule on the second
   // On [1/2, 1] the nearest singular point is three half-lengths away from the middle.
   const JacobiRule<R> rule = jacobi_rule<R>({R(0), R(1)}, {R(0), R(1)}, digits_served<R> * 8 / 10 + 10);
   CHECK(rc::check("halves", [&] {
-    const Power<R> a = random_power<R>();
+    const Power<R> a = random_end_power<R>();
     const R d = random_distance<R>(), whole = left_of(a, d), first = left_of(a, R(2 * d));
     R second = 0;
     for (std::size_t i = 0; i < rule.size(); ++i) {
@@ -77,7 +77,7 @@ TEST_CASE_TEMPLATE("halves: y = z/2 on the first one, a Gauss rule on the second
 
 TEST_CASE_TEMPLATE("recurrence: y^(a+1)/(y + d) = y^a - d y^a/(y + d)", R, double, Real50, Real100) {
   CHECK(rc::check("recurrence", [] {
-    Power<R> a = random_power<R>();
+    Power<R> a = random_end_power<R>();
     if (a.value >= 0) a = {a.value - 1, a.value};
     if (!(a.plus_one > 0)) return;
     const Power<R> next{a.plus_one, a.plus_one + 1};
@@ -89,7 +89,7 @@ TEST_CASE_TEMPLATE("recurrence: y^(a+1)/(y + d) = y^a - d y^a/(y + d)", R, doubl
 TEST_CASE_TEMPLATE("a precision and the next serve the same number", R, double, Real50) {
   using Finer = std::conditional_t<std::same_as<R, double>, Real50, Real100>;
   CHECK(rc::check("precisions", [] {
-    const Power<R> a = random_power<R>();
+    const Power<R> a = random_end_power<R>();
     // What the coarse one was given: the smaller of both is the one that counts.
     const Power<Finer> fine = a.plus_one < 0.5 ? Power<Finer>{Finer(a.plus_one) - 1, Finer(a.plus_one)}
                                                : Power<Finer>{Finer(a.value), Finer(a.value) + 1};

@@ -11,7 +11,7 @@ namespace {
 using Set = ContactSet<double>;
 using Form = RiemannHilbertForm<double>;
 
-const ContactProblem wells = on_two_coatings(two_wells(), 3);
+const ContactProblem on_two_wells = on_two_coatings(two_wells(), 3);
 
 double missing_load(const Form& form) {
   const auto check = check_of(form);
@@ -57,7 +57,7 @@ TEST_CASE("a search that leads nowhere ends with a condition that fails") {
 }
 
 TEST_CASE("control: a displaced end is seen in the load, the equation and the closure of the gap") {
-  const auto good = solved<double>(wells);
+  const auto good = solved<double>(on_two_wells);
   const ReducedProblem<double>& problem = good->problem();
   JacobiRules<double> rules;
   REQUIRE(good->contact().size() == 2U);
@@ -89,7 +89,7 @@ TEST_CASE("control: a set of the wrong kind has violations") {
   // One component where there have to be two: the traction pulls in the middle, or the other bump penetrates. Edges
   // where the ends are free: an inclined punch that is fixed at both ends pulls at one of them, which the search
   // repairs.
-  const Case cases[] = {{on_two_coatings(wells.indenter(), 4.5_r), {-1.5, 1.2, false, false}, What::tension},
+  const Case cases[] = {{on_two_coatings(on_two_wells.indenter(), 4.5_r), {-1.5, 1.2, false, false}, What::tension},
                         {reduced({0.3_r}, {}, two_wells(0), 0.5_r), {-1.2, -0.8, false, false}, What::penetration},
                         {reduced({0.3_r}, {}, one_piece(-1, 1, {0, 1}), 0.5_r), {-1, 1, true, true}, What::tension}};
   for (const Case& c : cases) {
@@ -107,7 +107,7 @@ TEST_CASE("control: a set of the wrong kind has violations") {
     CHECK(repaired.solved());
     CHECK(violations(form_of(problem, repaired.state, rules)).empty());
   }
-  const auto good = solved<double>(wells);
+  const auto good = solved<double>(on_two_wells);
   CHECK(violations(good->form()).empty());
 }
 

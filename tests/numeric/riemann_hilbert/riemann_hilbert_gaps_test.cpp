@@ -6,14 +6,14 @@
 
 namespace {
 
-struct Case {
+struct GapCase {
   const char* name;
   Indenter indenter;
   Rational load;
   std::size_t components;
 };
 
-std::vector<Case> cases() {
+std::vector<GapCase> cases() {
   const Polynomial bowl({0, 0, 1});
   const Polynomial high({1, 1});
   const Polynomial flat;
@@ -51,7 +51,7 @@ std::vector<double> openings() {
 
 TEST_CASE("gaps beside a step whose other face is another polynomial") {
   int wrong_by_one_polynomial = 0;
-  for (const Case& c : cases()) {
+  for (const GapCase& c : cases()) {
     CAPTURE(c.name);
     const auto solution = solved<double>(reduced({1, 0.5_r}, {-0.5_r}, c.indenter, c.load));
     REQUIRE(solution->contact().size() == c.components);

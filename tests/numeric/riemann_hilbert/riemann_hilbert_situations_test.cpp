@@ -5,7 +5,9 @@
 
 namespace {
 
-ContactProblem wells(const Rational& slope, const Rational& load) { return on_two_coatings(two_wells(slope), load); }
+ContactProblem sloped_wells(const Rational& slope, const Rational& load) {
+  return on_two_coatings(two_wells(slope), load);
+}
 
 std::size_t components(const ContactProblem& p) { return riemann_hilbert<double>(p).solution->contact().size(); }
 
@@ -14,16 +16,16 @@ std::size_t components(const ContactProblem& p) { return riemann_hilbert<double>
 TEST_CASE("two components merge") {
   for (const Rational& slope : {0_r, 0.2_r}) {
     double two = 4, one = 6;
-    REQUIRE(components(wells(slope, 4)) == 2U);
-    REQUIRE(components(wells(slope, 6)) == 1U);
+    REQUIRE(components(sloped_wells(slope, 4)) == 2U);
+    REQUIRE(components(sloped_wells(slope, 6)) == 1U);
     while (one - two > 4e-15) {
       const double middle = (one + two) / 2;
-      (components(wells(slope, Rational(middle))) == 2 ? two : one) = middle;
+      (components(sloped_wells(slope, Rational(middle))) == 2 ? two : one) = middle;
     }
     double outer = 0;
     for (const double change : {-0.1, -1e-3, -1e-6, -1e-9, -1e-12, 0., 1e-12, 1e-9, 1e-6, 1e-3, 0.1}) {
       CAPTURE(change);
-      const auto found = solved<double>(wells(slope, Rational(two * (1 + change))));
+      const auto found = solved<double>(sloped_wells(slope, Rational(two * (1 + change))));
       const auto zones = found->contact();
       if (std::abs(change) >= 1e-9) CHECK(zones.size() == (change < 0 ? 2U : 1U));
       // The outer ends grow with the load, whatever happens between them.
@@ -38,7 +40,7 @@ TEST_CASE("two components merge") {
       }
     }
   }
-  solved<Real50>(wells(0, 4));
+  solved<Real50>(sloped_wells(0, 4));
 }
 
 TEST_CASE("contact grows across a jump and a wedge or a step in the same place") {

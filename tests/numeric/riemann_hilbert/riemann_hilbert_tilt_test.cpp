@@ -4,8 +4,6 @@
 
 namespace {
 
-const Indenter wells = two_wells();
-
 template <Real R>
 void agree(const R& a, const R& b) {
   CHECK(size_of(R(a - b)) <= 2000 * epsilon<R>());
@@ -16,8 +14,8 @@ void agree(const R& a, const R& b) {
 TEST_CASE_TEMPLATE("load_at at the centre of pressure of the indenter that keeps its attitude: no tilt", R, double,
                    Real50) {
   const Indenter step(-1, {{0, Polynomial({0, 0, 1})}, {1, Polynomial({0.1_r, 0, 1})}});
-  const auto indenters =
-      std::same_as<R, double> ? std::vector{wells, step, roof(-1, 1), one_piece(-1, 1, {0})} : std::vector{wells};
+  const auto indenters = std::same_as<R, double> ? std::vector{two_wells(), step, roof(-1, 1), one_piece(-1, 1, {0})}
+                                                 : std::vector{two_wells()};
   for (const Indenter& indenter : indenters) {
     const auto fixed = solved<R>(on_two_coatings(indenter, 3));
     CHECK(!fixed->tilt());

@@ -11,7 +11,7 @@ DiscreteProblem parabola(const std::optional<Rational>& load_at = std::nullopt) 
   return on_cells(reduced({0.25_r, 0.5_r}, {0}, one_piece(-1, 1, {0, 0, 4}), 1, load_at), 120);
 }
 
-ActiveSetResult solved(const DiscreteProblem& problem) {
+ActiveSetResult solved_cells(const DiscreteProblem& problem) {
   const ActiveSetResult result = active_set(problem, CellSet(problem.size(), 1), nothing(problem), {});
   REQUIRE(result.outcome == ActiveSetResult::Outcome::solved);
   return result;
@@ -29,7 +29,7 @@ DiscreteState under(const DiscreteProblem& problem, const CellSet& contact, std:
 TEST_CASE("certificate: solutions are accepted, with and without a place of the load") {
   for (const auto& load_at : {std::optional<Rational>(), std::optional(0.1_r)}) {
     const DiscreteProblem problem = parabola(load_at);
-    const Certificate certificate = certify(problem, solved(problem).state);
+    const Certificate certificate = certify(problem, solved_cells(problem).state);
     CHECK(certificate.accepted());
     CHECK(certificate.rows == problem.size());
     CHECK(certificate.allowed >= 1e-10);
@@ -39,7 +39,7 @@ TEST_CASE("certificate: solutions are accepted, with and without a place of the 
 
 TEST_CASE("certificate: another load and another moment are refused for these alone") {
   const DiscreteProblem problem = parabola(0.1_r);
-  const CellSet contact = solved(problem).contact;
+  const CellSet contact = solved_cells(problem).contact;
   const double moment = *problem.load_at();
 
   for (const bool heavier : {true, false}) {
@@ -53,7 +53,7 @@ TEST_CASE("certificate: another load and another moment are refused for these al
 
 TEST_CASE("certificate: a contact too small penetrates beside it, one too large pulls") {
   const DiscreteProblem problem = parabola();
-  const ActiveSetResult solution = solved(problem);
+  const ActiveSetResult solution = solved_cells(problem);
   const std::size_t first = cells_of(solution.contact).front();
   for (const bool small : {true, false}) {
     CellSet contact = solution.contact;
@@ -69,7 +69,7 @@ TEST_CASE("certificate: a contact too small penetrates beside it, one too large 
 
 TEST_CASE("certificate: a pressure across a gap, however small, and what is no number") {
   const DiscreteProblem problem = parabola();
-  DiscreteState state = solved(problem).state;
+  DiscreteState state = solved_cells(problem).state;
   REQUIRE(state.pressure[0] == 0);
   state.pressure[0] = 1e-13;
   const Certificate across = certify(problem, state);

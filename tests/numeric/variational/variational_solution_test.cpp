@@ -6,7 +6,7 @@
 
 namespace {
 
-std::shared_ptr<const VariationalSolution> on_cells(const ContactProblem& problem, std::size_t cells = 4096) {
+std::shared_ptr<const VariationalSolution> solved_on_cells(const ContactProblem& problem, std::size_t cells = 4096) {
   const Attempt<double> attempt = variational_inequality(problem, {.cells = cells});
   REQUIRE_MESSAGE(attempt.solution, attempt.reason);
   CHECK(attempt.solution->failed_condition() == "");
@@ -20,7 +20,7 @@ void agree(const Estimate<double>& found, const Estimate<double>& truth, double 
 }
 
 void agree_everywhere(const ContactProblem& problem) {
-  const auto cells = on_cells(problem);
+  const auto cells = solved_on_cells(problem);
   const auto exact = solved<double>(problem);
   const auto found = cells->contact();
   const auto truth = exact->contact();
@@ -105,7 +105,7 @@ TEST_CASE("an end where friction jumps has the friction of the contact's side, i
     const ContactProblem problem = reduced({0.1_r, 0.6_r}, {jump}, one_piece(-1.1_r, 0.9_r, {0, 0, 2.5_r}), 1);
     for (const Rational& scale : {Rational(1), Rational(1, 3), Rational(5, 7), Rational(7, 3)}) {
       const ContactProblem moved = problem.moved(scale, scale / 3);
-      const auto end = on_cells(moved, 256)->contact().back().right;
+      const auto end = solved_on_cells(moved, 256)->contact().back().right;
       if (std::abs(end.x.value - static_cast<double>(moved.friction().jumps()[0])) > 1e-12) continue;
       ++met;
       CHECK(end.exponent == free_exponent(End::right, 0.1_r));
@@ -116,7 +116,7 @@ TEST_CASE("an end where friction jumps has the friction of the contact's side, i
 
 TEST_CASE("control: another load is another solution") {
   const Indenter parabola = one_piece(-1, 1, {0, 0, 2.5_r});
-  const auto cells = on_cells(reduced({0.1_r, 0.6_r}, {0}, parabola, 1));
+  const auto cells = solved_on_cells(reduced({0.1_r, 0.6_r}, {0}, parabola, 1));
   const auto other = solved<double>(reduced({0.1_r, 0.6_r}, {0}, parabola, 1.01_r));
   const auto found = cells->contact().front();
   CHECK(std::abs(found.left.x.value - other->contact().front().left.x.value) > cells->cell_length());
@@ -127,7 +127,7 @@ TEST_CASE("control: another load is another solution") {
 TEST_CASE("jumps of friction and loads within cells") {
   // 1/3 is no cell's end; 17 cells are few: the load shares add up and the load is met to rounding.
   const ContactProblem problem = reduced({0.1_r, 0.5_r}, {Rational(1, 3)}, one_piece(-1, 1, {0, 0, 0.1_r}), 1);
-  const auto cells = on_cells(problem, 17);
+  const auto cells = solved_on_cells(problem, 17);
   const auto r = cells->resultants();
   CHECK(r.load_share[0].value + r.load_share[1].value == doctest::Approx(1).epsilon(1e-13));
   CHECK(r.normal.value == doctest::Approx(1).epsilon(1e-13));
@@ -147,7 +147,7 @@ TEST_CASE("points that cells cannot tell apart are left out, jumps are not") {
   }
   const ContactProblem problem = reduced({0.1_r, 0.5_r}, {0.001_r}, Indenter(-1, pieces), 0.5_r);
   int wedges = 0, jumps = 0;
-  for (const auto& point : on_cells(problem, 1024)->singular_points()) {
+  for (const auto& point : solved_on_cells(problem, 1024)->singular_points()) {
     wedges += point.kind == SingularKind::wedge ? 1 : 0;
     jumps += point.kind == SingularKind::friction_jump ? 1 : 0;
   }
@@ -156,7 +156,7 @@ TEST_CASE("points that cells cannot tell apart are left out, jumps are not") {
 }
 
 TEST_CASE("samples: so many a zone and a gap, left to right, all of them solutions") {
-  const auto cells = on_cells(on_two_coatings(two_wells(), 8), 1024);
+  const auto cells = solved_on_cells(on_two_coatings(two_wells(), 8), 1024);
   const auto samples = cells->samples(20);
   CHECK(samples.size() == 20 * (2 * cells->contact().size() + 1));
   for (std::size_t k = 0; k < samples.size(); ++k) {
