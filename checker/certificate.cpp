@@ -139,8 +139,14 @@ Unknowns Unknowns::with(const std::vector<Ball>& list) const {
   return result;
 }
 
-Certificate Certificate::parsed(const std::string& text, const std::string& name) {
-  const Reader at = Reader::of_json(text, name);
+void check_heading(const Reader& at) {
+  at["certificate"].integer(1, 1);
+  if (!std::regex_match(at["generator"].string(), std::regex("[a-z-]{1,40} [0-9]+\\.[0-9]+\\.[0-9]+"))) {
+    at["generator"].fail("no program", "it is a program's name and its version, x.y.z");
+  }
+}
+
+Certificate Certificate::read(const Reader& at) {
   const bool one_load = !at.has("kind") || at["kind"].choice({"solution", "loads"}) == 0;
   if (one_load) {
     at.check_keys({"certificate", "kind", "generator", "problem", "frame", "bits", "points", "segments", "q", "claims"},
@@ -148,17 +154,14 @@ Certificate Certificate::parsed(const std::string& text, const std::string& name
   } else {
     at.check_keys({"certificate", "kind", "generator", "problem", "frame", "bits", "boxes", "claims"});
   }
-  at["certificate"].integer(1, 1);
-  if (!std::regex_match(at["generator"].string(), std::regex("[a-z-]{1,40} [0-9]+\\.[0-9]+\\.[0-9]+"))) {
-    at["generator"].fail("no program", "it is a program's name and its version, x.y.z");
-  }
+  check_heading(at);
   Certificate c;
   c.problem = Problem::of_certificate(at["problem"], one_load);
   at["frame"].check_keys({"origin", "unit"});
   c.origin = at["frame"]["origin"].rational();
   c.unit = at["frame"]["unit"].rational();
   if (c.unit.sign() <= 0) at["frame"]["unit"].fail("out of range", "it is positive");
-  c.bits = at["bits"].integer(64, 4096);
+  c.bits = static_cast<int>(at["bits"].integer(64, 4096));
   const ReducedProblem problem(c.problem, c.origin, c.unit);
   if (one_load) {
     c.boxes.push_back(read_box(at, problem, c.bits, c.problem.loads));

@@ -10,6 +10,8 @@
 
 namespace steadyslide::checker {
 
+class Reader;
+
 /// A point of the surface: an anchor, or a free end of contact at the distance h = exp(log_offset) beside one.
 struct Point {
   enum class Contact { interior, outside, begins, ends };
@@ -60,7 +62,11 @@ struct Certificate {
   std::vector<Box> boxes;  ///< for loads one after the other, all of the problem's
   bool unique_by_theorem_1 = false;
 
-  static Certificate parsed(const std::string& json, const std::string& name);
+  /// Of kind "solution" or "loads".
+  static Certificate read(const Reader& at);
 };
+
+/// The keys that certificates of every kind have: the format's version and the program that wrote it.
+void check_heading(const Reader& at);
 
 }  // namespace steadyslide::checker

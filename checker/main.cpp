@@ -5,6 +5,7 @@
 #include <exception>
 #include <string>
 
+#include "checker/cells.hpp"
 #include "checker/krawczyk.hpp"
 #include "checker/reader.hpp"
 #include "checker/signs.hpp"
@@ -33,6 +34,16 @@ Signs signs_of(const ReducedProblem& problem, const Box& box) {
   }
 }
 
+double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }  // of the processor, since the start
+
+void prove(const Cells& cells) {
+  const std::size_t intervals = prove_cells(cells);
+  std::printf("%zu cells\n  proved: the energy is at most %s, the gap is high enough on %zu intervals\n",
+              cells.weights.size(), Ball(cells.energy, 64).text().c_str(), intervals);
+  std::printf("proved: load shares and effective friction of the solution lie in the intervals claimed (%.2f s)\n",
+              seconds());
+}
+
 void prove(const Certificate& certificate) {
   const ReducedProblem problem(certificate.problem, certificate.origin, certificate.unit);
   for (const Box& box : certificate.boxes) {
@@ -51,11 +62,18 @@ void prove(const Certificate& certificate) {
     std::printf("  proved: t < 0 in the contact on %zu intervals, gap > 0 off it on %zu, integrals to 2^-%ld\n",
                 signs.in_contact, signs.in_gaps, static_cast<long>(signs.bits));
   }
-  const double seconds = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;  // of the processor, since the start
   const bool one_load = certificate.problem.loads.from == certificate.problem.loads.to;
   std::printf("proved: %s a solution of the contact problem%s (%.2f s)\n",
               one_load ? "the box contains" : "for every load its box contains",
-              certificate.unique_by_theorem_1 ? ", the only one by theorem 1 of [Bal16]" : "", seconds);
+              certificate.unique_by_theorem_1 ? ", the only one by theorem 1 of [Bal16]" : "", seconds());
+}
+
+/// Is it for the problem in that file? An empty name asks nothing.
+void compare(const Problem& problem, const std::string& file) {
+  if (file.empty()) return;
+  const std::string differs = problem.difference(Problem::of_file(file));
+  if (!differs.empty()) throw Unproved(file + ": not the certificate's problem; it differs in " + differs);
+  std::printf("the problem is that of %s\n", file.c_str());
 }
 
 int run(int count, char** arguments) {
@@ -78,13 +96,16 @@ int run(int count, char** arguments) {
   if (file.empty()) {
     throw Malformed("command line", "no certificate", "steadyslide-check [--problem FILE.toml] CERTIFICATE", "none");
   }
-  const Certificate certificate = Certificate::parsed(read_file(file), file);
-  if (!problem.empty()) {
-    const std::string differs = certificate.problem.difference(Problem::of_file(problem));
-    if (!differs.empty()) throw Unproved(problem + ": not the certificate's problem; it differs in " + differs);
-    std::printf("the problem is that of %s\n", problem.c_str());
+  const Reader document = Reader::of_json(read_file(file), file);
+  if (document.has("kind") && document["kind"].choice({"cells", "solution", "loads"}) == 0) {
+    const Cells cells = Cells::of_certificate(document);
+    compare(cells.problem, problem);
+    prove(cells);
+  } else {
+    const Certificate certificate = Certificate::read(document);
+    compare(certificate.problem, problem);
+    prove(certificate);
   }
-  prove(certificate);
   return 0;
 }
 

@@ -112,10 +112,10 @@ bool Reader::boolean() const {
   return value_->get<bool>();
 }
 
-int Reader::integer(int least, int most) const {
+std::int64_t Reader::integer(std::int64_t least, std::int64_t most) const {
   const bool fits = value_->is_number_integer() && *value_ >= least && *value_ <= most;
   if (!fits) fail("out of range", "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
-  return value_->get<int>();
+  return value_->get<std::int64_t>();
 }
 
 std::size_t Reader::choice(std::initializer_list<const char*> names) const {

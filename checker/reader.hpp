@@ -1,6 +1,7 @@
 #pragma once
 // A document, JSON or TOML, as a tree of values, each with its place, which every error names.
 
+#include <cstdint>
 #include <initializer_list>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -28,7 +29,7 @@ class Reader {
   std::vector<Reader> list() const;
   std::string string() const;
   bool boolean() const;
-  int integer(int least, int most) const;
+  std::int64_t integer(std::int64_t least, std::int64_t most) const;
   /// Which of these strings it is.
   std::size_t choice(std::initializer_list<const char*> names) const;
   Rational rational() const { return Rational::parse(string(), place_); }

@@ -251,7 +251,10 @@ class Prover {
     const Ball p = base == origin_ ? contact_.power_at(origin_) : Ball();
     const Place all = half.at(hull(u, v));
     const Ball sign = direction_ * Ball(contact_.sign(half.segment()));
-    const Ball f = sign * contact_.modulus(all, base) * form_.regular_to(form_.bits(), k_, all).value;
+    const auto slope_at = [&](const Place& at) {
+      return sign * contact_.modulus(at, base) * form_.regular_to(form_.bits(), k_, at).value;
+    };
+    const Ball f = slope_at(all);
     const Ball weight = (power(v, p + Ball(1)) - power(u, p + Ball(1))) / (p + Ball(1));
     // (g - g_k) on the cell.
     const std::size_t own = contact_.slope_of(half.segment());
@@ -262,12 +265,20 @@ class Prover {
     const Ball change = f * weight + direction_ * half.slope_difference(k_, u, v);
     const Ball after = (gap_ + change).lower();
     const Ball lowest = gap_ - weight * positive_part((-f).upper()) - (v - u) * positive_part((-h).upper());
-    // From 0 the gap opens where it grows; elsewhere it stays above `lowest`. What it loses by wide balls on an octave of
-    // distances is a small part of it, the smaller the more bits.
+    // From 0 the gap opens where it grows; elsewhere it stays above `lowest`. Both only if an octave of distances loses a
+    // small part of it by the width of its intervals, the smaller the more bits; what it loses by the width of the box,
+    // seen in the middle and in u and v, no halving would spare.
     const bool opens = gap_.is_zero() && u.is_zero() && outwards && own == k_ && f.is_positive();
-    const Ball lost = Ball(static_cast<int>(form_.bits() * form_.bits() / 200)) * v / (v - u) * change.radius();
-    const bool sharp = (gap_ + change.middle().size() - lost).is_positive();
-    if ((opens || lowest.is_positive()) && sharp && after.is_positive()) {
+    const Ball kept = gap_ + change.middle().size();
+    const Ball width = (v - u).middle();
+    const Ball factor = Ball(static_cast<int>(form_.bits() * form_.bits() / 200)) * v.middle() / width;
+    const auto loses_little = [&](const Ball& lost) { return (kept - factor * lost).is_positive(); };
+    const auto sharp = [&] {
+      if (loses_little(change.radius()) || !(width - Ball(4) * (u.radius() + v.radius())).is_positive()) return true;
+      const Ball centre = slope_at(half.at(((u + v) * Ball(0.5)).middle()));
+      return loses_little(change.radius() - Ball(2) * (weight * centre.radius()).upper());
+    };
+    if ((opens || lowest.is_positive()) && after.is_positive() && sharp()) {
       gap_ = after;
       return;
     }
