@@ -39,7 +39,7 @@ double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; } 
 void prove(const Cells& cells) {
   const std::size_t intervals = prove_cells(cells);
   std::printf("%zu cells\n  proved: the energy is at most %s, the gap is high enough on %zu intervals\n",
-              cells.weights.size(), Ball(cells.energy, 64).text().c_str(), intervals);
+              cells.weights.size(), Ball(cells.energy, 64).middle().text().c_str(), intervals);
   std::printf("proved: load shares and effective friction of the solution lie in the intervals claimed (%.2f s)\n",
               seconds());
 }

@@ -102,10 +102,8 @@ void check_method(const SolveOptions& options, const Problem& problem) {
     throw bad_command_line("--digits: out of range", "the variational method works in double, 16 digits at most",
                            std::to_string(options.common.digits));
   }
-  for (const auto& [option, given] : {std::pair("--certificate", options.certificate.has_value()),
-                                      {"--load-steps", options.certify && !options.load_steps.empty()}}) {
-    if (!on_cells || !given) continue;
-    throw bad_command_line(std::string(option) + ": method without a proof of contact",
+  if (on_cells && options.certify && !options.load_steps.empty()) {
+    throw bad_command_line("--load-steps: method without a proof of contact",
                            "with --certify it goes with closed-form and riemann-hilbert",
                            "--method " + options.method_name);
   }
@@ -167,7 +165,7 @@ ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
   if (!solution.reason.empty()) throw inapplicable(problem, options.method, solution.reason);
   write(options.common.format, problem, solution, output);
   if (solution.is_solved()) {
-    if (certificate) certificate->write(solution.proof->certificate);
+    if (certificate) certificate->write(solution.proof ? solution.proof->certificate : solution.bound->certificate);
     if (certificate) certificate->commit();
     return ExitCode::done;
   }

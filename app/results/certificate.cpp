@@ -1,5 +1,8 @@
 #include "app/results/certificate.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -77,13 +80,28 @@ void add_box(Json& json, const enclosure::ContactBox& box, bool tilts, const Wri
   if (tilts) json["tilt"] = written(box.tilt);
 }
 
-Json heading(const char* kind, const ContactProblem& problem, const enclosure::Frame& frame, enclosure::Bits bits) {
+Json heading(const char* kind, const ContactProblem& problem) {
   return {{"certificate", 1},
           {"kind", kind},
           {"generator", std::string("steadyslide ") + version},
-          {"problem", problem_json(problem)},
-          {"frame", {{"origin", exact_text(frame.origin)}, {"unit", exact_text(frame.unit)}}},
-          {"bits", bits}};
+          {"problem", problem_json(problem)}};
+}
+
+Json heading(const char* kind, const ContactProblem& problem, const enclosure::Frame& frame, enclosure::Bits bits) {
+  Json json = heading(kind, problem);
+  json["frame"] = {{"origin", exact_text(frame.origin)}, {"unit", exact_text(frame.unit)}};
+  json["bits"] = bits;
+  return json;
+}
+
+/// A number near x that is above it (below it) and has few digits; x has far fewer bits than a double's last.
+std::string above(const Ball& x) { return fmt::format("{}", std::nextafter(x.to_double(), 1e300)); }
+std::string below(const Ball& x) { return fmt::format("{}", std::nextafter(x.to_double(), -1e300)); }
+
+/// The interval, with room for other rounding in the bound that it has.
+Json interval_json(const Ball& ball) {
+  const Ball room = ball.radius() / Ball(1000000);
+  return {below((ball.lower() - room).lower()), above((ball.upper() + room).upper())};
 }
 
 std::string finished(Json json, const ContactProblem& problem) {
@@ -103,6 +121,19 @@ std::string certificate(const ContactProblem& problem, const enclosure::ContactP
     return Ball::plus_or_minus(proved, width.upper()).dump();
   });
   return finished(std::move(json), problem);
+}
+
+std::string certificate(const ContactProblem& problem, const enclosure::CellBound& bound) {
+  Json json = heading("cells", problem);
+  json["problem"]["load"] = exact_text(problem.load());
+  json["pressures"] = bound.weights;
+  json["energy"] = above(bound.energy);
+  json["reaches"] = Json::array();
+  for (const auto& [left, right] : bound.reaches) json["reaches"].push_back(exact_numbers({left, right}));
+  Json shares = Json::array();
+  for (const Ball& share : bound.load_share) shares.push_back(interval_json(share));
+  json["claims"] = {{"load_share", std::move(shares)}, {"effective_friction", interval_json(bound.effective_friction)}};
+  return json.dump() + "\n";
 }
 
 std::string certificate(const ContactProblem& problem, const std::vector<enclosure::LoadInterval>& intervals) {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "enclosure/cells/cell_bound.hpp"
 #include "enclosure/loads/load_interval.hpp"
 
 namespace steadyslide::app {
@@ -10,7 +11,10 @@ namespace steadyslide::app {
 /// JSON. `proof` is one: proved, to so many digits.
 std::string certificate(const ContactProblem& problem, const enclosure::ContactProof& proof, int digits);
 
-/// The same for all loads of intervals that follow each other.
+/// Of a bound for pressures on cells, proved.
+std::string certificate(const ContactProblem& problem, const enclosure::CellBound& bound);
+
+/// Of a solution for all loads of intervals that follow each other.
 std::string certificate(const ContactProblem& problem, const std::vector<enclosure::LoadInterval>& intervals);
 
 }  // namespace steadyslide::app

@@ -137,7 +137,7 @@ void certify(SolutionText& text, const Problem& problem, const enclosure::Contac
 }
 
 void add_bound(SolutionText& text, const Problem& problem, const enclosure::CellBound& bound) {
-  BoundText told{bound.proved, bound.reason, bound.cells, {}, {}};
+  BoundText told{bound.proved, bound.reason, bound.cells, {}, {}, {}};
   if (bound.proved) {
     // A bound's digits are few: the error is told with the value.
     const auto told_with_error = [](const Ball& ball) {
@@ -146,6 +146,7 @@ void add_bound(SolutionText& text, const Problem& problem, const enclosure::Cell
       number.shown = number.value + " +/- " + number.error;
       return number;
     };
+    told.certificate = certificate(problem.contact, bound);
     told.energy = upper_text(bound.energy);
     told.largest_gap = upper_text(bound.largest_gap);
     text.load_share.clear();

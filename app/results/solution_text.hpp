@@ -74,6 +74,7 @@ struct BoundText {
   std::size_t cells = 0;
   std::string energy;       ///< of the error, in units of c P^2: an upper bound
   std::string largest_gap;  ///< under pressure, in units of c P
+  std::string certificate;  ///< docs/certificate.md
 };
 
 struct SolutionText {

@@ -41,6 +41,7 @@ std::vector<Rational> loads_before(const ContactProblem& problem, const CellPres
 void enclose_resultants(const ContactProblem& problem, const CellPressures& pressures, CellBound& bound) {
   const std::vector<Rational> loads = loads_before(problem, pressures);
   const LoadBounds known(problem, pressures, bound.energy);
+  bound.reaches = known.reaches();
   const std::vector<Rational>& f = problem.friction().values();
   Rational friction = 0;
   std::vector<Rational> factors(f.size() - 1);
@@ -93,11 +94,13 @@ CellBound bound_cells(const ContactProblem& problem, std::span<const double> pre
 
   CellBound result;
   result.cells = cells->size();
-  result.energy = (mean - lowest.bound).upper();
+  // The search for the lowest gap stops at a 256th.
+  result.energy = ((mean - lowest.bound) * Ball(Rational(257, 256), cell_bits)).upper();
   result.sharpness = max((mean - lowest.somewhere).lower(), Ball(0, cell_bits)).lower();
   result.largest_gap = (*most - lowest.bound).upper();
   if (!result.energy.is_finite()) return refused("the gap could not be enclosed");
   result.proved = true;
+  result.weights = cells->weights();
   enclose_resultants(problem, *cells, result);
   return result;
 }

@@ -19,6 +19,7 @@
 // C_h is the least that makes G_h >= 0: with H of cell_gap.hpp, E = <H, p_h>/P - min H. The bound is sharp if H has one
 // minimum for all cells under pressure; which p_h does, is the solver's affair.
 
+#include <array>
 #include <string>
 
 #include "enclosure/cells/cell_pressures.hpp"
@@ -31,12 +32,15 @@ struct CellBound {
   std::string reason;  ///< why nothing is proved
 
   std::size_t cells = 0;
-  Ball energy;       ///< E: exact, an upper bound
+  Ball energy;       ///< E: exact, an upper bound, with room for whoever proves it again
   Ball sharpness;    ///< E cannot be less for these pressures
   Ball largest_gap;  ///< the largest mean of G_h on a cell under pressure, in units of c P
   /// In parts of P, left to right; [0, 1] where nothing better is known.
   std::vector<Ball> load_share;
   Ball effective_friction;
+  // What proves it again: the state, and eps of load_bounds.hpp for each jump, to the left and to the right.
+  std::vector<std::int64_t> weights;  ///< n_j
+  std::vector<std::array<Rational, 2>> reaches;
 };
 
 /// `pressures`: -t on equal cells of the whole support, in the user's units. They are taken in proportion (their resultant

@@ -43,10 +43,16 @@ LoadBounds::Capacity LoadBounds::best(const CellPressures& pressures, const Rati
     const Rational k_squared = eps * end / ((behind + eps) * room);
     const Ball k = sqrt(Ball(k_squared, load_bits));
     const Ball other_k = sqrt(Ball(Rational(1 - k_squared), load_bits));
-    Capacity found{Ball(load, load_bits), sqrt(agm_with_one(other_k) / agm_with_one(k))};
+    Capacity found{eps, Ball(load, load_bits), sqrt(agm_with_one(other_k) / agm_with_one(k))};
     if (!result || found.load + found.root * root < result->load + result->root * root) result = std::move(found);
   }
   return *result;
+}
+
+std::vector<std::array<Rational, 2>> LoadBounds::reaches() const {
+  std::vector<std::array<Rational, 2>> result;
+  for (const auto& [left, right] : capacities_) result.push_back({left.reach, right.reach});
+  return result;
 }
 
 Ball LoadBounds::deviation(const std::vector<Rational>& a) const {

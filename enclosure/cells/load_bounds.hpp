@@ -30,10 +30,13 @@ class LoadBounds {
 
   /// |sum_k a_k D(c_k)| <= this: an exact number.
   Ball deviation(const std::vector<Rational>& a) const;
+  /// eps of (ii) that served, in cells: to the left and to the right of each jump.
+  std::vector<std::array<Rational, 2>> reaches() const;
 
  private:
   /// |D(c)| <= m + q sqrt(beta), to one side.
   struct Capacity {
+    Rational reach;
     Ball load;
     Ball root;
   };

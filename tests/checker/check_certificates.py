@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """check_certificates.py CHECKER: steadyslide-check proves the certificates in certificates/, and none that is changed.
 
-A file NAME.json has to be proved, NAME.loads.json too, an interval of loads; NAME.refused.json has to be refused, with the
+A file NAME.json has to be proved, NAME.loads.json too, an interval of loads, and NAME.cells.json, a bound for cells; NAME.refused.json has to be refused, with the
 words in its name's line of REFUSED. The problem files stand in problems/.
 Changes: every kind in CHANGES, on the certificate it names; then every key left out, and every value of another type.
 """
@@ -107,7 +107,22 @@ def wide_loads(c):
     c["problem"]["loads"][1] = c["boxes"][-1]["loads"][1] = "1.2"
 
 
-LOADS, LIFTED_LOADS = "parabola_rough_front.loads", "lifted_punch.loads"
+def scaled(factor):
+    return lambda number: str(float(number) * factor)
+
+
+def two_pressures(c):
+    """2 % of one cell's pressure to its neighbour."""
+    moved = c["pressures"][25] // 50
+    c["pressures"][25] -= moved
+    c["pressures"][26] += moved
+
+
+def moved(by):
+    return lambda number: str(float(number) + by)
+
+
+LOADS, LIFTED_LOADS, CELLS = "parabola_rough_front.loads", "lifted_punch.loads", "parabola_rough_front.cells"
 PARABOLA, STEP, SLOT, TILT, PUNCH, BUMPS, WEDGE = (
     "parabola_rough_front", "stepped_punch", "slotted_punch", "tilting_punch", "two_coatings", "two_bumps", "wedge_on_jump")
 
@@ -198,6 +213,35 @@ CHANGES = [
     ("a tilt in one box", LIFTED_LOADS, lambda c: c["boxes"][1].update(tilt=shifted(c["boxes"][1]["tilt"], -3))),
     ("friction under loads", LOADS, change(["problem", "friction", "values", 1], "1.3")),
     ("sliding under loads", LOADS, change(["problem", "sliding"], "-x")),
+    ("an energy too small by 1 %", CELLS, change(["energy"], scaled(0.99))),
+    ("an energy that proves less", CELLS, change(["energy"], scaled(1.01))),
+    ("a negative energy", CELLS, change(["energy"], "-1")),
+    ("pressure moved from cell to cell", CELLS, two_pressures),
+    ("a negative pressure", CELLS, change(["pressures", 0], -1)),
+    ("a pressure that is no whole number", CELLS, change(["pressures", 30], 1.5)),
+    ("a pressure beyond 41 bits", CELLS, change(["pressures", 30], 2**41)),
+    ("no pressure", CELLS, lambda c: c.update(pressures=[0] * len(c["pressures"]))),
+    ("a cell less", CELLS, lambda c: c["pressures"].pop()),
+    ("a reach too short", CELLS, change(["reaches", 0, 0], "0.5")),
+    ("a reach of nothing", CELLS, change(["reaches", 0, 1], "0")),
+    ("a reach beyond the support", CELLS, change(["reaches", 0, 1], "33")),
+    ("a reach less", CELLS, lambda c: c["reaches"].pop()),
+    ("a load share from higher up", CELLS, change(["claims", "load_share", 0, 0], moved(1e-4))),
+    ("a load share to lower down", CELLS, change(["claims", "load_share", 1, 1], moved(-1e-4))),
+    ("a load share less", CELLS, lambda c: c["claims"]["load_share"].pop()),
+    ("a load share the other way", CELLS, lambda c: c["claims"]["load_share"][0].reverse()),
+    ("effective friction from higher up", CELLS, change(["claims", "effective_friction", 0], moved(1e-4))),
+    ("effective friction to lower down", CELLS, change(["claims", "effective_friction", 1], moved(-1e-4))),
+    ("sliding over cells", CELLS, change(["problem", "sliding"], "-x")),
+    ("friction over cells", CELLS, change(["problem", "friction", "values", 1], "1.19")),
+    ("a jump within a cell", CELLS, change(["problem", "friction", "jumps", 0], "0.001")),
+    ("gamma over cells", CELLS, change(["problem", "gamma"], "0.51")),
+    ("compliance over cells", CELLS, change(["problem", "compliance"], "0.99")),
+    ("profile over cells", CELLS, change(["problem", "indenter", "pieces", 0, "profile", 2], "2.51")),
+    ("load over cells", CELLS, change(["problem", "load"], "1.01")),
+    ("load_at over cells", CELLS, change(["problem", "load_at"], "0")),
+    ("one load for cells", CELLS, change(["kind"], "solution")),
+    ("cells for one load", PARABOLA, change(["kind"], "cells")),
     ("a radius of 33 bits", PARABOLA, lambda c: free(c)[0].update(log_offset=with_radius(free(c)[0]["log_offset"], "80000001 -f0"))),
     ("a ball not in lowest terms", PARABOLA, lambda c: free(c)[0].update(log_offset=with_radius(free(c)[0]["log_offset"], "2 -b1"))),
     ("an anchor in the contact that is an end", "three_jumps", change(["points", 1, "contact"], "ends")),
@@ -237,9 +281,11 @@ def main():
         if name.endswith(".refused"):
             expect({1}, name, text, REFUSED[name.removesuffix(".refused")])
             continue
-        problem = HERE.parent / "problems" / f"{name.removesuffix('.loads')}.toml"
-        proved = "for every load its box" if name.endswith(".loads") else "the box"
-        expect({0}, name, text, f"proved: {proved} contains a solution", ("--problem", problem))
+        problem = HERE.parent / "problems" / f"{name.removesuffix('.loads').removesuffix('.cells')}.toml"
+        proved = ("load shares and effective friction of the solution lie in the intervals" if name.endswith(".cells")
+                  else "for every load its box contains a solution" if name.endswith(".loads")
+                  else "the box contains a solution")
+        expect({0}, name, text, f"proved: {proved}", ("--problem", problem))
         other = certificates[PUNCH if name.startswith(PARABOLA) else PARABOLA]
         expect({1}, f"{name}'s problem, another certificate", other, "not the certificate's", ("--problem", problem))
 

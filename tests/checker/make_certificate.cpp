@@ -1,4 +1,4 @@
-// make_certificate PROBLEM [DIGITS | everywhere | FROM TO BOXES] > CERTIFICATE: a certificate for tests, from what the
+// make_certificate PROBLEM [DIGITS | everywhere | cells N | FROM TO BOXES] > CERTIFICATE: a certificate for tests, from what the
 // Riemann-Hilbert solver finds and enclosure/ proves, to 50 digits or these. With "everywhere" it claims contact all over
 // the support. With loads from FROM to TO each box is as wide as the solution moves over its part of them. What is
 // written is no proof; that is what steadyslide-check is asked for. PROBLEM is a problem file, or random:N for the N-th
@@ -12,9 +12,12 @@
 #include <stdexcept>
 
 #include "app/problem_file/problem_file.hpp"
+#include "app/results/certificate.hpp"
 #include "enclosure/contact/contact_proof.hpp"
 #include "model/uniqueness.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "numeric/variational/variational_inequality.hpp"
+#include "numeric/variational/variational_solution.hpp"
 #include "support/random_contact.hpp"
 
 namespace {
@@ -143,6 +146,15 @@ json loads_certificate(const ContactProblem& problem, const Rational& from, cons
   return result;
 }
 
+json cells_certificate(const ContactProblem& problem, std::size_t cells) {
+  const auto found = numeric::variational_inequality(problem, {.cells = cells});
+  if (!found.solution) throw std::runtime_error(found.reason);
+  const auto& on_cells = dynamic_cast<const numeric::VariationalSolution&>(*found.solution);
+  const CellBound bound = bound_cells(problem, on_cells.touching_pressures());
+  if (!bound.proved) throw std::runtime_error(bound.reason);
+  return json::parse(app::certificate(problem, bound));
+}
+
 json make(const std::vector<std::string>& words) {
   const bool random = words.at(0).starts_with("random:");
   const ContactProblem problem =
@@ -151,6 +163,7 @@ json make(const std::vector<std::string>& words) {
   if (words.size() == 4) {
     return loads_certificate(problem, parse_rational(words[1]), parse_rational(words[2]), std::stoi(words[3]));
   }
+  if (words.size() == 3 && words[1] == "cells") return cells_certificate(problem, std::stoul(words[2]));
   const bool everywhere = words.size() == 2 && words[1] == "everywhere";
   const int digits = words.size() == 2 && !everywhere ? std::stoi(words[1]) : 50;
   const ApproximateContact full{{{problem.indenter().left()}, {problem.indenter().right()}}};

@@ -12,6 +12,7 @@ LOADS = {
     "lifted_punch": ("0.98", "1.02", "2"),
     "rounded_wedge": ("0.999", "1.001", "1"),
 }
+CELLS = {"parabola_rough_front": "64", "stepped_punch": "50"}
 
 
 def main():
@@ -19,9 +20,10 @@ def main():
         name = problem.stem
         options = [("everywhere",)] if name.endswith(".refused") else [("30",)] if name.startswith("notch") else [()]
         options += [LOADS[name]] if name in LOADS else []
+        options += [("cells", CELLS[name])] if name in CELLS else []
         for option in options:
             done = subprocess.run([sys.argv[1], problem, *option], stdout=subprocess.PIPE, text=True, check=True)
-            kind = ".loads" if len(option) == 3 else ""
+            kind = {2: ".cells", 3: ".loads"}.get(len(option), "")
             (HERE / "certificates" / f"{name}{kind}.json").write_text(done.stdout)
 
 

@@ -116,10 +116,21 @@ TEST_CASE("on cells load shares are enclosed, and the other method's lie there; 
     CHECK(abs(number(proved["resultants"]["load_share"][k]) - number(exact["resultants"]["load_share"][k])) <= error);
     CHECK(error < 0.02_r);
   }
-  const Finished falling = run(problem_text("parabola_rough_rear"), {"--method", "variational", "--certify"});
+  const TemporaryFolder folder;
+  const auto certified = [&](const char* problem) {
+    return run_program({"solve", "-", "--method", "variational", "--certificate", "cells.json"}, folder.path(),
+                       problem_text(problem));
+  };
+  const Finished falling = certified("parabola_rough_rear");
+  CHECK_FALSE(folder.has("cells.json"));
   CHECK(falling.code == 1);
   CHECK_FALSE(holds(falling.err, "did not converge"));
   CHECK(holds(falling.out, "\nnot proved: "));
+  CHECK(certified("parabola").code == 0);
+  const Json certificate = Json::parse(folder.read("cells.json"));
+  CHECK(certificate["kind"] == "cells");
+  CHECK(certificate["pressures"].size() == 4096);
+  CHECK(certificate["claims"]["load_share"].size() == certificate["problem"]["friction"]["values"].size());
 }
 
 TEST_CASE("a certificate for all loads between two: boxes that follow each other; none over an event") {
