@@ -97,7 +97,7 @@ StressComponents<R> by_quadrature(const RiemannHilbertSolution<R>& solution, con
         sums[i] += tanh_sinh::panel_integral<R>({panel, left, right, smooth}).value;
       }
     };
-    const Panel<R>& whole = set.panels()[k];
+    const Panel<R> whole = set.panels()[k];
     const R &l = above.node.from_left, &r = above.node.from_right;
     if (static_cast<std::ptrdiff_t>(k) == above.segment && l > 0 && r > 0) {
       // Once more at four depths from x: the adaptive rule likes one scale a panel.
