@@ -33,8 +33,7 @@ Finished run_limited(const std::string& text, const std::string& trace = "") {
 #else
   const std::string limited = "ulimit -v 1048576; exec timeout 10";
 #endif
-  return run_other({"sh", "-c", limited + " '" STEADYSLIDE_EXECUTABLE "' exponents f.toml"},
-                   folder.path());
+  return run_other({"sh", "-c", limited + " '" STEADYSLIDE_EXECUTABLE "' exponents f.toml"}, folder.path());
 }
 
 void check_refusal(const Finished& finished, const std::string& message) {
