@@ -344,7 +344,9 @@ class Deviations {
       const Ball beta = ((low + high) * Ball(0.5)).middle();
       ((capacity_bound(beta) - energy_bound(beta)).is_positive() ? high : low) = beta;
     }
-    return hull(energy_bound(low), capacity_bound(high)).upper();
+    const Ball by_both = hull(energy_bound(low), capacity_bound(high)).upper();
+    const Ball by_energy = energy_bound(Ball()).upper();
+    return (by_both - by_energy).is_positive() ? by_energy : by_both;
   }
 
  private:

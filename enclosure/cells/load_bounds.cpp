@@ -81,7 +81,7 @@ Ball LoadBounds::deviation(const std::vector<Rational>& a) const {
     const Ball middle = ((low + beta) / Ball(2)).midpoint();
     (by_capacity(middle) >= by_jumps(middle) ? beta : low) = middle;
   }
-  return max(by_jumps(beta), by_capacity(beta)).upper();
+  return min(by_jumps(Ball(0, load_bits)), max(by_jumps(beta), by_capacity(beta))).upper();
 }
 
 }  // namespace steadyslide::enclosure

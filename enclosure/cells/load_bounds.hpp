@@ -14,7 +14,8 @@
 //   q^2 = K(k')/K(k) = agm(1, k')/agm(1, k),   k^2 = eps (R-L)/((c+eps-L)(R-c)),   k'^2 = (c-L)(R-c-eps)/((c+eps-L)(R-c));
 // that map's real part is monotone on [c, c+eps]. -D(c) is bounded in the same way with [c-eps, c]. Any eps will do.
 //
-// (i) falls with beta and (ii) grows: whatever beta is, one of them is below the larger of the two at any one beta.
+// (i) falls with beta and (ii) grows: whatever beta is, one of them is below the larger of the two at any one beta; and (i)
+// below what it is at 0.
 
 #include <array>
 

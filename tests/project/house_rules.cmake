@@ -1,5 +1,5 @@
 # cmake -D SOURCE=<dir> -P house_rules.cmake: where things stand (docs/architecture.md). A claim is found by its id, and
-# public headers do not lead into private ones.
+# public headers do not lead into private ones. And what a law on random inputs says is asked for.
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -56,6 +56,15 @@ foreach(header IN LISTS public)
       list(APPEND wrong "${header}: public, and includes ${included}, which is not")
     endif()
   endforeach()
+endforeach()
+
+# rc::check() returns whether the law holds; alone it fails no test.
+file(GLOB_RECURSE tests RELATIVE "${SOURCE}" "${SOURCE}/tests/*_test.cpp")
+foreach(file IN LISTS tests)
+  file(STRINGS "${SOURCE}/${file}" dropped REGEX "^ *rc::check\\(")
+  if(dropped)
+    list(APPEND wrong "${file}: rc::check() without REQUIRE or CHECK")
+  endif()
 endforeach()
 
 if(wrong)

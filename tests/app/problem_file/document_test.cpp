@@ -81,12 +81,12 @@ TEST_CASE("characters beyond ASCII stay what they are in strings, are free in co
 }
 
 TEST_CASE("arbitrary text gives a document or a failure") {
-  rc::check([](const std::string& text) { RC_ASSERT(message_of(text) != ""); });
+  REQUIRE(rc::check([](const std::string& text) { RC_ASSERT(message_of(text) != ""); }));
   const std::string alphabet = "a.=[]{}\"'#,1\n\\ -";
-  rc::check([&] {
+  REQUIRE(rc::check([&] {
     const auto indices = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, static_cast<int>(alphabet.size())));
     std::string text;
     for (const int k : indices) text += k % 8 == 7 ? "é" : std::string(1, alphabet[static_cast<std::size_t>(k)]);
     RC_ASSERT(message_of(text) != "");
-  });
+  }));
 }

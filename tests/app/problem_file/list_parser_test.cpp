@@ -31,13 +31,13 @@ TEST_CASE("bad lists say what is wrong") {
 }
 
 TEST_CASE("a range has as many entries as fit") {
-  rc::check([] {
+  REQUIRE(rc::check([] {
     const int first = *rc::gen::inRange(-50, 50), steps = *rc::gen::inRange(0, 40), d = *rc::gen::inRange(1, 20);
     const Rational step(*rc::gen::inRange(1, 30), d), last = first + step * steps;
     const auto list = parse_list("", to_string(Rational(first)) + ":" + last.str() + ":" + step.str(), 100);
     RC_ASSERT(list.size() == static_cast<std::size_t>(steps) + 1);
     RC_ASSERT(list.back() == last);
-  });
+  }));
 }
 
 TEST_CASE("counts are whole numbers within limits") {

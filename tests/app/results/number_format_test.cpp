@@ -57,10 +57,10 @@ TEST_CASE("digits that the error does not support are not printed") {
 }
 
 TEST_CASE("17 digits bring any double back") {
-  rc::check([](double value) {
+  REQUIRE(rc::check([](double value) {
     RC_PRE(std::isfinite(value));
     RC_ASSERT(std::stod(format_number(value, 17)) == value);
-  });
+  }));
 }
 
 TEST_CASE("16 digits of all of a number are the shortest decimal that brings the double back") {
@@ -74,12 +74,12 @@ TEST_CASE("16 digits of all of a number are the shortest decimal that brings the
   CHECK(full_number(Real50(1) / 3, 30) == "0." + std::string(30, '3'));
   CHECK(full_number(-infinite, 16) == "-inf");
   CHECK(full_number(std::nan(""), 16) == "");
-  rc::check([](double value) {
+  REQUIRE(rc::check([](double value) {
     RC_PRE(std::isfinite(value));
     const std::string text = full_number(value, 16);
     RC_ASSERT(std::stod(text) == value);
     RC_ASSERT(full_number(Real50(value), 16) == text);
-  });
+  }));
 }
 
 TEST_CASE("an estimate for a person and for a file") {
@@ -100,13 +100,13 @@ TEST_CASE("an estimate for a person and for a file") {
 }
 
 TEST_CASE("a formatted number differs from the value by half a unit of its last digit at most") {
-  rc::check([](int n) {
+  REQUIRE(rc::check([](int n) {
     const int digits = *rc::gen::inRange(1, 40);
     const Rational value(n, *rc::gen::inRange(1, 100000));
     const std::string text = format_number(value, digits);
     const Rational error = abs(parse_rational(text) - value);
     RC_ASSERT(2 * error * parse_rational("1e" + std::to_string(digits - 1)) <= abs(value));
-  });
+  }));
 }
 
 TEST_CASE("exact text is read back as the same number, also the longest") {
@@ -114,11 +114,11 @@ TEST_CASE("exact text is read back as the same number, also the longest") {
   CHECK(exact_text(parse_rational("-1.25e399")) == "-125e397");
   CHECK(exact_text(Rational(-1, 3)) == "-1/3");
   CHECK(exact_text(Rational(0)) == "0");
-  rc::check([](int mantissa) {
+  REQUIRE(rc::check([](int mantissa) {
     const int exponent = *rc::gen::inRange(-400, 391);
     const Rational value = parse_rational(std::to_string(mantissa) + "e" + std::to_string(exponent));
     RC_ASSERT(parse_rational(exact_text(value)) == value);
-  });
+  }));
 }
 
 TEST_CASE("of a ball those digits are shown to which all its numbers are rounded alike") {
@@ -141,7 +141,7 @@ TEST_CASE("of a ball those digits are shown to which all its numbers are rounded
 }
 
 TEST_CASE("a ball's value and error: every number in it is within the error of the value, at any number of digits") {
-  rc::check([](std::uint32_t top, std::uint8_t exponent) {
+  REQUIRE(rc::check([](std::uint32_t top, std::uint8_t exponent) {
     const int digits = 1 + static_cast<int>(top % 1000);
     const Rational middle = Rational(top) / 7 - 3;
     const enclosure::Ball radius = power(enclosure::Ball(10, 64), -static_cast<int>(exponent));
@@ -152,5 +152,5 @@ TEST_CASE("a ball's value and error: every number in it is within the error of t
     enclosure::Ball error(0, 4000);
     arb_set_str(error.get(), text.error.c_str(), 4000);
     RC_ASSERT(arb_contains(enclosure::Ball::plus_or_minus(said, error).get(), ball.get()) != 0);
-  });
+  }));
 }
