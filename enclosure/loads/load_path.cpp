@@ -65,12 +65,29 @@ class Follower {
   std::vector<LoadStretch> stretches(const Rational& from, const Rational& to) {
     std::sort(proved_.begin(), proved_.end(),
               [](const LoadInterval& a, const LoadInterval& b) { return a.from < b.from; });
-    std::vector<LoadStretch> result;
+    const auto low = [&](std::size_t i) { return i > 0 ? proved_[i - 1].to : from; };
+    const auto high = [&](std::size_t i) { return i < proved_.size() ? proved_[i].from : to; };
+    const auto is_open = [&](std::size_t i) {
+      return low(i) < high(i) || (i > 0 && i < proved_.size() && !are_joined(proved_[i - 1], proved_[i], rules_));
+    };
+    // Unproved loads closer to each other than an event is wide are one: what was proved in between tells nobody anything.
+    std::vector<std::size_t> open;
     for (std::size_t i = 0; i <= proved_.size(); ++i) {
-      const Rational& low = i > 0 ? proved_[i - 1].to : from;
-      const Rational& high = i < proved_.size() ? proved_[i].from : to;
-      if (low < high || (i > 0 && i < proved_.size() && !are_joined(proved_[i - 1], proved_[i], rules_))) {
-        result.push_back(between(i, low, high));
+      if (!is_open(i)) continue;
+      if (!open.empty() && low(i) - high(open.back()) <= options_.width * high(i)) {
+        proved_.erase(proved_.begin() + static_cast<std::ptrdiff_t>(open.back()),
+                      proved_.begin() + static_cast<std::ptrdiff_t>(i));
+        i = open.back();
+      } else {
+        open.push_back(i);
+      }
+    }
+    std::vector<LoadStretch> result;
+    auto next = open.begin();
+    for (std::size_t i = 0; i <= proved_.size(); ++i) {
+      if (next != open.end() && *next == i) {
+        result.push_back(between(i, low(i), high(i)));
+        ++next;
       }
       if (i < proved_.size()) result.push_back({Stretch::proved, proved_[i].from, proved_[i].to, proved_[i], {}});
     }

@@ -38,7 +38,8 @@ using ContactAtLoad = std::function<std::optional<ApproximateContact>(const Rati
 
 struct LoadPathOptions {
   /// The relative width of loads that an event may have; it comes out wider where the loads beside it are proved in
-  /// intervals shorter than an eighth of that alone (a gap that is a high power of the distance from the event).
+  /// intervals shorter than an eighth of that alone (a gap that is a high power of the distance from the event), or not
+  /// everywhere: unproved loads closer to each other than this are one stretch.
   Rational width = Rational(1, 1000000);
   Bits bits = load_interval_bits;
   /// No interval is longer than this part of its load: another program, with bounds of its own, has to decide the same signs.

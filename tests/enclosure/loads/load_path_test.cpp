@@ -172,6 +172,17 @@ TEST_CASE("an end passes a jump at the load that is known; without a jump on its
   CHECK(words_of(path(reduced({0.1_r}, {}, one_piece(-2, 2, {0, 0, 2.5_r}), 1), from, to), from, to).empty());
 }
 
+TEST_CASE("loads that are not proved beside an event belong to it, where what is proved in between is shorter") {
+  // An end of contact that moves on to the rougher coating: up to the jump at x = 0 it comes ever more slowly.
+  const ContactProblem problem(Elasticity(Solid(0.3_r, 1)), FrictionProfile({0.1_r, 0.7_r}, {0}),
+                               one_piece(-2, 2, {0.25_r, 0, -0.5_r, 0, 0.25_r}), 1);
+  const Rational from = 0.773_r, to = 0.7731_r;
+  const auto stretches = path(problem, from, to);
+  CHECK(words_of(stretches, from, to) ==
+        std::vector<std::string>{"the left end of contact passes the friction jump at x = 0"});
+  CHECK(is_narrow(events(stretches).at(0), Rational(1, 100000)));
+}
+
 TEST_CASE("two wells: a second zone of contact is born, and later both meet") {
   const ContactProblem problem = on_two_coatings(two_wells(), 1);
   const auto happens = [&](const Rational& from, const Rational& to, const std::string& what, std::size_t ends_before,
