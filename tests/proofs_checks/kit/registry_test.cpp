@@ -146,9 +146,9 @@ TEST_CASE("all claims hold in double, for several seeds, and every control is re
   }
 }
 
-TEST_CASE("all claims hold in double at all parameters") { check_all_hold(full_run()); }
+TEST_CASE("slow: all claims hold in double at all parameters" * doctest::skip()) { check_all_hold(full_run()); }
 
-TEST_CASE("a full run looks at all that a quick one looks at, in no fewer cases") {
+TEST_CASE("slow: a full run looks at all that a quick one looks at, in no fewer cases" * doctest::skip()) {
   const std::vector<Report>& few = quick_run(1);
   REQUIRE(few.size() == full_run().size());
   for (std::size_t k = 0; k < few.size(); ++k) {
