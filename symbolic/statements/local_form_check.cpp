@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "symbolic/field/written_identity.hpp"
+
 namespace steadyslide::symbolic {
 namespace {
 
@@ -45,6 +47,7 @@ std::string up_to_sign(const std::string& text) {
 ExactIdentity verify_local_form(const std::string& statement, const LocalCandidate& candidate) {
   const PhaseField& field = candidate.frame.field();
   ExactIdentity identity{statement, "", "", true, {}};
+  WrittenIdentity written{field.radicals(), {}};
   std::set<std::string> nonvanishing;
   for (const LocalEquation& equation : equations_of(candidate)) {
     const PhaseField::Decision decision = field.are_equal(equation.lhs, equation.rhs);
@@ -53,8 +56,10 @@ ExactIdentity verify_local_form(const std::string& statement, const LocalCandida
     const std::string separator = identity.lhs.empty() ? "" : "; ";
     identity.lhs += separator + field.text(equation.lhs);
     identity.rhs += separator + field.text(equation.rhs);
+    written.equations.push_back({equation.where.text, equation.lhs, equation.rhs});
   }
   identity.nonvanishing.assign(nonvanishing.begin(), nonvanishing.end());
+  identity.written = std::make_shared<WrittenIdentity>(std::move(written));
   return identity;
 }
 
