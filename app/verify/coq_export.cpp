@@ -1,6 +1,7 @@
 #include "app/verify/coq_export.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <map>
@@ -18,8 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The equations that are not exported: reason to statement to how many.
-using LeftOut = std::map<std::string, std::map<std::string, std::size_t>>;
+struct LeftOut {
+  std::map<std::string, std::map<std::string, std::size_t>> equations;  ///< reason to statement to how many
+  std::vector<std::string> statements;                                  ///< of which nothing is exported
+};
 
 std::vector<symbolic::CoqLemma> lemmas_of(const symbolic::StatementFamily& family, LeftOut& left_out) {
   std::vector<symbolic::CoqLemma> lemmas;
@@ -29,7 +32,8 @@ std::vector<symbolic::CoqLemma> lemmas_of(const symbolic::StatementFamily& famil
       if (!lemma.proved) throw Failure(ExitCode::refuted, lemma.name + ": the cofactors leave a remainder");
       lemmas.push_back(std::move(lemma));
     }
-    for (const symbolic::NotExported& equation : found.not_exported) ++left_out[equation.reason][equation.id];
+    for (const symbolic::NotExported& e : found.not_exported) ++left_out.equations[e.reason][e.id];
+    if (found.lemmas.empty()) left_out.statements.push_back(statement.id);
   }
   return lemmas;
 }
@@ -37,7 +41,7 @@ std::vector<symbolic::CoqLemma> lemmas_of(const symbolic::StatementFamily& famil
 std::string text_of(const LeftOut& left_out) {
   std::size_t total = 0;
   std::string reasons;
-  for (const auto& [reason, statements] : left_out) {
+  for (const auto& [reason, statements] : left_out.equations) {
     std::size_t count = 0;
     std::string where;
     for (const auto& [id, equations] : statements) {
@@ -47,7 +51,8 @@ std::string text_of(const LeftOut& left_out) {
     total += count;
     reasons += fmt::format("  {}: {}\n{}", count, reason, where);
   }
-  return fmt::format("{} equations not exported\n{}", total, reasons);
+  return fmt::format("{} equations not exported\n{}statements without a lemma: {}\n", total, reasons,
+                     fmt::join(left_out.statements, ", "));
 }
 
 void require_new_or_empty(const std::string& folder) {

@@ -11,10 +11,15 @@ namespace {
 
 using GiNaC::ex;
 
-std::vector<LocalEquation> equations_of(const LocalCandidate& candidate) {
+enum class Constants { canonical, written };
+
+std::vector<LocalEquation> equations_of(const LocalCandidate& candidate, Constants kind = Constants::canonical) {
   const LocalFrame& frame = candidate.frame;
-  const LocalConstants constants =
-      candidate.exponent ? frame.constants(*candidate.exponent) : LocalConstants{0, 0, frame.pi()};
+  LocalConstants constants{0, 0, frame.pi()};
+  if (candidate.exponent) {
+    constants = kind == Constants::written ? frame.written_constants(*candidate.exponent)
+                                           : frame.constants(*candidate.exponent);
+  }
   std::vector<LocalEquation> equations = local_equations(candidate.place, constants, candidate.density);
   if (!candidate.outside) return equations;
   if (candidate.place.contact == ContactSide::both) throw std::domain_error("local form: nothing is outside");
@@ -48,6 +53,9 @@ ExactIdentity verify_local_form(const std::string& statement, const LocalCandida
   const PhaseField& field = candidate.frame.field();
   ExactIdentity identity{statement, "", "", true, {}};
   WrittenIdentity written{field.radicals(), {}};
+  for (const LocalEquation& equation : equations_of(candidate, Constants::written)) {
+    written.equations.push_back({equation.where.text, equation.lhs, equation.rhs});
+  }
   std::set<std::string> nonvanishing;
   for (const LocalEquation& equation : equations_of(candidate)) {
     const PhaseField::Decision decision = field.are_equal(equation.lhs, equation.rhs);
@@ -56,7 +64,6 @@ ExactIdentity verify_local_form(const std::string& statement, const LocalCandida
     const std::string separator = identity.lhs.empty() ? "" : "; ";
     identity.lhs += separator + field.text(equation.lhs);
     identity.rhs += separator + field.text(equation.rhs);
-    written.equations.push_back({equation.where.text, equation.lhs, equation.rhs});
   }
   identity.nonvanishing.assign(nonvanishing.begin(), nonvanishing.end());
   identity.written = std::make_shared<WrittenIdentity>(std::move(written));
