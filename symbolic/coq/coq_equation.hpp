@@ -25,7 +25,7 @@ class CoqEquation {
   /// lhs - rhs, expanded and not reduced.
   Polynomial difference() const { return polynomial(lhs_) - polynomial(rhs_); }
 
-  /// Of the generators: symbols and roots, then inverses.
+  /// Of the generators: symbols and roots in the order of the alphabet, then inverses.
   std::vector<std::string> names() const;
   std::vector<Root> roots() const;
   std::vector<Inverse> inverses() const;

@@ -18,7 +18,7 @@ ExactIdentity Comparison::as(std::string statement) const {
                          {},
                          holds_ && !equations_.empty(),
                          {nonvanishing_.begin(), nonvanishing_.end()},
-                         std::make_shared<WrittenIdentity>(field_.radicals(), equations_)};
+                         std::make_shared<WrittenIdentity>(WrittenIdentity{field_.radicals(), equations_})};
   for (const WrittenEquation& e : equations_) {
     const std::string before = (identity.lhs.empty() ? "" : "; ") + e.what + " = ";
     identity.lhs += before + field_.text(e.lhs);
