@@ -6,7 +6,7 @@
 // at y times one factor, c = e m, exactly if sigma = e and n = m k; the gap is n times what it was if n' = n, h' = h; the load
 // is m k times what it was. Each is an identity between polynomials in the values of t, u_bar' and psi_bar at two places.
 
-#include "symbolic/field/rational_function.hpp"
+#include "symbolic/field/comparison.hpp"
 #include "symbolic/statements/statements.hpp"
 
 namespace steadyslide::symbolic {
@@ -41,23 +41,23 @@ ExactIdentity decided(const std::string& words, const Map& map) {
   const ex c = map.direction * map.traction;
   const ex gap = map.profile * psi + map.lifted - (map.displacement * u + map.raised);
   // Multiplied by the distances x'-x and y'-y, and by e k: no divisor is left.
-  const std::vector<std::pair<ex, ex>> sides{{map.traction * t1 * map.length * (y1 - y), c * t1 * (x(y1) - x(y))},
-                                             {map.friction * s * map.traction * t, c * s * t},
-                                             {map.displacement * slope, c * slope * map.direction * map.length},
-                                             {gap, map.displacement * (psi - u)},
-                                             {map.traction * map.length * t, map.load * t}};
-  for (const auto& [lhs, rhs] : sides) {
-    if (!decide_equal(lhs, rhs).identical) return {words, canonical_text(lhs), canonical_text(rhs), false, {}};
-  }
-  return {words, canonical_text(gap), canonical_text(sides[3].second), true, {}};
+  const PhaseField field;
+  return Comparison(field)
+      .equal("the integrand", map.traction * t1 * map.length * (y1 - y), c * t1 * (x(y1) - x(y)))
+      .equal("s t", map.friction * s * map.traction * t, c * s * t)
+      .equal("u_bar'", map.displacement * slope, c * slope * map.direction * map.length)
+      .equal("the gap", gap, map.displacement * (psi - u))
+      .equal("the load's integrand", map.traction * map.length * t, map.load * t)
+      .as(words);
 }
 
 /// t_t = shear t_n in u_n' = H t_n - gamma t_t, against H t_n + s t_n.
 ExactIdentity reduced(const std::string& words, int shear_over_f, int s_over_gamma_f) {
   const symbol integral("H"), t("t"), f("f"), gamma("gamma");
-  const ex lhs = integral - gamma * (shear_over_f * f * t);
-  const ex rhs = integral + s_over_gamma_f * gamma * f * t;
-  return {words, canonical_text(lhs), canonical_text(rhs), decide_equal(lhs, rhs).identical, {}};
+  const PhaseField field;
+  return Comparison(field)
+      .equal("u_n'", integral - gamma * (shear_over_f * f * t), integral + s_over_gamma_f * gamma * f * t)
+      .as(words);
 }
 
 }  // namespace
