@@ -85,6 +85,29 @@ DecidedStatement jump_sign() {
        decided("alpha_l + alpha_r", AngleForm(0, {{0, 1}, {1, 1}}), sine, cosine)}};
 }
 
+/// cos(pi alpha) = sin(pi (1/2 + alpha)) = 1/sqrt(1+s^2), sin(pi alpha) = s/sqrt(1+s^2), by the square of e^{i pi alpha}.
+DecidedStatement cosine() {
+  const PhaseField field({symbol("s")});
+  const auto& f = field.friction(0);
+  const ex i = field.i();
+  const auto decided = [&](const std::string& words, const ex& cosine, const ex& sine, const AngleForm& shifted) {
+    const ex phase = cosine + i * sine;
+    return Comparison(field)
+        .equal("modulus", cosine * cosine + sine * sine, 1)
+        .equal("tangent", sine, f.s * cosine)
+        .equal("-(its square) is G", -phase * phase, jump_relation(f.s, i).ratio)
+        .equal("sin(pi (1/2 + alpha))", (field.phase(shifted, 1) - field.phase(shifted, -1)) / (2 * i), cosine)
+        .as(words);
+  };
+  const AngleForm shifted(1, {{0, 1}});
+  return {"rh-cosine",
+          decided("cos(pi alpha) = sin(pi (1/2 + alpha)) = 1/sqrt(1+s^2), sin(pi alpha) = s/sqrt(1+s^2)", f.cos, f.sin,
+                  shifted),
+          {decided("without the root", f.cos * f.cos, f.s * f.cos * f.cos, shifted),
+           decided("sine and cosine exchanged", f.sin, f.cos, shifted), decided("-alpha", f.cos, -f.sin, shifted),
+           decided("both of the other sign", -f.cos, -f.sin, shifted)}};
+}
+
 /// Sliding the other way mirrors the contact: front and rear friction change places, and edges and free ends too.
 DecidedStatement mirrored_powers() {
   const std::vector<ex> alphas{symbol("alpha_l"), symbol("alpha_r")};
@@ -165,6 +188,7 @@ DecidedStatement neutral_mode() {
 
 void add_powers(std::vector<DecidedStatement>& all) {
   all.push_back(power_ranges());
+  all.push_back(cosine());
   all.push_back(jump_sign());
   all.push_back(mirrored_powers());
   all.push_back(neutral_mode());

@@ -113,6 +113,33 @@ DecidedStatement punch_extremes() {
        decided("-2 alpha", right, -2 * l)}};
 }
 
+/// With w = (1+x)/(1-x) the rear half of [-1, 1] is [0, 1], and (1+x)^(-(1/2+alpha)) (1-x)^(-(1/2-alpha)) dx is
+/// w^(-(1/2+alpha))/(1+w) dw. Powers of w, of 1+w and of 2 are counted.
+DecidedStatement rear_share() {
+  const PhaseField field;
+  const symbol w("w");
+  const symbol alpha("alpha");
+  const ex half = ex(1) / 2;
+  const auto decided = [&](const std::string& words, const ex& x, const ex& rear, const ex& front) {
+    return Comparison(field)
+        .equal("1 + x", 1 + x, 2 * w / (1 + w))
+        .equal("1 - x", 1 - x, 2 / (1 + w))
+        .equal("dx/dw", x.diff(w), 2 / (1 + w) / (1 + w))
+        .equal("power of w", rear, -half - alpha)
+        .equal("power of 2/(1+w), with that of dx", rear + front + 2, 1)
+        .equal("t(-x)/t(x), power of (1+x)/(1-x)", front - rear, 2 * alpha)
+        .as(words);
+  };
+  const ex x = (w - 1) / (w + 1);
+  return {"rh-rear-share",
+          decided("with w = (1+x)/(1-x) the rear half's load is that of w^(-(1/2+alpha))/(1+w) on [0, 1]; t(-x)/t(x) = "
+                  "((1+x)/(1-x))^(2 alpha)",
+                  x, -half - alpha, -half + alpha),
+          {decided("front and rear exchanged", x, -half + alpha, -half - alpha),
+           decided("w = (1-x)/(1+x)", -x, -half - alpha, -half + alpha), decided("without alpha", x, -half, -half),
+           decided("alpha of one sign in both powers", x, -half - alpha, -half - alpha)}};
+}
+
 /// Off one component Y is positive on its right and (-1)^S |Y| on its left, S = 1 for two free ends, -1 for two edges.
 DecidedStatement outside_signs() {
   const auto decided = [&](const std::string& words, int free_left, int edge_left, int order, int beta) {
@@ -186,6 +213,7 @@ void add_shapes(std::vector<DecidedStatement>& all) {
   all.push_back(tilt_window());
   all.push_back(quartic_squares());
   all.push_back(punch_extremes());
+  all.push_back(rear_share());
   all.push_back(outside_signs());
   all.push_back(linear_profile());
   all.push_back(splitting());
