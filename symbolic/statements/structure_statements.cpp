@@ -80,40 +80,40 @@ DecidedStatement structure_panel() {
            "g + b", [&](const Banks& k) -> ex { return k.epsilon * k.friction.cos * (k.g + b); }, 1)}};
 }
 
-/// At a jump F_0+- = m +- i a with a = D/[s], m = g_l - s_l a: one pair of polynomials on both sides.
+/// At a jump F_0+- = m +- i a with [s] a = D, m = g_l - s_l a: one pair of polynomials on both sides.
 DecidedStatement structure_jump() {
   const symbol s_l("s_l");
   const symbol s_r("s_r");
   const PhaseField field({s_l, s_r});
   const symbol g_l("g_l");
-  const symbol g_r("g_r");
+  const symbol a("a");
   const symbol rest("R");
-  const auto decided = [&](const std::string& words, const ex& a, const ex& m) {
+  const ex g_r = g_l + (s_r - s_l) * a;
+  const auto decided = [&](const std::string& words, const ex& constant, const ex& m) {
     Comparison comparison(field);
     for (const std::size_t side : {0U, 1U}) {
       for (const int epsilon : signs) {
-        const Banks banks(field, side, epsilon, side == 0 ? g_l : g_r);
+        const Banks banks(field, side, epsilon, side == 0 ? ex(g_l) : g_r);
         const std::string name = with_sign(side == 0 ? "left" : "right", epsilon);
-        const ex plus = m + banks.i * a;
-        const ex minus = m - banks.i * a;
+        const ex plus = m + banks.i * constant;
+        const ex minus = m - banks.i * constant;
         comparison.equal(name + ": one function", banks.jump(plus, minus), 0)
             .equal(name + ": t",
                    banks.traction(plus - banks.modulus * banks.u_plus * rest,
                                   minus - banks.modulus * banks.u_minus * rest),
-                   (g_r - g_l) / (s_r - s_l) + epsilon * banks.friction.cos * banks.modulus * rest);
+                   a + epsilon * banks.friction.cos * banks.modulus * rest);
       }
     }
     return comparison.as(words);
   };
-  const ex d = g_r - g_l;
-  const ex a = d / (s_r - s_l);
-  return {"rh-structure-jump",
-          decided("at a friction jump t = D/[s] + epsilon cos(pi alpha) |Y| R with one R on both banks and both sides",
-                  a, g_l - s_l * a),
-          {decided("[s] taken from right to left", -a, g_l + s_l * a),
-           decided("s_l + s_r for [s]", d / (s_l + s_r), g_l - s_l * d / (s_l + s_r)),
-           decided("the constant without its divisor", d, g_l - s_l * d), decided("without the constant", 0, g_l),
-           decided("m of the other side", a, g_r - s_l * a), decided("m without s a", a, g_l)}};
+  return {
+      "rh-structure-jump",
+      decided("at a friction jump t = a + epsilon cos(pi alpha) |Y| R, [s] a = D, with one R on both banks and both "
+              "sides",
+              a, g_l - s_l * a),
+      {decided("[s] taken from right to left", -a, g_l + s_l * a),
+       decided("D for D/[s]", g_r - g_l, g_l - s_l * (g_r - g_l)), decided("without the constant", 0, g_l),
+       decided("m of the other side", a, g_r - s_l * a), decided("m without s a", a, g_l)}};
 }
 
 /// At a wedge under one friction F_0+- = g_l + D (w+- log(z-c) + v+-), w = (-s + i)/(pi (1+s^2)), v = (1 + i s)/(1+s^2).
