@@ -1,5 +1,5 @@
 # steadyslide_sources(<variable>)
-# steadyslide_embed(<variable> <namespace> <name> <file>)
+# steadyslide_embed(<variable> <namespace> <name> <files>...)
 # steadyslide_library(<layer> SOURCES ... [PUBLIC libs...] [PRIVATE libs...])
 # steadyslide_executable(<name> SOURCES ... LIBRARIES ...)
 # steadyslide_compile_quickly(<target>)
@@ -66,15 +66,19 @@ function(steadyslide_sources variable)
   set(${variable} ${sources} PARENT_SCOPE)
 endfunction()
 
-# Adds to the sources in `variable` the one that has the file as the text namespace::name.
-function(steadyslide_embed variable namespace name file)
-  get_filename_component(file "${file}" ABSOLUTE)
+# Adds to the sources in `variable` the one that has the files, one behind the other, as the text namespace::name.
+function(steadyslide_embed variable namespace name)
+  set(files "")
+  foreach(file IN LISTS ARGN)
+    get_filename_component(file "${file}" ABSOLUTE)
+    list(APPEND files "${file}")
+  endforeach()
   set(output "${CMAKE_CURRENT_BINARY_DIR}/embedded_${name}.cpp")
   set(script "${PROJECT_SOURCE_DIR}/cmake/embed.cmake")
   add_custom_command(OUTPUT "${output}"
-    COMMAND ${CMAKE_COMMAND} -D "INPUT=${file}" -D NAMESPACE=${namespace} -D NAME=${name} -D "OUTPUT=${output}"
+    COMMAND ${CMAKE_COMMAND} -D "INPUT=${files}" -D NAMESPACE=${namespace} -D NAME=${name} -D "OUTPUT=${output}"
             -P "${script}"
-    DEPENDS "${file}" "${script}" VERBATIM)
+    DEPENDS ${files} "${script}" VERBATIM)
   set(${variable} ${${variable}} "${output}" PARENT_SCOPE)
 endfunction()
 

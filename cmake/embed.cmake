@@ -1,6 +1,10 @@
-# cmake -D INPUT=FILE -D NAMESPACE=name::space -D NAME=identifier -D OUTPUT=FILE.cpp -P embed.cmake: the file's bytes as
-# a text in C++, extern const std::string_view name::space::identifier.
-file(READ "${INPUT}" bytes HEX)
+# cmake -D INPUT=FILES -D NAMESPACE=name::space -D NAME=identifier -D OUTPUT=FILE.cpp -P embed.cmake: the files' bytes, one
+# behind the other, as a text in C++, extern const std::string_view name::space::identifier.
+set(bytes "")
+foreach(input IN LISTS INPUT)
+  file(READ "${input}" more HEX)
+  string(APPEND bytes "${more}")
+endforeach()
 string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
 file(WRITE "${OUTPUT}" "#include <string_view>
 

@@ -51,12 +51,33 @@ std::string details(const std::vector<const Kind*>& pieces) {
   return html;
 }
 
+/// As a list, indented by how far below what is concluded a fact stands.
+std::string proof_html(const checks::Report& report) {
+  const checks::CheckedProof* proof = report.proof();
+  if (!proof) return "";
+  std::string html = heading(proof->complete() ? "Proof" : "A proof with a gap");
+  if (!proof->text.parameters.empty())
+    html += block("p", "For " + element("code", escaped(text_of(proof->text.parameters))) + ".");
+  std::string items;
+  for (const auto& [at, depth, again] : tree_of(*proof)) {
+    const checks::ProofNode& node = proof->nodes[at];
+    std::string item = element("code", escaped(text_of(node.fact))) + " " +
+                       element("span", escaped(node.by) + (again ? ", see above" : ""), {{"class", "by"}});
+    if (!again) {
+      item += element("span", prose(checks::theory().sentence(node.fact)), {{"class", "says"}});
+      for (const std::string& words : node.words) item += element("span", prose(words), {{"class", "words"}});
+    }
+    items += block("li", item, {{"style", fmt::format("margin-left:{}em", 1.5 * static_cast<double>(depth))}});
+  }
+  html += block("ul", "\n" + items, {{"class", "proof"}});
+  if (!proof->complete()) html += paragraph(proof->gap);
+  return html;
+}
+
 std::string identities(const checks::Report& report) {
   std::string html;
   for (const auto* piece : all_of<checks::ExactIdentity>(report)) {
-    const bool whole = piece->covers == checks::ExactIdentity::Covers::claim;
-    html += heading(whole ? "Exact identities, which establish the statement"
-                          : "Exact identities, for a part of the statement or the cases examined");
+    html += heading("Exact identities");
     html += paragraph(piece->detail);
     std::vector<std::string> items;
     for (const std::string& identity : piece->identities) items.push_back(prose(identity));
@@ -132,8 +153,8 @@ std::string badge(checks::Verdict verdict) {
 }
 
 std::string evidence_html(const checks::Report& report, std::span<const checks::Report> reports) {
-  std::string html =
-      counterexamples(report) + identities(report) + agreements(report) + rates(report) + beyond(report, reports);
+  std::string html = counterexamples(report) + proof_html(report) + identities(report) + agreements(report) +
+                     rates(report) + beyond(report, reports);
   if (!report.note.empty()) html += block("p", prose(report.note), {{"class", "note"}});
   return html;
 }

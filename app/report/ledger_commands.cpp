@@ -96,6 +96,7 @@ ExitCode verify(const Given& given) {
                            given.text("--group")};
   const std::optional<std::string> folder = given.name("--report", "folder");
   const bool list = given.has("--list");
+  if (given.has("--proof") && list) throw bad_command_line("--list: conflicting option", "it checks no proof", "--proof");
   if (folder && list) throw bad_command_line("--list: conflicting option", "it checks nothing to report", "--report");
   const std::vector<checks::Claim> claims = selected(wanted);
   // Opened first: a run may be long, and should not end in a folder that does not exist.
@@ -107,7 +108,8 @@ ExitCode verify(const Given& given) {
   }
   std::optional<Output> page;
   if (folder) page.emplace(report_file(*folder));
-  const VerifyResult result = examine(wanted, claims);
+  VerifyResult result = examine(wanted, claims);
+  result.with_proofs = given.has("--proof");
   write_verify(common.format, result, output);
   if (page) write_report(result, *page);
   output.commit();
@@ -135,6 +137,7 @@ Command verify_command() {
       with_common({{"--list", "", "List the claims, check nothing", flag},
                    {"--claim", "GLOB", "Only claims whose id matches, * and ? being wildcards; repeatable", repeatable},
                    {"--group", "NAME", "Only claims of one place in the paper, theorem-2; --list names them"},
+                   {"--proof", "", "Print the proofs, as trees", flag},
                    {"--quick", "", "Fewer parameters", flag},
                    seed_option(),
                    {"--report", "DIR", "Write the report on this run as well: DIR/report.html"}},

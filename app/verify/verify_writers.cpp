@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/embedded.hpp"
+#include "app/verify/proof_writers.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -74,6 +75,12 @@ void write_verify_text(const VerifyResult& result, Output& output) {
               report.claim.id, report.claim.source});
   }
   rows.end();
+  for (const checks::Report& report : result.reports) {
+    const checks::CheckedProof* proof = result.with_proofs ? report.proof() : nullptr;
+    if (!proof) continue;
+    output.write(fmt::format("\n{}\n  {}\n", report.claim.id, report.claim.statement));
+    write_proof(*proof, output);
+  }
   for (const checks::Report& report : result.reports) {
     const bool settled = report.verdict == checks::Verdict::proved || report.verdict == checks::Verdict::supported;
     if ((settled || report.beyond_calculation()) && report.note.empty()) continue;
@@ -148,6 +155,7 @@ Json report_json(const checks::Report& report) {
     json["evidence"].push_back({{"kind", kind_of(evidence)}, {"detail", describe(evidence)}});
   }
   if (!report.note.empty()) json["evidence"].push_back({{"kind", "note"}, {"detail", report.note}});
+  if (const checks::CheckedProof* proof = report.proof()) json["proof"] = proof_json(*proof);
   json["controls"] = {{"total", report.controls.size()}, {"refuted", report.controls_refuted()}};
   json["seconds"] = std::round(report.seconds * 1000) / 1000;
   return json;

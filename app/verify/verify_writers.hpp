@@ -19,6 +19,7 @@ struct VerifyResult {
   std::vector<proofs_checks::Report> reports;
   std::vector<proofs_checks::ReadingNote> notes;
   std::size_t notes_left_out = 0;  ///< those that belong to none of the claims asked for
+  bool with_proofs = false;        ///< as trees; JSON has them always
 };
 
 /// Takes out the notes that belong to none of the claims reported, and counts them.

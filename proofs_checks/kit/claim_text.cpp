@@ -2,41 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/algorithm/string/trim.hpp>
 #include <ranges>
 #include <stdexcept>
 
 #include "proofs_checks/kit/registry.hpp"
+#include "proofs_checks/proof/markdown.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
 
-/// "| a | b \\| c |" has the cells "a" and "b | c".
-std::vector<std::string> cells_of(std::string_view row) {
-  std::vector<std::string> cells;
-  for (std::size_t k = 0; k < row.size(); ++k) {
-    if (row[k] == '|') {
-      cells.emplace_back();
-    } else if (!cells.empty()) {
-      if (row.substr(k, 2) == "\\|") ++k;
-      cells.back() += row[k];
-    }
-  }
-  if (!cells.empty()) cells.pop_back();  // behind the last bar
-  for (std::string& cell : cells) boost::algorithm::trim(cell);
-  return cells;
-}
-
-/// The parts between the separators.
-std::vector<std::string> list_of(std::string_view text, std::string_view separator) {
-  std::vector<std::string> parts;
-  for (const auto part : std::views::split(text, separator)) parts.emplace_back(part.begin(), part.end());
-  return parts;
-}
-
 void read_row(ClaimText& text, std::string_view row) {
   const std::vector<std::string> cells = cells_of(row);
-  if (!cells.empty() && (cells[0] == "name" || cells[0] == "about" || cells[0].starts_with("---"))) return;
+  if (!cells.empty() && (cells[0] == "name" || cells[0] == "about" || is_rule_of_table(row))) return;
   if (cells.size() == 3) {
     text.decided.push_back({cells[0], list_of(cells[1], ", "), list_of(cells[2], "; ")});
   } else if (cells.size() == 4 && !cells[0].empty() && !cells[1].empty() && cells[2].empty() == cells[3].empty()) {
@@ -54,12 +31,15 @@ ClaimText parse_claim_text(std::string_view document) {
   std::string nowhere;
   std::string* part = &nowhere;  // null: within a table
   std::string in_its_place;
-  const std::array<std::pair<std::string_view, std::string*>, 8> parts{
+  std::vector<std::string_view> proof;
+  bool in_proof = false;
+  const std::array<std::pair<std::string_view, std::string*>, 9> parts{
       {{"## Statement", &text.statement},
        {"## Hypotheses", &text.hypotheses},
        {"## Derivation", &text.derivation},
        {"## Compared", nullptr},
        {"## Decided", nullptr},
+       {"## Proof", nullptr},
        {"## Convergence", &text.convergence},
        {"## Beyond calculation", &text.beyond_calculation},
        {"## Checked in its place", &in_its_place}}};
@@ -72,6 +52,9 @@ ClaimText parse_claim_text(std::string_view document) {
       const auto found = std::ranges::find(parts, line, [](const auto& p) { return p.first; });
       if (found == parts.end()) throw std::logic_error(text.id + ": no such part of a claim: " + std::string(line));
       part = found->second;
+      in_proof = line == "## Proof";
+    } else if (in_proof) {
+      proof.push_back(line);
     } else if (!part && !line.empty()) {
       read_row(text, line);
     } else if (!line.empty()) {
@@ -82,6 +65,7 @@ ClaimText parse_claim_text(std::string_view document) {
   if (!nowhere.empty() || text.id.empty() || text.source.empty() || text.statement.empty() || text.hypotheses.empty()) {
     throw std::logic_error("not the text of a claim: " + (text.id.empty() ? nowhere : text.id));
   }
+  if (!proof.empty()) text.proof = parse_proof(proof);
   if (!in_its_place.empty()) text.checked_in_its_place = list_of(in_its_place, ", ");
   return text;
 }

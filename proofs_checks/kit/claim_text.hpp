@@ -19,6 +19,7 @@
 //   | about | statements | wrong variants |
 //   |---|---|---|
 //   | flat punch | rh-flat-punch-0, rh-kernel | edges exchanged; without 1/pi |
+//   ## Proof                 facts that follow from each other (proof/proof_text.hpp)
 //   ## Convergence           on cells: the problem of convergence_cases() that is studied
 //   ## Beyond calculation    why no calculation decides it
 //   ## Checked in its place  the ids of claims that check what follows from it
@@ -29,6 +30,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "proofs_checks/proof/proof_text.hpp"
 
 namespace steadyslide::proofs_checks {
 
@@ -54,6 +57,7 @@ struct ClaimText {
   std::string derivation = {};
   std::vector<QuantityText> compared = {};
   std::vector<Family> decided = {};
+  ProofText proof = {};
   std::string convergence = {};
   std::string beyond_calculation = {};
   std::vector<std::string> checked_in_its_place = {};

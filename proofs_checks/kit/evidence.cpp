@@ -18,6 +18,11 @@ std::string text_of(double rate) {
 }
 
 struct Describe {
+  std::string operator()(const CheckedProof& e) const {
+    if (!e.complete()) return "a proof with a gap: " + e.gap;
+    return with("proof of " + text_of(e.text.concludes), ", for ", text_of(e.text.parameters)) + ": " +
+           count_of_steps(e);
+  }
   std::string operator()(const ExactIdentity& e) const {
     return with(e.detail, ": ", boost::algorithm::join(e.identities, "; "));
   }
@@ -44,7 +49,7 @@ struct Describe {
 
 std::string_view kind_of(const Evidence& evidence) {
   constexpr std::array<std::string_view, std::variant_size_v<Evidence>> kinds{
-      "exact-identity", "agreement", "convergence-rate", "counterexample", "beyond-calculation"};
+      "proof", "exact-identity", "agreement", "convergence-rate", "counterexample", "beyond-calculation"};
   return kinds[evidence.index()];
 }
 

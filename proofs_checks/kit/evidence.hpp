@@ -7,17 +7,15 @@
 #include <variant>
 #include <vector>
 
+#include "proofs_checks/proof/proof.hpp"
+
 namespace steadyslide::proofs_checks {
 
-/// Equalities decided exactly: as rational functions of independent symbols, or by exact arithmetic on exponents.
+/// Equalities decided exactly: as rational functions of independent symbols, or by exact arithmetic on exponents. They
+/// support: what they mean for the claim is for a proof to say.
 struct ExactIdentity {
-  /// `claim`: the identities establish the claim for all parameters that its hypotheses allow; `detail` says how they
-  /// do. `part`: they establish one part of it, or the examined cases.
-  enum class Covers { claim, part };
-
   std::string detail;
   std::vector<std::string> identities;
-  Covers covers = Covers::part;
 };
 
 /// Unrelated routes to one number agreed to the tolerance, case by case.
@@ -55,9 +53,10 @@ struct BeyondCalculation {
   std::vector<std::string> consequences;  ///< ids of the claims that check what follows from it and can be calculated
 };
 
-using Evidence = std::variant<ExactIdentity, Agreement, ConvergenceRate, Counterexample, BeyondCalculation>;
+using Evidence =
+    std::variant<CheckedProof, ExactIdentity, Agreement, ConvergenceRate, Counterexample, BeyondCalculation>;
 
-/// "exact-identity", "agreement", "convergence-rate", "counterexample", "beyond-calculation".
+/// "proof", "exact-identity", "agreement", "convergence-rate", "counterexample", "beyond-calculation".
 std::string_view kind_of(const Evidence& evidence);
 
 /// One line for a reader, with the numbers.

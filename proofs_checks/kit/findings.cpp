@@ -73,7 +73,7 @@ void Findings::require(bool holds, const std::string& what_fails) {
 std::vector<Evidence> Findings::evidence(const std::string& cases) const {
   std::vector<Evidence> all;
   if (!decisions_.empty()) {
-    ExactIdentity identity{"decided in exact arithmetic, case by case", {}, ExactIdentity::Covers::part};
+    ExactIdentity identity{"decided in exact arithmetic, case by case", {}};
     for (const auto& [statement, times] : decisions_) {
       identity.identities.push_back(statement + " (" + std::to_string(times) + " times)");
     }

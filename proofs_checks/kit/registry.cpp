@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "proofs_checks/kit/proofs.hpp"
 #include "proofs_checks/statements/paper_statements.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -24,13 +25,16 @@ std::size_t position_of(const std::string& id) {
 
 }  // namespace
 
+Claim made(const ClaimEntry& entry) {
+  Claim claim = with_proof(entry.make());
+  claim.group = entry.group;
+  return claim;
+}
+
 const std::vector<Claim>& registry() {
   static const std::vector<Claim> all = [] {
     std::vector<Claim> claims;
-    for (const ClaimEntry& entry : claim_list()) {
-      claims.push_back(entry.make());
-      claims.back().group = entry.group;
-    }
+    for (const ClaimEntry& entry : claim_list()) claims.push_back(made(entry));
     std::ranges::stable_sort(claims, {}, [](const Claim& claim) { return position_of(claim.id); });
     return claims;
   }();

@@ -3,7 +3,7 @@
 //
 // They are what the folders of proofs_checks/claims hold, collected by cmake/claims.cmake: a claim `thm-03-outside-slope`
 // is a function thm_03_outside_slope() in a source file of this name, its text in the Markdown file beside it. A text
-// alone is a claim, too, if it lists decided statements, names a study of convergence or says why nothing can be
+// alone is a claim, too, if it has a proof, lists decided statements, names a study of convergence or says why nothing can be
 // calculated.
 
 #include <span>
@@ -21,6 +21,9 @@ struct ClaimEntry {
   std::string_view document;
   Claim (*make)();
 };
+
+/// Made anew, with its group, and with its proof if it has one.
+Claim made(const ClaimEntry& entry);
 
 /// What cmake/claims.cmake has collected, in alphabetical order.
 std::span<const ClaimEntry> claim_list();

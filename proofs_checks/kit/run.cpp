@@ -49,6 +49,13 @@ std::size_t Report::controls_refuted() const {
   return static_cast<std::size_t>(std::ranges::count_if(controls, &ControlReport::refuted));
 }
 
+const CheckedProof* Report::proof() const {
+  for (const Evidence& e : evidence) {
+    if (const auto* proof = std::get_if<CheckedProof>(&e)) return proof;
+  }
+  return nullptr;
+}
+
 bool Report::beyond_calculation() const {
   return verdict == Verdict::undecided &&
          std::ranges::any_of(evidence, [](const Evidence& e) { return std::holds_alternative<BeyondCalculation>(e); });
@@ -83,6 +90,8 @@ std::vector<Report> run_all(std::span<const Claim> claims, const Context& contex
   }
   return reports;
 }
+
+Claim words_alone(std::string_view id) { return {claim_text(id), {}, {}}; }
 
 Claim beyond_calculation(std::string_view id) {
   Claim claim{claim_text(id), {}, {}};

@@ -27,6 +27,8 @@ struct Report {
   double seconds;
 
   std::size_t controls_refuted() const;
+  /// Null if it has none.
+  const CheckedProof* proof() const;
   /// No calculation decides it: an undecided claim that is no failure.
   bool beyond_calculation() const;
 };

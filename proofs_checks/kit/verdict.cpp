@@ -7,13 +7,14 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-bool covers_the_claim(const Evidence& evidence) {
-  const auto* identity = std::get_if<ExactIdentity>(&evidence);
-  return identity && identity->covers == ExactIdentity::Covers::claim && !identity->identities.empty();
+bool is_complete_proof(const Evidence& evidence) {
+  const auto* proof = std::get_if<CheckedProof>(&evidence);
+  return proof && proof->complete();
 }
 
-/// Evidence that shows nothing: no identity decided, or too few cases at which the statement says something.
+/// Evidence that shows nothing: a gap, no identity decided, or too few cases at which the statement says something.
 bool is_empty(const Evidence& evidence) {
+  if (const auto* proof = std::get_if<CheckedProof>(&evidence)) return !proof->complete();
   if (const auto* identity = std::get_if<ExactIdentity>(&evidence)) return identity->identities.empty();
   if (const auto* agreement = std::get_if<Agreement>(&evidence)) {
     return agreement->effective < std::max<std::size_t>(agreement->required, 1);
@@ -41,7 +42,7 @@ bool refutes(const Evidence& evidence) {
 Verdict weigh(std::span<const Evidence> evidence, bool all_controls_refuted) {
   if (std::ranges::any_of(evidence, refutes)) return Verdict::refuted;
   if (!all_controls_refuted) return Verdict::undecided;
-  if (std::ranges::any_of(evidence, covers_the_claim)) return Verdict::proved;
+  if (std::ranges::any_of(evidence, is_complete_proof)) return Verdict::proved;
   if (evidence.empty() || std::ranges::any_of(evidence, is_empty)) return Verdict::undecided;
   return Verdict::supported;
 }

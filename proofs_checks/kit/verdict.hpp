@@ -3,11 +3,11 @@
 //
 //   refuted    some counterexample, whatever stands beside it, or a rate off the expected one by more than both its
 //              tolerance and its error bar
-//   proved     otherwise, if exact identities cover the whole claim; agreements beside them change nothing
-//   supported  otherwise, if there is evidence and every piece of it says something. Exact identities that cover a part
-//              only, or the examined cases, support: the claim is as strong as its weakest part.
-//   undecided  otherwise: no evidence, an agreement with too few effective cases, a rate whose error bar is wider than
-//              its tolerance, or a statement beyond calculation
+//   proved     otherwise, if there is a proof without a gap (proof/proof.hpp); agreements beside it change nothing
+//   supported  otherwise, if there is evidence and every piece of it says something. Exact identities without a proof
+//              support.
+//   undecided  otherwise: no evidence, a proof with a gap, an agreement with too few effective cases, a rate whose error
+//              bar is wider than its tolerance, or a statement beyond calculation
 //
 // A claim whose controls are not all refuted was not checked: its verdict is undecided unless it is refuted.
 

@@ -95,6 +95,20 @@ std::vector<DecidedStatement> elasticity_statements() {
                             {"1/4", gamma.subs(nu == ex(1) / 2), ex(1) / 4},
                             {"at nu = 1/3", gamma.subs(nu == ex(1) / 3), 0},
                             {"in plane stress", coupling_constant(ex(1) / 2, Plane::stress), 0}});
+  const ex in_stress = coupling_constant(nu, Plane::stress);
+  add("gamma-stress-decreases", {{"d gamma/d nu = -1/2 in plane stress, negative", in_stress.diff(nu), ex(-1) / 2},
+                                 {"increasing", in_stress.diff(nu), ex(1) / 2},
+                                 {"-1", in_stress.diff(nu), -1},
+                                 {"in plane strain", gamma.diff(nu), ex(-1) / 2}});
+  add("gamma-stress-at-minus-one", {{"gamma = 1 at nu = -1 in plane stress", in_stress.subs(nu == -1), 1},
+                                    {"3/4", in_stress.subs(nu == -1), ex(3) / 4},
+                                    {"at nu = 0", in_stress.subs(nu == 0), 1},
+                                    {"in plane strain", gamma.subs(nu == -1), 1}});
+  add("gamma-stress-at-one-half",
+      {{"gamma = 1/4 at nu = 1/2 in plane stress", in_stress.subs(nu == ex(1) / 2), ex(1) / 4},
+       {"0", in_stress.subs(nu == ex(1) / 2), 0},
+       {"at nu = 1/3", in_stress.subs(nu == ex(1) / 3), ex(1) / 4},
+       {"in plane strain", gamma.subs(nu == ex(1) / 2), ex(1) / 4}});
   add("dundurs-rigid", {{"Dundurs' constant tends to (kappa_1-1)/(kappa_1+1) as mu_2 grows", limit, rigid},
                         {"as mu_1 grows", limit_at_infinity(dundurs, mu1), rigid},
                         {"to (kappa_1+1)/(kappa_1-1)", limit, 1 / rigid},
@@ -130,6 +144,25 @@ std::vector<DecidedStatement> elasticity_statements() {
        {"a sum instead of the difference", dundurs * total, ((kappa1 - 1) / mu1 + (kappa2 - 1) / mu2) / 4},
        {"kappa + 1", dundurs * total, ((kappa1 + 1) / mu1 - (kappa2 + 1) / mu2) / 4},
        {"without 1/4", dundurs * total, (kappa1 - 1) / mu1 - (kappa2 - 1) / mu2}});
+  // Both surfaces under the same tractions, t_t = -f t_n: ((kappa+1)/(4 mu)) H t_n +- ((kappa-1)/(4 mu)) f t_n.
+  const symbol integral("H");
+  const symbol shear("ft");
+  const auto slope = [&](const KolosovSolid& body, int side) -> ex {
+    return compliance(body) * integral + side * (body.kappa - 1) / (4 * body.mu) * shear;
+  };
+  const ex both = total * (integral + dundurs * shear);
+  add("dundurs-reduction",
+      {{"the slopes of both surfaces add up to c (H t + gamma f t), gamma Dundurs' constant, c the sum of the compliances",
+        slope(half_space, 1) + slope(indenter, -1), both},
+       {"the shear with one sign on both bodies", slope(half_space, 1) + slope(indenter, 1), both},
+       {"one surface alone", slope(half_space, 1), both},
+       {"the difference of the slopes", slope(half_space, 1) - slope(indenter, -1), both}});
+  add("dundurs-zero",
+      {{"Dundurs' constant is 0 where mu_2 (kappa_1-1) = mu_1 (kappa_2-1)",
+        dundurs.subs(kappa2 == 1 + mu2 * (kappa1 - 1) / mu1), 0},
+       {"where mu_1 (kappa_1-1) = mu_2 (kappa_2-1)", dundurs.subs(kappa2 == 1 + mu1 * (kappa1 - 1) / mu2), 0},
+       {"where mu_2 (kappa_1+1) = mu_1 (kappa_2+1)", dundurs.subs(kappa2 == -1 + mu2 * (kappa1 + 1) / mu1), 0},
+       {"for bodies of one shear modulus", dundurs.subs(mu2 == mu1), 0}});
   add("jump-determinant",
       {{"1 + s_l s_r + (s_r - s_l) cot(pi beta) = 0 for beta = alpha_l - alpha_r, tan(pi alpha) = s",
         determinant(cot_of_difference(right, left)), 0},

@@ -10,6 +10,10 @@ namespace steadyslide::symbolic {
 /// bodies, the range ]0, 3/4[ of gamma and that it decreases in nu, cot(pi beta) at a friction jump.
 std::vector<DecidedStatement> elasticity_statements();
 
+/// The reduction to the normal traction for either direction of sliding; dilations and shifts, scaling, raising, the mirror:
+/// what they make of the equation, the gap and the load [Bal16, (2), (3)].
+std::vector<DecidedStatement> equation_statements();
+
 /// Theorem 2 with a friction jump, with a wedge and a jump, with a wedge alone; theorem 3 at either end of contact, at
 /// a step and free, with the slopes outside; theorem 9, and to all three orders; theorem 10 as theorem 3 under one
 /// friction. Each form is put into the local equation: both sides of an identity list its coefficients.

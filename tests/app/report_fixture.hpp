@@ -2,6 +2,7 @@
 // A ledger that no calculation made, with every kind of evidence and verdict, for tests of the report.
 
 #include "app/report/report_page.hpp"
+#include "proofs_checks/kit/proofs.hpp"
 #include "support/test.hpp"
 
 namespace steadyslide::testing {
@@ -32,9 +33,9 @@ inline app::VerifyResult fabricated_result() {
        0.21},
       {words.at("energy-identity"),
        Verdict::proved,
-       {ExactIdentity{"for independent symbols `s_k`",
-                      {"`int s T T' = -(1/2) sum_k (s_k - s_{k-1}) T(c_k)^2`", "the logarithm's part is symmetric"},
-                      ExactIdentity::Covers::claim}},
+       {*proof_of("gamma-range"),
+        ExactIdentity{"for independent symbols `s_k`",
+                      {"`int s T T' = -(1/2) sum_k (s_k - s_{k-1}) T(c_k)^2`", "the logarithm's part is symmetric"}}},
        "",
        {{"the factor 1/2 missing", true, "difference 3/8"}},
        0.03},

@@ -13,8 +13,4 @@ namespace steadyslide::proofs_checks {
 /// with the symbolic layer's when the claim is examined.
 Claim derived(std::string_view id);
 
-/// The claim, proved by the statements with these ids, as `argument` says; each of their wrong variants is a control
-/// more. What the claim itself compares stands behind.
-Claim proved_by(const std::vector<std::string>& ids, std::string argument, Claim claim);
-
 }  // namespace steadyslide::proofs_checks

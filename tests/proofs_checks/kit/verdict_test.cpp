@@ -8,9 +8,10 @@ using namespace steadyslide::proofs_checks;
 namespace {
 
 const std::map<std::string, Evidence> evidence{
-    {"whole", ExactIdentity{"", {"a = a"}, ExactIdentity::Covers::claim}},
-    {"part", ExactIdentity{"", {"a = a"}, ExactIdentity::Covers::part}},
-    {"empty_identity", ExactIdentity{"", {}, ExactIdentity::Covers::claim}},
+    {"whole", CheckedProof{{}, {}, ""}},
+    {"gap", CheckedProof{{}, {}, "nothing gives it"}},
+    {"part", ExactIdentity{"", {"a = a"}}},
+    {"empty_identity", ExactIdentity{"", {}}},
     {"agreement", Agreement{"load", {"one", "other"}, "1e-50", "1e-45", 10, 8, 5, ""}},
     {"too_few", Agreement{"load", {"one", "other"}, "1e-50", "1e-45", 10, 4, 5, ""}},
     {"no_case", Agreement{"load", {"one", "other"}, "0", "1e-45", 0, 0, 0, ""}},
@@ -32,12 +33,13 @@ Verdict verdict_of(const std::string& names) {
 }  // namespace
 
 TEST_CASE("weigh: the truth table, and what stands beside") {
-  for (const std::string& row :
-       words(":undecided whole:proved part:supported empty_identity:undecided agreement:supported rate:supported "
-             "other_rate:refuted wide_rate:undecided no_rate:undecided too_few:undecided no_case:undecided "
-             "counterexample:refuted whole+agreement+rate:proved agreement+whole:proved part+agreement+rate:supported "
-             "agreement+too_few:undecided rate+wide_rate:undecided whole+rate+other_rate:refuted "
-             "part+no_case:undecided")) {
+  for (
+      const std::string& row : words(
+          ":undecided whole:proved gap:undecided gap+agreement:undecided part:supported empty_identity:undecided agreement:supported rate:supported "
+          "other_rate:refuted wide_rate:undecided no_rate:undecided too_few:undecided no_case:undecided "
+          "counterexample:refuted whole+agreement+rate:proved agreement+whole:proved part+agreement+rate:supported "
+          "agreement+too_few:undecided rate+wide_rate:undecided whole+rate+other_rate:refuted "
+          "part+no_case:undecided")) {
     CAPTURE(row);
     const std::size_t colon = row.find(':');
     CHECK(name_of(verdict_of(row.substr(0, colon))) == row.substr(colon + 1));
@@ -58,7 +60,8 @@ TEST_CASE("weigh: a claim with a surviving control was not checked") {
 }
 
 TEST_CASE("evidence says its kind and its numbers") {
-  CHECK(kind_of(evidence.at("whole")) == "exact-identity");
+  CHECK(kind_of(evidence.at("whole")) == "proof");
+  CHECK(kind_of(evidence.at("part")) == "exact-identity");
   CHECK(kind_of(evidence.at("agreement")) == "agreement");
   CHECK(kind_of(evidence.at("rate")) == "convergence-rate");
   CHECK(kind_of(evidence.at("counterexample")) == "counterexample");

@@ -1,0 +1,19 @@
+#pragma once
+// Proofs of the ledger as trees: what is concluded, and below it what it rests on, down to identities, signs, enclosures,
+// classical theorems and other entries.
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/terminal/output.hpp"
+#include "proofs_checks/proof/proof.hpp"
+
+namespace steadyslide::app {
+
+/// Indented, each fact with what it says and by what it follows.
+void write_proof(const proofs_checks::CheckedProof& proof, Output& output);
+
+/// {"complete", "gap", "for", "assumes", "concludes", "steps": [{"fact", "says", "by", "words", "from"}]}, "from" counting
+/// the steps from 0.
+nlohmann::ordered_json proof_json(const proofs_checks::CheckedProof& proof);
+
+}  // namespace steadyslide::app

@@ -1,0 +1,60 @@
+#include "proofs_checks/proof/markdown.hpp"
+
+#include <algorithm>
+#include <boost/algorithm/string/trim.hpp>
+#include <ranges>
+
+namespace steadyslide::proofs_checks {
+
+std::vector<std::string> cells_of(std::string_view row) {
+  std::vector<std::string> cells;
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    if (row[k] == '|') {
+      cells.emplace_back();
+    } else if (!cells.empty()) {
+      if (row.substr(k, 2) == "\\|") ++k;
+      cells.back() += row[k];
+    }
+  }
+  if (!cells.empty()) cells.pop_back();  // behind the last bar
+  for (std::string& cell : cells) boost::algorithm::trim(cell);
+  return cells;
+}
+
+bool is_rule_of_table(std::string_view row) {
+  return row.starts_with("|-") || row.starts_with("|:") || row.starts_with("| -");
+}
+
+std::vector<std::string> list_of(std::string_view text, std::string_view separator) {
+  std::vector<std::string> parts;
+  for (const auto part : std::views::split(text, separator)) parts.emplace_back(part.begin(), part.end());
+  return parts;
+}
+
+std::vector<std::string> items_of(std::string_view text) {
+  std::vector<std::string> items(1);
+  int depth = 0;  // of round brackets
+  bool quoted = false;
+  bool interval = false;  // behind " in " up to the second square bracket
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    if (c == '`') continue;
+    if (c == '"') quoted = !quoted;
+    if (!quoted) {
+      if (c == '(') ++depth;
+      if (c == ')') --depth;
+      if (c == '[' || c == ']') interval = !interval;
+    }
+    if (c == ',' && depth == 0 && !quoted && !interval) {
+      items.emplace_back();
+    } else {
+      items.back() += c;
+    }
+  }
+  for (std::string& item : items) boost::algorithm::trim(item);
+  if (items.back().ends_with('.')) items.back().pop_back();
+  std::erase(items, "");
+  return items;
+}
+
+}  // namespace steadyslide::proofs_checks

@@ -1,0 +1,201 @@
+#include "proofs_checks/proof/theory.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <ranges>
+#include <set>
+#include <stdexcept>
+
+#include "proofs_checks/proof/markdown.hpp"
+
+namespace steadyslide::proofs_checks {
+
+namespace embedded {
+extern const std::string_view theory_md;  // docs/classical-theorems.md and proofs_checks/facts/*.md
+}
+
+namespace {
+
+void add_once(auto& map, const std::string& name, auto value) {
+  if (!map.emplace(name, std::move(value)).second) throw std::logic_error("declared twice: " + name);
+}
+
+DecidedFact decided_fact(const std::vector<std::string>& cells) {
+  DecidedFact decided{parse_fact(items_of(cells[0]).at(0)), {}, {}, {}, {}};
+  const std::string& by = cells[1];
+  const std::size_t space = by.find(' ');
+  const std::string kind = by.substr(0, space);
+  if (space == std::string::npos || (kind != "identity" && kind != "enclosure")) {
+    throw std::logic_error("decided neither by an identity nor by an enclosure: " + cells[0] + ", " + by);
+  }
+  decided.ids = items_of(by.substr(space + 1));
+  if (kind == "identity") {
+    decided.by = DecidedFact::By::identity;
+    if (!cells[2].empty()) decided.where = parse_facts(cells[2]);
+  } else {
+    decided.by = DecidedFact::By::enclosure;
+    if (!cells[2].empty()) decided.box = parse_box(cells[2]);
+  }
+  return decided;
+}
+
+/// One of what the rule gives that its needs do not name.
+std::optional<std::string> free_variable(const Rule& rule) {
+  for (const Fact& given : rule.gives) {
+    for (const std::string& thing : given.things) {
+      const auto names = [&](const Fact& fact) { return std::ranges::find(fact.things, thing) != fact.things.end(); };
+      if (is_variable(thing) && std::ranges::none_of(rule.needs, names)) return thing;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Reads documents line by line into a theory.
+class Reader {
+ public:
+  explicit Reader(Theory& theory) : theory_(theory) {}
+
+  void read(std::string_view line) {
+    if (line.starts_with("# ")) {
+      part_.clear();
+    } else if (line.starts_with("## ")) {
+      open(std::string(line.substr(3)));
+    } else if (line.starts_with('|')) {
+      if (is_rule_of_table(line)) {
+        in_rows_ = true;
+      } else if (in_rows_) {
+        row(cells_of(line));
+      }
+    } else {
+      in_rows_ = false;
+      if (rule_) words(line);
+    }
+  }
+
+ private:
+  void open(std::string part) {
+    part_ = std::move(part);
+    in_rows_ = false;
+    rule_ = nullptr;
+    if (part_ == "Words" || part_ == "Things" || part_ == "Definitions" || part_ == "Decided") return;
+    add_once(theory_.theorems, part_, Rule{part_, {}, {}, {}});
+    rule_ = &theory_.theorems.at(part_);
+    text_ = &rule_->words;
+  }
+
+  void row(const std::vector<std::string>& cells) {
+    const std::size_t wanted = part_ == "Decided" ? 3 : 2;
+    if (part_.empty() || rule_) throw std::logic_error("a row outside a table of a theory: " + cells.at(0));
+    if (cells.size() != wanted) throw std::logic_error("not a row of the table " + part_ + ": " + cells.at(0));
+    if (part_ == "Things") {
+      add_once(theory_.things, items_of(cells[0]).at(0), cells[1]);
+    } else if (part_ == "Decided") {
+      theory_.decided.push_back(decided_fact(cells));
+    } else {
+      const Fact fact = parse_fact(items_of(cells[0]).at(0));
+      const std::set<std::string> different(fact.things.begin(), fact.things.end());
+      if (!std::ranges::all_of(fact.things, is_variable) || different.size() != fact.things.size()) {
+        throw std::logic_error("a word is declared, and defined, for all things: " + cells[0]);
+      }
+      if (part_ == "Words") {
+        add_once(theory_.words, fact.word, std::pair(fact, cells[1]));
+      } else {
+        add_once(theory_.definitions, fact.word, Rule{fact.word, {}, parse_facts(cells[1]), {fact}});
+      }
+    }
+  }
+
+  /// A theorem's words; the facts behind Needs and Gives may go over several lines, up to an empty one.
+  void words(std::string_view line) {
+    std::vector<Fact>* facts = line.starts_with("Needs ")   ? &rule_->needs
+                               : line.starts_with("Gives ") ? &rule_->gives
+                                                            : nullptr;
+    if (facts) {
+      facts_ = facts;
+      line.remove_prefix(6);
+    }
+    if (line.empty()) {
+      facts_ = nullptr;
+    } else if (facts_) {
+      std::ranges::move(parse_facts(line), std::back_inserter(*facts_));
+    } else {
+      *text_ += (text_->empty() ? "" : " ") + std::string(line);
+    }
+  }
+
+  Theory& theory_;
+  std::string part_;
+  bool in_rows_ = false;
+  Rule* rule_ = nullptr;
+  std::string* text_ = nullptr;
+  std::vector<Fact>* facts_ = nullptr;
+};
+
+}  // namespace
+
+Theory::Theory(std::span<const std::string_view> documents) {
+  for (const std::string_view document : documents) {
+    Reader reader(*this);
+    for (const auto line : std::views::split(document, '\n')) reader.read({line.begin(), line.end()});
+  }
+  const auto all_declared = [&](const std::vector<Fact>& facts) {
+    for (const Fact& fact : facts) require_declared(fact, true);
+  };
+  for (const auto* rules : {&definitions, &theorems}) {
+    for (const auto& [name, rule] : *rules) {
+      if (rule.gives.empty()) throw std::logic_error("a theorem that gives nothing: " + name);
+      all_declared(rule.needs);
+      all_declared(rule.gives);
+      if (const auto free = free_variable(rule)) {
+        throw std::logic_error(name + " says something of any " + *free + ", and needs nothing of it");
+      }
+    }
+  }
+  for (const DecidedFact& one : decided) {
+    require_declared(one.fact);
+    for (const Fact& fact : one.where) require_declared(fact);
+  }
+}
+
+void Theory::require_declared(const Fact& fact, bool in_rule) const {
+  const auto word = words.find(fact.word);
+  if (word == words.end()) throw std::logic_error("a word that is not declared: " + text_of(fact));
+  if (word->second.first.things.size() != fact.things.size()) {
+    throw std::logic_error("not as the word is declared, " + text_of(word->second.first) + ": " + text_of(fact));
+  }
+  for (const std::string& thing : fact.things) {
+    const bool known = thing.starts_with('"') || things.contains(thing) || (in_rule && is_variable(thing));
+    if (!known) throw std::logic_error("a thing that is not declared: " + thing + " in " + text_of(fact));
+  }
+}
+
+std::string Theory::sentence(const Fact& fact) const {
+  const auto& [declared, says] = words.at(fact.word);
+  std::string text;
+  // A variable in the sentence is a whole word; it becomes the thing's name, whose own words stand in the list of things.
+  const auto is_letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  for (std::size_t k = 0; k < says.size();) {
+    std::size_t end = k;
+    while (end < says.size() && is_letter(says[end])) ++end;
+    const std::string word = says.substr(k, end - k);
+    const auto found = std::ranges::find(declared.things, word);
+    if (!word.empty() && found != declared.things.end()) {
+      const std::string& thing = fact.things[static_cast<std::size_t>(found - declared.things.begin())];
+      text += thing.starts_with('"') ? thing.substr(1, thing.size() - 2) : thing;
+    } else {
+      text += word;
+    }
+    if (end < says.size()) text += says[end];
+    k = end + 1;
+  }
+  return text;
+}
+
+const Theory& theory() {
+  static const Theory all(std::span(&embedded::theory_md, 1));
+  return all;
+}
+
+}  // namespace steadyslide::proofs_checks

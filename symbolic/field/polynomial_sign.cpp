@@ -1,0 +1,174 @@
+#include "symbolic/field/polynomial_sign.hpp"
+
+#include <ginac/ginac.h>
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+namespace steadyslide::symbolic {
+namespace {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+using GiNaC::symbol;
+
+struct Axis {
+  symbol x;
+  ParameterRange range;
+};
+
+ex exact(const Rational& value) { return numeric(value.str().c_str()); }
+
+/// What the polynomial becomes on the quarter space of new variables: its numerator, and which of them can be 0.
+struct Carried {
+  ex numerator;
+  std::vector<symbol> variables;
+  std::vector<bool> with_zero;
+};
+
+/// An axis that is unbounded on both sides has to be cut first.
+Carried carried(const ex& polynomial, const std::vector<Axis>& axes) {
+  Carried result{polynomial, {}, {}};
+  for (const Axis& axis : axes) {
+    const auto& [from, to, with_from, with_to] = axis.range;
+    const symbol y;
+    const int degree = result.numerator.degree(axis.x);
+    if (from && to && *from == *to) {
+      result.numerator = result.numerator.subs(axis.x == exact(*from)).expand();
+      continue;
+    }
+    if (from && to) {
+      // y = 0 at the left end; the right end is y = oo, where the leading coefficient alone would decide: a closed right end
+      // is cut off by the caller.
+      const ex inside = (exact(*from) + exact(*to) * y) / (1 + y);
+      result.numerator = (result.numerator.subs(axis.x == inside) * GiNaC::pow(1 + y, degree)).normal().expand();
+    } else {
+      const ex inside = from ? exact(*from) + y : exact(*to) - y;
+      result.numerator = result.numerator.subs(axis.x == inside).expand();
+    }
+    result.variables.push_back(y);
+    result.with_zero.push_back(from ? with_from : with_to);
+  }
+  return result;
+}
+
+struct Signs {
+  bool positive = false, negative = false;
+};
+
+Signs signs_of_coefficients(const ex& polynomial, const std::vector<symbol>& variables, std::size_t first = 0) {
+  if (first == variables.size()) {
+    if (!GiNaC::is_a<numeric>(polynomial)) throw std::domain_error("not a polynomial in the parameters");
+    const numeric value = GiNaC::ex_to<numeric>(polynomial);
+    return {value.is_positive(), value.is_negative()};
+  }
+  Signs all;
+  for (int k = polynomial.ldegree(variables[first]); k <= polynomial.degree(variables[first]); ++k) {
+    const Signs one = signs_of_coefficients(polynomial.coeff(variables[first], k), variables, first + 1);
+    all.positive = all.positive || one.positive;
+    all.negative = all.negative || one.negative;
+  }
+  return all;
+}
+
+/// Positive on the quarter space, faces included where they belong to it.
+bool positive_by_coefficients(const Carried& carried) {
+  const Signs signs = signs_of_coefficients(carried.numerator, carried.variables);
+  if (signs.negative || !signs.positive) return false;
+  // On the smallest face that belongs to it a monomial has to be left.
+  ex face = carried.numerator;
+  std::vector<symbol> left;
+  for (std::size_t k = 0; k < carried.variables.size(); ++k) {
+    if (carried.with_zero[k]) {
+      face = face.subs(carried.variables[k] == 0).expand();
+    } else {
+      left.push_back(carried.variables[k]);
+    }
+  }
+  return signs_of_coefficients(face, left).positive;
+}
+
+constexpr int most_boxes = 4000;
+
+Rational middle(const ParameterRange& range) {
+  if (range.from && range.to) return (*range.from + *range.to) / 2;
+  if (range.from) return *range.from >= 0 ? Rational(2 * *range.from + 1) : Rational(0);
+  if (range.to) return *range.to <= 0 ? Rational(2 * *range.to - 1) : Rational(0);
+  return 0;
+}
+
+Truth decide(const ex& polynomial, std::vector<Axis> axes, int& boxes) {
+  if (++boxes > most_boxes) return Truth::unknown;
+  // A closed right end of a bounded interval is a face of its own; so is a value of any place on an axis without ends.
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    ParameterRange& range = axes[k].range;
+    if (range.from && range.to && *range.from < *range.to && range.with_to) {
+      range.with_to = false;
+      std::vector<Axis> face = axes;
+      face[k].range = {range.to, range.to, true, true};
+      const Truth on_face = decide(polynomial, face, boxes);
+      if (on_face != Truth::yes) return on_face;
+    }
+  }
+  const auto halves = [&](std::size_t k) {
+    const ParameterRange range = axes[k].range;
+    const Rational cut = middle(range);
+    axes[k].range = {range.from, cut, range.with_from, true};
+    const Truth left = decide(polynomial, axes, boxes);
+    if (left != Truth::yes) return left;
+    axes[k].range = {cut, range.to, false, range.with_to};
+    return decide(polynomial, axes, boxes);
+  };
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    if (!axes[k].range.from && !axes[k].range.to) return halves(k);
+  }
+  const Carried here = carried(polynomial, axes);
+  if (positive_by_coefficients(here)) return Truth::yes;
+  // Nowhere positive, or not in the corner that belongs to the box.
+  if (!signs_of_coefficients(here.numerator, here.variables).positive) return Truth::no;
+  if (std::ranges::all_of(here.with_zero, std::identity())) {
+    ex corner = here.numerator;
+    for (const symbol& y : here.variables) corner = corner.subs(y == 0).expand();
+    if (!GiNaC::ex_to<numeric>(corner).is_positive()) return Truth::no;
+  }
+  std::size_t longest = axes.size();
+  std::optional<Rational> length;
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    const auto& [from, to, with_from, with_to] = axes[k].range;
+    if (from && to && *from == *to) continue;
+    const Rational width = from && to ? Rational(*to - *from) : Rational(1000000);
+    if (!length || width > *length) {
+      length = width;
+      longest = k;
+    }
+  }
+  return longest == axes.size() ? Truth::unknown : halves(longest);
+}
+
+}  // namespace
+
+Truth is_positive(const std::string& polynomial, const std::map<std::string, ParameterRange>& ranges) {
+  GiNaC::symtab table;
+  std::vector<Axis> axes;
+  for (const auto& [name, range] : ranges) {
+    axes.push_back({symbol(name), range});
+    table[name] = axes.back().x;
+  }
+  ex parsed;
+  try {
+    GiNaC::parser read(table, true);
+    parsed = read(polynomial).expand();
+  } catch (const std::exception& e) {
+    throw std::domain_error("not a polynomial in parameters with ranges: " + polynomial);
+  }
+  GiNaC::lst names;
+  for (const Axis& axis : axes) names.append(axis.x);
+  if (!parsed.is_polynomial(names))
+    throw std::domain_error("not a polynomial in parameters with ranges: " + polynomial);
+  int boxes = 0;
+  return decide(parsed, std::move(axes), boxes);
+}
+
+}  // namespace steadyslide::symbolic

@@ -1,0 +1,279 @@
+// Proofs as they are written, checked: what follows is taken, and whatever does not is a gap that says why.
+
+#include "proofs_checks/proof/proof.hpp"
+
+#include <ranges>
+
+#include "support/test.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::proofs_checks;
+
+namespace {
+
+constexpr std::string_view facts_document = R"(# Numbers
+
+## Words
+
+| fact | says |
+|---|---|
+| even(N) | N is even |
+| odd(N) | N is odd |
+| whole(N) | N is whole |
+| sum(N, A, B) | `N = A + B` |
+| nonzero(E) | `E != 0` |
+| positive(E) | `E > 0` |
+
+## Things
+
+| name | is |
+|---|---|
+| two | `2` |
+| three | `3` |
+| five | `5` |
+
+## Definitions
+
+| fact | means |
+|---|---|
+| whole(N) | sum(N, A, B), even(A), odd(B) |
+
+## Decided
+
+| fact | by | where |
+|---|---|---|
+| even(two) | identity halves | |
+| odd(three) | identity thirds | nonzero("x - 1") |
+| odd(two) | identity wrong | |
+| odd(five) | identity unknown | |
+| sum(five, two, three) | enclosure adds | x in [0, 2] |
+| sum(five, two, three) | enclosure adds | x in ]2, oo[ |
+| even(five) | enclosure adds | x in [0, 2] |
+)";
+
+constexpr std::string_view theorems_document = R"(# Theorems
+
+## odd-sum
+[Euclid, book 9]. An even number and an odd one
+make an odd one.
+Needs sum(N, A, B), even(A),
+odd(B).
+Gives odd(N).
+)";
+
+const Theory& numbers() {
+  static const std::vector<std::string_view> documents{facts_document, theorems_document};
+  static const Theory theory{documents};
+  return theory;
+}
+
+ProofText proof_text(std::string text) {
+  static std::string kept;
+  kept = std::move(text);
+  std::vector<std::string_view> lines;
+  for (const auto line : std::views::split(kept, '\n')) lines.emplace_back(line.begin(), line.end());
+  return parse_proof(lines);
+}
+
+const CheckedProof* entry(const std::string& id);
+
+Decision identity(const std::string& id) {
+  if (id == "unknown") return {Truth::unknown};
+  return {id == "wrong" ? Truth::no : Truth::yes,
+          {"words of " + id},
+          id == "thirds" ? std::vector<std::string>{"x - 1"} : std::vector<std::string>{}};
+}
+
+const Decisions& decisions() {
+  static const Decisions all{identity,
+                             [](const std::string& p, const Box&) { return p == "x + 1" ? Truth::yes : Truth::no; },
+                             [](const std::string&, const Box&) { return Decision{Truth::yes}; }, entry};
+  return all;
+}
+
+CheckedProof checked(const std::string& text) { return check_proof(proof_text(text), numbers(), decisions()); }
+
+const std::string head = "| fact | by |\n|---|---|\n";
+const std::string sum_is_odd =
+    "For `x in [0, oo[`.\nAssumes `nonzero(\"x - 1\")`.\nConcludes `odd(five)`,\n`whole(five)`.\n\n" + head +
+    "| even(two) | identity |\n| odd(three) | identity |\n| sum(five, two, three) | enclosure |\n"
+    "| odd(five) | theorem odd-sum |\n| whole(five) | definition |\n";
+
+const CheckedProof* entry(const std::string& id) {
+  static const CheckedProof five = checked(sum_is_odd);
+  static const CheckedProof open = checked("Concludes `odd(two)`.\n" + head + "| odd(two) | identity |\n");
+  return id == "five-is-odd" ? &five : id == "open" ? &open : nullptr;
+}
+
+std::string replaced_once(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+TEST_CASE("a proof: assumptions, an identity, an enclosure over two boxes, a theorem, a definition") {
+  const CheckedProof proof = checked(sum_is_odd);
+  CHECK(proof.gap.empty());
+  REQUIRE(proof.nodes.size() == 6);
+  CHECK(proof.nodes[0].by == "assumed");
+  CHECK(proof.nodes[2].from == std::vector<std::size_t>{0});
+  CHECK(proof.nodes[4].from == std::vector<std::size_t>{3, 1, 2});
+  CHECK(proof.nodes[1].words == std::vector<std::string>{"words of halves"});
+  CHECK(count_of_steps(proof) == "2 identities, 1 enclosure, 1 classical theorem (odd-sum), 1 definition");
+  const std::vector<TreeLine> tree = tree_of(proof);
+  REQUIRE(tree.size() == 9);
+  CHECK(tree[0].node == 4);
+  CHECK(tree[1].depth == 1);
+  CHECK(std::ranges::count_if(tree, &TreeLine::again) == 3);
+}
+
+TEST_CASE("every step left out, and every fact exchanged, leaves a gap") {
+  const ProofText whole = proof_text(sum_is_odd);
+  for (std::size_t k = 0; k < whole.steps.size(); ++k) {
+    ProofText shorter = whole;
+    shorter.steps.erase(shorter.steps.begin() + static_cast<std::ptrdiff_t>(k));
+    CHECK_FALSE(check_proof(shorter, numbers(), decisions()).complete());
+  }
+  for (const auto& [from, to, gap] : std::vector<std::tuple<std::string, std::string, std::string>>{
+           {"Assumes `nonzero(\"x - 1\")`.\n", "", "odd(three) needs nonzero(\"x - 1\")"},
+           {"| even(two) | identity |", "| odd(two) | identity |", "does not hold: wrong"},
+           {"| odd(five) | theorem odd-sum |", "| odd(five) | identity |", "not decided: unknown"},
+           {"| odd(five) | theorem odd-sum |", "| odd(two) | theorem odd-sum |",
+            "odd(two) by odd-sum needs sum(two, A, B)"},
+           {"theorem odd-sum", "theorem even-sum", "no classical theorem of this name: even-sum"},
+           {"| even(two) | identity |", "| even(five) | enclosure |", "do not cover x in [0, oo["},
+           {"| even(two) | identity |", "| even(three) | identity |", "nothing is said to decide even(three)"},
+           {"[0, oo[", "]-1, oo[", "do not cover x in ]-1, oo["},
+           {"For `x in [0, oo[`.\n", "", "do not cover"},
+           {"| even(two) | identity |", "| even(two) | definition |", "not defined: even"},
+           {"| whole(five) | definition |", "| whole(two) | definition |", "whole(two) by whole needs sum(two, A, B)"},
+           {"Concludes `odd(five)`", "Concludes `odd(two)`", "concluded, and given by no step: odd(two)"},
+           {"| even(two) | identity |", "| positive(\"x + 2\") | sign |",
+            "not decided for x in [0, oo[: positive(\"x + 2\")"},
+           {"| even(two) | identity |", "| even(two) | sign |", "no sign of a formula"}}) {
+    CAPTURE(to);
+    const CheckedProof proof = checked(replaced_once(sum_is_odd, from, to));
+    CAPTURE(proof.gap);
+    CHECK(holds(proof.gap, gap));
+  }
+}
+
+TEST_CASE("an order that does not follow is a gap: a step rests on those above it alone") {
+  ProofText text = proof_text(sum_is_odd);
+  std::swap(text.steps[0], text.steps[3]);
+  CHECK(check_proof(text, numbers(), decisions()).gap == "odd(five) by odd-sum needs even(two)");
+}
+
+TEST_CASE("an entry is cited with its conclusions, its assumptions and its parameters") {
+  const std::string cites = "For `x in [0, 7]`.\nAssumes `nonzero(\"x - 1\")`.\nConcludes `odd(five)`.\n" + head +
+                            "| odd(five) | entry five-is-odd |\n";
+  CHECK(checked(cites).complete());
+  CHECK(holds(checked(replaced_once(cites, "[0, 7]", "[-1, 7]")).gap, "is proved for x in [0, oo[ only"));
+  CHECK(holds(checked(replaced_once(cites, "Assumes `nonzero(\"x - 1\")`.\n", "")).gap, "needs nonzero"));
+  CHECK(holds(checked(replaced_once(cites, "entry five-is-odd", "entry open")).gap, "has a gap: does not hold: wrong"));
+  CHECK(holds(checked(replaced_once(cites, "entry five-is-odd", "entry other")).gap, "no entry with a proof: other"));
+  CHECK(holds(checked(replaced_once(cites, "| odd(five)", "| odd(three)")).gap, "does not conclude odd(three)"));
+}
+
+TEST_CASE("a word, a thing or a step that is not declared is an error and no gap") {
+  for (const auto& [from, to] :
+       std::vector<std::pair<std::string, std::string>>{{"even(two)", "evn(two)"},
+                                                        {"even(two)", "even(tow)"},
+                                                        {"even(two)", "even(two, three)"},
+                                                        {"even(two)", "even(N)"},
+                                                        {"Concludes `odd(five)`", "Concludes `odd(six)`"}}) {
+    CAPTURE(to);
+    CHECK_THROWS_AS(checked(replaced_once(sum_is_odd, from, to)), std::logic_error);
+  }
+  for (const auto& [from, to] :
+       std::vector<std::pair<std::string, std::string>>{{"theorem odd-sum", "theorem"},
+                                                        {"| identity |", "| identity halves |"},
+                                                        {"| identity |", "| guess |"},
+                                                        {"Assumes", "Supposes"},
+                                                        {"Concludes `odd(five)`,\n`whole(five)`.\n", ""},
+                                                        {"[0, oo[", "[0, oo]"},
+                                                        {"[0, oo[", "[0; oo["},
+                                                        {"[0, oo[", "]1, 1]"},
+                                                        {"even(two)", "even two"},
+                                                        {"even(two)", "even()"}}) {
+    CAPTURE(to);
+    CHECK_THROWS_AS(proof_text(replaced_once(sum_is_odd, from, to)), std::logic_error);
+  }
+}
+
+TEST_CASE("theories: nothing twice, nothing undeclared, definitions for all things, no theorem about anything") {
+  const auto made = [](const std::string& facts, const std::string& theory) {
+    const std::vector<std::string_view> documents{facts, theory};
+    return Theory{documents};
+  };
+  const std::string facts(facts_document), rules(theorems_document);
+  CHECK_NOTHROW(made(facts, rules));
+  for (const auto& [from, to] :
+       std::vector<std::pair<std::string, std::string>>{{"| odd(N) |", "| even(N) |"},
+                                                        {"| three | `3` |", "| two | `3` |"},
+                                                        {"| whole(N) | sum(N", "| whole(two) | sum(N"},
+                                                        {"| sum(N, A, B) |", "| sum(N, N, B) |"},
+                                                        {"even(A), odd(B) |", "evn(A), odd(B) |"},
+                                                        {"| whole(N) | sum(N, A, B)", "| whole(N) | sum(A, A, B)"},
+                                                        {"identity halves | |", "guess halves | |"},
+                                                        {"identity halves | |", "identity halves |"},
+                                                        {"nonzero(\"x - 1\") |", "x in [0, 1] |"}}) {
+    CAPTURE(to);
+    CHECK_THROWS_AS(made(replaced_once(facts, from, to), rules), std::logic_error);
+  }
+  CHECK_THROWS_AS(made(facts, replaced_once(rules, "Gives odd(N).", "Gives odd(C).")), std::logic_error);
+  CHECK_THROWS_AS(made(facts, replaced_once(rules, "Gives odd(N).", "")), std::logic_error);
+  CHECK_THROWS_AS(made(facts, rules + "\n" + rules), std::logic_error);
+}
+
+TEST_CASE("facts in words") {
+  CHECK(numbers().sentence(parse_fact("sum(five, two, three)")) == "`five = two + three`");
+  CHECK(numbers().sentence(parse_fact("nonzero(\"s_r - s_l\")")) == "`s_r - s_l != 0`");
+  CHECK(text_of(parse_facts("`sum(five, two, three)`, even(two).")) == "sum(five, two, three), even(two)");
+}
+
+TEST_CASE("boxes cover a box, ends included where brackets say so") {
+  const auto covered = [](std::initializer_list<const char*> texts, const char* whole) {
+    std::vector<Box> boxes;
+    for (const char* text : texts) boxes.push_back(parse_box(text));
+    return covers(boxes, parse_box(whole));
+  };
+  CHECK(covered({"x in [0, 1]", "x in ]1, oo["}, "x in [0, oo["));
+  CHECK_FALSE(covered({"x in [0, 1[", "x in ]1, oo["}, "x in [0, oo["));
+  CHECK_FALSE(covered({"x in ]0, 1]", "x in ]1, oo["}, "x in [0, oo["));
+  CHECK(covered({"x in ]0, 1]", "x in ]1, oo["}, "x in ]0, oo["));
+  CHECK(covered({"x in ]-oo, 1/3]", "x in [0.25, oo["}, "y in [0, 1]"));
+  CHECK_FALSE(covered({"x in [0, 1]"}, "y in [0, 1]"));
+  CHECK(covered({"x in [0, 1], y in [0, 1]", "x in [1, 2], y in [0, 2]", "x in [0, 1], y in ]1, 2]"},
+                "x in [0, 2], y in [0, 2]"));
+  CHECK_FALSE(covered({"x in [0, 1], y in [0, 1]", "x in [1, 2], y in [0, 2]", "x in [0, 1[, y in ]1, 2]",
+                       "x in [0, 1], y in ]1, 3/2]"},
+                      "x in [0, 2], y in [0, 2], z in [0, 1], x in [-1, 2]"));
+  CHECK(covered({""}, "x in [0, 2]"));
+}
+
+TEST_CASE("boxes cover what random places of them say") {
+  REQUIRE(rc::check("each random place of a covered box lies in one; where none covers, one does not", [] {
+    const auto interval = [] {
+      const int from = *rc::gen::inRange(0, 6);
+      const int to = *rc::gen::inRange(from, 7);
+      if (from == to) return Interval{Rational(from), Rational(to), true, true};
+      return Interval{Rational(from), Rational(to), *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
+    };
+    const Box whole{{"x", interval()}, {"y", interval()}};
+    std::vector<Box> boxes;
+    for (int k = *rc::gen::inRange(1, 7); k > 0; --k) boxes.push_back({{"x", interval()}, {"y", interval()}});
+    bool all = true;
+    for (int x = 0; x <= 12; ++x) {
+      for (int y = 0; y <= 12; ++y) {
+        const auto in = [&](const Box& box) {
+          return box.at("x").contains(Rational(x, 2)) && box.at("y").contains(Rational(y, 2));
+        };
+        all = all && (!in(whole) || std::ranges::any_of(boxes, in));
+      }
+    }
+    RC_ASSERT(covers(boxes, whole) == all);
+  }));
+}
