@@ -33,6 +33,7 @@ void add_flat_punch(std::vector<DecidedStatement>& all);
 void add_inversion(std::vector<DecidedStatement>& all);
 void add_parabola(std::vector<DecidedStatement>& all);
 void add_quartic(std::vector<DecidedStatement>& all);
+void add_linearisation(std::vector<DecidedStatement>& all);
 void add_shapes(std::vector<DecidedStatement>& all);
 
 }  // namespace steadyslide::symbolic

@@ -31,6 +31,7 @@ std::vector<DecidedStatement> riemann_hilbert_statements() {
   add_inversion(all);
   add_parabola(all);
   add_quartic(all);
+  add_linearisation(all);
   add_shapes(all);
   return all;
 }
