@@ -10,6 +10,7 @@
 #include "app/commands/command_line.hpp"
 #include "app/embedded.hpp"
 #include "app/report/report_page.hpp"
+#include "app/verify/coq_export.hpp"
 #include "app/verify/verify_writers.hpp"
 #include "proofs_checks/kit/registry.hpp"
 
@@ -96,7 +97,20 @@ ExitCode verify(const Given& given) {
                            given.text("--group")};
   const std::optional<std::string> folder = given.name("--report", "folder");
   const bool list = given.has("--list");
-  if (given.has("--proof") && list) throw bad_command_line("--list: conflicting option", "it checks no proof", "--proof");
+  if (given.has("--proof") && list)
+    throw bad_command_line("--list: conflicting option", "it checks no proof", "--proof");
+  if (const auto coq = given.name("--export-coq", "folder")) {
+    for (const char* other : {"--list", "--claim", "--group", "--proof", "--quick", "--report", "--seed"}) {
+      if (given.has(other)) {
+        throw bad_command_line("--export-coq: conflicting option",
+                               "it writes every decided statement and checks nothing", other);
+      }
+    }
+    Output output(common.output);
+    output.write(export_coq(*coq));
+    output.commit();
+    return ExitCode::done;
+  }
   if (folder && list) throw bad_command_line("--list: conflicting option", "it checks nothing to report", "--report");
   const std::vector<checks::Claim> claims = selected(wanted);
   // Opened first: a run may be long, and should not end in a folder that does not exist.
@@ -134,14 +148,15 @@ Command verify_command() {
   using enum Option::Kind;
   return {
       "verify", std::string(embedded::help_verify),
-      with_common({{"--list", "", "List the claims, check nothing", flag},
-                   {"--claim", "GLOB", "Only claims whose id matches, * and ? being wildcards; repeatable", repeatable},
-                   {"--group", "NAME", "Only claims of one place in the paper, theorem-2; --list names them"},
-                   {"--proof", "", "Print the proofs, as trees", flag},
-                   {"--quick", "", "Fewer parameters", flag},
-                   seed_option(),
-                   {"--report", "DIR", "Write the report on this run as well: DIR/report.html"}},
-                  "Digits to work with, 1 to 100; default 50", formats),
+      with_common(
+          {{"--list", "", "List the claims, check nothing", flag},
+           {"--claim", "GLOB", "Only claims whose id matches, * and ? being wildcards; repeatable", repeatable},
+           {"--group", "NAME", "Only claims of one place in the paper, theorem-2; --list names them"},
+           {"--quick", "", "Fewer parameters", flag},
+           seed_option(),
+           {"--report", "DIR", "Write the report on this run as well: DIR/report.html"},
+           {"--export-coq", "DIR", "Write the statements decided exactly as lemmas of Coq, DIR/*.v; check nothing"}},
+          "Digits to work with, 1 to 100; default 50", formats),
       verify};
 }
 

@@ -129,22 +129,29 @@ std::string options_again(const checks::Context& context) {
 std::string paper_html(const VerifyResult& result) {
   HtmlRows rows;
   for (const checks::PaperStatement& statement : checks::paper_statements()) {
-    std::string links;
-    for (const std::string_view id : statement.claims) {
-      const checks::Report* report = report_on(id, result.reports);
-      if (report == nullptr) continue;
-      const std::string link = element("a", escaped(id), {{"href", "#" + report->claim.id}});
-      links += element("span", link + " " + badge(report->verdict), {{"class", "verdict-link"}}) + " ";
-    }
-    if (links.empty()) continue;
+    const auto links_to = [&](const std::vector<std::string_view>& ids) {
+      std::string links;
+      for (const std::string_view id : ids) {
+        const checks::Report* report = report_on(id, result.reports);
+        if (report == nullptr) continue;
+        const std::string link = element("a", escaped(id), {{"href", "#" + report->claim.id}});
+        links += element("span", link + " " + badge(report->verdict), {{"class", "verdict-link"}}) + " ";
+      }
+      return links;
+    };
+    const std::string said = links_to(statement.claims);
+    const std::string instances = links_to(statement.instances);
+    if (said.empty() && instances.empty()) continue;
+    const auto verdict = checks::verdict_of(statement, result.reports);
     const std::string place = statement.place.empty() ? "<em>beyond the paper</em>" : escaped(statement.place);
-    rows.push_back({place, prose(statement.what), links});
+    rows.push_back({place, prose(statement.what), verdict ? badge(*verdict) : "", said, instances});
   }
   if (rows.empty()) return "";
   return block("p",
-               "What the paper says, in its order, and the entries of the ledger that examine it. Where there are "
-               "several, each looks at it in a way of its own.") +
-         table_element("The paper, statement by statement", {"place", "statement", "examined by"}, rows);
+               "What the paper says, in its order, and the entries of the ledger that say it, in the scope that their "
+               "words give: a statement is as good as the weakest of them. Others examine instances of it.") +
+         table_element("The paper, statement by statement", {"place", "statement", "verdict", "said by", "instances"},
+                       rows);
 }
 
 std::string notes_html(const VerifyResult& result) {

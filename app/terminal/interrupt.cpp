@@ -48,13 +48,10 @@ void handle_signals() {
 
 SignalsHeld::SignalsHeld() {
   const sigset_t set = both_signals();
-  sigprocmask(SIG_BLOCK, &set, nullptr);
+  sigprocmask(SIG_BLOCK, &set, &before_);
 }
 
-SignalsHeld::~SignalsHeld() {
-  const sigset_t set = both_signals();
-  sigprocmask(SIG_UNBLOCK, &set, nullptr);
-}
+SignalsHeld::~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
 
 void remove_when_interrupted(const std::string& file) {
   const auto slot = std::ranges::find_if(unfinished_files, [](const auto& name) { return name[0] == '\0'; });

@@ -2,6 +2,7 @@
 // SIGINT and SIGTERM end the program with exit code 130, and take unfinished output files and
 // the progress bar with them.
 
+#include <csignal>
 #include <string>
 
 namespace steadyslide::app {
@@ -9,13 +10,16 @@ namespace steadyslide::app {
 /// Call once, first thing in main(). Also makes a closed pipe an error of write() instead of a silent death.
 void handle_signals();
 
-/// While it lives, the two signals wait.
+/// While it lives, the two signals wait; one may live within another.
 class SignalsHeld {
  public:
   SignalsHeld();
   ~SignalsHeld();
   SignalsHeld(const SignalsHeld&) = delete;
   SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+ private:
+  sigset_t before_;
 };
 
 /// A file to remove on a signal, one of at most four at a time; no longer so. Call with signals held.

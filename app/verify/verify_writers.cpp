@@ -10,6 +10,7 @@
 
 #include "app/embedded.hpp"
 #include "app/verify/proof_writers.hpp"
+#include "proofs_checks/statements/paper_statements.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -91,6 +92,9 @@ void write_verify_text(const VerifyResult& result, Output& output) {
     if (!report.note.empty()) output.write(fmt::format("  {}\n", report.note));
   }
   output.write("\n" + counts_line(result.reports) + "\n");
+  if (const std::string line = checks::statements_line(result.reports); !line.empty()) {
+    output.write("the paper's statements: " + line + "\n");
+  }
   if (const std::string beyond = beyond_text(result); !beyond.empty()) output.write(beyond + "\n");
   if (result.notes_left_out > 0) output.write("\n" + left_out_text(result) + "\n");
   if (result.notes.empty()) return;
@@ -170,6 +174,16 @@ void write_verify_json(const VerifyResult& result, Output& output) {
   for (const auto& [verdict, n] : count(result.reports)) json["counts"][std::string(verdict)] = n;
   json["claims"] = Json::array();
   for (const checks::Report& report : result.reports) json["claims"].push_back(report_json(report));
+  json["statements"] = Json::array();
+  for (const checks::PaperStatement& statement : checks::paper_statements()) {
+    const auto verdict = checks::verdict_of(statement, result.reports);
+    if (!verdict) continue;
+    json["statements"].push_back({{"place", statement.place},
+                                  {"what", statement.what},
+                                  {"verdict", name_of(*verdict)},
+                                  {"claims", statement.claims},
+                                  {"instances", statement.instances}});
+  }
   json["reading_notes"] = Json::array();
   for (const checks::ReadingNote& note : result.notes) {
     json["reading_notes"].push_back({{"id", note.id},

@@ -15,9 +15,11 @@ namespace {
 std::size_t position_of(const std::string& id) {
   std::size_t position = 0;
   for (const PaperStatement& statement : paper_statements()) {
-    for (const std::string_view named : statement.claims) {
-      if (named == id) return position;
-      ++position;
+    for (const auto* named : {&statement.claims, &statement.instances}) {
+      for (const std::string_view one : *named) {
+        if (one == id) return position;
+        ++position;
+      }
     }
   }
   return position;

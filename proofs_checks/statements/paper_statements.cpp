@@ -1,6 +1,9 @@
 #include "proofs_checks/statements/paper_statements.hpp"
 
+#include <algorithm>
+#include <map>
 #include <ranges>
+#include <string>
 
 namespace steadyslide::proofs_checks {
 
@@ -14,16 +17,45 @@ const std::vector<PaperStatement>& paper_statements() {
     for (const auto part : std::views::split(embedded::paper_statements_md, '\n')) {
       const std::string_view line(part.begin(), part.end());
       if (line.starts_with("  - ")) {
-        statements.back().claims.push_back(line.substr(4));
+        constexpr std::string_view instance = ", an instance";
+        const bool whole = !line.ends_with(instance);
+        PaperStatement& last = statements.back();
+        (whole ? last.claims : last.instances)
+            .push_back(line.substr(4, line.size() - 4 - (whole ? 0 : instance.size())));
       } else if (line.starts_with("- ")) {
         const std::size_t colon = line.find(": ");
         const std::string_view place = line.substr(2, colon - 2);
-        statements.push_back({place == "beyond the paper" ? "" : place, line.substr(colon + 2), {}});
+        statements.push_back({place == "beyond the paper" ? "" : place, line.substr(colon + 2), {}, {}});
       }
     }
     return statements;
   }();
   return all;
+}
+
+std::optional<Verdict> verdict_of(const PaperStatement& statement, std::span<const Report> reports) {
+  std::optional<Verdict> weakest;
+  for (const std::string_view id : statement.claims) {
+    const auto report = std::ranges::find(reports, id, [](const Report& r) { return std::string_view(r.claim.id); });
+    if (report == reports.end()) return std::nullopt;
+    weakest = std::min(weakest.value_or(Verdict::proved), report->verdict);
+  }
+  return weakest;
+}
+
+std::string statements_line(std::span<const Report> reports) {
+  std::map<Verdict, std::size_t> counts;
+  for (const PaperStatement& statement : paper_statements()) {
+    if (statement.place.empty()) continue;
+    const auto verdict = verdict_of(statement, reports);
+    if (!verdict) return "";
+    ++counts[*verdict];
+  }
+  std::string line;
+  for (const Verdict verdict : {Verdict::proved, Verdict::supported, Verdict::undecided, Verdict::refuted}) {
+    line += (line.empty() ? "" : ", ") + std::to_string(counts[verdict]) + " " + std::string(name_of(verdict));
+  }
+  return line;
 }
 
 }  // namespace steadyslide::proofs_checks

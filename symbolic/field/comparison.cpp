@@ -13,9 +13,13 @@ Comparison& Comparison::equal(const std::string& what, const GiNaC::ex& lhs, con
 }
 
 ExactIdentity Comparison::as(std::string statement) const {
-  ExactIdentity identity{
-      std::move(statement), {}, {}, holds_ && !equations_.empty(), {nonvanishing_.begin(), nonvanishing_.end()}};
-  for (const Equation& e : equations_) {
+  ExactIdentity identity{std::move(statement),
+                         {},
+                         {},
+                         holds_ && !equations_.empty(),
+                         {nonvanishing_.begin(), nonvanishing_.end()},
+                         std::make_shared<WrittenIdentity>(WrittenIdentity{field_.radicals(), equations_})};
+  for (const WrittenEquation& e : equations_) {
     const std::string before = (identity.lhs.empty() ? "" : "; ") + e.what + " = ";
     identity.lhs += before + field_.text(e.lhs);
     identity.rhs += before + field_.text(e.rhs);

@@ -7,6 +7,7 @@
 
 #include "symbolic/field/exact_identity.hpp"
 #include "symbolic/field/phase_field.hpp"
+#include "symbolic/field/written_identity.hpp"
 
 namespace steadyslide::symbolic {
 
@@ -21,13 +22,8 @@ class Comparison {
 
  private:
   const PhaseField& field_;
-  struct Equation {
-    std::string what;
-    GiNaC::ex lhs;
-    GiNaC::ex rhs;
-  };
   bool holds_ = true;
-  std::vector<Equation> equations_;  ///< all, or the one that does not hold
+  std::vector<WrittenEquation> equations_;  ///< all, or the one that does not hold
   std::set<std::string> nonvanishing_;
 };
 

@@ -2,10 +2,13 @@
 // An identity between functions of independent symbols, decided and not tested at points, and a statement with its wrong
 // variants. Without GiNaC in this header.
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace steadyslide::symbolic {
+
+struct WrittenIdentity;  // written_identity.hpp
 
 /// lhs = rhs in the exact field.
 struct ExactIdentity {
@@ -14,6 +17,7 @@ struct ExactIdentity {
   std::string rhs;
   bool identical;
   std::vector<std::string> nonvanishing;  ///< divisors as they were written; the identity holds where none vanishes
+  std::shared_ptr<const WrittenIdentity> written = nullptr;  ///< both sides as they were put in, for exporters
 };
 
 struct DecidedStatement {

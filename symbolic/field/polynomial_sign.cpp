@@ -99,7 +99,7 @@ Rational middle(const ParameterRange& range) {
   return 0;
 }
 
-Truth decide(const ex& polynomial, std::vector<Axis> axes, int& boxes) {
+Truth decide(const ex& polynomial, std::vector<Axis> axes, int depth, int& boxes) {
   if (++boxes > most_boxes) return Truth::unknown;
   // A closed right end of a bounded interval is a face of its own; so is a value of any place on an axis without ends.
   for (std::size_t k = 0; k < axes.size(); ++k) {
@@ -108,7 +108,7 @@ Truth decide(const ex& polynomial, std::vector<Axis> axes, int& boxes) {
       range.with_to = false;
       std::vector<Axis> face = axes;
       face[k].range = {range.to, range.to, true, true};
-      const Truth on_face = decide(polynomial, face, boxes);
+      const Truth on_face = decide(polynomial, face, depth, boxes);
       if (on_face != Truth::yes) return on_face;
     }
   }
@@ -116,10 +116,10 @@ Truth decide(const ex& polynomial, std::vector<Axis> axes, int& boxes) {
     const ParameterRange range = axes[k].range;
     const Rational cut = middle(range);
     axes[k].range = {range.from, cut, range.with_from, true};
-    const Truth left = decide(polynomial, axes, boxes);
+    const Truth left = decide(polynomial, axes, depth + 1, boxes);
     if (left != Truth::yes) return left;
     axes[k].range = {cut, range.to, false, range.with_to};
-    return decide(polynomial, axes, boxes);
+    return decide(polynomial, axes, depth + 1, boxes);
   };
   for (std::size_t k = 0; k < axes.size(); ++k) {
     if (!axes[k].range.from && !axes[k].range.to) return halves(k);
@@ -133,18 +133,16 @@ Truth decide(const ex& polynomial, std::vector<Axis> axes, int& boxes) {
     for (const symbol& y : here.variables) corner = corner.subs(y == 0).expand();
     if (!GiNaC::ex_to<numeric>(corner).is_positive()) return Truth::no;
   }
-  std::size_t longest = axes.size();
-  std::optional<Rational> length;
-  for (std::size_t k = 0; k < axes.size(); ++k) {
+  // Halved is a variable of a negative term, each in its turn.
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0, y = 0; k < axes.size(); ++k) {
     const auto& [from, to, with_from, with_to] = axes[k].range;
     if (from && to && *from == *to) continue;
-    const Rational width = from && to ? Rational(*to - *from) : Rational(1000000);
-    if (!length || width > *length) {
-      length = width;
-      longest = k;
-    }
+    const ex with_y = (here.numerator - here.numerator.subs(here.variables[y] == 0)).expand();
+    if (signs_of_coefficients(with_y, here.variables).negative) open.push_back(k);
+    ++y;
   }
-  return longest == axes.size() ? Truth::unknown : halves(longest);
+  return open.empty() ? Truth::unknown : halves(open[static_cast<std::size_t>(depth) % open.size()]);
 }
 
 }  // namespace
@@ -168,7 +166,7 @@ Truth is_positive(const std::string& polynomial, const std::map<std::string, Par
   if (!parsed.is_polynomial(names))
     throw std::domain_error("not a polynomial in parameters with ranges: " + polynomial);
   int boxes = 0;
-  return decide(parsed, std::move(axes), boxes);
+  return decide(parsed, std::move(axes), 0, boxes);
 }
 
 }  // namespace steadyslide::symbolic

@@ -3,7 +3,7 @@
 //
 // Each interval is carried onto [0, oo[ or ]0, oo[: x = a + y, x = b - y, x = (a + b y)/(1 + y). If the numerator then has no
 // negative coefficient, the polynomial is positive wherever the monomials that are left at y = 0 do not all vanish; if it has
-// a negative one, the longest interval is halved. In one variable this ends for every polynomial without zeros in the closed
+// a negative one, an interval is halved. In one variable this ends for every polynomial without zeros in the closed
 // interval (Vincent's theorem in Bernstein's form). Without GiNaC in this header.
 
 #include <map>

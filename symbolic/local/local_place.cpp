@@ -74,12 +74,16 @@ LocalFrame::LocalFrame(const LocalPlace& place)
 bool LocalFrame::one_friction() const { return field_.are_equal(s_[0], s_[1]).holds; }
 
 LocalConstants LocalFrame::constants(const AngleForm& lambda) const {
+  const LocalConstants written = written_constants(lambda);
+  return {field_.canonical(written.cot), field_.canonical(written.cosecant), pi_};
+}
+
+LocalConstants LocalFrame::written_constants(const AngleForm& lambda) const {
   // sin and cos by e^{i pi lambda}: cot = i (e^2 + 1)/(e^2 - 1), 1/sin = 2 i e/(e^2 - 1).
   const ex once = field_.phase(lambda);
-  const ex twice = field_.canonical(once * once);
-  const ex divisor = field_.canonical(twice - 1);
-  if (divisor.is_zero()) throw std::domain_error("local exponent: no integer");
-  return {field_.canonical(field_.i() * (twice + 1) / divisor), field_.canonical(2 * field_.i() * once / divisor), pi_};
+  const ex twice = once * once;
+  if (field_.are_equal(twice, 1).holds) throw std::domain_error("local exponent: no integer");
+  return {field_.i() * (twice + 1) / (twice - 1), 2 * field_.i() * once / (twice - 1), pi_};
 }
 
 std::optional<Exponent> LocalFrame::exact(const AngleForm& lambda) const {

@@ -59,6 +59,8 @@ class LocalFrame {
 
   /// cot(pi lambda) and 1/sin(pi lambda) by e^{i pi lambda}. Throws std::domain_error for an integer lambda.
   LocalConstants constants(const AngleForm& lambda) const;
+  /// The same in e^{i pi lambda} as written, no normal form taken.
+  LocalConstants written_constants(const AngleForm& lambda) const;
 
   /// Absent where a friction that counts is no number.
   std::optional<Exponent> exact(const AngleForm& lambda) const;

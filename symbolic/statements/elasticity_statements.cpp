@@ -1,6 +1,7 @@
 #include "symbolic/field/exact_identity.hpp"
 
 #include "symbolic/field/rational_function.hpp"
+#include "symbolic/field/written_identity.hpp"
 #include "symbolic/local/coupling.hpp"
 
 namespace steadyslide::symbolic {
@@ -20,7 +21,12 @@ ExactIdentity decided(const Equation& equation) {
   const auto& [words, lhs, rhs] = equation;
   const RationalDecision decision = decide_equal(lhs, rhs);
   const auto& divisors = decision.nonvanishing;
-  return {words, canonical_text(lhs), canonical_text(rhs), decision.identical, {divisors.begin(), divisors.end()}};
+  return {words,
+          canonical_text(lhs),
+          canonical_text(rhs),
+          decision.identical,
+          {divisors.begin(), divisors.end()},
+          std::make_shared<WrittenIdentity>(WrittenIdentity{{}, {{"", lhs, rhs}}})};
 }
 
 }  // namespace

@@ -4,15 +4,22 @@
 #include <stdexcept>
 #include <vector>
 
+#include "symbolic/field/written_identity.hpp"
+
 namespace steadyslide::symbolic {
 namespace {
 
 using GiNaC::ex;
 
-std::vector<LocalEquation> equations_of(const LocalCandidate& candidate) {
+enum class Constants { canonical, written };
+
+std::vector<LocalEquation> equations_of(const LocalCandidate& candidate, Constants kind = Constants::canonical) {
   const LocalFrame& frame = candidate.frame;
-  const LocalConstants constants =
-      candidate.exponent ? frame.constants(*candidate.exponent) : LocalConstants{0, 0, frame.pi()};
+  LocalConstants constants{0, 0, frame.pi()};
+  if (candidate.exponent) {
+    constants = kind == Constants::written ? frame.written_constants(*candidate.exponent)
+                                           : frame.constants(*candidate.exponent);
+  }
   std::vector<LocalEquation> equations = local_equations(candidate.place, constants, candidate.density);
   if (!candidate.outside) return equations;
   if (candidate.place.contact == ContactSide::both) throw std::domain_error("local form: nothing is outside");
@@ -45,6 +52,10 @@ std::string up_to_sign(const std::string& text) {
 ExactIdentity verify_local_form(const std::string& statement, const LocalCandidate& candidate) {
   const PhaseField& field = candidate.frame.field();
   ExactIdentity identity{statement, "", "", true, {}};
+  WrittenIdentity written{field.radicals(), {}};
+  for (const LocalEquation& equation : equations_of(candidate, Constants::written)) {
+    written.equations.push_back({equation.where.text, equation.lhs, equation.rhs});
+  }
   std::set<std::string> nonvanishing;
   for (const LocalEquation& equation : equations_of(candidate)) {
     const PhaseField::Decision decision = field.are_equal(equation.lhs, equation.rhs);
@@ -55,6 +66,7 @@ ExactIdentity verify_local_form(const std::string& statement, const LocalCandida
     identity.rhs += separator + field.text(equation.rhs);
   }
   identity.nonvanishing.assign(nonvanishing.begin(), nonvanishing.end());
+  identity.written = std::make_shared<WrittenIdentity>(std::move(written));
   return identity;
 }
 

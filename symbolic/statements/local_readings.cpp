@@ -50,22 +50,6 @@ void add_ends(std::vector<LocalReading>& readings) {
   }
 }
 
-void add_wedge(std::vector<LocalReading>& readings) {
-  const symbol s("s");
-  const symbol d("D");
-  const LocalPlace place{ContactSide::both, {s, {0, 0, 0}}, {s, {d, 0, 0}}};
-  const LocalFrame frame(place);
-  const auto wedge = [&](const ex& one) -> LocalCandidate {
-    return {place,
-            frame,
-            std::nullopt,
-            {{{Side::left, false, 0, 1}, d / one / frame.pi()},
-             {{Side::right, false, 0, 1}, d / one / frame.pi()},
-             {{Side::right, false, 0, 0}, s * d / one}}};
-  };
-  readings.push_back(compared("theorem-2-square", wedge(1 + 2 * s), wedge(1 + s * s)));
-}
-
 /// Do the signs admit contact on both sides? Decided for numbers.
 bool admitted(const ex& left, const ex& right, const ex& slope_jump) {
   const LocalForm form = derive_local_form({ContactSide::both, {left, {0, 0, 0}}, {right, {slope_jump, 0, 0}}});
@@ -90,7 +74,6 @@ void add_words(std::vector<LocalReading>& readings) {
 std::vector<LocalReading> local_readings() {
   std::vector<LocalReading> readings;
   add_ends(readings);
-  add_wedge(readings);
   add_words(readings);
   return readings;
 }

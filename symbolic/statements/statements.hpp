@@ -2,6 +2,8 @@
 // The exact statements that claims rest on, each decided, and each with wrong variants that the same decision refutes.
 // Without GiNaC in this header. Not thread-safe, as GiNaC is not. [Bal16]
 
+#include <array>
+
 #include "symbolic/field/exact_identity.hpp"
 
 namespace steadyslide::symbolic {
@@ -27,6 +29,16 @@ std::vector<DecidedStatement> riemann_hilbert_statements();
 
 /// The energy of a traction t of zero mean is its logarithmic energy and what friction jumps add [Bal16, section 3.1].
 std::vector<DecidedStatement> energy_statements();
+
+/// All of them.
+struct StatementFamily {
+  const char* name;
+  std::vector<DecidedStatement> (*decide)();
+};
+inline constexpr std::array<StatementFamily, 4> statement_families{{{"elasticity", elasticity_statements},
+                                                                    {"local_forms", local_form_statements},
+                                                                    {"riemann_hilbert", riemann_hilbert_statements},
+                                                                    {"energy", energy_statements}}};
 
 /// A place of the paper's text, as extracted from its open version, where the local forms say something else, or ask
 /// for a condition that the words leave out: what the decision procedure makes of the printed reading and of the one

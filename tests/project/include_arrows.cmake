@@ -16,10 +16,11 @@ set(layers model symbolic numeric enclosure proofs_checks app checker)
 
 # ginac.h and CLN's headers cost a second a file and bring macros along: sources of these layers, and these headers only.
 set(algebra_in_sources_of symbolic proofs_checks)
-set(algebra_headers symbolic/cln/cln_number.hpp symbolic/local/coupling.hpp symbolic/field/expression.hpp symbolic/field/field_linear.hpp
+set(algebra_headers symbolic/cln/cln_number.hpp symbolic/coq/coq_equation.hpp symbolic/local/coupling.hpp symbolic/field/expression.hpp symbolic/field/field_linear.hpp
     symbolic/local/local_action.hpp symbolic/local/local_form.hpp symbolic/statements/local_form_check.hpp
     symbolic/local/local_place.hpp symbolic/field/phase_field.hpp
-    symbolic/statements/polynomial_families.hpp symbolic/local/polynomial_slope.hpp symbolic/field/rational_function.hpp)
+    symbolic/statements/polynomial_families.hpp symbolic/local/polynomial_slope.hpp symbolic/field/rational_function.hpp
+    symbolic/field/written_identity.hpp)
 
 set(wrong "")
 set(count 0)

@@ -132,6 +132,7 @@ TEST_CASE("the ledger has lost nothing that its list says, and has what the pape
   for (const PaperStatement& statement : paper_statements()) {
     CHECK_MESSAGE(!statement.claims.empty(), statement.what);
     stated.insert(statement.claims.begin(), statement.claims.end());
+    stated.insert(statement.instances.begin(), statement.instances.end());
   }
   CHECK(stated == ids);
   std::set<std::string> notes;

@@ -70,7 +70,7 @@ TEST_CASE("the text as extracted and the derivation, side by side") {
     CHECK_FALSE(reading.printed_holds);
     CHECK(reading.derived_holds);
   }
-  CHECK(ids.size() == 14);
+  CHECK(ids.size() == 13);
   CHECK(local_readings().front().found ==
         "In the local equation the printed form leaves |x|^lambda, x > 0: s_l*theta - s_r*theta in place of 0; the "
         "derived form holds.");
