@@ -25,10 +25,15 @@ struct ContactSymbols {
 
 // The parts of riemann_hilbert_statements().
 void add_fundamental_solution(std::vector<DecidedStatement>& all);
+void add_structure(std::vector<DecidedStatement>& all);
+void add_powers(std::vector<DecidedStatement>& all);
+void add_local_action(std::vector<DecidedStatement>& all);
 void add_polynomial_slope(std::vector<DecidedStatement>& all);
 void add_flat_punch(std::vector<DecidedStatement>& all);
 void add_inversion(std::vector<DecidedStatement>& all);
 void add_parabola(std::vector<DecidedStatement>& all);
 void add_quartic(std::vector<DecidedStatement>& all);
+void add_linearisation(std::vector<DecidedStatement>& all);
+void add_shapes(std::vector<DecidedStatement>& all);
 
 }  // namespace steadyslide::symbolic

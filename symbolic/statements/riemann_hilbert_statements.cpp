@@ -23,11 +23,16 @@ std::vector<ex> ContactSymbols::sums(const FundamentalSolution& solution, std::s
 std::vector<DecidedStatement> riemann_hilbert_statements() {
   std::vector<DecidedStatement> all;
   add_fundamental_solution(all);
+  add_structure(all);
+  add_powers(all);
+  add_local_action(all);
   add_polynomial_slope(all);
   add_flat_punch(all);
   add_inversion(all);
   add_parabola(all);
   add_quartic(all);
+  add_linearisation(all);
+  add_shapes(all);
   return all;
 }
 

@@ -95,3 +95,17 @@ TEST_CASE("Chebyshev's polynomials and exact integrals") {
   const GiNaC::symbol c("c");
   CHECK((integral(3 * x * x + 1, x, c, 2) - (10 - c * c * c - c)).expand().is_zero());
 }
+
+TEST_CASE("the steps of the structure theorem hold for all real data") {
+  std::set<std::string> ids;
+  for (const DecidedStatement& statement : riemann_hilbert_statements()) {
+    if (!statement.id.starts_with("rh-structure-")) continue;
+    CAPTURE(statement.id);
+    ids.insert(statement.id);
+    for (const std::string& divisor : statement.identity.nonvanishing) {
+      CAPTURE(divisor);
+      CHECK((divisor.starts_with("i ") || divisor == "pi" || divisor == "s^2 + 1"));
+    }
+  }
+  CHECK(ids.size() == 4);
+}
