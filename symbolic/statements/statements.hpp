@@ -28,6 +28,10 @@ std::vector<DecidedStatement> riemann_hilbert_statements();
 /// The energy of a traction t of zero mean is its logarithmic energy and what friction jumps add [Bal16, section 3.1].
 std::vector<DecidedStatement> energy_statements();
 
+/// Tractions by Chebyshev's coefficients, with the indices as symbols: the logarithmic form, the sign form and the
+/// energy of friction jumps; norms; b = b_0 (1+K) with a skew K; what the proofs of section 3 do with pairings.
+std::vector<DecidedStatement> hilbert_statements();
+
 /// A place of the paper's text, as extracted from its open version, where the local forms say something else, or ask
 /// for a condition that the words leave out: what the decision procedure makes of the printed reading and of the one
 /// that this project uses. Both stand in the reading notes, by the same ids.
