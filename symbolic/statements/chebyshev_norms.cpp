@@ -100,10 +100,27 @@ DecidedStatement all_tractions() {
            decided("m - sqrt(m^2+A^2)", {.root = -1})}};
 }
 
+/// x = (L/2) cos(theta): log|x-x'| gains log(L/2), times <t,1> = pi c_0 in each argument.
+DecidedStatement length() {
+  const auto decided = [](const std::string& words, const ex& mean, int scale, int sign) {
+    const symbol log2("log2"), length("logL"), pi("pi"), c("c"), d("d");
+    const PhaseField field;
+    const ex unit = pi * pi * log2 * c * d;
+    return Comparison(field)
+        .equal("c_0 d_0", unit - sign * (length - scale * log2) * (mean * pi * c) * (mean * pi * d),
+               pi * pi * (2 * log2 - length) * c * d)
+        .as(words);
+  };
+  return {
+      "chebyshev-length",
+      decided("pi^2 log 2 - pi^2 log(L/2) = pi^2 log(4/L) before c_0 d_0, nothing before the others", 1, 1, 1),
+      {decided("log L for log(L/2)", 1, 0, 1), decided("<t,1> = 2 pi c_0", 2, 1, 1), decided("+log(L/2)", 1, 1, -1)}};
+}
+
 }  // namespace
 
 void add_chebyshev_norms(std::vector<DecidedStatement>& all) {
-  for (const auto& statement : {circle, reflection, all_tractions}) all.push_back(statement());
+  for (const auto& statement : {circle, reflection, all_tractions, length}) all.push_back(statement());
 }
 
 }  // namespace steadyslide::symbolic

@@ -31,7 +31,6 @@ std::vector<DecidedStatement> hilbert_statements() {
   add_chebyshev_norms(all);
   add_skew_operators(all);
   add_inequalities(all);
-  add_friction_jumps(all);
   return all;
 }
 

@@ -29,7 +29,7 @@ struct Cosines {
 /// (-1)^j and (-1)^k.
 inline constexpr std::array<std::pair<int, int>, 4> parities{{{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
 
-// The parts of hilbert_statements().
+// The parts of hilbert_statements(), and a part of energy_statements().
 void add_chebyshev_forms(std::vector<DecidedStatement>& all);
 void add_chebyshev_norms(std::vector<DecidedStatement>& all);
 void add_skew_operators(std::vector<DecidedStatement>& all);

@@ -5,6 +5,7 @@
 // by induction over n; T_n = T(c_n), s_{n-1} the friction left of c_n. The same for pairs of T_j/sqrt(1-x^2) with j and
 // k as symbols, as <int_{-1}^x s t_j, t_k> is written. [Bal16, sections 3.1 and 4]
 
+#include "symbolic/field/expression.hpp"
 #include "symbolic/statements/cosines.hpp"
 
 namespace steadyslide::symbolic {
@@ -151,16 +152,25 @@ DecidedStatement cells() {
 DecidedStatement one_jump() {
   const auto decided = [](const std::string& words, const ex& factor, int sign) {
     const symbol e("E"), jump("jump"), t2("T2"), mu("mu");
+    const std::vector<ex> h = symbols("h", 3), w = symbols("w", 3);
+    const auto across = [&](std::size_t k) {
+      return h[(k + 1) % 3] * w[(k + 2) % 3] - h[(k + 2) % 3] * w[(k + 1) % 3];
+    };
+    const auto with = [&](const std::vector<ex>& f) { return f[0] * across(0) + f[1] * across(1) + f[2] * across(2); };
     const PhaseField field;
     const ex energy = e + jump * t2 / 2;
     return Comparison(field)
         .equal("above E", energy - e, factor * jump * t2)
         .equal("b - mu E", energy - mu * e, (sign * jump * t2 - 2 * (mu - 1) * e) / 2)
+        .equal("mean on three cells", with(h), 0)
+        .equal("T(c) on three cells", with(w), 0)
         .as(words);
   };
   return {
       "energy-one-jump",
-      decided("b(t,t) - E = 1/2 [s] T(c)^2, and b - mu E = ([s] T(c)^2 - 2 (mu-1) E)/2", ex(1) / 2, 1),
+      decided("b(t,t) - E = 1/2 [s] T(c)^2, and b - mu E = ([s] T(c)^2 - 2 (mu-1) E)/2; on three cells h x w has "
+              "mean 0 and T(c) = 0",
+              ex(1) / 2, 1),
       {decided("without 1/2", 1, 1), decided("-1/2", ex(-1) / 2, 1), decided("the other sign of [s]", ex(1) / 2, -1)}};
 }
 

@@ -1,4 +1,4 @@
-// What the proofs of propositions 5 to 7, of (16), of the uniqueness in theorem 1 and of the bound for cells do with
+// What the proofs of proposition 5, of (16), of the uniqueness in theorem 1 and of the bound for cells do with
 // pairings: bilinear identities, each product of two symbols a symbol. Displacements u = psi - g - C with gaps g and
 // constants C, tractions t under equal loads. [Bal16, section 3.2, theorem 1]
 
@@ -9,27 +9,6 @@ namespace {
 
 using GiNaC::ex;
 using GiNaC::symbol;
-
-/// Two solutions, each put into the other's inequality b(t_i, t_j - t_i) >= l(t_j - t_i).
-DecidedStatement two_solutions() {
-  const auto decided = [](const std::string& words, int sign, int second, bool functional) {
-    const symbol b11("b11"), b12("b12"), b21("b21"), b22("b22"), l1("l1"), l2("l2"), f1("phi1"), f2("phi2");
-    const PhaseField field;
-    const ex sum = (b12 - b11) + second * (b21 - b22);
-    const ex differences = b11 - b12 - b21 + b22;
-    const ex other = functional ? ex((l2 - l1) + second * (l1 - l2)) : ex(l2 - l1);
-    return Comparison(field)
-        .equal("forms", sum, sign * differences)
-        .equal("functional", other, 0)
-        .equal("phi", (f2 - f1) + (f1 - f2), 0)
-        .as(words);
-  };
-  return {
-      "pairing-two-solutions",
-      decided("b(t1, t2-t1) + b(t2, t1-t2) = -b(t1-t2, t1-t2), and functionals of the differences cancel", -1, 1, true),
-      {decided("+b(t1-t2, t1-t2)", 1, 1, true), decided("the difference of both inequalities", -1, -1, true),
-       decided("one functional alone", -1, 1, false)}};
-}
 
 /// <u1-u2, t1-t2> with u_i = psi - g_i - C_i: g1t2 stands for <g1, t2>, and loads for <1, t_i>.
 DecidedStatement two_contacts() {
@@ -102,22 +81,49 @@ DecidedStatement spread_load() {
       {decided("P for P/m", 0, 1, true), decided("t0 of mass 2", 1, 2, true), decided("e for p e", 1, 1, false)}};
 }
 
-/// (ii) of proposition 5 with u_hat = psi and u_hat = psi + 2 (u_n - psi), phi = P (S - m) homogeneous in v = u_n - psi.
-DecidedStatement two_choices() {
-  const auto decided = [](const std::string& words, const ex& factor, int pairing) {
-    const symbol p("P"), m("m"), sup("S"), tv("tv");
+/// F by cells, with the mean lambda = <F, p>/P under the pressures p: all of the load on one cell, where it is F_i.
+DecidedStatement one_cell() {
+  const auto decided = [](const std::string& words, const ex& load, int sign, int under) {
+    const symbol p("P"), f("F_i"), mean("lambda");
     const PhaseField field;
-    const ex phi = p * (sup - m);
-    // <t~, u_hat - u_n> + phi(u_hat) - phi(u_n) for u_hat = psi + k v
-    const auto left = [&](const ex& k) { return (k - 1) * tv + (k - 1) * phi; };
+    const ex pairing = under * mean * p;  // <F, p>
     return Comparison(field)
-        .equal("psi", left(0), -(pairing * (tv - p * m) + p * sup))
-        .equal("psi + 2 v", left(factor), pairing * (tv - p * m) + p * sup)
+        .equal("change", load * p * f - pairing, sign * p * (f - mean))
+        .equal("<F - lambda, p>", pairing - mean * p, 0)
         .as(words);
   };
-  return {"pairing-two-choices",
-          decided("u_hat = psi and psi + 2 v turn (ii) into -X >= 0 and X >= 0, X = <t_tilde - P t0, v - sup v>", 2, 1),
-          {decided("psi + 3 v", 3, 1), decided("psi + v", 1, 1), decided("-<t_tilde - P t0, v>", 2, -1)}};
+  return {"pairing-one-cell",
+          decided("moving the load to a cell changes <F, p> by P (F_i - lambda), and <F - lambda, p> = 0", 1, 1, 1),
+          {decided("twice the load", 2, 1, 1), decided("P (lambda - F_i)", 1, -1, 1),
+           decided("a mean over twice the load", 1, 1, 2)}};
+}
+
+/// X(v) = <t~ - P t0, v - sup v>; (ii) of proposition 5 is X(v^) - X(v) >= 0. t~ has the mean 0 and t0 the mass 1.
+DecidedStatement displacement_form() {
+  struct Variant {
+    ex mean = 0;
+    ex mass = 1;
+    int sign = 1;
+  };
+  const auto decided = [](const std::string& words, const Variant& variant) {
+    const symbol p("P"), m("m"), sup("S"), tv("tv"), m2("m2"), sup2("S2"), tv2("tv2"), k("k");
+    const PhaseField field;
+    const auto x = [&](const ex& pairing, const ex& mean, const ex& largest) {
+      return variant.sign * (pairing - p * mean - largest * (variant.mean - p * variant.mass));
+    };
+    const auto phi = [&](const ex& mean, const ex& largest) { return p * (largest - mean); };
+    return Comparison(field)
+        .equal("(ii)", (tv2 - tv) + phi(m2, sup2) - phi(m, sup), x(tv2, m2, sup2) - x(tv, m, sup))
+        .equal("k v", x(k * tv, k * m, k * sup), k * x(tv, m, sup))
+        .equal("<t~ - P t0, v>", tv - p * m, x(tv, m, sup) - p * sup)
+        .as(words);
+  };
+  return {"pairing-displacement-form",
+          decided("(ii) of proposition 5 is X(v^) - X(v) >= 0, X(v) = <t~ - P t0, v - sup v>, X(k v) = k X(v), and "
+                  "<t~ - P t0, v> = X(v) - P sup v",
+                  {}),
+          {decided("t~ of mean P", {.mean = symbol("P_t")}), decided("t0 of mass 2", {.mass = 2}),
+           decided("-X", {.sign = -1})}};
 }
 
 /// G of the solution, G_h of any pressures p_h: <G-G_h, p-p_h> where <G, p> = 0.
@@ -138,7 +144,7 @@ DecidedStatement cells_bound() {
 
 void add_inequalities(std::vector<DecidedStatement>& all) {
   for (const auto& statement :
-       {two_solutions, two_contacts, gap_functional, conjugate, spread_load, two_choices, cells_bound}) {
+       {two_contacts, gap_functional, conjugate, spread_load, one_cell, displacement_form, cells_bound}) {
     all.push_back(statement());
   }
 }

@@ -142,10 +142,29 @@ DecidedStatement any_slope() {
            decided("alpha of the other sign in the weight", {.other_weight = true})}};
 }
 
+/// K = -(1/pi) int t0 log(1-x) dx + s/2, the integral being log 2 + C_E + Psi(1/2+alpha), and Psi(1/2+alpha) -
+/// Psi(1/2-alpha) = pi s.
+DecidedStatement unit_constant() {
+  const auto decided = [](const std::string& words, int reflected, const ex& half, int sign) {
+    const symbol log2("log2"), euler("C_E"), psi("Psi"), s("s"), pi("pi");
+    const PhaseField field;
+    const ex other = psi - reflected * pi * s;
+    return Comparison(field)
+        .equal("pi K", sign * (log2 + euler + psi) + pi * s * half, -(log2 + euler + (psi + other) / 2))
+        .as(words);
+  };
+  return {"skew-unit-constant",
+          decided("-(log 2 + C_E + Psi(1/2+alpha))/pi + s/2 = -(log 2 + C_E + (Psi(1/2+alpha) + Psi(1/2-alpha))/2)/pi",
+                  1, ex(1) / 2, -1),
+          {decided("the reflection's other sign", -1, ex(1) / 2, -1), decided("without s/2", 1, 0, -1),
+           decided("+int t0 log(1-x)", 1, ex(1) / 2, 1)}};
+}
+
 }  // namespace
 
 void add_skew_operators(std::vector<DecidedStatement>& all) {
-  for (const auto& statement : {inverse, bound, contraction, transform, any_slope}) all.push_back(statement());
+  for (const auto& statement : {inverse, bound, contraction, transform, any_slope, unit_constant})
+    all.push_back(statement());
 }
 
 }  // namespace steadyslide::symbolic
