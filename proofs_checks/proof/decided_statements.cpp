@@ -17,6 +17,9 @@ using Statements = std::vector<symbolic::DecidedStatement>;
 const std::vector<std::pair<std::string_view, Statements (*)()>> sources{{"rh-", symbolic::riemann_hilbert_statements},
                                                                          {"equation-", symbolic::equation_statements},
                                                                          {"energy-", symbolic::energy_statements},
+                                                                         {"chebyshev-", symbolic::hilbert_statements},
+                                                                         {"skew-", symbolic::hilbert_statements},
+                                                                         {"pairing-", symbolic::hilbert_statements},
                                                                          {"theorem-", symbolic::local_form_statements},
                                                                          {"", symbolic::elasticity_statements}};
 
