@@ -51,16 +51,19 @@ DecidedStatement orthogonality() {
     Comparison comparison(c.field);
     c.equal(comparison, "j != k: derivative", c.derivative(different), c.cj * c.ck);
     c.equal(comparison, "j = k: derivative", c.derivative(same), c.cj * c.cj);
+    c.equal(comparison, "k = 0: derivative", c.derivative(c.sj / c.j), c.cj);
     for (const auto& [ej, ek] : parities) {
       c.equal(comparison, "j != k", c.at_pi(different, ej, ek) - c.at_zero(different), 0);
       c.equal(comparison, "j = k", c.at_pi(same, ej, ek) - c.at_zero(same), v.value * c.pi);
+      c.equal(comparison, "k = 0", c.at_pi(c.sj / c.j, ej, ek) - c.at_zero(c.sj / c.j), 0);
     }
     return comparison.as(words);
   };
-  return {"chebyshev-orthogonality",
-          decided("int_0^pi cos(j theta) cos(k theta) d theta = 0 for j != k, pi/2 for j = k, every j, k >= 1", {}),
-          {decided("j S_j C_k + k C_j S_k in the primitive", {.between = 1}), decided("j^2 + k^2 below", {.below = 1}),
-           decided("theta - S C/j for j = k", {.equal = -1}), decided("pi for j = k", {.value = 1})}};
+  return {
+      "chebyshev-orthogonality",
+      decided("int_0^pi cos(j theta) cos(k theta) d theta = 0 for j != k, pi/2 for j = k, every j >= 1, k >= 0", {}),
+      {decided("j S_j C_k + k C_j S_k in the primitive", {.between = 1}), decided("j^2 + k^2 below", {.below = 1}),
+       decided("theta - S C/j for j = k", {.equal = -1}), decided("pi for j = k", {.value = 1})}};
 }
 
 struct EntryVariant {
