@@ -1,11 +1,12 @@
 // Every enclosure that a proof may name.
 
+#include "proofs_checks/enclosures/section_3_enclosures.hpp"
 #include "proofs_checks/proof/enclosures.hpp"
 
 namespace steadyslide::proofs_checks {
 
 std::span<const Enclosure> enclosures() {
-  static const std::vector<Enclosure> all;
+  static const std::vector<Enclosure> all{edge_powers(), logarithm_of_two(), logarithm_of_a_unit()};
   return all;
 }
 

@@ -59,14 +59,13 @@ class Runner {
       case ProofStep::Kind::theorem: {
         const auto theorem = theory_.theorems.find(step.name);
         if (theorem == theory_.theorems.end()) throw Gap{"no classical theorem of this name: " + step.name};
-        by_rule(node, theorem->second);
-        node.words.push_back(theorem->second.words);
+        node.words.push_back(by_rules(node, theorem->second).words);
         break;
       }
       case ProofStep::Kind::definition: {
         const auto definition = theory_.definitions.find(step.fact.word);
         if (definition == theory_.definitions.end()) throw Gap{"not defined: " + step.fact.word};
-        by_rule(node, definition->second);
+        by_rules(node, std::span(&definition->second, 1));
         break;
       }
       case ProofStep::Kind::entry: by_entry(node, step.name); break;
@@ -134,14 +133,18 @@ class Runner {
     }
   }
 
-  void by_rule(ProofNode& node, const Rule& rule) const {
+  /// The first that gives the fact from those above.
+  const Rule& by_rules(ProofNode& node, std::span<const Rule> rules) const {
     std::string missing;
-    for (const Fact& given : rule.gives) {
-      const auto bindings = match(given, node.fact);
-      if (bindings && find_needs(rule.needs, *bindings, node.from, missing)) return;
+    for (const Rule& rule : rules) {
+      for (const Fact& given : rule.gives) {
+        const auto bindings = match(given, node.fact);
+        if (bindings && find_needs(rule.needs, *bindings, node.from, missing)) return rule;
+      }
     }
+    const std::string& name = rules.front().name;
     throw Gap{text_of(node.fact) +
-              (missing.empty() ? " is not what " + rule.name + " gives" : " by " + rule.name + " needs " + missing)};
+              (missing.empty() ? " is not what " + name + " gives" : " by " + name + " needs " + missing)};
   }
 
   /// Facts above that match all needs, variables that only the needs have taking any meaning that fits them all.

@@ -68,7 +68,7 @@ class Reader {
       }
     } else {
       in_rows_ = false;
-      if (rule_) words(line);
+      if (rules_) words(line);
     }
   }
 
@@ -76,16 +76,16 @@ class Reader {
   void open(std::string part) {
     part_ = std::move(part);
     in_rows_ = false;
-    rule_ = nullptr;
+    rules_ = nullptr;
+    facts_ = nullptr;
     if (part_ == "Words" || part_ == "Things" || part_ == "Definitions" || part_ == "Decided") return;
-    add_once(theory_.theorems, part_, Rule{part_, {}, {}, {}});
-    rule_ = &theory_.theorems.at(part_);
-    text_ = &rule_->words;
+    add_once(theory_.theorems, part_, std::vector<Rule>{{part_, {}, {}, {}}});
+    rules_ = &theory_.theorems.at(part_);
   }
 
   void row(const std::vector<std::string>& cells) {
     const std::size_t wanted = part_ == "Decided" ? 3 : 2;
-    if (part_.empty() || rule_) throw std::logic_error("a row outside a table of a theory: " + cells.at(0));
+    if (part_.empty() || rules_) throw std::logic_error("a row outside a table of a theory: " + cells.at(0));
     if (cells.size() != wanted) throw std::logic_error("not a row of the table " + part_ + ": " + cells.at(0));
     if (part_ == "Things") {
       add_once(theory_.things, items_of(cells[0]).at(0), cells[1]);
@@ -105,13 +105,12 @@ class Reader {
     }
   }
 
-  /// A theorem's words; the facts behind Needs and Gives may go over several lines, up to an empty one.
+  /// A theorem's words; the facts behind Needs and Gives may go over several lines, up to an empty one. Words behind what is
+  /// given begin another rule.
   void words(std::string_view line) {
-    std::vector<Fact>* facts = line.starts_with("Needs ")   ? &rule_->needs
-                               : line.starts_with("Gives ") ? &rule_->gives
-                                                            : nullptr;
-    if (facts) {
-      facts_ = facts;
+    const bool needs = line.starts_with("Needs ");
+    if (needs || line.starts_with("Gives ")) {
+      facts_ = needs ? &rules_->back().needs : &rules_->back().gives;
       line.remove_prefix(6);
     }
     if (line.empty()) {
@@ -119,15 +118,16 @@ class Reader {
     } else if (facts_) {
       std::ranges::move(parse_facts(line), std::back_inserter(*facts_));
     } else {
-      *text_ += (text_->empty() ? "" : " ") + std::string(line);
+      if (!rules_->back().gives.empty()) rules_->push_back({part_, {}, {}, {}});
+      std::string& text = rules_->back().words;
+      text += (text.empty() ? "" : " ") + std::string(line);
     }
   }
 
   Theory& theory_;
   std::string part_;
   bool in_rows_ = false;
-  Rule* rule_ = nullptr;
-  std::string* text_ = nullptr;
+  std::vector<Rule>* rules_ = nullptr;  ///< of the theorem that is read
   std::vector<Fact>* facts_ = nullptr;
 };
 
@@ -141,16 +141,16 @@ Theory::Theory(std::span<const std::string_view> documents) {
   const auto all_declared = [&](const std::vector<Fact>& facts) {
     for (const Fact& fact : facts) require_declared(fact, true);
   };
-  for (const auto* rules : {&definitions, &theorems}) {
-    for (const auto& [name, rule] : *rules) {
-      if (rule.gives.empty()) throw std::logic_error("a theorem that gives nothing: " + name);
-      all_declared(rule.needs);
-      all_declared(rule.gives);
-      if (const auto free = free_variable(rule)) {
-        throw std::logic_error(name + " says something of any " + *free + ", and needs nothing of it");
-      }
+  const auto check = [&](const Rule& rule) {
+    if (rule.gives.empty()) throw std::logic_error("a theorem that gives nothing: " + rule.name);
+    all_declared(rule.needs);
+    all_declared(rule.gives);
+    if (const auto free = free_variable(rule)) {
+      throw std::logic_error(rule.name + " says something of any " + *free + ", and needs nothing of it");
     }
-  }
+  };
+  for (const auto& [word, rule] : definitions) check(rule);
+  for (const auto& [name, rules] : theorems) std::ranges::for_each(rules, check);
   for (const DecidedFact& one : decided) {
     require_declared(one.fact);
     for (const Fact& fact : one.where) require_declared(fact);

@@ -31,6 +31,8 @@
 //   [Mus53, section 17]. In words.
 //   Needs hoelder(T), integrable-powers(T).
 //   Gives plemelj(T).
+//
+// with further words, Needs and Gives where it says several things.
 
 #include <functional>
 #include <span>
@@ -70,7 +72,7 @@ struct Theory {
   std::map<std::string, std::pair<Fact, std::string>> words;  ///< with the variables of its declaration
   std::map<std::string, std::string> things;
   std::map<std::string, Rule> definitions;  ///< by word
-  std::map<std::string, Rule> theorems;
+  std::map<std::string, std::vector<Rule>> theorems;
   std::vector<DecidedFact> decided;
 
   /// Throws std::logic_error where the word or a thing is not declared. Variables are allowed in rules alone.

@@ -7,6 +7,7 @@
 // for which the logarithmic form is (pi/2) sum a_n^2/n. [Bal16, section 3.1]
 
 #include "symbolic/statements/contact_symbols.hpp"
+#include "symbolic/statements/cosines.hpp"
 #include "symbolic/statements/polynomial_families.hpp"
 
 namespace steadyslide::symbolic {
@@ -239,7 +240,9 @@ DecidedStatement logarithmic() {
 }  // namespace
 
 std::vector<DecidedStatement> energy_statements() {
-  return {piecewise(), bilinear(), skew(), primitive(), weighted(), logarithmic()};
+  std::vector<DecidedStatement> all{piecewise(), bilinear(), skew(), primitive(), weighted(), logarithmic()};
+  add_friction_jumps(all);
+  return all;
 }
 
 }  // namespace steadyslide::symbolic

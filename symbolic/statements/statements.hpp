@@ -27,18 +27,25 @@ std::vector<DecidedStatement> local_form_statements();
 /// free or against an edge; the quartic.
 std::vector<DecidedStatement> riemann_hilbert_statements();
 
-/// The energy of a traction t of zero mean is its logarithmic energy and what friction jumps add [Bal16, section 3.1].
+/// The energy of a traction t of zero mean is its logarithmic energy and what friction jumps add, any number of them
+/// by induction, and for every pair of Chebyshev's indices [Bal16, section 3.1].
 std::vector<DecidedStatement> energy_statements();
+
+/// Tractions by Chebyshev's coefficients, with the indices as symbols: the logarithmic form, the sign form, norms;
+/// b = b_0 (1+K) with a skew K; what the proofs of section 3 do with pairings.
+std::vector<DecidedStatement> hilbert_statements();
 
 /// All of them.
 struct StatementFamily {
   const char* name;
   std::vector<DecidedStatement> (*decide)();
 };
-inline constexpr std::array<StatementFamily, 4> statement_families{{{"elasticity", elasticity_statements},
+inline constexpr std::array<StatementFamily, 6> statement_families{{{"elasticity", elasticity_statements},
+                                                                    {"equation", equation_statements},
                                                                     {"local_forms", local_form_statements},
                                                                     {"riemann_hilbert", riemann_hilbert_statements},
-                                                                    {"energy", energy_statements}}};
+                                                                    {"energy", energy_statements},
+                                                                    {"hilbert", hilbert_statements}}};
 
 /// A place of the paper's text, as extracted from its open version, where the local forms say something else, or ask
 /// for a condition that the words leave out: what the decision procedure makes of the printed reading and of the one

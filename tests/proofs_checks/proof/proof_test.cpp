@@ -228,6 +228,24 @@ TEST_CASE("theories: nothing twice, nothing undeclared, definitions for all thin
   CHECK_THROWS_AS(made(facts, rules + "\n" + rules), std::logic_error);
 }
 
+TEST_CASE("a theorem that says several things: each from its own needs") {
+  const std::string second =
+      "And two even numbers make an even one.\nNeeds sum(N, A, B), even(A), even(B).\nGives even(N).\n";
+  const std::string both = std::string(theorems_document) + second;
+  const std::vector<std::string_view> documents{facts_document, both};
+  const Theory theory{documents};
+  REQUIRE(theory.theorems.at("odd-sum").size() == 2);
+  const auto gap = [&](const std::string& fact) {
+    return check_proof(
+               proof_text(replaced_once(replaced_once(sum_is_odd, "| odd(five) | theorem", "| " + fact + " | theorem"),
+                                        "Concludes `odd(five)`,\n`whole(five)`", "Concludes `" + fact + "`")),
+               theory, decisions())
+        .gap;
+  };
+  CHECK(gap("odd(five)").empty());
+  CHECK(gap("even(five)") == "even(five) by odd-sum needs even(three)");
+}
+
 TEST_CASE("facts in words") {
   CHECK(numbers().sentence(parse_fact("sum(five, two, three)")) == "`five = two + three`");
   CHECK(numbers().sentence(parse_fact("nonzero(\"s_r - s_l\")")) == "`s_r - s_l != 0`");

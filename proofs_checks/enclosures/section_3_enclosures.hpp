@@ -1,0 +1,15 @@
+#pragma once
+// What the proofs of section 3 decide in balls.
+
+#include "proofs_checks/proof/enclosures.hpp"
+
+namespace steadyslide::proofs_checks {
+
+/// |arctan(s)/pi| < 1/2 for s in an interval, which may be unbounded.
+Enclosure edge_powers();
+/// log 2 > 0.
+Enclosure logarithm_of_two();
+/// -log d >= 0 for d in an interval within ]0, 1].
+Enclosure logarithm_of_a_unit();
+
+}  // namespace steadyslide::proofs_checks
