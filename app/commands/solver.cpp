@@ -92,7 +92,10 @@ std::vector<StretchText> Solver::between(const Problem& problem, const Rational&
     return found.solution->approximate_contact();
   };
   std::vector<StretchText> result;
-  for (const enclosure::LoadStretch& stretch : enclosure::follow_loads(problem.contact, from, to, contact_at)) {
+  enclosure::LoadPathOptions options;
+  options.intervals_alone = wanted_.certificate;
+  for (const enclosure::LoadStretch& stretch :
+       enclosure::follow_loads(problem.contact, from, to, contact_at, options)) {
     StretchText text = stretch_text(stretch, wanted_.solution.digits);
     if (stretch.interval) intervals_.push_back(*stretch.interval);
     // Those proved one after the other are one branch.

@@ -25,7 +25,8 @@ class Solver {
     Method method = Method::automatic;
     SolutionWanted solution;
     numeric::VariationalOptions variational;
-    bool certify = false;  ///< proof, and enclosed numbers
+    bool certify = false;      ///< proof, and enclosed numbers
+    bool certificate = false;  ///< for another program to prove again
   };
 
   explicit Solver(Wanted wanted) : wanted_(std::move(wanted)) {}

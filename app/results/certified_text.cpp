@@ -161,7 +161,8 @@ void add_bound(SolutionText& text, const Problem& problem, const enclosure::Cell
 
 StretchText stretch_text(const enclosure::LoadStretch& stretch, int digits) {
   using Kind = enclosure::LoadStretch::Kind;
-  const char* status = stretch.kind == Kind::proved ? "proved" : stretch.kind == Kind::event ? "event" : "open";
+  const bool is_proved = stretch.kind == Kind::proved || stretch.kind == Kind::closing;
+  const char* status = is_proved ? "proved" : stretch.kind == Kind::event ? "event" : "open";
   return {full_number(stretch.from, digits), full_number(stretch.to, digits), status, stretch.words};
 }
 

@@ -202,23 +202,33 @@ KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactStart& s
   return enclose_zero(problem, start.box(rules.bits()), rules);
 }
 
-KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules) {
+namespace {
+
+/// Where Newton's method leads, and how far its last step was.
+struct Approach {
+  std::vector<Ball> values;
+  std::vector<Ball> widths;
+};
+
+/// From the middle of a box, with F' enclosed by the rules `coarse`; nothing where it does not converge.
+std::optional<Approach> newton(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules,
+                               JacobiRules& coarse) {
   const Bits bits = rules.bits();
   const bool tilts = problem.load_at.has_value();
-  KrawczykResult result{false, "Newton's method does not converge", box};
-  std::vector<Ball> values;
+  Approach result;
+  std::vector<Ball>& values = result.values;
   for (const Ball& x : unknowns(box, tilts)) values.push_back(x.at(bits).midpoint());
-  std::vector<Ball> widths(values.size(), Ball(0, bits));
-  JacobiRules own(few_bits);
-  JacobiRules& coarse = bits <= few_bits ? rules : own;
-  // With the derivative where it starts, a step gains as many digits as the start has.
+  result.widths.assign(values.size(), Ball(0, bits));
+  // With the derivative where it starts, a step gains as many digits as the start has, or the derivative.
   Matrix inverse;
   Ball before = Ball::unknown(bits);
+  // What is left Krawczyk's operator gains, whose F' has more bits than these.
+  const Ball enough = power(Ball(2, bits), -static_cast<int>(std::max(bits - 48, bits * 3 / 4)));
   constexpr int most_steps = 40;
   for (int step = 0; step < most_steps && !values.empty(); ++step) {
     const ContactBox here = with_unknowns(box, values);
     const ContactForm form = here.form(problem, count_for(bits), rules);
-    if (!form.set().is_ordered()) return result;
+    if (!form.set().is_ordered()) return std::nullopt;
     const std::vector<Ball> conditions = ContactConditions(form).conditions();
     if (conditions.size() != values.size()) break;  // prove_zero() says so
     if (inverse.empty()) {
@@ -230,14 +240,15 @@ KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactBox& box
         continue;
       }
     }
-    if (inverse.empty() || !all_finite(conditions)) return result;
+    if (inverse.empty() || !all_finite(conditions)) return std::nullopt;
     const std::vector<Ball> change = product(inverse, conditions, bits);
     Ball largest(0, bits);
     for (std::size_t i = 0; i < values.size(); ++i) {
       values[i] = (values[i] - change[i]).midpoint();
-      widths[i] = abs(change[i]).upper();
-      largest = max(largest, widths[i]);
+      result.widths[i] = abs(change[i]).upper();
+      largest = max(largest, result.widths[i]);
     }
+    if (largest < enough) break;
     // Once rounding and the quadrature's error are reached, steps no longer shrink.
     if (before.is_finite() && !(largest < before * Ball(Rational(1, 16), bits))) {
       if (before < power(Ball(2, bits), -static_cast<int>(bits) / 2)) break;
@@ -245,15 +256,33 @@ KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactBox& box
     }
     before = largest;
   }
+  return result;
+}
+
+/// The first steps at few bits, and twice as many from there on.
+std::optional<Approach> approach(const ReducedProblem& problem, ContactBox box, JacobiRules& rules) {
+  if (rules.bits() <= few_bits) return newton(problem, box, rules, rules);
+  JacobiRules half(std::max(rules.bits() / 2, few_bits));
+  if (const auto rough = approach(problem, box, half)) box = with_unknowns(box, rough->values);
+  return newton(problem, box, rules, half);
+}
+
+}  // namespace
+
+KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules) {
+  const Bits bits = rules.bits();
+  KrawczykResult result{false, "Newton's method does not converge", box};
+  const std::optional<Approach> near = approach(problem, box, rules);
+  if (!near) return result;
   for (int inflation = 1; inflation <= 4; ++inflation) {
     const Ball factor = power(Ball(16, bits), inflation);
     std::vector<Ball> wide;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const Ball rounding = abs(values[i]).upper() * power(Ball(2, bits), -static_cast<int>(bits) + 8);
-      wide.push_back(Ball::around(values[i], factor * (widths[i] + rounding)));
+    for (std::size_t i = 0; i < near->values.size(); ++i) {
+      const Ball rounding = abs(near->values[i]).upper() * power(Ball(2, bits), -static_cast<int>(bits) + 8);
+      wide.push_back(Ball::around(near->values[i], factor * (near->widths[i] + rounding)));
     }
     result = prove_zero(problem, with_unknowns(box, wide), rules);
-    if (result.proved || values.empty()) return result;
+    if (result.proved || wide.empty()) return result;
   }
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "enclosure/loads/closing_gap.hpp"
 #include "enclosure/loads/contact_anchors.hpp"
 #include "enclosure/loads/contact_change.hpp"
 #include "model/invalid_data.hpp"
@@ -38,18 +39,30 @@ class Follower {
  public:
   Follower(const ContactProblem& problem, const Frame& frame, const ContactAtLoad& contact_at,
            const LoadPathOptions& options)
-      : problem_(problem, frame), contact_at_(contact_at), options_(options), rules_(options.bits) {}
+      : problem_(problem, frame), contact_at_(contact_at), options_(options), rules_(options.bits) {
+    for (std::size_t k = 1; k < problem_.intervals.size(); ++k) {
+      const Rational& c = problem_.anchors[k].x;
+      has_notch_ = has_notch_ || problem_.intervals[k].slope(c) < problem_.intervals[k - 1].slope(c);
+    }
+  }
 
   /// Proves what it can of the loads from `low` to `high`. A part that hardly anything can be proved of is left open.
   void fill(const Rational& low, const Rational& high, int depth = 12) {
     if (depth == 0 || high - low <= options_.width * high) return;
+    // Where a gap closes, its first load is all that it takes.
+    if (has_notch_ && !options_.intervals_alone) {
+      const std::optional<Place> first = start_at(low);
+      const std::optional<Rational> up = first ? close_gap(*first, high) : std::nullopt;
+      if (up) return fill(*up, high, depth - 1);
+    }
     // An event may lie at any of these loads, at least where the data are round numbers.
     for (const int sixteenths : {7, 11, 4, 14, 1}) {
       const Rational load = low + (high - low) * Rational(sixteenths, 16);
       const std::optional<Place> start = start_at(load);
       if (!start) continue;
       const std::size_t before = proved_.size();
-      const Rational up = march(*start, high);
+      const std::optional<Rational> closed = options_.intervals_alone ? std::nullopt : close_gap(*start, high);
+      const Rational up = closed ? *closed : march(*start, high);
       const Rational down = march(*start, low);
       if ((up - down) * 64 < high - low) {
         proved_.erase(proved_.begin() + static_cast<std::ptrdiff_t>(before), proved_.end());
@@ -64,11 +77,11 @@ class Follower {
   /// All of it, with what is not proved between what is.
   std::vector<LoadStretch> stretches(const Rational& from, const Rational& to) {
     std::sort(proved_.begin(), proved_.end(),
-              [](const LoadInterval& a, const LoadInterval& b) { return a.from < b.from; });
+              [](const LoadStretch& a, const LoadStretch& b) { return a.from < b.from; });
     const auto low = [&](std::size_t i) { return i > 0 ? proved_[i - 1].to : from; };
     const auto high = [&](std::size_t i) { return i < proved_.size() ? proved_[i].from : to; };
     const auto is_open = [&](std::size_t i) {
-      return low(i) < high(i) || (i > 0 && i < proved_.size() && !are_joined(proved_[i - 1], proved_[i], rules_));
+      return low(i) < high(i) || (i > 0 && i < proved_.size() && !are_joined(i));
     };
     // Unproved loads closer to each other than an event is wide are one: what was proved in between tells nobody anything.
     std::vector<std::size_t> open;
@@ -89,7 +102,7 @@ class Follower {
         result.push_back(between(i, low(i), high(i)));
         ++next;
       }
-      if (i < proved_.size()) result.push_back({Stretch::proved, proved_[i].from, proved_[i].to, proved_[i], {}});
+      if (i < proved_.size()) result.push_back(proved_[i]);
     }
     return result;
   }
@@ -112,6 +125,30 @@ class Follower {
       return std::nullopt;
     }
     return Place{load, std::move(zero.box)};
+  }
+
+  /// Where the contact has a gap that can but close: all loads up to where it does, and what can be proved of those up to `limit`
+  /// then. The load reached; nothing where the contact is another one, or not proved.
+  std::optional<Rational> close_gap(const Place& here, const Rational& limit) {
+    const std::optional<ContactBox> full = closed_gap(problem_, here.zero);
+    if (!full) return std::nullopt;
+    const auto from = full_contact_from(problem_, *full, here.load, limit, options_.width, rules_);
+    if (!from || from->refuted == here.load) return std::nullopt;
+    const ReducedProblem at_load = problem_.for_loads(here.load, here.load);
+    ContactBox box = here.zero;
+    const Ball width = power(Ball(2), -static_cast<int>(options_.bits) / 2);
+    for (Ball& h : box.log_offsets) h = Ball::plus_or_minus(h, width);
+    KrawczykResult zero = prove_zero(at_load, box, rules_);
+    const ContactBox image = zero.box;
+    ContactProof proof = prove_signs(at_load, std::move(zero), rules_);
+    if (!proof.proved) {
+      fail(here.load, std::move(proof.reason));
+      return std::nullopt;
+    }
+    LoadInterval first{here.load, here.load, image, image, std::move(box), std::move(proof)};
+    proved_.push_back({Stretch::closing, here.load, from->refuted, std::move(first), {}});
+    if (!from->proved && from->refuted < limit) fail(limit, "whether the gap has closed is not decided");
+    return from->proved ? march({*from->proved, *full}, limit) : from->refuted;
   }
 
   /// Towards `limit`, as far as intervals are proved: the load reached.
@@ -161,9 +198,16 @@ class Follower {
       fail(load, interval.proof.reason);
       return std::nullopt;
     }
-    proved_.push_back(std::move(interval));
-    return std::pair(Place{here.load, upwards ? proved_.back().at_from : proved_.back().at_to},
-                     Place{load, upwards ? proved_.back().at_to : proved_.back().at_from});
+    std::pair zeros(Place{here.load, interval.at_from}, Place{load, interval.at_to});
+    if (!upwards) std::swap(zeros.first.zero, zeros.second.zero);
+    proved_.push_back({Stretch::proved, from, to, std::move(interval), {}});
+    return zeros;
+  }
+
+  /// The stretch i and the one before, which meet. (Of a gap that closes no box holds the zero at the last load.)
+  bool are_joined(std::size_t i) {
+    const LoadStretch& before = proved_[i - 1];
+    return before.kind == Stretch::proved && enclosure::are_joined(*before.interval, *proved_[i].interval, rules_);
   }
 
   void fail(const Rational& load, std::string reason) { failures_.push_back({load, std::move(reason)}); }
@@ -172,8 +216,8 @@ class Follower {
   LoadStretch between(std::size_t i, const Rational& low, const Rational& high) const {
     const bool inside = i > 0 && i < proved_.size();
     if (inside) {
-      const ContactBox& before = proved_[i - 1].at_to;
-      const ContactBox& after = proved_[i].at_from;
+      const ContactBox& before = proved_[i - 1].interval->at_to;
+      const ContactBox& after = proved_[i].interval->at_from;
       const bool same = seen_from(problem_, before, after.topology).has_value();
       if (low < high && !same) return {Stretch::event, low, high, {}, contact_change(problem_, before, after)};
       if (low == high) {
@@ -202,7 +246,8 @@ class Follower {
   const ContactAtLoad& contact_at_;
   LoadPathOptions options_;
   JacobiRules rules_;
-  std::vector<LoadInterval> proved_;
+  bool has_notch_ = false;
+  std::vector<LoadStretch> proved_;
   std::vector<Failure> failures_;
 };
 

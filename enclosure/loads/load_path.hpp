@@ -4,6 +4,7 @@
 //
 //   proved    one topology, one zero in a box for each load. Two proved stretches that follow each other are one branch: a
 //             single zero at their common load lies in both boxes.
+//   closing   the same of a gap that can but close (closing_gap.hpp): one branch, from a solution at the first load on.
 //   event     the contact sets on its two sides differ, both are proved, and what happens lies in between.
 //   open      anything else that is not proved, with the reason; also a single load, of width 0, at which two proved
 //             stretches meet that are two solutions there, or of which it is not known whether they are one branch.
@@ -22,12 +23,12 @@
 namespace steadyslide::enclosure {
 
 struct LoadStretch {
-  enum class Kind { proved, event, open };
+  enum class Kind { proved, closing, event, open };
 
   Kind kind;
   Rational from;  ///< loads in the user's unit
   Rational to;
-  /// Of a proved stretch.
+  /// Of a proved stretch; of a closing one the proof at its first load.
   std::optional<LoadInterval> interval;
   /// What happens in an event; why an open stretch is not proved.
   std::string words;
@@ -44,6 +45,8 @@ struct LoadPathOptions {
   Bits bits = load_interval_bits;
   /// No interval is longer than this part of its load: another program, with bounds of its own, has to decide the same signs.
   Rational longest = Rational(1, 32);
+  /// Closing gaps by intervals, too: what another program can be given to prove again.
+  bool intervals_alone = false;
 };
 
 /// Left to right, all of them in one frame. Throws InvalidData unless 0 < from < to and 0 < width.

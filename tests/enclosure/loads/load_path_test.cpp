@@ -3,6 +3,7 @@
 
 #include "enclosure/loads/load_path.hpp"
 
+#include "enclosure/loads/closing_gap.hpp"
 #include "enclosure/loads/contact_anchors.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "support/numeric_test.hpp"
@@ -22,9 +23,12 @@ std::optional<ApproximateContact> solved(const ContactProblem& problem) {
 }
 
 std::vector<LoadStretch> path(const ContactProblem& problem, const Rational& from, const Rational& to,
-                              const Rational& width = Rational(1, 1000000)) {
-  return follow_loads(problem, from, to, [&](const Rational& load) { return solved<double>(problem.with_load(load)); },
-                      {width});
+                              const Rational& width = Rational(1, 1000000), bool intervals_alone = false) {
+  LoadPathOptions options;
+  options.width = width;
+  options.intervals_alone = intervals_alone;
+  return follow_loads(
+      problem, from, to, [&](const Rational& load) { return solved<double>(problem.with_load(load)); }, options);
 }
 
 /// No holes, no overlaps, events between proved stretches alone; the words of what is not proved, in order.
@@ -36,12 +40,12 @@ std::vector<std::string> words_of(const std::vector<LoadStretch>& stretches, con
   for (std::size_t i = 0; i < stretches.size(); ++i) {
     const LoadStretch& s = stretches[i];
     if (i > 0) CHECK(s.from == stretches[i - 1].to);
-    CHECK((s.kind == Kind::proved) == s.interval.has_value());
+    CHECK((s.kind == Kind::proved || s.kind == Kind::closing) == s.interval.has_value());
     if (s.interval) {
       CHECK(s.interval->proof.proved);
       CHECK(s.from < s.to);
       CHECK(s.interval->from == s.from);
-      CHECK(s.interval->to == s.to);
+      CHECK(s.interval->to == (s.kind == Kind::closing ? s.from : s.to));
     } else {
       result.push_back(s.words);
     }
@@ -220,13 +224,45 @@ TEST_CASE("a rounded punch which may tilt comes to rest on its edges one after t
   }
 }
 
+namespace {
+
+/// By two unrelated computations: from this load on a roof of slopes 1/5 is in full contact on s = 3/80 | 3/16.
+const Rational full_contact_load = 8.308222888593932767_r;
+
+ContactProblem notch(const Rational& load, const Rational& bend = 0, const std::optional<Rational>& load_at = {}) {
+  return reduced({0.0375_r, 0.1875_r}, {0}, roof(0.2_r, -0.2_r, bend), load, load_at);
+}
+
+/// The gap closes between these loads, and at both ends of the event the solver says the same.
+void check_closing(const ContactProblem& problem, const Rational& from, const Rational& to,
+                   const Rational& width = Rational(1, 1000000)) {
+  const auto stretches = path(problem, from, to, width);
+  const auto words = words_of(stretches, from, to);
+  REQUIRE(words.size() == 1);
+  CHECK_MESSAGE(words.front().starts_with("the gap closes over the wedge at x = "), words.front());
+  REQUIRE(stretches.size() >= 3);
+  CHECK(stretches[0].kind == Kind::closing);
+  const LoadStretch& event = stretches[1];
+  CHECK(event.kind == Kind::event);
+  CHECK(is_narrow(event, width));
+  CHECK(solved<double>(problem.with_load(event.to))->ends.size() == 2);
+  Rational before = 1;
+  for (const int thirds : {0, 1, 2}) {
+    const auto contact = solved<double>(problem.with_load(from + (event.from - from) * Rational(thirds, 3)));
+    REQUIRE(contact);
+    REQUIRE(contact->ends.size() == 4);
+    CHECK(contact->ends[1].offset < before);
+    before = contact->ends[1].offset;
+  }
+}
+
+}  // namespace
+
 TEST_CASE("a notch over a rising jump: full contact is proved from the threshold on, a gap for loads below it") {
-  // By two unrelated computations.
-  const Rational threshold = 8.308222888593932767_r;
-  const ContactProblem problem = reduced({0.0375_r, 0.1875_r}, {0}, roof(0.2_r, -0.2_r), threshold);
+  const ContactProblem problem = notch(full_contact_load);
   const ApproximateContact everywhere{{{-1}, {1}}};
   const auto full = [&](const Rational& from, const Rational& to) {
-    return prove_loads(problem, everywhere, threshold * from, threshold * to).proof.proved;
+    return prove_loads(problem, everywhere, full_contact_load * from, full_contact_load * to).proof.proved;
   };
   CHECK(full(1.000001_r, 1.01_r));
   CHECK_FALSE(full(0.999999_r, 1.01_r));
@@ -239,6 +275,87 @@ TEST_CASE("a notch over a rising jump: full contact is proved from the threshold
   CHECK_MESSAGE(interval.proof.proved, interval.proof.reason);
   CHECK(holds_solution(interval, *solved<Real50>(problem.with_load(1.9985_r))));
   CHECK_FALSE(holds_solution(interval, *solved<Real50>(problem.with_load(2.01_r))));
+}
+
+TEST_CASE("the gap of a notch closes at the load that is known") {
+  check_closing(notch(1), 3, 10);
+  const auto stretches = path(notch(1), 2, 9);
+  CHECK(is_between(static_cast<double>(full_contact_load), events(stretches).at(0)));
+  // Below it all is one branch; by intervals, too.
+  const Rational below = full_contact_load * (1 - Rational(1, 1000000000));
+  CHECK(words_of(path(notch(1), 2, below), 2, below).empty());
+  const auto by_intervals = path(notch(1), 2, 2.004_r, Rational(1, 1000000), true);
+  CHECK(words_of(by_intervals, 2, 2.004_r).empty());
+  CHECK(by_intervals.front().kind == Kind::proved);
+  // A range may end within what would be the event: it is narrower then. Of the threshold's own digits nothing is said.
+  const Rational above = full_contact_load * (1 + Rational(1, 1000000000));
+  CHECK(is_narrow(events(path(notch(1), 2, above)).at(0), Rational(1, 500000000)));
+  CHECK(words_of(path(notch(1), above, 9), above, 9).empty());
+  const auto undecided = path(notch(1), 2, full_contact_load);
+  CHECK(words_of(undecided, 2, full_contact_load) ==
+        std::vector<std::string>{"whether the gap has closed is not decided"});
+  CHECK(is_narrow(undecided.back(), Rational(1, 1000000000000)));
+}
+
+TEST_CASE("which gaps can but close") {
+  const auto closes = [](const ContactProblem& problem, const ApproximateContact& contact) {
+    const ReducedProblem reduced(problem, frame_of(problem, contact));
+    const ContactStart start(reduced, contact);
+    REQUIRE(start.topology.fault(reduced).empty());
+    const auto full = closed_gap(reduced, start.box(64));
+    if (full) CHECK(full->topology == ContactStart(reduced, {{{-1}, {1}}}).topology);
+    return full.has_value();
+  };
+  const ApproximateContact::End left{0, Side::left, 0.01_r, true}, right{0, Side::right, 0.02_r, true};
+  const ApproximateContact gap{{{-1}, left, right, {1}}};
+  CHECK(closes(notch(1), gap));
+  CHECK(closes(notch(1, 0.1_r), gap));
+  CHECK_FALSE(closes(notch(1, -0.1_r), gap));
+  CHECK_FALSE(closes(notch(1, 0, 0.01_r), gap));
+  CHECK_FALSE(closes(notch(1), {{{-1}, {1}}}));
+  CHECK_FALSE(closes(notch(1), {{{-1, Side::right, 0.1_r, true}, left, right, {1}}}));
+  CHECK_FALSE(closes(notch(1), {{{-1}, left}}));
+  const Indenter stepped(-1, {{0, Polynomial({0, 0.2_r})}, {1, Polynomial({0.1_r, -0.2_r})}});
+  CHECK_FALSE(closes(reduced({0.1_r, 0.2_r}, {0}, stepped, 1), gap));
+  // Flanks that are convex beside the wedge alone: (x/2)^3 - x/2 there, and its mirror image.
+  const Indenter cubic(-1,
+                       {{0, Polynomial({0, 0.5_r, 0.1_r, 0.125_r})}, {1, Polynomial({0, -0.5_r, 0.1_r, -0.125_r})}});
+  CHECK(closes(reduced({0.1_r, 0.2_r}, {0}, cubic, 1), gap));
+  CHECK_FALSE(closes(reduced({0.1_r, 0.2_r}, {0}, cubic, 1), {{{-1}, {0, Side::left, 0.4_r, true}, right, {1}}}));
+
+  // Full contact that does not pull where the loads begin says nothing of a gap.
+  const ReducedProblem problem(notch(1), {0, 2});
+  const ContactBox full = ContactStart(problem, {{{-1}, {1}}}).box(64);
+  JacobiRules rules(64);
+  CHECK_FALSE(full_contact_from(problem, full, full_contact_load * 1.001_r, 9, 0.001_r, rules));
+  const auto from = full_contact_from(problem, full, 2, 9, 0.001_r, rules);
+  REQUIRE(from);
+  CHECK(from->refuted < full_contact_load);
+  CHECK(full_contact_load < from->proved.value());
+  CHECK_FALSE(full_contact_from(problem, full, 2, 8, 0.001_r, rules)->proved);
+}
+
+TEST_CASE("slow: notches close on other coatings, with other jumps and flanks, or never" * doctest::skip()) {
+  const auto on = [](std::vector<Rational> s, std::vector<Rational> jumps, const Indenter& indenter) {
+    return reduced(std::move(s), jumps, indenter, 1);
+  };
+  check_closing(on({0.05_r, 0.3_r}, {0}, roof(0.2_r, -0.2_r)), 1, 9);
+  check_closing(on({0.05_r, 0.3_r}, {0}, roof(0.2_r, -0.1_r)), 1, 9);
+  check_closing(on({0.05_r, 0.3_r}, {0}, roof(0.2_r, -0.2_r, 0.05_r)), 1, 9);
+  check_closing(on({0.3_r, 0.05_r, 0.6_r, 0.7_r}, {-0.5_r, 0, 0.3_r}, roof(0.2_r, -0.2_r)), 1, 20,
+                Rational(1, 100000000));
+  // Where friction falls, or is constant, no load closes the gap.
+  for (const ContactProblem& problem :
+       {on({0.3_r, 0.1_r}, {0}, roof(0.2_r, -0.2_r)), on({0.3_r}, {}, roof(0.2_r, -0.2_r))}) {
+    const auto stretches = path(problem, 1, 50);
+    CHECK(words_of(stretches, 1, 50).empty());
+    CHECK(stretches.size() == 1);
+  }
+  // A range that begins beside the event.
+  const Rational below = full_contact_load * (1 - Rational(1, 10000000));
+  const auto stretches = path(notch(1), below, 9);
+  CHECK(words_of(stretches, below, 9) == std::vector<std::string>{"the gap closes over the wedge at x = 0"});
+  CHECK(is_narrow(events(stretches).at(0)));
 }
 
 TEST_CASE("slow: random problems are followed over loads, and the solver's contact is in the boxes" * doctest::skip()) {
