@@ -17,6 +17,9 @@
 //
 //   s_eff(alpha) + s_eff(-alpha) = (2/pi) int_1^oo (cosh A - cosh B) dx/sqrt(x^2-1).
 //
+// Two equal halves have A - B = (alpha_1 - alpha_2) log(x^2/(x^2-1)) and A + B = (alpha_1 + alpha_2) log((x+1)/(x-1)): the rougher
+// one at the rear has more friction, whatever s >= 0. To first order it is (4 G/pi^2) (s_1^2 - s_2^2), G Catalan's constant.
+//
 // Computed by the trapezoidal rule in log(x-1): all singular points of the integrand lie on Im = +-pi, wherever friction
 // jumps, so that the error falls like e^(-2 pi^2/h) for every layout. What is left of the first and right of the last node
 // are geometric series, which are summed. No term of s_eff or w cancels another where s has one sign.
