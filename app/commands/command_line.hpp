@@ -84,6 +84,7 @@ struct Command {
 Command exponents_command();
 Command table_command();
 Command solve_command();
+Command design_command();
 Command verify_command();
 Command figures_command();
 Command report_command();

@@ -208,23 +208,24 @@ class IndenterReader {
   std::size_t cost_ = 0;
 };
 
-}  // namespace
-
-Problem parse_problem(std::string_view text, const std::string& name) {
+/// `whole`: load and friction are required.
+Punch parse(std::string_view text, const std::string& name, bool whole) {
   const Value root = parse_document(text, name);
   const ProblemReader reader(root, name);
   reader.check_keys("", {"load", "load_at", "sliding", "half_space", "friction", "indenter"});
-  const Rational load = reader.number("load", "a problem has a load");
+  const bool has_load = whole || reader.find("load") != nullptr;
+  const bool has_friction = whole || reader.find("friction") != nullptr;
+  const Rational load = has_load ? reader.number("load", "a problem has a load") : Rational(1);
   const std::optional<Rational> load_at = reader.number_if_any("load_at");
   const auto sliding =
       reader.choice<Sliding>("sliding", "unknown direction", {"+x", Sliding::plus_x}, {"-x", Sliding::minus_x});
   Elasticity elasticity = read_elasticity(reader);
-  FrictionProfile friction = read_friction(reader);
+  FrictionProfile friction = has_friction ? read_friction(reader) : FrictionProfile({0});
   ReadIndenter indenter = IndenterReader(reader, name).read();
   try {
-    return {
-        ContactProblem(std::move(elasticity), std::move(friction), std::move(indenter.shape), load, sliding, load_at),
-        name, std::move(indenter.measured)};
+    ContactProblem contact(std::move(elasticity), std::move(friction), std::move(indenter.shape), load, sliding,
+                           load_at);
+    return {{std::move(contact), name, std::move(indenter.measured)}, has_friction};
   } catch (const InvalidData& invalid) {
     // The model knows pieces; a file with samples has none.
     const bool of_samples = indenter.measured && invalid.field() == "indenter.pieces";
@@ -232,6 +233,12 @@ Problem parse_problem(std::string_view text, const std::string& name) {
   }
 }
 
+}  // namespace
+
+Problem parse_problem(std::string_view text, const std::string& name) { return parse(text, name, true).problem; }
+
 Problem read_problem(const std::string& name) { return parse_problem(read_input(name, "a problem file"), name); }
+
+Punch read_punch(const std::string& name) { return parse(read_input(name, "a problem file"), name, false); }
 
 }  // namespace steadyslide::app

@@ -31,4 +31,11 @@ Problem parse_problem(std::string_view text, const std::string& name);
 /// Reads a file, or the standard input for "-". Throws Failure.
 Problem read_problem(const std::string& name);
 
+/// A problem file whose load and friction do not matter and may be left out: 1, and no friction.
+struct Punch {
+  Problem problem;
+  bool has_friction;
+};
+Punch read_punch(const std::string& name);
+
 }  // namespace steadyslide::app

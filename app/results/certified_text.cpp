@@ -2,6 +2,7 @@
 
 #include "app/results/certificate.hpp"
 #include "enclosure/contact/enclosed_solution.hpp"
+#include "enclosure/contact/punch_core.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -60,6 +61,9 @@ class CertifiedWriter {
     text_.load_share.clear();
     for (const Ball& share : resultants.load_share) text_.load_share.push_back(number(share));
     if (const std::optional<Ball> tilt = solution_.tilt()) text_.tilt = number(*tilt);
+    if (const auto core = enclosure::punch_core(problem_, resultants.normal.bits())) {
+      text_.core = LimitText{number(core->left), number(core->right)};
+    }
 
     text_.samples.clear();
     for (const Rational& x : places) text_.samples.push_back(sample(x));

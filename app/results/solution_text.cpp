@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "numeric/flat_punch/punch_core.hpp"
+
 namespace steadyslide::app {
 namespace {
 
@@ -149,6 +151,9 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
   text.effective_friction = writer.text(resultants.effective_friction);
   for (const Estimate<R>& share : resultants.load_share) text.load_share.push_back(writer.text(share));
   if (const auto tilt = solution.tilt()) text.tilt = writer.text(*tilt);
+  if (const auto core = numeric::punch_core<R>(problem.contact)) {
+    text.core = LimitText{number_text(core->left, wanted.digits), number_text(core->right, wanted.digits)};
+  }
 
   for (const Rational& x : wanted.at)
     text.samples.push_back(writer.sample(full_number(x, wanted.digits), solution.at(x)));

@@ -84,6 +84,7 @@ struct SolutionText {
   std::vector<SingularText> singular_points;
   NumberText normal, tangential, centre_of_pressure, effective_friction;
   std::optional<NumberText> tilt;  ///< absent unless the indenter may tilt
+  std::optional<LimitText> core;   ///< of a flat punch: where the load may act in full contact, if it may tilt
   std::vector<NumberText> load_share;
   std::vector<SampleText> samples;
   std::vector<NamedSize> errors;  ///< estimated, relative; proved where the solution is

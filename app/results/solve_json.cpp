@@ -101,7 +101,9 @@ Json resultants_json(const SolutionText& solution) {
   Json json = with(Json(), "normal", solution.normal, "tangential", solution.tangential, "centre_of_pressure",
                    solution.centre_of_pressure, "effective_friction", solution.effective_friction, "load_share",
                    solution.load_share);
-  return solution.tilt ? with(std::move(json), "tilt", *solution.tilt) : json;
+  if (solution.tilt) add(json, "tilt", *solution.tilt);
+  if (solution.core) add(json, "core", *solution.core);
+  return json;
 }
 
 Json sample_json(const SampleText& sample) {

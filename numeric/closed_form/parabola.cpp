@@ -86,9 +86,27 @@ ParabolaZone<R> parabola_zone(const std::vector<Rational>& s, const std::vector<
   }
 }
 
-template ParabolaZone<double> parabola_zone(const std::vector<Rational>&, const std::vector<Rational>&, const double&);
-template ParabolaZone<Real50> parabola_zone(const std::vector<Rational>&, const std::vector<Rational>&, const Real50&);
-template ParabolaZone<Real100> parabola_zone(const std::vector<Rational>&, const std::vector<Rational>&,
-                                             const Real100&);
+template <Real R>
+ParabolaSums<R> parabola_sums(const std::vector<Rational>& s, const std::vector<Rational>& jumps, const R& a,
+                              const R& b) {
+  ParabolaSums<R> sums{(a + b) / 2, (a * a + b * b) / 2};
+  for (std::size_t k = 0; k < s.size(); ++k) {
+    const R left = k == 0 ? a : std::clamp(to_real<R>(jumps[k - 1]), a, b);
+    const R right = k + 1 == s.size() ? b : std::clamp(to_real<R>(jumps[k]), a, b);
+    const R part = to_real<R>(Exponent::angle(s[k])) * (right - left);
+    sums.mean += part;
+    sums.squares += part * (left + right);
+  }
+  return sums;
+}
+
+#define STEADYSLIDE_INSTANTIATE(R)                                                                              \
+  template ParabolaZone<R> parabola_zone(const std::vector<Rational>&, const std::vector<Rational>&, const R&); \
+  template ParabolaSums<R> parabola_sums(const std::vector<Rational>&, const std::vector<Rational>&, const R&,  \
+                                         const R&);
+STEADYSLIDE_INSTANTIATE(double)
+STEADYSLIDE_INSTANTIATE(Real50)
+STEADYSLIDE_INSTANTIATE(Real100)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -231,3 +231,32 @@ TEST_CASE("the stress map reaches the tractions at the surface") {
     CHECK(map.values[i] == doctest::Approx(stress.von_mises()->value).epsilon(1e-4));
   }
 }
+
+TEST_CASE("layouts of coatings are those of solve and of design, and the order is that of the last periods") {
+  const Figure& figure = made("coating-layouts");
+  const std::vector<Series>& curves = figure.panels[0].series;
+  REQUIRE(curves.size() == 8);
+  for (const std::size_t k : {0, 1, 2, 3}) {
+    const Point& p = curves[2 * k].points[60];
+    const std::string friction = k < 2 ? "0.5, 0.1, 0.5" : "0.1, 0.5, 0.1";
+    const Given given{"0.2", friction, fmt::format("\"{:.17g}\", \"{:.17g}\"", p.x - 0.5, p.x + 0.5),
+                      "0",   "1",      k % 2 == 0 ? "+x" : "-x"};
+    CHECK(value_after(answer(given), "effective friction") == doctest::Approx(p.y).epsilon(1e-9));
+    for (const Point& marked : curves[2 * k + 1].points) {
+      const Point& line = curves[2 * k].points[static_cast<std::size_t>(std::lround(100 * marked.x)) + 49];
+      CHECK(marked.y == doctest::Approx(line.y).epsilon(0.01));
+    }
+  }
+  const std::vector<Guide>& extremes = figure.panels[0].guides;
+  for (const Point& p : curves[0].points) CHECK(p.y <= extremes[0].from.y + 1e-12);
+  for (const Point& p : curves[4].points) CHECK(p.y >= extremes[1].from.y - 1e-12);
+  CHECK(extremes[0].from.y == doctest::Approx(0.367149).epsilon(1e-6));
+  CHECK(extremes[1].from.y == doctest::Approx(0.231489).epsilon(2e-6));
+  for (const std::size_t k : {0, 2}) {
+    const std::vector<Point>& marks = figure.panels[1].series[k].points;
+    const std::vector<Point>& line = figure.panels[1].series[k + 1].points;
+    const double order = std::log(line[0].y / line[1].y) / std::log(line[1].x / line[0].x);
+    CHECK(order == doctest::Approx(0.5 - std::atan(2) / (2 * std::numbers::pi)));
+    CHECK(std::abs(std::log2(marks[marks.size() - 2].y / marks.back().y) - order) < 0.02);
+  }
+}

@@ -1,5 +1,6 @@
 #include "numeric/closed_form/parabola.hpp"
 #include "numeric/closed_form/closed_form.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "support/numeric_test.hpp"
 #include "support/problems.hpp"
 
@@ -108,5 +109,21 @@ TEST_CASE("where no closed form applies, the reason is given") {
     const ContactProblem problem(c.elasticity, FrictionProfile({0.5_r}), c.indenter, c.load, Sliding::plus_x,
                                  c.load_at);
     CHECK(closed_form<double>(problem).reason == c.reason);
+  }
+}
+
+TEST_CASE("the ends that the solver finds fulfil the two sums, and moved ends do not") {
+  for (const auto& [s, jumps] : {std::pair(std::vector{0.1_r, 0.6_r}, std::vector{0_r}),
+                                 {std::vector{0.6_r, 0.1_r}, std::vector{0_r}},
+                                 {std::vector{0.3_r, 2_r, 0_r, 1_r}, std::vector{-0.2_r, 0.05_r, 0.1_r}}}) {
+    const auto solution = riemann_hilbert<double>(galin(s, jumps, 0.2_r, 1)).solution;
+    const auto ends = solution->contact().front();
+    const auto [mean, squares] = parabola_sums<double>(s, jumps, ends.left.x.value, ends.right.x.value);
+    const double K = 2 * 0.2 / std::numbers::pi;
+    CHECK(std::abs(mean) < 1e-13);
+    CHECK(std::abs(squares - K) < 1e-13);
+    const auto moved = parabola_sums<double>(s, jumps, ends.left.x.value, ends.right.x.value + 1e-6);
+    CHECK(std::abs(moved.mean) > 1e-8);
+    CHECK(std::abs(moved.squares - K) > 1e-8);
   }
 }

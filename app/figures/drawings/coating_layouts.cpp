@@ -1,0 +1,115 @@
+// The effective friction of a flat punch against where its two coatings lie: one interval of the one inside the other, and
+// ever finer alternation.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/figures/solved.hpp"
+#include "numeric/flat_punch/extreme_layout.hpp"
+#include "numeric/flat_punch/fine_mixture.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+using numeric::EffectiveFriction;
+using numeric::FrictionLayout;
+
+const Rational nu(1, 5);
+const Rational low(1, 10);
+const Rational high(1, 2);
+
+/// `inner` on a half of the contact, between the places c - 1/2 and c + 1/2, `outer` on the rest.
+ContactProblem sandwich(const Rational& outer, const Rational& inner, const Rational& c, Sliding sliding) {
+  const Rational half_width(1, 2);
+  return flat_punch(nu, {outer, inner, outer}, {c - half_width, c + half_width}, sliding);
+}
+
+double effective(const ContactProblem& problem) {
+  const auto layout = FrictionLayout<double>::of(problem);
+  const Rational coupling = problem.coupled_friction(0) / problem.friction().values()[0];
+  return EffectiveFriction<double>(layout).value().value / numeric::to_real<double>(coupling);
+}
+
+/// Lines by the integral over the free surface, marks by the solver on cells.
+void add_curves(Panel& panel, const Rational& outer, const Rational& inner, const std::string& legend) {
+  for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {
+    const int style = static_cast<int>(panel.series.size() / 2) + 1;
+    Series line{legend + (sliding == Sliding::plus_x ? ", to the right" : ", to the left"), Look::line, style, {}};
+    Series marks{"", Look::marks, style, {}};
+    for (int i = -49; i <= 49; ++i) {
+      const Rational c(i, 100);
+      const ContactProblem problem = sandwich(outer, inner, c, sliding);
+      const auto x = numeric::to_real<double>(c);
+      line.points.push_back({x, effective(problem)});
+      if (i % 14 != 0) continue;
+      marks.points.push_back({x, solved_on_cells(problem, 1000)->resultants().effective_friction.value});
+    }
+    panel.series.push_back(std::move(line));
+    panel.series.push_back(std::move(marks));
+  }
+}
+
+Panel by_place() {
+  Panel panel{{0.085, 0.49, 0.27, 0.9},
+              {"middle of the inner half {/:Italic c} / {/:Italic L}", -0.5, 0.5, false, 0.25},
+              {"effective friction {/:Italic T}/{/:Italic P}", 0.2, 0.4, false, 0.05}};
+  panel.legend = LegendAt::below;
+  add_curves(panel, high, low, "rough outside");
+  add_curves(panel, low, high, "rough inside");
+  return panel;
+}
+
+/// |s_eff - limit| of N periods, and the derived order through the last of them.
+Panel by_periods(const std::vector<Rational>& s) {
+  Panel panel{{0.585, 0.985, 0.27, 0.9},
+              {"periods {/:Italic N} (number)", 1, 2000, true},
+              {"distance from the limit (of {/:Italic s}_{eff})", 0.01, 1, true}};
+  panel.legend = LegendAt::below;
+  const std::vector<Rational> shares(2, Rational(1, 2));
+  for (const bool rough_is_rear : {true, false}) {
+    const std::vector<Rational> order = rough_is_rear ? std::vector{s[1], s[0]} : s;
+    const auto [limit, power] = numeric::fine_mixture<double>(shares, order);
+    const int style = rough_is_rear ? 1 : 2;
+    Series marks{rough_is_rear ? "rough at the rear edge" : "smooth at the rear edge", Look::marks, style, {}};
+    for (int n = 1; n <= 1024; n *= 2) {
+      const auto layout = FrictionLayout<double>::periodic(shares, order, n);
+      marks.points.push_back({double(n), std::abs(EffectiveFriction<double>(layout).value().value - limit.value)});
+    }
+    const auto [n, error] = marks.points.back();
+    Series line{fmt::format("order {:.3f}", power), Look::line, style, {}};
+    for (const double at : {1.0, n}) line.points.push_back({at, error * std::pow(n / at, power)});
+    panel.series.push_back(std::move(marks));
+    panel.series.push_back(std::move(line));
+  }
+  return panel;
+}
+
+}  // namespace
+
+Figure make_coating_layouts() {
+  const Rational gamma = flat_punch(nu, {low}).elasticity().gamma();
+  const auto g = numeric::to_real<double>(gamma);
+  const double largest = numeric::extreme_layout<double>(gamma * high, gamma * low, {1, 2}).s_eff.value / g;
+  const double smallest = numeric::extreme_layout<double>(gamma * low, gamma * high, {1, 2}).s_eff.value / g;
+  Panel place = by_place();
+  for (const double value : {largest, smallest}) place.guides.push_back({{-0.5, value}, {0.5, value}});
+  place.notes = {{{0.5, 0.94, true, true}, "{/:Italic f} = 0.1 and 0.5, half and half", Align::centre}};
+  Panel periods = by_periods({0, 2});
+  periods.notes = {{{0.96, 0.94, true, true}, "{/:Italic s} = 0 and 2, half and half", Align::right}};
+  return {
+      "coating-layouts",
+      "Effective friction of two coatings in other layouts",
+      fmt::format(
+          "Tangential over normal force of a flat punch half of which carries each coating. Left, `nu = 1/5`: one "
+          "coating on an interval inside the other, against the interval's place, for both directions of sliding; "
+          "lines by the integral over the free surface, marks by the solver on 1000 cells. No layout leaves the range "
+          "between the thin lines, {:.6f} to {:.6f}, sliding to the right. Right: how far `N` periods of two strips "
+          "with `s = 0` and `s = 2` are from the limit of fine mixtures, `tan(pi a)`, `a` the mean of `alpha`, with "
+          "the derived order `1/2 - a`.",
+          smallest, largest),
+      460,
+      {place, periods}};
+}
+
+}  // namespace steadyslide::app
