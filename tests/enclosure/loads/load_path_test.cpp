@@ -9,10 +9,9 @@
 #include "support/problems.hpp"
 #include "support/random_contact.hpp"
 
-namespace {
+namespace steadyslide::enclosure {
 
-using namespace steadyslide::enclosure;
-using Kind = LoadStretch::Kind;
+namespace {
 
 template <class R>
 std::optional<ApproximateContact> solved(const ContactProblem& problem) {
@@ -36,7 +35,7 @@ std::vector<std::string> words_of(const std::vector<LoadStretch>& stretches, con
   for (std::size_t i = 0; i < stretches.size(); ++i) {
     const LoadStretch& s = stretches[i];
     if (i > 0) CHECK(s.from == stretches[i - 1].to);
-    CHECK((s.kind == Kind::proved) == s.interval.has_value());
+    CHECK((s.kind == LoadStretch::Kind::proved) == s.interval.has_value());
     if (s.interval) {
       CHECK(s.interval->proof.proved);
       CHECK(s.from < s.to);
@@ -45,7 +44,7 @@ std::vector<std::string> words_of(const std::vector<LoadStretch>& stretches, con
     } else {
       result.push_back(s.words);
     }
-    if (s.kind == Kind::event) {
+    if (s.kind == LoadStretch::Kind::event) {
       REQUIRE((i > 0 && i + 1 < stretches.size()));
       CHECK(stretches[i - 1].interval);
       CHECK(stretches[i + 1].interval);
@@ -57,7 +56,7 @@ std::vector<std::string> words_of(const std::vector<LoadStretch>& stretches, con
 std::vector<LoadStretch> events(const std::vector<LoadStretch>& stretches) {
   std::vector<LoadStretch> result;
   for (const LoadStretch& s : stretches) {
-    if (s.kind == Kind::event) result.push_back(s);
+    if (s.kind == LoadStretch::Kind::event) result.push_back(s);
   }
   return result;
 }
@@ -253,7 +252,7 @@ TEST_CASE("slow: random problems are followed over loads, and the solver's conta
     const auto stretches = path(problem, from, to, 0.001_r);
     words_of(stretches, from, to);
     for (const LoadStretch& s : stretches) {
-      if (s.kind == Kind::open) MESSAGE(i << ": " << s.words);
+      if (s.kind == LoadStretch::Kind::open) MESSAGE(i << ": " << s.words);
       if (!s.interval) continue;
       proved += (s.to - s.from) / (to - from);
       const auto contact = solved<Real50>(problem.with_load((2 * s.from + s.to) / 3));
@@ -262,3 +261,5 @@ TEST_CASE("slow: random problems are followed over loads, and the solver's conta
   }
   CHECK(proved > 0.9_r * solved_problems);
 }
+
+}  // namespace steadyslide::enclosure
