@@ -32,7 +32,7 @@ function(steadyslide_compile_options target)
   endif()
 endfunction()
 
-# Code that is compiled more often than it runs: the time goes into the numeric layer's loops, which it calls.
+# Code whose time goes into what it calls: the numeric layer's loops, GMP, Arb, GiNaC.
 function(steadyslide_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
