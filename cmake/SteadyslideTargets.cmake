@@ -3,7 +3,6 @@
 # steadyslide_library(<layer> SOURCES ... [PUBLIC libs...] [PRIVATE libs...])
 # steadyslide_executable(<name> SOURCES ... LIBRARIES ...)
 # steadyslide_compile_quickly(<target>)
-# steadyslide_compile_apart(<target>)
 # steadyslide_precompile(<target> HEADERS ...), steadyslide_precompile(<target> LIKE <other target>)
 # Every target of the project is made here, so that warnings and sanitizers are said once and reach no consumer.
 
@@ -33,14 +32,9 @@ function(steadyslide_compile_options target)
   endif()
 endfunction()
 
-# Code that is compiled more often than it runs: the time goes into the numeric layer's loops, which it calls.
+# Code whose time goes into what it calls: the numeric layer's loops, GMP, Arb, GiNaC.
 function(steadyslide_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-endfunction()
-
-# Suites whose sources use names of several layers, each its own.
-function(steadyslide_compile_apart target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
 endfunction()
 
 # Boost.Multiprecision alone takes two seconds a file to read. Precompiled are headers of other projects and never our own.

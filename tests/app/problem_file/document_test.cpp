@@ -5,7 +5,7 @@ using namespace steadyslide::app;
 
 namespace {
 
-std::string message_of(std::string_view text) {
+std::string document_error(std::string_view text) {
   return thrown_by([&] { parse_document(text, "f"); });
 }
 
@@ -38,24 +38,25 @@ TEST_CASE("a decimal is the shortest that gives the same double") {
 TEST_CASE("what would exhaust the parser is refused before") {
   std::string dotted = "a";
   for (int k = 0; k < 32; ++k) dotted += ".a";
-  CHECK(message_of(dotted + " = 1") == "no error");
-  CHECK(message_of("\n" + dotted + ".a = 1") == "f:2: key too deep; a key has at most 32 parts; more");
-  CHECK(message_of("a = " + std::string(32, '[') + std::string(32, ']')) == "no error");
-  CHECK(message_of("a = " + std::string(33, '[')) == "f:1: nested too deep; brackets nest at most 32 deep; more");
+  CHECK(document_error(dotted + " = 1") == "no error");
+  CHECK(document_error("\n" + dotted + ".a = 1") == "f:2: key too deep; a key has at most 32 parts; more");
+  CHECK(document_error("a = " + std::string(32, '[') + std::string(32, ']')) == "no error");
+  CHECK(document_error("a = " + std::string(33, '[')) == "f:1: nested too deep; brackets nest at most 32 deep; more");
   std::string many = "a = [";
   for (int k = 0; k < 200000; ++k) many += "1,\n";
-  CHECK(message_of(many + "]") == "f:199999: too many values; a problem file has at most 200000 keys and values; more");
+  CHECK(document_error(many + "]") ==
+        "f:199999: too many values; a problem file has at most 200000 keys and values; more");
 }
 
 TEST_CASE("dots, brackets and commas in strings and comments do not count") {
   const std::string dots(100, '.');
   const std::string brackets(100, '[');
-  CHECK(message_of("a = '" + dots + brackets + "'") == "no error");
-  CHECK(message_of("a = \"\\\"" + dots + brackets + "\"") == "no error");
-  CHECK(message_of("# it's " + dots + brackets + "\na = 1") == "no error");
-  CHECK(message_of("a = \"\"\"\n'\\\"\"\"" + dots + brackets + "\"\"\"") == "no error");
-  CHECK(message_of("a = '''\n\"" + dots + brackets + "'''") == "no error");
-  CHECK(message_of("a = '" + dots + "'\nb = " + std::string(33, '[')) ==
+  CHECK(document_error("a = '" + dots + brackets + "'") == "no error");
+  CHECK(document_error("a = \"\\\"" + dots + brackets + "\"") == "no error");
+  CHECK(document_error("# it's " + dots + brackets + "\na = 1") == "no error");
+  CHECK(document_error("a = \"\"\"\n'\\\"\"\"" + dots + brackets + "\"\"\"") == "no error");
+  CHECK(document_error("a = '''\n\"" + dots + brackets + "'''") == "no error");
+  CHECK(document_error("a = '" + dots + "'\nb = " + std::string(33, '[')) ==
         "f:2: nested too deep; brackets nest at most 32 deep; more");
 }
 
@@ -72,21 +73,21 @@ TEST_CASE("characters beyond ASCII stay what they are in strings, are free in co
   CHECK(root.find("a")->value.text == "→ é 😀 \" é");
   CHECK(root.find("b")->value.text == "é é");
   const std::string rule = "; characters beyond ASCII stand in comments and in \"strings\"; ";
-  CHECK(message_of("\n é = 1") == "f:2: unexpected character" + rule + "'é'");
-  CHECK(message_of("a = 1\"é\"") != "no error");
-  CHECK(message_of("a = 'é'") == "f:1: unexpected character" + rule + "'é'");
-  CHECK(message_of("a = \"\\é\"") == "f:1: unexpected character" + rule + "'é'");
-  CHECK(message_of("# \xff") == "f:1: not UTF-8; a problem file is encoded in UTF-8; '\\xff'");
-  CHECK(message_of("a = \"\n\xc3\"") == "f:2: not UTF-8; a problem file is encoded in UTF-8; '\\xc3'");
+  CHECK(document_error("\n é = 1") == "f:2: unexpected character" + rule + "'é'");
+  CHECK(document_error("a = 1\"é\"") != "no error");
+  CHECK(document_error("a = 'é'") == "f:1: unexpected character" + rule + "'é'");
+  CHECK(document_error("a = \"\\é\"") == "f:1: unexpected character" + rule + "'é'");
+  CHECK(document_error("# \xff") == "f:1: not UTF-8; a problem file is encoded in UTF-8; '\\xff'");
+  CHECK(document_error("a = \"\n\xc3\"") == "f:2: not UTF-8; a problem file is encoded in UTF-8; '\\xc3'");
 }
 
 TEST_CASE("arbitrary text gives a document or a failure") {
-  REQUIRE(rc::check([](const std::string& text) { RC_ASSERT(message_of(text) != ""); }));
+  REQUIRE(rc::check([](const std::string& text) { RC_ASSERT(document_error(text) != ""); }));
   const std::string alphabet = "a.=[]{}\"'#,1\n\\ -";
   REQUIRE(rc::check([&] {
     const auto indices = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, static_cast<int>(alphabet.size())));
     std::string text;
     for (const int k : indices) text += k % 8 == 7 ? "é" : std::string(1, alphabet[static_cast<std::size_t>(k)]);
-    RC_ASSERT(message_of(text) != "");
+    RC_ASSERT(document_error(text) != "");
   }));
 }

@@ -6,7 +6,7 @@ using namespace steadyslide::app;
 
 namespace {
 
-std::string message_of(std::string_view text, std::size_t most = 100) {
+std::string list_error(std::string_view text, std::size_t most = 100) {
   return thrown_by([&] { parse_list("--rear", text, most); });
 }
 
@@ -24,10 +24,10 @@ TEST_CASE("lists are exact and inclusive") {
 
 TEST_CASE("bad lists say what is wrong") {
   for (const auto& [text, message] : pairs_of(STEADYSLIDE_TESTS "/app/problem_file/list_errors.txt")) {
-    CHECK(message_of(text) == "command line: --rear: " + message);
+    CHECK(list_error(text) == "command line: --rear: " + message);
   }
-  CHECK(message_of("") == "command line: --rear: not a number; a number is written like 2, -0.25, 1e-3 or 1/3; ''");
-  CHECK(message_of("1,2,3", 2) == "command line: --rear: list too long; there are at most 2 entries; '1,2,3'");
+  CHECK(list_error("") == "command line: --rear: not a number; a number is written like 2, -0.25, 1e-3 or 1/3; ''");
+  CHECK(list_error("1,2,3", 2) == "command line: --rear: list too long; there are at most 2 entries; '1,2,3'");
 }
 
 TEST_CASE("a range has as many entries as fit") {

@@ -13,7 +13,7 @@ Polynomial parse(std::string_view text) {
   return parse_polynomial(text, budget);
 }
 
-std::string message_of(std::string_view text) {
+std::string polynomial_error(std::string_view text) {
   return thrown_by([&] { parse(text); });
 }
 
@@ -33,21 +33,21 @@ TEST_CASE("the grammar") {
 TEST_CASE("every error says its place") {
   const auto errors = pairs_of(STEADYSLIDE_TESTS "/app/problem_file/polynomial_errors.txt");
   CHECK(errors.size() >= 16);
-  for (const auto& [text, message] : errors) CHECK(message_of(text) == message);
-  CHECK(message_of("") == "missing value at character 1; expected a number, x or (; ''");
-  CHECK(message_of(std::string_view("x\0", 2)) ==
+  for (const auto& [text, message] : errors) CHECK(polynomial_error(text) == message);
+  CHECK(polynomial_error("") == "missing value at character 1; expected a number, x or (; ''");
+  CHECK(polynomial_error(std::string_view("x\0", 2)) ==
         "unexpected character at character 2; expected +, -, *, /, ^ or the end; 'x\\x00'");
 }
 
 TEST_CASE("nothing blows up") {
   const auto start = std::chrono::steady_clock::now();
-  CHECK(message_of("(((1e400)^64)^64)^64") ==
+  CHECK(polynomial_error("(((1e400)^64)^64)^64") ==
         "coefficient too large at character 10; a coefficient has at most 4096 bits; '(((1e400)^64)^64)^64'");
-  CHECK(message_of("((2^1000)^1000)^1000").substr(0, 37) == "coefficient too large at character 10");
+  CHECK(polynomial_error("((2^1000)^1000)^1000").substr(0, 37) == "coefficient too large at character 10");
   const std::string deep = std::string(5000, '(') + "x" + std::string(4000, ')');
-  CHECK(message_of(deep).substr(0, 37) == "too many parentheses at character 101");
+  CHECK(polynomial_error(deep).substr(0, 37) == "too many parentheses at character 101");
   CHECK(parse(std::string(100, '(') + "x" + std::string(100, ')')).degree() == 1);
-  CHECK(message_of(std::string(10001, '1')) ==
+  CHECK(polynomial_error(std::string(10001, '1')) ==
         "polynomial too long; it has at most 10000 characters; 10001 characters");
   std::string many = "(1+x/3)^60";
   for (int k = 0; k < 1000; ++k) many += "*1";

@@ -6,7 +6,7 @@ using namespace steadyslide::app;
 
 namespace {
 
-ProfileTrace parse(const std::string& text) { return parse_trace(text, "t.csv", std::nullopt); }
+ProfileTrace read_trace(const std::string& text) { return parse_trace(text, "t.csv", std::nullopt); }
 
 bool same(const ProfileTrace& a, const ProfileTrace& b) {
   return a.points == b.points && a.range.left == b.range.left && a.range.right == b.range.right &&
@@ -17,7 +17,7 @@ bool same(const ProfileTrace& a, const ProfileTrace& b) {
 /// "" if the trace is accepted.
 std::string complaint(const std::string& text) {
   try {
-    parse(text);
+    read_trace(text);
   } catch (const Failure& failure) {
     CHECK(failure.code() == ExitCode::bad_input);
     return failure.what();
@@ -25,9 +25,9 @@ std::string complaint(const std::string& text) {
   return "";
 }
 
-const std::string plain = "-1,0.5\n0,0\n2,1/3\n";
+const std::string plain_trace = "-1,0.5\n0,0\n2,1/3\n";
 
-/// Of `plain`, cut off at `right`.
+/// Of `plain_trace`, cut off at `right`.
 void check_joined_at_0(const ProfileTrace& trace, const Rational& right) {
   CHECK(trace.points == 3);
   CHECK(trace.range.left == -1);
@@ -41,12 +41,12 @@ void check_joined_at_0(const ProfileTrace& trace, const Rational& right) {
 
 }  // namespace
 
-TEST_CASE("points are joined by exact straight lines") { check_joined_at_0(parse(plain), 2); }
+TEST_CASE("points are joined by exact straight lines") { check_joined_at_0(read_trace(plain_trace), 2); }
 
-TEST_CASE("neighbours on one line stay as they are read") { CHECK(parse("0,1\n1,2\n2,3\n").pieces.size() == 2); }
+TEST_CASE("neighbours on one line stay as they are read") { CHECK(read_trace("0,1\n1,2\n2,3\n").pieces.size() == 2); }
 
 TEST_CASE("the same trace, written in other ways") {
-  const ProfileTrace trace = parse(plain);
+  const ProfileTrace trace = read_trace(plain_trace);
   for (const char* text :
        {"x,psi\n-1,0.5\n0,0\n2,1/3\n", "-1,0.5\r\n0,0\r\n2,1/3\r\n", "\xef\xbb\xbf-1,0.5\n0,0\n2,1/3",
         "\xef\xbb\xbfx,psi\r\n-1,0.5\r\n0,0\r\n2,1/3", "-1;0.5\n0;0\n2;1/3\n", "-1\t0.5\n0\t0\n2\t1/3\n",
@@ -54,21 +54,21 @@ TEST_CASE("the same trace, written in other ways") {
         "# measured\n\n  # today\nx (mm); psi (\xb5m)\n-1;.5 # the left end\n\n0;-0\n2;1/3\n#\n",
         "position height quality\n-1 0.5\n0 0\n2 1/3\n", "\"x\",\"psi\"\n-1,0.5\n0,0\n2,1/3\n"}) {
     CAPTURE(text);
-    CHECK(same(parse(text), trace));
+    CHECK(same(read_trace(text), trace));
   }
   // What the comparison tells apart: a value, a place, a point more.
   for (const char* text : {"-1,0.5\n0,0\n2,1/4\n", "-1,0.5\n0.5,0\n2,1/3\n", "-1,0.5\n0,0\n2,1/3\n3,0\n"}) {
-    CHECK_FALSE(same(parse(text), trace));
+    CHECK_FALSE(same(read_trace(text), trace));
   }
 }
 
 TEST_CASE("a support cuts the trace, exactly") {
   const auto cut = [](const char* left, const char* right) {
-    return parse_trace(plain, "t.csv", Support{parse_rational(left), parse_rational(right)});
+    return parse_trace(plain_trace, "t.csv", Support{parse_rational(left), parse_rational(right)});
   };
   check_joined_at_0(cut("-1/3", "1"), 1);
 
-  CHECK(same(cut("-1", "2"), parse(plain)));
+  CHECK(same(cut("-1", "2"), read_trace(plain_trace)));
   CHECK(cut("0", "2").pieces.size() == 1);
   CHECK(cut("-1", "0").pieces.size() == 1);
   REQUIRE(cut("0.5", "1").pieces.size() == 1);

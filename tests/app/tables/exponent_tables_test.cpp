@@ -7,7 +7,7 @@
 #include "support/test.hpp"
 
 using namespace steadyslide::app;
-using Real = boost::multiprecision::cpp_bin_float_50;
+using Float50 = boost::multiprecision::cpp_bin_float_50;
 
 namespace {
 
@@ -15,16 +15,16 @@ using Row = std::vector<std::string>;
 
 std::string committed(const std::string& file) { return file_text(STEADYSLIDE_DOCS "/" + file); }
 
-Real angle(const Real& s) { return atan(s) / boost::math::constants::pi<Real>(); }
+Float50 angle(const Float50& s) { return atan(s) / boost::math::constants::pi<Float50>(); }
 
 /// Six digits, rounded to nearest.
-bool is(const std::string& text, const Real& value) {
+bool is(const std::string& text, const Float50& value) {
   if (value == 0) return text == "0";
-  const Real unit = pow(Real(10), floor(log10(abs(value))) - 5);
-  return abs(Real(text) - value) <= unit * Real("0.500001");
+  const Float50 unit = pow(Float50(10), floor(log10(abs(value))) - 5);
+  return abs(Float50(text) - value) <= unit * Float50("0.500001");
 }
 
-std::string word(const Real& beta) { return beta < 0 ? "blows up" : beta > 0 ? "vanishes" : "stays finite"; }
+std::string word(const Float50& beta) { return beta < 0 ? "blows up" : beta > 0 ? "vanishes" : "stays finite"; }
 
 const std::vector<TextTable>& tables() {
   static const std::vector<TextTable> all = exponent_tables();
@@ -33,11 +33,11 @@ const std::vector<TextTable>& tables() {
 
 /// E in GPa and nu, as the table of constants prints them.
 struct Material {
-  Real young, poisson;
+  Float50 young, poisson;
 };
 Material material(const std::string& name) {
   for (const Row& row : tables()[1].rows) {
-    if (row[0] == name) return {Real(row[1]), Real(row[2])};
+    if (row[0] == name) return {Float50(row[1]), Float50(row[2])};
   }
   FAIL("no such material: " << name);
   return {};
@@ -45,12 +45,14 @@ Material material(const std::string& name) {
 
 /// Dundurs' constants as quotients of compliances, without Kolosov's constant [Joh85, (5.3)]: G = E/(2(1+nu)).
 struct Dundurs {
-  Real alpha, beta;
+  Float50 alpha, beta;
 };
 Dundurs dundurs(const Material& one, const Material& two) {
-  const auto over_shear = [](const Material& m, const Real& factor) { return factor * 2 * (1 + m.poisson) / m.young; };
-  const Real a1 = over_shear(one, 1 - one.poisson), a2 = over_shear(two, 1 - two.poisson);
-  const Real b1 = over_shear(one, 1 - 2 * one.poisson), b2 = over_shear(two, 1 - 2 * two.poisson);
+  const auto over_shear = [](const Material& m, const Float50& factor) {
+    return factor * 2 * (1 + m.poisson) / m.young;
+  };
+  const Float50 a1 = over_shear(one, 1 - one.poisson), a2 = over_shear(two, 1 - two.poisson);
+  const Float50 b1 = over_shear(one, 1 - 2 * one.poisson), b2 = over_shear(two, 1 - 2 * two.poisson);
   return {(a1 - a2) / (a1 + a2), (b1 - b2) / (2 * (a1 + a2))};
 }
 
@@ -76,14 +78,14 @@ TEST_CASE("exponent tables: every row has its cells, and no row occurs twice") {
 }
 
 TEST_CASE("exponents by Poisson's ratio, all rows by 50-digit arithmetic") {
-  const Real half = Real(1) / 2;
+  const Float50 half = Float50(1) / 2;
   std::set<std::string> words;
   for (const Row& row : tables()[0].rows) {
-    const Real nu(row[0]);
-    const Real gamma = (1 - 2 * nu) / (2 * (1 - nu)), left = angle(gamma * Real(row[1]));
-    const Real right = angle(gamma * Real(row[2]));
-    const std::vector<Real> expected{gamma,         left,        right,        -half - left,
-                                     -half + right, half - left, half + right, left - right};
+    const Float50 nu(row[0]);
+    const Float50 gamma = (1 - 2 * nu) / (2 * (1 - nu)), left = angle(gamma * Float50(row[1]));
+    const Float50 right = angle(gamma * Float50(row[2]));
+    const std::vector<Float50> expected{gamma,         left,        right,        -half - left,
+                                        -half + right, half - left, half + right, left - right};
     for (std::size_t k = 0; k < expected.size(); ++k) CHECK_MESSAGE(is(row[3 + k], expected[k]), row[3 + k]);
     CHECK(row[11] == word(left - right));
     CHECK(row[12] == word(right - left));
@@ -94,19 +96,19 @@ TEST_CASE("exponents by Poisson's ratio, all rows by 50-digit arithmetic") {
 
 TEST_CASE(
     "exponents by pairs of materials, all rows by 50-digit arithmetic and other formulas for Dundurs' constants") {
-  const Real half = Real(1) / 2;
+  const Float50 half = Float50(1) / 2;
   int negative = 0;
   for (const Row& row : tables()[2].rows) {
     CAPTURE(row[0]);
     CAPTURE(row[1]);
     const Material body = material(row[0]);
-    const Real& nu = body.poisson;
+    const Float50& nu = body.poisson;
     const Dundurs constants =
         row[1] == "rigid" ? Dundurs{1, (1 - 2 * nu) / (2 * (1 - nu))} : dundurs(body, material(row[1]));
-    const Real& gamma = constants.beta;
-    const Real low = angle(gamma / 5), high = angle(gamma / 2);
-    const Real beta = angle(gamma / 10) - angle(gamma / 2);
-    const std::vector<std::pair<std::size_t, Real>> expected{
+    const Float50& gamma = constants.beta;
+    const Float50 low = angle(gamma / 5), high = angle(gamma / 2);
+    const Float50 beta = angle(gamma / 10) - angle(gamma / 2);
+    const std::vector<std::pair<std::size_t, Float50>> expected{
         {2, constants.alpha}, {3, gamma},       {4, half - low}, {5, half + low},
         {6, half - high},     {7, half + high}, {8, beta},       {10, -beta}};
     for (const auto& [column, value] : expected) CHECK_MESSAGE(is(row[column], value), column);
@@ -128,8 +130,8 @@ TEST_CASE("materials: E = 2 mu (1 + nu) within 0.4 percent where the source give
     CAPTURE(row[0]);
     if (row[3] == "-") continue;
     ++checked;
-    const Real young(row[1]);
-    CHECK(abs(2 * Real(row[3]) * (1 + Real(row[2])) - young) <= young * Real("0.004"));
+    const Float50 young(row[1]);
+    CHECK(abs(2 * Float50(row[3]) * (1 + Float50(row[2])) - young) <= young * Float50("0.004"));
   }
   CHECK(checked >= 9);
 }

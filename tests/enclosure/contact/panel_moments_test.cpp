@@ -5,9 +5,10 @@
 #include "support/problems.hpp"
 #include "support/test.hpp"
 
+namespace steadyslide::enclosure {
+
 namespace {
 
-using namespace steadyslide::enclosure;
 using Kind = ContactTopology::Kind;
 
 /// Contact to the left of a gap of 1e-30 at the origin, and to the right of it.
@@ -66,3 +67,5 @@ TEST_CASE("panels seen from afar by their moments: the sum over their nodes, fro
     }
   }
 }
+
+}  // namespace steadyslide::enclosure

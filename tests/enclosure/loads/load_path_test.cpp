@@ -10,10 +10,9 @@
 #include "support/problems.hpp"
 #include "support/random_contact.hpp"
 
-namespace {
+namespace steadyslide::enclosure {
 
-using namespace steadyslide::enclosure;
-using Kind = LoadStretch::Kind;
+namespace {
 
 template <class R>
 std::optional<ApproximateContact> solved(const ContactProblem& problem) {
@@ -40,16 +39,16 @@ std::vector<std::string> words_of(const std::vector<LoadStretch>& stretches, con
   for (std::size_t i = 0; i < stretches.size(); ++i) {
     const LoadStretch& s = stretches[i];
     if (i > 0) CHECK(s.from == stretches[i - 1].to);
-    CHECK((s.kind == Kind::proved || s.kind == Kind::closing) == s.interval.has_value());
+    CHECK((s.kind == LoadStretch::Kind::proved || s.kind == LoadStretch::Kind::closing) == s.interval.has_value());
     if (s.interval) {
       CHECK(s.interval->proof.proved);
       CHECK(s.from < s.to);
       CHECK(s.interval->from == s.from);
-      CHECK(s.interval->to == (s.kind == Kind::closing ? s.from : s.to));
+      CHECK(s.interval->to == (s.kind == LoadStretch::Kind::closing ? s.from : s.to));
     } else {
       result.push_back(s.words);
     }
-    if (s.kind == Kind::event) {
+    if (s.kind == LoadStretch::Kind::event) {
       REQUIRE((i > 0 && i + 1 < stretches.size()));
       CHECK(stretches[i - 1].interval);
       CHECK(stretches[i + 1].interval);
@@ -61,7 +60,7 @@ std::vector<std::string> words_of(const std::vector<LoadStretch>& stretches, con
 std::vector<LoadStretch> events(const std::vector<LoadStretch>& stretches) {
   std::vector<LoadStretch> result;
   for (const LoadStretch& s : stretches) {
-    if (s.kind == Kind::event) result.push_back(s);
+    if (s.kind == LoadStretch::Kind::event) result.push_back(s);
   }
   return result;
 }
@@ -241,9 +240,9 @@ void check_closing(const ContactProblem& problem, const Rational& from, const Ra
   REQUIRE(words.size() == 1);
   CHECK_MESSAGE(words.front().starts_with("the gap closes over the wedge at x = "), words.front());
   REQUIRE(stretches.size() >= 3);
-  CHECK(stretches[0].kind == Kind::closing);
+  CHECK(stretches[0].kind == LoadStretch::Kind::closing);
   const LoadStretch& event = stretches[1];
-  CHECK(event.kind == Kind::event);
+  CHECK(event.kind == LoadStretch::Kind::event);
   CHECK(is_narrow(event, width));
   CHECK(solved<double>(problem.with_load(event.to))->ends.size() == 2);
   Rational before = 1;
@@ -286,7 +285,7 @@ TEST_CASE("the gap of a notch closes at the load that is known") {
   CHECK(words_of(path(notch(1), 2, below), 2, below).empty());
   const auto by_intervals = path(notch(1), 2, 2.004_r, Rational(1, 1000000), true);
   CHECK(words_of(by_intervals, 2, 2.004_r).empty());
-  CHECK(by_intervals.front().kind == Kind::proved);
+  CHECK(by_intervals.front().kind == LoadStretch::Kind::proved);
   // A range may end within what would be the event: it is narrower then. Of the threshold's own digits nothing is said.
   const Rational above = full_contact_load * (1 + Rational(1, 1000000000));
   CHECK(is_narrow(events(path(notch(1), 2, above)).at(0), Rational(1, 500000000)));
@@ -370,7 +369,7 @@ TEST_CASE("slow: random problems are followed over loads, and the solver's conta
     const auto stretches = path(problem, from, to, 0.001_r);
     words_of(stretches, from, to);
     for (const LoadStretch& s : stretches) {
-      if (s.kind == Kind::open) MESSAGE(i << ": " << s.words);
+      if (s.kind == LoadStretch::Kind::open) MESSAGE(i << ": " << s.words);
       if (!s.interval) continue;
       proved += (s.to - s.from) / (to - from);
       const auto contact = solved<Real50>(problem.with_load((2 * s.from + s.to) / 3));
@@ -379,3 +378,5 @@ TEST_CASE("slow: random problems are followed over loads, and the solver's conta
   }
   CHECK(proved > 0.9_r * solved_problems);
 }
+
+}  // namespace steadyslide::enclosure

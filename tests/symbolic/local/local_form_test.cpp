@@ -20,7 +20,7 @@ std::vector<ex> slopes(const std::string& name) {
   return {symbol(name + "_0"), symbol(name + "_1"), symbol(name + "_2")};
 }
 
-bool holds(const LocalForm& form) {
+bool solves_equations(const LocalForm& form) {
   const LocalFrame& frame = form.frame;
   const LocalConstants constants = form.exponent ? frame.constants(*form.exponent) : LocalConstants{0, 0, frame.pi()};
   for (const LocalEquation& equation : local_equations(form.place, constants, form.density())) {
@@ -53,7 +53,7 @@ std::vector<LocalPlace> symbolic_places() {
   return places;
 }
 
-Rational random_friction() { return Rational(uniform(-40, 40), uniform(1, 12)); }
+Rational random_coefficient() { return Rational(uniform(-40, 40), uniform(1, 12)); }
 
 }  // namespace
 
@@ -63,12 +63,12 @@ TEST_CASE("every derived form satisfies the local equation to all three orders, 
     const LocalForm form = derive_local_form(place);
     CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
     CAPTURE(form.derivation.title);
-    CHECK(holds(form));
+    CHECK(solves_equations(form));
     // A control: one coefficient changed on one side.
     LocalForm wrong = form;
     for (LocalFormTerm& t : wrong.terms) {
       (place.in_contact(Side::right) ? t.right : t.left) *= 2;
-      if (place.contact == ContactSide::both) CHECK(!holds(wrong));
+      if (place.contact == ContactSide::both) CHECK(!solves_equations(wrong));
     }
     for (const std::string& divisor : form.nonvanishing) CHECK(divisor == "s_l - s_r");
   }
@@ -148,7 +148,7 @@ TEST_CASE("ends: powers and outside slopes") {
 TEST_CASE("the derived exponents of numbers are the model's") {
   const auto exponent_of = [](const LocalForm& form) { return *form.frame.exact(*form.exponent); };
   CHECK(rc::check([&] {
-    const Rational left = random_friction(), right = random_friction();
+    const Rational left = random_coefficient(), right = random_coefficient();
     const LocalSide l{to_expression(left), {1, 0, 0}};
     const LocalSide r{to_expression(right), {numeric(uniform(-1, 1)), 0, 0}};
     for (const ContactSide contact : {ContactSide::left, ContactSide::right}) {
@@ -160,12 +160,12 @@ TEST_CASE("the derived exponents of numbers are the model's") {
       }
       const LocalForm form = derive_local_form({contact, l, r});
       RC_ASSERT(exponent_of(form) == free_exponent(end, inside));
-      RC_ASSERT(holds(form));
+      RC_ASSERT(solves_equations(form));
     }
     RC_PRE(left != right);
     const LocalForm form = derive_local_form({ContactSide::both, l, r});
     RC_ASSERT(exponent_of(form) == jump_exponent(left, right));
-    RC_ASSERT(holds(form));
+    RC_ASSERT(solves_equations(form));
   }));
 }
 
