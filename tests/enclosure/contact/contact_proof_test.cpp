@@ -131,11 +131,11 @@ void proves_notches(std::initializer_list<const char*> parts) {
 }  // namespace
 
 TEST_CASE("a notch over a rising jump: below the threshold a gap is proved, and full contact refuted") {
-  proves_notches({"0.5", "0.6", "0.7", "0.9"});
+  proves_notches({"0.5", "0.7", "0.9"});
 }
 
 TEST_CASE("slow: a notch whose gap is 1e-43 to 1e-127 of the contact" * doctest::skip()) {
-  proves_notches({"0.99", "0.999", "0.999999"});
+  proves_notches({"0.6", "0.99", "0.999", "0.999999"});
 }
 
 TEST_CASE("an unbounded term decides a sign only from where it exceeds the rest") {
@@ -182,7 +182,7 @@ void proves_random_problems(int problems) {
 }  // namespace
 
 TEST_CASE("random problems that the solver solves are proved, and their numbers are its numbers") {
-  proves_random_problems(12);
+  proves_random_problems(8);
 }
 
 TEST_CASE("slow: a thousand random problems" * doctest::skip()) { proves_random_problems(1000); }

@@ -21,10 +21,11 @@ ContactProblem punch(int jumps, const Rational& nu, const Rational& f, const Rat
 
 /// Poisson's ratio enters by s alone, and a part without jumps has one s: what is the same s is measured once.
 template <Real R>
-void check_residuals(int jumps, const R& tolerance) {
+void check_residuals(int jumps, const R& tolerance,
+                     const std::vector<const char*>& ratios = {"-0.9", "0", "0.3", "0.499"}) {
   using std::abs;
   std::set<std::vector<Rational>> measured;
-  for (const char* nu : {"-0.9", "0", "0.3", "0.499"}) {
+  for (const char* nu : ratios) {
     for (const auto& [f, g] : {std::pair("0", "0"), {"0.5", "0.2"}, {"0", "50"}, {"50", "0.1"}, {"10", "3"}}) {
       INFO("jumps = ", jumps, ", nu = ", nu, ", f = ", f, ", g = ", g);
       const ContactProblem problem = punch(jumps, parse_rational(nu), parse_rational(f), parse_rational(g));
@@ -50,7 +51,8 @@ TEST_CASE("double: load and equation to 1e-12") {
 }
 
 TEST_CASE("50 digits: load and equation to 1e-45") {
-  for (const int jumps : {0, 1, 3}) check_residuals<Real50>(jumps, Real50("1e-45"));
+  for (const int jumps : {0, 1}) check_residuals<Real50>(jumps, Real50("1e-45"));
+  check_residuals<Real50>(3, Real50("1e-45"), {"-0.9"});
   const ContactProblem problem = punch(8, 0.3_r, 50, 0.1_r);
   const Residuals<Real50> residuals = closed_form<Real50>(problem).solution->residuals();
   CHECK(residuals.equation <= Real50("1e-45"));
@@ -58,14 +60,15 @@ TEST_CASE("50 digits: load and equation to 1e-45") {
 }
 
 TEST_CASE("100 digits: load and equation to 1e-95") {
-  for (const int jumps : {0, 1}) check_residuals<Real100>(jumps, Real100("1e-95"));
+  check_residuals<Real100>(0, Real100("1e-95"));
+  check_residuals<Real100>(1, Real100("1e-95"), {"-0.9"});
   const ContactProblem problem = punch(3, -0.9_r, 50, 0.1_r);
   CHECK(closed_form<Real100>(problem).solution->residuals().equation <= Real100("1e-95"));
 }
 
 TEST_CASE("slow: all of them at 50 and 100 digits" * doctest::skip()) {
-  check_residuals<Real50>(8, Real50("1e-45"));
-  for (const int jumps : {3, 8}) check_residuals<Real100>(jumps, Real100("1e-95"));
+  for (const int jumps : {3, 8}) check_residuals<Real50>(jumps, Real50("1e-45"));
+  for (const int jumps : {1, 3, 8}) check_residuals<Real100>(jumps, Real100("1e-95"));
 }
 
 TEST_CASE("GSL and tanh-sinh agree with the equation to 1e-11 where GSL converges") {
