@@ -1,7 +1,6 @@
 // The powers -(1/2+alpha) and -(1/2-alpha), alpha = arctan(s)/pi, are larger than -1: |alpha| < 1/2 for s in an interval.
 // arctan increases. Towards infinity 1/2 - alpha = arctan(y)/pi, y = 1/s, and arctan(y)/y = 1/(1+eta^2) with 0 < eta < y.
 
-#include "enclosure/number/ball.hpp"
 #include "proofs_checks/enclosures/section_3_enclosures.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -9,21 +8,19 @@ namespace {
 
 using enclosure::Ball;
 
-constexpr enclosure::Bits bits = 64;
-
 /// arctan(s)/pi over the interval, in a ball; its ends at infinity are +-1/2.
 Ball angle(const Interval& s) {
   const auto at = [](const std::optional<Rational>& end, int sign) {
-    return end ? Ball(Exponent::angle(*end), bits) : Ball(sign, bits) / 2;
+    return end ? Ball(Exponent::angle(*end), sign_bits) : Ball(sign, sign_bits) / 2;
   };
   return Ball::hull(at(s.from, -1), at(s.to, 1));
 }
 
 /// Is arctan(s)/pi < 1/2 up to where s is infinite: arctan(y)/y > 0 for 0 < y <= 1/from.
 bool below_half(const std::optional<Rational>& from, const std::optional<Rational>& to) {
-  if (to) return Ball(Exponent::angle(*to), bits) < Ball(1, bits) / 2;
+  if (to) return Ball(Exponent::angle(*to), sign_bits) < Ball(1, sign_bits) / 2;
   const Rational least = from && *from > 1 ? *from : Rational(1);
-  const Ball eta = Ball::hull(Ball(0, bits), Ball(1 / least, bits));
+  const Ball eta = Ball::hull(Ball(0, sign_bits), Ball(1 / least, sign_bits));
   return (1 / (1 + eta * eta)).is_positive();
 }
 
@@ -43,8 +40,8 @@ Decision powers(const Box& box) {
 Decision lower_power(const Box& box, int sign) {
   const Interval s = box.at("s");
   const Rational place = s.from ? *s.from : s.to ? *s.to : Rational(0);
-  const Ball alpha = Ball(Exponent::angle(place), bits) * sign;
-  return {alpha > -Ball(1, bits) / 2 ? Truth::no : Truth::unknown, {"alpha = " + alpha.to_string(6)}};
+  const Ball alpha = Ball(Exponent::angle(place), sign_bits) * sign;
+  return {alpha > -Ball(1, sign_bits) / 2 ? Truth::no : Truth::unknown, {"alpha = " + alpha.to_string(6)}};
 }
 
 /// |s| < 1/2 for |alpha| < 1/2.

@@ -1,6 +1,5 @@
 // Signs of the logarithm. It increases, so that over an interval ]0, d] the least value of -log is -log d.
 
-#include "enclosure/number/ball.hpp"
 #include "proofs_checks/enclosures/section_3_enclosures.hpp"
 
 namespace steadyslide::proofs_checks {
@@ -8,21 +7,19 @@ namespace {
 
 using enclosure::Ball;
 
-constexpr enclosure::Bits bits = 64;
-
 Truth sign_decided(const Ball& value) {
-  return value >= Ball(0, bits) ? Truth::yes : value.is_negative() ? Truth::no : Truth::unknown;
+  return value >= Ball(0, sign_bits) ? Truth::yes : value.is_negative() ? Truth::no : Truth::unknown;
 }
 
 Enclosure::Decide at(const Rational& number, int sign, const std::string& words) {
-  return [=](const Box&) -> Decision { return {sign_decided(log(Ball(number, bits)) * sign), {words}}; };
+  return [=](const Box&) -> Decision { return {sign_decided(log(Ball(number, sign_bits)) * sign), {words}}; };
 }
 
 /// -log(unit d) at the largest distance; log 1 = 0 exactly.
 Decision largest_distance(const Box& box, const Rational& unit) {
   const Interval d = box.at("d");
   if (!d.from || *d.from < 0 || !d.to) return {Truth::unknown, {"no interval of lengths"}};
-  const Ball value = -log(Ball(*d.to * unit, bits));
+  const Ball value = -log(Ball(*d.to * unit, sign_bits));
   return {sign_decided(value), {"-log d >= " + value.to_string(6)}};
 }
 
@@ -44,7 +41,7 @@ Enclosure logarithm_of_a_unit() {
            {"log d >= 0", [](const Box& box) -> Decision {
               const Interval d = box.at("d");
               // Halfway to the smallest distance.
-              const Ball value = log(Ball((*d.from + *d.to) / 2, bits));
+              const Ball value = log(Ball((*d.from + *d.to) / 2, sign_bits));
               return {sign_decided(value), {"log d = " + value.to_string(6)}};
             }}}};
 }

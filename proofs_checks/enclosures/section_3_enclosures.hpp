@@ -1,9 +1,13 @@
 #pragma once
 // What the proofs of section 3 decide in balls.
 
+#include "enclosure/number/ball.hpp"
 #include "proofs_checks/proof/enclosures.hpp"
 
 namespace steadyslide::proofs_checks {
+
+/// What signs are decided at.
+inline constexpr enclosure::Bits sign_bits = 64;
 
 /// |arctan(s)/pi| < 1/2 for s in an interval, which may be unbounded.
 Enclosure edge_powers();

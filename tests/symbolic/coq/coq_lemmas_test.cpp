@@ -11,7 +11,7 @@
 #include "symbolic/field/comparison.hpp"
 #include "symbolic/statements/statements.hpp"
 
-using namespace steadyslide::symbolic;
+namespace steadyslide::symbolic {
 
 namespace {
 
@@ -192,3 +192,5 @@ TEST_CASE("lemmas of all decided statements multiply out; those of their wrong v
   CHECK(names.size() > 300);
   CHECK(wrong > 300);
 }
+
+}  // namespace steadyslide::symbolic

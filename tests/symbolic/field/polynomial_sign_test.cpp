@@ -3,9 +3,10 @@
 #include "model/polynomial.hpp"
 #include "support/test.hpp"
 
-using namespace steadyslide;
-using symbolic::is_positive;
-using symbolic::ParameterRange;
+using steadyslide::Rational;
+using steadyslide::Truth;
+using steadyslide::symbolic::is_positive;
+using steadyslide::symbolic::ParameterRange;
 
 namespace {
 
@@ -55,7 +56,7 @@ TEST_CASE("random polynomials: the sign that is decided is the sign at places") 
                       for (std::size_t k = 0; k < c.size(); ++k)
                         text += " + (" + std::to_string(c[k]) + ")*x^" + std::to_string(k);
                       const Truth truth = is_positive(text, {{"x", {Rational(from), Rational(to), ends, ends}}});
-                      const Polynomial polynomial({c[0], c[1], c[2], c[3]});
+                      const steadyslide::Polynomial polynomial({c[0], c[1], c[2], c[3]});
                       bool positive = true;
                       for (int k = ends ? 0 : 1; k < 400 + (ends ? 1 : 0); ++k) {
                         positive = positive && polynomial(Rational(from + Rational(k * (to - from), 400))) > 0;

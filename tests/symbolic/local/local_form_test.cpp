@@ -9,7 +9,7 @@
 
 using namespace steadyslide::symbolic;
 using GiNaC::ex;
-using GiNaC::numeric;
+
 using GiNaC::symbol;
 
 namespace {
@@ -150,7 +150,7 @@ TEST_CASE("the derived exponents of numbers are the model's") {
   CHECK(rc::check([&] {
     const Rational left = random_coefficient(), right = random_coefficient();
     const LocalSide l{to_expression(left), {1, 0, 0}};
-    const LocalSide r{to_expression(right), {numeric(uniform(-1, 1)), 0, 0}};
+    const LocalSide r{to_expression(right), {GiNaC::numeric(uniform(-1, 1)), 0, 0}};
     for (const ContactSide contact : {ContactSide::left, ContactSide::right}) {
       const bool is_left_end = contact == ContactSide::right;
       const End end = is_left_end ? End::left : End::right;
@@ -186,7 +186,7 @@ TEST_CASE("the signs: where contact around a wedge is possible") {
     // The power leads where s increases, the constant where it decreases.
     CHECK(form.terms[0].fractional == increases);
   }
-  const ex a = numeric(1, 10), b = numeric(6, 10);
+  const ex a = GiNaC::numeric(1, 10), b = GiNaC::numeric(6, 10);
   CHECK(wedge(a, a, 1));
   CHECK(!wedge(a, a, -1));
   CHECK(wedge(a, b, 1));
@@ -194,7 +194,8 @@ TEST_CASE("the signs: where contact around a wedge is possible") {
   CHECK(wedge(b, a, 1));
   CHECK(!wedge(b, a, -1));
   const auto end = [](ContactSide contact, int jump) {
-    const LocalForm form = derive_local_form({contact, {numeric(1, 3), {0, 0, 0}}, {numeric(1, 3), {jump, 0, 0}}});
+    const LocalForm form =
+        derive_local_form({contact, {GiNaC::numeric(1, 3), {0, 0, 0}}, {GiNaC::numeric(1, 3), {jump, 0, 0}}});
     return form.conditions.back().holds;
   };
   for (const ContactSide contact : {ContactSide::left, ContactSide::right}) {
@@ -207,7 +208,7 @@ TEST_CASE("the signs: where contact around a wedge is possible") {
 TEST_CASE("what leaves the question open is refused") {
   CHECK_THROWS_AS(derive_local_form({ContactSide::both, {s_l}, {s_r}}), std::domain_error);
   CHECK_THROWS_AS(derive_local_form({ContactSide::both, {s, {0}}, {s, {0}}}), std::domain_error);
-  CHECK_THROWS_AS(derive_local_form({ContactSide::both, {numeric(0.5)}, {s}}), std::domain_error);
+  CHECK_THROWS_AS(derive_local_form({ContactSide::both, {GiNaC::numeric(0.5)}, {s}}), std::domain_error);
   CHECK_NOTHROW(derive_local_form({ContactSide::right, {s_l}, {s_r}}));
 }
 
