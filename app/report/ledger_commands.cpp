@@ -152,6 +152,7 @@ Command verify_command() {
           {{"--list", "", "List the claims, check nothing", flag},
            {"--claim", "GLOB", "Only claims whose id matches, * and ? being wildcards; repeatable", repeatable},
            {"--group", "NAME", "Only claims of one place in the paper, theorem-2; --list names them"},
+           {"--proof", "", "Print the proofs, as trees", flag},
            {"--quick", "", "Fewer parameters", flag},
            seed_option(),
            {"--report", "DIR", "Write the report on this run as well: DIR/report.html"},

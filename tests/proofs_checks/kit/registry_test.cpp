@@ -141,14 +141,17 @@ TEST_CASE("the ledger has lost nothing that its list says, and has what the pape
 }
 
 // A further seed: the tests verify-*.
-TEST_CASE("all claims hold in double, for several seeds, and every control is refuted") {
-  for (const std::uint64_t seed : {1U, 2U, 123456U}) {
+TEST_CASE("all claims hold in double, for two seeds, and every control is refuted") {
+  for (const std::uint64_t seed : {1U, 2U}) {
     CAPTURE(seed);
     check_all_hold(quick_run(seed));
   }
 }
 
-TEST_CASE("slow: all claims hold in double at all parameters" * doctest::skip()) { check_all_hold(full_run()); }
+TEST_CASE("slow: all claims hold in double for another seed, and at all parameters" * doctest::skip()) {
+  check_all_hold(quick_run(123456));
+  check_all_hold(full_run());
+}
 
 TEST_CASE("slow: a full run looks at all that a quick one looks at, in no fewer cases" * doctest::skip()) {
   const std::vector<Report>& few = quick_run(1);
