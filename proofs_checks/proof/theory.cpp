@@ -79,7 +79,7 @@ class Reader {
     rules_ = nullptr;
     facts_ = nullptr;
     if (part_ == "Words" || part_ == "Things" || part_ == "Definitions" || part_ == "Decided") return;
-    add_once(theory_.theorems, part_, std::vector<Rule>{{part_, {}, {}, {}}});
+    add_once(theory_.theorems, part_, std::vector<Rule>{Rule{part_, {}, {}, {}}});
     rules_ = &theory_.theorems.at(part_);
   }
 
