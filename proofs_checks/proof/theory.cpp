@@ -58,6 +58,7 @@ class Reader {
   void read(std::string_view line) {
     if (line.starts_with("# ")) {
       part_.clear();
+      rules_ = nullptr;
     } else if (line.starts_with("## ")) {
       open(std::string(line.substr(3)));
     } else if (line.starts_with('|')) {
