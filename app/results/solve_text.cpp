@@ -56,14 +56,14 @@ void write_resultants(const Problem& problem, const SolutionText& solution, Outp
   write_line(output, "normal", solution.normal.shown);
   write_line(output, "tangential", solution.tangential.shown);
   write_friction_and_centre(solution, output);
-  if (solution.core) {
-    const auto& [left, right] = *solution.core;
-    write_line(output, "core", fmt::format("from {} to {}", shown(left), shown(right)));
-  }
   for (std::size_t k = 0; k < solution.load_share.size(); ++k) {
     write_line(output, k == 0 ? "load share" : "",
                fmt::format("{} under f = {}", shown(solution.load_share[k]),
                            exact_text(problem.contact.friction().values()[k])));
+  }
+  if (solution.core) {
+    const auto& [left, right] = *solution.core;
+    write_line(output, "core", fmt::format("from {} to {}", shown(left), shown(right)));
   }
 }
 

@@ -51,7 +51,7 @@ void add_curves(Panel& panel, const Rational& outer, const Rational& inner, cons
 }
 
 Panel by_place() {
-  Panel panel{{0.085, 0.49, 0.27, 0.9},
+  Panel panel{{0.095, 0.49, 0.36, 0.91},
               {"middle of the inner half {/:Italic c} / {/:Italic L}", -0.5, 0.5, false, 0.25},
               {"effective friction {/:Italic T}/{/:Italic P}", 0.2, 0.4, false, 0.05}};
   panel.legend = LegendAt::below;
@@ -62,7 +62,7 @@ Panel by_place() {
 
 /// |s_eff - limit| of N periods, and the derived order through the last of them.
 Panel by_periods(const std::vector<Rational>& s) {
-  Panel panel{{0.585, 0.985, 0.27, 0.9},
+  Panel panel{{0.595, 0.985, 0.36, 0.91},
               {"periods {/:Italic N} (number)", 1, 2000, true},
               {"distance from the limit (of {/:Italic s}_{eff})", 0.01, 1, true}};
   panel.legend = LegendAt::below;
@@ -77,7 +77,7 @@ Panel by_periods(const std::vector<Rational>& s) {
       marks.points.push_back({double(n), std::abs(EffectiveFriction<double>(layout).value().value - limit.value)});
     }
     const auto [n, error] = marks.points.back();
-    Series line{fmt::format("order {:.3f}", power), Look::line, style, {}};
+    Series line{rough_is_rear ? fmt::format("derived order {:.3f}", power) : "", Look::line, style, {}};
     for (const double at : {1.0, n}) line.points.push_back({at, error * std::pow(n / at, power)});
     panel.series.push_back(std::move(marks));
     panel.series.push_back(std::move(line));
