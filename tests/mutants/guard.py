@@ -33,6 +33,7 @@ TIME_LIMIT = 900
 class Change:
     mutant: Mutant
     speaks: tuple  # patterns of the ids of claims that have to notice
+    open: tuple  # claims that speak of it and do not notice yet
 
 
 def read_changes(path):
@@ -40,7 +41,8 @@ def read_changes(path):
     changes = []
     for entry in entries:
         speaks = tuple(entry.pop("speaks"))
-        changes.append(Change(Mutant(killer=PROGRAM, **entry), speaks))
+        known = tuple(entry.pop("open", ()))
+        changes.append(Change(Mutant(killer=PROGRAM, **entry), speaks, known))
     wrong = [fault for change in changes for fault in faults(change.mutant, ROOT)]
     if wrong:
         raise BadList("\n".join(wrong))
@@ -69,11 +71,12 @@ def noticed(change, tree, before):
 
 def silent(change, before, claims):
     speaking = [name for name in before if any(fnmatch.fnmatch(name, pattern) for pattern in change.speaks)]
-    return [name for name in speaking if before[name] and name not in claims]
+    wrong = [name for name in speaking if before[name] and name not in claims]
+    return wrong + [f"{name} (no longer open)" for name in change.open if name in claims]
 
 
 def unmatched(changes, known):
-    return [f"{change.mutant.id}: no claim {pattern}" for change in changes for pattern in change.speaks
+    return [f"{change.mutant.id}: no claim {pattern}" for change in changes for pattern in change.speaks + change.open
             if not fnmatch.filter(known, pattern)]
 
 

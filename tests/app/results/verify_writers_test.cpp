@@ -1,5 +1,7 @@
 #include "app/verify/verify_writers.hpp"
 #include "app/command_line.hpp"
+#include "proofs_checks/kit/proofs.hpp"
+#include "proofs_checks/statements/paper_statements.hpp"
 
 using namespace steadyslide::app;
 using namespace steadyslide::proofs_checks;
@@ -54,10 +56,38 @@ TEST_CASE("JSON, whole") {
       "{\"schema\":1,\"version\":\"" STEADYSLIDE_VERSION
       "\",\"digits\":100,\"seed\":42,\"counts\":{\"proved\":0,\"supported\":0,\"undecided\":1,\"refuted\":1},"
       "\"claims\":[{\"id\":\"a-claim\",\"source\":"));
-  check_holds(compact,
-              {"\"controls\":{\"total\":1,\"refuted\":0},\"seconds\":1.0}],\"reading_notes\":[{\"id\":\"note-1\","
-               "\"place\":\"(4)\",\"printed\":",
-               "{\"kind\":\"note\",\"detail\":\"thecontrolsurvives\"}"});
+  check_holds(
+      compact,
+      {"\"controls\":{\"total\":1,\"refuted\":0},\"seconds\":1.0}],\"statements\":[],\"reading_notes\":[{\"id\":\"note-1\","
+       "\"place\":\"(4)\",\"printed\":",
+       "{\"kind\":\"note\",\"detail\":\"thecontrolsurvives\"}"});
+}
+
+TEST_CASE("a proof is printed as a tree where it is asked for, and is in JSON always") {
+  VerifyResult result = bad_result();
+  result.reports.front().evidence = {*proof_of("gamma-range")};
+  CHECK_FALSE(holds(written(Format::text, result), "theorem monotone"));
+  result.with_proofs = true;
+  check_holds(written(Format::text, result),
+              {"  for nu in ]-1, 0.5[\n",
+               "\n  fills(gamma-plane-strain, range-of-plane-strain)  [theorem intermediate-values]\n",
+               "\n    decreases(gamma-plane-strain)  [theorem monotone], see above\n", "nonzero(\"nu - 1\")  [sign]"});
+  check_holds(written(Format::json, result),
+              {"\"complete\": true", "\"concludes\": [", "\"fact\": \"nonzero(\\\"nu - 1\\\")\"", "\"from\": ["});
+}
+
+TEST_CASE("a statement of the paper is as good as the weakest of what says it") {
+  const auto reported = [](const char* id, Verdict verdict) {
+    return Report{{id, "", "", ""}, verdict, {}, "", {}, 0};
+  };
+  const PaperStatement statement{"(1)", "", {"a", "b"}, {"c"}};
+  std::vector<Report> reports{reported("a", Verdict::proved), reported("c", Verdict::undecided)};
+  CHECK_FALSE(verdict_of(statement, reports));
+  reports.push_back(reported("b", Verdict::supported));
+  CHECK(verdict_of(statement, reports) == Verdict::supported);
+  reports.back().verdict = Verdict::refuted;
+  CHECK(verdict_of(statement, reports) == Verdict::refuted);
+  CHECK(statements_line(reports).empty());
 }
 
 TEST_CASE("Markdown escapes what would end a cell") {

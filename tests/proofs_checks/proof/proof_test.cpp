@@ -230,7 +230,7 @@ TEST_CASE("theories: nothing twice, nothing undeclared, definitions for all thin
 
 TEST_CASE("a theorem that says several things: each from its own needs") {
   const std::string second =
-      "And two even numbers make an even one.\nNeeds sum(N, A, B), even(A), even(B).\nGives even(N).\n";
+      "\nAnd two even numbers make an even one.\nNeeds sum(N, A, B), even(A), even(B).\nGives even(N).\n";
   const std::string both = std::string(theorems_document) + second;
   const std::vector<std::string_view> documents{facts_document, both};
   const Theory theory{documents};
