@@ -29,7 +29,13 @@ class Runner {
     try {
       for (const ProofStep& step : text_.steps) take(step);
       for (const Fact& fact : text_.concludes) {
-        if (!place_of(fact)) throw Gap{"concluded, and given by no step: " + text_of(fact)};
+        const auto place = place_of(fact);
+        if (!place || *place < text_.assumes.size()) throw Gap{"concluded, and given by no step: " + text_of(fact)};
+      }
+      for (std::size_t k = 0; k < text_.assumes.size(); ++k) {
+        const auto rests_on_it = [&](const ProofNode& node) { return std::ranges::count(node.from, k) > 0; };
+        if (std::ranges::none_of(nodes_, rests_on_it))
+          throw Gap{"assumed, and used by no step: " + text_of(text_.assumes[k])};
       }
     } catch (const Gap& g) {
       gap = g.words;

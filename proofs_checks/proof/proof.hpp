@@ -8,6 +8,8 @@
 //   definition   the facts above match what the word means
 //   entry        another entry, with a complete proof for these parameters, concludes it, and its assumptions are above
 //
+// What is concluded is given by a step and not assumed, and what is assumed is used by one.
+//
 // Nothing is believed because it is written: what does not follow is a gap, and says which.
 
 #include <functional>
