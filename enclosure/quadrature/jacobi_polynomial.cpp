@@ -103,12 +103,13 @@ std::optional<JacobiPolynomial::Zero> JacobiPolynomial::zero_near(double start, 
   c.push_back((count_ * ((right_ - left_) / twice - x) * values.p + products_.back() * (twice + 1) * values.before) /
               u);
 
-  // The bounds of the header. The root is about |c_0/c_1| away; R has room for twice that.
+  // The bounds of the header. The root is about |c_0/c_1| away, and r comes to twice that where x is a root but for rounding:
+  // R has room for both.
   const Ball c_1 = abs(c[1]).lower();
   if (!c_1.is_positive()) return std::nullopt;
   const Ball t =
       max(2 * max(Ball(2), upper_size(e)) / u.at(root_bits).lower(), sqrt(upper_size(eigenvalue_ / u))).upper();
-  const Ball reach = max(2 * upper_size(c[0]) / c_1.at(root_bits), two_to(-bits_)).upper();
+  const Ball reach = max(4 * upper_size(c[0]) / c_1.at(root_bits), two_to(-bits_)).upper();
   const Ball q = (t * reach).upper();
   if (!(q < Ball(Rational(1) / 1024, root_bits))) return std::nullopt;
   const Ball size = max(upper_size(c[0]), upper_size(c[1]) / t).upper();

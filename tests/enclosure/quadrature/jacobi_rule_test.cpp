@@ -86,6 +86,18 @@ TEST_CASE("random rules") {
   }));
 }
 
+TEST_CASE("a start that is the node itself") {
+  // The one node is (left - right)/(left + right + 2) = 1/2, and nothing but rounding says how far the start is from it.
+  for (const char* scale : {"0.51", "0.3", "1.7", "12.34567"}) {
+    for (const Bits bits : {40, 60, 61, 80, 180, 400}) {
+      const Ball once(parse_rational(scale), 4096);
+      const JacobiRule rule(1, 3 * once - 1, once - 1, bits);
+      CHECK(rule.from_left[0].overlaps(Ball(3_r / 2, bits)));
+      CHECK(rule.from_left[0].radius() < Ball(two_to(-static_cast<int>(bits) + 4), 64));
+    }
+  }
+}
+
 TEST_CASE("Chebyshev's nodes, and Legendre's beside the recurrence's") {
   const Bits bits = 256;
   const int n = 40;
