@@ -170,7 +170,7 @@ void proves_random_problems(int problems) {
     const auto solution = riemann_hilbert<double>(problem).solution;
     if (!solution || !solution->failed_condition().empty()) continue;
     ++solved;
-    const ContactProof proof = proved_beside(problem, *solution, 30);
+    const ContactProof proof = proved_beside(problem, *solution, 50);
     proved += proof.proved;
     if (proof.proved && i % 4 == 0) agrees_at_places(problem, EnclosedSolution(problem, proof), *solution);
     if (!proof.proved) MESSAGE(i << ": " << proof.reason);
