@@ -68,15 +68,17 @@ class Runner {
         node.words.push_back(by_rules(node, theorem->second).words);
         break;
       }
-      case ProofStep::Kind::definition: {
-        const auto definition = theory_.definitions.find(step.fact.word);
-        if (definition == theory_.definitions.end()) throw Gap{"not defined: " + step.fact.word};
-        by_rules(node, std::span(&definition->second, 1));
-        break;
-      }
+      case ProofStep::Kind::definition: by_rule_of_word(node, theory_.definitions, "not defined: "); break;
+      case ProofStep::Kind::inference: by_rule_of_word(node, theory_.inferences, "no inference of: "); break;
       case ProofStep::Kind::entry: by_entry(node, step.name); break;
     }
     nodes_.push_back(std::move(node));
+  }
+
+  void by_rule_of_word(ProofNode& node, const std::map<std::string, Rule>& rules, const std::string& none) const {
+    const auto rule = rules.find(node.fact.word);
+    if (rule == rules.end()) throw Gap{none + node.fact.word};
+    by_rules(node, std::span(&rule->second, 1));
   }
 
   std::vector<const DecidedFact*> decided(const Fact& fact, DecidedFact::By by) const {
@@ -231,6 +233,7 @@ std::string count_of_steps(const CheckedProof& proof) {
   count(ProofStep::Kind::enclosure, "enclosure", "enclosures");
   count(ProofStep::Kind::theorem, "classical theorem", "classical theorems");
   count(ProofStep::Kind::definition, "definition", "definitions");
+  count(ProofStep::Kind::inference, "inference in words", "inferences in words");
   count(ProofStep::Kind::entry, "entry", "entries");
   return text;
 }

@@ -6,6 +6,7 @@
 //   enclosure    it is decided over boxes that together cover the parameters
 //   theorem      the facts above match what the theorem needs, with one meaning of each variable
 //   definition   the facts above match what the word means
+//   inference    the facts above match what the theory infers the word from, in words: nothing is decided
 //   entry        another entry, with a complete proof for these parameters, concludes it, and its assumptions are above
 //
 // What is concluded is given by a step and not assumed, and what is assumed is used by one.

@@ -9,7 +9,8 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
-constexpr std::array<std::string_view, 6> kinds{"identity", "sign", "enclosure", "theorem", "definition", "entry"};
+constexpr std::array<std::string_view, 7> kinds{"identity",   "sign",      "enclosure", "theorem",
+                                                "definition", "inference", "entry"};
 
 ProofStep step_of(const std::vector<std::string>& cells) {
   if (cells.size() != 2) throw std::logic_error("not a step, a fact and by what: " + cells.at(0));

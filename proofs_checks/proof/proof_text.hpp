@@ -12,6 +12,7 @@
 //   | small(gamma) | enclosure |                 likewise, over boxes that together cover the parameters
 //   | plemelj(flat-punch) | theorem plemelj |
 //   | solves(flat-punch) | definition |
+//   | pressing(flat-punch) | inference |
 //   | load(flat-punch) | entry n-jump-punch |
 
 #include <string>
@@ -24,7 +25,7 @@
 namespace steadyslide::proofs_checks {
 
 struct ProofStep {
-  enum class Kind { identity, sign, enclosure, theorem, definition, entry };
+  enum class Kind { identity, sign, enclosure, theorem, definition, inference, entry };
 
   Fact fact;
   Kind kind;

@@ -79,7 +79,8 @@ class Reader {
     in_rows_ = false;
     rules_ = nullptr;
     facts_ = nullptr;
-    if (part_ == "Words" || part_ == "Things" || part_ == "Definitions" || part_ == "Decided") return;
+    if (part_ == "Words" || part_ == "Things" || part_ == "Definitions" || part_ == "Inferences" || part_ == "Decided")
+      return;
     add_once(theory_.theorems, part_, std::vector<Rule>{Rule{part_, {}, {}, {}}});
     rules_ = &theory_.theorems.at(part_);
   }
@@ -96,12 +97,13 @@ class Reader {
       const Fact fact = parse_fact(items_of(cells[0]).at(0));
       const std::set<std::string> different(fact.things.begin(), fact.things.end());
       if (!std::ranges::all_of(fact.things, is_variable) || different.size() != fact.things.size()) {
-        throw std::logic_error("a word is declared, and defined, for all things: " + cells[0]);
+        throw std::logic_error("a word is declared, defined and inferred for all things: " + cells[0]);
       }
       if (part_ == "Words") {
         add_once(theory_.words, fact.word, std::pair(fact, cells[1]));
       } else {
-        add_once(theory_.definitions, fact.word, Rule{fact.word, {}, parse_facts(cells[1]), {fact}});
+        auto& rules = part_ == "Definitions" ? theory_.definitions : theory_.inferences;
+        add_once(rules, fact.word, Rule{fact.word, {}, parse_facts(cells[1]), {fact}});
       }
     }
   }
@@ -150,7 +152,11 @@ Theory::Theory(std::span<const std::string_view> documents) {
       throw std::logic_error(rule.name + " says something of any " + *free + ", and needs nothing of it");
     }
   };
-  for (const auto& [word, rule] : definitions) check(rule);
+  for (const auto& [word, rule] : definitions) {
+    check(rule);
+    if (inferences.contains(word)) throw std::logic_error("both defined and inferred: " + word);
+  }
+  for (const auto& [word, rule] : inferences) check(rule);
   for (const auto& [name, rules] : theorems) std::ranges::for_each(rules, check);
   for (const DecidedFact& one : decided) {
     require_declared(one.fact);

@@ -1,6 +1,6 @@
 #pragma once
-// What proofs may use: words and things, definitions, facts that something decides, classical theorems. They stand in
-// Markdown: all files of proofs_checks/facts/,
+// What proofs may use: words and things, definitions, inferences, facts that something decides, classical theorems. They
+// stand in Markdown: all files of proofs_checks/facts/,
 //
 //   ## Words                                        each name once in all files
 //
@@ -17,6 +17,11 @@
 //   | fact | means |
 //   |---|---|
 //   | solves(T) | kernel(T), load(T) |
+//   ## Inferences                                   short ones, in words: read, and not decided by the program
+//
+//   | fact | follows from |
+//   |---|---|
+//   | pressing(T) | factor-sign(T), cosine(T) |
 //   ## Decided                                      what a decision says, and where
 //
 //   | fact | by | where |
@@ -47,7 +52,7 @@ namespace steadyslide::proofs_checks {
 
 /// The facts needed, with names in capitals for any thing, give all of these.
 struct Rule {
-  std::string name;  ///< of the theorem; the word that is defined
+  std::string name;  ///< of the theorem; the word that is defined or inferred
   std::string words;
   std::vector<Fact> needs;
   std::vector<Fact> gives;
@@ -72,6 +77,7 @@ struct Theory {
   std::map<std::string, std::pair<Fact, std::string>> words;  ///< with the variables of its declaration
   std::map<std::string, std::string> things;
   std::map<std::string, Rule> definitions;  ///< by word
+  std::map<std::string, Rule> inferences;   ///< by word
   std::map<std::string, std::vector<Rule>> theorems;
   std::vector<DecidedFact> decided;
 

@@ -24,6 +24,7 @@ constexpr std::string_view facts_document = R"(# Numbers
 | nonzero(E) | `E != 0` |
 | positive(E) | `E > 0` |
 | negative(E) | `E < 0` |
+| small(N) | N is small |
 
 ## Things
 
@@ -38,6 +39,12 @@ constexpr std::string_view facts_document = R"(# Numbers
 | fact | means |
 |---|---|
 | whole(N) | sum(N, A, B), even(A), odd(B) |
+
+## Inferences
+
+| fact | follows from |
+|---|---|
+| small(N) | sum(N, A, B), even(A) |
 
 ## Decided
 
@@ -153,6 +160,10 @@ TEST_CASE("every step left out, and every fact exchanged, leaves a gap") {
            {"[0, oo[", "]-1, oo[", "do not cover x in ]-1, oo["},
            {"For `x in [0, oo[`.\n", "", "do not cover"},
            {"| even(two) | identity |", "| even(two) | definition |", "not defined: even"},
+           {"| whole(five) | definition |", "| whole(five) | inference |", "no inference of: whole"},
+           {"| whole(five) | definition |", "| small(five) | definition |", "not defined: small"},
+           {"| whole(five) | definition |", "| small(three) | inference |",
+            "small(three) by small needs sum(three, A, B)"},
            {"| whole(five) | definition |", "| whole(two) | definition |", "whole(two) by whole needs sum(two, A, B)"},
            {"Assumes `nonzero(\"x - 1\")`", "Assumes `nonzero(\"x - 1\")`, `even(three)`",
             "assumed, and used by no step: even(three)"},
@@ -173,6 +184,14 @@ TEST_CASE("every step left out, and every fact exchanged, leaves a gap") {
     CAPTURE(proof.gap);
     CHECK(holds(proof.gap, gap));
   }
+}
+
+TEST_CASE("an inference needs what it is said to rest on, and is counted as what it is") {
+  const CheckedProof proof =
+      checked(replaced_once(replaced_once(sum_is_odd, "| whole(five) | definition |", "| small(five) | inference |"),
+                            "`whole(five)`", "`small(five)`"));
+  CHECK(proof.complete());
+  CHECK(count_of_steps(proof) == "2 identities, 1 enclosure, 1 classical theorem (odd-sum), 1 inference in words");
 }
 
 TEST_CASE("signs of formulas; divisors other than those that a fact is said to need") {
@@ -243,6 +262,9 @@ TEST_CASE("theories: nothing twice, nothing undeclared, definitions for all thin
                                                         {"| sum(N, A, B) |", "| sum(N, N, B) |"},
                                                         {"even(A), odd(B) |", "evn(A), odd(B) |"},
                                                         {"| whole(N) | sum(N, A, B)", "| whole(N) | sum(A, A, B)"},
+                                                        {"| small(N) | sum(N", "| small(two) | sum(N"},
+                                                        {"| small(N) | sum(N", "| small(N) | evn(N"},
+                                                        {"| small(N) | sum(N", "| whole(N) | sum(N"},
                                                         {"identity halves | |", "guess halves | |"},
                                                         {"identity halves | |", "identity halves |"},
                                                         {"nonzero(\"x - 1\") |", "x in [0, 1] |"}}) {
