@@ -6,7 +6,8 @@
 namespace steadyslide::proofs_checks {
 
 std::span<const Enclosure> enclosures() {
-  static const std::vector<Enclosure> all{edge_powers(), logarithm_of_two(), logarithm_of_a_unit()};
+  static const std::vector<Enclosure> all{edge_powers(), logarithm_of_two(), logarithm_of_a_unit(),
+                                          triangle_amplitude()};
   return all;
 }
 

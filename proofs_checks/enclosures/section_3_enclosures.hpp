@@ -1,5 +1,5 @@
 #pragma once
-// What the proofs of section 3 decide in balls.
+// What proofs decide in balls.
 
 #include "enclosure/number/ball.hpp"
 #include "proofs_checks/proof/enclosures.hpp"
@@ -15,5 +15,7 @@ Enclosure edge_powers();
 Enclosure logarithm_of_two();
 /// -log d >= 0 for d in an interval within ]0, 1].
 Enclosure logarithm_of_a_unit();
+/// 1 <= sin(pi eps)/(pi eps (1-eps)) <= 1 + eps for eps in an interval within [0, 0.6].
+Enclosure triangle_amplitude();
 
 }  // namespace steadyslide::proofs_checks

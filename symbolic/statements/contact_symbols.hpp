@@ -35,5 +35,6 @@ void add_parabola(std::vector<DecidedStatement>& all);
 void add_quartic(std::vector<DecidedStatement>& all);
 void add_linearisation(std::vector<DecidedStatement>& all);
 void add_shapes(std::vector<DecidedStatement>& all);
+void add_loads(std::vector<DecidedStatement>& all);
 
 }  // namespace steadyslide::symbolic

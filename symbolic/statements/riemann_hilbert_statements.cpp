@@ -33,6 +33,7 @@ std::vector<DecidedStatement> riemann_hilbert_statements() {
   add_quartic(all);
   add_linearisation(all);
   add_shapes(all);
+  add_loads(all);
   return all;
 }
 

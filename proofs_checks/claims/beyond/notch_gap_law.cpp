@@ -1,0 +1,149 @@
+// Gaps over a notch at three loads below the one that closes it: the law l = (K (P_c - P))^n has three unknowns.
+
+#include "numeric/quadrature/tanh_sinh.hpp"
+#include "proofs_checks/instruments/solutions/local_behaviour.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
+#include "proofs_checks/kit/comparison.hpp"
+
+namespace steadyslide::proofs_checks::notch_gap_law {
+namespace {
+
+/// Flanks of slopes `rear` and `front` that meet at the friction jump `at`.
+struct Notch {
+  std::string name;
+  Rational nu;
+  std::vector<Rational> friction;
+  std::vector<Rational> jumps;
+  std::size_t at;  ///< which jump
+  Rational rear;
+  Rational front;
+  Sliding sliding;
+  std::vector<Rational> loads;
+
+  const Rational& place() const { return jumps[at]; }
+  ContactProblem problem(const Rational& load) const {
+    const Polynomial left({-rear * place(), rear});
+    const Polynomial right({-front * place(), front});
+    return {Elasticity(Solid(nu, 1)), FrictionProfile(friction, jumps), Indenter(-1, {{place(), left}, {1, right}}),
+            load, sliding};
+  }
+};
+
+CaseList<Notch> notches(const Context& context) {
+  return first_when_quick<Notch>(context,
+                                 {{"0.1 | 0.5, flanks of 1/5",
+                                   Rational(1, 5),
+                                   {Rational(1, 10), Rational(1, 2)},
+                                   {0},
+                                   0,
+                                   Rational(1, 5),
+                                   Rational(-1, 5),
+                                   Sliding::plus_x,
+                                   {Rational(17, 5), Rational(37, 10), 4}},
+                                  {"0.6 | 0.1 towards -x, flanks of 1/5 and 1/10",
+                                   0,
+                                   {Rational(3, 5), Rational(1, 10)},
+                                   {Rational(-1, 4)},
+                                   0,
+                                   Rational(1, 5),
+                                   Rational(-1, 10),
+                                   Sliding::minus_x,
+                                   {Rational(3, 2), Rational(8, 5), Rational(17, 10)}},
+                                  {"0.3 | 0.1 | 0.7, flanks of 1/10 and 1/4",
+                                   Rational(3, 10),
+                                   {Rational(3, 10), Rational(1, 10), Rational(7, 10)},
+                                   {Rational(-1, 2), Rational(1, 4)},
+                                   1,
+                                   Rational(1, 10),
+                                   Rational(-1, 4),
+                                   Sliding::plus_x,
+                                   {Rational(27, 10), Rational(29, 10), Rational(31, 10)}}},
+                                 1, "notches, three loads each");
+}
+
+/// Behind the notch, in the solver's unit, which is that of all loads.
+double gap_behind(const Notch& notch, const Rational& load) {
+  const auto solution = solve<double>(notch.problem(load));
+  const std::size_t point = point_at(*solution, notch.place());
+  if (in_contact(*solution, point, Side::left)) throw Refutation{{notch.name, "no gap at the load " + to_string(load)}};
+  return solution->form().set().length(point - 1);
+}
+
+Values measured(const Notch& notch) {
+  std::vector<double> load, gap;
+  for (const Rational& p : notch.loads) {
+    load.push_back(to_real<double>(p));
+    gap.push_back(gap_behind(notch, p));
+  }
+  const double ratio = std::log(gap[0] / gap[1]) / std::log(gap[1] / gap[2]);
+  // log((P_c-P_0)/(P_c-P_1))/log((P_c-P_1)/(P_c-P_2)) grows with P_c, from 0 at P_2.
+  double low = load[2];
+  double high = 4 * load[2];
+  for (int step = 0; step < 100; ++step) {
+    const double middle = (low + high) / 2;
+    const double found =
+        std::log((middle - load[0]) / (middle - load[1])) / std::log((middle - load[1]) / (middle - load[2]));
+    (found < ratio ? low : high) = middle;
+  }
+  const double power = std::log(gap[0] / gap[2]) / std::log((low - load[0]) / (low - load[2]));
+  return {{"threshold", low}, {"exponent", power}};
+}
+
+/// P_c with parts of its formula times these.
+struct Law {
+  int integral = 1;
+  int sum = 1;
+  int from = 1;  ///< 1: the integral over what is in front of the notch, -1: behind
+};
+
+Number threshold(const Notch& notch, const Law& law) {
+  using R = numeric::Real50;
+  const ContactProblem problem = notch.problem(1);
+  PowerProduct form = punch_traction(problem.with_indenter(Indenter(-1, {{1, Polynomial()}})));
+  const std::vector<Exponent> powers = form.exponents;
+  const std::vector<R> points = form.at<R>().points();
+  R sum = 0;
+  for (std::size_t j = 0; j < points.size(); ++j) sum += to_real<R>(powers[j]) * points[j];
+  // cos(pi alpha)/(|Y| |x-c|)
+  for (Exponent& power : form.exponents) power = -power;
+  const std::size_t c = notch.at + 1;
+  form.exponents[c] -= Exponent(1);
+  for (std::size_t k = 0; k < form.amplitudes.size(); ++k)
+    form.amplitudes[k] = cos_pi_alpha<Number>(problem.coupled_friction(k));
+  const auto density = form.at<R>().traction().density();
+  R integral = 0;
+  const bool front = law.from > 0;
+  for (std::size_t k = front ? c : 0; k < (front ? density.size() : c); ++k)
+    integral += numeric::tanh_sinh::panel_integral<R>(density[k]).value;
+  const R reduced = numeric::pi<R>() * to_real<R>(notch.rear) * (points[c] + law.sum * sum) +
+                    law.integral * to_real<R>(notch.rear - notch.front) * integral;
+  return Number(reduced / to_real<R>(problem.elasticity().compliance()));
+}
+
+Values predicted(const Notch& notch) {
+  const ContactProblem problem = notch.problem(1);
+  const auto beta = to_real<Number>(alpha(problem, notch.at) - alpha(problem, notch.at + 1));
+  return {{"threshold", threshold(notch, {})}, {"exponent", Number(-1 / beta)}};
+}
+
+}  // namespace
+
+Claim claim() {
+  return compared<Notch>("notch-gap-law")
+      .cases(notches)
+      .precision(Precision::in_double)
+      .quantities({"threshold", "exponent"}, {.tolerance = 1e-6})
+      .measured(measured)
+      .predicted(predicted)
+      .wrong("the slope behind the notch alone",
+             [](Values& p, const Notch& c) { p.set("threshold", threshold(c, {.integral = 0})); })
+      .wrong("sigma_1 of the other sign",
+             [](Values& p, const Notch& c) { p.set("threshold", threshold(c, {.sum = -1})); })
+      .wrong("the integral over what is behind the notch",
+             [](Values& p, const Notch& c) { p.set("threshold", threshold(c, {.from = -1})); })
+      .wrong("a gap that closes like 1 - P/P_c", replaced({{"exponent", Number(1)}}))
+      .wrong("like its square root, as where ends meet without friction jump", replaced({{"exponent", Number(1) / 2}}))
+      .near_misses();
+}
+
+}  // namespace steadyslide::proofs_checks::notch_gap_law
