@@ -33,6 +33,8 @@ std::vector<DecidedStatement> riemann_hilbert_statements() {
   add_quartic(all);
   add_linearisation(all);
   add_shapes(all);
+  add_strips(all);
+  add_strip_weights(all);
   return all;
 }
 
