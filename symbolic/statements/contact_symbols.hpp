@@ -36,5 +36,7 @@ void add_quartic(std::vector<DecidedStatement>& all);
 void add_linearisation(std::vector<DecidedStatement>& all);
 void add_shapes(std::vector<DecidedStatement>& all);
 void add_loads(std::vector<DecidedStatement>& all);
+void add_strips(std::vector<DecidedStatement>& all);
+void add_strip_weights(std::vector<DecidedStatement>& all);
 
 }  // namespace steadyslide::symbolic

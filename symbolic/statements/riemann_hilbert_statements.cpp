@@ -34,6 +34,8 @@ std::vector<DecidedStatement> riemann_hilbert_statements() {
   add_linearisation(all);
   add_shapes(all);
   add_loads(all);
+  add_strips(all);
+  add_strip_weights(all);
   return all;
 }
 

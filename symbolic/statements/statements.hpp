@@ -24,7 +24,7 @@ std::vector<DecidedStatement> local_form_statements();
 /// The relation between Phi+ and Phi-, the exponents, Y+ = G Y-, the integer they sum to, the general solution, the
 /// count of unknowns; polynomial profiles; the flat punch, flat or tilted, with any number of jumps [Bal16, (4),
 /// (5)-(7), (8)]; the inverse of the operator [Bal16, (10)]; the parabola [Bal16, section 2] with any number of jumps,
-/// free or against an edge; the quartic.
+/// free or against an edge; the quartic; the friction of a flat punch with strips.
 std::vector<DecidedStatement> riemann_hilbert_statements();
 
 /// The energy of a traction t of zero mean is its logarithmic energy and what friction jumps add, any number of them
