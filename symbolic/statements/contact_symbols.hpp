@@ -35,5 +35,8 @@ void add_parabola(std::vector<DecidedStatement>& all);
 void add_quartic(std::vector<DecidedStatement>& all);
 void add_linearisation(std::vector<DecidedStatement>& all);
 void add_shapes(std::vector<DecidedStatement>& all);
+void add_remarks(std::vector<DecidedStatement>& all);
+void add_rows(std::vector<DecidedStatement>& all);
+void add_limits(std::vector<DecidedStatement>& all);
 
 }  // namespace steadyslide::symbolic

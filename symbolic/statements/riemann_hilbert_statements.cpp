@@ -33,6 +33,9 @@ std::vector<DecidedStatement> riemann_hilbert_statements() {
   add_quartic(all);
   add_linearisation(all);
   add_shapes(all);
+  add_remarks(all);
+  add_rows(all);
+  add_limits(all);
   return all;
 }
 
