@@ -38,5 +38,8 @@ void add_shapes(std::vector<DecidedStatement>& all);
 void add_loads(std::vector<DecidedStatement>& all);
 void add_strips(std::vector<DecidedStatement>& all);
 void add_strip_weights(std::vector<DecidedStatement>& all);
+void add_remarks(std::vector<DecidedStatement>& all);
+void add_rows(std::vector<DecidedStatement>& all);
+void add_limits(std::vector<DecidedStatement>& all);
 
 }  // namespace steadyslide::symbolic

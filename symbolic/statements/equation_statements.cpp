@@ -74,7 +74,7 @@ std::vector<DecidedStatement> equation_statements() {
     change(map);
     return map;
   };
-  return {
+  std::vector<DecidedStatement> all{
       {"equation-dilation",
        decided(same + "x = a + k y, t, k u_bar, k psi_bar, k P", dilation),
        {decided("psi_bar for k psi_bar", changed(dilation, [](Map& m) { m.profile = 1; })),
@@ -105,6 +105,9 @@ std::vector<DecidedStatement> equation_statements() {
        reduced("u_n' = H t_n - gamma t_t with t_t = f t_n is H t_n + s t_n, s = -gamma f", 1, -1),
        {reduced("s = gamma f", 1, 1), reduced("t_t = -f t_n", -1, -1), reduced("s = 0", 1, 0)}},
   };
+  add_half_plane(all);
+  add_far_field(all);
+  return all;
 }
 
 }  // namespace steadyslide::symbolic

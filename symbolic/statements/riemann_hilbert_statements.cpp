@@ -36,6 +36,9 @@ std::vector<DecidedStatement> riemann_hilbert_statements() {
   add_loads(all);
   add_strips(all);
   add_strip_weights(all);
+  add_remarks(all);
+  add_rows(all);
+  add_limits(all);
   return all;
 }
 

@@ -54,6 +54,29 @@ DecidedStatement tilt_window() {
            decided("1 + alpha", 1, 1, 1), decided("beta of the other sign", 1, half, -1)}};
 }
 
+/// B = delta (x + sigma_1) - P/pi by its values at the edges a and b, which are 0 at the ends of the window.
+DecidedStatement tilt_linear() {
+  const PhaseField field;
+  const symbol x("x"), a("a"), b("b"), sigma("sigma_1"), delta("delta"), load("P"), pi("pi");
+  const auto decided = [&](const std::string& words, const ex& left, const ex& right, int sign) {
+    const auto factor = [&](const ex& at) -> ex { return delta * (at + sigma) - load / pi; };
+    Comparison comparison(field);
+    comparison.equal("(b - a) B", (b - a) * factor(x), left * factor(a) + right * factor(b));
+    for (const ex& edge : {ex(a), ex(b)}) {
+      const ex limit = sign * pi * delta * (edge + sigma);
+      comparison.equal("B at its limit", factor(x).subs(load == limit), delta * (x - edge));
+    }
+    return comparison.as(words);
+  };
+  return {
+      "rh-tilt-linear",
+      decided("(b-a) B(x) = (b-x) B(a) + (x-a) B(b), and B(x) = delta (x-a) where P = pi delta (a + sigma_1); the same "
+              "at b",
+              b - x, x - a, 1),
+      {decided("weights exchanged", x - a, b - x, 1), decided("B(a) alone", b - a, 0, 1),
+       decided("P = -pi delta (a + sigma_1)", b - x, x - a, -1), decided("the sum", b + x, x + a, 1)}};
+}
+
 /// 2 (x^2 + sigma_1 x + h_2) = x^2 + (x + sigma_1)^2 + sigma_2, and the cubic of the middle rises where |alpha| < 1/2.
 DecidedStatement quartic_squares() {
   const PhaseField field;
@@ -211,6 +234,7 @@ DecidedStatement splitting() {
 
 void add_shapes(std::vector<DecidedStatement>& all) {
   all.push_back(tilt_window());
+  all.push_back(tilt_linear());
   all.push_back(quartic_squares());
   all.push_back(punch_extremes());
   all.push_back(rear_share());

@@ -2,7 +2,7 @@
 #include "proofs_checks/kit/comparison.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
-namespace steadyslide::proofs_checks::rem_01_incompressible {
+namespace steadyslide::proofs_checks::rem_01_incompressible_order {
 namespace {
 
 /// Problems that differ by gamma alone: of a reduced problem, or by nu -> 1/2 at the same compliance.
@@ -85,7 +85,7 @@ Values predicted(const Limit& c) {
 }  // namespace
 
 Claim claim() {
-  return compared<Limit>("rem-01-incompressible")
+  return compared<Limit>("rem-01-incompressible-order")
       .cases(limits)
       .precision(Precision::at_least_fifty)
       .quantity("order", {.tolerance = 0.01})
@@ -101,4 +101,4 @@ Claim claim() {
       .near_misses();
 }
 
-}  // namespace steadyslide::proofs_checks::rem_01_incompressible
+}  // namespace steadyslide::proofs_checks::rem_01_incompressible_order
