@@ -90,7 +90,7 @@ DecidedStatement far_energy() {
 /// u_n' = c H t_n beside the tractions, H t_n = C_n on the line; log(2 R) - log(R) = log 2.
 DecidedStatement far_surface() {
   const PhaseField field;
-  const symbol x("x"), load("P"), pi("pi"), c("c"), log2("log2"), logarithm("log(R)");
+  const symbol x("x"), load("P"), pi("pi"), c("c"), log2("log2"), logarithm("logR");
   const auto decided = [&](const std::string& words, int sign, const ex& rise) {
     const auto height = [&](const ex& log_x) -> ex { return c * load / pi * log_x; };
     // d log(x)/dx = 1/x, times x.
