@@ -110,6 +110,11 @@ struct Wanted {
   bool smallest;
 };
 
+/// Entries of the ledger that a row rests on: that the layout is extreme, and what its friction is.
+using Entries = std::vector<std::string>;
+Entries by_friction() { return {"flat-punch-effective-friction"}; }
+Entries by_extreme() { return {"flat-punch-extreme-layouts", "flat-punch-effective-friction"}; }
+
 /// The rows, computed in R.
 template <Real R>
 class Designer {
@@ -130,7 +135,7 @@ class Designer {
     std::vector<NumberText> jumps;
     for (const Rational& jump : problem_.friction().jumps()) jumps.push_back(exactly(jump));
     const auto layout = numeric::FrictionLayout<R>::of(problem_);
-    row("given", problem_.friction().values(), jumps, numeric::EffectiveFriction<R>(layout));
+    row("given", problem_.friction().values(), jumps, numeric::EffectiveFriction<R>(layout), by_friction());
   }
 
   void mixtures() {
@@ -138,9 +143,9 @@ class Designer {
     const auto fine = numeric::fine_mixture<R>({smooth.fraction, rough.fraction},
                                                {coupling_ * smooth.friction, coupling_ * rough.friction});
     const NumberText limit = number(fine.s_eff / numeric::to_real<R>(coupling_));
-    rows_.row({"fine_mixture", std::vector<std::string>{}, std::vector<NumberText>{}, limit, limit});
+    mixture("fine_mixture", limit, "flat-punch-fine-mixture-limit");
     const NumberText mean = exactly(smooth.fraction * smooth.friction + rough.fraction * rough.friction);
-    rows_.row({"mean", std::vector<std::string>{}, std::vector<NumberText>{}, mean, mean});
+    mixture("mean", mean, "flat-punch-mixture-below-mean");
   }
 
  private:
@@ -149,15 +154,19 @@ class Designer {
     return number(Estimate<R>{numeric::to_real<R>(value), R(0)}.widened(numeric::epsilon<R>()));
   }
 
+  void mixture(const std::string& name, const NumberText& friction, const std::string& entry) {
+    rows_.row({name, std::vector<std::string>{}, std::vector<NumberText>{}, friction, friction, Entries{entry}});
+  }
+
   void row(const std::string& name, const std::vector<Rational>& friction, const std::vector<NumberText>& jumps,
-           const numeric::EffectiveFriction<R>& effective) {
+           const numeric::EffectiveFriction<R>& effective, const Entries& by) {
     std::vector<std::string> values;
     for (const Rational& f : friction) values.push_back(format_number(f, wanted_.digits));
     const R coupling = numeric::to_real<R>(coupling_);
     const Estimate<R> forth = effective.value();
     // s_eff(-alpha) = difference - s_eff(alpha), and the other way coupling has the other sign.
     const Estimate<R> back = forth - effective.direction_difference();
-    rows_.row({name, values, jumps, number(forth / coupling), number(back / coupling)});
+    rows_.row({name, values, jumps, number(forth / coupling), number(back / coupling), by});
   }
 
   void extreme(const std::string& name, const Coating& outer, const Coating& inner) {
@@ -174,7 +183,7 @@ class Designer {
     const Rational length = punch.right() - punch.left();
     row(name, {outer.friction, inner.friction, outer.friction},
         {at(punch.left(), length, found.left), at(punch.right(), -length, found.right)},
-        numeric::EffectiveFriction<R>(found.layout));
+        numeric::EffectiveFriction<R>(found.layout), by_extreme());
   }
 
   /// The better one of rough | smooth and smooth | rough.
@@ -192,7 +201,7 @@ class Designer {
     const Coating& right = rough_is_left ? smooth : rough;
     const Indenter& punch = problem_.indenter();
     row(name, {left.friction, right.friction}, {exactly(punch.left() + left.fraction * (punch.right() - punch.left()))},
-        layout(left, right));
+        layout(left, right), by_friction());
   }
 
   const Wanted& wanted_;
@@ -227,7 +236,8 @@ ExitCode run_design(const Given& given) {
              "friction",
              {"jumps", numbers},
              {"effective_friction", numbers},
-             {"effective_friction_reversed", numbers}},
+             {"effective_friction_reversed", numbers},
+             "by"},
             output);
   // Never in double: the last of its digits are lost to rounding.
   const numeric::Digits digits = std::max(numeric::precision_for(options.digits), numeric::Digits::fifty);
