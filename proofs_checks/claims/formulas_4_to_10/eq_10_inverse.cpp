@@ -11,7 +11,7 @@ struct LinearSlope {
   ContactProblem problem;
   Polynomial slope;
 
-  Rational s() const { return problem.coupled_friction(0); }
+  Rational s() const { return s_of(problem, 0); }
 };
 
 std::string text_of(const LinearSlope& c) { return proofs_checks::text_of(c.problem) + ", u' = " + to_string(c.slope); }
@@ -40,7 +40,7 @@ void check_inverse(Findings& findings, const InverseFormula& formula, const Line
   // Of load 0, with A t = u': with u'/Y = Q + O(1/z), t = cos(pi alpha) |Y| Q.
   const PanelDensity<R> closed = density_of(inverse_without_integral<R>(c.s(), c.slope));
   const std::vector<R> u = coefficients_of<R>(c.slope);
-  const numeric::SurfaceCheck<R> surface({closed}, {to_real<R>(c.s())},
+  const numeric::SurfaceCheck<R> surface({closed}, {to_real<R>(c.problem.coupled_friction(0))},
                                          [&u](std::size_t, const Node<R>& node) { return value_of(u, node.x); });
   R size = 0;
   for (const R& coefficient : u) size += abs(coefficient);

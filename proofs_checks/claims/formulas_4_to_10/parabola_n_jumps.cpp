@@ -31,12 +31,17 @@ ParabolaTraction traction_on_solved_zone(const ContactProblem& p) {
   ParabolaTraction t;
   t.first_piece = data.first_piece;
   t.left_end = data.left_end;
-  t.exponents = data.exponents;
+  std::vector<Exponent> angles;
   const auto radius = to_real<Number>(radius_of(p));
   for (std::size_t k = 0; k < data.traction.weight.panel_count(); ++k) {
     t.lengths.push_back(data.traction.weight.panel(k).length);
-    t.amplitudes.push_back(-cos_pi_alpha<Number>(p.coupled_friction(data.first_piece + k)) / radius);
+    t.amplitudes.push_back(-cos_pi_alpha<Number>(s_of(p, data.first_piece + k)) / radius);
+    angles.push_back(alpha(p, data.first_piece + k));
   }
+  // A free end has the power of an edge and one.
+  t.exponents = punch_powers(angles);
+  t.exponents.front() += Exponent(1);
+  t.exponents.back() += Exponent(1);
   return t;
 }
 

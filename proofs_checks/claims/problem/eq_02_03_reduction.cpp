@@ -2,6 +2,7 @@
 
 #include "numeric/cauchy/sliding_operator.hpp"
 #include "proofs_checks/instruments/operators/half_plane_field.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/instruments/tractions/surface.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
@@ -62,6 +63,7 @@ void check_reduction(Findings& findings, const PiecewiseS& s, const Sheared& c) 
   }
   for (std::size_t i = 0; i < s.size(); ++i) {
     findings.decide("-gamma t_t = s t_n", -elasticity.gamma() * c.problem.shear_ratio(i) == s[i]);
+    findings.decide("s is the model's", c.problem.coupled_friction(i) == s[i]);
   }
 }
 
@@ -75,7 +77,7 @@ Claim claim() {
       .quantity("equation", {.tolerance = 1e-45})
       .says([](const Sheared& c) {
         PiecewiseS s;
-        for (const auto& piece : c.problem.pieces()) s.push_back(c.problem.coupled_friction(piece.friction));
+        for (const auto& piece : c.problem.pieces()) s.push_back(s_of(c.problem, piece.friction));
         return s;
       })
       .checked([]<Real R>(auto&... of) { check_reduction<R>(of...); })

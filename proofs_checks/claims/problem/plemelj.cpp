@@ -1,3 +1,4 @@
+#include "numeric/cauchy/sliding_operator.hpp"
 #include "proofs_checks/instruments/operators/complex_jet.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
@@ -27,7 +28,7 @@ PlemeljJump jump_of(const ContactProblem& p) {
   PlemeljJump jump{punch_traction(p), {}, to_real<Number>(p.load()) / (2 * numeric::pi<Number>())};
   for (std::size_t k = 0; k < p.friction().values().size(); ++k) {
     // (s-i)/(s+i) = (s-i)^2/(1+s^2)
-    const Rational s = p.coupled_friction(k);
+    const Rational s = s_of(p, k);
     const Rational scale = 1 + s * s;
     jump.ratios.push_back({to_real<Number>((s * s - 1) / scale), to_real<Number>(-2 * s / scale)});
   }
@@ -39,6 +40,28 @@ double distance(const Complex<R>& a, const Complex<R>& b, const R& size) {
   using std::sqrt;
   const Complex<R> c = a - b;
   return static_cast<double>(R(sqrt(R(c.re * c.re + c.im * c.im)) / size));
+}
+
+/// Plemelj's formulas by quadrature: H t = i (Phi^+ + Phi^-), and with s t the operator's value, zero.
+template <Real R>
+void check_operator(Findings& findings, const PowerForm<R>& form, const R& potential, const ContactProblem& problem) {
+  using std::abs;
+  const Surface<R> surface = surface_of<R>(form, problem, 0);
+  const numeric::FundamentalSolution<R> y = form.traction().weight;
+  const trapezoidal::Grid<R> grid(surface.traction);
+  const numeric::SlidingOperator<R> A(grid, surface.s);
+  for (std::size_t k = 0; k < y.panel_count(); ++k) {
+    for (const int tenths : {3, 8}) {
+      const PanelPoint<R> at = grid.midpoint_near(k, R(tenths) / 10);
+      const numeric::SlidingTerms<R> terms = A.at(at);
+      const R size = 2 * potential * y.modulus(k, at.node);
+      // i Phi = potential Y.
+      const R banks = potential * (y.boundary(k, at.node, BoundaryLimit::plus).re +
+                                   y.boundary(k, at.node, BoundaryLimit::minus).re);
+      findings.compare("sum", static_cast<double>(R(abs(terms.hilbert.value - banks) / size)));
+      findings.compare("operator", static_cast<double>(R(abs(terms.sum().value) / size)));
+    }
+  }
 }
 
 template <Real R>
@@ -72,6 +95,7 @@ void check_jump(Findings& findings, const PlemeljJump& formula, const ContactPro
       findings.compare("limit", static_cast<double>(shortest) * distance(y.at({node.x, R(-height)}), below, size));
     }
   }
+  check_operator(findings, form, potential, problem);
   const Complex<R> far{R(0), R(1 / small)};
   const R load = to_real<R>(problem.load()) / (2 * numeric::pi<R>());
   findings.compare("infinity", distance<R>(potential * (far * y.at(far)), {load, R(0)}, load));
@@ -83,7 +107,7 @@ Claim claim() {
   return formula_claim<ContactProblem, PlemeljJump>("plemelj")
       .cases(punches)
       .effective_where(has_friction)
-      .quantities({"jump", "angle", "traction", "limit", "infinity"})
+      .quantities({"jump", "angle", "traction", "sum", "operator", "limit", "infinity"})
       .says(jump_of)
       .checked([]<Real R>(auto&... of) { check_jump<R>(of...); })
       .wrong("G = (s+i)/(s-i)",

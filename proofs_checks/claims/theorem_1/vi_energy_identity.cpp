@@ -65,9 +65,9 @@ Real50 force_before(const CellForces& c, double xi, EnergyFormula::At at) {
 /// The logarithm's term and one for each jump.
 std::vector<Real50> energy_terms(const CellForces& c, const EnergyFormula& formula) {
   std::vector<Real50> terms{formula.factor_log * logarithmic_sum(c)};
-  const std::vector<Rational>& jumps = c.problem.friction().jumps();
+  const auto& [s, jumps] = c.steps;
   for (std::size_t k = 0; k < jumps.size(); ++k) {
-    const Rational step = c.problem.coupled_friction(k + 1) - c.problem.coupled_friction(k);
+    const Rational step = s[k + 1] - s[k];
     const Real50 t = force_before(c, c.mesh.place(jumps[k]), formula.at);
     const Real50 term = formula.factor_jump * to_real<Real50>(step) * t * t;
     terms.push_back(formula.modulus ? abs(term) : term);

@@ -1,11 +1,12 @@
 #include "proofs_checks/instruments/solutions/corner_form.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 
 namespace steadyslide::proofs_checks::thm_02_solved_wedge_and_jump {
 namespace {
 
 CornerForm at_wedge_and_jump(const SolvedCorner& c) {
-  const Rational rear = c.problem.coupled_friction(0);
-  const Rational front = c.problem.coupled_friction(1);
+  const Rational rear = s_of(c.problem, 0);
+  const Rational front = s_of(c.problem, 1);
   const Number constant = to_real<Number>(1 / (front - rear));
   return {.power = to_real<Number>(Exponent::angle(rear) - Exponent::angle(front)),
           .step = {constant, constant},

@@ -19,7 +19,8 @@ struct JumpCase {
   Examined examined = Examined::solved;
   std::optional<ContactProblem> other = {};  ///< the same next to the jump
 
-  Rational s(Side side) const { return problem.coupled_friction(problem.friction().piece(place, side)); }
+  std::size_t piece(Side side) const { return problem.friction().piece(place, side); }
+  Rational s(Side side) const { return s_of(problem, piece(side)); }
   bool rises() const { return s(Side::right) > s(Side::left); }
 };
 using Examined = JumpCase::Examined;
@@ -64,7 +65,8 @@ R theta_of(const ContactProblem& problem, const Rational& place) {
 template <Real R>
 Values solved_values(const JumpCase& c) {
   const R theta = theta_of<R>(c.problem, c.place);
-  const R power = jump_power<R>(to_real<R>(c.s(Side::left)), to_real<R>(c.s(Side::right))).power;
+  const auto s = [&c](Side side) { return to_real<R>(c.problem.coupled_friction(c.piece(side))); };
+  const R power = jump_power<R>(s(Side::left), s(Side::right)).power;
   Values values{
       {"power", power}, {"unbounded", power < 0}, {"equation", equation_error(c.problem)}, {"theta", theta > 0}};
   if (c.other) values.add({"other theta", relative_difference<R>(theta, theta_of<R>(*c.other, c.place)) > 0.01});

@@ -2,6 +2,7 @@
 
 #include "proofs_checks/instruments/solutions/flanks.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks::thm_02_words_wedge {
@@ -21,7 +22,7 @@ struct CornerCase {
   std::optional<ContactProblem> other = {};  ///< has the same wedge, and nothing else in common
 
   Rational place() const { return problem.indenter().breaks().front().x; }
-  Rational s() const { return problem.coupled_friction(problem.friction().piece(place(), Side::right)); }
+  Rational s() const { return s_of(problem, problem.friction().piece(place(), Side::right)); }
   /// D, reduced.
   Number wedge() const { return to_real<Number>(wedge_of(problem)); }
 };

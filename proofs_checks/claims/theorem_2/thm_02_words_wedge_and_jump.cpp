@@ -4,6 +4,7 @@
 #include "proofs_checks/instruments/operators/local_power.hpp"
 #include "proofs_checks/instruments/solutions/flanks.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks::thm_02_words_wedge_and_jump {
@@ -14,8 +15,8 @@ struct CornerCase {
   ContactProblem problem;
   bool on_cells = false;
 
-  Rational rear() const { return problem.coupled_friction(0); }
-  Rational front() const { return problem.coupled_friction(1); }
+  Rational rear() const { return s_of(problem, 0); }
+  Rational front() const { return s_of(problem, 1); }
   bool rises() const { return front() > rear(); }
   Rational wedge() const { return wedge_of(problem); }
 };
@@ -64,7 +65,8 @@ Values measured(const CornerCase& c) {
   Values values{{"inside", Number(inside ? 1 : 0)}, {"equation", equation_error(c.problem)}};
   if (!inside) return values;
   if (c.rises()) {
-    values.add({"power", jump_power<R>(to_real<R>(c.rear()), to_real<R>(c.front())).power});
+    const auto s = [&c](std::size_t piece) { return to_real<R>(c.problem.coupled_friction(piece)); };
+    values.add({"power", jump_power<R>(s(0), s(1)).power});
     return values;
   }
   const R left = limit_beside(*solution, j, Side::left);

@@ -4,6 +4,7 @@
 #include "proofs_checks/instruments/solutions/flanks.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks::thm_03_solved_ends {
@@ -13,9 +14,7 @@ struct SolvedProblem {
   ContactProblem problem;
   std::array<bool, 2> free;  ///< its ends
 
-  Rational s(std::size_t end) const {
-    return problem.coupled_friction(end == 0 ? 0 : problem.friction().values().size() - 1);
-  }
+  Rational s(std::size_t end) const { return s_of(problem, end == 0 ? 0 : problem.friction().values().size() - 1); }
 };
 
 std::string text_of(const SolvedProblem& c) { return proofs_checks::text_of(c.problem); }

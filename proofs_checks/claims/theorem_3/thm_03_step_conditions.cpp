@@ -2,6 +2,7 @@
 
 #include "proofs_checks/instruments/operators/local_power.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 
 namespace steadyslide::proofs_checks::thm_03_step_conditions {
@@ -69,8 +70,8 @@ enum class End { edge, free };
 
 /// -(1/2+alpha), 1/2-alpha with the contact on the right; mirrored on the left.
 Values powers(End end, Side contact, const ContactProblem& problem) {
-  const Exponent alpha = Exponent::angle(problem.coupled_friction(0));
-  const Number power = to_real<Number>((end == End::edge ? -half : half) + (contact == Side::right ? -alpha : alpha));
+  const Exponent angle = alpha(problem, 0);
+  const Number power = to_real<Number>((end == End::edge ? -half : half) + (contact == Side::right ? -angle : angle));
   return {{"power", power}, {"cells", power}};
 }
 

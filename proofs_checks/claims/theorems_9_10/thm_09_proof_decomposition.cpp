@@ -5,6 +5,7 @@
 #include "proofs_checks/instruments/operators/inverse_operator.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
 
 namespace steadyslide::proofs_checks::thm_09_proof_decomposition {
@@ -18,7 +19,7 @@ struct WedgeProblem {
 
   Rational c() const { return problem.indenter().pieces().front().to; }
   Rational slope_at_c(std::size_t piece) const { return problem.indenter().pieces()[piece].profile.derivative()(c()); }
-  Rational s() const { return problem.coupled_friction(0); }
+  Rational s() const { return s_of(problem, 0); }
 };
 
 CaseList<WedgeProblem> problems(const Context&) {

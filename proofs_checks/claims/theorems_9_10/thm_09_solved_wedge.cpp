@@ -1,10 +1,11 @@
 #include "proofs_checks/instruments/solutions/corner_form.hpp"
+#include "proofs_checks/instruments/tractions/punch.hpp"
 
 namespace steadyslide::proofs_checks::thm_09_solved_wedge {
 namespace {
 
 CornerForm at_wedge(const SolvedCorner& c) {
-  const Rational s = c.problem.coupled_friction(0);
+  const Rational s = s_of(c.problem, 0);
   const Number over = to_real<Number>(1 / (1 + s * s));
   return {.log_factor = over / numeric::pi<Number>(), .step = {0, to_real<Number>(s) * over}};
 }
@@ -22,7 +23,7 @@ Claim claim() {
       .wrong("H(c-x) instead of H(x-c)", [](CornerForm& form) { std::swap(form.step[0], form.step[1]); })
       .wrong("1/(1+s^2) missing",
              [](CornerForm& form, const SolvedCorner& c) {
-               const Number s = to_real<Number>(c.problem.coupled_friction(0));
+               const Number s = to_real<Number>(s_of(c.problem, 0));
                form.log_factor *= 1 + s * s;
                form.step[1] *= 1 + s * s;
              })

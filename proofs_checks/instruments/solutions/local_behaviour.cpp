@@ -5,6 +5,7 @@
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 #include "proofs_checks/instruments/convergence/convergence_cases.hpp"
+#include "proofs_checks/instruments/solutions/trial.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {
@@ -65,7 +66,7 @@ R asymptotic_distance() {
   return pow(R(10), -(numeric::digits_served<R> + 10));
 }
 
-double equation_error(const ContactProblem& problem) { return solve<double>(problem)->residuals().equation; }
+double equation_error(const ContactProblem& problem) { return equation_error(solve<double>(problem)->form()); }
 
 template <Real R>
 R limit_beside(const RiemannHilbertSolution<R>& solution, std::size_t point, Side side) {

@@ -45,8 +45,7 @@ R traction_beside(const RiemannHilbertSolution<R>& solution, std::size_t point, 
 template <Real R>
 R asymptotic_distance();
 
-/// The problem solved in double: the largest error of A t = psi' by the trapezoidal rule, which shares nothing with the
-/// solver, from 1e-6 of each segment's length on. Throws Refutation unless a solution is found.
+/// The problem solved in double: what trial.hpp's equation_error says of the solution. Throws Refutation unless one is found.
 double equation_error(const ContactProblem& problem);
 /// Of that error.
 inline constexpr double equation_tolerance = 1e-10;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "proofs_checks/instruments/tractions/punch.hpp"
+
 namespace steadyslide::proofs_checks {
 namespace {
 
@@ -94,7 +96,7 @@ std::vector<R> friction_of(const RiemannHilbertForm<R>& form) {
     const R x = to_real<R>(frame.origin) + to_real<R>(frame.unit) * middle;
     std::size_t piece = 0;
     for (const Rational& c : problem.friction().jumps()) piece += to_real<R>(c) < x ? 1 : 0;
-    result.push_back(to_real<R>(problem.coupled_friction(piece)));
+    result.push_back(to_real<R>(s_of(problem, piece)));
   }
   return result;
 }
@@ -130,16 +132,26 @@ PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>& form, const numeric:
 }
 
 template <Real R>
+R equation_error(const RiemannHilbertForm<R>& solution) {
+  const ContactSet<R>& set = solution.set();
+  const R origin = to_real<R>(solution.problem().frame().origin);
+  const R unit = to_real<R>(solution.problem().frame().unit);
+  const std::vector<std::size_t> segments = segments_of(solution);
+  const numeric::SurfaceCheck<R> check(
+      traction_density(solution), friction_of(solution), [&](std::size_t k, const Node<R>& node) {
+        const R middle = (set.x(segments[k]) + set.x(segments[k] + 1)) / 2;
+        const ContactProblem& problem = solution.problem().problem();
+        return R(slope<R>(problem, R(origin + unit * middle), R(origin + unit * node.x)) + solution.tilt());
+      });
+  return check.equation();
+}
+
+template <Real R>
 void check_equation(Findings& findings, const RiemannHilbertForm<R>& solution) {
   const Quantity equation{"A t = psi'/c for the solved problem",
                           {"(1/pi) PV int t/(x'-x) dx' + s t, trapezoidal rule", "psi'/c"},
                           tolerance<R>()};
-  const std::vector<std::size_t> segments = segments_of(solution);
-  const numeric::SurfaceCheck<R> check(
-      traction_density(solution), friction_of(solution), [&](std::size_t k, const Node<R>& node) {
-        return R(solution.problem().slope(solution.slope_at(segments[k]), node.x) + solution.tilt());
-      });
-  findings.compare(equation, static_cast<double>(check.equation()));
+  findings.compare(equation, static_cast<double>(equation_error(solution)));
 }
 
 template <Real R>
@@ -167,6 +179,7 @@ R extrapolated(const std::vector<R>& f, int to) {
   template std::vector<R> friction_of(const RiemannHilbertForm<R>&);                                            \
   template PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>&, const numeric::FundamentalSolution<R>&, \
                                           const Bracket<R>&);                                                   \
+  template R equation_error(const RiemannHilbertForm<R>&);                                                      \
   template void check_equation(Findings&, const RiemannHilbertForm<R>&);                                        \
   template R extrapolated(const std::vector<R>&, int);
 STEADYSLIDE_INSTANTIATE(double)

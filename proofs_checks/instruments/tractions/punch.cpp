@@ -34,21 +34,25 @@ ContactProblem random_punch(const Context& context, Random& random, std::size_t 
 
 bool has_jump(const ContactProblem& problem) {
   for (std::size_t k = 1; k < problem.friction().values().size(); ++k) {
-    if (problem.coupled_friction(k - 1) != problem.coupled_friction(k)) return true;
+    if (s_of(problem, k - 1) != s_of(problem, k)) return true;
   }
   return false;
 }
 
 bool has_friction(const ContactProblem& problem) {
   for (std::size_t k = 0; k < problem.friction().values().size(); ++k) {
-    if (problem.coupled_friction(k) != 0) return true;
+    if (s_of(problem, k) != 0) return true;
   }
   return false;
 }
 
-Exponent alpha(const ContactProblem& problem, std::size_t piece) {
-  return Exponent::angle(problem.coupled_friction(piece));
+Rational s_of(const ContactProblem& problem, std::size_t piece) {
+  const Rational& f = problem.friction().values().at(piece);
+  const Rational shear = problem.sliding() == Sliding::plus_x ? Rational(-f) : f;
+  return -problem.elasticity().gamma() * shear;
 }
+
+Exponent alpha(const ContactProblem& problem, std::size_t piece) { return Exponent::angle(s_of(problem, piece)); }
 
 std::vector<Exponent> punch_powers(const std::vector<Exponent>& alpha) {
   std::vector<Exponent> powers{-(half + alpha.front())};

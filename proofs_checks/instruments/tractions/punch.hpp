@@ -27,11 +27,15 @@ bool has_jump(const ContactProblem& problem);
 /// Is there friction anywhere?
 bool has_friction(const ContactProblem& problem);
 
-/// alpha of friction piece k, and the amplitude load cos(pi alpha)/pi of the punch there.
+/// s of friction piece k for formulas, from the data alone: the indenter drags the body along, t_t = -f t where it moves
+/// towards +x and f t where towards -x, and the surface's equation has -gamma t_t. What checks a formula asks the model for s:
+/// a wrong sign there is no part of both.
+Rational s_of(const ContactProblem& problem, std::size_t piece);
+/// alpha = arctan(s)/pi of that s, and the amplitude load cos(pi alpha)/pi of the punch there.
 Exponent alpha(const ContactProblem& problem, std::size_t piece);
 template <Real R>
 R punch_amplitude(const ContactProblem& problem, std::size_t piece) {
-  return -to_real<R>(problem.load()) * cos_pi_alpha<R>(problem.coupled_friction(piece)) / numeric::pi<R>();
+  return -to_real<R>(problem.load()) * cos_pi_alpha<R>(s_of(problem, piece)) / numeric::pi<R>();
 }
 
 /// The powers at the edges and jumps, from the angles on the pieces between them.

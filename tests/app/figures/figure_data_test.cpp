@@ -117,6 +117,44 @@ TEST_CASE("the parabola is that of solve and of Galin") {
   }
 }
 
+TEST_CASE("tractions on the body are those of solve, lengths and angles to scale") {
+  const Figure& figure = made("reactions");
+  for (const int f : {0, 1}) {
+    const Panel& panel = figure.panels[static_cast<std::size_t>(f)];
+    const double across = 800 * (panel.frame.right - panel.frame.left) / (panel.x.to - panel.x.from);
+    const double upwards = figure.height * (panel.frame.top - panel.frame.bottom) / (panel.y.to - panel.y.from);
+    CHECK(across == doctest::Approx(upwards).epsilon(1e-12));
+    std::vector<double> places, down;
+    for (std::size_t k = 0; k < 7; ++k) {
+      const Guide& arrow = panel.guides[k];
+      places.push_back(arrow.from.x);
+      down.push_back(arrow.from.y - arrow.to.y);
+      CHECK(arrow.to.x - arrow.from.x == doctest::Approx(f * down[k]).scale(1).epsilon(1e-12));
+      CHECK(arrow.from.y == doctest::Approx(arrow.from.x * arrow.from.x / 2).scale(1).epsilon(1e-12));
+    }
+    const std::vector<double> found = pressures({"0", std::to_string(f), "", "x^2/2", "0.25"}, places);
+    for (std::size_t k = 0; k < 7; ++k) CHECK(found[k] * down[0] == doctest::Approx(found[0] * down[k]).epsilon(1e-9));
+    CHECK(down[0] != doctest::Approx(down[3]).epsilon(0.1).scale(0));
+  }
+}
+
+TEST_CASE("the problem's contact is that of solve, and the surface lies below the obstacle beside it") {
+  const Figure& figure = made("geometry");
+  const std::vector<Series>& series = figure.panels.front().series;
+  const double left = series[2].points[0].x, right = series[2].points[3].x;
+  const std::vector<double> pressure =
+      pressures({"0.2", "0.3, 1", "0.2", "x^2/3", "0.25"}, {left - 0.001, left + 0.001, right - 0.001, right + 0.001});
+  CHECK(pressure[0] == 0);
+  CHECK(pressure[1] > 0);
+  CHECK(pressure[2] > 0);
+  CHECK(pressure[3] == 0);
+  for (const Point& surface : series[1].points) {
+    const double gap = surface.x * surface.x / 3 - surface.y;
+    const bool inside = surface.x >= left && surface.x <= right;
+    CHECK((inside ? std::abs(gap) < 1e-9 : gap > 0));
+  }
+}
+
 TEST_CASE("local forms have the derived slopes, and cells read the same") {
   const Figure& figure = made("local-forms");
   const double a = alpha(0.375), beta = alpha(0.0375) - a;

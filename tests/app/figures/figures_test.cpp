@@ -58,7 +58,7 @@ Finished with_path(const std::string& path, const std::filesystem::path& folder)
 TEST_CASE("every figure is written, whole, the same each time, and shows its title, axes with units, legend, command") {
   const TemporaryFolder folder;
   CHECK(out_of(run_program({"figures", "-o", "new/folder"}, folder.path())) == "");
-  REQUIRE(figures().size() == 10);
+  REQUIRE(figures().size() == 12);
   std::set<std::string> all_ids;
   std::vector<std::string> files;
   for (const FigureMaker& maker : figures()) {
