@@ -15,9 +15,9 @@ struct Gap {
   std::string words;
 };
 
-class Runner {
+class ProofChecker {
  public:
-  Runner(const ProofText& text, const Theory& theory, const Decisions& decisions)
+  ProofChecker(const ProofText& text, const Theory& theory, const Decisions& decisions)
       : text_(text), theory_(theory), decisions_(decisions) {}
 
   CheckedProof run() {
@@ -192,7 +192,7 @@ class Runner {
 }  // namespace
 
 CheckedProof check_proof(const ProofText& text, const Theory& theory, const Decisions& decisions) {
-  return Runner(text, theory, decisions).run();
+  return ProofChecker(text, theory, decisions).run();
 }
 
 std::vector<TreeLine> tree_of(const CheckedProof& proof) {
