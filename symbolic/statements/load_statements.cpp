@@ -218,17 +218,17 @@ DecidedStatement principal_part() {
   };
   return {"rh-principal-part",
           decided("r/(z-e) + M/Q has the numerator N = r Q + (z-e) M, and N(e) = r Q(e)", z - e, r * polynomial(q, e)),
-          {decided("z + e", z + e, r * polynomial(q, e)), decided("Q for r Q", z - e, polynomial(q, e)),
-           decided("N(e) = 0", z - e, 0)}};
+          {decided("z + e", z + e, r * polynomial(q, e)), decided("z - 2 e", z - 2 * e, r * polynomial(q, e)),
+           decided("Q for r Q", z - e, polynomial(q, e)), decided("N(e) = 0", z - e, 0)}};
 }
 
 /// Lengths l, friction f, r = 1/k: p = C r has k p = C, and C sum l r for its load, C sum f l r for its friction.
 DecidedStatement run_in() {
   const PhaseField field;
-  const auto decided = [&](const std::string& words, int wear, bool mean) {
+  const auto decided = [&](const std::string& words, int pressure, int wear, bool mean) {
     const symbol c("C"), lengths("L"), worn("W"), l("l"), f("f"), k("k");
     const ex r = GiNaC::pow(k, wear);
-    const ex p = c / k;
+    const ex p = c * GiNaC::pow(k, pressure);
     Comparison comparison(field);
     // One coating, and one more beside any number of them with sum l r = L, sum f l r = W, load C L and friction C W.
     comparison.equal("k p", k * p, c)
@@ -238,9 +238,9 @@ DecidedStatement run_in() {
     return comparison.as(words);
   };
   return {"rh-run-in",
-          decided("p = C/k: (sum f l p) (sum l/k) = (sum l p) (sum f l/k), for any number of coatings", -1, true),
-          {decided("k for 1/k", 1, true), decided("the mean of f by lengths", 0, true),
-           decided("f l for f l/k", -1, false)}};
+          decided("p = C/k: (sum f l p) (sum l/k) = (sum l p) (sum f l/k), for any number of coatings", -1, -1, true),
+          {decided("k for 1/k", -1, 1, true), decided("the mean of f by lengths", -1, 0, true),
+           decided("f l for f l/k", -1, -1, false), decided("p = C", 0, -1, true)}};
 }
 
 }  // namespace
