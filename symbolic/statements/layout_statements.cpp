@@ -26,7 +26,7 @@ DecidedStatement surface_base() {
   return {"rh-layout-surface-base",
           decided("one strip: |Y| is e^-B/sqrt(x^2-1) in front and e^A/sqrt(x^2-1) behind", 1, one_half()),
           {decided("alpha of the other sign", -1, one_half()), decided("without alpha", 0, one_half()),
-           decided("the power 1 + alpha at the edges", 1, 1)}};
+           decided("the power 1 + alpha at the edges", 1, 1), decided("2 alpha", 2, one_half())}};
 }
 
 /// One more jump, at c in the last strip: its powers add (alpha_0 - alpha_1) (log(x-c) - log(x-b)), b the right edge.
@@ -50,7 +50,7 @@ DecidedStatement surface_step() {
   return {"rh-layout-surface-step",
           decided("one more jump: what the powers add to log |Y| is what it adds to -B in front and to A behind", {}),
           {decided("beta of the other sign", {.beta = -1}), decided("+B in front", {.front = 1}),
-           decided("-A behind", {.behind = -1})}};
+           decided("-A behind", {.behind = -1}), decided("2 B in front", {.front = -2})}};
 }
 
 /// The integrals over a strip: d log(x+y)/dy = 1/(x+y), d(-log(x-y))/dy = 1/(x-y).
@@ -65,7 +65,8 @@ DecidedStatement logarithms() {
   };
   return {"rh-layout-logarithms",
           decided("log(x+y) and -log(x-y) are primitives of 1/(x+y) and 1/(x-y) in y", 1, -1),
-          {decided("log(x-y) without its sign", 1, 1), decided("-log(x+y)", -1, -1), decided("twice", 2, -2)}};
+          {decided("log(x-y) without its sign", 1, 1), decided("-log(x+y)", -1, -1), decided("twice", 2, -2),
+           decided("three times", 3, -3)}};
 }
 
 /// int_-L^L F+ has the real part 0 far away: on the contact Re F+ = H t = -s t, beside it F = -(P/pi) |Y| behind and
@@ -91,7 +92,7 @@ DecidedStatement balance() {
       "rh-layout-balance",
       decided("-int s t dx = (P/pi) (int |Y| behind - int |Y| in front), where the real part of int F+ vanishes", {}),
       {decided("H t = s t", {.friction = 1}), decided("u' positive behind", {.behind = 1}),
-       decided("without 1/pi", {.pi = false})}};
+       decided("without 1/pi", {.pi = false}), decided("H t = -2 s t", {.friction = -2})}};
 }
 
 /// e^A - e^-B + e^-A - e^B = 2 (cosh A - cosh B).
@@ -106,7 +107,7 @@ DecidedStatement direction() {
   return {"rh-layout-direction",
           decided("e^A - e^-B and the same with -A, -B add up to 2 (cosh A - cosh B)", 1, 2, -1),
           {decided("subtracted", -1, 2, -1), decided("cosh A - cosh B once", 1, 1, -1),
-           decided("cosh A + cosh B", 1, 2, 1)}};
+           decided("cosh A + cosh B", 1, 2, 1), decided("cosh A alone", 1, 2, 0)}};
 }
 
 /// Two equal halves on [-1, 1]: the logarithms of x, x-1 and x+1 are symbols; cosh A - cosh B with e^A = u v, e^B = u/v.
@@ -137,7 +138,7 @@ DecidedStatement halves() {
                   "log((x+1)/(x-1)), cosh A - cosh B = 2 sinh((A+B)/2) sinh((A-B)/2)",
                   {}),
           {decided("A for B", {.exchanged = true}), decided("log(x/(x^2-1))", {.middle = 1}),
-           decided("cosh A - cosh B without the 2", {.factor = 1})}};
+           decided("cosh A - cosh B without the 2", {.factor = 1}), decided("of the other sign", {.factor = -2})}};
 }
 
 /// v = (c-x)/(1-x), v = u r, c = 2 u - 1, takes the load behind the jump to Euler's integral: powers of 1-v, 2, 1-u, u.
@@ -175,7 +176,7 @@ DecidedStatement share() {
                   "a = 1/2 - alpha_r, b = 1/2 + alpha_l",
                   {}),
           {decided("beta of the other sign", {.jump = -1}), decided("alpha_r at the rear edge", {.edges = false}),
-           decided("without 1/(1-u r)", {.density = 0})}};
+           decided("without 1/(1-u r)", {.density = 0}), decided("1/(1-u r)^2", {.density = -2})}};
 }
 
 /// F = -(1/pi) (int t/z + int x t/z^2) = (P/pi) Y: int x t = P sigma_1, so that the centre is int x t/int t = -sigma_1.
@@ -197,7 +198,7 @@ DecidedStatement centre() {
               "-sigma_1 int t",
               1, -1, 1),
       {decided("int x t of the other sign", -1, -1, 1), decided("int t = P", 1, 1, 1),
-       decided("half of it", 1, -1, one_half())}};
+       decided("half of it", 1, -1, one_half()), decided("twice", 1, -1, 2)}};
 }
 
 }  // namespace

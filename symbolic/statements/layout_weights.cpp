@@ -26,7 +26,8 @@ DecidedStatement chord() {
           decided("the chord of 1/(x+y) from a to b is k (1-k) (a-b)^2/((x+a) (x+b) (x+k a+(1-k) b)) above it, and the "
                   "like of 1/(x-y)",
                   1, 2, 1),
-          {decided("below it", -1, 2, 1), decided("(a-b)^3", 1, 3, 1), decided("at another place", 1, 2, 2)}};
+          {decided("below it", -1, 2, 1), decided("(a-b)^3", 1, 3, 1), decided("at another place", 1, 2, 2),
+           decided("twice", 2, 2, 1)}};
 }
 
 /// A jump at y: A gains (alpha_l - alpha_r) log(x+y), B loses (alpha_l - alpha_r) log(x-y); exponentials are symbols.
@@ -45,7 +46,7 @@ DecidedStatement slopes() {
       decided("the derivative of e^A - e^-B by the place y of a jump is (alpha_l - alpha_r) (e^A/(x+y) + e^-B/(x-y))",
               1, -1, 1),
       {decided("of the other sign", -1, -1, 1), decided("B of the other sign", 1, 1, 1),
-       decided("e^A/(x+y) - e^-B/(x-y)", 1, -1, -1)}};
+       decided("e^A/(x+y) - e^-B/(x-y)", 1, -1, -1), decided("twice", 2, -1, 1)}};
 }
 
 /// Two jumps move so that the rough coating gains u at one and loses it at the other.
@@ -57,7 +58,8 @@ DecidedStatement exchange() {
   };
   return {"rh-layout-exchange",
           decided("what exchanging a length u of two coatings changes is D u (w_1 - w_2)", -1, -1),
-          {decided("a gain at both jumps", 1, -1), decided("w_1 + w_2", -1, 1), decided("w_1 alone", -1, 0)}};
+          {decided("a gain at both jumps", 1, -1), decided("w_1 + w_2", -1, 1), decided("w_1 alone", -1, 0),
+           decided("twice the loss", -2, -1)}};
 }
 
 /// Over a period from z on, 1/(x+y) differs from its value at z by (z-y)/((x+y) (x+z)), 1/(x-y) by (y-z)/((x-y) (x-z)).
@@ -73,7 +75,7 @@ DecidedStatement periods() {
   return {"rh-layout-periods",
           decided("1/(x+y) - 1/(x+z) = (z-y)/((x+y) (x+z)) and 1/(x-y) - 1/(x-z) = (y-z)/((x-y) (x-z))", 1, 1),
           {decided("both of the other sign", -1, -1), decided("1/(x+y) of the other sign", -1, 1),
-           decided("1/(x-y) of the other sign", 1, -1)}};
+           decided("1/(x-y) of the other sign", 1, -1), decided("twice", 2, 2)}};
 }
 
 /// arctan s <= arctan m + (s-m)/(1+m^2): the difference of the slopes, times (1+s^2) (1+m^2).
@@ -85,7 +87,8 @@ DecidedStatement tangent() {
   };
   return {"rh-layout-tangent",
           decided("1/(1+m^2) - 1/(1+s^2) = (s-m) (s+m)/((1+s^2) (1+m^2))", 1, 1),
-          {decided("the other sign", -1, 1), decided("(s-m)^2", 1, -1), decided("(s-m) (s+2 m)", 1, 2)}};
+          {decided("the other sign", -1, 1), decided("(s-m)^2", 1, -1), decided("(s-m) (s+2 m)", 1, 2),
+           decided("twice", 2, 1)}};
 }
 
 }  // namespace

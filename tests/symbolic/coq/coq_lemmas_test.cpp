@@ -101,7 +101,8 @@ bool multiplies_out(const CoqLemma& lemma, std::mt19937& random, int places = 2)
   for (int place = 0; place < places; ++place) {
     CoqReader::Values values{{"zero", 0}};
     for (const std::string& name : words(statement.substr(0, colon))) {
-      values[name] = Rational(static_cast<int>(random() % 101) - 50, static_cast<int>(random() % 7) + 1);
+      // Odd: a factor that is 0 would make a wrong lemma multiply out.
+      values[name] = Rational(2 * static_cast<int>(random() % 51) - 51, static_cast<int>(random() % 7) + 1);
     }
     const Rational lhs = CoqReader(conclusion.substr(0, equals), values).value();
     const Rational rhs = CoqReader(conclusion.substr(equals + 2), values).value();
