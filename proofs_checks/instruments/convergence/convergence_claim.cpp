@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "model/uniqueness.hpp"
 #include "proofs_checks/instruments/convergence/convergence_study.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/tractions/surface.hpp"
@@ -21,6 +22,7 @@ struct Prediction {
   bool angle_reversed = false;  ///< in the exponents
   double end_offset = 0;        ///< of the reference's ends, in cells
   double intensity_offset = 0;  ///< of the reference's, in tolerances
+  double resultant_offset = 0;  ///< of the reference's, in radii of what is proved
 };
 
 class Comparison {
@@ -34,6 +36,19 @@ class Comparison {
     for (std::size_t k = 0; k < names.size(); ++k) {
       rate("error of the " + names[k], first,
            [&](const MeshLevel& level) { return resultant_error(level, exact_, k); });
+    }
+  }
+
+  /// The energy bounds them on every mesh, by a theorem, whatever the rates do.
+  void proved_resultants() {
+    for (const MeshLevel& level : study_.levels) {
+      if (!level.bound) continue;
+      findings_.begin_case(std::to_string(level.cells) + " cells");
+      for (std::size_t k = 0; const enclosure::Ball* ball = proved_resultant(*level.bound, k); ++k) {
+        const double radius = ball->radius().to_double();
+        const double exact = exact_.resultants[k] + predicted_.resultant_offset * radius;
+        findings_.compare(proved_, std::abs(ball->to_double() - exact) / radius);
+      }
     }
   }
 
@@ -100,15 +115,27 @@ class Comparison {
     const std::string detail =
         std::to_string(levels.size()) + " levels from " + std::to_string(first) + " cells on, root mean squares of " +
         std::to_string(study_.levels.front().meshes.size()) + " meshes; " + short_text(levels.back().error) + " on " +
-        std::to_string(study_.levels.back().cells) + " cells";
+        std::to_string(study_.levels.back().cells) + " cells" + proved_energies();
     findings_.begin_case("all levels");
     findings_.require(!std::isnan(measured.value), "no rate of " + what + ": an error is not positive and finite");
     findings_.measure(
         {what, measured.value, measured.error_bar, study_.rate + predicted_.rate_offset, quick_ ? 0.25 : 0.1, detail});
   }
 
+  /// The error in the energy, in parts of P^2, that is proved on the first mesh of each level; empty where none is.
+  std::string proved_energies() const {
+    std::string result;
+    for (const MeshLevel& level : study_.levels) {
+      if (level.bound) result += (result.empty() ? "" : ", ") + short_text(level.bound->energy.to_double());
+    }
+    return result.empty() ? result : "; proved of the energy's error, level by level: at most " + result;
+  }
+
   const std::vector<std::string> ends_routes_{"cells in contact", "solution of the Riemann-Hilbert problem"};
   const Quantity free_{"place of a free end of contact, in cells", ends_routes_, 1};
+  const Quantity proved_{"distance from the middle of what is proved of a load share or of the friction, in its radii",
+                         {"solution of the Riemann-Hilbert problem", "energy bound of the cells"},
+                         1};
   const Quantity edge_{"place of an end at an edge or step", ends_routes_, 1e-14};
   Findings& findings_;
   const ConvergenceStudy& study_;
@@ -127,29 +154,36 @@ Claim convergence_claim(std::string_view id) {
             "from 64 to " + std::to_string(plan.last) + " cells; intensities and exponents on " +
                 std::to_string(plan.fine)};
   };
-  return formula_claim<ContactProblem, Prediction>(std::string(id))
-      .cases(cases)
-      .precision(Precision::in_double)
-      // A study is long, and a claim and all its controls look at the same one.
-      .checked([studies = std::make_shared<std::map<bool, ConvergenceStudy>>()](
-                   Findings& findings, const Prediction& predicted, const ContactProblem& p, const Context& context) {
-        ConvergenceStudy& found = (*studies)[context.quick];
-        if (found.levels.empty()) found = study(p, context.quick ? StudyPlan::quick() : StudyPlan::full());
-        const SolvedReference exact = reference(predicted.friction_reversed ? with_friction_reversed(p) : p);
-        Comparison comparison(findings, found, exact.solved, predicted, context.quick);
-        comparison.resultants(resultant_names(p));
-        comparison.intensities();
-        comparison.ends();
-        comparison.exponents();
-      })
-      .wrong("a rate higher by one", [](Prediction& p) { p.rate_offset = 1; })
-      .wrong(problem.friction().values().size() > 1 ? "the reference with the friction values in the other order"
-                                                    : "the reference sliding the other way",
-             [](Prediction& p) { p.friction_reversed = true; })
-      .wrong("exponents with alpha's sign reversed", [](Prediction& p) { p.angle_reversed = true; })
-      .wrong("every end two cells further right", [](Prediction& p) { p.end_offset = 2; })
-      .wrong("near miss: intensities off by ten times what the finest mesh allows",
-             [](Prediction& p) { p.intensity_offset = 10; });
+  const bool bounded = !problem.friction().jumps().empty() && uniqueness(problem).proved;
+  auto claim =
+      formula_claim<ContactProblem, Prediction>(std::string(id))
+          .cases(cases)
+          .precision(Precision::in_double)
+          // A study is long, and a claim and all its controls look at the same one.
+          .checked(
+              [studies = std::make_shared<std::map<bool, ConvergenceStudy>>()](
+                  Findings& findings, const Prediction& predicted, const ContactProblem& p, const Context& context) {
+                ConvergenceStudy& found = (*studies)[context.quick];
+                if (found.levels.empty()) found = study(p, context.quick ? StudyPlan::quick() : StudyPlan::full());
+                const SolvedReference exact = reference(predicted.friction_reversed ? with_friction_reversed(p) : p);
+                Comparison comparison(findings, found, exact.solved, predicted, context.quick);
+                comparison.resultants(resultant_names(p));
+                comparison.proved_resultants();
+                comparison.intensities();
+                comparison.ends();
+                comparison.exponents();
+              })
+          .wrong("a rate higher by one", [](Prediction& p) { p.rate_offset = 1; })
+          .wrong(problem.friction().values().size() > 1 ? "the reference with the friction values in the other order"
+                                                        : "the reference sliding the other way",
+                 [](Prediction& p) { p.friction_reversed = true; })
+          .wrong("exponents with alpha's sign reversed", [](Prediction& p) { p.angle_reversed = true; })
+          .wrong("every end two cells further right", [](Prediction& p) { p.end_offset = 2; })
+          .wrong("near miss: intensities off by ten times what the finest mesh allows",
+                 [](Prediction& p) { p.intensity_offset = 10; });
+  return bounded ? std::move(claim).wrong("resultants off by twice what is proved",
+                                          [](Prediction& p) { p.resultant_offset = 2; })
+                 : std::move(claim);
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "model/uniqueness.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
@@ -64,6 +65,13 @@ OnMesh on_mesh(const ContactProblem& problem, const VariationalSolution& solutio
   }
   if (cells >= first_with_intensities) result.solved.intensities = intensities_of(solution);
   return result;
+}
+
+std::optional<enclosure::CellBound> proved_bound(const ContactProblem& problem, const VariationalSolution& solution) {
+  if (!uniqueness(problem).proved) return std::nullopt;
+  enclosure::CellBound bound = enclosure::bound_cells(problem, solution.touching_pressures());
+  if (!bound.proved) return std::nullopt;
+  return bound;
 }
 
 /// Of the friction sliding the other way.
@@ -143,13 +151,21 @@ ConvergenceStudy study(const ContactProblem& problem, const StudyPlan& plan) {
                           read_exponents(problem, *finest, plan.exponents)};
   const std::size_t meshes = result.rate < 2 ? 7 : 21;
   for (std::size_t cells = 64; cells <= plan.last; cells *= 2) {
-    MeshLevel level{cells, {}};
+    MeshLevel level{cells, {}, {}};
     for (std::size_t n = cells; n < cells + meshes; ++n) {
-      level.meshes.push_back(on_mesh(problem, *on_cells(problem, n), n));
+      const auto solution = on_cells(problem, n);
+      level.meshes.push_back(on_mesh(problem, *solution, n));
+      if (n == cells) level.bound = proved_bound(problem, *solution);
     }
     result.levels.push_back(std::move(level));
   }
   return result;
+}
+
+const enclosure::Ball* proved_resultant(const enclosure::CellBound& bound, std::size_t k) {
+  const std::size_t shares = bound.load_share.size() - 1;  // the last follows from the others
+  if (shares == 0 || k > shares) return nullptr;
+  return k < shares ? &bound.load_share[k] : &bound.effective_friction;
 }
 
 double resultant_error(const MeshLevel& level, const SolvedQuantities& exact, std::size_t k) {

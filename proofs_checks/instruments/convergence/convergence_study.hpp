@@ -1,6 +1,9 @@
 #pragma once
 // A problem solved on many meshes, and once by its singular functions: what convergence is read from.
 
+#include <optional>
+
+#include "enclosure/cells/cell_bound.hpp"
 #include "proofs_checks/instruments/convergence/convergence_cases.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
@@ -42,7 +45,12 @@ struct OnMesh {
 struct MeshLevel {
   std::size_t cells;  ///< the first
   std::vector<OnMesh> meshes;
+  /// What is proved of the first mesh, without knowing the solution; nothing where no energy bounds the error.
+  std::optional<enclosure::CellBound> bound;
 };
+
+/// The proved interval of resultant k of resultant_names(); null if k is none of the load shares and friction.
+const enclosure::Ball* proved_resultant(const enclosure::CellBound& bound, std::size_t k);
 
 /// The exponent read off the cells on one side of a singular point, and what the theory has there.
 struct ReadExponent {

@@ -83,6 +83,24 @@ std::string resultants_table(const ConvergenceCase& the_case, const ConvergenceS
   return result;
 }
 
+/// What is proved on the first mesh of each level; empty where nothing is.
+std::string bounds_table(const ConvergenceCase& the_case, const ConvergenceStudy& study) {
+  const std::vector<std::string> names = resultant_names(the_case.problem);
+  std::string result;
+  for (const MeshLevel& level : study.levels) {
+    if (!level.bound) continue;
+    Row row{std::to_string(level.cells), text("%.1e", level.bound->energy.to_double())};
+    Row columns{"cells", "energy"};
+    for (std::size_t k = 0; const enclosure::Ball* ball = proved_resultant(*level.bound, k); ++k) {
+      columns.insert(columns.end(), {names[k], "±"});
+      row.insert(row.end(), {text("%.6f", ball->to_double()), text("%.1e", ball->radius().to_double())});
+    }
+    if (result.empty()) result = "\nProved:\n\n" + head(columns);
+    result += line(row);
+  }
+  return result;
+}
+
 std::string intensities_table(const ConvergenceStudy& study, const SolvedReference& exact) {
   ErrorTable table(exact.intensity_names,
                    [&](const MeshLevel& level, std::size_t k) { return intensity_error(level, exact.solved, k); });
@@ -114,7 +132,7 @@ std::string convergence_document(bool quick) {
     const SolvedReference exact = reference(the_case.problem);
     result +=
         "\n## " + the_case.name + "\n\nFor " + the_case.what + "; expected rate " + text("%.0f", found.rate) + ".\n\n";
-    result += resultants_table(the_case, found, exact.solved);
+    result += resultants_table(the_case, found, exact.solved) + bounds_table(the_case, found);
     if (!quick) result += "\n" + intensities_table(found, exact) + "\n" + exponents_table(found);
   }
   return result;
