@@ -67,7 +67,7 @@ Figure make_convergence() {
               {"cells {/:Italic N}", 40, 6500, true},
               {"error of a resultant  (1; places: {/:Italic L})", 1e-8, 0.1, true}};
   cells.legend = LegendAt::below;
-  add(cells, "jump-down", "friction jump, edges", &Resultants::effective_friction, 2);
+  add(cells, "jump-down", "friction jump", &Resultants::effective_friction, 2);
   add(cells, "step", "step", &Resultants::centre_of_pressure, 1);
   add(cells, "two-zones", "free ends", &Resultants::centre_of_pressure, 3);
 

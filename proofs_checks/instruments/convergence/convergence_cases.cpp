@@ -32,7 +32,8 @@ std::vector<ConvergenceCase> convergence_cases() {
                            {1, Polynomial({0, 0, Rational(1, 4)})}});
   return {
       {"jump-up", "a parabola over a friction jump up, both ends free", reduced({low, high}, {c}, parabola, 1)},
-      {"jump-down", "a flat punch over a friction jump down", reduced({high, low}, {c}, flat, 1)},
+      {"jump-down", "a parabola over a friction jump down, both ends free",
+       reduced({high, low}, {c}, parabola, Rational(1, 2))},
       {"wedge", "a blunt wedge, both ends free", reduced({middle}, {}, wedge, 1)},
       {"wedge-and-jump", "a blunt wedge with its vertex on a friction jump, both ends free",
        reduced({low, high}, {c}, wedge, 1)},
