@@ -12,12 +12,20 @@
 #include "app/report/report_page.hpp"
 #include "app/verify/coq_export.hpp"
 #include "app/verify/verify_writers.hpp"
+#include "proofs_checks/kit/processes.hpp"
 #include "proofs_checks/kit/registry.hpp"
 
 namespace steadyslide::app {
 namespace {
 
 namespace checks = proofs_checks;
+
+Option jobs_option() { return {"--jobs", "N", "Claims examined at a time, 1 to 1000; default: one on each core"}; }
+
+unsigned processes(const Given& given) {
+  const std::optional<int> jobs = given.count("--jobs", 1, 1000);
+  return jobs ? static_cast<unsigned>(*jobs) : checks::available_processes();
+}
 
 constexpr std::initializer_list<Format> formats{Format::text, Format::json, Format::markdown};
 
@@ -28,6 +36,7 @@ struct Examination {
   std::optional<unsigned long long> seed;
   std::vector<std::string> claims{};  ///< patterns of ids; empty: all
   std::string group{};                ///< empty: all places of the paper
+  unsigned processes = 1;
 };
 
 std::vector<checks::Claim> selected(const Examination& wanted) {
@@ -54,10 +63,11 @@ VerifyResult examine(const Examination& wanted, const std::vector<checks::Claim>
   result.context.seed = wanted.seed.value_or(result.context.seed);
   result.context.quick = wanted.quick;
   const bool on_terminal = ::isatty(STDERR_FILENO) == 1;
-  result.reports =
-      checks::run_all(claims, result.context, [&](std::size_t index, std::size_t total, const checks::Claim& claim) {
-        if (on_terminal) show_progress(fmt::format("[{}/{}] {}", index + 1, total, claim.id));
-      });
+  result.reports = checks::run_in_processes(claims, result.context, wanted.processes,
+                                            [&](std::size_t index, std::size_t total, const checks::Claim& claim) {
+                                              if (on_terminal)
+                                                show_progress(fmt::format("[{}/{}] {}", index + 1, total, claim.id));
+                                            });
   if (on_terminal) show_progress("");
   result.notes = checks::reading_notes(result.reports);
   if (!wanted.claims.empty() || !wanted.group.empty()) leave_out_other_notes(result);
@@ -93,8 +103,8 @@ void write_report(const VerifyResult& result, Output& output) {
 
 ExitCode verify(const Given& given) {
   const CommonOptions common = given.common(50, formats);
-  const Examination wanted{common.digits, given.has("--quick"), given.seed(), given.texts("--claim"),
-                           given.text("--group")};
+  const Examination wanted{common.digits,          given.has("--quick"),  given.seed(),
+                           given.texts("--claim"), given.text("--group"), processes(given)};
   const std::optional<std::string> folder = given.name("--report", "folder");
   const bool list = given.has("--list");
   if (given.has("--proof") && list)
@@ -131,7 +141,7 @@ ExitCode verify(const Given& given) {
 }
 
 ExitCode report(const Given& given) {
-  const Examination wanted{given.digits(50), given.has("--quick"), given.seed()};
+  const Examination wanted{given.digits(50), given.has("--quick"), given.seed(), {}, {}, processes(given)};
   const std::string file = report_file(given.folder());
   Output page(file);
   const VerifyResult result = examine(wanted, checks::registry());
@@ -155,6 +165,7 @@ Command verify_command() {
            {"--proof", "", "Print the proofs, as trees", flag},
            {"--quick", "", "Fewer parameters", flag},
            seed_option(),
+           jobs_option(),
            {"--report", "DIR", "Write the report on this run as well: DIR/report.html"},
            {"--export-coq", "DIR", "Write the statements decided exactly as lemmas of Coq, DIR/*.v; check nothing"}},
           "Digits to work with, 1 to 100; default 50", formats),
@@ -166,6 +177,7 @@ Command report_command() {
           std::string(embedded::help_report),
           {{"--quick", "", "Fewer parameters", Option::Kind::flag},
            seed_option(),
+           jobs_option(),
            {"--digits", "N", "Digits to work with, 1 to 100; default 50"},
            folder_option()},
           report};

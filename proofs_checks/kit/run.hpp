@@ -57,7 +57,7 @@ std::vector<Named> select(const std::vector<Named>& all, const std::vector<std::
 /// Called before each claim.
 using Progress = std::function<void(std::size_t index, std::size_t total, const Claim& claim)>;
 
-/// One after the other on the calling thread (GiNaC and CLN allow no other).
+/// One after the other on the calling thread (GiNaC and CLN allow no other); in several processes: processes.hpp.
 std::vector<Report> run_all(std::span<const Claim> claims, const Context& context, const Progress& progress = {});
 
 /// How many reports have each verdict, from proved to refuted.

@@ -1,5 +1,5 @@
-// verify-<group> [--claim GLOB]... [--digits N] [--seed N] [--quick]: runs the claims of one place in the paper and
-// prints a table. Exit code 0 only if every claim is proved, supported or beyond calculation, 1 if one is not, 2 for a
+// verify-<group> [--claim GLOB]... [--digits N] [--seed N] [--jobs N] [--quick]: runs the claims of one place in the paper
+// and prints a table. Exit code 0 only if every claim is proved, supported or beyond calculation, 1 if one is not, 2 for a
 // wrong command line.
 
 #include <charconv>
@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "proofs_checks/kit/processes.hpp"
 #include "proofs_checks/kit/registry.hpp"
 #include "proofs_checks/kit/run.hpp"
 
@@ -29,6 +30,7 @@ Number number(std::string_view option, std::string_view text) {
 struct Options {
   proofs_checks::Context context;
   std::vector<std::string> claims;  ///< patterns of ids; none: all
+  unsigned processes = proofs_checks::available_processes();
 };
 
 Options options_from(int argc, char** argv) {
@@ -47,9 +49,13 @@ Options options_from(int argc, char** argv) {
       const int digits = number<int>(option, argv[++k]);
       if (digits < 1 || digits > 100) throw std::invalid_argument("--digits: 1 to 100");
       context.digits = numeric::precision_for(digits);
+    } else if (option == "--jobs" && has_value) {
+      options.processes = number<unsigned>(option, argv[++k]);
+      if (options.processes < 1 || options.processes > 1000) throw std::invalid_argument("--jobs: 1 to 1000");
     } else {
-      throw std::invalid_argument("usage: [--claim GLOB]... [--digits N] [--seed N] [--quick]; not understood: " +
-                                  std::string(option));
+      throw std::invalid_argument(
+          "usage: [--claim GLOB]... [--digits N] [--seed N] [--jobs N] [--quick]; not understood: " +
+          std::string(option));
     }
   }
   return options;
@@ -69,11 +75,11 @@ void print(const proofs_checks::Report& report) {
 
 int main(int argc, char** argv) {
   try {
-    const auto [context, patterns] = options_from(argc, argv);
+    const auto [context, patterns, processes] = options_from(argc, argv);
     std::printf("%d digits, seed %llu%s\n", static_cast<int>(context.digits),
                 static_cast<unsigned long long>(context.seed), context.quick ? ", quick" : "");
     const std::vector<proofs_checks::Report> reports =
-        run_all(select(proofs_checks::claims_of_group(STEADYSLIDE_GROUP), patterns), context);
+        run_in_processes(select(proofs_checks::claims_of_group(STEADYSLIDE_GROUP), patterns), context, processes);
     for (const proofs_checks::Report& report : reports) print(report);
     if (reports.empty()) throw std::invalid_argument("--claim: no such claim here");
     std::printf("%s\n", counts_line(reports).c_str());

@@ -1,5 +1,12 @@
 #include "proofs_checks/kit/run.hpp"
+
+#include <unistd.h>
+
+#include <csignal>
+
 #include "proofs_checks/kit/findings.hpp"
+#include "proofs_checks/kit/processes.hpp"
+#include "proofs_checks/kit/transport.hpp"
 #include "support/test.hpp"
 
 using namespace steadyslide::proofs_checks;
@@ -149,4 +156,66 @@ TEST_CASE("select, run_all, count") {
   };
   CHECK(counts_line(run_all(claims, {}, progress)) == "0 proved, 2 supported, 1 undecided, 0 refuted");
   CHECK(seen == std::vector<std::string>{"a-1", "b-1", "a-2"});
+}
+
+TEST_CASE("a report goes through bytes unchanged, whatever its evidence; bytes that are none are refused") {
+  Claim claim = claim_about(1, {{"two", 2.0}});
+  claim.proof = ProofText{};
+  claim.examine = [](const Context&) -> std::vector<Evidence> {
+    CheckedProof proof;
+    proof.nodes = {{{"coercive", {"log-form"}}, "assumed"}, {{"unique", {}}, "theorem plemelj", {"words"}, {0}}};
+    proof.gap = "a step is missing";
+    return {ExactIdentity{"d", {"a = b", ""}},
+            Agreement{"value", {"one", "other"}, "1e-3", "1e-2", 7, 5, 3, "seed 1"},
+            ConvergenceRate{"error", 0.1, 1e-300, -0.0, std::nan(""), "levels"},
+            Counterexample{"here", std::string("with a \0 byte", 13)},
+            BeyondCalculation{"abstract", {"a-1"}},
+            proof};
+  };
+  const Report sent = run(claim, {});
+  const std::string bytes = to_bytes(sent);
+  const Report received = report_from(bytes, claim);
+  CHECK(to_bytes(received) == bytes);
+  CHECK(received.claim.id == "one");
+  REQUIRE(received.evidence.size() == 6);
+  for (std::size_t k = 0; k < 6; ++k) CHECK(describe(received.evidence[k]) == describe(sent.evidence[k]));
+  REQUIRE(received.proof() != nullptr);
+  CHECK(received.proof()->nodes[1].from == std::vector<std::size_t>{0});
+  CHECK(received.proof()->nodes[0].fact == Fact{"coercive", {"log-form"}});
+  CHECK(received.controls[0].detail == sent.controls[0].detail);
+  CHECK_THROWS_AS(report_from(bytes.substr(0, bytes.size() - 1), claim), std::invalid_argument);
+  CHECK_THROWS_AS(report_from(bytes + "x", claim), std::invalid_argument);
+}
+
+TEST_CASE("in processes: the same reports in the same order, and a process that ends leaves one claim undecided") {
+  std::vector<Claim> claims;
+  for (int k = 0; k < 20; ++k) {
+    claims.push_back(claim_about(k % 3 == 0 ? 3 : 1, {{"two", 2.0}}));
+    claims.back().id = "claim-" + std::to_string(k);
+  }
+  const std::vector<Report> one_by_one = run_all(claims, {});
+  claims[7].examine = [](const Context&) -> std::vector<Evidence> {
+    std::raise(SIGKILL);
+    return {};
+  };
+  claims[19].examine = [](const Context&) -> std::vector<Evidence> { _exit(3); };
+  for (const unsigned processes : {1U, 3U, 50U}) {
+    std::vector<std::string> seen;
+    const std::vector<Report> reports = run_in_processes(
+        claims, {}, processes, [&](std::size_t, std::size_t, const Claim& claim) { seen.push_back(claim.id); });
+    CHECK(seen.size() == 20);
+    REQUIRE(reports.size() == 20);
+    for (std::size_t k = 0; k < 20; ++k) {
+      CHECK(reports[k].claim.id == claims[k].id);
+      if (k == 7 || k == 19) {
+        CHECK(reports[k].verdict == Verdict::undecided);
+        CHECK(holds(reports[k].note, k == 7 ? "the check ended its process by signal 9" : "with exit code 3"));
+      } else {
+        CHECK(reports[k].verdict == one_by_one[k].verdict);
+        CHECK(reports[k].evidence.size() == one_by_one[k].evidence.size());
+      }
+    }
+  }
+  CHECK(run_in_processes({}, {}, 2).empty());
+  CHECK(available_processes() >= 1);
 }

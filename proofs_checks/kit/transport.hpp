@@ -1,0 +1,17 @@
+#pragma once
+// A report as bytes, for the way from one process of a run to another. The claim is not in it: who asked has it.
+
+#include <string>
+#include <string_view>
+
+#include "proofs_checks/kit/run.hpp"
+
+namespace steadyslide::proofs_checks {
+
+std::string to_bytes(const Report& report);
+
+/// The report on this claim, from to_bytes() of the same program. Throws std::invalid_argument where there are too few or
+/// too many bytes.
+Report report_from(std::string_view bytes, const Claim& claim);
+
+}  // namespace steadyslide::proofs_checks
