@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <future>
+#include <mutex>
+#include <numeric>
 #include <random>
+#include <thread>
 
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/variational/variational_inequality.hpp"
@@ -78,6 +83,26 @@ int different_refinements(const std::vector<FoundSolution>& solutions) {
   return static_cast<int>(different.size());
 }
 
+/// One progress of several searches, whichever thread they are in.
+class SharedProgress {
+ public:
+  SharedProgress(std::function<void(std::size_t, std::size_t)> report, std::size_t searches)
+      : report_(std::move(report)), done_(searches, 0) {}
+
+  std::function<void(std::size_t, std::size_t)> of(std::size_t search) {
+    return [this, search](std::size_t done, std::size_t total) {
+      const std::lock_guard lock(mutex_);
+      done_[search] = done;
+      report_(std::accumulate(done_.begin(), done_.end(), std::size_t{0}), done_.size() * total);
+    };
+  }
+
+ private:
+  std::mutex mutex_;
+  std::function<void(std::size_t, std::size_t)> report_;
+  std::vector<std::size_t> done_;
+};
+
 }  // namespace
 
 SolutionSearch search_solutions(const ContactProblem& problem, int starts, const VariationalOptions& options,
@@ -89,32 +114,38 @@ SolutionSearch search_solutions(const ContactProblem& problem, int starts, const
     int times;
   };
   std::vector<Met> met;
-  for (int number = 0; number < starts; ++number) {
-    VariationalOptions each = options;
-    if (options.progress) {
-      each.progress = [&](std::size_t done, std::size_t total) {
-        options.progress(static_cast<std::size_t>(number) * total + done, static_cast<std::size_t>(starts) * total);
-      };
+  const int together = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  SharedProgress progress(options.progress, static_cast<std::size_t>(starts));
+  for (int first = 0; first < starts; first += together) {
+    // As many at a time as there are cores; taken in their order, so that the answer does not depend on it.
+    std::vector<std::future<std::shared_ptr<const VariationalSolution>>> solved;
+    for (int number = first; number < std::min(first + together, starts); ++number) {
+      VariationalOptions each = options;
+      if (options.progress) each.progress = progress.of(static_cast<std::size_t>(number));
+      solved.push_back(std::async(std::launch::async, [&problem, each, set = start_set(number, random)] {
+        return std::make_shared<const VariationalSolution>(problem, variational::solve_nested(problem, each, set));
+      }));
     }
-    auto solution = std::make_shared<VariationalSolution>(
-        problem, variational::solve_nested(problem, each, start_set(number, random)));
-    if (problem.elasticity().indenter() && solution->reaches_edge()) {
-      search.reason = "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails";
-      return search;
-    }
-    ++search.starts;
-    if (!solution->failed_condition().empty()) {
-      ++search.unsolved;
-      continue;
-    }
-    const auto same = std::find_if(met.begin(), met.end(), [&](const Met& other) {
-      const double allowed = std::max(0.01, solution->estimated_error().traction);
-      return difference(*solution, *other.solution) <= allowed;
-    });
-    if (same != met.end()) {
-      ++same->times;
-    } else {
-      met.push_back({std::move(solution), 1});
+    for (auto& future : solved) {
+      const std::shared_ptr<const VariationalSolution> solution = future.get();
+      if (problem.elasticity().indenter() && solution->reaches_edge()) {
+        search.reason = "the contact of an elastic indenter reaches an edge, where the half-plane idealisation fails";
+        return search;
+      }
+      ++search.starts;
+      if (!solution->failed_condition().empty()) {
+        ++search.unsolved;
+        continue;
+      }
+      const auto same = std::find_if(met.begin(), met.end(), [&](const Met& other) {
+        const double allowed = std::max(0.01, solution->estimated_error().traction);
+        return difference(*solution, *other.solution) <= allowed;
+      });
+      if (same != met.end()) {
+        ++same->times;
+      } else {
+        met.push_back({solution, 1});
+      }
     }
   }
   std::stable_sort(met.begin(), met.end(), [](const Met& a, const Met& b) { return a.times > b.times; });
