@@ -1,15 +1,15 @@
-// Traction of a flat punch with three friction jumps at 10^5 points, beside the floor: the same powers alone.
+// Tractions of a flat punch with three friction jumps, beside the floor, the same powers alone, and in double beside the
+// logarithms and the exponential of glibc's libmvec. README.md says how to take the instruction sets from glibc, too.
 
 #include <benchmark/benchmark.h>
 
 #include "numeric/closed_form/closed_form.hpp"
+#include "numeric/number/power_product.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;
 
 namespace {
-
-constexpr int points = 100'000;
 
 ContactProblem punch() {
   return {Elasticity(Solid(Rational(3, 10), 1)),
@@ -18,63 +18,179 @@ ContactProblem punch() {
           Indenter(-1, {{1, Polynomial()}}), 1};
 }
 
+/// The points of one panel behind the other, and the distances of each from all ends and jumps.
 template <Real R>
 struct Setting {
-  PowerTraction<R> traction = std::get<ClosedFormData<R>>(closed_form_data<R>(punch())).traction;
-  std::vector<std::pair<std::size_t, Node<R>>> nodes;
-  std::vector<std::vector<R>> distances;
+  static constexpr std::size_t points = std::same_as<R, double> ? 1'000'000 : 100'000;
+  ClosedForm<R> solution{punch(), std::get<ClosedFormData<R>>(closed_form_data<R>(punch()))};
+  const PowerTraction<R>& traction = solution.data().traction;
+  const std::vector<Power<R>>& powers = traction.weight.powers();
+  std::size_t panels = traction.weight.panel_count();
+  std::vector<R> x, from_left, from_right, values = std::vector<R>(points);
+  std::vector<std::vector<R>> distances{panels + 1};  // from each end and jump
 
   Setting() {
-    const std::size_t panels = traction.weight.panel_count();
-    for (std::size_t i = 0; i < points; ++i) {
-      const std::size_t k = i % panels;
+    for (std::size_t k = 0; k < panels; ++k) {
       const Panel<R>& panel = traction.weight.panel(k);
-      nodes.emplace_back(k, panel.node_from_left(R(panel.length * (static_cast<double>(i) + 0.5) / points)));
-      std::vector<R> d;
-      for (std::size_t j = 0; j <= panels; ++j) {
-        using std::abs;
-        d.push_back(abs(nodes.back().second.x - traction.weight.point(j)));
+      for (std::size_t i = 0; i < per_panel(); ++i) {
+        const R part = (static_cast<double>(i) + 0.5) / static_cast<double>(per_panel());
+        const Node<R> node = panel.node_from_left(panel.length * part);
+        x.push_back(node.x);
+        from_left.push_back(node.from_left);
+        from_right.push_back(node.from_right);
+        for (std::size_t j = 0; j <= panels; ++j) {
+          using std::abs;
+          distances[j].push_back(abs(node.x - traction.weight.point(j)));
+        }
       }
-      distances.push_back(std::move(d));
     }
+  }
+  std::size_t per_panel() const { return points / panels; }
+
+  static Setting& get() {
+    static Setting instance;
+    return instance;
   }
 };
 
 template <Real R>
-const Setting<R>& setting() {
-  static const Setting<R> instance;
-  return instance;
-}
-
-template <Real R>
-void traction(benchmark::State& state) {
-  const Setting<R>& s = setting<R>();
-  for (auto _ : state) {
-    for (const auto& [panel, node] : s.nodes) benchmark::DoNotOptimize(s.traction(panel, node));
-  }
-  state.SetItemsProcessed(state.iterations() * points);
+void items(benchmark::State& state) {
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(Setting<R>::points));
 }
 
 template <Real R>
 void floor_of_powers(benchmark::State& state) {
-  const Setting<R>& s = setting<R>();
-  const auto& powers = s.traction.weight.powers();
+  Setting<R>& s = Setting<R>::get();
   for (auto _ : state) {
-    for (const std::vector<R>& d : s.distances) {
-      for (std::size_t j = 0; j < powers.size(); ++j) {
+    for (std::size_t i = 0; i < s.points; ++i) {
+      R value = 1;
+      for (std::size_t j = 0; j < s.powers.size(); ++j) {
         using std::pow;
-        benchmark::DoNotOptimize(pow(d[j], powers[j].value));
+        value *= pow(s.distances[j][i], s.powers[j].value);
       }
+      s.values[i] = value;
     }
+    benchmark::DoNotOptimize(s.values.data());
   }
-  state.SetItemsProcessed(state.iterations() * points);
+  items<R>(state);
 }
 
-BENCHMARK(floor_of_powers<double>)->Unit(benchmark::kMillisecond);
-BENCHMARK(traction<double>)->Unit(benchmark::kMillisecond);
-BENCHMARK(floor_of_powers<Real50>)->Unit(benchmark::kMillisecond);
-BENCHMARK(traction<Real50>)->Unit(benchmark::kMillisecond);
+/// The solution's tractions at points of panels, one by one.
+template <Real R>
+void one_by_one(benchmark::State& state) {
+  Setting<R>& s = Setting<R>::get();
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < s.points; ++i) {
+      s.values[i] = s.traction(i / s.per_panel(), {s.x[i], s.from_left[i], s.from_right[i]});
+    }
+    benchmark::DoNotOptimize(s.values.data());
+  }
+  items<R>(state);
+}
+
+/// The same at once.
+template <Real R>
+void on_panels(benchmark::State& state) {
+  Setting<R>& s = Setting<R>::get();
+  const std::size_t n = s.per_panel();
+  for (auto _ : state) {
+    for (std::size_t k = 0; k < s.panels; ++k) {
+      s.traction(k, std::span(s.from_left).subspan(k * n, n), std::span(s.from_right).subspan(k * n, n),
+                 std::span(s.values).subspan(k * n, n));
+    }
+    benchmark::DoNotOptimize(s.values.data());
+  }
+  items<R>(state);
+}
+
+/// Tractions and shear at given x.
+template <Real R>
+void at_places(benchmark::State& state) {
+  Setting<R>& s = Setting<R>::get();
+  std::vector<R> shear(s.points);
+  for (auto _ : state) {
+    s.solution.tractions(s.x, s.values, shear);
+    benchmark::DoNotOptimize(s.values.data());
+  }
+  items<R>(state);
+}
+
+/// The kernel of an instruction set on the points of one panel.
+void kernel(benchmark::State& state, InstructionSet set) {
+  Setting<double>& s = Setting<double>::get();
+  std::vector<PowerFactor> of_left, of_right;
+  for (std::size_t j = 0; j < s.powers.size(); ++j) {
+    (j < 2 ? of_left : of_right)
+        .emplace_back(j < 2 ? 0.5 * (1.0 - static_cast<double>(j)) : 0.4 * (static_cast<double>(j) - 2),
+                      s.powers[j].value);
+  }
+  for (auto _ : state) {
+    power_products(of_left, of_right, s.from_left, s.from_right, s.values, set);
+    benchmark::DoNotOptimize(s.values.data());
+  }
+  items<double>(state);
+}
+
+#ifdef __x86_64__
+typedef double Two __attribute__((vector_size(16)));
+typedef double Four __attribute__((vector_size(32)));
+typedef double Eight __attribute__((vector_size(64)));
+extern "C" {
+Two _ZGVbN2v_log(Two);
+Two _ZGVbN2v_exp(Two);
+__attribute__((target("avx2,fma"))) Four _ZGVdN4v_log(Four);
+__attribute__((target("avx2,fma"))) Four _ZGVdN4v_exp(Four);
+__attribute__((target("avx512f"))) Eight _ZGVeN8v_log(Eight);
+__attribute__((target("avx512f"))) Eight _ZGVeN8v_exp(Eight);
+}
+
+// A sum of logarithms in double: the time of libmvec, not the accuracy of a product of powers.
+#define STEADYSLIDE_LIBMVEC(name, Vector, target, log, exp)                         \
+  target void name(benchmark::State& state) {                                       \
+    Setting<double>& s = Setting<double>::get();                                    \
+    for (auto _ : state) {                                                          \
+      for (std::size_t i = 0; i < s.points; i += sizeof(Vector) / sizeof(double)) { \
+        Vector sum{};                                                               \
+        for (std::size_t j = 0; j < s.powers.size(); ++j) {                         \
+          Vector d;                                                                 \
+          __builtin_memcpy(&d, &s.distances[j][i], sizeof d);                       \
+          sum += s.powers[j].value * log(d);                                        \
+        }                                                                           \
+        sum = exp(sum);                                                             \
+        __builtin_memcpy(&s.values[i], &sum, sizeof sum);                           \
+      }                                                                             \
+      benchmark::DoNotOptimize(s.values.data());                                    \
+    }                                                                               \
+    items<double>(state);                                                           \
+  }
+STEADYSLIDE_LIBMVEC(libmvec_baseline, Two, , _ZGVbN2v_log, _ZGVbN2v_exp)
+STEADYSLIDE_LIBMVEC(libmvec_avx2, Four, __attribute__((target("avx2,fma"))), _ZGVdN4v_log, _ZGVdN4v_exp)
+STEADYSLIDE_LIBMVEC(libmvec_avx512, Eight, __attribute__((target("avx512f"))), _ZGVeN8v_log, _ZGVeN8v_exp)
+#undef STEADYSLIDE_LIBMVEC
+#endif
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  const auto add = [](const char* name, auto run) {
+    benchmark::RegisterBenchmark(name, run)->Unit(benchmark::kMillisecond);
+  };
+  const std::vector<InstructionSet>& sets = instruction_sets();
+  const auto with = [](InstructionSet set) { return [set](benchmark::State& state) { kernel(state, set); }; };
+  add("double/floor", floor_of_powers<double>);
+  add("double/one_by_one", one_by_one<double>);
+  add("double/at_places", at_places<double>);
+  add("double/on_panels", on_panels<double>);
+  add("double/kernel/baseline", with(InstructionSet::baseline));
+  if (sets.size() > 1) add("double/kernel/avx2", with(InstructionSet::avx2));
+  if (sets.size() > 2) add("double/kernel/avx512", with(InstructionSet::avx512));
+#ifdef __x86_64__
+  add("double/libmvec/baseline", libmvec_baseline);
+  if (sets.size() > 1) add("double/libmvec/avx2", libmvec_avx2);
+  if (sets.size() > 2) add("double/libmvec/avx512", libmvec_avx512);
+#endif
+  add("50 digits/floor", floor_of_powers<Real50>);
+  add("50 digits/on_panels", on_panels<Real50>);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,5 +1,7 @@
 #include "numeric/cauchy/fundamental_solution.hpp"
 
+#include "numeric/number/power_product.hpp"
+
 namespace steadyslide::numeric {
 namespace {
 
@@ -71,6 +73,35 @@ R FundamentalSolution<R>::modulus(std::size_t k, const Node<R>& node) const {
   visit_leftwards(panels_, k + 1, node.from_left, product);
   visit_rightwards(panels_, k + 1, node.from_right, product);
   return product.value();
+}
+
+template <Real R>
+void FundamentalSolution<R>::moduli(std::size_t k, std::span<const R> from_left, std::span<const R> from_right,
+                                    std::span<R> values) const {
+  const auto one_by_one = [&](const auto& is_due) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (is_due(i)) values[i] = modulus(k, {R(0), from_left[i], from_right[i]});
+    }
+  };
+  if constexpr (std::same_as<R, double>) {
+    std::vector<PowerFactor> of_left, of_right;
+    double sum = 0;
+    const auto gather = [&](std::vector<PowerFactor>& factors) {
+      return [&](std::size_t j, double offset) {
+        const double power = powers_[j].value;
+        if (power != 0) factors.emplace_back(offset, power);
+        sum += std::abs(power);
+      };
+    };
+    visit_leftwards(panels_, k + 1, 0.0, gather(of_left));
+    visit_rightwards(panels_, k + 1, 0.0, gather(of_right));
+    if (sum <= largest_sum_of_powers) {
+      power_products(of_left, of_right, from_left, from_right, values);
+      constexpr double least = std::numeric_limits<double>::min();
+      return one_by_one([&](std::size_t i) { return !(from_left[i] >= least && from_right[i] >= least); });
+    }
+  }
+  one_by_one([](std::size_t) { return true; });
 }
 
 template <Real R>

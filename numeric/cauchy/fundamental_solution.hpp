@@ -6,6 +6,7 @@
 // cut along the contact [e_0, e_n] when the p_j sum to an integer S; Y ~ z^S at infinity. Panel k is ]e_k, e_{k+1}[.
 // On it Y+- = |Y| exp(+-i pi sigma_k), sigma_k = sum of p_j over e_j > x. [Bal16, theorem 36, reconstructed]
 
+#include <span>
 #include <vector>
 
 #include "model/direction.hpp"
@@ -40,6 +41,10 @@ class FundamentalSolution {
 
   /// |Y| at a node of panel k.
   R modulus(std::size_t k, const Node<R>& node) const;
+  /// |Y| at many points of panel k, by their distances from its ends. In double to 4 units in the last place of what the
+  /// distances and powers demand (numeric/number/power_product.hpp); the sums of lengths in the distances from further
+  /// points are rounded, too.
+  void moduli(std::size_t k, std::span<const R> from_left, std::span<const R> from_right, std::span<R> values) const;
   /// |Y| at a node of panel k without the powers of the panel's two ends: analytic there.
   R smooth_modulus(std::size_t k, const Node<R>& node) const;
   /// |Y| at the distance d > 0 to the left of e_0 (Side::left) or to the right of e_n.

@@ -14,6 +14,12 @@ struct PowerTraction {
   std::vector<R> amplitudes;  ///< one per panel
 
   R operator()(std::size_t panel, const Node<R>& node) const { return amplitudes[panel] * weight.modulus(panel, node); }
+  /// At many points of a panel, by their distances from its ends: FundamentalSolution::moduli.
+  void operator()(std::size_t panel, std::span<const R> from_left, std::span<const R> from_right,
+                  std::span<R> values) const {
+    weight.moduli(panel, from_left, from_right, values);
+    for (R& value : values) value *= amplitudes[panel];
+  }
   /// The same traction for the quadrature routes. It keeps its own copy of the weight.
   PiecewiseDensity<R> density() const {
     const auto shared = std::make_shared<const FundamentalSolution<R>>(weight);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "numeric/cauchy/panel_finder.hpp"
 #include "numeric/cauchy/residuals.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 
@@ -171,9 +172,9 @@ Residuals<R> ClosedForm<R>::residuals() const {
 }
 
 template <Real R>
-Sample<R> ClosedForm<R>::inside(std::size_t panel, const Node<R>& node) const {
+Sample<R> ClosedForm<R>::inside(std::size_t panel, const Node<R>& node, const R& traction) const {
   const Estimate<R> estimate =
-      Estimate<R>{traction(panel, node), R(0)}.widened(weight().relative_error(panel, node, data_.end_error));
+      Estimate<R>{traction, R(0)}.widened(weight().relative_error(panel, node, data_.end_error));
   const R slope = to_real<R>(problem_.elasticity().compliance()) * profile_slope(node.x);
   return {to_real<R>(data_.origin) + node.x, both(estimate),
           both(shear_of(problem_, data_.first_piece + panel, estimate)), Estimate<R>{}, both(rounded(slope))};
@@ -256,7 +257,29 @@ Sample<R> ClosedForm<R>::at(const Rational& x) const {
   for (const std::size_t j : {k, k + 1}) {
     if (distance_from(j) == 0) return in_users_x(at_point(j));
   }
-  return in_users_x(inside(k, {from_origin, distance_from(k), -distance_from(k + 1)}));
+  const Node<R> node{from_origin, distance_from(k), -distance_from(k + 1)};
+  return in_users_x(inside(k, node, traction(k, node)));
+}
+
+template <Real R>
+void ClosedForm<R>::tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) const {
+  std::ranges::fill(normal, R(0));
+  std::ranges::fill(shear, R(0));
+  std::vector<Rational> ends;
+  for (std::size_t j = 0; j < data_.exact.size(); ++j) {
+    ends.push_back(data_.origin + data_.exact[j].value_or(Rational(weight().point(j))));
+  }
+  PanelFinder<R>(ends, 1).visit(
+      x,
+      [&](std::size_t panel, std::size_t first, std::span<const R> from_left, std::span<const R> from_right) {
+        const std::span<R> values = normal.subspan(first, from_left.size());
+        data_.traction(panel, from_left, from_right, values);
+        const R ratio = to_real<R>(problem_.shear_ratio(data_.first_piece + panel));
+        for (std::size_t i = 0; i < values.size(); ++i) shear[first + i] = ratio * values[i];
+      },
+      [&](std::size_t i) {
+        ContactSolution<R>::tractions(x.subspan(i, 1), normal.subspan(i, 1), shear.subspan(i, 1));
+      });
 }
 
 template <Real R>
@@ -283,11 +306,17 @@ std::vector<Sample<R>> ClosedForm<R>::samples(int count) const {
   for (std::size_t k = 0; k < panels; ++k) {
     const int n = points_before(k + 1) - points_before(k);
     const Panel<R>& panel = weight().panel(k);
+    std::vector<R> from_left, from_right, tractions(static_cast<std::size_t>(n));
     for (int i = 0; i < n; ++i) {
       const auto [left, right] = chebyshev_position<R>(i, n);
-      const Node<R> node{left < right ? panel.left + left * panel.length : panel.right - right * panel.length,
-                         left * panel.length, right * panel.length};
-      result.push_back(inside(k, node));
+      from_left.push_back(left * panel.length);
+      from_right.push_back(right * panel.length);
+    }
+    data_.traction(k, from_left, from_right, tractions);
+    for (std::size_t i = 0; i < tractions.size(); ++i) {
+      const R& left = from_left[i];
+      const R& right = from_right[i];
+      result.push_back(inside(k, {left < right ? panel.left + left : panel.right - right, left, right}, tractions[i]));
     }
   }
   add_gap(Side::right);

@@ -59,6 +59,7 @@ class ClosedForm : public ContactSolution<R> {
   EstimatedError<R> estimated_error() const override;
   Residuals<R> residuals() const override;
   Sample<R> at(const Rational& x) const override;
+  void tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) const override;
   std::vector<Sample<R>> samples(int count) const override;
 
  private:
@@ -67,7 +68,7 @@ class ClosedForm : public ContactSolution<R> {
   R relative_error(std::size_t panel, int times) const;
   Estimate<R> intensity(std::size_t j) const;
   R profile_slope(const R& from_origin) const;
-  Sample<R> inside(std::size_t panel, const Node<R>& node) const;
+  Sample<R> inside(std::size_t panel, const Node<R>& node, const R& traction) const;
   Sample<R> at_point(std::size_t j) const;
   Sample<R> outside(Side side, const R& distance) const;
   Estimate<R> limit_at_point(std::size_t j, Side side) const;

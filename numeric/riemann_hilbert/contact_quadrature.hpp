@@ -18,6 +18,8 @@ class ContactQuadrature {
   /// Both have to outlive it. No panels where one polynomial rules over one component: all integrals are 0 then.
   ContactQuadrature(const SignedFundamentalSolution<R>& y, JacobiRules<R>& rules);
 
+  /// Are all integrals 0 since one polynomial rules over one component?
+  bool vanishes() const { return panels_.empty(); }
   /// The first integral at a point off the pieces where g_k does not hold; its error is the sum of the sizes added.
   Estimate<R> cauchy(std::size_t slope, const SurfacePoint<R>& at) const;
   /// -(1/pi) times the second one for j = 0, 1, ...

@@ -71,6 +71,21 @@ Estimate<R> RiemannHilbertForm<R>::traction(const SurfacePoint<R>& at) const {
 }
 
 template <Real R>
+void RiemannHilbertForm<R>::tractions(std::size_t segment, std::span<const R> from_left, std::span<const R> from_right,
+                                      std::span<R> values) const {
+  fundamental_solution().moduli(segment, from_left, from_right, values);
+  const R factor = y_->traction_factor(segment);
+  const std::vector<R>& polynomial = polynomials_[slope_at(segment)];
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const SurfacePoint<R> at = surface_point(set(), segment, from_left[i], from_right[i]);
+    R regular = 0;
+    for (std::size_t k = polynomial.size(); k-- > 0;) regular = regular * at.node.x + polynomial[k];
+    if (!quadrature_.vanishes()) regular -= quadrature_.cauchy(slope_at(segment), at).value / pi<R>();
+    values[i] *= factor * regular;
+  }
+}
+
+template <Real R>
 R RiemannHilbertForm<R>::profile_slope(const SurfacePoint<R>& at) const {
   return problem().slope(slope_at(nearest_segment(at)), at.node.x) + tilt_;
 }

@@ -51,6 +51,10 @@ class RiemannHilbertForm {
   Estimate<R> regular_factor_at(std::size_t j, Side side) const;
   /// t; zero off the contact.
   Estimate<R> traction(const SurfacePoint<R>& at) const;
+  /// At many points of a segment in contact, by their distances from its ends, without errors: |Y| as
+  /// FundamentalSolution::moduli.
+  void tractions(std::size_t segment, std::span<const R> from_left, std::span<const R> from_right,
+                 std::span<R> values) const;
   /// The tilted profile's g at a point; beyond the support that of its last piece.
   R profile_slope(const SurfacePoint<R>& at) const;
   /// The reduced slope u'/c.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/cauchy/panel_finder.hpp"
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
@@ -202,6 +203,50 @@ Sample<R> RiemannHilbertSolution<R>::at(const Rational& x) const {
   return result;
 }
 
+/// The set's points in the user's x; what is no anchor lies beside the nearer one, by lengths.
+template <Real R>
+std::vector<Rational> RiemannHilbertSolution<R>::places() const {
+  const ContactSet<R>& set = contact_set();
+  const std::size_t last = set.segments();
+  std::vector<Rational> result(last + 1), from_left(last + 1);
+  for (std::size_t j = 0; j <= last; ++j) {
+    const auto& anchor = set.point(j).anchor;
+    if (!anchor) from_left[j] = from_left[j - 1] + Rational(set.length(j - 1));
+    result[j] = anchor ? reduced_.place(*anchor)
+                       : Rational(result[j - 1] + reduced_.frame().unit * Rational(set.length(j - 1)));
+  }
+  Rational from_right = 0;
+  for (std::size_t j = last; j-- > 0;) {
+    if (set.point(j).anchor) {
+      from_right = 0;
+      continue;
+    }
+    from_right += Rational(set.length(j));
+    if (from_right < from_left[j]) result[j] = result[j + 1] - reduced_.frame().unit * Rational(set.length(j));
+  }
+  return result;
+}
+
+template <Real R>
+void RiemannHilbertSolution<R>::tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) const {
+  std::ranges::fill(normal, R(0));
+  std::ranges::fill(shear, R(0));
+  const ContactSet<R>& set = contact_set();
+  PanelFinder<R>(places(), reduced_.frame().unit)
+      .visit(
+          x,
+          [&](std::size_t segment, std::size_t first, std::span<const R> from_left, std::span<const R> from_right) {
+            if (!set.in_contact(segment)) return;
+            const std::span<R> values = normal.subspan(first, from_left.size());
+            form_.tractions(segment, from_left, from_right, values);
+            const R ratio = shear_ratio(segment);
+            for (std::size_t i = 0; i < values.size(); ++i) shear[first + i] = ratio * values[i];
+          },
+          [&](std::size_t i) {
+            ContactSolution<R>::tractions(x.subspan(i, 1), normal.subspan(i, 1), shear.subspan(i, 1));
+          });
+}
+
 template <Real R>
 std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const {
   std::vector<Sample<R>> result;
@@ -227,18 +272,21 @@ std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const {
   return result;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                                                             \
-  template R RiemannHilbertSolution<R>::shear_ratio(std::size_t segment) const;                                \
-  template Estimate<R> RiemannHilbertSolution<R>::tangential_slope(const Rational& x) const;                   \
-  template std::optional<std::size_t> RiemannHilbertSolution<R>::nearest_end(const SurfacePoint<R>& at) const; \
-  template Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const;                        \
-  template Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const;                       \
-  template Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) const;              \
-  template Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) const;                 \
-  template Sample<R> RiemannHilbertSolution<R>::sample_at_point(std::size_t j) const;                          \
-  template SurfacePoint<R> RiemannHilbertSolution<R>::locate(const Rational& x) const;                         \
-  template std::optional<std::size_t> RiemannHilbertSolution<R>::point_at(const SurfacePoint<R>& at) const;    \
-  template Sample<R> RiemannHilbertSolution<R>::at(const Rational& x) const;                                   \
+#define STEADYSLIDE_INSTANTIATE(R)                                                                                  \
+  template std::vector<Rational> RiemannHilbertSolution<R>::places() const;                                         \
+  template R RiemannHilbertSolution<R>::shear_ratio(std::size_t segment) const;                                     \
+  template Estimate<R> RiemannHilbertSolution<R>::tangential_slope(const Rational& x) const;                        \
+  template std::optional<std::size_t> RiemannHilbertSolution<R>::nearest_end(const SurfacePoint<R>& at) const;      \
+  template Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const;                             \
+  template Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const;                            \
+  template Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) const;                   \
+  template Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) const;                      \
+  template Sample<R> RiemannHilbertSolution<R>::sample_at_point(std::size_t j) const;                               \
+  template SurfacePoint<R> RiemannHilbertSolution<R>::locate(const Rational& x) const;                              \
+  template std::optional<std::size_t> RiemannHilbertSolution<R>::point_at(const SurfacePoint<R>& at) const;         \
+  template Sample<R> RiemannHilbertSolution<R>::at(const Rational& x) const;                                        \
+  template void RiemannHilbertSolution<R>::tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) \
+      const;                                                                                                        \
   template std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const;
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)

@@ -34,6 +34,7 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   EstimatedError<R> estimated_error() const override;
   Residuals<R> residuals() const override;
   Sample<R> at(const Rational& x) const override;
+  void tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) const override;
   std::vector<Sample<R>> samples(int count) const override;
 
   /// u_t', the slope of the tangential displacement, at a place that is no singular point:
@@ -50,6 +51,7 @@ class RiemannHilbertSolution : public ContactSolution<R> {
  private:
   const ContactSet<R>& contact_set() const { return form_.set(); }
   Estimate<R> coordinate(std::size_t j) const;
+  std::vector<Rational> places() const;
   SurfacePoint<R> middle_of(std::size_t segment) const;
   ContactEnd<R> contact_end(std::size_t j) const;
   /// The coefficient of |x - x_j|^p/cos(pi alpha) in t on one side of point j, the part of t without its singular term

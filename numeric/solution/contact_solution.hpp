@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -122,6 +123,17 @@ class ContactSolution {
   virtual Residuals<R> residuals() const = 0;
   /// Everything at one place of the surface, inside the support or not.
   virtual Sample<R> at(const Rational& x) const = 0;
+  /// Tractions at many places, and the shear along +x there, without gap, slope and errors; where the limits of at()
+  /// differ, those of the larger pressure. Spans of one length.
+  virtual void tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) const {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const Sample<R> there = at(Rational(x[i]));
+      const auto larger =
+          there.traction.right.value < there.traction.left.value ? &TwoSided<R>::right : &TwoSided<R>::left;
+      normal[i] = (there.traction.*larger).value;
+      shear[i] = (there.shear.*larger).value;
+    }
+  }
   /// `count` places in each contact component and in each gap of the support, denser towards singular points.
   virtual std::vector<Sample<R>> samples(int count) const = 0;
 };
