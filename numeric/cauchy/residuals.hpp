@@ -1,9 +1,14 @@
 #pragma once
-// Does a traction satisfy the contact problem? By the trapezoidal route, in reduced quantities.
+// Does a traction satisfy the contact problem? In reduced quantities, by rules that no solver uses: above double by the
+// double-exponential grid where it suits, else by the trapezoidal one.
 
 #include <algorithm>
+#include <optional>
+#include <variant>
 
 #include "numeric/cauchy/sliding_operator.hpp"
+#include "numeric/number/once.hpp"
+#include "numeric/quadrature/double_exponential_grid.hpp"
 
 namespace steadyslide::numeric {
 
@@ -14,46 +19,101 @@ class SurfaceCheck {
 
   /// t panel by panel, s on each panel, and psi'/c, tilted as the indenter is.
   SurfaceCheck(PiecewiseDensity<R> traction, std::vector<R> s, ProfileSlope profile_slope)
-      : grid_(std::move(traction)), s_(std::move(s)), profile_slope_(std::move(profile_slope)) {}
+      : density_(std::move(traction)), s_(std::move(s)), profile_slope_(std::move(profile_slope)) {
+    if constexpr (!std::same_as<R, double>) {
+      if (double_exponential::Grid<R>::suits(density_)) short_grid_.emplace(density_);
+    }
+  }
 
   /// int t.
-  R integral() const { return grid_.integral(); }
-  /// The largest relative residual of A t = psi'/c (sliding_operator.hpp) over points of every panel, from 1e-6 of its
-  /// length from one end to 1e-6 from the other.
-  R equation() const {
-    const SlidingOperator<R> A(grid_, s_);
-    R worst = 0;
-    for (const PanelPoint<R>& point : points()) {
-      worst = std::max(worst, A.at(point).residual(profile_slope_(point.panel, point.node)));
+  R integral() const {
+    if constexpr (!std::same_as<R, double>) {
+      if (short_grid_) return short_grid_->integral();
     }
+    return grid().integral();
+  }
+  /// int t over panel k, above double; absent where the short grid does not suit.
+  std::optional<Estimate<R>> panel_integral(std::size_t k) const {
+    if constexpr (!std::same_as<R, double>) {
+      if (short_grid_) return short_grid_->panel_integral(k);
+    }
+    return std::nullopt;
+  }
+  /// The largest relative residual of A t = psi'/c (sliding_operator.hpp) over points of every panel, from 1e-6 of its
+  /// length from one end to 1e-6 from the other; on the short grid at two or three, not next to the ends.
+  R equation() const {
+    R worst = 0;
+    for_points([&](const auto& grid, const PanelPoint<R>& point) {
+      const R t = density_[point.panel](point.node);
+      const SlidingTerms<R> terms{t, {grid.hilbert(point)}, s_[point.panel] * t};
+      worst = std::max(worst, terms.residual(profile_slope_(point.panel, point.node)));
+    });
     return worst;
   }
-  /// The largest t at those points.
+  /// The largest t at those points, or at all nodes of the short grid.
   R highest_traction() const {
-    R highest = -infinity<R>();
-    for (const PanelPoint<R>& point : points()) {
-      highest = std::max(highest, grid_.density()[point.panel](point.node));
+    if constexpr (!std::same_as<R, double>) {
+      if (short_grid_) return short_grid_->highest();
     }
+    R highest = -infinity<R>();
+    for_points([&](const auto&, const PanelPoint<R>& point) {
+      highest = std::max(highest, density_[point.panel](point.node));
+    });
     return highest;
   }
   /// u/c at the distance d beyond the end of panel k, where a gap begins, minus u/c at that end.
-  R displacement(std::size_t k, Side end, const R& distance) const { return grid_.displacement(k, end, distance); }
-
- private:
-  std::vector<PanelPoint<R>> points() const {
-    std::vector<PanelPoint<R>> result;
-    for (std::size_t k = 0; k < grid_.density().size(); ++k) {
-      // Numerators over 10^6: exact at every precision.
-      for (const int fraction : {1, 100, 10'000, 250'000, 500'000, 800'000, 990'000, 999'900, 999'999}) {
-        result.push_back(grid_.midpoint_near(k, R(fraction) / 1'000'000));
-      }
+  R displacement(std::size_t k, Side end, const R& distance) const { return grid().displacement(k, end, distance); }
+  /// By how much the surface stands higher there than a profile that rises by `rise` from that end; 0 where the gap is
+  /// open. More digits than double's are made only for a gap that double cannot tell from 0.
+  R penetration(std::size_t k, Side end, const R& distance, const R& rise) const {
+    if constexpr (!std::same_as<R, double>) {
+      using std::abs;
+      const auto profile = static_cast<double>(rise);
+      const Estimate<double> surface = short_grid_
+                                           ? short_grid_->rough_displacement(k, end, static_cast<double>(distance))
+                                           : Estimate<double>{0, infinity<double>()};
+      if (profile - surface.value > surface.error + 1e-15 * abs(profile)) return 0;
     }
-    return result;
+    return std::max(R(displacement(k, end, distance) - rise), R(0));
   }
 
-  trapezoidal::Grid<R> grid_;
+ private:
+  /// The trapezoidal grid, made when it is needed.
+  const trapezoidal::Grid<R>& grid() const {
+    return grid_([this] { return trapezoidal::Grid<R>(density_); });
+  }
+
+  template <class Visit>
+  void for_points(const Visit& visit) const {
+    if constexpr (!std::same_as<R, double>) {
+      if (short_grid_) {
+        using namespace double_exponential;
+        for (std::size_t k = 0; k < density_.size(); ++k) {
+          const auto nearest = [&](Side side) {
+            return short_grid_->touches(k, side) ? nearest_beside_a_panel : nearest_place;
+          };
+          std::vector<double> places{nearest(Side::left), 1 - nearest(Side::right)};
+          if (density_.size() <= 4) places.push_back(0.5625);
+          for (const double place : places) visit(*short_grid_, short_grid_->midpoint_near(k, place));
+        }
+        return;
+      }
+    }
+    // Numerators over 10^6: exact at every precision.
+    constexpr int denominator = 1'000'000;
+    for (std::size_t k = 0; k < density_.size(); ++k) {
+      for (const int place : {1, 100, 10'000, 250'000, 500'000, 800'000, 990'000, 999'900, 999'999}) {
+        visit(grid(), grid().midpoint_near(k, R(place) / denominator));
+      }
+    }
+  }
+
+  PiecewiseDensity<R> density_;
   std::vector<R> s_;
   ProfileSlope profile_slope_;
+  using ShortGrid = std::conditional_t<std::same_as<R, double>, std::monostate, double_exponential::Grid<R>>;
+  std::optional<ShortGrid> short_grid_;
+  Once<trapezoidal::Grid<R>> grid_;
 };
 
 }  // namespace steadyslide::numeric

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "numeric/cauchy/panel_finder.hpp"
-#include "numeric/cauchy/residuals.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 
 namespace steadyslide::numeric {
@@ -83,12 +82,32 @@ std::vector<SolvedSingularPoint<R>> ClosedForm<R>::singular_points() const {
 }
 
 template <Real R>
+const SurfaceCheck<R>& ClosedForm<R>::check() const {
+  return check_([this] {
+    std::vector<R> s;
+    for (std::size_t k = 0; k < weight().panel_count(); ++k) {
+      s.push_back(to_real<R>(problem_.coupled_friction(data_.first_piece + k)));
+    }
+    return SurfaceCheck<R>(data_.traction.density(), std::move(s),
+                           [this](std::size_t, const Node<R>& node) { return profile_slope(node.x); });
+  });
+}
+
+template <Real R>
 Resultants<R> ClosedForm<R>::resultants() const {
+  return resultants_([this] { return integrated(); });
+}
+
+template <Real R>
+Resultants<R> ClosedForm<R>::integrated() const {
   using std::abs;
   const PiecewiseDensity<R> density = data_.traction.density();
   std::vector<Estimate<R>> loads(problem_.friction().values().size());
   for (std::size_t k = 0; k < density.size(); ++k) {
-    loads[data_.first_piece + k] = -tanh_sinh::panel_integral(density[k]).widened(relative_error(k, 8));
+    std::optional<Estimate<R>> load;
+    if constexpr (!std::same_as<R, double>) load = check().panel_integral(k);
+    if (!load) load = tanh_sinh::panel_integral(density[k]);
+    loads[data_.first_piece + k] = -load->widened(relative_error(k, 8));
   }
   Resultants<R> result = resultants_of(loads, problem_.friction().values());
 
@@ -141,33 +160,27 @@ R ClosedForm<R>::gap_length(Side side) const {
 template <Real R>
 Residuals<R> ClosedForm<R>::residuals() const {
   using std::abs, std::max;
-  std::vector<R> s;
-  for (std::size_t k = 0; k < weight().panel_count(); ++k) {
-    s.push_back(to_real<R>(problem_.coupled_friction(data_.first_piece + k)));
-  }
-  const SurfaceCheck<R> check(data_.traction.density(), s,
-                              [this](std::size_t, const Node<R>& node) { return profile_slope(node.x); });
   const R load = to_real<R>(problem_.load());
   const R width = weight().point(weight().panel_count()) - weight().point(0);
   Residuals<R> result;
-  result.equation = check.equation();
-  result.load = abs(check.integral() + load) / load;
+  result.equation = check().equation();
+  result.load = abs(check().integral() + load) / load;
   R deepest = 0;
   for (const Side side : {Side::left, Side::right}) {
     constexpr int places = 8;
-    for (int i = 0; i < places; ++i) {
-      const R distance = gap_length(side) * chebyshev_position<R>(i, places).first;
-      if (distance == 0) continue;
+    const R length = gap_length(side);
+    for (int i = 0; length > 0 && i < places; ++i) {
+      const R distance = length * chebyshev_position<R>(i, places).first;
       const std::size_t panel = side == Side::left ? 0 : weight().panel_count() - 1;
       const R end = weight().point(side == Side::left ? 0 : weight().panel_count());
       const R x = side == Side::left ? end - distance : end + distance;
       const R rise = distance * (side == Side::left ? R(-1) : R(1)) * (profile_slope(end) + profile_slope(x)) / 2;
-      deepest = max(deepest, check.displacement(panel, side, distance) - rise);
+      deepest = max(deepest, check().penetration(panel, side, distance, rise));
     }
   }
   // Reduced (divided by c), and so is the bound c P / c.
   result.penetration = deepest / load;
-  result.tension = max(check.highest_traction(), R(0)) * width / load;
+  result.tension = max(check().highest_traction(), R(0)) * width / load;
   return result;
 }
 

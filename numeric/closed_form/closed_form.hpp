@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "numeric/cauchy/power_traction.hpp"
+#include "numeric/cauchy/residuals.hpp"
 #include "numeric/solution/contact_solution.hpp"
 
 namespace steadyslide::numeric {
@@ -73,9 +74,14 @@ class ClosedForm : public ContactSolution<R> {
   Sample<R> outside(Side side, const R& distance) const;
   Estimate<R> limit_at_point(std::size_t j, Side side) const;
   R gap_length(Side side) const;
+  /// The traction sampled by the rule that residuals come from, which is also the cheapest for loads in high precision.
+  const SurfaceCheck<R>& check() const;
+  Resultants<R> integrated() const;
 
   ContactProblem problem_;
   ClosedFormData<R> data_;
+  Once<SurfaceCheck<R>> check_;
+  Once<Resultants<R>> resultants_;
 };
 
 }  // namespace steadyslide::numeric

@@ -15,7 +15,17 @@ double nearest_double(const Rational& value) {
   return result;
 }
 
+template <class R>
+bool touch_limits() {
+  using std::isnan;
+  using Limits = std::numeric_limits<R>;
+  return Limits::epsilon() < Limits::round_error() && (Limits::min)() < (Limits::max)() &&
+         (Limits::max)() < Limits::infinity() && isnan(Limits::quiet_NaN());
+}
+
 }  // namespace
+
+bool make_limits() { return touch_limits<Real50>() && touch_limits<Real100>(); }
 
 template <Real R>
 R pi() {

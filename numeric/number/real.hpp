@@ -9,6 +9,7 @@
 
 #include "model/exponent.hpp"
 #include "model/rational.hpp"
+#include "numeric/number/elementary.hpp"
 
 namespace steadyslide::numeric {
 
@@ -21,6 +22,11 @@ using Real50 =
 using Real100 =
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<114, boost::multiprecision::allocate_stack>,
                                   boost::multiprecision::et_off>;
+
+/// Boost 1.74 makes the limits of an MPFR number when they are first asked for, without a lock (before main(), but for
+/// the number with the other kind of expressions): here all are made before a second thread can ask.
+bool make_limits();
+inline const bool limits_are_made = make_limits();
 
 template <class R>
 concept Real = std::same_as<R, double> || std::same_as<R, Real50> || std::same_as<R, Real100>;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numeric/cauchy/residuals.hpp"
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
@@ -179,12 +178,44 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::load_on(std::size_t segment) const {
+  if constexpr (!std::same_as<R, double>) {
+    // The samples are there, or soon will be; Gauss-Jacobi rules for this alone would cost ten times as much.
+    const Checked& check = checked();
+    const auto panel = std::ranges::find(check.segments, segment) - check.segments.begin();
+    if (const auto load = check.surface.panel_integral(static_cast<std::size_t>(panel))) {
+      using std::abs;
+      const Estimate<R> t = form_.traction(middle_of(segment));
+      return t.value == 0 ? *load : load->widened(4 * t.error / abs(t.value));
+    }
+  }
   if (!form_.changes_polynomial(segment) && !form_.changes_polynomial(segment + 1)) return form_.load_on(segment);
   return tanh_sinh::panel_integral(panel_density(form_, segment));
 }
 
 template <Real R>
+const typename RiemannHilbertSolution<R>::Checked& RiemannHilbertSolution<R>::checked() const {
+  return checked_([this] {
+    std::vector<std::size_t> segments;
+    std::vector<R> s;
+    for (std::size_t k = 0; k < contact_set().segments(); ++k) {
+      if (!contact_set().in_contact(k)) continue;
+      segments.push_back(k);
+      s.push_back(reduced_.s(form_.friction_at(k)));
+    }
+    return Checked{segments,
+                   {traction_density(form_), std::move(s), [this, segments](std::size_t panel, const Node<R>& node) {
+                      return R(reduced_.slope(form_.slope_at(segments[panel]), node.x) + form_.tilt());
+                    }}};
+  });
+}
+
+template <Real R>
 Resultants<R> RiemannHilbertSolution<R>::resultants() const {
+  return resultants_([this] { return integrated(); });
+}
+
+template <Real R>
+Resultants<R> RiemannHilbertSolution<R>::integrated() const {
   using std::abs;
   const R unit = to_real<R>(reduced_.frame().unit);
   std::vector<Estimate<R>> loads(problem_.friction().values().size());
@@ -226,20 +257,9 @@ EstimatedError<R> RiemannHilbertSolution<R>::estimated_error() const {
 template <Real R>
 Residuals<R> RiemannHilbertSolution<R>::residuals() const {
   using std::abs, std::max;
-  PiecewiseDensity<R> density;
-  std::vector<R> s;
-  std::vector<std::size_t> segments;
+  const auto& [segments, check] = checked();
   R contact_length = 0;
-  for (std::size_t k = 0; k < contact_set().segments(); ++k) {
-    if (!contact_set().in_contact(k)) continue;
-    density.push_back(panel_density(form_, k));
-    s.push_back(reduced_.s(form_.friction_at(k)));
-    segments.push_back(k);
-    contact_length += contact_set().length(k);
-  }
-  const SurfaceCheck<R> check(std::move(density), s, [&](std::size_t panel, const Node<R>& node) {
-    return reduced_.slope(form_.slope_at(segments[panel]), node.x) + form_.tilt();
-  });
+  for (const std::size_t k : segments) contact_length += contact_set().length(k);
   const R& load = reduced_.load();
   Residuals<R> result;
   result.equation = check.equation();
@@ -264,10 +284,9 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
       if (!end) continue;
       const auto panel = std::ranges::find(segments, contact_set().inside(*end)) - segments.begin();
       const R distance = abs(form_.distance(at, *end));
-      const R surface =
-          check.displacement(static_cast<std::size_t>(panel), opposite(contact_set().contact_side(*end)), distance);
-      const R gap = GapIntegral<R>(form_, *end).profile_increment(at) - surface;
-      deepest = max(deepest, -gap);
+      const Side side = opposite(contact_set().contact_side(*end));
+      const R rise = GapIntegral<R>(form_, *end).profile_increment(at);
+      deepest = max(deepest, check.penetration(static_cast<std::size_t>(panel), side, distance, rise));
     }
   }
   result.penetration = deepest / load;

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "numeric/cauchy/residuals.hpp"
 #include "numeric/riemann_hilbert/contact_search.hpp"
 #include "numeric/solution/contact_solution.hpp"
 
@@ -72,12 +73,22 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   std::optional<std::size_t> nearest_end(const SurfacePoint<R>& at) const;
 
   Estimate<R> load_on(std::size_t segment) const;
+  Resultants<R> integrated() const;
+
+  /// The traction sampled by the rule that residuals come from, which is also the cheapest for loads in high precision.
+  struct Checked {
+    std::vector<std::size_t> segments;  ///< in contact: the panels of the check
+    SurfaceCheck<R> surface;
+  };
+  const Checked& checked() const;
 
   ContactProblem problem_;
   ReducedProblem<R> reduced_;
   JacobiRules<R> rules_;
   SearchResult<R> found_;
   RiemannHilbertForm<R> form_;
+  Once<Checked> checked_;
+  Once<Resultants<R>> resultants_;
 };
 
 }  // namespace steadyslide::numeric

@@ -1,0 +1,93 @@
+#include "numeric/number/elementary.hpp"
+
+#include <arb.h>
+
+#include <algorithm>
+
+namespace steadyslide::numeric::elementary {
+namespace {
+
+constexpr slong guard_bits = 16;
+constexpr slong bits_beyond_rounding = 8;
+
+/// A ball that cleans up.
+class Scratch {
+ public:
+  explicit Scratch(mpfr_srcptr x) {
+    arb_init(ball_);
+    arf_set_mpfr(arb_midref(ball_), x);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() { arb_clear(ball_); }
+
+  operator arb_ptr() { return ball_; }  // NOLINT(google-explicit-constructor): it is one
+
+  /// The midpoint, if the ball decides all bits of `result`.
+  bool rounded_to(mpfr_ptr result) const {
+    if (!arb_is_finite(ball_) || arb_rel_accuracy_bits(ball_) < mpfr_get_prec(result) + bits_beyond_rounding) {
+      return false;
+    }
+    arf_get_mpfr(result, arb_midref(ball_), MPFR_RNDN);
+    return true;
+  }
+
+ private:
+  arb_t ball_;
+};
+
+/// MPFR's exponents end at 2^30: what comes near is left to it.
+constexpr mpfr_exp_t largest_exponent = 29;
+
+slong bits_of(mpfr_exp_t exponent) {
+  slong bits = 0;
+  for (mpfr_exp_t rest = std::abs(exponent); rest > 0; rest /= 2) ++bits;
+  return bits;
+}
+
+}  // namespace
+
+void log(mpfr_ptr result, mpfr_srcptr x) {
+  if (mpfr_regular_p(x) != 0 && mpfr_sgn(x) > 0) {
+    Scratch ball(x);
+    arb_log(ball, ball, mpfr_get_prec(result) + guard_bits);
+    if (ball.rounded_to(result)) return;
+  }
+  mpfr_log(result, x, MPFR_RNDN);
+}
+
+void exp(mpfr_ptr result, mpfr_srcptr x) {
+  if (mpfr_regular_p(x) != 0 && mpfr_get_exp(x) <= largest_exponent) {
+    Scratch ball(x);
+    arb_exp(ball, ball, mpfr_get_prec(result) + guard_bits);
+    if (ball.rounded_to(result)) return;
+  }
+  mpfr_exp(result, x, MPFR_RNDN);
+}
+
+void pow(mpfr_ptr result, mpfr_srcptr base, mpfr_srcptr exponent) {
+  // Whole powers, which may be exact, are MPFR's.
+  const bool whole = mpfr_integer_p(exponent) != 0;
+  const bool plain = !whole && mpfr_regular_p(base) != 0 && mpfr_sgn(base) > 0 && mpfr_regular_p(exponent) != 0;
+  // The bits before the point of y log x.
+  const slong before_point = plain ? std::max<slong>(0, mpfr_get_exp(exponent) + bits_of(mpfr_get_exp(base))) : 0;
+  if (plain && before_point <= largest_exponent) {
+    // They are lost to e^(y log x).
+    const slong bits = mpfr_get_prec(result) + guard_bits + before_point;
+    Scratch ball(base);
+    Scratch y(exponent);
+    arb_log(ball, ball, bits);
+    arb_mul(ball, ball, y, bits);
+    arb_exp(ball, ball, bits);
+    if (ball.rounded_to(result)) return;
+  }
+  // An odd power of 0 has its sign.
+  if (mpfr_zero_p(base) != 0 && whole && mpfr_sgn(exponent) > 0 && mpfr_fits_ulong_p(exponent, MPFR_RNDN) != 0 &&
+      mpfr_get_ui(exponent, MPFR_RNDN) % 2 == 1) {
+    mpfr_set(result, base, MPFR_RNDN);
+    return;
+  }
+  mpfr_pow(result, base, exponent, MPFR_RNDN);
+}
+
+}  // namespace steadyslide::numeric::elementary

@@ -1,0 +1,287 @@
+#include "numeric/quadrature/double_exponential_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <numbers>
+
+namespace steadyslide::numeric::double_exponential {
+namespace {
+
+constexpr int steps_per_unit = 1024;
+/// Beyond the accuracy, as an exponent, for what is small next to a panel's end.
+constexpr double margin = 28;
+constexpr double narrowest_strip = 0.2;
+constexpr double least_power = 1e-3;  // 1 + lambda
+
+/// Of the digits served and four more, as an exponent.
+template <Real R>
+double accuracy() {
+  return (digits_served<R> + 4) * std::numbers::ln10;
+}
+
+/// b of the pole at the nearest place.
+double strip_of_places() {
+  const double s = std::log(nearest_place / (1 - nearest_place)) / std::numbers::pi;
+  const double sum = 5 + s * s;
+  return std::asin(2 / std::sqrt((sum + std::sqrt(sum * sum - 16)) / 2));
+}
+
+/// b of a real point beyond an end.
+double strip(double distance) {
+  const double a = std::log1p(1 / distance) / std::numbers::pi;
+  return std::asin(2 / (a + std::sqrt(a * a + 4)));
+}
+
+/// From a panel to the nearest singular point or pole beyond it on that side, over the panel's length.
+template <Real R>
+double clearance(const PiecewiseDensity<R>& density, std::size_t k, Side side) {
+  const bool left = side == Side::left;
+  if (left ? k == 0 : k + 1 == density.size()) return HUGE_VAL;
+  const PanelDensity<R>& neighbour = density[left ? k - 1 : k + 1];
+  const R& gap = left ? density[k].gap : neighbour.gap;
+  // A midpoint lies up to a step before the place it is next to.
+  const R distance = gap > 0 ? gap : R(neighbour.panel.length * R(0.75 * nearest_beside_a_panel));
+  return static_cast<double>(R(distance / density[k].panel.length));
+}
+
+template <Real R>
+double strip_of(const PiecewiseDensity<R>& density, std::size_t k) {
+  return std::min(strip_of_places(),
+                  strip(std::min(clearance(density, k, Side::left), clearance(density, k, Side::right))));
+}
+
+template <Real R>
+int step_of(const PiecewiseDensity<R>& density, std::size_t k) {
+  return static_cast<int>(steps_per_unit * 2 * std::numbers::pi * 0.95 * strip_of(density, k) / accuracy<R>());
+}
+
+/// How far the nodes reach, in tau.
+template <Real R>
+double reach(const Power<R>& power) {
+  const double plus_one = std::min(1.0, static_cast<double>(power.plus_one));
+  return std::asinh((accuracy<R>() + margin) / (std::numbers::pi * plus_one));
+}
+
+/// A node at tau >= 0 of the unit interval.
+template <Real R>
+struct UnitNode {
+  R near;  ///< distances to the right end and to the left one
+  R far;
+  R log_near;
+  R log_far;
+  R rate;  ///< pi cosh tau
+
+  static UnitNode at(const R& tau) {
+    using std::exp, std::log;
+    const R e = exp(tau);
+    const R inverse = 1 / e;
+    const R twice_u = pi<R>() * (e - inverse) / 2;
+    const R decay = exp(R(-twice_u));
+    const R far = 1 / (1 + decay);
+    const R log_far = log(far);
+    return {decay * far, far, log_far - twice_u, log_far, pi<R>() * (e + inverse) / 2};
+  }
+};
+
+/// The nodes at 0, h, 2h, ... as far as any power above -7/8 asks for, made once a step.
+template <Real R>
+std::shared_ptr<const std::vector<UnitNode<R>>> unit_nodes(int step) {
+  static std::mutex mutex;
+  static std::map<int, std::shared_ptr<const std::vector<UnitNode<R>>>> known;
+  const std::lock_guard lock(mutex);
+  auto& nodes = known[step];
+  if (!nodes) {
+    const double last = reach(Power<R>{R(-0.875), R(0.125)});
+    std::vector<UnitNode<R>> made;
+    for (int i = 0; i * step < last * steps_per_unit; ++i)
+      made.push_back(UnitNode<R>::at(R(i * step) / steps_per_unit));
+    nodes = std::make_shared<const std::vector<UnitNode<R>>>(std::move(made));
+  }
+  return nodes;
+}
+
+template <Real R>
+Node<R> node_at(const Panel<R>& panel, const R& from_left, const R& from_right) {
+  return {from_left < from_right ? R(panel.left + from_left) : R(panel.right - from_right), from_left, from_right};
+}
+
+template <Real R>
+R power_of(const R& base, const R& exponent) {
+  using std::pow;
+  return exponent == 1 ? base : pow(base, exponent);
+}
+
+}  // namespace
+
+template <Real R>
+bool Grid<R>::suits(const PiecewiseDensity<R>& density) {
+  for (std::size_t k = 0; k < density.size(); ++k) {
+    const bool fine = strip_of(density, k) > narrowest_strip && density[k].left.plus_one > least_power &&
+                      density[k].right.plus_one > least_power;
+    if (!fine) return false;
+  }
+  return !density.empty();
+}
+
+template <Real R>
+Grid<R>::Grid(const PiecewiseDensity<R>& density) {
+  panels_.reserve(density.size());
+  for (std::size_t k = 0; k < density.size(); ++k) panels_.push_back(sampled(density[k], step_of(density, k)));
+}
+
+template <Real R>
+typename Grid<R>::PanelSamples Grid<R>::sampled(const PanelDensity<R>& density, int step) const {
+  using std::abs, std::exp;
+  const Panel<R>& panel = density.panel;
+  const auto nodes = unit_nodes<R>(step);
+  PanelSamples result{panel, density.gap, step, {}, {}, -infinity<R>()};
+  const auto count = [&](const Power<R>& power) { return static_cast<int>(reach(power) * steps_per_unit) / step + 1; };
+  const R h = R(step) / steps_per_unit;
+  const R& a = density.left.plus_one;
+  const R& b = density.right.plus_one;
+  // dx = length pi cosh(tau) y (1-y) dtau
+  const R factor = h * power_of(panel.length, R(a + b - 1));
+  const int first = -count(density.left);
+  const int last = count(density.right);
+  result.samples.reserve(static_cast<std::size_t>(last - first + 1));
+  result.rough.reserve(result.samples.capacity());
+  for (int i = first; i <= last; ++i) {
+    const auto index = static_cast<std::size_t>(abs(i));
+    const UnitNode<R> unit = index < nodes->size() ? (*nodes)[index] : UnitNode<R>::at(index * h);
+    const bool right = i > 0;
+    const R& y = right ? unit.far : unit.near;
+    const R& rest = right ? unit.near : unit.far;
+    const R powers =
+        a == 1 && b == 1
+            ? R(y * rest)
+            : exp(R(a * (right ? unit.log_far : unit.log_near) + b * (right ? unit.log_near : unit.log_far)));
+    const Node<R> node = node_at(panel, R(panel.length * y), R(panel.length * rest));
+    const R smooth = density.smooth(node);
+    result.samples.push_back({node.from_left, node.from_right, factor * unit.rate * powers * smooth});
+    const Sample& s = result.samples.back();
+    result.rough.push_back(
+        {static_cast<double>(s.from_left), static_cast<double>(s.from_right), static_cast<double>(s.weighted)});
+    // The sign is what counts; where it is wrong, the size as well.
+    const R t = smooth > 0 ? R(s.weighted / (h * panel.length * unit.rate * y * rest)) : s.weighted;
+    result.highest = std::max(result.highest, t);
+  }
+  return result;
+}
+
+template <Real R>
+bool Grid<R>::touches(std::size_t k, Side side) const {
+  if (side == Side::left) return k > 0 && panels_[k].gap == 0;
+  return k + 1 < panels_.size() && panels_[k + 1].gap == 0;
+}
+
+template <Real R>
+R Grid<R>::between(std::size_t j, std::size_t k) const {
+  const auto [first, last] = std::minmax(j, k);
+  R distance = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    if (i > first) distance += panels_[i].panel.length;
+    distance += panels_[i + 1].gap;
+  }
+  return distance;
+}
+
+template <Real R>
+Estimate<R> Grid<R>::panel_integral(std::size_t k) const {
+  using std::abs;
+  R sum = 0;
+  R size = 0;
+  for (const Sample& s : panels_[k].samples) {
+    sum += s.weighted;
+    size += abs(s.weighted);
+  }
+  return {sum, 16 * epsilon<R>() * size};
+}
+
+template <Real R>
+R Grid<R>::integral() const {
+  R total = 0;
+  for (std::size_t k = 0; k < panels_.size(); ++k) total += panel_integral(k).value;
+  return total;
+}
+
+template <Real R>
+R Grid<R>::highest() const {
+  R highest = -infinity<R>();
+  for (const PanelSamples& panel : panels_) highest = std::max(highest, panel.highest);
+  return highest;
+}
+
+template <Real R>
+PanelPoint<R> Grid<R>::midpoint_near(std::size_t k, double fraction) const {
+  const double tau = std::asinh(std::log(fraction / (1 - fraction)) / std::numbers::pi);
+  const PanelSamples& panel = panels_[k];
+  const auto cell = static_cast<int>(std::floor(tau * steps_per_unit / panel.step));
+  const R at = R((2 * cell + 1) * panel.step) / (2 * steps_per_unit);
+  const UnitNode<R> unit = UnitNode<R>::at(at < 0 ? R(-at) : at);
+  const R& length = panel.panel.length;
+  return {k, at > 0 ? node_at(panel.panel, R(length * unit.far), R(length * unit.near))
+                    : node_at(panel.panel, R(length * unit.near), R(length * unit.far))};
+}
+
+template <Real R>
+R Grid<R>::hilbert(const PanelPoint<R>& midpoint) const {
+  const Node<R>& x = midpoint.node;
+  R total = 0;
+  // x' - x from the distances to the end that is nearer to x: they are known best.
+  if (x.from_left < x.from_right) {
+    for (const Sample& s : panels_[midpoint.panel].samples) total += s.weighted / (s.from_left - x.from_left);
+  } else {
+    for (const Sample& s : panels_[midpoint.panel].samples) total += s.weighted / (x.from_right - s.from_right);
+  }
+  for (std::size_t j = 0; j < panels_.size(); ++j) {
+    if (j == midpoint.panel) continue;
+    const bool to_the_right = j > midpoint.panel;
+    const R from_x = (to_the_right ? x.from_right : x.from_left) + between(j, midpoint.panel);
+    R sum = 0;
+    if (to_the_right) {
+      for (const Sample& s : panels_[j].samples) sum += s.weighted / (from_x + s.from_left);
+    } else {
+      for (const Sample& s : panels_[j].samples) sum -= s.weighted / (from_x + s.from_right);
+    }
+    total += sum;
+  }
+  return total / pi<R>();
+}
+
+template <Real R>
+Estimate<double> Grid<R>::rough_displacement(std::size_t k, Side end, double distance) const {
+  double sum = 0;
+  double size = 0;
+  double lost = 0;
+  const bool beyond_right = end == Side::right;
+  const double own_length = static_cast<double>(panels_[k].panel.length);
+  for (std::size_t j = 0; j < panels_.size(); ++j) {
+    const double apart = j == k ? 0 : static_cast<double>(between(j, k));
+    const bool same_side = j == k || (j < k) == beyond_right;
+    double part = 0;
+    for (const RoughSample& s : panels_[j].rough) {
+      const double facing = beyond_right == same_side ? s.from_right : s.from_left;
+      const double to_end = facing + apart + (same_side && j != k ? own_length : 0);
+      // What double takes for the end itself bears no load.
+      if (to_end < 1e-300) continue;
+      const double term = s.weighted * std::log1p(same_side ? distance / to_end : -distance / to_end);
+      sum += term;
+      part += std::abs(term);
+    }
+    size += part;
+    // The point itself is a singular point, of a logarithm, beyond the panel.
+    const double length = static_cast<double>(panels_[j].panel.length);
+    const double clear = same_side ? distance + apart + (j == k ? 0 : own_length) : apart - distance;
+    const double h = static_cast<double>(panels_[j].step) / steps_per_unit;
+    lost += part * (clear > 0 ? std::exp(-2 * std::numbers::pi * strip(clear / length) / h) : 1);
+  }
+  return {-sum / std::numbers::pi, 10 * lost + 1e-13 * size};
+}
+
+template class Grid<Real50>;
+template class Grid<Real100>;
+
+}  // namespace steadyslide::numeric::double_exponential

@@ -1,0 +1,80 @@
+#pragma once
+// A traction sampled for any number of integrals in high precision: on each panel, with y = from_left/length,
+//
+//   y = 1/(1 + e^{-2u}), 1 - y = 1/(1 + e^{2u}), u = (pi/2) sinh tau, dy = pi cosh(tau) y (1-y) dtau [TM74],
+//
+// and the trapezoidal rule in tau: a tenth of the nodes of trapezoidal.hpp, whose tau goes without the sinh. Powers at
+// a panel's ends are one exponential a node; the logarithms of y and 1-y are made once a step. With the nodes staggered
+// half a step off the pole the rule gives the principal value.
+//
+// Error. A singular point at |Im tau| = b leaves e^{-2 pi b/h} of a step h; sinh tau is known there up to 2i:
+//
+//   a real point d lengths beyond an end:  sinh tau = s + i,   s = log(1 + 1/d)/pi,    sin b = 1/c, c - 1/c = s
+//   the pole at y, the next time:          sinh tau = s + 2i,  s = log(y/(1 - y))/pi,  sin b = 2/c,
+//                                                              (c^2 - 1)(c^2 - 4) = s^2 c^2
+//
+// and h follows from the nearest one. Between panels that touch, a point at which a principal value is taken on one of
+// them lies beyond the end of the other. The parts cut off at the ends are under e^-28 of the accuracy, 10^-4 of the
+// last digit that is served. (Heuristic: branch points on the real axis and nothing else.)
+
+#include "numeric/cauchy/density.hpp"
+#include "numeric/number/estimate.hpp"
+
+namespace steadyslide::numeric::double_exponential {
+
+/// Principal values are taken no nearer to an end than this part of a panel: to one that touches another panel, and to
+/// one that does not.
+inline constexpr double nearest_beside_a_panel = 0.25;
+inline constexpr double nearest_place = 0.125;
+
+template <Real R>
+class Grid {
+ public:
+  /// Not where a panel is millions of times as long as its neighbour, or an end power next to -1: steps become so small
+  /// there that trapezoidal.hpp is cheaper.
+  static bool suits(const PiecewiseDensity<R>& density);
+  explicit Grid(const PiecewiseDensity<R>& density);
+
+  /// Its error is that of rounding.
+  Estimate<R> panel_integral(std::size_t k) const;
+  /// int t.
+  R integral() const;
+  /// The largest t at a node.
+  R highest() const;
+
+  /// Does a panel lie beside panel k, without a gap, on that side?
+  bool touches(std::size_t k, Side side) const;
+  /// The point of panel k halfway (in tau) between the two samples next to the given fraction of its length.
+  PanelPoint<R> midpoint_near(std::size_t k, double fraction) const;
+  /// H t = (1/pi) PV int t(x')/(x'-x) dx' at such a point.
+  R hilbert(const PanelPoint<R>& midpoint) const;
+  /// trapezoidal::Grid's displacement() in double, with an estimate of its error: enough to see that a gap is open.
+  Estimate<double> rough_displacement(std::size_t k, Side end, double distance) const;
+
+ private:
+  struct Sample {
+    R from_left;
+    R from_right;
+    R weighted;  ///< t(x) dx/dtau h
+  };
+  struct RoughSample {
+    double from_left;
+    double from_right;
+    double weighted;
+  };
+  struct PanelSamples {
+    Panel<R> panel;
+    R gap;     ///< from the panel before
+    int step;  ///< h in units of 1/1024
+    std::vector<Sample> samples;
+    std::vector<RoughSample> rough;
+    R highest;
+  };
+
+  R between(std::size_t j, std::size_t k) const;
+  PanelSamples sampled(const PanelDensity<R>& density, int step) const;
+
+  std::vector<PanelSamples> panels_;
+};
+
+}  // namespace steadyslide::numeric::double_exponential
