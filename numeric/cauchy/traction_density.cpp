@@ -7,7 +7,7 @@ namespace {
 
 template <Real R>
 Power<R> traction_power(const RiemannHilbertForm<R>& form, std::size_t j) {
-  const Power<R>& p = form.fundamental_solution().powers()[j];
+  const Power<R>& p = form.power(j);
   if (form.changes_polynomial(j) && p.value > 0) return {R(0), R(1)};
   return p;
 }
@@ -21,11 +21,10 @@ PanelDensity<R> panel_density(const RiemannHilbertForm<R>& form, std::size_t seg
   const auto smooth = [&form, segment, left, right](const Node<R>& node) {
     using std::pow;
     const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(segment), node};
-    const R& p_left = form.fundamental_solution().powers()[segment].value;
-    const R& p_right = form.fundamental_solution().powers()[segment + 1].value;
+    const R& p_left = form.power(segment).value;
+    const R& p_right = form.power(segment + 1).value;
     R value = form.sign(at.segment) * form.problem().cos_alpha(form.friction_at(segment)) *
-              form.fundamental_solution().smooth_modulus(segment, node) *
-              form.regular_factor(form.slope_at(segment), at).value;
+              form.y().smooth_modulus(segment, node) * form.regular_factor(form.slope_at(segment), at).value;
     if (p_left != left.value) value *= pow(node.from_left, p_left);
     if (p_right != right.value) value *= pow(node.from_right, p_right);
     return value;

@@ -23,9 +23,8 @@ Surroundings<R> InteriorStress<R>::surroundings(const OneSidedPart& part, const 
   using std::sqrt;
   const auto to_point = [&](const R& x) { return sqrt(x * x + depth * depth); };
   const RiemannHilbertForm<R>& form = solution_->form();
-  Surroundings<R> around = numeric::surroundings<R>(form.set(), part.segment, [&](std::size_t j) {
-    return form.fundamental_solution().powers()[j].value != 0 || form.changes_polynomial(j);
-  });
+  Surroundings<R> around = numeric::surroundings<R>(
+      form.set(), part.segment, [&](std::size_t j) { return form.power(j).value != 0 || form.changes_polynomial(j); });
   if (part.from_left > 0) {
     around.left_singular = false;
     around.beyond_left = part.from_left;
@@ -73,7 +72,7 @@ void InteriorStress<R>::add(const OneSidedPart& part, Sum& sum) const {
     bool kinked = false;
     if (panel.singular_end) {
       const std::size_t j = *panel.singular_end == Side::left ? segment : segment + 1;
-      power = form.fundamental_solution().powers()[j];
+      power = form.power(j);
       kinked = form.changes_polynomial(j);
     }
     const JacobiRule<R>& rule = kinked ? double_exponential(power) : rules_.get(power, {R(0), R(1)}, nodes_per_panel());

@@ -181,7 +181,7 @@ class Inspection {
 
   R rate(const SurfacePoint<R>& at) const {
     const auto segment = static_cast<std::size_t>(at.segment);
-    return form_.sign(at.segment) * form_.regular_factor(form_.slope_at(segment), at).value;
+    return form_.sign(at) * form_.regular_factor(form_.slope_at(segment), at).value;
   }
 
   const RiemannHilbertForm<R>& form_;

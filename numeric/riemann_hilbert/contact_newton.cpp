@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "numeric/number/dense_lu.hpp"
 #include "numeric/number/linear_system.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 
@@ -20,6 +21,29 @@ std::vector<R> quotient(const std::vector<R>& q, const R& e) {
   return result;
 }
 
+/// Large systems in double by blocks.
+std::optional<std::vector<double>> solve_equations(const std::vector<std::vector<double>>& rows) {
+  constexpr std::size_t few = 48;
+  if (rows.size() <= few) return solve_linear(rows);
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  Eigen::MatrixXd matrix(n, n);
+  Eigen::VectorXd right(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Map<const Eigen::VectorXd> row(rows[static_cast<std::size_t>(i)].data(), n + 1);
+    const double largest = row.head(n).cwiseAbs().maxCoeff();
+    if (!(largest > 0)) return std::nullopt;
+    matrix.row(i) = row.head(n) / largest;
+    right(i) = row(n) / largest;
+  }
+  const Eigen::VectorXd x = DenseLu(matrix).solve(right);
+  return std::vector<double>(x.begin(), x.end());
+}
+
+template <Real R>
+std::optional<std::vector<R>> solve_equations(const std::vector<std::vector<R>>& rows) {
+  return solve_linear(rows);
+}
+
 /// One linearisation: the unknowns rho_f, r and the change of the tilt.
 template <Real R>
 class Linearisation {
@@ -27,20 +51,23 @@ class Linearisation {
   explicit Linearisation(const RiemannHilbertForm<R>& form)
       : form_(form),
         degree_(form.degree_at_infinity()),
-        free_(form.set().movable()),
+        movable_(form.set().movable()),
+        free_(columns(form, movable_)),
         coefficients_(static_cast<std::size_t>(std::max(-degree_ - 1, 0))),
         tilts_(form.problem().load_at().has_value()),
         size_(free_.size() + coefficients_ + (tilts_ ? 1 : 0)),
         equations_(size_, std::vector<R>(size_ + 1, R(0))) {
-    add_moments();
+    // With pivots the load is what an end that stays on a jump leaves to be checked.
+    if (!has_pivots()) add_moments();
     add_gaps();
     if (tilts_) add_centre();
+    if (has_pivots()) add_moments();
   }
 
   /// False where the number of conditions is not that of the unknowns (ends that cannot move, though they are free).
   bool solve() {
     if (row_ != size_) return false;
-    const std::optional<std::vector<R>> solution = solve_linear(equations_);
+    const std::optional<std::vector<R>> solution = solve_equations(equations_);
     if (solution) solution_ = *solution;
     return solution.has_value();
   }
@@ -51,10 +78,21 @@ class Linearisation {
 
   std::vector<R> end_steps() const {
     std::vector<R> steps;
-    for (std::size_t f = 0; f < free_.size(); ++f) {
-      const std::size_t j = free_[f];
-      const R b = form_.regular_factor_at(j, form_.set().contact_side(j)).value;
-      steps.push_back(solution_[f] / (form_.fundamental_solution().powers()[j].value * b));
+    std::size_t f = 0;
+    for (const std::size_t j : movable_) {
+      const Side side = form_.set().contact_side(j);
+      R b = form_.regular_factor_at(j, side).value;
+      if (has_pivots()) {
+        const std::size_t component = form_.y().component_of(j);
+        const R& at_pivot = form_.pivot_moment(component);
+        const SurfacePoint<R> place = beside(form_.set(), j, side, R(0));
+        if (is_pivot(form_, j)) {
+          steps.push_back((neighbours_at(place) - at_pivot - tilt_step()) / (form_.power(j).value * b));
+          continue;
+        }
+        b = b * form_.y().to_pivot(place) + at_pivot;
+      }
+      steps.push_back(solution_[f++] / (form_.power(j).value * b));
     }
     return steps;
   }
@@ -63,19 +101,66 @@ class Linearisation {
 
   /// The change of q that goes with ends moved by `moved`, when `part` of the step is taken.
   std::vector<R> q_step(const std::vector<R>& moved, const R& part) const {
+    if (has_pivots()) return theta_step(moved, part);
     std::vector<R> step(form_.q().size(), R(0));
     for (std::size_t k = 0; k < coefficients_; ++k) {
       step[k] += part * pi<R>() * solution_[free_.size() + k];
     }
     for (std::size_t f = 0; f < free_.size(); ++f) {
       const std::vector<R> quot = quotient(form_.q(), form_.set().x(free_[f]));
-      const R factor = form_.fundamental_solution().powers()[free_[f]].value * moved[f];
+      const R factor = form_.power(free_[f]).value * moved[f];
       for (std::size_t k = 0; k < quot.size(); ++k) step[k] += factor * quot[k];
     }
     return step;
   }
 
  private:
+  bool has_pivots() const { return !form_.y().pivots().empty(); }
+  /// Of a component with two free ends.
+  static bool is_pivot(const RiemannHilbertForm<R>& form, std::size_t j) {
+    const auto& pivot = form.y().pivots()[form.y().component_of(j)];
+    return pivot.order > 0 && pivot.point == j;
+  }
+
+  /// The points that have a rho: free ends, but no pivots; then the poles of components without a free end.
+  static std::vector<std::size_t> columns(const RiemannHilbertForm<R>& form, const std::vector<std::size_t>& movable) {
+    if (form.y().pivots().empty()) return movable;
+    std::vector<std::size_t> result;
+    for (const std::size_t j : movable) {
+      if (!is_pivot(form, j)) result.push_back(j);
+    }
+    for (const auto& pivot : form.y().pivots()) {
+      if (pivot.order < 0) result.push_back(pivot.point);
+    }
+    return result;
+  }
+
+  /// sum_f rho_f/(x - e_f)
+  R neighbours_at(const SurfacePoint<R>& place) const {
+    const std::vector<R> distances = form_.distances(place);
+    R sum = 0;
+    for (std::size_t f = 0; f < free_.size(); ++f) sum += solution_[f] / distances[free_[f]];
+    return sum;
+  }
+
+  /// theta_j/pi is the residue of u'/(c Y) at e_j: Y, too, changes with the ends.
+  std::vector<R> theta_step(const std::vector<R>& moved, const R& part) const {
+    const auto& pivots = form_.y().pivots();
+    std::vector<R> step(pivots.size(), R(0));
+    std::size_t f = 0;
+    while (f < free_.size() && form_.set().point(free_[f]).is_movable()) ++f;
+    for (std::size_t i = 0; i < pivots.size(); ++i) {
+      if (pivots[i].order >= 0) continue;
+      const R& pole = form_.set().x(pivots[i].point);
+      step[i] = part * pi<R>() * solution_[f++];
+      for (std::size_t k = 0; k < movable_.size(); ++k) {
+        const R& p = form_.fundamental_solution().powers()[movable_[k]].value;
+        step[i] += form_.q()[i] * p * moved[k] / (pole - form_.set().x(movable_[k]));
+      }
+    }
+    return step;
+  }
+
   R& at(std::size_t column) { return equations_[row_][column]; }
   R& right() { return at(size_); }
   R end(std::size_t f) const { return form_.set().x(free_[f]); }
@@ -115,9 +200,8 @@ class Linearisation {
       const auto rule = gap.rule();
       for (const auto& node : rule) {
         // Over a tiny gap the weight times Y alone may be no number any more.
-        for (std::size_t f = 0; f < free_.size(); ++f) {
-          at(f) -= node.weight * (node.y / form_.distance(node.at, free_[f]));
-        }
+        const std::vector<R> distances = form_.distances(node.at);
+        for (std::size_t f = 0; f < free_.size(); ++f) at(f) -= node.weight * (node.y / distances[free_[f]]);
         const R weight = node.weight * node.y;
         R power = weight;
         for (std::size_t k = 0; k < coefficients_; ++k) {
@@ -159,8 +243,9 @@ class Linearisation {
 
   const RiemannHilbertForm<R>& form_;
   int degree_;
-  std::vector<std::size_t> free_;
-  std::size_t coefficients_;  ///< of r
+  std::vector<std::size_t> movable_;
+  std::vector<std::size_t> free_;  ///< those that have a rho
+  std::size_t coefficients_;       ///< of r
   bool tilts_;
   std::size_t size_;
   std::vector<std::vector<R>> equations_;  ///< with their right sides
@@ -334,6 +419,18 @@ class Newton {
 
 template <Real R>
 ContactState<R> ContactState<R>::initial(const ReducedProblem<R>& problem, ContactSet<R> set, const R& tilt) {
+  if (set.components() > problem.most_coupled()) {
+    std::vector<R> theta;
+    R poles = 0;
+    for (const std::size_t begin : set.all(ContactSet<R>::Kind::begins)) {
+      std::size_t end = begin + 1;
+      while (!set.point(end).is_end()) ++end;
+      theta.push_back(set.point(begin).vanishes || set.point(end).vanishes ? 0 : 1);
+      poles += theta.back();
+    }
+    for (R& t : theta) t *= problem.load() / std::max(poles, R(1));
+    return {std::move(set), std::move(theta), tilt};
+  }
   int degree = -static_cast<int>(set.components());
   for (const auto& point : set.points()) degree += point.is_free() ? 1 : 0;
   std::vector<R> q(static_cast<std::size_t>(std::max(-degree, 0)), R(0));

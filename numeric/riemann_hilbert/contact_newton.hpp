@@ -7,6 +7,13 @@
 // The Jacobian needs no difference and no derivative of an integral: every neighbouring solution differs from the
 // current one by Y (sum_f rho_f/(z - e_f) + r(z)), rho_f = p_f B(e_f) de_f, deg r < -S-1, and by a multiple of 1 - Y
 // [1/Y]_poly for the tilt. (The growth at infinity leaves nothing else: Liouville's theorem.)
+//
+// With pivots (signed_fundamental_solution.hpp) there are no moments but m_0, which belongs to the load; B(e_i) = 0 at
+// the pivots of components without an edge. The other free ends have their rho_f, components without a free end
+// dtheta_i/pi in the place of rho. Where B(e_i) = 0 the solution is stationary in e_i (its energy is, like that of a
+// crack whose stress intensity vanishes): a pivot does not enter the equations but follows from
+//   B(e_i) - sum_f rho_f/(e_i - e_f) + dtilt + p_i B_i(e_i) de_i = 0,
+// so that n components have n equations, and what is neglected is of second order.
 
 #include <string>
 
@@ -18,7 +25,7 @@ namespace steadyslide::numeric {
 template <Real R>
 struct ContactState {
   ContactSet<R> set;
-  std::vector<R> q;
+  std::vector<R> q;  ///< or theta (riemann_hilbert_form.hpp)
   R tilt;
 
   /// For a set that is new: the load alone.

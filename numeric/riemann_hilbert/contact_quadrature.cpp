@@ -24,6 +24,15 @@ R regular_second_kind(const Power<R>& a, const R& length) {
   return a.value == 0 ? log(length) : 1 / a.value;
 }
 
+/// eps cos(pi alpha), eps of Y itself.
+template <Real R>
+R common_factor(const SignedFundamentalSolution<R>& y, std::size_t segment) {
+  const R own = y.traction_factor(segment);
+  if (y.pivots().empty()) return own;
+  const auto& pivot = y.pivots()[y.component_of(segment)];
+  return pivot.order != 0 && segment < pivot.point ? R(-own) : own;
+}
+
 }  // namespace
 
 template <Real R>
@@ -32,19 +41,20 @@ ContactQuadrature<R>::ContactQuadrature(const SignedFundamentalSolution<R>& y, J
   const ContactSet<R>& set = y.set();
   if (y.problem().slopes().size() <= 1 && set.components() <= 1) return;
   const auto power_at = [&y](std::size_t j) {
-    const R& p = y.power(j).value;
+    const R& p = y.highest_power(j).value;
     return Power<R>{-p, 1 - p};
   };
   for (std::size_t segment = 0; segment < set.segments(); ++segment) {
     first_panel_.push_back(panels_.size());
     if (!set.in_contact(segment)) continue;
-    const R amplitude = y.traction_factor(segment);
+    // Without pivots, and beyond all of them, Y is the Y_i of its component.
+    const R amplitude = common_factor(y, segment);
     for (const JacobiPanel<R>& panel :
          jacobi_panels<R>(y, whole_segment(set, segment), SmoothFactor::polynomial, power_at, rules)) {
       panels_.push_back({panel, nodes_.size()});
       for (std::size_t i = 0; i < panel.rule->size(); ++i) {
         nodes_.push_back(panel.node(set, i));
-        node_weights_.push_back(amplitude * panel.node_weight(i) / y.modulus(nodes_.back()));
+        node_weights_.push_back(amplitude * panel.node_weight(i) / y.common_modulus(nodes_.back()));
       }
     }
   }
@@ -52,22 +62,68 @@ ContactQuadrature<R>::ContactQuadrature(const SignedFundamentalSolution<R>& y, J
 }
 
 template <Real R>
-const std::vector<R>& ContactQuadrature<R>::density(std::size_t slope) const {
-  std::vector<R>& result = densities_[slope];
-  if (!result.empty() || nodes_.empty()) return result;
-  const ReducedProblem<R>& problem = y_->problem();
-  result.reserve(nodes_.size());
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));
-    const R& x = nodes_[i].node.x;
-    result.push_back(own == slope ? R(0) : node_weights_[i] * (problem.slope(own, x) - problem.slope(slope, x)));
+std::vector<R> ContactQuadrature<R>::distances_to(std::size_t point) const {
+  const ContactSet<R>& set = y_->set();
+  std::vector<R> result(nodes_.size());
+  std::size_t i = 0;
+  R between = 0;
+  for (std::size_t k = point; k-- > 0;) {
+    if (set.in_contact(k)) {
+      for (i = panels_[first_panel_[k]].first; i < nodes_.size(); ++i) {
+        if (nodes_[i].segment != static_cast<std::ptrdiff_t>(k)) break;
+        result[i] = -(between + nodes_[i].node.from_right);
+      }
+    }
+    between += set.length(k);
+  }
+  between = 0;
+  for (std::size_t k = point; k < set.segments(); ++k) {
+    if (set.in_contact(k)) {
+      for (i = panels_[first_panel_[k]].first; i < nodes_.size(); ++i) {
+        if (nodes_[i].segment != static_cast<std::ptrdiff_t>(k)) break;
+        result[i] = between + nodes_[i].node.from_left;
+      }
+    }
+    between += set.length(k);
   }
   return result;
 }
 
 template <Real R>
-Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t slope, const SurfacePoint<R>& at,
-                                               const R& between, const std::vector<R>& density) const {
+const std::vector<R>& ContactQuadrature<R>::density(std::size_t slope, std::size_t component) const {
+  const bool has_pivots = !y_->pivots().empty();
+  std::vector<R>& result = has_pivots ? last_density_ : densities_[slope];
+  if (nodes_.empty()) return result;
+  if (has_pivots && (last_component_ != component || last_weights_.empty())) {
+    last_component_ = component;
+    last_weights_ = node_weights_;
+    const auto& pivot = y_->pivots()[component];
+    if (pivot.order != 0) {
+      const std::vector<R> distances = distances_to(pivot.point);
+      for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        pivot.order > 0 ? last_weights_[i] /= distances[i] : last_weights_[i] *= distances[i];
+      }
+    }
+    result.clear();
+  }
+  if (has_pivots && last_slope_ != slope) result.clear();
+  last_slope_ = slope;
+  if (!result.empty()) return result;
+  const std::vector<R>& weights = has_pivots ? last_weights_ : node_weights_;
+  const ReducedProblem<R>& problem = y_->problem();
+  result.reserve(nodes_.size());
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));
+    const R& x = nodes_[i].node.x;
+    result.push_back(own == slope ? R(0) : weights[i] * (problem.slope(own, x) - problem.slope(slope, x)));
+  }
+  return result;
+}
+
+template <Real R>
+Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t slope, std::size_t component,
+                                               const SurfacePoint<R>& at, const R& between,
+                                               const std::vector<R>& density) const {
   using std::abs, std::pow;
   const SegmentPart<R>& part = panel.rule.part;
   const JacobiRule<R>& rule = *panel.rule.rule;
@@ -87,12 +143,14 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
     // int y^a (phi(y) - phi(-d))/(y + d) + phi(-d) int y^a/(y + d), exactly the function of the second kind.
     const R d = gap / part.length;
     const auto facing = static_cast<std::size_t>(panel_is_right ? part.segment : part.segment + 1);
-    const R& p = y_->power(facing).value;
+    const R& p = y_->highest_power(facing).value;
     // At the end itself d^-p/|Y| is known by its limit.
-    R phi = gap == 0 ? 1 / (y_->fundamental_solution().amplitude(facing) * pow(part.length, p)) : 1 / y_->modulus(at);
+    R phi = gap == 0 ? 1 / (y_->amplitude(facing) * pow(part.length, p)) : 1 / y_->modulus(at);
     if (gap > 0 && p != 0) phi *= pow(d, p);
+    // y^a phi has a power higher than a by one if that is not the power of 1/|Y_i| there.
+    if (y_->power(facing, component).value < p) phi = gap == 0 ? R(0) : R(-phi);
     const ReducedProblem<R>& problem = y_->problem();
-    phi *= y_->traction_factor(part.segment) *
+    phi *= y_->traction_factor(part.segment, component) *
            (problem.slope(y_->slope_at(part.segment), at.node.x) - problem.slope(slope, at.node.x));
     const bool mirrored = !panel.rule.singular_end && !panel_is_right;
     for (std::size_t i = 0; i < count; ++i) {
@@ -114,11 +172,12 @@ Estimate<R> ContactQuadrature<R>::cauchy(std::size_t slope, const SurfacePoint<R
   Estimate<R> total{R(0), R(0)};
   if (panels_.empty()) return total;
   const ContactSet<R>& set = y_->set();
-  const std::vector<R>& f = density(slope);
+  const std::size_t component = y_->component_at(at);
+  const std::vector<R>& f = density(slope, component);
   const auto add = [&](std::size_t segment, const R& between) {
     if (!set.in_contact(segment) || y_->slope_at(segment) == slope) return;
     for (std::size_t k = first_panel_[segment]; k < first_panel_[segment + 1]; ++k) {
-      const Estimate<R> part = panel_cauchy(panels_[k], slope, at, between, f);
+      const Estimate<R> part = panel_cauchy(panels_[k], slope, component, at, between, f);
       total.value += part.value;
       total.error += part.error;
     }
@@ -145,6 +204,17 @@ std::vector<R> ContactQuadrature<R>::moments(const R& tilt, std::size_t count) c
     subtract_powers(result, node_weights_[i] * (y_->problem().slope(own, x) + tilt) / pi<R>(), x);
   }
   return result;
+}
+
+template <Real R>
+R ContactQuadrature<R>::pivot_moment(std::size_t component, const R& tilt) const {
+  const std::vector<R> distances = distances_to(y_->pivots()[component].point);
+  R sum = 0;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));
+    sum -= node_weights_[i] * (y_->problem().slope(own, nodes_[i].node.x) + tilt) / distances[i];
+  }
+  return sum / pi<R>();
 }
 
 template <Real R>

@@ -20,12 +20,15 @@ class ContactQuadrature {
 
   /// Are all integrals 0 since one polynomial rules over one component?
   bool vanishes() const { return panels_.empty(); }
-  /// The first integral at a point off the pieces where g_k does not hold; its error is the sum of the sizes added.
+  /// The first integral at a point off the pieces where g_k does not hold, |Y| being that of the component the point
+  /// belongs to; its error is the sum of the sizes added.
   Estimate<R> cauchy(std::size_t slope, const SurfacePoint<R>& at) const;
   /// -(1/pi) times the second one for j = 0, 1, ...
   std::vector<R> moments(const R& tilt, std::size_t count) const;
   /// Adds -(1/pi) int eps cos(pi alpha) (g - g_k)/|Y| xi^j to moments[j].
   void add_difference_moments(std::size_t slope, std::vector<R>& moments) const;
+  /// -(1/pi) int eps cos(pi alpha) (g + tilt)/(|Y| (xi - e_i)), e_i the pivot of a component.
+  R pivot_moment(std::size_t component, const R& tilt) const;
 
  private:
   struct Panel {
@@ -33,10 +36,12 @@ class ContactQuadrature {
     std::size_t first;  ///< of its nodes
   };
 
-  /// eps cos(pi alpha) (g - g_k)/|Y| times the rule's weight, at every node of the contact.
-  const std::vector<R>& density(std::size_t slope) const;
-  Estimate<R> panel_cauchy(const Panel& panel, std::size_t slope, const SurfacePoint<R>& at, const R& between,
-                           const std::vector<R>& density) const;
+  /// eps cos(pi alpha) (g - g_k)/|Y_i| times the rule's weight, at every node of the contact.
+  const std::vector<R>& density(std::size_t slope, std::size_t component = 0) const;
+  /// xi - e at every node.
+  std::vector<R> distances_to(std::size_t point) const;
+  Estimate<R> panel_cauchy(const Panel& panel, std::size_t slope, std::size_t component, const SurfacePoint<R>& at,
+                           const R& between, const std::vector<R>& density) const;
 
   const SignedFundamentalSolution<R>* y_;
   std::vector<Panel> panels_;
@@ -44,6 +49,11 @@ class ContactQuadrature {
   std::vector<SurfacePoint<R>> nodes_;
   std::vector<R> node_weights_;
   mutable std::vector<std::vector<R>> densities_;  ///< made when first asked for: not all are
+  // With pivots those of the place asked for last: neighbours follow each other.
+  mutable std::size_t last_component_ = 0;
+  mutable std::size_t last_slope_ = 0;
+  mutable std::vector<R> last_weights_;
+  mutable std::vector<R> last_density_;
 };
 
 }  // namespace steadyslide::numeric

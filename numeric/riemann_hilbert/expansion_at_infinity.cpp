@@ -12,7 +12,7 @@ ExpansionAtInfinity<R>::ExpansionAtInfinity(const SignedFundamentalSolution<R>& 
   // log Y = S log z - sum_k sigma_k z^-k/k, sigma_k the power sums of the singular points.
   std::vector<R> sigma(count, R(0));
   for (std::size_t j = 0; j < y.set().points().size(); ++j) {
-    const R& p = y.power(j).value;
+    const R& p = y.fundamental_solution().powers()[j].value;
     if (p == 0) continue;
     R term = p;
     for (std::size_t k = 1; k < count; ++k) {

@@ -36,12 +36,20 @@ std::size_t GapIntegral<R>::slope_on(std::size_t segment, bool left_half) const 
 }
 
 template <Real R>
+bool GapIntegral<R>::is_uniform(std::size_t segment) const {
+  const auto component = [&](Side end) {
+    return form_->y().component_at(beside(set(), end == Side::left ? segment : segment + 1, opposite(end), R(0)));
+  };
+  return slope_on(segment, true) == slope_on(segment, false) && component(Side::left) == component(Side::right);
+}
+
+template <Real R>
 void GapIntegral<R>::add_nodes(const SegmentPart<R>& part, std::vector<GapNode<R>>& nodes) const {
   const R middle = set().length(part.segment) / 2;
   const bool right_half = part.from_left >= middle;
   const std::size_t left = slope_on(part.segment, true);
   const std::size_t right = slope_on(part.segment, false);
-  if (left == right || right_half || part.from_right >= middle) {
+  if (is_uniform(part.segment) || right_half || part.from_right >= middle) {
     add_nodes(part, right_half ? right : left, nodes);
     return;
   }
@@ -59,7 +67,7 @@ void GapIntegral<R>::add_nodes(const SegmentPart<R>& part, std::size_t slope, st
   for (const JacobiPanel<R>& panel : form_->panels(part, power_at)) {
     for (std::size_t i = 0; i < panel.rule->size(); ++i) {
       const SurfacePoint<R> at = panel.node(set(), i);
-      nodes.push_back({at, slope, panel.node_weight(i), y.value(at)});
+      nodes.push_back({at, slope, panel.node_weight(i), y.sign(at.segment) * y.common_modulus(at), y.to_pivot(at)});
     }
   }
 }
@@ -102,7 +110,13 @@ R GapIntegral<R>::closure_error(const std::vector<GapNode<R>>& rule) const {
     sum += slope_difference(whole_segment(set(), k));
   }
   sum += step(k);
-  for (const GapNode<R>& node : rule) sum += node.weight * (node.y * form_->regular_factor(node.slope, node.at).value);
+  const SignedFundamentalSolution<R>& y = form_->y();
+  for (const GapNode<R>& node : rule) {
+    R b = form_->regular_factor(node.slope, node.at).value;
+    // B itself, with what it has at the pivot as long as the ends are not found.
+    if (!y.pivots().empty()) b = b * node.to_pivot + form_->pivot_moment(y.component_at(node.at));
+    sum += node.weight * (node.y * b);
+  }
   return sum;
 }
 
@@ -124,8 +138,9 @@ Estimate<R> GapIntegral<R>::reduced_gap(const SurfacePoint<R>& at) const {
   }
   for (const GapNode<R>& node : nodes) {
     const Estimate<R> b = form_->regular_factor(node.slope, node.at);
-    sum += node.weight * node.y * b.value;
-    size += abs(node.weight * node.y) * (abs(b.value) + b.error / epsilon<R>());
+    const R weight = node.weight * node.y * node.to_pivot;
+    sum += weight * b.value;
+    size += abs(weight) * (abs(b.value) + b.error / epsilon<R>());
   }
   return {is_rightwards(at) ? sum : -sum, 4 * epsilon<R>() * size};
 }

@@ -13,7 +13,8 @@ struct GapNode {
   SurfacePoint<R> at;
   std::size_t slope;  ///< the k in use
   R weight;
-  R y;  ///< Y, with its sign
+  R y;         ///< Y, with its sign, of all components
+  R to_pivot;  ///< Y_i/Y, i the component the place belongs to
 };
 
 template <Real R>
@@ -40,6 +41,8 @@ class GapIntegral {
   /// The step of the profile at point j, on the right of it minus on the left; 0 where there is none.
   R step(std::size_t j) const;
   std::size_t slope_on(std::size_t segment, bool left_half) const;
+  /// Do both halves belong to one component, and use one k?
+  bool is_uniform(std::size_t segment) const;
   void add_nodes(const SegmentPart<R>& part, std::vector<GapNode<R>>& nodes) const;
   void add_nodes(const SegmentPart<R>& part, std::size_t slope, std::vector<GapNode<R>>& nodes) const;
   /// int (profile slope - g_k) over a part of a gap segment, k as the gap's nodes use it.

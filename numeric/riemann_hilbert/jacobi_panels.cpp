@@ -6,13 +6,21 @@
 namespace steadyslide::numeric {
 namespace {
 
+/// Of Y, or of all Y_i.
+template <Real R>
+int lowest_degree(const SignedFundamentalSolution<R>& y) {
+  int degree = y.degree_at_infinity();
+  for (const auto& pivot : y.pivots()) degree = std::min(degree, pivot.order);
+  return degree;
+}
+
 template <Real R>
 int nodes_per_panel(const SignedFundamentalSolution<R>& y, SmoothFactor factor) {
   // Bernstein's ellipse through a pole at half a panel's length, or a branch point at a whole one, has the parameter
   // 2 + sqrt 3 or more; half a node more for every degree of the polynomial.
   using std::log, std::sqrt;
   static const int geometric = static_cast<int>(-log(epsilon<R>()) / (2 * log(2 + sqrt(R(3))))) + 2;
-  const int more = factor == SmoothFactor::regular_factor ? std::max(-y.degree_at_infinity(), 0) : 0;
+  const int more = factor == SmoothFactor::regular_factor ? std::max(-lowest_degree(y), 0) : 0;
   return geometric + (y.problem().highest_degree() + 1) / 2 + more;
 }
 

@@ -8,8 +8,8 @@
 namespace steadyslide::numeric {
 
 template <Real R>
-ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& frame)
-    : problem_(&problem), frame_(frame) {
+ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& frame, std::size_t most_coupled)
+    : problem_(&problem), frame_(frame), most_coupled_(most_coupled) {
   const Indenter& indenter = problem.indenter();
   const FrictionProfile& friction = problem.friction();
   const Rational c = problem.elasticity().compliance();

@@ -24,7 +24,9 @@ struct Frame {
 template <Real R>
 class ReducedProblem {
  public:
-  ReducedProblem(const ContactProblem& problem, const Frame& frame);
+  /// `most_coupled`: the number of components up to which one fundamental solution has all their powers
+  /// (signed_fundamental_solution.hpp).
+  ReducedProblem(const ContactProblem& problem, const Frame& frame, std::size_t most_coupled = 4);
 
   struct Anchor {
     R x;     ///< xi
@@ -52,6 +54,7 @@ class ReducedProblem {
   /// int_from^to g dxi.
   R profile_increment(std::size_t index, const R& from, const R& to) const;
   int highest_degree() const { return highest_degree_; }
+  std::size_t most_coupled() const { return most_coupled_; }
 
   const R& s(std::size_t friction) const { return s_[friction]; }
   const R& cos_alpha(std::size_t friction) const { return cos_alpha_[friction]; }
@@ -85,6 +88,7 @@ class ReducedProblem {
   std::vector<std::size_t> friction_of_;
   std::vector<std::vector<R>> slopes_;
   int highest_degree_ = 0;
+  std::size_t most_coupled_;
   std::vector<R> s_;
   std::vector<R> cos_alpha_;
   R load_;

@@ -6,6 +6,7 @@
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/coarse/coarse_contact.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "numeric/variational/variational_inequality.hpp"
 
 namespace steadyslide::numeric {
 namespace {
@@ -157,15 +158,31 @@ std::shared_ptr<RiemannHilbertSolution<R>> refined(const ContactProblem& problem
       set.move_end(j, inside, set.contact_side(j) == Side::right ? d : set.length(inside) - d);
     }
     std::vector<R> q(state.q.begin(), state.q.end());
-    if (!q.empty()) q.back() = reduced.load();
+    if (!q.empty() && set.components() <= reduced.most_coupled()) q.back() = reduced.load();
     return search_contact(reduced, {std::move(set), std::move(q), R(state.tilt)}, rules);
   };
   return std::make_shared<RiemannHilbertSolution<R>>(problem, rough.problem().frame(), search);
 }
 
+/// Equal cells, solved by fast products, for what is too much for dense coarse solutions: where many pieces meet there
+/// may be many zones.
+std::shared_ptr<RiemannHilbertSolution<double>> search_from_cells(const ContactProblem& problem) {
+  constexpr std::size_t cells_per_piece = 32;
+  VariationalOptions options;
+  const std::size_t wanted = cells_per_piece * problem.indenter().pieces().size();
+  while (options.cells < std::min(wanted, std::size_t{1} << 18)) options.cells *= 2;
+  const Attempt<double> cells = variational_inequality(problem, options);
+  return cells.solution ? search<double>(problem, start_from(problem, *cells.solution)) : nullptr;
+}
+
 /// The coarse solution, finer where that did not lead to a solution.
 std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const ContactProblem& problem) {
+  constexpr std::size_t many_pieces = 24;
   std::shared_ptr<RiemannHilbertSolution<double>> best;
+  if (problem.indenter().pieces().size() > many_pieces) {
+    best = search_from_cells(problem);
+    if (best && best->failed_condition().empty()) return best;
+  }
   for (const int cells : {48, 120, 300}) {
     auto found = search<double>(problem, coarse_start(problem, cells));
     if (found->failed_condition().empty()) return found;

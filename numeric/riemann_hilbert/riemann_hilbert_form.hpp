@@ -8,9 +8,17 @@
 // of degree -S-1 with the load as its leading coefficient (none if S >= 0), eps = +-1 on each component: Y+ = eps
 // |Y|/((s+i) cos(pi alpha)). Taking k from the piece at x, the integral stays clear of x: there is no principal value,
 // and t has its exact local form next to ends, jumps and wedges. [Bal16, theorem 36, reconstructed]
+//
+// Of many components Y is of degree 0 (signed_fundamental_solution.hpp), and in place of q every component without a
+// free end has a number theta_i:
+//
+//   (u'/c - g_k - tilt)/Y = -B,   B = [(g_k + tilt)/Y]_poly - sum_j theta_j/(pi (x - e_j)) - (1/pi) int ...,
+//
+// and beside component i the same with Y_i, B_i = (x - e_i)^-sigma_i (B - B(e_i)), the last term if sigma_i = 1.
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "numeric/number/estimate.hpp"
@@ -22,7 +30,8 @@ namespace steadyslide::numeric {
 template <Real R>
 class RiemannHilbertForm {
  public:
-  /// `q`: coefficients of 1, xi, ...; empty if S >= 0. `problem` and `rules` have to outlive the form.
+  /// `q`: coefficients of 1, xi, ...; empty if S >= 0; theta of each component if Y has pivots. `problem` and `rules`
+  /// have to outlive the form.
   RiemannHilbertForm(const ReducedProblem<R>& problem, ContactSet<R> set, std::vector<R> q, const R& tilt,
                      JacobiRules<R>& rules);
 
@@ -41,8 +50,12 @@ class RiemannHilbertForm {
   std::size_t friction_at(std::size_t segment) const { return y_->friction_at(segment); }
   bool changes_polynomial(std::size_t j) const { return y_->changes_polynomial(j); }
   int sign(std::ptrdiff_t segment) const { return y_->sign(segment); }
+  int sign(const SurfacePoint<R>& at) const { return y_->sign(at); }
+  const Power<R>& power(std::size_t j) const { return y_->power(j); }
+  R amplitude(std::size_t j) const { return y_->amplitude(j); }
   R modulus(const SurfacePoint<R>& at) const { return y_->modulus(at); }
   R distance(const SurfacePoint<R>& at, std::size_t j) const { return y_->distance(at, j); }
+  std::vector<R> distances(const SurfacePoint<R>& at) const { return y_->distances(at); }
 
   /// B_k, with what rounding may have done to it.
   Estimate<R> regular_factor(std::size_t slope, const SurfacePoint<R>& at) const;
@@ -65,6 +78,8 @@ class RiemannHilbertForm {
   std::vector<R> moments(std::size_t count) const;
   /// -int xi t.
   R moment_of_load() const;
+  /// B(e_i), e_i the pivot of a component without an edge: 0 for a solution.
+  const R& pivot_moment(std::size_t component) const;
 
   /// Where the tilted profile over a segment has its valleys and peaks: the first places to look for contact, however
   /// small they are beside the segment.
@@ -89,6 +104,12 @@ class RiemannHilbertForm {
   ExpansionAtInfinity<R> expansion_;
   ContactQuadrature<R> quadrature_;
   std::vector<std::vector<R>> polynomials_;  ///< for each k the coefficients of [(g_k + tilt)/Y]_poly - q/pi
+  Estimate<R> pivoted_polynomial(std::size_t slope, const SurfacePoint<R>& at) const;
+
+  std::vector<std::size_t> poles_;  ///< components that have a theta
+  R load_without_poles_ = 0;        ///< the coefficient of 1/z that u'/(c Y) would have without them
+  mutable std::vector<R> pivot_moments_;
+  mutable std::vector<std::optional<Estimate<R>>> end_factors_;  ///< B_k at the ends of contact: asked for many times
 };
 
 }  // namespace steadyslide::numeric

@@ -99,7 +99,7 @@ Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const {
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) const {
   if (!in_contact_at(j, side)) return {};
-  const Exponent& p = form_.fundamental_solution().powers()[j].value == 0 ? Exponent(0) : form_.exponent(j);
+  const Exponent& p = form_.power(j).value == 0 ? Exponent(0) : form_.exponent(j);
   if (p.sign() < 0) return {-infinity<R>(), R(0)};
   if (form_.changes_polynomial(j)) {
     if (p.sign() > 0) return constant(j);

@@ -48,9 +48,10 @@ R RiemannHilbertSolution<R>::relative_end_error(const SurfacePoint<R>& at) const
   // other factor of the traction.
   using std::abs;
   R sum = 0;
+  const std::vector<R> distances = form_.distances(at);
   for (const std::size_t j : contact_set().movable()) {
-    const R distance = abs(form_.distance(at, j));
-    if (distance > 0) sum += 4 * abs(form_.fundamental_solution().powers()[j].value) * found_.end_error / distance;
+    const R distance = abs(distances[j]);
+    if (distance > 0) sum += 4 * abs(form_.power(j).value) * found_.end_error / distance;
   }
   return sum;
 }
@@ -67,7 +68,7 @@ Estimate<R> RiemannHilbertSolution<R>::amplitude(std::size_t j, Side side) const
   using std::abs;
   const std::size_t segment = side == Side::left ? j - 1 : j;
   const SurfacePoint<R> at = middle_of(segment);
-  const R factor = form_.sign(at.segment) * form_.fundamental_solution().amplitude(j);
+  const R factor = form_.sign(at.segment) * form_.amplitude(j);
   const R relative = form_.fundamental_solution().relative_error(segment, at.node, R(0)) + 2 * relative_end_error(at);
   return factor * form_.regular_factor_at(j, side).widened(relative);
 }
@@ -85,7 +86,7 @@ Estimate<R> RiemannHilbertSolution<R>::intensity(std::size_t j) const {
     return {theta, epsilon<R>() * abs(theta)};
   }
   const Estimate<R> t = amplitude(j, side);
-  const R power = pow(to_real<R>(reduced_.frame().unit), -form_.fundamental_solution().powers()[j].value);
+  const R power = pow(to_real<R>(reduced_.frame().unit), -form_.power(j).value);
   // At an end theta carries the cos(pi alpha) of the contact side; at a jump the definition takes it out.
   const R factor = inside ? power : power * reduced_.cos_alpha(friction);
   return -factor * t;

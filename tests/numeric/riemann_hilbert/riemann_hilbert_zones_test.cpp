@@ -1,0 +1,160 @@
+// Many contact zones: a fundamental solution that is near 1 between them, a pivot in each (signed_fundamental_solution.hpp).
+
+#include "numeric/riemann_hilbert/gap_integral.hpp"
+#include "numeric/variational/variational_inequality.hpp"
+#include "support/solved_contact.hpp"
+
+namespace {
+
+struct Zones {
+  const char* name;
+  ContactProblem problem;
+  bool in_digits = false;  ///< worth its time in 50 digits
+};
+
+/// Parabolas side by side over [0, n], a free zone under each.
+Indenter bumps(int n) {
+  std::vector<Indenter::Piece> pieces;
+  for (int i = 0; i < n; ++i) {
+    const Rational centre = Rational(2 * i + 1, 2);
+    pieces.push_back({i + 1, Polynomial({centre * centre, -2 * centre, 1})});
+  }
+  return {0, std::move(pieces)};
+}
+
+std::vector<Zones> zone_cases() {
+  const Polynomial flat, raised({1}), rising({0.8_r, 0.8_r}), bump({2.25_r, -3, 1});
+  const Indenter teeth(-3, {{-2, flat}, {-1, raised}, {0, flat}, {1, raised}, {2, flat}});
+  const Indenter mixed(-3, {{-2, flat}, {-1, raised}, {0, rising}, {1, raised}, {2, bump}});
+  return {{"free zones, a jump in one", reduced({0.3_r, 1, 0.2_r}, {0.6_r, 1.1_r}, bumps(3), 0.2_r)},
+          {"free zones, one of them up to an edge", reduced({0.3_r}, {}, bumps(4), 0.7_r)},
+          {"teeth", reduced({0.3_r, 1}, {-0.3_r}, teeth, 1)},
+          {"no end, one end and both are free", reduced({0.4_r, 1, 0.2_r}, {-2.5_r, 0.5_r}, mixed, 1)},
+          {"free zones under a load line", reduced({0.3_r, 0.5_r}, {2}, bumps(3), 0.2_r, 1.4_r)},
+          {"zones of all kinds under a load line", reduced({0.4_r, 1}, {0.5_r}, mixed, 1, -0.8_r), true}};
+}
+
+/// A solution whose form has a pivot in every component, from a contact that is off by `error` of its lengths.
+template <Real R>
+struct Pivoted {
+  ReducedProblem<R> problem;
+  JacobiRules<R> rules;
+  SearchResult<R> found;
+  RiemannHilbertForm<R> form;
+
+  Pivoted(const RiemannHilbertSolution<R>& known, const ContactProblem& data, double error)
+      : problem(data, known.problem().frame(), 0),
+        found(search_contact(problem, ContactState<R>::initial(problem, perturbed(known, error), R(0)), rules)),
+        form(problem, found.state.set, found.state.q, found.state.tilt, rules) {}
+
+  ContactSet<R> perturbed(const RiemannHilbertSolution<R>& known, double error) const {
+    ContactSet<R> set = ContactSet<R>::converted(problem, known.form().set());
+    std::vector<R> steps;
+    for (const std::size_t j : set.movable()) {
+      const R sign = steps.size() % 3 == 1 ? -1 : 1;
+      steps.push_back(sign * error * std::min(set.length(j - 1), set.length(j)));
+    }
+    set.move(steps);
+    return set;
+  }
+};
+
+template <Real R>
+void is_near(const R& a, const R& b, const R& scale, double tolerance_in_epsilon) {
+  using std::abs;
+  CHECK(static_cast<double>(abs(a - b) / (scale * epsilon<R>())) < tolerance_in_epsilon);
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("a pivot in each component, or one fundamental solution of all", R, double, Real50) {
+  for (const Zones& c : zone_cases()) {
+    const std::string name = c.name;
+    CAPTURE(name);
+    if (!std::same_as<R, double> && !c.in_digits) continue;
+    const auto known = solved<R>(c.problem);
+    REQUIRE(known->form().y().pivots().empty());
+    const RiemannHilbertForm<R>& one = known->form();
+    const Pivoted<R> pivoted(*known, c.problem, 0.02);
+    const RiemannHilbertForm<R>& many = pivoted.form;
+    REQUIRE(pivoted.found.failed_condition == "");
+    REQUIRE(many.y().pivots().size() == known->contact().size());
+    REQUIRE(many.set().points().size() == one.set().points().size());
+    constexpr double few = 3000;
+    for (std::size_t j = 0; j < one.set().points().size(); ++j) {
+      is_near(many.set().x(j), one.set().x(j), R(1), few);
+    }
+    is_near(many.tilt(), one.tilt(), R(1), few);
+    is_near(many.moment_of_load(), one.moment_of_load(), one.problem().load(), few);
+    using std::abs;
+    R highest = 0;
+    for (std::size_t k = 0; k < one.set().segments(); ++k) {
+      for (const double part : {1e-4, 0.01, 0.3, 0.5, 0.6, 0.97, 0.9999}) {
+        const R d = R(part) * one.set().length(k);
+        const SurfacePoint<R> here = surface_point(one.set(), k, d, R(one.set().length(k) - d));
+        const R e = R(part) * many.set().length(k);
+        const SurfacePoint<R> there = surface_point(many.set(), k, e, R(many.set().length(k) - e));
+        const R t = one.traction(here).value;
+        highest = std::max(highest, R(-t));
+        is_near(many.traction(there).value, t, std::max(R(1), R(-t)), few);
+        const R slope = one.surface_slope(here).value;
+        is_near(many.surface_slope(there).value, slope, std::max(R(1), R(abs(slope))), few);
+      }
+      // Gaps over the whole of a segment, from the left end of the gap it lies in.
+      std::size_t j = k;
+      while (j > 0 && !one.set().point(j).is_end()) --j;
+      if (one.set().in_contact(k) || !one.set().point(j).is_end()) continue;
+      const auto at = [&](const ContactSet<R>& set) { return beside(set, k, Side::right, R(set.length(k) * 3 / 4)); };
+      is_near(GapIntegral<R>(many, j).reduced_gap(at(many.set())).value,
+              GapIntegral<R>(one, j).reduced_gap(at(one.set())).value, R(1), few);
+    }
+    CHECK(highest > 0);
+    // The control: what a millionth of the load changes is seen.
+    const ContactProblem heavier = c.problem.with_load(c.problem.load() * 1.000001_r);
+    const Pivoted<R> changed(*known, heavier, 0);
+    std::size_t k = 0;
+    while (!one.set().in_contact(k)) ++k;
+    const auto middle = [k](const RiemannHilbertForm<R>& form) {
+      return form.traction(beside(form.set(), k, Side::right, R(form.set().length(k) / 2))).value;
+    };
+    CHECK(abs(middle(changed.form) - middle(one)) > R(1e-9));
+  }
+}
+
+TEST_CASE("equal bumps without friction are symmetric, however many there are") {
+  for (const int n : {5, 24, 64}) {
+    CAPTURE(n);
+    const auto found = solved<double>(reduced({0}, {}, bumps(n), Rational(n, 40)));
+    const auto zones = found->contact();
+    REQUIRE(zones.size() == static_cast<std::size_t>(n));
+    for (std::size_t i = 0; i < zones.size(); ++i) {
+      const auto& mirror = zones[zones.size() - 1 - i];
+      CHECK(zones[i].left.x.value + mirror.right.x.value == doctest::Approx(n).epsilon(1e-13));
+      CHECK(zones[i].left.intensity.value == doctest::Approx(mirror.right.intensity.value).epsilon(1e-9));
+    }
+    // Outer bumps carry more.
+    const auto width = [&](std::size_t i) { return zones[i].right.x.value - zones[i].left.x.value; };
+    for (std::size_t i = 0; i + 1 < zones.size() / 2; ++i) CHECK(width(i) > width(i + 1));
+  }
+}
+
+TEST_CASE("64 zones are where cells see them") {
+  const ContactProblem problem = reduced({0.3_r, 0.2_r}, {30.5_r}, bumps(64), 1);
+  const auto found = solved<double>(problem);
+  const auto cells = variational_inequality(problem, {.cells = 32768}).solution;
+  const auto zones = found->contact();
+  const auto seen = cells->contact();
+  REQUIRE(zones.size() == 64);
+  REQUIRE(seen.size() == 64);
+  constexpr double cell = 64.0 / 32768;
+  double sum = 0;
+  for (std::size_t i = 0; i < zones.size(); ++i) {
+    CHECK(std::abs(zones[i].left.x.value - seen[i].left.x.value) < 1.5 * cell);
+    CHECK(std::abs(zones[i].right.x.value - seen[i].right.x.value) < 1.5 * cell);
+    sum += zones[i].right.x.value - zones[i].left.x.value;
+  }
+  CHECK(sum < 64);
+  const auto ours = found->resultants(), theirs = cells->resultants();
+  CHECK(ours.load_share[0].value == doctest::Approx(theirs.load_share[0].value).epsilon(1e-4));
+  CHECK(ours.centre_of_pressure.value == doctest::Approx(theirs.centre_of_pressure.value).epsilon(1e-4));
+}
