@@ -9,7 +9,7 @@ namespace steadyslide::numeric {
 
 /// The cost grows faster than the square of the breaks: with 200 of them a polygon in a parabola takes about a second,
 /// a rough one with tens of contact zones half a minute.
-inline constexpr std::size_t max_profile_breaks = 20000;
+inline constexpr std::size_t max_profile_breaks = 200;
 
 /// Any profile, any number of friction jumps and contact components. `start`: the solution of a neighbouring problem
 /// (the same but for the load, say), whose contact set is tried first; without it, or where it leads nowhere, a coarse
