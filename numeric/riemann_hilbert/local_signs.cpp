@@ -18,8 +18,7 @@ R displaced(const RiemannHilbertForm<R>& form, std::size_t point, const R& end_e
     // Lengths keep their relative precision, however small they are.
     const R shortest = std::min(set.length(f - 1), set.length(f));
     const R error = std::min(end_error, sqrt(epsilon<R>()) * shortest);
-    R distance = 0;
-    for (std::size_t k = std::min(f, point); k < std::max(f, point); ++k) distance += set.length(k);
+    const R distance = set.sum_of_lengths(std::min(f, point), std::max(f, point), R(0));
     const R b = form.regular_factor_at(f, set.contact_side(f)).value;
     sum += abs(form.fundamental_solution().powers()[f].value * b) * error / distance;
   }

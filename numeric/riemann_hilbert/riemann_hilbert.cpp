@@ -6,6 +6,7 @@
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/coarse/coarse_contact.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "numeric/variational/variational_inequality.hpp"
 
 namespace steadyslide::numeric {
 namespace {
@@ -163,9 +164,25 @@ std::shared_ptr<RiemannHilbertSolution<R>> refined(const ContactProblem& problem
   return std::make_shared<RiemannHilbertSolution<R>>(problem, rough.problem().frame(), search);
 }
 
+/// Equal cells, solved by fast products, for what is too much for dense coarse solutions: where many pieces meet there
+/// may be many zones.
+std::shared_ptr<RiemannHilbertSolution<double>> search_from_cells(const ContactProblem& problem) {
+  constexpr std::size_t cells_per_piece = 32;
+  VariationalOptions options;
+  const std::size_t wanted = cells_per_piece * problem.indenter().pieces().size();
+  while (options.cells < std::min(wanted, std::size_t{1} << 18)) options.cells *= 2;
+  const Attempt<double> cells = variational_inequality(problem, options);
+  return cells.solution ? search<double>(problem, start_from(problem, *cells.solution)) : nullptr;
+}
+
 /// The coarse solution, finer where that did not lead to a solution.
 std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const ContactProblem& problem) {
+  constexpr std::size_t many_pieces = 192;
   std::shared_ptr<RiemannHilbertSolution<double>> best;
+  if (problem.indenter().pieces().size() > many_pieces) {
+    best = search_from_cells(problem);
+    if (best && best->failed_condition().empty()) return best;
+  }
   for (const int cells : {48, 120, 300}) {
     auto found = search<double>(problem, coarse_start(problem, cells));
     if (found->failed_condition().empty()) return found;
@@ -176,15 +193,21 @@ std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const Contac
 
 }  // namespace
 
+std::string too_many_profile_breaks(const ContactProblem& problem, Digits digits) {
+  const std::size_t breaks = problem.indenter().pieces().size() - 1;
+  const bool in_double = digits == Digits::sixteen;
+  const std::size_t most = in_double ? max_profile_breaks : max_profile_breaks_in_digits;
+  if (breaks <= most) return {};
+  return "the profile has too many breaks for the Riemann-Hilbert method" +
+         std::string(in_double ? ", take --method variational" : " with more than 16 digits") + "; it has at most " +
+         std::to_string(most) + "; " + std::to_string(breaks) + " breaks";
+}
+
 template <Real R>
 Attempt<R> riemann_hilbert(const ContactProblem& problem, const ContactSolution<R>* start) {
-  if (std::string reason = too_many_friction_pieces(problem); !reason.empty()) return {nullptr, std::move(reason)};
-  if (const std::size_t breaks = problem.indenter().pieces().size() - 1; breaks > max_profile_breaks) {
-    return {nullptr,
-            "the profile has too many breaks for the Riemann-Hilbert method, take --method variational; it "
-            "has at most " +
-                std::to_string(max_profile_breaks) + "; " + std::to_string(breaks) + " breaks"};
-  }
+  if (std::string reason = too_many_friction_pieces(problem, digits_of<R>); !reason.empty())
+    return {nullptr, std::move(reason)};
+  if (std::string reason = too_many_profile_breaks(problem, digits_of<R>); !reason.empty()) return {nullptr, reason};
   // Whatever the precision, double finds where the contact is.
   std::shared_ptr<RiemannHilbertSolution<double>> rough;
   if (start) rough = search<double>(problem, start_from(problem, *start));

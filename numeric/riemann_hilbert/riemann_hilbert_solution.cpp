@@ -185,6 +185,11 @@ Estimate<R> RiemannHilbertSolution<R>::load_on(std::size_t segment) const {
 
 template <Real R>
 Resultants<R> RiemannHilbertSolution<R>::resultants() const {
+  return resultants_([this] { return integrated(); });
+}
+
+template <Real R>
+Resultants<R> RiemannHilbertSolution<R>::integrated() const {
   using std::abs;
   const R unit = to_real<R>(reduced_.frame().unit);
   std::vector<Estimate<R>> loads(problem_.friction().values().size());

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "numeric/number/once.hpp"
 #include "numeric/riemann_hilbert/contact_search.hpp"
 #include "numeric/solution/contact_solution.hpp"
 
@@ -70,12 +71,14 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   std::optional<std::size_t> nearest_end(const SurfacePoint<R>& at) const;
 
   Estimate<R> load_on(std::size_t segment) const;
+  Resultants<R> integrated() const;
 
   ContactProblem problem_;
   ReducedProblem<R> reduced_;
   JacobiRules<R> rules_;
   SearchResult<R> found_;
   RiemannHilbertForm<R> form_;
+  Once<Resultants<R>> resultants_;
 };
 
 }  // namespace steadyslide::numeric
