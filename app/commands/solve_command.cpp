@@ -97,7 +97,8 @@ SolveOptions read(const Given& given) {
 
 /// Options that only the variational method takes, and those that it does not.
 void check_method(const SolveOptions& options, const Problem& problem) {
-  const bool on_cells = options.search_starts > 0 || takes_variational(options.method, problem.contact);
+  const bool on_cells =
+      options.search_starts > 0 || takes_variational(options.method, problem.contact, options.certify);
   if (on_cells && numeric::precision_for(options.common.digits) != numeric::Digits::sixteen) {
     throw bad_command_line("--digits: out of range", "the variational method works in double, 16 digits at most",
                            std::to_string(options.common.digits));
@@ -148,7 +149,8 @@ void write(Format format, const Problem& problem, const Result& result, Output& 
 SolutionText solve_shown(const SolveOptions& options, const Problem& problem, SolutionWanted solution) {
   Solver::Wanted wanted{options.method, std::move(solution), options.variational(), options.certify};
   std::optional<Progress> progress;
-  if (takes_variational(options.method, problem.contact)) wanted.variational.progress = follow(progress.emplace(1));
+  if (takes_variational(options.method, problem.contact, options.certify))
+    wanted.variational.progress = follow(progress.emplace(1));
   return Solver(std::move(wanted)).solve(problem);
 }
 

@@ -48,11 +48,13 @@ SolutionText inapplicable(const std::string& reason) {
 
 }  // namespace
 
-bool takes_variational(Method method, const ContactProblem& problem) {
+bool takes_variational(Method method, const ContactProblem& problem, bool certify) {
   if (method == Method::variational) return true;
   if (method != Method::automatic) return false;
-  if (!numeric::too_many_friction_pieces(problem).empty()) return true;
-  if (problem.indenter().pieces().size() - 1 <= numeric::max_profile_breaks) return false;
+  // Proofs cost as much as many digits do.
+  const numeric::Digits digits = certify ? numeric::Digits::fifty : numeric::Digits::sixteen;
+  if (!numeric::too_many_friction_pieces(problem, digits).empty()) return true;
+  if (numeric::too_many_profile_breaks(problem, digits).empty()) return false;
   return !numeric::closed_form<double>(problem).solution;  // pieces can all be the same polynomial
 }
 
@@ -134,7 +136,7 @@ SolutionText Solver::solve_certified(const Problem& problem) {
 }
 
 SolutionText Solver::solve(const Problem& problem) {
-  if (takes_variational(wanted_.method, problem.contact)) return solve_on_cells(problem);
+  if (takes_variational(wanted_.method, problem.contact, wanted_.certify)) return solve_on_cells(problem);
   if (wanted_.certify) return solve_certified(problem);
   numeric::Digits digits = numeric::precision_for(wanted_.solution.digits);
   if (digits == numeric::Digits::sixteen) {

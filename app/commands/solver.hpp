@@ -14,8 +14,8 @@ namespace steadyslide::app {
 enum class Method { automatic, closed_form, riemann_hilbert, variational };
 
 /// Is it the variational method that solves this problem? Always if asked for; `automatic` takes it where the profile
-/// has more breaks, or the friction more values, than the other methods take.
-bool takes_variational(Method method, const ContactProblem& problem);
+/// has more breaks, or the friction more values, than the other methods take, or than they prove.
+bool takes_variational(Method method, const ContactProblem& problem, bool certify);
 
 /// Solves one problem after the other; the solver that iterates starts each from the solution before it, so that
 /// neighbouring problems in a row cost less and stay on one branch.

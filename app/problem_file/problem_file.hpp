@@ -9,8 +9,8 @@
 
 namespace steadyslide::app {
 
-inline constexpr std::size_t max_friction_values = 10000;
-inline constexpr std::size_t max_pieces = 1000;
+inline constexpr std::size_t max_friction_values = 90000;
+inline constexpr std::size_t max_pieces = 50000;
 
 /// The measured profile that a problem's pieces come from.
 struct MeasuredProfile {

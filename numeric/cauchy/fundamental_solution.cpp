@@ -1,9 +1,12 @@
 #include "numeric/cauchy/fundamental_solution.hpp"
 
+#include <mutex>
+#include <optional>
+
+#include "numeric/cauchy/distant_powers.hpp"
 #include "numeric/number/power_product.hpp"
 
 namespace steadyslide::numeric {
-namespace {
 
 /// Gathers prod d_j^{p_j}: in double as powers, in higher precision as one exponential of a sum of logarithms.
 template <Real R>
@@ -35,6 +38,8 @@ class PowerProduct {
   R value_ = std::same_as<R, double> ? 1 : 0;
 };
 
+namespace {
+
 /// Calls visit(j, |e_j - e|) for all j < count to the left, given the distance from e to e_{count-1}, and likewise to
 /// the right. Distances grow by adding lengths: sums of positive numbers lose nothing.
 template <Real R, class Visit>
@@ -53,25 +58,64 @@ void visit_rightwards(const std::vector<Panel<R>>& panels, std::size_t first, R 
   }
 }
 
+template <Real R>
+std::vector<Panel<R>> panels_from(R left, std::vector<R> lengths) {
+  std::vector<Panel<R>> panels;
+  panels.reserve(lengths.size());
+  for (R& length : lengths) {
+    R right = left + length;
+    panels.push_back({std::move(left), right, std::move(length)});
+    left = std::move(right);
+  }
+  return panels;
+}
+
 }  // namespace
 
 template <Real R>
+struct FundamentalSolution<R>::LazyDistantPowers {
+  std::once_flag made;
+  std::optional<DistantPowers> powers;
+};
+
+template <Real R>
 FundamentalSolution<R>::FundamentalSolution(const R& left_end, std::vector<R> lengths, std::vector<Power<R>> powers)
-    : powers_(std::move(powers)) {
-  panels_.reserve(lengths.size());
-  R left = left_end;
-  for (R& length : lengths) {
-    R right = left + length;
-    panels_.push_back({std::move(left), right, std::move(length)});
-    left = std::move(right);
+    : FundamentalSolution(panels_from(left_end, std::move(lengths)), std::move(powers)) {}
+
+template <Real R>
+FundamentalSolution<R>::FundamentalSolution(std::vector<Panel<R>> panels, std::vector<Power<R>> powers)
+    : panels_(std::move(panels)), powers_(std::move(powers)) {
+  if (std::same_as<R, double> && panels_.size() >= hierarchical::fewest_panels) {
+    distant_ = std::make_shared<LazyDistantPowers>();
   }
 }
 
 template <Real R>
-R FundamentalSolution<R>::modulus(std::size_t k, const Node<R>& node) const {
+const DistantPowers* FundamentalSolution<R>::distant() const {
+  if constexpr (std::same_as<R, double>) {
+    if (!distant_) return nullptr;
+    std::call_once(distant_->made, [this] { distant_->powers.emplace(panels_, powers_); });
+    return &*distant_->powers;
+  } else {
+    return nullptr;
+  }
+}
+
+template <Real R>
+template <class Skips>
+R FundamentalSolution<R>::product(std::size_t k, const R& from_left, const R& from_right, const Skips& skips) const {
   PowerProduct<R> product(powers_);
-  visit_leftwards(panels_, k + 1, node.from_left, product);
-  visit_rightwards(panels_, k + 1, node.from_right, product);
+  const auto visit = [&](std::size_t j, const R& distance) {
+    if (!skips(j)) product(j, distance);
+  };
+  if constexpr (std::same_as<R, double>) {
+    if (const DistantPowers* powers = distant()) {
+      const double far = powers->around(k, from_left, from_right, visit);
+      return product.value() * std::exp(far);
+    }
+  }
+  visit_leftwards(panels_, k + 1, from_left, visit);
+  visit_rightwards(panels_, k + 1, from_right, visit);
   return product.value();
 }
 
@@ -105,11 +149,34 @@ void FundamentalSolution<R>::moduli(std::size_t k, std::span<const R> from_left,
 }
 
 template <Real R>
-R FundamentalSolution<R>::smooth_modulus(std::size_t k, const Node<R>& node) const {
+template <class Skips>
+R FundamentalSolution<R>::product_beyond(Side side, const R& distance, const Skips& skips) const {
   PowerProduct<R> product(powers_);
-  if (k > 0) visit_leftwards(panels_, k, node.from_left + panels_[k - 1].length, product);
-  if (k + 1 < panels_.size()) visit_rightwards(panels_, k + 2, node.from_right + panels_[k + 1].length, product);
+  const auto visit = [&](std::size_t j, const R& d) {
+    if (!skips(j)) product(j, d);
+  };
+  if constexpr (std::same_as<R, double>) {
+    if (const DistantPowers* powers = distant()) {
+      const double far = powers->beyond(side, distance, visit);
+      return product.value() * std::exp(far);
+    }
+  }
+  if (side == Side::left) {
+    visit_rightwards(panels_, 0, distance, visit);
+  } else {
+    visit_leftwards(panels_, panels_.size() + 1, distance, visit);
+  }
   return product.value();
+}
+
+template <Real R>
+R FundamentalSolution<R>::modulus(std::size_t k, const Node<R>& node) const {
+  return product(k, node.from_left, node.from_right, [](std::size_t) { return false; });
+}
+
+template <Real R>
+R FundamentalSolution<R>::smooth_modulus(std::size_t k, const Node<R>& node) const {
+  return product(k, node.from_left, node.from_right, [k](std::size_t j) { return j == k || j == k + 1; });
 }
 
 template <Real R>
@@ -121,21 +188,15 @@ R FundamentalSolution<R>::modulus_beyond(Side side, const R& distance) const {
 
 template <Real R>
 R FundamentalSolution<R>::smooth_modulus_beyond(Side side, const R& distance) const {
-  PowerProduct<R> product(powers_);
-  if (side == Side::left) {
-    visit_rightwards(panels_, 1, distance + panels_.front().length, product);
-  } else {
-    visit_leftwards(panels_, panels_.size(), distance + panels_.back().length, product);
-  }
-  return product.value();
+  const std::size_t end = side == Side::left ? 0 : panels_.size();
+  return product_beyond(side, distance, [end](std::size_t j) { return j == end; });
 }
 
 template <Real R>
 R FundamentalSolution<R>::amplitude(std::size_t j) const {
-  PowerProduct<R> product(powers_);
-  if (j > 0) visit_leftwards(panels_, j, panels_[j - 1].length, product);
-  if (j < panels_.size()) visit_rightwards(panels_, j + 1, panels_[j].length, product);
-  return product.value();
+  const std::size_t k = std::min(j, panels_.size() - 1);
+  const R& length = panels_[k].length;
+  return product(k, j == k ? R(0) : length, j == k ? length : R(0), [j](std::size_t i) { return i == j; });
 }
 
 template <Real R>
@@ -174,12 +235,27 @@ R FundamentalSolution<R>::relative_error(std::size_t k, const Node<R>& node, con
   R ends = 0;
   const auto add = [&](std::size_t j, const R& d) {
     const R& p = powers_[j].value;
-    if (p == 0) return;
-    rounding += 2 + abs(p) * (2 + abs(log(d)));
-    if (j == 0 || j == panels_.size()) ends += abs(p) * end_error / d;
+    if (p != 0) rounding += 2 + abs(p) * (2 + abs(log(d)));
   };
-  visit_leftwards(panels_, k + 1, node.from_left, add);
-  visit_rightwards(panels_, k + 1, node.from_right, add);
+  const auto add_end = [&](std::size_t j, const R& d) {
+    if (powers_[j].value != 0) ends += abs(powers_[j].value) * end_error / d;
+  };
+  const std::size_t last = panels_.size();
+  if constexpr (std::same_as<R, double>) {
+    if (const DistantPowers* powers = distant()) {
+      powers->around(k, node.from_left, node.from_right, add);
+      rounding += powers->rounding(k);
+      add_end(0, std::max(node.from_left, node.x - point(0)));
+      add_end(last, std::max(node.from_right, point(last) - node.x));
+      return epsilon<R>() * rounding + ends;
+    }
+  }
+  const auto add_both = [&](std::size_t j, const R& d) {
+    add(j, d);
+    if (j == 0 || j == last) add_end(j, d);
+  };
+  visit_leftwards(panels_, k + 1, node.from_left, add_both);
+  visit_rightwards(panels_, k + 1, node.from_right, add_both);
   return epsilon<R>() * rounding + ends;
 }
 

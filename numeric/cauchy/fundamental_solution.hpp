@@ -5,7 +5,10 @@
 //
 // cut along the contact [e_0, e_n] when the p_j sum to an integer S; Y ~ z^S at infinity. Panel k is ]e_k, e_{k+1}[.
 // On it Y+- = |Y| exp(+-i pi sigma_k), sigma_k = sum of p_j over e_j > x. [Bal16, theorem 36, reconstructed]
+//
+// In double a value with many points costs what those near to it cost: distant_powers.hpp.
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -14,6 +17,8 @@
 #include "numeric/number/power.hpp"
 
 namespace steadyslide::numeric {
+
+class DistantPowers;
 
 /// Y+ is the limit on the cut from above (Im z > 0), Y- from below.
 enum class BoundaryLimit { plus, minus };
@@ -31,8 +36,7 @@ class FundamentalSolution {
   FundamentalSolution(const R& left_end, std::vector<R> lengths, std::vector<Power<R>> powers);
 
   /// Panels that follow each other, with one power more; powers may be zero.
-  FundamentalSolution(std::vector<Panel<R>> panels, std::vector<Power<R>> powers)
-      : panels_(std::move(panels)), powers_(std::move(powers)) {}
+  FundamentalSolution(std::vector<Panel<R>> panels, std::vector<Power<R>> powers);
 
   std::size_t panel_count() const { return panels_.size(); }
   const Panel<R>& panel(std::size_t k) const { return panels_[k]; }
@@ -65,8 +69,18 @@ class FundamentalSolution {
   R relative_error(std::size_t k, const Node<R>& node, const R& end_error) const;
 
  private:
+  /// Null where there are not many points, or R is no double.
+  const DistantPowers* distant() const;
+  /// The product of all powers but those of the points for which skips(j), as seen from a place of panel k.
+  template <class Skips>
+  R product(std::size_t k, const R& from_left, const R& from_right, const Skips& skips) const;
+  template <class Skips>
+  R product_beyond(Side side, const R& distance, const Skips& skips) const;
+
+  struct LazyDistantPowers;
   std::vector<Panel<R>> panels_;
   std::vector<Power<R>> powers_;
+  std::shared_ptr<LazyDistantPowers> distant_;  ///< made when first asked for; copies share them
 };
 
 }  // namespace steadyslide::numeric

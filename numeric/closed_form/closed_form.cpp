@@ -1,6 +1,7 @@
 #include "numeric/closed_form/closed_form.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "numeric/cauchy/panel_finder.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
@@ -265,8 +266,11 @@ Sample<R> ClosedForm<R>::at(const Rational& x) const {
   };
   if (distance_from(0) < 0) return in_users_x(outside(Side::left, -distance_from(0)));
   if (distance_from(last) > 0) return in_users_x(outside(Side::right, distance_from(last)));
+  // The last of the points 0..last-1 on the left of x, 0 if none is.
   std::size_t k = 0;
-  while (k < last && distance_from(k + 1) > 0) ++k;
+  for (std::size_t step = std::bit_floor(last); step > 0; step /= 2) {
+    if (k + step < last && distance_from(k + step) > 0) k += step;
+  }
   for (const std::size_t j : {k, k + 1}) {
     if (distance_from(j) == 0) return in_users_x(at_point(j));
   }

@@ -20,11 +20,12 @@
 
 namespace steadyslide::numeric {
 
-/// With powers at every jump, evaluating a solution costs the square of their number, its residuals most of all: with
-/// 1000 values of friction about twenty seconds in double.
-inline constexpr std::size_t max_friction_pieces = 1000;
+/// Values of friction that a solution by powers is for: in double its cost grows like their number, and in more digits
+/// like its square.
+inline constexpr std::size_t max_friction_pieces = 1'000'000;
+inline constexpr std::size_t max_friction_pieces_in_digits = 1000;
 /// Empty, or why a solution by powers is not for this problem.
-std::string too_many_friction_pieces(const ContactProblem& problem);
+std::string too_many_friction_pieces(const ContactProblem& problem, Digits digits);
 
 /// What a closed form consists of.
 template <Real R>

@@ -106,16 +106,19 @@ std::variant<ClosedFormData<R>, std::string> parabola(const ContactProblem& prob
 
 }  // namespace
 
-std::string too_many_friction_pieces(const ContactProblem& problem) {
+std::string too_many_friction_pieces(const ContactProblem& problem, Digits digits) {
   const std::size_t pieces = problem.friction().values().size();
-  if (pieces <= max_friction_pieces) return {};
-  return "too many values of friction for a solution by powers, take --method variational; there are at most " +
-         std::to_string(max_friction_pieces) + "; " + std::to_string(pieces) + " values";
+  const bool in_double = digits == Digits::sixteen;
+  const std::size_t most = in_double ? max_friction_pieces : max_friction_pieces_in_digits;
+  if (pieces <= most) return {};
+  return "too many values of friction for a solution by powers" +
+         std::string(in_double ? "" : " with more than 16 digits") + "; there are at most " + std::to_string(most) +
+         "; " + std::to_string(pieces) + " values";
 }
 
 template <Real R>
 std::variant<ClosedFormData<R>, std::string> closed_form_data(const ContactProblem& problem) {
-  if (std::string reason = too_many_friction_pieces(problem); !reason.empty()) return reason;
+  if (std::string reason = too_many_friction_pieces(problem, digits_of<R>); !reason.empty()) return reason;
   if (problem.load_at()) return std::string("the indenter may tilt");
   const std::optional<Polynomial> profile = common_profile(problem.indenter());
   if (profile && profile->degree() <= 0) {

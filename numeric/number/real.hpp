@@ -55,6 +55,9 @@ inline constexpr int digits_served = std::same_as<R, double>   ? 16
                                      : std::same_as<R, Real50> ? 50
                                                                : 100;
 
+template <Real R>
+inline constexpr Digits digits_of = static_cast<Digits>(digits_served<R>);
+
 /// The distance from 1 to the next number.
 template <Real R>
 R epsilon() {

@@ -97,6 +97,8 @@ class EndPowers {
   R log_length_ = 0;
 };
 
+}  // namespace
+
 /// Neumaier's summation: next to a zero of the traction principal values cancel by three digits and more.
 template <Real R>
 class CompensatedSum {
@@ -114,21 +116,54 @@ class CompensatedSum {
   R compensation_ = 0;
 };
 
-}  // namespace
-
 template <Real R>
-Grid<R>::Grid(PiecewiseDensity<R> density) : density_(std::move(density)), step_(step_length<R>()) {
+Grid<R>::Grid(PiecewiseDensity<R> density)
+    : density_(std::move(density)), step_(step_length<R>()), shortest_(infinity<R>()) {
+  for (const PanelDensity<R>& panel : density_) shortest_ = std::min(shortest_, panel.panel.length);
   samples_.reserve(density_.size());
   for (const PanelDensity<R>& panel : density_) samples_.push_back(sample(panel, R(0)));
+  line_ = line();
+}
+
+template <Real R>
+std::shared_ptr<const typename Grid<R>::Line> Grid<R>::line() const {
+  if constexpr (std::same_as<R, double>) {
+    if (density_.size() < hierarchical::fewest_panels) return nullptr;
+    std::vector<std::size_t> leaf_of, panel_of;
+    std::vector<double> lengths, weights;
+    std::vector<hierarchical::Source> sources;
+    for (std::size_t k = 0; k < density_.size(); ++k) {
+      if (density_[k].gap > 0) {
+        lengths.push_back(density_[k].gap);
+        panel_of.push_back(k);
+      }
+      const std::size_t leaf = lengths.size();
+      const double length = density_[k].panel.length;
+      leaf_of.push_back(leaf);
+      panel_of.push_back(k);
+      lengths.push_back(length);
+      sources.push_back({leaf, 0, length});
+      weights.push_back(samples_[k].left_tail);
+      for (const Sample& sample : samples_[k].inner) {
+        sources.push_back({leaf, sample.node.from_left, sample.node.from_right});
+        weights.push_back(sample.weighted);
+      }
+      sources.push_back({leaf, length, 0});
+      weights.push_back(samples_[k].right_tail);
+    }
+    return std::make_shared<const Line>(
+        Line{std::move(leaf_of), std::move(panel_of),
+             hierarchical::LineSum({hierarchical::LineSum::Kernel::cauchy}, lengths, sources, {weights})});
+  } else {
+    return nullptr;
+  }
 }
 
 template <Real R>
 R Grid<R>::reach_for_others(const PanelDensity<R>& density) const {
   // A panel's neighbour, a short one, sees the density at distances of its own length.
   using std::log;
-  R shortest = density.panel.length;
-  for (const PanelDensity<R>& other : density_) shortest = std::min(shortest, other.panel.length);
-  return log(density.panel.length / shortest);
+  return log(density.panel.length / shortest_);
 }
 
 template <Real R>
@@ -221,15 +256,38 @@ R Grid<R>::hilbert(const PanelPoint<R>& at) const {
   const bool on_grid = abs(off_grid) < 8 * epsilon<R>() * (4 + abs(cells));
   R total = on_grid ? sum(own.panel, samples_[at.panel], cauchy_kernel)
                     : sum(own.panel, sample(own, tau + step_ / 2), cauchy_kernel);
+  if (line_) return (total + hilbert_of_others(at)) / pi<R>();
   for (std::size_t j = 0; j < density_.size(); ++j) {
     if (j == at.panel) continue;
     const bool to_the_right = j > at.panel;
     const R between = (to_the_right ? x.from_right : x.from_left) + distance_between(density_, j, at.panel);
-    total += sum(density_[j].panel, samples_[j], [&](const Node<R>& node) {
-      return to_the_right ? 1 / (between + node.from_left) : -1 / (between + node.from_right);
-    });
+    total += hilbert_of(j, to_the_right, between);
   }
   return total / pi<R>();
+}
+
+template <Real R>
+R Grid<R>::hilbert_of(std::size_t j, bool to_the_right, const R& between) const {
+  return sum(density_[j].panel, samples_[j], [&](const Node<R>& node) {
+    return to_the_right ? 1 / (between + node.from_left) : -1 / (between + node.from_right);
+  });
+}
+
+template <Real R>
+R Grid<R>::hilbert_of_others(const PanelPoint<R>& at) const {
+  if constexpr (std::same_as<R, double>) {
+    const std::size_t leaf = line_->leaf_of[at.panel];
+    CompensatedSum<R> total;
+    for (const auto& [panel, between] : line_->sum.near_to(leaf)) {
+      const bool to_the_right = panel > leaf;
+      total.add(hilbert_of(line_->panel_of[panel], to_the_right,
+                           between + (to_the_right ? at.node.from_right : at.node.from_left)));
+    }
+    total.add(line_->sum.far(0, leaf, at.node.from_left, at.node.from_right));
+    return total.value();
+  } else {
+    return R(0);
+  }
 }
 
 template <Real R>
@@ -261,17 +319,43 @@ R Grid<R>::displacement(std::size_t k, Side end, const R& distance) const {
   const Node<R>& last = end == Side::right ? samples.inner.back().node : samples.inner.front().node;
   total.add(near_tail * (log1p(distance / from_end(last)) - step_ / expm1(-step_ * power.plus_one)));
   total.add(far_tail * log1p(distance / own.panel.length));
+  if constexpr (std::same_as<R, double>) {
+    if (line_) {
+      using hierarchical::PanelTree;
+      const PanelTree& tree = line_->sum.tree();
+      const bool at_right = end == Side::right;
+      const auto takes = [&](std::size_t cell, Side side, double from_end) {
+        const double step = (side == Side::left) == at_right ? distance : -distance;
+        if (!tree.is_far(cell, from_end) || !tree.is_far(cell, from_end + step)) return false;
+        total.add(line_->sum.logarithmic_rise(0, cell, side, from_end, step));
+        return true;
+      };
+      const auto near = [&](std::size_t leaf, double from_end, Side side) {
+        total.add(displacement_of(line_->panel_of[leaf], (side == Side::left) == at_right, end, from_end, distance));
+      };
+      tree.around(line_->leaf_of[k], at_right ? own.panel.length : 0, at_right ? 0 : own.panel.length, takes, near);
+      return -total.value() / pi<R>();
+    }
+  }
   for (std::size_t j = 0; j < density_.size(); ++j) {
     if (j == k) continue;
-    const R between = distance_between(density_, j, k);
     const bool same_side = (j < k) == (end == Side::right);
-    total.add(sum(density_[j].panel, samples_[j], [&](const Node<R>& node) {
-      // On the side of the point, |x - x'| is what is left of |e - x'|.
-      return same_side ? log1p(distance / (own.panel.length + between + from_end(node)))
-                       : log1p(-distance / (between + (end == Side::right ? node.from_left : node.from_right)));
-    }));
+    const R between = distance_between(density_, j, k);
+    total.add(displacement_of(j, same_side, end, same_side ? own.panel.length + between : between, distance));
   }
   return -total.value() / pi<R>();
+}
+
+template <Real R>
+R Grid<R>::displacement_of(std::size_t j, bool same_side, Side end, const R& between, const R& distance) const {
+  using std::log1p;
+  return sum(density_[j].panel, samples_[j], [&](const Node<R>& node) {
+    const R& from_left = node.from_left;
+    const R& from_right = node.from_right;
+    // On the side of the point, |x - x'| is what is left of |e - x'|.
+    return same_side ? log1p(distance / (between + (end == Side::right ? from_right : from_left)))
+                     : log1p(-distance / (between + (end == Side::right ? from_left : from_right)));
+  });
 }
 
 template class Grid<double>;

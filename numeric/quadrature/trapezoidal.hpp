@@ -6,10 +6,14 @@
 // A density becomes a function that decays exponentially at both ends and is analytic for |Im tau| < pi, so that the
 // error falls like e^{-2 pi^2/h}. Beyond the cut-off the terms form a geometric series, which is summed exactly: an end
 // power next to -1 costs nothing. With the nodes staggered half a step off the pole the rule gives the principal value.
+// In double the samples of many panels are summed by cells (numeric/hierarchical/), whose error is that of rounding.
 // (Heuristic: the cut-off and the step assume branch points on the real axis and nothing else.)
+
+#include <memory>
 
 #include "model/direction.hpp"
 #include "numeric/cauchy/density.hpp"
+#include "numeric/hierarchical/line_sum.hpp"
 #include "numeric/number/estimate.hpp"
 
 namespace steadyslide::numeric::trapezoidal {
@@ -53,7 +57,20 @@ class Grid {
     R right_tail;
   };
 
+  /// All samples of a line of panels, and of the gaps between them.
+  struct Line {
+    std::vector<std::size_t> leaf_of;   ///< by panel
+    std::vector<std::size_t> panel_of;  ///< by leaf
+    hierarchical::LineSum sum;
+  };
+
   Samples sample(const PanelDensity<R>& density, const R& offset) const;
+  std::shared_ptr<const Line> line() const;
+  /// The part of hilbert() that other panels have in it.
+  R hilbert_of_others(const PanelPoint<R>& at) const;
+  R hilbert_of(std::size_t j, bool to_the_right, const R& between) const;
+  /// What panel j has in displacement(), its nearer end at that distance from e.
+  R displacement_of(std::size_t j, bool same_side, Side end, const R& between, const R& distance) const;
   /// How far beyond a panel's own scale, in tau, its samples have to reach for the sake of shorter panels.
   R reach_for_others(const PanelDensity<R>& density) const;
   template <class Kernel>
@@ -61,7 +78,9 @@ class Grid {
 
   PiecewiseDensity<R> density_;
   R step_;
+  R shortest_;  ///< panel
   std::vector<Samples> samples_;
+  std::shared_ptr<const Line> line_;  ///< of so many panels that it is worth while
 };
 
 }  // namespace steadyslide::numeric::trapezoidal

@@ -1,11 +1,17 @@
 #include "numeric/riemann_hilbert/contact_quadrature.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "numeric/cauchy/second_kind.hpp"
 
 namespace steadyslide::numeric {
 namespace {
+
+/// More numbers than this are not kept of all densities.
+constexpr std::size_t most_kept = 4'000'000;
+/// Sums over all panels that cost about as much as the cells for all places.
+constexpr std::size_t direct_evaluations = 500;
 
 /// Subtracts term x^j from entry j.
 template <Real R>
@@ -90,11 +96,31 @@ std::vector<R> ContactQuadrature<R>::distances_to(std::size_t point) const {
 }
 
 template <Real R>
+std::vector<R> ContactQuadrature<R>::density(std::size_t slope, const std::vector<R>& weights, std::size_t first,
+                                             std::size_t count) const {
+  std::vector<R> result;
+  const ReducedProblem<R>& problem = y_->problem();
+  result.reserve(count);
+  for (std::size_t i = first; i < first + count; ++i) {
+    const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));
+    const R& x = nodes_[i].node.x;
+    result.push_back(own == slope ? R(0) : weights[i] * (problem.slope(own, x) - problem.slope(slope, x)));
+  }
+  return result;
+}
+
+template <Real R>
 const std::vector<R>& ContactQuadrature<R>::density(std::size_t slope, std::size_t component) const {
   const bool has_pivots = !y_->pivots().empty();
   std::vector<R>& result = has_pivots ? last_density_ : densities_[slope];
   if (nodes_.empty()) return result;
-  if (has_pivots && (last_component_ != component || last_weights_.empty())) {
+  if (!has_pivots) {
+    if (!result.empty()) return result;
+    if (densities_.size() * nodes_.size() > most_kept && slope != last_slope_) densities_[last_slope_] = {};
+    last_slope_ = slope;
+    return result = density(slope, node_weights_, 0, nodes_.size());
+  }
+  if (last_component_ != component || last_weights_.empty()) {
     last_component_ = component;
     last_weights_ = node_weights_;
     const auto& pivot = y_->pivots()[component];
@@ -106,24 +132,15 @@ const std::vector<R>& ContactQuadrature<R>::density(std::size_t slope, std::size
     }
     result.clear();
   }
-  if (has_pivots && last_slope_ != slope) result.clear();
+  if (last_slope_ != slope) result.clear();
   last_slope_ = slope;
-  if (!result.empty()) return result;
-  const std::vector<R>& weights = has_pivots ? last_weights_ : node_weights_;
-  const ReducedProblem<R>& problem = y_->problem();
-  result.reserve(nodes_.size());
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));
-    const R& x = nodes_[i].node.x;
-    result.push_back(own == slope ? R(0) : weights[i] * (problem.slope(own, x) - problem.slope(slope, x)));
-  }
+  if (result.empty()) result = density(slope, last_weights_, 0, nodes_.size());
   return result;
 }
 
 template <Real R>
 Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t slope, std::size_t component,
-                                               const SurfacePoint<R>& at, const R& between,
-                                               const std::vector<R>& density) const {
+                                               const SurfacePoint<R>& at, const R& between, const R* density) const {
   using std::abs, std::pow;
   const SegmentPart<R>& part = panel.rule.part;
   const JacobiRule<R>& rule = *panel.rule.rule;
@@ -134,7 +151,8 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
   R size = 0;
   if (2 * gap >= part.length) {
     for (std::size_t i = panel.first; i < panel.first + count; ++i) {
-      const R term = density[i] / (between + (panel_is_right ? nodes_[i].node.from_left : nodes_[i].node.from_right));
+      const R term = density[i - panel.first] /
+                     (between + (panel_is_right ? nodes_[i].node.from_left : nodes_[i].node.from_right));
       sum += term;
       size += abs(term);
     }
@@ -155,7 +173,7 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
     const bool mirrored = !panel.rule.singular_end && !panel_is_right;
     for (std::size_t i = 0; i < count; ++i) {
       const R& y = mirrored ? rule.from_right[i] : rule.from_left[i];
-      const R term = (density[panel.first + i] / part.length - phi * rule.weights[i]) / (y + d);
+      const R term = (density[i] / part.length - phi * rule.weights[i]) / (y + d);
       sum += term;
       size += abs(term) + abs(phi * rule.weights[i]);
     }
@@ -172,12 +190,28 @@ Estimate<R> ContactQuadrature<R>::cauchy(std::size_t slope, const SurfacePoint<R
   Estimate<R> total{R(0), R(0)};
   if (panels_.empty()) return total;
   const ContactSet<R>& set = y_->set();
+  if constexpr (std::same_as<R, double>) {
+    if (const DistantNodes* nodes = y_->pivots().empty() ? distant() : nullptr) {
+      const auto near = [&](std::size_t k, double gap) {
+        const SegmentPart<double>& part = panels_[k].rule.part;
+        if (y_->slope_at(part.segment) == slope) return;
+        const bool panel_is_right = at.segment < static_cast<std::ptrdiff_t>(part.segment);
+        const double between = std::max(gap - (panel_is_right ? part.from_left : part.from_right), 0.0);
+        const std::vector<double> f = density(slope, node_weights_, panels_[k].first, panels_[k].rule.rule->size());
+        const Estimate<double> sum = panel_cauchy(panels_[k], slope, 0, at, between, f.data());
+        total.value += sum.value;
+        total.error += sum.error;
+      };
+      const Estimate<double> far = nodes->around(y_->problem().slopes()[slope], at, near);
+      return {total.value + far.value, total.error + far.error};
+    }
+  }
   const std::size_t component = y_->component_at(at);
   const std::vector<R>& f = density(slope, component);
   const auto add = [&](std::size_t segment, const R& between) {
     if (!set.in_contact(segment) || y_->slope_at(segment) == slope) return;
     for (std::size_t k = first_panel_[segment]; k < first_panel_[segment + 1]; ++k) {
-      const Estimate<R> part = panel_cauchy(panels_[k], slope, component, at, between, f);
+      const Estimate<R> part = panel_cauchy(panels_[k], slope, component, at, between, &f[panels_[k].first]);
       total.value += part.value;
       total.error += part.error;
     }
@@ -193,6 +227,24 @@ Estimate<R> ContactQuadrature<R>::cauchy(std::size_t slope, const SurfacePoint<R
     between += set.length(static_cast<std::size_t>(k));
   }
   return total;
+}
+
+template <Real R>
+const DistantNodes* ContactQuadrature<R>::distant() const {
+  if constexpr (std::same_as<R, double>) {
+    if (distant_ || panels_.size() < hierarchical::fewest_panels || ++evaluations_ <= direct_evaluations) {
+      return distant_.get();
+    }
+    DistantNodes::Panels panels;
+    for (const Panel& panel : panels_) {
+      panels.parts.push_back(panel.rule.part);
+      panels.first_node.push_back(panel.first);
+    }
+    distant_ = std::make_shared<const DistantNodes>(*y_, panels, nodes_, node_weights_);
+    return distant_.get();
+  } else {
+    return nullptr;
+  }
 }
 
 template <Real R>

@@ -5,10 +5,11 @@
 //
 // with g the slope of the profile and g_k its polynomial on one piece.
 
+#include <memory>
 #include <vector>
 
 #include "numeric/number/estimate.hpp"
-#include "numeric/riemann_hilbert/jacobi_panels.hpp"
+#include "numeric/riemann_hilbert/distant_nodes.hpp"
 
 namespace steadyslide::numeric {
 
@@ -36,24 +37,31 @@ class ContactQuadrature {
     std::size_t first;  ///< of its nodes
   };
 
-  /// eps cos(pi alpha) (g - g_k)/|Y_i| times the rule's weight, at every node of the contact.
+  /// eps cos(pi alpha) (g - g_k)/|Y_i| times the rule's weight, at every node of the contact, or at those of one panel, the
+  /// weights given.
   const std::vector<R>& density(std::size_t slope, std::size_t component = 0) const;
+  std::vector<R> density(std::size_t slope, const std::vector<R>& weights, std::size_t first, std::size_t count) const;
   /// xi - e at every node.
   std::vector<R> distances_to(std::size_t point) const;
+  /// Of the panels far away, once they have been asked for so often that it is worth while; null before, and for few
+  /// panels.
+  const DistantNodes* distant() const;
   Estimate<R> panel_cauchy(const Panel& panel, std::size_t slope, std::size_t component, const SurfacePoint<R>& at,
-                           const R& between, const std::vector<R>& density) const;
+                           const R& between, const R* density) const;
 
   const SignedFundamentalSolution<R>* y_;
   std::vector<Panel> panels_;
   std::vector<std::size_t> first_panel_;  ///< of each segment, and one more
   std::vector<SurfacePoint<R>> nodes_;
   std::vector<R> node_weights_;
-  mutable std::vector<std::vector<R>> densities_;  ///< made when first asked for: not all are
+  mutable std::vector<std::vector<R>> densities_;  ///< made when first asked for: not all are; of many only the last
   // With pivots those of the place asked for last: neighbours follow each other.
   mutable std::size_t last_component_ = 0;
   mutable std::size_t last_slope_ = 0;
   mutable std::vector<R> last_weights_;
   mutable std::vector<R> last_density_;
+  mutable std::shared_ptr<const DistantNodes> distant_;
+  mutable std::size_t evaluations_ = 0;
 };
 
 }  // namespace steadyslide::numeric

@@ -90,7 +90,17 @@ void ContactSet<R>::refresh() {
     contact_[j] = contact;
     intervals_[j] = points_[j].anchor ? *points_[j].anchor : intervals_[j - 1];
   }
+  movable_.clear();
+  for (std::size_t j = 0; j < points_.size(); ++j) {
+    if (points_[j].is_movable()) movable_.push_back(j);
+  }
   place_points();
+  blocks_.clear();
+  if (lengths_.size() < 4 * block) return;
+  for (std::size_t k = 0; k < lengths_.size(); ++k) {
+    if (k % block == 0) blocks_.push_back(R(0));
+    blocks_.back() += lengths_[k];
+  }
 }
 
 template <Real R>
@@ -164,12 +174,13 @@ std::vector<std::size_t> ContactSet<R>::all(Kind kind) const {
 }
 
 template <Real R>
-std::vector<std::size_t> ContactSet<R>::movable() const {
-  std::vector<std::size_t> result;
-  for (std::size_t j = 0; j < points_.size(); ++j) {
-    if (points_[j].is_movable()) result.push_back(j);
+R ContactSet<R>::sum_of_lengths(std::size_t first, std::size_t end, R start) const {
+  while (first < end) {
+    const bool whole = first % block == 0 && first + block <= end && blocks_.size() > 1;
+    start += whole ? blocks_[first / block] : lengths_[first];
+    first += whole ? block : 1;
   }
-  return result;
+  return start;
 }
 
 template <Real R>

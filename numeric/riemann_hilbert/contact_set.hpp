@@ -66,7 +66,9 @@ class ContactSet {
   /// The points where contact begins, or ends, left to right.
   std::vector<std::size_t> all(Kind kind) const;
   /// The movable ends.
-  std::vector<std::size_t> movable() const;
+  const std::vector<std::size_t>& movable() const { return movable_; }
+  /// The sum of the lengths of segments first..end-1, from `start`: of many in blocks.
+  R sum_of_lengths(std::size_t first, std::size_t end, R start) const;
   /// Does contact begin and end in turns, at least once, with lengths > 0 between all points?
   bool is_consistent() const;
   /// From the first end to the last one.
@@ -108,7 +110,10 @@ class ContactSet {
   std::vector<R> lengths_;
   std::vector<char> contact_;
   std::vector<std::size_t> intervals_;
+  std::vector<std::size_t> movable_;
   std::vector<R> x_;
+  std::vector<R> blocks_;  ///< lengths of `block` segments each
+  static constexpr std::size_t block = 64;
 
   template <Real>
   friend class ContactSet;

@@ -1,6 +1,7 @@
 #include "numeric/riemann_hilbert/reduced_problem.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "model/singular_point.hpp"
 #include "numeric/number/polynomial.hpp"
@@ -16,12 +17,14 @@ ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& fr
 
   // Pieces that continue one polynomial are one slope: the Riemann-Hilbert form then has no integral.
   std::vector<Polynomial> different;
+  const auto is_before = [](const Polynomial& a, const Polynomial& b) { return a.coefficients() < b.coefficients(); };
+  std::map<Polynomial, std::size_t, decltype(is_before)> known(is_before);
   std::vector<std::size_t> slope_of_piece;
   for (const Indenter::Piece& piece : indenter.pieces()) {
     const Polynomial slope = piece.profile.derivative();
-    const auto found = std::ranges::find(different, slope);
-    slope_of_piece.push_back(static_cast<std::size_t>(found - different.begin()));
-    if (found == different.end()) different.push_back(slope);
+    const auto [found, is_new] = known.emplace(slope, different.size());
+    slope_of_piece.push_back(found->second);
+    if (is_new) different.push_back(slope);
   }
   for (const Polynomial& slope : different) {
     highest_degree_ = std::max(highest_degree_, slope.degree());

@@ -193,15 +193,21 @@ std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const Contac
 
 }  // namespace
 
+std::string too_many_profile_breaks(const ContactProblem& problem, Digits digits) {
+  const std::size_t breaks = problem.indenter().pieces().size() - 1;
+  const bool in_double = digits == Digits::sixteen;
+  const std::size_t most = in_double ? max_profile_breaks : max_profile_breaks_in_digits;
+  if (breaks <= most) return {};
+  return "the profile has too many breaks for the Riemann-Hilbert method" +
+         std::string(in_double ? ", take --method variational" : " with more than 16 digits") + "; it has at most " +
+         std::to_string(most) + "; " + std::to_string(breaks) + " breaks";
+}
+
 template <Real R>
 Attempt<R> riemann_hilbert(const ContactProblem& problem, const ContactSolution<R>* start) {
-  if (std::string reason = too_many_friction_pieces(problem); !reason.empty()) return {nullptr, std::move(reason)};
-  if (const std::size_t breaks = problem.indenter().pieces().size() - 1; breaks > max_profile_breaks) {
-    return {nullptr,
-            "the profile has too many breaks for the Riemann-Hilbert method, take --method variational; it "
-            "has at most " +
-                std::to_string(max_profile_breaks) + "; " + std::to_string(breaks) + " breaks"};
-  }
+  if (std::string reason = too_many_friction_pieces(problem, digits_of<R>); !reason.empty())
+    return {nullptr, std::move(reason)};
+  if (std::string reason = too_many_profile_breaks(problem, digits_of<R>); !reason.empty()) return {nullptr, reason};
   // Whatever the precision, double finds where the contact is.
   std::shared_ptr<RiemannHilbertSolution<double>> rough;
   if (start) rough = search<double>(problem, start_from(problem, *start));

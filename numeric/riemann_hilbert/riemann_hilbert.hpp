@@ -7,9 +7,12 @@
 
 namespace steadyslide::numeric {
 
-/// The cost grows faster than the square of the breaks: with 200 of them a polygon in a parabola takes about a second,
-/// a rough one with tens of contact zones half a minute.
-inline constexpr std::size_t max_profile_breaks = 200;
+/// In double the cost grows like the number of places where the profile changes its polynomial, in more digits faster than
+/// like its square.
+inline constexpr std::size_t max_profile_breaks = 1'000'000;
+inline constexpr std::size_t max_profile_breaks_in_digits = 200;
+/// Empty, or why a profile has too many of them.
+std::string too_many_profile_breaks(const ContactProblem& problem, Digits digits);
 
 /// Any profile, any number of friction jumps and contact components. `start`: the solution of a neighbouring problem
 /// (the same but for the load, say), whose contact set is tried first; without it, or where it leads nowhere, a coarse

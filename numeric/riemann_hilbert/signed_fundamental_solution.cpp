@@ -223,13 +223,9 @@ template <Real R>
 R SignedFundamentalSolution<R>::distance(const SurfacePoint<R>& at, std::size_t j) const {
   const auto point = static_cast<std::ptrdiff_t>(j);
   if (point <= at.segment) {
-    R d = at.node.from_left;
-    for (std::ptrdiff_t k = point; k < at.segment; ++k) d += set_.length(static_cast<std::size_t>(k));
-    return d;
+    return set_.sum_of_lengths(j, static_cast<std::size_t>(at.segment), at.node.from_left);
   }
-  R d = at.node.from_right;
-  for (std::ptrdiff_t k = at.segment + 1; k < point; ++k) d += set_.length(static_cast<std::size_t>(k));
-  return -d;
+  return -set_.sum_of_lengths(static_cast<std::size_t>(at.segment + 1), j, at.node.from_right);
 }
 
 template <Real R>

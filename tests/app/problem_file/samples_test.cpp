@@ -54,14 +54,15 @@ TEST_CASE("a flat trace, however many its points, is a flat punch") {
 
 TEST_CASE("more breaks than the Riemann-Hilbert method takes") {
   const TemporaryFolder folder;
-  const auto solve = [&](int points) {
+  const auto solve = [&](int points, const char* digits) {
     std::string text;
     for (int k = 0; k < points; ++k) text += std::to_string(k - 10) + "," + std::to_string(k * k) + "e-6\n";
     folder.write("trace.csv", text);
-    return run_program({"solve", "-", "--method", "riemann-hilbert"}, folder.path(), problem(named));
+    return run_program({"solve", "-", "--method", "riemann-hilbert", "--digits", digits}, folder.path(),
+                       problem(named));
   };
-  check_refused(solve(203),
-                "-: the profile has too many breaks for the Riemann-Hilbert method, take --method variational; it has "
-                "at most 200; 201 breaks");
-  CHECK(solve(202).code == 0);
+  check_refused(solve(203, "17"),
+                "-: the profile has too many breaks for the Riemann-Hilbert method with more than 16 digits; it has at "
+                "most 200; 201 breaks");
+  CHECK(solve(203, "16").code == 0);
 }
