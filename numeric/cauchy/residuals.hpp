@@ -50,7 +50,7 @@ class SurfaceCheck {
     });
     return worst;
   }
-  /// The largest t at those points, or at all nodes of the short grid.
+  /// The largest t at those points, or at all nodes of the short grid between 1e-6 and 1e-6.
   R highest_traction() const {
     if constexpr (!std::same_as<R, double>) {
       if (short_grid_) return short_grid_->highest();

@@ -13,6 +13,8 @@ namespace {
 constexpr int steps_per_unit = 1024;
 /// Beyond the accuracy, as an exponent, for what is small next to a panel's end.
 constexpr double margin = 28;
+/// Nearer to an end the traction's limit decides: a rounding error times a power of the distance says nothing.
+constexpr double outermost_seen = 1e-6;
 constexpr double narrowest_strip = 0.2;
 constexpr double least_power = 1e-3;  // 1 + lambda
 
@@ -165,6 +167,7 @@ typename Grid<R>::PanelSamples Grid<R>::sampled(const PanelDensity<R>& density, 
     result.rough.push_back(
         {static_cast<double>(s.from_left), static_cast<double>(s.from_right), static_cast<double>(s.weighted)});
     // The sign is what counts; where it is wrong, the size as well.
+    if (y < outermost_seen || rest < outermost_seen) continue;
     const R t = smooth > 0 ? R(s.weighted / (h * panel.length * unit.rate * y * rest)) : s.weighted;
     result.highest = std::max(result.highest, t);
   }

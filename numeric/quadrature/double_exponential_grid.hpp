@@ -39,7 +39,7 @@ class Grid {
   Estimate<R> panel_integral(std::size_t k) const;
   /// int t.
   R integral() const;
-  /// The largest t at a node.
+  /// The largest t at a node, from 1e-6 of a panel's length from one end to 1e-6 from the other.
   R highest() const;
 
   /// Does a panel lie beside panel k, without a gap, on that side?
