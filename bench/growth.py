@@ -3,7 +3,7 @@
 
     bench/growth.py PROGRAM KIND FIRST LAST [OPTION ...]
 
-KIND: jumps (a flat punch), parabola-jumps (x^2), pieces (wedges of a polygon in a parabola, half of them in contact).
+KIND: jumps (a flat punch), parabola-jumps (x^2), pieces (a polygon in a parabola, half of its wedges in contact).
 Numbers of jumps or pieces run from 2^FIRST to 2^LAST. Each solve prints 101 samples a component and its residuals.
 """
 
@@ -23,6 +23,10 @@ def friction(n):
     return f"[friction]\njumps = [{jumps}]\nvalues = [{values}]\n"
 
 
+def signed(number):
+    return f"+{number}" if number >= 0 else str(number)
+
+
 def problem(kind, n):
     body = '[half_space]\npoisson = "0.2"\n'
     if kind == "jumps":
@@ -31,7 +35,7 @@ def problem(kind, n):
         return 'load = "1"\n' + body + friction(n) + '[indenter]\nprofile = "x^2"\n'
     # Exact fractions: rounded ones would have steps between the pieces.
     places = [Fraction(2 * i, n) - 1 for i in range(n + 1)]
-    pieces = [f'{{to = "{b}", profile = "({(a + b) / 2})*x+({-a * b / 2})+x^2/10"}}' for a, b in zip(places, places[1:])]
+    pieces = [f'{{to = "{b}", profile = "{(a + b) / 2}*x{signed(-a * b / 2)}"}}' for a, b in zip(places, places[1:])]
     return ('load = "0.3"\n' + body + '[friction]\nvalues = ["0.3"]\n[indenter]\npieces = [\n ' + ",\n ".join(pieces) +
             "]\n")
 
