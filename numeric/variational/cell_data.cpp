@@ -48,8 +48,7 @@ CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh) 
     const double length = part.right - part.left;
     const double middle = (part.left + part.right) / 2;
     // s at x' is felt by all x on its other side within the cell.
-    double reach = result.sign > 0 ? mesh.right(i) - middle : middle - mesh.left(i);
-    if (std::abs(s[piece]) > strong_friction) reach = mesh.length(i);
+    const double reach = result.sign > 0 ? mesh.right(i) - middle : middle - mesh.left(i);
     result.whole[i] += s[piece] * length;
     result.own[i] += result.sign * s[piece] * length * reach / mesh.length(i);
   });

@@ -7,18 +7,11 @@
 
 namespace steadyslide::numeric::variational {
 
-/// Under larger s the mean over a cell rings. The sums over the cells before it, half of the cell itself added, are the
-/// trapezoidal rule for an integral that alternating pressures do not change, and only the logarithm, of the order of a
-/// cell, damps those: they go on over s cells and more behind an end or a jump, and open gaps that are none. With all of
-/// the cell's own s, the implicit Euler rule, they end within the next one; the surface is off by s p h/2, of first order
-/// as the places of ends are.
-inline constexpr double strong_friction = 2;
-
 /// Integrals of s over each cell.
 struct CellFriction {
   std::vector<double> whole;  ///< int s
   /// Mean over x in the cell of int s from its left end to x, or from x to its right end where s is negative: what a
-  /// traction on the cell adds to its own mean displacement. All of int s where that is strong.
+  /// traction on the cell adds to its own mean displacement.
   std::vector<double> own;
   /// +1: s >= 0, and the displacement counts from the left end of the support. -1: s <= 0 somewhere, and it counts from
   /// the right end: no friction then lowers the surface, and the indenter's approach takes up the difference.

@@ -3,7 +3,7 @@
 //
 //   (B p)_i = mean over cell i of  -(1/pi) int p(xi') log|xi - xi'| dxi' + int_left^xi s p,
 //
-// how far p pushes the surface down, -u/c. Under strong friction (cell_data.hpp) the second integral goes to the end of the cell. Where s is negative the second integral is -int_xi^right s p: a constant
+// how far p pushes the surface down, -u/c. Where s is negative the second integral is -int_xi^right s p: a constant
 // less, which the indenter's approach takes up. So no entry of B is negative. [Bal16, section 3.1]
 
 #include <optional>

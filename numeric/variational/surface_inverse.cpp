@@ -49,11 +49,9 @@ SurfaceInverse::SurfaceInverse(const GalerkinOperator& influence, double length)
   for (const double value : values) {
     std::vector<std::complex<double>>& reciprocal = reciprocals_.emplace_back();
     for (std::size_t k = 0; k < logarithm.size(); ++k) {
-      // The symbol of sum over the cells before, half of the cell itself: -i h/2 cot(theta/2). The other half is what
-      // strong friction has in addition.
+      // The symbol of sum over the cells before, half of the cell itself: -i h/2 cot(theta/2).
       const double cot = k == 0 ? 0 : 1 / std::tan(std::numbers::pi * static_cast<double>(k) / n);
-      const double rest = std::abs(value) > strong_friction ? std::abs(value) * length / 2 : 0;
-      const std::complex<double> symbol(logarithm[k] + rest, -value * length / 2 * cot);
+      const std::complex<double> symbol(logarithm[k], -value * length / 2 * cot);
       reciprocal.push_back(std::conj(symbol) / (std::norm(symbol) * n));
     }
   }

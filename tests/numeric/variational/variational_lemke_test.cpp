@@ -121,22 +121,22 @@ TEST_CASE("mirrored problems have mirrored solutions, from whichever side the pa
   // Pivots after which the first path on 64 cells gives way to the next one.
   constexpr int given_up = 4 * 64 + 16;
   int longest = 0;
-  for (const auto& [f, smallest, third] :
-       {std::tuple(1, 1e-3, 0), {1, 1e-3, 1}, {20, 1e-3, 0}, {20, 1e-3, 1}, {4, 1e-9, 2}}) {
-    CAPTURE(f);
-    const Place load_at = third == 0 ? Place() : Place(Rational(third, 3));
-    const ContactProblem to_right = punch(bump, f, load_at);
-    const DiscreteProblem one = graded(to_right, smallest), other = graded(to_right.mirrored(), smallest);
-    const LemkeResult found = lemke(one, 10000), reflected = lemke(other, 10000);
-    REQUIRE(found.reached);
-    REQUIRE(reflected.reached);
-    meets_its_loads(other, reflected.state);
-    CHECK(std::equal(found.contact.begin(), found.contact.end(), reflected.contact.rbegin()));
-    // Control: the problem itself is not its mirror image.
-    if (load_at) CHECK(found.contact != reflected.contact);
-    // At most one path is given up, then comes the mirrored one.
-    if (load_at) CHECK(reflected.pivots <= given_up + found.pivots);
-    longest = std::max(longest, reflected.pivots);
+  for (const int f : {1, 20}) {
+    for (const Place& load_at : {Place(), Place(Rational(1, 3))}) {
+      CAPTURE(f);
+      const ContactProblem to_right = punch(bump, f, load_at);
+      const DiscreteProblem one = graded(to_right, 1e-3), other = graded(to_right.mirrored(), 1e-3);
+      const LemkeResult found = lemke(one, 10000), reflected = lemke(other, 10000);
+      REQUIRE(found.reached);
+      REQUIRE(reflected.reached);
+      meets_its_loads(other, reflected.state);
+      CHECK(std::equal(found.contact.begin(), found.contact.end(), reflected.contact.rbegin()));
+      // Control: the problem itself is not its mirror image.
+      if (load_at) CHECK(found.contact != reflected.contact);
+      // At most one path is given up, then comes the mirrored one.
+      if (load_at) CHECK(reflected.pivots <= given_up + found.pivots);
+      longest = std::max(longest, reflected.pivots);
+    }
   }
   CHECK(longest > given_up);
 }

@@ -202,11 +202,11 @@ TEST_CASE("a search: where s does not decrease all starts agree, and what they a
   CHECK(hurried.solutions.empty());
 }
 
-TEST_CASE("a search: under a strong fall of s few cells have one solution, and so have finer ones") {
+TEST_CASE("a search: few cells under a strong fall of s have several solutions, finer ones have one") {
   const ContactProblem problem = reduced({8.5_r, 0}, {0}, one_piece(-1, 1, {0, -1, 2, 0, 1}), 0.5_r);
   const SolutionSearch coarse = search_solutions(problem, 60, {.cells = 16});
-  REQUIRE(coarse.solutions.size() == 1);
-  CHECK(coarse.unsolved == 0);
+  CHECK(coarse.solutions.size() >= 2);
+  CHECK(coarse.solutions.front().times >= coarse.solutions.back().times);
   for (const FoundSolution& found : coarse.solutions) {
     CHECK(found.variational->failed_condition() == "");
     CHECK(found.refined);
