@@ -2,6 +2,11 @@
 
 #include "numeric/number/power_product_kernel.hpp"
 
+// g++ 12 takes the intrinsics' undefined vectors for a mistake (GCC bug 105593).
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+
 #ifdef __AVX512F__
 #include <immintrin.h>
 

@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 
+#include "numeric/hierarchical/line_sum.hpp"
+
 namespace steadyslide::numeric::trapezoidal {
 namespace {
 
@@ -124,6 +126,13 @@ Grid<R>::Grid(PiecewiseDensity<R> density)
   for (const PanelDensity<R>& panel : density_) samples_.push_back(sample(panel, R(0)));
   line_ = line();
 }
+
+template <Real R>
+struct Grid<R>::Line {
+  std::vector<std::size_t> leaf_of;   ///< by panel
+  std::vector<std::size_t> panel_of;  ///< by leaf
+  hierarchical::LineSum sum;
+};
 
 template <Real R>
 std::shared_ptr<const typename Grid<R>::Line> Grid<R>::line() const {

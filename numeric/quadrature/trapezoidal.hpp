@@ -13,7 +13,6 @@
 
 #include "model/direction.hpp"
 #include "numeric/cauchy/density.hpp"
-#include "numeric/hierarchical/line_sum.hpp"
 #include "numeric/number/estimate.hpp"
 
 namespace steadyslide::numeric::trapezoidal {
@@ -58,11 +57,7 @@ class Grid {
   };
 
   /// All samples of a line of panels, and of the gaps between them.
-  struct Line {
-    std::vector<std::size_t> leaf_of;   ///< by panel
-    std::vector<std::size_t> panel_of;  ///< by leaf
-    hierarchical::LineSum sum;
-  };
+  struct Line;
 
   Samples sample(const PanelDensity<R>& density, const R& offset) const;
   std::shared_ptr<const Line> line() const;

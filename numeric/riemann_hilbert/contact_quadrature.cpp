@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "numeric/cauchy/second_kind.hpp"
+#include "numeric/riemann_hilbert/distant_nodes.hpp"
 
 namespace steadyslide::numeric {
 namespace {

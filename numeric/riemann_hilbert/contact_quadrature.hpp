@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "numeric/number/estimate.hpp"
-#include "numeric/riemann_hilbert/distant_nodes.hpp"
+#include "numeric/riemann_hilbert/jacobi_panels.hpp"
 
 namespace steadyslide::numeric {
+
+class DistantNodes;
 
 template <Real R>
 class ContactQuadrature {
