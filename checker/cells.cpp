@@ -316,7 +316,9 @@ class Deviations {
   }
 
   /// The part of the load left of jump k as the cells have it; 0 and 1 at the support's ends.
-  Rational before(std::size_t k) const { return k == 0 ? Rational(0) : k > before_.size() ? Rational(1) : before_[k - 1]; }
+  Rational before(std::size_t k) const {
+    return k == 0 ? Rational(0) : k > before_.size() ? Rational(1) : before_[k - 1];
+  }
 
   /// An upper bound of |sum a_k D(c_k)|.
   Ball bound(const std::vector<Rational>& a) const {
@@ -360,8 +362,8 @@ class Deviations {
   std::vector<Capacity> capacities_;
 };
 
-void require_within(const std::array<Rational, 2>& claim, const Rational& value, const Ball& bound, const Rational& least,
-                    const Rational& most, const std::string& what) {
+void require_within(const std::array<Rational, 2>& claim, const Rational& value, const Ball& bound,
+                    const Rational& least, const Rational& most, const std::string& what) {
   // A claim that ends where the number does by itself needs no bound there.
   const bool below = claim[0] <= least || arb_is_nonnegative((ball(value - claim[0]) - bound).get()) != 0;
   const bool above = claim[1] >= most || arb_is_nonnegative((ball(claim[1] - value) - bound).get()) != 0;
@@ -422,7 +424,8 @@ std::size_t prove_cells(const Cells& cells) {
     require_within(cells.load_share[k], share, deviations.bound(of_share), 0, 1, "load share " + std::to_string(k + 1));
   }
   const auto [least, most] = std::ranges::minmax(f);
-  require_within(cells.effective_friction, friction, deviations.bound(of_friction), least, most, "the effective friction");
+  require_within(cells.effective_friction, friction, deviations.bound(of_friction), least, most,
+                 "the effective friction");
   return intervals;
 }
 

@@ -60,8 +60,7 @@ Layout read_layout(const Reader& at, const ReducedProblem& problem, int bits, st
     if (j + 1 < points.size()) layout.intervals.push_back(next - 1);
     const bool left = j > 0 && layout.in_contact[j - 1];
     const bool right = j + 1 < points.size() && layout.in_contact[j];
-    const Kind expected =
-        left ? (right ? Kind::interior : Kind::ends) : (right ? Kind::begins : Kind::outside);
+    const Kind expected = left ? (right ? Kind::interior : Kind::ends) : (right ? Kind::begins : Kind::outside);
     if (contact != expected) points[j].fail("contact against segments", "they say where it begins and ends alike");
   }
   if (next != problem.anchors.size()) at["points"].fail("missing anchor", "every anchor of the problem stands once");
