@@ -40,13 +40,6 @@ numeric::Attempt<R> attempt(Method method, const ContactProblem& problem, const 
   return numeric::riemann_hilbert<R>(problem, start);
 }
 
-/// Does the slope fall at more breaks than the Riemann-Hilbert method takes as fast as cells? A gap may open at each.
-bool may_have_many_gaps(const ContactProblem& problem) {
-  constexpr std::ptrdiff_t many = 100;
-  const std::vector<Indenter::Break> breaks = problem.indenter().breaks();
-  return std::ranges::count_if(breaks, [](const Indenter::Break& b) { return b.wedge < 0; }) > many;
-}
-
 SolutionText inapplicable(const std::string& reason) {
   SolutionText text;
   text.reason = reason;
@@ -61,7 +54,7 @@ bool takes_variational(Method method, const ContactProblem& problem, bool certif
   // Proofs cost as much as many digits do.
   const numeric::Digits digits = certify ? numeric::Digits::fifty : numeric::Digits::sixteen;
   if (!numeric::too_many_friction_pieces(problem, digits).empty()) return true;
-  if (numeric::too_many_profile_breaks(problem, digits).empty() && !may_have_many_gaps(problem)) return false;
+  if (numeric::too_many_profile_breaks(problem, digits).empty() && !numeric::may_have_many_gaps(problem)) return false;
   return !numeric::closed_form<double>(problem).solution;  // pieces can all be the same polynomial
 }
 

@@ -1,5 +1,6 @@
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -201,6 +202,12 @@ std::string too_many_profile_breaks(const ContactProblem& problem, Digits digits
   return "the profile has too many breaks for the Riemann-Hilbert method" +
          std::string(in_double ? ", take --method variational" : " with more than 16 digits") + "; it has at most " +
          std::to_string(most) + "; " + std::to_string(breaks) + " breaks";
+}
+
+bool may_have_many_gaps(const ContactProblem& problem) {
+  constexpr std::ptrdiff_t many = 100;
+  const std::vector<Indenter::Break> breaks = problem.indenter().breaks();
+  return std::ranges::count_if(breaks, [](const Indenter::Break& b) { return b.wedge < 0; }) > many;
 }
 
 template <Real R>

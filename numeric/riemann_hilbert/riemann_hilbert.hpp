@@ -14,6 +14,9 @@ inline constexpr std::size_t max_profile_breaks_in_digits = 200;
 /// Empty, or why a profile has too many of them.
 std::string too_many_profile_breaks(const ContactProblem& problem, Digits digits);
 
+/// Does the slope of the profile fall at more than 100 breaks? A gap may open at each, and cells are faster then.
+bool may_have_many_gaps(const ContactProblem& problem);
+
 /// Any profile, any number of friction jumps and contact components. `start`: the solution of a neighbouring problem
 /// (the same but for the load, say), whose contact set is tried first; without it, or where it leads nowhere, a coarse
 /// variational solution says where the contact is. A solution that fails a condition says so by failed_condition();

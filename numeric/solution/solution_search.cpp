@@ -44,6 +44,7 @@ double difference(const VariationalSolution& a, const VariationalSolution& b) {
 /// The Riemann-Hilbert solution of the same contact; none if it went elsewhere.
 std::shared_ptr<const ContactSolution<double>> refined(const ContactProblem& problem,
                                                        const VariationalSolution& rough) {
+  if (may_have_many_gaps(problem)) return nullptr;
   const Attempt<double> attempt = riemann_hilbert<double>(problem, &rough);
   if (!attempt.solution || !attempt.solution->failed_condition().empty()) return nullptr;
   // The same to within a few cells: a loose bound, solutions that are two are far from each other.
