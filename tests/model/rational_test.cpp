@@ -84,7 +84,10 @@ TEST_CASE("what is written is read back") {
 TEST_CASE("no text crashes the reader, and what it accepts has a negative") {
   int accepted = 0;
   CHECK(rc::check([&] {
-    const std::string text = *rc::gen::container<std::string>(rc::gen::elementOf(std::string("0123456789.eE+-/")));
+    // Mostly digits: of texts where every character is as likely seed 16093947855052919028 had two that are numbers.
+    const std::string digits = "0123456789";
+    const std::string text =
+        *rc::gen::container<std::string>(rc::gen::elementOf(digits + digits + digits + digits + ".eE+-/"));
     Rational value;
     if (refusal([&] { value = parse_rational(text); }) != "accepted") return;
     ++accepted;
