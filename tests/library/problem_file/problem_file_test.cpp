@@ -1,7 +1,7 @@
-#include "app/problem_file/problem_file.hpp"
+#include "library/problem_file/problem_file.hpp"
 #include "support/test.hpp"
 
-using namespace steadyslide::app;
+using namespace steadyslide::library;
 
 TEST_CASE("everything that a problem file can say") {
   const ContactProblem problem = parse_problem(R"(

@@ -1,4 +1,4 @@
-#include "app/problem_file/document.hpp"
+#include "library/problem_file/document.hpp"
 
 #include <fmt/format.h>
 
@@ -13,10 +13,11 @@
 #include <array>
 #include <charconv>
 
-#include "app/terminal/failure.hpp"
-#include "app/terminal/utf8.hpp"
+#include "library/problem_file/file_error.hpp"
+#include "library/text/one_line.hpp"
+#include "library/text/utf8.hpp"
 
-namespace steadyslide::app {
+namespace steadyslide::library {
 namespace {
 
 constexpr std::size_t max_values = 200000;
@@ -53,7 +54,7 @@ class Scanner {
   enum class Beyond { refused, escaped, dropped };
 
   [[noreturn]] void fail(const char* problem, const char* rule, const std::string& value) const {
-    throw Failure(ExitCode::bad_input, fmt::format("{}:{}: {}; {}; {}", name_, line_, problem, rule, value));
+    throw InvalidFile(fmt::format("{}:{}: {}; {}; {}", name_, line_, problem, rule, value));
   }
 
   void check(bool fine, const char* problem, const char* rule) const {
@@ -174,10 +175,10 @@ Value parse_document(std::string_view text, const std::string& name) {
   try {
     return converted(toml::parse(std::string_view(ascii)), 1);
   } catch (const toml::parse_error& error) {
-    throw Failure(ExitCode::bad_input,
-                  fmt::format("{}:{}: not TOML; a problem file is written in TOML; {}", name,
-                              std::max<std::size_t>(error.source().begin.line, 1), std::string(error.description())));
+    throw InvalidFile(fmt::format("{}:{}: not TOML; a problem file is written in TOML; {}", name,
+                                  std::max<std::size_t>(error.source().begin.line, 1),
+                                  std::string(error.description())));
   }
 }
 
-}  // namespace steadyslide::app
+}  // namespace steadyslide::library

@@ -1,10 +1,10 @@
 #include <chrono>
 
-#include "app/problem_file/polynomial_parser.hpp"
+#include "library/problem_file/polynomial_parser.hpp"
 #include "model/invalid_data.hpp"
 #include "support/test.hpp"
 
-using namespace steadyslide::app;
+using namespace steadyslide::library;
 
 namespace {
 
@@ -20,7 +20,7 @@ std::string polynomial_error(std::string_view text) {
 }  // namespace
 
 TEST_CASE("the grammar") {
-  for (const auto& [text, coefficients] : pairs_of(STEADYSLIDE_TESTS "/app/problem_file/polynomials.txt")) {
+  for (const auto& [text, coefficients] : pairs_of(STEADYSLIDE_TESTS "/library/problem_file/polynomials.txt")) {
     std::vector<Rational> expected;
     for (const std::string& c : words(coefficients)) expected.emplace_back(c);
     CHECK_MESSAGE(parse(text) == Polynomial(expected), text);
@@ -31,7 +31,7 @@ TEST_CASE("the grammar") {
 }
 
 TEST_CASE("every error says its place") {
-  const auto errors = pairs_of(STEADYSLIDE_TESTS "/app/problem_file/polynomial_errors.txt");
+  const auto errors = pairs_of(STEADYSLIDE_TESTS "/library/problem_file/polynomial_errors.txt");
   CHECK(errors.size() >= 16);
   for (const auto& [text, message] : errors) CHECK(polynomial_error(text) == message);
   CHECK(polynomial_error("") == "missing value at character 1; expected a number, x or (; ''");

@@ -1,4 +1,4 @@
-#include "app/problem_file/problem_file.hpp"
+#include "library/problem_file/problem_file.hpp"
 
 #include <fmt/format.h>
 
@@ -9,20 +9,20 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/problem_file/polynomial_parser.hpp"
-#include "app/problem_file/problem_reader.hpp"
-#include "app/problem_file/profile_trace.hpp"
+#include "library/problem_file/polynomial_parser.hpp"
+#include "library/problem_file/problem_reader.hpp"
+#include "library/problem_file/profile_trace.hpp"
 
-namespace steadyslide::app {
+namespace steadyslide::library {
 namespace {
 
 /// The bytes of a file, or of the standard input for "-". `kind` is what it is meant to be, for the message. Throws
-/// Failure: exit code 3 when it cannot be read, 2 when it is larger than 64 MiB. No read is interrupted: of the signals
-/// that this program handles, none returns.
+/// UnreadableFile, and InvalidFile when it is larger than 64 MiB. No read is interrupted: of the signals that the program
+/// handles, none returns.
 std::string read_input(const std::string& name, const std::string& kind) {
   constexpr std::size_t max_size = std::size_t{64} << 20;
   const auto unreadable = [&] {
-    return Failure(ExitCode::failed, fmt::format("{}: cannot be read: {}", name, std::strerror(errno)));
+    return UnreadableFile(fmt::format("{}: cannot be read: {}", name, std::strerror(errno)));
   };
   const auto close = [](std::FILE* file) { return file == stdin ? 0 : std::fclose(file); };
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(name == "-" ? stdin : std::fopen(name.c_str(), "re"),
@@ -33,7 +33,7 @@ std::string read_input(const std::string& name, const std::string& kind) {
   for (std::size_t count = 0; (count = std::fread(block.data(), 1, block.size(), file.get())) > 0;) {
     text.append(block.data(), count);
     if (text.size() > max_size) {
-      throw Failure(ExitCode::bad_input, name + ":1: file too large; " + kind + " has at most 64 MiB; more");
+      throw InvalidFile(name + ":1: file too large; " + kind + " has at most 64 MiB; more");
     }
   }
   if (std::ferror(file.get()) != 0) throw unreadable();
@@ -121,7 +121,7 @@ class IndenterReader {
     if (ends[0] >= ends[1]) throw bad_support("support of no length", "left is less than right");
   }
 
-  Failure bad_support(const std::string& what, const std::string& rule) const {
+  InvalidFile bad_support(const std::string& what, const std::string& rule) const {
     return reader_.error("indenter.support", what, rule, to_string(support_->left) + ", " + to_string(support_->right));
   }
 
@@ -153,9 +153,8 @@ class IndenterReader {
     if (path.find('\0') != path.npos) throw unreadable(excerpt(path));
     try {
       return read_input(path, "a trace");
-    } catch (const Failure& failure) {
-      if (failure.code() == ExitCode::failed) throw unreadable(failure.what());
-      throw;
+    } catch (const UnreadableFile& file) {
+      throw unreadable(file.what());
     }
   }
 
@@ -241,4 +240,4 @@ Problem read_problem(const std::string& name) { return parse_problem(read_input(
 
 Punch read_punch(const std::string& name) { return parse(read_input(name, "a problem file"), name, false); }
 
-}  // namespace steadyslide::app
+}  // namespace steadyslide::library

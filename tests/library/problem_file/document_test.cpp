@@ -1,7 +1,7 @@
-#include "app/problem_file/document.hpp"
+#include "library/problem_file/document.hpp"
 #include "support/test.hpp"
 
-using namespace steadyslide::app;
+using namespace steadyslide::library;
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "app/problem_file/profile_trace.hpp"
+#include "library/problem_file/profile_trace.hpp"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,12 @@
 #include <array>
 #include <utility>
 
-#include "app/problem_file/polynomial_parser.hpp"
-#include "app/terminal/failure.hpp"
+#include "library/problem_file/file_error.hpp"
+#include "library/problem_file/polynomial_parser.hpp"
+#include "library/text/one_line.hpp"
 #include "model/invalid_data.hpp"
 
-namespace steadyslide::app {
+namespace steadyslide::library {
 namespace {
 
 constexpr std::size_t longest_trace_line = 1000;
@@ -113,10 +114,10 @@ class TraceParser {
     ++points_;
   }
 
-  Failure error(const std::string& what) const {
-    return {ExitCode::bad_input, fmt::format("{}:{}: {}", name_, std::max<std::size_t>(line_, 1), what)};
+  InvalidFile error(const std::string& what) const {
+    return InvalidFile(fmt::format("{}:{}: {}", name_, std::max<std::size_t>(line_, 1), what));
   }
-  Failure error(const std::string& what, const std::string& rule, const std::string& value) const {
+  InvalidFile error(const std::string& what, const std::string& rule, const std::string& value) const {
     return error(what + "; " + rule + "; " + value);
   }
 
@@ -136,4 +137,4 @@ ProfileTrace parse_trace(std::string_view text, const std::string& name, const s
   return TraceParser(name, support).parse(text);
 }
 
-}  // namespace steadyslide::app
+}  // namespace steadyslide::library

@@ -7,7 +7,7 @@
 
 #include "model/contact_problem.hpp"
 
-namespace steadyslide::app {
+namespace steadyslide::library {
 
 inline constexpr std::size_t max_friction_values = 90000;
 inline constexpr std::size_t max_pieces = 50000;
@@ -24,11 +24,10 @@ struct Problem {
   std::optional<MeasuredProfile> measured;
 };
 
-/// Reads a trace, too, if there are samples, relative to `name`. Throws Failure (exit code 2) "NAME:LINE: what is
-/// wrong; the rule; the value".
+/// Reads a trace, too, if there are samples, relative to `name`. Throws InvalidFile.
 Problem parse_problem(std::string_view text, const std::string& name);
 
-/// Reads a file, or the standard input for "-". Throws Failure.
+/// Reads a file, or the standard input for "-". Throws InvalidFile, UnreadableFile.
 Problem read_problem(const std::string& name);
 
 /// A problem file whose load and friction do not matter and may be left out: 1, and no friction.
@@ -38,4 +37,4 @@ struct Punch {
 };
 Punch read_punch(const std::string& name);
 
-}  // namespace steadyslide::app
+}  // namespace steadyslide::library

@@ -12,7 +12,7 @@
 
 #include "model/polynomial.hpp"
 
-namespace steadyslide::app {
+namespace steadyslide::library {
 
 inline constexpr int max_degree = 64;
 
@@ -28,4 +28,4 @@ std::size_t bits(const Rational& value);
 /// Throws InvalidData (field empty), which says the place in the text, counted from 1.
 Polynomial parse_polynomial(std::string_view text, PolynomialBudget& budget);
 
-}  // namespace steadyslide::app
+}  // namespace steadyslide::library

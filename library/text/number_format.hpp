@@ -9,7 +9,7 @@
 #include "model/exponent.hpp"
 #include "numeric/number/estimate.hpp"
 
-namespace steadyslide::app {
+namespace steadyslide::library {
 
 template <numeric::Real R>
 std::string format_number(const R& value, int digits);
@@ -67,4 +67,4 @@ std::string format_exponent(const Exponent& exponent, int digits);
 /// Enclosed; "log" where there is none.
 NumberText proved_exponent(const std::optional<Exponent>& exponent, int digits);
 
-}  // namespace steadyslide::app
+}  // namespace steadyslide::library

@@ -1,7 +1,7 @@
-#include "app/results/number_format.hpp"
+#include "library/text/number_format.hpp"
 #include "support/test.hpp"
 
-using namespace steadyslide::app;
+using namespace steadyslide::library;
 using numeric::Estimate;
 using numeric::Real100;
 using numeric::Real50;

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace steadyslide::app {
+namespace steadyslide::library {
 
 struct Utf8Character {
   char32_t code;
@@ -13,4 +13,4 @@ struct Utf8Character {
 /// The first character of a text that is not empty.
 Utf8Character first_character(std::string_view text);
 
-}  // namespace steadyslide::app
+}  // namespace steadyslide::library

@@ -1,7 +1,7 @@
-#include "app/terminal/failure.hpp"
+#include "library/text/one_line.hpp"
 #include "support/test.hpp"
 
-using namespace steadyslide::app;
+using namespace steadyslide::library;
 
 TEST_CASE("what is printable stays, what is not is escaped") {
   CHECK(one_line("a b; 'é' → ü") == "a b; 'é' → ü");

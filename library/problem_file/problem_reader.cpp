@@ -1,4 +1,4 @@
-#include "app/problem_file/problem_reader.hpp"
+#include "library/problem_file/problem_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace steadyslide::app {
+namespace steadyslide::library {
 namespace {
 
 /// The text up to the next '.' or '[', and what follows; an index is "2]".
@@ -38,13 +38,12 @@ ProblemReader::Found ProblemReader::locate(std::string_view field) const {
   return found;
 }
 
-Failure ProblemReader::error(const std::string& field, const std::string& what) const {
-  return {ExitCode::bad_input,
-          fmt::format("{}:{}: {}{}{}", file_, locate(field).line, field, field.empty() ? "" : ": ", what)};
+InvalidFile ProblemReader::error(const std::string& field, const std::string& what) const {
+  return InvalidFile(fmt::format("{}:{}: {}{}{}", file_, locate(field).line, field, field.empty() ? "" : ": ", what));
 }
 
-Failure ProblemReader::error(const std::string& field, const std::string& what, const std::string& rule,
-                             const std::string& value) const {
+InvalidFile ProblemReader::error(const std::string& field, const std::string& what, const std::string& rule,
+                                 const std::string& value) const {
   return error(field, fmt::format("{}; {}; {}", what, rule, value));
 }
 
@@ -64,8 +63,8 @@ void ProblemReader::check_keys(const std::string& field, std::initializer_list<s
   for (const Entry& entry : find(field)->entries) {
     if (std::ranges::find(keys, entry.key) != keys.end()) continue;
     const std::string where = field.empty() ? "a problem file" : field;
-    throw Failure(ExitCode::bad_input, fmt::format("{}:{}: unknown key; the keys of {} are {}; {}", file_, entry.line,
-                                                   where, fmt::join(keys, ", "), excerpt(entry.key)));
+    throw InvalidFile(fmt::format("{}:{}: unknown key; the keys of {} are {}; {}", file_, entry.line, where,
+                                  fmt::join(keys, ", "), excerpt(entry.key)));
   }
 }
 
@@ -108,4 +107,4 @@ std::vector<Rational> ProblemReader::numbers(const std::string& field, std::size
   return result;
 }
 
-}  // namespace steadyslide::app
+}  // namespace steadyslide::library

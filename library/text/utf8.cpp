@@ -1,6 +1,6 @@
-#include "app/terminal/utf8.hpp"
+#include "library/text/utf8.hpp"
 
-namespace steadyslide::app {
+namespace steadyslide::library {
 
 Utf8Character first_character(std::string_view text) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
@@ -19,4 +19,4 @@ Utf8Character first_character(std::string_view text) {
   return overlong || surrogate || code > 0x10ffff ? none : Utf8Character{code, length};
 }
 
-}  // namespace steadyslide::app
+}  // namespace steadyslide::library

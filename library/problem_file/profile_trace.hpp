@@ -14,7 +14,7 @@
 
 #include "model/indenter.hpp"
 
-namespace steadyslide::app {
+namespace steadyslide::library {
 
 inline constexpr std::size_t max_trace_points = 1000000;
 
@@ -30,7 +30,7 @@ struct ProfileTrace {
 };
 
 /// Without a support, the trace's own range is it; else the pieces are cut at its ends. A support beyond the range is
-/// the caller's to refuse. Throws Failure (exit code 2) "NAME:LINE: what is wrong; the rule; the value".
+/// the caller's to refuse. Throws InvalidFile.
 ProfileTrace parse_trace(std::string_view text, const std::string& name, const std::optional<Support>& support);
 
-}  // namespace steadyslide::app
+}  // namespace steadyslide::library

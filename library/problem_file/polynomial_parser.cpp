@@ -1,13 +1,13 @@
-#include "app/problem_file/polynomial_parser.hpp"
+#include "library/problem_file/polynomial_parser.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 
-#include "app/terminal/failure.hpp"
+#include "library/text/one_line.hpp"
 #include "model/invalid_data.hpp"
 
-namespace steadyslide::app {
+namespace steadyslide::library {
 namespace {
 
 // They keep every computation on profiles within reach; nobody's profile comes near them.
@@ -192,4 +192,4 @@ std::size_t bits(const Rational& value) { return bits(numerator(value)) + bits(d
 
 Polynomial parse_polynomial(std::string_view text, PolynomialBudget& budget) { return Parser(text, budget).parse(); }
 
-}  // namespace steadyslide::app
+}  // namespace steadyslide::library

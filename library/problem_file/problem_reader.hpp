@@ -1,6 +1,6 @@
 #pragma once
 // Typed access to a document's values by field, "indenter.pieces[2].to"; every complaint names the file, the line and
-// the field, and is a Failure with exit code 2.
+// the field, and is an InvalidFile.
 
 #include <initializer_list>
 #include <optional>
@@ -9,21 +9,22 @@
 #include <utility>
 #include <vector>
 
-#include "app/problem_file/document.hpp"
-#include "app/terminal/failure.hpp"
+#include "library/problem_file/document.hpp"
+#include "library/problem_file/file_error.hpp"
+#include "library/text/one_line.hpp"
 #include "model/invalid_data.hpp"
 #include "model/rational.hpp"
 
-namespace steadyslide::app {
+namespace steadyslide::library {
 
 class ProblemReader {
  public:
   ProblemReader(const Value& root, std::string file) : root_(root), file_(std::move(file)) {}
 
   /// "FILE:LINE: FIELD: WHAT", the line of the deepest part of the field that the file has.
-  Failure error(const std::string& field, const std::string& what) const;
-  Failure error(const std::string& field, const std::string& what, const std::string& rule,
-                const std::string& value) const;
+  InvalidFile error(const std::string& field, const std::string& what) const;
+  InvalidFile error(const std::string& field, const std::string& what, const std::string& rule,
+                    const std::string& value) const;
   /// What `make` returns; the model's complaint as one about `prefix` + its field.
   template <class Make>
   auto accepted(const std::string& prefix, Make make) const {
@@ -74,4 +75,4 @@ class ProblemReader {
   std::string file_;
 };
 
-}  // namespace steadyslide::app
+}  // namespace steadyslide::library

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace steadyslide::app {
+namespace steadyslide::library {
 
 struct Entry;
 
@@ -31,8 +31,8 @@ struct Entry {
 /// "a string", "an integer", ...
 const char* name_of(Value::Kind kind);
 
-/// Throws Failure (exit code 2) with "NAME:LINE: ..." for what is no TOML, and for documents nested so deep or with so
+/// Throws InvalidFile for what is no TOML, and for documents nested so deep or with so
 /// many values that no problem file needs them.
 Value parse_document(std::string_view text, const std::string& name);
 
-}  // namespace steadyslide::app
+}  // namespace steadyslide::library

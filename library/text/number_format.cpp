@@ -1,4 +1,4 @@
-#include "app/results/number_format.hpp"
+#include "library/text/number_format.hpp"
 
 #include <fmt/format.h>
 #include <mpfr.h>
@@ -12,7 +12,7 @@
 
 #include "symbolic/field/exponent_expression.hpp"
 
-namespace steadyslide::app {
+namespace steadyslide::library {
 namespace {
 
 using std::isinf, std::isnan;
@@ -255,4 +255,4 @@ STEADYSLIDE_NUMBERS_AS_TEXT(double);
 STEADYSLIDE_NUMBERS_AS_TEXT(numeric::Real50);
 STEADYSLIDE_NUMBERS_AS_TEXT(numeric::Real100);
 
-}  // namespace steadyslide::app
+}  // namespace steadyslide::library

@@ -1,8 +1,8 @@
-#include "app/problem_file/profile_trace.hpp"
-#include "app/terminal/failure.hpp"
+#include "library/problem_file/profile_trace.hpp"
+#include "library/problem_file/file_error.hpp"
 #include "support/test.hpp"
 
-using namespace steadyslide::app;
+using namespace steadyslide::library;
 
 namespace {
 
@@ -18,9 +18,8 @@ bool same(const ProfileTrace& a, const ProfileTrace& b) {
 std::string complaint(const std::string& text) {
   try {
     read_trace(text);
-  } catch (const Failure& failure) {
-    CHECK(failure.code() == ExitCode::bad_input);
-    return failure.what();
+  } catch (const InvalidFile& invalid) {
+    return invalid.what();
   }
   return "";
 }
@@ -77,7 +76,7 @@ TEST_CASE("a support cuts the trace, exactly") {
 
 TEST_CASE("bad traces: the whole message") {
   const std::string long_number(401, '1');
-  auto traces = sections_of(STEADYSLIDE_TESTS "/app/problem_file/bad_traces.txt");
+  auto traces = sections_of(STEADYSLIDE_TESTS "/library/problem_file/bad_traces.txt");
   CHECK(traces.size() >= 20);
   traces.insert(
       traces.end(),
