@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "app/figures/figure.hpp"
+#include "app/gnuplot/figure.hpp"
 #include "app/figures/moment_rule.hpp"
 #include "app/figures/solved.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"

@@ -1,6 +1,6 @@
 // The effective friction of a flat punch with two coatings: tangential over normal force, for both directions.
 
-#include "app/figures/figure.hpp"
+#include "app/gnuplot/figure.hpp"
 #include "app/figures/solved.hpp"
 
 namespace steadyslide::app {

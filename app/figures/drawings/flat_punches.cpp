@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/figures/figure.hpp"
+#include "app/gnuplot/figure.hpp"
 #include "app/figures/solved.hpp"
 
 namespace steadyslide::app {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "app/figures/figure.hpp"
+#include "app/gnuplot/figure.hpp"
 #include "app/figures/solved.hpp"
 #include "numeric/variational/local_fit.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/figures/figure.hpp"
+#include "app/gnuplot/figure.hpp"
 #include "app/figures/solved.hpp"
 
 namespace steadyslide::app {
