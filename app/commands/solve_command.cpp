@@ -329,7 +329,8 @@ Command solve_command() {
   return {"solve", std::string(embedded::help_solve).append(embedded::help_problem),
           with_common(
               {problem_argument(),
-               {"--method", "METHOD", "auto, closed-form, riemann-hilbert or variational"},
+               {"--method", "METHOD", "auto, closed-form, riemann-hilbert or variational", Option::Kind::text,
+                "auto closed-form riemann-hilbert variational"},
                {"--at", "LIST", "Results at these x, in your units; may lie outside the support"},
                {"--samples", "N", "Results at N places in each contact component and gap, 1 to 100000"},
                {"--cells", "N", "Equal cells on the support, 16 to 4194304; default 4096: variational only"},
