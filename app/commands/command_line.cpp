@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cstdio>
 
+#include "app/commands/manual.hpp"
 #include "app/embedded.hpp"
 #include "app/terminal/interrupt.hpp"
 #include "library/problem_file/file_error.hpp"
@@ -60,9 +61,18 @@ Failure unexpected(const CLI::App& app, const Program& program) {
   return bad_command_line(option ? "unknown option" : "one argument too many", help + " lists them", argument);
 }
 
+std::string generated(const Program& program, const std::string& kind) {
+  if (kind == "man") return manual_page(program);
+  if (kind == "bash") return bash_completion(program);
+  throw bad_command_line("--generate: unknown kind", "it is one of man, bash", kind);
+}
+
 ExitCode run_command(const Program& program, int argc, const char* const* argv) {
   CLI::App app(program.description, program.name);
   app.set_help_flag("-h,--help", "Print this help and exit");
+  std::string generate;
+  app.add_option("--generate", generate, "Print the manual page (man) or completions (bash), and exit")
+      ->type_name("KIND");
   app.set_version_flag("--version", fmt::format("steadyslide {}", version));
   app.require_subcommand(0, 1);
   app.footer(last_line_open(embedded::help_program));
@@ -70,6 +80,7 @@ ExitCode run_command(const Program& program, int argc, const char* const* argv) 
   for (const Command& command : program.commands) add(app, command);
   try {
     app.parse(argc, argv);
+    if (app.count("--generate") > 0) return print(generated(program, generate));
     for (const Command& command : program.commands) {
       if (app.got_subcommand(command.name)) return command.run(Given(*app.get_subcommand(command.name)));
     }
@@ -150,10 +161,12 @@ Option folder_option() { return {"-o,--output", "DIR", "Write into DIR, which is
 std::vector<Option> with_common(std::vector<Option> options, const std::string& digits,
                                 std::initializer_list<Format> formats) {
   std::vector<std::string> names = names_of(formats);
+  const std::string choices = fmt::format("{}", fmt::join(names, " "));
   const std::string last = names.back();
   names.pop_back();
   options.push_back({"--digits", "N", digits});
-  options.push_back({"--format", "FORMAT", fmt::format("{} or {}", fmt::join(names, ", "), last)});
+  options.push_back(
+      {"--format", "FORMAT", fmt::format("{} or {}", fmt::join(names, ", "), last), Option::Kind::text, choices});
   options.push_back({"-o,--output", "FILE", "Write to FILE, whole or not at all; default: standard output"});
   return options;
 }

@@ -26,6 +26,7 @@ struct Option {
   std::string value;  ///< what --help calls its text; none for a flag
   std::string help;
   Kind kind = Kind::text;
+  std::string choices{};  ///< the words that it takes, if it takes no others, with blanks between them
 };
 
 /// What --digits, --format and --output say.

@@ -1,4 +1,4 @@
-#include "app/figures/gnuplot.hpp"
+#include "app/gnuplot/gnuplot.hpp"
 
 #include <fmt/format.h>
 #include <sys/prctl.h>

@@ -1,4 +1,4 @@
-#include "app/figures/gnuplot.hpp"
+#include "app/gnuplot/gnuplot.hpp"
 
 #include <fmt/format.h>
 
@@ -12,8 +12,6 @@ namespace steadyslide::app {
 namespace {
 
 constexpr int width = 800;
-/// Numbers are written with so many digits: fewer than what two runs could differ in.
-constexpr int figure_digits = 7;
 
 /// Colours of Okabe and Ito, which colour blindness and a grey printer leave apart, each with dashes and a mark of its
 /// own.
@@ -32,31 +30,26 @@ constexpr std::array<Style, 6> styles{{{"#0072b2", "1", 6},
 /// In gnuplot's single quotes.
 std::string quoted(const std::string& text) { return "'" + boost::replace_all_copy(text, "'", "''") + "'"; }
 
-std::string number(double value) { return fmt::format("{:.{}g}", value, figure_digits); }
-
-std::string coordinate(double value, bool of_panel) { return (of_panel ? "graph " : "first ") + number(value); }
-
-std::string text_of(const Place& place) {
-  return coordinate(place.x, place.of_panel_x) + ", " + coordinate(place.y, place.of_panel_y);
-}
-
 const char* text_of(Align align) { return align == Align::left ? "left" : align == Align::centre ? "center" : "right"; }
 
 std::string text_of(const Series& series) {
   const Style& style = styles.at(static_cast<std::size_t>(series.style - 1));
-  return series.look == Look::line ? fmt::format("lines lc rgb '{}' lw 2 dt {}", style.colour, style.dashes)
-                                   : fmt::format("points lc rgb '{}' lw 1.5 pt {} ps 0.7", style.colour, style.mark);
+  switch (series.look) {
+    case Look::line: return fmt::format("lines lc rgb '{}' lw 2 dt {}", style.colour, style.dashes);
+    case Look::bar: return fmt::format("vectors nohead lc rgb '{}' lw 6", style.colour);
+    case Look::marks: break;
+  }
+  return fmt::format("points lc rgb '{}' lw 1.5 pt {} ps 0.7", style.colour, style.mark);
 }
 
 class Script {
  public:
-  explicit Script(const Figure& figure) : figure_(figure) {}
+  Script(const Figure& figure, Picture picture) : figure_(figure), picture_(picture) {}
 
   std::string text() {
     line("set encoding utf8");
     line("set minussign");
-    line("set terminal svg size {},{} fixed enhanced font 'Helvetica,15' background 'white' name {} standalone", width,
-         figure_.height, quoted(figure_.id_prefix()));
+    line("set terminal {}", terminal());
     line("set multiplot");
     line("set border 15 lw 0.8");
     line("set tics scale 0.7,0.35");
@@ -72,6 +65,29 @@ class Script {
   template <class... T>
   void line(fmt::format_string<T...> format, T&&... values) {
     text_ += fmt::format(format, std::forward<T>(values)...) + "\n";
+  }
+
+  std::string terminal() const {
+    const int height = figure_.height;
+    switch (picture_) {
+      case Picture::pdf:
+        return fmt::format("pdfcairo size {},{} enhanced font 'Helvetica,15' fontscale 0.567 background 'white' lw 0.6",
+                           centimetres(width), centimetres(height));
+      case Picture::png:
+        return fmt::format("pngcairo size {},{} enhanced font 'Helvetica,15' fontscale 1.5 background 'white' lw 2",
+                           2 * width, 2 * height);
+      case Picture::svg: break;
+    }
+    return fmt::format("svg size {},{} fixed enhanced font 'Helvetica,15' background 'white' name {} standalone", width,
+                       height, quoted(figure_.id_prefix()));
+  }
+
+  static std::string centimetres(int units) { return fmt::format("{}cm", units / 50.0); }
+
+  std::string number(double value) const { return fmt::format("{:.{}g}", value, figure_.digits); }
+  std::string coordinate(double value, bool of_panel) const { return (of_panel ? "graph " : "first ") + number(value); }
+  std::string place_text(const Place& place) const {
+    return coordinate(place.x, place.of_panel_x) + ", " + coordinate(place.y, place.of_panel_y);
   }
 
   void axis(char name, const Axis& axis) {
@@ -102,10 +118,10 @@ class Script {
     line("set key {} Left reverse samplen 3.2 spacing 1.15 width 0 font ',14'", legend_place(panel));
     if (panel.legend == LegendAt::none) line("unset key");
     for (const Note& note : panel.notes) {
-      line("set label {} at {} {} front font ',14'", quoted(note.text), text_of(note.at), text_of(note.align));
+      line("set label {} at {} {} front font ',14'", quoted(note.text), place_text(note.at), text_of(note.align));
     }
     for (const Guide& guide : panel.guides) {
-      line("set arrow from {} to {} {}", text_of(guide.from), text_of(guide.to),
+      line("set arrow from {} to {} {}", place_text(guide.from), place_text(guide.to),
            guide.arrow ? "head filled size screen 0.012,20 front lw 1.5 lc rgb '#202020'"
                        : "nohead back lw 1 dt (4,3) lc rgb '#606060'");
     }
@@ -120,8 +136,9 @@ class Script {
     for (std::size_t j = 0; j < panel.series.size(); ++j) {
       const Series& series = panel.series[j];
       const std::string name = fmt::format("$series_{}_{}", k, j);
-      data(name, series.points);
-      plots.push_back(fmt::format("{} using 1:2 with {} {}", name, text_of(series),
+      data(name, series);
+      const char* columns = series.look == Look::bar ? "1:2:($3-$1):($4-$2)" : "1:2";
+      plots.push_back(fmt::format("{} using {} with {} {}", name, columns, text_of(series),
                                   series.legend.empty() ? "notitle" : "title " + quoted(series.legend)));
     }
     line("plot {}", fmt::join(plots, ", "));
@@ -143,9 +160,14 @@ class Script {
                        number(panel.frame.bottom - 64.0 / figure_.height));
   }
 
-  void data(const std::string& name, const std::vector<Point>& points) {
+  void data(const std::string& name, const Series& series) {
     line("{} << END", name);
-    for (const Point& point : points) line("{}", std::isnan(point.x) ? "" : number(point.x) + " " + number(point.y));
+    for (std::size_t i = 0; i < series.points.size(); ++i) {
+      const Point& point = series.points[i];
+      const bool is_first_of_two = series.look == Look::bar && i % 2 == 0;
+      text_ += std::isnan(point.x) ? "" : number(point.x) + " " + number(point.y);
+      text_ += is_first_of_two ? " " : "\n";
+    }
     line("END");
   }
 
@@ -186,11 +208,12 @@ class Script {
   }
 
   const Figure& figure_;
+  Picture picture_;
   std::string text_;
 };
 
 }  // namespace
 
-std::string gnuplot_script(const Figure& figure) { return Script(figure).text(); }
+std::string gnuplot_script(const Figure& figure, Picture picture) { return Script(figure, picture).text(); }
 
 }  // namespace steadyslide::app

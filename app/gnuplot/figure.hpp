@@ -28,7 +28,8 @@ struct Axis {
   bool labelled = true;  ///< numbers at the tics
 };
 
-enum class Look { line, marks };
+/// Bars are thick lines, each from one point to the next, two by two.
+enum class Look { line, marks, bar };
 
 struct Series {
   std::string legend;  ///< empty: none
@@ -94,8 +95,10 @@ struct Figure {
   std::string caption;
   int height;  ///< the width is 800
   std::vector<Panel> panels;
+  int digits = 7;        ///< of the numbers drawn: fewer than what two runs could differ in
+  std::string origin{};  ///< what made it; empty: the command `figures`
 
-  std::string command() const { return "steadyslide figures --figure " + name; }
+  std::string command() const { return origin.empty() ? "steadyslide figures --figure " + name : origin; }
   /// The name with _ for -: what the SVG's ids begin with.
   std::string id_prefix() const;
 };
