@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cstdio>
 
+#include "app/commands/manual.hpp"
 #include "app/embedded.hpp"
 #include "app/terminal/interrupt.hpp"
 #include "library/problem_file/file_error.hpp"
@@ -27,9 +28,10 @@ std::string commands_rule(const Program& program) {
   return fmt::format("it is one of {}", fmt::join(names, ", "));
 }
 
-void add(CLI::App& app, const Command& command) {
+/// `only`: the program does nothing else, and the command needs no name.
+void add(CLI::App& app, const Command& command, bool only) {
   const std::size_t end = command.help.find("\n\n");
-  CLI::App* added = app.add_subcommand(command.name, command.help.substr(0, end));
+  CLI::App* added = only ? &app : app.add_subcommand(command.name, command.help.substr(0, end));
   added->footer(last_line_open(command.help).substr(end + 2));
   for (const Option& option : command.options) {
     if (option.kind == Option::Kind::flag) {
@@ -55,21 +57,34 @@ Failure unexpected(const CLI::App& app, const Program& program) {
   const std::string argument = app.remaining(true).front();
   const bool option = argument.starts_with('-');
   const std::vector<CLI::App*> commands = app.get_subcommands();
-  if (commands.empty() && !option) return bad_command_line("unknown command", commands_rule(program), argument);
+  if (program.commands.size() > 1 && commands.empty() && !option)
+    return bad_command_line("unknown command", commands_rule(program), argument);
   const std::string help = commands.empty() ? "--help" : commands.front()->get_name() + " --help";
   return bad_command_line(option ? "unknown option" : "one argument too many", help + " lists them", argument);
+}
+
+std::string generated(const Program& program, const std::string& kind) {
+  if (kind == "man") return manual_page(program);
+  if (kind == "bash") return bash_completion(program);
+  throw bad_command_line("--generate: unknown kind", "it is one of man, bash", kind);
 }
 
 ExitCode run_command(const Program& program, int argc, const char* const* argv) {
   CLI::App app(program.description, program.name);
   app.set_help_flag("-h,--help", "Print this help and exit");
+  std::string generate;
+  app.add_option("--generate", generate, "Print the manual page (man) or completions (bash), and exit")
+      ->type_name("KIND");
   app.set_version_flag("--version", fmt::format("steadyslide {}", version));
   app.require_subcommand(0, 1);
   app.footer(last_line_open(embedded::help_program));
   app.get_formatter()->column_width(28);
-  for (const Command& command : program.commands) add(app, command);
+  const bool only = program.commands.size() == 1;
+  for (const Command& command : program.commands) add(app, command, only);
   try {
     app.parse(argc, argv);
+    if (app.count("--generate") > 0) return print(generated(program, generate));
+    if (only) return program.commands.front().run(Given(app));
     for (const Command& command : program.commands) {
       if (app.got_subcommand(command.name)) return command.run(Given(*app.get_subcommand(command.name)));
     }
@@ -150,10 +165,12 @@ Option folder_option() { return {"-o,--output", "DIR", "Write into DIR, which is
 std::vector<Option> with_common(std::vector<Option> options, const std::string& digits,
                                 std::initializer_list<Format> formats) {
   std::vector<std::string> names = names_of(formats);
+  const std::string choices = fmt::format("{}", fmt::join(names, " "));
   const std::string last = names.back();
   names.pop_back();
   options.push_back({"--digits", "N", digits});
-  options.push_back({"--format", "FORMAT", fmt::format("{} or {}", fmt::join(names, ", "), last)});
+  options.push_back(
+      {"--format", "FORMAT", fmt::format("{} or {}", fmt::join(names, ", "), last), Option::Kind::text, choices});
   options.push_back({"-o,--output", "FILE", "Write to FILE, whole or not at all; default: standard output"});
   return options;
 }

@@ -9,6 +9,8 @@
 #include "app/commands/command_line.hpp"
 #include "app/commands/solver.hpp"
 #include "app/embedded.hpp"
+#include "app/gnuplot/gnuplot.hpp"
+#include "app/results/solution_figure.hpp"
 #include "app/results/solve_writers.hpp"
 #include "app/terminal/progress.hpp"
 
@@ -34,6 +36,7 @@ struct SolveOptions {
   std::optional<int> iterations;
   bool certify;
   std::optional<std::string> certificate;  ///< a file
+  std::optional<std::string> plot;         ///< a file
 
   numeric::VariationalOptions variational() const {
     numeric::VariationalOptions result;
@@ -49,6 +52,14 @@ std::string list(const Given& given, const std::string& option) {
   return given.text(option);
 }
 
+/// As the file's name ends.
+Picture picture_of(const std::string& file) {
+  constexpr std::array<std::string_view, 3> endings{".svg", ".pdf", ".png"};
+  const auto found = std::ranges::find_if(endings, [&](std::string_view ending) { return file.ends_with(ending); });
+  if (found != endings.end()) return static_cast<Picture>(found - endings.begin());
+  throw bad_command_line("--plot: unknown kind of picture", "its name ends in .svg, .pdf or .png", file);
+}
+
 void refuse_conflicts(const Given& given, const SolveOptions& options) {
   const auto refuse = [&](const std::string& option, std::initializer_list<const char*> others, const char* rule) {
     for (const char* other : others) {
@@ -58,6 +69,7 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
   if (!options.load_steps.empty()) {
     refuse("--load-steps", {"--at", "--samples"}, "samples are those of one load");
   }
+  if (options.plot) refuse("--plot", {"--load-steps", "--search-solutions"}, "a picture shows one solution");
   if (options.certify) refuse("--certify", {"--search-solutions"}, "it proves one solution");
   if (options.search_starts == 0) return;
   refuse("--search-solutions", {"--at", "--samples", "--load-steps"},
@@ -71,6 +83,8 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
 SolveOptions read(const Given& given) {
   SolveOptions options;
   options.certificate = given.name("--certificate", "file");
+  options.plot = given.name("--plot", "file");
+  if (options.plot) picture_of(*options.plot);
   options.certify = given.has("--certify") || options.certificate;
   options.common = given.common(16, formats, options.certify ? most_proved_digits : most_digits);
   options.method_name = given.has("--method") ? given.text("--method") : "auto";
@@ -153,9 +167,17 @@ ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
   Output output(options.common.output);
   std::optional<Output> certificate;
   if (options.certificate) certificate.emplace(*options.certificate);
+  std::optional<Output> plot;
+  if (options.plot) {
+    run_gnuplot("");  // without gnuplot the work would be for nothing
+    plot.emplace(*options.plot);
+    wanted.curve = true;
+  }
   const SolutionText solution = solve_shown(options, problem, std::move(wanted));
   if (!solution.reason.empty()) throw inapplicable(problem, options.method, solution.reason);
+  if (plot) plot->write(drawn(solution_figure(problem, solution), picture_of(*options.plot)));
   write(options.common.format, problem, solution, output);
+  if (plot) plot->commit();
   if (solution.is_solved()) {
     if (certificate) certificate->write(solution.proof ? solution.proof->certificate : solution.bound->certificate);
     if (certificate) certificate->commit();
@@ -297,12 +319,14 @@ Command solve_command() {
   return {"solve", std::string(embedded::help_solve).append(embedded::help_problem),
           with_common(
               {problem_argument(),
-               {"--method", "METHOD", "auto, closed-form, riemann-hilbert or variational"},
+               {"--method", "METHOD", "auto, closed-form, riemann-hilbert or variational", Option::Kind::text,
+                "auto closed-form riemann-hilbert variational"},
                {"--at", "LIST", "Results at these x, in your units; may lie outside the support"},
                {"--samples", "N", "Results at N places in each contact component and gap, 1 to 100000"},
                {"--cells", "N", "Equal cells on the support, 16 to 4194304; default 4096: variational only"},
                {"--iterations", "N",
                 "Most steps of the active sets on each mesh, 1 to 10000; default 100: variational only"},
+               {"--plot", "FILE", "Draw indenter, surface and tractions into FILE.svg, .pdf or .png, by gnuplot"},
                {"--load-steps", "LIST", "The contact under each of these loads, one row for each component"},
                {"--search-solutions", "N",
                 "Start from N contact sets, 1 to 1000: do all lead to one solution? By the variational method"},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "numeric/flat_punch/punch_core.hpp"
@@ -62,6 +63,11 @@ class Writer {
             sample.gap ? text(*sample.gap) : NumberText{}, limits(sample.slope, sample.slope, false)};
   }
 
+  void add_samples(std::vector<SampleText>& texts, const numeric::ContactSolution<R>& solution, int count) {
+    for (const numeric::Sample<R>& one : solution.samples(count))
+      texts.push_back(sample(full_number(one.x, digits_), one));
+  }
+
   bool converged() const { return converged_; }
 
  private:
@@ -91,6 +97,11 @@ class Writer {
   int digits_;
   bool converged_ = true;
 };
+
+/// Places of a picture in each component and gap.
+int curve_samples(std::size_t components) {
+  return static_cast<int>(std::max<std::size_t>(3200 / std::max<std::size_t>(components, 8), 24));
+}
 
 /// What stands in the way of calling it a solution.
 template <Real R>
@@ -157,11 +168,8 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
 
   for (const Rational& x : wanted.at)
     text.samples.push_back(writer.sample(full_number(x, wanted.digits), solution.at(x)));
-  if (wanted.samples > 0) {
-    for (const numeric::Sample<R>& sample : solution.samples(wanted.samples)) {
-      text.samples.push_back(writer.sample(full_number(sample.x, wanted.digits), sample));
-    }
-  }
+  if (wanted.samples > 0) writer.add_samples(text.samples, solution, wanted.samples);
+  if (wanted.curve) writer.add_samples(text.curve, solution, curve_samples(text.contact.size()));
 
   const numeric::EstimatedError<R> error = solution.estimated_error();
   text.errors = writer.sizes({{"ends", error.ends}, {"traction", error.traction}, {"resultants", error.resultants}});
