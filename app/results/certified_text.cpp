@@ -1,8 +1,8 @@
 #include "app/results/certified_text.hpp"
 
-#include "app/results/certificate.hpp"
 #include "enclosure/contact/enclosed_solution.hpp"
 #include "enclosure/contact/punch_core.hpp"
+#include "library/proof/certificate.hpp"
 
 namespace steadyslide::app {
 namespace {
