@@ -10,8 +10,9 @@
 
 #include "app/commands/manual.hpp"
 #include "app/embedded.hpp"
-#include "app/problem_file/list_parser.hpp"
 #include "app/terminal/interrupt.hpp"
+#include "library/problem_file/file_error.hpp"
+#include "library/problem_file/list_parser.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -120,7 +121,7 @@ std::string Given::text(const std::string& option) const {
 
 std::optional<int> Given::count(const std::string& option, int least, int most) const {
   if (!has(option)) return std::nullopt;
-  return parse_count(option, text(option), least, most);
+  return checked(option, [&] { return parse_count(text(option), least, most); });
 }
 
 std::optional<std::string> Given::name(const std::string& option, const std::string& thing) const {
@@ -170,6 +171,10 @@ std::vector<Option> with_common(std::vector<Option> options, const std::string& 
   return options;
 }
 
+std::vector<Rational> parse_list(const std::string& option, std::string_view text, std::size_t most) {
+  return checked(option, [&] { return library::parse_list(text, most); });
+}
+
 int run_program(const Program& program, int argc, const char* const* argv) {
   const auto failed = [](ExitCode code, const std::string& message) {
     fmt::print(stderr, "steadyslide: {}\n", one_line(message));
@@ -180,6 +185,10 @@ int run_program(const Program& program, int argc, const char* const* argv) {
     return static_cast<int>(run_command(program, argc, argv));
   } catch (const Failure& failure) {
     return failed(failure.code(), failure.what());
+  } catch (const InvalidFile& invalid) {
+    return failed(ExitCode::bad_input, invalid.what());
+  } catch (const UnreadableFile& file) {
+    return failed(ExitCode::failed, file.what());
   } catch (const std::bad_alloc&) {
     return failed(ExitCode::failed, "out of memory");
   } catch (const std::exception& error) {

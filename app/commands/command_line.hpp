@@ -10,6 +10,8 @@
 
 #include "app/results/rows.hpp"
 #include "app/terminal/failure.hpp"
+#include "model/invalid_data.hpp"
+#include "model/rational.hpp"
 
 namespace CLI {
 class App;
@@ -73,6 +75,19 @@ Option folder_option();
 /// A command's own options, then --digits with its help, --format and --output.
 std::vector<Option> with_common(std::vector<Option> options, const std::string& digits,
                                 std::initializer_list<Format> formats);
+
+/// What `parse` makes of an option's text; a complaint of it as one about the option, exit code 2.
+template <class Parse>
+auto checked(const std::string& option, Parse parse) {
+  try {
+    return parse();
+  } catch (const InvalidData& invalid) {
+    throw bad_command_line(option + ": " + invalid.what());
+  }
+}
+
+/// A list in an option's text (library/problem_file/list_parser.hpp).
+std::vector<Rational> parse_list(const std::string& option, std::string_view text, std::size_t most);
 
 struct Command {
   std::string name;

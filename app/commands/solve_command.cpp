@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <optional>
 
@@ -11,7 +10,6 @@
 #include "app/commands/solver.hpp"
 #include "app/embedded.hpp"
 #include "app/gnuplot/gnuplot.hpp"
-#include "app/problem_file/list_parser.hpp"
 #include "app/results/solution_figure.hpp"
 #include "app/results/solve_writers.hpp"
 #include "app/terminal/progress.hpp"
@@ -47,14 +45,6 @@ struct SolveOptions {
     return result;
   }
 };
-
-Method method_named(const std::string& name) {
-  constexpr std::array<std::string_view, 4> names{"auto", "closed-form", "riemann-hilbert", "variational"};
-  const auto found = std::ranges::find(names, name);
-  if (found != names.end()) return static_cast<Method>(found - names.begin());
-  throw bad_command_line("--method: unknown method", "it is one of auto, closed-form, riemann-hilbert, variational",
-                         name);
-}
 
 std::string list(const Given& given, const std::string& option) {
   if (!given.has(option)) return "";
@@ -98,7 +88,7 @@ SolveOptions read(const Given& given) {
   options.certify = given.has("--certify") || options.certificate;
   options.common = given.common(16, formats, options.certify ? most_proved_digits : most_digits);
   options.method_name = given.has("--method") ? given.text("--method") : "auto";
-  options.method = method_named(options.method_name);
+  options.method = checked("--method", [&] { return method_named(options.method_name); });
   options.at = list(given, "--at");
   options.load_steps = list(given, "--load-steps");
   options.samples = given.count("--samples", 1, 100000).value_or(0);

@@ -6,12 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "app/problem_file/problem_file.hpp"
-#include "app/results/number_format.hpp"
+#include "library/problem_file/problem_file.hpp"
+#include "library/text/number_format.hpp"
 #include "model/uniqueness.hpp"
 #include "numeric/solution/contact_solution.hpp"
 
 namespace steadyslide::app {
+
+using namespace library;
 
 /// One number, or two where the limits from left and right differ. An empty text, here and below: no number, or not
 /// known.

@@ -89,14 +89,14 @@ Sample<double> VariationalSolution::at(const Rational& x) const {
   return result;
 }
 
-std::vector<Sample<double>> VariationalSolution::samples(int count) const {
-  std::vector<Sample<double>> result;
+std::vector<Rational> VariationalSolution::sampled_places(int count) const {
+  std::vector<Rational> result;
   const Rational origin = mesh().frame().origin;
   const auto sample_between = [&](double from, double to) {
     for (int i = 0; i < count && from < to; ++i) {
       const auto [before, after] = chebyshev_position<double>(i, count);
       const double x = before < after ? from + before * (to - from) : to - after * (to - from);
-      result.push_back(at(origin + Rational(x)));
+      result.push_back(origin + Rational(x));
     }
   };
   double end = edges_.front();
@@ -106,6 +106,12 @@ std::vector<Sample<double>> VariationalSolution::samples(int count) const {
     end = edges_[run.end];
   }
   sample_between(end, edges_.back());
+  return result;
+}
+
+std::vector<Sample<double>> VariationalSolution::samples(int count) const {
+  std::vector<Sample<double>> result;
+  for (const Rational& x : sampled_places(count)) result.push_back(at(x));
   return result;
 }
 
