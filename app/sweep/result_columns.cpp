@@ -77,14 +77,24 @@ std::string text_of(const Json& json) {
   return fmt::format("{}", fmt::join(parts, " "));
 }
 
-/// The keys of a table; at the top those that may stand without "resultants.", too.
 std::vector<std::string> keys_of(const Json& json) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : json.items()) keys.push_back(key);
-  if (json.contains("resultants")) {
-    for (const auto& [key, value] : json["resultants"].items()) keys.push_back(key);
-  }
   return keys;
+}
+
+/// What belongs where the path is still right.
+std::string what_is_there(const Json& specimen, std::span<const Step> steps) {
+  std::size_t right = steps.size();
+  while (found(specimen, steps.first(right), true) == nullptr) --right;
+  const Json& last = *found(specimen, steps.first(right), true);
+  if (last.is_array()) return "a list has entries [0], [1], ... and a size";
+  if (!last.is_object()) return "the path ends before";
+  std::vector<std::string> keys = keys_of(last);
+  if (right == 0) {
+    for (std::string& key : keys_of(specimen.at("resultants"))) keys.push_back(std::move(key));
+  }
+  return fmt::format("keys here are {}", fmt::join(keys, ", "));
 }
 
 /// Refuses a name that leads to nothing, or to several values; leads on to "value" where the name is that of a table
@@ -100,15 +110,7 @@ void check(const Word& name, const Json& specimen, std::vector<Step>& steps) {
     if (there != nullptr && there->is_array()) return;
     there = nullptr;
   }
-  if (there == nullptr) {
-    // The keys where the path is still right.
-    std::size_t right = steps.size();
-    while (found(specimen, std::span(steps).first(right), true) == nullptr) --right;
-    const Json& last = *found(specimen, std::span(steps).first(right), true);
-    throw bad("unknown column", last.is_object()  ? fmt::format("keys here are {}", fmt::join(keys_of(last), ", "))
-                                : last.is_array() ? "a list has entries [0], [1], ... and a size"
-                                                  : "the path ends before");
-  }
+  if (there == nullptr) throw bad("unknown column", what_is_there(specimen, steps));
   if (there->is_object() && there->contains("value")) {
     steps.emplace_back("value");
     there = &there->at("value");

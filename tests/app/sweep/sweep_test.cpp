@@ -91,11 +91,11 @@ TEST_CASE("sweep: the first datum of the file changes slowest, [together] stands
 
 TEST_CASE("sweep: lists, profiles and keys that the problem lacks vary, too") {
   const SweepFolder folder(
-      "[vary]\nfriction.jumps = [[\"-0.5\"], [\"0.5\"]]\nindenter.profile = [0, \"x^2/2\"]\n"
+      "[vary]\nfriction.jumps = [[\"-0.5\"], [\"0.5\"]]\nindenter.profile = [0, \"x^2*8\"]\n"
       "half_space.plane = [\"stress\"]\n[output]\ncolumns = [\"contact[0].left.kind\"]\n");
   CHECK(out_of(folder.sweep()) ==
         "friction.jumps,indenter.profile,half_space.plane,contact[0].left.kind,failed_condition\n"
-        "-0.5,0,stress,edge,\n-0.5,x^2/2,stress,free,\n0.5,0,stress,edge,\n0.5,x^2/2,stress,free,\n");
+        "-0.5,0,stress,edge,\n-0.5,x^2*8,stress,free,\n0.5,0,stress,edge,\n0.5,x^2*8,stress,free,\n");
 }
 
 TEST_CASE("sweep: digits, method and cells are those of solve") {
@@ -104,8 +104,9 @@ TEST_CASE("sweep: digits, method and cells are those of solve") {
   CHECK(table_of(out_of(folder.sweep()))[1][1] == json["resultants"]["load_share"][0]);
   folder.write("sweep.toml",
                "problem = \"base.toml\"\n[vary]\nload = [1]\n[solve]\nmethod = \"variational\"\n"
-               "cells = 64\niterations = 9\n[output]\ncolumns = [\"load_share[0]\", \"method\"]\n");
-  const Json cells = Json::parse(output(sweep_base, {"--format", "json", "--method", "variational", "--cells", "64"}));
+               "cells = 2048\niterations = 9\n[output]\ncolumns = [\"load_share[0]\", \"method\"]\n");
+  const Json cells =
+      Json::parse(output(sweep_base, {"--format", "json", "--method", "variational", "--cells", "2048"}));
   CHECK(table_of(out_of(folder.sweep()))[1] ==
         std::vector<std::string>{"1", cells["resultants"]["load_share"][0], "variational", ""});
 }
@@ -120,7 +121,7 @@ TEST_CASE("sweep: a failure is a row with its reason, and exit code 1") {
         "steadyslide: sweep.toml: 2 of 3 problems not solved, first of all row 2; the column "
         "failed_condition says why\n");
   CHECK(folder.read("out.csv") ==
-        "friction.jumps[0],method,warnings.size,failed_condition\n0.5,closed form,0,\n"
+        "friction.jumps[0],method,warnings.size,failed_condition\n0.5,closed-form,0,\n"
         "1,,,\"friction.jumps[0]: jump outside the support; jumps lie in ]-1, 1[; 1\"\n"
         "-1.5,,,\"friction.jumps[0]: jump outside the support; jumps lie in ]-1, 1[; -1.5\"\n");
   CHECK(folder.names() == std::vector<std::string>{"base.toml", "out.csv", "sweep.toml"});
@@ -196,9 +197,9 @@ TEST_CASE("sweep: rows of before are neither lost nor taken for others") {
   folder.write("out.part", "# steadyslide 0.0.1, sweep 0123456789abcdef\nload\n1\n");
   refused({"-o", "out"},
           "out.part:1: rows of an interrupted sweep; --resume goes on with them; without it there is no "
-          "such file; '# steadyslide 0.0.1, sweep 0123456789ab...'");
+          "such file; '# steadyslide 0.0.1, sweep 0123456789abc...'");
   refused({"-o", "out", "--resume"},
           "out.part:1: rows of another sweep; --resume goes on with the same sweep, problem "
-          "and version; '# steadyslide 0.0.1, sweep 0123456789ab...'");
+          "and version; '# steadyslide 0.0.1, sweep 0123456789abc...'");
   CHECK(folder.read("out") == whole);
 }

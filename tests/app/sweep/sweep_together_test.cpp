@@ -71,7 +71,7 @@ TEST_CASE("sweep -o FILE.h5: a dataset for each column, numbers and words, the s
   CHECK(holds(dump("effective_friction").out, "H5T_IEEE_F64LE"));
   CHECK(holds(dump("friction.jumps").out, "0, 2, 0.5"));
   CHECK(holds(dump("sliding").out, "\"+x\", \"+x\", \"+x\""));
-  CHECK(holds(dump("method").out, "\"closed form\", \"\", \"closed form\""));
+  CHECK(holds(dump("method").out, "\"closed-form\", \"\", \"closed-form\""));
   CHECK(holds(dump("failed_condition").out, "\"\", \"friction.jumps[0]: jump outside the support; "));
 }
 

@@ -6,7 +6,6 @@
 #include "support/test.hpp"
 
 using namespace steadyslide::library;
-using steadyslide::testing::thrown_by;
 
 namespace {
 
