@@ -8,6 +8,7 @@
 #include "library/text/number_format.hpp"
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/number/once.hpp"
+#include "numeric/solution/nodal_forces.hpp"
 #include "numeric/variational/variational_solution.hpp"
 
 namespace steadyslide {
@@ -43,6 +44,28 @@ struct Numbers {
   ContactEnd operator()(const numeric::ContactEnd<R>& end) const {
     return {(*this)(end.x), std::string(name_of(end.kind)), (*this)(end.exponent), (*this)(end.intensity)};
   }
+  Stress operator()(const numeric::StressState<R>& state) const {
+    Stress stress{(*this)(state.xx),
+                  (*this)(state.zz),
+                  (*this)(state.xz),
+                  (*this)(state.largest_shear()),
+                  (*this)(state.yy),
+                  (*this)(state.mean()),
+                  (*this)(state.von_mises()),
+                  {},
+                  {},
+                  {},
+                  {}};
+    if (state.gradient) {
+      const auto& [x_x, x_z, z_x, z_z] = *state.gradient;
+      stress.ux_x = (*this)(x_x);
+      stress.ux_z = (*this)(x_z);
+      stress.uz_x = (*this)(z_x);
+      stress.uz_z = (*this)(z_z);
+    }
+    return stress;
+  }
+
   static Number unknown_number() {
     return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), ""};
   }
@@ -145,9 +168,27 @@ class SolvedIn final : public Solution::State {
     std::ranges::transform(tangential, shear.begin(), [](const R& value) { return static_cast<double>(value); });
   }
 
-  Stress stress(const Rational&, const Rational&) const override { return {}; }
-  std::vector<Stress> stress(std::span<const double>, std::span<const double>) const override { return {}; }
-  std::vector<NodalForce> nodal_forces(const Mesh&) const override { return {}; }
+  Stress stress(const Rational& x, const Rational& z) const override { return number_(interior().at(x, z)); }
+
+  std::vector<Stress> stress(std::span<const double> x, std::span<const double> z) const override {
+    std::vector<numeric::StressState<R>> states(x.size());
+    interior().at(reals<R>(x), reals<R>(z), states);
+    std::vector<Stress> result;
+    result.reserve(states.size());
+    for (const auto& state : states) result.push_back(Numbers<R>{0}(state));
+    return result;
+  }
+
+  std::vector<NodalForce> nodal_forces(const Mesh& mesh) const override {
+    std::vector<Rational> nodes;
+    for (const Exact& node : mesh.nodes) nodes.push_back(rational(node, "nodes[" + std::to_string(nodes.size()) + "]"));
+    std::vector<NodalForce> result;
+    for (const auto& force : numeric::nodal_forces(interior().traction(), SurfaceMesh(std::move(nodes), mesh.order))) {
+      result.push_back({number_(force.normal), number_(force.tangential)});
+    }
+    return result;
+  }
+
   ApproximateContact approximate_contact() const override { return solution_->approximate_contact(); }
 
   std::optional<std::vector<double>> touching_pressures() const override {
@@ -160,8 +201,13 @@ class SolvedIn final : public Solution::State {
     return {number_(found.traction), number_(found.shear), number_(found.gap), number_(found.slope), {}, {}, {}};
   }
 
+  const numeric::InteriorStress<R>& interior() const {
+    return interior_([&] { return numeric::InteriorStress<R>(*solution_); });
+  }
+
   std::shared_ptr<const numeric::ContactSolution<R>> solution_;
   Numbers<R> number_;
+  numeric::Once<numeric::InteriorStress<R>> interior_;
 };
 
 template <Real R>

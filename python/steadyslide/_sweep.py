@@ -52,6 +52,8 @@ def column_of(values):
 
 def sweep(base, vary, columns, executor, digits, method, cells):
     columns = list(columns)
+    if not vary:
+        raise InvalidData("vary: no data; a sweep varies at least one; none")
     options = (digits, method, cells)
     tasks = [(base, dict(zip(vary, values)), columns, options) for values in itertools.product(*vary.values())]
     if not tasks:
