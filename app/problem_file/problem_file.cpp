@@ -2,43 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <memory>
 
+#include "app/problem_file/input_file.hpp"
 #include "app/problem_file/polynomial_parser.hpp"
 #include "app/problem_file/problem_reader.hpp"
 #include "app/problem_file/profile_trace.hpp"
 
 namespace steadyslide::app {
 namespace {
-
-/// The bytes of a file, or of the standard input for "-". `kind` is what it is meant to be, for the message. Throws
-/// Failure: exit code 3 when it cannot be read, 2 when it is larger than 64 MiB. No read is interrupted: of the signals
-/// that this program handles, none returns.
-std::string read_input(const std::string& name, const std::string& kind) {
-  constexpr std::size_t max_size = std::size_t{64} << 20;
-  const auto unreadable = [&] {
-    return Failure(ExitCode::failed, fmt::format("{}: cannot be read: {}", name, std::strerror(errno)));
-  };
-  const auto close = [](std::FILE* file) { return file == stdin ? 0 : std::fclose(file); };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(name == "-" ? stdin : std::fopen(name.c_str(), "re"),
-                                                             close);
-  if (!file) throw unreadable();
-  std::string text;
-  std::array<char, 65536> block;
-  for (std::size_t count = 0; (count = std::fread(block.data(), 1, block.size(), file.get())) > 0;) {
-    text.append(block.data(), count);
-    if (text.size() > max_size) {
-      throw Failure(ExitCode::bad_input, name + ":1: file too large; " + kind + " has at most 64 MiB; more");
-    }
-  }
-  if (std::ferror(file.get()) != 0) throw unreadable();
-  return text;
-}
 
 Solid read_solid(const ProblemReader& reader, const std::string& table) {
   const Rational poisson = reader.number(table + ".poisson", "Poisson's ratio is required");

@@ -163,6 +163,8 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
     }
   }
 
+  text.field = field_text(solution, wanted.field, wanted.digits);
+  if (!text.field.in_range) text.in_range = false;
   const numeric::EstimatedError<R> error = solution.estimated_error();
   text.errors = writer.sizes({{"ends", error.ends}, {"traction", error.traction}, {"resultants", error.resultants}});
   const auto residuals = named(solution.residuals());

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/problem_file/problem_file.hpp"
+#include "app/results/field_text.hpp"
 #include "app/results/number_format.hpp"
 #include "model/uniqueness.hpp"
 #include "numeric/solution/contact_solution.hpp"
@@ -87,6 +88,7 @@ struct SolutionText {
   std::optional<LimitText> core;   ///< of a flat punch: where the load may act in full contact, if it may tilt
   std::vector<NumberText> load_share;
   std::vector<SampleText> samples;
+  FieldText field;
   std::vector<NamedSize> errors;  ///< estimated, relative; proved where the solution is
   std::vector<NamedSize> residuals;
   Uniqueness uniqueness;
@@ -116,6 +118,7 @@ struct SolutionWanted {
   int digits = 16;
   std::vector<Rational> at{};  ///< samples at these places,
   int samples = 0;             ///< and so many a component and a gap
+  FieldWanted field{};
   /// A solution with a larger residual is none. Infinite for a method whose own failed_condition() weighs its residuals.
   double largest_residual = 1e-9;
 };

@@ -111,6 +111,27 @@ Json sample_json(const SampleText& sample) {
               sample.slope);
 }
 
+Json stress_json(const StressText& at) {
+  const auto& [x_x, x_z, z_x, z_z] = at.gradient;
+  Json json = with(Json(), "x", at.x, "z", at.z, "sxx", at.xx, "szz", at.zz, "sxz", at.xz, "syy", at.yy, "von_mises",
+                   at.von_mises, "largest_shear", at.largest_shear);
+  json["displacement_gradient"] = with(Json(), "dux_dx", x_x, "dux_dz", x_z, "duz_dx", z_x, "duz_dz", z_z);
+  return json;
+}
+
+void add_field(Json& json, const FieldText& field) {
+  if (!field.stresses.empty()) json["stresses"] = array(field.stresses, stress_json);
+  if (!field.nodal_forces.empty()) {
+    json["nodal_forces"] = array(field.nodal_forces, [](const NodalForceText& force) {
+      return with(Json(), "x", force.x, "normal", force.normal, "tangential", force.tangential);
+    });
+  }
+  if (const auto& largest = field.largest_stress) {
+    json["largest_stress"] = with(Json(), "depth", largest->depth, "von_mises", largest->von_mises, "x", largest->x,
+                                  "z", largest->z, "unbounded_at", largest->unbounded_at);
+  }
+}
+
 Json sizes_json(const std::vector<NamedSize>& sizes) {
   Json json;
   for (const auto& [name, size] : sizes) add(json, name, size);
@@ -137,6 +158,7 @@ Json solution_json(const SolutionText& solution) {
   json["singular_points"] = array(solution.singular_points, singular_json);
   json["resultants"] = resultants_json(solution);
   json["samples"] = array(solution.samples, sample_json);
+  add_field(json, solution.field);
   json["estimated_error"] = sizes_json(solution.errors);
   json["residuals"] = sizes_json(solution.residuals);
   if (solution.proof) json["proof"] = proof_json(*solution.proof);

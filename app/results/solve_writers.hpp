@@ -41,7 +41,10 @@ void write_text(const Problem& problem, const SearchText& search, Output& output
 /// The whole result, with the problem as read.
 void write_json(const Problem& problem, const SolutionText& solution, Output& output);
 void write_json(const Problem& problem, const SearchText& search, Output& output);
-/// The samples: x,traction,shear,gap,slope and the errors of the last four; two rows where a limit differs from its
+/// One row for each point, or node: its columns without the displacement's gradient.
+void write_stresses(Format format, const FieldText& field, Output& output);
+void write_nodal_forces(Format format, const FieldText& field, Output& output);
+/// Stresses, nodal forces or the largest stress, where one of them was asked for; else the samples: x,traction,shear,gap,slope and the errors of the last four; two rows where a limit differs from its
 /// other side.
 void write_csv(const SolutionText& solution, Output& output);
 /// One row for each solution and contact component.

@@ -41,6 +41,7 @@ class VariationalSolution : public ContactSolution<double> {
   /// From the certificate. Equation: the largest mean gap of a cell in contact, in units of c P.
   Residuals<double> residuals() const override;
   Sample<double> at(const Rational& x) const override;
+  PiecewiseTraction<double> piecewise_traction() const override;
   std::vector<Sample<double>> samples(int count) const override;
 
   /// A place where the traction is singular or changes its polynomial, as the cells see it.
