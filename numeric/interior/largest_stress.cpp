@@ -85,6 +85,7 @@ class Maximum {
         h = max(smallest, std::min(R(h / 4), max(moved, R(h / 64))));
       } else if (here.highest.value > at.value) {
         at = here.highest;
+        h = std::min(R(2 * h), R(scale / 8));
       } else {
         h /= 4;
       }
