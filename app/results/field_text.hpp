@@ -8,13 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "app/problem_file/problem_file.hpp"
-#include "app/problem_file/surface_files.hpp"
-#include "app/results/number_format.hpp"
 #include "enclosure/contact/enclosed_solution.hpp"
+#include "library/problem_file/surface_files.hpp"
+#include "library/text/number_format.hpp"
 #include "numeric/solution/contact_solution.hpp"
 
 namespace steadyslide::app {
+
+using namespace library;
 
 /// All of these are empty, or null, where not asked for.
 struct FieldWanted {
@@ -51,7 +52,7 @@ struct FieldText {
   bool in_range = true;  ///< false: some value is no number
 };
 
-/// Throws Failure where contact lies outside the mesh.
+/// Throws InvalidFile where contact lies outside the mesh.
 template <numeric::Real R>
 FieldText field_text(const numeric::ContactSolution<R>& solution, const FieldWanted& wanted, int digits);
 

@@ -6,13 +6,15 @@
 #include <utility>
 #include <vector>
 
-#include "app/problem_file/problem_file.hpp"
 #include "app/results/field_text.hpp"
-#include "app/results/number_format.hpp"
+#include "library/problem_file/problem_file.hpp"
+#include "library/text/number_format.hpp"
 #include "model/uniqueness.hpp"
 #include "numeric/solution/contact_solution.hpp"
 
 namespace steadyslide::app {
+
+using namespace library;
 
 /// One number, or two where the limits from left and right differ. An empty text, here and below: no number, or not
 /// known.
@@ -29,6 +31,16 @@ struct SampleText {
   LimitText shear;
   NumberText gap;  ///< empty outside the support, too
   LimitText slope;
+  NumberText displacement{};
+  LimitText shear_slope{};
+  NumberText cumulative_load{};
+  std::pair<std::string, std::string> friction{};  ///< on the left and on the right; empty outside the support, too
+
+  /// Does it take two rows?
+  bool two_sided() const {
+    return traction.two_sided() || shear.two_sided() || slope.two_sided() || shear_slope.two_sided() ||
+           friction.first != friction.second;
+  }
 };
 
 struct EndText {
@@ -44,6 +56,14 @@ struct SingularText {
   ExponentText exponent;
   NumberText intensity;
   NumberText constant;
+  LimitText stress_intensity{};  ///< one, where contact lies on one side
+  std::string unit{};            ///< of the stress intensity; empty for a logarithm
+};
+
+struct LargestText {
+  NumberText value;
+  NumberText x;
+  std::string exponent;  ///< of an infinite one, "log" for a logarithm
 };
 
 /// The size of something that has a name.
@@ -82,13 +102,18 @@ struct SolutionText {
   std::string method;
   int digits = 0;
   std::vector<std::pair<EndText, EndText>> contact;
+  std::vector<NumberText> width, component_load;  ///< of each contact component
+  NumberText contact_width, real_contact_length;  ///< from the first end to the last; without the gaps
   std::vector<SingularText> singular_points;
   NumberText normal, tangential, centre_of_pressure, effective_friction;
+  NumberText mean_pressure;
+  LargestText largest_pressure;
   std::optional<NumberText> tilt;  ///< absent unless the indenter may tilt
   std::optional<LimitText> core;   ///< of a flat punch: where the load may act in full contact, if it may tilt
   std::vector<NumberText> load_share;
   std::vector<SampleText> samples;
   FieldText field;
+  std::vector<SampleText> curve;  ///< for a picture, left to right; of the solver where the rest is proved
   std::vector<NamedSize> errors;  ///< estimated, relative; proved where the solution is
   std::vector<NamedSize> residuals;
   Uniqueness uniqueness;
@@ -101,6 +126,9 @@ struct SolutionText {
 
   bool is_solved() const { return reason.empty() && failed_condition.empty(); }
 };
+
+inline const char* name_of(Sliding sliding) { return sliding == Sliding::plus_x ? "+x" : "-x"; }
+inline Sliding opposite(Sliding sliding) { return sliding == Sliding::plus_x ? Sliding::minus_x : Sliding::plus_x; }
 
 /// What is proved of the loads between two that follow each other.
 struct StretchText {
@@ -119,6 +147,7 @@ struct SolutionWanted {
   std::vector<Rational> at{};  ///< samples at these places,
   int samples = 0;             ///< and so many a component and a gap
   FieldWanted field{};
+  bool curve = false;  ///< as many as a picture needs, 400 a component where these are few
   /// A solution with a larger residual is none. Infinite for a method whose own failed_condition() weighs its residuals.
   double largest_residual = 1e-9;
 };

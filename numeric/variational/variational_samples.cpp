@@ -89,6 +89,26 @@ Sample<double> VariationalSolution::at(const Rational& x) const {
   return result;
 }
 
+std::vector<Rational> VariationalSolution::sampled_places(int count) const {
+  std::vector<Rational> result;
+  const Rational origin = mesh().frame().origin;
+  const auto sample_between = [&](double from, double to) {
+    for (int i = 0; i < count && from < to; ++i) {
+      const auto [before, after] = chebyshev_position<double>(i, count);
+      const double x = before < after ? from + before * (to - from) : to - after * (to - from);
+      result.push_back(origin + Rational(x));
+    }
+  };
+  double end = edges_.front();
+  for (const Run& run : runs_) {
+    sample_between(end, edges_[run.begin]);
+    sample_between(edges_[run.begin], edges_[run.end]);
+    end = edges_[run.end];
+  }
+  sample_between(end, edges_.back());
+  return result;
+}
+
 PiecewiseTraction<double> VariationalSolution::piecewise_traction() const {
   const Rational& origin = mesh().frame().origin;
   const std::vector<Rational>& jumps = problem_.friction().jumps();
@@ -118,21 +138,7 @@ PiecewiseTraction<double> VariationalSolution::piecewise_traction() const {
 
 std::vector<Sample<double>> VariationalSolution::samples(int count) const {
   std::vector<Sample<double>> result;
-  const Rational origin = mesh().frame().origin;
-  const auto sample_between = [&](double from, double to) {
-    for (int i = 0; i < count && from < to; ++i) {
-      const auto [before, after] = chebyshev_position<double>(i, count);
-      const double x = before < after ? from + before * (to - from) : to - after * (to - from);
-      result.push_back(at(origin + Rational(x)));
-    }
-  };
-  double end = edges_.front();
-  for (const Run& run : runs_) {
-    sample_between(end, edges_[run.begin]);
-    sample_between(edges_[run.begin], edges_[run.end]);
-    end = edges_[run.end];
-  }
-  sample_between(end, edges_.back());
+  for (const Rational& x : sampled_places(count)) result.push_back(at(x));
   return result;
 }
 
