@@ -8,6 +8,32 @@ if(NOT STEADYSLIDE_INSTALL)
   return()
 endif()
 
+# Components are those of the packages (SteadyslidePackages.cmake); what says nothing else is for development.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
+# `cmake --install` and cpack take what is built.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
+
+# Manual pages and completions, from the program itself; problem files, scripts and reference problems.
+function(steadyslide_install_manual)
+  set(folder "${PROJECT_BINARY_DIR}/manual")
+  find_program(STEADYSLIDE_GZIP gzip REQUIRED)
+  file(MAKE_DIRECTORY "${folder}")
+  add_custom_command(OUTPUT "${folder}/steadyslide.1.gz" "${folder}/steadyslide-check.1.gz" "${folder}/steadyslide"
+    COMMAND steadyslide --generate man > "${folder}/steadyslide.1"
+    COMMAND steadyslide --generate bash > "${folder}/steadyslide"
+    COMMAND ${CMAKE_COMMAND} -E copy "${PROJECT_SOURCE_DIR}/checker/steadyslide-check.1" "${folder}"
+    COMMAND ${STEADYSLIDE_GZIP} -9nf steadyslide.1 steadyslide-check.1
+    WORKING_DIRECTORY "${folder}"
+    DEPENDS steadyslide "${PROJECT_SOURCE_DIR}/checker/steadyslide-check.1" VERBATIM)
+  add_custom_target(manual ALL DEPENDS "${folder}/steadyslide.1.gz")
+  install(FILES "${folder}/steadyslide.1.gz" "${folder}/steadyslide-check.1.gz"
+          DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT program)
+  install(FILES "${folder}/steadyslide"
+          DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/bash-completion/completions" COMPONENT program)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program
+          PATTERN CMakeLists.txt EXCLUDE)
+endfunction()
+
 include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/steadyslide")
 
@@ -30,9 +56,15 @@ foreach(layer IN ITEMS model symbolic statements numeric enclosure proofs_checks
 endforeach()
 foreach(program IN ITEMS steadyslide steadyslide-check)
   if(TARGET ${program})
-    install(TARGETS ${program} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+    install(TARGETS ${program} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)
   endif()
 endforeach()
+if(TARGET steadyslide-sweep)
+  install(TARGETS steadyslide-sweep RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT sweep)
+endif()
+if(TARGET steadyslide)
+  steadyslide_install_manual()
+endif()
 
 install(EXPORT steadyslideTargets NAMESPACE steadyslide:: DESTINATION "${package_dir}")
 configure_package_config_file(
@@ -47,4 +79,4 @@ install(FILES
           "${CMAKE_CURRENT_LIST_DIR}/FindArb.cmake"
           "${CMAKE_CURRENT_LIST_DIR}/SteadyslideDependencies.cmake"
         DESTINATION "${package_dir}")
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT license)

@@ -4,9 +4,9 @@
 
 #include "app/commands/command_line.hpp"
 #include "app/embedded.hpp"
-#include "app/problem_file/problem_file.hpp"
-#include "app/results/number_format.hpp"
 #include "app/results/rows.hpp"
+#include "library/problem_file/problem_file.hpp"
+#include "library/text/number_format.hpp"
 #include "model/singular_point.hpp"
 #include "symbolic/local/local_derivations.hpp"
 #include "symbolic/riemann_hilbert/closed_form_derivation.hpp"

@@ -6,13 +6,11 @@
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iostream>
 #include <sstream>
 
-#include "app/terminal/failure.hpp"
+#include "library/problem_file/file_error.hpp"
+#include "library/problem_file/input_file.hpp"
+#include "library/text/one_line.hpp"
 #include "model/invalid_data.hpp"
 
 namespace steadyslide::app {
@@ -39,7 +37,7 @@ std::vector<std::vector<Rational>> parse_points(std::string_view text, const std
                                                 const std::vector<std::string>& columns, std::size_t most) {
   std::size_t number = 0;
   const auto error = [&](const std::string& what) {
-    return Failure(ExitCode::bad_input, fmt::format("{}:{}: {}", name, std::max<std::size_t>(number, 1), what));
+    return library::InvalidFile(fmt::format("{}:{}", name, std::max<std::size_t>(number, 1)), what);
   };
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   std::istringstream lines{std::string(text)};
@@ -51,7 +49,7 @@ std::vector<std::vector<Rational>> parse_points(std::string_view text, const std
       throw error(fmt::format("line too long; a line has at most {} characters; {} characters", longest_points_line,
                               line.size()));
     }
-    if (line.find('\0') != line.npos) throw error("not a text; there are no NUL bytes; " + excerpt(line));
+    if (line.find('\0') != line.npos) throw error("not a text; there are no NUL bytes; " + library::excerpt(line));
     line.erase(std::min(line.find('#'), line.size()));
     boost::algorithm::trim(line);
     if (line.empty()) continue;
@@ -79,18 +77,7 @@ std::vector<std::vector<Rational>> parse_points(std::string_view text, const std
 
 std::vector<std::vector<Rational>> read_points(const std::string& name, const std::vector<std::string>& columns,
                                                std::size_t most) {
-  std::ostringstream text;
-  if (name == "-") {
-    text << std::cin.rdbuf();
-  } else {
-    std::ifstream file(name, std::ios::binary);
-    if (file) text << file.rdbuf();
-    if (!file) {
-      const int why = errno;
-      throw Failure(ExitCode::failed, fmt::format("{}: cannot be read: {}", name, std::strerror(why)));
-    }
-  }
-  return parse_points(text.str(), name, columns, most);
+  return parse_points(library::read_input(name, "a file of points"), name, columns, most);
 }
 
 }  // namespace steadyslide::app

@@ -13,12 +13,12 @@
 
 namespace steadyslide::app {
 
-/// One row a line: a number for each of the columns' names. Throws Failure (exit code 2) "NAME:LINE: what is wrong; the rule;
-/// the value", also where there are no rows or more than `most`.
+/// One row a line: a number for each of the columns' names. Throws library::InvalidFile "NAME:LINE: what is wrong; the
+/// rule; the value", also where there are no rows or more than `most`.
 std::vector<std::vector<Rational>> parse_points(std::string_view text, const std::string& name,
                                                 const std::vector<std::string>& columns, std::size_t most);
 
-/// The same of a file, or of the standard input for "-". Throws Failure (exit code 3) where it cannot be read.
+/// The same of a file, or of the standard input for "-". Throws library::UnreadableFile, too.
 std::vector<std::vector<Rational>> read_points(const std::string& name, const std::vector<std::string>& columns,
                                                std::size_t most);
 

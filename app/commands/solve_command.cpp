@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <optional>
 
@@ -11,7 +10,8 @@
 #include "app/commands/points_file.hpp"
 #include "app/commands/solver.hpp"
 #include "app/embedded.hpp"
-#include "app/problem_file/list_parser.hpp"
+#include "app/gnuplot/gnuplot.hpp"
+#include "app/results/solution_figure.hpp"
 #include "app/results/solve_writers.hpp"
 #include "app/terminal/progress.hpp"
 
@@ -39,6 +39,7 @@ struct SolveOptions {
   std::optional<int> iterations;
   bool certify;
   std::optional<std::string> certificate;  ///< a file
+  std::optional<std::string> plot;         ///< a file
 
   numeric::VariationalOptions variational() const {
     numeric::VariationalOptions result;
@@ -48,18 +49,18 @@ struct SolveOptions {
   }
 };
 
-Method method_named(const std::string& name) {
-  constexpr std::array<std::string_view, 4> names{"auto", "closed-form", "riemann-hilbert", "variational"};
-  const auto found = std::ranges::find(names, name);
-  if (found != names.end()) return static_cast<Method>(found - names.begin());
-  throw bad_command_line("--method: unknown method", "it is one of auto, closed-form, riemann-hilbert, variational",
-                         name);
-}
-
 std::string list(const Given& given, const std::string& option) {
   if (!given.has(option)) return "";
   if (given.text(option).empty()) throw bad_command_line(option + ": no value", "it is a list", "");
   return given.text(option);
+}
+
+/// As the file's name ends.
+Picture picture_of(const std::string& file) {
+  constexpr std::array<std::string_view, 3> endings{".svg", ".pdf", ".png"};
+  const auto found = std::ranges::find_if(endings, [&](std::string_view ending) { return file.ends_with(ending); });
+  if (found != endings.end()) return static_cast<Picture>(found - endings.begin());
+  throw bad_command_line("--plot: unknown kind of picture", "its name ends in .svg, .pdf or .png", file);
 }
 
 void refuse_conflicts(const Given& given, const SolveOptions& options) {
@@ -71,10 +72,12 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
   if (!options.load_steps.empty()) {
     refuse("--load-steps", {"--at", "--at-file", "--samples"}, "samples are those of one load");
   }
+  if (options.plot) refuse("--plot", {"--load-steps", "--search-solutions"}, "a picture shows one solution");
   if (options.certify) refuse("--certify", {"--search-solutions"}, "it proves one solution");
   if (options.both_directions) {
     refuse("--both-directions", {"--load-steps", "--search-solutions"}, "it is for one solution of each direction");
     refuse("--both-directions", {"--certificate"}, "a certificate is of one direction");
+    refuse("--both-directions", {"--plot"}, "a picture shows one solution");
   }
   if (options.search_starts == 0) return;
   refuse("--search-solutions", {"--at", "--at-file", "--samples", "--load-steps"},
@@ -88,10 +91,12 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
 SolveOptions read(const Given& given) {
   SolveOptions options;
   options.certificate = given.name("--certificate", "file");
+  options.plot = given.name("--plot", "file");
+  if (options.plot) picture_of(*options.plot);
   options.certify = given.has("--certify") || options.certificate;
   options.common = given.common(16, formats, options.certify ? most_proved_digits : most_digits);
   options.method_name = given.has("--method") ? given.text("--method") : "auto";
-  options.method = method_named(options.method_name);
+  options.method = checked("--method", [&] { return method_named(options.method_name); });
   options.at = list(given, "--at");
   options.at_file = given.name("--at-file", "file");
   options.both_directions = given.has("--both-directions");
@@ -206,9 +211,17 @@ ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
   Output output(options.common.output);
   std::optional<Output> certificate;
   if (options.certificate) certificate.emplace(*options.certificate);
+  std::optional<Output> plot;
+  if (options.plot) {
+    run_gnuplot("");  // without gnuplot the work would be for nothing
+    plot.emplace(*options.plot);
+    wanted.curve = true;
+  }
   const SolutionText solution = solve_shown(options, problem, std::move(wanted));
   if (!solution.reason.empty()) throw inapplicable(problem, options.method, solution.reason);
+  if (plot) plot->write(drawn(solution_figure(problem, solution), picture_of(*options.plot)));
   write(options.common.format, problem, solution, output);
+  if (plot) plot->commit();
   if (solution.is_solved()) {
     if (certificate) certificate->write(solution.proof ? solution.proof->certificate : solution.bound->certificate);
     if (certificate) certificate->commit();
@@ -350,7 +363,8 @@ Command solve_command() {
       "solve", std::string(embedded::help_solve).append(embedded::help_problem),
       with_common(
           {problem_argument(),
-           {"--method", "METHOD", "auto, closed-form, riemann-hilbert or variational"},
+           {"--method", "METHOD", "auto, closed-form, riemann-hilbert or variational", Option::Kind::text,
+            "auto closed-form riemann-hilbert variational"},
            {"--at", "LIST", "Results at these x, in your units; may lie outside the support"},
            {"--at-file", "FILE", "The same at the x in FILE, one a line; # begins a comment"},
            {"--both-directions", "", "The solution with the indenter sliding the other way, too", Option::Kind::flag},
@@ -358,6 +372,7 @@ Command solve_command() {
            {"--cells", "N", "Equal cells on the support, 16 to 4194304; default 4096: variational only"},
            {"--iterations", "N",
             "Most steps of the active sets on each mesh, 1 to 10000; default 100: variational only"},
+           {"--plot", "FILE", "Draw indenter, surface and tractions into FILE.svg, .pdf or .png, by gnuplot"},
            {"--load-steps", "LIST", "The contact under each of these loads, one row for each component"},
            {"--search-solutions", "N",
             "Start from N contact sets, 1 to 1000: do all lead to one solution? By the variational method"},

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/embedded.hpp"
-#include "app/results/number_format.hpp"
+#include "library/text/number_format.hpp"
 #include "model/uniqueness.hpp"
 
 namespace steadyslide::app {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "numeric/flat_punch/punch_core.hpp"
@@ -84,6 +85,12 @@ class Writer {
     return {text(largest.value), text(largest.x), infinite ? exponent_text(largest.exponent, digits_).value : ""};
   }
 
+  void add_samples(std::vector<SampleText>& texts, const numeric::ContactSolution<R>& solution, int count,
+                   const ContactProblem& problem) {
+    for (const numeric::DetailedSample<R>& one : solution.detailed_samples(count))
+      texts.push_back(sample(full_number(one.x, digits_), one, problem));
+  }
+
   bool converged() const { return converged_; }
 
  private:
@@ -113,6 +120,11 @@ class Writer {
   int digits_;
   bool converged_ = true;
 };
+
+/// Places of a picture in each component and gap.
+int curve_samples(std::size_t components) {
+  return static_cast<int>(std::max<std::size_t>(3200 / std::max<std::size_t>(components, 8), 24));
+}
 
 /// What stands in the way of calling it a solution.
 template <Real R>
@@ -191,11 +203,8 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
 
   for (const Rational& x : wanted.at)
     text.samples.push_back(writer.sample(full_number(x, wanted.digits), solution.details_at(x), problem.contact));
-  if (wanted.samples > 0) {
-    for (const numeric::DetailedSample<R>& sample : solution.detailed_samples(wanted.samples)) {
-      text.samples.push_back(writer.sample(full_number(sample.x, wanted.digits), sample, problem.contact));
-    }
-  }
+  if (wanted.samples > 0) writer.add_samples(text.samples, solution, wanted.samples, problem.contact);
+  if (wanted.curve) writer.add_samples(text.curve, solution, curve_samples(text.contact.size()), problem.contact);
 
   const numeric::EstimatedError<R> error = solution.estimated_error();
   text.errors = writer.sizes({{"ends", error.ends}, {"traction", error.traction}, {"resultants", error.resultants}});

@@ -6,12 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "app/problem_file/problem_file.hpp"
-#include "app/results/number_format.hpp"
+#include "library/problem_file/problem_file.hpp"
+#include "library/text/number_format.hpp"
 #include "model/uniqueness.hpp"
 #include "numeric/solution/contact_solution.hpp"
 
 namespace steadyslide::app {
+
+using namespace library;
 
 /// One number, or two where the limits from left and right differ. An empty text, here and below: no number, or not
 /// known.
@@ -109,6 +111,7 @@ struct SolutionText {
   std::optional<LimitText> core;   ///< of a flat punch: where the load may act in full contact, if it may tilt
   std::vector<NumberText> load_share;
   std::vector<SampleText> samples;
+  std::vector<SampleText> curve;  ///< for a picture, left to right; of the solver where the rest is proved
   std::vector<NamedSize> errors;  ///< estimated, relative; proved where the solution is
   std::vector<NamedSize> residuals;
   Uniqueness uniqueness;
@@ -141,6 +144,7 @@ struct SolutionWanted {
   int digits = 16;
   std::vector<Rational> at{};  ///< samples at these places,
   int samples = 0;             ///< and so many a component and a gap
+  bool curve = false;          ///< as many as a picture needs, 400 a component where these are few
   /// A solution with a larger residual is none. Infinite for a method whose own failed_condition() weighs its residuals.
   double largest_residual = 1e-9;
 };

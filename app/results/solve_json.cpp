@@ -1,4 +1,4 @@
-#include <nlohmann/json.hpp>
+#include "app/results/solve_json.hpp"
 
 #include "app/embedded.hpp"
 #include "app/results/solve_writers.hpp"
@@ -153,17 +153,21 @@ Json bound_json(const BoundText& bound) {
 
 Json solution_json(const SolutionText& solution) {
   Json json;
-  json["method"] = solution.method;
-  json["digits"] = solution.digits;
-  json["contact"] = contact_json(solution);
-  json["singular_points"] = array(solution.singular_points, singular_json);
-  json["resultants"] = resultants_json(solution);
-  json["samples"] = array(solution.samples, sample_json);
-  json["estimated_error"] = sizes_json(solution.errors);
-  json["residuals"] = sizes_json(solution.residuals);
+  for (const char* key :
+       {"method", "digits", "contact", "singular_points", "resultants", "samples", "estimated_error", "residuals"}) {
+    json[key] = solution_entry(solution, key);
+  }
   if (solution.proof) json["proof"] = proof_json(*solution.proof);
   if (solution.bound) json["bound"] = bound_json(*solution.bound);
   return json;
+}
+
+/// `Result`: a solution, or a search for several.
+template <class Result>
+Json uniqueness_json(const Result& result) {
+  if (!result.failed_condition.empty()) return {{"status", "not_solved"}, {"reason", result.failed_condition}};
+  const auto& [proved, reason] = result.uniqueness;
+  return {{"status", proved ? unique_by_theorem : "not_covered"}, {"reason", reason}};
 }
 
 /// What opens every result.
@@ -174,12 +178,7 @@ Json heading(const Problem& problem) {
 /// Uniqueness and warnings, which end every result.
 template <class Result>
 Json finished(Json json, const Result& result) {
-  const auto& [proved, reason] = result.uniqueness;
-  if (result.failed_condition.empty()) {
-    json["uniqueness"] = {{"status", proved ? unique_by_theorem : "not_covered"}, {"reason", reason}};
-  } else {
-    json["uniqueness"] = {{"status", "not_solved"}, {"reason", result.failed_condition}};
-  }
+  json["uniqueness"] = uniqueness_json(result);
   json["warnings"] = result.warnings;
   return json;
 }
@@ -194,6 +193,20 @@ Json found_json(const SolutionText& solution) {
 }
 
 }  // namespace
+
+Json solution_entry(const SolutionText& solution, std::string_view key) {
+  if (key == "method") return solution.method;
+  if (key == "digits") return solution.digits;
+  if (key == "contact") return contact_json(solution);
+  if (key == "singular_points") return array(solution.singular_points, singular_json);
+  if (key == "resultants") return resultants_json(solution);
+  if (key == "samples") return array(solution.samples, sample_json);
+  if (key == "estimated_error") return sizes_json(solution.errors);
+  if (key == "residuals") return sizes_json(solution.residuals);
+  if (key == "uniqueness") return uniqueness_json(solution);
+  if (key == "warnings") return solution.warnings;
+  return {};
+}
 
 void write_json(const Problem& problem, const SolutionText& solution, Output& output) {
   Json json = heading(problem);

@@ -5,8 +5,8 @@
 #include <array>
 
 #include "app/commands/solver.hpp"
-#include "app/problem_file/problem_file.hpp"
 #include "app/results/solve_writers.hpp"
+#include "library/problem_file/problem_file.hpp"
 #include "support/problem_toml.hpp"
 #include "support/random_contact.hpp"
 #include "support/test.hpp"

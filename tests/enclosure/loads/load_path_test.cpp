@@ -357,10 +357,13 @@ TEST_CASE("slow: notches close on other coatings, with other jumps and flanks, o
   CHECK(is_narrow(events(stretches).at(0)));
 }
 
-TEST_CASE("slow: random problems are followed over loads, and the solver's contact is in the boxes" * doctest::skip()) {
+namespace {
+
+/// Random problems from number `first` to before `last` over loads, and the solver's contact in the boxes.
+void follows_random_problems(int first, int last) {
   int solved_problems = 0;
   Rational proved = 0;
-  for (int i = 0; i < 100; ++i) {
+  for (int i = first; i < last; ++i) {
     CAPTURE(i);
     const ContactProblem problem = random_contact(first_listed_seed + static_cast<std::uint64_t>(i));
     if (!solved<double>(problem)) continue;
@@ -378,5 +381,12 @@ TEST_CASE("slow: random problems are followed over loads, and the solver's conta
   }
   CHECK(proved > 0.9_r * solved_problems);
 }
+
+}  // namespace
+
+TEST_CASE("slow: random problems 0 to 24 over loads" * doctest::skip()) { follows_random_problems(0, 25); }
+TEST_CASE("slow: random problems 25 to 49 over loads" * doctest::skip()) { follows_random_problems(25, 50); }
+TEST_CASE("slow: random problems 50 to 74 over loads" * doctest::skip()) { follows_random_problems(50, 75); }
+TEST_CASE("slow: random problems 75 to 99 over loads" * doctest::skip()) { follows_random_problems(75, 100); }
 
 }  // namespace steadyslide::enclosure

@@ -1,0 +1,36 @@
+#pragma once
+// A measured profile: points (x, psi) in a text file, joined by straight lines. Everything is exact, as in a problem
+// file; every complaint names the trace and the line.
+//
+//   One point a line, two columns, x strictly increasing, both in the user's unit of length, psi away from the body.
+//   Columns are separated by a semicolon if the line has one, else by a comma if it has one, else by blanks or tabs.
+//   From # on a line is a comment; the first line that is more than a comment is a header if it begins with something
+//   else than a digit, a sign or a point. CRLF and a byte order mark are fine.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/indenter.hpp"
+
+namespace steadyslide::library {
+
+inline constexpr std::size_t max_trace_points = 1000000;
+
+struct Support {
+  Rational left;
+  Rational right;
+};
+
+struct ProfileTrace {
+  std::size_t points;                   ///< in the file
+  Support range;                        ///< first and last x in the file
+  std::vector<Indenter::Piece> pieces;  ///< one for each two neighbours, as far as the support reaches
+};
+
+/// Without a support, the trace's own range is it; else the pieces are cut at its ends. A support beyond the range is
+/// the caller's to refuse. Throws InvalidFile.
+ProfileTrace parse_trace(std::string_view text, const std::string& name, const std::optional<Support>& support);
+
+}  // namespace steadyslide::library
