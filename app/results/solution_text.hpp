@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/results/field_text.hpp"
 #include "library/problem_file/problem_file.hpp"
 #include "library/text/number_format.hpp"
 #include "model/uniqueness.hpp"
@@ -111,6 +112,7 @@ struct SolutionText {
   std::optional<LimitText> core;   ///< of a flat punch: where the load may act in full contact, if it may tilt
   std::vector<NumberText> load_share;
   std::vector<SampleText> samples;
+  FieldText field;
   std::vector<SampleText> curve;  ///< for a picture, left to right; of the solver where the rest is proved
   std::vector<NamedSize> errors;  ///< estimated, relative; proved where the solution is
   std::vector<NamedSize> residuals;
@@ -144,7 +146,8 @@ struct SolutionWanted {
   int digits = 16;
   std::vector<Rational> at{};  ///< samples at these places,
   int samples = 0;             ///< and so many a component and a gap
-  bool curve = false;          ///< as many as a picture needs, 400 a component where these are few
+  FieldWanted field{};
+  bool curve = false;  ///< as many as a picture needs, 400 a component where these are few
   /// A solution with a larger residual is none. Infinite for a method whose own failed_condition() weighs its residuals.
   double largest_residual = 1e-9;
 };
