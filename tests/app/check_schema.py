@@ -9,6 +9,7 @@ import copy
 import json
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import jsonschema
@@ -47,7 +48,13 @@ for example in sorted(examples.glob("*.toml")):
     if "sweep" not in example.name:
         fits(example.name, answer(example.name, "--samples", "3", "--at=-2,0,1/3"))
 
+tables = tempfile.TemporaryDirectory()
+points, mesh = Path(tables.name) / "points.csv", Path(tables.name) / "mesh.csv"
+points.write_text("x,z\n0,0.5\n1,2\n")
+mesh.write_text("x\n-2\n-0.5\n0.5\n2\n")
+
 several = {
+    "stresses and forces": answer("parabola.toml", "--stress-at", str(points), "--loads-on", str(mesh), "--max-stress"),
     "other direction": answer("parabola_rough_rear.toml", "--both-directions", "--at", "0"),
     "40 digits": answer("wedge.toml", "--digits", "40"),
     "cells": answer("parabola.toml", "--method", "variational", "--cells", "256", "--samples", "4"),
