@@ -10,33 +10,14 @@
 #include "app/commands/solver.hpp"
 #include "app/results/solve_json.hpp"
 #include "app/terminal/failure.hpp"
-#include "library/problem_file/problem_reader.hpp"
 
 namespace steadyslide::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Step = std::variant<std::string, std::size_t>;
 
 constexpr std::array entries{"method",          "digits",    "contact",    "singular_points", "resultants",
                              "estimated_error", "residuals", "uniqueness", "warnings"};
-
-/// Of "a[2].b": a, 2, b; none for what is no path.
-std::vector<Step> steps_of(std::string_view path) {
-  std::vector<Step> steps;
-  while (!path.empty()) {
-    const std::string_view part = next_part(path);
-    if (part.empty() && !steps.empty()) continue;
-    const std::optional<std::size_t> index = index_of(part);
-    if (part.empty() || (part.back() == ']' && !index) || (index && steps.empty())) return {};
-    if (index) {
-      steps.emplace_back(*index);
-    } else {
-      steps.emplace_back(std::string(part));
-    }
-  }
-  return steps;
-}
 
 /// A solution with all entries that any has: of a punch that may tilt, with a friction jump.
 SolutionText specimen() {

@@ -4,10 +4,10 @@
 // key "value" is that value.
 
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "app/results/solution_text.hpp"
+#include "library/sweep/path.hpp"
 #include "library/sweep/sweep_file.hpp"
 
 namespace steadyslide::app {
@@ -25,7 +25,6 @@ class ResultColumns {
   std::vector<std::string> cells(const SolutionText& solution) const;
 
  private:
-  using Step = std::variant<std::string, std::size_t>;
   struct Column {
     std::string name;
     std::size_t entry;        // of entries_
