@@ -6,7 +6,8 @@
 
 namespace {
 
-const std::vector<std::string> commands{"verify", "exponents", "table", "solve", "design", "sweep", "figures", "report"};
+const std::vector<std::string> command_names{"verify", "exponents", "table",   "solve",
+                                             "design", "sweep",     "figures", "report"};
 
 /// The options that --help of a command lists.
 std::set<std::string> options_of(const std::string& command) {
@@ -41,7 +42,7 @@ TEST_CASE("the manual page has every command, its options and what stands below 
   for (const auto& [sign, meant] : {std::pair("\\\\-", "-"), {"\\\\&", ""}, {"\\\\e", "\\"}}) {
     plain = std::regex_replace(plain, std::regex(sign), meant);
   }
-  for (const std::string& command : commands) {
+  for (const std::string& command : command_names) {
     CAPTURE(command);
     const std::size_t begin = plain.find("\n.SS " + command + "\n");
     REQUIRE(begin != std::string::npos);
@@ -68,11 +69,11 @@ TEST_CASE("the manual page has every command, its options and what stands below 
 TEST_CASE("bash completes commands, options, and the words that an option takes") {
   const TemporaryFolder folder;
   folder.write("completion", out_of(run_alone({"--generate", "bash"})));
-  std::set<std::string> first(commands.begin(), commands.end());
+  std::set<std::string> first(command_names.begin(), command_names.end());
   first.insert({"--help", "--version", "--generate"});
   CHECK(offered(folder, "steadyslide ''", 1) == first);
   CHECK(offered(folder, "steadyslide sol", 1) == std::set<std::string>{"solve"});
-  for (const std::string& command : commands) {
+  for (const std::string& command : command_names) {
     CAPTURE(command);
     std::set<std::string> options = options_of(command);
     options.erase("-h");
