@@ -21,6 +21,8 @@ class ResultColumns {
   static std::vector<Word> usual();
 
   std::vector<std::string> names() const;
+  /// The entries of the result that the columns are from (solve_json.hpp).
+  const std::vector<std::string>& entries() const { return entries_; }
   /// Each column's text; empty where this solution has no such entry, or no number there.
   std::vector<std::string> cells(const SolutionText& solution) const;
 
