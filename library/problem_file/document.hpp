@@ -14,7 +14,7 @@ struct Value {
 
   Kind kind = Kind::table;
   std::size_t line = 1;
-  std::string text;            ///< of a string; of a number, the shortest decimal that gives it
+  std::string text;            ///< of a string; of a number, the shortest decimal that gives it; true or false
   std::vector<Value> items;    ///< of a list
   std::vector<Entry> entries;  ///< of a table, in the order of lines
 
