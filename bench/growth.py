@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Growth of whole solves with the number of jumps or pieces: user times, and exponents fitted over the upper octaves.
+"""Growth of whole solves with the number of jumps, pieces or contact zones: user times, and exponents fitted over the upper octaves.
 
     bench/growth.py PROGRAM KIND FIRST LAST [OPTION ...]
 
-KIND: jumps (a flat punch), parabola-jumps (x^2), pieces (a polygon in a parabola, half of its wedges in contact).
-Numbers of jumps or pieces run from 2^FIRST to 2^LAST. Each solve prints 101 samples a component and its residuals.
+KIND: jumps (a flat punch), parabola-jumps (x^2), pieces (a polygon in a parabola, half of its wedges in contact), zones
+(parabolas side by side, contact under each). Numbers of them run from 2^FIRST to 2^LAST. Each solve prints 101 samples a component and its residuals.
 """
 
 import math
@@ -33,6 +33,10 @@ def problem(kind, n):
         return 'load = "1"\n' + body + friction(n) + '[indenter]\nprofile = "0"\n'
     if kind == "parabola-jumps":
         return 'load = "1"\n' + body + friction(n) + '[indenter]\nprofile = "x^2"\n'
+    if kind == "zones":
+        bumps = [f'{{to = "{i + 1}", profile = "{Fraction((2 * i + 1)**2, 4)} - {2 * i + 1}*x + x^2"}}' for i in range(n)]
+        return (f'load = "{Fraction(n, 40)}"\n' + body + '[friction]\nvalues = ["0.3"]\n[indenter]\n' +
+                f'support = ["0", "{n}"]\npieces = [\n ' + ",\n ".join(bumps) + "]\n")
     # Exact fractions: rounded ones would have steps between the pieces.
     places = [Fraction(2 * i, n) - 1 for i in range(n + 1)]
     pieces = [f'{{to = "{b}", profile = "{(a + b) / 2}*x{signed(-a * b / 2)}"}}' for a, b in zip(places, places[1:])]

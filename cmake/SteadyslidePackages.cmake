@@ -5,6 +5,7 @@
 #   library      libsteadyslide<soname>  the shared library
 #   development  libsteadyslide-dev    headers, archives, CMake's and pkg-config's files
 #   python       python3-steadyslide   the module
+#   sweep        steadyslide-sweep     sweeps in many processes, and as HDF5
 #
 # A component that the build does not have makes no package. Dependencies on libraries are dpkg-shlibdeps's.
 
@@ -24,6 +25,10 @@ endif()
 if(TARGET steadyslide_python)
   list(APPEND components python)
   set(python_package python3-steadyslide)
+endif()
+if(TARGET steadyslide-sweep)
+  list(APPEND components sweep)
+  set(sweep_package steadyslide-sweep)
 endif()
 
 # What every package has: copyright and changelog, the latter dated by CHANGELOG.md.
@@ -79,6 +84,14 @@ set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "${summary} (library)
 ${subject}
 
 This is the shared library of C++ programs.")
+
+set(CPACK_DEBIAN_SWEEP_PACKAGE_NAME steadyslide-sweep)
+set(CPACK_DEBIAN_SWEEP_PACKAGE_DEPENDS openmpi-bin)
+set(CPACK_DEBIAN_SWEEP_DESCRIPTION "${summary} (sweeps)
+${subject}
+
+This solves many problems by several processes, under mpirun, and writes
+HDF5.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME ${development_package})
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)

@@ -28,9 +28,10 @@ std::string commands_rule(const Program& program) {
   return fmt::format("it is one of {}", fmt::join(names, ", "));
 }
 
-void add(CLI::App& app, const Command& command) {
+/// `only`: the program does nothing else, and the command needs no name.
+void add(CLI::App& app, const Command& command, bool only) {
   const std::size_t end = command.help.find("\n\n");
-  CLI::App* added = app.add_subcommand(command.name, command.help.substr(0, end));
+  CLI::App* added = only ? &app : app.add_subcommand(command.name, command.help.substr(0, end));
   added->footer(last_line_open(command.help).substr(end + 2));
   for (const Option& option : command.options) {
     if (option.kind == Option::Kind::flag) {
@@ -56,7 +57,8 @@ Failure unexpected(const CLI::App& app, const Program& program) {
   const std::string argument = app.remaining(true).front();
   const bool option = argument.starts_with('-');
   const std::vector<CLI::App*> commands = app.get_subcommands();
-  if (commands.empty() && !option) return bad_command_line("unknown command", commands_rule(program), argument);
+  if (program.commands.size() > 1 && commands.empty() && !option)
+    return bad_command_line("unknown command", commands_rule(program), argument);
   const std::string help = commands.empty() ? "--help" : commands.front()->get_name() + " --help";
   return bad_command_line(option ? "unknown option" : "one argument too many", help + " lists them", argument);
 }
@@ -77,10 +79,12 @@ ExitCode run_command(const Program& program, int argc, const char* const* argv) 
   app.require_subcommand(0, 1);
   app.footer(last_line_open(embedded::help_program));
   app.get_formatter()->column_width(28);
-  for (const Command& command : program.commands) add(app, command);
+  const bool only = program.commands.size() == 1;
+  for (const Command& command : program.commands) add(app, command, only);
   try {
     app.parse(argc, argv);
     if (app.count("--generate") > 0) return print(generated(program, generate));
+    if (only) return program.commands.front().run(Given(app));
     for (const Command& command : program.commands) {
       if (app.got_subcommand(command.name)) return command.run(Given(*app.get_subcommand(command.name)));
     }

@@ -101,6 +101,7 @@ Command exponents_command();
 Command table_command();
 Command solve_command();
 Command design_command();
+Command sweep_command();
 Command verify_command();
 Command figures_command();
 Command report_command();
@@ -111,7 +112,7 @@ struct Program {
   std::vector<Command> commands;
 };
 
-/// Runs the command that the command line names, or prints what --help and --version ask for; a failure is one line on
+/// Runs the command that the command line names, or the only one there is, or prints what --help and --version ask for; a failure is one line on
 /// the standard error. Returns the exit code.
 int run_program(const Program& program, int argc, const char* const* argv);
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/commands/command_line.hpp"
+#include "app/commands/points_file.hpp"
 #include "app/commands/solver.hpp"
 #include "app/embedded.hpp"
 #include "app/gnuplot/gnuplot.hpp"
@@ -28,7 +29,9 @@ struct SolveOptions {
   CommonOptions common;
   std::string method_name;
   Method method;
-  std::string at;          ///< a list; empty: none
+  std::string at;  ///< a list; empty: none
+  std::optional<std::string> at_file;
+  bool both_directions;
   int samples;             ///< 0: none
   std::string load_steps;  ///< a list; empty: the file's load
   int search_starts;       ///< of a search for several solutions; 0: one solve
@@ -67,12 +70,16 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
     }
   };
   if (!options.load_steps.empty()) {
-    refuse("--load-steps", {"--at", "--samples"}, "samples are those of one load");
+    refuse("--load-steps", {"--at", "--at-file", "--samples"}, "samples are those of one load");
   }
   if (options.plot) refuse("--plot", {"--load-steps", "--search-solutions"}, "a picture shows one solution");
   if (options.certify) refuse("--certify", {"--search-solutions"}, "it proves one solution");
+  if (options.both_directions) {
+    refuse("--both-directions", {"--load-steps", "--search-solutions"}, "it is for one solution of each direction");
+    refuse("--both-directions", {"--certificate"}, "a certificate is of one direction");
+  }
   if (options.search_starts == 0) return;
-  refuse("--search-solutions", {"--at", "--samples", "--load-steps"},
+  refuse("--search-solutions", {"--at", "--at-file", "--samples", "--load-steps"},
          "it compares contact zones and resultants under the file's load");
   if (options.method == Method::closed_form || options.method == Method::riemann_hilbert) {
     throw bad_command_line("--search-solutions: conflicting option", "it searches by the variational method",
@@ -90,6 +97,8 @@ SolveOptions read(const Given& given) {
   options.method_name = given.has("--method") ? given.text("--method") : "auto";
   options.method = checked("--method", [&] { return method_named(options.method_name); });
   options.at = list(given, "--at");
+  options.at_file = given.name("--at-file", "file");
+  options.both_directions = given.has("--both-directions");
   options.load_steps = list(given, "--load-steps");
   options.samples = given.count("--samples", 1, 100000).value_or(0);
   options.cells = given.count("--cells", numeric::fewest_cells, numeric::most_cells);
@@ -143,7 +152,7 @@ template <class Result>
 void write(Format format, const Problem& problem, const Result& result, Output& output) {
   switch (format) {
     case Format::json: write_json(problem, result, output); break;
-    case Format::csv: write_csv(result, output); break;
+    case Format::csv: write_csv(problem, result, output); break;
     default: write_text(problem, result, output); break;
   }
   output.commit();
@@ -158,12 +167,46 @@ SolutionText solve_shown(const SolveOptions& options, const Problem& problem, So
   return Solver(std::move(wanted)).solve(problem);
 }
 
-ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
+/// The places of --at, then those of --at-file.
+SolutionWanted samples_wanted(const SolveOptions& options) {
   SolutionWanted wanted{options.common.digits, {}, options.samples};
   if (!options.at.empty()) wanted.at = parse_list("--at", options.at, max_places);
+  if (options.at_file) {
+    for (const std::vector<Rational>& row : read_points(*options.at_file, {"x"}, max_places))
+      wanted.at.push_back(row[0]);
+  }
   const bool any_samples = !wanted.at.empty() || wanted.samples > 0;
   if (options.common.format == Format::csv && !any_samples) wanted.samples = csv_samples;
+  return wanted;
+}
 
+Failure unsolved(const Problem& problem, const SolutionText& solution) {
+  const char* what = solution.proof || solution.bound ? "" : "the solve did not converge: ";
+  return {ExitCode::refuted,
+          fmt::format("{}: {}{}; what was reached is printed", problem.file, what, solution.failed_condition)};
+}
+
+ExitCode solve_both_directions(const SolveOptions& options, const Problem& problem) {
+  const SolutionWanted wanted = samples_wanted(options);
+  Output output(options.common.output);
+  const Problem turned{problem.contact.with_sliding(opposite(problem.contact.sliding())), problem.file,
+                       problem.measured};
+  BothText both{solve_shown(options, problem, wanted), solve_shown(options, turned, wanted), {}};
+  for (const auto& [way, solution] : {std::pair(&problem, &both.as_given), {&turned, &both.opposite}}) {
+    if (!solution->reason.empty()) throw inapplicable(problem, options.method, solution->reason);
+    for (const std::string& what : solution->warnings) {
+      both.warnings.push_back(fmt::format("sliding towards {}: {}", name_of(way->contact.sliding()), what));
+    }
+  }
+  write(options.common.format, problem, both, output);
+  for (const SolutionText* solution : {&both.as_given, &both.opposite}) {
+    if (!solution->is_solved()) throw unsolved(problem, *solution);
+  }
+  return ExitCode::done;
+}
+
+ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
+  SolutionWanted wanted = samples_wanted(options);
   Output output(options.common.output);
   std::optional<Output> certificate;
   if (options.certificate) certificate.emplace(*options.certificate);
@@ -183,9 +226,7 @@ ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
     if (certificate) certificate->commit();
     return ExitCode::done;
   }
-  const char* what = solution.proof || solution.bound ? "" : "the solve did not converge: ";
-  throw Failure(ExitCode::refuted,
-                fmt::format("{}: {}{}; what was reached is printed", problem.file, what, solution.failed_condition));
+  throw unsolved(problem, solution);
 }
 
 std::vector<Rational> load_list(const std::string& text) {
@@ -310,30 +351,34 @@ ExitCode run_solve(const Given& given) {
   const Problem problem = read_problem(given.text("PROBLEM"));
   check_method(options, problem);
   if (options.search_starts > 0) return search(options, problem);
+  if (options.both_directions) return solve_both_directions(options, problem);
   return options.load_steps.empty() ? solve_once(options, problem) : follow_loads(options, problem);
 }
 
 }  // namespace
 
 Command solve_command() {
-  return {"solve", std::string(embedded::help_solve).append(embedded::help_problem),
-          with_common(
-              {problem_argument(),
-               {"--method", "METHOD", "auto, closed-form, riemann-hilbert or variational", Option::Kind::text,
-                "auto closed-form riemann-hilbert variational"},
-               {"--at", "LIST", "Results at these x, in your units; may lie outside the support"},
-               {"--samples", "N", "Results at N places in each contact component and gap, 1 to 100000"},
-               {"--cells", "N", "Equal cells on the support, 16 to 4194304; default 4096: variational only"},
-               {"--iterations", "N",
-                "Most steps of the active sets on each mesh, 1 to 10000; default 100: variational only"},
-               {"--plot", "FILE", "Draw indenter, surface and tractions into FILE.svg, .pdf or .png, by gnuplot"},
-               {"--load-steps", "LIST", "The contact under each of these loads, one row for each component"},
-               {"--search-solutions", "N",
-                "Start from N contact sets, 1 to 1000: do all lead to one solution? By the variational method"},
-               certify_option("Prove the solution, enclose every number in ball arithmetic; exit code 1 if unproved"),
-               {"--certificate", "FILE", "Write the proof's certificate, for steadyslide-check; implies --certify"}},
-              "Significant digits, 1 to 100, with --certify 1000; default 16", formats),
-          run_solve};
+  return {
+      "solve", std::string(embedded::help_solve).append(embedded::help_problem),
+      with_common(
+          {problem_argument(),
+           {"--method", "METHOD", "auto, closed-form, riemann-hilbert or variational", Option::Kind::text,
+            "auto closed-form riemann-hilbert variational"},
+           {"--at", "LIST", "Results at these x, in your units; may lie outside the support"},
+           {"--at-file", "FILE", "The same at the x in FILE, one a line; # begins a comment"},
+           {"--both-directions", "", "The solution with the indenter sliding the other way, too", Option::Kind::flag},
+           {"--samples", "N", "Results at N places in each contact component and gap, 1 to 100000"},
+           {"--cells", "N", "Equal cells on the support, 16 to 4194304; default 4096: variational only"},
+           {"--iterations", "N",
+            "Most steps of the active sets on each mesh, 1 to 10000; default 100: variational only"},
+           {"--plot", "FILE", "Draw indenter, surface and tractions into FILE.svg, .pdf or .png, by gnuplot"},
+           {"--load-steps", "LIST", "The contact under each of these loads, one row for each component"},
+           {"--search-solutions", "N",
+            "Start from N contact sets, 1 to 1000: do all lead to one solution? By the variational method"},
+           certify_option("Prove the solution, enclose every number in ball arithmetic; exit code 1 if unproved"),
+           {"--certificate", "FILE", "Write the proof's certificate, for steadyslide-check; implies --certify"}},
+          "Significant digits, 1 to 100, with --certify 1000; default 16", formats),
+      run_solve};
 }
 
 }  // namespace steadyslide::app

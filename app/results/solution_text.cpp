@@ -56,16 +56,39 @@ class Writer {
     return {text(end.x), std::string(name_of(end.kind)), format_exponent(end.exponent, digits_), text(end.intensity)};
   }
 
-  SampleText sample(std::string x, const numeric::Sample<R>& sample) {
+  /// What of a sample fails to converge has its error, and the solution is one all the same.
+  SampleText sample(std::string x, const numeric::DetailedSample<R>& sample, const ContactProblem& problem) {
+    const auto friction = [&](std::size_t piece) { return exact_text(problem.friction().values()[piece]); };
     // Both or neither: |shear| = f |traction| holds on either side, not between the sides.
     const bool apart = !agree(sample.traction) || !agree(sample.shear);
-    return {std::move(x), limits(sample.traction, sample.traction, apart), limits(sample.shear, sample.traction, apart),
-            sample.gap ? text(*sample.gap) : NumberText{}, limits(sample.slope, sample.slope, false)};
+    return {std::move(x),
+            limits(sample.traction, sample.traction, apart),
+            limits(sample.shear, sample.traction, apart),
+            sample.gap ? text(*sample.gap) : NumberText{},
+            limits(sample.slope, sample.slope, false),
+            number_text(sample.displacement, digits_),
+            limit_text(sample.shear_slope, sample.shear_slope, digits_),
+            number_text(sample.cumulative_load, digits_),
+            sample.friction ? std::pair(friction(sample.friction->left), friction(sample.friction->right))
+                            : std::pair<std::string, std::string>()};
   }
 
-  void add_samples(std::vector<SampleText>& texts, const numeric::ContactSolution<R>& solution, int count) {
-    for (const numeric::Sample<R>& one : solution.samples(count))
-      texts.push_back(sample(full_number(one.x, digits_), one));
+  /// One number where there is contact on one side.
+  LimitText stress_intensity(const numeric::StressIntensity<R>& k) {
+    if (!k.left && !k.right) return {};
+    const NumberText left = text(k.left ? *k.left : *k.right);
+    return {left, k.left && k.right ? text(*k.right) : left};
+  }
+
+  LargestText largest(const numeric::LargestPressure<R>& largest) {
+    const bool infinite = isinf(largest.value.value);
+    return {text(largest.value), text(largest.x), infinite ? exponent_text(largest.exponent, digits_).value : ""};
+  }
+
+  void add_samples(std::vector<SampleText>& texts, const numeric::ContactSolution<R>& solution, int count,
+                   const ContactProblem& problem) {
+    for (const numeric::DetailedSample<R>& one : solution.detailed_samples(count))
+      texts.push_back(sample(full_number(one.x, digits_), one, problem));
   }
 
   bool converged() const { return converged_; }
@@ -147,13 +170,16 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
   Writer<R> writer(text, wanted.digits);
   text.method = solution.method();
   text.digits = wanted.digits;
-  for (const auto& component : solution.contact()) {
+  const std::vector<numeric::ContactComponent<R>> contact = solution.contact();
+  for (const auto& component : contact) {
     text.contact.emplace_back(writer.end(component.left), writer.end(component.right));
+    text.width.push_back(writer.text(component.width));
   }
   for (const auto& point : solution.singular_points()) {
     text.singular_points.push_back({writer.text(point.x), std::string(name_of(point.kind)),
                                     exponent_text(point.exponent, wanted.digits), writer.text(point.intensity),
-                                    writer.text(point.constant)});
+                                    writer.text(point.constant), writer.stress_intensity(point.stress_intensity),
+                                    point.exponent ? stress_intensity_unit(*point.exponent) : ""});
   }
   const numeric::Resultants<R> resultants = solution.resultants();
   text.normal = writer.text(resultants.normal);
@@ -161,15 +187,24 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
   text.centre_of_pressure = writer.text(resultants.centre_of_pressure);
   text.effective_friction = writer.text(resultants.effective_friction);
   for (const Estimate<R>& share : resultants.load_share) text.load_share.push_back(writer.text(share));
+  for (const Estimate<R>& load : resultants.component_load) text.component_load.push_back(writer.text(load));
+  if (!contact.empty()) {
+    const Estimate<R> length = numeric::real_contact_length(contact);
+    const bool one = contact.size() == 1;
+    text.contact_width = writer.text(one ? length : contact.back().right.x - contact.front().left.x);
+    text.real_contact_length = writer.text(length);
+    text.mean_pressure = writer.text(resultants.normal / length);
+    text.largest_pressure = writer.largest(solution.largest_pressure());
+  }
   if (const auto tilt = solution.tilt()) text.tilt = writer.text(*tilt);
   if (const auto core = numeric::punch_core<R>(problem.contact)) {
     text.core = LimitText{number_text(core->left, wanted.digits), number_text(core->right, wanted.digits)};
   }
 
   for (const Rational& x : wanted.at)
-    text.samples.push_back(writer.sample(full_number(x, wanted.digits), solution.at(x)));
-  if (wanted.samples > 0) writer.add_samples(text.samples, solution, wanted.samples);
-  if (wanted.curve) writer.add_samples(text.curve, solution, curve_samples(text.contact.size()));
+    text.samples.push_back(writer.sample(full_number(x, wanted.digits), solution.details_at(x), problem.contact));
+  if (wanted.samples > 0) writer.add_samples(text.samples, solution, wanted.samples, problem.contact);
+  if (wanted.curve) writer.add_samples(text.curve, solution, curve_samples(text.contact.size()), problem.contact);
 
   const numeric::EstimatedError<R> error = solution.estimated_error();
   text.errors = writer.sizes({{"ends", error.ends}, {"traction", error.traction}, {"resultants", error.resultants}});

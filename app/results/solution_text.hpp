@@ -30,6 +30,16 @@ struct SampleText {
   LimitText shear;
   NumberText gap;  ///< empty outside the support, too
   LimitText slope;
+  NumberText displacement{};
+  LimitText shear_slope{};
+  NumberText cumulative_load{};
+  std::pair<std::string, std::string> friction{};  ///< on the left and on the right; empty outside the support, too
+
+  /// Does it take two rows?
+  bool two_sided() const {
+    return traction.two_sided() || shear.two_sided() || slope.two_sided() || shear_slope.two_sided() ||
+           friction.first != friction.second;
+  }
 };
 
 struct EndText {
@@ -45,6 +55,14 @@ struct SingularText {
   ExponentText exponent;
   NumberText intensity;
   NumberText constant;
+  LimitText stress_intensity{};  ///< one, where contact lies on one side
+  std::string unit{};            ///< of the stress intensity; empty for a logarithm
+};
+
+struct LargestText {
+  NumberText value;
+  NumberText x;
+  std::string exponent;  ///< of an infinite one, "log" for a logarithm
 };
 
 /// The size of something that has a name.
@@ -83,8 +101,12 @@ struct SolutionText {
   std::string method;
   int digits = 0;
   std::vector<std::pair<EndText, EndText>> contact;
+  std::vector<NumberText> width, component_load;  ///< of each contact component
+  NumberText contact_width, real_contact_length;  ///< from the first end to the last; without the gaps
   std::vector<SingularText> singular_points;
   NumberText normal, tangential, centre_of_pressure, effective_friction;
+  NumberText mean_pressure;
+  LargestText largest_pressure;
   std::optional<NumberText> tilt;  ///< absent unless the indenter may tilt
   std::optional<LimitText> core;   ///< of a flat punch: where the load may act in full contact, if it may tilt
   std::vector<NumberText> load_share;
@@ -102,6 +124,9 @@ struct SolutionText {
 
   bool is_solved() const { return reason.empty() && failed_condition.empty(); }
 };
+
+inline const char* name_of(Sliding sliding) { return sliding == Sliding::plus_x ? "+x" : "-x"; }
+inline Sliding opposite(Sliding sliding) { return sliding == Sliding::plus_x ? Sliding::minus_x : Sliding::plus_x; }
 
 /// What is proved of the loads between two that follow each other.
 struct StretchText {

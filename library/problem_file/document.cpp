@@ -29,7 +29,8 @@ constexpr std::size_t max_depth = 32;
 /// and dropped from comments. Follows strings and comments just enough to know what stands outside of them.
 class Scanner {
  public:
-  Scanner(std::string_view text, const std::string& name) : text_(text), name_(name) {
+  Scanner(std::string_view text, const std::string& name, const std::string& kind)
+      : text_(text), name_(name), kind_(kind) {
     ascii_.reserve(text.size());
     if (text_.starts_with("\xef\xbb\xbf")) at_ = 3;  // a byte order mark
   }
@@ -53,7 +54,7 @@ class Scanner {
   /// What becomes of a character beyond ASCII.
   enum class Beyond { refused, escaped, dropped };
 
-  [[noreturn]] void fail(const char* problem, const char* rule, const std::string& value) const {
+  [[noreturn]] void fail(const char* problem, const std::string& rule, const std::string& value) const {
     throw InvalidFile(fmt::format("{}:{}: {}; {}; {}", name_, line_, problem, rule, value));
   }
 
@@ -66,7 +67,7 @@ class Scanner {
   /// The next character, with the lines counted.
   void copy(Beyond beyond) {
     const Utf8Character character = first_character(text_.substr(at_));
-    if (character.length == 0) fail("not UTF-8", "a problem file is encoded in UTF-8", excerpt(text_.substr(at_, 1)));
+    if (character.length == 0) fail("not UTF-8", kind_ + " is encoded in UTF-8", excerpt(text_.substr(at_, 1)));
     if (character.length == 1) {
       ascii_ += text_[at_];
       if (text_[at_] == '\n') ++line_;
@@ -85,7 +86,7 @@ class Scanner {
     if (c == '[' || c == '{') check(++depth_ <= max_depth, "nested too deep", "brackets nest at most 32 deep");
     if ((c == ']' || c == '}') && depth_ > 0) --depth_;
     if (c == '=' || c == ',' || c == '[' || c == '{') {
-      check(++values_ <= max_values, "too many values", "a problem file has at most 200000 keys and values");
+      if (++values_ > max_values) fail("too many values", kind_ + " has at most 200000 keys and values", "more");
     }
     if (c != '.' && std::string_view("=,[]{}\n").find(c) != std::string_view::npos) dots_ = 0;
   }
@@ -114,6 +115,7 @@ class Scanner {
 
   std::string_view text_;
   const std::string& name_;
+  const std::string& kind_;
   std::string ascii_;
   std::size_t at_ = 0;
   std::size_t line_ = 1;
@@ -134,10 +136,10 @@ Value converted(const toml::node& node, std::size_t enclosing_line) {
     value.kind = Value::Kind::table;
     for (const auto& [key, child] : *table) {
       const std::size_t key_line = key.source().begin.line != 0 ? key.source().begin.line : value.line;
-      value.entries.push_back({std::string(key.str()), key_line, converted(child, key_line)});
+      value.entries.push_back(
+          {std::string(key.str()), key_line, key.source().begin.column, converted(child, key_line)});
     }
-    std::stable_sort(value.entries.begin(), value.entries.end(),
-                     [](const Entry& a, const Entry& b) { return a.line < b.line; });
+    std::ranges::stable_sort(value.entries, {}, [](const Entry& entry) { return std::pair(entry.line, entry.column); });
   } else if (const toml::array* array = node.as_array()) {
     value.kind = Value::Kind::list;
     value.items.reserve(array->size());
@@ -173,13 +175,13 @@ const char* name_of(Value::Kind kind) {
   return names.at(static_cast<std::size_t>(kind));
 }
 
-Value parse_document(std::string_view text, const std::string& name) {
-  const std::string ascii = Scanner(text, name).scan();
+Value parse_document(std::string_view text, const std::string& name, const std::string& kind) {
+  const std::string ascii = Scanner(text, name, kind).scan();
   try {
     return converted(toml::parse(std::string_view(ascii)), 1);
   } catch (const toml::parse_error& error) {
-    throw InvalidFile(fmt::format("{}:{}: not TOML; a problem file is written in TOML; {}", name,
-                                  std::max<std::size_t>(error.source().begin.line, 1),
+    throw InvalidFile(fmt::format("{}:{}: not TOML; {} is written in TOML; {}", name,
+                                  std::max<std::size_t>(error.source().begin.line, 1), kind,
                                   std::string(error.description())));
   }
 }

@@ -1,12 +1,24 @@
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
+#include <string>
 
 namespace steadyslide::library {
 
 /// A file that is not of its kind. what() is "FILE:LINE: what is wrong; the rule; the value".
-struct InvalidFile : std::invalid_argument {
-  using std::invalid_argument::invalid_argument;
+class InvalidFile : public std::invalid_argument {
+ public:
+  explicit InvalidFile(const std::string& what) : std::invalid_argument(what) {}
+  /// `place`: "FILE:LINE".
+  InvalidFile(const std::string& place, const std::string& complaint)
+      : std::invalid_argument(place + ": " + complaint), complaint_begins_(place.size() + 2) {}
+
+  /// what() without the place.
+  std::string complaint() const { return what() + complaint_begins_; }
+
+ private:
+  std::size_t complaint_begins_ = 0;
 };
 
 /// A file that the system does not give. what() is "FILE: cannot be read: why".

@@ -4,43 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <memory>
 
+#include "library/problem_file/input_file.hpp"
 #include "library/problem_file/polynomial_parser.hpp"
 #include "library/problem_file/problem_reader.hpp"
 #include "library/problem_file/profile_trace.hpp"
 
 namespace steadyslide::library {
 namespace {
-
-/// The bytes of a file, or of the standard input for "-". `kind` is what it is meant to be, for the message. Throws
-/// UnreadableFile, and InvalidFile when it is larger than 64 MiB. No read is interrupted: of the signals that the program
-/// handles, none returns.
-std::string read_input(const std::string& name, const std::string& kind) {
-  constexpr std::size_t max_size = std::size_t{64} << 20;
-  const auto unreadable = [&] {
-    return UnreadableFile(fmt::format("{}: cannot be read: {}", name, std::strerror(errno)));
-  };
-  const auto close = [](std::FILE* file) { return file == stdin ? 0 : std::fclose(file); };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(name == "-" ? stdin : std::fopen(name.c_str(), "re"),
-                                                             close);
-  if (!file) throw unreadable();
-  std::string text;
-  std::array<char, 65536> block;
-  for (std::size_t count = 0; (count = std::fread(block.data(), 1, block.size(), file.get())) > 0;) {
-    text.append(block.data(), count);
-    if (text.size() > max_size) {
-      throw InvalidFile(name + ":1: file too large; " + kind + " has at most 64 MiB; more");
-    }
-  }
-  if (std::ferror(file.get()) != 0) throw unreadable();
-  return text;
-}
 
 Solid read_solid(const ProblemReader& reader, const std::string& table) {
   const Rational poisson = reader.number(table + ".poisson", "Poisson's ratio is required");
@@ -261,9 +233,8 @@ class IndenterReader {
   std::size_t cost_ = 0;
 };
 
-/// `whole`: load and friction are required.
-Punch parse(std::string_view text, const std::string& name, bool whole) {
-  const Value root = parse_document(text, name);
+/// `whole`: load and friction are required. `alike` has the same [indenter].
+Punch read(const Value& root, const std::string& name, bool whole, const Problem* alike = nullptr) {
   const ProblemReader reader(root, name);
   reader.check_keys("", {"load", "load_at", "sliding", "half_space", "friction", "indenter"});
   const bool has_load = whole || reader.find("load") != nullptr;
@@ -274,7 +245,8 @@ Punch parse(std::string_view text, const std::string& name, bool whole) {
       reader.choice<Sliding>("sliding", "unknown direction", {"+x", Sliding::plus_x}, {"-x", Sliding::minus_x});
   Elasticity elasticity = read_elasticity(reader);
   FrictionProfile friction = has_friction ? read_friction(reader) : FrictionProfile({0});
-  ReadIndenter indenter = IndenterReader(reader, name).read();
+  ReadIndenter indenter =
+      alike != nullptr ? ReadIndenter{alike->contact.indenter(), alike->measured} : IndenterReader(reader, name).read();
   try {
     ContactProblem contact(std::move(elasticity), std::move(friction), std::move(indenter.shape), load, sliding,
                            load_at);
@@ -288,10 +260,18 @@ Punch parse(std::string_view text, const std::string& name, bool whole) {
 
 }  // namespace
 
-Problem parse_problem(std::string_view text, const std::string& name) { return parse(text, name, true).problem; }
+Problem problem_of(const Value& document, const std::string& name, const Problem* alike) {
+  return read(document, name, true, alike).problem;
+}
+
+Problem parse_problem(std::string_view text, const std::string& name) {
+  return problem_of(parse_document(text, name), name);
+}
 
 Problem read_problem(const std::string& name) { return parse_problem(read_input(name, "a problem file"), name); }
 
-Punch read_punch(const std::string& name) { return parse(read_input(name, "a problem file"), name, false); }
+Punch read_punch(const std::string& name) {
+  return read(parse_document(read_input(name, "a problem file"), name), name, false);
+}
 
 }  // namespace steadyslide::library

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "library/problem_file/document.hpp"
 #include "library/problem_file/profile_trace.hpp"
 #include "model/contact_problem.hpp"
 
@@ -31,6 +32,10 @@ struct Problem {
 
 /// Reads a trace, too, if there are samples, relative to `name`. Throws InvalidFile.
 Problem parse_problem(std::string_view text, const std::string& name);
+
+/// The same of a document that is read already. `alike`: a problem with the same [indenter], whose profile is not read
+/// again.
+Problem problem_of(const Value& document, const std::string& name, const Problem* alike = nullptr);
 
 /// Reads a file, or the standard input for "-". Throws InvalidFile, UnreadableFile.
 Problem read_problem(const std::string& name);

@@ -7,39 +7,48 @@
 #include <charconv>
 
 namespace steadyslide::library {
-namespace {
-
-/// The text up to the next '.' or '[', and what follows; an index is "2]".
-std::string_view next_part(std::string_view& field) {
-  const std::size_t end = std::min(field.find_first_of(".["), field.size());
-  const std::string_view part = field.substr(0, end);
-  field.remove_prefix(std::min(end + 1, field.size()));
+std::string_view next_part(std::string_view& path) {
+  const std::size_t end = std::min(path.find_first_of(".["), path.size());
+  const std::string_view part = path.substr(0, end);
+  path.remove_prefix(std::min(end + 1, path.size()));
   return part;
 }
 
-}  // namespace
+std::optional<std::size_t> index_of(std::string_view part) {
+  std::size_t index = 0;
+  const char* const last = part.data() + part.size();
+  const auto [end, error] = std::from_chars(part.data(), last, index);
+  if (error != std::errc() || end + 1 != last || *end != ']') return std::nullopt;
+  return index;
+}
 
 ProblemReader::Found ProblemReader::locate(std::string_view field) const {
-  Found found{&root_, 1};
+  Found found{&root_, root_.line, &file_};
   while (!field.empty()) {
     const std::string_view part = next_part(field);
     if (part.empty()) continue;
-    if (part.back() == ']') {
-      std::size_t index = 0;
-      std::from_chars(part.data(), part.data() + part.size(), index);
-      if (index >= found.value->items.size()) return {nullptr, found.line};
-      found = {&found.value->items[index], found.value->items[index].line};
-    } else {
-      const Entry* entry = found.value->find(part);
-      if (entry == nullptr) return {nullptr, found.line};
-      found = {&entry->value, entry->line};
+    const Value* inside = nullptr;
+    if (const std::optional<std::size_t> index = index_of(part)) {
+      if (*index < found.value->items.size()) inside = &found.value->items[*index];
+      if (inside != nullptr) found.line = inside->line;
+    } else if (const Entry* entry = found.value->find(part)) {
+      inside = &entry->value;
+      found.line = entry->line;
     }
+    if (inside != nullptr && inside->file != nullptr) {
+      found.file = inside->file;
+      found.line = inside->line;
+    }
+    found.value = inside;
+    if (inside == nullptr) return found;
   }
   return found;
 }
 
+std::string ProblemReader::Found::place() const { return fmt::format("{}:{}", *file, line); }
+
 InvalidFile ProblemReader::error(const std::string& field, const std::string& what) const {
-  return InvalidFile(fmt::format("{}:{}: {}{}{}", file_, locate(field).line, field, field.empty() ? "" : ": ", what));
+  return {locate(field).place(), field + (field.empty() ? "" : ": ") + what};
 }
 
 InvalidFile ProblemReader::error(const std::string& field, const std::string& what, const std::string& rule,
@@ -62,8 +71,9 @@ void ProblemReader::check_table(const std::string& field, std::initializer_list<
 void ProblemReader::check_keys(const std::string& field, std::initializer_list<std::string_view> keys) const {
   for (const Entry& entry : find(field)->entries) {
     if (std::ranges::find(keys, entry.key) != keys.end()) continue;
-    const std::string where = field.empty() ? "a problem file" : field;
-    throw InvalidFile(fmt::format("{}:{}: unknown key; the keys of {} are {}; {}", file_, entry.line, where,
+    const std::string& file = entry.value.file != nullptr ? *entry.value.file : file_;
+    throw InvalidFile(fmt::format("{}:{}", file, entry.line),
+                      fmt::format("unknown key; the keys of {} are {}; {}", field.empty() ? kind_ : field,
                                   fmt::join(keys, ", "), excerpt(entry.key)));
   }
 }

@@ -19,7 +19,9 @@ namespace steadyslide::library {
 
 class ProblemReader {
  public:
-  ProblemReader(const Value& root, std::string file) : root_(root), file_(std::move(file)) {}
+  /// `kind`: what the document is meant to be.
+  ProblemReader(const Value& root, std::string file, std::string kind = "a problem file")
+      : root_(root), file_(std::move(file)), kind_(std::move(kind)) {}
 
   /// "FILE:LINE: FIELD: WHAT", the line of the deepest part of the field that the file has.
   InvalidFile error(const std::string& field, const std::string& what) const;
@@ -67,12 +69,21 @@ class ProblemReader {
   struct Found {
     const Value* value;
     std::size_t line;
+    const std::string* file;
+
+    std::string place() const;
   };
   /// The value at "a.b[2].c", or null and the line of the deepest part that exists.
   Found locate(std::string_view field) const;
 
   const Value& root_;
   std::string file_;
+  std::string kind_;
 };
+
+/// The first part of a path, which is left with what follows: of "a.b[2]" a, then b, then "2]".
+std::string_view next_part(std::string_view& path);
+/// Of a part like "2]"; none if it is no index.
+std::optional<std::size_t> index_of(std::string_view part);
 
 }  // namespace steadyslide::library

@@ -235,6 +235,10 @@ std::string format_exponent(const Exponent& exponent, int digits) {
   return ball.is_zero() ? "0" : lay_out(Midpoint(ball).rounded(digits), digits);
 }
 
+std::string stress_intensity_unit(const Exponent& exponent) {
+  return fmt::format("F/L^({})", to_string(exponent + Exponent(2)));
+}
+
 NumberText proved_exponent(const std::optional<Exponent>& exponent, int digits) {
   if (!exponent) return {"log", "log", ""};
   return number_text(enclosure::Ball(*exponent, enclosure::bits_for(digits)), digits);

@@ -62,6 +62,9 @@ struct ExponentText {
 /// Absent: a logarithm.
 ExponentText exponent_text(const std::optional<Exponent>& exponent, int digits);
 
+/// "F/L^(3/2 - arctan(3/35)/pi)": a stress times a length to minus the exponent; F force, L length.
+std::string stress_intensity_unit(const Exponent& exponent);
+
 /// The value alone.
 std::string format_exponent(const Exponent& exponent, int digits);
 /// Enclosed; "log" where there is none.

@@ -5,7 +5,8 @@
 // interpolant, the last ones estimate what it misses: a part whose bound is below the best value so far is done with.
 // Others are halved until the interpolant is exact to 1e-10, which is then searched by the bound p(m) + |p'(m)| h + M h^2/2
 // on [m - h, m + h], M >= |p''|. The place found is improved to full precision by an interpolant around it.
-// (Heuristic: a part on which 16 coefficients hide a peak from the last of them.)
+// (Heuristic: singular points on the real axis and nothing else, as pressures have. A narrow peak over a pole beside the
+// axis could hide between the points.)
 
 #include <functional>
 #include <optional>

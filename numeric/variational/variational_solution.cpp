@@ -139,7 +139,8 @@ LargestPressure<double> VariationalSolution::largest_pressure() const {
   const double x = (edges_[cell] + edges_[cell + 1]) / 2;
   const double coarse_x = (coarse_edges_[coarse] + coarse_edges_[coarse + 1]) / 2;
   Estimate<double> value = -traction(cell);
-  value.error = std::max(value.error, std::abs(traction_[cell] - coarse_traction_[coarse]));
+  value.error = std::max(value.error, std::abs(traction_[cell] - coarse_traction_[coarse])) +
+                value.value * estimated_error().traction;
   return {value, {origin_ + x, cell_length() + std::abs(x - coarse_x)}, std::nullopt};
 }
 
