@@ -149,6 +149,8 @@ struct SolutionWanted {
   int samples = 0;             ///< and so many a component and a gap
   FieldWanted field{};
   bool curve = false;  ///< as many as a picture needs, 400 a component where these are few
+  /// Entries of the result (solve_json.hpp) that are told; the texts of others stay empty. None: all. All is computed.
+  std::vector<std::string> entries{};
   /// A solution with a larger residual is none. Infinite for a method whose own failed_condition() weighs its residuals.
   double largest_residual = library::largest_residual;
 };
