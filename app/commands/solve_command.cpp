@@ -7,13 +7,13 @@
 #include <optional>
 
 #include "app/commands/command_line.hpp"
-#include "app/commands/points_file.hpp"
 #include "app/commands/solver.hpp"
 #include "app/embedded.hpp"
 #include "app/gnuplot/gnuplot.hpp"
 #include "app/results/solution_figure.hpp"
 #include "app/results/solve_writers.hpp"
 #include "app/terminal/progress.hpp"
+#include "library/problem_file/surface_files.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -91,6 +91,7 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
   if (options.both_directions) {
     refuse("--both-directions", {"--load-steps", "--search-solutions"}, "it is for one solution of each direction");
     refuse("--both-directions", {"--certificate"}, "a certificate is of one direction");
+    refuse("--both-directions", {"--plot"}, "a picture shows one solution");
     refuse("--both-directions", {"--stress-at", "--loads-on", "--max-stress"},
            "stresses and forces are those of one direction");
   }
@@ -211,8 +212,7 @@ SolutionWanted samples_wanted(const SolveOptions& options) {
   SolutionWanted wanted{options.common.digits, {}, options.samples};
   if (!options.at.empty()) wanted.at = parse_list("--at", options.at, max_places);
   if (options.at_file) {
-    for (const std::vector<Rational>& row : read_points(*options.at_file, {"x"}, max_places))
-      wanted.at.push_back(row[0]);
+    for (Rational& x : library::read_places(*options.at_file, max_places)) wanted.at.push_back(std::move(x));
   }
   wanted.field = options.field;
   const bool any_samples = !wanted.at.empty() || wanted.samples > 0 || wanted.field.any();

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "app/results/certificate.hpp"
 #include "enclosure/contact/enclosed_solution.hpp"
 #include "enclosure/contact/punch_core.hpp"
+#include "library/proof/certificate.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -66,6 +66,14 @@ Json indenter(const ContactProblem& problem, const std::optional<MeasuredProfile
     // The trace is named: its pieces can be many more than the results.
     json["samples"] = measured->file;
     json["points"] = measured->points;
+    if (!measured->x_unit.empty()) json["x_unit"] = measured->x_unit;
+    if (!measured->height_unit.empty()) json["height_unit"] = measured->height_unit;
+    if (measured->flip) json["flip"] = true;
+    if (const auto& trend = measured->trend) {
+      json["detrend"] = {{"taken_off", trend->kind == library::Detrend::mean ? "mean" : "line"},
+                         {"height", exact_text(trend->height)},
+                         {"slope", exact_text(trend->slope)}};
+    }
   } else if (shape.pieces().size() == 1) {
     json["profile"] = to_string(shape.pieces().front().profile);
   } else {

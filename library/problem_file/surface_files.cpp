@@ -10,9 +10,9 @@
 namespace steadyslide::library {
 namespace {
 
-void check_room(const TableReader& reader, std::size_t count, const std::string& what) {
-  if (count < max_points) return;
-  throw reader.error("too many " + what, fmt::format("there are at most {}", max_points), "more");
+void check_room(const TableReader& reader, std::size_t count, const std::string& what, std::size_t most = max_points) {
+  if (count < most) return;
+  throw reader.error("too many " + what, fmt::format("there are at most {}", most), "more");
 }
 
 }  // namespace
@@ -31,6 +31,21 @@ std::vector<DepthPoint> parse_depth_points(std::string_view text, const std::str
 
 std::vector<DepthPoint> read_depth_points(const std::string& name) {
   return parse_depth_points(read_input(name, "a table of points"), name);
+}
+
+std::vector<Rational> parse_places(std::string_view text, const std::string& name, std::size_t most) {
+  TableReader reader(name, {"a table of places", "x", {"x"}, 1});
+  std::vector<Rational> places;
+  reader.read(text, [&](std::vector<Rational>& row) {
+    check_room(reader, places.size(), "places", most);
+    places.push_back(std::move(row[0]));
+  });
+  if (places.empty()) throw reader.error("no places", "there is at least one line x", "0 places");
+  return places;
+}
+
+std::vector<Rational> read_places(const std::string& name, std::size_t most) {
+  return parse_places(read_input(name, "a table of places"), name, most);
 }
 
 MeshFile::MeshFile(std::string_view text, std::string name) : name_(std::move(name)) {

@@ -1,6 +1,7 @@
 #pragma once
-// Points below the surface and nodes on it, as tables (table_reader.hpp):
+// Points below the surface, places and nodes on it, as tables (table_reader.hpp):
 //
+//   x         places: where samples are asked for,
 //   x,z       points, z > 0 the depth: where stresses are asked for,
 //   x         nodes of linear elements, x increasing,
 //   x,order   the same with elements of order 1 or 2, one order for all; order 2: every second node is a midside one.
@@ -27,6 +28,10 @@ struct DepthPoint {
 /// Throw InvalidFile "NAME:LINE: what is wrong; the rule; the value".
 std::vector<DepthPoint> parse_depth_points(std::string_view text, const std::string& name);
 std::vector<DepthPoint> read_depth_points(const std::string& name);
+
+/// The same; at most `most` places.
+std::vector<Rational> parse_places(std::string_view text, const std::string& name, std::size_t most);
+std::vector<Rational> read_places(const std::string& name, std::size_t most);
 
 class MeshFile {
  public:
