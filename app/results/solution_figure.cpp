@@ -56,6 +56,9 @@ class SolutionFigure {
       contact_.include(value_of(right.x.value));
       contact_length_ += value_of(right.x.value) - value_of(left.x.value);
     }
+    if (problem.measured && !problem.measured->x_unit.empty()) {
+      length_unit_ = problem.measured->x_unit == "um" ? "µm" : problem.measured->x_unit;
+    }
     const Indenter& shape = problem.contact.indenter();
     const double margin = 0.6 * contact_.length(), beside = 0.04 * contact_.length();
     x_ = {std::max(value_of(shape.left()) - beside, contact_.from - margin),
@@ -87,7 +90,7 @@ class SolutionFigure {
   }
 
   Axis across(bool labelled) const {
-    return {labelled ? "{/:Italic x}  (" + length_unit + ")" : "", x_.from, x_.to, false, 0, labelled};
+    return {labelled ? "{/:Italic x}  (" + length_unit_ + ")" : "", x_.from, x_.to, false, 0, labelled};
   }
 
   /// psi, with what the tilt adds, on one side of x.
@@ -118,7 +121,7 @@ class SolutionFigure {
     const double tall = y.length() > 0 ? y.length() : 0.1 * contact_.length();
     Panel panel{{0.12, 0.98, 0.575, 0.93},
                 across(false),
-                {"height  (" + length_unit + ")", y.from - 0.15 * tall, y.to + 0.08 * tall}};
+                {"height  (" + length_unit_ + ")", y.from - 0.15 * tall, y.to + 0.08 * tall}};
     panel.series = {std::move(profile), std::move(surface), zones(y.from - 0.08 * tall)};
     panel.legend = LegendAt::top_centre;
     panel.guides = std::move(guides);
@@ -163,7 +166,7 @@ class SolutionFigure {
     }
     const Range y = traction_range(pressure.points, shear.points);
     if (is_infinite()) pressure.legend += fmt::format(", cut at {:.3g}", y.to);
-    Panel panel{{0.12, 0.98, 0.105, 0.485}, across(true), {"traction  (" + stress_unit + ")", y.from, y.to}};
+    Panel panel{{0.12, 0.98, 0.105, 0.485}, across(true), {"traction  (" + stress_unit_ + ")", y.from, y.to}};
     panel.series = {std::move(pressure), std::move(shear)};
     panel.legend = LegendAt::top_centre;
     return panel;
@@ -225,8 +228,8 @@ class SolutionFigure {
 
   const Problem& problem_;
   const SolutionText& solution_;
-  std::string length_unit = "user's unit of length";
-  std::string stress_unit = "user's unit of stress";
+  std::string length_unit_ = "user's unit of length";
+  std::string stress_unit_ = "user's unit of stress";
   Range contact_, x_;
   double contact_length_ = 0;
 };

@@ -24,14 +24,6 @@ bool agree(const TwoSided<R>& limits) {
   return abs(limits.left.value - limits.right.value) <= errors * (1 + 4 * numeric::epsilon<R>());
 }
 
-template <Real R>
-std::vector<std::pair<std::string, R>> named(const numeric::Residuals<R>& residuals) {
-  return {{"equation", residuals.equation},
-          {"load", residuals.load},
-          {"penetration", residuals.penetration},
-          {"tension", residuals.tension}};
-}
-
 /// Texts of numbers, and what is noticed on the way.
 template <Real R>
 class Writer {
@@ -137,20 +129,6 @@ int curve_samples(std::size_t components) {
   return static_cast<int>(std::max<std::size_t>(3200 / std::max<std::size_t>(components, 8), 24));
 }
 
-/// What stands in the way of calling it a solution.
-template <Real R>
-std::string failed_condition(const numeric::ContactSolution<R>& solution,
-                             const std::vector<std::pair<std::string, R>>& residuals, double largest_residual,
-                             bool converged) {
-  if (std::string text = solution.failed_condition(); !text.empty()) return text;
-  for (const auto& [name, value] : residuals) {
-    const bool small = value <= largest_residual;  // no number is not
-    if (!small) return fmt::format("{} has the residual {}", name, size_text(value, 2));
-  }
-  if (!converged) return "a value stalled before its tolerance";
-  return useless_error(solution.estimated_error());
-}
-
 }  // namespace
 
 template <Real R>
@@ -221,14 +199,16 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
   if (wanted.samples > 0) writer.add_samples(text.samples, solution, wanted.samples, problem.contact);
   if (wanted.curve) writer.add_samples(text.curve, solution, curve_samples(text.contact.size()), problem.contact);
 
+  text.field = field_text(solution, wanted.field, wanted.digits);
+  if (!text.field.in_range) text.in_range = false;
   const numeric::EstimatedError<R> error = solution.estimated_error();
   writer.tell("estimated_error");
   text.errors = writer.sizes({{"ends", error.ends}, {"traction", error.traction}, {"resultants", error.resultants}});
-  const auto residuals = named(solution.residuals());
   text.warnings = warnings(problem, solution);
-  text.failed_condition = failed_condition(solution, residuals, wanted.largest_residual, writer.converged());
+  const numeric::Residuals<R> residuals = solution.residuals();
+  text.failed_condition = library::failed_condition(solution, residuals, wanted.largest_residual, writer.converged());
   writer.tell("residuals");
-  text.residuals = writer.sizes(residuals);
+  text.residuals = writer.sizes(named(residuals));
   text.uniqueness = uniqueness(problem.contact);
   return text;
 }

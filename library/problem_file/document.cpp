@@ -153,8 +153,11 @@ Value converted(const toml::node& node, std::size_t enclosing_line) {
   } else if (const auto* decimal = node.as_floating_point()) {
     value.kind = Value::Kind::decimal;
     value.text = fmt::format("{}", decimal->get());
+  } else if (const auto* boolean = node.as_boolean()) {
+    value.kind = Value::Kind::boolean;
+    value.text = boolean->get() ? "true" : "false";
   } else {
-    value.kind = node.is_boolean() ? Value::Kind::boolean : Value::Kind::date;
+    value.kind = Value::Kind::date;
   }
   return value;
 }

@@ -15,7 +15,7 @@ struct Value {
   Kind kind = Kind::table;
   std::size_t line = 1;
   const std::string* file = nullptr;  ///< where it stands, if that is another one than its document's
-  std::string text;                   ///< of a string; of a number, the shortest decimal that gives it
+  std::string text;                   ///< of a string; of a number, the shortest decimal that gives it; true or false
   std::vector<Value> items;           ///< of a list
   std::vector<Entry> entries;         ///< of a table, in the order of the text
 

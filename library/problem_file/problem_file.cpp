@@ -1,7 +1,9 @@
 #include "library/problem_file/problem_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "library/problem_file/input_file.hpp"
@@ -101,15 +103,65 @@ class IndenterReader {
   Support support() const { return support_.value_or(Support{-1, 1}); }
 
   ReadIndenter read_samples(const Value& value) {
-    const std::string& given = reader_.text("indenter.samples", value);
-    const std::string path = path_of(given);
-    ProfileTrace trace = parse_trace(contents(path), path, support_);
+    if (value.kind == Value::Kind::text) return read_trace("indenter.samples", {value.text, 0}, {});
+    const std::string field = "indenter.samples";
+    if (value.kind != Value::Kind::table) {
+      throw reader_.error(field, "wrong type", "it is a string or a table {file, x_unit, height_unit, flip, detrend}",
+                          name_of(value.kind));
+    }
+    reader_.check_keys(field, {"file", "x_unit", "height_unit", "flip", "detrend"});
+    MeasuredProfile measured{reader_.text(field + ".file", reader_.required(field + ".file", "samples have a file")),
+                             0};
+    measured.x_unit = word(field + ".x_unit", "unknown unit", length_units, "");
+    measured.height_unit = word(field + ".height_unit", "unknown unit", length_units, "");
+    if (measured.x_unit.empty() && !measured.height_unit.empty()) {
+      throw reader_.error(field + ".height_unit", "no unit of x", "heights are brought into the unit that x_unit names",
+                          measured.height_unit);
+    }
+    Heights heights;
+    if (!measured.height_unit.empty()) {
+      heights.factor =
+          parse_rational(fmt::format("1e{}", exponent_of(measured.height_unit) - exponent_of(measured.x_unit)));
+    }
+    if (const Value* flip = reader_.find(field + ".flip")) {
+      if (flip->kind != Value::Kind::boolean) {
+        throw reader_.error(field + ".flip", "wrong type", "it is true or false", name_of(flip->kind));
+      }
+      measured.flip = flip->text == "true";
+      if (measured.flip) heights.factor = -heights.factor;
+    }
+    const std::string detrend = word(field + ".detrend", "unknown trend", {"none", "mean", "line"}, "none");
+    heights.detrend = detrend == "none" ? Detrend::none : detrend == "mean" ? Detrend::mean : Detrend::line;
+    return read_trace(field + ".file", std::move(measured), heights);
+  }
+
+  /// `field` names the file.
+  ReadIndenter read_trace(const std::string& field, MeasuredProfile measured, const Heights& heights) {
+    const std::string path = path_of(measured.file);
+    ProfileTrace trace = parse_trace(contents(field, path), path, support_, heights);
     const auto& [first, last] = trace.range;
     if (support_ && (support_->left < first || support_->right > last)) {
       throw bad_support("support beyond the samples",
                         fmt::format("they reach from {} to {}", to_string(first), to_string(last)));
     }
-    return {Indenter(support_ ? support_->left : first, std::move(trace.pieces)), MeasuredProfile{given, trace.points}};
+    measured.points = trace.points;
+    measured.trend = std::move(trace.trend);
+    return {Indenter(support_ ? support_->left : first, std::move(trace.pieces)), std::move(measured)};
+  }
+
+  /// One of some words, or `otherwise` if the field is absent.
+  std::string word(const std::string& field, const std::string& what, const std::vector<std::string>& words,
+                   const std::string& otherwise) const {
+    const Value* value = reader_.find(field);
+    if (value == nullptr) return otherwise;
+    const std::string& given = reader_.text(field, *value);
+    if (std::ranges::find(words, given) != words.end()) return given;
+    throw reader_.error(field, what, fmt::format("it is one of {}", fmt::join(words, ", ")), excerpt(given));
+  }
+
+  /// 1 unit is 10^exponent m.
+  static int exponent_of(const std::string& unit) {
+    return -3 * static_cast<int>(std::ranges::find(length_units, unit) - length_units.begin());
   }
 
   /// Beside the problem file; beside nothing for the standard input.
@@ -118,9 +170,9 @@ class IndenterReader {
     return path == "-" ? "./-" : path;
   }
 
-  std::string contents(const std::string& path) const {
-    const auto unreadable = [this](const std::string& value) {
-      return reader_.error("indenter.samples", "no such trace", "it names a file, relative to the problem file", value);
+  std::string contents(const std::string& field, const std::string& path) const {
+    const auto unreadable = [&](const std::string& value) {
+      return reader_.error(field, "no such trace", "it names a file, relative to the problem file", value);
     };
     if (path.find('\0') != path.npos) throw unreadable(excerpt(path));
     try {
@@ -171,6 +223,8 @@ class IndenterReader {
   }
 
   static constexpr std::size_t max_cost = 20000000;
+  /// Each a thousand times smaller than the one before.
+  static inline const std::vector<std::string> length_units{"m", "mm", "um", "nm"};
 
   const ProblemReader& reader_;
   const std::string& file_;

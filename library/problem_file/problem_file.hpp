@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "library/problem_file/document.hpp"
+#include "library/problem_file/profile_trace.hpp"
 #include "model/contact_problem.hpp"
 
 namespace steadyslide::library {
@@ -17,6 +18,10 @@ inline constexpr std::size_t max_pieces = 50000;
 struct MeasuredProfile {
   std::string file;  ///< as the problem file names it
   std::size_t points;
+  std::string x_unit{};       ///< m, mm, um or nm, the problem's unit of length; empty: not said
+  std::string height_unit{};  ///< that heights were given in; empty: that of x
+  bool flip = false;          ///< heights were given towards the body
+  std::optional<Trend> trend{};
 };
 
 struct Problem {
