@@ -92,7 +92,7 @@ TEST_CASE("no place has more: jumps, strong friction, a punch below its least de
       highest = std::max(highest, state.von_mises()->value);
     }
     CHECK(highest <= largest->von_mises.value * (1 + 1e-12));
-    CHECK(highest > 0.95 * largest->von_mises.value);
+    CHECK(highest > (unbounded ? 0.5 : 0.95) * largest->von_mises.value);
   }
   // Strong friction has it at the surface.
   CHECK(largest_stress<double>(InteriorStress<double>(*cases[1].solution), 0)->z.value == 0);

@@ -24,7 +24,7 @@ double relative(const StressState<double>& a, const StressState<double>& b) {
 }
 
 const double field_places[][2] = {{0.1, 1e-9}, {0.1, 0.01}, {-0.3, 0.2}, {0.49, 1e-4},
-                            {0.02, 0.6}, {-3, 1},     {0, 20},     {1.5, 1e-6}};
+                                  {0.02, 0.6}, {-3, 1},     {0, 20},     {1.5, 1e-6}};
 
 }  // namespace
 
