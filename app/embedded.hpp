@@ -3,10 +3,11 @@
 
 #include <string_view>
 
+#include "library/text/version.hpp"
+
 namespace steadyslide::app {
 
-/// The project's version, as CMake has it.
-extern const char* const version;
+using library::version;
 
 namespace embedded {
 

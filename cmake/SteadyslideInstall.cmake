@@ -1,4 +1,4 @@
-# What `cmake --install` puts where, and the package that find_package(steadyslide) finds: targets steadyslide::model,
+# What `cmake --install` puts where, and the package that find_package(steadyslide) finds: targets steadyslide::steadyslide, the facade, steadyslide::model,
 # steadyslide::symbolic, steadyslide::statements, steadyslide::numeric, steadyslide::enclosure, steadyslide::proofs_checks;
 # headers as in the sources ("model/rational.hpp").
 # A project that takes steadyslide by add_subdirectory installs itself, not us.
@@ -56,6 +56,17 @@ foreach(layer IN ITEMS model symbolic statements numeric enclosure proofs_checks
     endforeach()
   endif()
 endforeach()
+# The facade: include/steadyslide/steadyslide.hpp beside the layers' headers.
+if(TARGET steadyslide_shared)
+  install(TARGETS steadyslide_shared EXPORT steadyslideTargets
+          LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library NAMELINK_COMPONENT development)
+  install(FILES "${PROJECT_SOURCE_DIR}/library/steadyslide/steadyslide.hpp"
+          DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/steadyslide")
+  # Found wherever the tree is moved.
+  file(RELATIVE_PATH prefix_from_pc "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
+  configure_file("${CMAKE_CURRENT_LIST_DIR}/steadyslide.pc.in" "${CMAKE_CURRENT_BINARY_DIR}/steadyslide.pc" @ONLY)
+  install(FILES "${CMAKE_CURRENT_BINARY_DIR}/steadyslide.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+endif()
 foreach(program IN ITEMS steadyslide steadyslide-check)
   if(TARGET ${program})
     install(TARGETS ${program} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)

@@ -108,7 +108,7 @@ Headers, archives, and the files by which CMake and pkg-config find them.")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME "${python_package}")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${library_package} ${same}, python3, python3-numpy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-mpmath, python3-matplotlib")
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "${summary} (Python 3)
 ${subject}

@@ -7,13 +7,13 @@
 #include <optional>
 
 #include "app/commands/command_line.hpp"
-#include "app/commands/points_file.hpp"
 #include "app/commands/solver.hpp"
 #include "app/embedded.hpp"
 #include "app/gnuplot/gnuplot.hpp"
 #include "app/results/solution_figure.hpp"
 #include "app/results/solve_writers.hpp"
 #include "app/terminal/progress.hpp"
+#include "library/problem_file/surface_files.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -40,6 +40,7 @@ struct SolveOptions {
   bool certify;
   std::optional<std::string> certificate;  ///< a file
   std::optional<std::string> plot;         ///< a file
+  FieldWanted field;
 
   numeric::VariationalOptions variational() const {
     numeric::VariationalOptions result;
@@ -71,20 +72,50 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
   };
   if (!options.load_steps.empty()) {
     refuse("--load-steps", {"--at", "--at-file", "--samples"}, "samples are those of one load");
+    refuse("--load-steps", {"--stress-at", "--loads-on", "--max-stress"}, "stresses and forces are those of one load");
   }
   if (options.plot) refuse("--plot", {"--load-steps", "--search-solutions"}, "a picture shows one solution");
+  if (options.certify) refuse("--certify", {"--max-stress"}, "the largest stress is not proved");
+  if (given.has("--depth") && !given.has("--max-stress")) {
+    throw bad_command_line("--max-stress: missing", "--depth is that of the largest stress", "--depth");
+  }
+  if (options.common.format == Format::csv) {
+    constexpr const char* rule = "a CSV file is one table";
+    if (given.has("--stress-at")) {
+      refuse("--stress-at", {"--loads-on", "--max-stress", "--at", "--at-file", "--samples"}, rule);
+    }
+    if (given.has("--loads-on")) refuse("--loads-on", {"--max-stress", "--at", "--at-file", "--samples"}, rule);
+    if (given.has("--max-stress")) refuse("--max-stress", {"--at", "--at-file", "--samples"}, rule);
+  }
   if (options.certify) refuse("--certify", {"--search-solutions"}, "it proves one solution");
   if (options.both_directions) {
     refuse("--both-directions", {"--load-steps", "--search-solutions"}, "it is for one solution of each direction");
     refuse("--both-directions", {"--certificate"}, "a certificate is of one direction");
+    refuse("--both-directions", {"--plot"}, "a picture shows one solution");
+    refuse("--both-directions", {"--stress-at", "--loads-on", "--max-stress"},
+           "stresses and forces are those of one direction");
   }
   if (options.search_starts == 0) return;
-  refuse("--search-solutions", {"--at", "--at-file", "--samples", "--load-steps"},
+  refuse("--search-solutions",
+         {"--at", "--at-file", "--samples", "--load-steps", "--stress-at", "--loads-on", "--max-stress"},
          "it compares contact zones and resultants under the file's load");
   if (options.method == Method::closed_form || options.method == Method::riemann_hilbert) {
     throw bad_command_line("--search-solutions: conflicting option", "it searches by the variational method",
                            "--method " + options.method_name);
   }
+}
+
+FieldWanted field_wanted(const Given& given) {
+  FieldWanted wanted;
+  if (const auto file = given.name("--stress-at", "file")) wanted.points = read_depth_points(*file);
+  if (const auto file = given.name("--loads-on", "file")) wanted.mesh = std::make_shared<MeshFile>(read_mesh(*file));
+  wanted.largest_stress = given.has("--max-stress");
+  if (!given.has("--depth")) return wanted;
+  const std::string text = given.text("--depth");
+  const std::vector<Rational> depth = parse_list("--depth", text, 1);
+  if (depth[0] < 0) throw bad_command_line("--depth: negative", "a depth is at least 0", text);
+  wanted.depth = depth[0];
+  return wanted;
 }
 
 SolveOptions read(const Given& given) {
@@ -105,6 +136,7 @@ SolveOptions read(const Given& given) {
   options.iterations = given.count("--iterations", 1, 10000);
   options.search_starts = given.count("--search-solutions", 1, 1000).value_or(0);
   refuse_conflicts(given, options);
+  options.field = field_wanted(given);
   return options;
 }
 
@@ -120,6 +152,14 @@ void check_method(const SolveOptions& options, const Problem& problem) {
     throw bad_command_line("--load-steps: method without a proof of contact",
                            "with --certify it goes with closed-form and riemann-hilbert",
                            "--method " + options.method_name);
+  }
+  if (on_cells && options.certify && options.field.any()) {
+    throw bad_command_line("--certify: method without proved stresses and nodal forces",
+                           "with them it goes with closed-form and riemann-hilbert", "--method " + options.method_name);
+  }
+  if (options.field.largest_stress && !problem.contact.elasticity().half_space()) {
+    throw bad_command_line("--max-stress: no von Mises stress", "it needs the half-space's poisson in place of gamma",
+                           problem.file);
   }
   if (options.common.digits > most_digits_of_integrals && !numeric::closed_form<double>(problem.contact).solution) {
     throw bad_command_line(
@@ -172,10 +212,10 @@ SolutionWanted samples_wanted(const SolveOptions& options) {
   SolutionWanted wanted{options.common.digits, {}, options.samples};
   if (!options.at.empty()) wanted.at = parse_list("--at", options.at, max_places);
   if (options.at_file) {
-    for (const std::vector<Rational>& row : read_points(*options.at_file, {"x"}, max_places))
-      wanted.at.push_back(row[0]);
+    for (Rational& x : library::read_places(*options.at_file, max_places)) wanted.at.push_back(std::move(x));
   }
-  const bool any_samples = !wanted.at.empty() || wanted.samples > 0;
+  wanted.field = options.field;
+  const bool any_samples = !wanted.at.empty() || wanted.samples > 0 || wanted.field.any();
   if (options.common.format == Format::csv && !any_samples) wanted.samples = csv_samples;
   return wanted;
 }
@@ -372,6 +412,10 @@ Command solve_command() {
            {"--iterations", "N",
             "Most steps of the active sets on each mesh, 1 to 10000; default 100: variational only"},
            {"--plot", "FILE", "Draw indenter, surface and tractions into FILE.svg, .pdf or .png, by gnuplot"},
+           {"--stress-at", "FILE", "Stresses below the surface at the points x,z of a table, z > 0 into the body"},
+           {"--loads-on", "FILE", "Nodal forces on a mesh of the surface: a table of nodes x, or x,order"},
+           {"--max-stress", "", "The largest von Mises stress in the body, and where", Option::Kind::flag},
+           {"--depth", "Z", "At depths of at least Z; default 0, or where stresses have no bound width/100"},
            {"--load-steps", "LIST", "The contact under each of these loads, one row for each component"},
            {"--search-solutions", "N",
             "Start from N contact sets, 1 to 1000: do all lead to one solution? By the variational method"},

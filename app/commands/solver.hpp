@@ -5,8 +5,8 @@
 #include <tuple>
 #include <vector>
 
-#include "app/results/certificate.hpp"
 #include "app/results/solution_text.hpp"
+#include "library/proof/certificate.hpp"
 #include "library/solve/method.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 

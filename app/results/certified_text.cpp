@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "app/results/certificate.hpp"
 #include "enclosure/contact/enclosed_solution.hpp"
 #include "enclosure/contact/punch_core.hpp"
+#include "library/proof/certificate.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -36,7 +36,7 @@ class CertifiedWriter {
   CertifiedWriter(SolutionText& text, const Problem& problem, const enclosure::ContactProof& proof, int digits)
       : text_(text), problem_(problem.contact), solution_(problem.contact, proof), digits_(digits) {}
 
-  void write(const std::vector<Rational>& places) {
+  void write(const std::vector<Rational>& places, const FieldWanted& field) {
     std::vector<Ball> ends;
     std::vector<Ball> intensities;
     text_.contact.clear();
@@ -83,6 +83,7 @@ class CertifiedWriter {
 
     text_.samples.clear();
     for (const Rational& x : places) text_.samples.push_back(sample(x));
+    text_.field = field_text(problem_, solution_, field, digits_);
     text_.errors = {{"ends", upper_text(relative_radius(ends))},
                     {"traction", upper_text(relative_radius(intensities))},
                     {"resultants", upper_text(relative_radius(resultants.load_share))}};
@@ -182,7 +183,7 @@ void certify(SolutionText& text, const Problem& problem, const enclosure::Contac
     places.push_back(parse_rational(text.samples[i].x));
   }
   text.digits = wanted.digits;
-  CertifiedWriter(text, problem, proof, wanted.digits).write(places);
+  CertifiedWriter(text, problem, proof, wanted.digits).write(places, wanted.field);
   told.certificate = certificate(problem.contact, proof, wanted.digits);
   text.proof = std::move(told);
   // What the approximation could not vouch for is proved.

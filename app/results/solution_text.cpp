@@ -24,36 +24,36 @@ bool agree(const TwoSided<R>& limits) {
   return abs(limits.left.value - limits.right.value) <= errors * (1 + 4 * numeric::epsilon<R>());
 }
 
-template <Real R>
-std::vector<std::pair<std::string, R>> named(const numeric::Residuals<R>& residuals) {
-  return {{"equation", residuals.equation},
-          {"load", residuals.load},
-          {"penetration", residuals.penetration},
-          {"tension", residuals.tension}};
-}
-
 /// Texts of numbers, and what is noticed on the way.
 template <Real R>
 class Writer {
  public:
   Writer(SolutionText& result, int digits) : result_(result), digits_(digits) {}
 
+  /// Do texts follow, or only what is noticed?
+  void tell(bool told) { told_ = told; }
+
   NumberText text(const Estimate<R>& estimate) {
     notice(estimate);
-    return number_text(estimate, digits_);
+    return told_ ? number_text(estimate, digits_) : NumberText{};
+  }
+
+  ExponentText exponent(const std::optional<Exponent>& exponent) const {
+    return told_ ? exponent_text(exponent, digits_) : ExponentText{};
   }
 
   std::vector<NamedSize> sizes(const std::vector<std::pair<std::string, R>>& values) {
     std::vector<NamedSize> result;
     for (const auto& [name, value] : values) {
       notice(value);
-      result.push_back({name, size_text(value, digits_)});
+      if (told_) result.push_back({name, size_text(value, digits_)});
     }
     return result;
   }
 
   EndText end(const numeric::ContactEnd<R>& end) {
-    return {text(end.x), std::string(name_of(end.kind)), format_exponent(end.exponent, digits_), text(end.intensity)};
+    return {text(end.x), std::string(name_of(end.kind)), told_ ? format_exponent(end.exponent, digits_) : "",
+            text(end.intensity)};
   }
 
   /// What of a sample fails to converge has its error, and the solution is one all the same.
@@ -82,7 +82,7 @@ class Writer {
 
   LargestText largest(const numeric::LargestPressure<R>& largest) {
     const bool infinite = isinf(largest.value.value);
-    return {text(largest.value), text(largest.x), infinite ? exponent_text(largest.exponent, digits_).value : ""};
+    return {text(largest.value), text(largest.x), infinite ? exponent(largest.exponent).value : ""};
   }
 
   void add_samples(std::vector<SampleText>& texts, const numeric::ContactSolution<R>& solution, int count,
@@ -118,26 +118,13 @@ class Writer {
 
   SolutionText& result_;
   int digits_;
+  bool told_ = true;
   bool converged_ = true;
 };
 
 /// Places of a picture in each component and gap.
 int curve_samples(std::size_t components) {
   return static_cast<int>(std::max<std::size_t>(3200 / std::max<std::size_t>(components, 8), 24));
-}
-
-/// What stands in the way of calling it a solution.
-template <Real R>
-std::string failed_condition(const numeric::ContactSolution<R>& solution,
-                             const std::vector<std::pair<std::string, R>>& residuals, double largest_residual,
-                             bool converged) {
-  if (std::string text = solution.failed_condition(); !text.empty()) return text;
-  for (const auto& [name, value] : residuals) {
-    const bool small = value <= largest_residual;  // no number is not
-    if (!small) return fmt::format("{} has the residual {}", name, size_text(value, 2));
-  }
-  if (!converged) return "a value stalled before its tolerance";
-  return useless_error(solution.estimated_error());
 }
 
 }  // namespace
@@ -168,26 +155,34 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
                            const SolutionWanted& wanted) {
   SolutionText text;
   Writer<R> writer(text, wanted.digits);
+  const auto tell = [&](const char* entry) {
+    const bool told = wanted.entries.empty() || std::ranges::find(wanted.entries, entry) != wanted.entries.end();
+    writer.tell(told);
+    return told;
+  };
   text.method = solution.method();
   text.digits = wanted.digits;
   const std::vector<numeric::ContactComponent<R>> contact = solution.contact();
+  const numeric::Resultants<R> resultants = solution.resultants();
+  tell("contact");
   for (const auto& component : contact) {
     text.contact.emplace_back(writer.end(component.left), writer.end(component.right));
     text.width.push_back(writer.text(component.width));
   }
+  for (const Estimate<R>& load : resultants.component_load) text.component_load.push_back(writer.text(load));
+  const bool points_told = tell("singular_points");
   for (const auto& point : solution.singular_points()) {
     text.singular_points.push_back({writer.text(point.x), std::string(name_of(point.kind)),
-                                    exponent_text(point.exponent, wanted.digits), writer.text(point.intensity),
+                                    writer.exponent(point.exponent), writer.text(point.intensity),
                                     writer.text(point.constant), writer.stress_intensity(point.stress_intensity),
-                                    point.exponent ? stress_intensity_unit(*point.exponent) : ""});
+                                    points_told && point.exponent ? stress_intensity_unit(*point.exponent) : ""});
   }
-  const numeric::Resultants<R> resultants = solution.resultants();
+  const bool resultants_told = tell("resultants");
   text.normal = writer.text(resultants.normal);
   text.tangential = writer.text(resultants.tangential);
   text.centre_of_pressure = writer.text(resultants.centre_of_pressure);
   text.effective_friction = writer.text(resultants.effective_friction);
   for (const Estimate<R>& share : resultants.load_share) text.load_share.push_back(writer.text(share));
-  for (const Estimate<R>& load : resultants.component_load) text.component_load.push_back(writer.text(load));
   if (!contact.empty()) {
     const Estimate<R> length = numeric::real_contact_length(contact);
     const bool one = contact.size() == 1;
@@ -197,21 +192,26 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
     text.largest_pressure = writer.largest(solution.largest_pressure());
   }
   if (const auto tilt = solution.tilt()) text.tilt = writer.text(*tilt);
-  if (const auto core = numeric::punch_core<R>(problem.contact)) {
+  if (const auto core = resultants_told ? numeric::punch_core<R>(problem.contact) : std::nullopt) {
     text.core = LimitText{number_text(core->left, wanted.digits), number_text(core->right, wanted.digits)};
   }
 
+  tell("samples");
   for (const Rational& x : wanted.at)
     text.samples.push_back(writer.sample(full_number(x, wanted.digits), solution.details_at(x), problem.contact));
   if (wanted.samples > 0) writer.add_samples(text.samples, solution, wanted.samples, problem.contact);
   if (wanted.curve) writer.add_samples(text.curve, solution, curve_samples(text.contact.size()), problem.contact);
 
+  text.field = field_text(solution, wanted.field, wanted.digits);
+  if (!text.field.in_range) text.in_range = false;
   const numeric::EstimatedError<R> error = solution.estimated_error();
+  tell("estimated_error");
   text.errors = writer.sizes({{"ends", error.ends}, {"traction", error.traction}, {"resultants", error.resultants}});
-  const auto residuals = named(solution.residuals());
   text.warnings = warnings(problem, solution);
-  text.failed_condition = failed_condition(solution, residuals, wanted.largest_residual, writer.converged());
-  text.residuals = writer.sizes(residuals);
+  const numeric::Residuals<R> residuals = solution.residuals();
+  text.failed_condition = library::failed_condition(solution, residuals, wanted.largest_residual, writer.converged());
+  tell("residuals");
+  text.residuals = writer.sizes(named(residuals));
   text.uniqueness = uniqueness(problem.contact);
   return text;
 }

@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/results/field_text.hpp"
 #include "library/problem_file/problem_file.hpp"
+#include "library/solve/failed_condition.hpp"
 #include "library/text/number_format.hpp"
 #include "model/uniqueness.hpp"
 #include "numeric/solution/contact_solution.hpp"
@@ -111,6 +113,7 @@ struct SolutionText {
   std::optional<LimitText> core;   ///< of a flat punch: where the load may act in full contact, if it may tilt
   std::vector<NumberText> load_share;
   std::vector<SampleText> samples;
+  FieldText field;
   std::vector<SampleText> curve;  ///< for a picture, left to right; of the solver where the rest is proved
   std::vector<NamedSize> errors;  ///< estimated, relative; proved where the solution is
   std::vector<NamedSize> residuals;
@@ -144,9 +147,12 @@ struct SolutionWanted {
   int digits = 16;
   std::vector<Rational> at{};  ///< samples at these places,
   int samples = 0;             ///< and so many a component and a gap
-  bool curve = false;          ///< as many as a picture needs, 400 a component where these are few
+  FieldWanted field{};
+  bool curve = false;  ///< as many as a picture needs, 400 a component where these are few
+  /// Entries of the result (solve_json.hpp) that are told; the texts of others stay empty. None: all. All is computed.
+  std::vector<std::string> entries{};
   /// A solution with a larger residual is none. Infinite for a method whose own failed_condition() weighs its residuals.
-  double largest_residual = 1e-9;
+  double largest_residual = library::largest_residual;
 };
 
 template <numeric::Real R>
@@ -163,18 +169,9 @@ LimitText limit_text(const numeric::TwoSided<R>& limits, const numeric::TwoSided
 /// What a warning of an estimated error says.
 inline constexpr const char* estimated_error_warning = "large estimated error";
 
-/// Of estimated errors, relative as in numeric::EstimatedError. Above the first a warning, above the second no
-/// solution.
-inline constexpr double large_error = 0.1;
-inline constexpr double useless_error_from = 0.5;
-
 /// Estimated errors above 10 %; contact that reaches the cut end of a trace; contact of a trace within the last 1 % of
 /// the support alone.
 template <numeric::Real R>
 std::vector<std::string> warnings(const Problem& problem, const numeric::ContactSolution<R>& solution);
-
-/// Empty unless one of the errors is above 50 %, or no number.
-template <numeric::Real R>
-std::string useless_error(const numeric::EstimatedError<R>& error);
 
 }  // namespace steadyslide::app

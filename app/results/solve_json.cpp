@@ -143,6 +143,27 @@ Json sample_json(const SampleText& sample) {
   return json;
 }
 
+Json stress_json(const StressText& at) {
+  const auto& [x_x, x_z, z_x, z_z] = at.gradient;
+  Json json = with(Json(), "x", at.x, "z", at.z, "sxx", at.xx, "szz", at.zz, "sxz", at.xz, "syy", at.yy, "von_mises",
+                   at.von_mises, "largest_shear", at.largest_shear);
+  json["displacement_gradient"] = with(Json(), "dux_dx", x_x, "dux_dz", x_z, "duz_dx", z_x, "duz_dz", z_z);
+  return json;
+}
+
+void add_field(Json& json, const FieldText& field) {
+  if (!field.stresses.empty()) json["stresses"] = array(field.stresses, stress_json);
+  if (!field.nodal_forces.empty()) {
+    json["nodal_forces"] = array(field.nodal_forces, [](const NodalForceText& force) {
+      return with(Json(), "x", force.x, "normal", force.normal, "tangential", force.tangential);
+    });
+  }
+  if (const auto& largest = field.largest_stress) {
+    json["largest_stress"] = with(Json(), "depth", largest->depth, "von_mises", largest->von_mises, "x", largest->x,
+                                  "z", largest->z, "unbounded_at", largest->unbounded_at);
+  }
+}
+
 Json sizes_json(const std::vector<NamedSize>& sizes) {
   Json json;
   for (const auto& [name, size] : sizes) add(json, name, size);
@@ -165,6 +186,7 @@ Json solution_json(const SolutionText& solution) {
        {"method", "digits", "contact", "singular_points", "resultants", "samples", "estimated_error", "residuals"}) {
     json[key] = solution_entry(solution, key);
   }
+  add_field(json, solution.field);
   if (solution.proof) json["proof"] = proof_json(*solution.proof);
   if (solution.bound) json["bound"] = bound_json(*solution.bound);
   return json;

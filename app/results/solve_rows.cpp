@@ -46,7 +46,36 @@ void write_samples(const SolutionText& solution, const std::vector<Cell>& first,
 
 }  // namespace
 
+void write_stresses(Format format, const FieldText& field, Output& output) {
+  const bool indented = format == Format::text;
+  Rows rows(format,
+            {indented ? "  x" : "x", "z", number("sxx"), number("szz"), number("sxz"), number("syy"),
+             number("von_mises"), number("largest_shear")},
+            output);
+  for (const StressText& at : field.stresses) {
+    rows.row({(indented ? "  " : "") + at.x, at.z, at.xx, at.zz, at.xz, at.yy, at.von_mises, at.largest_shear});
+  }
+  rows.end();
+}
+
+void write_nodal_forces(Format format, const FieldText& field, Output& output) {
+  const bool indented = format == Format::text;
+  Rows rows(format, {indented ? "  x" : "x", number("normal"), number("tangential")}, output);
+  for (const auto& [x, normal, tangential] : field.nodal_forces) {
+    rows.row({(indented ? "  " : "") + x, normal, tangential});
+  }
+  rows.end();
+}
+
 void write_csv(const Problem&, const SolutionText& solution, Output& output) {
+  const FieldText& field = solution.field;
+  if (!field.stresses.empty()) return write_stresses(Format::csv, field, output);
+  if (!field.nodal_forces.empty()) return write_nodal_forces(Format::csv, field, output);
+  if (const auto& largest = field.largest_stress) {
+    Rows rows(Format::csv, {"depth", number("von_mises"), number("x"), number("z")}, output);
+    rows.row({largest->depth, largest->von_mises, largest->x, largest->z});
+    return rows.end();
+  }
   Rows rows(Format::csv, sample_columns, output);
   write_samples(solution, {}, rows);
   rows.end();

@@ -110,6 +110,23 @@ void write_samples(const SolutionText& solution, Output& output) {
   rows.end();
 }
 
+void write_field(const FieldText& field, Output& output) {
+  if (!field.stresses.empty()) {
+    output.write("\nstresses below the surface (tension positive; z into the body; force per area)\n");
+    write_stresses(Format::text, field, output);
+  }
+  if (!field.nodal_forces.empty()) {
+    output.write("\nnodal forces on the body (normal into the body, tangential along +x)\n");
+    write_nodal_forces(Format::text, field, output);
+  }
+  if (const auto& largest = field.largest_stress) {
+    output.write("\nlargest von Mises stress\n");
+    for (const NumberText& x : largest->unbounded_at) write_line(output, "inf", "next to x = " + shown(x));
+    write_line(output, shown(largest->von_mises),
+               fmt::format("at x = {}, z = {} (depths from {})", shown(largest->x), shown(largest->z), largest->depth));
+  }
+}
+
 void write_sizes(const std::string& heading, const std::vector<NamedSize>& sizes, Output& output) {
   output.write("\n" + heading + "\n");
   for (const auto& [name, size] : sizes) write_line(output, name, size);
@@ -172,6 +189,7 @@ void write_text(const Problem& problem, const SolutionText& solution, Output& ou
   write_singular_points(solution, output);
   write_resultants(problem, solution, output);
   write_samples(solution, output);
+  write_field(solution.field, output);
   const bool proved = solution.proof && solution.proof->proved;
   write_sizes(proved ? "relative errors, proved" : "estimated relative errors", solution.errors, output);
   write_sizes("relative residuals, by an unrelated rule", solution.residuals, output);

@@ -51,7 +51,11 @@ void write_text(const Problem& problem, const BothText& both, Output& output);
 void write_json(const Problem& problem, const SolutionText& solution, Output& output);
 void write_json(const Problem& problem, const SearchText& search, Output& output);
 void write_json(const Problem& problem, const BothText& both, Output& output);
-/// The samples, docs/output.md; two rows where a limit differs from its other side.
+/// One row for each point, or node; without the displacement's gradient.
+void write_stresses(Format format, const FieldText& field, Output& output);
+void write_nodal_forces(Format format, const FieldText& field, Output& output);
+/// Stresses, nodal forces or the largest stress, where one of them was asked for (docs/interior.md). Otherwise
+/// the samples, docs/output.md; two rows where a limit differs from its other side.
 void write_csv(const Problem& problem, const SolutionText& solution, Output& output);
 /// One row for each solution and contact component.
 void write_csv(const Problem& problem, const SearchText& search, Output& output);

@@ -10,33 +10,14 @@
 #include "app/commands/solver.hpp"
 #include "app/results/solve_json.hpp"
 #include "app/terminal/failure.hpp"
-#include "library/problem_file/problem_reader.hpp"
 
 namespace steadyslide::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Step = std::variant<std::string, std::size_t>;
 
 constexpr std::array entries{"method",          "digits",    "contact",    "singular_points", "resultants",
                              "estimated_error", "residuals", "uniqueness", "warnings"};
-
-/// Of "a[2].b": a, 2, b; none for what is no path.
-std::vector<Step> steps_of(std::string_view path) {
-  std::vector<Step> steps;
-  while (!path.empty()) {
-    const std::string_view part = next_part(path);
-    if (part.empty() && !steps.empty()) continue;
-    const std::optional<std::size_t> index = index_of(part);
-    if (part.empty() || (part.back() == ']' && !index) || (index && steps.empty())) return {};
-    if (index) {
-      steps.emplace_back(*index);
-    } else {
-      steps.emplace_back(std::string(part));
-    }
-  }
-  return steps;
-}
 
 /// A solution with all entries that any has: of a punch that may tilt, with a friction jump.
 SolutionText specimen() {
@@ -97,6 +78,27 @@ std::string what_is_there(const Json& specimen, std::span<const Step> steps) {
   return fmt::format("keys here are {}", fmt::join(keys, ", "));
 }
 
+/// "largest_pressure_error", say, is "value_error" in the table largest_pressure. Null, and the steps as they were, where
+/// there is no such table.
+const Json* error_of_value(const Json& specimen, std::vector<Step>& steps) {
+  const auto* const last = std::get_if<std::string>(&steps.back());
+  if (last == nullptr || !last->ends_with("_error")) return nullptr;
+  std::vector<Step> inside(steps.begin(), steps.end() - 1);
+  inside.insert(inside.end(), {Step(last->substr(0, last->size() - 6)), Step("value_error")});
+  const Json* there = found(specimen, inside, true);
+  if (there != nullptr) steps = std::move(inside);
+  return there;
+}
+
+/// Where a name is that of an entry of the resultants, the steps to it from the top.
+std::vector<Step> from_the_top(const Json& specimen, std::vector<Step> steps) {
+  if (steps.empty() || specimen.contains(std::get<std::string>(steps.front()))) return steps;
+  std::vector<Step> longer = steps;
+  longer.insert(longer.begin(), "resultants");
+  const bool is_there = found(specimen, longer, true) != nullptr || error_of_value(specimen, longer) != nullptr;
+  return is_there ? longer : steps;
+}
+
 /// Refuses a name that leads to nothing, or to several values; leads on to "value" where the name is that of a table
 /// with one.
 void check(const Word& name, const Json& specimen, std::vector<Step>& steps) {
@@ -110,6 +112,7 @@ void check(const Word& name, const Json& specimen, std::vector<Step>& steps) {
     if (there != nullptr && there->is_array()) return;
     there = nullptr;
   }
+  if (there == nullptr) there = error_of_value(specimen, steps);
   if (there == nullptr) throw bad("unknown column", what_is_there(specimen, steps));
   if (there->is_object() && there->contains("value")) {
     steps.emplace_back("value");
@@ -126,11 +129,7 @@ ResultColumns::ResultColumns(const std::vector<Word>& names) {
   const SolutionText solution = specimen();
   for (const char* entry : entries) whole[entry] = solution_entry(solution, entry);
   for (const Word& name : names) {
-    std::vector<Step> steps = steps_of(name.text);
-    const auto is = [&](const char* entry) { return !steps.empty() && steps.front() == Step(entry); };
-    if (!steps.empty() && std::ranges::none_of(entries, is) &&
-        whole["resultants"].contains(std::get<std::string>(steps[0])))
-      steps.insert(steps.begin(), "resultants");
+    std::vector<Step> steps = from_the_top(whole, steps_of(name.text));
     check(name, whole, steps);
     if (std::ranges::find(columns_, name.text, &Column::name) != columns_.end()) {
       throw Failure(ExitCode::bad_input,
@@ -148,7 +147,7 @@ std::vector<Word> ResultColumns::usual() {
   std::vector<Word> names;
   for (const char* name :
        {"effective_friction", "effective_friction_error", "centre_of_pressure", "centre_of_pressure_error",
-        "contact[0].left.x", "contact[0].right.x", "contact.size", "method", "warnings.size"}) {
+        "largest_pressure", "contact[0].left.x", "contact[0].right.x", "components", "method", "warnings.size"}) {
     names.push_back({name, ""});
   }
   return names;

@@ -4,10 +4,10 @@
 // key "value" is that value.
 
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "app/results/solution_text.hpp"
+#include "library/sweep/path.hpp"
 #include "library/sweep/sweep_file.hpp"
 
 namespace steadyslide::app {
@@ -21,11 +21,12 @@ class ResultColumns {
   static std::vector<Word> usual();
 
   std::vector<std::string> names() const;
+  /// The entries of the result that the columns are from (solve_json.hpp).
+  const std::vector<std::string>& entries() const { return entries_; }
   /// Each column's text; empty where this solution has no such entry, or no number there.
   std::vector<std::string> cells(const SolutionText& solution) const;
 
  private:
-  using Step = std::variant<std::string, std::size_t>;
   struct Column {
     std::string name;
     std::size_t entry;        // of entries_

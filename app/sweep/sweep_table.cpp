@@ -63,6 +63,7 @@ SweepTable::SweepTable(SweepFile sweep)
     : sweep_(std::move(sweep)),
       wanted_(wanted_by(sweep_)),
       columns_(sweep_.columns.empty() ? ResultColumns::usual() : sweep_.columns) {
+  wanted_.solution.entries = columns_.entries();
   for (const VariedDatum& datum : sweep_.problems.data()) {
     std::vector<std::string>& texts = values_.emplace_back();
     for (const Value& value : datum.values) texts.push_back(text_of(value, wanted_.solution.digits));

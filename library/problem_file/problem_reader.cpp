@@ -7,20 +7,17 @@
 #include <charconv>
 
 namespace steadyslide::library {
-std::string_view next_part(std::string_view& path) {
-  const std::size_t end = std::min(path.find_first_of(".["), path.size());
-  const std::string_view part = path.substr(0, end);
-  path.remove_prefix(std::min(end + 1, path.size()));
+namespace {
+
+/// The text up to the next '.' or '[', and what follows; an index is "2]".
+std::string_view next_part(std::string_view& field) {
+  const std::size_t end = std::min(field.find_first_of(".["), field.size());
+  const std::string_view part = field.substr(0, end);
+  field.remove_prefix(std::min(end + 1, field.size()));
   return part;
 }
 
-std::optional<std::size_t> index_of(std::string_view part) {
-  std::size_t index = 0;
-  const char* const last = part.data() + part.size();
-  const auto [end, error] = std::from_chars(part.data(), last, index);
-  if (error != std::errc() || end + 1 != last || *end != ']') return std::nullopt;
-  return index;
-}
+}  // namespace
 
 ProblemReader::Found ProblemReader::locate(std::string_view field) const {
   Found found{&root_, root_.line, &file_};
@@ -28,8 +25,10 @@ ProblemReader::Found ProblemReader::locate(std::string_view field) const {
     const std::string_view part = next_part(field);
     if (part.empty()) continue;
     const Value* inside = nullptr;
-    if (const std::optional<std::size_t> index = index_of(part)) {
-      if (*index < found.value->items.size()) inside = &found.value->items[*index];
+    if (part.back() == ']') {
+      std::size_t index = 0;
+      std::from_chars(part.data(), part.data() + part.size(), index);
+      if (index < found.value->items.size()) inside = &found.value->items[index];
       if (inside != nullptr) found.line = inside->line;
     } else if (const Entry* entry = found.value->find(part)) {
       inside = &entry->value;

@@ -81,9 +81,4 @@ class ProblemReader {
   std::string kind_;
 };
 
-/// The first part of a path, which is left with what follows: of "a.b[2]" a, then b, then "2]".
-std::string_view next_part(std::string_view& path);
-/// Of a part like "2]"; none if it is no index.
-std::optional<std::size_t> index_of(std::string_view part);
-
 }  // namespace steadyslide::library

@@ -2,10 +2,8 @@
 // A measured profile: points (x, psi) in a text file, joined by straight lines. Everything is exact, as in a problem
 // file; every complaint names the trace and the line.
 //
-//   One point a line, two columns, x strictly increasing, both in the user's unit of length, psi away from the body.
-//   Columns are separated by a semicolon if the line has one, else by a comma if it has one, else by blanks or tabs.
-//   From # on a line is a comment; the first line that is more than a comment is a header if it begins with something
-//   else than a digit, a sign or a point. CRLF and a byte order mark are fine.
+//   One point a line, two columns (input_file.hpp), x strictly increasing, both in the user's unit of length, psi away
+//   from the body.
 
 #include <optional>
 #include <string>

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "library/problem_file/file_error.hpp"
-#include "library/problem_file/problem_reader.hpp"
 
 namespace steadyslide::library {
 namespace {
@@ -17,21 +16,19 @@ void stands_in(Value& value, const std::string& file) {
   for (Value& item : value.items) stands_in(item, file);
 }
 
-/// Where the path leads in the document; null where it ends before. Tables and keys are made, with the line and the
-/// file of `like`.
-Value* place(Value& root, std::string_view path, const Value& like) {
-  Value* found = path.empty() ? nullptr : &root;
-  while (!path.empty()) {
-    const std::string_view part = next_part(path);
-    if (part.empty()) continue;
-    if (part.back() == ']') {
-      const std::optional<std::size_t> index = index_of(part);
-      if (!index || *index >= found->items.size()) return nullptr;
+/// Where the steps lead in the document; null if nowhere. Keys that are missing are made, with the line and the file
+/// of `like`.
+Value* place(Value& root, const std::vector<Step>& steps, const Value& like) {
+  Value* found = steps.empty() ? nullptr : &root;
+  for (const Step& step : steps) {
+    if (const auto* index = std::get_if<std::size_t>(&step)) {
+      if (*index >= found->items.size()) return nullptr;
       found = &found->items[*index];
       continue;
     }
     if (found->kind != Value::Kind::table) return nullptr;
-    const auto entry = std::ranges::find(found->entries, part, &Entry::key);
+    const auto& key = std::get<std::string>(step);
+    const auto entry = std::ranges::find(found->entries, key, &Entry::key);
     if (entry != found->entries.end()) {
       found = &entry->value;
       continue;
@@ -39,17 +36,16 @@ Value* place(Value& root, std::string_view path, const Value& like) {
     Value table;
     table.line = like.line;
     table.file = like.file;
-    found->entries.push_back({std::string(part), like.line, 0, std::move(table)});
+    found->entries.push_back({key, like.line, 0, std::move(table)});
     found = &found->entries.back().value;
   }
   return found;
 }
 
-/// Is one of the paths the other, or a part of it?
-bool overlap(const std::string& a, const std::string& b) {
-  const auto& [shorter, longer] = std::minmax(a, b, [](const auto& x, const auto& y) { return x.size() < y.size(); });
-  return longer.starts_with(shorter) &&
-         (longer.size() == shorter.size() || longer[shorter.size()] == '.' || longer[shorter.size()] == '[');
+/// Does one of the paths lead through the other?
+bool overlap(const std::vector<Step>& a, const std::vector<Step>& b) {
+  const std::size_t both = std::min(a.size(), b.size());
+  return std::equal(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(both), b.begin());
 }
 
 }  // namespace
@@ -82,15 +78,17 @@ void Combinations::add(Axis axis) {
   size_ *= length;
   lengths_.push_back(length);
   for (VariedDatum& datum : axis) {
-    for (const VariedDatum& other : data_) {
-      if (overlap(datum.path, other.path)) throw bad(datum, "varied twice; a datum is varied once; " + other.path);
-    }
+    std::vector<Step> steps = steps_of(datum.path);
     for (Value& value : datum.values) stands_in(value, *axes_file_);
     Value trial = base_;
-    if (place(trial, datum.path, datum.values.front()) == nullptr) {
+    if (place(trial, steps, datum.values.front()) == nullptr) {
       throw bad(datum, "no such datum; a path leads to a datum of the problem, like friction.values[0]; absent");
     }
+    for (std::size_t k = 0; k < data_.size(); ++k) {
+      if (overlap(steps, steps_[k])) throw bad(datum, "varied twice; a datum is varied once; " + data_[k].path);
+    }
     axes_.push_back(lengths_.size() - 1);
+    steps_.push_back(std::move(steps));
     data_.push_back(std::move(datum));
   }
 }
@@ -108,7 +106,7 @@ Problem Combinations::problem(std::size_t n) const {
   const std::vector<std::size_t> choice = chosen(n);
   for (std::size_t k = 0; k < data_.size(); ++k) {
     const Value& value = data_[k].values[choice[k]];
-    *place(document, data_[k].path, value) = value;
+    *place(document, steps_[k], value) = value;
   }
   return problem_of(document, file_, known_ ? &*known_ : nullptr);
 }

@@ -9,6 +9,7 @@
 
 #include "library/problem_file/document.hpp"
 #include "library/problem_file/problem_file.hpp"
+#include "library/sweep/path.hpp"
 
 namespace steadyslide::library {
 
@@ -47,8 +48,9 @@ class Combinations {
   std::string file_;
   std::shared_ptr<const std::string> axes_file_;  // what values say of where they stand
   std::vector<VariedDatum> data_;
-  std::vector<std::size_t> axes_;     // of each datum
-  std::vector<std::size_t> lengths_;  // of each axis
+  std::vector<std::vector<Step>> steps_;  // of each datum
+  std::vector<std::size_t> axes_;         // the same
+  std::vector<std::size_t> lengths_;      // of each axis
   std::size_t size_ = 1;
   std::optional<Problem> known_;  // has the indenter of all, where that is not varied
 };

@@ -34,8 +34,9 @@ class SweepReader {
     reader_.check_keys("", {"problem", "vary", "together", "output", "solve"});
     std::uint64_t fingerprint = fnv1a(text);
     auto [base, file] = read_base(fingerprint);
-    Combinations problems(std::move(base), file, read_axes(), name_);
-    return {std::move(problems),
+    std::vector<Axis> axes = read_axes();
+    for (const std::string& trace : traces(base, axes)) fingerprint = fnv1a(contents_beside(file, trace), fingerprint);
+    return {Combinations(std::move(base), file, std::move(axes), name_),
             read_columns(),
             read_method(),
             count("digits", 1, 100),
@@ -62,6 +63,31 @@ class SweepReader {
     }
     fingerprint = fnv1a(text, fingerprint);
     return {parse_document(text, file), file};
+  }
+
+  /// The names of measured profiles.
+  static std::vector<std::string> traces(const Value& base, const std::vector<Axis>& axes) {
+    std::vector<std::string> names;
+    for (const std::string path : {"indenter.samples", "indenter.samples.file"}) {
+      const Value* value = ProblemReader(base, "").find(path);
+      if (value != nullptr) names.push_back(value->text);
+      for (const Axis& axis : axes) {
+        for (const VariedDatum& datum : axis) {
+          for (std::size_t k = 0; datum.path == path && k < datum.values.size(); ++k)
+            names.push_back(datum.values[k].text);
+        }
+      }
+    }
+    return names;
+  }
+
+  /// Nothing for a file that cannot be read: problems will say so.
+  static std::string contents_beside(const std::string& file, const std::string& name) {
+    try {
+      return name.empty() ? "" : read_input((std::filesystem::path(file).parent_path() / name).string(), "a trace");
+    } catch (const std::exception&) {
+      return "";
+    }
   }
 
   /// In the order of the file: the data of [vary], and [together] as one.

@@ -32,7 +32,7 @@ struct SweepFile {
   std::optional<int> digits;
   std::optional<int> cells;
   std::optional<int> iterations;
-  /// Of the sweep's and the problem's text and of the first indenter: other problems have another one.
+  /// Of all texts: of the sweep, its problem, measured profiles. Other problems have another one.
   std::uint64_t fingerprint;
 };
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "numeric/cauchy/interpolated_density.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 
 namespace steadyslide::numeric {
@@ -26,6 +27,7 @@ template <Real R>
 TractionIntegrals<R>::TractionIntegrals(PiecewiseDensity<R> density, const std::vector<Estimate<R>>& loads,
                                         std::vector<Friction> friction, const R& gamma)
     : density_(std::move(density)), friction_(std::move(friction)), gamma_(gamma) {
+  for (PanelDensity<R>& panel : density_) panel = interpolated(std::move(panel));
   before_.emplace_back();
   for (const Estimate<R>& load : loads) before_.push_back(before_.back() - load);
 }

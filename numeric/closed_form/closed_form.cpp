@@ -405,6 +405,32 @@ Sample<R> ClosedForm<R>::sample(const std::pair<Place, R>& at) const {
 }
 
 template <Real R>
+PiecewiseTraction<R> ClosedForm<R>::piecewise_traction() const {
+  const std::vector<Power<R>>& powers = weight().powers();
+  const std::size_t panels = weight().panel_count();
+  std::vector<SurfacePlace<R>> places;
+  for (std::size_t j = 0; j <= panels; ++j) {
+    places.push_back(SurfacePlace<R>::of(data_.origin + data_.exact[j].value_or(Rational(weight().point(j)))));
+  }
+  const auto length = [&](std::size_t k) { return k < panels ? weight().panel(k).length : infinity<R>(); };
+  PiecewiseTraction<R> result(problem_.elasticity());
+  for (std::size_t k = 0; k < panels; ++k) {
+    const Surroundings<R> around{powers[k].value != 0, powers[k + 1].value != 0, length(k == 0 ? panels : k - 1),
+                                 length(k + 1)};
+    result.add({places[k], places[k + 1], length(k), around, powers[k], powers[k + 1], nullptr, nullptr,
+                to_real<R>(problem_.shear_ratio(data_.first_piece + k)),
+                [&, k](std::span<const R> from_left, std::span<const R> from_right, std::span<R> values) {
+                  data_.traction(k, from_left, from_right, values);
+                },
+                [&, k](const R& from_left, const R& from_right) {
+                  const Node<R> node{weight().point(k) + from_left, from_left, from_right};
+                  return R(16 * epsilon<R>() + weight().relative_error(k, node, 2 * data_.end_error));
+                }});
+  }
+  return result;
+}
+
+template <Real R>
 std::vector<Sample<R>> ClosedForm<R>::samples(int count) const {
   std::vector<Sample<R>> result;
   for (const auto& place : places(count)) result.push_back(sample(place));

@@ -63,6 +63,7 @@ class ClosedForm : public ContactSolution<R> {
   Residuals<R> residuals() const override;
   Sample<R> at(const Rational& x) const override;
   void tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) const override;
+  PiecewiseTraction<R> piecewise_traction() const override;
   std::vector<Sample<R>> samples(int count) const override;
   DetailedSample<R> details_at(const Rational& x) const override;
   std::vector<DetailedSample<R>> detailed_samples(int count) const override;

@@ -37,6 +37,7 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   Residuals<R> residuals() const override;
   Sample<R> at(const Rational& x) const override;
   void tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) const override;
+  PiecewiseTraction<R> piecewise_traction() const override;
   std::vector<Sample<R>> samples(int count) const override;
   DetailedSample<R> details_at(const Rational& x) const override;
   std::vector<DetailedSample<R>> detailed_samples(int count) const override;
@@ -72,6 +73,8 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   Estimate<R> traction_limit(std::size_t j, Side side) const;
   Estimate<R> slope_limit(std::size_t j, Side side) const;
   Estimate<R> gap(const SurfacePoint<R>& at) const;
+  /// TractionSegment::left_corner, or right_corner, of the segment on that side of point j.
+  std::function<R(const R&)> corner(std::size_t j, Side side) const;
   std::optional<std::size_t> nearest_end(const SurfacePoint<R>& at) const;
 
   /// Those of samples().

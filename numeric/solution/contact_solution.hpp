@@ -20,6 +20,7 @@
 #include "model/contact_problem.hpp"
 #include "model/singular_point.hpp"
 #include "numeric/number/estimate.hpp"
+#include "numeric/solution/piecewise_traction.hpp"
 
 namespace steadyslide::numeric {
 
@@ -184,6 +185,8 @@ class ContactSolution {
       shear[i] = (there.shear.*larger).value;
     }
   }
+  /// The traction panel by panel: what stresses below the surface and loads on a mesh are made of.
+  virtual PiecewiseTraction<R> piecewise_traction() const = 0;
   /// `count` places in each contact component and in each gap of the support, denser towards singular points.
   virtual std::vector<Sample<R>> samples(int count) const = 0;
   /// at() and samples() with all that is known of a place.

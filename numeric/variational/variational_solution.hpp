@@ -44,6 +44,7 @@ class VariationalSolution : public ContactSolution<double> {
   /// From the certificate. Equation: the largest mean gap of a cell in contact, in units of c P.
   Residuals<double> residuals() const override;
   Sample<double> at(const Rational& x) const override;
+  PiecewiseTraction<double> piecewise_traction() const override;
   std::vector<Sample<double>> samples(int count) const override;
   DetailedSample<double> details_at(const Rational& x) const override;
   std::vector<DetailedSample<double>> detailed_samples(int count) const override;

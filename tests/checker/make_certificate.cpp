@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "app/results/certificate.hpp"
+#include "library/proof/certificate.hpp"
 #include "enclosure/contact/contact_proof.hpp"
 #include "library/problem_file/problem_file.hpp"
 #include "model/uniqueness.hpp"

@@ -98,6 +98,17 @@ TEST_CASE("sweep: lists, profiles and keys that the problem lacks vary, too") {
         "-0.5,0,stress,edge,\n-0.5,x^2*8,stress,free,\n0.5,0,stress,edge,\n0.5,x^2*8,stress,free,\n");
 }
 
+TEST_CASE("sweep: measured profiles vary") {
+  const SweepFolder folder(
+      "[vary]\nindenter.samples = [\"flat.csv\", \"wedge.csv\"]\n[output]\ncolumns = [\"method\"]\n");
+  folder.write("base.toml", replaced(sweep_base, "profile = 0", "samples = \"none.csv\""));
+  folder.write("flat.csv", "-1,0\n1,0\n");
+  folder.write("wedge.csv", "-1,1\n0,0\n1,1\n");
+  CHECK(out_of(folder.sweep({"-o", "out"})) == "");
+  CHECK(folder.read("out") ==
+        "indenter.samples,method,failed_condition\nflat.csv,closed-form,\nwedge.csv,riemann-hilbert,\n");
+}
+
 TEST_CASE("sweep: digits, method and cells are those of solve") {
   const SweepFolder folder("[vary]\nload = [1, 2]\n[solve]\ndigits = 30\n[output]\ncolumns = [\"load_share[0]\"]\n");
   const Json json = Json::parse(output(sweep_base, {"--format", "json", "--digits", "30"}));
@@ -202,4 +213,27 @@ TEST_CASE("sweep: rows of before are neither lost nor taken for others") {
           "out.part:1: rows of another sweep; --resume goes on with the same sweep, problem "
           "and version; '# steadyslide 0.0.1, sweep 0123456789abc...'");
   CHECK(folder.read("out") == whole);
+}
+
+TEST_CASE("sweep: rows of another problem, of other columns or another trace are refused") {
+  const SweepFolder folder(long_sweep);
+  folder.write("base.toml", replaced(sweep_base, "profile = 0", "samples = \"trace.csv\""));
+  folder.write("trace.csv", "-1,0\n1,0\n");
+  const Finished killed =
+      run_and_interrupt({"sweep", "sweep.toml", "-o", "out"}, folder, SIGKILL, std::chrono::milliseconds(200));
+  REQUIRE(killed.code == 128 + SIGKILL);
+  const std::string part = folder.read("out.part");
+  const auto is_refused_with = [&](const std::string& file, const std::string& what, const std::string& with) {
+    const std::string before = folder.read(file);
+    folder.write(file, replaced(before, what, with));
+    const Finished finished = folder.sweep({"-o", "out", "--resume"});
+    folder.write(file, before);
+    return finished.code == 2 && finished.err.starts_with("steadyslide: out.part:1: rows of another sweep; ");
+  };
+  CHECK(is_refused_with("base.toml", "load = 1", "load = 2"));
+  CHECK(is_refused_with("sweep.toml", "load_share[0]", "load_share[1]"));
+  CHECK(is_refused_with("trace.csv", "1,0\n1", "2,0\n1"));
+  CHECK(folder.read("out.part") == part);
+  CHECK(folder.sweep({"-o", "out", "--resume"}).code == 0);
+  CHECK(folder.read("out").starts_with(part.substr(part.find('\n') + 1)));
 }

@@ -1,9 +1,10 @@
 // Four threads make rows of one table, with numbers of both kinds: each is the row that one thread makes. That no memory
-// is shared unguarded is for the thread sanitizer to see (preset tsan); the task library's own threads it does not know.
+// is shared unguarded is for the thread sanitizer to see (preset tsan).
 
 #include <thread>
 
 #include "app/process.hpp"
+#include "app/sweep/ordered_tasks.hpp"
 #include "app/sweep/sweep_table.hpp"
 #include "support/test.hpp"
 
@@ -30,6 +31,11 @@ TEST_CASE("four threads make the rows of one") {
       }
       for (std::thread& thread : threads) thread.join();
     }
+    std::vector<std::string> in_turn;
+    in_order(
+        {0, table.size()}, 4, [&](std::size_t n) { return table.row(n); },
+        [&](std::size_t, const std::string& row) { in_turn.push_back(row); });
+    CHECK(in_turn == rows);
     for (std::size_t n = 0; n < rows.size(); ++n) {
       CHECK(rows[n] == table.row(n));
       CHECK(is_failed(rows[n]) == (n % 2 == 1));

@@ -5,6 +5,7 @@
 #include "model/invalid_data.hpp"
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 #include "support/numeric_test.hpp"
 #include "support/problems.hpp"
 

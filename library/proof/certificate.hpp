@@ -6,7 +6,7 @@
 #include "enclosure/cells/cell_bound.hpp"
 #include "enclosure/loads/load_interval.hpp"
 
-namespace steadyslide::app {
+namespace steadyslide::library {
 
 /// JSON. `proof` is one: proved, to so many digits.
 std::string certificate(const ContactProblem& problem, const enclosure::ContactProof& proof, int digits);
@@ -17,4 +17,4 @@ std::string certificate(const ContactProblem& problem, const enclosure::CellBoun
 /// Of a solution for all loads of intervals that follow each other.
 std::string certificate(const ContactProblem& problem, const std::vector<enclosure::LoadInterval>& intervals);
 
-}  // namespace steadyslide::app
+}  // namespace steadyslide::library

@@ -1,4 +1,4 @@
-#include "app/results/certificate.hpp"
+#include "library/proof/certificate.hpp"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "app/embedded.hpp"
 #include "library/text/number_format.hpp"
+#include "library/text/version.hpp"
 #include "model/uniqueness.hpp"
 
-namespace steadyslide::app {
+namespace steadyslide::library {
 namespace {
 
 using enclosure::Ball;
@@ -154,4 +154,4 @@ std::string certificate(const ContactProblem& problem, const std::vector<enclosu
   return finished(std::move(json), problem);
 }
 
-}  // namespace steadyslide::app
+}  // namespace steadyslide::library
