@@ -28,10 +28,11 @@ bool agree(const TwoSided<R>& limits) {
 template <Real R>
 class Writer {
  public:
-  Writer(SolutionText& result, int digits) : result_(result), digits_(digits) {}
+  Writer(SolutionText& result, const SolutionWanted& wanted)
+      : result_(result), wanted_(wanted.entries), digits_(wanted.digits) {}
 
-  /// Do texts follow, or only what is noticed?
-  void tell(bool told) { told_ = told; }
+  /// The numbers of this entry follow: as texts if it is wanted, to be noticed in any case.
+  bool tell(const char* entry) { return told_ = wanted_.empty() || std::ranges::find(wanted_, entry) != wanted_.end(); }
 
   NumberText text(const Estimate<R>& estimate) {
     notice(estimate);
@@ -117,6 +118,7 @@ class Writer {
   }
 
   SolutionText& result_;
+  const std::vector<std::string>& wanted_;
   int digits_;
   bool told_ = true;
   bool converged_ = true;
@@ -154,30 +156,25 @@ template <Real R>
 SolutionText solution_text(const Problem& problem, const numeric::ContactSolution<R>& solution,
                            const SolutionWanted& wanted) {
   SolutionText text;
-  Writer<R> writer(text, wanted.digits);
-  const auto tell = [&](const char* entry) {
-    const bool told = wanted.entries.empty() || std::ranges::find(wanted.entries, entry) != wanted.entries.end();
-    writer.tell(told);
-    return told;
-  };
+  Writer<R> writer(text, wanted);
   text.method = solution.method();
   text.digits = wanted.digits;
   const std::vector<numeric::ContactComponent<R>> contact = solution.contact();
   const numeric::Resultants<R> resultants = solution.resultants();
-  tell("contact");
+  writer.tell("contact");
   for (const auto& component : contact) {
     text.contact.emplace_back(writer.end(component.left), writer.end(component.right));
     text.width.push_back(writer.text(component.width));
   }
   for (const Estimate<R>& load : resultants.component_load) text.component_load.push_back(writer.text(load));
-  const bool points_told = tell("singular_points");
+  const bool points_told = writer.tell("singular_points");
   for (const auto& point : solution.singular_points()) {
     text.singular_points.push_back({writer.text(point.x), std::string(name_of(point.kind)),
                                     writer.exponent(point.exponent), writer.text(point.intensity),
                                     writer.text(point.constant), writer.stress_intensity(point.stress_intensity),
                                     points_told && point.exponent ? stress_intensity_unit(*point.exponent) : ""});
   }
-  const bool resultants_told = tell("resultants");
+  const bool resultants_told = writer.tell("resultants");
   text.normal = writer.text(resultants.normal);
   text.tangential = writer.text(resultants.tangential);
   text.centre_of_pressure = writer.text(resultants.centre_of_pressure);
@@ -196,7 +193,7 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
     text.core = LimitText{number_text(core->left, wanted.digits), number_text(core->right, wanted.digits)};
   }
 
-  tell("samples");
+  writer.tell("samples");
   for (const Rational& x : wanted.at)
     text.samples.push_back(writer.sample(full_number(x, wanted.digits), solution.details_at(x), problem.contact));
   if (wanted.samples > 0) writer.add_samples(text.samples, solution, wanted.samples, problem.contact);
@@ -205,12 +202,12 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
   text.field = field_text(solution, wanted.field, wanted.digits);
   if (!text.field.in_range) text.in_range = false;
   const numeric::EstimatedError<R> error = solution.estimated_error();
-  tell("estimated_error");
+  writer.tell("estimated_error");
   text.errors = writer.sizes({{"ends", error.ends}, {"traction", error.traction}, {"resultants", error.resultants}});
   text.warnings = warnings(problem, solution);
   const numeric::Residuals<R> residuals = solution.residuals();
   text.failed_condition = library::failed_condition(solution, residuals, wanted.largest_residual, writer.converged());
-  tell("residuals");
+  writer.tell("residuals");
   text.residuals = writer.sizes(named(residuals));
   text.uniqueness = uniqueness(problem.contact);
   return text;

@@ -16,8 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array entries{"method",          "digits",    "contact",    "singular_points", "resultants",
-                             "estimated_error", "residuals", "uniqueness", "warnings"};
+constexpr std::array all_entries{"method",          "digits",    "contact",    "singular_points", "resultants",
+                                 "estimated_error", "residuals", "uniqueness", "warnings"};
 
 /// A solution with all entries that any has: of a punch that may tilt, with a friction jump.
 SolutionText specimen() {
@@ -127,7 +127,7 @@ void check(const Word& name, const Json& specimen, std::vector<Step>& steps) {
 ResultColumns::ResultColumns(const std::vector<Word>& names) {
   Json whole;
   const SolutionText solution = specimen();
-  for (const char* entry : entries) whole[entry] = solution_entry(solution, entry);
+  for (const char* entry : all_entries) whole[entry] = solution_entry(solution, entry);
   for (const Word& name : names) {
     std::vector<Step> steps = from_the_top(whole, steps_of(name.text));
     check(name, whole, steps);

@@ -2,7 +2,7 @@
 // A measured profile: points (x, psi) in a text file, joined by straight lines. Everything is exact, as in a problem
 // file; every complaint names the trace and the line.
 //
-//   One point a line, two columns (input_file.hpp), x strictly increasing, both in the user's unit of length, psi away
+//   One point a line, two columns (table_reader.hpp), x strictly increasing, both in the user's unit of length, psi away
 //   from the body.
 
 #include <optional>

@@ -11,7 +11,7 @@
 namespace steadyslide::library {
 namespace {
 
-constexpr std::size_t longest_line = 1000;
+constexpr std::size_t longest_table_line = 1000;
 constexpr std::string_view blanks = " \t";
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
@@ -49,8 +49,8 @@ void TableReader::read(std::string_view text, const std::function<void(std::vect
 }
 
 void TableReader::read_line(std::string_view line, const std::function<void(std::vector<Rational>&)>& row) {
-  if (line.size() > longest_line) {
-    throw error("line too long", fmt::format("a line of {} has at most {} characters", rules_.kind, longest_line),
+  if (line.size() > longest_table_line) {
+    throw error("line too long", fmt::format("a line of {} has at most {} characters", rules_.kind, longest_table_line),
                 fmt::format("{} characters", line.size()));
   }
   if (line.find('\0') != line.npos) throw error("not a text", rules_.kind + " has no NUL bytes", excerpt(line));

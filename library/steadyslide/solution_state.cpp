@@ -71,6 +71,18 @@ struct Numbers {
   }
 };
 
+/// Of a mesh whose nodes were computed in double, those beside the middle of an element by rounding alone are in the middle.
+std::vector<Rational> nodes_of(const Mesh& mesh) {
+  std::vector<Rational> nodes;
+  for (const Exact& node : mesh.nodes) nodes.push_back(rational(node, "nodes[" + std::to_string(nodes.size()) + "]"));
+  for (std::size_t k = 2; mesh.order == 2 && k < nodes.size(); k += 2) {
+    const Rational middle = (nodes[k - 2] + nodes[k]) / 2;
+    const Rational rounding = Rational(1, Integer(1000000000000)) * (abs(nodes[k - 2]) + abs(nodes[k]));
+    if (abs(nodes[k - 1] - middle) <= rounding) nodes[k - 1] = middle;
+  }
+  return nodes;
+}
+
 template <Real R>
 std::vector<R> reals(std::span<const double> x) {
   return {x.begin(), x.end()};
@@ -180,10 +192,8 @@ class SolvedIn final : public Solution::State {
   }
 
   std::vector<NodalForce> nodal_forces(const Mesh& mesh) const override {
-    std::vector<Rational> nodes;
-    for (const Exact& node : mesh.nodes) nodes.push_back(rational(node, "nodes[" + std::to_string(nodes.size()) + "]"));
     std::vector<NodalForce> result;
-    for (const auto& force : numeric::nodal_forces(interior().traction(), SurfaceMesh(std::move(nodes), mesh.order))) {
+    for (const auto& force : numeric::nodal_forces(interior().traction(), SurfaceMesh(nodes_of(mesh), mesh.order))) {
       result.push_back({number_(force.normal), number_(force.tangential)});
     }
     return result;

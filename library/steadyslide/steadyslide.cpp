@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "library/problem_file/file_error.hpp"
 #include "library/problem_file/input_file.hpp"
@@ -83,8 +84,14 @@ Number gap_of(const SurfaceSample& sample) {
   return sample.gap.value_or(Number{std::nan(""), std::numeric_limits<double>::infinity(), ""});
 }
 
+void check_finite(const char* field, std::span<const double> values) {
+  const auto wrong = std::ranges::find_if_not(values, [](double value) { return std::isfinite(value); });
+  if (wrong != values.end()) rational(*wrong, fmt::format("{}[{}]", field, wrong - values.begin()));
+}
+
 template <class Ask>
 std::vector<double> one_by_one(const Solution& solution, std::span<const double> x, Ask ask) {
+  check_finite("x", x);
   std::vector<double> result;
   result.reserve(x.size());
   for (const double place : x) result.push_back((solution.*ask)(place).value);
@@ -174,6 +181,7 @@ Number Solution::gap(const Exact& x) const { return gap_of(state_->at(rational(x
 Number Solution::slope(const Exact& x) const { return larger(state_->at(rational(x, "x"), false).slope); }
 
 std::vector<double> Solution::traction(std::span<const double> x) const {
+  check_finite("x", x);
   std::vector<double> normal(x.size());
   std::vector<double> shear(x.size());
   state_->tractions(x, normal, shear);
@@ -181,6 +189,7 @@ std::vector<double> Solution::traction(std::span<const double> x) const {
 }
 
 std::vector<double> Solution::shear(std::span<const double> x) const {
+  check_finite("x", x);
   std::vector<double> normal(x.size());
   std::vector<double> shear(x.size());
   state_->tractions(x, normal, shear);
@@ -206,15 +215,23 @@ std::vector<Stress> Solution::stress(std::span<const double> x, std::span<const 
     throw InvalidData("z", "z: not as many as x", "each point has an x and a z",
                       fmt::format("{} and {}", x.size(), z.size()));
   }
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    rational(x[k], fmt::format("x[{}]", k));
-    if (rational(z[k], fmt::format("z[{}]", k)) > 0) continue;
-    throw InvalidData("z", fmt::format("z[{}]: not below the surface", k), "a depth is positive", Exact(z[k]).text());
+  check_finite("x", x);
+  check_finite("z", z);
+  const auto wrong = std::ranges::find_if(z, [](double depth) { return depth <= 0; });
+  if (wrong != z.end()) {
+    throw InvalidData("z", fmt::format("z[{}]: not below the surface", wrong - z.begin()), "a depth is positive",
+                      Exact(*wrong).text());
   }
   return state_->stress(x, z);
 }
 
-std::vector<NodalForce> Solution::nodal_forces(const Mesh& mesh) const { return state_->nodal_forces(mesh); }
+std::vector<NodalForce> Solution::nodal_forces(const Mesh& mesh) const {
+  try {
+    return state_->nodal_forces(mesh);
+  } catch (const InvalidData& invalid) {
+    throw InvalidData((invalid.field().empty() ? "" : invalid.field() + ": ") + invalid.what());
+  }
+}
 
 std::vector<PossiblePoint> exponents(const Problem& problem, int digits) {
   check("digits", digits, 1, 100);

@@ -196,7 +196,8 @@ struct NodalForce {
   Number tangential;
 };
 
-/// Elements of the surface: linear ones between nodes, or quadratic ones with every second node in the middle of one.
+/// Elements of the surface: linear ones between nodes, or quadratic ones with every second node in the middle of one (to
+/// 12 digits, since nodes are often computed in double).
 struct Mesh {
   std::vector<Exact> nodes;
   int order = 1;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/number/power_product.hpp"
+
 namespace steadyslide::numeric {
 namespace {
 
@@ -54,6 +56,20 @@ void evaluate(std::span<const R> coefficients, std::span<R> values) {
     }
     for (std::size_t i = 0; i < n; ++i) y[i] = (coefficients[0] - two[i]) + twice[i] * one[i] / 2;
   }
+}
+
+/// y^power, in double by vectors of logarithms.
+template <Real R>
+std::vector<R> powers_of(std::span<const R> y, const R& power) {
+  using std::pow;
+  std::vector<R> result(y.begin(), y.end());
+  if constexpr (std::same_as<R, double>) {
+    const PowerFactor factor(0, power);
+    power_products({&factor, 1}, {}, y, y, result);
+  } else {
+    for (R& value : result) value = pow(value, power);
+  }
+  return result;
 }
 
 }  // namespace
@@ -215,9 +231,7 @@ void PiecewiseTraction<R>::append_rule(const TractionPanel<R>& panel, const Pane
     return;
   }
   std::vector<R> powers;
-  if (panel.singular_end) {
-    for (const R& y : forces) powers.push_back(pow(y, panel.power.value));
-  }
+  if (panel.singular_end) powers = powers_of<R>(forces, panel.power.value);
   evaluate<R>(series, forces);
   for (std::size_t i = 0; i < rule.size(); ++i) {
     forces[i] *= factor * rule.weights[i];

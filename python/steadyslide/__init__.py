@@ -23,6 +23,7 @@ __all__ = ["Contact", "ContactEnd", "InvalidData", "LargestPressure", "NodalForc
            "Proof", "Resultants", "Sample", "SingularPoint", "Solution", "Stress", "__version__", "sweep"]
 
 InvalidData.__module__ = __name__
+InvalidData.__doc__ = "Data that break a rule: what is wrong; the rule; the value."
 
 
 class Number(float):

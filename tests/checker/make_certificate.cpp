@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "library/proof/certificate.hpp"
 #include "enclosure/contact/contact_proof.hpp"
 #include "library/problem_file/problem_file.hpp"
+#include "library/proof/certificate.hpp"
 #include "model/uniqueness.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/variational/variational_inequality.hpp"
