@@ -47,6 +47,13 @@ foreach(component IN LISTS components)
           DESTINATION "${folder}" COMPONENT ${component})
 endforeach()
 
+# The module looks for the library beside it, wherever the tree stands.
+if(python_package)
+  file(WRITE "${PROJECT_BINARY_DIR}/debian/${python_package}" "${python_package}: custom-library-search-path *\n")
+  install(FILES "${PROJECT_BINARY_DIR}/debian/${python_package}"
+          DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/lintian/overrides" COMPONENT python)
+endif()
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME steadyslide)
 set(CPACK_PACKAGE_VENDOR steadyslide)
