@@ -152,7 +152,7 @@ json cells_certificate(const ContactProblem& problem, std::size_t cells) {
   const auto& on_cells = dynamic_cast<const numeric::VariationalSolution&>(*found.solution);
   const CellBound bound = bound_cells(problem, on_cells.touching_pressures());
   if (!bound.proved) throw std::runtime_error(bound.reason);
-  return json::parse(app::certificate(problem, bound));
+  return json::parse(library::certificate(problem, bound));
 }
 
 json make(const std::vector<std::string>& words) {

@@ -25,7 +25,7 @@ bool solve_and_write(std::uint64_t seed, app::Output& output) {
   if (!solution.reason.empty()) return false;
   switch (seed / methods.size() % 3) {
     case 0: app::write_json(problem, solution, output); break;
-    case 1: app::write_csv(solution, output); break;
+    case 1: app::write_csv(problem, solution, output); break;
     default: app::write_text(problem, solution, output); break;
   }
   return solution.is_solved();
