@@ -74,7 +74,7 @@ LD_LIBRARY_PATH=\"${pc}/..\" \"${WORK}/facade\"
   set(python "${WORK}/prefix with a space/lib/python3/dist-packages")
   if(EXISTS "${python}/steadyslide")
     run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${python}" PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -c
-        "import steadyslide as ss; print(ss.Problem(load=1, poisson=0.3, friction=[0.2], profile=0).solve().solved)")
+        "import steadyslide as ss\nprint(ss.Problem(load=1, poisson=0.3, friction=[0.2], profile=0).solve().solved)")
     if(NOT output STREQUAL "True\n")
       message(FATAL_ERROR "the installed Python module says:\n${output}")
     endif()

@@ -195,6 +195,7 @@ TEST_CASE("long numbers of a trend are rounded to 20 digits, those without a com
   const auto trace = parse_trace(seventeen, "t.csv", std::nullopt, {1, Detrend::line});
   REQUIRE(trace.trend);
   const std::string slope = to_string(trace.trend->slope);
+  CAPTURE(slope);
   CHECK(slope.size() < 60);
 
   std::string unrelated;
