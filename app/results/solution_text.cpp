@@ -104,7 +104,9 @@ class Writer {
   void notice(const Estimate<R>& estimate) {
     if (estimate.convergence == numeric::Convergence::stalled) converged_ = false;
     if (isinf(estimate.error)) return;  // not known, and printed as such
-    notice(estimate.value);
+    using std::abs;
+    // What is smaller than its error is known to be small, and that is all that is printed.
+    if (!(abs(estimate.value) <= estimate.error && estimate.error < R(1e150))) notice(estimate.value);
   }
 
   void notice(const R& value) {

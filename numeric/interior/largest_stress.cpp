@@ -63,12 +63,28 @@ class Maximum {
           for (const R& z : {R(0), R(length / 4), R(length / 2), length}) places.push_back(scanned(x, z, length));
         }
       }
-      if (count >= panels.size()) return places;
+      if (count >= panels.size()) break;
+    }
+    for (const TractionPanel<R>& panel : panels) {
+      if (!panel.singular_end) continue;
+      add_beside(*panel.singular_end == Side::left ? panel.left.high : panel.right.high, panel.length, places);
+    }
+    return places;
+  }
+
+  /// Towards the end x of a panel, where a power near 0 may have its maximum at any scale that x has digits for.
+  void add_beside(const R& x, const R& length, std::vector<Place<R>>& places) const {
+    using std::abs;
+    const R shortest = std::max(least_, R(64 * epsilon<R>() * abs(x)));
+    for (R scale = length / 8; scale > shortest; scale /= 4) {
+      for (int i = -1; i <= 1; ++i) places.push_back(scanned(x + i * scale, scale, scale));
+      for (const int i : {-1, 1}) places.push_back(scanned(x + i * scale, R(0), scale));
     }
   }
 
-  /// Climbs to the nearest maximum. `scale` is then how far away it may be.
-  Place<R> climbed(Place<R> at) const {
+  /// Climbs to the nearest maximum, and is never lower than `start`. `scale` is then how far away it may be.
+  Place<R> climbed(const Place<R>& start) const {
+    Place<R> at = start;
     using std::abs, std::max, std::pow;
     R h = std::min(at.scale, max(at.z, R(at.scale / 8))) / 8;
     // Of smaller differences rounding leaves less than what the cubic terms of this one do.
@@ -79,7 +95,9 @@ class Maximum {
       const Stencil here = stencil(at, h);
       if (here.is_peak) {
         const Place<R> peak = scanned(at.x + here.x_step, at.z + here.z_step, scale);
-        if (h <= smallest) return {peak.x, peak.z, peak.value, 4 * h * h / scale};
+        if (h <= smallest && peak.value >= at.value * (1 - 64 * epsilon<R>())) {
+          return {peak.x, peak.z, peak.value, 4 * h * h / scale};
+        }
         const R moved = max(abs(here.x_step), abs(here.z_step));
         at = peak.value >= here.highest.value ? peak : here.highest;
         h = max(smallest, std::min(R(h / 4), max(moved, R(h / 64))));
@@ -161,7 +179,10 @@ std::vector<Estimate<R>> unbounded_places(const ContactSolution<R>& solution) {
 template <Real R>
 R default_depth(const ContactSolution<R>& solution) {
   const std::vector<ContactComponent<R>> contact = solution.contact();
-  if (contact.empty() || unbounded_places(solution).empty()) return 0;
+  const auto jumps = [](const SolvedSingularPoint<R>& point) { return point.kind == SingularKind::friction_jump; };
+  const bool is_bounded =
+      unbounded_places(solution).empty() && std::ranges::none_of(solution.singular_points(), jumps);
+  if (contact.empty() || is_bounded) return 0;
   return (contact.back().right.x.value - contact.front().left.x.value) / 100;
 }
 

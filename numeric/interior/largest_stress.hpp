@@ -7,7 +7,9 @@
 //
 // Scanned are places beside and below every panel of the traction, and every group of neighbouring panels, at depths like
 // its length and at the least one: at a depth z the field varies on the scale z along x, unless the panels above are
-// longer, and then on theirs. From the highest places Newton's steps lead to maxima, on stencils that shrink.
+// longer, and then on theirs; and places beside the ends of panels at every scale, since a pressure like a power near 0 has
+// its largest stress exponentially near to its singular point. (What is nearer than 64 roundings of x is not seen.) From the
+// highest places Newton's steps lead to maxima, on stencils that shrink.
 
 #include <optional>
 #include <vector>
@@ -28,7 +30,8 @@ struct LargestStress {
 template <Real R>
 std::vector<Estimate<R>> unbounded_places(const ContactSolution<R>& solution);
 
-/// A hundredth of the contact's width, from end to end, where there are such places, else 0.
+/// A hundredth of the contact's width, from end to end, where there are such places, or friction jumps in the contact, beside
+/// which stresses vary on every scale; else 0.
 template <Real R>
 R default_depth(const ContactSolution<R>& solution);
 

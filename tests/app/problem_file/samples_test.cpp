@@ -78,11 +78,12 @@ TEST_CASE("a trace with its units, turned, without its trend, is the profile tha
   const TemporaryFolder folder;
   folder.write("plain.csv", plain);
   folder.write("measured.csv", measured);
-  const auto solved = [&](const std::string& indenter) {
-    return json_of(run_program(
+  const auto run_on_cells = [&](const std::string& indenter) {
+    return run_program(
         {"solve", "-", "--method", "variational", "--cells", "1024", "--at=-0.1:0.1:0.05", "--format", "json"},
-        folder.path(), problem(indenter, "0.01")));
+        folder.path(), problem(indenter, "0.01"));
   };
+  const auto solved = [&](const std::string& indenter) { return json_of(run_on_cells(indenter)); };
   const Json expected = solved("samples = \"plain.csv\"");
   const Json found = solved(
       "samples = {file = \"measured.csv\", x_unit = \"mm\", height_unit = \"um\", flip = true, detrend = \"line\"}");
@@ -111,9 +112,12 @@ TEST_CASE("a trace with its units, turned, without its trend, is the profile tha
             .code == 0);
   check_holds(folder.read("p.svg"), {"(µm)", "user's unit of stress"});
 
-  // Controls: without the sign the indenter is another one, without the unit it is a thousand times as steep.
-  CHECK(solved("samples = {file = \"measured.csv\", x_unit = \"mm\", height_unit = \"um\", detrend = \"line\"}")
-            ["contact"] != expected["contact"]);
-  CHECK(solved("samples = {file = \"measured.csv\", flip = true, detrend = \"line\"}")["contact"] !=
-        expected["contact"]);
+  // Controls: without the sign contact is at both ends of the trace, without the unit in less than a cell.
+  const Finished unturned =
+      run_on_cells("samples = {file = \"measured.csv\", x_unit = \"mm\", height_unit = \"um\", detrend = \"line\"}");
+  CHECK(unturned.code == 1);
+  check_holds(unturned.err, {"all contact lies within the last 1 % of the trace"});
+  const Finished steep = run_on_cells("samples = {file = \"measured.csv\", flip = true, detrend = \"line\"}");
+  CHECK(steep.code == 1);
+  check_holds(steep.err, {"ends of contact: large estimated error"});
 }
