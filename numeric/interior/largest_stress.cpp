@@ -180,8 +180,7 @@ template <Real R>
 R default_depth(const ContactSolution<R>& solution) {
   const std::vector<ContactComponent<R>> contact = solution.contact();
   const auto jumps = [](const SolvedSingularPoint<R>& point) { return point.kind == SingularKind::friction_jump; };
-  const bool is_bounded =
-      unbounded_places(solution).empty() && std::ranges::none_of(solution.singular_points(), jumps);
+  const bool is_bounded = unbounded_places(solution).empty() && std::ranges::none_of(solution.singular_points(), jumps);
   if (contact.empty() || is_bounded) return 0;
   return (contact.back().right.x.value - contact.front().left.x.value) / 100;
 }
