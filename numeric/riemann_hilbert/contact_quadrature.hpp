@@ -27,11 +27,11 @@ class ContactQuadrature {
   /// belongs to; its error is the sum of the sizes added.
   Estimate<R> cauchy(std::size_t slope, const SurfacePoint<R>& at) const;
   /// -(1/pi) times the second one for j = 0, 1, ...
-  std::vector<R> moments(const R& tilt, std::size_t count) const;
+  std::vector<Estimate<R>> moments(const R& tilt, std::size_t count) const;
   /// Adds -(1/pi) int eps cos(pi alpha) (g - g_k)/|Y| xi^j to moments[j].
-  void add_difference_moments(std::size_t slope, std::vector<R>& moments) const;
+  void add_difference_moments(std::size_t slope, std::vector<Estimate<R>>& moments) const;
   /// -(1/pi) int eps cos(pi alpha) (g + tilt)/(|Y| (xi - e_i)), e_i the pivot of a component.
-  R pivot_moment(std::size_t component, const R& tilt) const;
+  Estimate<R> pivot_moment(std::size_t component, const R& tilt) const;
 
  private:
   struct Panel {
