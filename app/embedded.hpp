@@ -3,10 +3,11 @@
 
 #include <string_view>
 
+#include "library/text/version.hpp"
+
 namespace steadyslide::app {
 
-/// The project's version, as CMake has it.
-extern const char* const version;
+using library::version;
 
 namespace embedded {
 
@@ -17,6 +18,7 @@ extern const std::string_view help_exponents;
 extern const std::string_view help_table;
 extern const std::string_view help_solve;
 extern const std::string_view help_design;
+extern const std::string_view help_sweep;
 extern const std::string_view help_verify;
 extern const std::string_view help_figures;
 extern const std::string_view help_report;

@@ -7,6 +7,6 @@ int main(int argc, char** argv) {
                       "coefficient that is a step function under the indenter: exponents of the stress\n"
                       "singularities, contact pressure, and a check of the theory's claims.",
                       {verify_command(), exponents_command(), table_command(), solve_command(), design_command(),
-                       figures_command(), report_command()}},
+                       sweep_command(), figures_command(), report_command()}},
                      argc, argv);
 }

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <exception>
 
-#include "app/problem_file/problem_file.hpp"
 #include "enclosure/cells/cell_bound.hpp"
+#include "library/problem_file/problem_file.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 #include "numeric/variational/variational_solution.hpp"
 
@@ -47,7 +47,7 @@ bool print_row(const ContactProblem& problem, std::size_t cells) {
 
 int main(int argc, char** argv) {
   try {
-    const ContactProblem problem = app::read_problem(argc > 1 ? argv[1] : "").contact;
+    const ContactProblem problem = library::read_problem(argc > 1 ? argv[1] : "").contact;
     bool proved = true;
     for (int k = 2; k < argc; ++k) proved = print_row(problem, std::strtoul(argv[k], nullptr, 10)) && proved;
     return proved ? 0 : 1;

@@ -1,24 +1,50 @@
-# The libraries that steadyslide's own libraries link. Included by the build and by the installed package's config file,
-# so that both look for the same things. GMP, MPFR, FFTW, CLN and GiNaC ship pkg-config files only, Arb nothing.
+# The libraries that steadyslide's own libraries link. Included by the build, which needs them all, and by the installed
+# package's config file, which looks for what its components need: find_package(steadyslide COMPONENTS numeric) does without
+# GiNaC and CLN, COMPONENTS steadyslide, the facade, without all of them. GMP, MPFR, FFTW, CLN and GiNaC ship pkg-config
+# files only, Arb nothing.
+
+set(needed_by_steadyslide "")
+set(needed_by_model Boost gmp)
+set(needed_by_enclosure ${needed_by_model} mpfr Arb)
+set(needed_by_numeric ${needed_by_enclosure} Eigen3 GSL fftw3)
+set(needed_by_symbolic ${needed_by_model} cln ginac)
+set(needed_by_statements ${needed_by_symbolic})
+set(needed_by_proofs_checks ${needed_by_numeric} ${needed_by_symbolic})
+
+set(needed ${needed_by_proofs_checks})
+if(CMAKE_FIND_PACKAGE_NAME STREQUAL "steadyslide" AND steadyslide_FIND_COMPONENTS)
+  set(needed "")
+  foreach(component IN LISTS steadyslide_FIND_COMPONENTS)
+    if(DEFINED needed_by_${component})
+      list(APPEND needed ${needed_by_${component}})
+      set(steadyslide_${component}_FOUND TRUE)
+    endif()
+  endforeach()
+endif()
+list(REMOVE_DUPLICATES needed)
 
 # find_package() REQUIRED in a config file would make an optional find_package(steadyslide) fatal, and find_dependency()
-# outside a config file leaves in silence.
-if(CMAKE_FIND_PACKAGE_NAME STREQUAL "steadyslide")
-  include(CMakeFindDependencyMacro)
-  find_dependency(PkgConfig)
-  find_dependency(Boost 1.74)
-  find_dependency(GSL)
-  find_dependency(Eigen3 3.4)
-else()
+# outside a config file leaves in silence. FindArb.cmake stands beside this file, here and in the installed package.
+list(PREPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")
+set(version_of_Boost 1.74)
+set(version_of_Eigen3 3.4)
+if(NOT CMAKE_FIND_PACKAGE_NAME STREQUAL "steadyslide")
   # A project that takes steadyslide by add_subdirectory links these targets from a directory above this one.
   set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
   find_package(PkgConfig REQUIRED)
-  find_package(Boost 1.74 REQUIRED)
-  find_package(GSL REQUIRED)
-  find_package(Eigen3 3.4 REQUIRED)
+elseif(needed)
+  include(CMakeFindDependencyMacro)
+  find_dependency(PkgConfig)
 endif()
-
-foreach(library IN ITEMS gmp mpfr fftw3 cln ginac)
+foreach(library IN LISTS needed)
+  if(NOT library MATCHES "^(gmp|mpfr|fftw3|cln|ginac)$")
+    if(CMAKE_FIND_PACKAGE_NAME STREQUAL "steadyslide")
+      find_dependency(${library} ${version_of_${library}})
+    else()
+      find_package(${library} ${version_of_${library}} REQUIRED)
+    endif()
+    continue()
+  endif()
   if(NOT TARGET PkgConfig::${library})
     pkg_check_modules(${library} IMPORTED_TARGET GLOBAL ${library})
   endif()
@@ -31,12 +57,4 @@ foreach(library IN ITEMS gmp mpfr fftw3 cln ginac)
     return()
   endif()
 endforeach()
-
-# FindArb.cmake stands beside this file, here and in the installed package.
-list(PREPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")
-if(CMAKE_FIND_PACKAGE_NAME STREQUAL "steadyslide")
-  find_dependency(Arb)
-else()
-  find_package(Arb REQUIRED)
-endif()
 list(POP_FRONT CMAKE_MODULE_PATH)

@@ -1,4 +1,4 @@
-# What `cmake --install` puts where, and the package that find_package(steadyslide) finds: targets steadyslide::model,
+# What `cmake --install` puts where, and the package that find_package(steadyslide) finds: targets steadyslide::steadyslide, the facade, steadyslide::model,
 # steadyslide::symbolic, steadyslide::statements, steadyslide::numeric, steadyslide::enclosure, steadyslide::proofs_checks;
 # headers as in the sources ("model/rational.hpp").
 # A project that takes steadyslide by add_subdirectory installs itself, not us.
@@ -7,6 +7,34 @@ option(STEADYSLIDE_INSTALL "Make the install rules" ${PROJECT_IS_TOP_LEVEL})
 if(NOT STEADYSLIDE_INSTALL)
   return()
 endif()
+
+# Components are those of the packages (SteadyslidePackages.cmake); what says nothing else is for development.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
+# `cmake --install` and cpack take what is built.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
+
+# Manual pages and completions, from the program itself; problem files, scripts and reference problems.
+function(steadyslide_install_manual)
+  set(folder "${PROJECT_BINARY_DIR}/manual")
+  find_program(STEADYSLIDE_GZIP gzip REQUIRED)
+  file(MAKE_DIRECTORY "${folder}")
+  add_custom_command(OUTPUT "${folder}/steadyslide.1.gz" "${folder}/steadyslide-check.1.gz" "${folder}/steadyslide"
+    COMMAND steadyslide --generate man > "${folder}/steadyslide.1"
+    COMMAND steadyslide --generate bash > "${folder}/steadyslide"
+    COMMAND ${CMAKE_COMMAND} -E copy "${PROJECT_SOURCE_DIR}/checker/steadyslide-check.1" "${folder}"
+    COMMAND ${STEADYSLIDE_GZIP} -9nf steadyslide.1 steadyslide-check.1
+    WORKING_DIRECTORY "${folder}"
+    DEPENDS steadyslide "${PROJECT_SOURCE_DIR}/checker/steadyslide-check.1" VERBATIM)
+  add_custom_target(manual ALL DEPENDS "${folder}/steadyslide.1.gz")
+  install(FILES "${folder}/steadyslide.1.gz" "${folder}/steadyslide-check.1.gz"
+          DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT program)
+  install(FILES "${folder}/steadyslide"
+          DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/bash-completion/completions" COMPONENT program)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program
+          PATTERN CMakeLists.txt EXCLUDE)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/reference" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program
+          USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
+endfunction()
 
 include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/steadyslide")
@@ -28,11 +56,28 @@ foreach(layer IN ITEMS model symbolic statements numeric enclosure proofs_checks
     endforeach()
   endif()
 endforeach()
+# The facade: include/steadyslide/steadyslide.hpp beside the layers' headers.
+if(TARGET steadyslide_shared)
+  install(TARGETS steadyslide_shared EXPORT steadyslideTargets
+          LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library NAMELINK_COMPONENT development)
+  install(FILES "${PROJECT_SOURCE_DIR}/library/steadyslide/steadyslide.hpp"
+          DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/steadyslide")
+  # Found wherever the tree is moved.
+  file(RELATIVE_PATH prefix_from_pc "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
+  configure_file("${CMAKE_CURRENT_LIST_DIR}/steadyslide.pc.in" "${CMAKE_CURRENT_BINARY_DIR}/steadyslide.pc" @ONLY)
+  install(FILES "${CMAKE_CURRENT_BINARY_DIR}/steadyslide.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+endif()
 foreach(program IN ITEMS steadyslide steadyslide-check)
   if(TARGET ${program})
-    install(TARGETS ${program} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+    install(TARGETS ${program} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)
   endif()
 endforeach()
+if(TARGET steadyslide-sweep)
+  install(TARGETS steadyslide-sweep RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT sweep)
+endif()
+if(TARGET steadyslide)
+  steadyslide_install_manual()
+endif()
 
 install(EXPORT steadyslideTargets NAMESPACE steadyslide:: DESTINATION "${package_dir}")
 configure_package_config_file(
@@ -47,4 +92,4 @@ install(FILES
           "${CMAKE_CURRENT_LIST_DIR}/FindArb.cmake"
           "${CMAKE_CURRENT_LIST_DIR}/SteadyslideDependencies.cmake"
         DESTINATION "${package_dir}")
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT license)

@@ -47,6 +47,10 @@ Rational ContactProblem::shear_ratio(std::size_t piece) const {
   return sliding_ == Sliding::plus_x ? Rational(-f) : f;
 }
 
+Rational ContactProblem::origin_of_displacement() const {
+  return indenter_.left() <= 0 && indenter_.right() >= 0 ? Rational(0) : indenter_.left();
+}
+
 std::vector<ContactProblem::Piece> ContactProblem::pieces() const {
   const std::vector<Rational>& jumps = friction_.jumps();
   std::vector<Piece> result;

@@ -34,6 +34,9 @@ class ContactProblem {
   /// t_t/t = -+f on friction piece k: the body is dragged along, towards the side to which the indenter slides.
   Rational shear_ratio(std::size_t piece) const;
 
+  /// Where u = 0 by convention: x = 0, or the support's left end if it lies elsewhere.
+  Rational origin_of_displacement() const;
+
   /// A part of the support on which the friction has one value and the profile is one polynomial.
   struct Piece {
     Rational left;

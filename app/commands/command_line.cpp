@@ -8,9 +8,11 @@
 #include <charconv>
 #include <cstdio>
 
+#include "app/commands/manual.hpp"
 #include "app/embedded.hpp"
-#include "app/problem_file/list_parser.hpp"
 #include "app/terminal/interrupt.hpp"
+#include "library/problem_file/file_error.hpp"
+#include "library/problem_file/list_parser.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -26,9 +28,10 @@ std::string commands_rule(const Program& program) {
   return fmt::format("it is one of {}", fmt::join(names, ", "));
 }
 
-void add(CLI::App& app, const Command& command) {
+/// `only`: the program does nothing else, and the command needs no name.
+void add(CLI::App& app, const Command& command, bool only) {
   const std::size_t end = command.help.find("\n\n");
-  CLI::App* added = app.add_subcommand(command.name, command.help.substr(0, end));
+  CLI::App* added = only ? &app : app.add_subcommand(command.name, command.help.substr(0, end));
   added->footer(last_line_open(command.help).substr(end + 2));
   for (const Option& option : command.options) {
     if (option.kind == Option::Kind::flag) {
@@ -54,21 +57,34 @@ Failure unexpected(const CLI::App& app, const Program& program) {
   const std::string argument = app.remaining(true).front();
   const bool option = argument.starts_with('-');
   const std::vector<CLI::App*> commands = app.get_subcommands();
-  if (commands.empty() && !option) return bad_command_line("unknown command", commands_rule(program), argument);
+  if (program.commands.size() > 1 && commands.empty() && !option)
+    return bad_command_line("unknown command", commands_rule(program), argument);
   const std::string help = commands.empty() ? "--help" : commands.front()->get_name() + " --help";
   return bad_command_line(option ? "unknown option" : "one argument too many", help + " lists them", argument);
+}
+
+std::string generated(const Program& program, const std::string& kind) {
+  if (kind == "man") return manual_page(program);
+  if (kind == "bash") return bash_completion(program);
+  throw bad_command_line("--generate: unknown kind", "it is one of man, bash", kind);
 }
 
 ExitCode run_command(const Program& program, int argc, const char* const* argv) {
   CLI::App app(program.description, program.name);
   app.set_help_flag("-h,--help", "Print this help and exit");
+  std::string generate;
+  app.add_option("--generate", generate, "Print the manual page (man) or completions (bash), and exit")
+      ->type_name("KIND");
   app.set_version_flag("--version", fmt::format("steadyslide {}", version));
   app.require_subcommand(0, 1);
   app.footer(last_line_open(embedded::help_program));
   app.get_formatter()->column_width(28);
-  for (const Command& command : program.commands) add(app, command);
+  const bool only = program.commands.size() == 1;
+  for (const Command& command : program.commands) add(app, command, only);
   try {
     app.parse(argc, argv);
+    if (app.count("--generate") > 0) return print(generated(program, generate));
+    if (only) return program.commands.front().run(Given(app));
     for (const Command& command : program.commands) {
       if (app.got_subcommand(command.name)) return command.run(Given(*app.get_subcommand(command.name)));
     }
@@ -109,7 +125,7 @@ std::string Given::text(const std::string& option) const {
 
 std::optional<int> Given::count(const std::string& option, int least, int most) const {
   if (!has(option)) return std::nullopt;
-  return parse_count(option, text(option), least, most);
+  return checked(option, [&] { return parse_count(text(option), least, most); });
 }
 
 std::optional<std::string> Given::name(const std::string& option, const std::string& thing) const {
@@ -149,12 +165,18 @@ Option folder_option() { return {"-o,--output", "DIR", "Write into DIR, which is
 std::vector<Option> with_common(std::vector<Option> options, const std::string& digits,
                                 std::initializer_list<Format> formats) {
   std::vector<std::string> names = names_of(formats);
+  const std::string choices = fmt::format("{}", fmt::join(names, " "));
   const std::string last = names.back();
   names.pop_back();
   options.push_back({"--digits", "N", digits});
-  options.push_back({"--format", "FORMAT", fmt::format("{} or {}", fmt::join(names, ", "), last)});
+  options.push_back(
+      {"--format", "FORMAT", fmt::format("{} or {}", fmt::join(names, ", "), last), Option::Kind::text, choices});
   options.push_back({"-o,--output", "FILE", "Write to FILE, whole or not at all; default: standard output"});
   return options;
+}
+
+std::vector<Rational> parse_list(const std::string& option, std::string_view text, std::size_t most) {
+  return checked(option, [&] { return library::parse_list(text, most); });
 }
 
 int run_program(const Program& program, int argc, const char* const* argv) {
@@ -167,6 +189,10 @@ int run_program(const Program& program, int argc, const char* const* argv) {
     return static_cast<int>(run_command(program, argc, argv));
   } catch (const Failure& failure) {
     return failed(failure.code(), failure.what());
+  } catch (const InvalidFile& invalid) {
+    return failed(ExitCode::bad_input, invalid.what());
+  } catch (const UnreadableFile& file) {
+    return failed(ExitCode::failed, file.what());
   } catch (const std::bad_alloc&) {
     return failed(ExitCode::failed, "out of memory");
   } catch (const std::exception& error) {

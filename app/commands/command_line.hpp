@@ -10,6 +10,8 @@
 
 #include "app/results/rows.hpp"
 #include "app/terminal/failure.hpp"
+#include "model/invalid_data.hpp"
+#include "model/rational.hpp"
 
 namespace CLI {
 class App;
@@ -24,6 +26,7 @@ struct Option {
   std::string value;  ///< what --help calls its text; none for a flag
   std::string help;
   Kind kind = Kind::text;
+  std::string choices{};  ///< the words that it takes, if it takes no others, with blanks between them
 };
 
 /// What --digits, --format and --output say.
@@ -73,6 +76,19 @@ Option folder_option();
 std::vector<Option> with_common(std::vector<Option> options, const std::string& digits,
                                 std::initializer_list<Format> formats);
 
+/// What `parse` makes of an option's text; a complaint of it as one about the option, exit code 2.
+template <class Parse>
+auto checked(const std::string& option, Parse parse) {
+  try {
+    return parse();
+  } catch (const InvalidData& invalid) {
+    throw bad_command_line(option + ": " + invalid.what());
+  }
+}
+
+/// A list in an option's text (library/problem_file/list_parser.hpp).
+std::vector<Rational> parse_list(const std::string& option, std::string_view text, std::size_t most);
+
 struct Command {
   std::string name;
   std::string help;  ///< what it does and, after an empty line, what stands below its options
@@ -85,6 +101,7 @@ Command exponents_command();
 Command table_command();
 Command solve_command();
 Command design_command();
+Command sweep_command();
 Command verify_command();
 Command figures_command();
 Command report_command();
@@ -95,7 +112,7 @@ struct Program {
   std::vector<Command> commands;
 };
 
-/// Runs the command that the command line names, or prints what --help and --version ask for; a failure is one line on
+/// Runs the command that the command line names, or the only one there is, or prints what --help and --version ask for; a failure is one line on
 /// the standard error. Returns the exit code.
 int run_program(const Program& program, int argc, const char* const* argv);
 

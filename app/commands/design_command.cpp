@@ -8,10 +8,9 @@
 
 #include "app/commands/command_line.hpp"
 #include "app/embedded.hpp"
-#include "app/problem_file/list_parser.hpp"
-#include "app/problem_file/problem_file.hpp"
-#include "app/results/number_format.hpp"
 #include "app/results/rows.hpp"
+#include "library/problem_file/problem_file.hpp"
+#include "library/text/number_format.hpp"
 #include "numeric/flat_punch/extreme_layout.hpp"
 #include "numeric/flat_punch/fine_mixture.hpp"
 #include "numeric/flat_punch/punch_core.hpp"

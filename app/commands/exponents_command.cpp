@@ -1,37 +1,21 @@
 // steadyslide exponents
 
-#include <stdexcept>
-
 #include "app/commands/command_line.hpp"
 #include "app/embedded.hpp"
-#include "app/problem_file/problem_file.hpp"
-#include "app/results/number_format.hpp"
 #include "app/results/rows.hpp"
+#include "library/problem_file/problem_file.hpp"
+#include "library/solve/derivations.hpp"
+#include "library/text/number_format.hpp"
 #include "model/singular_point.hpp"
-#include "symbolic/local/local_derivations.hpp"
-#include "symbolic/riemann_hilbert/closed_form_derivation.hpp"
 
 namespace steadyslide::app {
 namespace {
 
-/// Every further jump of its own height may double the field in which the closed form is decided.
-constexpr std::size_t most_jumps_of_closed_form = 8;
-
-std::vector<symbolic::Derivation> closed_forms(const ContactProblem& problem) {
-  if (problem.friction().jumps().size() > most_jumps_of_closed_form) return {};
-  try {
-    return symbolic::riemann_hilbert_derivations(problem);
-  } catch (const std::domain_error&) {
-    return {};  // the profile has no closed form; its exponents are derived all the same
-  }
-}
-
 /// How each exponent comes about, and the closed form where there is one: as text, or as a LaTeX document.
 void write_derivations(const ContactProblem& problem, Format format, Output& output) {
-  std::vector<symbolic::Derivation> derivations = symbolic::local_derivations(problem);
-  for (symbolic::Derivation& whole : closed_forms(problem)) derivations.push_back(std::move(whole));
-  if (format == Format::latex) return output.write(symbolic::latex_document(derivations));
-  for (const symbolic::Derivation& derivation : derivations) output.write(symbolic::to_text(derivation) + "\n");
+  const std::vector<symbolic::Derivation> all = derivations(problem);
+  if (format == Format::latex) return output.write(symbolic::latex_document(all));
+  for (const symbolic::Derivation& derivation : all) output.write(symbolic::to_text(derivation) + "\n");
 }
 
 void write_exponents(const ContactProblem& problem, const CommonOptions& options, bool certify, Output& output) {

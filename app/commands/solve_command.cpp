@@ -3,16 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <optional>
 
 #include "app/commands/command_line.hpp"
 #include "app/commands/solver.hpp"
 #include "app/embedded.hpp"
-#include "app/problem_file/list_parser.hpp"
+#include "app/gnuplot/gnuplot.hpp"
+#include "app/results/solution_figure.hpp"
 #include "app/results/solve_writers.hpp"
 #include "app/terminal/progress.hpp"
+#include "library/problem_file/surface_files.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -28,7 +29,9 @@ struct SolveOptions {
   CommonOptions common;
   std::string method_name;
   Method method;
-  std::string at;          ///< a list; empty: none
+  std::string at;  ///< a list; empty: none
+  std::optional<std::string> at_file;
+  bool both_directions;
   int samples;             ///< 0: none
   std::string load_steps;  ///< a list; empty: the file's load
   int search_starts;       ///< of a search for several solutions; 0: one solve
@@ -36,6 +39,8 @@ struct SolveOptions {
   std::optional<int> iterations;
   bool certify;
   std::optional<std::string> certificate;  ///< a file
+  std::optional<std::string> plot;         ///< a file
+  FieldWanted field;
 
   numeric::VariationalOptions variational() const {
     numeric::VariationalOptions result;
@@ -45,18 +50,18 @@ struct SolveOptions {
   }
 };
 
-Method method_named(const std::string& name) {
-  constexpr std::array<std::string_view, 4> names{"auto", "closed-form", "riemann-hilbert", "variational"};
-  const auto found = std::ranges::find(names, name);
-  if (found != names.end()) return static_cast<Method>(found - names.begin());
-  throw bad_command_line("--method: unknown method", "it is one of auto, closed-form, riemann-hilbert, variational",
-                         name);
-}
-
 std::string list(const Given& given, const std::string& option) {
   if (!given.has(option)) return "";
   if (given.text(option).empty()) throw bad_command_line(option + ": no value", "it is a list", "");
   return given.text(option);
+}
+
+/// As the file's name ends.
+Picture picture_of(const std::string& file) {
+  constexpr std::array<std::string_view, 3> endings{".svg", ".pdf", ".png"};
+  const auto found = std::ranges::find_if(endings, [&](std::string_view ending) { return file.ends_with(ending); });
+  if (found != endings.end()) return static_cast<Picture>(found - endings.begin());
+  throw bad_command_line("--plot: unknown kind of picture", "its name ends in .svg, .pdf or .png", file);
 }
 
 void refuse_conflicts(const Given& given, const SolveOptions& options) {
@@ -66,11 +71,33 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
     }
   };
   if (!options.load_steps.empty()) {
-    refuse("--load-steps", {"--at", "--samples"}, "samples are those of one load");
+    refuse("--load-steps", {"--at", "--at-file", "--samples"}, "samples are those of one load");
+    refuse("--load-steps", {"--stress-at", "--loads-on", "--max-stress"}, "stresses and forces are those of one load");
+  }
+  if (options.plot) refuse("--plot", {"--load-steps", "--search-solutions"}, "a picture shows one solution");
+  if (options.certify) refuse("--certify", {"--max-stress"}, "the largest stress is not proved");
+  if (given.has("--depth") && !given.has("--max-stress")) {
+    throw bad_command_line("--max-stress: missing", "--depth is that of the largest stress", "--depth");
+  }
+  if (options.common.format == Format::csv) {
+    constexpr const char* rule = "a CSV file is one table";
+    if (given.has("--stress-at")) {
+      refuse("--stress-at", {"--loads-on", "--max-stress", "--at", "--at-file", "--samples"}, rule);
+    }
+    if (given.has("--loads-on")) refuse("--loads-on", {"--max-stress", "--at", "--at-file", "--samples"}, rule);
+    if (given.has("--max-stress")) refuse("--max-stress", {"--at", "--at-file", "--samples"}, rule);
   }
   if (options.certify) refuse("--certify", {"--search-solutions"}, "it proves one solution");
+  if (options.both_directions) {
+    refuse("--both-directions", {"--load-steps", "--search-solutions"}, "it is for one solution of each direction");
+    refuse("--both-directions", {"--certificate"}, "a certificate is of one direction");
+    refuse("--both-directions", {"--plot"}, "a picture shows one solution");
+    refuse("--both-directions", {"--stress-at", "--loads-on", "--max-stress"},
+           "stresses and forces are those of one direction");
+  }
   if (options.search_starts == 0) return;
-  refuse("--search-solutions", {"--at", "--samples", "--load-steps"},
+  refuse("--search-solutions",
+         {"--at", "--at-file", "--samples", "--load-steps", "--stress-at", "--loads-on", "--max-stress"},
          "it compares contact zones and resultants under the file's load");
   if (options.method == Method::closed_form || options.method == Method::riemann_hilbert) {
     throw bad_command_line("--search-solutions: conflicting option", "it searches by the variational method",
@@ -78,20 +105,38 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
   }
 }
 
+FieldWanted field_wanted(const Given& given) {
+  FieldWanted wanted;
+  if (const auto file = given.name("--stress-at", "file")) wanted.points = read_depth_points(*file);
+  if (const auto file = given.name("--loads-on", "file")) wanted.mesh = std::make_shared<MeshFile>(read_mesh(*file));
+  wanted.largest_stress = given.has("--max-stress");
+  if (!given.has("--depth")) return wanted;
+  const std::string text = given.text("--depth");
+  const std::vector<Rational> depth = parse_list("--depth", text, 1);
+  if (depth[0] < 0) throw bad_command_line("--depth: negative", "a depth is at least 0", text);
+  wanted.depth = depth[0];
+  return wanted;
+}
+
 SolveOptions read(const Given& given) {
   SolveOptions options;
   options.certificate = given.name("--certificate", "file");
+  options.plot = given.name("--plot", "file");
+  if (options.plot) picture_of(*options.plot);
   options.certify = given.has("--certify") || options.certificate;
   options.common = given.common(16, formats, options.certify ? most_proved_digits : most_digits);
   options.method_name = given.has("--method") ? given.text("--method") : "auto";
-  options.method = method_named(options.method_name);
+  options.method = checked("--method", [&] { return method_named(options.method_name); });
   options.at = list(given, "--at");
+  options.at_file = given.name("--at-file", "file");
+  options.both_directions = given.has("--both-directions");
   options.load_steps = list(given, "--load-steps");
   options.samples = given.count("--samples", 1, 100000).value_or(0);
   options.cells = given.count("--cells", numeric::fewest_cells, numeric::most_cells);
   options.iterations = given.count("--iterations", 1, 10000);
   options.search_starts = given.count("--search-solutions", 1, 1000).value_or(0);
   refuse_conflicts(given, options);
+  options.field = field_wanted(given);
   return options;
 }
 
@@ -107,6 +152,14 @@ void check_method(const SolveOptions& options, const Problem& problem) {
     throw bad_command_line("--load-steps: method without a proof of contact",
                            "with --certify it goes with closed-form and riemann-hilbert",
                            "--method " + options.method_name);
+  }
+  if (on_cells && options.certify && options.field.any()) {
+    throw bad_command_line("--certify: method without proved stresses and nodal forces",
+                           "with them it goes with closed-form and riemann-hilbert", "--method " + options.method_name);
+  }
+  if (options.field.largest_stress && !problem.contact.elasticity().half_space()) {
+    throw bad_command_line("--max-stress: no von Mises stress", "it needs the half-space's poisson in place of gamma",
+                           problem.file);
   }
   if (options.common.digits > most_digits_of_integrals && !numeric::closed_form<double>(problem.contact).solution) {
     throw bad_command_line(
@@ -139,7 +192,7 @@ template <class Result>
 void write(Format format, const Problem& problem, const Result& result, Output& output) {
   switch (format) {
     case Format::json: write_json(problem, result, output); break;
-    case Format::csv: write_csv(result, output); break;
+    case Format::csv: write_csv(problem, result, output); break;
     default: write_text(problem, result, output); break;
   }
   output.commit();
@@ -154,26 +207,66 @@ SolutionText solve_shown(const SolveOptions& options, const Problem& problem, So
   return Solver(std::move(wanted)).solve(problem);
 }
 
-ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
+/// The places of --at, then those of --at-file.
+SolutionWanted samples_wanted(const SolveOptions& options) {
   SolutionWanted wanted{options.common.digits, {}, options.samples};
   if (!options.at.empty()) wanted.at = parse_list("--at", options.at, max_places);
-  const bool any_samples = !wanted.at.empty() || wanted.samples > 0;
+  if (options.at_file) {
+    for (Rational& x : library::read_places(*options.at_file, max_places)) wanted.at.push_back(std::move(x));
+  }
+  wanted.field = options.field;
+  const bool any_samples = !wanted.at.empty() || wanted.samples > 0 || wanted.field.any();
   if (options.common.format == Format::csv && !any_samples) wanted.samples = csv_samples;
+  return wanted;
+}
 
+Failure unsolved(const Problem& problem, const SolutionText& solution) {
+  const char* what = solution.proof || solution.bound ? "" : "the solve did not converge: ";
+  return {ExitCode::refuted,
+          fmt::format("{}: {}{}; what was reached is printed", problem.file, what, solution.failed_condition)};
+}
+
+ExitCode solve_both_directions(const SolveOptions& options, const Problem& problem) {
+  const SolutionWanted wanted = samples_wanted(options);
+  Output output(options.common.output);
+  const Problem turned{problem.contact.with_sliding(opposite(problem.contact.sliding())), problem.file,
+                       problem.measured};
+  BothText both{solve_shown(options, problem, wanted), solve_shown(options, turned, wanted), {}};
+  for (const auto& [way, solution] : {std::pair(&problem, &both.as_given), {&turned, &both.opposite}}) {
+    if (!solution->reason.empty()) throw inapplicable(problem, options.method, solution->reason);
+    for (const std::string& what : solution->warnings) {
+      both.warnings.push_back(fmt::format("sliding towards {}: {}", name_of(way->contact.sliding()), what));
+    }
+  }
+  write(options.common.format, problem, both, output);
+  for (const SolutionText* solution : {&both.as_given, &both.opposite}) {
+    if (!solution->is_solved()) throw unsolved(problem, *solution);
+  }
+  return ExitCode::done;
+}
+
+ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
+  SolutionWanted wanted = samples_wanted(options);
   Output output(options.common.output);
   std::optional<Output> certificate;
   if (options.certificate) certificate.emplace(*options.certificate);
+  std::optional<Output> plot;
+  if (options.plot) {
+    run_gnuplot("");  // without gnuplot the work would be for nothing
+    plot.emplace(*options.plot);
+    wanted.curve = true;
+  }
   const SolutionText solution = solve_shown(options, problem, std::move(wanted));
   if (!solution.reason.empty()) throw inapplicable(problem, options.method, solution.reason);
+  if (plot) plot->write(drawn(solution_figure(problem, solution), picture_of(*options.plot)));
   write(options.common.format, problem, solution, output);
+  if (plot) plot->commit();
   if (solution.is_solved()) {
     if (certificate) certificate->write(solution.proof ? solution.proof->certificate : solution.bound->certificate);
     if (certificate) certificate->commit();
     return ExitCode::done;
   }
-  const char* what = solution.proof || solution.bound ? "" : "the solve did not converge: ";
-  throw Failure(ExitCode::refuted,
-                fmt::format("{}: {}{}; what was reached is printed", problem.file, what, solution.failed_condition));
+  throw unsolved(problem, solution);
 }
 
 std::vector<Rational> load_list(const std::string& text) {
@@ -298,28 +391,38 @@ ExitCode run_solve(const Given& given) {
   const Problem problem = read_problem(given.text("PROBLEM"));
   check_method(options, problem);
   if (options.search_starts > 0) return search(options, problem);
+  if (options.both_directions) return solve_both_directions(options, problem);
   return options.load_steps.empty() ? solve_once(options, problem) : follow_loads(options, problem);
 }
 
 }  // namespace
 
 Command solve_command() {
-  return {"solve", std::string(embedded::help_solve).append(embedded::help_problem),
-          with_common(
-              {problem_argument(),
-               {"--method", "METHOD", "auto, closed-form, riemann-hilbert or variational"},
-               {"--at", "LIST", "Results at these x, in your units; may lie outside the support"},
-               {"--samples", "N", "Results at N places in each contact component and gap, 1 to 100000"},
-               {"--cells", "N", "Equal cells on the support, 16 to 4194304; default 4096: variational only"},
-               {"--iterations", "N",
-                "Most steps of the active sets on each mesh, 1 to 10000; default 100: variational only"},
-               {"--load-steps", "LIST", "The contact under each of these loads, one row for each component"},
-               {"--search-solutions", "N",
-                "Start from N contact sets, 1 to 1000: do all lead to one solution? By the variational method"},
-               certify_option("Prove the solution, enclose every number in ball arithmetic; exit code 1 if unproved"),
-               {"--certificate", "FILE", "Write the proof's certificate, for steadyslide-check; implies --certify"}},
-              "Significant digits, 1 to 100, with --certify 1000; default 16", formats),
-          run_solve};
+  return {
+      "solve", std::string(embedded::help_solve).append(embedded::help_problem),
+      with_common(
+          {problem_argument(),
+           {"--method", "METHOD", "auto, closed-form, riemann-hilbert or variational", Option::Kind::text,
+            "auto closed-form riemann-hilbert variational"},
+           {"--at", "LIST", "Results at these x, in your units; may lie outside the support"},
+           {"--at-file", "FILE", "The same at the x in FILE, one a line; # begins a comment"},
+           {"--both-directions", "", "The solution with the indenter sliding the other way, too", Option::Kind::flag},
+           {"--samples", "N", "Results at N places in each contact component and gap, 1 to 100000"},
+           {"--cells", "N", "Equal cells on the support, 16 to 4194304; default 4096: variational only"},
+           {"--iterations", "N",
+            "Most steps of the active sets on each mesh, 1 to 10000; default 100: variational only"},
+           {"--plot", "FILE", "Draw indenter, surface and tractions into FILE.svg, .pdf or .png, by gnuplot"},
+           {"--stress-at", "FILE", "Stresses below the surface at the points x,z of a table, z > 0 into the body"},
+           {"--loads-on", "FILE", "Nodal forces on a mesh of the surface: a table of nodes x, or x,order"},
+           {"--max-stress", "", "The largest von Mises stress in the body, and where", Option::Kind::flag},
+           {"--depth", "Z", "At depths of at least Z; default 0, or where stresses have no bound width/100"},
+           {"--load-steps", "LIST", "The contact under each of these loads, one row for each component"},
+           {"--search-solutions", "N",
+            "Start from N contact sets, 1 to 1000: do all lead to one solution? By the variational method"},
+           certify_option("Prove the solution, enclose every number in ball arithmetic; exit code 1 if unproved"),
+           {"--certificate", "FILE", "Write the proof's certificate, for steadyslide-check; implies --certify"}},
+          "Significant digits, 1 to 100, with --certify 1000; default 16", formats),
+      run_solve};
 }
 
 }  // namespace steadyslide::app

@@ -1,44 +1,12 @@
 #include "app/commands/solver.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/results/certified_text.hpp"
-#include "numeric/closed_form/closed_form.hpp"
-#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/variational/variational_solution.hpp"
 
 namespace steadyslide::app {
 namespace {
-
-/// Zero, or in a range where squares and quotients of doubles neither overflow nor vanish.
-bool is_comfortable(const Rational& value) {
-  if (value == 0) return true;
-  const double size = std::abs(value.convert_to<double>());  // 0 or infinity beyond its range
-  return size > 1e-150 && size < 1e150;
-}
-
-bool fits_double(const ContactProblem& problem, const std::vector<Rational>& at) {
-  const auto all = [](const std::vector<Rational>& data) {
-    return std::all_of(data.begin(), data.end(), is_comfortable);
-  };
-  const auto& pieces = problem.indenter().pieces();
-  return all({problem.load(), problem.elasticity().compliance(), problem.elasticity().gamma(),
-              problem.indenter().left(), problem.load_at().value_or(0)}) &&
-         all(problem.friction().values()) && all(problem.friction().jumps()) && all(at) &&
-         std::all_of(pieces.begin(), pieces.end(), [&](const Indenter::Piece& piece) {
-           return is_comfortable(piece.to) && all(piece.profile.coefficients());
-         });
-}
-
-template <numeric::Real R>
-numeric::Attempt<R> attempt(Method method, const ContactProblem& problem, const numeric::ContactSolution<R>* start) {
-  if (method != Method::riemann_hilbert) {
-    numeric::Attempt<R> formula = numeric::closed_form<R>(problem);
-    if (formula.solution || method == Method::closed_form) return formula;
-  }
-  return numeric::riemann_hilbert<R>(problem, start);
-}
 
 SolutionText inapplicable(const std::string& reason) {
   SolutionText text;
@@ -47,16 +15,6 @@ SolutionText inapplicable(const std::string& reason) {
 }
 
 }  // namespace
-
-bool takes_variational(Method method, const ContactProblem& problem, bool certify) {
-  if (method == Method::variational) return true;
-  if (method != Method::automatic) return false;
-  // Proofs cost as much as many digits do.
-  const numeric::Digits digits = certify ? numeric::Digits::fifty : numeric::Digits::sixteen;
-  if (!numeric::too_many_friction_pieces(problem, digits).empty()) return true;
-  if (numeric::too_many_profile_breaks(problem, digits).empty() && !numeric::may_have_many_gaps(problem)) return false;
-  return !numeric::closed_form<double>(problem).solution;  // pieces can all be the same polynomial
-}
 
 SolutionText text_on_cells(const Problem& problem, const numeric::ContactSolution<double>& solution,
                            SolutionWanted wanted) {
@@ -138,15 +96,10 @@ SolutionText Solver::solve_certified(const Problem& problem) {
 SolutionText Solver::solve(const Problem& problem) {
   if (takes_variational(wanted_.method, problem.contact, wanted_.certify)) return solve_on_cells(problem);
   if (wanted_.certify) return solve_certified(problem);
-  numeric::Digits digits = numeric::precision_for(wanted_.solution.digits);
-  if (digits == numeric::Digits::sixteen) {
-    if (fits_double(problem.contact, wanted_.solution.at)) {
-      SolutionText text = solve_in<double>(problem);
-      if (!text.reason.empty() || (text.is_solved() && text.in_range)) return text;
-    }
-    digits = numeric::Digits::fifty;
-  }
-  return numeric::at_precision(digits, [&]<numeric::Real R>() { return solve_in<R>(problem); });
+  return in_precision(
+      wanted_.solution.digits, problem.contact, wanted_.solution.at,
+      [&]<numeric::Real R>() { return solve_in<R>(problem); },
+      [](const SolutionText& text) { return !text.reason.empty() || (text.is_solved() && text.in_range); });
 }
 
 }  // namespace steadyslide::app

@@ -5,17 +5,12 @@
 #include <tuple>
 #include <vector>
 
-#include "app/results/certificate.hpp"
 #include "app/results/solution_text.hpp"
+#include "library/proof/certificate.hpp"
+#include "library/solve/method.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 
 namespace steadyslide::app {
-
-enum class Method { automatic, closed_form, riemann_hilbert, variational };
-
-/// Is it the variational method that solves this problem? Always if asked for; `automatic` takes it where the profile
-/// has more breaks, or the friction more values, than the other methods take, or than they prove.
-bool takes_variational(Method method, const ContactProblem& problem, bool certify);
 
 /// Solves one problem after the other; the solver that iterates starts each from the solution before it, so that
 /// neighbouring problems in a row cost less and stay on one branch.

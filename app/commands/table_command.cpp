@@ -4,9 +4,8 @@
 
 #include "app/commands/command_line.hpp"
 #include "app/embedded.hpp"
-#include "app/problem_file/list_parser.hpp"
-#include "app/results/number_format.hpp"
 #include "app/results/rows.hpp"
+#include "library/text/number_format.hpp"
 #include "model/elasticity.hpp"
 #include "model/friction_profile.hpp"
 #include "model/invalid_data.hpp"
@@ -66,11 +65,7 @@ std::vector<Rational> friction_list(const Given& given, const std::string& optio
 std::vector<Rational> gammas(const std::vector<Rational>& poisson) {
   std::vector<Rational> result;
   for (const Rational& nu : poisson) {
-    try {
-      result.push_back(Elasticity(Solid(nu, 1)).gamma());
-    } catch (const InvalidData& invalid) {
-      throw bad_command_line(std::string("--poisson: ") + invalid.what());
-    }
+    result.push_back(checked("--poisson", [&] { return Elasticity(Solid(nu, 1)).gamma(); }));
   }
   return result;
 }

@@ -1,8 +1,6 @@
 #include "app/figures/figures.hpp"
 
-#include <boost/algorithm/string/replace.hpp>
-
-#include "app/figures/gnuplot.hpp"
+#include "app/gnuplot/gnuplot.hpp"
 #include "app/terminal/failure.hpp"
 #include "app/terminal/progress.hpp"
 #include "proofs_checks/kit/run.hpp"
@@ -19,48 +17,10 @@ std::vector<FigureMaker> selected(const std::vector<std::string>& patterns) {
   return select(figures(), patterns, &FigureMaker::name);
 }
 
-std::string svg_escaped(std::string text) {
-  std::erase(text, '`');
-  for (const auto& [sign, name] : {std::pair("&", "&amp;"), {"<", "&lt;"}, {">", "&gt;"}}) {
-    boost::replace_all(text, sign, name);
-  }
-  return text;
-}
-
-/// The first element `name`, with this text in it.
-void set_element(std::string& svg, const std::string& name, const std::string& text) {
-  const std::size_t begin = svg.find("<" + name + ">");
-  const std::size_t end = svg.find("</" + name + ">");
-  if (begin == std::string::npos || end == std::string::npos) return;
-  const std::size_t inside = begin + name.size() + 2;
-  svg.replace(inside, end - inside, text);
-}
-
-/// What gnuplot's SVG lacks for a page that holds several: ids and references to them begin with the figure's name,
-/// title and description are the figure's, and fonts have others to fall back on.
-std::string finished_svg(const std::string& svg, const Figure& figure) {
-  std::string result = svg;
-  for (const char* before : {" id='", " id=\"", "'#", "\"#", "(#"}) {
-    for (const char* id : {"gp", "textbox", "greybox", "gnuplot_canvas"}) {
-      boost::replace_all(result, std::string(before) + id, before + figure.id_prefix() + "_" + id);
-    }
-  }
-  // Without it, blanks between upright and italic text are lost.
-  boost::replace_all(result, "<svg \n", "<svg xml:space=\"preserve\"\n");
-  set_element(result, "title", svg_escaped(figure.title));
-  set_element(result, "desc", svg_escaped(figure.caption + " Made by: " + figure.command()));
-  boost::replace_all(result, "font-family=\"Helvetica\"",
-                     "font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\"");
-  return result;
-}
-
 }  // namespace
 
-std::string Figure::id_prefix() const { return boost::replace_all_copy(name, "-", "_"); }
-
 DrawnFigure draw(const Figure& figure) {
-  return {figure.name, figure.title, figure.caption, figure.command(),
-          finished_svg(run_gnuplot(gnuplot_script(figure)), figure)};
+  return {figure.name, figure.title, figure.caption, figure.command(), drawn(figure)};
 }
 
 std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/figures/figure.hpp"
+#include "app/gnuplot/figure.hpp"
 
 namespace steadyslide::app {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/figures/figure.hpp"
+#include "app/gnuplot/figure.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 #include "numeric/variational/variational_solution.hpp"
 

@@ -2,6 +2,7 @@
 // What the map of stresses is made of, for its test.
 
 #include "numeric/interior/interior_stress.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 
 namespace steadyslide::app {
 

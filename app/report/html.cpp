@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "app/terminal/utf8.hpp"
+#include "library/text/utf8.hpp"
 
 namespace steadyslide::app {
 
@@ -13,7 +13,7 @@ std::string escaped(std::string_view text) {
   std::string result;
   result.reserve(text.size());
   while (!text.empty()) {
-    const Utf8Character character = first_character(text);
+    const library::Utf8Character character = library::first_character(text);
     const std::size_t length = character.length == 0 ? 1 : character.length;
     const char c = text.front();
     if (character.length == 0) {

@@ -1,13 +1,16 @@
 #include "app/results/certified_text.hpp"
 
-#include "app/results/certificate.hpp"
+#include <algorithm>
+
 #include "enclosure/contact/enclosed_solution.hpp"
 #include "enclosure/contact/punch_core.hpp"
+#include "library/proof/certificate.hpp"
 
 namespace steadyslide::app {
 namespace {
 
 using enclosure::Ball;
+using enclosure::Bits;
 using enclosure::EnclosedSolution;
 
 /// The friction that acts beside x, on this side: f t = shear.
@@ -33,23 +36,30 @@ class CertifiedWriter {
   CertifiedWriter(SolutionText& text, const Problem& problem, const enclosure::ContactProof& proof, int digits)
       : text_(text), problem_(problem.contact), solution_(problem.contact, proof), digits_(digits) {}
 
-  void write(const std::vector<Rational>& places) {
+  void write(const std::vector<Rational>& places, const FieldWanted& field) {
     std::vector<Ball> ends;
     std::vector<Ball> intensities;
     text_.contact.clear();
+    text_.width.clear();
+    Ball length(0);
     for (const auto& [left, right] : solution_.contact()) {
       text_.contact.emplace_back(end(left), end(right));
+      text_.width.push_back(number(right.x - left.x));
+      length += right.x - left.x;
       ends.insert(ends.end(), {left.x, right.x});
       intensities.insert(intensities.end(), {left.intensity, right.intensity});
     }
-    const Ball length = ends.back() - ends.front();
-    for (Ball& x : ends) x = length + (x - x.midpoint());  // relative to the contact's length
+    const Ball whole = ends.back() - ends.front();
+    text_.contact_width = number(whole);
+    text_.real_contact_length = number(length);
+    for (Ball& x : ends) x = whole + (x - x.midpoint());  // relative to the contact's length
 
     text_.singular_points.clear();
     for (const EnclosedSolution::Point& point : solution_.singular_points()) {
       text_.singular_points.push_back({number(point.x), std::string(name_of(point.kind)),
                                        exponent_text(point.exponent, digits_), number(point.intensity),
-                                       number(point.constant)});
+                                       number(point.constant), stress_intensity(point),
+                                       point.exponent ? stress_intensity_unit(*point.exponent) : ""});
       intensities.push_back(point.intensity);
     }
 
@@ -60,6 +70,12 @@ class CertifiedWriter {
     text_.effective_friction = number(resultants.effective_friction);
     text_.load_share.clear();
     for (const Ball& share : resultants.load_share) text_.load_share.push_back(number(share));
+    text_.mean_pressure = number(resultants.normal / length);
+    // What nothing encloses is not told.
+    text_.component_load.assign(text_.contact.size(), {});
+    if (text_.contact.size() == 1) text_.component_load = {text_.normal};
+    const bool blows_up = text_.largest_pressure.value.value == "inf";
+    if (!blows_up) text_.largest_pressure = {};
     if (const std::optional<Ball> tilt = solution_.tilt()) text_.tilt = number(*tilt);
     if (const auto core = enclosure::punch_core(problem_, resultants.normal.bits())) {
       text_.core = LimitText{number(core->left), number(core->right)};
@@ -67,6 +83,7 @@ class CertifiedWriter {
 
     text_.samples.clear();
     for (const Rational& x : places) text_.samples.push_back(sample(x));
+    text_.field = field_text(problem_, solution_, field, digits_);
     text_.errors = {{"ends", upper_text(relative_radius(ends))},
                     {"traction", upper_text(relative_radius(intensities))},
                     {"resultants", upper_text(relative_radius(resultants.load_share))}};
@@ -78,6 +95,28 @@ class CertifiedWriter {
   EndText end(const EnclosedSolution::End& end) const {
     return {number(end.x), std::string(name_of(end.kind)), format_exponent(end.exponent, digits_),
             number(end.intensity)};
+  }
+
+  LimitText stress_intensity(const EnclosedSolution::Point& point) const {
+    if (!point.exponent) return {};
+    const Bits bits = point.intensity.bits();
+    const Ball k = point.intensity * power(Ball(2) * Ball::pi(bits), -Ball(*point.exponent, bits));
+    const bool is_jump = point.kind == SingularKind::friction_jump || point.kind == SingularKind::wedge_and_jump;
+    if (!is_jump) return {number(k), number(k)};
+    // cos(pi alpha) = 1/sqrt(1 + s^2) of both sides.
+    const std::size_t jump = friction_jump_at(point.x);
+    const auto on_side = [&](std::size_t piece) {
+      const Rational s = problem_.coupled_friction(piece);
+      return number(k / sqrt(Ball(Rational(1 + s * s), bits)));
+    };
+    return {on_side(jump), on_side(jump + 1)};
+  }
+
+  /// The one that the ball contains: jumps are exact.
+  std::size_t friction_jump_at(const Ball& x) const {
+    const std::vector<Rational>& jumps = problem_.friction().jumps();
+    const auto found = std::ranges::find_if(jumps, [&](const Rational& jump) { return x.contains(jump); });
+    return static_cast<std::size_t>(found - jumps.begin());
   }
 
   /// One number where the limits may be the same, and where one of them is infinite: as limit_text has it.
@@ -104,9 +143,22 @@ class CertifiedWriter {
     };
     const std::optional<Ball> gap = solution_.gap(x);
     const EnclosedSolution::TwoSided slope = solution_.slope(x);
-    return {full_number(x, digits_), limits(traction, traction),
+    return {full_number(x, digits_),
+            limits(traction, traction),
             limits({shear(traction.left, Side::left), shear(traction.right, Side::right)}, traction),
-            gap ? number(*gap) : NumberText{}, limits(slope, slope)};
+            gap ? number(*gap) : NumberText{},
+            limits(slope, slope),
+            {},
+            {},
+            {},
+            friction(x)};
+  }
+
+  std::pair<std::string, std::string> friction(const Rational& x) const {
+    const Indenter& indenter = problem_.indenter();
+    if (x < indenter.left() || x > indenter.right()) return {};
+    const FrictionProfile& profile = problem_.friction();
+    return {exact_text(profile.at(x, Side::left)), exact_text(profile.at(x, Side::right))};
   }
 
   SolutionText& text_;
@@ -131,7 +183,7 @@ void certify(SolutionText& text, const Problem& problem, const enclosure::Contac
     places.push_back(parse_rational(text.samples[i].x));
   }
   text.digits = wanted.digits;
-  CertifiedWriter(text, problem, proof, wanted.digits).write(places);
+  CertifiedWriter(text, problem, proof, wanted.digits).write(places, wanted.field);
   told.certificate = certificate(problem.contact, proof, wanted.digits);
   text.proof = std::move(told);
   // What the approximation could not vouch for is proved.

@@ -10,10 +10,12 @@
 #include <variant>
 #include <vector>
 
-#include "app/results/number_format.hpp"
 #include "app/terminal/output.hpp"
+#include "library/text/number_format.hpp"
 
 namespace steadyslide::app {
+
+using namespace library;
 
 enum class Format { text, json, csv, markdown, latex };
 inline constexpr std::initializer_list<Format> all_formats{Format::text, Format::json, Format::csv, Format::markdown,

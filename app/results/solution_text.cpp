@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "numeric/flat_punch/punch_core.hpp"
@@ -23,43 +24,72 @@ bool agree(const TwoSided<R>& limits) {
   return abs(limits.left.value - limits.right.value) <= errors * (1 + 4 * numeric::epsilon<R>());
 }
 
-template <Real R>
-std::vector<std::pair<std::string, R>> named(const numeric::Residuals<R>& residuals) {
-  return {{"equation", residuals.equation},
-          {"load", residuals.load},
-          {"penetration", residuals.penetration},
-          {"tension", residuals.tension}};
-}
-
 /// Texts of numbers, and what is noticed on the way.
 template <Real R>
 class Writer {
  public:
-  Writer(SolutionText& result, int digits) : result_(result), digits_(digits) {}
+  Writer(SolutionText& result, const SolutionWanted& wanted)
+      : result_(result), wanted_(wanted.entries), digits_(wanted.digits) {}
+
+  /// The numbers of this entry follow: as texts if it is wanted, to be noticed in any case.
+  bool tell(const char* entry) { return told_ = wanted_.empty() || std::ranges::find(wanted_, entry) != wanted_.end(); }
 
   NumberText text(const Estimate<R>& estimate) {
     notice(estimate);
-    return number_text(estimate, digits_);
+    return told_ ? number_text(estimate, digits_) : NumberText{};
+  }
+
+  ExponentText exponent(const std::optional<Exponent>& exponent) const {
+    return told_ ? exponent_text(exponent, digits_) : ExponentText{};
   }
 
   std::vector<NamedSize> sizes(const std::vector<std::pair<std::string, R>>& values) {
     std::vector<NamedSize> result;
     for (const auto& [name, value] : values) {
       notice(value);
-      result.push_back({name, size_text(value, digits_)});
+      if (told_) result.push_back({name, size_text(value, digits_)});
     }
     return result;
   }
 
   EndText end(const numeric::ContactEnd<R>& end) {
-    return {text(end.x), std::string(name_of(end.kind)), format_exponent(end.exponent, digits_), text(end.intensity)};
+    return {text(end.x), std::string(name_of(end.kind)), told_ ? format_exponent(end.exponent, digits_) : "",
+            text(end.intensity)};
   }
 
-  SampleText sample(std::string x, const numeric::Sample<R>& sample) {
+  /// What of a sample fails to converge has its error, and the solution is one all the same.
+  SampleText sample(std::string x, const numeric::DetailedSample<R>& sample, const ContactProblem& problem) {
+    const auto friction = [&](std::size_t piece) { return exact_text(problem.friction().values()[piece]); };
     // Both or neither: |shear| = f |traction| holds on either side, not between the sides.
     const bool apart = !agree(sample.traction) || !agree(sample.shear);
-    return {std::move(x), limits(sample.traction, sample.traction, apart), limits(sample.shear, sample.traction, apart),
-            sample.gap ? text(*sample.gap) : NumberText{}, limits(sample.slope, sample.slope, false)};
+    return {std::move(x),
+            limits(sample.traction, sample.traction, apart),
+            limits(sample.shear, sample.traction, apart),
+            sample.gap ? text(*sample.gap) : NumberText{},
+            limits(sample.slope, sample.slope, false),
+            number_text(sample.displacement, digits_),
+            limit_text(sample.shear_slope, sample.shear_slope, digits_),
+            number_text(sample.cumulative_load, digits_),
+            sample.friction ? std::pair(friction(sample.friction->left), friction(sample.friction->right))
+                            : std::pair<std::string, std::string>()};
+  }
+
+  /// One number where there is contact on one side.
+  LimitText stress_intensity(const numeric::StressIntensity<R>& k) {
+    if (!k.left && !k.right) return {};
+    const NumberText left = text(k.left ? *k.left : *k.right);
+    return {left, k.left && k.right ? text(*k.right) : left};
+  }
+
+  LargestText largest(const numeric::LargestPressure<R>& largest) {
+    const bool infinite = isinf(largest.value.value);
+    return {text(largest.value), text(largest.x), infinite ? exponent(largest.exponent).value : ""};
+  }
+
+  void add_samples(std::vector<SampleText>& texts, const numeric::ContactSolution<R>& solution, int count,
+                   const ContactProblem& problem) {
+    for (const numeric::DetailedSample<R>& one : solution.detailed_samples(count))
+      texts.push_back(sample(full_number(one.x, digits_), one, problem));
   }
 
   bool converged() const { return converged_; }
@@ -88,22 +118,15 @@ class Writer {
   }
 
   SolutionText& result_;
+  const std::vector<std::string>& wanted_;
   int digits_;
+  bool told_ = true;
   bool converged_ = true;
 };
 
-/// What stands in the way of calling it a solution.
-template <Real R>
-std::string failed_condition(const numeric::ContactSolution<R>& solution,
-                             const std::vector<std::pair<std::string, R>>& residuals, double largest_residual,
-                             bool converged) {
-  if (std::string text = solution.failed_condition(); !text.empty()) return text;
-  for (const auto& [name, value] : residuals) {
-    const bool small = value <= largest_residual;  // no number is not
-    if (!small) return fmt::format("{} has the residual {}", name, size_text(value, 2));
-  }
-  if (!converged) return "a value stalled before its tolerance";
-  return useless_error(solution.estimated_error());
+/// Places of a picture in each component and gap.
+int curve_samples(std::size_t components) {
+  return static_cast<int>(std::max<std::size_t>(3200 / std::max<std::size_t>(components, 8), 24));
 }
 
 }  // namespace
@@ -133,42 +156,59 @@ template <Real R>
 SolutionText solution_text(const Problem& problem, const numeric::ContactSolution<R>& solution,
                            const SolutionWanted& wanted) {
   SolutionText text;
-  Writer<R> writer(text, wanted.digits);
+  Writer<R> writer(text, wanted);
   text.method = solution.method();
   text.digits = wanted.digits;
-  for (const auto& component : solution.contact()) {
+  const std::vector<numeric::ContactComponent<R>> contact = solution.contact();
+  const numeric::Resultants<R> resultants = solution.resultants();
+  writer.tell("contact");
+  for (const auto& component : contact) {
     text.contact.emplace_back(writer.end(component.left), writer.end(component.right));
+    text.width.push_back(writer.text(component.width));
   }
+  for (const Estimate<R>& load : resultants.component_load) text.component_load.push_back(writer.text(load));
+  const bool points_told = writer.tell("singular_points");
   for (const auto& point : solution.singular_points()) {
     text.singular_points.push_back({writer.text(point.x), std::string(name_of(point.kind)),
-                                    exponent_text(point.exponent, wanted.digits), writer.text(point.intensity),
-                                    writer.text(point.constant)});
+                                    writer.exponent(point.exponent), writer.text(point.intensity),
+                                    writer.text(point.constant), writer.stress_intensity(point.stress_intensity),
+                                    points_told && point.exponent ? stress_intensity_unit(*point.exponent) : ""});
   }
-  const numeric::Resultants<R> resultants = solution.resultants();
+  const bool resultants_told = writer.tell("resultants");
   text.normal = writer.text(resultants.normal);
   text.tangential = writer.text(resultants.tangential);
   text.centre_of_pressure = writer.text(resultants.centre_of_pressure);
   text.effective_friction = writer.text(resultants.effective_friction);
   for (const Estimate<R>& share : resultants.load_share) text.load_share.push_back(writer.text(share));
+  if (!contact.empty()) {
+    const Estimate<R> length = numeric::real_contact_length(contact);
+    const bool one = contact.size() == 1;
+    text.contact_width = writer.text(one ? length : contact.back().right.x - contact.front().left.x);
+    text.real_contact_length = writer.text(length);
+    text.mean_pressure = writer.text(resultants.normal / length);
+    text.largest_pressure = writer.largest(solution.largest_pressure());
+  }
   if (const auto tilt = solution.tilt()) text.tilt = writer.text(*tilt);
-  if (const auto core = numeric::punch_core<R>(problem.contact)) {
+  if (const auto core = resultants_told ? numeric::punch_core<R>(problem.contact) : std::nullopt) {
     text.core = LimitText{number_text(core->left, wanted.digits), number_text(core->right, wanted.digits)};
   }
 
+  writer.tell("samples");
   for (const Rational& x : wanted.at)
-    text.samples.push_back(writer.sample(full_number(x, wanted.digits), solution.at(x)));
-  if (wanted.samples > 0) {
-    for (const numeric::Sample<R>& sample : solution.samples(wanted.samples)) {
-      text.samples.push_back(writer.sample(full_number(sample.x, wanted.digits), sample));
-    }
-  }
+    text.samples.push_back(writer.sample(full_number(x, wanted.digits), solution.details_at(x), problem.contact));
+  if (wanted.samples > 0) writer.add_samples(text.samples, solution, wanted.samples, problem.contact);
+  if (wanted.curve) writer.add_samples(text.curve, solution, curve_samples(text.contact.size()), problem.contact);
 
+  text.field = field_text(solution, wanted.field, wanted.digits);
+  if (!text.field.in_range) text.in_range = false;
   const numeric::EstimatedError<R> error = solution.estimated_error();
+  writer.tell("estimated_error");
   text.errors = writer.sizes({{"ends", error.ends}, {"traction", error.traction}, {"resultants", error.resultants}});
-  const auto residuals = named(solution.residuals());
   text.warnings = warnings(problem, solution);
-  text.failed_condition = failed_condition(solution, residuals, wanted.largest_residual, writer.converged());
-  text.residuals = writer.sizes(residuals);
+  const numeric::Residuals<R> residuals = solution.residuals();
+  text.failed_condition = library::failed_condition(solution, residuals, wanted.largest_residual, writer.converged());
+  writer.tell("residuals");
+  text.residuals = writer.sizes(named(residuals));
   text.uniqueness = uniqueness(problem.contact);
   return text;
 }

@@ -6,12 +6,16 @@
 #include <utility>
 #include <vector>
 
-#include "app/problem_file/problem_file.hpp"
-#include "app/results/number_format.hpp"
+#include "app/results/field_text.hpp"
+#include "library/problem_file/problem_file.hpp"
+#include "library/solve/failed_condition.hpp"
+#include "library/text/number_format.hpp"
 #include "model/uniqueness.hpp"
 #include "numeric/solution/contact_solution.hpp"
 
 namespace steadyslide::app {
+
+using namespace library;
 
 /// One number, or two where the limits from left and right differ. An empty text, here and below: no number, or not
 /// known.
@@ -28,6 +32,16 @@ struct SampleText {
   LimitText shear;
   NumberText gap;  ///< empty outside the support, too
   LimitText slope;
+  NumberText displacement{};
+  LimitText shear_slope{};
+  NumberText cumulative_load{};
+  std::pair<std::string, std::string> friction{};  ///< on the left and on the right; empty outside the support, too
+
+  /// Does it take two rows?
+  bool two_sided() const {
+    return traction.two_sided() || shear.two_sided() || slope.two_sided() || shear_slope.two_sided() ||
+           friction.first != friction.second;
+  }
 };
 
 struct EndText {
@@ -43,6 +57,14 @@ struct SingularText {
   ExponentText exponent;
   NumberText intensity;
   NumberText constant;
+  LimitText stress_intensity{};  ///< one, where contact lies on one side
+  std::string unit{};            ///< of the stress intensity; empty for a logarithm
+};
+
+struct LargestText {
+  NumberText value;
+  NumberText x;
+  std::string exponent;  ///< of an infinite one, "log" for a logarithm
 };
 
 /// The size of something that has a name.
@@ -81,12 +103,18 @@ struct SolutionText {
   std::string method;
   int digits = 0;
   std::vector<std::pair<EndText, EndText>> contact;
+  std::vector<NumberText> width, component_load;  ///< of each contact component
+  NumberText contact_width, real_contact_length;  ///< from the first end to the last; without the gaps
   std::vector<SingularText> singular_points;
   NumberText normal, tangential, centre_of_pressure, effective_friction;
+  NumberText mean_pressure;
+  LargestText largest_pressure;
   std::optional<NumberText> tilt;  ///< absent unless the indenter may tilt
   std::optional<LimitText> core;   ///< of a flat punch: where the load may act in full contact, if it may tilt
   std::vector<NumberText> load_share;
   std::vector<SampleText> samples;
+  FieldText field;
+  std::vector<SampleText> curve;  ///< for a picture, left to right; of the solver where the rest is proved
   std::vector<NamedSize> errors;  ///< estimated, relative; proved where the solution is
   std::vector<NamedSize> residuals;
   Uniqueness uniqueness;
@@ -99,6 +127,9 @@ struct SolutionText {
 
   bool is_solved() const { return reason.empty() && failed_condition.empty(); }
 };
+
+inline const char* name_of(Sliding sliding) { return sliding == Sliding::plus_x ? "+x" : "-x"; }
+inline Sliding opposite(Sliding sliding) { return sliding == Sliding::plus_x ? Sliding::minus_x : Sliding::plus_x; }
 
 /// What is proved of the loads between two that follow each other.
 struct StretchText {
@@ -116,8 +147,12 @@ struct SolutionWanted {
   int digits = 16;
   std::vector<Rational> at{};  ///< samples at these places,
   int samples = 0;             ///< and so many a component and a gap
+  FieldWanted field{};
+  bool curve = false;  ///< as many as a picture needs, 400 a component where these are few
+  /// Entries of the result (solve_json.hpp) that are told; the texts of others stay empty. None: all. All is computed.
+  std::vector<std::string> entries{};
   /// A solution with a larger residual is none. Infinite for a method whose own failed_condition() weighs its residuals.
-  double largest_residual = 1e-9;
+  double largest_residual = library::largest_residual;
 };
 
 template <numeric::Real R>
@@ -134,18 +169,9 @@ LimitText limit_text(const numeric::TwoSided<R>& limits, const numeric::TwoSided
 /// What a warning of an estimated error says.
 inline constexpr const char* estimated_error_warning = "large estimated error";
 
-/// Of estimated errors, relative as in numeric::EstimatedError. Above the first a warning, above the second no
-/// solution.
-inline constexpr double large_error = 0.1;
-inline constexpr double useless_error_from = 0.5;
-
 /// Estimated errors above 10 %; contact that reaches the cut end of a trace; contact of a trace within the last 1 % of
 /// the support alone.
 template <numeric::Real R>
 std::vector<std::string> warnings(const Problem& problem, const numeric::ContactSolution<R>& solution);
-
-/// Empty unless one of the errors is above 50 %, or no number.
-template <numeric::Real R>
-std::string useless_error(const numeric::EstimatedError<R>& error);
 
 }  // namespace steadyslide::app

@@ -1,4 +1,4 @@
-#include <nlohmann/json.hpp>
+#include "app/results/solve_json.hpp"
 
 #include "app/embedded.hpp"
 #include "app/results/solve_writers.hpp"
@@ -28,6 +28,8 @@ void add(Json& json, const std::string& key, const NumberText& text) {
   json[key] = number(text.value);
   json[key + "_error"] = number(text.error);
 }
+
+void add(Json& json, const std::string& key, const Json& value) { json[key] = value; }
 
 void add(Json& json, const std::string& key, const LimitText& limits) {
   if (!limits.two_sided()) return add(json, key, limits.left);
@@ -64,6 +66,14 @@ Json indenter(const ContactProblem& problem, const std::optional<MeasuredProfile
     // The trace is named: its pieces can be many more than the results.
     json["samples"] = measured->file;
     json["points"] = measured->points;
+    if (!measured->x_unit.empty()) json["x_unit"] = measured->x_unit;
+    if (!measured->height_unit.empty()) json["height_unit"] = measured->height_unit;
+    if (measured->flip) json["flip"] = true;
+    if (const auto& trend = measured->trend) {
+      json["detrend"] = {{"taken_off", trend->kind == library::Detrend::mean ? "mean" : "line"},
+                         {"height", exact_text(trend->height)},
+                         {"slope", exact_text(trend->slope)}};
+    }
   } else if (shape.pieces().size() == 1) {
     json["profile"] = to_string(shape.pieces().front().profile);
   } else {
@@ -80,7 +90,7 @@ Json problem_json(const ContactProblem& problem, const std::optional<MeasuredPro
   Json json;
   json["load"] = exact_text(problem.load());
   if (problem.load_at()) json["load_at"] = exact_text(*problem.load_at());
-  json["sliding"] = problem.sliding() == Sliding::plus_x ? "+x" : "-x";
+  json["sliding"] = name_of(problem.sliding());
   json["half_space"] = half_space(problem.elasticity());
   json["friction"] = {{"values", numbers(problem.friction().values())}, {"jumps", numbers(problem.friction().jumps())}};
   json["indenter"] = indenter(problem, measured);
@@ -94,21 +104,64 @@ Json end_json(const EndText& end) {
 Json singular_json(const SingularText& point) {
   const auto& [value, symbolic, latex] = point.exponent;
   return with(Json(), "x", point.x, "kind", point.kind, "exponent", value, "symbolic", symbolic, "latex", latex,
-              "intensity", point.intensity, "constant", point.constant);
+              "intensity", point.intensity, "constant", point.constant, "stress_intensity", point.stress_intensity,
+              "stress_intensity_unit", point.unit);
+}
+
+Json contact_json(const SolutionText& solution) {
+  Json json = Json::array();
+  for (std::size_t k = 0; k < solution.contact.size(); ++k) {
+    const auto& [left, right] = solution.contact[k];
+    json.push_back(with(Json(), "left", end_json(left), "right", end_json(right), "width", solution.width[k], "load",
+                        solution.component_load[k]));
+  }
+  return json;
+}
+
+Json largest_json(const LargestText& largest) {
+  return with(Json(), "value", largest.value, "x", largest.x, "exponent", largest.exponent);
 }
 
 Json resultants_json(const SolutionText& solution) {
   Json json = with(Json(), "normal", solution.normal, "tangential", solution.tangential, "centre_of_pressure",
                    solution.centre_of_pressure, "effective_friction", solution.effective_friction, "load_share",
-                   solution.load_share);
+                   solution.load_share, "friction_force", solution.tangential, "contact_width", solution.contact_width,
+                   "real_contact_length", solution.real_contact_length, "mean_pressure", solution.mean_pressure,
+                   "largest_pressure", largest_json(solution.largest_pressure));
+  json["components"] = solution.contact.size();
   if (solution.tilt) add(json, "tilt", *solution.tilt);
   if (solution.core) add(json, "core", *solution.core);
   return json;
 }
 
 Json sample_json(const SampleText& sample) {
-  return with(Json(), "x", sample.x, "traction", sample.traction, "shear", sample.shear, "gap", sample.gap, "slope",
-              sample.slope);
+  Json json = with(Json(), "x", sample.x, "traction", sample.traction, "shear", sample.shear, "gap", sample.gap,
+                   "slope", sample.slope, "u", sample.displacement, "shear_slope", sample.shear_slope,
+                   "cumulative_load", sample.cumulative_load);
+  const auto& [left, right] = sample.friction;
+  json["friction"] = left == right ? number(left) : Json{{"left", left}, {"right", right}};
+  return json;
+}
+
+Json stress_json(const StressText& at) {
+  const auto& [x_x, x_z, z_x, z_z] = at.gradient;
+  Json json = with(Json(), "x", at.x, "z", at.z, "sxx", at.xx, "szz", at.zz, "sxz", at.xz, "syy", at.yy, "von_mises",
+                   at.von_mises, "largest_shear", at.largest_shear);
+  json["displacement_gradient"] = with(Json(), "dux_dx", x_x, "dux_dz", x_z, "duz_dx", z_x, "duz_dz", z_z);
+  return json;
+}
+
+void add_field(Json& json, const FieldText& field) {
+  if (!field.stresses.empty()) json["stresses"] = array(field.stresses, stress_json);
+  if (!field.nodal_forces.empty()) {
+    json["nodal_forces"] = array(field.nodal_forces, [](const NodalForceText& force) {
+      return with(Json(), "x", force.x, "normal", force.normal, "tangential", force.tangential);
+    });
+  }
+  if (const auto& largest = field.largest_stress) {
+    json["largest_stress"] = with(Json(), "depth", largest->depth, "von_mises", largest->von_mises, "x", largest->x,
+                                  "z", largest->z, "unbounded_at", largest->unbounded_at);
+  }
 }
 
 Json sizes_json(const std::vector<NamedSize>& sizes) {
@@ -129,19 +182,22 @@ Json bound_json(const BoundText& bound) {
 
 Json solution_json(const SolutionText& solution) {
   Json json;
-  json["method"] = solution.method;
-  json["digits"] = solution.digits;
-  json["contact"] = array(solution.contact, [](const auto& ends) -> Json {
-    return {{"left", end_json(ends.first)}, {"right", end_json(ends.second)}};
-  });
-  json["singular_points"] = array(solution.singular_points, singular_json);
-  json["resultants"] = resultants_json(solution);
-  json["samples"] = array(solution.samples, sample_json);
-  json["estimated_error"] = sizes_json(solution.errors);
-  json["residuals"] = sizes_json(solution.residuals);
+  for (const char* key :
+       {"method", "digits", "contact", "singular_points", "resultants", "samples", "estimated_error", "residuals"}) {
+    json[key] = solution_entry(solution, key);
+  }
+  add_field(json, solution.field);
   if (solution.proof) json["proof"] = proof_json(*solution.proof);
   if (solution.bound) json["bound"] = bound_json(*solution.bound);
   return json;
+}
+
+/// `Result`: a solution, or a search for several.
+template <class Result>
+Json uniqueness_json(const Result& result) {
+  if (!result.failed_condition.empty()) return {{"status", "not_solved"}, {"reason", result.failed_condition}};
+  const auto& [proved, reason] = result.uniqueness;
+  return {{"status", proved ? unique_by_theorem : "not_covered"}, {"reason", reason}};
 }
 
 /// What opens every result.
@@ -151,16 +207,13 @@ Json heading(const Problem& problem) {
 
 /// Uniqueness and warnings, which end every result.
 template <class Result>
-void finish(Json json, const Result& result, Output& output) {
-  const auto& [proved, reason] = result.uniqueness;
-  if (result.failed_condition.empty()) {
-    json["uniqueness"] = {{"status", proved ? unique_by_theorem : "not_covered"}, {"reason", reason}};
-  } else {
-    json["uniqueness"] = {{"status", "not_solved"}, {"reason", result.failed_condition}};
-  }
+Json finished(Json json, const Result& result) {
+  json["uniqueness"] = uniqueness_json(result);
   json["warnings"] = result.warnings;
-  output.write(json.dump(2) + "\n");
+  return json;
 }
+
+void write(const Json& json, Output& output) { output.write(json.dump(2) + "\n"); }
 
 /// A solution of a search: it has no samples.
 Json found_json(const SolutionText& solution) {
@@ -171,10 +224,33 @@ Json found_json(const SolutionText& solution) {
 
 }  // namespace
 
+Json solution_entry(const SolutionText& solution, std::string_view key) {
+  if (key == "method") return solution.method;
+  if (key == "digits") return solution.digits;
+  if (key == "contact") return contact_json(solution);
+  if (key == "singular_points") return array(solution.singular_points, singular_json);
+  if (key == "resultants") return resultants_json(solution);
+  if (key == "samples") return array(solution.samples, sample_json);
+  if (key == "estimated_error") return sizes_json(solution.errors);
+  if (key == "residuals") return sizes_json(solution.residuals);
+  if (key == "uniqueness") return uniqueness_json(solution);
+  if (key == "warnings") return solution.warnings;
+  return {};
+}
+
 void write_json(const Problem& problem, const SolutionText& solution, Output& output) {
   Json json = heading(problem);
   json.update(solution_json(solution));
-  finish(std::move(json), solution, output);
+  write(finished(std::move(json), solution), output);
+}
+
+void write_json(const Problem& problem, const BothText& both, Output& output) {
+  Json json = heading(problem);
+  json.update(solution_json(both.as_given));
+  json = finished(std::move(json), both.as_given);
+  json["other_direction"] = {{"sliding", name_of(opposite(problem.contact.sliding()))}};
+  json["other_direction"].update(finished(solution_json(both.opposite), both.opposite));
+  write(json, output);
 }
 
 void write_json(const Problem& problem, const SearchText& search, Output& output) {
@@ -188,7 +264,7 @@ void write_json(const Problem& problem, const SearchText& search, Output& output
             {"variational", found_json(found.variational)},
             {"refined", found.refined ? found_json(*found.refined) : Json()}};
   });
-  finish(std::move(json), search, output);
+  write(finished(std::move(json), search), output);
 }
 
 }  // namespace steadyslide::app

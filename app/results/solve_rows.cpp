@@ -26,20 +26,70 @@ std::vector<Cell> component_cells(const SolutionText& whole, const Ends& compone
       {whole.effective_friction, whole.centre_of_pressure, whole.load_share, whole.tilt.value_or(NumberText())});
 }
 
+/// The values, then what has no error; the errors follow.
+const std::vector<Column> sample_columns{
+    "x",         number("traction"),    number("shear"),           number("gap"), number("slope"),
+    number("u"), number("shear_slope"), number("cumulative_load"), "friction",    "side"};
+
+/// Each row behind `first`.
+void write_samples(const SolutionText& solution, const std::vector<Cell>& first, Rows& rows) {
+  for (const SampleText& at : solution.samples) {
+    const bool two = at.two_sided();
+    const auto row = [&](NumberText LimitText::*limit, const std::string& friction, const char* side) {
+      rows.row(joined<Cell>(first, {at.x, at.traction.*limit, at.shear.*limit, at.gap, at.slope.*limit},
+                            {at.displacement, at.shear_slope.*limit, at.cumulative_load, friction, two ? side : ""}));
+    };
+    row(&LimitText::left, at.friction.first, "left");
+    if (two) row(&LimitText::right, at.friction.second, "right");
+  }
+}
+
 }  // namespace
 
-void write_csv(const SolutionText& solution, Output& output) {
-  Rows rows(Format::csv, {"x", number("traction"), number("shear"), number("gap"), number("slope")}, output);
-  for (const auto& [x, traction, shear, gap, slope] : solution.samples) {
-    rows.row({x, traction.left, shear.left, gap, slope.left});
-    if (traction.two_sided() || shear.two_sided() || slope.two_sided()) {
-      rows.row({x, traction.right, shear.right, gap, slope.right});
-    }
+void write_stresses(Format format, const FieldText& field, Output& output) {
+  const bool indented = format == Format::text;
+  Rows rows(format,
+            {indented ? "  x" : "x", "z", number("sxx"), number("szz"), number("sxz"), number("syy"),
+             number("von_mises"), number("largest_shear")},
+            output);
+  for (const StressText& at : field.stresses) {
+    rows.row({(indented ? "  " : "") + at.x, at.z, at.xx, at.zz, at.xz, at.yy, at.von_mises, at.largest_shear});
   }
   rows.end();
 }
 
-void write_csv(const SearchText& search, Output& output) {
+void write_nodal_forces(Format format, const FieldText& field, Output& output) {
+  const bool indented = format == Format::text;
+  Rows rows(format, {indented ? "  x" : "x", number("normal"), number("tangential")}, output);
+  for (const auto& [x, normal, tangential] : field.nodal_forces) {
+    rows.row({(indented ? "  " : "") + x, normal, tangential});
+  }
+  rows.end();
+}
+
+void write_csv(const Problem&, const SolutionText& solution, Output& output) {
+  const FieldText& field = solution.field;
+  if (!field.stresses.empty()) return write_stresses(Format::csv, field, output);
+  if (!field.nodal_forces.empty()) return write_nodal_forces(Format::csv, field, output);
+  if (const auto& largest = field.largest_stress) {
+    Rows rows(Format::csv, {"depth", number("von_mises"), number("x"), number("z")}, output);
+    rows.row({largest->depth, largest->von_mises, largest->x, largest->z});
+    return rows.end();
+  }
+  Rows rows(Format::csv, sample_columns, output);
+  write_samples(solution, {}, rows);
+  rows.end();
+}
+
+void write_csv(const Problem& problem, const BothText& both, Output& output) {
+  Rows rows(Format::csv, joined<Column>({"sliding"}, sample_columns, {}), output);
+  const Sliding sliding = problem.contact.sliding();
+  write_samples(both.as_given, {name_of(sliding)}, rows);
+  write_samples(both.opposite, {name_of(opposite(sliding))}, rows);
+  rows.end();
+}
+
+void write_csv(const Problem&, const SearchText& search, Output& output) {
   Rows rows(Format::csv,
             joined({"solution", "times", "component"}, component_columns,
                    {"equation", "load", "penetration", "tension", "refined"}),

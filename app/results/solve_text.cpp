@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <map>
+
 #include "app/results/solve_writers.hpp"
 
 namespace steadyslide::app {
@@ -15,6 +17,8 @@ std::string shown(const LimitText& limits) {
   return left != right ? left + " | " + right : left;
 }
 
+std::string counted(int n, const std::string& what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+
 void write_line(Output& output, const std::string& name, const std::string& value) {
   output.write(fmt::format("  {:<22}{}\n", name, shown(value)));
 }
@@ -22,15 +26,17 @@ void write_line(Output& output, const std::string& name, const std::string& valu
 /// Load, direction and coupling constant.
 void write_problem(const ContactProblem& problem, Output& output) {
   output.write(fmt::format("load {}, indenter sliding towards {}, gamma = {}\n", exact_text(problem.load()),
-                           problem.sliding() == Sliding::plus_x ? "+x" : "-x",
-                           exact_text(problem.elasticity().gamma())));
+                           name_of(problem.sliding()), exact_text(problem.elasticity().gamma())));
 }
 
 /// One line for each contact component.
 void write_contact(const SolutionText& solution, Output& output) {
-  for (const auto& [left, right] : solution.contact) {
-    output.write(
-        fmt::format("  from x = {} ({}) to x = {} ({})\n", shown(left.x), left.kind, shown(right.x), right.kind));
+  for (std::size_t k = 0; k < solution.contact.size(); ++k) {
+    const auto& [left, right] = solution.contact[k];
+    output.write(fmt::format("  from x = {} ({}) to x = {} ({}), width {}", shown(left.x), left.kind, shown(right.x),
+                             right.kind, shown(solution.width[k])));
+    const bool shares = solution.contact.size() > 1 && !solution.component_load[k].shown.empty();
+    output.write(shares ? ", load " + solution.component_load[k].shown + "\n" : "\n");
   }
 }
 
@@ -43,23 +49,49 @@ void write_friction_and_centre(const SolutionText& solution, Output& output) {
 void write_singular_points(const SolutionText& solution, Output& output) {
   output.write(
       "\nsingular points (t = -intensity d^exponent; constant - intensity cos(pi alpha) d^exponent at jumps;\n"
-      "constant + intensity log(d)/pi at wedges)\n");
-  Rows rows(Format::text, {"  x", "kind", "exponent", "intensity", "constant", "exact"}, output);
-  for (const auto& [x, kind, exponent, intensity, constant] : solution.singular_points) {
-    rows.row({"  " + shown(x), kind, exponent.value, intensity, constant, exponent.symbolic});
+      "constant + intensity log(d)/pi at wedges; p ~ K (2 pi d)^exponent)\n");
+  Rows rows(Format::text, {"  x", "kind", "exponent", "intensity", "constant", "K", "exact"}, output);
+  std::map<std::string, int> unknown;
+  bool any_known = false;
+  for (const SingularText& point : solution.singular_points) {
+    if (point.intensity.shown.empty()) {
+      ++unknown[point.kind];
+      continue;
+    }
+    any_known = true;
+    rows.row({"  " + shown(point.x), point.kind, point.exponent.value, point.intensity, point.constant,
+              shown(point.stress_intensity), point.exponent.symbolic});
   }
-  rows.end();
+  if (unknown.empty() || any_known) rows.end();
+  for (const auto& [kind, count] : unknown)
+    output.write(fmt::format("  {} {}: their intensities are not known\n", count, kind));
+}
+
+std::string largest_text(const LargestText& largest) {
+  if (largest.value.shown.empty()) return "";
+  const std::string power =
+      largest.exponent.empty()
+          ? ""
+          : fmt::format(", like {}", largest.exponent == "log" ? "log d" : "d^" + largest.exponent);
+  return fmt::format("{} at x = {}{}", largest.value.shown, shown(largest.x), power);
 }
 
 void write_resultants(const Problem& problem, const SolutionText& solution, Output& output) {
   output.write("\nresultants (forces per unit thickness, lengths in the problem's units)\n");
   write_line(output, "normal", solution.normal.shown);
-  write_line(output, "tangential", solution.tangential.shown);
+  write_line(output, "friction force", solution.tangential.shown);
   write_friction_and_centre(solution, output);
   for (std::size_t k = 0; k < solution.load_share.size(); ++k) {
     write_line(output, k == 0 ? "load share" : "",
                fmt::format("{} under f = {}", shown(solution.load_share[k]),
                            exact_text(problem.contact.friction().values()[k])));
+  }
+  write_line(output, "largest pressure", largest_text(solution.largest_pressure));
+  write_line(output, "mean pressure", solution.mean_pressure.shown);
+  write_line(output, "contact width", solution.contact_width.shown);
+  if (solution.contact.size() > 1) {
+    write_line(output, "real contact length",
+               fmt::format("{} in {} components", shown(solution.real_contact_length), solution.contact.size()));
   }
   if (solution.core) {
     const auto& [left, right] = *solution.core;
@@ -70,11 +102,29 @@ void write_resultants(const Problem& problem, const SolutionText& solution, Outp
 void write_samples(const SolutionText& solution, Output& output) {
   if (solution.samples.empty()) return;
   output.write("\nsamples (left | right where the limits differ; traction and shear: force per area)\n");
-  Rows rows(Format::text, {"  x", "traction", "shear", "gap", "slope"}, output);
-  for (const auto& [x, traction, shear, gap, slope] : solution.samples) {
-    rows.row({"  " + x, shown(traction), shown(shear), gap, shown(slope)});
+  Rows rows(Format::text, {"  x", "traction", "shear", "gap", "slope", "u", "u_t'", "load up to x"}, output);
+  for (const SampleText& at : solution.samples) {
+    rows.row({"  " + at.x, shown(at.traction), shown(at.shear), at.gap, shown(at.slope), at.displacement,
+              shown(at.shear_slope), at.cumulative_load});
   }
   rows.end();
+}
+
+void write_field(const FieldText& field, Output& output) {
+  if (!field.stresses.empty()) {
+    output.write("\nstresses below the surface (tension positive; z into the body; force per area)\n");
+    write_stresses(Format::text, field, output);
+  }
+  if (!field.nodal_forces.empty()) {
+    output.write("\nnodal forces on the body (normal into the body, tangential along +x)\n");
+    write_nodal_forces(Format::text, field, output);
+  }
+  if (const auto& largest = field.largest_stress) {
+    output.write("\nlargest von Mises stress\n");
+    for (const NumberText& x : largest->unbounded_at) write_line(output, "inf", "next to x = " + shown(x));
+    write_line(output, shown(largest->von_mises),
+               fmt::format("at x = {}, z = {} (depths from {})", shown(largest->x), shown(largest->z), largest->depth));
+  }
 }
 
 void write_sizes(const std::string& heading, const std::vector<NamedSize>& sizes, Output& output) {
@@ -89,8 +139,6 @@ void write_uniqueness(const Result& result, Output& output) {
   const auto& [proved, reason] = result.uniqueness;
   output.write(fmt::format("\n{}, {}\n", proved ? unique_by_theorem : "uniqueness: not covered", reason));
 }
-
-std::string counted(int n, const std::string& what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
 std::string outcome(const SearchText& search) {
   const std::string starts = counted(search.starts, "start");
@@ -141,12 +189,47 @@ void write_text(const Problem& problem, const SolutionText& solution, Output& ou
   write_singular_points(solution, output);
   write_resultants(problem, solution, output);
   write_samples(solution, output);
+  write_field(solution.field, output);
   const bool proved = solution.proof && solution.proof->proved;
   write_sizes(proved ? "relative errors, proved" : "estimated relative errors", solution.errors, output);
   write_sizes("relative residuals, by an unrelated rule", solution.residuals, output);
   if (solution.proof) write_proof(*solution.proof, output);
   if (solution.bound) write_bound(*solution.bound, output);
   write_uniqueness(solution, output);
+}
+
+void write_text(const Problem& problem, const BothText& both, Output& output) {
+  write_text(problem, both.as_given, output);
+  const Sliding sliding = problem.contact.sliding();
+  output.write("\nboth directions\n");
+  Rows rows(Format::text, {"  sliding towards", name_of(sliding), name_of(opposite(sliding))}, output);
+  const auto row = [&](const std::string& name, const auto& told) {
+    rows.row({"  " + name, told(both.as_given), told(both.opposite)});
+  };
+  const auto ends = [](const SolutionText& solution) {
+    if (solution.contact.empty()) return std::string();
+    return fmt::format("{} to {}", shown(solution.contact.front().first.x), shown(solution.contact.back().second.x));
+  };
+  row("contact from", ends);
+  row("components", [](const SolutionText& solution) { return std::to_string(solution.contact.size()); });
+  const auto number = [&](const char* name, NumberText SolutionText::*value) {
+    row(name, [&](const SolutionText& solution) { return (solution.*value).shown; });
+  };
+  number("effective friction", &SolutionText::effective_friction);
+  number("friction force", &SolutionText::tangential);
+  number("centre of pressure", &SolutionText::centre_of_pressure);
+  for (std::size_t k = 0; k < problem.contact.friction().values().size(); ++k) {
+    row("load share under f = " + exact_text(problem.contact.friction().values()[k]),
+        [&](const SolutionText& solution) {
+          return k < solution.load_share.size() ? solution.load_share[k].shown : "";
+        });
+  }
+  row("largest pressure", [](const SolutionText& solution) { return largest_text(solution.largest_pressure); });
+  number("mean pressure", &SolutionText::mean_pressure);
+  row("solved", [](const SolutionText& solution) {
+    return solution.is_solved() ? std::string("yes") : solution.reason + solution.failed_condition;
+  });
+  rows.end();
 }
 
 void write_text(const Problem& problem, const SearchText& search, Output& output) {

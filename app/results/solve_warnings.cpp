@@ -18,21 +18,6 @@ using numeric::Real;
 /// The part of the support at each of its ends in which all contact of a trace with wrong units or sign lies.
 constexpr double sliver = 0.01;
 
-struct NamedError {
-  std::string name;
-  std::string of;
-  double value;
-};
-
-template <Real R>
-std::array<NamedError, 3> named(const numeric::EstimatedError<R>& error) {
-  return {{{"ends of contact", "the contact's length", static_cast<double>(error.ends)},
-           {"traction", "its size", static_cast<double>(error.traction)},
-           {"resultants", "the load", static_cast<double>(error.resultants)}}};
-}
-
-std::string percent(double part) { return std::isfinite(part) ? fmt::format("{:.3g} %", 100 * part) : "unknown"; }
-
 /// Ends of contact where the support of a trace ends.
 template <Real R>
 std::string cut_end(const std::vector<ContactComponent<R>>& contact) {
@@ -81,19 +66,8 @@ std::vector<std::string> warnings(const Problem& problem, const numeric::Contact
   return result;
 }
 
-template <Real R>
-std::string useless_error(const numeric::EstimatedError<R>& error) {
-  for (const NamedError& part : named(error)) {
-    const bool useful = part.value <= useless_error_from;
-    if (!useful)
-      return fmt::format("the estimated error of the {} is {} of {}", part.name, percent(part.value), part.of);
-  }
-  return "";
-}
-
-#define STEADYSLIDE_WARNINGS_AT(R)                                                                \
-  template std::vector<std::string> warnings(const Problem&, const numeric::ContactSolution<R>&); \
-  template std::string useless_error(const numeric::EstimatedError<R>&)
+#define STEADYSLIDE_WARNINGS_AT(R) \
+  template std::vector<std::string> warnings(const Problem&, const numeric::ContactSolution<R>&)
 STEADYSLIDE_WARNINGS_AT(double);
 STEADYSLIDE_WARNINGS_AT(numeric::Real50);
 STEADYSLIDE_WARNINGS_AT(numeric::Real100);

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "app/embedded.hpp"
-#include "app/results/number_format.hpp"
+#include "library/text/number_format.hpp"
 #include "model/singular_point.hpp"
 
 namespace steadyslide::app {

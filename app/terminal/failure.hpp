@@ -7,7 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "library/text/one_line.hpp"
+
 namespace steadyslide::app {
+
+using namespace library;  // what a program shows and reads
 
 enum class ExitCode { done = 0, refuted = 1, bad_input = 2, failed = 3, interrupted = 130 };
 
@@ -29,12 +33,5 @@ Failure bad_command_line(const std::string& what, const std::string& rule, std::
 
 /// "steadyslide: FILE: warning: WHAT" on stderr, each on one line.
 void warn(const std::string& file, const std::vector<std::string>& warnings);
-
-/// Safe to print on one line of a terminal: control characters and bytes that are not UTF-8 as \xNN, long words and
-/// long lines shortened.
-std::string one_line(std::string_view text);
-
-/// The beginning of a text that somebody wrote, in quotes, as one_line shows it.
-std::string excerpt(std::string_view text);
 
 }  // namespace steadyslide::app

@@ -18,11 +18,12 @@ class Output {
   ~Output();
 
   void write(std::string_view text);
+  /// Writes on what is kept so far.
+  void flush();
   /// Call once, at the end: without it nothing remains.
   void commit();
 
  private:
-  void flush();
   [[noreturn]] void fail(const std::string& what) const;
 
   std::string name_;

@@ -134,7 +134,7 @@ StressComponents interior_stress(const EnclosedSolution& solution, const Rationa
   const auto& [re, im, re_1, im_1] = normal;
   const auto& [re_t, im_t, re_t1, im_t1] = tangential;
   const Ball shift = depth * (re_1 - im_t1);
-  return {im + Ball(2) * re_t + shift, im - shift, -im_t - depth * (im_1 + re_t1)};
+  return {im + Ball(2) * re_t + shift, im - shift, -im_t - depth * (im_1 + re_t1), im_t - re};
 }
 
 }  // namespace steadyslide::enclosure

@@ -7,7 +7,9 @@
 //
 //   sigma_xx = Im C + 2 Re C_t + z (Re C' - Im C_t'),
 //   sigma_zz = Im C            - z (Re C' - Im C_t'),
-//   sigma_xz =    - Im C_t     - z (Im C' + Re C_t').
+//   sigma_xz =    - Im C_t     - z (Im C' + Re C_t'),
+//
+// and W = Im C_t - Re C = (d u_z/dx - d u_x/dz) 2 mu/(kappa + 1), the half-space's mu and kappa: the rotation, twice.
 //
 // The weights 1/(x'-zeta)^n are analytic on panels no longer than their distance D from zeta: in the far ellipse, which
 // reaches 0.8 L beyond them, they are at most (D - 0.8 L)^-n.
@@ -20,6 +22,7 @@ struct StressComponents {
   Ball xx;
   Ball zz;
   Ball xz;
+  Ball rotation;  ///< W
 };
 
 /// At (x, z), z > 0. Throws InvalidData where z is not.

@@ -1,30 +1,22 @@
 #include "enclosure/contact/nodal_forces.hpp"
 
 #include "model/invalid_data.hpp"
+#include "model/surface_mesh.hpp"
 
 namespace steadyslide::enclosure {
 namespace {
 
-void check(const EnclosedSolution& solution, const std::vector<Rational>& nodes, std::size_t order) {
-  if (order != 1 && order != 2) throw InvalidData("order", "wrong order", "it is 1 or 2", std::to_string(order));
-  if (nodes.size() < order + 1 || (nodes.size() - 1) % order != 0) {
-    throw InvalidData("nodes", "wrong number of nodes", "an element of order n has n + 1",
-                      std::to_string(nodes.size()));
-  }
-  for (std::size_t i = 1; i < nodes.size(); ++i) {
-    if (nodes[i] <= nodes[i - 1])
-      throw InvalidData("nodes", "nodes do not increase", "x_i < x_i+1", to_string(nodes[i]));
-  }
-  for (std::size_t i = 1; order == 2 && i < nodes.size(); i += 2) {
-    if (nodes[i] * 2 == nodes[i - 1] + nodes[i + 1]) continue;
-    throw InvalidData("nodes", "node off the middle of its element", "every second one is a midside node",
-                      to_string(nodes[i]));
-  }
+void check_contact(const EnclosedSolution& solution, const SurfaceMesh& mesh) {
   const auto contact = solution.contact();
-  for (const Ball& end : {contact.front().first.x, contact.back().second.x}) {
-    if (!(end < Ball(nodes.front(), end.bits())) && !(end > Ball(nodes.back(), end.bits()))) continue;
-    throw InvalidData("nodes", "contact outside the mesh", "the mesh covers the contact", end.to_string(16));
-  }
+  const auto check = [&](const Ball& end, std::size_t node, bool outside) {
+    if (!outside) return;
+    throw InvalidData("nodes[" + std::to_string(node) + "]", "contact outside the mesh", "the mesh covers the contact",
+                      end.to_string(16));
+  };
+  const Ball& left = contact.front().first.x;
+  const Ball& right = contact.back().second.x;
+  check(left, 0, left < Ball(mesh.nodes().front(), left.bits()));
+  check(right, mesh.nodes().size() - 1, right > Ball(mesh.nodes().back(), right.bits()));
 }
 
 /// The shape functions of the element of these nodes, in xi.
@@ -43,8 +35,8 @@ std::vector<BallPolynomial> shape_functions(const std::vector<Rational>& xi, Bit
 }  // namespace
 
 std::vector<NodalForce> nodal_forces(const EnclosedSolution& solution, const std::vector<Rational>& nodes, int order) {
+  check_contact(solution, SurfaceMesh(nodes, order));
   const auto step = static_cast<std::size_t>(order);
-  check(solution, nodes, step);
   const ContactForm& form = solution.form();
   const ContactSet& set = form.set();
   const Bits bits = set.bits();

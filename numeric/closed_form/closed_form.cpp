@@ -5,6 +5,7 @@
 
 #include "numeric/cauchy/panel_finder.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
+#include "numeric/solution/largest_pressure.hpp"
 
 namespace steadyslide::numeric {
 namespace {
@@ -58,8 +59,10 @@ Estimate<R> ClosedForm<R>::intensity(std::size_t j) const {
 template <Real R>
 std::vector<ContactComponent<R>> ClosedForm<R>::contact() const {
   const std::size_t last = weight().panel_count();
+  const R width = weight().point(last) - weight().point(0);
   return {{{coordinate(0), data_.ends, data_.exponents.front(), intensity(0)},
-           {coordinate(last), data_.ends, data_.exponents.back(), intensity(last)}}};
+           {coordinate(last), data_.ends, data_.exponents.back(), intensity(last)},
+           {width, 2 * data_.end_error + 4 * epsilon<R>() * width}}};
 }
 
 template <Real R>
@@ -76,8 +79,16 @@ std::vector<SolvedSingularPoint<R>> ClosedForm<R>::singular_points() const {
   for (std::size_t j = 0; j <= last; ++j) {
     const bool is_end = j == 0 || j == last;
     if (!is_end && data_.exponents[j].sign() == 0) continue;
-    points.push_back({coordinate(j), is_end ? data_.ends : SingularKind::friction_jump, data_.exponents[j],
-                      intensity(j), Estimate<R>{}});
+    const Estimate<R> theta = intensity(j);
+    const auto on_side = [&](std::size_t piece) {
+      const R factor = is_end ? R(1) : cos_pi_alpha<R>(problem_.coupled_friction(data_.first_piece + piece));
+      return stress_intensity_of<R>(factor * theta, data_.exponents[j]);
+    };
+    StressIntensity<R> k;
+    if (j > 0) k.left = on_side(j - 1);
+    if (j < last) k.right = on_side(j);
+    points.push_back({coordinate(j), is_end ? data_.ends : SingularKind::friction_jump, data_.exponents[j], theta,
+                      Estimate<R>{}, k});
   }
   return points;
 }
@@ -102,15 +113,10 @@ Resultants<R> ClosedForm<R>::resultants() const {
 template <Real R>
 Resultants<R> ClosedForm<R>::integrated() const {
   using std::abs;
-  const PiecewiseDensity<R> density = data_.traction.density();
-  std::vector<Estimate<R>> loads(problem_.friction().values().size());
-  for (std::size_t k = 0; k < density.size(); ++k) {
-    std::optional<Estimate<R>> load;
-    if constexpr (!std::same_as<R, double>) load = check().panel_integral(k);
-    if (!load) load = tanh_sinh::panel_integral(density[k]);
-    loads[data_.first_piece + k] = -load->widened(relative_error(k, 8));
-  }
-  Resultants<R> result = resultants_of(loads, problem_.friction().values());
+  std::vector<Estimate<R>> on_pieces(problem_.friction().values().size());
+  for (std::size_t k = 0; k < loads().size(); ++k) on_pieces[data_.first_piece + k] = -loads()[k];
+  Resultants<R> result = resultants_of(on_pieces, problem_.friction().values());
+  result.component_load = {result.normal};
 
   // The moments of t are the coefficients of u' at infinity, and those are power sums of the singular points.
   R sum1 = 0, sum2 = 0, sum3 = 0, size = 0;
@@ -127,6 +133,38 @@ Resultants<R> ClosedForm<R>::integrated() const {
   result.centre_of_pressure = {to_real<R>(data_.origin) + offset, 8 * points * (epsilon<R>() * size + data_.end_error) +
                                                                       epsilon<R>() * abs(to_real<R>(data_.origin))};
   return result;
+}
+
+template <Real R>
+const std::vector<Estimate<R>>& ClosedForm<R>::loads() const {
+  return loads_([this] {
+    const PiecewiseDensity<R> density = data_.traction.density();
+    std::vector<Estimate<R>> result;
+    for (std::size_t k = 0; k < density.size(); ++k) {
+      std::optional<Estimate<R>> load;
+      if constexpr (!std::same_as<R, double>) load = check().panel_integral(k);
+      if (!load) load = tanh_sinh::panel_integral(density[k]);
+      result.push_back(load->widened(relative_error(k, 8)));
+    }
+    return result;
+  });
+}
+
+template <Real R>
+LargestPressure<R> ClosedForm<R>::largest_pressure() const {
+  using std::abs;
+  if (const auto infinite = infinite_pressure(singular_points())) return *infinite;
+  std::vector<R> lengths;
+  for (std::size_t k = 0; k < weight().panel_count(); ++k) lengths.push_back(weight().panel(k).length);
+  // The pressure is 0 at free ends, and where friction falls.
+  const PanelFunction<R> pressure = [this](std::size_t k, const R& left, const R& right) {
+    const Node<R> node{weight().panel(k).left + left, left, right};
+    return Estimate<R>{-traction(k, node), R(0)}.widened(weight().relative_error(k, node, data_.end_error));
+  };
+  const std::optional<Peak<R>> peak = highest_peak(lengths, pressure);
+  if (!peak) return {};
+  const R x = to_real<R>(data_.origin) + weight().panel(peak->panel).left + peak->from_left;
+  return {peak->value, {x, peak->place_error + data_.end_error + 2 * epsilon<R>() * abs(x)}, std::nullopt};
 }
 
 template <Real R>
@@ -224,9 +262,27 @@ Sample<R> ClosedForm<R>::at_point(std::size_t j) const {
   return sample;
 }
 
+/// psi - u - C beyond an end, psi continued: negative beside a punch.
+template <Real R>
+Estimate<R> ClosedForm<R>::below_profile(Side side, const R& distance) const {
+  // Its derivative is c N |Y| away from the contact, with the power of the end absorbed by the rule.
+  const PanelDensity<R> integrand{
+      {R(0), distance, distance},
+      side == Side::left ? weight().powers().front() : weight().powers().back(),
+      {R(0), R(1)},
+      [&](const Node<R>& node) { return data_.factor * weight().smooth_modulus_beyond(side, node.from_left); }};
+  return to_real<R>(problem_.elasticity().compliance()) *
+         tanh_sinh::panel_integral(integrand).widened(4 * relative_error_beyond(side, distance));
+}
+
+template <Real R>
+R ClosedForm<R>::relative_error_beyond(Side side, const R& distance) const {
+  return relative_error(side == Side::left ? 0 : weight().panel_count() - 1, 1) + data_.end_error / distance;
+}
+
 template <Real R>
 Sample<R> ClosedForm<R>::outside(Side side, const R& distance) const {
-  using std::abs, std::pow;
+  using std::abs;
   const std::size_t last = weight().panel_count();
   const R x = side == Side::left ? weight().point(0) - distance : weight().point(last) + distance;
   const R c = to_real<R>(problem_.elasticity().compliance());
@@ -234,48 +290,48 @@ Sample<R> ClosedForm<R>::outside(Side side, const R& distance) const {
   const R ny = data_.factor * weight().modulus_beyond(side, distance);
   const R profile = profile_slope(x);
   const R slope = c * (side == Side::left ? profile + ny : profile - ny);
-  const R relative = relative_error(side == Side::left ? 0 : last - 1, 1) + data_.end_error / distance;
-  const R slope_error = c * (4 * epsilon<R>() * abs(profile) + relative * abs(ny));
+  const R slope_error = c * (4 * epsilon<R>() * abs(profile) + relative_error_beyond(side, distance) * abs(ny));
 
   Sample<R> sample;
   sample.x = to_real<R>(data_.origin) + x;
   sample.slope = both(Estimate<R>{slope, slope_error});
-  if (distance <= gap_length(side)) {
-    // gap' = c N |Y| away from the contact, with the power of the free end absorbed by the rule.
-    const PanelDensity<R> integrand{
-        {R(0), distance, distance},
-        side == Side::left ? weight().powers().front() : weight().powers().back(),
-        {R(0), R(1)},
-        [&](const Node<R>& node) { return data_.factor * weight().smooth_modulus_beyond(side, node.from_left); }};
-    sample.gap = c * tanh_sinh::panel_integral(integrand).widened(4 * relative);
-  }
+  if (distance <= gap_length(side)) sample.gap = below_profile(side, distance);
   return sample;
 }
 
 template <Real R>
-Sample<R> ClosedForm<R>::at(const Rational& x) const {
+typename ClosedForm<R>::Place ClosedForm<R>::locate(const Rational& x) const {
   const Rational exact = x - data_.origin;
   const R from_origin = to_real<R>(exact);
   const std::size_t last = weight().panel_count();
   const auto distance_from = [&](std::size_t j) {
     return data_.exact[j] ? to_real<R>(exact - *data_.exact[j]) : from_origin - weight().point(j);
   };
-  const auto in_users_x = [&](Sample<R> sample) {
-    sample.x = to_real<R>(x);
-    return sample;
-  };
-  if (distance_from(0) < 0) return in_users_x(outside(Side::left, -distance_from(0)));
-  if (distance_from(last) > 0) return in_users_x(outside(Side::right, distance_from(last)));
+  if (distance_from(0) < 0) return {0, {}, Side::left, -distance_from(0)};
+  if (distance_from(last) > 0) return {last - 1, {}, Side::right, distance_from(last)};
   // The last of the points 0..last-1 on the left of x, 0 if none is.
   std::size_t k = 0;
   for (std::size_t step = std::bit_floor(last); step > 0; step /= 2) {
     if (k + step < last && distance_from(k + step) > 0) k += step;
   }
   for (const std::size_t j : {k, k + 1}) {
-    if (distance_from(j) == 0) return in_users_x(at_point(j));
+    if (distance_from(j) == 0) return {j};
   }
-  const Node<R> node{from_origin, distance_from(k), -distance_from(k + 1)};
-  return in_users_x(inside(k, node, traction(k, node)));
+  return {k, Node<R>{from_origin, distance_from(k), -distance_from(k + 1)}};
+}
+
+template <Real R>
+Sample<R> ClosedForm<R>::at(const Place& place) const {
+  if (place.beyond) return outside(*place.beyond, place.distance);
+  if (!place.inside) return at_point(place.panel);
+  return inside(place.panel, *place.inside, traction(place.panel, *place.inside));
+}
+
+template <Real R>
+Sample<R> ClosedForm<R>::at(const Rational& x) const {
+  Sample<R> sample = at(locate(x));
+  sample.x = to_real<R>(x);
+  return sample;
 }
 
 template <Real R>
@@ -300,15 +356,16 @@ void ClosedForm<R>::tractions(std::span<const R> x, std::span<R> normal, std::sp
 }
 
 template <Real R>
-std::vector<Sample<R>> ClosedForm<R>::samples(int count) const {
-  std::vector<Sample<R>> result;
+std::vector<std::pair<typename ClosedForm<R>::Place, R>> ClosedForm<R>::places(int count) const {
+  std::vector<std::pair<Place, R>> result;
   const auto add_gap = [&](Side side) {
     const R length = gap_length(side);
     if (length == 0) return;
     for (int i = 0; i < count; ++i) {
       // From left to right: towards the contact on the left of it, away from it on the right.
       const auto [forth, back] = chebyshev_position<R>(i, count);
-      result.push_back(outside(side, length * (side == Side::left ? back : forth)));
+      const std::size_t panel = side == Side::left ? 0 : weight().panel_count() - 1;
+      result.push_back({{panel, {}, side, length * (side == Side::left ? back : forth)}, R(0)});
     }
   };
   add_gap(Side::left);
@@ -333,10 +390,130 @@ std::vector<Sample<R>> ClosedForm<R>::samples(int count) const {
     for (std::size_t i = 0; i < tractions.size(); ++i) {
       const R& left = from_left[i];
       const R& right = from_right[i];
-      result.push_back(inside(k, {left < right ? panel.left + left : panel.right - right, left, right}, tractions[i]));
+      const Node<R> node{left < right ? panel.left + left : panel.right - right, left, right};
+      result.push_back({{k, node}, tractions[i]});
     }
   }
   add_gap(Side::right);
+  return result;
+}
+
+template <Real R>
+Sample<R> ClosedForm<R>::sample(const std::pair<Place, R>& at) const {
+  const auto& [place, traction] = at;
+  return place.inside ? inside(place.panel, *place.inside, traction) : this->at(place);
+}
+
+template <Real R>
+PiecewiseTraction<R> ClosedForm<R>::piecewise_traction() const {
+  const std::vector<Power<R>>& powers = weight().powers();
+  const std::size_t panels = weight().panel_count();
+  std::vector<SurfacePlace<R>> places;
+  for (std::size_t j = 0; j <= panels; ++j) {
+    places.push_back(SurfacePlace<R>::of(data_.origin + data_.exact[j].value_or(Rational(weight().point(j)))));
+  }
+  const auto length = [&](std::size_t k) { return k < panels ? weight().panel(k).length : infinity<R>(); };
+  PiecewiseTraction<R> result(problem_.elasticity());
+  for (std::size_t k = 0; k < panels; ++k) {
+    const Surroundings<R> around{powers[k].value != 0, powers[k + 1].value != 0, length(k == 0 ? panels : k - 1),
+                                 length(k + 1)};
+    result.add({places[k], places[k + 1], length(k), around, powers[k], powers[k + 1], nullptr, nullptr,
+                to_real<R>(problem_.shear_ratio(data_.first_piece + k)),
+                [&, k](std::span<const R> from_left, std::span<const R> from_right, std::span<R> values) {
+                  data_.traction(k, from_left, from_right, values);
+                },
+                [&, k](const R& from_left, const R& from_right) {
+                  const Node<R> node{weight().point(k) + from_left, from_left, from_right};
+                  return R(16 * epsilon<R>() + weight().relative_error(k, node, 2 * data_.end_error));
+                }});
+  }
+  return result;
+}
+
+template <Real R>
+std::vector<Sample<R>> ClosedForm<R>::samples(int count) const {
+  std::vector<Sample<R>> result;
+  for (const auto& place : places(count)) result.push_back(sample(place));
+  return result;
+}
+
+template <Real R>
+std::vector<DetailedSample<R>> ClosedForm<R>::detailed_samples(int count) const {
+  std::vector<DetailedSample<R>> result;
+  for (const auto& place : places(count)) result.push_back(detailed(place.first, sample(place)));
+  return result;
+}
+
+template <Real R>
+DetailedSample<R> ClosedForm<R>::details_at(const Rational& x) const {
+  const Place place = locate(x);
+  DetailedSample<R> result = detailed(place, at(place));
+  result.x = to_real<R>(x);
+  return result;
+}
+
+template <Real R>
+const TractionIntegrals<R>& ClosedForm<R>::integrals() const {
+  return integrals_([this] {
+    std::vector<typename TractionIntegrals<R>::Friction> friction;
+    for (std::size_t k = 0; k < weight().panel_count(); ++k) {
+      friction.push_back({to_real<R>(problem_.coupled_friction(data_.first_piece + k)),
+                          to_real<R>(problem_.shear_ratio(data_.first_piece + k))});
+    }
+    return TractionIntegrals<R>(data_.traction.density(), loads(), std::move(friction),
+                                to_real<R>(problem_.elasticity().gamma()));
+  });
+}
+
+template <Real R>
+Estimate<R> ClosedForm<R>::height(const Place& place) const {
+  R x = place.inside ? place.inside->x : weight().point(place.panel);
+  if (place.beyond == Side::left) x = weight().point(0) - place.distance;
+  if (place.beyond == Side::right) x = weight().point(weight().panel_count()) + place.distance;
+  const R profile = to_real<R>(problem_.elasticity().compliance()) * profile_slope(x) * x / 2;
+  const Estimate<R> height = rounded(profile);
+  return place.beyond ? height - below_profile(*place.beyond, place.distance) : height;
+}
+
+template <Real R>
+DetailedSample<R> ClosedForm<R>::detailed(const Place& place, const Sample<R>& sample) const {
+  using std::abs;
+  const std::size_t k = place.panel;
+  const std::size_t last = weight().panel_count();
+  DetailedSample<R> result{sample, {}, {}, {}, {}};
+  result.displacement =
+      height(place) - height_at_origin_([this] { return height(locate(problem_.origin_of_displacement())); });
+
+  const R c = to_real<R>(problem_.elasticity().compliance());
+  const auto reduced = [&](const Estimate<R>& slope) { return slope / c; };
+  LinePlace<R> at{0, infinity<R>(), infinity<R>()};
+  if (place.beyond) {
+    const bool left = place.beyond == Side::left;
+    (left ? at.to_right : at.to_left) = place.distance;
+    if (!left) at.panels = last;
+    if (place.distance <= gap_length(*place.beyond)) {
+      const auto piece = [&](Side side) { return problem_.friction().piece(Rational(sample.x), side); };
+      result.friction = {piece(Side::left), piece(Side::right)};
+    }
+  } else if (place.inside) {
+    at = {k, place.inside->from_left, place.inside->from_right, place.inside};
+    result.friction = {data_.first_piece + k, data_.first_piece + k};
+  } else {
+    at.panels = k;
+    if (k > 0) at.to_left = 0;
+    if (k < last) at.to_right = 0;
+    result.friction = {data_.first_piece + (k > 0 ? k - 1 : k), data_.first_piece + std::min(k, last - 1)};
+  }
+  result.cumulative_load = integrals().load_before(at);
+  if (place.is_point()) {
+    result.shear_slope =
+        integrals().shear_slope(at, sample.traction, {reduced(sample.slope.left), reduced(sample.slope.right)});
+  } else {
+    result.cumulative_load.error += 2 * data_.end_error * abs(sample.traction.left.value);
+    result.shear_slope = both(integrals().shear_slope(at, sample.traction.left, reduced(sample.slope.left)));
+  }
+  result.shear_slope.left *= c;
+  result.shear_slope.right *= c;
   return result;
 }
 

@@ -16,7 +16,7 @@
 
 #include "numeric/cauchy/power_traction.hpp"
 #include "numeric/cauchy/residuals.hpp"
-#include "numeric/solution/contact_solution.hpp"
+#include "numeric/cauchy/traction_integrals.hpp"
 
 namespace steadyslide::numeric {
 
@@ -58,11 +58,15 @@ class ClosedForm : public ContactSolution<R> {
   ApproximateContact approximate_contact() const override;
   std::vector<SolvedSingularPoint<R>> singular_points() const override;
   Resultants<R> resultants() const override;
+  LargestPressure<R> largest_pressure() const override;
   EstimatedError<R> estimated_error() const override;
   Residuals<R> residuals() const override;
   Sample<R> at(const Rational& x) const override;
   void tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) const override;
+  PiecewiseTraction<R> piecewise_traction() const override;
   std::vector<Sample<R>> samples(int count) const override;
+  DetailedSample<R> details_at(const Rational& x) const override;
+  std::vector<DetailedSample<R>> detailed_samples(int count) const override;
 
  private:
   const FundamentalSolution<R>& weight() const { return data_.traction.weight; }
@@ -70,19 +74,45 @@ class ClosedForm : public ContactSolution<R> {
   R relative_error(std::size_t panel, int times) const;
   Estimate<R> intensity(std::size_t j) const;
   R profile_slope(const R& from_origin) const;
+  /// What of x is known: the panel it is inside of, by its distances, the singular point it is, or the distance beyond an
+  /// end.
+  struct Place {
+    std::size_t panel;  ///< or the point, or the panel at the end
+    std::optional<Node<R>> inside{};
+    std::optional<Side> beyond{};
+    R distance = 0;
+
+    bool is_point() const { return !inside && !beyond; }
+  };
+  Place locate(const Rational& x) const;
+  /// Those of samples(): inside panels with the tractions there.
+  std::vector<std::pair<Place, R>> places(int count) const;
+  Sample<R> at(const Place& place) const;
   Sample<R> inside(std::size_t panel, const Node<R>& node, const R& traction) const;
   Sample<R> at_point(std::size_t j) const;
   Sample<R> outside(Side side, const R& distance) const;
+  Estimate<R> below_profile(Side side, const R& distance) const;
+  R relative_error_beyond(Side side, const R& distance) const;
+  Sample<R> sample(const std::pair<Place, R>& at) const;
   Estimate<R> limit_at_point(std::size_t j, Side side) const;
   R gap_length(Side side) const;
   /// The traction sampled by the rule that residuals come from, which is also the cheapest for loads in high precision.
   const SurfaceCheck<R>& check() const;
   Resultants<R> integrated() const;
+  /// int t over each panel.
+  const std::vector<Estimate<R>>& loads() const;
+  const TractionIntegrals<R>& integrals() const;
+  /// u + C at a place; its error is that of the gap.
+  Estimate<R> height(const Place& place) const;
+  DetailedSample<R> detailed(const Place& place, const Sample<R>& sample) const;
 
   ContactProblem problem_;
   ClosedFormData<R> data_;
   Once<SurfaceCheck<R>> check_;
   Once<Resultants<R>> resultants_;
+  Once<std::vector<Estimate<R>>> loads_;
+  Once<TractionIntegrals<R>> integrals_;
+  Once<Estimate<R>> height_at_origin_;
 };
 
 }  // namespace steadyslide::numeric

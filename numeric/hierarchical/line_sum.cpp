@@ -8,22 +8,17 @@
 namespace steadyslide::numeric::hierarchical {
 namespace {
 
-constexpr std::size_t terms = 34;
+constexpr std::size_t terms = CellMoments::terms;
 constexpr std::size_t order = 22;
 
 struct Tables {
-  std::array<std::array<double, terms>, terms> binomial{};
   std::array<double, terms> reciprocal{};                    ///< 1/k
   std::array<double, order> node{};                          ///< in ]-1, 1[, from left to right
   std::array<double, order> from_left{};                     ///< the same in ]0, 1[
   std::array<std::array<double, order>, order> chebyshev{};  ///< [k][i]: values to coefficient k
 
   Tables() {
-    for (std::size_t k = 0; k < terms; ++k) {
-      binomial[k][0] = binomial[k][k] = 1;
-      for (std::size_t j = 1; j < k; ++j) binomial[k][j] = binomial[k - 1][j - 1] + binomial[k - 1][j];
-      reciprocal[k] = k == 0 ? 0 : 1 / static_cast<double>(k);
-    }
+    for (std::size_t k = 1; k < terms; ++k) reciprocal[k] = 1 / static_cast<double>(k);
     for (std::size_t i = 0; i < order; ++i) {
       const double angle = std::numbers::pi * (static_cast<double>(order - i) - 0.5) / order;
       node[i] = std::cos(angle);
@@ -55,93 +50,20 @@ void clenshaw(const double* coefficients, const std::array<double, order>& x, st
 
 }  // namespace
 
-std::vector<PanelTree::Panel> LineSum::panels_of(const std::vector<double>& lengths,
-                                                 const std::vector<Source>& sources) const {
-  std::vector<PanelTree::Panel> panels;
-  panels.reserve(lengths.size());
-  for (const double length : lengths) panels.push_back({length, false});
-  for (const Source& source : sources) {
-    PanelTree::Panel& panel = panels[source.panel];
-    if (!panel.has_sources) panel.before = source.from_left;
-    panel.after = source.from_right;
-    panel.has_sources = true;
-  }
-  return panels;
-}
-
 LineSum::LineSum(std::vector<Kernel> kernels, const std::vector<double>& lengths, const std::vector<Source>& sources,
                  const std::vector<std::vector<double>>& weights)
     : kernels_(std::move(kernels)),
-      stride_(weights.size() * terms),
-      tree_(panels_of(lengths, sources)),
-      moments_(tree_.cells().size() * stride_, 0),
+      moments_(lengths, sources, weights),
       fields_(lengths.size() * weights.size() * order, 0) {
-  gather(sources, weights);
-  for (std::size_t cell = tree_.cells().size(); cell-- > 1;) shift_to_parent(cell);
   const std::vector<double> nothing(sums() * order, 0);
   hand_down(0, nothing.data());
 }
 
-const double* LineSum::moments(std::size_t cell, std::size_t sum) const {
-  return &moments_[cell * stride_ + sum * terms];
-}
-
-void LineSum::gather(const std::vector<Source>& sources, const std::vector<std::vector<double>>& weights) {
-  // Some sources at once: the powers of one wait for each other.
-  constexpr std::size_t together = 8;
-  for (std::size_t i = 0; i < sources.size();) {
-    const std::size_t leaf = tree_.leaf(sources[i].panel);
-    const PanelTree::Cell& cell = tree_.cells()[leaf];
-    std::array<double, together> place{}, power{};
-    std::size_t count = 0;
-    for (; count < together && i + count < sources.size() && sources[i + count].panel == sources[i].panel; ++count) {
-      const Source& source = sources[i + count];
-      const double left = source.from_left - cell.before;
-      const double right = source.from_right - cell.after;
-      place[count] = cell.extent > 0 ? std::clamp((left - right) / cell.extent, -1.0, 1.0) : 0;
-    }
-    for (std::size_t s = 0; s < sums(); ++s) {
-      double* m = moments(leaf) + s * terms;
-      for (std::size_t j = 0; j < together; ++j) power[j] = j < count ? weights[s][i + j] : 0;
-      for (std::size_t k = 0; k < terms; ++k) {
-        m[k] += ((power[0] + power[4]) + (power[1] + power[5])) + ((power[2] + power[6]) + (power[3] + power[7]));
-        for (std::size_t j = 0; j < together; ++j) power[j] *= place[j];
-      }
-    }
-    i += count;
-  }
-}
-
-void LineSum::shift_to_parent(std::size_t index) {
-  const PanelTree::Cell& cell = tree_.cells()[index];
-  if (!cell.has_sources) return;
-  const PanelTree::Cell& parent = tree_.cells()[cell.parent];
-  const Tables& table = tables();
-  const double ratio = parent.extent > 0 ? cell.extent / parent.extent : 1;
-  const double shift = parent.left == index ? ratio - 1 : 1 - ratio;
-  // Where the other child has no sources, this one's are the parent's.
-  std::array<double, terms> ratios, shifts;
-  ratios[0] = shifts[0] = 1;
-  for (std::size_t k = 1; k < terms; ++k) {
-    ratios[k] = ratios[k - 1] * ratio;
-    shifts[k] = shifts[k - 1] * shift;
-  }
-  for (std::size_t s = 0; s < sums(); ++s) {
-    const double* from = moments(index) + s * terms;
-    double* to = moments(cell.parent) + s * terms;
-    for (std::size_t k = 0; k < terms; ++k) {
-      double sum = 0;
-      for (std::size_t j = 0; j <= k; ++j) sum += table.binomial[k][j] * shifts[k - j] * (ratios[j] * from[j]);
-      to[k] += sum;
-    }
-  }
-}
-
 void LineSum::add_far(std::size_t target, double* values) const {
   const Tables& table = tables();
-  const double length = tree_.cells()[target].length;
-  for (const PanelTree::Far& far : tree_.far_from(target)) {
-    const PanelTree::Cell& cell = tree_.cells()[far.cell];
+  const double length = tree().cells()[target].length;
+  for (const PanelTree::Far& far : tree().far_from(target)) {
+    const PanelTree::Cell& cell = tree().cells()[far.cell];
     const double h = cell.extent / 2;
     const double side = far.side == Side::left ? 1 : -1;
     std::array<double, order> distance, r;
@@ -151,7 +73,7 @@ void LineSum::add_far(std::size_t target, double* values) const {
     }
     for (std::size_t s = 0; s < sums(); ++s) {
       const bool logarithm = kernels_[s] == Kernel::logarithm;
-      const double* m = moments(far.cell, s);
+      const double* m = moments_.of(far.cell, s);
       std::array<double, order> series{};
       for (std::size_t k = terms; k-- > 1;) {
         const double a = logarithm ? m[k] * table.reciprocal[k] : m[k];
@@ -170,10 +92,10 @@ void LineSum::add_far(std::size_t target, double* values) const {
 
 void LineSum::hand_down(std::size_t index, const double* parent_field) {
   const Tables& table = tables();
-  const PanelTree::Cell& cell = tree_.cells()[index];
+  const PanelTree::Cell& cell = tree().cells()[index];
   std::vector<double> values(sums() * order, 0);
   if (index != 0) {
-    const PanelTree::Cell& parent = tree_.cells()[cell.parent];
+    const PanelTree::Cell& parent = tree().cells()[cell.parent];
     std::array<double, order> x, value;
     for (std::size_t i = 0; i < order; ++i) {
       x[i] = parent.left == index ? 2 * cell.length * table.from_left[i] / parent.length - 1
@@ -202,7 +124,7 @@ void LineSum::hand_down(std::size_t index, const double* parent_field) {
 }
 
 double LineSum::far(std::size_t sum, std::size_t k, double from_left, double from_right) const {
-  const double length = tree_.cells()[tree_.leaf(k)].length;
+  const double length = tree().cells()[tree().leaf(k)].length;
   const double x = std::clamp((from_left - from_right) / length, -1.0, 1.0);
   // T_2k(x) = T_k(t) and T_2k+1(x) by the same recurrence, t = T_2(x): two sums that do not wait for each other.
   const double* c = &fields_[(k * sums() + sum) * order];
@@ -220,8 +142,8 @@ double LineSum::far(std::size_t sum, std::size_t k, double from_left, double fro
 }
 
 double LineSum::of_cell(std::size_t sum, std::size_t cell, Side side, double distance) const {
-  const double h = tree_.cells()[cell].extent / 2;
-  const double* m = moments(cell, sum);
+  const double h = tree().cells()[cell].extent / 2;
+  const double* m = moments_.of(cell, sum);
   const double sign = side == Side::left ? 1 : -1;
   const double to_centre = h + distance;
   const double r = sign * h / to_centre;
@@ -233,8 +155,8 @@ double LineSum::of_cell(std::size_t sum, std::size_t cell, Side side, double dis
 }
 
 double LineSum::logarithmic_rise(std::size_t sum, std::size_t cell, Side side, double distance, double step) const {
-  const double h = tree_.cells()[cell].extent / 2;
-  const double* m = moments(cell, sum);
+  const double h = tree().cells()[cell].extent / 2;
+  const double* m = moments_.of(cell, sum);
   const double sign = side == Side::left ? 1 : -1;
   const double from = sign * h / (h + distance);
   const double to = sign * h / (h + distance + step);

@@ -3,8 +3,8 @@
 //
 //   Kernel::logarithm: sum_i w_i log|x - c_i|,   Kernel::cauchy: sum_i w_i/(c_i - x),   Kernel::distance: sum_i w_i/|c_i - x|.
 //
-// Sources of a cell with centre c and half-width h are their moments m_k = sum_i w_i ((c_i - c)/h)^k, k < 34; at the
-// distance D = |x - c|, r = +-h/D with the sign of x - c,
+// With the moments m_k of a cell with centre c and half-width h (cell_moments.hpp), at the distance D = |x - c|, r = +-h/D
+// with the sign of x - c, they are
 //
 //   m_0 log D - sum_k m_k r^k/k,      -+(1/D) sum_k m_k r^k,      (1/D) sum_k m_k r^k.
 //
@@ -23,7 +23,7 @@
 
 #include <vector>
 
-#include "numeric/hierarchical/panel_tree.hpp"
+#include "numeric/hierarchical/cell_moments.hpp"
 
 namespace steadyslide::numeric::hierarchical {
 
@@ -35,12 +35,6 @@ inline constexpr double cauchy_rounding = 32;
 /// Fewer panels than this are summed one by one: that costs no more, and rounds as it always has.
 inline constexpr std::size_t fewest_panels = 128;
 
-struct Source {
-  std::size_t panel;
-  double from_left;  ///< from the ends of its panel
-  double from_right;
-};
-
 class LineSum {
  public:
   enum class Kernel { logarithm, cauchy, distance };
@@ -50,8 +44,8 @@ class LineSum {
           const std::vector<std::vector<double>>& weights);
 
   std::size_t sums() const { return kernels_.size(); }
-  const PanelTree& tree() const { return tree_; }
-  const std::vector<PanelTree::Near>& near_to(std::size_t panel) const { return tree_.near_to(panel); }
+  const PanelTree& tree() const { return moments_.tree(); }
+  const std::vector<PanelTree::Near>& near_to(std::size_t panel) const { return tree().near_to(panel); }
 
   /// Of all sources that are neither in panel k nor near to it, at a place of the panel, its ends included.
   double far(std::size_t sum, std::size_t k, double from_left, double from_right) const;
@@ -62,20 +56,12 @@ class LineSum {
   double logarithmic_rise(std::size_t sum, std::size_t cell, Side side, double distance, double step) const;
 
  private:
-  std::vector<PanelTree::Panel> panels_of(const std::vector<double>& lengths, const std::vector<Source>& sources) const;
-  void gather(const std::vector<Source>& sources, const std::vector<std::vector<double>>& weights);
-  void shift_to_parent(std::size_t cell);
   void hand_down(std::size_t cell, const double* parent);
   void add_far(std::size_t cell, double* values) const;
 
-  double* moments(std::size_t cell) { return &moments_[cell * stride_]; }
-  const double* moments(std::size_t cell, std::size_t sum) const;
-
   std::vector<Kernel> kernels_;
-  std::size_t stride_;  ///< of the moments of a cell
-  PanelTree tree_;
-  std::vector<double> moments_;  ///< of each cell, of each sum
-  std::vector<double> fields_;   ///< of each panel, of each sum: coefficients of Chebyshev's polynomials
+  CellMoments moments_;
+  std::vector<double> fields_;  ///< of each panel, of each sum: coefficients of Chebyshev's polynomials
 };
 
 }  // namespace steadyslide::numeric::hierarchical

@@ -1,135 +1,239 @@
 #include "numeric/interior/interior_stress.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
-#include "numeric/interior/half_plane_stress.hpp"
-#include "numeric/quadrature/double_exponential_rule.hpp"
-
 namespace steadyslide::numeric {
+namespace {
 
-template <Real R>
-int InteriorStress<R>::nodes_per_panel() const {
-  // As for the panels of the form (a pole at the distance of a panel's length, also above it); more nodes because the
-  // pole is a double one here.
-  using std::log, std::sqrt;
-  static const int geometric = static_cast<int>(-log(epsilon<R>()) / (2 * log(2 + sqrt(R(3))))) + 4;
-  return geometric + (solution_->problem().highest_degree() + 1) / 2;
-}
+/// Fewer panels than this are told one by one.
+constexpr std::size_t fewest_panels_with_moments = 8;
 
+/// Adds the sums of the normal forces of a panel, with what follows from them. `straddles`: forces on both sides of x,
+/// none of them further aside than the depth, cancel in the odd sums.
 template <Real R>
-Surroundings<R> InteriorStress<R>::surroundings(const OneSidedPart& part, const R& depth) const {
-  using std::sqrt;
-  const auto to_point = [&](const R& x) { return sqrt(x * x + depth * depth); };
-  const RiemannHilbertForm<R>& form = solution_->form();
-  Surroundings<R> around = numeric::surroundings<R>(
-      form.set(), part.segment, [&](std::size_t j) { return form.power(j).value != 0 || form.changes_polynomial(j); });
-  if (part.from_left > 0) {
-    around.left_singular = false;
-    around.beyond_left = part.from_left;
-  }
-  if (part.from_right > 0) {
-    around.right_singular = false;
-    around.beyond_right = part.from_right;
-  }
-  if (part.x_left <= 0) around.beyond_left = std::min(around.beyond_left, to_point(part.x_left));
-  if (part.x_right >= 0) around.beyond_right = std::min(around.beyond_right, to_point(part.x_right));
-  return around;
-}
-
-template <Real R>
-const JacobiRule<R>& InteriorStress<R>::double_exponential(const Power<R>& power) const {
-  const auto found = double_exponential_rules_.find(power.plus_one);
-  if (found != double_exponential_rules_.end()) return found->second;
-  return double_exponential_rules_.emplace(power.plus_one, double_exponential_rule(power.plus_one)).first->second;
-}
-
-template <Real R>
-void InteriorStress<R>::add_force(const Estimate<R>& force, const R& ratio, const R& x, Sum& sum) const {
+void add_sums(const std::array<R, 4>& sums, const TractionPanel<R>& panel, bool straddles, ForceSums<R>& to) {
   using std::abs;
-  StressState<R>& stress = sum.stress;
-  const StressComponents<R> value = stress_of_force(force.value, ratio * force.value, x, sum.depth);
-  stress.xx.value += value.xx;
-  stress.zz.value += value.zz;
-  stress.xz.value += value.xz;
-  // As if the two forces' fields had the same sign: where they cancel, rounding does not.
-  const R away = x < 0 ? -x : x;
-  const StressComponents<R> error = stress_of_force(force.error, -abs(ratio) * force.error, away, sum.depth);
-  stress.xx.error += error.xx;
-  stress.zz.error += error.zz;
-  stress.xz.error += error.xz;
+  const R tangential_error = abs(panel.shear_ratio) * panel.error;
+  for (std::size_t j = 0; j < 4; ++j) {
+    R size = abs(sums[j]);
+    if (straddles && j % 2 == 1) size = std::max(size, R(abs(sums[j - 1])));
+    to.normal[j] += sums[j];
+    to.tangential[j] += panel.shear_ratio * sums[j];
+    to.normal_error[j] += panel.error * size;
+    to.tangential_error[j] += tangential_error * size;
+  }
+}
+
+}  // namespace
+
+template <Real R>
+InteriorStress<R>::InteriorStress(PiecewiseTraction<R> traction) : traction_(std::move(traction)) {
+  const Elasticity& elasticity = traction_.elasticity();
+  if (const auto& body = elasticity.half_space()) {
+    const Rational kolosov = body->kolosov(elasticity.plane());
+    poisson_ = elasticity.plane() == Plane::strain ? to_real<R>(body->poisson()) : R(0);
+    trace_part_ = to_real<R>((3 - kolosov) / 4);
+    rotation_ = to_real<R>((kolosov + 1) / 2);
+    twice_shear_modulus_ = to_real<R>(2 * body->shear_modulus());
+  }
+  TractionNodes<R> nodes;
+  for (const TractionPanel<R>& panel : traction_.panels()) {
+    first_force_.push_back(forces_.size());
+    if (panel.count == 1) continue;
+    nodes.clear();
+    traction_.append_nodes(panel, nodes);
+    forces_.insert(forces_.end(), nodes.forces.begin(), nodes.forces.end());
+  }
+  if (!traction_.panels().empty()) gather(0, traction_.panels().size());
 }
 
 template <Real R>
-void InteriorStress<R>::add(const OneSidedPart& part, Sum& sum) const {
-  using std::abs, std::pow;
-  const RiemannHilbertForm<R>& form = solution_->form();
-  const std::size_t segment = part.segment;
-  const R ratio = solution_->shear_ratio(segment);
-  for (const GradedPanel<R>& panel : graded_panels(part.length, surroundings(part, sum.depth))) {
-    Power<R> power{R(0), R(1)};
-    bool kinked = false;
-    if (panel.singular_end) {
-      const std::size_t j = *panel.singular_end == Side::left ? segment : segment + 1;
-      power = form.power(j);
-      kinked = form.changes_polynomial(j);
-    }
-    const JacobiRule<R>& rule = kinked ? double_exponential(power) : rules_.get(power, {R(0), R(1)}, nodes_per_panel());
-    const bool mirrored = panel.singular_end == Side::right;
-    for (std::size_t i = 0; i < rule.size(); ++i) {
-      const R left = panel.from_left + panel.length * (mirrored ? rule.from_right[i] : rule.from_left[i]);
-      const R right = panel.from_right + panel.length * (mirrored ? rule.from_left[i] : rule.from_right[i]);
-      // From the end of the part from which less is lost: from x itself if it ends there.
-      const bool by_left = abs(part.x_left) + left < abs(part.x_right) + right;
-      const R x = by_left ? part.x_left - left : part.x_right + right;
-      R weight = panel.length * rule.weights[i];
-      if (!kinked && power.value != 0) weight /= pow(rule.from_left[i], power.value);
-      const SurfacePoint<R> at = surface_point(form.set(), segment, part.from_left + left, part.from_right + right);
-      const Estimate<R> t = form.traction(at);
-      // The place of x among the free ends is as uncertain as they are: twice their error.
-      const R relative = 16 * epsilon<R>() + 2 * solution_->relative_end_error(at);
-      R error = weight * (t.error + relative * abs(t.value));
-      if (kinked && i == 0) {
-        // What lies between the end and the first node.
-        const R missing = abs(t.value) * panel.length * rule.from_left[i] / std::min(R(1), power.plus_one);
-        error += missing;
-      }
-      add_force({weight * t.value, error}, ratio, x, sum);
+std::pair<const R*, R> InteriorStress<R>::forces_on(std::size_t k) const {
+  const TractionPanel<R>& panel = traction_.panels()[k];
+  if (panel.count > 1) return {forces_.data() + first_force_[k], R(1)};
+  return {panel.rule->weights.data(), traction_.constant(panel) * panel.length};
+}
+
+template <Real R>
+void InteriorStress<R>::add_panel_moments(std::size_t k, const Cell& cell, R* normal, R* tangential) const {
+  const TractionPanel<R>& panel = traction_.panels()[k];
+  const auto [forces, factor] = forces_on(k);
+  const R left = panel.left - cell.centre;
+  for (std::size_t i = 0; i < traction_.nodes_per_rule(); ++i) {
+    const R u = (left + panel.length * from_left(panel, i)) / cell.half;
+    R term = factor * forces[i];
+    for (std::size_t m = 0; m < moment_count<R>(); ++m) {
+      normal[m] += term;
+      tangential[m] += panel.shear_ratio * term;
+      term *= u;
     }
   }
+}
+
+template <Real R>
+void InteriorStress<R>::gather(std::size_t first, std::size_t end) {
+  using std::abs;
+  const auto& panels = traction_.panels();
+  const std::size_t index = cells_.size();
+  const R half = (panels[end - 1].right - panels[first].left) / 2;
+  cells_.push_back({first, end, panels[first].left.moved(half), half, 0, moments_.size(), R(0), R(0)});
+  if (end - first < fewest_panels_with_moments) return;
+  const std::size_t count = moment_count<R>();
+  moments_.resize(moments_.size() + 2 * count);
+  const bool has_children = end - first >= 2 * fewest_panels_with_moments;
+  if (has_children) {
+    const std::size_t middle = first + (end - first) / 2;
+    gather(first, middle);
+    cells_[index].children = cells_.size();
+    gather(middle, end);
+  }
+  Cell& cell = cells_[index];
+  R* normal = moments_.data() + cell.moments;
+  for (std::size_t k = first; k < end && !has_children; ++k) {
+    add_panel_moments(k, cell, normal, normal + count);
+    const auto [forces, factor] = forces_on(k);
+    R size = 0;
+    for (std::size_t i = 0; i < traction_.nodes_per_rule(); ++i) size += abs(factor * forces[i]);
+    cell.normal_error += panels[k].error * size;
+    cell.tangential_error += abs(panels[k].shear_ratio) * panels[k].error * size;
+  }
+  for (const std::size_t child : {index + 1, cell.children}) {
+    if (!has_children) break;
+    const Cell& part = cells_[child];
+    const R scale = part.half / half;
+    const R shift = (part.centre - cell.centre) / half;
+    const R* moments = moments_.data() + part.moments;
+    add_moments<R>(moments, scale, shift, normal);
+    add_moments<R>(moments + count, scale, shift, normal + count);
+    cell.normal_error += part.normal_error;
+    cell.tangential_error += part.tangential_error;
+  }
+}
+
+/// Of node i of a panel's rule, in parts of the panel.
+template <Real R>
+const R& InteriorStress<R>::from_left(const TractionPanel<R>& panel, std::size_t i) {
+  return panel.singular_end == Side::right ? panel.rule->from_right[i] : panel.rule->from_left[i];
+}
+
+template <Real R>
+void InteriorStress<R>::add(std::size_t index, const Point& point, Sums& sums) const {
+  using std::abs;
+  const Cell& cell = cells_[index];
+  if (cell.end - cell.first >= fewest_panels_with_moments) {
+    const R x = point.x - cell.centre;
+    if (x * x + point.z * point.z >= 9 * cell.half * cell.half) {
+      const R* normal = moments_.data() + cell.moments;
+      add_far_forces(sums, normal, normal + moment_count<R>(), cell.half, x, point.z);
+      // Nowhere in the cell more than this.
+      const R aside = std::max(R(abs(x)), cell.half);
+      add_force(sums.normal_error, R(3 * cell.normal_error), aside, point.z);
+      add_force(sums.tangential_error, R(3 * cell.tangential_error), aside, point.z);
+      return;
+    }
+  }
+  if (cell.children != 0) {
+    add(index + 1, point, sums);
+    add(cell.children, point, sums);
+    return;
+  }
+  for (std::size_t k = cell.first; k < cell.end; ++k) add_panel(k, point, sums);
+}
+
+template <Real R>
+void InteriorStress<R>::add_panel(std::size_t k, const Point& point, Sums& sums) const {
+  const TractionPanel<R>& panel = traction_.panels()[k];
+  const R x_left = point.x - panel.left;
+  const R x_right = point.x - panel.right;
+  const R aside = std::max({R(-x_left), x_right, R(0)});
+  if (aside * aside + point.z * point.z < panel.length * panel.length) {
+    add_near(panel, x_left, x_right, point.z, sums);
+    return;
+  }
+  const auto [forces, factor] = forces_on(k);
+  std::array<R, 4> of_panel{};
+  for (std::size_t i = 0; i < traction_.nodes_per_rule(); ++i) {
+    add_force(of_panel, forces[i], R(x_left - panel.length * from_left(panel, i)), point.z);
+  }
+  for (R& sum : of_panel) sum *= factor;
+  add_sums(of_panel, panel, x_left > 0 && x_right < 0, sums);
+}
+
+/// `x_left`: x minus the left end of the part.
+template <Real R>
+void InteriorStress<R>::add_part(const TractionPanel<R>& panel, const PanelPart<R>& part, const R& x_left,
+                                 const R& x_right, const R& z, Sums& sums) const {
+  sums.nodes.clear();
+  traction_.append_nodes(panel, part, sums.nodes);
+  std::array<R, 4> of_part{};
+  // From the end of the part that is nearer: from x itself if it ends there.
+  const bool by_left = x_left <= 0;
+  for (std::size_t i = 0; i < sums.nodes.forces.size(); ++i) {
+    const R x = by_left ? x_left - sums.nodes.from_left[i] : x_right + sums.nodes.from_right[i];
+    add_force(of_part, sums.nodes.forces[i], x, z);
+  }
+  add_sums(of_part, panel, false, sums);
+}
+
+template <Real R>
+void InteriorStress<R>::add_near(const TractionPanel<R>& panel, const R& x_left, const R& x_right, const R& z,
+                                 Sums& sums) const {
+  using std::sqrt;
+  PanelPart<R> whole{R(0), panel.length, R(0)};
+  if (x_left > 0 && x_right < 0) {
+    const R behind = -x_right;
+    add_part(panel, {R(0), x_left, behind, infinity<R>(), z}, x_left, R(0), z, sums);
+    add_part(panel, {x_left, behind, R(0), z, infinity<R>()}, R(0), x_right, z, sums);
+  } else if (x_left <= 0) {
+    whole.beyond_left = sqrt(x_left * x_left + z * z);
+    add_part(panel, whole, x_left, x_right, z, sums);
+  } else {
+    whole.beyond_right = sqrt(x_right * x_right + z * z);
+    add_part(panel, whole, x_left, x_right, z, sums);
+  }
+}
+
+template <Real R>
+StressState<R> InteriorStress<R>::state_of(const Sums& sums) const {
+  const R factor = 2 / pi<R>();
+  // Errors never cancel.
+  const auto difference = [&](std::size_t j, std::size_t of_tangential) {
+    return Estimate<R>{factor * (sums.normal[j] - sums.tangential[of_tangential]),
+                       factor * (sums.normal_error[j] + sums.tangential_error[of_tangential])};
+  };
+  StressState<R> state{difference(2, 3), difference(0, 1), difference(1, 2), std::nullopt, std::nullopt};
+  if (!traction_.elasticity().half_space()) return state;
+  const Estimate<R> trace = state.xx + state.zz;
+  state.yy = poisson_ * trace;
+  const auto sum = [](const std::array<R, 4>& n, const std::array<R, 4>& t) { return n[1] + n[3] + t[0] + t[2]; };
+  const Estimate<R> rotation{rotation_ / pi<R>() * sum(sums.normal, sums.tangential),
+                             rotation_ / pi<R>() * sum(sums.normal_error, sums.tangential_error)};
+  const R& twice_mu = twice_shear_modulus_;
+  state.gradient =
+      DisplacementGradient<R>{(state.xx - trace_part_ * trace) / twice_mu, (state.xz - rotation) / twice_mu,
+                              (state.xz + rotation) / twice_mu, (state.zz - trace_part_ * trace) / twice_mu};
+  return state;
+}
+
+template <Real R>
+StressState<R> InteriorStress<R>::at(const Point& point, Sums& sums) const {
+  if (!(point.z > 0)) throw std::invalid_argument("the depth of a point below the surface is positive");
+  static_cast<ForceSums<R>&>(sums) = {};
+  if (!cells_.empty()) add(0, point, sums);
+  return state_of(sums);
 }
 
 template <Real R>
 StressState<R> InteriorStress<R>::at(const Rational& x, const Rational& z) const {
-  using std::abs, std::sqrt;
-  if (z <= 0) throw std::invalid_argument("the depth of a point below the surface is positive");
-  const RiemannHilbertForm<R>& form = solution_->form();
-  const ContactSet<R>& set = form.set();
-  const SurfacePoint<R> above = solution_->locate(x);
-  Sum sum{{}, to_real<R>(z / solution_->problem().frame().unit)};
-  for (std::size_t k = 0; k < set.segments(); ++k) {
-    if (!set.in_contact(k)) continue;
-    const R& left = above.node.from_left;
-    const R& right = above.node.from_right;
-    if (static_cast<std::ptrdiff_t>(k) == above.segment && left > 0 && right > 0) {
-      add({k, R(0), left, right, left, R(0)}, sum);
-      add({k, left, right, R(0), R(0), -right}, sum);
-    } else {
-      add({k, R(0), set.length(k), R(0), form.distance(above, k), form.distance(above, k + 1)}, sum);
-    }
-  }
-  StressState<R>& stress = sum.stress;
-  const R scale = sqrt(epsilon<R>()) * (abs(stress.xx.value) + abs(stress.zz.value) + abs(stress.xz.value));
-  for (Estimate<R>* part : {&stress.xx, &stress.zz, &stress.xz}) {
-    if (!(part->error <= scale)) part->convergence = Convergence::stalled;
-  }
-  const Elasticity& elasticity = solution_->problem().problem().elasticity();
-  if (elasticity.half_space()) {
-    const R nu = elasticity.plane() == Plane::strain ? to_real<R>(elasticity.half_space()->poisson()) : R(0);
-    stress.yy = nu * (stress.xx + stress.zz);
-  }
-  return stress;
+  Sums sums;
+  return at({SurfacePlace<R>::of(x), to_real<R>(z)}, sums);
+}
+
+template <Real R>
+void InteriorStress<R>::at(std::span<const R> x, std::span<const R> z, std::span<StressState<R>> states) const {
+  Sums sums;
+  for (std::size_t i = 0; i < x.size(); ++i) states[i] = at({{x[i], R(0)}, z[i]}, sums);
 }
 
 template class InteriorStress<double>;

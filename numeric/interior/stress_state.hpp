@@ -1,11 +1,14 @@
 #pragma once
-// The stress at a point of the body, tension positive, in the user's units:
+// The stress and the displacement's gradient at a point of the body: x along the surface, z the depth, tension positive, u_x
+// and u_z along +x and +z, in the user's units:
 //
 //   sigma_yy = nu (sigma_xx + sigma_zz) in plane strain, 0 in plane stress,
 //   mean = (sigma_xx + sigma_yy + sigma_zz)/3,
-//   von Mises = sqrt(((xx - yy)^2 + (yy - zz)^2 + (zz - xx)^2)/2 + 3 xz^2).
+//   von Mises = sqrt(((xx - yy)^2 + (yy - zz)^2 + (zz - xx)^2)/2 + 3 xz^2),
+//   largest shear = sqrt(((xx - zz)/2)^2 + xz^2), half the difference of the principal stresses in the plane.
 //
-// The out-of-plane stress needs Poisson's ratio: with reduced data it is absent, and the invariants with it.
+// The out-of-plane stress needs Poisson's ratio: with reduced data it is absent, and with it the invariants that contain
+// it, and the gradient.
 
 #include <cmath>
 #include <optional>
@@ -14,12 +17,22 @@
 
 namespace steadyslide::numeric {
 
+/// d u_x/dx and so on, without unit.
+template <Real R>
+struct DisplacementGradient {
+  Estimate<R> x_x;  ///< d u_x/dx
+  Estimate<R> x_z;  ///< d u_x/dz
+  Estimate<R> z_x;  ///< d u_z/dx; on the surface the slope u' of contact problems is less this
+  Estimate<R> z_z;  ///< d u_z/dz
+};
+
 template <Real R>
 struct StressState {
   Estimate<R> xx;
   Estimate<R> zz;
   Estimate<R> xz;
   std::optional<Estimate<R>> yy;
+  std::optional<DisplacementGradient<R>> gradient;
 
   std::optional<Estimate<R>> mean() const {
     if (!yy) return std::nullopt;
@@ -36,6 +49,13 @@ struct StressState {
     // No derivative is larger than 1, or sqrt 3 for the shear.
     const R error = xx.error + yy->error + zz.error + sqrt(R(3)) * xz.error + 8 * epsilon<R>() * value;
     return Estimate<R>{value, error, xx.convergence};
+  }
+
+  Estimate<R> largest_shear() const {
+    using std::sqrt;
+    const R half = (xx.value - zz.value) / 2;
+    const R value = sqrt(half * half + xz.value * xz.value);
+    return {value, (xx.error + zz.error) / 2 + xz.error + 4 * epsilon<R>() * value, xx.convergence};
   }
 };
 

@@ -10,7 +10,7 @@ namespace {
 template <Real R>
 boost::math::quadrature::tanh_sinh<R>& rule() {
   using std::pow;
-  static boost::math::quadrature::tanh_sinh<R> instance(15, pow(epsilon<R>(), R(4)));
+  thread_local boost::math::quadrature::tanh_sinh<R> instance(15, pow(epsilon<R>(), R(4)));
   return instance;
 }
 

@@ -4,15 +4,12 @@
 #include <cmath>
 
 #include "numeric/cauchy/second_kind.hpp"
-#include "numeric/riemann_hilbert/distant_nodes.hpp"
 
 namespace steadyslide::numeric {
 namespace {
 
 /// More numbers than this are not kept of all densities.
 constexpr std::size_t most_kept = 4'000'000;
-/// Sums over all panels that cost about as much as the cells for all places.
-constexpr std::size_t direct_evaluations = 500;
 
 /// Subtracts term x^j from entry j.
 template <Real R>
@@ -21,12 +18,6 @@ void subtract_powers(std::vector<Estimate<R>>& moments, Estimate<R> term, const 
     m += -term;
     term *= x;
   }
-}
-
-/// A node's part of an integral of g: what has been rounded is g, the weight and the distance from a point.
-template <Real R>
-Estimate<R> node_term(const R& factor, const Estimate<R>& g) {
-  return factor * g.widened(8 * epsilon<R>());
 }
 
 /// What is left of int_0^1 y^a/(y + d) dy as d -> 0 without its singular term: -pi d^a/sin(pi a); -log(d length) at a =
@@ -75,27 +66,21 @@ ContactQuadrature<R>::ContactQuadrature(const SignedFundamentalSolution<R>& y, J
 }
 
 template <Real R>
-std::vector<R> ContactQuadrature<R>::distances_to(std::size_t point) const {
+std::vector<R> ContactQuadrature<R>::distances_to(std::size_t point, std::size_t first, std::size_t end) const {
   const ContactSet<R>& set = y_->set();
-  std::vector<R> result(nodes_.size());
-  std::size_t i = 0;
+  const std::size_t from = first_node(first);
+  std::vector<R> result(first_node(end) - from);
   R between = 0;
-  for (std::size_t k = point; k-- > 0;) {
-    if (set.in_contact(k)) {
-      for (i = panels_[first_panel_[k]].first; i < nodes_.size(); ++i) {
-        if (nodes_[i].segment != static_cast<std::ptrdiff_t>(k)) break;
-        result[i] = -(between + nodes_[i].node.from_right);
-      }
+  for (std::size_t k = point; k-- > first;) {
+    for (std::size_t i = first_node(k); k < end && i < first_node(k + 1); ++i) {
+      result[i - from] = -(between + nodes_[i].node.from_right);
     }
     between += set.length(k);
   }
   between = 0;
-  for (std::size_t k = point; k < set.segments(); ++k) {
-    if (set.in_contact(k)) {
-      for (i = panels_[first_panel_[k]].first; i < nodes_.size(); ++i) {
-        if (nodes_[i].segment != static_cast<std::ptrdiff_t>(k)) break;
-        result[i] = between + nodes_[i].node.from_left;
-      }
+  for (std::size_t k = point; k < end; ++k) {
+    for (std::size_t i = first_node(k); k >= first && i < first_node(k + 1); ++i) {
+      result[i - from] = between + nodes_[i].node.from_left;
     }
     between += set.length(k);
   }
@@ -103,7 +88,21 @@ std::vector<R> ContactQuadrature<R>::distances_to(std::size_t point) const {
 }
 
 template <Real R>
-std::vector<R> ContactQuadrature<R>::density(std::size_t slope, const std::vector<R>& weights, std::size_t first,
+std::vector<R> ContactQuadrature<R>::weights_beside(std::size_t component, std::size_t first, std::size_t end) const {
+  const auto begin = node_weights_.begin();
+  std::vector<R> result(begin + static_cast<std::ptrdiff_t>(first_node(first)),
+                        begin + static_cast<std::ptrdiff_t>(first_node(end)));
+  const auto& pivot = y_->pivots()[component];
+  if (pivot.order == 0) return result;
+  const std::vector<R> distances = distances_to(pivot.point, first, end);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    pivot.order > 0 ? result[i] /= distances[i] : result[i] *= distances[i];
+  }
+  return result;
+}
+
+template <Real R>
+std::vector<R> ContactQuadrature<R>::density(std::size_t slope, const R* weights, std::size_t first,
                                              std::size_t count) const {
   std::vector<R> result;
   const ReducedProblem<R>& problem = y_->problem();
@@ -111,7 +110,7 @@ std::vector<R> ContactQuadrature<R>::density(std::size_t slope, const std::vecto
   for (std::size_t i = first; i < first + count; ++i) {
     const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));
     const R& x = nodes_[i].node.x;
-    result.push_back(own == slope ? R(0) : weights[i] * (problem.slope(own, x) - problem.slope(slope, x)));
+    result.push_back(own == slope ? R(0) : weights[i - first] * (problem.slope(own, x) - problem.slope(slope, x)));
   }
   return result;
 }
@@ -125,23 +124,16 @@ const std::vector<R>& ContactQuadrature<R>::density(std::size_t slope, std::size
     if (!result.empty()) return result;
     if (densities_.size() * nodes_.size() > most_kept && slope != last_slope_) densities_[last_slope_] = {};
     last_slope_ = slope;
-    return result = density(slope, node_weights_, 0, nodes_.size());
+    return result = density(slope, node_weights_.data(), 0, nodes_.size());
   }
   if (last_component_ != component || last_weights_.empty()) {
     last_component_ = component;
-    last_weights_ = node_weights_;
-    const auto& pivot = y_->pivots()[component];
-    if (pivot.order != 0) {
-      const std::vector<R> distances = distances_to(pivot.point);
-      for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        pivot.order > 0 ? last_weights_[i] /= distances[i] : last_weights_[i] *= distances[i];
-      }
-    }
+    last_weights_ = weights_beside(component, 0, y_->set().segments());
     result.clear();
   }
   if (last_slope_ != slope) result.clear();
   last_slope_ = slope;
-  if (result.empty()) result = density(slope, last_weights_, 0, nodes_.size());
+  if (result.empty()) result = density(slope, last_weights_.data(), 0, nodes_.size());
   return result;
 }
 
@@ -202,43 +194,25 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
 }
 
 template <Real R>
-Estimate<R> ContactQuadrature<R>::cauchy(std::size_t slope, const SurfacePoint<R>& at) const {
+Estimate<R> ContactQuadrature<R>::sum_of_panels(std::size_t slope, std::size_t component, const SurfacePoint<R>& at,
+                                                std::size_t first, std::size_t end,
+                                                const std::vector<R>& density) const {
   Estimate<R> total{R(0), R(0)};
-  if (panels_.empty()) return total;
   const ContactSet<R>& set = y_->set();
-  if constexpr (std::same_as<R, double>) {
-    if (const DistantNodes* nodes = y_->pivots().empty() ? distant() : nullptr) {
-      const auto near = [&](std::size_t k, double gap) {
-        const SegmentPart<double>& part = panels_[k].rule.part;
-        if (y_->slope_at(part.segment) == slope) return;
-        const bool panel_is_right = at.segment < static_cast<std::ptrdiff_t>(part.segment);
-        const double between = std::max(gap - (panel_is_right ? part.from_left : part.from_right), 0.0);
-        const std::vector<double> f = density(slope, node_weights_, panels_[k].first, panels_[k].rule.rule->size());
-        const Estimate<double> sum = panel_cauchy(panels_[k], slope, 0, at, between, f.data());
-        total.value += sum.value;
-        total.error += sum.error;
-      };
-      const Estimate<double> far = nodes->around(y_->problem().slopes()[slope], at, near);
-      return {total.value + far.value, total.error + far.error};
-    }
-  }
-  const std::size_t component = y_->component_at(at);
-  const std::vector<R>& f = density(slope, component);
   const auto add = [&](std::size_t segment, const R& between) {
-    if (!set.in_contact(segment) || y_->slope_at(segment) == slope) return;
+    if (segment < first || segment >= end || !set.in_contact(segment) || y_->slope_at(segment) == slope) return;
     for (std::size_t k = first_panel_[segment]; k < first_panel_[segment + 1]; ++k) {
-      const Estimate<R> part = panel_cauchy(panels_[k], slope, component, at, between, &f[panels_[k].first]);
-      total.value += part.value;
-      total.error += part.error;
+      const R* const f = &density[panels_[k].first - first_node(first)];
+      total += panel_cauchy(panels_[k], slope, component, at, between, f);
     }
   };
   R between = at.node.from_right;
-  for (auto k = static_cast<std::size_t>(at.segment + 1); k < set.segments(); ++k) {
+  for (auto k = static_cast<std::size_t>(at.segment + 1); k < end; ++k) {
     add(k, between);
     between += set.length(k);
   }
   between = at.node.from_left;
-  for (std::ptrdiff_t k = at.segment; k-- > 0;) {
+  for (std::ptrdiff_t k = at.segment; k-- > static_cast<std::ptrdiff_t>(first);) {
     add(static_cast<std::size_t>(k), between);
     between += set.length(static_cast<std::size_t>(k));
   }
@@ -246,21 +220,13 @@ Estimate<R> ContactQuadrature<R>::cauchy(std::size_t slope, const SurfacePoint<R
 }
 
 template <Real R>
-const DistantNodes* ContactQuadrature<R>::distant() const {
+Estimate<R> ContactQuadrature<R>::cauchy(std::size_t slope, const SurfacePoint<R>& at) const {
+  if (panels_.empty()) return {R(0), R(0)};
   if constexpr (std::same_as<R, double>) {
-    if (distant_ || panels_.size() < hierarchical::fewest_panels || ++evaluations_ <= direct_evaluations) {
-      return distant_.get();
-    }
-    DistantNodes::Panels panels;
-    for (const Panel& panel : panels_) {
-      panels.parts.push_back(panel.rule.part);
-      panels.first_node.push_back(panel.first);
-    }
-    distant_ = std::make_shared<const DistantNodes>(*y_, panels, nodes_, node_weights_);
-    return distant_.get();
-  } else {
-    return nullptr;
+    if (Cells* const by_cells = cells()) return cauchy_by_cells(*by_cells, slope, at);
   }
+  const std::size_t component = y_->component_at(at);
+  return sum_of_panels(slope, component, at, 0, y_->set().segments(), density(slope, component));
 }
 
 template <Real R>
@@ -277,7 +243,10 @@ std::vector<Estimate<R>> ContactQuadrature<R>::moments(const R& tilt, std::size_
 
 template <Real R>
 Estimate<R> ContactQuadrature<R>::pivot_moment(std::size_t component, const R& tilt) const {
-  const std::vector<R> distances = distances_to(y_->pivots()[component].point);
+  if constexpr (std::same_as<R, double>) {
+    if (const Cells* by_cells = cells()) return pivot_moment_by_cells(*by_cells, component, tilt);
+  }
+  const std::vector<R> distances = distances_to(y_->pivots()[component].point, 0, y_->set().segments());
   Estimate<R> sum;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));

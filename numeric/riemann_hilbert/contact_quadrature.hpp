@@ -6,6 +6,7 @@
 // with g the slope of the profile and g_k its polynomial on one piece.
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "numeric/number/estimate.hpp"
@@ -13,7 +14,13 @@
 
 namespace steadyslide::numeric {
 
-class DistantNodes;
+class NodeLine;
+
+/// A node's part of an integral of g: what has been rounded is g, the weight and the distance from a point.
+template <Real R>
+Estimate<R> node_term(const R& factor, const Estimate<R>& g) {
+  return factor * g.widened(8 * epsilon<R>());
+}
 
 template <Real R>
 class ContactQuadrature {
@@ -39,17 +46,35 @@ class ContactQuadrature {
     std::size_t first;  ///< of its nodes
   };
 
-  /// eps cos(pi alpha) (g - g_k)/|Y_i| times the rule's weight, at every node of the contact, or at those of one panel, the
+  /// eps cos(pi alpha) (g - g_k)/|Y_i| times the rule's weight, at every node of the contact, or at some from one on, the
   /// weights given.
   const std::vector<R>& density(std::size_t slope, std::size_t component = 0) const;
-  std::vector<R> density(std::size_t slope, const std::vector<R>& weights, std::size_t first, std::size_t count) const;
-  /// xi - e at every node.
-  std::vector<R> distances_to(std::size_t point) const;
-  /// Of the panels far away, once they have been asked for so often that it is worth while; null before, and for few
-  /// panels.
-  const DistantNodes* distant() const;
+  std::vector<R> density(std::size_t slope, const R* weights, std::size_t first, std::size_t count) const;
+  std::size_t first_node(std::size_t segment) const {
+    return first_panel_[segment] < panels_.size() ? panels_[first_panel_[segment]].first : nodes_.size();
+  }
+  /// xi - e at the nodes of segments first..end-1.
+  std::vector<R> distances_to(std::size_t point, std::size_t first, std::size_t end) const;
+  /// The weights of these nodes times (xi - e_i)^-sigma_i.
+  std::vector<R> weights_beside(std::size_t component, std::size_t first, std::size_t end) const;
   Estimate<R> panel_cauchy(const Panel& panel, std::size_t slope, std::size_t component, const SurfacePoint<R>& at,
                            const R& between, const R* density) const;
+  /// Over the segments first..end-1 one by one, with the density at their nodes.
+  Estimate<R> sum_of_panels(std::size_t slope, std::size_t component, const SurfacePoint<R>& at, std::size_t first,
+                            std::size_t end, const std::vector<R>& density) const;
+
+  // In double, panels far away by cells (contact_quadrature_cells.cpp).
+  struct Cells;
+  /// Once the panels have been asked for so often that cells are worth while; null before, and for few panels.
+  Cells* cells() const requires std::same_as<R, double>;
+  NodeLine node_line(std::size_t first, std::size_t end,
+                     std::span<const R> weights) const requires std::same_as<R, double>;
+  void make_own(Cells& cells, std::size_t component) const requires std::same_as<R, double>;
+  Estimate<R> cauchy_by_cells(Cells& cells, std::size_t slope,
+                              const SurfacePoint<R>& at) const requires std::same_as<R, double>;
+  Estimate<R> pivot_moment_by_cells(const Cells& cells, std::size_t component,
+                                    const R& tilt) const requires std::same_as<R, double>;
+  R node_distance(const Panel& panel, std::size_t i, bool is_right, const R& to_panel) const;
 
   const SignedFundamentalSolution<R>* y_;
   std::vector<Panel> panels_;
@@ -62,7 +87,7 @@ class ContactQuadrature {
   mutable std::size_t last_slope_ = 0;
   mutable std::vector<R> last_weights_;
   mutable std::vector<R> last_density_;
-  mutable std::shared_ptr<const DistantNodes> distant_;
+  mutable std::shared_ptr<Cells> cells_;
   mutable std::size_t evaluations_ = 0;
 };
 

@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "numeric/cauchy/panel_finder.hpp"
-#include "numeric/cauchy/traction_density.hpp"
-#include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 
@@ -14,36 +12,6 @@ namespace steadyslide::numeric {
 template <Real R>
 R RiemannHilbertSolution<R>::shear_ratio(std::size_t segment) const {
   return to_real<R>(problem_.shear_ratio(form_.friction_at(segment)));
-}
-
-template <Real R>
-Estimate<R> RiemannHilbertSolution<R>::tangential_slope(const Rational& x) const {
-  using std::abs;
-  const SurfacePoint<R> at = locate(x);
-  // With one ratio r = t_t/t everywhere the integral would be r (u'/c - s t). What is left for other ratios keeps clear
-  // of x: no principal value.
-  std::size_t nearest = contact_set().all(ContactSet<R>::Kind::begins).front();
-  for (std::size_t k = 0; k < contact_set().segments(); ++k) {
-    const auto distance = [&](std::size_t segment) {
-      if (static_cast<std::ptrdiff_t>(segment) == at.segment) return R(0);
-      return std::min(abs(form_.distance(at, segment)), abs(form_.distance(at, segment + 1)));
-    };
-    if (contact_set().in_contact(k) && distance(k) < distance(nearest)) nearest = k;
-  }
-  const R ratio = shear_ratio(nearest);
-  const Estimate<R> t = form_.traction(at);
-  const Estimate<R> slope = form_.surface_slope(at);
-  const R gamma = to_real<R>(problem_.elasticity().gamma());
-  const R s = reduced_.s(form_.friction_at(nearest));
-  Estimate<R> sum = ratio * (slope - s * t) + gamma * t;
-  for (std::size_t k = 0; k < contact_set().segments(); ++k) {
-    if (!contact_set().in_contact(k) || shear_ratio(k) == ratio) continue;
-    const bool on_right = static_cast<std::ptrdiff_t>(k) > at.segment;
-    const R distance = abs(form_.distance(at, on_right ? k : k + 1));
-    sum += (shear_ratio(k) - ratio) *
-           tanh_sinh::cauchy<R>({panel_density(form_, k)}, on_right ? Side::left : Side::right, distance);
-  }
-  return to_real<R>(problem_.elasticity().compliance()) * sum;
 }
 
 template <Real R>
@@ -246,8 +214,8 @@ void RiemannHilbertSolution<R>::tractions(std::span<const R> x, std::span<R> nor
 }
 
 template <Real R>
-std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const {
-  std::vector<Sample<R>> result;
+std::vector<SurfacePoint<R>> RiemannHilbertSolution<R>::sampled_places(int count) const {
+  std::vector<SurfacePoint<R>> result;
   const ContactSet<R>& set = contact_set();
   for (const auto& [first, end] : set.runs()) {
     R width = 0;
@@ -262,7 +230,7 @@ std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const {
       const int n = until - done;
       for (int i = 0; i < n; ++i) {
         const auto [left, right] = chebyshev_position<R>(i, n);
-        result.push_back(sample(surface_point(set, k, left * set.length(k), right * set.length(k))));
+        result.push_back(surface_point(set, k, left * set.length(k), right * set.length(k)));
       }
       done = until;
     }
@@ -270,10 +238,16 @@ std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const {
   return result;
 }
 
+template <Real R>
+std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const {
+  std::vector<Sample<R>> result;
+  for (const SurfacePoint<R>& at : sampled_places(count)) result.push_back(sample(at));
+  return result;
+}
+
 #define STEADYSLIDE_INSTANTIATE(R)                                                                                  \
   template std::vector<Rational> RiemannHilbertSolution<R>::places() const;                                         \
   template R RiemannHilbertSolution<R>::shear_ratio(std::size_t segment) const;                                     \
-  template Estimate<R> RiemannHilbertSolution<R>::tangential_slope(const Rational& x) const;                        \
   template std::optional<std::size_t> RiemannHilbertSolution<R>::nearest_end(const SurfacePoint<R>& at) const;      \
   template Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const;                             \
   template Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const;                            \
@@ -285,6 +259,7 @@ std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const {
   template Sample<R> RiemannHilbertSolution<R>::at(const Rational& x) const;                                        \
   template void RiemannHilbertSolution<R>::tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) \
       const;                                                                                                        \
+  template std::vector<SurfacePoint<R>> RiemannHilbertSolution<R>::sampled_places(int count) const;                 \
   template std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const;
 STEADYSLIDE_INSTANTIATE(double)
 STEADYSLIDE_INSTANTIATE(Real50)

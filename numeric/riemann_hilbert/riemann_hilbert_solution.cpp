@@ -7,6 +7,7 @@
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/riemann_hilbert/local_signs.hpp"
+#include "numeric/solution/largest_pressure.hpp"
 
 namespace steadyslide::numeric {
 
@@ -139,7 +140,13 @@ std::vector<ContactComponent<R>> RiemannHilbertSolution<R>::contact() const {
   const std::vector<std::size_t> begins = contact_set().all(Kind::begins);
   const std::vector<std::size_t> ends = contact_set().all(Kind::ends);
   std::vector<ContactComponent<R>> result;
-  for (std::size_t i = 0; i < begins.size(); ++i) result.push_back({contact_end(begins[i]), contact_end(ends[i])});
+  const R unit = to_real<R>(reduced_.frame().unit);
+  for (std::size_t i = 0; i < begins.size(); ++i) {
+    const R width = unit * contact_set().sum_of_lengths(begins[i], ends[i], R(0));
+    result.push_back({contact_end(begins[i]),
+                      contact_end(ends[i]),
+                      {width, 2 * unit * found_.end_error + 4 * epsilon<R>() * width}});
+  }
   return result;
 }
 
@@ -173,7 +180,10 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
   for (std::size_t j = 0; j < contact_set().points().size(); ++j) {
     if (contact_set().point(j).is_end()) {
       ContactEnd<R> end = contact_end(j);
-      result.push_back({end.x, end.kind, std::move(end.exponent), end.intensity, {}});
+      const Estimate<R> there = stress_intensity_of<R>(end.intensity, end.exponent);
+      const bool on_right = contact_set().contact_side(j) == Side::right;
+      const StressIntensity<R> k = on_right ? StressIntensity<R>{{}, there} : StressIntensity<R>{there, {}};
+      result.push_back({end.x, end.kind, std::move(end.exponent), end.intensity, {}, k});
       continue;
     }
     if (!in_contact_at(j, Side::left) || !in_contact_at(j, Side::right)) continue;
@@ -181,9 +191,13 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
     const bool has_corner = wedge(j) != 0;
     if (beta.sign() != 0) {
       const SingularKind kind = has_corner ? SingularKind::wedge_and_jump : SingularKind::friction_jump;
-      result.push_back({coordinate(j), kind, beta, intensity(j), constant(j)});
+      const Estimate<R> theta = intensity(j);
+      const auto on_side = [&](std::size_t segment) {
+        return stress_intensity_of<R>(reduced_.cos_alpha(form_.friction_at(segment)) * theta, beta);
+      };
+      result.push_back({coordinate(j), kind, beta, theta, constant(j), {on_side(j - 1), on_side(j)}});
     } else if (has_corner) {
-      result.push_back({coordinate(j), SingularKind::wedge, std::nullopt, intensity(j), constant(j)});
+      result.push_back({coordinate(j), SingularKind::wedge, std::nullopt, intensity(j), constant(j), {}});
     }
   }
   return result;
@@ -231,12 +245,18 @@ template <Real R>
 Resultants<R> RiemannHilbertSolution<R>::integrated() const {
   using std::abs;
   const R unit = to_real<R>(reduced_.frame().unit);
-  std::vector<Estimate<R>> loads(problem_.friction().values().size());
+  std::vector<Estimate<R>> on_pieces(problem_.friction().values().size());
+  std::vector<Estimate<R>> on_components;
+  auto load = loads().begin();
   for (std::size_t k = 0; k < contact_set().segments(); ++k) {
     if (!contact_set().in_contact(k)) continue;
-    loads[form_.friction_at(k)] += -unit * load_on(k).widened(2 * relative_end_error(middle_of(k)));
+    if (contact_set().point(k).is_end()) on_components.emplace_back();
+    const Estimate<R> here = -unit * *load++;
+    on_pieces[form_.friction_at(k)] += here;
+    on_components.back() += here;
   }
-  Resultants<R> result = resultants_of(loads, problem_.friction().values());
+  Resultants<R> result = resultants_of(on_pieces, problem_.friction().values());
+  result.component_load = std::move(on_components);
   const R origin = to_real<R>(reduced_.frame().origin);
   const Estimate<R> offset = unit * form_.moment_of_load() / reduced_.load();
   // Free ends move the centre by no more than what they do to the load, over the contact's length.
@@ -244,6 +264,47 @@ Resultants<R> RiemannHilbertSolution<R>::integrated() const {
       8 * unit * found_.end_error + unit * contact_set().span_length() * result.normal.error / result.normal.value;
   result.centre_of_pressure = {origin + offset.value, offset.error + epsilon<R>() * (abs(origin) + 32 * unit) + ends};
   return result;
+}
+
+template <Real R>
+const std::vector<Estimate<R>>& RiemannHilbertSolution<R>::loads() const {
+  return loads_([this] {
+    std::vector<Estimate<R>> result;
+    for (std::size_t k = 0; k < contact_set().segments(); ++k) {
+      if (contact_set().in_contact(k)) result.push_back(load_on(k).widened(2 * relative_end_error(middle_of(k))));
+    }
+    return result;
+  });
+}
+
+template <Real R>
+LargestPressure<R> RiemannHilbertSolution<R>::largest_pressure() const {
+  using std::abs;
+  if (const auto infinite = infinite_pressure(singular_points())) return *infinite;
+  const ContactSet<R>& set = contact_set();
+  LargestPressure<R> largest;
+  std::vector<std::size_t> segments;
+  std::vector<R> lengths;
+  for (std::size_t k = 0; k < set.segments(); ++k) {
+    if (!set.in_contact(k)) continue;
+    segments.push_back(k);
+    lengths.push_back(set.length(k));
+    const Estimate<R> limit = -traction_limit(k, Side::right);
+    if (limit.value > largest.value.value) largest = {limit, coordinate(k), std::nullopt};
+  }
+  const auto place = [&](std::size_t panel, const R& left, const R& right) {
+    return surface_point(set, segments[panel], left, right);
+  };
+  const PanelFunction<R> pressure = [&](std::size_t panel, const R& left, const R& right) {
+    const SurfacePoint<R> at = place(panel, left, right);
+    return -form_.traction(at).widened(relative_end_error(at));
+  };
+  const std::optional<Peak<R>> peak = highest_peak(lengths, pressure, largest.value.value);
+  if (!peak) return largest;
+  const R offset = to_real<R>(reduced_.frame().unit) * place(peak->panel, peak->from_left, peak->from_right).node.x;
+  const R origin = to_real<R>(reduced_.frame().origin);
+  const R error = to_real<R>(reduced_.frame().unit) * (peak->place_error + found_.end_error);
+  return {peak->value, {origin + offset, error + 2 * epsilon<R>() * (abs(origin) + abs(offset))}, std::nullopt};
 }
 
 template <Real R>

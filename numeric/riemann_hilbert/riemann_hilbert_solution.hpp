@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "numeric/cauchy/residuals.hpp"
+#include "numeric/cauchy/traction_integrals.hpp"
 #include "numeric/riemann_hilbert/contact_search.hpp"
-#include "numeric/solution/contact_solution.hpp"
 
 namespace steadyslide::numeric {
 
@@ -31,15 +31,18 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   ApproximateContact approximate_contact() const override;
   std::vector<SolvedSingularPoint<R>> singular_points() const override;
   Resultants<R> resultants() const override;
+  LargestPressure<R> largest_pressure() const override;
   std::optional<Estimate<R>> tilt() const override;
   EstimatedError<R> estimated_error() const override;
   Residuals<R> residuals() const override;
   Sample<R> at(const Rational& x) const override;
   void tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) const override;
+  PiecewiseTraction<R> piecewise_traction() const override;
   std::vector<Sample<R>> samples(int count) const override;
+  DetailedSample<R> details_at(const Rational& x) const override;
+  std::vector<DetailedSample<R>> detailed_samples(int count) const override;
 
-  /// u_t', the slope of the tangential displacement, at a place that is no singular point:
-  /// u_t'/c = (1/pi) PV int t_t/(x'-x) dx' + gamma t [Bal16, (2)], t_t = -f t sliding towards +x, f t towards -x.
+  /// u_t' at a place that is no singular point, alone.
   Estimate<R> tangential_slope(const Rational& x) const;
 
   // What integrals of the traction ask for.
@@ -72,9 +75,22 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   Estimate<R> traction_limit(std::size_t j, Side side) const;
   Estimate<R> slope_limit(std::size_t j, Side side) const;
   Estimate<R> gap(const SurfacePoint<R>& at) const;
+  /// TractionSegment::left_corner, or right_corner, of the segment on that side of point j.
+  std::function<R(const R&)> corner(std::size_t j, Side side) const;
   std::optional<std::size_t> nearest_end(const SurfacePoint<R>& at) const;
 
+  /// Those of samples().
+  std::vector<SurfacePoint<R>> sampled_places(int count) const;
+  /// psi + tilt x - gap, which is u + C.
+  Estimate<R> height(const SurfacePoint<R>& at) const;
+  Estimate<R> height_beyond(const SurfacePoint<R>& at) const;
+  LinePlace<R> line_place(const SurfacePoint<R>& at, std::optional<std::size_t> point) const;
+  DetailedSample<R> detailed(const SurfacePoint<R>& at) const;
+  const TractionIntegrals<R>& integrals() const;
+
   Estimate<R> load_on(std::size_t segment) const;
+  /// int t over each segment in contact, in xi.
+  const std::vector<Estimate<R>>& loads() const;
   Resultants<R> integrated() const;
 
   /// The traction sampled by the rule that residuals come from, which is also the cheapest for loads in high precision.
@@ -91,6 +107,9 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   RiemannHilbertForm<R> form_;
   Once<Checked> checked_;
   Once<Resultants<R>> resultants_;
+  Once<std::vector<Estimate<R>>> loads_;
+  Once<TractionIntegrals<R>> integrals_;
+  Once<Estimate<R>> height_at_origin_;
 };
 
 }  // namespace steadyslide::numeric

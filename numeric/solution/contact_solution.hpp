@@ -4,6 +4,11 @@
 // Signs: traction t <= 0; shear is the tangential traction's component along +x; gap = psi - u - C >= 0; slope = u'.
 // Intensities theta >= 0 where t <= 0 demands it: t = -theta d^lambda at ends, t = constant - theta |x-c|^beta cos(pi
 // alpha) at friction jumps.
+//
+// u is measured from where x = 0, or from the support's left end if x = 0 lies outside of it; T is the load up to a place:
+//
+//   u(x) = psi + tilt x - gap - C in the support, int u' dx beyond it,   T(x) = -int_-inf^x t dx',
+//   u_t'/c = (1/pi) PV int t_t/(x'-x) dx' + gamma t,   t_t = -f t sliding towards +x, f t towards -x.  [Bal16, (2)]
 
 #include <memory>
 #include <optional>
@@ -15,6 +20,7 @@
 #include "model/contact_problem.hpp"
 #include "model/singular_point.hpp"
 #include "numeric/number/estimate.hpp"
+#include "numeric/solution/piecewise_traction.hpp"
 
 namespace steadyslide::numeric {
 
@@ -30,6 +36,16 @@ template <Real R>
 struct ContactComponent {
   ContactEnd<R> left;
   ContactEnd<R> right;
+  Estimate<R> width;  ///< from end to end, better than the difference of their x
+};
+
+/// K in p ~ K (2 pi d)^lambda on each side of a point (p ~ constant + K (2 pi d)^lambda with a wedge), a force per
+/// length^(2 + lambda); at lambda = -1/2 fracture mechanics' intensity factor. Absent without contact on that side, and for
+/// a logarithm.
+template <Real R>
+struct StressIntensity {
+  std::optional<Estimate<R>> left;
+  std::optional<Estimate<R>> right;
 };
 
 /// A singular point inside the contact or at its ends, left to right.
@@ -40,15 +56,33 @@ struct SolvedSingularPoint {
   std::optional<Exponent> exponent;  ///< absent: logarithm
   Estimate<R> intensity;
   Estimate<R> constant;
+  StressIntensity<R> stress_intensity;
 };
+
+/// theta' (2 pi)^-lambda, theta' = theta at an end, theta cos(pi alpha) at a jump.
+template <Real R>
+Estimate<R> stress_intensity_of(const Estimate<R>& coefficient, const Exponent& exponent) {
+  using std::pow;
+  return pow(R(2 * pi<R>()), -to_real<R>(exponent)) * coefficient;
+}
 
 template <Real R>
 struct Resultants {
-  Estimate<R> normal;                   ///< -int t, the load as it comes out of the traction
-  Estimate<R> tangential;               ///< |int f t| >= 0
-  Estimate<R> centre_of_pressure;       ///< int x t / int t
-  Estimate<R> effective_friction;       ///< tangential / normal
-  std::vector<Estimate<R>> load_share;  ///< the part of the load under each friction value, left to right, sum 1
+  Estimate<R> normal;                       ///< -int t, the load as it comes out of the traction
+  Estimate<R> tangential;                   ///< |int f t| >= 0
+  Estimate<R> centre_of_pressure;           ///< int x t / int t
+  Estimate<R> effective_friction;           ///< tangential / normal
+  std::vector<Estimate<R>> load_share;      ///< the part of the load under each friction value, left to right, sum 1
+  std::vector<Estimate<R>> component_load;  ///< -int t over each contact component, left to right
+};
+
+/// The supremum of the pressure -t. Where it is infinite, x is where it blows up most: by its power, then by its
+/// intensity, then the leftmost place.
+template <Real R>
+struct LargestPressure {
+  Estimate<R> value;
+  Estimate<R> x;
+  std::optional<Exponent> exponent;  ///< of an infinite one; absent for a logarithm
 };
 
 /// From the load under each friction value, `loads[k]` = -int t under friction[k]. Without the centre of pressure.
@@ -104,6 +138,21 @@ struct Sample {
   TwoSided<R> slope;
 };
 
+/// What integrals of the traction add to a sample: each costs a quadrature.
+template <Real R>
+struct DetailedSample : Sample<R> {
+  Estimate<R> displacement;     ///< u
+  TwoSided<R> shear_slope;      ///< u_t', the slope of the tangential displacement
+  Estimate<R> cumulative_load;  ///< T
+
+  /// The friction pieces on both sides of x; absent outside the support.
+  struct Friction {
+    std::size_t left;
+    std::size_t right;
+  };
+  std::optional<Friction> friction;
+};
+
 template <Real R>
 class ContactSolution {
  public:
@@ -117,6 +166,8 @@ class ContactSolution {
   virtual ApproximateContact approximate_contact() const { return {}; }
   virtual std::vector<SolvedSingularPoint<R>> singular_points() const = 0;
   virtual Resultants<R> resultants() const = 0;
+  /// Found between singular points by the pressure's critical points, none of which is missed as far as estimates tell.
+  virtual LargestPressure<R> largest_pressure() const = 0;
   /// The slope added to psi where the indenter may tilt; absent where it may not.
   virtual std::optional<Estimate<R>> tilt() const { return std::nullopt; }
   virtual EstimatedError<R> estimated_error() const = 0;
@@ -134,9 +185,22 @@ class ContactSolution {
       shear[i] = (there.shear.*larger).value;
     }
   }
+  /// The traction panel by panel: what stresses below the surface and loads on a mesh are made of.
+  virtual PiecewiseTraction<R> piecewise_traction() const = 0;
   /// `count` places in each contact component and in each gap of the support, denser towards singular points.
   virtual std::vector<Sample<R>> samples(int count) const = 0;
+  /// at() and samples() with all that is known of a place.
+  virtual DetailedSample<R> details_at(const Rational& x) const = 0;
+  virtual std::vector<DetailedSample<R>> detailed_samples(int count) const = 0;
 };
+
+/// The sum of the components' widths.
+template <Real R>
+Estimate<R> real_contact_length(const std::vector<ContactComponent<R>>& contact) {
+  Estimate<R> length;
+  for (const ContactComponent<R>& component : contact) length += component.width;
+  return length;
+}
 
 /// A solution, or why the method does not apply to the problem.
 template <Real R>

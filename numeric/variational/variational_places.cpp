@@ -157,13 +157,26 @@ FittedIntensity VariationalSolution::fitted(const Place& place, const variationa
 
 SolvedSingularPoint<double> VariationalSolution::solved_point(const Place& place) const {
   const double error = 1e-15 * (std::abs(origin_) + unit_) + place.error;
-  SolvedSingularPoint<double> result{{origin_ + place.x, error}, place.kind, place.exponent, unknown, {}};
+  SolvedSingularPoint<double> result{{origin_ + place.x, error}, place.kind, place.exponent, unknown, {}, {}};
+  const auto tell_stress_intensity = [&] {
+    if (!place.exponent) return;
+    const auto on_side = [&](std::size_t piece) {
+      const double factor = place.is_end() ? 1 : cos_pi_alpha<double>(problem_.coupled_friction(piece));
+      return stress_intensity_of<double>(factor * result.intensity, *place.exponent);
+    };
+    if (!place.is_end() || place.contact == Side::left) result.stress_intensity.left = on_side(place.friction_left);
+    if (!place.is_end() || place.contact == Side::right) result.stress_intensity.right = on_side(place.friction_right);
+  };
   if (!place.is_end() && place.wedge_degree >= 0) result.constant = unknown;
-  if (std::min(place.surroundings.left, place.surroundings.right) < fewest_between * cell_length()) return result;
+  if (std::min(place.surroundings.left, place.surroundings.right) < fewest_between * cell_length()) {
+    tell_stress_intensity();
+    return result;
+  }
   const FittedIntensity fine = fitted(place, cells());
   const FittedIntensity coarse = fitted(place, coarse_cells());
   result.intensity = known(fine.intensity, coarse.intensity);
   if (!place.is_end() && place.wedge_degree >= 0) result.constant = known(fine.constant, coarse.constant);
+  tell_stress_intensity();
   return result;
 }
 
@@ -191,7 +204,8 @@ std::vector<ContactComponent<double>> VariationalSolution::contact() const {
     if (place.contact == Side::right) {
       left = std::move(end);
     } else {
-      result.push_back({std::move(*left), std::move(end)});
+      const Estimate<double> width = end.x - left->x;
+      result.push_back({std::move(*left), std::move(end), width});
     }
   }
   return result;

@@ -89,14 +89,14 @@ Sample<double> VariationalSolution::at(const Rational& x) const {
   return result;
 }
 
-std::vector<Sample<double>> VariationalSolution::samples(int count) const {
-  std::vector<Sample<double>> result;
+std::vector<Rational> VariationalSolution::sampled_places(int count) const {
+  std::vector<Rational> result;
   const Rational origin = mesh().frame().origin;
   const auto sample_between = [&](double from, double to) {
     for (int i = 0; i < count && from < to; ++i) {
       const auto [before, after] = chebyshev_position<double>(i, count);
       const double x = before < after ? from + before * (to - from) : to - after * (to - from);
-      result.push_back(at(origin + Rational(x)));
+      result.push_back(origin + Rational(x));
     }
   };
   double end = edges_.front();
@@ -106,6 +106,39 @@ std::vector<Sample<double>> VariationalSolution::samples(int count) const {
     end = edges_[run.end];
   }
   sample_between(end, edges_.back());
+  return result;
+}
+
+PiecewiseTraction<double> VariationalSolution::piecewise_traction() const {
+  const Rational& origin = mesh().frame().origin;
+  const std::vector<Rational>& jumps = problem_.friction().jumps();
+  const SurfacePlace<double> middle = SurfacePlace<double>::of(origin);
+  PiecewiseTraction<double> result(problem_.elasticity());
+  std::size_t piece = 0;
+  for (const Run& run : runs_) {
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      // Cut where the friction jumps.
+      const Estimate<double> t = traction(i);
+      const double error = t.value == 0 ? 0 : t.error / std::abs(t.value);
+      double left = mesh().left(i);
+      const auto place_of = [&](double xi) { return middle.moved(unit_ * xi); };
+      const auto add = [&](double to) {
+        if (to <= left) return;
+        result.add(place_of(left), place_of(to), unit_ * (to - left), t.value,
+                   to_real<double>(problem_.shear_ratio(piece)), error + 16 * epsilon<double>());
+        left = to;
+      };
+      for (; piece < jumps.size() && mesh().place(jumps[piece]) < mesh().right(i); ++piece)
+        add(mesh().place(jumps[piece]));
+      add(mesh().right(i));
+    }
+  }
+  return result;
+}
+
+std::vector<Sample<double>> VariationalSolution::samples(int count) const {
+  std::vector<Sample<double>> result;
+  for (const Rational& x : sampled_places(count)) result.push_back(at(x));
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "numeric/solution/largest_pressure.hpp"
 #include "numeric/variational/touching_state.hpp"
 
 namespace steadyslide::numeric {
@@ -49,12 +50,16 @@ VariationalSolution::VariationalSolution(ContactProblem problem, variational::Ne
       stress_(to_real<double>(problem_.load() / mesh().frame().unit)),
       height_(to_real<double>(problem_.elasticity().compliance() * problem_.load())),
       displacement_(discrete().size()) {
-  const auto set = [this](const variational::MeshSolution& solution, auto& edges, auto& traction) {
+  const auto set = [this](const variational::MeshSolution& solution, auto& edges, auto& traction, auto& load_before) {
     for (const double edge : solution.problem->mesh().edges()) edges.push_back(unit_ * edge);
-    for (const double p : solution.found.state.pressure) traction.push_back(-stress_ * p);
+    load_before.push_back(0);
+    for (const double p : solution.found.state.pressure) {
+      traction.push_back(-stress_ * p);
+      load_before.push_back(load_before.back() + p * solution.problem->mesh().length(0));
+    }
   };
-  set(found_.fine, edges_, traction_);
-  set(found_.coarse, coarse_edges_, coarse_traction_);
+  set(found_.fine, edges_, traction_, load_before_);
+  set(found_.coarse, coarse_edges_, coarse_traction_, coarse_load_before_);
   discrete().galerkin_operator().multiply(state().pressure, displacement_);
   find_runs();
   find_places();
@@ -108,6 +113,10 @@ Resultants<double> VariationalSolution::resultants() const {
   }
   Resultants<double> result = resultants_of(loads, problem_.friction().values());
   result.normal.error = load * (found_.certificate.load + 1e-15);
+  for (const Run& run : runs_) {
+    const double end = mesh().left(run.end - 1) + mesh().length(0);
+    result.component_load.push_back(load_before(end) - load_before(mesh().left(run.begin)));
+  }
   Estimate<double>& mu = result.effective_friction;
   double coarse_friction = 0;
   for (std::size_t k = 0; k < coarse.loads.size(); ++k) {
@@ -121,6 +130,18 @@ Resultants<double> VariationalSolution::resultants() const {
   result.centre_of_pressure = {origin_ + unit_ * fine.centre,
                                unit_ * std::abs(fine.centre - coarse.centre) + 1e-15 * (std::abs(origin_) + unit_)};
   return result;
+}
+
+LargestPressure<double> VariationalSolution::largest_pressure() const {
+  if (const auto infinite = infinite_pressure(singular_points())) return *infinite;
+  const auto cell = static_cast<std::size_t>(std::ranges::min_element(traction_) - traction_.begin());
+  const auto coarse = static_cast<std::size_t>(std::ranges::min_element(coarse_traction_) - coarse_traction_.begin());
+  const double x = (edges_[cell] + edges_[cell + 1]) / 2;
+  const double coarse_x = (coarse_edges_[coarse] + coarse_edges_[coarse + 1]) / 2;
+  Estimate<double> value = -traction(cell);
+  value.error = std::max(value.error, std::abs(traction_[cell] - coarse_traction_[coarse])) +
+                value.value * estimated_error().traction;
+  return {value, {origin_ + x, cell_length() + std::abs(x - coarse_x)}, std::nullopt};
 }
 
 std::optional<Estimate<double>> VariationalSolution::tilt() const {

@@ -1,6 +1,7 @@
 #pragma once
 // A solution on cells in the user's units and x: what variational_inequality() returns.
 
+#include "numeric/number/once.hpp"
 #include "numeric/solution/contact_solution.hpp"
 #include "numeric/variational/local_fit.hpp"
 #include "numeric/variational/nested_solve.hpp"
@@ -36,12 +37,17 @@ class VariationalSolution : public ContactSolution<double> {
   std::vector<ContactComponent<double>> contact() const override;
   std::vector<SolvedSingularPoint<double>> singular_points() const override;
   Resultants<double> resultants() const override;
+  /// The largest mean over a cell, unless a place that the cells can show says that it is infinite.
+  LargestPressure<double> largest_pressure() const override;
   std::optional<Estimate<double>> tilt() const override;
   EstimatedError<double> estimated_error() const override;
   /// From the certificate. Equation: the largest mean gap of a cell in contact, in units of c P.
   Residuals<double> residuals() const override;
   Sample<double> at(const Rational& x) const override;
+  PiecewiseTraction<double> piecewise_traction() const override;
   std::vector<Sample<double>> samples(int count) const override;
+  DetailedSample<double> details_at(const Rational& x) const override;
+  std::vector<DetailedSample<double>> detailed_samples(int count) const override;
 
   /// A place where the traction is singular or changes its polynomial, as the cells see it.
   struct Place {
@@ -83,6 +89,15 @@ class VariationalSolution : public ContactSolution<double> {
   Estimate<double> traction(std::size_t cell) const;
   double displacement(double xi) const;
   Sample<double> outside(const Rational& x) const;
+  std::vector<Rational> sampled_places(int count) const;
+  /// psi + tilt x - gap, which is u + C; in the support.
+  Estimate<double> height(const Rational& x) const;
+  /// u at a place off the support less that at its end there.
+  Estimate<double> rise_beyond(double xi) const;
+  Estimate<double> load_before(double xi) const;
+  /// (1/pi) int t_t/(x'-x) dx' at the middles of equal cells, from t on them.
+  std::vector<double> shear_transform(const std::vector<double>& traction) const;
+  TwoSided<double> shear_slope(double xi, const TwoSided<double>& traction) const;
 
   ContactProblem problem_;
   variational::NestedResult found_;
@@ -97,6 +112,11 @@ class VariationalSolution : public ContactSolution<double> {
   std::vector<double> displacement_;  ///< B p of each cell
   std::vector<Run> runs_;
   std::vector<Place> places_;
+  /// Of the cells and of the coarser ones.
+  Once<std::pair<std::vector<double>, std::vector<double>>> shear_transforms_;
+  std::vector<double> load_before_;  ///< the part of P left of each cell, and of all
+  std::vector<double> coarse_load_before_;
+  Once<Estimate<double>> height_at_origin_;
 };
 
 }  // namespace steadyslide::numeric

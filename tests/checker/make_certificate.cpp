@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "app/problem_file/problem_file.hpp"
-#include "app/results/certificate.hpp"
 #include "enclosure/contact/contact_proof.hpp"
+#include "library/problem_file/problem_file.hpp"
+#include "library/proof/certificate.hpp"
 #include "model/uniqueness.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/variational/variational_inequality.hpp"
@@ -152,14 +152,14 @@ json cells_certificate(const ContactProblem& problem, std::size_t cells) {
   const auto& on_cells = dynamic_cast<const numeric::VariationalSolution&>(*found.solution);
   const CellBound bound = bound_cells(problem, on_cells.touching_pressures());
   if (!bound.proved) throw std::runtime_error(bound.reason);
-  return json::parse(app::certificate(problem, bound));
+  return json::parse(library::certificate(problem, bound));
 }
 
 json make(const std::vector<std::string>& words) {
   const bool random = words.at(0).starts_with("random:");
   const ContactProblem problem =
       random ? testing::random_contact(testing::first_listed_seed + std::stoul(words[0].substr(7)))
-             : app::read_problem(words[0]).contact;
+             : library::read_problem(words[0]).contact;
   if (words.size() == 4) {
     return loads_certificate(problem, parse_rational(words[1]), parse_rational(words[2]), std::stoi(words[3]));
   }

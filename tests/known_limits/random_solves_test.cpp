@@ -5,8 +5,8 @@
 #include <array>
 
 #include "app/commands/solver.hpp"
-#include "app/problem_file/problem_file.hpp"
 #include "app/results/solve_writers.hpp"
+#include "library/problem_file/problem_file.hpp"
 #include "support/problem_toml.hpp"
 #include "support/random_contact.hpp"
 #include "support/test.hpp"
@@ -25,7 +25,7 @@ bool solve_and_write(std::uint64_t seed, app::Output& output) {
   if (!solution.reason.empty()) return false;
   switch (seed / methods.size() % 3) {
     case 0: app::write_json(problem, solution, output); break;
-    case 1: app::write_csv(solution, output); break;
+    case 1: app::write_csv(problem, solution, output); break;
     default: app::write_text(problem, solution, output); break;
   }
   return solution.is_solved();

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 COLUMNS = ["id", "file", "change", "killer", "evidence"]
-PARTS = ("model", "symbolic", "numeric", "enclosure", "proofs_checks", "app", "checker")
+PARTS = ("model", "symbolic", "numeric", "enclosure", "library", "proofs_checks", "app", "checker")
 
 
 class BadList(Exception):

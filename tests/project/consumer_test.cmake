@@ -25,7 +25,7 @@ if(KIND STREQUAL "installed")
     # The installed archives are instrumented, and so are the templates that both sides instantiate.
     list(APPEND options "-DCMAKE_CXX_FLAGS=-fsanitize=${SANITIZE}")
   endif()
-  list(APPEND programs flat_punch)
+  list(APPEND programs flat_punch facade)
 else()
   # What is compiled here runs for a moment. Sources compiled together are the quickest; each by itself is what the
   # sanitizers' build compiles.
@@ -45,6 +45,7 @@ endif()
 
 set(expected_edge_powers "-1/2 - arctan(3/35)/pi\n-1/2 + arctan(3/35)/pi\n")
 set(expected_flat_punch "load 1\n")
+set(expected_facade "effective friction 0.2\nhalf_space: missing; the table is required; absent\n")
 foreach(program IN LISTS programs)
   run("${WORK}/build/${program}")
   if(NOT output STREQUAL "${expected_${program}}")
@@ -54,4 +55,28 @@ endforeach()
 
 if(KIND STREQUAL "installed")
   run("${WORK}/prefix with a space/bin/steadyslide" --version)
+
+  # Without CMake: what pkg-config says of the tree, wherever it is.
+  file(GLOB_RECURSE pc "${WORK}/prefix with a space/*/steadyslide.pc")
+  cmake_path(GET pc PARENT_PATH pc)
+  file(WRITE "${WORK}/compile" "set -e
+export PKG_CONFIG_PATH=\"${pc}\"
+eval \"'${CXX}' -std=c++20 '${WORK}/consumer/facade.cpp' $(pkg-config --cflags --libs steadyslide) -o '${WORK}/facade'\"
+LD_LIBRARY_PATH=\"${pc}/..\" \"${WORK}/facade\"
+")
+  if(NOT SANITIZE)
+    run(sh "${WORK}/compile")
+    if(NOT output STREQUAL expected_facade)
+      message(FATAL_ERROR "with pkg-config:\n${output}")
+    endif()
+  endif()
+
+  set(python "${WORK}/prefix with a space/lib/python3/dist-packages")
+  if(EXISTS "${python}/steadyslide")
+    run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${python}" PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -c
+        "import steadyslide as ss\nprint(ss.Problem(load=1, poisson=0.3, friction=[0.2], profile=0).solve().solved)")
+    if(NOT output STREQUAL "True\n")
+      message(FATAL_ERROR "the installed Python module says:\n${output}")
+    endif()
+  endif()
 endif()

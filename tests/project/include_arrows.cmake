@@ -1,6 +1,6 @@
 # cmake -D SOURCE=<dir> -P include_arrows.cmake: who may include whom (docs/architecture.md).
 #
-#   model  <-  symbolic | numeric | enclosure  <-  proofs_checks  <-  app
+#   model  <-  symbolic | numeric | enclosure  <-  library | proofs_checks  <-  app
 #   checker, alone: it includes none of them, and none includes it
 
 cmake_minimum_required(VERSION 3.25)
@@ -9,10 +9,11 @@ set(may_include_model model)
 set(may_include_symbolic model symbolic)
 set(may_include_numeric model numeric)
 set(may_include_enclosure model enclosure)
+set(may_include_library model symbolic numeric enclosure library)
 set(may_include_proofs_checks model symbolic numeric enclosure proofs_checks)
-set(may_include_app model symbolic numeric enclosure proofs_checks app)
+set(may_include_app model symbolic numeric enclosure library proofs_checks app)
 set(may_include_checker checker)
-set(layers model symbolic numeric enclosure proofs_checks app checker)
+set(layers model symbolic numeric enclosure library proofs_checks app checker)
 
 # ginac.h and CLN's headers cost a second a file and bring macros along: sources of these layers, and these headers only.
 set(algebra_in_sources_of symbolic proofs_checks)

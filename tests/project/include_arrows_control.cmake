@@ -15,6 +15,9 @@ set(wrong
   "numeric/a.cpp" "#include \"enclosure/number/ball.hpp\""
   "numeric/a.hpp" "#include \"proofs_checks/kit/claim.hpp\""
   "proofs_checks/claims/a.cpp" "#include \"app/table.hpp\""
+  "proofs_checks/claims/a.cpp" "#include \"library/solve/method.hpp\""
+  "library/a.cpp" "#include \"proofs_checks/kit/claim.hpp\""
+  "library/a.hpp" "#include \"app/table.hpp\""
   "app/a.cpp" "#include <ginac/ginac.h>"
   "app/a.cpp" "#include \"tests/helpers.hpp\""
   "checker/a.cpp" "#include \"model/rational.hpp\""
@@ -27,6 +30,8 @@ set(right
   "enclosure/a.cpp" "#include \"model/rational.hpp\""
   "proofs_checks/claims/a.cpp" "#include \"symbolic/field/expression.hpp\""
   "app/a.cpp" "#include \"proofs_checks/kit/claim.hpp\""
+  "app/a.cpp" "#include \"library/solve/method.hpp\""
+  "library/a.cpp" "#include \"numeric/number/real.hpp\""
   "checker/a.cpp" "#include \"checker/ball.hpp\"")
 
 foreach(kind IN ITEMS wrong right)

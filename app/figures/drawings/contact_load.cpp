@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/figures/figure.hpp"
 #include "app/figures/solved.hpp"
+#include "app/gnuplot/figure.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "app/figures/figure.hpp"
 #include "app/figures/moment_rule.hpp"
 #include "app/figures/solved.hpp"
+#include "app/gnuplot/figure.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "proofs_checks/instruments/convergence/convergence_cases.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"

@@ -1,7 +1,7 @@
 // The effective friction of a flat punch with two coatings: tangential over normal force, for both directions.
 
-#include "app/figures/figure.hpp"
 #include "app/figures/solved.hpp"
+#include "app/gnuplot/figure.hpp"
 
 namespace steadyslide::app {
 namespace {

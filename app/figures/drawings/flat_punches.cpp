@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/figures/figure.hpp"
 #include "app/figures/solved.hpp"
+#include "app/gnuplot/figure.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -1,8 +1,8 @@
 // What the problem is, drawn from two solved ones: tractions along the normal without friction and slanted by it with
 // friction, and the half-plane under an obstacle. [Bal16, figures 1 and 2]
 
-#include "app/figures/figure.hpp"
 #include "app/figures/solved.hpp"
+#include "app/gnuplot/figure.hpp"
 
 namespace steadyslide::app {
 namespace {

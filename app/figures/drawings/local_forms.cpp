@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "app/figures/figure.hpp"
 #include "app/figures/solved.hpp"
+#include "app/gnuplot/figure.hpp"
 #include "numeric/variational/local_fit.hpp"
 
 namespace steadyslide::app {

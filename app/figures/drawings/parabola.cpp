@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "app/figures/figure.hpp"
 #include "app/figures/solved.hpp"
+#include "app/gnuplot/figure.hpp"
 
 namespace steadyslide::app {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/figures/figure.hpp"
 #include "app/figures/solved.hpp"
+#include "app/gnuplot/figure.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/interior/interior_stress.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/instruments/tractions/parabola_cases.hpp"

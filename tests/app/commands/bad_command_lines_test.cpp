@@ -24,9 +24,9 @@ TEST_CASE("bad command lines: message, exit code, no output") {
 }
 
 TEST_CASE("help is complete at every level, and a result") {
-  check_holds(out_of(run_alone({"--help"})),
-              {"verify", "exponents", "table", "solve", "design", "figures", "report", "Units", "Signs", "Exit code"});
-  for (const std::string command : {"verify", "exponents", "table", "solve", "design", "figures", "report"}) {
+  check_holds(out_of(run_alone({"--help"})), {"verify", "exponents", "table", "solve", "design", "sweep", "figures",
+                                              "report", "Units", "Signs", "Exit code"});
+  for (const std::string command : {"verify", "exponents", "table", "solve", "design", "sweep", "figures", "report"}) {
     CHECK(holds(out_of(run_alone({command, "--help"})), "steadyslide " + command));
   }
   CHECK(holds(run_alone({"solve", "--help"}).out, "away from the body"));

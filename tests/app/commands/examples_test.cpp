@@ -30,7 +30,8 @@ TEST_CASE("every problem file: its command runs, its exponents are found, and it
     const std::string name = entry.path().filename();
     CAPTURE(name);
     CHECK(holds(readme, "(" + name + ")"));
-    CHECK(run_program({"exponents", name}, folder).code == 0);
+    const bool is_sweep = name.starts_with("sweep_");  // of another example
+    CHECK((is_sweep || run_program({"exponents", name}, folder).code == 0));
     const auto shown = commands(entry.path());
     REQUIRE(shown.size() == 1);
     out_of(run_program(shown[0], folder.parent_path()));

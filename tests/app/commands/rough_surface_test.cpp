@@ -98,15 +98,19 @@ TEST_CASE("files keep Coulomb's law in every row: |shear| = f |traction|") {
   const Arguments wanted{"--at=-0.1:0.1:0.005", "--samples", "40"};
   Coulomb csv;
   const auto rows = lines(run_example("rough_surface.toml", joined(wanted, {"--format", "csv"})).out);
-  CHECK(rows[0] == "x,traction,shear,gap,slope,traction_error,shear_error,gap_error,slope_error");
+  CHECK(rows[0] ==
+        "x,traction,shear,gap,slope,u,shear_slope,cumulative_load,friction,side,traction_error,shear_error,gap_error,"
+        "slope_error,u_error,shear_slope_error,cumulative_load_error");
   std::string last;
   for (std::size_t k = 1; k < rows.size(); ++k) {
     const std::vector<std::string> row = cells(rows[k]);
-    REQUIRE(row.size() == 9);
+    REQUIRE(row.size() == 17);
+    const double traction = std::stod(row[1]), shear = std::stod(row[2]), friction = std::stod(row[8]);
+    CHECK(std::abs(std::abs(shear) - friction * std::abs(traction)) <= 1e-15 * std::abs(shear));
     csv.add(std::stod(row[0]), row[0] != last, std::stod(row[1]), std::stod(row[2]));
     last = row[0];
-    CHECK(std::stod(row[5]) >= 0);
-    CHECK(std::stod(row[6]) >= 0);
+    CHECK(std::stod(row[10]) >= 0);
+    CHECK(std::stod(row[11]) >= 0);
   }
   CHECK(csv.rows > 500);
   CHECK(csv.worst <= 1e-15);

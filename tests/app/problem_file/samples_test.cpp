@@ -66,3 +66,54 @@ TEST_CASE("more breaks than the Riemann-Hilbert method takes") {
                 "most 200; 201 breaks");
   CHECK(solve(203, "16").code == 0);
 }
+
+TEST_CASE("a trace with its units, turned, without its trend, is the profile that it measures") {
+  // x^2 in mm over [-1, 1] mm, measured in um, towards the body, on a slope and at a height.
+  std::string plain, measured;
+  for (int k = -200; k <= 200; ++k) {
+    const Rational x(k, 200);
+    plain += to_string(x) + "," + to_string(x * x) + "\n";
+    measured += to_string(x) + "," + to_string(-1000 * (x * x + 3 * x / 10 + 7)) + "\n";
+  }
+  const TemporaryFolder folder;
+  folder.write("plain.csv", plain);
+  folder.write("measured.csv", measured);
+  const auto solved = [&](const std::string& indenter) {
+    return json_of(run_program(
+        {"solve", "-", "--method", "variational", "--cells", "1024", "--at=-0.1:0.1:0.05", "--format", "json"},
+        folder.path(), problem(indenter, "0.01")));
+  };
+  const Json expected = solved("samples = \"plain.csv\"");
+  const Json found = solved(
+      "samples = {file = \"measured.csv\", x_unit = \"mm\", height_unit = \"um\", flip = true, detrend = \"line\"}");
+  const auto ends = [](const Json& solution) {
+    const Json& zone = solution["contact"][0];
+    return std::pair(zone["left"]["x"], zone["right"]["x"]);
+  };
+  CHECK(ends(found) == ends(expected));
+  CHECK(near(found["resultants"]["effective_friction"], expected["resultants"]["effective_friction"], "1e-12"));
+  const Json& indenter = found["problem"]["indenter"];
+  CHECK(indenter["samples"] == "measured.csv");
+  CHECK(indenter["points"] == 401);
+  CHECK(indenter["x_unit"] == "mm");
+  CHECK(indenter["height_unit"] == "um");
+  CHECK(indenter["flip"] == true);
+  CHECK(keys(indenter["detrend"]) == "taken_off height slope");
+  CHECK(indenter["detrend"]["taken_off"] == "line");
+  CHECK(number(indenter["detrend"]["slope"]) == Rational(3, 10));
+  // 7 and the mean of x^2, (200 * 201 * 401) / (3 * 401 * 200^2).
+  CHECK(number(indenter["detrend"]["height"]) == 7 + Rational(200 * 201, 3 * 200 * 200));
+  CHECK(keys(expected["problem"]["indenter"]) == "support samples points");
+
+  // What the picture says of lengths.
+  CHECK(run_program({"solve", "-", "--method", "variational", "--cells", "256", "--plot", "p.svg"}, folder.path(),
+                    problem("samples = {file = \"plain.csv\", x_unit = \"um\"}", "0.01"))
+            .code == 0);
+  check_holds(folder.read("p.svg"), {"(µm)", "user's unit of stress"});
+
+  // Controls: without the sign the indenter is another one, without the unit it is a thousand times as steep.
+  CHECK(solved("samples = {file = \"measured.csv\", x_unit = \"mm\", height_unit = \"um\", detrend = \"line\"}")
+            ["contact"] != expected["contact"]);
+  CHECK(solved("samples = {file = \"measured.csv\", flip = true, detrend = \"line\"}")["contact"] !=
+        expected["contact"]);
+}

@@ -5,7 +5,7 @@
 #include "app/report/math_symbols.hpp"
 #include "app/report/mathml.hpp"
 #include "app/svg.hpp"
-#include "app/terminal/utf8.hpp"
+#include "library/text/utf8.hpp"
 
 using namespace steadyslide::app;
 
@@ -26,7 +26,7 @@ std::string text_of(const std::string& xml) { return std::regex_replace(xml, std
 std::string letters_of(std::string_view text) {
   std::vector<std::string> letters;
   for (; !text.empty();) {
-    const Utf8Character c = first_character(text);
+    const library::Utf8Character c = library::first_character(text);
     const bool latin = c.code < 0x80 && std::isalnum(static_cast<unsigned char>(text.front())) != 0;
     const bool greek = c.code >= 0x370 && c.code < 0x400;
     if (latin || greek) letters.emplace_back(text.substr(0, c.length));

@@ -22,7 +22,7 @@ MadeUp with_contact(double left, double right) {
     if (std::abs(x) == 1) return ContactEnd<double>{{x}, SingularKind::edge, edge_exponent(side, 0), {}};
     return ContactEnd<double>{{x}, SingularKind::free, free_exponent(side, 0), {}};
   };
-  shown.shown_contact.push_back({end(left, End::left), end(right, End::right)});
+  shown.shown_contact.push_back({end(left, End::left), end(right, End::right), {right - left}});
   return shown;
 }
 

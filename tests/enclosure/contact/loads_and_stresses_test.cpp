@@ -5,6 +5,8 @@
 #include "model/invalid_data.hpp"
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "numeric/solution/nodal_forces.hpp"
 #include "support/numeric_test.hpp"
 #include "support/problems.hpp"
 
@@ -77,8 +79,12 @@ TEST_CASE("nodal forces: their sum is the load, their moment the load's, on any 
           order == 1 ? std::vector<Rational>{-1.5_r, -1, -0.75_r, -0.3_r, 0, 0.1_r, 0.4_r, 1, 2}
                      : std::vector<Rational>{-1, -0.65_r, -0.3_r, -0.15_r, 0, 0.2_r, 0.4_r, 0.7_r, 1};
       Ball normal(0, 200), tangential(0, 200), moment(0, 200), linear(0, 200);
-      const std::vector<NodalForce> forces = nodal_forces(state.enclosed, nodes, order);
+      const std::vector<enclosure::NodalForce> forces = nodal_forces(state.enclosed, nodes, order);
+      const auto expected =
+          numeric::nodal_forces<Real50>(state.solution->piecewise_traction(), SurfaceMesh(nodes, order));
       for (std::size_t i = 0; i < nodes.size(); ++i) {
+        agrees(forces[i].normal, expected[i].normal.value);
+        agrees(forces[i].tangential, expected[i].tangential.value);
         normal += forces[i].normal;
         tangential += forces[i].tangential;
         moment += forces[i].normal * Ball(nodes[i], 200);
@@ -95,8 +101,9 @@ TEST_CASE("nodal forces under a frictionless flat punch are known") {
   // t = -1/(pi sqrt(1-x^2)): one linear element takes half the load at each end; a quadratic one the second moment, 1/4 and
   // 1/2 and 1/4.
   const Solved state = solved(reduced({0}, {}, one_piece(-1, 1, {}), 1));
-  for (const NodalForce& force : nodal_forces(state.enclosed, {-1, 1}, 1)) CHECK(force.normal.contains(0.5_r));
-  const std::vector<NodalForce> forces = nodal_forces(state.enclosed, {-1, 0, 1}, 2);
+  for (const enclosure::NodalForce& force : nodal_forces(state.enclosed, {-1, 1}, 1))
+    CHECK(force.normal.contains(0.5_r));
+  const std::vector<enclosure::NodalForce> forces = nodal_forces(state.enclosed, {-1, 0, 1}, 2);
   CHECK(forces[0].normal.contains(0.25_r));
   CHECK(forces[1].normal.contains(0.5_r));
   CHECK(forces[1].normal.radius() < power(Ball(10, 64), -45));

@@ -5,6 +5,7 @@
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 #include "support/numeric_test.hpp"
 
 namespace steadyslide::numeric::stress_test {

@@ -1,0 +1,52 @@
+#include <boost/algorithm/string/replace.hpp>
+
+#include "app/gnuplot/gnuplot.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+std::string svg_escaped(std::string text) {
+  std::erase(text, '`');
+  for (const auto& [sign, name] : {std::pair("&", "&amp;"), {"<", "&lt;"}, {">", "&gt;"}}) {
+    boost::replace_all(text, sign, name);
+  }
+  return text;
+}
+
+/// The first element `name`, with this text in it.
+void set_element(std::string& svg, const std::string& name, const std::string& text) {
+  const std::size_t begin = svg.find("<" + name + ">");
+  const std::size_t end = svg.find("</" + name + ">");
+  if (begin == std::string::npos || end == std::string::npos) return;
+  const std::size_t inside = begin + name.size() + 2;
+  svg.replace(inside, end - inside, text);
+}
+
+/// What gnuplot's SVG lacks for a page that holds several: ids and references to them begin with the figure's name,
+/// title and description are the figure's, and fonts have others to fall back on.
+std::string finished_svg(const std::string& svg, const Figure& figure) {
+  std::string result = svg;
+  for (const char* before : {" id='", " id=\"", "'#", "\"#", "(#"}) {
+    for (const char* id : {"gp", "textbox", "greybox", "gnuplot_canvas"}) {
+      boost::replace_all(result, std::string(before) + id, before + figure.id_prefix() + "_" + id);
+    }
+  }
+  // Without it, blanks between upright and italic text are lost.
+  boost::replace_all(result, "<svg \n", "<svg xml:space=\"preserve\"\n");
+  set_element(result, "title", svg_escaped(figure.title));
+  set_element(result, "desc", svg_escaped(figure.caption + " Made by: " + figure.command()));
+  boost::replace_all(result, "font-family=\"Helvetica\"",
+                     "font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\"");
+  return result;
+}
+
+}  // namespace
+
+std::string Figure::id_prefix() const { return boost::replace_all_copy(name, "-", "_"); }
+
+std::string drawn(const Figure& figure, Picture picture) {
+  const std::string bytes = run_gnuplot(gnuplot_script(figure, picture));
+  return picture == Picture::svg ? finished_svg(bytes, figure) : bytes;
+}
+
+}  // namespace steadyslide::app

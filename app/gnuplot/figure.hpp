@@ -1,0 +1,106 @@
+#pragma once
+// A figure as data: what is drawn, and nothing about how. Numbers are in the units that the axis labels name.
+//
+// Labels, legends and notes are in gnuplot's enhanced text: "{/:Italic t}_n" is an italic t with the index n. Title and
+// name are plain text; captions have formulas between backticks in the notation of claims.
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace steadyslide::app {
+
+struct Point {
+  double x;
+  double y;
+};
+
+/// No number: a curve is interrupted here.
+inline constexpr Point gap_in_curve{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+
+struct Axis {
+  std::string label;
+  double from;
+  double to;
+  bool logarithmic = false;
+  double tics = 0;       ///< their distance; 0: as gnuplot has them
+  bool labelled = true;  ///< numbers at the tics
+};
+
+/// Bars are thick lines, each from one point to the next, two by two.
+enum class Look { line, marks, bar };
+
+struct Series {
+  std::string legend;  ///< empty: none
+  Look look;
+  int style;  ///< colour, dashes and marks, from 1; styles differ in all three
+  std::vector<Point> points;
+};
+
+/// In the units of the axes or, where `of_panel_` says so, as a part of the panel's width or height.
+struct Place {
+  double x;
+  double y;
+  bool of_panel_x = false;
+  bool of_panel_y = false;
+};
+
+enum class Align { left, centre, right };
+
+struct Note {
+  Place at;
+  std::string text;
+  Align align = Align::left;
+};
+
+/// A thin line, or an arrow.
+struct Guide {
+  Place from;
+  Place to;
+  bool arrow = false;
+};
+
+/// A function on a grid, row after row; values beyond `to` are drawn like `to`.
+struct HeatMap {
+  std::vector<double> x;
+  std::vector<double> y;
+  std::vector<double> values;
+  double to;  ///< colours go from 0 to this
+  std::string label;
+  std::vector<double> contours;
+};
+
+enum class LegendAt { none, top_left, top_centre, top_right, right_of_centre, below };
+
+/// Where a panel's axes are, as parts of the figure's width and height.
+struct Frame {
+  double left, right, bottom, top;
+};
+
+struct Panel {
+  Frame frame;
+  Axis x;
+  Axis y;
+  std::vector<Series> series{};
+  LegendAt legend = LegendAt::top_right;
+  std::vector<Note> notes{};
+  std::vector<Guide> guides{};
+  std::optional<HeatMap> map{};
+};
+
+struct Figure {
+  std::string name;
+  std::string title;
+  std::string caption;
+  int height;  ///< the width is 800
+  std::vector<Panel> panels;
+  int digits = 7;        ///< of the numbers drawn: fewer than what two runs could differ in
+  std::string origin{};  ///< what made it; empty: the command `figures`
+
+  std::string command() const { return origin.empty() ? "steadyslide figures --figure " + name : origin; }
+  /// The name with _ for -: what the SVG's ids begin with.
+  std::string id_prefix() const;
+};
+
+}  // namespace steadyslide::app

@@ -1,0 +1,243 @@
+#include "app/results/solution_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "app/embedded.hpp"
+#include "app/terminal/failure.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+/// Above, so many components are in the picture by their bars alone, and free ends without a mark.
+constexpr std::size_t most_marked_components = 4;
+/// Of a trace, more breaks than this are not seen.
+constexpr std::size_t most_drawn_breaks = 20000;
+constexpr double largest_over_mean = 6;
+/// Rows of exponents above the tractions, their distance as a part of the panel's height, and what a character takes
+/// of its width.
+constexpr std::size_t label_rows = 3;
+constexpr double row_height = 0.072, character_width = 0.0125;
+
+struct Range {
+  double from = std::numeric_limits<double>::infinity();
+  double to = -std::numeric_limits<double>::infinity();
+
+  void include(double value) {
+    from = std::min(from, value);
+    to = std::max(to, value);
+  }
+  bool holds(double value) const { return value >= from && value <= to; }
+  double length() const { return to - from; }
+};
+
+/// Of a result's text; NaN where there is none.
+double value_of(const std::string& text) {
+  return text.empty() ? std::numeric_limits<double>::quiet_NaN() : std::strtod(text.c_str(), nullptr);
+}
+
+double value_of(const Rational& value) { return value.convert_to<double>(); }
+
+std::string with_minus(const std::string& text) { return text.starts_with('-') ? "−" + text.substr(1) : text; }
+
+std::string shown_name(const Problem& problem) {
+  if (problem.file == "-") return "standard input";
+  return one_line(std::filesystem::path(problem.file).filename().string());
+}
+
+class SolutionFigure {
+ public:
+  SolutionFigure(const Problem& problem, const SolutionText& solution) : problem_(problem), solution_(solution) {
+    for (const auto& [left, right] : solution.contact) {
+      contact_.include(value_of(left.x.value));
+      contact_.include(value_of(right.x.value));
+      contact_length_ += value_of(right.x.value) - value_of(left.x.value);
+    }
+    if (problem.measured && !problem.measured->x_unit.empty()) {
+      length_unit_ = problem.measured->x_unit == "um" ? "µm" : problem.measured->x_unit;
+    }
+    const Indenter& shape = problem.contact.indenter();
+    const double margin = 0.6 * contact_.length(), beside = 0.04 * contact_.length();
+    x_ = {std::max(value_of(shape.left()) - beside, contact_.from - margin),
+          std::min(value_of(shape.right()) + beside, contact_.to + margin)};
+  }
+
+  Figure figure() {
+    Figure figure{"solve", title(), caption(), 620, {}};
+    figure.digits = 15;
+    figure.origin = fmt::format("steadyslide {}, {}", version, solution_.method);
+    Panel below = tractions();
+    mark(below);
+    figure.panels = {shapes(below.guides), std::move(below)};
+    return figure;
+  }
+
+ private:
+  std::string title() const {
+    const ContactProblem& contact = problem_.contact;
+    return fmt::format("{}{}, load {:.6g}, sliding towards {}",
+                       solution_.failed_condition.empty() ? "" : "NOT SOLVED: ", shown_name(problem_),
+                       value_of(contact.load()), contact.sliding() == Sliding::plus_x ? "+x" : "−x");
+  }
+
+  std::string caption() const {
+    const std::string what =
+        "Indenter, surface and contact zones; pressure and tangential traction, with the exponents of singular points.";
+    return solution_.failed_condition.empty() ? what : what + " Not solved: " + solution_.failed_condition + ".";
+  }
+
+  Axis across(bool labelled) const {
+    return {labelled ? "{/:Italic x}  (" + length_unit_ + ")" : "", x_.from, x_.to, false, 0, labelled};
+  }
+
+  /// psi, with what the tilt adds, on one side of x.
+  double height(const Rational& x, Side side) const {
+    const double tilted = solution_.tilt ? value_of(solution_.tilt->value) * value_of(x) : 0;
+    return value_of(problem_.contact.indenter().profile(x, side)(x)) + tilted;
+  }
+
+  Panel shapes(std::vector<Guide> guides) const {
+    Series profile{solution_.tilt ? "indenter ψ, tilted" : "indenter ψ", Look::line, 2, {}};
+    Series surface{"surface {/:Italic u} + {/:Italic C}", Look::line, 1, {}};
+    for (const SampleText& sample : solution_.curve) {
+      const Rational x = parse_rational(sample.x);
+      if (!x_.holds(value_of(x))) continue;
+      const double left = height(x, Side::left), right = height(x, Side::right);
+      profile.points.push_back({value_of(x), left});
+      // At a step the gap is that of one side.
+      if (left == right) surface.points.push_back({value_of(x), left - value_of(sample.gap.value)});
+    }
+    add_breaks(profile.points);
+    Range y;
+    for (const Series* series : {&profile, &surface}) {
+      for (const Point& point : series->points) {
+        if (!std::isnan(point.y)) y.include(point.y);
+      }
+    }
+    // A flat punch fills its panel by the contact's length.
+    const double tall = y.length() > 0 ? y.length() : 0.1 * contact_.length();
+    Panel panel{{0.12, 0.98, 0.575, 0.93},
+                across(false),
+                {"height  (" + length_unit_ + ")", y.from - 0.15 * tall, y.to + 0.08 * tall}};
+    panel.series = {std::move(profile), std::move(surface), zones(y.from - 0.08 * tall)};
+    panel.legend = LegendAt::top_centre;
+    panel.guides = std::move(guides);
+    return panel;
+  }
+
+  /// Corners of the profile, from the left and from the right, among its points.
+  void add_breaks(std::vector<Point>& points) const {
+    const Indenter& shape = problem_.contact.indenter();
+    if (shape.pieces().size() > most_drawn_breaks) return;
+    for (const Indenter::Piece& piece : shape.pieces()) {
+      const double x = value_of(piece.to);
+      if (!x_.holds(x) || piece.to == shape.right()) continue;
+      points.push_back({x, height(piece.to, Side::left)});
+      points.push_back({x, height(piece.to, Side::right)});
+    }
+    std::ranges::stable_sort(points, {}, &Point::x);
+  }
+
+  Series zones(double y) const {
+    Series zones{"contact", Look::bar, 3, {}};
+    for (const auto& [left, right] : solution_.contact) {
+      for (const double x : {value_of(left.x.value), value_of(right.x.value)}) zones.points.push_back({x, y});
+    }
+    return zones;
+  }
+
+  Panel tractions() {
+    Series pressure{"pressure −{/:Italic t}_n", Look::line, 1, {}};
+    Series shear{"shear {/:Italic t}_t", Look::line, 2, {}};
+    bool in_contact = false;
+    for (const SampleText& sample : solution_.curve) {
+      const bool open = value_of(sample.gap.value) > 0 && value_of(sample.traction.left.value) == 0;
+      for (Series* series : {&pressure, &shear}) {
+        if (open && in_contact) series->points.push_back(gap_in_curve);
+      }
+      in_contact = !open;
+      if (open) continue;
+      const double x = value_of(sample.x);
+      add(pressure.points, x, -value_of(sample.traction.left.value), -value_of(sample.traction.right.value));
+      add(shear.points, x, value_of(sample.shear.left.value), value_of(sample.shear.right.value));
+    }
+    const Range y = traction_range(pressure.points, shear.points);
+    if (is_infinite()) pressure.legend += fmt::format(", cut at {:.3g}", y.to);
+    Panel panel{{0.12, 0.98, 0.105, 0.485}, across(true), {"traction  (" + stress_unit_ + ")", y.from, y.to}};
+    panel.series = {std::move(pressure), std::move(shear)};
+    panel.legend = LegendAt::top_centre;
+    return panel;
+  }
+
+  /// Does the pressure go to infinity anywhere? A logarithm has no power: its text counts as 0.
+  bool is_infinite() const {
+    return std::ranges::any_of(solution_.singular_points,
+                               [](const SingularText& point) { return value_of(point.exponent.value) <= 0; });
+  }
+
+  /// A limit that is infinite is left out: the curve goes on beyond the frame.
+  void add(std::vector<Point>& points, double x, double left, double right) {
+    if (std::isfinite(left)) points.push_back({x, left});
+    if (std::isfinite(right) && right != left) points.push_back({x, right});
+  }
+
+  Range traction_range(const std::vector<Point>& pressure, const std::vector<Point>& shear) const {
+    Range y{0, 0};
+    for (const Point& point : pressure) {
+      if (!std::isnan(point.y)) y.include(point.y);
+    }
+    const double mean = value_of(problem_.contact.load()) / contact_length_;
+    if (is_infinite()) y.to = std::min(y.to, largest_over_mean * mean);
+    double least = 0;
+    for (const Point& point : shear) {
+      if (!std::isnan(point.y)) least = std::min(least, point.y);
+    }
+    // Room for the legend above what is not cut, and above the lowest shear.
+    return {std::max(1.08 * least, -y.to), is_infinite() ? y.to : 1.25 * y.to};
+  }
+
+  /// A line at each singular point and, where there is room for it, its exponent.
+  void mark(Panel& panel) {
+    const bool free_ends = solution_.contact.size() <= most_marked_components;
+    std::vector<double> taken(label_rows, -1);
+    std::size_t without = 0;
+    for (const SingularText& point : solution_.singular_points) {
+      if (!free_ends && point.kind == "free") continue;
+      const double x = value_of(point.x.value);
+      panel.guides.push_back({{x, 0, false, true}, {x, 1, false, true}});
+      const double value = value_of(point.exponent.value);
+      const std::string text = value != 0 ? with_minus(fmt::format("{:.3g}", value)) : point.exponent.value;
+      const double at = (x - x_.from) / x_.length();
+      const double half = character_width * static_cast<double>(text.size()) / 2;
+      const auto row = std::ranges::find_if(taken, [&](double end) { return end < at - half; });
+      if (row == taken.end()) {
+        ++without;
+        continue;
+      }
+      *row = at + half;
+      panel.notes.push_back(
+          {{x, 1.05 + row_height * static_cast<double>(row - taken.begin()), false, true}, text, Align::centre});
+    }
+    if (panel.notes.empty()) return;
+    panel.notes.push_back({{-0.01, 1.05, true, true}, "exponent", Align::right});
+    if (without > 0) panel.x.label += fmt::format("; {} exponents more are in the results", without);
+  }
+
+  const Problem& problem_;
+  const SolutionText& solution_;
+  std::string length_unit_ = "user's unit of length";
+  std::string stress_unit_ = "user's unit of stress";
+  Range contact_, x_;
+  double contact_length_ = 0;
+};
+
+}  // namespace
+
+Figure solution_figure(const Problem& problem, const SolutionText& solution) {
+  return SolutionFigure(problem, solution).figure();
+}
+
+}  // namespace steadyslide::app

@@ -1,0 +1,14 @@
+#pragma once
+// The JSON of `steadyslide solve`, entry by entry.
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "app/results/solution_text.hpp"
+
+namespace steadyslide::app {
+
+/// What stands under this key of the result: "resultants", "contact", "warnings" ... Null for any other key.
+nlohmann::ordered_json solution_entry(const SolutionText& solution, std::string_view key);
+
+}  // namespace steadyslide::app

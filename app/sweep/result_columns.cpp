@@ -1,0 +1,179 @@
+#include "app/sweep/result_columns.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "app/commands/solver.hpp"
+#include "app/results/solve_json.hpp"
+#include "app/terminal/failure.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array all_entries{"method",          "digits",    "contact",    "singular_points", "resultants",
+                                 "estimated_error", "residuals", "uniqueness", "warnings"};
+
+/// A solution with all entries that any has: of a punch that may tilt, with a friction jump.
+SolutionText specimen() {
+  const Problem punch = parse_problem(
+      "load = 1\nload_at = 0\n[half_space]\npoisson = \"0.3\"\n[friction]\nvalues = [\"0.1\", \"0.2\"]\n"
+      "jumps = [0]\n[indenter]\nprofile = 0\n",
+      "specimen");
+  return Solver({}).solve(punch);
+}
+
+/// What the steps lead to; null if to nothing. `any`: an index is any index.
+const Json* found(const Json& json, std::span<const Step> steps, bool any = false) {
+  if (steps.empty()) return &json;
+  if (const auto* key = std::get_if<std::string>(&steps[0])) {
+    const auto entry = json.is_object() ? json.find(*key) : json.end();
+    return entry == json.end() ? nullptr : found(*entry, steps.subspan(1), any);
+  }
+  if (!json.is_array()) return nullptr;
+  if (!any) {
+    const std::size_t index = std::get<std::size_t>(steps[0]);
+    return index < json.size() ? found(json[index], steps.subspan(1)) : nullptr;
+  }
+  for (const Json& item : json) {
+    if (const Json* there = found(item, steps.subspan(1), any)) return there;
+  }
+  return nullptr;
+}
+
+bool asks_size(const std::vector<Step>& steps) { return !steps.empty() && steps.back() == Step("size"); }
+
+std::string text_of(const Json& json) {
+  if (json.is_null()) return "";
+  if (json.is_string()) return json.get<std::string>();
+  if (!json.is_structured()) return json.dump();
+  // Of two limits that differ here, and were one where the name was checked.
+  std::vector<std::string> parts;
+  for (const Json& part : json) parts.push_back(text_of(part));
+  return fmt::format("{}", fmt::join(parts, " "));
+}
+
+std::vector<std::string> keys_of(const Json& json) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : json.items()) keys.push_back(key);
+  return keys;
+}
+
+/// What belongs where the path is still right.
+std::string what_is_there(const Json& specimen, std::span<const Step> steps) {
+  std::size_t right = steps.size();
+  while (found(specimen, steps.first(right), true) == nullptr) --right;
+  const Json& last = *found(specimen, steps.first(right), true);
+  if (last.is_array()) return "a list has entries [0], [1], ... and a size";
+  if (!last.is_object()) return "the path ends before";
+  std::vector<std::string> keys = keys_of(last);
+  if (right == 0) {
+    for (std::string& key : keys_of(specimen.at("resultants"))) keys.push_back(std::move(key));
+  }
+  return fmt::format("keys here are {}", fmt::join(keys, ", "));
+}
+
+/// "largest_pressure_error", say, is "value_error" in the table largest_pressure. Null, and the steps as they were, where
+/// there is no such table.
+const Json* error_of_value(const Json& specimen, std::vector<Step>& steps) {
+  const auto* const last = std::get_if<std::string>(&steps.back());
+  if (last == nullptr || !last->ends_with("_error")) return nullptr;
+  std::vector<Step> inside(steps.begin(), steps.end() - 1);
+  inside.insert(inside.end(), {Step(last->substr(0, last->size() - 6)), Step("value_error")});
+  const Json* there = found(specimen, inside, true);
+  if (there != nullptr) steps = std::move(inside);
+  return there;
+}
+
+/// Where a name is that of an entry of the resultants, the steps to it from the top.
+std::vector<Step> from_the_top(const Json& specimen, std::vector<Step> steps) {
+  if (steps.empty() || specimen.contains(std::get<std::string>(steps.front()))) return steps;
+  std::vector<Step> longer = steps;
+  longer.insert(longer.begin(), "resultants");
+  const bool is_there = found(specimen, longer, true) != nullptr || error_of_value(specimen, longer) != nullptr;
+  return is_there ? longer : steps;
+}
+
+/// Refuses a name that leads to nothing, or to several values; leads on to "value" where the name is that of a table
+/// with one.
+void check(const Word& name, const Json& specimen, std::vector<Step>& steps) {
+  const auto bad = [&](const std::string& what, const std::string& rule) {
+    return Failure(ExitCode::bad_input, fmt::format("{}: {}; {}; {}", name.place, what, rule, excerpt(name.text)));
+  };
+  if (steps.empty()) throw bad("no path", "a column is named like contact[0].left.x");
+  const Json* there = found(specimen, steps, true);
+  if (there == nullptr && asks_size(steps)) {
+    there = found(specimen, std::span(steps).first(steps.size() - 1), true);
+    if (there != nullptr && there->is_array()) return;
+    there = nullptr;
+  }
+  if (there == nullptr) there = error_of_value(specimen, steps);
+  if (there == nullptr) throw bad("unknown column", what_is_there(specimen, steps));
+  if (there->is_object() && there->contains("value")) {
+    steps.emplace_back("value");
+    there = &there->at("value");
+  }
+  if (there->is_object()) throw bad("not one value", fmt::format("its keys are {}", fmt::join(keys_of(*there), ", ")));
+  if (there->is_array()) throw bad("not one value", "a list has entries [0], [1], ... and a size");
+}
+
+}  // namespace
+
+ResultColumns::ResultColumns(const std::vector<Word>& names) {
+  Json whole;
+  const SolutionText solution = specimen();
+  for (const char* entry : all_entries) whole[entry] = solution_entry(solution, entry);
+  for (const Word& name : names) {
+    std::vector<Step> steps = from_the_top(whole, steps_of(name.text));
+    check(name, whole, steps);
+    if (std::ranges::find(columns_, name.text, &Column::name) != columns_.end()) {
+      throw Failure(ExitCode::bad_input,
+                    fmt::format("{}: column twice; a column is named once; {}", name.place, excerpt(name.text)));
+    }
+    const std::string entry = std::get<std::string>(steps.front());
+    const auto known = std::ranges::find(entries_, entry);
+    const auto index = static_cast<std::size_t>(known - entries_.begin());
+    if (known == entries_.end()) entries_.push_back(entry);
+    columns_.push_back({name.text, index, {steps.begin() + 1, steps.end()}});
+  }
+}
+
+std::vector<Word> ResultColumns::usual() {
+  std::vector<Word> names;
+  for (const char* name :
+       {"effective_friction", "effective_friction_error", "centre_of_pressure", "centre_of_pressure_error",
+        "largest_pressure", "contact[0].left.x", "contact[0].right.x", "components", "method", "warnings.size"}) {
+    names.push_back({name, ""});
+  }
+  return names;
+}
+
+std::vector<std::string> ResultColumns::names() const {
+  std::vector<std::string> result;
+  for (const Column& column : columns_) result.push_back(column.name);
+  return result;
+}
+
+std::vector<std::string> ResultColumns::cells(const SolutionText& solution) const {
+  std::vector<Json> made;
+  for (const std::string& entry : entries_) made.push_back(solution_entry(solution, entry));
+  std::vector<std::string> result;
+  for (const auto& [name, entry, steps] : columns_) {
+    const std::span<const Step> path = steps;
+    const Json* there = found(made[entry], path);
+    if (there == nullptr && asks_size(steps)) {
+      const Json* list = found(made[entry], path.first(path.size() - 1));
+      result.push_back(list == nullptr ? "" : std::to_string(list->size()));
+    } else {
+      result.push_back(there == nullptr ? "" : text_of(*there));
+    }
+  }
+  return result;
+}
+
+}  // namespace steadyslide::app

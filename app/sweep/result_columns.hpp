@@ -1,0 +1,40 @@
+#pragma once
+// Columns of results by name. A name is a path into what `solve --format json` prints: contact[0].left.x,
+// singular_points[1].intensity_error, contact.size (how many); "resultants." may be left out. The name of a table with a
+// key "value" is that value.
+
+#include <string>
+#include <vector>
+
+#include "app/results/solution_text.hpp"
+#include "library/sweep/path.hpp"
+#include "library/sweep/sweep_file.hpp"
+
+namespace steadyslide::app {
+
+class ResultColumns {
+ public:
+  /// Throws Failure for a name that no solution has, and for one of several values.
+  explicit ResultColumns(const std::vector<Word>& names);
+
+  /// Where nothing is named.
+  static std::vector<Word> usual();
+
+  std::vector<std::string> names() const;
+  /// The entries of the result that the columns are from (solve_json.hpp).
+  const std::vector<std::string>& entries() const { return entries_; }
+  /// Each column's text; empty where this solution has no such entry, or no number there.
+  std::vector<std::string> cells(const SolutionText& solution) const;
+
+ private:
+  struct Column {
+    std::string name;
+    std::size_t entry;        // of entries_
+    std::vector<Step> steps;  // from there
+  };
+
+  std::vector<std::string> entries_;
+  std::vector<Column> columns_;
+};
+
+}  // namespace steadyslide::app

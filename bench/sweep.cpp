@@ -1,0 +1,82 @@
+// What a sweep costs beside its solves: bench_sweep SWEEP.toml [JOBS]. In turns, so that a busy machine is busy for all:
+// the numbers that solve prints, the same as texts, the rows of the table; then all rows in threads. Problems and texts
+// are made in 20 blocks.
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+
+#include "app/sweep/ordered_tasks.hpp"
+#include "app/sweep/sweep_table.hpp"
+#include "numeric/closed_form/closed_form.hpp"
+
+using namespace steadyslide;
+using namespace steadyslide::app;
+
+namespace {
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+template <class Act>
+double cpu_time_of(Act act) {
+  const double start = cpu_seconds();
+  act();
+  return cpu_seconds() - start;
+}
+
+/// What solve asks of a solution in double.
+void numbers(const ContactProblem& problem) {
+  const auto solution = numeric::closed_form<double>(problem).solution;
+  if (!solution) return;
+  const volatile double all[] = {solution->contact().front().left.x.value,
+                                 solution->singular_points().front().intensity.value,
+                                 solution->resultants().effective_friction.value, solution->estimated_error().traction,
+                                 solution->residuals().equation};
+  static_cast<void>(all);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const char* const file = argc > 1 ? argv[1] : "examples/sweep_two_coatings.toml";
+  const SweepTable table(read_sweep(file));
+  const Combinations problems = read_sweep(file).problems;
+  constexpr std::size_t blocks = 20;
+  double made = 0;
+  double numeric = 0;
+  double solved = 0;
+  double rows = 0;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    std::vector<Problem> list;
+    made += cpu_time_of([&] {
+      for (std::size_t n = block; n < table.size(); n += blocks) list.push_back(problems.problem(n));
+    });
+    numeric += cpu_time_of([&] {
+      for (const Problem& problem : list) numbers(problem.contact);
+    });
+    solved += cpu_time_of([&] {
+      for (const Problem& problem : list) Solver({}).solve(problem);
+    });
+    rows += cpu_time_of([&] {
+      for (std::size_t n = block; n < table.size(); n += blocks) static_cast<void>(table.row(n));
+    });
+  }
+  const int jobs = argc > 2 ? std::atoi(argv[2]) : 2;
+  const auto start = std::chrono::steady_clock::now();
+  std::size_t bytes = 0;
+  const double threads = cpu_time_of([&] {
+    in_order(
+        {0, table.size()}, jobs, [&](std::size_t n) { return table.row(n); },
+        [&](std::size_t, const std::string& row) { bytes += row.size(); });
+  });
+  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const auto each = [&](double seconds) { return 1e6 * seconds / static_cast<double>(table.size()); };
+  std::printf("%zu problems, CPU time of each in microseconds\n", table.size());
+  std::printf("  problem made      %8.1f\n", each(made));
+  std::printf("  numbers           %8.1f\n", each(numeric));
+  std::printf("  solved            %8.1f\n", each(solved));
+  std::printf("  row               %8.1f   / solved = %.3f\n", each(rows), rows / solved);
+  std::printf("  row, in %d threads %8.1f   / solved = %.3f; on the clock %.2f s, x %d / solved = %.3f\n", jobs,
+              each(threads), threads / solved, wall, jobs, wall * jobs / solved);
+}

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace steadyslide::library {
+
+/// A file that is not of its kind. what() is "FILE:LINE: what is wrong; the rule; the value".
+class InvalidFile : public std::invalid_argument {
+ public:
+  explicit InvalidFile(const std::string& what) : std::invalid_argument(what) {}
+  /// `place`: "FILE:LINE".
+  InvalidFile(const std::string& place, const std::string& complaint)
+      : std::invalid_argument(place + ": " + complaint), complaint_begins_(place.size() + 2) {}
+
+  /// what() without the place.
+  std::string complaint() const { return what() + complaint_begins_; }
+
+ private:
+  std::size_t complaint_begins_ = 0;
+};
+
+/// A file that the system does not give. what() is "FILE: cannot be read: why".
+struct UnreadableFile : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace steadyslide::library

@@ -1,0 +1,53 @@
+#pragma once
+// Points below the surface, places and nodes on it, as tables (table_reader.hpp):
+//
+//   x         places: where samples are asked for,
+//   x,z       points, z > 0 the depth: where stresses are asked for,
+//   x         nodes of linear elements, x increasing,
+//   x,order   the same with elements of order 1 or 2, one order for all; order 2: every second node is a midside one.
+//
+// All in the user's unit of length, exact. Every complaint names the file and the line.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "library/problem_file/file_error.hpp"
+#include "model/invalid_data.hpp"
+#include "model/surface_mesh.hpp"
+
+namespace steadyslide::library {
+
+inline constexpr std::size_t max_points = 1000000;
+
+struct DepthPoint {
+  Rational x;
+  Rational z;
+};
+
+/// Throw InvalidFile "NAME:LINE: what is wrong; the rule; the value".
+std::vector<DepthPoint> parse_depth_points(std::string_view text, const std::string& name);
+std::vector<DepthPoint> read_depth_points(const std::string& name);
+
+/// The same; at most `most` places.
+std::vector<Rational> parse_places(std::string_view text, const std::string& name, std::size_t most);
+std::vector<Rational> read_places(const std::string& name, std::size_t most);
+
+class MeshFile {
+ public:
+  /// The same.
+  MeshFile(std::string_view text, std::string name);
+
+  const SurfaceMesh& mesh() const { return *mesh_; }
+  /// What is wrong with the mesh, at the node that "nodes[i]" tells, or with all of it.
+  InvalidFile error(const InvalidData& invalid) const;
+
+ private:
+  std::string name_;
+  std::vector<std::size_t> lines_;  ///< of the nodes
+  std::optional<SurfaceMesh> mesh_;
+};
+
+MeshFile read_mesh(const std::string& name);
+
+}  // namespace steadyslide::library

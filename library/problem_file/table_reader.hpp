@@ -1,0 +1,53 @@
+#pragma once
+// Tables of numbers in text files.
+//
+//   One row a line, columns separated by a semicolon if the line has one, else by a comma if it has one, else by blanks or
+//   tabs. From # on a line is a comment; the first line that is more than a comment is a header if it begins with something
+//   else than a digit, a sign or a point. CRLF and a byte order mark are fine.
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "library/problem_file/file_error.hpp"
+#include "model/rational.hpp"
+
+namespace steadyslide::library {
+
+/// What a table is, for its messages.
+struct TableRules {
+  std::string kind;                  ///< "a trace"
+  std::string row;                   ///< "x,psi"
+  std::vector<std::string> columns;  ///< their names
+  std::size_t fewest_columns;
+};
+
+class TableReader {
+ public:
+  TableReader(std::string name, TableRules rules) : name_(std::move(name)), rules_(std::move(rules)) {}
+
+  /// Calls row(numbers, line) for each row: exact numbers, as many as its columns. Throws
+  /// InvalidFile.
+  void read(std::string_view text, const std::function<void(std::vector<Rational>&)>& row);
+
+  /// Of the row at hand; after the last one of the file's end.
+  std::size_t line() const { return line_ == 0 ? 1 : line_; }
+  /// "NAME:LINE: what".
+  InvalidFile error(const std::string& what) const { return error_at(line(), what); }
+  InvalidFile error(const std::string& what, const std::string& rule, const std::string& value) const {
+    return error(what + "; " + rule + "; " + value);
+  }
+  InvalidFile error_at(std::size_t line, const std::string& what) const;
+
+ private:
+  void read_line(std::string_view text, const std::function<void(std::vector<Rational>&)>& row);
+  Rational number(const std::string& column, std::string_view text) const;
+
+  std::string name_;
+  TableRules rules_;
+  std::size_t line_ = 0;
+  bool begun_ = false;
+};
+
+}  // namespace steadyslide::library

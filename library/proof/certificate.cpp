@@ -1,0 +1,157 @@
+#include "library/proof/certificate.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "library/text/number_format.hpp"
+#include "library/text/version.hpp"
+#include "model/uniqueness.hpp"
+
+namespace steadyslide::library {
+namespace {
+
+using enclosure::Ball;
+using enclosure::ContactTopology;
+using Json = nlohmann::ordered_json;
+
+Json exact_numbers(const std::vector<Rational>& values) {
+  Json json = Json::array();
+  for (const Rational& value : values) json.push_back(exact_text(value));
+  return json;
+}
+
+Json problem_json(const ContactProblem& problem) {
+  Json pieces = Json::array();
+  for (const Indenter::Piece& piece : problem.indenter().pieces()) {
+    pieces.push_back({{"to", exact_text(piece.to)}, {"profile", exact_numbers(piece.profile.coefficients())}});
+  }
+  return {
+      {"load_at", problem.load_at() ? Json(exact_text(*problem.load_at())) : Json()},
+      {"sliding", problem.sliding() == Sliding::plus_x ? "+x" : "-x"},
+      {"gamma", exact_text(problem.elasticity().gamma())},
+      {"compliance", exact_text(problem.elasticity().compliance())},
+      {"friction",
+       {{"values", exact_numbers(problem.friction().values())}, {"jumps", exact_numbers(problem.friction().jumps())}}},
+      {"indenter", {{"left", exact_text(problem.indenter().left())}, {"pieces", std::move(pieces)}}}};
+}
+
+/// How a ball is written.
+using WrittenBall = std::function<std::string(const Ball&)>;
+
+Json points_json(const enclosure::ContactBox& box, const WrittenBall& written) {
+  Json points = Json::array();
+  std::size_t unknown = 0;
+  bool in_contact = false;
+  for (const ContactTopology::Point& point : box.topology.points) {
+    Json json{{"anchor", point.anchor}};
+    if (point.beside) {
+      json["side"] = *point.beside == Side::left ? "left" : "right";
+      json["log_offset"] = written(box.log_offsets[unknown++]);
+    }
+    if (point.is_end()) {
+      in_contact = point.kind == ContactTopology::Kind::begins;
+      json["contact"] = in_contact ? "begins" : "ends";
+      json["free"] = point.vanishes;
+    } else {
+      json["contact"] = in_contact ? "interior" : "outside";
+    }
+    points.push_back(std::move(json));
+  }
+  return points;
+}
+
+/// The contact and the box of its unknowns.
+void add_box(Json& json, const enclosure::ContactBox& box, bool tilts, const WrittenBall& written) {
+  json["points"] = points_json(box, written);
+  Json segments = Json::array();
+  bool in_contact = false;
+  for (std::size_t j = 0; j + 1 < box.topology.points.size(); ++j) {
+    if (box.topology.points[j].is_end()) {
+      in_contact = box.topology.points[j].kind == ContactTopology::Kind::begins;
+    }
+    segments.push_back(in_contact);
+  }
+  json["segments"] = std::move(segments);
+  json["q"] = Json::array();
+  for (const Ball& coefficient : box.q) json["q"].push_back(written(coefficient));
+  if (tilts) json["tilt"] = written(box.tilt);
+}
+
+Json heading(const char* kind, const ContactProblem& problem) {
+  return {{"certificate", 1},
+          {"kind", kind},
+          {"generator", std::string("steadyslide ") + version},
+          {"problem", problem_json(problem)}};
+}
+
+Json heading(const char* kind, const ContactProblem& problem, const enclosure::Frame& frame, enclosure::Bits bits) {
+  Json json = heading(kind, problem);
+  json["frame"] = {{"origin", exact_text(frame.origin)}, {"unit", exact_text(frame.unit)}};
+  json["bits"] = bits;
+  return json;
+}
+
+/// A number near x that is above it (below it) and has few digits; x has far fewer bits than a double's last.
+std::string above(const Ball& x) { return fmt::format("{}", std::nextafter(x.to_double(), 1e300)); }
+std::string below(const Ball& x) { return fmt::format("{}", std::nextafter(x.to_double(), -1e300)); }
+
+/// The interval, with room for other rounding in the bound that it has.
+Json interval_json(const Ball& ball) {
+  const Ball room = ball.radius() / Ball(1000000);
+  return {below((ball.lower() - room).lower()), above((ball.upper() + room).upper())};
+}
+
+std::string finished(Json json, const ContactProblem& problem) {
+  json["claims"] = {{"exists", true}, {"unique_by_theorem_1", uniqueness(problem).proved}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace
+
+std::string certificate(const ContactProblem& problem, const enclosure::ContactProof& proof, int digits) {
+  Json json = heading("solution", problem, proof.problem.frame, proof.bits);
+  json["problem"]["load"] = exact_text(problem.load());
+  // Wide enough for whoever proves it again to see it contract, narrow enough for every sign.
+  const Ball unit = power(Ball(10, proof.bits), -digits);
+  add_box(json, proof.box, problem.load_at().has_value(), [&](const Ball& proved) {
+    const Ball width = unit * max(Ball(1), abs(proved));
+    return Ball::plus_or_minus(proved, width.upper()).dump();
+  });
+  return finished(std::move(json), problem);
+}
+
+std::string certificate(const ContactProblem& problem, const enclosure::CellBound& bound) {
+  Json json = heading("cells", problem);
+  json["problem"]["load"] = exact_text(problem.load());
+  json["pressures"] = bound.weights;
+  json["energy"] = above(bound.energy);
+  json["reaches"] = Json::array();
+  for (const auto& [left, right] : bound.reaches) json["reaches"].push_back(exact_numbers({left, right}));
+  Json shares = Json::array();
+  for (const Ball& share : bound.load_share) shares.push_back(interval_json(share));
+  json["claims"] = {{"load_share", std::move(shares)}, {"effective_friction", interval_json(bound.effective_friction)}};
+  return json.dump() + "\n";
+}
+
+std::string certificate(const ContactProblem& problem, const std::vector<enclosure::LoadInterval>& intervals) {
+  enclosure::Bits bits = 64;
+  const auto written = [&](const Ball& ball) {
+    bits = std::max(bits, static_cast<enclosure::Bits>(arb_bits(ball.get())));
+    return ball.dump();
+  };
+  Json boxes = Json::array();
+  for (const enclosure::LoadInterval& interval : intervals) {
+    Json box{{"loads", exact_numbers({interval.from, interval.to})}};
+    add_box(box, interval.box, problem.load_at().has_value(), written);
+    boxes.push_back(std::move(box));
+  }
+  Json json = heading("loads", problem, intervals.front().proof.problem.frame, bits);
+  json["problem"]["loads"] = exact_numbers({intervals.front().from, intervals.back().to});
+  json["boxes"] = std::move(boxes);
+  return finished(std::move(json), problem);
+}
+
+}  // namespace steadyslide::library

@@ -1,0 +1,59 @@
+#include "library/solve/failed_condition.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "library/text/number_format.hpp"
+
+namespace steadyslide::library {
+
+template <numeric::Real R>
+std::vector<NamedError> named(const numeric::EstimatedError<R>& error) {
+  return {{"ends of contact", "the contact's length", static_cast<double>(error.ends)},
+          {"traction", "its size", static_cast<double>(error.traction)},
+          {"resultants", "the load", static_cast<double>(error.resultants)}};
+}
+
+template <numeric::Real R>
+std::vector<std::pair<std::string, R>> named(const numeric::Residuals<R>& residuals) {
+  return {{"equation", residuals.equation},
+          {"load", residuals.load},
+          {"penetration", residuals.penetration},
+          {"tension", residuals.tension}};
+}
+
+std::string percent(double part) { return std::isfinite(part) ? fmt::format("{:.3g} %", 100 * part) : "unknown"; }
+
+template <numeric::Real R>
+std::string useless_error(const numeric::EstimatedError<R>& error) {
+  for (const NamedError& part : named(error)) {
+    const bool useful = part.value <= useless_error_from;
+    if (!useful)
+      return fmt::format("the estimated error of the {} is {} of {}", part.name, percent(part.value), part.of);
+  }
+  return "";
+}
+
+template <numeric::Real R>
+std::string failed_condition(const numeric::ContactSolution<R>& solution, const numeric::Residuals<R>& residuals,
+                             double most_residual, bool converged) {
+  if (std::string text = solution.failed_condition(); !text.empty()) return text;
+  for (const auto& [name, value] : named(residuals)) {
+    const bool small = value <= most_residual;  // no number is not
+    if (!small) return fmt::format("{} has the residual {}", name, size_text(value, 2));
+  }
+  if (!converged) return "a value stalled before its tolerance";
+  return useless_error(solution.estimated_error());
+}
+
+#define STEADYSLIDE_FAILED_CONDITION(R)                                                \
+  template std::vector<NamedError> named(const numeric::EstimatedError<R>&);           \
+  template std::vector<std::pair<std::string, R>> named(const numeric::Residuals<R>&); \
+  template std::string useless_error(const numeric::EstimatedError<R>&);               \
+  template std::string failed_condition(const numeric::ContactSolution<R>&, const numeric::Residuals<R>&, double, bool)
+STEADYSLIDE_FAILED_CONDITION(double);
+STEADYSLIDE_FAILED_CONDITION(numeric::Real50);
+STEADYSLIDE_FAILED_CONDITION(numeric::Real100);
+
+}  // namespace steadyslide::library

@@ -1,0 +1,71 @@
+#include "library/solve/method.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "library/text/one_line.hpp"
+#include "model/invalid_data.hpp"
+#include "numeric/closed_form/closed_form.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+
+namespace steadyslide::library {
+namespace {
+
+/// Zero, or in a range where squares and quotients of doubles neither overflow nor vanish.
+bool is_comfortable(const Rational& value) {
+  if (value == 0) return true;
+  const double size = std::abs(value.convert_to<double>());  // 0 or infinity beyond its range
+  return size > 1e-150 && size < 1e150;
+}
+
+}  // namespace
+
+Method method_named(std::string_view name) {
+  constexpr std::array<std::string_view, 4> names{"auto", "closed-form", "riemann-hilbert", "variational"};
+  const auto found = std::ranges::find(names, name);
+  if (found != names.end()) return static_cast<Method>(found - names.begin());
+  throw InvalidData("", "unknown method", "it is one of auto, closed-form, riemann-hilbert, variational",
+                    excerpt(name));
+}
+
+bool takes_variational(Method method, const ContactProblem& problem, bool certify) {
+  if (method == Method::variational) return true;
+  if (method != Method::automatic) return false;
+  // Proofs cost as much as many digits do.
+  const numeric::Digits digits = certify ? numeric::Digits::fifty : numeric::Digits::sixteen;
+  if (!numeric::too_many_friction_pieces(problem, digits).empty()) return true;
+  if (numeric::too_many_profile_breaks(problem, digits).empty() && !numeric::may_have_many_gaps(problem)) return false;
+  return !numeric::closed_form<double>(problem).solution;  // pieces can all be the same polynomial
+}
+
+bool fits_double(const ContactProblem& problem, const std::vector<Rational>& at) {
+  const auto all = [](const std::vector<Rational>& data) {
+    return std::all_of(data.begin(), data.end(), is_comfortable);
+  };
+  const auto& pieces = problem.indenter().pieces();
+  return all({problem.load(), problem.elasticity().compliance(), problem.elasticity().gamma(),
+              problem.indenter().left(), problem.load_at().value_or(0)}) &&
+         all(problem.friction().values()) && all(problem.friction().jumps()) && all(at) &&
+         std::all_of(pieces.begin(), pieces.end(), [&](const Indenter::Piece& piece) {
+           return is_comfortable(piece.to) && all(piece.profile.coefficients());
+         });
+}
+
+template <numeric::Real R>
+numeric::Attempt<R> attempt(Method method, const ContactProblem& problem, const numeric::ContactSolution<R>* start) {
+  if (method != Method::riemann_hilbert) {
+    numeric::Attempt<R> formula = numeric::closed_form<R>(problem);
+    if (formula.solution || method == Method::closed_form) return formula;
+  }
+  return numeric::riemann_hilbert<R>(problem, start);
+}
+
+template numeric::Attempt<double> attempt(Method, const ContactProblem&, const numeric::ContactSolution<double>*);
+template numeric::Attempt<numeric::Real50> attempt(Method, const ContactProblem&,
+                                                   const numeric::ContactSolution<numeric::Real50>*);
+template numeric::Attempt<numeric::Real100> attempt(Method, const ContactProblem&,
+                                                    const numeric::ContactSolution<numeric::Real100>*);
+
+}  // namespace steadyslide::library

@@ -1,0 +1,45 @@
+#pragma once
+// Which method solves a problem, and in which precision.
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "model/contact_problem.hpp"
+#include "numeric/solution/contact_solution.hpp"
+
+namespace steadyslide::library {
+
+enum class Method { automatic, closed_form, riemann_hilbert, variational };
+
+/// Of "auto", "closed-form", "riemann-hilbert", "variational". Throws InvalidData (field empty).
+Method method_named(std::string_view name);
+
+/// Is it the variational method that solves this problem? Always if asked for; `automatic` takes it where the profile
+/// has more breaks, or the friction more values, than the other methods take, or than they prove.
+bool takes_variational(Method method, const ContactProblem& problem, bool certify);
+
+/// The closed form where it is asked for or applies, else Riemann-Hilbert, from the solution `start` if there is one.
+template <numeric::Real R>
+numeric::Attempt<R> attempt(Method method, const ContactProblem& problem, const numeric::ContactSolution<R>* start);
+
+/// Are all data, and these places, of a size with which double calculates without overflow?
+bool fits_double(const ContactProblem& problem, const std::vector<Rational>& at);
+
+/// What `solve_in.operator()<R>()` returns: for 16 digits or fewer in double, unless that does not fit the problem or
+/// is not `good`; then, and for more digits, in the type that has them.
+template <class SolveIn, class Good>
+auto in_precision(int digits, const ContactProblem& problem, const std::vector<Rational>& at, SolveIn solve_in,
+                  Good good) {
+  numeric::Digits precision = numeric::precision_for(digits);
+  if (precision == numeric::Digits::sixteen) {
+    if (fits_double(problem, at)) {
+      auto found = solve_in.template operator()<double>();
+      if (good(found)) return found;
+    }
+    precision = numeric::Digits::fifty;
+  }
+  return numeric::at_precision(precision, solve_in);
+}
+
+}  // namespace steadyslide::library

@@ -1,0 +1,249 @@
+#include "library/steadyslide/solution_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "library/solve/failed_condition.hpp"
+#include "library/text/number_format.hpp"
+#include "numeric/interior/interior_stress.hpp"
+#include "numeric/number/once.hpp"
+#include "numeric/solution/nodal_forces.hpp"
+#include "numeric/variational/variational_solution.hpp"
+
+namespace steadyslide {
+namespace {
+
+using numeric::Estimate;
+using numeric::Real;
+
+/// Estimates of one precision as numbers with so many digits; of many numbers their text would cost more than they do.
+template <Real R>
+struct Numbers {
+  int digits;
+
+  Number operator()(const Estimate<R>& estimate) const {
+    using std::isinf, std::isnan;
+    const bool known = !isnan(estimate.value) && (!isinf(estimate.error) || isinf(estimate.value));
+    if (!known) return unknown_number();
+    return {static_cast<double>(estimate.value), static_cast<double>(estimate.error),
+            digits > 0 ? library::full_number(estimate.value, digits) : ""};
+  }
+  Number operator()(const Exponent& exponent) const { return (*this)(Estimate<R>{numeric::to_real<R>(exponent)}); }
+  Limits operator()(const numeric::TwoSided<R>& limits) const { return {(*this)(limits.left), (*this)(limits.right)}; }
+  template <class T>
+  std::optional<Number> operator()(const std::optional<T>& value) const {
+    return value ? std::optional((*this)(*value)) : std::nullopt;
+  }
+  template <class T>
+  std::vector<Number> operator()(const std::vector<T>& values) const {
+    std::vector<Number> result;
+    for (const T& value : values) result.push_back((*this)(value));
+    return result;
+  }
+  ContactEnd operator()(const numeric::ContactEnd<R>& end) const {
+    return {(*this)(end.x), std::string(name_of(end.kind)), (*this)(end.exponent), (*this)(end.intensity)};
+  }
+  Stress operator()(const numeric::StressState<R>& state) const {
+    Stress stress{(*this)(state.xx),
+                  (*this)(state.zz),
+                  (*this)(state.xz),
+                  (*this)(state.largest_shear()),
+                  (*this)(state.yy),
+                  (*this)(state.mean()),
+                  (*this)(state.von_mises()),
+                  {},
+                  {},
+                  {},
+                  {}};
+    if (state.gradient) {
+      const auto& [x_x, x_z, z_x, z_z] = *state.gradient;
+      stress.ux_x = (*this)(x_x);
+      stress.ux_z = (*this)(x_z);
+      stress.uz_x = (*this)(z_x);
+      stress.uz_z = (*this)(z_z);
+    }
+    return stress;
+  }
+
+  static Number unknown_number() {
+    return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), ""};
+  }
+};
+
+/// Of a mesh whose nodes were computed in double, those beside the middle of an element by rounding alone are in the middle.
+std::vector<Rational> nodes_of(const Mesh& mesh) {
+  std::vector<Rational> nodes;
+  for (const Exact& node : mesh.nodes) nodes.push_back(rational(node, "nodes[" + std::to_string(nodes.size()) + "]"));
+  for (std::size_t k = 2; mesh.order == 2 && k < nodes.size(); k += 2) {
+    const Rational middle = (nodes[k - 2] + nodes[k]) / 2;
+    const Rational rounding = Rational(1, Integer(1000000000000)) * (abs(nodes[k - 2]) + abs(nodes[k]));
+    if (abs(nodes[k - 1] - middle) <= rounding) nodes[k - 1] = middle;
+  }
+  return nodes;
+}
+
+template <Real R>
+std::vector<R> reals(std::span<const double> x) {
+  return {x.begin(), x.end()};
+}
+
+template <Real R>
+class SolvedIn final : public Solution::State {
+ public:
+  SolvedIn(const Problem& of, std::shared_ptr<const numeric::ContactSolution<R>> solution, int its_digits)
+      : State(of), solution_(std::move(solution)), number_{its_digits} {
+    digits = its_digits;
+    method = solution_->method();
+    const bool on_cells = dynamic_cast<const numeric::VariationalSolution*>(solution_.get()) != nullptr;
+    failed_condition =
+        library::failed_condition(*solution_, solution_->residuals(),
+                                  on_cells ? std::numeric_limits<double>::infinity() : library::largest_residual);
+    if (on_cells && failed_condition.empty() && !is_in_range()) failed_condition = "values out of the range of double";
+  }
+
+  bool is_in_range() const override {
+    std::vector<R> values;
+    for (const auto& component : solution_->contact()) {
+      for (const auto* end : {&component.left, &component.right}) {
+        values.push_back(end->x.value);
+        if (!std::isinf(static_cast<double>(end->intensity.error))) values.push_back(end->intensity.value);
+      }
+    }
+    for (const Estimate<R>& share : solution_->resultants().load_share) values.push_back(share.value);
+    return std::ranges::all_of(values, [](const R& value) {
+      using std::abs;
+      const R size = abs(value);
+      return size == 0 || (size > R(1e-150) && size < R(1e150));
+    });
+  }
+
+  std::vector<ContactComponent> contact() const override {
+    const auto components = solution_->contact();
+    const auto loads = solution_->resultants().component_load;
+    std::vector<ContactComponent> result;
+    for (std::size_t k = 0; k < components.size(); ++k) {
+      const auto& [left, right, width] = components[k];
+      result.push_back({number_(left), number_(right), number_(width), number_(loads[k])});
+    }
+    return result;
+  }
+
+  std::vector<SolvedPoint> singular_points() const override {
+    std::vector<SolvedPoint> result;
+    for (const auto& point : solution_->singular_points()) {
+      result.push_back({number_(point.x), std::string(name_of(point.kind)), number_(point.exponent),
+                        point.exponent ? to_string(*point.exponent) : "", number_(point.intensity),
+                        number_(point.constant), number_(point.stress_intensity.left),
+                        number_(point.stress_intensity.right)});
+    }
+    return result;
+  }
+
+  Resultants resultants() const override {
+    const numeric::Resultants<R> found = solution_->resultants();
+    Resultants result;
+    result.normal = number_(found.normal);
+    result.friction_force = number_(found.tangential);
+    result.centre_of_pressure = number_(found.centre_of_pressure);
+    result.effective_friction = number_(found.effective_friction);
+    result.load_share = number_(found.load_share);
+    result.tilt = number_(solution_->tilt());
+    const auto components = solution_->contact();
+    if (components.empty()) return result;
+    const Estimate<R> length = numeric::real_contact_length(components);
+    result.contact_width =
+        number_(components.size() == 1 ? length : components.back().right.x - components.front().left.x);
+    result.real_contact_length = number_(length);
+    result.mean_pressure = number_(found.normal / length);
+    const numeric::LargestPressure<R> largest = solution_->largest_pressure();
+    result.largest_pressure = {number_(largest.value), number_(largest.x), number_(largest.exponent)};
+    return result;
+  }
+
+  SurfaceSample at(const Rational& x, bool detailed) const override {
+    if (!detailed) return sample(solution_->at(x));
+    const numeric::DetailedSample<R> found = solution_->details_at(x);
+    SurfaceSample result = sample(found);
+    result.displacement = number_(found.displacement);
+    result.shear_slope = number_(found.shear_slope);
+    result.cumulative_load = number_(found.cumulative_load);
+    return result;
+  }
+
+  void tractions(std::span<const double> x, std::span<double> normal, std::span<double> shear) const override {
+    const std::vector<R> places = reals<R>(x);
+    std::vector<R> t(x.size());
+    std::vector<R> tangential(x.size());
+    solution_->tractions(places, t, tangential);
+    std::ranges::transform(t, normal.begin(), [](const R& value) { return static_cast<double>(value); });
+    std::ranges::transform(tangential, shear.begin(), [](const R& value) { return static_cast<double>(value); });
+  }
+
+  Stress stress(const Rational& x, const Rational& z) const override { return number_(interior().at(x, z)); }
+
+  std::vector<Stress> stress(std::span<const double> x, std::span<const double> z) const override {
+    std::vector<numeric::StressState<R>> states(x.size());
+    interior().at(reals<R>(x), reals<R>(z), states);
+    std::vector<Stress> result;
+    result.reserve(states.size());
+    for (const auto& state : states) result.push_back(Numbers<R>{0}(state));
+    return result;
+  }
+
+  std::vector<NodalForce> nodal_forces(const Mesh& mesh) const override {
+    std::vector<NodalForce> result;
+    for (const auto& force : numeric::nodal_forces(interior().traction(), SurfaceMesh(nodes_of(mesh), mesh.order))) {
+      result.push_back({number_(force.normal), number_(force.tangential)});
+    }
+    return result;
+  }
+
+  ApproximateContact approximate_contact() const override { return solution_->approximate_contact(); }
+
+  std::optional<std::vector<double>> touching_pressures() const override {
+    const auto* on_cells = dynamic_cast<const numeric::VariationalSolution*>(solution_.get());
+    return on_cells != nullptr ? std::optional(on_cells->touching_pressures()) : std::nullopt;
+  }
+
+ private:
+  SurfaceSample sample(const numeric::Sample<R>& found) const {
+    return {number_(found.traction), number_(found.shear), number_(found.gap), number_(found.slope), {}, {}, {}};
+  }
+
+  const numeric::InteriorStress<R>& interior() const {
+    return interior_([&] { return numeric::InteriorStress<R>(*solution_); });
+  }
+
+  std::shared_ptr<const numeric::ContactSolution<R>> solution_;
+  Numbers<R> number_;
+  numeric::Once<numeric::InteriorStress<R>> interior_;
+};
+
+template <Real R>
+std::shared_ptr<const Solution::State> state_of(const Problem& problem, const numeric::Attempt<R>& attempt,
+                                                library::Method method, int digits) {
+  if (attempt.solution) return std::make_shared<SolvedIn<R>>(problem, attempt.solution, digits);
+  const bool closed = method == library::Method::closed_form;
+  const std::string& name = data_of(problem).problem.file;
+  throw InvalidData(closed ? "method closed-form: no closed form applies; " + attempt.reason
+                           : (name.empty() ? "" : name + ": ") + attempt.reason);
+}
+
+}  // namespace
+
+std::shared_ptr<const Solution::State> solved_state(const Problem& problem, library::Method method, int digits,
+                                                    const numeric::VariationalOptions& variational) {
+  const ContactProblem& contact = contact_problem(problem);
+  if (library::takes_variational(method, contact, false)) {
+    return state_of<double>(problem, numeric::variational_inequality(contact, variational), method, digits);
+  }
+  return library::in_precision(
+      digits, contact, {},
+      [&]<Real R>() { return state_of<R>(problem, library::attempt<R>(method, contact, nullptr), method, digits); },
+      [](const std::shared_ptr<const Solution::State>& state) {
+        return state->failed_condition.empty() && state->is_in_range();
+      });
+}
+
+}  // namespace steadyslide

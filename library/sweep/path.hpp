@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace steadyslide::library {
+
+/// A key of a table, or the number of an entry of an array.
+using Step = std::variant<std::string, std::size_t>;
+
+/// Of "a[2].b": a, 2, b. None for what is no path.
+std::vector<Step> steps_of(std::string_view path);
+
+}  // namespace steadyslide::library

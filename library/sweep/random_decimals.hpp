@@ -1,0 +1,23 @@
+#pragma once
+// Random decimals that are the same on every machine, in every language.
+//
+//   x_k = from + (to - from) floor(u_k 10^12 / 2^64) / 10^12,   k = 0, 1, ...
+//
+// u_k are the numbers of SplitMix64 [SLF14] that starts from seed XOR fnv1a(name): data of one seed differ.
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "model/rational.hpp"
+
+namespace steadyslide::library {
+
+/// The 64-bit hash FNV-1a of the bytes, which goes on from `hash`.
+std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 0xcbf29ce484222325U);
+
+/// `count` numbers in [from, to[, exact: decimals where from and to are.
+std::vector<Rational> random_decimals(std::string_view name, std::uint64_t seed, const Rational& from,
+                                      const Rational& to, std::size_t count);
+
+}  // namespace steadyslide::library

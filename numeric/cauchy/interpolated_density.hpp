@@ -1,0 +1,104 @@
+#pragma once
+// The smooth factor of a density, interpolated: for quadratures that ask for it many times where it is an integral itself.
+//
+// Parts of the panel, halved until Chebyshev's series of degree n - 1 is exact to rounding as its last coefficients tell; a
+// part that 2^-12 of the panel leaves unresolved, next to a logarithm, keeps the factor itself.
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "numeric/cauchy/density.hpp"
+#include "numeric/number/once.hpp"
+
+namespace steadyslide::numeric {
+
+template <Real R>
+class InterpolatedFactor {
+ public:
+  InterpolatedFactor(const Panel<R>& panel, std::function<R(const Node<R>&)> smooth)
+      : panel_(panel), smooth_(std::move(smooth)) {}
+
+  R operator()(const Node<R>& node) const {
+    const R place = node.from_left / panel_.length;
+    const std::vector<Part>& parts = parts_([this] { return resolved(); });
+    const auto after =
+        std::upper_bound(parts.begin(), parts.end(), place, [](const R& x, const Part& part) { return x < part.left; });
+    const Part& part = after == parts.begin() ? *after : *(after - 1);
+    if (part.series.empty()) return smooth_(node);
+    // Clenshaw's sum.
+    const R v = 2 * (place - part.left) / part.width - 1;
+    R last = 0, before = 0;
+    for (std::size_t k = part.series.size(); k-- > 1;) {
+      const R next = 2 * v * last - before + part.series[k];
+      before = last;
+      last = next;
+    }
+    return v * last - before + part.series[0];
+  }
+
+ private:
+  static constexpr int most_halvings = 12;
+  static constexpr std::size_t nodes = std::same_as<R, double> ? 16 : std::same_as<R, Real50> ? 40 : 72;
+
+  /// In units of the panel.
+  struct Part {
+    R left;
+    R width;
+    std::vector<R> series;  ///< empty: the factor itself
+  };
+
+  std::vector<Part> resolved() const {
+    std::vector<R> cosines;  // of pi k/2n
+    for (std::size_t k = 0; k < 4 * nodes; ++k) cosines.push_back(cosine(k));
+    std::vector<Part> result;
+    resolve(R(0), R(1), 0, cosines, result);
+    return result;
+  }
+
+  static R cosine(std::size_t k) {
+    using std::cos;
+    return cos(pi<R>() * static_cast<double>(k) / static_cast<double>(2 * nodes));
+  }
+
+  void resolve(const R& left, const R& width, int halvings, const std::vector<R>& cosines,
+               std::vector<Part>& result) const {
+    using std::abs;
+    std::vector<R> values, series;
+    for (std::size_t i = 0; i < nodes; ++i) {
+      const R place = left + width * (1 + cosines[2 * i + 1]) / 2;
+      const R rest = (1 - left - width) + width * (1 - cosines[2 * i + 1]) / 2;
+      values.push_back(smooth_({panel_.left + place * panel_.length, place * panel_.length, rest * panel_.length}));
+    }
+    R largest = 0;
+    for (std::size_t k = 0; k < nodes; ++k) {
+      R sum = 0;
+      for (std::size_t i = 0; i < nodes; ++i) sum += values[i] * cosines[k * (2 * i + 1) % (4 * nodes)];
+      series.push_back(sum * (k == 0 ? 1 : 2) / static_cast<double>(nodes));
+      largest = std::max(largest, R(abs(series.back())));
+    }
+    const R missed = abs(series[nodes - 1]) + abs(series[nodes - 2]);
+    if (missed <= 16 * epsilon<R>() * largest) {
+      result.push_back({left, width, std::move(series)});
+    } else if (halvings == most_halvings) {
+      result.push_back({left, width, {}});
+    } else {
+      resolve(left, width / 2, halvings + 1, cosines, result);
+      resolve(left + width / 2, width / 2, halvings + 1, cosines, result);
+    }
+  }
+
+  Panel<R> panel_;
+  std::function<R(const Node<R>&)> smooth_;
+  Once<std::vector<Part>> parts_;
+};
+
+/// The same density, what is smooth in it sampled when it is first asked for.
+template <Real R>
+PanelDensity<R> interpolated(PanelDensity<R> density) {
+  const auto factor = std::make_shared<const InterpolatedFactor<R>>(density.panel, std::move(density.smooth));
+  density.smooth = [factor](const Node<R>& node) { return (*factor)(node); };
+  return density;
+}
+
+}  // namespace steadyslide::numeric

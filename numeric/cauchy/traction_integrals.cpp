@@ -1,0 +1,126 @@
+#include "numeric/cauchy/traction_integrals.hpp"
+
+#include <cmath>
+
+#include "numeric/cauchy/interpolated_density.hpp"
+#include "numeric/quadrature/tanh_sinh.hpp"
+
+namespace steadyslide::numeric {
+namespace {
+
+/// int t over the part of a panel between one of its ends and a node, in the half at that end.
+template <Real R>
+Estimate<R> part_integral(const PanelDensity<R>& density, Side end, const R& distance) {
+  const Panel<R> part = end == Side::left ? Panel<R>{density.panel.left, density.panel.left + distance, distance}
+                                          : Panel<R>{density.panel.right - distance, density.panel.right, distance};
+  const Power<R> none{R(0), R(1)};
+  const bool left = end == Side::left;
+  return tanh_sinh::panel_integral<R>(
+      {part, left ? density.left : none, left ? none : density.right, [&](const Node<R>& node) {
+         return density.without_power(end, density.panel.node_from(end, left ? node.from_left : node.from_right));
+       }});
+}
+
+}  // namespace
+
+template <Real R>
+TractionIntegrals<R>::TractionIntegrals(PiecewiseDensity<R> density, const std::vector<Estimate<R>>& loads,
+                                        std::vector<Friction> friction, const R& gamma)
+    : density_(std::move(density)), friction_(std::move(friction)), gamma_(gamma) {
+  for (PanelDensity<R>& panel : density_) panel = interpolated(std::move(panel));
+  before_.emplace_back();
+  for (const Estimate<R>& load : loads) before_.push_back(before_.back() - load);
+}
+
+template <Real R>
+Estimate<R> TractionIntegrals<R>::load_before(const LinePlace<R>& place) const {
+  if (!place.inside) return before_[place.panels];
+  const PanelDensity<R>& density = density_[place.panels];
+  const auto& [x, left, right] = *place.inside;
+  if (left < right) return before_[place.panels] - part_integral(density, Side::left, left);
+  return before_[place.panels + 1] + part_integral(density, Side::right, right);
+}
+
+template <Real R>
+Estimate<R> TractionIntegrals<R>::cauchy(std::size_t k, Side side, const R& distance) const {
+  if (distance > 0) return tanh_sinh::cauchy<R>({density_[k]}, side, distance);
+  // The distance to x is the one to the panel's end: a power lower by one.
+  PanelDensity<R> divided = density_[k];
+  Power<R>& power = side == Side::left ? divided.left : divided.right;
+  power = {power.value - 1, power.value};
+  const Estimate<R> integral = tanh_sinh::panel_integral(divided) / pi<R>();
+  return side == Side::left ? integral : -integral;
+}
+
+template <Real R>
+std::size_t TractionIntegrals<R>::nearest(const LinePlace<R>& place) const {
+  return place.inside || place.to_right < place.to_left ? place.panels : place.panels - 1;
+}
+
+template <Real R>
+Estimate<R> TractionIntegrals<R>::from_slope(std::size_t panel, const LinePlace<R>& place, const Estimate<R>& traction,
+                                             const Estimate<R>& slope) const {
+  const auto& [s, ratio] = friction_[panel];
+  Estimate<R> sum = ratio * (slope - s * traction) + gamma_ * traction;
+  R distance = place.to_left;
+  for (std::size_t k = place.panels; k-- > 0; distance += density_[k].panel.length + density_[k].gap) {
+    if (friction_[k].ratio != ratio) sum += (friction_[k].ratio - ratio) * cauchy(k, Side::right, distance);
+  }
+  distance = place.to_right;
+  for (std::size_t k = place.panels + (place.inside ? 1 : 0); k < density_.size(); ++k) {
+    if (friction_[k].ratio != ratio) sum += (friction_[k].ratio - ratio) * cauchy(k, Side::left, distance);
+    distance += density_[k].panel.length + (k + 1 < density_.size() ? density_[k + 1].gap : R(0));
+  }
+  return sum;
+}
+
+template <Real R>
+Estimate<R> TractionIntegrals<R>::shear_slope(const LinePlace<R>& place, const Estimate<R>& traction,
+                                              const Estimate<R>& slope) const {
+  return from_slope(nearest(place), place, traction, slope);
+}
+
+template <Real R>
+Estimate<R> TractionIntegrals<R>::limit(const LinePlace<R>& place, Side side, const TwoSided<R>& traction,
+                                        const TwoSided<R>& slope) const {
+  using std::isinf;
+  const auto infinite = [](const R& sign) { return Estimate<R>{sign > 0 ? infinity<R>() : -infinity<R>(), R(0)}; };
+  const bool on_left = side == Side::left;
+  const bool touches_left = place.to_left == 0;
+  const bool touches_right = place.to_right == 0;
+  const Estimate<R>& t = on_left ? traction.left : traction.right;
+  const bool touches = on_left ? touches_left : touches_right;
+  if (touches_left && touches_right) {
+    const R rise = friction_[place.panels].ratio - friction_[place.panels - 1].ratio;
+    // t_t jumps: by a finite or logarithmic t the slope is -(rise/pi) t log d and more, and where t blows up by a power
+    // that of s leads to what follows.
+    if (rise != 0 && t.value != 0 && (gamma_ == 0 || !isinf(t.value))) return infinite(-rise);
+  }
+  // gamma t - r s t = gamma (1 + f^2) t; at a jump of f the other side's part does not turn the sign.
+  if (touches && isinf(t.value) && gamma_ != 0) {
+    const bool jumps =
+        touches_left && touches_right && friction_[place.panels].ratio != friction_[place.panels - 1].ratio;
+    return infinite(jumps ? gamma_ : R(gamma_ * (t.value > 0 ? 1 : -1)));
+  }
+  const std::size_t panel = touches ? place.panels - (on_left ? 1 : 0) : nearest(place);
+  const Estimate<R>& slope_there = on_left ? slope.left : slope.right;
+  const R& ratio = friction_[panel].ratio;
+  if (isinf(slope_there.value)) {
+    if (ratio != 0) return infinite(ratio * (slope_there.value > 0 ? 1 : -1));
+    return from_slope(panel, place, {}, {});
+  }
+  // Without gamma, s is 0 as well: an infinite t is of no weight.
+  return from_slope(panel, place, isinf(t.value) ? Estimate<R>{} : t, slope_there);
+}
+
+template <Real R>
+TwoSided<R> TractionIntegrals<R>::shear_slope(const LinePlace<R>& place, const TwoSided<R>& traction,
+                                              const TwoSided<R>& slope) const {
+  return {limit(place, Side::left, traction, slope), limit(place, Side::right, traction, slope)};
+}
+
+template class TractionIntegrals<double>;
+template class TractionIntegrals<Real50>;
+template class TractionIntegrals<Real100>;
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,59 @@
+#pragma once
+// What integrals of a traction, given panel by panel, say of a place x of the surface: the load up to x, and
+//
+//   u_t'/c = r (u'/c - s t) + gamma t + sum_k (r_k - r) (1/pi) int_k t/(x'-x) dx',
+//
+// r_k = t_t/t on panel k and r, s those of the panel that x lies in or beside: with one ratio everywhere the principal
+// value of t_t is r times that of t, and what is left for other ratios keeps clear of x. [Bal16, (2)]
+
+#include <optional>
+#include <vector>
+
+#include "numeric/cauchy/density.hpp"
+#include "numeric/solution/contact_solution.hpp"
+
+namespace steadyslide::numeric {
+
+/// A place by what lies on both sides of it: `panels` panels end on its left, or at it.
+template <Real R>
+struct LinePlace {
+  std::size_t panels;
+  R to_left;                        ///< to the nearest panel that ends on the left, and begins on the right;
+  R to_right;                       ///< infinite where there is none
+  std::optional<Node<R>> inside{};  ///< panel number `panels`
+};
+
+template <Real R>
+class TractionIntegrals {
+ public:
+  struct Friction {
+    R s;
+    R ratio;  ///< t_t/t
+  };
+  /// Of the reduced problem: `loads` are int t over the panels, `friction` holds on them.
+  TractionIntegrals(PiecewiseDensity<R> density, const std::vector<Estimate<R>>& loads, std::vector<Friction> friction,
+                    const R& gamma);
+
+  /// -int t over all that lies left of a place.
+  Estimate<R> load_before(const LinePlace<R>& place) const;
+
+  /// u_t'/c where t and the reduced slope are known, at no singular point.
+  Estimate<R> shear_slope(const LinePlace<R>& place, const Estimate<R>& traction, const Estimate<R>& slope) const;
+  /// Its limits at a place between two panels, or at the end of one, from those of t and of the reduced slope.
+  TwoSided<R> shear_slope(const LinePlace<R>& place, const TwoSided<R>& traction, const TwoSided<R>& slope) const;
+
+ private:
+  std::size_t nearest(const LinePlace<R>& place) const;
+  Estimate<R> from_slope(std::size_t panel, const LinePlace<R>& place, const Estimate<R>& traction,
+                         const Estimate<R>& slope) const;
+  Estimate<R> limit(const LinePlace<R>& place, Side side, const TwoSided<R>& traction, const TwoSided<R>& slope) const;
+  /// (1/pi) int t/(x'-x) over panel k, x at a distance to that side of it.
+  Estimate<R> cauchy(std::size_t k, Side side, const R& distance) const;
+
+  PiecewiseDensity<R> density_;
+  std::vector<Estimate<R>> before_;  ///< -int t over the panels before each, and over all
+  std::vector<Friction> friction_;
+  R gamma_;
+};
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,194 @@
+#include "numeric/interior/largest_stress.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace steadyslide::numeric {
+namespace {
+
+template <Real R>
+struct Place {
+  R x;
+  R z;
+  R value;
+  R scale;  ///< of what lies above
+};
+
+template <Real R>
+class Maximum {
+ public:
+  Maximum(const InteriorStress<R>& stress, const R& least_depth) : stress_(stress), least_(least_depth) {}
+
+  /// Of all maxima that the highest places found by scanning lead to.
+  Place<R> highest() const {
+    using std::abs;
+    std::vector<Place<R>> places = scan();
+    std::ranges::sort(places, [](const Place<R>& a, const Place<R>& b) { return a.value > b.value; });
+    std::vector<Place<R>> starts;
+    for (const Place<R>& place : places) {
+      constexpr std::size_t most = 6;
+      const auto is_near = [&](const Place<R>& start) {
+        return abs(start.x - place.x) + abs(start.z - place.z) < std::max(place.scale, start.scale) / 2;
+      };
+      if (std::ranges::none_of(starts, is_near)) starts.push_back(place);
+      if (starts.size() == most) break;
+    }
+    Place<R> best = climbed(starts.front());
+    for (const Place<R>& start : starts) {
+      const Place<R> top = climbed(start);
+      if (top.value > best.value) best = top;
+    }
+    return best;
+  }
+
+ private:
+  Place<R> scanned(const R& x, const R& z, const R& scale) const {
+    const R depth = std::max(z, least_);
+    return {x, depth, value(x, depth), scale};
+  }
+
+  std::vector<Place<R>> scan() const {
+    std::vector<Place<R>> places;
+    const std::vector<TractionPanel<R>>& panels = stress_.traction().panels();
+    const R width = panels.back().right - panels.front().left;
+    // Groups of 1, 2, 4, ... panels, and all of them.
+    for (std::size_t count = 1;; count *= 2) {
+      for (std::size_t k = 0; k < panels.size(); k += count) {
+        const std::size_t end = std::min(k + count, panels.size());
+        const R length = panels[end - 1].right - panels[k].left;
+        if (length < width / 16384 || (length < least_ / 4 && count < panels.size())) continue;
+        for (int i = -1; i <= 5; ++i) {
+          const R x = panels[k].left.high + length * i / 4;
+          for (const R& z : {R(0), R(length / 4), R(length / 2), length}) places.push_back(scanned(x, z, length));
+        }
+      }
+      if (count >= panels.size()) return places;
+    }
+  }
+
+  /// Climbs to the nearest maximum. `scale` is then how far away it may be.
+  Place<R> climbed(Place<R> at) const {
+    using std::abs, std::max, std::pow;
+    R h = std::min(at.scale, max(at.z, R(at.scale / 8))) / 8;
+    // Of smaller differences rounding leaves less than what the cubic terms of this one do.
+    const R smallest = pow(epsilon<R>(), R(0.25)) * at.scale;
+    const R last = epsilon<R>() * at.scale;
+    const R scale = at.scale;
+    for (int step = 0; step < 400 && h > last; ++step) {
+      const Stencil here = stencil(at, h);
+      if (here.is_peak) {
+        const Place<R> peak = scanned(at.x + here.x_step, at.z + here.z_step, scale);
+        if (h <= smallest) return {peak.x, peak.z, peak.value, 4 * h * h / scale};
+        const R moved = max(abs(here.x_step), abs(here.z_step));
+        at = peak.value >= here.highest.value ? peak : here.highest;
+        h = max(smallest, std::min(R(h / 4), max(moved, R(h / 64))));
+      } else if (here.highest.value > at.value) {
+        at = here.highest;
+        h = std::min(R(2 * h), R(scale / 8));
+      } else {
+        h /= 4;
+      }
+    }
+    at.scale = h;
+    return at;
+  }
+
+  struct Stencil {
+    Place<R> highest;
+    bool is_peak;  ///< a parabola with a maximum within the stencil
+    R x_step;
+    R z_step;
+  };
+
+  R value(const R& x, const R& z) const {
+    StressState<R> state;
+    stress_.at(std::span(&x, 1), std::span(&z, 1), std::span(&state, 1));
+    return state.von_mises()->value;
+  }
+
+  Stencil stencil(const Place<R>& at, const R& h) const {
+    using std::abs;
+    R f[3][3];  // along x, along z
+    Stencil result{at, false, R(0), R(0)};
+    const bool at_surface = at.z - h < least_;
+    const R z = at_surface ? least_ : at.z;
+    for (int i = -1; i <= 1; ++i) {
+      for (int j = at_surface ? 0 : -1; j <= 1; ++j) {
+        const Place<R> there = scanned(at.x + i * h, z + j * h, at.scale);
+        f[i + 1][j + 1] = there.value;
+        if (there.value > result.highest.value) result.highest = there;
+      }
+    }
+    const R xx = f[2][1] - 2 * f[1][1] + f[0][1];
+    const R x = (f[2][1] - f[0][1]) / 2;
+    if (at_surface) {
+      // The maximum is there if the stress falls into the body.
+      if (!(f[1][2] < f[1][1] && xx < 0)) return result;
+      result.x_step = -h * x / xx;
+      result.z_step = z - at.z;
+      result.is_peak = abs(x) <= abs(xx);
+      return result;
+    }
+    const R zz = f[1][2] - 2 * f[1][1] + f[1][0];
+    const R zd = (f[1][2] - f[1][0]) / 2;
+    const R xz = (f[2][2] - f[2][0] - f[0][2] + f[0][0]) / 4;
+    const R determinant = xx * zz - xz * xz;
+    if (!(xx < 0 && determinant > 0)) return result;
+    result.x_step = -h * (zz * x - xz * zd) / determinant;
+    result.z_step = -h * (xx * zd - xz * x) / determinant;
+    result.is_peak = abs(result.x_step) <= h && abs(result.z_step) <= h;
+    return result;
+  }
+
+  const InteriorStress<R>& stress_;
+  R least_;
+};
+
+}  // namespace
+
+template <Real R>
+std::vector<Estimate<R>> unbounded_places(const ContactSolution<R>& solution) {
+  std::vector<Estimate<R>> result;
+  for (const SolvedSingularPoint<R>& point : solution.singular_points()) {
+    if (!point.exponent || point.exponent->sign() < 0 || point.kind == SingularKind::wedge_and_jump) {
+      result.push_back(point.x);
+    }
+  }
+  return result;
+}
+
+template <Real R>
+R default_depth(const ContactSolution<R>& solution) {
+  const std::vector<ContactComponent<R>> contact = solution.contact();
+  if (contact.empty() || unbounded_places(solution).empty()) return 0;
+  return (contact.back().right.x.value - contact.front().left.x.value) / 100;
+}
+
+template <Real R>
+std::optional<LargestStress<R>> largest_stress(const InteriorStress<R>& stress, const R& depth) {
+  using std::abs, std::sqrt;
+  if (!(depth >= 0)) throw std::invalid_argument("depth");
+  const std::vector<TractionPanel<R>>& panels = stress.traction().panels();
+  if (!stress.traction().elasticity().half_space() || panels.empty()) return std::nullopt;
+  const R width = panels.back().right - panels.front().left;
+  const R least = std::max(depth, R(width * R(1e-30)));
+  const Place<R> best = Maximum<R>(stress, least).highest();
+  StressState<R> state;
+  stress.at(std::span(&best.x, 1), std::span(&best.z, 1), std::span(&state, 1));
+  const R error = best.scale + epsilon<R>() * abs(best.x);
+  const bool at_least = best.z == least;
+  return LargestStress<R>{
+      depth, *state.von_mises(), {best.x, error}, {at_least ? depth : best.z, at_least ? R(0) : error}};
+}
+
+#define STEADYSLIDE_INSTANTIATE(R)                                               \
+  template std::vector<Estimate<R>> unbounded_places(const ContactSolution<R>&); \
+  template R default_depth(const ContactSolution<R>&);                           \
+  template std::optional<LargestStress<R>> largest_stress(const InteriorStress<R>&, const R&);
+STEADYSLIDE_INSTANTIATE(double)
+STEADYSLIDE_INSTANTIATE(Real50)
+STEADYSLIDE_INSTANTIATE(Real100)
+#undef STEADYSLIDE_INSTANTIATE
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,155 @@
+// Panels far away from a place, by cells, in double.
+
+#include <algorithm>
+#include <cmath>
+
+#include "numeric/riemann_hilbert/contact_quadrature.hpp"
+#include "numeric/riemann_hilbert/distant_nodes.hpp"
+
+namespace steadyslide::numeric {
+
+template <Real R>
+struct ContactQuadrature<R>::Cells {
+  /// The nodes of one component with its own weights; without pivots there is one of all.
+  struct Own {
+    NodeLine::Segments segments;
+    std::vector<double> weights;
+    std::size_t first_node;
+    std::unique_ptr<const DistantNodes> far;  ///< null for few panels
+    // For few of them the density of the slope asked for last.
+    std::size_t slope;
+    std::vector<double> density;
+  };
+  std::vector<std::unique_ptr<Own>> own;       ///< made when first asked for
+  std::unique_ptr<const PivotedNodes> others;  ///< null without pivots
+};
+
+template <Real R>
+NodeLine ContactQuadrature<R>::node_line(std::size_t first, std::size_t end,
+                                         std::span<const R> weights) const requires std::same_as<R, double> {
+  NodeLine::Panels panels{{first, end}, first_panel_[first], {}, {}};
+  const std::size_t node = first_node(first);
+  for (std::size_t k = first_panel_[first]; k < first_panel_[end]; ++k) {
+    panels.parts.push_back(panels_[k].rule.part);
+    panels.first_node.push_back(panels_[k].first - node);
+  }
+  return {*y_, panels, std::span(nodes_).subspan(node, weights.size()), weights};
+}
+
+template <Real R>
+typename ContactQuadrature<R>::Cells* ContactQuadrature<R>::cells() const requires std::same_as<R, double> {
+  // Sums over all panels that cost about as much as the cells for all places; with pivots every solution has more.
+  constexpr std::size_t direct_evaluations = 500;
+  if (cells_ || panels_.size() < hierarchical::fewest_panels) return cells_.get();
+  const std::size_t components = y_->pivots().size();
+  if (components == 0 && ++evaluations_ <= direct_evaluations) return nullptr;
+  cells_ = std::make_shared<Cells>();
+  cells_->own.resize(std::max<std::size_t>(components, 1));
+  if (components > 0) {
+    cells_->others = std::make_unique<const PivotedNodes>(*y_, node_line(0, y_->set().segments(), node_weights_));
+  }
+  return cells_.get();
+}
+
+template <Real R>
+void ContactQuadrature<R>::make_own(Cells& cells, std::size_t component) const requires std::same_as<R, double> {
+  typename Cells::Own made{{0, y_->set().segments()}, node_weights_, 0, nullptr, 0, {}};
+  if (cells.others) {
+    made.segments = cells.others->segments(component);
+    made.weights = weights_beside(component, made.segments.first, made.segments.end);
+    made.first_node = first_node(made.segments.first);
+  }
+  const auto& [first, end] = made.segments;
+  if (first_panel_[end] - first_panel_[first] >= hierarchical::fewest_panels) {
+    made.far = std::make_unique<const DistantNodes>(node_line(first, end, made.weights));
+  }
+  cells.own[component] = std::make_unique<typename Cells::Own>(std::move(made));
+}
+
+template <Real R>
+Estimate<R> ContactQuadrature<R>::cauchy_by_cells(Cells& cells, std::size_t slope,
+                                                  const SurfacePoint<R>& at) const requires std::same_as<R, double> {
+  const std::size_t component = y_->component_at(at);
+  const std::vector<R>& polynomial = y_->problem().slopes()[slope];
+  if (!cells.own[component]) make_own(cells, component);
+  auto& own = *cells.own[component];
+  const auto is_right = [&at](const Panel& panel) {
+    return at.segment < static_cast<std::ptrdiff_t>(panel.rule.part.segment);
+  };
+  // From a panel's nearer end back to that of its segment.
+  const auto start = [&](const Panel& panel) {
+    return is_right(panel) ? panel.rule.part.from_left : panel.rule.part.from_right;
+  };
+  Estimate<R> total{0, 0};
+  const auto add = [&](const Panel& panel, double gap, const std::vector<R>& f) {
+    total += panel_cauchy(panel, slope, component, at, std::max(gap - start(panel), 0.0), f.data());
+  };
+
+  if (own.far) {
+    total += own.far->around(polynomial, at, [&](std::size_t k, double gap) {
+      const Panel& panel = panels_[k];
+      if (y_->slope_at(panel.rule.part.segment) == slope) return;
+      add(panel, gap, density(slope, &own.weights[panel.first - own.first_node], panel.first, panel.rule.rule->size()));
+    });
+  } else {
+    if (own.density.empty() || own.slope != slope) {
+      own.slope = slope;
+      own.density = density(slope, own.weights.data(), own.first_node, own.weights.size());
+    }
+    total += sum_of_panels(slope, component, at, own.segments.first, own.segments.end, own.density);
+  }
+  if (!cells.others) return total;
+  const int sigma = y_->pivots()[component].order;
+  return total +=
+         cells.others->around(polynomial, at, component, sigma, [&](std::size_t k, double gap, double to_pivot) {
+           const Panel& panel = panels_[k];
+           if (y_->slope_at(panel.rule.part.segment) == slope) return;
+           std::vector<R> f = density(slope, &node_weights_[panel.first], panel.first, panel.rule.rule->size());
+           for (std::size_t i = 0; sigma != 0 && i < f.size(); ++i) {
+             const R d = node_distance(panel, i, is_right(panel), to_pivot);
+             sigma > 0 ? f[i] /= d : f[i] *= d;
+           }
+           add(panel, gap, f);
+         });
+}
+
+template <Real R>
+Estimate<R> ContactQuadrature<R>::pivot_moment_by_cells(const Cells& cells, std::size_t component,
+                                                        const R& tilt) const requires std::same_as<R, double> {
+  const ContactSet<R>& set = y_->set();
+  const std::size_t e = y_->pivots()[component].point;
+  Estimate<R> sum;
+  const auto add = [&](std::size_t i, const R& distance) {
+    const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));
+    const Estimate<R> g = y_->problem().slope_estimate(own, nodes_[i].node.x) + Estimate<R>{tilt, R(0)};
+    sum += node_term<R>(node_weights_[i] / distance, g);
+  };
+  const auto& [first, end] = cells.others->segments(component);
+  const std::vector<R> own = distances_to(e, first, end);
+  for (std::size_t i = 0; i < own.size(); ++i) add(first_node(first) + i, own[i]);
+  const Estimate<R> others = cells.others->around({-tilt}, beside(set, e, set.contact_side(e), 0.0), component, 0,
+                                                  [&](std::size_t k, double, double to_pivot) {
+                                                    const Panel& panel = panels_[k];
+                                                    const bool is_right = e <= panel.rule.part.segment;
+                                                    for (std::size_t i = 0; i < panel.rule.rule->size(); ++i) {
+                                                      add(panel.first + i, node_distance(panel, i, is_right, to_pivot));
+                                                    }
+                                                  });
+  return -(sum + Estimate<R>{others.value, 8 * epsilon<R>() * others.error}) / pi<R>();
+}
+
+/// xi - e at a node, from the distance of the panel's end that is nearer to e.
+template <Real R>
+R ContactQuadrature<R>::node_distance(const Panel& panel, std::size_t i, bool is_right, const R& to_panel) const {
+  const SegmentPart<R>& part = panel.rule.part;
+  const Node<R>& node = nodes_[panel.first + i].node;
+  return is_right ? to_panel - part.from_left + node.from_left : -(to_panel - part.from_right + node.from_right);
+}
+
+template ContactQuadrature<double>::Cells* ContactQuadrature<double>::cells() const;
+template Estimate<double> ContactQuadrature<double>::cauchy_by_cells(Cells&, std::size_t,
+                                                                     const SurfacePoint<double>&) const;
+template Estimate<double> ContactQuadrature<double>::pivot_moment_by_cells(const Cells&, std::size_t,
+                                                                           const double&) const;
+
+}  // namespace steadyslide::numeric

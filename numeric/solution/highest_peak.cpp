@@ -1,0 +1,207 @@
+#include "numeric/solution/highest_peak.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <queue>
+
+namespace steadyslide::numeric {
+namespace {
+
+constexpr int nodes = 16;
+/// What an interpolant may miss, relative to the largest value.
+constexpr double resolved = 1e-10;
+/// Parts are not halved more often.
+constexpr int most_halvings = 60;
+
+/// sum_k c_k T_k(v), -1 <= v <= 1.
+template <Real R>
+using Series = std::array<R, nodes>;
+
+template <Real R>
+R value_of(const Series<R>& c, const R& v) {
+  R last = 0, before = 0;
+  for (std::size_t k = nodes; k-- > 1;) {
+    const R next = 2 * v * last - before + c[k];
+    before = last;
+    last = next;
+  }
+  return v * last - before + c[0];
+}
+
+template <Real R>
+Series<R> derivative(const Series<R>& c) {
+  Series<R> d{};
+  for (std::size_t k = nodes - 1; k > 0; --k) {
+    d[k - 1] = 2 * static_cast<double>(k) * c[k] + (k + 1 < nodes ? d[k + 1] : R(0));
+  }
+  d[0] /= 2;
+  return d;
+}
+
+template <Real R>
+R size_of(const Series<R>& c, std::size_t first = 0) {
+  using std::abs;
+  R sum = 0;
+  for (std::size_t k = first; k < nodes; ++k) sum += abs(c[k]);
+  return sum;
+}
+
+/// T_k at node i: cos(pi k (2 i + 1)/32), and of v the parts 1 + v and 1 - v, over 2.
+template <Real R>
+struct Nodes {
+  std::array<Series<R>, nodes> cosine;
+  Series<R> from_left, from_right;
+
+  static const Nodes& get() {
+    static const Nodes instance;
+    return instance;
+  }
+
+ private:
+  Nodes() {
+    using std::cos, std::sin;
+    for (int i = 0; i < nodes; ++i) {
+      const R angle = pi<R>() * (2 * i + 1) / (2 * nodes);
+      const auto n = static_cast<std::size_t>(i);
+      for (std::size_t k = 0; k < nodes; ++k) cosine[n][k] = cos(static_cast<double>(k) * angle);
+      const R c = cos(angle / 2), s = sin(angle / 2);
+      from_left[n] = c * c;
+      from_right[n] = s * s;
+    }
+  }
+};
+
+/// A part of a panel, and the function there.
+template <Real R>
+struct Part {
+  std::size_t panel;
+  R from_left, length, from_right;
+  int halvings;
+  Series<R> series{};
+  R bound{}, missed{};
+
+  bool operator<(const Part& other) const { return bound < other.bound; }
+};
+
+template <Real R>
+class Search {
+ public:
+  Search(const std::vector<R>& lengths, const PanelFunction<R>& f, const R& floor) : f_(f), best_(floor) {
+    for (std::size_t k = 0; k < lengths.size(); ++k) add({k, R(0), lengths[k], R(0), 0});
+  }
+
+  std::optional<Peak<R>> highest() {
+    while (!parts_.empty()) {
+      const Part<R> part = parts_.top();
+      parts_.pop();
+      if (part.bound <= best_) break;
+      if (part.missed <= resolved * best_) {
+        search(part);
+      } else if (part.halvings < most_halvings) {
+        const R half = part.length / 2;
+        add({part.panel, part.from_left, half, part.from_right + half, part.halvings + 1});
+        add({part.panel, part.from_left + half, half, part.from_right, part.halvings + 1});
+      }
+    }
+    if (peak_) refine();
+    return peak_;
+  }
+
+ private:
+  void add(Part<R> part) {
+    using std::abs, std::max;
+    interpolate(part);
+    part.missed = 4 * (abs(part.series[nodes - 1]) + abs(part.series[nodes - 2]) + abs(part.series[nodes - 3]));
+    part.bound = part.series[0] + size_of(part.series, 1) + part.missed;
+    if (part.bound > best_) parts_.push(std::move(part));
+  }
+
+  /// The best of the nodes is a first peak.
+  void interpolate(Part<R>& part) {
+    const Nodes<R>& at = Nodes<R>::get();
+    Series<R> values;
+    for (std::size_t i = 0; i < nodes; ++i) values[i] = offer(part, at.from_left[i], at.from_right[i]);
+    for (std::size_t k = 0; k < nodes; ++k) {
+      R sum = 0;
+      for (std::size_t i = 0; i < nodes; ++i) sum += values[i] * at.cosine[i][k];
+      part.series[k] = sum * (k == 0 ? 1 : 2) / nodes;
+    }
+  }
+
+  /// f at a place of a part, by its distances from the part's ends over the length; the best one is kept.
+  R offer(const Part<R>& part, const R& left, const R& right) {
+    const R from_left = part.from_left + left * part.length;
+    const R from_right = part.from_right + right * part.length;
+    const Estimate<R> value = f_(part.panel, from_left, from_right);
+    if (value.value > best_) {
+      best_ = value.value;
+      peak_ = {part.panel, from_left, from_right, value, part.length};
+    }
+    return value.value;
+  }
+
+  /// The largest value of the interpolant.
+  void search(const Part<R>& part) {
+    using std::abs;
+    const Series<R> first = derivative(part.series);
+    const R curvature = size_of(derivative(first));
+    const R enough = resolved * best_;
+    const auto visit = [&](const auto& self, const R& middle, const R& half) -> void {
+      const R value = value_of(part.series, middle);
+      if (value > best_) offer(part, (1 + middle) / 2, (1 - middle) / 2);
+      const R more = abs(value_of(first, middle)) * half + curvature * half * half / 2;
+      if (value + more <= best_ || more <= enough) return;
+      self(self, middle - half / 2, half / 2);
+      self(self, middle + half / 2, half / 2);
+    };
+    visit(visit, R(0), R(1));
+  }
+
+  /// On so short a part around the peak that an interpolant is exact there, to the zero of its derivative; a zero beyond
+  /// the part is where the next one is looked at.
+  void refine() {
+    using std::abs, std::pow;
+    constexpr int most_attempts = 8;
+    R half = peak_->place_error;
+    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+      const auto [panel, left, right, value, error] = *peak_;
+      const R room = std::min(left, right);
+      half = std::min(half, R(std::min(error, room) * pow(epsilon<R>(), R(1) / (nodes + 1)) / 2));
+      Part<R> part{panel, left - half, 2 * half, right - half, 0};
+      interpolate(part);
+      const Series<R> first = derivative(part.series);
+      const Series<R> second = derivative(first);
+      R v = -value_of(first, R(0)) / value_of(second, R(0));
+      const bool within = abs(v) < 1;
+      for (int step = 0; within && step < 8; ++step) v -= value_of(first, v) / value_of(second, v);
+      if (!(abs(v) * half < room / 2) || !(value_of(second, R(0)) < 0)) break;
+      const R noise = nodes * nodes * (value.error + epsilon<R>() * value.value) / abs(value_of(second, R(0)));
+      peak_ = {panel, left + v * half, right - v * half, f_(panel, left + v * half, right - v * half), error};
+      if (!within) continue;
+      peak_->place_error = half * std::min(R(1), noise);
+      return;
+    }
+  }
+
+  const PanelFunction<R>& f_;
+  R best_;
+  std::optional<Peak<R>> peak_;
+  std::priority_queue<Part<R>> parts_;
+};
+
+}  // namespace
+
+template <Real R>
+std::optional<Peak<R>> highest_peak(const std::vector<R>& lengths, const PanelFunction<R>& f, const R& floor) {
+  return Search<R>(lengths, f, floor).highest();
+}
+
+template std::optional<Peak<double>> highest_peak(const std::vector<double>&, const PanelFunction<double>&,
+                                                  const double&);
+template std::optional<Peak<Real50>> highest_peak(const std::vector<Real50>&, const PanelFunction<Real50>&,
+                                                  const Real50&);
+template std::optional<Peak<Real100>> highest_peak(const std::vector<Real100>&, const PanelFunction<Real100>&,
+                                                   const Real100&);
+
+}  // namespace steadyslide::numeric

@@ -1,0 +1,30 @@
+#pragma once
+// The supremum of the pressure where it is infinite: what singular points say of it.
+
+#include "numeric/solution/contact_solution.hpp"
+#include "numeric/solution/highest_peak.hpp"
+
+namespace steadyslide::numeric {
+
+/// Where the traction blows up: by a power below 0, or by a logarithm, also of unknown intensity. None where it does so
+/// nowhere.
+template <Real R>
+std::optional<LargestPressure<R>> infinite_pressure(const std::vector<SolvedSingularPoint<R>>& points) {
+  const auto power = [](const SolvedSingularPoint<R>& point) {
+    return point.exponent ? to_real<R>(*point.exponent) : R(0);
+  };
+  using std::isinf;
+  const SolvedSingularPoint<R>* worst = nullptr;
+  for (const SolvedSingularPoint<R>& point : points) {
+    const bool blows_up =
+        point.exponent ? point.exponent->sign() < 0 : point.intensity.value > 0 || isinf(point.intensity.error);
+    if (!blows_up) continue;
+    const bool is_worse = worst == nullptr || power(point) < power(*worst) ||
+                          (power(point) == power(*worst) && point.intensity.value > worst->intensity.value);
+    if (is_worse) worst = &point;
+  }
+  if (worst == nullptr) return std::nullopt;
+  return LargestPressure<R>{{infinity<R>(), R(0)}, worst->x, worst->exponent};
+}
+
+}  // namespace steadyslide::numeric

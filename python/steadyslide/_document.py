@@ -1,0 +1,57 @@
+"""Problem files as nested dicts: exact numbers as texts, and the text that says the same."""
+
+import json
+import re
+from decimal import Decimal
+from fractions import Fraction
+from numbers import Integral, Real
+
+from ._core import InvalidData
+
+
+def exact(value, field):
+    """The text of an exact number: a float is the decimal that it prints."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, Integral) and not isinstance(value, bool):
+        return str(int(value))
+    if isinstance(value, float):
+        return float.__repr__(value)
+    if isinstance(value, Fraction):
+        return f"{value.numerator}/{value.denominator}"
+    if isinstance(value, (Decimal, Real)) and not isinstance(value, bool):
+        return str(value)
+    if hasattr(value, "_mpf_"):
+        return value.digits if hasattr(value, "digits") else str(value)
+    raise InvalidData(f"{field}: wrong type; a number is a string, an integer or a decimal; {type(value).__name__}")
+
+
+def toml(value, field=""):
+    """An inline value of a problem file; numbers are strings, so that they stay exact."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, dict):
+        entries = (f"{key} = {toml(inner, f'{field}.{key}')}" for key, inner in value.items() if inner is not None)
+        return "{" + ", ".join(entries) + "}"
+    if isinstance(value, (list, tuple)) or (hasattr(value, "tolist") and getattr(value, "ndim", 0) > 0):
+        return "[" + ", ".join(toml(inner, f"{field}[{k}]") for k, inner in enumerate(value)) + "]"
+    return json.dumps(exact(value, field), ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def text_of(document):
+    """A problem file."""
+    return "".join(f"{key} = {toml(value, key)}\n" for key, value in document.items() if value is not None)
+
+
+def changed(document, path, value):
+    """Puts `value` at "friction.values[1]" into a document, in place."""
+    parts = [int(index) if index else key for key, index in re.findall(r"([^.\[\]]+)|\[(\d+)\]", path)]
+    *outer, last = parts
+    try:
+        for part in outer:
+            document = document.setdefault(part, {}) if isinstance(document, dict) else document[part]
+        if isinstance(document, list) and last >= len(document):
+            raise IndexError
+        document[last] = value
+    except (IndexError, KeyError, TypeError, AttributeError):
+        raise InvalidData(f"{path}: no such datum; it names one of the problem's; absent") from None

@@ -1,0 +1,74 @@
+"""Many problems of one kind, one row each."""
+
+import itertools
+import os
+import re
+from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
+
+import numpy as np
+
+from ._core import InvalidData
+
+
+def result(solution, column):
+    """What a column's name says: "contact[0].left.x"; nan where the solution has no such thing."""
+    value = solution
+    for name, index in re.findall(r"([^.\[\]]+)|\[(\d+)\]", column):
+        try:
+            value = value[int(index)] if index else _named(value, name)
+        except IndexError:
+            return np.nan
+    value = getattr(value, "value", value)
+    return np.nan if value is None else value
+
+
+def _named(value, name):
+    for owner in (value, getattr(value, "resultants", None)):
+        if hasattr(owner, name):
+            return getattr(owner, name)
+    raise InvalidData(f"columns: unknown column; it names a result, like contact[0].left.x; '{name}'")
+
+
+def row(task):
+    """The results of one problem, and what failed: a function of its own, so that other processes can run it."""
+    base, changes, columns, options = task
+    try:
+        solution = base.with_(**changes).solve(*options)
+    except InvalidData as invalid:
+        return [np.nan] * len(columns), str(invalid)
+    return [result(solution, column) for column in columns], solution.failed_condition
+
+
+def column_of(values):
+    """Floats where all values are numbers, else objects."""
+    try:
+        return np.array([value if isinstance(value, float) else float(Fraction(str(value))) for value in values])
+    except (ValueError, ZeroDivisionError):
+        array = np.empty(len(values), dtype=object)
+        array[:] = values
+        return array
+
+
+def sweep(base, vary, columns, executor, digits, method, cells):
+    columns = list(columns)
+    if not vary:
+        raise InvalidData("vary: no data; a sweep varies at least one; none")
+    options = (digits, method, cells)
+    tasks = [(base, dict(zip(vary, values)), columns, options) for values in itertools.product(*vary.values())]
+    if not tasks:
+        raise InvalidData("vary: no values; each datum has at least one; none")
+    if executor is None:
+        with ThreadPoolExecutor(os.cpu_count()) as threads:
+            rows = list(threads.map(row, tasks))
+    else:
+        rows = list(executor.map(row, tasks))
+    data = {path: column_of([changes[path] for _, changes, _, _ in tasks]) for path in vary}
+    for k, column in enumerate(columns):
+        values = [results[k] for results, _ in rows]
+        data[column] = np.array(values, dtype=float if digits <= 16 else object)
+    data["failed_condition"] = np.array([failed for _, failed in rows], dtype=object)
+    table = np.empty(len(rows), dtype=[(name, array.dtype) for name, array in data.items()])
+    for name, array in data.items():
+        table[name] = array
+    return table

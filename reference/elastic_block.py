@@ -1,0 +1,196 @@
+#!/usr/bin/env python3
+"""Elastic blocks under the exact tractions of reference problems, with GetFEM: usage: reference/elastic_block.py
+
+What the developer of a finite element code would do with these data. The block [-2, 2] x [0, 2] is cut out of the half-plane.
+Its surface carries the consistent nodal forces that `solve --loads-on` gives for the very mesh, its other three sides the
+stresses that `solve --stress-at` gives there: the solution on the block is then the half-plane's, however small the block.
+Compared, on meshes of equal squares with quadratic elements, halved and halved again, are
+
+  slope   of the surface under the indenter, which is the profile's, a tenth and more away from singular points
+  stress  at the points of grid.csv
+  energy  the stress in the whole block, at the points of Gauss: root mean square
+
+A singular traction goes like a power lambda of the distance, so that the displacement is in the Sobolev space of order
+2 + lambda and no more: the third error is of order 1 + lambda in h, 0.95 with the parabola's jump and 0.49 with a flat punch's
+edge. The body is smooth and the forces are exact, so that elsewhere nothing of that is felt: slope and stress are of the
+elements' own order, 2, or better. Each error is divided by the largest of what it is an error of, a slope by 1.
+Takes the program `steadyslide` from the PATH, or the one that the environment's STEADYSLIDE names; exit code 1 if the orders are
+not as expected, 77 without GetFEM."""
+import csv
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import tomllib
+
+try:
+    import getfem as gf
+    import numpy as np
+except ImportError as error:
+    print(error)
+    sys.exit(77)
+
+HERE = pathlib.Path(__file__).resolve().parent
+PROFILE_SLOPE = {"parabola_over_jump": lambda x: x, "two_coatings": lambda x: 0 * x}
+gf.util("trace level", 1)
+PROGRAM = os.environ.get("STEADYSLIDE", "steadyslide")
+YOUNG = 1.0
+WIDTH, DEPTH = 4.0, 2.0
+SURFACE, CUT = 1, 2
+MESHES = (4, 8, 16, 32)
+
+
+def columns(lines):
+    rows = list(csv.DictReader(lines))
+    return {name: np.array([float(row[name]) for row in rows]) for name in ("x", *rows[0]) if "kind" not in name}
+
+
+class Reference:
+    """One of the problems, and what `steadyslide solve` answers about it."""
+
+    def __init__(self, name):
+        self.folder, self.slope = HERE / name, PROFILE_SLOPE[name]
+        self.poisson = float(tomllib.loads((self.folder / "problem.toml").read_text())["half_space"]["poisson"])
+        with open(self.folder / "intensities.csv", newline="") as file:
+            points = list(csv.DictReader(file))
+        self.singular = [float(point["x"]) for point in points]
+        self.energy_order = min(2.0, 1 + min(float(point["exponent"]) for point in points))
+        with open(self.folder / "stress.csv", newline="") as file:
+            grid = columns(file)
+        inside = (grid["z"] >= 0.25) & (grid["z"] < DEPTH) & (np.abs(grid["x"]) < WIDTH / 2)
+        self.grid = {name: values[inside] for name, values in grid.items()}
+
+    def solve(self, option, *table):
+        """A table, for a file with these columns."""
+        with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
+            for row in zip(*table):
+                file.write(",".join(map(repr, row)) + "\n")
+            file.flush()
+            command = [PROGRAM, "solve", self.folder / "problem.toml", option, file.name, "--format", "csv"]
+            return columns(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines())
+
+    def stresses(self, x, z):
+        """The exact [[sxx, sxz], [sxz, szz]], z > 0 into the body."""
+        found = self.solve("--stress-at", x.tolist(), z.tolist())
+        return np.array([[found["sxx"], found["sxz"]], [found["sxz"], found["szz"]]])
+
+    def places(self):
+        """Under the indenter, a tenth and more from singular points, and on no mesh's nodes."""
+        x = np.linspace(self.singular[0], self.singular[-1], 202)
+        return np.array([place for place in x if min(abs(place - at) for at in self.singular) > 0.1])
+
+
+class Block:
+    """Solved on squares of side 1/n. The second coordinate is z, into the body."""
+
+    def __init__(self, reference, n):
+        self.reference, self.n = reference, n
+        self.mesh = gf.Mesh("cartesian", np.linspace(-WIDTH / 2, WIDTH / 2, int(WIDTH * n) + 1),
+                            np.linspace(0, DEPTH, int(DEPTH * n) + 1))
+        faces = self.mesh.outer_faces()
+        is_surface = self.mesh.normal_of_faces(faces)[1] < -0.5
+        self.mesh.set_region(SURFACE, faces[:, is_surface])
+        self.mesh.set_region(CUT, faces[:, ~is_surface])
+        self.displacements = self.fem(2)
+        mim = gf.MeshIm(self.mesh, gf.Integ("IM_GAUSS_PARALLELEPIPED(2,6)"))
+        self.model = model = gf.Model("real")
+        model.add_fem_variable("u", self.displacements)
+        nu = reference.poisson
+        model.add_initialized_data("lambda", nu * YOUNG / ((1 + nu) * (1 - 2 * nu)))
+        model.add_initialized_data("mu", YOUNG / (2 * (1 + nu)))
+        model.add_isotropic_linearized_elasticity_brick(mim, "u", "lambda", "mu")
+        model.add_explicit_rhs("u", self.surface_forces())
+        values = self.fem(1)
+        model.add_initialized_fem_data("exact", values, self.cut_stresses(values))
+        model.add_normal_source_term_brick(mim, "u", "exact", CUT)
+        # All forces are in balance; three displacements at two corners take the rigid motions away.
+        model.add_variable("rigid", 3)
+        model.add_constraint_with_multipliers("u", "rigid", self.rigid(), np.zeros(3))
+        model.solve()
+
+    def fem(self, dimension):
+        result = gf.MeshFem(self.mesh, dimension)
+        result.set_fem(gf.Fem("FEM_QK(2,2)"))
+        return result
+
+    def surface_forces(self):
+        dofs = self.displacements.basic_dof_on_region(SURFACE)[::2]
+        dofs = dofs[np.argsort(self.displacements.basic_dof_nodes(dofs)[0])]
+        nodes = self.displacements.basic_dof_nodes(dofs)[0]
+        loads = self.reference.solve("--loads-on", nodes.tolist(), [2] * len(nodes))
+        forces = np.zeros(self.displacements.nbdof())
+        forces[dofs], forces[dofs + 1] = loads["tangential"], loads["normal"]
+        return forces
+
+    def cut_stresses(self, values):
+        nodes = values.basic_dof_on_region(CUT)
+        x, z = values.basic_dof_nodes(nodes)
+        result = np.zeros((2, 2, values.nbdof()))
+        result[:, :, nodes] = self.reference.stresses(x, np.maximum(z, 1e-9))  # the two corners of the surface
+        return result
+
+    def rigid(self):
+        x, z = self.displacements.basic_dof_nodes()
+        left, right = (np.flatnonzero(np.isclose(x, side) & np.isclose(z, DEPTH)) for side in (-WIDTH / 2, WIDTH / 2))
+        result = gf.Spmat("empty", 3, len(x))
+        for row, dof in enumerate((left[0], left[1], right[1])):
+            result.add(row, int(dof), 1.0)
+        return result
+
+    def at(self, expression, x, z):
+        return self.model.interpolation(expression, np.array([x, z]), self.mesh)
+
+    def slope_error(self):
+        """Of the surface's height, which is -u_z, against the profile's: root mean square, but for the rotation that forces
+        leave open."""
+        x = self.reference.places()
+        difference = -self.at("Grad_u(2,1)", x, np.full_like(x, 1e-12)) - self.reference.slope(x)
+        return rms(difference - np.mean(difference))
+
+    def stress_error(self, exact):
+        """Against a table x, z, sxx, sxz, szz: root mean square over points and components, in units of the largest."""
+        sigma = self.at("lambda*Trace(Grad_u)*Id(2) + mu*(Grad_u + Grad_u')", exact["x"], exact["z"])
+        sxx, sxz, _, szz = sigma.reshape(-1, 4).T
+        wanted = [exact[name] for name in ("sxx", "sxz", "szz")]
+        return rms(np.array([sxx, sxz, szz]) - wanted)
+
+    def errors(self):
+        grid = self.reference.grid
+        largest = np.max(np.abs([grid[name] for name in ("sxx", "sxz", "szz")]))
+        stress = self.stress_error(grid) / largest
+        energy = self.stress_error(self.reference.solve("--stress-at", *self.gauss_points())) / largest
+        return np.array([self.slope_error(), stress, energy])
+
+    def gauss_points(self):
+        """Nine in each square: the mean over them is the mean over the block, to the order of the rule."""
+        corners = np.linspace(0, 1, self.n + 1)[:-1]
+        cell = [(left + (1 + node) / (2 * self.n)) for left in corners for node in np.polynomial.legendre.leggauss(3)[0]]
+        x = np.concatenate([start + np.array(cell) for start in np.arange(-WIDTH / 2, WIDTH / 2)])
+        z = np.concatenate([start + np.array(cell) for start in np.arange(0, DEPTH)])
+        return [values.ravel().tolist() for values in np.meshgrid(x, z)]
+
+
+def rms(values):
+    return float(np.sqrt(np.mean(np.square(values))))
+
+
+def main():
+    print("problem,h,slope,order,stress,order,energy,order,expected")
+    is_as_expected = True
+    for name in PROFILE_SLOPE:
+        reference, before, orders = Reference(name), None, None
+        for n in MESHES:
+            errors = Block(reference, n).errors()
+            orders = None if before is None else np.log2(before / errors)
+            told = ["", "", ""] if before is None else [f"{order:.2f}" for order in orders]
+            row = ",".join(f"{error:.2e},{order}" for error, order in zip(errors, told))
+            print(f"{name},1/{n},{row},{reference.energy_order:.2f}", flush=True)
+            before = errors
+        slope, stress, energy = orders
+        is_as_expected &= slope > 1.8 and stress > 1.8 and abs(energy - reference.energy_order) < 0.25
+    sys.exit(0 if is_as_expected else 1)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""What `steadyslide solve --format json` answers fits docs/solve.schema.json, for every example and kind of answer; what does
+not fit is refused.
+
+usage: check_schema.py PROGRAM SCHEMA EXAMPLES
+"""
+
+import copy
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import jsonschema
+
+program, schema_file, examples = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3])
+schema = json.loads(schema_file.read_text())
+jsonschema.Draft202012Validator.check_schema(schema)
+validator = jsonschema.Draft202012Validator(schema)
+failures = []
+
+
+def answer(problem, *options):
+    command = [program, "solve", problem, "--format", "json", *options]
+    result = subprocess.run(command, cwd=examples, capture_output=True, text=True, check=False)
+    if result.returncode not in (0, 1):
+        failures.append(f"{' '.join(command)}: exit code {result.returncode}: {result.stderr}")
+        return {}
+    return json.loads(result.stdout)
+
+
+def leaf_errors(error):
+    """What is wrong in the alternatives that came furthest."""
+    if not error.context:
+        return [f"{error.json_path}: {error.message[:200]}"]
+    deepest = max(error.context, key=lambda e: len(e.absolute_path))
+    return leaf_errors(deepest)
+
+
+def fits(what, document):
+    errors = [line for error in validator.iter_errors(document) for line in leaf_errors(error)]
+    if errors:
+        failures.append(f"{what}: {errors[0]}")
+
+
+for example in sorted(examples.glob("*.toml")):
+    if "sweep" not in example.name:
+        fits(example.name, answer(example.name, "--samples", "3", "--at=-2,0,1/3"))
+
+tables = tempfile.TemporaryDirectory()
+points, mesh = Path(tables.name) / "points.csv", Path(tables.name) / "mesh.csv"
+points.write_text("x,z\n0,0.5\n1,2\n")
+mesh.write_text("x\n-2\n-0.5\n0.5\n2\n")
+
+several = {
+    "stresses and forces": answer("parabola.toml", "--stress-at", str(points), "--loads-on", str(mesh), "--max-stress"),
+    "other direction": answer("parabola_rough_rear.toml", "--both-directions", "--at", "0"),
+    "40 digits": answer("wedge.toml", "--digits", "40"),
+    "cells": answer("parabola.toml", "--method", "variational", "--cells", "256", "--samples", "4"),
+    "proof": answer("two_coatings_forward.toml", "--certify", "--at=-1,0,0.5,2"),
+    "bound": answer("parabola.toml", "--method", "variational", "--cells", "256", "--certify"),
+    "no convergence": answer("two_bumps.toml", "--method", "variational", "--iterations", "1"),
+    "search": answer("parabola_rough_rear.toml", "--search-solutions", "2", "--cells", "256"),
+    "loads": answer("two_bumps.toml", "--load-steps", "0.7,0.8"),
+    "proved loads": answer("parabola.toml", "--load-steps", "400,500", "--certify"),
+}
+for what, document in several.items():
+    fits(what, document)
+
+# Controls: each change of a document that fits is refused.
+document = several["other direction"]
+changes = {
+    "a key less": lambda d: d["resultants"].pop("friction_force"),
+    "an error less": lambda d: d["samples"][0].pop("u_error"),
+    "an unknown key": lambda d: d["contact"][0].update(colour="red"),
+    "a number that is no text": lambda d: d["resultants"].update(normal=1.0),
+    "a text that is no number": lambda d: d["resultants"].update(normal="one"),
+    "an unknown kind": lambda d: d["contact"][0]["left"].update(kind="corner"),
+    "another schema": lambda d: d.update(schema=2),
+    "one limit": lambda d: d["samples"][0].update(traction={"left": "1"}),
+    "no list": lambda d: d.update(contact={}),
+    "the other direction without its numbers": lambda d: d["other_direction"].pop("resultants"),
+    "two shapes of one indenter": lambda d: d["problem"]["indenter"].update(samples="a.csv", points=3),
+}
+for what, change in changes.items():
+    broken = copy.deepcopy(document)
+    change(broken)
+    if validator.is_valid(broken):
+        failures.append(f"control: {what} is not noticed")
+row = copy.deepcopy(several["loads"])
+row[0]["component"] = 1
+if validator.is_valid(row):
+    failures.append("control: a component that is no text is not noticed")
+
+print("\n".join(failures) or f"{len(several) + len(changes)} kinds of answers and controls")
+sys.exit(1 if failures else 0)

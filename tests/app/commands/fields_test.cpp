@@ -1,0 +1,106 @@
+// Stresses below the surface, nodal forces and the largest stress as the program tells them: beside each other, proved and
+// estimated, for every method and at many digits.
+
+#include "app/json_answers.hpp"
+
+namespace {
+
+const std::string coated =
+    "load = 2\n[half_space]\npoisson = 0.3\nyoung = 3\n[friction]\nvalues = [0.2, 0.6]\njumps = [0.1]\n[indenter]\n"
+    "profile = 0\n";
+
+Json fields_of(const Arguments& arguments, const std::string& problem = coated) {
+  const TemporaryFolder folder;
+  folder.write("p.toml", problem);
+  folder.write("points.csv", "x,z\n0.05,0.25\n-1,1e-6\n1.5,1/3\n");
+  folder.write("mesh.csv", "x,order\n-1,2\n-0.25,2\n0.5,2\n1,2\n1.5,2\n");
+  const Arguments files{"solve", "p.toml", "--format", "json", "--stress-at", "points.csv", "--loads-on", "mesh.csv"};
+  return Json::parse(out_of(run_program(joined(files, arguments), folder.path())));
+}
+
+double real_at(const Json& object, const std::string& key) { return std::stod(object.at(key).get<std::string>()); }
+
+/// All numbers of an object, and of the objects in it.
+void check_agree(const Json& a, const Json& b, double relative) {
+  for (const auto& [key, value] : a.items()) {
+    if (value.is_object()) check_agree(value, b.at(key), relative);
+    if (!value.is_string() || !a.contains(key + "_error")) continue;
+    CAPTURE(key);
+    const double distance = std::abs(real_at(a, key) - real_at(b, key));
+    CHECK(distance <= real_at(a, key + "_error") + real_at(b, key + "_error") + relative * std::abs(real_at(b, key)));
+  }
+}
+
+void check_same(const Json& a, const Json& b, double relative = 1e-15) {
+  REQUIRE(a.at("stresses").size() == 3);
+  REQUIRE(a.at("nodal_forces").size() == 5);
+  for (std::size_t i = 0; i < 3; ++i) check_agree(a["stresses"][i], b["stresses"][i], relative);
+  for (std::size_t i = 0; i < 5; ++i) check_agree(a["nodal_forces"][i], b["nodal_forces"][i], relative);
+}
+
+}  // namespace
+
+TEST_CASE("proved stresses, gradients and nodal forces are the estimated ones, within both errors") {
+  const Json estimated = fields_of({}), proved = fields_of({"--certify"});
+  check_same(estimated, proved);
+  check_same(fields_of({"--method", "riemann-hilbert"}), proved);
+  check_same(fields_of({"--digits", "40"}), proved);
+  CHECK(real_at(proved["stresses"][0], "sxx_error") < 1e-13);
+  // Control: another load.
+  const Json heavier = fields_of({}, replaced(coated, "load = 2", "load = 2.001"));
+  CHECK(std::abs(real_at(heavier["stresses"][0], "szz") - real_at(proved["stresses"][0], "szz")) > 1e-4);
+}
+
+TEST_CASE("cells tell the same to a percent, with what they are worth as errors") {
+  const Json proved = fields_of({"--certify"}), cells = fields_of({"--method", "variational"});
+  for (const std::size_t i : {0u, 2u}) {
+    for (const char* key : {"sxx", "szz", "von_mises"}) {
+      const Json &a = cells["stresses"][i], &b = proved["stresses"][i];
+      CHECK(real_at(a, key) == doctest::Approx(real_at(b, key)).epsilon(0.01));
+      CHECK(real_at(a, std::string(key) + "_error") < 0.2 * std::abs(real_at(b, "szz")));
+    }
+  }
+  double sum = 0;
+  for (const Json& force : cells["nodal_forces"]) sum += real_at(force, "normal");
+  CHECK(sum == doctest::Approx(2).epsilon(1e-13));
+}
+
+TEST_CASE("reduced data have no stress out of the plane, no von Mises stress and no gradient") {
+  const Json reduced =
+      fields_of({}, "load = 2\n[half_space]\ngamma = 0.25\n[friction]\nvalues = [0.2]\n[indenter]\nprofile = 0\n");
+  const Json& stress = reduced["stresses"][0];
+  CHECK(stress.at("syy").is_null());
+  CHECK(stress.at("von_mises").is_null());
+  CHECK(stress.at("displacement_gradient").at("dux_dx").is_null());
+  CHECK(real_at(stress, "largest_shear") > 0);
+}
+
+TEST_CASE("the largest stress: its place, its depth, and where there is no bound") {
+  const Json largest = fields_of({"--max-stress"}).at("largest_stress");
+  CHECK(largest.at("depth") == "0.02");
+  CHECK(largest.at("unbounded_at") == Json({"-1", "0.1", "1"}));
+  CHECK(real_at(largest, "z") >= 0.02);
+  const Json deeper = fields_of({"--max-stress", "--depth", "1/10"}).at("largest_stress");
+  CHECK(real_at(deeper, "z") >= 0.1);
+  CHECK(real_at(deeper, "von_mises") < real_at(largest, "von_mises"));
+  const std::string text = out_of(run_alone({"solve", "-", "--max-stress"}, coated));
+  CHECK(holds(text, "largest von Mises stress\n  inf                   next to x = -1\n"));
+  CHECK(holds(text, "(depths from 0.02)"));
+  const std::string csv = out_of(run_alone({"solve", "-", "--max-stress", "--format", "csv"}, coated));
+  CHECK(csv.starts_with("depth,von_mises,x,z,von_mises_error,x_error,z_error\n0.02,"));
+}
+
+TEST_CASE("fields that the problem or the method does not have are refused") {
+  const std::string gamma =
+      "load = 2\n[half_space]\ngamma = 0.25\n[friction]\nvalues = [0.2]\n[indenter]\nprofile = 0\n";
+  check_refused(
+      run_alone({"solve", "-", "--max-stress"}, gamma),
+      "command line: --max-stress: no von Mises stress; it needs the half-space's poisson in place of gamma; '-'");
+  const TemporaryFolder folder;
+  folder.write("p.toml", coated);
+  folder.write("points.csv", "0,1\n");
+  check_refused(run_program({"solve", "p.toml", "--certify", "--method", "variational", "--stress-at", "points.csv"},
+                            folder.path()),
+                "command line: --certify: method without proved stresses and nodal forces; with them it goes with "
+                "closed-form and riemann-hilbert; '--method variational'");
+}

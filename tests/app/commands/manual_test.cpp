@@ -1,0 +1,87 @@
+// --generate: the manual page and the completions say all that --help says.
+
+#include <regex>
+
+#include "app/command_line.hpp"
+
+namespace {
+
+const std::vector<std::string> command_names{"verify", "exponents", "table",   "solve",
+                                             "design", "sweep",     "figures", "report"};
+
+/// The options that --help of a command lists.
+std::set<std::string> options_of(const std::string& command) {
+  const std::string help = out_of(run_alone({command, "--help"}));
+  const std::string list = help.substr(help.find("\nOptions:\n"), help.find("\n\n", help.find("\nOptions:\n")));
+  std::set<std::string> options;
+  static const std::regex name("(--[a-z-]+|-[a-z])[ ,]");
+  for (const std::string& line : lines(list)) {
+    if (!line.starts_with("  -")) continue;
+    const std::string names = line.substr(0, 28);
+    for (std::sregex_iterator at(names.begin(), names.end(), name), end; at != end; ++at) options.insert((*at)[1]);
+  }
+  return options;
+}
+
+/// What bash offers for these words, the last of which is being typed.
+std::set<std::string> offered(const TemporaryFolder& folder, const std::string& words, int last) {
+  const std::string script = "source ./completion; COMP_WORDS=(" + words + "); COMP_CWORD=" + std::to_string(last) +
+                             "; _steadyslide; printf '%s\\n' \"${COMPREPLY[@]}\"";
+  const std::vector<std::string> found = lines(out_of(run_other({"bash", "-uc", script}, folder.path())));
+  std::set<std::string> result(found.begin(), found.end());
+  result.erase("");
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("the manual page has every command, its options and what stands below them") {
+  const std::string page = out_of(run_alone({"--generate", "man"}));
+  CHECK(page.starts_with(".TH STEADYSLIDE 1 \"\" \"steadyslide " STEADYSLIDE_VERSION "\""));
+  std::string plain = std::regex_replace(page, std::regex("\\\\f[BIR]"), "");
+  for (const auto& [sign, meant] : {std::pair("\\\\-", "-"), {"\\\\&", ""}, {"\\\\e", "\\"}}) {
+    plain = std::regex_replace(plain, std::regex(sign), meant);
+  }
+  for (const std::string& command : command_names) {
+    CAPTURE(command);
+    const std::size_t begin = plain.find("\n.SS " + command + "\n");
+    REQUIRE(begin != std::string::npos);
+    const std::string section = plain.substr(begin, plain.find("\n.S", begin + 1) - begin);
+    const std::set<std::string> options = options_of(command);
+    CHECK(options.size() >= 3);
+    for (std::string option : options) {
+      if (option == "-h" || option == "--help") continue;
+      CHECK_MESSAGE((holds(section, "\n" + option) || holds(section, ", " + option)), option);
+    }
+    // Every line of the help that is no option, in order.
+    const std::string help = out_of(run_alone({command, "--help"}));
+    const std::size_t below = help.find("\n\n", help.find("\nOptions:\n"));
+    CHECK(holds(section, help.substr(below + 2, help.find_last_not_of('\n') - below - 1)));
+  }
+  check_holds(plain, {"\n.SH CONVENTIONS\n", "Exit code  0 done"});
+  // roff's own signs are none of its requests.
+  for (const std::string& line : lines(page)) {
+    if (line.starts_with("."))
+      CHECK_MESSAGE(std::regex_search(line, std::regex("^\\.(TH|SH|SS|TP|PP|B|br|nf|fi)\\b")), line);
+  }
+}
+
+TEST_CASE("bash completes commands, options, and the words that an option takes") {
+  const TemporaryFolder folder;
+  folder.write("completion", out_of(run_alone({"--generate", "bash"})));
+  std::set<std::string> first(command_names.begin(), command_names.end());
+  first.insert({"--help", "--version", "--generate"});
+  CHECK(offered(folder, "steadyslide ''", 1) == first);
+  CHECK(offered(folder, "steadyslide sol", 1) == std::set<std::string>{"solve"});
+  for (const std::string& command : command_names) {
+    CAPTURE(command);
+    std::set<std::string> options = options_of(command);
+    options.erase("-h");
+    CHECK(offered(folder, "steadyslide " + command + " -", 2) == options);
+  }
+  CHECK(offered(folder, "steadyslide solve f.toml --format ''", 4) == std::set<std::string>{"text", "json", "csv"});
+  CHECK(offered(folder, "steadyslide solve --method v", 3) == std::set<std::string>{"variational"});
+  CHECK(offered(folder, "steadyslide --generate ''", 2) == std::set<std::string>{"man", "bash"});
+  // Files are bash's own.
+  CHECK(offered(folder, "steadyslide solve two", 2).empty());
+}

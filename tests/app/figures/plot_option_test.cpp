@@ -1,0 +1,273 @@
+// `solve --plot`: the curves in the picture are the samples of the result, whatever the method; what is refused.
+
+#include "app/json_answers.hpp"
+#include "app/svg.hpp"
+
+namespace {
+
+using Points = std::vector<std::pair<double, double>>;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// What stands between `from` and the next `to`.
+std::string between(const std::string& text, const std::string& from, const std::string& to, std::size_t at = 0) {
+  const std::size_t begin = text.find(from, at);
+  REQUIRE(begin != std::string::npos);
+  const std::size_t inside = begin + from.size();
+  return text.substr(inside, text.find(to, inside) - inside);
+}
+
+/// The coordinates of a path's points.
+Points points_of(const std::string& path) {
+  Points points;
+  static const std::regex pair("(-?[0-9.]+),(-?[0-9.]+)");
+  for (std::sregex_iterator at(path.begin(), path.end(), pair), end; at != end; ++at) {
+    points.emplace_back(std::stod((*at)[1]), std::stod((*at)[2]));
+  }
+  return points;
+}
+
+/// A number as gnuplot prints it, with a minus sign; NaN for a text.
+double printed(std::string label) {
+  if (label.starts_with("−")) label = "-" + label.substr(std::string("−").size());
+  static const std::regex number("-?[0-9.]+(e[-+]?[0-9]+)?");
+  return std::regex_match(label, number) ? std::stod(label) : std::nan("");
+}
+
+/// From the coordinates of the picture to numbers, as a reader takes it from the numbers at two tics.
+struct Scale {
+  double place = 0, value = 0, unit = 0;
+
+  double operator()(double at) const { return value + (at - place) * unit; }
+  static Scale through(const Points& tics) {
+    REQUIRE(tics.size() >= 2);
+    const auto [first, last] = std::pair(tics.front(), tics.back());
+    return {first.first, first.second, (last.second - first.second) / (last.first - first.first)};
+  }
+};
+
+/// One of the two panels: 'a' above, 'b' below.
+class PlottedPanel {
+ public:
+  PlottedPanel(const std::string& svg, char panel) : svg_(svg), panel_(panel) {
+    const std::size_t begin = panel == 'a' ? 0 : svg.find("id=\"solve_plot_3a\"");
+    const std::string axes = svg.substr(begin, svg.find(std::string("id=\"solve_plot_1") + panel) - begin);
+    Points across, up;
+    for (std::size_t at = 0; (at = axes.find("<path stroke='black'  d='", at)) != std::string::npos; ++at) {
+      const Points tic = points_of(between(axes, "d='", "'", at));
+      const std::string text = axes.substr(at, axes.find("</g>", at) - at);
+      if (tic.size() != 4 || !holds(text, "<tspan")) continue;
+      const double label = printed(shown_text(text + "</text>").substr(0, shown_text(text + "</text>").find('\n')));
+      if (std::isnan(label)) continue;
+      if (tic[0].second == tic[1].second) up.emplace_back(tic[0].second, label);
+      if (tic[0].first == tic[1].first) across.emplace_back(tic[0].first, label);
+    }
+    up_ = Scale::through(up);
+    if (!across.empty()) across_ = Scale::through(across);
+  }
+
+  /// Of the k-th curve, counted from 1, without the sample of its line beside the legend.
+  Points curve(int k) const {
+    const std::size_t at = svg_.find("id=\"solve_plot_" + std::to_string(k) + panel_);
+    REQUIRE(at != std::string::npos);
+    const std::string group = svg_.substr(at, svg_.find("\n\t</g>\n", svg_.find("<path", at)) - at);
+    Points points;
+    for (std::size_t path = 0; (path = group.find("<path", path)) != std::string::npos; ++path) {
+      const Points more = points_of(between(group, "d='", "'", path));
+      points.insert(points.end(), more.begin(), more.end());
+    }
+    points.erase(points.begin(), points.begin() + 2);
+    for (auto& [x, y] : points) {
+      x = across_(x);
+      y = up_(y);
+    }
+    return points;
+  }
+
+  void use_x_of(const PlottedPanel& other) { across_ = other.across_; }
+  /// Half of the last digit in the picture, twice: the scale has it, too.
+  double tolerance_x() const { return 0.02 * std::abs(across_.unit); }
+  double tolerance_y() const { return 0.02 * std::abs(up_.unit); }
+
+ private:
+  const std::string& svg_;
+  char panel_;
+  Scale across_, up_;
+};
+
+/// How many of the points are vertices of the curve. The frame may cut the others.
+std::size_t met(const Points& points, const Points& curve, const PlottedPanel& panel) {
+  std::size_t count = 0;
+  for (const auto& [x, y] : points) {
+    count += std::ranges::any_of(curve, [&, x = x, y = y](const auto& vertex) {
+      return std::abs(vertex.first - x) <= panel.tolerance_x() && std::abs(vertex.second - y) <= panel.tolerance_y();
+    });
+  }
+  return count;
+}
+
+struct Sampled {
+  Points pressure, shear, surface;
+};
+
+double side(const Json& value, const char* which) {
+  const std::string text = value.is_object() ? value[which].get<std::string>() : value.get<std::string>();
+  return text == "-inf" ? -infinite : text == "inf" ? infinite : std::stod(text);
+}
+
+/// Of contact alone, but for the surface, whose height is psi minus the gap.
+Sampled sampled(const Json& solution, double (*psi)(double)) {
+  Sampled result;
+  for (const Json& sample : solution["samples"]) {
+    const double x = std::stod(sample["x"].get<std::string>()), gap = side(sample["gap"], "");
+    result.surface.emplace_back(x, psi(x) - gap);
+    if (gap > 0) continue;
+    for (const char* which : {"left", "right"}) {
+      result.pressure.emplace_back(x, -side(sample["traction"], which));
+      result.shear.emplace_back(x, side(sample["shear"], which));
+    }
+  }
+  return result;
+}
+
+void keep_below(Points& points, double most) {
+  std::erase_if(points, [&](const auto& point) { return !(std::abs(point.second) < most); });
+}
+
+}  // namespace
+
+TEST_CASE("the curves are the samples of the result, for every method") {
+  struct Plotted {
+    const char* file;
+    Arguments options;
+    double (*psi)(double);
+    std::size_t components;
+    std::vector<const char*> texts;
+  };
+  for (const auto& [file, options, psi, components, texts] : std::vector<Plotted>{
+           {"two_bumps.toml",
+            {},
+            [](double x) { return (x * x - 1) * (x * x - 1) / 4; },
+            2,
+            {"two_bumps.toml, load 0.1, sliding towards +x", "steadyslide " STEADYSLIDE_VERSION ", riemann-hilbert",
+             "0.491", "0.563", "contact", "user's unit of length"}},
+           {"two_bumps.toml",
+            {"--method", "variational", "--cells", "512"},
+            [](double x) { return (x * x - 1) * (x * x - 1) / 4; },
+            2,
+            {"variational"}},
+           {"two_bumps.toml", {"--digits", "30"}, [](double x) { return (x * x - 1) * (x * x - 1) / 4; }, 2, {}},
+           {"two_coatings_backward.toml",
+            {"--certify"},
+            [](double) { return 0.0; },
+            1,
+            {"closed-form", "sliding towards −x", "0.0471", "exponent", ", cut at 3"}},
+           {"three_jumps.toml",
+            {},
+            [](double) { return 0.0; },
+            1,
+            {"−0.532", "−0.0894", "0.121", "−0.0628", "−0.437"}}}) {
+    CAPTURE(file);
+    const TemporaryFolder folder;
+    const std::string picture = (folder.path() / "p.svg").string();
+    const Json solution = solve_example(file, joined(options, {"--samples", "400", "--plot", picture}));
+    CHECK(folder.names() == std::vector<std::string>{"p.svg"});
+    const std::string svg = folder.read("p.svg");
+    CHECK(is_well_formed(svg));
+    for (const char* text : texts) CHECK_MESSAGE(holds(shown_text(svg), text), text);
+
+    PlottedPanel above(svg, 'a');
+    const PlottedPanel below(svg, 'b');
+    above.use_x_of(below);
+    Sampled wanted = sampled(solution, psi);
+    const std::string cut = ", cut at ";
+    const std::size_t at = svg.find(cut);
+    const double most = at == std::string::npos ? infinite : 0.99 * std::stod(svg.substr(at + cut.size()));
+    keep_below(wanted.pressure, most);
+    keep_below(wanted.shear, most);
+    CHECK(wanted.pressure.size() > 600);
+    CHECK(met(wanted.pressure, below.curve(1), below) == wanted.pressure.size());
+    CHECK(met(wanted.shear, below.curve(2), below) == wanted.shear.size());
+    // The panel above ends beside the contact.
+    const Points surface = above.curve(2);
+    std::erase_if(wanted.surface, [&](const auto& point) {
+      return point.first < surface.front().first || point.first > surface.back().first;
+    });
+    CHECK(met(wanted.surface, surface, above) == wanted.surface.size());
+
+    const Points bars = above.curve(3);
+    REQUIRE(bars.size() == 2 * components);
+    for (std::size_t k = 0; k < components; ++k) {
+      const Json& zone = solution["contact"][k];
+      CHECK(std::abs(bars[2 * k].first - side(zone["left"]["x"], "")) <= above.tolerance_x());
+      CHECK(std::abs(bars[2 * k + 1].first - side(zone["right"]["x"], "")) <= above.tolerance_x());
+    }
+    // The control: pressures by a thousandth larger are not in the picture.
+    for (auto& [x, y] : wanted.pressure) y *= 1.002;
+    CHECK(met(wanted.pressure, below.curve(1), below) < wanted.pressure.size() * 9 / 10);
+  }
+}
+
+TEST_CASE("a picture has the numbers of a far and a small problem") {
+  for (const auto& [support, profile, load] : {std::tuple("[\"999999\", \"1000001\"]", "(x-1000000)^2/2", "0.1"),
+                                               {"[\"-1e-9\", \"1e-9\"]", "1e8*x^2", "1e-12"}}) {
+    const TemporaryFolder folder;
+    out_of(run_program({"solve", "-", "-o", "text", "--plot", "p.svg"}, folder.path(),
+                       std::string("load = \"") + load +
+                           "\"\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.2]\n" +
+                           "[indenter]\nsupport = " + support + "\nprofile = \"" + profile + "\"\n"));
+    const std::string svg = folder.read("p.svg");
+    check_holds(shown_text(svg), {"standard input", "surface", "shear"});
+    // A curve goes up and down over a good part of its panel.
+    const std::size_t at = svg.find("id=\"solve_plot_1b\"");
+    double low = infinite, high = -infinite;
+    for (const auto& [x, y] : points_of(between(svg, " d='", "'", at))) {
+      low = std::min(low, y);
+      high = std::max(high, y);
+    }
+    CHECK(high - low > 100);
+  }
+}
+
+TEST_CASE("PDF and PNG are drawn, by the ending of the name") {
+  const TemporaryFolder folder;
+  for (const auto& [file, magic] : {std::pair("p.pdf", "%PDF-"), {"p.png", "\x89PNG\r\n\x1a\n"}}) {
+    const std::string picture = (folder.path() / file).string();
+    CHECK(holds(out_of(run_example("parabola.toml", {"--plot", picture})), "effective friction"));
+    CHECK(folder.read(file).starts_with(magic));
+    CHECK(folder.read(file).size() > 10000);
+  }
+  // 1600 x 1240, big-endian, as the header of a PNG says.
+  CHECK(folder.read("p.png").substr(16, 8) == std::string("\0\0\x06\x40\0\0\x04\xd8", 8));
+}
+
+TEST_CASE("what is not solved is drawn as that, a trace as far as it is seen") {
+  const TemporaryFolder folder;
+  const std::string picture = (folder.path() / "p.svg").string();
+  CHECK(run_example("rough_surface.toml", {"--plot", picture}).code == 0);
+  check_holds(shown_text(folder.read("p.svg")), {"rough_surface.toml", "−0.0271"});
+  CHECK(run_example("two_bumps.toml",
+                    {"--method", "variational", "--cells", "256", "--iterations", "1", "--plot", picture})
+            .code == 1);
+  check_holds(shown_text(folder.read("p.svg")), {"NOT SOLVED: two_bumps.toml"});
+}
+
+TEST_CASE("without a picture nothing is solved, and nothing is left behind") {
+  const TemporaryFolder folder;
+  const auto refused = [&](const Arguments& plot, const std::string& message, int code) {
+    check_refused(run_program(joined({"solve", STEADYSLIDE_EXAMPLES "/parabola.toml"}, plot), folder.path()), message,
+                  code);
+    CHECK(folder.names().empty());
+  };
+  refused({"--plot", "none/p.svg"}, "none/p.svg: cannot be written: No such file or directory", 3);
+  refused({"--plot", "p.svg", "-o", "none/text"}, "none/text: cannot be written: No such file or directory", 3);
+  refused({"--plot", "p.svg", "--method", "variational", "--cells", "8"},
+          "command line: --cells: out of range; it is a whole number from 16 to 4194304; '8'", 2);
+  // A PATH without gnuplot.
+  const Finished missing = run_other({"env", "PATH=" + folder.path().string(), STEADYSLIDE_EXECUTABLE, "solve",
+                                      STEADYSLIDE_EXAMPLES "/parabola.toml", "--plot", "p.svg"},
+                                     folder.path());
+  check_refused(missing, "gnuplot: not found; figures are drawn by gnuplot 5.4 or later (Debian's package gnuplot-nox)",
+                3);
+  CHECK(folder.names().empty());
+}

@@ -1,0 +1,50 @@
+// Bad sweeps: the whole message and the exit code of each, and nothing written.
+
+#include "app/sweep/sweep_folder.hpp"
+
+TEST_CASE("bad sweeps: message, exit code, no output") {
+  const auto sweeps = sections_of(STEADYSLIDE_TESTS "/app/sweep/bad_sweeps.txt");
+  CHECK(sweeps.size() >= 60);
+  for (const auto& [message, text] : sweeps) {
+    CAPTURE(text);
+    const SweepFolder folder("");
+    folder.write("bad.toml", text);
+    folder.write("out", "earlier");
+    check_refused(run_program({"sweep", "bad.toml", "-o", "out"}, folder.path()), "bad.toml:" + message);
+    CHECK(folder.read("out") == "earlier");
+    CHECK(folder.names() == std::vector<std::string>{"bad.toml", "base.toml", "out", "sweep.toml"});
+  }
+}
+
+TEST_CASE("bad sweeps: mistakes in the base have the base's line") {
+  const SweepFolder folder("[vary]\nload = [1, 2]\n");
+  folder.write("base.toml", "lode = 1\n" + sweep_base);
+  check_refused(folder.sweep({"-o", "out"}),
+                "base.toml:1: unknown key; the keys of a problem file are load, load_at, "
+                "sliding, half_space, friction, indenter; 'lode'");
+  folder.write("base.toml", "load = ");
+  check_refused(folder.sweep({"-o", "out"}),
+                "base.toml:1: not TOML; a problem file is written in TOML; Error while "
+                "parsing key-value pair: encountered end-of-file");
+  check_refused(run_program({"sweep", "none.toml"}, folder.path()),
+                "none.toml: cannot be read: No such file or directory", 3);
+  CHECK(folder.names() == std::vector<std::string>{"base.toml", "sweep.toml"});
+}
+
+TEST_CASE("bad sweeps: an unknown column is told what there is") {
+  const SweepFolder folder("[vary]\nload = [1, 2]\n[output]\ncolumns = [\"effective_frikshun\"]\n");
+  const Finished finished = folder.sweep({"-o", "out"});
+  CHECK(finished.code == 2);
+  CHECK(
+      finished.err.starts_with("steadyslide: sweep.toml:5: output.columns[0]: unknown column; keys here are method, "));
+  CHECK(holds(finished.err, ", effective_friction, effective_friction_error, "));
+  CHECK(finished.err.ends_with("; 'effective_frikshun'\n"));
+  CHECK(folder.names() == std::vector<std::string>{"base.toml", "sweep.toml"});
+}
+
+TEST_CASE("bad sweeps: what cannot be written is said before the first row") {
+  const SweepFolder folder(sweep_of_three_data);
+  check_refused(folder.sweep({"-o", "none/out"}), "none/out: cannot be written: No such file or directory", 3);
+  check_refused(folder.sweep({"-o", "/dev/full"}), "/dev/full: cannot be written: No space left on device", 3);
+  CHECK(folder.names() == std::vector<std::string>{"base.toml", "sweep.toml"});
+}

@@ -1,0 +1,123 @@
+// The facade says what problem files, laws and closed forms say. It sees no header but its own.
+
+#include <cmath>
+#include <fstream>
+#include <numeric>
+#include <optional>
+#include <steadyslide/steadyslide.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "doctest/doctest.h"
+
+using namespace steadyslide;
+
+namespace {
+
+ProblemData coatings() { return {.load = 1, .friction = {"0.1", 0.5}, .jumps = {0}, .poisson = 0.2, .profile = "0"}; }
+
+/// Contact from one side of a friction jump to the other, with free ends.
+ProblemData parabola(const Exact& load = "0.2") {
+  return {.load = load, .friction = {"0.1", "0.5"}, .jumps = {"0.1"}, .poisson = "0.3", .profile = "x^2/2"};
+}
+
+template <class Call>
+std::string refusal(Call call) {
+  try {
+    call();
+  } catch (const InvalidData& invalid) {
+    return invalid.what();
+  }
+  return "accepted";
+}
+
+}  // namespace
+
+TEST_CASE("ten lines to an answer") {
+  const Solution solution = solve(coatings(), {.digits = 50});
+  REQUIRE(solution.solved());
+  CHECK(solution.method() == "closed-form");
+  CHECK(solution.traction("1/2").digits == "-0.35655291651384204495378157903613372561292925249359");
+  CHECK(solution.traction(0.5).value == -0.35655291651384204);
+  CHECK(solution.traction(0.5).error < 1e-50);
+}
+
+TEST_CASE("a problem of data is the problem of its text, whatever its numbers are written as") {
+  const Problem problem = coatings();
+  CHECK(Problem::from_text(problem.text()).text() == problem.text());
+  const Problem decimal = ProblemData{.load = 1.0,
+                                      .friction = {"1/10", "5e-1"},
+                                      .jumps = {"0"},
+                                      .poisson = "1/5",
+                                      .support = {-1, 1},
+                                      .profile = "0*x"};
+  CHECK(solve(decimal, {.digits = 30}).effective_friction().digits ==
+        solve(problem, {.digits = 30}).effective_friction().digits);
+}
+
+TEST_CASE("load, Coulomb's law and the slope hold") {
+  const Solution solution = solve(parabola());
+  REQUIRE(solution.solved());
+  const std::vector<ContactComponent> contact = solution.contact();
+  REQUIRE(contact.size() == 1);
+  CHECK(solution.at(contact[0].right.x.value).cumulative_load.value == doctest::Approx(0.2).epsilon(1e-12));
+  CHECK(contact[0].load.value == doctest::Approx(0.2).epsilon(1e-12));
+  std::vector<double> places;
+  for (int k = 1; k < 40; ++k) places.push_back(contact[0].left.x.value + contact[0].width.value * k / 40 + 1e-5);
+  const std::vector<double> t = solution.traction(places);
+  const std::vector<double> shear = solution.shear(places);
+  const std::vector<double> slope = solution.slope(places);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const double friction = places[k] < 0.1 ? 0.1 : 0.5;
+    CHECK(shear[k] == doctest::Approx(-friction * t[k]).epsilon(1e-14));
+    CHECK(solution.traction(places[k]).value == doctest::Approx(t[k]).epsilon(1e-12));
+    CHECK(slope[k] == doctest::Approx(places[k]).epsilon(1e-9));  // the profile's
+    CHECK(std::abs(solution.gap(places[k]).value) < 1e-12);
+  }
+  CHECK(std::isnan(solution.gap(2).value));
+}
+
+TEST_CASE("resultants belong together") {
+  const Resultants of = solve(parabola()).resultants();
+  CHECK(of.friction_force.value == doctest::Approx(of.effective_friction.value * of.normal.value));
+  CHECK(of.mean_pressure.value == doctest::Approx(of.normal.value / of.real_contact_length.value));
+  CHECK(of.load_share.size() == 2);
+  CHECK(of.load_share[0].value + of.load_share[1].value == doctest::Approx(1));
+  CHECK(of.largest_pressure.value.value == INFINITY);  // at the jump, towards which friction rises
+  CHECK(of.largest_pressure.x.value == doctest::Approx(0.1));
+  CHECK(of.largest_pressure.exponent->value < 0);
+}
+
+TEST_CASE("data are refused as the command line refuses them") {
+  ProblemData data = coatings();
+  data.load = "-1";
+  CHECK(refusal([&] { Problem{data}; }) == "load: load out of range; the load is positive; -1");
+  CHECK(refusal([&] { Problem::from_text("load = 1\n", "p.toml"); }) ==
+        "p.toml:1: half_space: missing; the table is required; absent");
+  CHECK(refusal([] { solve(coatings(), {.digits = 0}); }) ==
+        "digits: out of range; it is a whole number from 1 to 100; '0'");
+  CHECK(refusal([] { solve(coatings()).traction("x"); }) ==
+        "x: not a number; a number is written like 2, -0.25, 1e-3 or 1/3; 'x'");
+  CHECK_THROWS_WITH_AS(read_problem("/no/file"), "/no/file: cannot be read: No such file or directory",
+                       std::runtime_error);
+}
+
+TEST_CASE("exponents, their derivation and a proof") {
+  const Problem problem = coatings();
+  const std::vector<PossiblePoint> points = exponents(problem, 30);
+  CHECK(points[0].symbolic == "-1/2 - arctan(3/80)/pi");
+  CHECK(points[0].exponent->value == doctest::Approx(-0.5 - std::atan(3.0 / 80) / std::acos(-1)).epsilon(1e-15));
+  CHECK(points[0].exponent->digits == "-0.51193103015721390799784273158");
+  CHECK(derivation(problem).find("edge, contact on the right") != std::string::npos);
+  const Proof proof = solve(problem).certify();
+  CHECK(proof.proved);
+  CHECK(proof.certificate.find("\"exists\": true") != std::string::npos);
+}
+
+TEST_CASE("on cells, too") {
+  const Solution solution = solve(parabola(), {.method = "variational", .cells = 512});
+  CHECK(solution.method() == "variational");
+  CHECK(solution.effective_friction().value ==
+        doctest::Approx(solve(parabola()).effective_friction().value).epsilon(0.01));
+}

@@ -1,0 +1,14 @@
+// Random decimals: those that the header's formula gives in another language's whole numbers.
+
+#include "library/sweep/random_decimals.hpp"
+
+#include "support/test.hpp"
+
+using namespace steadyslide::library;
+
+TEST_CASE("FNV-1a of its authors' test strings") {
+  CHECK(fnv1a("") == 0xcbf29ce484222325U);
+  CHECK(fnv1a("a") == 0xaf63dc4c8601ec8cU);
+  CHECK(fnv1a("foobar") == 0x85944171f73967e8U);
+  CHECK(fnv1a("bar", fnv1a("foo")) == fnv1a("foobar"));
+}

@@ -1,0 +1,114 @@
+// The largest von Mises stress: Hertz's line contact, whose stresses under its middle are known; brute force elsewhere.
+
+#include "numeric/interior/largest_stress.hpp"
+
+#include <random>
+
+#include "numeric/closed_form/closed_form.hpp"
+#include "numeric/interior/interior_stress_problems.hpp"
+#include "numeric/variational/variational_inequality.hpp"
+
+using namespace steadyslide::numeric::stress_test;
+
+namespace {
+
+ContactProblem parabola_under(const FrictionProfile& friction, const Rational& poisson = 0.3_r) {
+  return {Elasticity(Solid(poisson, 1)), friction, Indenter(-9, {{9, Polynomial({0, 0, 1})}}), 1};
+}
+
+/// Under the middle of Hertz's contact, in units of a and p_0 [Joh85, (4.46)], nu = 0.3.
+Real50 von_mises_on_axis(const Real50& z) {
+  using std::sqrt;
+  const Real50 root = sqrt(1 + z * z);
+  const Real50 xx = 2 * z - (1 + 2 * z * z) / root, zz = -1 / root, yy = Real50(3) / 10 * (xx + zz);
+  return sqrt(((xx - yy) * (xx - yy) + (yy - zz) * (yy - zz) + (zz - xx) * (zz - xx)) / 2);
+}
+
+}  // namespace
+
+TEST_CASE("Hertz: the maximum under the middle, found by bisection of its slope at 50 digits") {
+  // By golden sections: the value to the square of the place's error.
+  Real50 low = 0.5, high = 1;
+  const Real50 golden = (sqrt(Real50(5)) - 1) / 2;
+  while (high - low > Real50(1e-24)) {
+    const Real50 one = high - golden * (high - low), two = low + golden * (high - low);
+    (von_mises_on_axis(one) > von_mises_on_axis(two) ? high : low) =
+        von_mises_on_axis(one) > von_mises_on_axis(two) ? two : one;
+  }
+  const ContactProblem problem = parabola_under(FrictionProfile({0}));
+  const auto check = [&]<Real R>(const R& tolerance, const R& place) {
+    using std::abs;
+    const auto solution = closed_form<R>(problem).solution;
+    const InteriorStress<R> interior(*solution);
+    CHECK(unbounded_places(*solution).empty());
+    CHECK(default_depth(*solution) == 0);
+    const auto largest = largest_stress<R>(interior, 0);
+    REQUIRE(largest);
+    const R a = solution->contact().front().right.x.value;
+    const R p0 = -solution->at(0).traction.left.value;
+    CHECK(abs(largest->von_mises.value / p0 - static_cast<R>(von_mises_on_axis(low))) < tolerance);
+    CHECK(abs(largest->z.value / a - static_cast<R>(low)) < place);
+    CHECK(abs(largest->x.value) < place);
+    CHECK(largest->z.error < 10 * place);
+    // `low` itself is known to 1e-24.
+    CHECK(abs(largest->z.value / a - static_cast<R>(low)) * a <= largest->z.error + a * R(1e-24));
+    // Control: a hundredth of the half-width off is another stress.
+    CHECK(abs(von_mises_on_axis(low * 1.05) - von_mises_on_axis(low)) > 1e-4);
+  };
+  check.operator()<double>(1e-14, 1e-7);
+  check.operator()<Real50>(Real50(1e-28), Real50(1e-13));
+}
+
+TEST_CASE("no place has more: jumps, strong friction, a punch below its least depth, cells") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const ContactProblem punch_problem = punch();
+  struct Case {
+    std::shared_ptr<const ContactSolution<double>> solution;
+    bool unbounded;
+  };
+  VariationalOptions options;
+  options.cells = 256;
+  const std::vector<Case> cases{
+      {closed_form<double>(parabola_under(FrictionProfile({0.5_r, 0.2_r}, {0.1_r}))).solution, false},
+      {closed_form<double>(parabola_under(FrictionProfile({0.8_r}))).solution, false},
+      {closed_form<double>(punch_problem).solution, true},
+      {riemann_hilbert<double>(corners()).solution, true},
+      {variational_inequality(jumps(), options).solution, true}};
+  for (const auto& [solution, unbounded] : cases) {
+    CHECK(unbounded_places(*solution).empty() != unbounded);
+    const InteriorStress<double> interior(*solution);
+    const double depth = default_depth(*solution);
+    CHECK((depth > 0) == unbounded);
+    const auto largest = largest_stress<double>(interior, depth);
+    REQUIRE(largest);
+    CAPTURE(solution->method());
+    CAPTURE(largest->x.value);
+    CAPTURE(largest->z.value);
+    const double left = solution->contact().front().left.x.value;
+    const double width = solution->contact().back().right.x.value - left;
+    CAPTURE(left);
+    CAPTURE(width);
+    double highest = 0;
+    for (int i = 0; i < 4000; ++i) {
+      // Denser towards the surface.
+      const double x = left + width * (1.4 * unit(random) - 0.2);
+      const double z = std::max(depth, width * std::pow(10, -4 * unit(random)));
+      const StressState<double> state = interior.at(Rational(x), Rational(z));
+      highest = std::max(highest, state.von_mises()->value);
+    }
+    CHECK(highest <= largest->von_mises.value * (1 + 1e-12));
+    CHECK(highest > (unbounded ? 0.5 : 0.95) * largest->von_mises.value);
+  }
+  // Strong friction has it at the surface.
+  CHECK(largest_stress<double>(InteriorStress<double>(*cases[1].solution), 0)->z.value == 0);
+}
+
+TEST_CASE("without Poisson's ratio there is none") {
+  const ContactProblem problem(Elasticity::reduced(0.25_r), FrictionProfile({0.2_r}), Indenter(-1, {{1, Polynomial()}}),
+                               1);
+  const InteriorStress<double> interior(*closed_form<double>(problem).solution);
+  CHECK_FALSE(largest_stress<double>(interior, 0.1));
+  CHECK_FALSE(interior.at(0, 1).gradient);
+  CHECK_THROWS_AS(largest_stress<double>(interior, -1), std::invalid_argument);
+}

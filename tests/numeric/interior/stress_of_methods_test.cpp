@@ -1,0 +1,205 @@
+// The stresses below the surface of every method's solution: beside each other, beside strips with constant tractions, at
+// the surface, and as the gradient of a displacement.
+
+#include "numeric/closed_form/closed_form.hpp"
+#include "numeric/interior/interior_stress_problems.hpp"
+#include "numeric/variational/variational_inequality.hpp"
+#include "numeric/variational/variational_solution.hpp"
+#include "support/random_problem.hpp"
+
+using namespace steadyslide::numeric::stress_test;
+
+namespace {
+
+/// A parabola over a friction jump, and a punch over two.
+ContactProblem coated_parabola() {
+  return {body(), FrictionProfile({0.1_r, 0.6_r}, {0.1_r}), Indenter(-2, {{2, Polynomial({0, 0, 1})}}), 1};
+}
+ContactProblem coated_punch() {
+  return {body(), FrictionProfile({0.1_r, 1, 0.3_r}, {-0.25_r, 0.5_r}), Indenter(-1, {{1, Polynomial()}}), 2};
+}
+
+double relative(const StressState<double>& a, const StressState<double>& b) {
+  return difference(components(a), components(b)) / size(components(b));
+}
+
+const double field_places[][2] = {{0.1, 1e-9}, {0.1, 0.01}, {-0.3, 0.2}, {0.49, 1e-4},
+                                  {0.02, 0.6}, {-3, 1},     {0, 20},     {1.5, 1e-6}};
+
+}  // namespace
+
+TEST_CASE("closed forms and the Riemann-Hilbert method have one field, point by point and many at a time") {
+  for (const ContactProblem& problem : {coated_parabola(), coated_punch()}) {
+    const InteriorStress<double> formula(*closed_form<double>(problem).solution);
+    const InteriorStress<double> form(*riemann_hilbert<double>(problem).solution);
+    const InteriorStress<Real50> exact(*closed_form<Real50>(problem).solution);
+    std::vector<double> x, z;
+    for (const auto& place : field_places) {
+      x.push_back(place[0]);
+      z.push_back(place[1]);
+    }
+    std::vector<StressState<double>> many(x.size());
+    formula.at(x, z, many);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      CAPTURE(x[i]);
+      CAPTURE(z[i]);
+      CHECK(relative(formula.at(Rational(x[i]), Rational(z[i])), many[i]) == 0);
+      CHECK(relative(form.at(Rational(x[i]), Rational(z[i])), many[i]) < 1e-12);
+      const StressState<Real50> expected = exact.at(Rational(x[i]), Rational(z[i]));
+      const auto within = [](const Estimate<double>& a, const Estimate<Real50>& b) {
+        return std::abs(a.value - static_cast<double>(b.value)) <= a.error;
+      };
+      CHECK(within(many[i].xx, expected.xx));
+      CHECK(within(many[i].zz, expected.zz));
+      CHECK(within(many[i].xz, expected.xz));
+      CHECK(within(many[i].largest_shear(), expected.largest_shear()));
+      CHECK(within(many[i].gradient->x_z, expected.gradient->x_z));
+      CHECK(within(many[i].gradient->z_x, expected.gradient->z_x));
+      CHECK(many[i].xx.error < 1e-11 * size(components(many[i])));
+    }
+  }
+}
+
+TEST_CASE("tractions and slopes are recovered next to the surface, in double") {
+  const double z = 1e-15;
+  for (const bool formula : {true, false}) {
+    for (const ContactProblem& problem : {coated_parabola(), coated_punch()}) {
+      const auto solution = formula ? closed_form<double>(problem).solution : riemann_hilbert<double>(problem).solution;
+      const auto slopes = riemann_hilbert<double>(problem).solution;
+      const auto& form = dynamic_cast<const RiemannHilbertSolution<double>&>(*slopes);
+      const InteriorStress<double> interior(*solution);
+      for (const double x : {-0.2, 0.05, 0.3, 0.4}) {
+        CAPTURE(x);
+        const StressState<double> state = interior.at(Rational(x), Rational(z));
+        const Sample<double> sample = solution->at(Rational(x));
+        const double t = sample.traction.left.value;
+        CHECK(std::abs(state.zz.value - t) < 1e-12 * std::abs(t));
+        CHECK(std::abs(state.xz.value + sample.shear.left.value) < 1e-12 * std::abs(t));
+        const double scale = std::abs(t) * to_real<double>(problem.elasticity().compliance());
+        CHECK(std::abs(state.gradient->z_x.value + sample.slope.left.value) < 1e-12 * scale);
+        CHECK(std::abs(state.gradient->x_x.value - form.tangential_slope(Rational(x)).value) < 1e-12 * scale);
+        // Control: the surface does not turn the other way.
+        CHECK(std::abs(state.gradient->x_z.value + sample.slope.left.value) > 1e-3 * scale);
+      }
+    }
+  }
+}
+
+TEST_CASE("there is a displacement: its gradient's rows have no curl, in plane strain and plane stress") {
+  using R = Real50;
+  using std::abs;
+  const Rational h = 1e-14_r;
+  for (const Plane plane : {Plane::strain, Plane::stress}) {
+    const ContactProblem problem(Elasticity(Solid(0.3_r, 2), plane), FrictionProfile({0.2_r, 0.7_r}, {0.1_r}),
+                                 Indenter(-2, {{2, Polynomial({0, 0, 1})}}), 1);
+    const InteriorStress<R> interior(*closed_form<R>(problem).solution);
+    for (const auto& [x, z] : {std::pair(0.2_r, 0.3_r), {-0.6_r, 0.1_r}, {1, 0.5_r}}) {
+      const auto gradient = [&](int dx, int dz) { return *interior.at(x + dx * h, z + dz * h).gradient; };
+      const auto right = gradient(1, 0), left = gradient(-1, 0), down = gradient(0, 1), up = gradient(0, -1);
+      const R step = 2 * to_real<R>(h);
+      const R x_xz = (down.x_x.value - up.x_x.value) / step, x_zx = (right.x_z.value - left.x_z.value) / step;
+      const R z_xz = (down.z_x.value - up.z_x.value) / step, z_zx = (right.z_z.value - left.z_z.value) / step;
+      CHECK(abs(x_xz - x_zx) < R(1e-24));
+      CHECK(abs(z_xz - z_zx) < R(1e-24));
+      // Controls: x and z exchanged, as a rotation the other way would have it.
+      const R reversed = (right.z_x.value - left.z_x.value) / step;
+      CHECK(abs(x_xz - reversed) > R(1e-3));
+      const auto here = gradient(0, 0);
+      const StressState<R> stress = interior.at(x, z);
+      const R shear = R(2) / (2 * R(13) / 10);  // E/(2 (1 + nu))
+      CHECK(abs((here.x_z.value + here.z_x.value) * shear - stress.xz.value) < R(1e-45));
+    }
+  }
+}
+
+TEST_CASE("cells: strips of constant traction, one by one, at every depth; and the other methods' field") {
+  const ContactProblem problem = coated_parabola();
+  VariationalOptions options;
+  options.cells = 2048;
+  const auto found = variational_inequality(problem, options).solution;
+  const auto& cells = dynamic_cast<const VariationalSolution&>(*found);
+  const InteriorStress<double> interior(cells);
+  const InteriorStress<double> formula(*closed_form<double>(problem).solution);
+  const double jump = 0.1;
+  for (const auto& place : field_places) {
+    const double x = place[0], z = place[1];
+    CAPTURE(x);
+    CAPTURE(z);
+    Real50 sums[3] = {0, 0, 0};
+    // Pressure p and traction q on [a, b]: sums of angles and logarithms [Joh85, chapter 2].
+    const auto add = [&](const Real50& a, const Real50& b, const Real50& p, const Real50& q) {
+      const Real50 l = x - a, r = x - b, zz = z;
+      const Real50 one = atan2(zz, r), two = atan2(zz, l), angle = 2 * (one - two);
+      const Real50 sines = sin(Real50(2 * one)) - sin(Real50(2 * two));
+      const Real50 cosines = cos(Real50(2 * one)) - cos(Real50(2 * two)), twice = 2 * pi<Real50>();
+      const Real50 ratio = (r * r + zz * zz) / (l * l + zz * zz);
+      sums[0] += (-p * (angle + sines) + q * (2 * log(ratio) - cosines)) / twice;
+      sums[1] += (-p * (angle - sines) + q * cosines) / twice;
+      sums[2] += (p * cosines - q * (angle + sines)) / twice;
+    };
+    const variational::Cells all = cells.cells();
+    for (std::size_t i = 0; i < all.mean.size(); ++i) {
+      const double left = all.edges[i], right = all.edges[i + 1], t = all.mean[i];
+      if (t == 0) continue;
+      const double middle = std::clamp(jump, left, right);
+      if (middle > left) add(left, middle, -t, -t * 0.1);
+      if (middle < right) add(middle, right, -t, -t * 0.6);
+    }
+    const StressState<double> state = interior.at(Rational(x), Rational(z));
+    const double scale = size(components(state));
+    CHECK(std::abs(state.xx.value - static_cast<double>(sums[0])) < 1e-11 * scale);
+    CHECK(std::abs(state.zz.value - static_cast<double>(sums[1])) < 1e-11 * scale);
+    CHECK(std::abs(state.xz.value - static_cast<double>(sums[2])) < 1e-11 * scale);
+    // Within a few cells of the jump, where the pressure has no bound, cells show other stresses.
+    if (z < 0.1) continue;
+    const StressState<double> expected = formula.at(Rational(x), Rational(z));
+    CHECK(difference(components(state), components(expected)) < 0.01 * scale);
+    CHECK(std::abs(state.zz.value - expected.zz.value) <= state.zz.error);
+  }
+}
+
+TEST_CASE("a hundred friction values: sums by moments are those of 50 digits") {
+  std::vector<Rational> values, jumps;
+  for (int k = 0; k < 100; ++k) {
+    values.push_back(Rational(k % 7, 10));
+    if (k > 0) jumps.push_back(Rational(2 * k - 100, 100) + Rational(k % 3, 1000));
+  }
+  const ContactProblem problem(body(), FrictionProfile(values, jumps), Indenter(-1, {{1, Polynomial()}}), 1);
+  const InteriorStress<double> interior(*closed_form<double>(problem).solution);
+  const InteriorStress<Real50> exact(*closed_form<Real50>(problem).solution);
+  for (const auto& place : field_places) {
+    CAPTURE(place[0]);
+    CAPTURE(place[1]);
+    const Rational x(place[0]), z(place[1]);
+    const StressState<double> found = interior.at(x, z);
+    const StressState<Real50> expected = exact.at(x, z);
+    const double scale = static_cast<double>(size(components(expected)));
+    for (const auto& [a, b] : {std::pair(found.xx, expected.xx), {found.zz, expected.zz}, {found.xz, expected.xz}}) {
+      CHECK(std::abs(a.value - static_cast<double>(b.value)) < 2e-13 * scale);
+      CHECK(std::abs(a.value - static_cast<double>(b.value)) <= a.error);
+    }
+  }
+}
+
+TEST_CASE("laws: a mirror, a longer unit, a larger load") {
+  const bool holds = rc::check([] {
+    const ContactProblem problem = *flat_punch(3);
+    const InteriorStress<double> interior(*closed_form<double>(problem).solution);
+    const InteriorStress<double> mirror(*closed_form<double>(problem.mirrored()).solution);
+    const InteriorStress<double> loaded(*closed_form<double>(problem.with_load(3 * problem.load())).solution);
+    const InteriorStress<double> moved(*closed_form<double>(problem.moved(1, 1_r / 7)).solution);
+    const Rational x = *rational(-6, 6, 50), z = *rational(1, 9, 7) / 20;
+    const StressState<double> here = interior.at(x, z);
+    const double scale = size(components(here));
+    const auto is = [&](const StressState<double>& state, double factor, double odd) {
+      return std::abs(state.xx.value - factor * here.xx.value) < 1e-11 * scale * factor &&
+             std::abs(state.zz.value - factor * here.zz.value) < 1e-11 * scale * factor &&
+             std::abs(state.xz.value - odd * factor * here.xz.value) < 1e-11 * scale * factor;
+    };
+    RC_ASSERT(is(mirror.at(-x, z), 1, -1));
+    RC_ASSERT(is(loaded.at(x, z), 3, 1));
+    RC_ASSERT(is(moved.at(x + 1_r / 7, z), 1, 1));
+    RC_ASSERT(!is(loaded.at(x, z), 1, 1));
+  });
+  CHECK(holds);
+}
