@@ -1,19 +1,24 @@
 #!/usr/bin/env python3
-"""Growth of whole solves with the number of jumps, pieces or contact zones: user times, and exponents fitted over the upper octaves.
+"""Growth of whole solves: user times, and exponents fitted over the upper octaves.
 
     bench/growth.py PROGRAM KIND FIRST LAST [OPTION ...]
 
 KIND: jumps (a flat punch), parabola-jumps (x^2), pieces (a polygon in a parabola, half of its wedges in contact), zones
-(parabolas side by side, contact under each). Numbers of them run from 2^FIRST to 2^LAST. Each solve prints 101 samples a component and its residuals.
+(a row of equal bumps, each in contact), cells (a parabola over three jumps, on cells), digits (the same, as many digits
+certified). Numbers run from 2^FIRST to 2^LAST. Each solve prints its residuals, of jumps, pieces and zones also 101 samples
+a component.
 """
 
 import math
 import os
 import random
+import resource
 import subprocess
 import sys
 import tempfile
 from fractions import Fraction
+
+BODY = '[half_space]\npoisson = "0.2"\n'
 
 
 def friction(n):
@@ -27,31 +32,56 @@ def signed(number):
     return f"+{number}" if number >= 0 else str(number)
 
 
-def problem(kind, n):
-    body = '[half_space]\npoisson = "0.2"\n'
-    if kind == "jumps":
-        return 'load = "1"\n' + body + friction(n) + '[indenter]\nprofile = "0"\n'
-    if kind == "parabola-jumps":
-        return 'load = "1"\n' + body + friction(n) + '[indenter]\nprofile = "x^2"\n'
-    if kind == "zones":
-        bumps = [f'{{to = "{i + 1}", profile = "{Fraction((2 * i + 1)**2, 4)} - {2 * i + 1}*x + x^2"}}' for i in range(n)]
-        return (f'load = "{Fraction(n, 40)}"\n' + body + '[friction]\nvalues = ["0.3"]\n[indenter]\n' +
-                f'support = ["0", "{n}"]\npieces = [\n ' + ",\n ".join(bumps) + "]\n")
-    # Exact fractions: rounded ones would have steps between the pieces.
+def pieces(n, profile):
+    """Of equal length over [-1, 1]. Exact fractions: rounded ones would have steps between the pieces."""
     places = [Fraction(2 * i, n) - 1 for i in range(n + 1)]
-    pieces = [f'{{to = "{b}", profile = "{(a + b) / 2}*x{signed(-a * b / 2)}"}}' for a, b in zip(places, places[1:])]
-    return ('load = "0.3"\n' + body + '[friction]\nvalues = ["0.3"]\n[indenter]\npieces = [\n ' + ",\n ".join(pieces) +
-            "]\n")
+    rows = [f'{{to = "{b}", profile = "{profile(a, b)}"}}' for a, b in zip(places, places[1:])]
+    return "[indenter]\npieces = [\n " + ",\n ".join(rows) + "]\n"
 
 
-def user_time(program, text, options):
+def problem(kind, n):
+    if kind == "jumps":
+        return 'load = "1"\n' + BODY + friction(n) + '[indenter]\nprofile = "0"\n'
+    if kind in ("parabola-jumps", "cells", "digits"):
+        jumps = n if kind == "parabola-jumps" else 3
+        return 'load = "1"\n' + BODY + friction(jumps) + '[indenter]\nprofile = "x^2"\n'
+    one_friction = '[friction]\nvalues = ["0.3"]\n'
+    if kind == "pieces":
+        return 'load = "0.3"\n' + BODY + one_friction + pieces(
+            n, lambda a, b: f"{(a + b) / 2}*x{signed(-a * b / 2)}")
+    # Of bumps 2/n wide and x^2 n/2 high some six tenths of the support are in contact, and every bump's tip is.
+    return 'load = "0.5"\n' + BODY + one_friction + pieces(
+        n, lambda a, b: f"{Fraction(n, 2)}*x^2{signed(-n * (a + b) / 2)}*x+{n * ((a + b) / 2) ** 2 / 2}")
+
+
+def options(kind, n):
+    if kind == "cells":
+        return ["--method", "variational", "--cells", str(n)]
+    if kind == "digits":
+        return ["--certify", "--digits", str(n)]
+    return ["--samples", "101", *(["--method", "riemann-hilbert"] if kind == "zones" else [])]
+
+
+def run(program, path, arguments):
+    """What it prints, and its user time."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    done = subprocess.run([program, "solve", path, *arguments], check=True, capture_output=True, text=True)
+    return done.stdout, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+
+def measure(program, kind, n, more=()):
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "problem.toml")
         with open(path, "w", encoding="utf-8") as file:
-            file.write(text)
-        before = os.times().children_user
-        subprocess.run([program, "solve", path, "--samples", "101", *options], check=True, stdout=subprocess.DEVNULL)
-        return os.times().children_user - before
+            file.write(problem(kind, n))
+        return run(program, path, [*options(kind, n), *more])[1]
+
+
+def exponent(times):
+    """Of (octave, seconds), over the upper three octaves."""
+    upper = times[-4:]
+    mean = sum(o for o, _ in upper) / len(upper)
+    return sum((o - mean) * math.log2(t) for o, t in upper) / sum((o - mean) ** 2 for o, _ in upper)
 
 
 def main():
@@ -60,13 +90,10 @@ def main():
     program, kind, first, last = sys.argv[1], sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
     times = []
     for octave in range(first, last + 1):
-        seconds = user_time(program, problem(kind, 2**octave), sys.argv[5:])
+        seconds = measure(program, kind, 2**octave, sys.argv[5:])
         times.append((octave, seconds))
         print(f"{kind} 2^{octave}: {seconds:.2f} s", flush=True)
-    upper = times[-4:]
-    mean = sum(o for o, _ in upper) / len(upper)
-    slope = sum((o - mean) * math.log2(t) for o, t in upper) / sum((o - mean) ** 2 for o, _ in upper)
-    print(f"exponent over the upper three octaves: {slope:.2f}")
+    print(f"exponent over the upper three octaves: {exponent(times):.2f}")
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/polynomial.hpp"
-#include "numeric/number/real.hpp"
+#include "numeric/number/estimate.hpp"
 
 namespace steadyslide::numeric {
 
@@ -24,6 +24,19 @@ R value_of(const std::vector<R>& coefficients, const R& x) {
   R value = 0;
   for (std::size_t k = coefficients.size(); k-- > 0;) value = value * x + coefficients[k];
   return value;
+}
+
+/// The value at x, and what rounding may have made of it: of x and of each coefficient once, and of Horner's rule. What
+/// cancels in the value does not cancel there.
+template <Real R>
+Estimate<R> estimate_of(const std::vector<R>& coefficients, const R& x) {
+  using std::abs;
+  R size = 0;
+  const R magnitude = abs(x);
+  for (std::size_t k = coefficients.size(); k-- > 0;) {
+    size = size * magnitude + static_cast<double>(3 * k + 2) * abs(coefficients[k]);
+  }
+  return {value_of(coefficients, x), epsilon<R>() * size};
 }
 
 template <Real R>

@@ -1,6 +1,7 @@
 #include "numeric/riemann_hilbert/contact_equations.hpp"
 
 #include <cmath>
+#include <random>
 
 #include "numeric/number/dense_lu.hpp"
 #include "numeric/number/linear_system.hpp"
@@ -44,6 +45,39 @@ std::optional<std::vector<R>> solve_equations(const std::vector<std::vector<R>>&
   return solve_linear(rows);
 }
 
+/// |J^-1| e: what errors of the equations, at most e, do to the unknowns. Of many equations, for which the inverse costs
+/// more than all steps, what a few choices of signs make of them.
+template <Real R>
+std::vector<R> amplified(const std::vector<std::vector<R>>& rows, const std::vector<R>& errors) {
+  constexpr Eigen::Index few = 48, choices = 4;
+  using std::abs;
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  Eigen::MatrixXd matrix(n, n);
+  Eigen::VectorXd sizes(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::vector<R>& row = rows[static_cast<std::size_t>(i)];
+    R largest = 0;
+    for (std::size_t j = 0; j < rows.size(); ++j) largest = std::max(largest, R(abs(row[j])));
+    for (Eigen::Index j = 0; j < n; ++j)
+      matrix(i, j) = static_cast<double>(R(row[static_cast<std::size_t>(j)] / largest));
+    sizes(i) = static_cast<double>(R(errors[static_cast<std::size_t>(i)] / (epsilon<R>() * largest)));
+  }
+  const DenseLu lu(matrix);
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(n);
+  if (n <= few) {
+    sum = lu.inverse().cwiseAbs() * sizes;
+  } else {
+    std::minstd_rand signs;
+    for (Eigen::Index k = 0; k < choices; ++k) {
+      const Eigen::VectorXd choice = sizes.unaryExpr([&](double e) { return signs() % 2 == 0 ? e : -e; });
+      sum += lu.solve(choice).cwiseAbs();
+    }
+  }
+  std::vector<R> result;
+  for (const double x : sum) result.push_back(epsilon<R>() * x);
+  return result;
+}
+
 /// Is point j the pivot of a component with two free ends?
 template <Real R>
 bool is_free_pivot(const RiemannHilbertForm<R>& form, std::size_t j) {
@@ -76,7 +110,8 @@ ContactEquations<R>::ContactEquations(const RiemannHilbertForm<R>& form)
       coefficients_(static_cast<std::size_t>(std::max(-degree_ - 1, 0))),
       tilts_(form.problem().load_at().has_value()),
       size_(free_.size() + coefficients_ + (tilts_ ? 1 : 0)),
-      equations_(size_, std::vector<R>(size_ + 1, R(0))) {
+      equations_(size_, std::vector<R>(size_ + 1, R(0))),
+      errors_(size_, R(0)) {
   // With pivots the load is what an end that stays on a jump leaves to be checked.
   if (!has_pivots()) add_moments();
   add_gaps();
@@ -101,7 +136,7 @@ std::vector<R> ContactEquations<R>::end_steps() const {
     R b = form_.regular_factor_at(j, side).value;
     if (has_pivots()) {
       const std::size_t component = form_.y().component_of(j);
-      const R& at_pivot = form_.pivot_moment(component);
+      const R& at_pivot = form_.pivot_moment(component).value;
       const SurfacePoint<R> place = beside(form_.set(), j, side, R(0));
       if (is_free_pivot(form_, j)) {
         steps.push_back((neighbours_at(place) - at_pivot - tilt_step()) / (form_.power(j).value * b));
@@ -112,6 +147,37 @@ std::vector<R> ContactEquations<R>::end_steps() const {
     steps.push_back(solution_[f++] / (form_.power(j).value * b));
   }
   return steps;
+}
+
+template <Real R>
+std::pair<R, R> ContactEquations<R>::rounding() const {
+  using std::abs;
+  if (size_ == 0) return {R(0), R(0)};
+  const std::vector<R> unknowns = amplified(equations_, errors_);
+  const R tilt = tilts_ ? unknowns.back() : R(0);
+  R largest = 0;
+  std::size_t f = 0;
+  for (const std::size_t j : movable_) {
+    R b = form_.regular_factor_at(j, form_.set().contact_side(j)).value;
+    R error = 0;
+    const SurfacePoint<R> place = beside(form_.set(), j, form_.set().contact_side(j), R(0));
+    if (has_pivots() && is_free_pivot(form_, j)) {
+      const std::vector<R> distances = form_.distances(place);
+      error = tilt + form_.pivot_moment(form_.y().component_of(j)).error;
+      for (std::size_t i = 0; i < free_.size(); ++i) error += abs(unknowns[i] / distances[free_[i]]);
+    } else {
+      if (has_pivots()) b *= form_.y().to_pivot(place);
+      error = unknowns[f++];
+    }
+    largest = std::max(largest, R(abs(error / (form_.power(j).value * b))));
+  }
+  return {largest, tilt};
+}
+
+template <Real R>
+void ContactEquations<R>::set_right(const Estimate<R>& value) {
+  at(size_) = value.value;
+  errors_[row_] = value.error;
 }
 
 template <Real R>
@@ -160,12 +226,12 @@ template <Real R>
 void ContactEquations<R>::add_moments() {
   if (degree_ < 0) return;
   const auto count = static_cast<std::size_t>(degree_ + 1);
-  const std::vector<R> m = form_.moments(count);
+  const std::vector<Estimate<R>> m = form_.moments(count);
   for (std::size_t j = 0; j < count; ++j) {
-    const R missing = (j + 1 == count ? form_.problem().load() / pi<R>() : R(0)) - m[j];
+    const Estimate<R> missing = Estimate<R>{j + 1 == count ? form_.problem().load() / pi<R>() : R(0), R(0)} - m[j];
     if (row_ >= size_) {
       using std::abs, std::sqrt;
-      if (!(abs(missing) <= sqrt(epsilon<R>()) * form_.problem().load())) complete_ = false;
+      if (!(abs(missing.value) <= sqrt(epsilon<R>()) * form_.problem().load())) complete_ = false;
       continue;
     }
     for (std::size_t f = 0; f < free_.size(); ++f) {
@@ -174,7 +240,7 @@ void ContactEquations<R>::add_moments() {
       at(f) = power;
     }
     if (tilts_) at(free_.size()) = form_.expansion().tilt_moment(j);
-    right() = missing;
+    set_right(missing);
     ++row_;
   }
 }
@@ -214,7 +280,7 @@ void ContactEquations<R>::add_gaps() {
       }
       if (tilts_) at(free_.size() + coefficients_) += weight * form_.expansion().tilt_polynomial(node.at.node.x);
     }
-    right() = -gap.closure_error(rule);
+    set_right(-gap.closure_error(rule));
     ++row_;
   }
 }
@@ -242,7 +308,8 @@ void ContactEquations<R>::add_centre() {
   }
   for (std::size_t j = 0; j < count; ++j)
     at(free_.size() + coefficients_) += form_.expansion().tilt_moment(j) * series(j);
-  right() = (form_.problem().load() * *form_.problem().load_at() - form_.moment_of_load()) / pi<R>();
+  const R wanted = form_.problem().load() * *form_.problem().load_at();
+  set_right((Estimate<R>{wanted, R(0)}.widened(epsilon<R>()) - form_.moment_of_load()) / pi<R>());
   ++row_;
 }
 

@@ -2,6 +2,8 @@
 // The conditions on a contact set (contact_newton.hpp), linear in the unknowns of one of Newton's steps: rho_f, the
 // coefficients of r, and the change of the tilt.
 
+#include <utility>
+
 #include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
 
 namespace steadyslide::numeric {
@@ -21,6 +23,8 @@ class ContactEquations {
   /// Of the movable ends, in their order.
   std::vector<R> end_steps() const;
   R tilt_step() const { return tilts_ ? solution_.back() : R(0); }
+  /// What rounding in the equations may have done to any end, and to the tilt.
+  std::pair<R, R> rounding() const;
   /// The change of q that goes with ends moved by `moved`, when `part` of the step is taken.
   std::vector<R> q_step(const std::vector<R>& moved, const R& part) const;
 
@@ -31,7 +35,7 @@ class ContactEquations {
   std::vector<R> theta_step(const std::vector<R>& moved, const R& part) const;
 
   R& at(std::size_t column) { return equations_[row_][column]; }
-  R& right() { return at(size_); }
+  void set_right(const Estimate<R>& value);
   R end(std::size_t f) const { return form_.set().x(free_[f]); }
   void add_moments();
   void add_gaps();
@@ -45,6 +49,7 @@ class ContactEquations {
   bool tilts_;
   std::size_t size_;
   std::vector<std::vector<R>> equations_;  ///< with their right sides
+  std::vector<R> errors_;                  ///< of the right sides
   std::vector<R> solution_;
   std::size_t row_ = 0;
   bool complete_ = true;

@@ -67,7 +67,8 @@ class Newton {
       // An end that rounding alone drives across an anchor takes part of the step for ever: it is where it belongs.
       if (settled || (part == 1 && at_rounding_level)) {
         if (!linear.is_complete()) break;
-        return {std::move(state_), Status::converged, 0, movement * hull};
+        const auto [ends_rounding, tilt_rounding] = linear.rounding();
+        return {std::move(state_), Status::converged, 0, movement * hull, ends_rounding, tilt_rounding};
       }
       previous = part == 1 ? movement : infinity<R>();
       // Orders of magnitude that swing to and fro want shorter steps.

@@ -38,6 +38,8 @@ struct NewtonResult {
   enum class Status { converged, collapse, stalled } status;
   std::size_t collapsing = 0;  ///< the segment that wants to vanish
   R step = 0;                  ///< the last movement of an end, at the end of the iteration
+  R end_rounding = 0;          ///< what rounding in the equations may have done to an end, in xi
+  R tilt_rounding = 0;         ///< and to the tilt
 };
 
 /// In xi: a gap over a notch is not followed further. What is shorter has products that double cannot hold, and contact

@@ -13,9 +13,9 @@ constexpr std::size_t most_kept = 4'000'000;
 
 /// Subtracts term x^j from entry j.
 template <Real R>
-void subtract_powers(std::vector<R>& moments, R term, const R& x) {
-  for (R& m : moments) {
-    m -= term;
+void subtract_powers(std::vector<Estimate<R>>& moments, Estimate<R> term, const R& x) {
+  for (Estimate<R>& m : moments) {
+    m += -term;
     term *= x;
   }
 }
@@ -167,19 +167,28 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
     // y^a phi has a power higher than a by one if that is not the power of 1/|Y_i| there.
     if (y_->power(facing, component).value < p) phi = gap == 0 ? R(0) : R(-phi);
     const ReducedProblem<R>& problem = y_->problem();
-    phi *= y_->traction_factor(part.segment, component) *
-           (problem.slope(y_->slope_at(part.segment), at.node.x) - problem.slope(slope, at.node.x));
+    const std::size_t own = y_->slope_at(part.segment);
+    phi *= y_->traction_factor(part.segment, component);
+    // Near a break g - g_k is a small difference: what counts is the rounding of both.
+    const auto slope_size = [&](const R& x) {
+      return (problem.slope_estimate(own, x).error + problem.slope_estimate(slope, x).error) / (4 * epsilon<R>());
+    };
+    const R phi_size = abs(phi) * slope_size(at.node.x);
+    phi *= problem.slope(own, at.node.x) - problem.slope(slope, at.node.x);
+    const std::vector<R>& weights = y_->pivots().empty() ? node_weights_ : last_weights_;
     const bool mirrored = !panel.rule.singular_end && !panel_is_right;
     for (std::size_t i = 0; i < count; ++i) {
       const R& y = mirrored ? rule.from_right[i] : rule.from_left[i];
       const R term = (density[i] / part.length - phi * rule.weights[i]) / (y + d);
       sum += term;
-      size += abs(term) + abs(phi * rule.weights[i]);
+      const std::size_t node = panel.first + i;
+      const R density_size = abs(weights[node]) * slope_size(nodes_[node].node.x) / part.length;
+      size += abs(term) + (density_size + phi_size * rule.weights[i]) / (y + d);
     }
-    const R rest = phi * (gap == 0 ? regular_second_kind(panel.rule.power, part.length)
-                                   : second_kind::left_of(panel.rule.power, d));
-    sum += rest;
-    size += abs(rest);
+    const R rest =
+        gap == 0 ? regular_second_kind(panel.rule.power, part.length) : second_kind::left_of(panel.rule.power, d);
+    sum += phi * rest;
+    size += (abs(phi) + phi_size) * abs(rest);
   }
   return {panel_is_right ? sum : -sum, size};
 }
@@ -221,34 +230,38 @@ Estimate<R> ContactQuadrature<R>::cauchy(std::size_t slope, const SurfacePoint<R
 }
 
 template <Real R>
-std::vector<R> ContactQuadrature<R>::moments(const R& tilt, std::size_t count) const {
-  std::vector<R> result(count, R(0));
+std::vector<Estimate<R>> ContactQuadrature<R>::moments(const R& tilt, std::size_t count) const {
+  std::vector<Estimate<R>> result(count);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const R& x = nodes_[i].node.x;
     const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));
-    subtract_powers(result, node_weights_[i] * (y_->problem().slope(own, x) + tilt) / pi<R>(), x);
+    const Estimate<R> g = y_->problem().slope_estimate(own, x) + Estimate<R>{tilt, R(0)};
+    subtract_powers(result, node_term<R>(node_weights_[i] / pi<R>(), g), x);
   }
   return result;
 }
 
 template <Real R>
-R ContactQuadrature<R>::pivot_moment(std::size_t component, const R& tilt) const {
+Estimate<R> ContactQuadrature<R>::pivot_moment(std::size_t component, const R& tilt) const {
   if constexpr (std::same_as<R, double>) {
     if (const Cells* by_cells = cells()) return pivot_moment_by_cells(*by_cells, component, tilt);
   }
   const std::vector<R> distances = distances_to(y_->pivots()[component].point, 0, y_->set().segments());
-  R sum = 0;
+  Estimate<R> sum;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));
-    sum -= node_weights_[i] * (y_->problem().slope(own, nodes_[i].node.x) + tilt) / distances[i];
+    const Estimate<R> g = y_->problem().slope_estimate(own, nodes_[i].node.x) + Estimate<R>{tilt, R(0)};
+    sum += node_term<R>(-node_weights_[i] / distances[i], g);
   }
   return sum / pi<R>();
 }
 
 template <Real R>
-void ContactQuadrature<R>::add_difference_moments(std::size_t slope, std::vector<R>& moments) const {
+void ContactQuadrature<R>::add_difference_moments(std::size_t slope, std::vector<Estimate<R>>& moments) const {
   const std::vector<R>& f = density(slope);
-  for (std::size_t i = 0; i < f.size(); ++i) subtract_powers(moments, f[i] / pi<R>(), nodes_[i].node.x);
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    subtract_powers(moments, node_term<R>(1 / pi<R>(), {f[i], R(0)}), nodes_[i].node.x);
+  }
 }
 
 template class ContactQuadrature<double>;

@@ -16,6 +16,12 @@ namespace steadyslide::numeric {
 
 class NodeLine;
 
+/// A node's part of an integral of g: what has been rounded is g, the weight and the distance from a point.
+template <Real R>
+Estimate<R> node_term(const R& factor, const Estimate<R>& g) {
+  return factor * g.widened(8 * epsilon<R>());
+}
+
 template <Real R>
 class ContactQuadrature {
  public:
@@ -28,11 +34,11 @@ class ContactQuadrature {
   /// belongs to; its error is the sum of the sizes added.
   Estimate<R> cauchy(std::size_t slope, const SurfacePoint<R>& at) const;
   /// -(1/pi) times the second one for j = 0, 1, ...
-  std::vector<R> moments(const R& tilt, std::size_t count) const;
+  std::vector<Estimate<R>> moments(const R& tilt, std::size_t count) const;
   /// Adds -(1/pi) int eps cos(pi alpha) (g - g_k)/|Y| xi^j to moments[j].
-  void add_difference_moments(std::size_t slope, std::vector<R>& moments) const;
+  void add_difference_moments(std::size_t slope, std::vector<Estimate<R>>& moments) const;
   /// -(1/pi) int eps cos(pi alpha) (g + tilt)/(|Y| (xi - e_i)), e_i the pivot of a component.
-  R pivot_moment(std::size_t component, const R& tilt) const;
+  Estimate<R> pivot_moment(std::size_t component, const R& tilt) const;
 
  private:
   struct Panel {
@@ -66,8 +72,8 @@ class ContactQuadrature {
   void make_own(Cells& cells, std::size_t component) const requires std::same_as<R, double>;
   Estimate<R> cauchy_by_cells(Cells& cells, std::size_t slope,
                               const SurfacePoint<R>& at) const requires std::same_as<R, double>;
-  R pivot_moment_by_cells(const Cells& cells, std::size_t component,
-                          const R& tilt) const requires std::same_as<R, double>;
+  Estimate<R> pivot_moment_by_cells(const Cells& cells, std::size_t component,
+                                    const R& tilt) const requires std::same_as<R, double>;
   R node_distance(const Panel& panel, std::size_t i, bool is_right, const R& to_panel) const;
 
   const SignedFundamentalSolution<R>* y_;

@@ -114,14 +114,15 @@ Estimate<R> ContactQuadrature<R>::cauchy_by_cells(Cells& cells, std::size_t slop
 }
 
 template <Real R>
-R ContactQuadrature<R>::pivot_moment_by_cells(const Cells& cells, std::size_t component,
-                                              const R& tilt) const requires std::same_as<R, double> {
+Estimate<R> ContactQuadrature<R>::pivot_moment_by_cells(const Cells& cells, std::size_t component,
+                                                        const R& tilt) const requires std::same_as<R, double> {
   const ContactSet<R>& set = y_->set();
   const std::size_t e = y_->pivots()[component].point;
-  R sum = 0;
+  Estimate<R> sum;
   const auto add = [&](std::size_t i, const R& distance) {
-    const R slope = y_->problem().slope(y_->slope_at(static_cast<std::size_t>(nodes_[i].segment)), nodes_[i].node.x);
-    sum += node_weights_[i] * (slope + tilt) / distance;
+    const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));
+    const Estimate<R> g = y_->problem().slope_estimate(own, nodes_[i].node.x) + Estimate<R>{tilt, R(0)};
+    sum += node_term<R>(node_weights_[i] / distance, g);
   };
   const auto& [first, end] = cells.others->segments(component);
   const std::vector<R> own = distances_to(e, first, end);
@@ -134,7 +135,7 @@ R ContactQuadrature<R>::pivot_moment_by_cells(const Cells& cells, std::size_t co
                                                       add(panel.first + i, node_distance(panel, i, is_right, to_pivot));
                                                     }
                                                   });
-  return -(sum + others.value) / pi<R>();
+  return -(sum + Estimate<R>{others.value, 8 * epsilon<R>() * others.error}) / pi<R>();
 }
 
 /// xi - e at a node, from the distance of the panel's end that is nearer to e.
@@ -148,6 +149,7 @@ R ContactQuadrature<R>::node_distance(const Panel& panel, std::size_t i, bool is
 template ContactQuadrature<double>::Cells* ContactQuadrature<double>::cells() const;
 template Estimate<double> ContactQuadrature<double>::cauchy_by_cells(Cells&, std::size_t,
                                                                      const SurfacePoint<double>&) const;
-template double ContactQuadrature<double>::pivot_moment_by_cells(const Cells&, std::size_t, const double&) const;
+template Estimate<double> ContactQuadrature<double>::pivot_moment_by_cells(const Cells&, std::size_t,
+                                                                           const double&) const;
 
 }  // namespace steadyslide::numeric

@@ -33,7 +33,7 @@ class Search {
           snap();
           const RiemannHilbertForm<R> form(problem_, state_.set, state_.q, state_.tilt, rules_);
           const std::vector<Violation<R>> found = violations(form, newton.step);
-          if (found.empty()) return result({}, newton.step);
+          if (found.empty()) return result({}, std::max(newton.step, newton.end_rounding), newton.tilt_rounding);
           why = in_words(form, found, newton.step);
           before_gap_.reset();
           if (std::ranges::any_of(found, [](const Violation<R>& v) { return v.anchor.has_value(); })) {
@@ -51,8 +51,8 @@ class Search {
   using Set = ContactSet<R>;
   using What = typename Violation<R>::What;
 
-  SearchResult<R> result(std::string failed_condition, const R& step) const {
-    return {state_, std::max(step, epsilon<R>() * state_.set.span_length()), std::move(failed_condition)};
+  SearchResult<R> result(std::string failed_condition, const R& error, const R& tilt_error = R(0)) const {
+    return {state_, std::max(error, epsilon<R>() * state_.set.span_length()), std::move(failed_condition), tilt_error};
   }
 
   /// Where a gap over a notch has not been found, contact there is the best state: what is wrong with it has a name.

@@ -13,6 +13,7 @@ struct SearchResult {
   ContactState<R> state;
   R end_error;                   ///< estimated absolute error of the free ends, in xi
   std::string failed_condition;  ///< empty: every condition holds
+  R tilt_error = 0;              ///< of the tilt, in units of c
 
   bool solved() const { return failed_condition.empty(); }
 };

@@ -1,6 +1,7 @@
 #include "numeric/riemann_hilbert/expansion_at_infinity.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace steadyslide::numeric {
 
@@ -10,7 +11,8 @@ ExpansionAtInfinity<R>::ExpansionAtInfinity(const SignedFundamentalSolution<R>& 
   const int g = y.problem().highest_degree();
   const auto count = static_cast<std::size_t>(std::max({g + 2, g - S, S + 1, 2})) + 1;
   // log Y = S log z - sum_k sigma_k z^-k/k, sigma_k the power sums of the singular points.
-  std::vector<R> sigma(count, R(0));
+  using std::abs;
+  std::vector<R> sigma(count, R(0)), sigma_sizes(count, R(0));
   for (std::size_t j = 0; j < y.set().points().size(); ++j) {
     const R& p = y.fundamental_solution().powers()[j].value;
     if (p == 0) continue;
@@ -18,40 +20,53 @@ ExpansionAtInfinity<R>::ExpansionAtInfinity(const SignedFundamentalSolution<R>& 
     for (std::size_t k = 1; k < count; ++k) {
       term *= y.set().x(j);
       sigma[k] += term;
+      sigma_sizes[k] += abs(term);
     }
   }
   series_.assign(count, R(0));
   inverse_series_.assign(count, R(0));
-  series_[0] = inverse_series_[0] = 1;
+  sizes_.assign(count, R(0));
+  series_[0] = inverse_series_[0] = sizes_[0] = 1;
   for (std::size_t i = 1; i < count; ++i) {
     for (std::size_t k = 1; k <= i; ++k) {
       series_[i] -= sigma[k] * series_[i - k];
       inverse_series_[i] += sigma[k] * inverse_series_[i - k];
+      sizes_[i] += sigma_sizes[k] * abs(inverse_series_[i - k]) + abs(sigma[k]) * sizes_[i - k];
     }
     series_[i] /= static_cast<double>(i);
     inverse_series_[i] /= static_cast<double>(i);
+    sizes_[i] /= static_cast<double>(i);
   }
 }
 
 template <Real R>
-std::vector<R> ExpansionAtInfinity<R>::polynomial_part(const std::vector<R>& g) const {
+Estimate<R> ExpansionAtInfinity<R>::term(const R& g, std::size_t i) const {
+  using std::abs;
+  return {g * inverse_series_[i], 4 * epsilon<R>() * abs(g) * sizes_[i]};
+}
+
+template <Real R>
+std::vector<Estimate<R>> ExpansionAtInfinity<R>::polynomial_part(const std::vector<R>& g) const {
   const int top = std::max(static_cast<int>(g.size()) - 1 - degree_, 0);
-  std::vector<R> result(static_cast<std::size_t>(top) + 1, R(0));
+  std::vector<Estimate<R>> result(static_cast<std::size_t>(top) + 1);
   for (int j = 0; j <= top; ++j) {
     for (int l = std::max(j + degree_, 0); l < static_cast<int>(g.size()); ++l) {
       result[static_cast<std::size_t>(j)] +=
-          g[static_cast<std::size_t>(l)] * inverse_series_[static_cast<std::size_t>(l - degree_ - j)];
+          term(g[static_cast<std::size_t>(l)], static_cast<std::size_t>(l - degree_ - j));
     }
   }
   return result;
 }
 
 template <Real R>
-R ExpansionAtInfinity<R>::moment(const std::vector<R>& g, const R& tilt, std::size_t j) const {
-  R result = tilt * tilt_moment(j);
+Estimate<R> ExpansionAtInfinity<R>::moment(const std::vector<R>& g, const R& tilt, std::size_t j) const {
+  Estimate<R> result;
+  if (const int index = 1 + static_cast<int>(j) - degree_; index >= 0) {
+    result = term(tilt, static_cast<std::size_t>(index));
+  }
   for (std::size_t l = 0; l < g.size(); ++l) {
     const int index = static_cast<int>(l) - degree_ + 1 + static_cast<int>(j);
-    if (index >= 0) result += g[l] * inverse_series_[static_cast<std::size_t>(index)];
+    if (index >= 0) result += term(g[l], static_cast<std::size_t>(index));
   }
   return result;
 }

@@ -73,19 +73,23 @@ void GapIntegral<R>::add_nodes(const SegmentPart<R>& part, std::size_t slope, st
 }
 
 template <Real R>
-R GapIntegral<R>::slope_difference(const SegmentPart<R>& part) const {
+Estimate<R> GapIntegral<R>::slope_difference(const SegmentPart<R>& part) const {
   // The nodes change their k in the middle of a segment that has contact at both ends.
   const ReducedProblem<R>& problem = form_->problem();
   const std::size_t segment = part.segment;
   const std::size_t own = form_->slope_at(segment);
   const R middle = set().length(segment) / 2;
   const R end = part.from_left + part.length;
-  R sum = 0;
+  Estimate<R> sum;
   const auto add = [&](std::size_t k, const R& a, const R& b) {
     if (k == own || a >= b) return;
     const R left = surface_point(set(), segment, a, set().length(segment) - a).node.x;
     const R right = surface_point(set(), segment, b, set().length(segment) - b).node.x;
-    sum += problem.profile_increment(own, left, right) - problem.profile_increment(k, left, right);
+    for (const auto& [index, sign] : {std::pair(own, 1), {k, -1}}) {
+      const R rise = problem.profile_increment(index, left, right);
+      const R size = problem.slope_estimate(index, left).error + problem.slope_estimate(index, right).error;
+      sum += Estimate<R>{sign * rise, size * (b - a)};
+    }
   };
   add(slope_on(segment, true), part.from_left, std::min(end, middle));
   add(slope_on(segment, false), std::max(part.from_left, middle), end);
@@ -102,47 +106,44 @@ std::vector<GapNode<R>> GapIntegral<R>::rule() const {
 }
 
 template <Real R>
-R GapIntegral<R>::closure_error(const std::vector<GapNode<R>>& rule) const {
-  R sum = 0;
+Estimate<R> GapIntegral<R>::closure_error(const std::vector<GapNode<R>>& rule) const {
+  Estimate<R> sum;
+  const auto add_step = [&](std::size_t j) { sum += Estimate<R>{step(j), R(0)}.widened(epsilon<R>()); };
   std::size_t k = end_;
   for (; k < set().segments() && !set().in_contact(k); ++k) {
-    sum += step(k);
+    add_step(k);
     sum += slope_difference(whole_segment(set(), k));
   }
-  sum += step(k);
+  add_step(k);
   const SignedFundamentalSolution<R>& y = form_->y();
   for (const GapNode<R>& node : rule) {
-    R b = form_->regular_factor(node.slope, node.at).value;
+    Estimate<R> b = form_->regular_factor(node.slope, node.at);
     // B itself, with what it has at the pivot as long as the ends are not found.
-    if (!y.pivots().empty()) b = b * node.to_pivot + form_->pivot_moment(y.component_at(node.at));
-    sum += node.weight * (node.y * b);
+    if (!y.pivots().empty()) b = node.to_pivot * b + form_->pivot_moment(y.component_at(node.at));
+    // Over a tiny gap the weight times Y alone may be no number any more.
+    b *= node.y;
+    sum += node.weight * b.widened(8 * epsilon<R>());
   }
   return sum;
 }
 
 template <Real R>
 Estimate<R> GapIntegral<R>::reduced_gap(const SurfacePoint<R>& at) const {
-  using std::abs;
   if (at.segment < 0 || at.segment >= static_cast<std::ptrdiff_t>(set().segments())) {
     throw std::domain_error("a gap off the support: there is no indenter");
   }
   std::vector<GapNode<R>> nodes;
-  R sum = 0;
-  R size = 0;
+  Estimate<R> sum;
   for (const SegmentPart<R>& part : parts_to(at)) {
     const R height = step(is_rightwards(at) ? part.segment : part.segment + 1);
-    sum += height;
-    size += abs(height);
+    sum += Estimate<R>{height, R(0)}.widened(epsilon<R>()) + slope_difference(part);
     add_nodes(part, nodes);
-    sum += slope_difference(part);
   }
   for (const GapNode<R>& node : nodes) {
-    const Estimate<R> b = form_->regular_factor(node.slope, node.at);
-    const R weight = node.weight * node.y * node.to_pivot;
-    sum += weight * b.value;
-    size += abs(weight) * (abs(b.value) + b.error / epsilon<R>());
+    sum +=
+        R(node.weight * node.y * node.to_pivot) * form_->regular_factor(node.slope, node.at).widened(8 * epsilon<R>());
   }
-  return {is_rightwards(at) ? sum : -sum, 4 * epsilon<R>() * size};
+  return is_rightwards(at) ? sum : -sum;
 }
 
 template <Real R>

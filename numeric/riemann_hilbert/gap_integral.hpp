@@ -26,7 +26,7 @@ class GapIntegral {
   /// Over the whole gap, which begins at the end.
   std::vector<GapNode<R>> rule() const;
   /// The height that the profile misses at the far end of the gap that begins at the end: zero for a solution.
-  R closure_error(const std::vector<GapNode<R>>& rule) const;
+  Estimate<R> closure_error(const std::vector<GapNode<R>>& rule) const;
 
   /// The gap at a point of it, over c, measured from the end. Throws std::domain_error off the support.
   Estimate<R> reduced_gap(const SurfacePoint<R>& at) const;
@@ -46,7 +46,7 @@ class GapIntegral {
   void add_nodes(const SegmentPart<R>& part, std::vector<GapNode<R>>& nodes) const;
   void add_nodes(const SegmentPart<R>& part, std::size_t slope, std::vector<GapNode<R>>& nodes) const;
   /// int (profile slope - g_k) over a part of a gap segment, k as the gap's nodes use it.
-  R slope_difference(const SegmentPart<R>& part) const;
+  Estimate<R> slope_difference(const SegmentPart<R>& part) const;
 
   const RiemannHilbertForm<R>* form_;
   std::size_t end_;

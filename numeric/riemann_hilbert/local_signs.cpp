@@ -6,37 +6,6 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// What free ends that are displaced by `end_error` do to B at a point: neighbouring solutions differ by
-/// Y sum_f p_f B(e_f) de_f/(z - e_f); with pivots those of other components by this times (Y_j/Y_i)(e_f).
-template <Real R>
-R displaced(const RiemannHilbertForm<R>& form, std::size_t point, const R& end_error) {
-  using std::abs, std::sqrt;
-  const ContactSet<R>& set = form.set();
-  R sum = 0;
-  const Side side = set.point(point).is_end() ? set.contact_side(point) : Side::right;
-  const std::vector<R> distances = form.distances(beside(set, point, side, R(0)));
-  const auto& pivots = form.y().pivots();
-  const auto pivot_factor = [&](std::size_t f, std::size_t component) {
-    const auto& [pivot, order] = pivots[component];
-    const R d = abs(distances[f] - distances[pivot]);
-    return order == 0 ? R(1) : order > 0 ? d : R(1 / d);
-  };
-  for (const std::size_t f : set.movable()) {
-    if (f == point) continue;
-    // Lengths keep their relative precision, however small they are.
-    const R shortest = std::min(set.length(f - 1), set.length(f));
-    const R error = std::min(end_error, sqrt(epsilon<R>()) * shortest);
-    R b = form.regular_factor_at(f, set.contact_side(f)).value;
-    if (!pivots.empty()) {
-      const std::size_t own = form.y().component_of(f);
-      const std::size_t here = form.y().component_of(point);
-      if (own != here) b *= pivot_factor(f, own) / pivot_factor(f, here);
-    }
-    sum += abs(form.power(f).value * b) * error / abs(distances[f]);
-  }
-  return sum;
-}
-
 /// D.
 template <Real R>
 R slope_jump(const RiemannHilbertForm<R>& form, std::size_t point) {
@@ -46,13 +15,15 @@ R slope_jump(const RiemannHilbertForm<R>& form, std::size_t point) {
 
 template <Real R>
 LeadingTerm<R> power_term(const RiemannHilbertForm<R>& form, std::size_t point, const R& end_error) {
-  using std::abs;
+  using std::abs, std::sqrt;
   const ContactSet<R>& set = form.set();
   const bool is_end = set.point(point).is_end();
   const Side side = set.contact_side(point);
   const std::size_t segment = side == Side::right ? point : point - 1;
   const Estimate<R> b = form.regular_factor_at(point, side);
-  const R error = b.error + displaced(form, point, end_error);
+  const Side seen = is_end ? side : Side::right;
+  // Lengths keep their relative precision, however small they are.
+  const R error = b.error + form.displaced(beside(set, point, seen, R(0)), end_error, sqrt(epsilon<R>()));
   R factor = -form.sign(static_cast<std::ptrdiff_t>(segment)) * form.amplitude(point);
   if (is_end) factor *= form.problem().cos_alpha(form.friction_at(segment));
   const bool decided = abs(b.value) > 4 * error;

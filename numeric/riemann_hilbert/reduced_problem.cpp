@@ -65,11 +65,6 @@ ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& fr
 }
 
 template <Real R>
-R ReducedProblem<R>::slope(std::size_t index, const R& x) const {
-  return value_of(slopes_[index], x);
-}
-
-template <Real R>
 R ReducedProblem<R>::profile_increment(std::size_t index, const R& from, const R& to) const {
   // x^{j+1} - y^{j+1} = (x - y) (x^j + ... + y^j): nothing cancels over a short interval.
   const std::vector<R>& g = slopes_[index];

@@ -12,6 +12,7 @@
 
 #include "model/contact_problem.hpp"
 #include "numeric/cauchy/fundamental_solution.hpp"
+#include "numeric/number/polynomial.hpp"
 
 namespace steadyslide::numeric {
 
@@ -50,7 +51,9 @@ class ReducedProblem {
   std::size_t friction_of(std::size_t interval) const { return friction_of_[interval]; }
   /// The different polynomials g, coefficients of 1, xi, xi^2, ...
   const std::vector<std::vector<R>>& slopes() const { return slopes_; }
-  R slope(std::size_t index, const R& x) const;
+  R slope(std::size_t index, const R& x) const { return value_of(slopes_[index], x); }
+  /// With what rounding may have done to it.
+  Estimate<R> slope_estimate(std::size_t index, const R& x) const { return estimate_of(slopes_[index], x); }
   /// int_from^to g dxi.
   R profile_increment(std::size_t index, const R& from, const R& to) const;
   int highest_degree() const { return highest_degree_; }

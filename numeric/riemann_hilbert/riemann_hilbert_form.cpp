@@ -8,29 +8,31 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// sum_k a_k x^k, and the sum of the sizes of what is added.
+/// sum_k a_k x^k, and the sum of the sizes of what is added: `sizes` went into the a_k.
 template <Real R>
-Estimate<R> horner(const std::vector<R>& a, const R& x) {
+Estimate<R> horner(const std::vector<R>& a, const std::vector<R>& sizes, const R& x) {
   using std::abs;
   R value = 0;
   R size = 0;
   const R magnitude = abs(x);
   for (std::size_t k = a.size(); k-- > 0;) {
     value = value * x + a[k];
-    size = size * magnitude + abs(a[k]);
+    size = size * magnitude + sizes[k];
   }
   return {value, size};
 }
 
 /// [(g + tilt)/Y]_poly - q/pi.
 template <Real R>
-std::vector<R> polynomial_of(const ExpansionAtInfinity<R>& expansion, std::vector<R> g, const R& tilt,
-                             const std::vector<R>& q) {
+std::vector<Estimate<R>> polynomial_of(const ExpansionAtInfinity<R>& expansion, std::vector<R> g, const R& tilt,
+                                       const std::vector<R>& q) {
   if (g.empty()) g.push_back(R(0));
   g[0] += tilt;
-  std::vector<R> result = expansion.polynomial_part(g);
-  if (result.size() < q.size()) result.resize(q.size(), R(0));
-  for (std::size_t j = 0; j < q.size(); ++j) result[j] -= q[j] / pi<R>();
+  std::vector<Estimate<R>> result = expansion.polynomial_part(g);
+  if (result.size() < q.size()) result.resize(q.size());
+  for (std::size_t j = 0; j < q.size(); ++j) {
+    result[j] += Estimate<R>{-q[j] / pi<R>(), R(0)}.widened(4 * epsilon<R>());
+  }
   return result;
 }
 
@@ -45,9 +47,15 @@ RiemannHilbertForm<R>::RiemannHilbertForm(const ReducedProblem<R>& problem, Cont
       tilt_(tilt),
       expansion_(*y_),
       quadrature_(*y_, rules) {
+  using std::abs;
   const bool has_pivots = !y_->pivots().empty();
   for (const std::vector<R>& g : problem.slopes()) {
-    polynomials_.push_back(polynomial_of(expansion_, g, tilt_, has_pivots ? std::vector<R>() : q_));
+    polynomials_.emplace_back();
+    sizes_.emplace_back();
+    for (const auto& a : polynomial_of(expansion_, g, tilt_, has_pivots ? std::vector<R>() : q_)) {
+      polynomials_.back().push_back(a.value);
+      sizes_.back().push_back(std::max(R(abs(a.value)), R(a.error / (4 * epsilon<R>()))));
+    }
   }
   for (std::size_t i = 0; i < y_->pivots().size(); ++i) {
     if (y_->pivots()[i].order < 0) poles_.push_back(i);
@@ -61,27 +69,35 @@ Estimate<R> RiemannHilbertForm<R>::pivoted_polynomial(std::size_t slope, const S
   const std::size_t i = y_->component_at(at);
   const auto& [pivot, order] = y_->pivots()[i];
   const std::vector<R>& p = polynomials_[slope];
+  const std::vector<R>& sizes = sizes_[slope];
   const R& e = set().x(pivot);
   Estimate<R> result{R(0), R(0)};
   const auto add = [&result](const R& term) {
     result.value += term;
     result.error += abs(term);
   };
+  const auto add_estimate = [&result](const Estimate<R>& term) {
+    result.value += term.value;
+    result.error += std::max(R(abs(term.value)), R(term.error / (4 * epsilon<R>())));
+  };
   if (order > 0) {
     // (p(x) - p(e))/(x - e)
-    std::vector<R> quotient(p.size() - 1);
-    R carry = 0;
-    for (std::size_t k = p.size(); k-- > 1;) quotient[k - 1] = carry = carry * e + p[k];
-    result = horner(quotient, at.node.x);
+    std::vector<R> quotient(p.size() - 1), quotient_sizes(p.size() - 1);
+    R carry = 0, size = 0;
+    for (std::size_t k = p.size(); k-- > 1;) {
+      quotient[k - 1] = carry = carry * e + p[k];
+      quotient_sizes[k - 1] = size = size * abs(e) + sizes[k];
+    }
+    result = horner(quotient, quotient_sizes, at.node.x);
   } else {
-    result = horner(p, at.node.x);
+    result = horner(p, sizes, at.node.x);
   }
   const R d = order != 0 ? y_->distance(at, pivot) : R(1);
   if (order < 0) {
     result.value *= d;
     result.error *= abs(d);
-    add(expansion_.moment(problem().slopes()[slope], tilt_, 0));
-    add(-load_without_poles_);
+    add_estimate(expansion_.moment(problem().slopes()[slope], tilt_, 0));
+    add_estimate(-load_without_poles_);
   }
   for (const std::size_t j : poles_) {
     const std::size_t pole = y_->pivots()[j].point;
@@ -96,24 +112,27 @@ Estimate<R> RiemannHilbertForm<R>::pivoted_polynomial(std::size_t slope, const S
 }
 
 template <Real R>
-const R& RiemannHilbertForm<R>::pivot_moment(std::size_t component) const {
-  if (pivot_moments_.empty()) pivot_moments_.assign(y_->pivots().size(), infinity<R>());
-  R& result = pivot_moments_[component];
-  if (result == infinity<R>()) {
-    result = 0;
+const Estimate<R>& RiemannHilbertForm<R>::pivot_moment(std::size_t component) const {
+  pivot_moments_.resize(y_->pivots().size());
+  std::optional<Estimate<R>>& result = pivot_moments_[component];
+  if (!result) {
+    result = Estimate<R>{};
     if (y_->pivots()[component].order > 0) {
       result = quadrature_.pivot_moment(component, tilt_);
       const R& e = set().x(y_->pivots()[component].point);
-      for (const std::size_t j : poles_) result -= q_[j] / (pi<R>() * (e - set().x(y_->pivots()[j].point)));
+      for (const std::size_t j : poles_) {
+        const R term = q_[j] / (pi<R>() * (e - set().x(y_->pivots()[j].point)));
+        *result += Estimate<R>{-term, R(0)}.widened(8 * epsilon<R>());
+      }
     }
   }
-  return result;
+  return *result;
 }
 
 template <Real R>
 Estimate<R> RiemannHilbertForm<R>::regular_factor(std::size_t slope, const SurfacePoint<R>& at) const {
   const Estimate<R> regular =
-      y_->pivots().empty() ? horner(polynomials_[slope], at.node.x) : pivoted_polynomial(slope, at);
+      y_->pivots().empty() ? horner(polynomials_[slope], sizes_[slope], at.node.x) : pivoted_polynomial(slope, at);
   const Estimate<R> integral = quadrature_.cauchy(slope, at);
   return {regular.value - integral.value / pi<R>(), 4 * epsilon<R>() * (regular.error + integral.error / pi<R>())};
 }
@@ -127,6 +146,31 @@ Estimate<R> RiemannHilbertForm<R>::regular_factor_at(std::size_t j, Side side) c
   end_factors_.resize(set().points().size());
   if (!end_factors_[j]) end_factors_[j] = factor();
   return *end_factors_[j];
+}
+
+template <Real R>
+R RiemannHilbertForm<R>::displaced(const SurfacePoint<R>& at, const R& end_error, const R& part) const {
+  using std::abs;
+  const std::vector<R> distances = this->distances(at);
+  const auto& pivots = y_->pivots();
+  const auto pivot_factor = [&](std::size_t f, std::size_t component) {
+    const auto& [pivot, order] = pivots[component];
+    const R d = abs(distances[f] - distances[pivot]);
+    return order == 0 ? R(1) : order > 0 ? d : R(1 / d);
+  };
+  R sum = 0;
+  for (const std::size_t f : set().movable()) {
+    if (distances[f] == 0) continue;
+    const R error = std::min(end_error, R(part * std::min(set().length(f - 1), set().length(f))));
+    R b = regular_factor_at(f, set().contact_side(f)).value;
+    if (!pivots.empty()) {
+      const std::size_t own = y_->component_of(f);
+      const std::size_t here = y_->component_at(at);
+      if (own != here) b *= pivot_factor(f, own) / pivot_factor(f, here);
+    }
+    sum += abs(power(f).value * b) * error / abs(distances[f]);
+  }
+  return sum;
 }
 
 template <Real R>
@@ -159,16 +203,17 @@ void RiemannHilbertForm<R>::tractions(std::size_t segment, std::span<const R> fr
 }
 
 template <Real R>
-R RiemannHilbertForm<R>::profile_slope(const SurfacePoint<R>& at) const {
-  return problem().slope(slope_at(nearest_segment(at)), at.node.x) + tilt_;
+Estimate<R> RiemannHilbertForm<R>::profile_slope(const SurfacePoint<R>& at) const {
+  return problem().slope_estimate(slope_at(nearest_segment(at)), at.node.x) +
+         Estimate<R>{tilt_, R(0)}.widened(4 * epsilon<R>());
 }
 
 template <Real R>
 Estimate<R> RiemannHilbertForm<R>::surface_slope(const SurfacePoint<R>& at) const {
   const std::size_t segment = nearest_segment(at);
-  const Estimate<R> rounded = Estimate<R>{profile_slope(at), R(0)}.widened(4 * epsilon<R>());
-  if (at.segment == static_cast<std::ptrdiff_t>(segment) && set().in_contact(segment)) return rounded;
-  return rounded - y_->value(at) * regular_factor(slope_at(segment), at).widened(16 * epsilon<R>());
+  const Estimate<R> profile = profile_slope(at);
+  if (at.segment == static_cast<std::ptrdiff_t>(segment) && set().in_contact(segment)) return profile;
+  return profile - y_->value(at) * regular_factor(slope_at(segment), at).widened(16 * epsilon<R>());
 }
 
 template <Real R>
@@ -187,13 +232,13 @@ Estimate<R> RiemannHilbertForm<R>::load_on(std::size_t segment) const {
 }
 
 template <Real R>
-std::vector<R> RiemannHilbertForm<R>::moments(std::size_t count) const {
+std::vector<Estimate<R>> RiemannHilbertForm<R>::moments(std::size_t count) const {
   // The expansion at infinity would be a small difference of large terms where components are small beside their gaps.
   if (set().components() > 1) {
-    std::vector<R> result = quadrature_.moments(tilt_, count);
+    std::vector<Estimate<R>> result = quadrature_.moments(tilt_, count);
     for (const std::size_t j : poles_) {
-      R term = q_[j] / pi<R>();
-      for (R& m : result) {
+      Estimate<R> term = Estimate<R>{q_[j] / pi<R>(), R(0)}.widened(8 * epsilon<R>());
+      for (Estimate<R>& m : result) {
         m += term;
         term *= set().x(y_->pivots()[j].point);
       }
@@ -206,27 +251,29 @@ std::vector<R> RiemannHilbertForm<R>::moments(std::size_t count) const {
     if (set().in_contact(segment) && set().length(segment) > set().length(longest)) longest = segment;
   }
   const std::size_t k = slope_at(longest);
-  std::vector<R> result;
+  std::vector<Estimate<R>> result;
   for (std::size_t j = 0; j < count; ++j) result.push_back(expansion_.moment(problem().slopes()[k], tilt_, j));
   quadrature_.add_difference_moments(k, result);
   return result;
 }
 
 template <Real R>
-R RiemannHilbertForm<R>::moment_of_load() const {
+Estimate<R> RiemannHilbertForm<R>::moment_of_load() const {
   // u'/c = -(1/pi) (int t/z + int xi t/z^2 + ...), and it is Y (m_0/z + ... + q/pi).
   const int degree = degree_at_infinity();
   const auto count = static_cast<std::size_t>(std::max(degree + 2, 0));
-  const std::vector<R> m = moments(count);
+  const std::vector<Estimate<R>> m = moments(count);
   const std::vector<R>& series = expansion_.series();
-  R sum = 0;
-  for (std::size_t j = 0; j < count; ++j) sum += m[j] * series[count - 1 - j];
-  if (!y_->pivots().empty()) return sum * pi<R>();
+  Estimate<R> sum;
+  for (std::size_t j = 0; j < count; ++j) sum += series[count - 1 - j] * m[j].widened(8 * epsilon<R>());
+  if (!y_->pivots().empty()) return pi<R>() * sum;
   for (std::size_t l = 0; l < q_.size(); ++l) {
     const int index = degree + 2 + static_cast<int>(l);
-    if (index >= 0) sum += q_[l] / pi<R>() * series[static_cast<std::size_t>(index)];
+    if (index < 0) continue;
+    const R term = q_[l] / pi<R>() * series[static_cast<std::size_t>(index)];
+    sum += Estimate<R>{term, R(0)}.widened(8 * epsilon<R>());
   }
-  return sum * pi<R>();
+  return pi<R>() * sum;
 }
 
 template <Real R>

@@ -62,6 +62,10 @@ class RiemannHilbertForm {
   /// B_k at point j of the set, k the slope on that side; where the contact changes its polynomial at j, what is left
   /// of B_k without its singular term there (a multiple of |x - x_j|^-p, or of log|x - x_j| where p = 0).
   Estimate<R> regular_factor_at(std::size_t j, Side side) const;
+  /// What free ends displaced by `end_error`, but by no more than `part` of the length beside them, do to B_k at a place; at a
+  /// free end, what the others do. Neighbouring solutions differ by Y sum_f p_f B(e_f) de_f/(z - e_f); with pivots those of
+  /// other components by this times (Y_j/Y_i)(e_f).
+  R displaced(const SurfacePoint<R>& at, const R& end_error, const R& part = R(1)) const;
   /// t; zero off the contact.
   Estimate<R> traction(const SurfacePoint<R>& at) const;
   /// At many points of a segment in contact, by their distances from its ends, without errors: |Y| as
@@ -69,17 +73,17 @@ class RiemannHilbertForm {
   void tractions(std::size_t segment, std::span<const R> from_left, std::span<const R> from_right,
                  std::span<R> values) const;
   /// The tilted profile's g at a point; beyond the support that of its last piece.
-  R profile_slope(const SurfacePoint<R>& at) const;
+  Estimate<R> profile_slope(const SurfacePoint<R>& at) const;
   /// The reduced slope u'/c.
   Estimate<R> surface_slope(const SurfacePoint<R>& at) const;
   /// int t over a segment in contact at whose two points the polynomial does not change.
   Estimate<R> load_on(std::size_t segment) const;
   /// m_j of u'/(c Y) = m_0/z + m_1/z^2 + ..., plus the polynomial q/pi.
-  std::vector<R> moments(std::size_t count) const;
+  std::vector<Estimate<R>> moments(std::size_t count) const;
   /// -int xi t.
-  R moment_of_load() const;
+  Estimate<R> moment_of_load() const;
   /// B(e_i), e_i the pivot of a component without an edge: 0 for a solution.
-  const R& pivot_moment(std::size_t component) const;
+  const Estimate<R>& pivot_moment(std::size_t component) const;
 
   /// Where the tilted profile over a segment has its valleys and peaks: the first places to look for contact, however
   /// small they are beside the segment.
@@ -104,11 +108,12 @@ class RiemannHilbertForm {
   ExpansionAtInfinity<R> expansion_;
   ContactQuadrature<R> quadrature_;
   std::vector<std::vector<R>> polynomials_;  ///< for each k the coefficients of [(g_k + tilt)/Y]_poly - q/pi
+  std::vector<std::vector<R>> sizes_;        ///< of what was added up for each of them
   Estimate<R> pivoted_polynomial(std::size_t slope, const SurfacePoint<R>& at) const;
 
   std::vector<std::size_t> poles_;  ///< components that have a theta
-  R load_without_poles_ = 0;        ///< the coefficient of 1/z that u'/(c Y) would have without them
-  mutable std::vector<R> pivot_moments_;
+  Estimate<R> load_without_poles_;  ///< the coefficient of 1/z that u'/(c Y) would have without them
+  mutable std::vector<std::optional<Estimate<R>>> pivot_moments_;
   mutable std::vector<std::optional<Estimate<R>>> end_factors_;  ///< B_k at the ends of contact: asked for many times
 };
 

@@ -42,24 +42,23 @@ Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const {
 
 template <Real R>
 Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const {
-  using std::abs;
   const R c = to_real<R>(problem_.elasticity().compliance());
   Sample<R> result;
   result.x = to_real<R>(reduced_.frame().origin) + to_real<R>(reduced_.frame().unit) * at.node.x;
-  const R ends = relative_end_error(at);
   Estimate<R> slope = form_.surface_slope(at);
   const bool in_support = at.segment >= 0 && at.segment < static_cast<std::ptrdiff_t>(contact_set().segments());
   if (in_support) result.gap = gap(at);
   if (in_support && contact_set().in_contact(static_cast<std::size_t>(at.segment))) {
-    const Estimate<R> t = form_.traction(at).widened(ends);
+    const Estimate<R> t = traction(at);
     const Estimate<R> shear = shear_of(problem_, form_.friction_at(static_cast<std::size_t>(at.segment)), t);
     result.traction = {t, t};
     result.shear = {shear, shear};
   } else {
     // The slope is the profile's less a singular part: that is what ends move.
-    slope.error += ends * abs(form_.profile_slope(at) - slope.value);
+    slope.error += 2 * form_.modulus(at) * form_.displaced(at, found_.end_error);
   }
   slope *= c;
+  if (const auto turned = tilt()) slope.error += turned->error;
   result.slope = {slope, slope};
   return result;
 }
@@ -80,7 +79,6 @@ Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) 
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) const {
-  using std::abs;
   const R c = to_real<R>(problem_.elasticity().compliance());
   const auto& point = contact_set().point(j);
   const bool contact = in_contact_at(j, side);
@@ -91,9 +89,9 @@ Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) con
   if (contact || point.is_end()) {
     // The surface leaves a free end along the profile of the contact.
     if (!contact) segment += side == Side::left ? 1 : -1;
-    const R slope =
-        reduced_.slope(form_.slope_at(static_cast<std::size_t>(segment)), contact_set().x(j)) + form_.tilt();
-    return {c * slope, 8 * epsilon<R>() * c * abs(slope)};
+    const Estimate<R> slope =
+        reduced_.slope_estimate(form_.slope_at(static_cast<std::size_t>(segment)), contact_set().x(j));
+    return c * slope + tilt().value_or(Estimate<R>{c * form_.tilt(), R(0)});
   }
   // Off the contact the surface is smooth, whatever the profile does above it.
   return c * form_.surface_slope(beside(contact_set(), j, side, R(0)));

@@ -57,6 +57,16 @@ R RiemannHilbertSolution<R>::relative_end_error(const SurfacePoint<R>& at) const
   return sum;
 }
 
+template <Real R>
+Estimate<R> RiemannHilbertSolution<R>::traction(const SurfacePoint<R>& at) const {
+  using std::abs;
+  Estimate<R> t = form_.traction(at);
+  const auto segment = static_cast<std::size_t>(at.segment);
+  // Twice: q and the tilt go with the ends.
+  t.error += 2 * abs(form_.y().traction_factor(segment)) * form_.modulus(at) * form_.displaced(at, found_.end_error);
+  return t;
+}
+
 /// A segment's middle.
 template <Real R>
 SurfacePoint<R> RiemannHilbertSolution<R>::middle_of(std::size_t segment) const {
@@ -71,7 +81,9 @@ Estimate<R> RiemannHilbertSolution<R>::amplitude(std::size_t j, Side side) const
   const SurfacePoint<R> at = middle_of(segment);
   const R factor = form_.sign(at.segment) * form_.amplitude(j);
   const R relative = form_.fundamental_solution().relative_error(segment, at.node, R(0)) + 2 * relative_end_error(at);
-  return factor * form_.regular_factor_at(j, side).widened(relative);
+  Estimate<R> b = form_.regular_factor_at(j, side).widened(relative);
+  b.error += 2 * form_.displaced(beside(contact_set(), j, side, R(0)), found_.end_error);
+  return factor * b;
 }
 
 template <Real R>
@@ -246,8 +258,11 @@ Resultants<R> RiemannHilbertSolution<R>::integrated() const {
   Resultants<R> result = resultants_of(on_pieces, problem_.friction().values());
   result.component_load = std::move(on_components);
   const R origin = to_real<R>(reduced_.frame().origin);
-  const R offset = unit * form_.moment_of_load() / reduced_.load();
-  result.centre_of_pressure = {origin + offset, epsilon<R>() * (abs(origin) + 32 * unit) + 8 * unit * found_.end_error};
+  const Estimate<R> offset = unit * form_.moment_of_load() / reduced_.load();
+  // Free ends move the centre by no more than what they do to the load, over the contact's length.
+  const R ends =
+      8 * unit * found_.end_error + unit * contact_set().span_length() * result.normal.error / result.normal.value;
+  result.centre_of_pressure = {origin + offset.value, offset.error + epsilon<R>() * (abs(origin) + 32 * unit) + ends};
   return result;
 }
 
@@ -298,7 +313,8 @@ std::optional<Estimate<R>> RiemannHilbertSolution<R>::tilt() const {
   if (!problem_.load_at()) return std::nullopt;
   const R c = to_real<R>(problem_.elasticity().compliance());
   const R value = c * form_.tilt();
-  return Estimate<R>{value, 64 * epsilon<R>() * (abs(value) + c * reduced_.load()) + c * found_.end_error};
+  return Estimate<R>{
+      value, 64 * epsilon<R>() * (abs(value) + c * reduced_.load()) + c * (found_.end_error + found_.tilt_error)};
 }
 
 template <Real R>
@@ -308,8 +324,8 @@ EstimatedError<R> RiemannHilbertSolution<R>::estimated_error() const {
   for (std::size_t k = 0; k < contact_set().segments(); ++k) {
     if (!contact_set().in_contact(k)) continue;
     const SurfacePoint<R> at = middle_of(k);
-    const Estimate<R> t = form_.traction(at);
-    if (t.value != 0) worst.traction = max(worst.traction, t.error / abs(t.value) + relative_end_error(at));
+    const Estimate<R> t = traction(at);
+    if (t.value != 0) worst.traction = max(worst.traction, t.error / abs(t.value));
   }
   const Resultants<R> r = resultants();
   worst.resultants = r.normal.error / r.normal.value;

@@ -62,6 +62,8 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   /// where p = 0.
   Estimate<R> amplitude(std::size_t j, Side side) const;
   Estimate<R> intensity(std::size_t j) const;
+  /// With what the free ends' error may do to it.
+  Estimate<R> traction(const SurfacePoint<R>& at) const;
   Estimate<R> constant(std::size_t j) const;
   /// The jump of g at a point where the contact changes its polynomial.
   const Rational& wedge(std::size_t j) const { return contact_set().anchor_at(j)->wedge; }

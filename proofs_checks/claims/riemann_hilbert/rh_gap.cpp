@@ -92,7 +92,7 @@ class GapCheck {
     }
     if (!left || !right || left->end != segment) return;
     const numeric::GapIntegral<R> whole(form_, left->end);
-    compare("closure", by_form(whole.closure_error(whole.rule()), *left, right->end), difference);
+    compare("closure", by_form(whole.closure_error(whole.rule()).value, *left, right->end), difference);
   }
 
   R by_form(R gap, const Facing<R>& from, std::size_t segment) const {

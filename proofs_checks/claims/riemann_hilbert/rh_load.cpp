@@ -38,11 +38,11 @@ Values at_infinity(const Trial& trial, bool first_term_alone = false) {
   const R minus_pi = -numeric::pi<R>() / load_scale(form);
   const int S = form.degree_at_infinity();
   const R moment = !first_term_alone ? coefficient_at_infinity(form, -2)
-                   : S >= -1         ? form.moments(static_cast<std::size_t>(S + 2)).back()
+                   : S >= -1         ? form.moments(static_cast<std::size_t>(S + 2)).back().value
                                      : R(form.q()[static_cast<std::size_t>(-S - 2)] / numeric::pi<R>());
   Values values{{"load", R(minus_pi * coefficient_at_infinity(form, -1))},
                 {"moment", R(minus_pi * moment)},
-                {"moment, solver", R(-form.moment_of_load() / load_scale(form))},
+                {"moment, solver", R(-form.moment_of_load().value / load_scale(form))},
                 {"part", Number(0)}};
   if (!form.q().empty()) values.add({"given", R(-form.q().back() / load_scale(form))});
   return values;

@@ -44,10 +44,10 @@ RiemannHilbertForm<R> TrialForm<R>::form_on(ContactSet<R> set, const R& tilt) co
 template <Real R>
 R coefficient_at_infinity(const RiemannHilbertForm<R>& form, int power) {
   const int top = form.degree_at_infinity() - power;
-  const std::vector<R> m = form.moments(static_cast<std::size_t>(std::max(top, 0)));
+  const std::vector<numeric::Estimate<R>> m = form.moments(static_cast<std::size_t>(std::max(top, 0)));
   R sum = 0;
   for (int j = 0; j < top; ++j) {
-    sum += m[static_cast<std::size_t>(j)] * form.expansion().series()[static_cast<std::size_t>(top - 1 - j)];
+    sum += m[static_cast<std::size_t>(j)].value * form.expansion().series()[static_cast<std::size_t>(top - 1 - j)];
   }
   for (std::size_t l = 0; l < form.q().size(); ++l) {
     const int index = top + static_cast<int>(l);

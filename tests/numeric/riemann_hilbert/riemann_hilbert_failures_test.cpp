@@ -67,7 +67,7 @@ TEST_CASE("control: a displaced end is seen in the load, the equation and the cl
   const auto closure = [](const Form& form) {
     const std::size_t j = form.set().all(Set::Kind::ends).front();
     const GapIntegral<double> gap(form, j);
-    return std::abs(gap.closure_error(gap.rule()));
+    return std::abs(gap.closure_error(gap.rule()).value);
   };
   CHECK(closure(good->form()) < 1e-13);
   const double equation = check_of(good->form()).equation();

@@ -46,7 +46,7 @@ TEST_CASE("the load acts where it should; its moment by an unrelated quadrature"
       const trapezoidal::Grid<double> grid(traction_density(found->form()));
       const double moment = grid.moment(0) / grid.integral();
       agree(moment, *found->problem().load_at());
-      agree(found->form().moment_of_load() / found->problem().load(), moment);
+      agree(found->form().moment_of_load().value / found->problem().load(), moment);
       if (indenter.pieces()[0].profile.degree() < 0) {
         // A load further to the right presses the right side down: psi + tilt x is lower there.
         CHECK(found->tilt()->value < last);

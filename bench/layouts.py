@@ -1,0 +1,161 @@
+"""How the times of the benchmark programs stand in the tables of bench/README.md.
+
+A layout names its program and arguments and turns measurements into one or two tables of Markdown, the second one for the
+marker `NAME 2`. A measurement is the CPU time in nanoseconds, and its counters; `Times` asks for them by the benchmark's
+name.
+"""
+
+import json
+import subprocess
+
+
+class Times:
+    def __init__(self, program, arguments):
+        out = subprocess.run([program, "--benchmark_format=json", *arguments], check=True, capture_output=True, text=True)
+        unit = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
+        self.of, self.counters = {}, {}
+        for run in json.loads(out.stdout)["benchmarks"]:
+            if run.get("aggregate_name", "median") != "median" or "error_occurred" in run or "cpu_time" not in run:
+                continue
+            name = run.get("run_name", run["name"])
+            measured = "real_time" if name.endswith("/real_time") else "cpu_time"
+            self.of[name] = run[measured] * unit[run["time_unit"]]
+            self.counters[name] = run
+
+    def time(self, name, unit):
+        return short(self.of[name] / unit) if name in self.of else ""
+
+    def ratio(self, above, below, digits=2):
+        return f"**{short(self.of[above] / self.of[below], digits)}**" if above in self.of and below in self.of else ""
+
+    def counter(self, name, counter):
+        return power_of_ten(self.counters[name][counter]) if name in self.counters else ""
+
+
+def short(number, digits=2):
+    """With two or three digits, and no more."""
+    if number == 0:
+        return "0"
+    text = f"{number:.{digits}g}"
+    return f"{float(text):.0f}" if abs(number) >= 10**digits else text
+
+
+def power_of_ten(number):
+    return "0" if number == 0 else f"{number:.0e}".replace("e-0", "e-")
+
+
+def table(head, rows):
+    return ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)] + ["| " + " | ".join(row) + " |" for row in rows]
+
+
+NS, US, MS = 1, 1e3, 1e6
+
+
+def traction(t):
+    floor = "double/floor"
+    names = (("floor, five `pow` of glibc", floor), ("one by one, at points of panels", "double/one_by_one"),
+             ("at given x, with shear (`tractions()`)", "double/at_places"),
+             ("at points of panels", "double/on_panels"), ("kernel, AVX-512", "double/kernel/avx512"),
+             ("kernel, AVX2 and FMA", "double/kernel/avx2"), ("kernel, SSE2", "double/kernel/baseline"),
+             ("libmvec, AVX-512", "double/libmvec/avx512"), ("libmvec, AVX2", "double/libmvec/avx2"),
+             ("libmvec, SSE2", "double/libmvec/baseline"))
+    points = 1e6
+    rows = [[text, short(t.of[name] / points, 3) + " ns", t.ratio(floor, name)] for text, name in names if name in t.of]
+    rows.append(["50 digits: tractions / floor", "", t.ratio("50 digits/on_panels", "50 digits/floor")])
+    return (table(["a point", "time", "floor / time"], rows),)
+
+
+def precision(t):
+    functions = table(["function", "50 digits", "MPFR", "", "100 digits", "MPFR", ""],
+                  [[f] + [cell for d in (50, 100) for cell in
+                          (t.time(f"{f}, {d} digits", US), t.time(f"{f} by MPFR, {d} digits", US),
+                           t.ratio(f"{f} by MPFR, {d} digits", f"{f}, {d} digits"))] for f in ("log", "exp", "pow")])
+    rules = ("Gauss-Jacobi, rule known", "double-exponential grid", "Boost's tanh-sinh", "PARI's intnum",
+             "acb_calc_integrate")
+    names = [(rule, f"panel, {rule}, 50 digits", f"panel, {rule}, 100 digits") for rule in rules]
+    return functions, table(["panel by", "50 digits", "error", "100 digits", "error"],
+                                [[rule] + [cell for name in (a, b) for cell in
+                                           (t.time(name, MS), t.counter(name, "error") if "acb" not in rule else "")]
+                                 for rule, a, b in names])
+
+
+def answers(t):
+    rows = []
+    for problem in ("punch", "parabola", "wedge, all in contact", "wedge, partly", "two zones"):
+        for how, name in ((", by formula", " by formula"), ("", "")):
+            cells = []
+            for digits in (50, 100):
+                bare, answer = (f"{problem}, {digits} digits, {x}" for x in ("bare", "answer" + name))
+                cells += [t.time(bare, MS), t.time(answer, MS), t.ratio(answer, bare)]
+            if cells[1]:
+                rows.append([problem + how] + cells)
+    return (table(["problem", "50 digits: bare", "answer", "ratio", "100 digits: bare", "answer", "ratio"], rows),)
+
+
+def derivations(t):
+    jumps = (0, 1, 2, 3, 4, 8, 16)
+    names = ("closed_form/flat_punch", "closed_form/tilted_punch", "closed_form/parabola", "closed_form/quartic",
+             "problem_closed_form", "problem_local_forms")
+    texts = ("flat punch, symbolic frictions", "tilted punch", "parabola", "quartic",
+             "a punch with numbers, closed form", "a punch with numbers, all local forms")
+    return (table(["derivation"] + [str(n) for n in jumps],
+                 [[text] + [t.time(f"{name}/{n}", MS) for n in jumps] for text, name in zip(texts, names)]),)
+
+
+def riemann_hilbert(t):
+    both = ("quartic", "wedge")
+    names = (("variational, 1,024 cells", "variational_1024", "ends"), ("solve, from nothing", "solve_cold", "ends"),
+             ("solve, from a neighbouring solution", "solve_warm", ""),
+             ("50 digits, from nothing", "solve_50_digits", ""), ("100 digits, from nothing", "solve_100_digits", ""),
+             ("one traction value", "traction", "traction"), ("one traction value by GSL", "traction_by_gsl", "traction"))
+    rows = [[text] + [cell for p in both for cell in
+                      (t.time(f"{name}/{p}", US) + " us", t.counter(f"{name}/{p}", error) if error else "")]
+            for text, name, error in names]
+    lines = table(["", "quartic", "error", "wedge", "error"], rows)
+    jumps = (4, 16, 64, 256, 1024)
+    kinds = [(f"{text}, {p}", f"{name}/{p}") for text, name in (("solve (warm)", "solve_by_jumps"),
+                                                              ("traction", "traction_by_jumps")) for p in both]
+    return lines, table(["us, by jumps"] + [str(n) for n in jumps],
+                                [[text] + [t.time(f"{name}/{n}", US) for n in jumps] for text, name in kinds])
+
+
+def variational(t):
+    rows = []
+    for octave in range(12, 21, 2):
+        name = {kind: f"{kind}/{2**octave}/real_time" for kind in
+                ("solve/parabola", "solve/asperities", "product", "two_transforms")}
+        cells = [f"2^{octave}"]
+        for kind in ("solve/parabola", "solve/asperities"):
+            products = t.counters.get(name[kind], {}).get("products")
+            cells += [t.time(name[kind], MS), "" if products is None else f"{products:.0f}"]
+        rows.append(cells + [t.time(name["product"], MS), t.time(name["two_transforms"], MS),
+                             t.ratio(name["product"], name["two_transforms"], 3)])
+    head = ["cells", "parabola", "products", "asperities", "products", "one product", "two transforms", "ratio"]
+    return (table(head, [row for row in rows if any(row[1:])]),)
+
+
+def enclosure(t):
+    rows = []
+    for digits in (30, 50, 200):
+        for jumps in range(6):
+            name = {kind: f"{kind}/jumps:{jumps}/digits:{digits}" for kind in
+                    ("panels_warm", "panels_cold", "witness", "arb_integrator")}
+            if name["panels_warm"] in t.of:
+                rows.append([str(digits), str(jumps)] + [t.time(n, MS) for n in name.values()] +
+                            [t.ratio(name["arb_integrator"], name["panels_cold"])])
+    return (table(["digits", "jumps", "warm", "cold", "witness", "Arb's integrator", "Arb / cold"], rows),)
+
+
+# Name: the layout, the arguments of bench_NAME, and those of a quick run.
+LAYOUTS = {
+    "traction": (traction, ["--benchmark_repetitions=3", "--benchmark_report_aggregates_only=true"], []),
+    "precision": (precision, ["--benchmark_repetitions=5", "--benchmark_report_aggregates_only=true"],
+                  ["--benchmark_min_time=0.02"]),
+    "answers": (answers, ["--benchmark_min_time=0.05"], ["--benchmark_min_time=0.01"]),
+    "derivations": (derivations, ["--benchmark_min_time=0.05"], ["--benchmark_min_time=0.01"]),
+    "riemann_hilbert": (riemann_hilbert, [], ["--benchmark_min_time=0.01"]),
+    "variational": (variational, ["--benchmark_min_time=0.2"], ["--benchmark_filter=/(4096|16384)/",
+                                                               "--benchmark_min_time=0.01"]),
+    "enclosure": (enclosure, ["--benchmark_min_time=0.01", "--benchmark_filter=digits:(30|50|200)$"],
+                  ["--benchmark_min_time=0.01", "--benchmark_filter=panels.*digits:(30|50)$"]),
+}

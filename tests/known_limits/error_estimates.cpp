@@ -1,0 +1,205 @@
+#include "known_limits/error_estimates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "support/random_contact.hpp"
+
+namespace steadyslide::testing {
+namespace {
+
+using namespace numeric;
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+/// One solution in double beside one with 50 digits.
+class Comparison {
+ public:
+  Comparison(std::string name, const ContactSolution<double>& found, const ContactSolution<Real50>& truth,
+             EstimateAudit& audit)
+      : name_(std::move(name)), found_(found), truth_(truth), audit_(audit) {}
+
+  void run() {
+    points_ = found_.singular_points();
+    true_points_ = truth_.singular_points();
+    if (std::string what = difference(); !what.empty()) {
+      audit_.different.push_back(name_ + ' ' + what);
+      return;
+    }
+    ++audit_.compared;
+    compare_points();
+    compare_resultants();
+    compare_places();
+  }
+
+ private:
+  std::string difference() const {
+    if (found_.contact().size() != truth_.contact().size()) return "number of components";
+    if (points_.size() != true_points_.size()) return "number of singular points";
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      if (points_[k].kind != true_points_[k].kind) return "kind of a singular point";
+    }
+    return "";
+  }
+
+  void look(const std::string& kind, const std::string& where, const Estimate<double>& value,
+            const Estimate<Real50>& truth) {
+    compare_estimate(kind, value, truth, audit_, name_ + ": " + kind + ' ' + where);
+  }
+
+  void compare_points() {
+    double worst = 0;
+    Real50 worst_true = 0;
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      const std::string where = "of point " + std::to_string(k);
+      look("place", where, points_[k].x, true_points_[k].x);
+      look("intensity", where, points_[k].intensity, true_points_[k].intensity);
+      look("constant", where, points_[k].constant, true_points_[k].constant);
+      if (points_[k].kind == SingularKind::free) {
+        worst = std::max(worst, points_[k].x.error);
+        worst_true = std::max(worst_true, Real50(abs(Real50(points_[k].x.value) - true_points_[k].x.value)));
+      }
+    }
+  }
+
+  void compare_resultants() {
+    const Resultants<double> r = found_.resultants();
+    const Resultants<Real50> t = truth_.resultants();
+    look("normal force", "", r.normal, t.normal);
+    look("tangential force", "", r.tangential, t.tangential);
+    look("centre of pressure", "", r.centre_of_pressure, t.centre_of_pressure);
+    look("effective friction", "", r.effective_friction, t.effective_friction);
+    for (std::size_t k = 0; k < r.load_share.size(); ++k) {
+      look("load share", std::to_string(k), r.load_share[k], t.load_share[k]);
+    }
+    if (const auto tilt = found_.tilt()) look("tilt", "", *tilt, *truth_.tilt());
+    const Real50 load_off = abs(Real50(r.normal.value) / t.normal.value - 1);
+    look("printed: resultants", "", {static_cast<double>(load_off), found_.estimated_error().resultants}, {});
+  }
+
+  /// Between singular points and in gaps, from the middle to a millionth of the length from their ends, and beside the
+  /// contact.
+  void compare_places() {
+    std::vector<Rational> x;
+    for (const auto& point : points_) x.push_back(Rational(point.x.value));
+    const Rational length = x.back() - x.front();
+    x.insert(x.begin(), Rational(x.front() - length * 3 / 10));
+    x.push_back(x.back() + length * 3 / 10);
+    double printed = 0;
+    const double expected = found_.estimated_error().traction;
+    for (std::size_t k = 0; k + 1 < x.size(); ++k) {
+      for (const char* part : {"0.000001", "0.013", "0.27", "0.5", "0.83", "0.991", "0.999999"}) {
+        const Rational place = x[k] + (x[k + 1] - x[k]) * parse_rational(part);
+        const Sample<double> here = found_.at(place);
+        const Sample<Real50> there = truth_.at(place);
+        const std::string where = "at " + std::to_string(static_cast<double>(place));
+        look("traction", where, here.traction.left, there.traction.left);
+        look("shear", where, here.shear.left, there.shear.left);
+        look("slope", where, here.slope.left, there.slope.left);
+        if (here.gap && there.gap) look("gap", where, *here.gap, *there.gap);
+        if (std::string_view(part) == "0.5" && there.traction.left.value != 0) {
+          const Real50 off = abs(Real50(here.traction.left.value) / there.traction.left.value - 1);
+          printed = std::max(printed, static_cast<double>(off));
+        }
+      }
+    }
+    look("printed: traction", "", {printed, expected}, {});
+  }
+
+  std::string name_;
+  const ContactSolution<double>& found_;
+  const ContactSolution<Real50>& truth_;
+  EstimateAudit& audit_;
+  std::vector<SolvedSingularPoint<double>> points_;
+  std::vector<SolvedSingularPoint<Real50>> true_points_;
+};
+
+}  // namespace
+
+double EstimatedNumbers::median_too_large() const { return median(too_large); }
+
+std::size_t EstimateAudit::all() const {
+  std::size_t sum = 0;
+  for (const auto& [kind, of_kind] : numbers) sum += of_kind.count;
+  return sum;
+}
+
+std::size_t EstimateAudit::honest() const {
+  std::size_t sum = 0;
+  for (const auto& [kind, of_kind] : numbers) sum += of_kind.honest;
+  return sum;
+}
+
+double EstimateAudit::median_too_large() const {
+  std::vector<double> ratios;
+  for (const auto& [kind, of_kind] : numbers) {
+    ratios.insert(ratios.end(), of_kind.too_large.begin(), of_kind.too_large.end());
+  }
+  return median(std::move(ratios));
+}
+
+std::string EstimateAudit::text() const {
+  std::ostringstream out;
+  out << compared << " solutions of " << problems << " problems compared, " << different.size()
+      << " with contacts of another kind; " << honest() << " of " << all() << " estimates honest, in the median "
+      << median_too_large() << " times the true error\n";
+  char line[160];
+  std::snprintf(line, sizeof line, "%-20s %9s %9s %12s %12s\n", "kind", "numbers", "honest", "worst", "median");
+  out << line;
+  for (const auto& [kind, of_kind] : numbers) {
+    std::snprintf(line, sizeof line, "%-20s %9zu %9zu %12.3g %12.3g\n", kind.c_str(), of_kind.count, of_kind.honest,
+                  of_kind.worst, of_kind.median_too_large());
+    out << line;
+  }
+  return out.str();
+}
+
+void compare_estimate(const std::string& kind, const Estimate<double>& value, const Estimate<Real50>& truth,
+                      EstimateAudit& audit, const std::string& what) {
+  if (std::isinf(value.value) && Real50(value.value) == truth.value) return;
+  const auto off = static_cast<double>(Real50(abs(Real50(value.value) - truth.value)));
+  if (off == 0 && value.error == 0) return;  // exact
+  EstimatedNumbers& numbers = audit.numbers[kind];
+  ++numbers.count;
+  if (off > 0) {
+    numbers.too_large.push_back(value.error / off);
+    numbers.worst = std::max(numbers.worst, off / value.error);
+  }
+  // What 50 digits do not know themselves is no truth, and counts as not honest.
+  const bool known = truth.error <= Real50(1e-3 * value.error);
+  if (off <= value.error && known) {
+    ++numbers.honest;
+    return;
+  }
+  std::ostringstream line;
+  line.precision(3);
+  line << what << ": " << value.value << " is off by " << off << ", " << off / value.error << " times its estimate";
+  if (!known) line << "; 50 digits are off by " << static_cast<double>(truth.error);
+  audit.dishonest.push_back(line.str());
+}
+
+void audit_estimates(std::uint64_t seed, EstimateAudit& audit) {
+  const ContactProblem problem = random_contact(seed);
+  ++audit.problems;
+  const auto rough = riemann_hilbert<double>(problem).solution;
+  if (!rough || !rough->failed_condition().empty()) return;
+  const auto fine = riemann_hilbert<Real50>(problem).solution;
+  if (!fine || !fine->failed_condition().empty()) {
+    audit.different.push_back(std::to_string(seed) + " not solved with 50 digits");
+    return;
+  }
+  Comparison(std::to_string(seed), *rough, *fine, audit).run();
+  if (const auto exact = closed_form<double>(problem).solution) {
+    Comparison(std::to_string(seed) + " closed form", *exact, *closed_form<Real50>(problem).solution, audit).run();
+  }
+}
+
+}  // namespace steadyslide::testing

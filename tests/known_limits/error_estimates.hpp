@@ -1,0 +1,45 @@
+#pragma once
+// Is what a solution in double says of its errors true? Every number of it beside the one with 50 digits.
+//
+// An estimate is honest if the value is off by no more. How much larger it is than that is a ratio of its own.
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "numeric/number/estimate.hpp"
+
+namespace steadyslide::testing {
+
+/// The numbers of one kind, of many solutions.
+struct EstimatedNumbers {
+  std::size_t count = 0, honest = 0;
+  double worst = 0;               ///< the largest (true error)/estimate
+  std::vector<double> too_large;  ///< estimate/(true error), where there is an error
+
+  double median_too_large() const;
+};
+
+/// Of all problems that both solutions solve.
+struct EstimateAudit {
+  std::size_t problems = 0, compared = 0;
+  std::map<std::string, EstimatedNumbers> numbers;  ///< by their kind
+  std::vector<std::string> dishonest;               ///< one a line: seed, kind, place, value, what it is off by
+  std::vector<std::string> different;               ///< seeds with contacts that differ in kind, and how
+
+  std::size_t all() const;
+  std::size_t honest() const;
+  double median_too_large() const;
+  std::string text() const;
+};
+
+/// One number of a kind, said as a line of `what` where it is not honest.
+void compare_estimate(const std::string& kind, const numeric::Estimate<double>& value,
+                      const numeric::Estimate<numeric::Real50>& truth, EstimateAudit& audit,
+                      const std::string& what = "");
+
+/// Problem number `seed` by the Riemann-Hilbert method, and by its closed form where it has one.
+void audit_estimates(std::uint64_t seed, EstimateAudit& audit);
+
+}  // namespace steadyslide::testing
