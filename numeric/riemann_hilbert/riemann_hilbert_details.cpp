@@ -34,7 +34,7 @@ Estimate<R> RiemannHilbertSolution<R>::height_beyond(const SurfacePoint<R>& at) 
   const Estimate<R> integral =
       tanh_sinh::panel_integral<R>({{R(0), distance, distance}, power, none, [&](const Node<R>& node) {
                                       const SurfacePoint<R> there = beside(contact_set(), j, side, node.from_left);
-                                      const R y_b = form_.profile_slope(there) - form_.surface_slope(there).value;
+                                      const R y_b = (form_.profile_slope(there) - form_.surface_slope(there)).value;
                                       return R(y_b / pow(node.from_left, power.value));
                                     }});
   return left ? integral : -integral;
