@@ -105,8 +105,9 @@ class Writer {
     if (estimate.convergence == numeric::Convergence::stalled) converged_ = false;
     if (isinf(estimate.error)) return;  // not known, and printed as such
     using std::abs;
-    // What is smaller than its error is known to be small, and that is all that is printed.
-    if (!(abs(estimate.value) <= estimate.error && estimate.error < R(1e150))) notice(estimate.value);
+    // A number known to three digits has none to lose at the ends of the range.
+    const bool is_rough = estimate.error >= abs(estimate.value) / 1000 && estimate.error < R(1e300);
+    if (!is_rough) notice(estimate.value);
   }
 
   void notice(const R& value) {
