@@ -209,8 +209,9 @@ std::vector<Violation<R>> violations(const RiemannHilbertForm<R>& form, const R&
   return Inspection<R>(form, end_error).run();
 }
 
-template std::vector<Violation<double>> violations(const RiemannHilbertForm<double>&, const double&);
-template std::vector<Violation<Real50>> violations(const RiemannHilbertForm<Real50>&, const Real50&);
-template std::vector<Violation<Real100>> violations(const RiemannHilbertForm<Real100>&, const Real100&);
+#define STEADYSLIDE_INSTANTIATE(R) \
+  template std::vector<Violation<R>> violations(const RiemannHilbertForm<R>&, const R&);
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -203,9 +203,7 @@ NewtonResult<R> solve_newton(const ReducedProblem<R>& problem, ContactState<R> s
   template struct ContactState<R>;                                                                        \
   template NewtonResult<R> solve_newton(const ReducedProblem<R>&, ContactState<R>, const std::vector<R>&, \
                                         JacobiRules<R>&);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

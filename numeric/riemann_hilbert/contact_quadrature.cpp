@@ -265,8 +265,8 @@ void ContactQuadrature<R>::add_difference_moments(std::size_t slope, std::vector
   }
 }
 
-template class ContactQuadrature<double>;
-template class ContactQuadrature<Real50>;
-template class ContactQuadrature<Real100>;
+#define STEADYSLIDE_INSTANTIATE(R) template class ContactQuadrature<R>;
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

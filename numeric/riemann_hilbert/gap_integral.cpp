@@ -162,8 +162,8 @@ R GapIntegral<R>::profile_increment(const SurfacePoint<R>& at) const {
   return sum - step(segment + 1) - rise(segment, at.node.x, set().x(segment + 1));
 }
 
-template class GapIntegral<double>;
-template class GapIntegral<Real50>;
-template class GapIntegral<Real100>;
+#define STEADYSLIDE_INSTANTIATE(R) template class GapIntegral<R>;
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -242,8 +242,9 @@ Attempt<R> riemann_hilbert(const ContactProblem& problem, const ContactSolution<
   return {solution, {}};
 }
 
-template Attempt<double> riemann_hilbert(const ContactProblem&, const ContactSolution<double>*);
-template Attempt<Real50> riemann_hilbert(const ContactProblem&, const ContactSolution<Real50>*);
-template Attempt<Real100> riemann_hilbert(const ContactProblem&, const ContactSolution<Real100>*);
+#define STEADYSLIDE_INSTANTIATE(R) \
+  template Attempt<R> riemann_hilbert(const ContactProblem&, const ContactSolution<R>*);
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

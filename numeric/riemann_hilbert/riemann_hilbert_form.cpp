@@ -301,8 +301,8 @@ std::vector<SurfacePoint<R>> RiemannHilbertForm<R>::profile_extrema(std::size_t 
   return result;
 }
 
-template class RiemannHilbertForm<double>;
-template class RiemannHilbertForm<Real50>;
-template class RiemannHilbertForm<Real100>;
+#define STEADYSLIDE_INSTANTIATE(R) template class RiemannHilbertForm<R>;
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric
