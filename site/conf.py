@@ -12,11 +12,9 @@ author = "The steadyslide contributors"
 copyright = "the steadyslide contributors; GPL-3.0-or-later"
 release = os.environ["STEADYSLIDE_VERSION"]
 
-extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "typeset"]
+extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "typeset", "mend"]
 root_doc = "index"
-exclude_patterns = []
 highlight_language = "none"
-nitpicky = False
 
 # Anchors as GitHub has them, formulas between dollars.
 myst_heading_anchors = 4
@@ -32,6 +30,7 @@ html_theme = "furo"
 html_title = f"steadyslide {release}"
 html_static_path = [str(here / "static")]
 html_css_files = ["katex/katex.min.css", "site.css"]
+html_favicon = str(here / "static/favicon.svg")
 html_copy_source = False
 html_show_sourcelink = False
-html_theme_options = {"top_of_page_button": None}
+pygments_style = "xcode"

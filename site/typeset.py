@@ -37,7 +37,7 @@ def visit_math(self, node, display=False):
 
 def escape_docstring(_app, _what, _name, _object, _options, lines):
     """Docstrings here are plain text: no mark of theirs is one of reStructuredText's."""
-    lines[:] = [re.sub(r"([*`|\\]|_\b)", r"\\\1", line) for line in lines]
+    lines[:] = [re.sub(r"([*`|\\]|_\b|(?<=\w):(?=\w))", r"\\\1", line) for line in lines]
 
 
 def copy_katex(app, exception):

@@ -80,7 +80,8 @@ class Runner:
         if samples:
             file = self.work / (samples if isinstance(samples, str) else samples["file"])
             if not file.exists():
-                shutil.copy(folder / "rough_surface.csv", file)
+                example = folder / file.name
+                shutil.copy(example if example.exists() else folder / "rough_surface.csv", file)
         (self.work / "block.toml").write_text(head + text + "\n" + tail, encoding="utf-8")
         code, _, errors = self.answer("steadyslide", "solve", "block.toml")
         return errors if code else ""
