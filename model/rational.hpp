@@ -1,14 +1,25 @@
 #pragma once
 // Exact numbers. A datum of a problem is the rational that the user wrote: "0.1" is 1/10.
 
+#ifdef STEADYSLIDE_DOUBLE_ONLY
+#include <boost/multiprecision/cpp_int.hpp>
+#else
 #include <boost/multiprecision/gmp.hpp>
+#endif
 #include <string>
 #include <string_view>
 
 namespace steadyslide {
 
-using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
-using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+#ifdef STEADYSLIDE_DOUBLE_ONLY  // a build for where there is no GMP (explorer/CMakeLists.txt)
+using IntegerBackend = boost::multiprecision::cpp_int_backend<>;
+using RationalBackend = boost::multiprecision::cpp_rational_backend;
+#else
+using IntegerBackend = boost::multiprecision::gmp_int;
+using RationalBackend = boost::multiprecision::gmp_rational;
+#endif
+using Integer = boost::multiprecision::number<IntegerBackend, boost::multiprecision::et_off>;
+using Rational = boost::multiprecision::number<RationalBackend, boost::multiprecision::et_off>;
 
 /// Limits of a written number: they keep every later exact computation within reach.
 inline constexpr std::size_t max_number_length = 400;

@@ -58,9 +58,9 @@ std::string list(const Given& given, const std::string& option) {
 
 /// As the file's name ends.
 Picture picture_of(const std::string& file) {
-  constexpr std::array<std::string_view, 3> endings{".svg", ".pdf", ".png"};
-  const auto found = std::ranges::find_if(endings, [&](std::string_view ending) { return file.ends_with(ending); });
-  if (found != endings.end()) return static_cast<Picture>(found - endings.begin());
+  const auto found = std::ranges::find_if(
+      picture_names, [&](std::string_view name) { return file.ends_with("." + std::string(name)); });
+  if (found != picture_names.end()) return static_cast<Picture>(found - picture_names.begin());
   throw bad_command_line("--plot: unknown kind of picture", "its name ends in .svg, .pdf or .png", file);
 }
 

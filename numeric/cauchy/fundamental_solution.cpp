@@ -259,8 +259,8 @@ R FundamentalSolution<R>::relative_error(std::size_t k, const Node<R>& node, con
   return epsilon<R>() * rounding + ends;
 }
 
-template class FundamentalSolution<double>;
-template class FundamentalSolution<Real50>;
-template class FundamentalSolution<Real100>;
+#define STEADYSLIDE_INSTANTIATE(R) template class FundamentalSolution<R>;
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -69,8 +69,8 @@ R left_of(const Power<R>& a, const R& distance) {
   return tail - quotient - (1 + a.value * quotient) * cosecant_rest(a.value);
 }
 
-template double left_of(const Power<double>&, const double&);
-template Real50 left_of(const Power<Real50>&, const Real50&);
-template Real100 left_of(const Power<Real100>&, const Real100&);
+#define STEADYSLIDE_INSTANTIATE(R) template R left_of(const Power<R>&, const R&);
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric::second_kind

@@ -68,9 +68,7 @@ SlidingTerms<R> SlidingOperator<R>::at(const PanelPoint<R>& point) const {
 #define STEADYSLIDE_INSTANTIATE(R) \
   template struct SlidingTerms<R>; \
   template class SlidingOperator<R>;
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -48,9 +48,7 @@ PiecewiseDensity<R> traction_density(const RiemannHilbertForm<R>& form) {
 #define STEADYSLIDE_INSTANTIATE(R)                                                   \
   template PanelDensity<R> panel_density(const RiemannHilbertForm<R>&, std::size_t); \
   template PiecewiseDensity<R> traction_density(const RiemannHilbertForm<R>&);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -119,8 +119,8 @@ TwoSided<R> TractionIntegrals<R>::shear_slope(const LinePlace<R>& place, const T
   return {limit(place, Side::left, traction, slope), limit(place, Side::right, traction, slope)};
 }
 
-template class TractionIntegrals<double>;
-template class TractionIntegrals<Real50>;
-template class TractionIntegrals<Real100>;
+#define STEADYSLIDE_INSTANTIATE(R) template class TractionIntegrals<R>;
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -517,8 +517,8 @@ DetailedSample<R> ClosedForm<R>::detailed(const Place& place, const Sample<R>& s
   return result;
 }
 
-template class ClosedForm<double>;
-template class ClosedForm<Real50>;
-template class ClosedForm<Real100>;
+#define STEADYSLIDE_INSTANTIATE(R) template class ClosedForm<R>;
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -141,9 +141,7 @@ Attempt<R> closed_form(const ContactProblem& problem) {
 #define STEADYSLIDE_INSTANTIATE(R)                                                               \
   template std::variant<ClosedFormData<R>, std::string> closed_form_data(const ContactProblem&); \
   template Attempt<R> closed_form(const ContactProblem&);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -104,9 +104,7 @@ ParabolaSums<R> parabola_sums(const std::vector<Rational>& s, const std::vector<
   template ParabolaZone<R> parabola_zone(const std::vector<Rational>&, const std::vector<Rational>&, const R&); \
   template ParabolaSums<R> parabola_sums(const std::vector<Rational>&, const std::vector<Rational>&, const R&,  \
                                          const R&);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -236,8 +236,8 @@ void InteriorStress<R>::at(std::span<const R> x, std::span<const R> z, std::span
   for (std::size_t i = 0; i < x.size(); ++i) states[i] = at({{x[i], R(0)}, z[i]}, sums);
 }
 
-template class InteriorStress<double>;
-template class InteriorStress<Real50>;
-template class InteriorStress<Real100>;
+#define STEADYSLIDE_INSTANTIATE(R) template class InteriorStress<R>;
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -206,9 +206,7 @@ std::optional<LargestStress<R>> largest_stress(const InteriorStress<R>& stress, 
   template std::vector<Estimate<R>> unbounded_places(const ContactSolution<R>&); \
   template R default_depth(const ContactSolution<R>&);                           \
   template std::optional<LargestStress<R>> largest_stress(const InteriorStress<R>&, const R&);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

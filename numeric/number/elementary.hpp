@@ -9,7 +9,7 @@
 // (bench/README.md). Products, quotients and sums stay with MPFR: Arb would have to convert them forth and back.
 //
 // Boost's log(), exp() and pow() of these numbers come here: they call eval_log, eval_exp and eval_pow of the backend,
-// and the overloads below are more special than Boost's. No state, thus safe between threads.
+// and the overloads below are more special than Boost's. eval_beta() is MPFR's own. No state, thus safe between threads.
 
 #include <boost/multiprecision/mpfr.hpp>
 
@@ -40,6 +40,12 @@ void eval_exp(StackFloat<Digits10>& result, const StackFloat<Digits10>& x) {
 template <unsigned Digits10>
 void eval_pow(StackFloat<Digits10>& result, const StackFloat<Digits10>& base, const StackFloat<Digits10>& exponent) {
   steadyslide::numeric::elementary::pow(result.data(), base.data(), exponent.data());
+}
+
+/// Gamma(a) Gamma(b)/Gamma(a + b).
+template <unsigned Digits10>
+void eval_beta(StackFloat<Digits10>& result, const StackFloat<Digits10>& a, const StackFloat<Digits10>& b) {
+  mpfr_beta(result.data(), a.data(), b.data(), MPFR_RNDN);
 }
 
 }  // namespace boost::multiprecision::backends

@@ -33,8 +33,8 @@ std::optional<std::vector<R>> solve_linear(std::vector<std::vector<R>> rows) {
   return x;
 }
 
-template std::optional<std::vector<double>> solve_linear(std::vector<std::vector<double>>);
-template std::optional<std::vector<Real50>> solve_linear(std::vector<std::vector<Real50>>);
-template std::optional<std::vector<Real100>> solve_linear(std::vector<std::vector<Real100>>);
+#define STEADYSLIDE_INSTANTIATE(R) template std::optional<std::vector<R>> solve_linear(std::vector<std::vector<R>>);
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

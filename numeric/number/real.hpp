@@ -1,7 +1,6 @@
 #pragma once
 // The closed set of numbers that the numeric kernels are compiled for, and the one door from run time to type.
 
-#include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -9,9 +8,21 @@
 
 #include "model/exponent.hpp"
 #include "model/rational.hpp"
+#ifndef STEADYSLIDE_DOUBLE_ONLY
 #include "numeric/number/elementary.hpp"
+#endif
 
 namespace steadyslide::numeric {
+
+#ifdef STEADYSLIDE_DOUBLE_ONLY
+
+// A build for where there is no MPFR (explorer/CMakeLists.txt): names of numbers that it does not have.
+class Real50;
+class Real100;
+
+#define STEADYSLIDE_FOR_EACH_REAL(X) X(double)
+
+#else
 
 // Statically sized MPFR numbers: no global default precision exists that could leak. 57 and 114 decimal digits fill
 // three and six limbs: the digits beyond 50 and 100 are guard digits that cost nothing. Chosen by measurement against
@@ -28,6 +39,11 @@ using Real100 =
 bool make_limits();
 inline const bool limits_are_made = make_limits();
 
+/// X(R) for each number R: what is compiled, where templates are defined.
+#define STEADYSLIDE_FOR_EACH_REAL(X) X(double) X(Real50) X(Real100)
+
+#endif
+
 template <class R>
 concept Real = std::same_as<R, double> || std::same_as<R, Real50> || std::same_as<R, Real100>;
 
@@ -40,6 +56,7 @@ inline Digits precision_for(int digits) {
   return digits <= 16 ? Digits::sixteen : digits <= 50 ? Digits::fifty : Digits::hundred;
 }
 
+#ifndef STEADYSLIDE_DOUBLE_ONLY
 /// Calls f.operator()<R>() with the type that serves `digits`.
 template <class F>
 decltype(auto) at_precision(Digits digits, F&& f) {
@@ -49,6 +66,7 @@ decltype(auto) at_precision(Digits digits, F&& f) {
     default: return f.template operator()<Real100>();
   }
 }
+#endif
 
 template <Real R>
 inline constexpr int digits_served = std::same_as<R, double>   ? 16

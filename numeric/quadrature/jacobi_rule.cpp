@@ -1,7 +1,5 @@
 #include "numeric/quadrature/jacobi_rule.hpp"
 
-#include <mpfr.h>
-
 #include <Eigen/Eigenvalues>
 #include <boost/math/special_functions/beta.hpp>
 #include <numeric>
@@ -111,7 +109,7 @@ R beta(const R& a, const R& b) {
     return boost::math::beta(a, b);
   } else {
     R value;
-    mpfr_beta(value.backend().data(), a.backend().data(), b.backend().data(), MPFR_RNDN);
+    eval_beta(value.backend(), a.backend(), b.backend());  // number/elementary.hpp
     return value;
   }
 }
@@ -165,9 +163,7 @@ const JacobiRule<R>& JacobiRules<R>::get(const Power<R>& left, const Power<R>& r
 #define STEADYSLIDE_INSTANTIATE(R)                                                        \
   template JacobiRule<R> jacobi_rule(const Power<R>& left, const Power<R>& right, int n); \
   template class JacobiRules<R>;
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

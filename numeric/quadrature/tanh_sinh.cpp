@@ -135,9 +135,7 @@ Estimate<R> cauchy(const PiecewiseDensity<R>& density, Side side, const R& dista
   template Estimate<R> integral(const PiecewiseDensity<R>&);                      \
   template Estimate<R> hilbert(const PiecewiseDensity<R>&, const PanelPoint<R>&); \
   template Estimate<R> cauchy(const PiecewiseDensity<R>&, Side, const R&);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric::tanh_sinh

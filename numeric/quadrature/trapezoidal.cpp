@@ -367,8 +367,8 @@ R Grid<R>::displacement_of(std::size_t j, bool same_side, Side end, const R& bet
   });
 }
 
-template class Grid<double>;
-template class Grid<Real50>;
-template class Grid<Real100>;
+#define STEADYSLIDE_INSTANTIATE(R) template class Grid<R>;
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric::trapezoidal

@@ -313,8 +313,8 @@ void ContactEquations<R>::add_centre() {
   ++row_;
 }
 
-template class ContactEquations<double>;
-template class ContactEquations<Real50>;
-template class ContactEquations<Real100>;
+#define STEADYSLIDE_INSTANTIATE(R) template class ContactEquations<R>;
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

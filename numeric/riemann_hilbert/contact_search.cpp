@@ -265,9 +265,9 @@ SearchResult<R> search_contact(const ReducedProblem<R>& problem, ContactState<R>
   return Search<R>(problem, std::move(start), rules).run();
 }
 
-template SearchResult<double> search_contact(const ReducedProblem<double>&, ContactState<double>, JacobiRules<double>&);
-template SearchResult<Real50> search_contact(const ReducedProblem<Real50>&, ContactState<Real50>, JacobiRules<Real50>&);
-template SearchResult<Real100> search_contact(const ReducedProblem<Real100>&, ContactState<Real100>,
-                                              JacobiRules<Real100>&);
+#define STEADYSLIDE_INSTANTIATE(R) \
+  template SearchResult<R> search_contact(const ReducedProblem<R>&, ContactState<R>, JacobiRules<R>&);
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

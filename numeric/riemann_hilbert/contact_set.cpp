@@ -330,8 +330,8 @@ void ContactSet<R>::open(const SegmentPlace& from, const SegmentPlace& to) {
   refresh();
 }
 
-template class ContactSet<double>;
-template class ContactSet<Real50>;
-template class ContactSet<Real100>;
+#define STEADYSLIDE_INSTANTIATE(R) template class ContactSet<R>;
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -84,8 +84,8 @@ R ExpansionAtInfinity<R>::tilt_moment(std::size_t j) const {
   return index < 0 ? R(0) : inverse_series_[static_cast<std::size_t>(index)];
 }
 
-template class ExpansionAtInfinity<double>;
-template class ExpansionAtInfinity<Real50>;
-template class ExpansionAtInfinity<Real100>;
+#define STEADYSLIDE_INSTANTIATE(R) template class ExpansionAtInfinity<R>;
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -82,9 +82,7 @@ std::vector<JacobiPanel<R>> jacobi_panels(const SignedFundamentalSolution<R>& y,
   template std::vector<JacobiPanel<R>> jacobi_panels(const SignedFundamentalSolution<R>&, const SegmentPart<R>&, \
                                                      SmoothFactor, const std::function<Power<R>(std::size_t)>&,  \
                                                      JacobiRules<R>&);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -116,9 +116,7 @@ std::string in_words(const RiemannHilbertForm<R>& form, std::size_t point, const
   template std::optional<R> log_reach(const RiemannHilbertForm<R>&, std::size_t);                           \
   template R highest_limit(const RiemannHilbertForm<R>&, const R&);                                         \
   template std::string in_words(const RiemannHilbertForm<R>&, std::size_t, const LeadingTerm<R>&);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

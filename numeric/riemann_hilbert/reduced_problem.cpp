@@ -114,8 +114,8 @@ const typename ReducedProblem<R>::Singularity& ReducedProblem<R>::jump(std::size
   });
 }
 
-template class ReducedProblem<double>;
-template class ReducedProblem<Real50>;
-template class ReducedProblem<Real100>;
+#define STEADYSLIDE_INSTANTIATE(R) template class ReducedProblem<R>;
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

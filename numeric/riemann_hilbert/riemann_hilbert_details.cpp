@@ -151,9 +151,7 @@ std::vector<DetailedSample<R>> RiemannHilbertSolution<R>::detailed_samples(int c
   template DetailedSample<R> RiemannHilbertSolution<R>::details_at(const Rational& x) const;           \
   template Estimate<R> RiemannHilbertSolution<R>::tangential_slope(const Rational& x) const;           \
   template std::vector<DetailedSample<R>> RiemannHilbertSolution<R>::detailed_samples(int count) const;
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

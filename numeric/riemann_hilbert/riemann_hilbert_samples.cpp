@@ -261,9 +261,7 @@ std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const {
       const;                                                                                                        \
   template std::vector<SurfacePoint<R>> RiemannHilbertSolution<R>::sampled_places(int count) const;                 \
   template std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const;
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -371,8 +371,8 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
   return result;
 }
 
-template class RiemannHilbertSolution<double>;
-template class RiemannHilbertSolution<Real50>;
-template class RiemannHilbertSolution<Real100>;
+#define STEADYSLIDE_INSTANTIATE(R) template class RiemannHilbertSolution<R>;
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -65,9 +65,7 @@ PiecewiseTraction<R> RiemannHilbertSolution<R>::piecewise_traction() const {
 #define STEADYSLIDE_INSTANTIATE(R)                                                                       \
   template std::function<R(const R&)> RiemannHilbertSolution<R>::corner(std::size_t j, Side side) const; \
   template PiecewiseTraction<R> RiemannHilbertSolution<R>::piecewise_traction() const;
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -245,8 +245,8 @@ std::vector<R> SignedFundamentalSolution<R>::distances(const SurfacePoint<R>& at
   return result;
 }
 
-template class SignedFundamentalSolution<double>;
-template class SignedFundamentalSolution<Real50>;
-template class SignedFundamentalSolution<Real100>;
+#define STEADYSLIDE_INSTANTIATE(R) template class SignedFundamentalSolution<R>;
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -197,11 +197,9 @@ std::optional<Peak<R>> highest_peak(const std::vector<R>& lengths, const PanelFu
   return Search<R>(lengths, f, floor).highest();
 }
 
-template std::optional<Peak<double>> highest_peak(const std::vector<double>&, const PanelFunction<double>&,
-                                                  const double&);
-template std::optional<Peak<Real50>> highest_peak(const std::vector<Real50>&, const PanelFunction<Real50>&,
-                                                  const Real50&);
-template std::optional<Peak<Real100>> highest_peak(const std::vector<Real100>&, const PanelFunction<Real100>&,
-                                                   const Real100&);
+#define STEADYSLIDE_INSTANTIATE(R) \
+  template std::optional<Peak<R>> highest_peak(const std::vector<R>&, const PanelFunction<R>&, const R&);
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -93,9 +93,7 @@ std::vector<NodalForce<R>> nodal_forces(const PiecewiseTraction<R>& traction, co
 
 #define STEADYSLIDE_INSTANTIATE(R) \
   template std::vector<NodalForce<R>> nodal_forces(const PiecewiseTraction<R>&, const SurfaceMesh&);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

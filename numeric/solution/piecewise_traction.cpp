@@ -222,7 +222,7 @@ void PiecewiseTraction<R>::append_rule(const TractionPanel<R>& panel, const Pane
     nodes.from_right.push_back(right);
     nodes.forces.push_back((from_right ? part.from_right + right : part.from_left + left) / panel.length);
   }
-  const std::span<R> forces(nodes.forces.begin() + static_cast<std::ptrdiff_t>(begin), nodes.forces.end());
+  const std::span<R> forces = std::span(nodes.forces).subspan(begin);
   R factor = of_part.length;
   if (touches) {
     if (of_part.length != panel.length) factor *= pow(R(of_part.length / panel.length), panel.power.value);
@@ -262,9 +262,7 @@ void PiecewiseTraction<R>::append_nodes(const TractionPanel<R>& panel, const Pan
 #define STEADYSLIDE_INSTANTIATE(R)  \
   template struct TractionNodes<R>; \
   template class PiecewiseTraction<R>;
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

@@ -13,7 +13,8 @@ set(may_include_library model symbolic numeric enclosure library)
 set(may_include_proofs_checks model symbolic numeric enclosure proofs_checks)
 set(may_include_app model symbolic numeric enclosure library proofs_checks app)
 set(may_include_checker checker)
-set(layers model symbolic numeric enclosure library proofs_checks app checker)
+set(may_include_explorer model numeric library)
+set(layers model symbolic numeric enclosure library proofs_checks app checker explorer)
 
 # ginac.h and CLN's headers cost a second a file and bring macros along: sources of these layers, and these headers only.
 set(algebra_in_sources_of symbolic proofs_checks)

@@ -1,0 +1,137 @@
+'use strict';
+// Drawings of what has been solved. Everything here is a place on the page; no number is made.
+
+const margin = {left: 52, right: 14, top: 22, bottom: 34};
+
+/// Numbers as people read them: a few digits, a real minus sign.
+function shown(value, digits = 4) {
+  if (value === null || Number.isNaN(value)) return '–';
+  if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
+  if (Math.abs(value) < 1e-14) return '0';
+  const size = Math.abs(value);
+  const text = size < 1e-3 || size >= 1e5 ? value.toExponential(digits - 1) : String(Number(value.toPrecision(digits)));
+  return text.replace(/-/g, '−');
+}
+
+/// Round numbers between two, about `count` of them.
+function ticks(from, to, count) {
+  const rough = (to - from) / count;
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = [1, 2, 5, 10].map(k => k * power).find(k => k >= rough);
+  const result = [];
+  for (let k = Math.ceil(from / step - 1e-9); k * step <= to + 1e-9 * step; ++k) result.push(k * step);
+  return result;
+}
+
+/// A linear scale from [from, to] to pixels.
+function scale(from, to, low, high) {
+  const at = value => low + (value - from) / (to - from) * (high - low);
+  at.inverse = pixel => from + (pixel - low) / (high - low) * (to - from);
+  at.from = from;
+  at.to = to;
+  return at;
+}
+
+function horizontal(support, width = 720) { return scale(-1.25 * support, 1.25 * support, margin.left, width - margin.right); }
+
+const tick = value => shown(Number(value.toPrecision(6)), 6);
+
+function axes(x, y, top, bottom, unit) {
+  const left = margin.left, right = 720 - margin.right;
+  const across = ticks(x.from, x.to, 8).map(v =>
+    `<line class="axis" x1="${x(v)}" x2="${x(v)}" y1="${bottom}" y2="${bottom + 5}"/><text x="${x(v)}" y="${bottom + 20}" text-anchor="middle">${tick(v)}</text>`);
+  const up = y ? ticks(y.from, y.to, 4).map(v =>
+    `<line class="grid" x1="${left}" x2="${right}" y1="${y(v)}" y2="${y(v)}"/><text x="${left - 6}" y="${y(v) + 4}" text-anchor="end">${tick(v)}</text>`) : [];
+  return up.join('') + `<path class="axis" d="M${left} ${top}V${bottom}H${right}"/>` + across.join('') +
+    `<text x="${right}" y="${bottom - 6}" text-anchor="end">x</text><text x="${left + 6}" y="${top - 6}">${unit}</text>`;
+}
+
+const point = (x, y) => `${x.toFixed(2)} ${y.toFixed(2)}`;
+
+/// Pressure and friction, zero where there is no contact; what has no bound ends at the upper edge.
+function drawPressure(svg, samples, solution, x) {
+  const mean = solution.resultants.mean_pressure;
+  let highest = 1.25 * mean;
+  for (const t of samples.traction) if (Number.isFinite(t)) highest = Math.max(highest, -1.08 * t);
+  highest = Math.min(highest, 3.6 * mean);
+  const top = margin.top, bottom = 300 - margin.bottom;
+  const y = scale(0, highest, bottom, top);
+  const height = value => Math.max(y(Math.min(Math.abs(value), 3 * highest)), -1000);
+  const lines = {pressure: '', shear: ''};
+  for (const zone of solution.contact) {
+    const inside = [];
+    samples.x.forEach((place, i) => { if (place >= zone.left.x && place <= zone.right.x) inside.push(i); });
+    if (inside.length === 0) continue;
+    const curve = column => inside.map(i => point(x(samples.x[i]), height(samples[column][i]))).join('L');
+    const begin = x(zone.left.x).toFixed(2), end = x(zone.right.x).toFixed(2);
+    lines.pressure += `M${begin} ${bottom}L${curve('traction')}L${end} ${bottom}`;
+    lines.shear += `M${begin} ${bottom}L${curve('shear')}L${end} ${bottom}`;
+  }
+  const labels = solution.singular_points.filter(at => at.exponent === null || Math.abs(at.exponent) > 1e-12);
+  let last = -Infinity, row = 0;
+  const texts = labels.map(at => {
+    const place = x(at.x);
+    row = place - last < 62 ? row + 1 : 0;
+    last = place;
+    return `<text class="exponent" x="${place.toFixed(1)}" y="${top + 14 + 20 * (row % 4)}" text-anchor="middle">${at.exponent === null ? 'log' : shown(at.exponent, 3)}</text>`;
+  });
+  svg.innerHTML = `<clipPath id="plot"><rect x="${margin.left}" y="${top}" width="${720 - margin.left - margin.right}" height="${bottom - top + 1}"/></clipPath>` +
+    axes(x, y, top, bottom, 'p, |t_t|') +
+    `<g clip-path="url(#plot)"><path class="pressure" d="${lines.pressure}"/><path class="shear" d="${lines.shear}"/></g>` + texts.join('');
+}
+
+/// Indenter above, body below with its coatings.
+function drawSurface(svg, samples, solution, state, support, x) {
+  const top = 16, bottom = 170 - margin.bottom;
+  const heights = Array.from(samples.profile);
+  const surface = heights.map((psi, i) => psi - samples.gap[i]);
+  const beyond = Array.from(samples.beyond.height);
+  const all = heights.concat(surface, beyond).filter(Number.isFinite);
+  const low = Math.min(...all), high = Math.max(...all);
+  const room = Math.max(high - low, 1e-9);
+  const y = scale(low - 0.5 * room, high + 0.35 * room, bottom, top);
+  const indenter = heights.map((h, i) => point(x(samples.x[i]), y(h)));
+  const known = samples.beyond.x.length / 2;
+  const outside = (from, to) => beyond.slice(from, to).map((h, i) => point(x(samples.beyond.x[from + i]), y(h)));
+  const body = [...outside(0, known), ...surface.map((h, i) => point(x(samples.x[i]), y(h))), ...outside(known, 2 * known)];
+  const values = state.values.map(Number), largest = Math.max(...values, 1e-9);
+  const bounds = [x.from, ...state.jumps.map(Number), x.to].map(x);
+  const coats = values.map((f, k) => `<rect x="${bounds[k].toFixed(2)}" y="0" width="${Math.max(bounds[k + 1] - bounds[k], 0).toFixed(2)}" height="${bottom}" fill="hsl(28 35% ${Math.round(86 - 38 * f / largest)}%)"/>`);
+  const first = x(-support).toFixed(2), arrow = state.sliding === '+x' ? 1 : -1;
+  svg.innerHTML = `<clipPath id="body"><path d="M${margin.left} ${bottom}L${body.join('L')}L${720 - margin.right} ${bottom}Z"/></clipPath>` +
+    `<g clip-path="url(#body)">${coats.join('')}</g>` +
+    `<path d="M${first} ${top - 12}L${indenter.join('L')}L${x(support).toFixed(2)} ${top - 12}Z" fill="#c9d2dc"/>` +
+    `<path d="M${indenter.join('L')}" fill="none" stroke="#3c4650" stroke-width="1.5"/>` +
+    `<path d="M${x(0) - 26 * arrow} ${top + 2}h${52 * arrow}m${-9 * arrow} -5l${9 * arrow} 5l${-9 * arrow} 5" fill="none" stroke="#1b1f24" stroke-width="2"/>` +
+    axes(x, null, bottom, bottom, '');
+}
+
+/// Blue, green, yellow: light at rest, dark under load, so that it reads in grey as well.
+function shade(t) {
+  const stops = [[255, 255, 255], [197, 220, 236], [102, 163, 201], [44, 104, 150], [64, 36, 92], [33, 12, 40]];
+  const at = Math.min(Math.max(t, 0), 1) * (stops.length - 1), k = Math.min(Math.floor(at), stops.length - 2);
+  return stops[k].map((c, i) => c + (at - k) * (stops[k + 1][i] - c));
+}
+
+function drawStress(canvas, stresses, columns, rows, mean, depth, x) {
+  const small = new OffscreenCanvas(columns, rows), image = new ImageData(columns, rows);
+  for (let i = 0; i < stresses.length; ++i) {
+    image.data.set(shade(stresses[i] / mean / 1.5), 4 * i);
+    image.data[4 * i + 3] = 255;
+  }
+  small.getContext('2d').putImageData(image, 0, 0);
+  const context = canvas.getContext('2d'), bottom = 230 - margin.bottom, left = margin.left, right = 720 - margin.right;
+  context.setTransform(canvas.width / 720, 0, 0, canvas.height / 230, 0, 0);
+  context.clearRect(0, 0, 720, 230);
+  context.imageSmoothingQuality = 'high';
+  context.drawImage(small, left, 2, right - left, bottom - 2);
+  const y = scale(0, depth, 2, bottom);
+  context.strokeStyle = '#6b7480';
+  context.strokeRect(left, 2, right - left, bottom - 2);
+  context.fillStyle = '#1b1f24';
+  context.font = `${matchMedia('(max-width: 800px)').matches ? 19 : 12}px system-ui, "DejaVu Sans", sans-serif`;
+  context.textAlign = 'center';
+  for (const v of ticks(x.from, x.to, 8)) context.fillText(tick(v), x(v), bottom + 20);
+  context.textAlign = 'right';
+  for (const v of ticks(0, depth, 3)) context.fillText(tick(v), left - 6, Math.max(y(v) + 4, 12));
+}

@@ -1,0 +1,101 @@
+// What the page says beside what `steadyslide solve` says of the same problem file.
+
+import { execFileSync } from 'node:child_process';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+export const tolerance = 1e-12;
+
+/// Random numbers in [0, 1[ that a seed gives again.
+export function random(seed) {
+  return () => {
+    seed = (seed + 0x6d2b79f5) | 0;
+    let t = Math.imul(seed ^ (seed >>> 15), 1 | seed);
+    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
+    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
+  };
+}
+
+/// A state of the page as its address says it.
+export function randomState(next) {
+  const hundredths = (from, to) => (from + Math.floor(next() * (to - from + 1))) / 100;
+  const profile = ['punch', 'parabola', 'wedge', 'bumps'][Math.floor(next() * 4)];
+  const support = profile === 'bumps' ? 200 : 100;
+  const jumps = new Set(Array.from({ length: Math.floor(next() * 4) }, () => hundredths(1 - support, support - 1)));
+  const values = Array.from({ length: jumps.size + 1 }, () => hundredths(0, 90));
+  const state = { profile, size: hundredths(10, 90), load: hundredths(5, 60), poisson: hundredths(0, 45), sliding: next() < 0.5 ? '+x' : '-x',
+    values: values.join(','), jumps: [...jumps].sort((a, b) => a - b).join(',') };
+  return Object.entries(state).map(([key, value]) => `${key}=${value}`).join('&');
+}
+
+/// What the command line answers; stresses at places of [x, z].
+export function answer(program, folder, file, samples, places) {
+  const problem = join(folder, 'problem.toml'), points = join(folder, 'points.csv');
+  writeFileSync(problem, file);
+  writeFileSync(points, `x,z\n${places.map(place => place.join(',')).join('\n')}\n`);
+  const solved = (...options) => JSON.parse(execFileSync(program, ['solve', problem, '--format', 'json', ...options], { encoding: 'utf8', maxBuffer: 2 ** 26 }));
+  return { ...solved('--both-directions'), ...solved('--samples', `${samples}`, '--stress-at', points) };
+}
+
+const asNumber = value => {
+  const text = value !== null && typeof value === 'object' && 'value' in value ? value.value : value;
+  return text === null || text === undefined ? null : Number(text);
+};
+
+/// Lines that say what differs by more than the tolerance, in units of the size that stands beside it.
+export function differences(page, command) {
+  const found = [];
+  const compare = (name, ours, theirs, size) => {
+    const a = ours === undefined ? null : ours, b = asNumber(theirs);
+    const same = a === b || (a !== null && b !== null && Math.abs(a - b) <= tolerance * Math.max(Math.abs(b), size));
+    if (!same) found.push(`${name}: ${a}, the command line says ${b}`);
+  };
+  const words = (name, ours, theirs) => { if (ours !== theirs) found.push(`${name}: ${ours}, the command line says ${theirs}`); };
+  const { solution, samples, stresses } = page;
+  const length = command.problem.indenter.support[1] - command.problem.indenter.support[0];
+  const load = Number(command.problem.load), mean = asNumber(command.resultants.mean_pressure);
+  words('method', solution.method, command.method);
+
+  const sizes = { normal: load, friction_force: load, centre_of_pressure: length, effective_friction: 1, real_contact_length: length, mean_pressure: mean };
+  for (const [key, size] of Object.entries(sizes)) compare(key, solution.resultants[key], command.resultants[key], size);
+  command.resultants.load_share.forEach((share, k) => compare(`load_share[${k}]`, solution.resultants.load_share[k], share, 1));
+  if (Number.isFinite(asNumber(command.resultants.largest_pressure.value))) {
+    compare('largest_pressure', solution.resultants.largest_pressure.value, command.resultants.largest_pressure.value, mean);
+  }
+  compare('other_direction', solution.other_direction.effective_friction, command.other_direction.resultants.effective_friction, 1);
+
+  words('components', solution.contact.length, command.contact.length);
+  command.contact.forEach((zone, k) => {
+    for (const side of ['left', 'right']) {
+      const ours = solution.contact[k]?.[side] ?? {};
+      compare(`contact[${k}].${side}.x`, ours.x, zone[side].x, length);
+      compare(`contact[${k}].${side}.exponent`, ours.exponent, zone[side].exponent, 1);
+      compare(`contact[${k}].${side}.intensity`, ours.intensity, zone[side].intensity, mean);
+    }
+    compare(`contact[${k}].load`, solution.contact[k]?.load, zone.load, load);
+  });
+  words('singular points', solution.singular_points.length, command.singular_points.length);
+  command.singular_points.forEach((point, k) => {
+    const ours = solution.singular_points[k] ?? {};
+    compare(`singular_points[${k}].x`, ours.x, point.x, length);
+    words(`singular_points[${k}].kind`, ours.kind, point.kind);
+    words(`singular_points[${k}].symbolic`, ours.symbolic, point.symbolic);
+    if (point.symbolic !== 'log') compare(`singular_points[${k}].exponent`, ours.exponent, point.exponent, 1);
+    compare(`singular_points[${k}].intensity`, ours.intensity, point.intensity, mean);
+    compare(`singular_points[${k}].constant`, ours.constant, point.constant, mean);
+  });
+
+  words('samples', samples.x.length, command.samples.length);
+  command.samples.forEach((sample, k) => {
+    const { traction, shear } = sample;
+    const sides = traction?.left !== undefined ? traction : { left: traction, right: traction };
+    const left = asNumber(sides.left) < asNumber(sides.right);
+    const side = left ? 'left' : 'right';
+    compare(`samples[${k}].x`, samples.x[k], sample.x, length);
+    compare(`samples[${k}].traction`, samples.traction[k], sides[side], mean);
+    compare(`samples[${k}].shear`, samples.shear[k], shear?.left !== undefined ? shear[side] : shear, mean);
+    compare(`samples[${k}].gap`, samples.gap[k], sample.gap, length);
+  });
+  command.stresses.forEach((stress, k) => compare(`stresses[${k}]`, stresses[k], stress.von_mises, mean));
+  return found;
+}

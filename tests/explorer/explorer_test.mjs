@@ -1,0 +1,126 @@
+// node explorer_test.mjs explorer.html steadyslide [pictures]: the page in headless Chromium beside the command line.
+
+import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { Browser } from './browser.mjs';
+import { answer, differences, random, randomState } from './comparison.mjs';
+
+const [html, program, pictures] = process.argv.slice(2);
+const seed = 17, wanted = 50, samples = 12;
+const most = { bytes: 3 * 2 ** 20, 'closed-form': 16, 'riemann-hilbert': 50 };
+const folder = mkdtempSync(join(tmpdir(), 'explorer-test-'));
+const page = await Browser.open(html);
+
+/// The page in a state; stresses in the middles of 4 x 2 cells of [-1, 1] x [0, 1].
+async function shown(state) {
+  await page.run(`explorerPage.set(${JSON.stringify(state)})`);
+  return page.run(`(() => {
+    const list = samples => Object.fromEntries(Object.entries(samples).map(([key, column]) =>
+      [key, Array.from(column, x => Number.isNaN(x) ? null : Number.isFinite(x) ? x : String(x))]));
+    const p = explorerPage, complaint = p.complaint();
+    return complaint ? { complaint } : { file: p.file(), solution: p.solution(), residuals: p.residuals(),
+      samples: list(p.samples(${samples})), stresses: Array.from(p.stresses(-1, 1, 1, 4, 2)) };
+  })()`);
+}
+const places = [0, 1].flatMap(row => [0, 1, 2, 3].map(k => [-1 + 0.5 * (k + 0.5), 0.5 * (row + 0.5)]));
+const numeric = shown => ({ ...shown, samples: Object.fromEntries(Object.entries(shown.samples).map(([key, list]) => [key, list.map(x => typeof x === 'string' ? Number(x) : x)])) });
+
+async function numbersAreTheProgrammes() {
+  const next = random(seed);
+  let compared = 0, drawn = 0, control = null;
+  const methods = {};
+  while (compared < wanted) {
+    const state = randomState(next);
+    assert.ok(++drawn <= 3 * wanted, `only ${compared} of ${drawn} states are solved in double`);
+    const page = await shown(state);
+    if (page.complaint || !page.residuals.solved) continue;
+    const command = answer(program, folder, page.file, samples, places);
+    const wrong = differences(numeric(page), command);
+    assert.deepEqual(wrong, [], `state ${state}`);
+    ++compared;
+    methods[page.solution.method] = (methods[page.solution.method] ?? 0) + 1;
+    control ??= { page, command };
+  }
+  // Controls: one number changed in the problem, one in its last digits.
+  const other = answer(program, folder, control.page.file.replace(/load = ".*"/, 'load = "0.7654321"'), samples, places);
+  assert.ok(differences(numeric(control.page), other).length > 5, 'another load went unnoticed');
+  control.command.resultants.effective_friction = String(Number(control.command.resultants.effective_friction?.value ?? control.command.resultants.effective_friction) + 1e-11);
+  assert.deepEqual(differences(numeric(control.page), control.command).length, 1, 'a friction off by 1e-11 went unnoticed');
+  console.log(`${compared} states of ${drawn} with seed ${seed} agree to 1e-12:`, methods);
+}
+
+async function updatesAreFast() {
+  const ways = {
+    'closed-form': k => `profile=punch&values=0.1,0.5,0.3&jumps=${(-0.5 + 0.002 * k).toFixed(3)},0.2&sliding=+x&load=0.3`,
+    'riemann-hilbert': k => `profile=wedge&size=0.4&values=0.1,0.5&jumps=${(-0.2 + 0.002 * k).toFixed(3)}&sliding=+x&load=0.3`,
+  };
+  for (const [method, state] of Object.entries(ways)) {
+    const times = await page.run(`(() => { const times = []; const states = ${JSON.stringify(Array.from({ length: 200 }, (_, k) => state(k)))};
+      for (const state of states) times.push(explorerPage.set(state)); return times; })()`);
+    assert.equal(await page.run('explorerPage.solution().method'), method);
+    times.sort((a, b) => a - b);
+    console.log(`${method}: an update takes ${times[100].toFixed(1)} ms (median of 200), at worst ${times[199].toFixed(1)} ms`);
+    assert.ok(times[100] <= most[method], `${method}: ${times[100]} ms`);
+  }
+}
+
+async function complaintsAreTheModels() {
+  await page.run(`explorerPage.set('profile=punch&values=0.1,0.5,0.2&jumps=0.4,0.1')`);
+  assert.match(await page.run('explorerPage.complaint()'), /; .*; /);
+  await page.run(`explorerPage.set('profile=punch&values=0.1,-0.5&jumps=0')`);
+  assert.match(await page.run('explorerPage.complaint()'), /; .*; .*-0\.5/);
+  await page.run(`explorerPage.set('profile=punch&values=0.1,0.5&jumps=0')`);
+  assert.equal(await page.run('explorerPage.complaint()'), '');
+}
+
+async function jumpsMoveByKeysAndPointer() {
+  await page.run(`explorerPage.set('profile=punch&values=0.1,0.5&jumps=0'); document.querySelector('.handle').focus()`);
+  await page.key('ArrowRight');
+  assert.equal(await page.run('explorerPage.state().jumps[0]'), '0.01');
+  assert.equal(await page.run(`document.activeElement.getAttribute('aria-valuenow')`), '0.01');
+  const { x, y, wide } = await page.run(`(() => { document.querySelector('#pressure').scrollIntoView();
+    const box = document.querySelector('.handle circle').getBoundingClientRect();
+    return { x: box.x + box.width / 2, y: box.y + box.height / 2, wide: document.querySelector('#pressure').getBoundingClientRect().width }; })()`);
+  await page.mouse('mousePressed', x, y);
+  await page.mouse('mouseMoved', x + wide / 10, y);
+  await page.mouse('mouseReleased', x + wide / 10, y);
+  const moved = Number(await page.run('explorerPage.state().jumps[0]'));
+  assert.ok(moved > 0.2 && moved < 0.35, `dragged to ${moved}`);
+  await new Promise(done => setTimeout(done, 600));
+  assert.match(await page.run('location.hash'), /jumps=0\.\d+/);
+  assert.match(await page.run(`document.querySelector('#summary').textContent`), /blows up like .*effective friction/);
+}
+
+async function takePictures() {
+  for (const [width, height] of [[1300, 1150], [390, 2600]]) {
+    await page.size(width, height);
+    for (const [name, state] of [['punch', 'profile=punch&values=0.1,0.5&jumps=0&load=0.2&sliding=+x'], ['bumps', 'profile=bumps&size=0.25&values=0.1,0.7,0.3&jumps=-1,0.9&load=0.1&sliding=-x'],
+      ['bad', 'profile=punch&values=0.1,0.5,0.2&jumps=0.4,0.1'], ['wedge', 'profile=wedge&size=0.4&values=0.1,0.5&jumps=0&load=0.2']]) {
+      await page.run(`explorerPage.set(${JSON.stringify(state)})`);
+      await new Promise(done => setTimeout(done, 700));
+      writeFileSync(join(pictures, `${name}-${width}.png`), await page.picture());
+    }
+  }
+}
+
+let status = 1;
+try {
+  assert.ok(statSync(html).size <= most.bytes, `${statSync(html).size} bytes`);
+  console.log(`${statSync(html).size} bytes`);
+  await page.run('explorerPage.ready');
+  await numbersAreTheProgrammes();
+  await updatesAreFast();
+  await complaintsAreTheModels();
+  await jumpsMoveByKeysAndPointer();
+  if (pictures) await takePictures();
+  assert.deepEqual(page.problems, []);
+  status = 0;
+} catch (error) {
+  console.error(error.message ?? error);
+} finally {
+  await page.close();
+  rmSync(folder, { recursive: true });
+}
+process.exit(status);
