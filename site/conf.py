@@ -28,6 +28,7 @@ autodoc_typehints = "none"
 
 html_theme = "furo"
 html_title = f"steadyslide {release}"
+templates_path = [str(here / "templates")]
 html_static_path = [str(here / "static")]
 html_css_files = ["katex/katex.min.css", "site.css"]
 html_favicon = str(here / "static/favicon.svg")

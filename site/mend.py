@@ -1,7 +1,6 @@
 """What Debian's furo and Sphinx leave to mend: pages that are opened as files, read with a keyboard or by a screen reader."""
 
 import re
-import shutil
 from pathlib import Path
 
 NORMALIZE = Path("/usr/share/javascript/normalize.css/normalize.css")
@@ -19,14 +18,13 @@ def mend_page(_app, _page, _template, context, _doctree):
 
 
 def mend_styles(app, exception):
-    # It is asked for under a web server's /javascript.
+    # A sheet is asked for under a web server's /javascript: it comes along.
     if exception or app.builder.format != "html":
         return
-    styles = Path(app.outdir) / "_static" / "styles"
-    shutil.copy(NORMALIZE, styles)
-    sheet = styles / "furo.css"
-    sheet.write_text(sheet.read_text(encoding="utf-8").replace("url(/javascript/normalize.css/normalize.css)", "url(normalize.css)"),
-                     encoding="utf-8")
+    sheet = Path(app.outdir) / "_static" / "styles" / "furo.css"
+    text = sheet.read_text(encoding="utf-8")
+    asked = "@import url(/javascript/normalize.css/normalize.css);"
+    sheet.write_text(text.replace(asked, NORMALIZE.read_text(encoding="utf-8")), encoding="utf-8")
 
 
 def setup(app):

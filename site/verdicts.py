@@ -12,6 +12,12 @@ def cell(text):
     return text.replace("\n", " ").replace("|", "\\|")
 
 
+def words(text):
+    """Text of the ledger as Markdown: formulas between backticks stay, what else looks like a mark is none."""
+    parts = re.split("(`[^`]*`)", text)
+    return "".join(part if part.startswith("`") else re.sub(r"([*_<\[\]])", r"\\\1", part) for part in parts)
+
+
 def counted(verdicts):
     counts = Counter(verdicts)
     return ", ".join(f"{counts[one]} {one}" for one in ("proved", "supported", "undecided", "refuted"))
@@ -26,23 +32,32 @@ def links(ids):
     return ", ".join(f"[{one}](entries.md#{one})" for one in ids)
 
 
+def table(heads, rows):
+    """Without the columns in which no row has anything."""
+    kept = [k for k in range(len(heads)) if any(row[k] for row in rows)]
+    lines = [[heads[k] for k in kept], ["---"] * len(kept)] + [[row[k] for k in kept] for row in rows]
+    return "\n".join("| " + " | ".join(map(cell, line)) + " |" for line in lines)
+
+
 def statements(found):
-    text = ["# The paper, statement by statement",
-            f"Each statement of [Bal16] is {VERDICTS}. An entry of the ledger says it, or a part of it, and has its proof, its "
-            "evidence and its controls; a reading note says where the text at hand and the derivation differ.",
-            f"{len(found['statements'])} statements: {counted(one['verdict'] for one in found['statements'])}. {made(found)}"]
     notes = {}
     for note in found["reading_notes"]:
         for entry in re.findall(r"\bclaim ([\w-]+)", note["evidence"]):
             notes.setdefault(entry, set()).add(note["id"])
-    rows = ["| place | statement | verdict | entries | reading notes |", "|---|---|---|---|---|"]
-    for one in found["statements"]:
-        ids = one.get("claims") or one.get("entries", [])
-        words = one.get("what") or one["statement"]
+
+    def row(one):
+        ids = one.get("entries") or one.get("claims", [])
         own = sorted({note for entry in ids for note in notes.get(entry, ())})
-        rows.append(f"| {cell(one['place'])} | {cell(words)} | {one['verdict']} | {links(ids)} | "
-                    + ", ".join(f"[{note}](reading-notes.md#note-{note})" for note in own) + " |")
-    return text + ["\n".join(rows)]
+        return [one["place"], words(one.get("statement") or one["what"]), one["verdict"], words(one.get("scope", "")), links(ids),
+                ", ".join(f"[{note}](reading-notes.md#note-{note})" for note in own)]
+
+    heads = ["place", "statement", "verdict", "scope", "entries", "reading notes"]
+    paper, beyond = ([one for one in found["statements"] if bool(one["place"]) == of_paper] for of_paper in (True, False))
+    return ["# The paper, statement by statement",
+            f"Each statement of [Bal16] is {VERDICTS}. An entry of the ledger says it, or a part of it, and has its proof, its "
+            "evidence and its controls; a reading note says where the text at hand and the derivation differ.",
+            f"{len(paper)} statements: {counted(one['verdict'] for one in paper)}. {made(found)}",
+            table(heads, [row(one) for one in paper]), "## Beyond the paper", table(heads, [row(one) for one in beyond])]
 
 
 def html_words(text):
@@ -72,9 +87,9 @@ def entries(found):
             "verify --claim ID` prints one of them with its evidence, `--proof` its proof."]
     for claim in found["claims"]:
         caught = len(claim["controls"])
-        text += [f"## {claim['id']}", f"**{claim['verdict']}** – {claim['source']}", claim["statement"]]
+        text += [f"## {claim['id']}", f"**{claim['verdict']}** – {words(claim['source'])}", words(claim["statement"])]
         if claim["hypotheses"]:
-            text += [f"*For:* {claim['hypotheses']}"]
+            text += [f"*For:* {words(claim['hypotheses'])}"]
         proof = claim.get("proof") or {}
         if proof.get("steps"):
             text += [tree(proof)]
@@ -88,6 +103,7 @@ def reading_notes(found):
             "says what was read, not what was printed, unless it says so.",
             f"{len(found['reading_notes'])} notes. {made(found)}"]
     for note in found["reading_notes"]:
-        text += [f"## note {note['id']}", f"{note['place']}", f"- read: {note['printed']}\n- derived: {note['derived']}",
-                 note["evidence"]]
+        fault = f"\n- fault: {note['fault']}" if note.get("fault") else ""
+        text += [f"## note {note['id']}", words(note["place"]), f"- read: {words(note['printed'])}\n- derived: {words(note['derived'])}{fault}",
+                 words(note["evidence"])]
     return text
