@@ -68,7 +68,9 @@ function drawPressure(home, samples, solution, x) {
     if (inside.length === 0) continue;
     const curve = column => inside.map(i => point(x(samples.x[i]), height(samples[column][i]))).join('L');
     const begin = x(zone.left.x).toFixed(2), end = x(zone.right.x).toFixed(2);
-    lines.pressure += `M${begin} ${bottom}L${curve('traction')}L${end} ${bottom}`;
+    // An end without bound leaves the picture.
+    const from = `M${begin} ${bottom}` + (zone.left.sign < 0 ? `V${-bottom}` : ''), to = (zone.right.sign < 0 ? `L${end} ${-bottom}` : '') + `L${end} ${bottom}`;
+    lines.pressure += `${from}L${curve('traction')}${to}`;
     lines.shear += `M${begin} ${bottom}L${curve('shear')}L${end} ${bottom}`;
   }
   const labels = solution.singular_points.filter(at => at.exponent === null || Math.abs(at.exponent) > 1e-12);

@@ -7,7 +7,7 @@ let explorer = null;
 let shownResult = null;
 let later = 0;
 
-const places = {count: 60, beyond: 6, columns: 48, rows: 15, fineColumns: 200, fineRows: 60};
+const places = {count: 45, beyond: 6, columns: 48, rows: 15, fineColumns: 200, fineRows: 60};
 
 /// A slider and a field for one number of the state. Its own range may be left by typing.
 function slider(home, {label, least, most, step, get, set, place}) {
@@ -168,7 +168,7 @@ function update() {
   if (complaint) return;
   const beyond = Array.from({length: places.beyond}, (_, k) => 0.002 * 125 ** (k / (places.beyond - 1)) * support);
   const outside = [...beyond.map(d => -support - d).reverse(), ...beyond.map(d => support + d)];
-  const samples = explorer.samples(places.count);
+  const samples = explorer.samples(places.count * (1 + state.jumps.length));
   samples.beyond = {x: outside, height: explorer.surface(outside)};
   drawPressure(byId('curves'), samples, shownResult, x);
   drawSurface(byId('surface'), samples, shownResult, state, support, x);
@@ -234,11 +234,12 @@ function showNumbers(solution) {
     ...contact.map(zone => ['contact', `${shown(zone.left.x, 6)} … ${shown(zone.right.x, 6)}`]),
     ['friction force', shown(resultants.friction_force, 6)], ['centre of pressure', shown(resultants.centre_of_pressure, 6)],
     ['mean pressure', shown(resultants.mean_pressure, 6)], ['largest pressure', `${shown(largest.value, 6)} at ${shown(largest.x, 4)}`],
-    ['part of the load on each coating', resultants.load_share.map(share => shown(share, 4)).join(', ')],
+    ['share of the load', resultants.load_share.map(share => shown(share, 3)).join(', ')],
   ];
-  byId('numbers').tBodies[0].innerHTML = rows.map(([name, value]) => `<tr><th scope="row">${name}</th><td class="number">${value}</td></tr>`).join('');
+  byId('numbers').tBodies[0].innerHTML = rows.map(([name, value]) => `<tr><th scope="row">${name}</th><td>${value}</td></tr>`).join('');
+  const digits = sheet.width < 500 ? 4 : 6;
   byId('points').tBodies[0].innerHTML = solution.singular_points.map(at =>
-    `<tr><td class="number">${shown(at.x, 6)}</td><td>${kinds[at.kind]}</td><td class="number">${at.exponent === null ? 'log' : shown(at.exponent, 6)}</td>` +
+    `<tr><td class="number">${shown(at.x, digits)}</td><td>${kinds[at.kind]}</td><td class="number">${at.exponent === null ? 'log' : shown(at.exponent, digits)}</td>` +
     `<td class="exact">${exactly(at.symbolic)}</td></tr>`).join('');
   byId('scale').textContent = shown(resultants.mean_pressure, 3);
 }

@@ -95,6 +95,8 @@ async function jumpsMoveByKeysAndPointer() {
   assert.ok(moved > 0.2 && moved < 0.35, `dragged to ${moved}`);
   await new Promise(done => setTimeout(done, 600));
   assert.match(await page.run('location.hash'), /jumps=0\.\d+/);
+  await page.run(`document.querySelector('#copy-file').click()`);
+  assert.match(await page.run(`new Promise(done => setTimeout(() => done(document.querySelector('#copied').textContent), 200))`), /copied/);
   assert.match(await page.run(`document.querySelector('#summary').textContent`), /blows up like .*effective friction/);
 }
 
