@@ -1,7 +1,10 @@
 'use strict';
 // Drawings of what has been solved. Everything here is a place on the page; no number is made.
 
-const margin = {left: 52, right: 14, top: 22, bottom: 34};
+const margin = {left: 46, right: 12, top: 22, bottom: 34};
+
+/// Of all drawings, in CSS pixels: letters have one size on every screen.
+const sheet = {width: 720, heights: {pressure: 300, surface: 170, stress: 230}};
 
 /// Numbers as people read them: a few digits, a real minus sign.
 function shown(value, digits = 4) {
@@ -32,13 +35,14 @@ function scale(from, to, low, high) {
   return at;
 }
 
-function horizontal(support, width = 720) { return scale(-1.25 * support, 1.25 * support, margin.left, width - margin.right); }
+function horizontal(support) { return scale(-1.25 * support, 1.25 * support, margin.left, sheet.width - margin.right); }
 
 const tick = value => shown(Number(value.toPrecision(6)), 6);
+const acrossTicks = x => ticks(x.from, x.to, sheet.width / 80);
 
 function axes(x, y, top, bottom, unit) {
-  const left = margin.left, right = 720 - margin.right;
-  const across = ticks(x.from, x.to, 8).map(v =>
+  const left = margin.left, right = sheet.width - margin.right;
+  const across = acrossTicks(x).map(v =>
     `<line class="axis" x1="${x(v)}" x2="${x(v)}" y1="${bottom}" y2="${bottom + 5}"/><text x="${x(v)}" y="${bottom + 20}" text-anchor="middle">${tick(v)}</text>`);
   const up = y ? ticks(y.from, y.to, 4).map(v =>
     `<line class="grid" x1="${left}" x2="${right}" y1="${y(v)}" y2="${y(v)}"/><text x="${left - 6}" y="${y(v) + 4}" text-anchor="end">${tick(v)}</text>`) : [];
@@ -49,12 +53,12 @@ function axes(x, y, top, bottom, unit) {
 const point = (x, y) => `${x.toFixed(2)} ${y.toFixed(2)}`;
 
 /// Pressure and friction, zero where there is no contact; what has no bound ends at the upper edge.
-function drawPressure(svg, samples, solution, x) {
+function drawPressure(home, samples, solution, x) {
   const mean = solution.resultants.mean_pressure;
   let highest = 1.25 * mean;
   for (const t of samples.traction) if (Number.isFinite(t)) highest = Math.max(highest, -1.08 * t);
   highest = Math.min(highest, 3.6 * mean);
-  const top = margin.top, bottom = 300 - margin.bottom;
+  const top = margin.top, bottom = sheet.heights.pressure - margin.bottom;
   const y = scale(0, highest, bottom, top);
   const height = value => Math.max(y(Math.min(Math.abs(value), 3 * highest)), -1000);
   const lines = {pressure: '', shear: ''};
@@ -75,14 +79,14 @@ function drawPressure(svg, samples, solution, x) {
     last = place;
     return `<text class="exponent" x="${place.toFixed(1)}" y="${top + 14 + 20 * (row % 4)}" text-anchor="middle">${at.exponent === null ? 'log' : shown(at.exponent, 3)}</text>`;
   });
-  svg.innerHTML = `<clipPath id="plot"><rect x="${margin.left}" y="${top}" width="${720 - margin.left - margin.right}" height="${bottom - top + 1}"/></clipPath>` +
-    axes(x, y, top, bottom, 'p, |t_t|') +
+  home.innerHTML = `<clipPath id="plot"><rect x="${margin.left}" y="${top}" width="${sheet.width - margin.left - margin.right}" height="${bottom - top + 1}"/></clipPath>` +
+    axes(x, y, top, bottom, 'p, |t<tspan dy="3" font-size="9">t</tspan><tspan dy="-3">|</tspan>') +
     `<g clip-path="url(#plot)"><path class="pressure" d="${lines.pressure}"/><path class="shear" d="${lines.shear}"/></g>` + texts.join('');
 }
 
 /// Indenter above, body below with its coatings.
 function drawSurface(svg, samples, solution, state, support, x) {
-  const top = 16, bottom = 170 - margin.bottom;
+  const top = 16, bottom = sheet.heights.surface - margin.bottom;
   const heights = Array.from(samples.profile);
   const surface = heights.map((psi, i) => psi - samples.gap[i]);
   const beyond = Array.from(samples.beyond.height);
@@ -98,7 +102,7 @@ function drawSurface(svg, samples, solution, state, support, x) {
   const bounds = [x.from, ...state.jumps.map(Number), x.to].map(x);
   const coats = values.map((f, k) => `<rect x="${bounds[k].toFixed(2)}" y="0" width="${Math.max(bounds[k + 1] - bounds[k], 0).toFixed(2)}" height="${bottom}" fill="hsl(28 35% ${Math.round(86 - 38 * f / largest)}%)"/>`);
   const first = x(-support).toFixed(2), arrow = state.sliding === '+x' ? 1 : -1;
-  svg.innerHTML = `<clipPath id="body"><path d="M${margin.left} ${bottom}L${body.join('L')}L${720 - margin.right} ${bottom}Z"/></clipPath>` +
+  svg.innerHTML = `<clipPath id="body"><path d="M${margin.left} ${bottom}L${body.join('L')}L${sheet.width - margin.right} ${bottom}Z"/></clipPath>` +
     `<g clip-path="url(#body)">${coats.join('')}</g>` +
     `<path d="M${first} ${top - 12}L${indenter.join('L')}L${x(support).toFixed(2)} ${top - 12}Z" fill="#c9d2dc"/>` +
     `<path d="M${indenter.join('L')}" fill="none" stroke="#3c4650" stroke-width="1.5"/>` +
@@ -106,7 +110,7 @@ function drawSurface(svg, samples, solution, state, support, x) {
     axes(x, null, bottom, bottom, '');
 }
 
-/// Blue, green, yellow: light at rest, dark under load, so that it reads in grey as well.
+/// White at rest, dark under load, so that it reads in grey as well. t from 0 to 1.
 function shade(t) {
   const stops = [[255, 255, 255], [197, 220, 236], [102, 163, 201], [44, 104, 150], [64, 36, 92], [33, 12, 40]];
   const at = Math.min(Math.max(t, 0), 1) * (stops.length - 1), k = Math.min(Math.floor(at), stops.length - 2);
@@ -120,18 +124,19 @@ function drawStress(canvas, stresses, columns, rows, mean, depth, x) {
     image.data[4 * i + 3] = 255;
   }
   small.getContext('2d').putImageData(image, 0, 0);
-  const context = canvas.getContext('2d'), bottom = 230 - margin.bottom, left = margin.left, right = 720 - margin.right;
-  context.setTransform(canvas.width / 720, 0, 0, canvas.height / 230, 0, 0);
-  context.clearRect(0, 0, 720, 230);
+  const context = canvas.getContext('2d'), bottom = sheet.heights.stress - margin.bottom, left = margin.left, right = sheet.width - margin.right;
+  const {width, heights: {stress: height}} = sheet;
+  context.setTransform(canvas.width / width, 0, 0, canvas.height / height, 0, 0);
+  context.clearRect(0, 0, width, height);
   context.imageSmoothingQuality = 'high';
   context.drawImage(small, left, 2, right - left, bottom - 2);
   const y = scale(0, depth, 2, bottom);
   context.strokeStyle = '#6b7480';
   context.strokeRect(left, 2, right - left, bottom - 2);
   context.fillStyle = '#1b1f24';
-  context.font = `${matchMedia('(max-width: 800px)').matches ? 19 : 12}px system-ui, "DejaVu Sans", sans-serif`;
+  context.font = '12px system-ui, "DejaVu Sans", sans-serif';
   context.textAlign = 'center';
-  for (const v of ticks(x.from, x.to, 8)) context.fillText(tick(v), x(v), bottom + 20);
+  for (const v of acrossTicks(x)) context.fillText(tick(v), x(v), bottom + 20);
   context.textAlign = 'right';
   for (const v of ticks(0, depth, 3)) context.fillText(tick(v), left - 6, Math.max(y(v) + 4, 12));
 }

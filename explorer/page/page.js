@@ -7,7 +7,7 @@ let explorer = null;
 let shownResult = null;
 let later = 0;
 
-const places = {count: 60, beyond: 9, columns: 60, rows: 19, fineColumns: 200, fineRows: 60};
+const places = {count: 60, beyond: 6, columns: 48, rows: 15, fineColumns: 200, fineRows: 60};
 
 /// A slider and a field for one number of the state. Its own range may be left by typing.
 function slider(home, {label, least, most, step, get, set, place}) {
@@ -106,9 +106,9 @@ function refreshControls() {
 }
 const subscript = k => String.fromCharCode(0x2080 + k);
 
-/// The jumps on the drawing: dragged, or moved by arrow keys.
-const handles = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+/// The jumps on the drawing: dragged, or moved by arrow keys. They stay from picture to picture, since one may have the focus.
 function buildHandles() {
+  const handles = byId('handles'), foot = sheet.heights.pressure - margin.bottom;
   handles.replaceChildren();
   state.jumps.forEach((_, k) => {
     const handle = document.createElementNS(handles.namespaceURI, 'g');
@@ -116,7 +116,7 @@ function buildHandles() {
     handle.setAttribute('tabindex', '0');
     handle.setAttribute('role', 'slider');
     handle.setAttribute('aria-label', `Jump ${k + 1} of the friction, x`);
-    handle.innerHTML = `<line y1="${margin.top}" y2="${300 - margin.bottom}"/><rect x="-14" width="28" y="0" height="300"/><circle cy="${300 - margin.bottom}" r="8"/>`;
+    handle.innerHTML = `<line y1="${margin.top}" y2="${foot}"/><rect x="-14" width="28" y="0" height="${foot + 20}"/><circle cy="${foot}" r="8"/>`;
     const moveTo = value => {
       const {support} = profiles[state.profile];
       const low = k > 0 ? Number(state.jumps[k - 1]) : -support, high = k + 1 < state.jumps.length ? Number(state.jumps[k + 1]) : support;
@@ -127,7 +127,7 @@ function buildHandles() {
     handle.addEventListener('pointermove', event => {
       if (!handle.hasPointerCapture(event.pointerId)) return;
       const box = byId('pressure').getBoundingClientRect();
-      moveTo(horizontal(profiles[state.profile].support).inverse((event.clientX - box.left) / box.width * 720));
+      moveTo(horizontal(profiles[state.profile].support).inverse((event.clientX - box.left) / box.width * sheet.width));
     });
     handle.addEventListener('keydown', event => {
       const step = {ArrowLeft: -0.01, ArrowDown: -0.01, ArrowRight: 0.01, ArrowUp: 0.01, PageDown: -0.1, PageUp: 0.1}[event.key];
@@ -142,7 +142,7 @@ function buildHandles() {
 
 function placeHandles(x) {
   const {support} = profiles[state.profile];
-  [...handles.children].forEach((handle, k) => {
+  [...byId('handles').children].forEach((handle, k) => {
     handle.setAttribute('transform', `translate(${x(Number(state.jumps[k]) || 0).toFixed(2)} 0)`);
     handle.setAttribute('aria-valuemin', -support);
     handle.setAttribute('aria-valuemax', support);
@@ -164,21 +164,27 @@ function update() {
   const failed = complaint || shownResult.failed_condition;
   byId('complaint').hidden = !failed;
   byId('complaint').textContent = complaint || (failed ? `Not solved in double precision: ${failed}` : '');
-  byId('results').classList.toggle('stale', Boolean(complaint));
+  document.querySelector('main').classList.toggle('stale', Boolean(complaint));
   if (complaint) return;
   const beyond = Array.from({length: places.beyond}, (_, k) => 0.002 * 125 ** (k / (places.beyond - 1)) * support);
   const outside = [...beyond.map(d => -support - d).reverse(), ...beyond.map(d => support + d)];
   const samples = explorer.samples(places.count);
   samples.beyond = {x: outside, height: explorer.surface(outside)};
-  drawPressure(byId('pressure'), samples, shownResult, x);
-  byId('pressure').append(...handleLayer());
+  drawPressure(byId('curves'), samples, shownResult, x);
   drawSurface(byId('surface'), samples, shownResult, state, support, x);
   showStresses(places.columns, places.rows, x);
   showNumbers(shownResult);
 }
 
-/// The handles are kept from picture to picture: one of them may have the focus.
-function handleLayer() { return [handles]; }
+/// Drawings as wide as there is room for them.
+function fit() {
+  sheet.width = Math.round(Math.max(byId('pressure').getBoundingClientRect().width, 280));
+  for (const [id, height] of Object.entries(sheet.heights)) byId(id).setAttribute('viewBox', `0 0 ${sheet.width} ${height}`);
+  const canvas = byId('stress'), fine = Math.min(devicePixelRatio, 2);
+  canvas.width = sheet.width * fine;
+  canvas.height = sheet.heights.stress * fine;
+  update();
+}
 
 function showStresses(columns, rows, x) {
   const depth = 0.3 * (x.to - x.from);
@@ -190,11 +196,11 @@ function rest() {
   history.replaceState(null, '', `#${stateText(state)}`);
   if (!shownResult) return;
   showStresses(places.fineColumns, places.fineRows, horizontal(profiles[state.profile].support));
-  byId('summary').textContent = sentence(shownResult);
+  byId('summary').innerHTML = sentence(shownResult);
   const check = explorer.residuals();
   const worst = Math.max(check.equation, check.load, check.penetration, check.tension);
   byId('method').textContent = `${shownResult.method === 'closed-form' ? 'A closed form' : 'The Riemann–Hilbert method'}, in double precision. ` +
-    `Residuals by a quadrature that no solver uses: at most ${shown(worst, 2)}` + (check.solved ? '. ' : ', too large for a solution. ') +
+    `Residuals by a quadrature that no solver uses: at most ${worst.toExponential(1).replace('-', '−')}` + (check.solved ? '. ' : ', too large for a solution. ') +
     (shownResult.unique ? 'Theorem 1 says that there is no other solution.' : 'No theorem says that this is the only solution.');
 }
 
@@ -205,8 +211,8 @@ function sentence(solution) {
   const ends = solution.contact.map(zone => `from ${shown(zone.left.x, 3)} to ${shown(zone.right.x, 3)}`).join(' and ');
   const jump = solution.singular_points.find(at => at.kind.includes('jump') && at.sign < 0) ?? solution.singular_points.find(at => at.kind.includes('jump'));
   let text = `It slides to the ${state.sliding === '+x' ? 'right' : 'left'} and touches ${ends}. `;
-  if (jump && jump.sign < 0) text += `At the jump x = ${shown(jump.x, 3)} the pressure blows up like |x − c|^${shown(jump.exponent, 3)}. `;
-  else if (jump) text += `At the jump x = ${shown(jump.x, 3)} the pressure stays bounded, with a cusp like |x − c|^${shown(jump.exponent, 3)}. `;
+  if (jump && jump.sign < 0) text += `At the jump x = ${shown(jump.x, 3)} the pressure blows up like |x − c|<sup>${shown(jump.exponent, 3)}</sup>. `;
+  else if (jump) text += `At the jump x = ${shown(jump.x, 3)} the pressure stays bounded, with a cusp like |x − c|<sup>${shown(jump.exponent, 3)}</sup>. `;
   const [right, left] = bothWays(solution);
   return text + `The effective friction is ${shown(right)} to the right and ${shown(left)} to the left.`;
 }
@@ -216,12 +222,15 @@ function bothWays(solution) {
   return state.sliding === '+x' ? both : both.reverse();
 }
 
+/// "-1/2 - arctan(1/7)/pi" in print; it breaks between its terms.
+const exactly = text => text === 'log' ? 'a logarithm' : text.replace(/-/g, '−').replace(/\*/g, ' ').replace(/pi/g, 'π').replace(/ ([+−]) /g, ' $1\u00a0');
+
 function showNumbers(solution) {
   const {resultants, contact} = solution;
   const [right, left] = bothWays(solution);
   const largest = resultants.largest_pressure;
   const rows = [
-    ['effective friction, to the right →', shown(right, 6)], ['effective friction, ← to the left', shown(left, 6)],
+    ['effective friction →', shown(right, 6)], ['effective friction ←', shown(left, 6)],
     ...contact.map(zone => ['contact', `${shown(zone.left.x, 6)} … ${shown(zone.right.x, 6)}`]),
     ['friction force', shown(resultants.friction_force, 6)], ['centre of pressure', shown(resultants.centre_of_pressure, 6)],
     ['mean pressure', shown(resultants.mean_pressure, 6)], ['largest pressure', `${shown(largest.value, 6)} at ${shown(largest.x, 4)}`],
@@ -230,21 +239,18 @@ function showNumbers(solution) {
   byId('numbers').tBodies[0].innerHTML = rows.map(([name, value]) => `<tr><th scope="row">${name}</th><td class="number">${value}</td></tr>`).join('');
   byId('points').tBodies[0].innerHTML = solution.singular_points.map(at =>
     `<tr><td class="number">${shown(at.x, 6)}</td><td>${kinds[at.kind]}</td><td class="number">${at.exponent === null ? 'log' : shown(at.exponent, 6)}</td>` +
-    `<td class="exact">${at.symbolic.replace(/-/g, '−').replace(/\*/g, ' ').replace('log', 'logarithm')}</td></tr>`).join('');
-  byId('scale').textContent = `(0 to 1.5 × ${shown(resultants.mean_pressure, 3)})`;
+    `<td class="exact">${exactly(at.symbolic)}</td></tr>`).join('');
+  byId('scale').textContent = shown(resultants.mean_pressure, 3);
 }
 
 /// For tests, and for the curious: everything that the page knows.
 globalThis.explorerPage = {
   ready: steadyslide().then(module => {
     explorer = new module.Explorer();
-    const canvas = byId('stress');
-    canvas.width *= Math.min(devicePixelRatio, 2);
-    canvas.height *= Math.min(devicePixelRatio, 2);
-    handles.setAttribute('overflow', 'visible');
     buildControls();
-    update();
+    fit();
     rest();
+    addEventListener('resize', fit);
   }),
   set: text => { state = stateFrom(text, state); const begin = performance.now(); update(); return performance.now() - begin; },
   state: () => structuredClone(state),

@@ -20,6 +20,7 @@ export class Browser {
     await browser.#send('Runtime.enable');
     await browser.#send('Page.enable');
     await browser.#send('Log.enable');
+    await browser.#send('Performance.enable', { timeDomain: 'threadTicks' });
     await browser.size(width, height);
     await browser.#send('Page.navigate', { url: pathToFileURL(file).href });
     while (await browser.run('document.readyState') !== 'complete') await new Promise(done => setTimeout(done, 100));
@@ -70,6 +71,12 @@ export class Browser {
     const { result, exceptionDetails } = await this.#send('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true });
     if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
     return result.value;
+  }
+
+  /// Seconds of the processor that the page's main thread has used: a busy machine makes no difference.
+  async processorTime() {
+    const { metrics } = await this.#send('Performance.getMetrics');
+    return metrics.find(metric => metric.name === 'TaskDuration').value;
   }
 
   key(key) {

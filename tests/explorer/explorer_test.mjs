@@ -51,18 +51,23 @@ async function numbersAreTheProgrammes() {
   console.log(`${compared} states of ${drawn} with seed ${seed} agree to 1e-12:`, methods);
 }
 
+/// Jumps that move as if dragged: what an update costs the page's main thread, drawing included, and what the clock says.
 async function updatesAreFast() {
   const ways = {
     'closed-form': k => `profile=punch&values=0.1,0.5,0.3&jumps=${(-0.5 + 0.002 * k).toFixed(3)},0.2&sliding=+x&load=0.3`,
     'riemann-hilbert': k => `profile=wedge&size=0.4&values=0.1,0.5&jumps=${(-0.2 + 0.002 * k).toFixed(3)}&sliding=+x&load=0.3`,
   };
   for (const [method, state] of Object.entries(ways)) {
-    const times = await page.run(`(() => { const times = []; const states = ${JSON.stringify(Array.from({ length: 200 }, (_, k) => state(k)))};
-      for (const state of states) times.push(explorerPage.set(state)); return times; })()`);
+    const costs = [], times = [];
+    for (let k = 0; k < 200; ++k) {
+      const before = await page.processorTime();
+      times.push(await page.run(`explorerPage.set('${state(k)}')`));
+      costs.push(1000 * (await page.processorTime() - before));
+    }
     assert.equal(await page.run('explorerPage.solution().method'), method);
-    times.sort((a, b) => a - b);
-    console.log(`${method}: an update takes ${times[100].toFixed(1)} ms (median of 200), at worst ${times[199].toFixed(1)} ms`);
-    assert.ok(times[100] <= most[method], `${method}: ${times[100]} ms`);
+    const words = list => { list.sort((a, b) => a - b); return `${list[100].toFixed(1)} ms (median of 200), at worst ${list[199].toFixed(1)} ms`; };
+    console.log(`${method}: an update takes ${words(costs)}; by the clock of this machine ${words(times)}`);
+    assert.ok(costs[100] <= most[method], `${method}: ${costs[100]} ms`);
   }
 }
 
