@@ -73,10 +73,11 @@ def gallery():
 
 
 def ledger():
-    """`verify --quick --format json`, kept as long as the program is the same."""
+    """`verify --quick --format json`, with the report of the same run; kept as long as the program is the same."""
     kept = output / "verify.json"
-    if not kept.exists() or kept.stat().st_mtime < program.stat().st_mtime:
-        kept.write_text(run("verify", "--quick", "--format", "json"), encoding="utf-8")
+    report = output / "report"
+    if not kept.exists() or not report.exists() or kept.stat().st_mtime < program.stat().st_mtime:
+        run("verify", "--quick", "--format", "json", "-o", str(kept), "--report", str(report))
     return json.loads(kept.read_text(encoding="utf-8"))
 
 

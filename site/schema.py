@@ -8,6 +8,8 @@ def kind(rule):
     if "$ref" in rule:
         name = rule["$ref"].rsplit("/", 1)[1]
         return f"[{name}](#{name})"
+    if "properties" in rule:
+        return "object: " + ", ".join(f"`{key}` {kind(value)}" for key, value in rule["properties"].items())
     for word, joint in (("oneOf", " or "), ("anyOf", " or "), ("allOf", " and ")):
         if word in rule:
             return joint.join(kind(one) for one in rule[word])
@@ -19,8 +21,6 @@ def kind(rule):
     types = types if isinstance(types, list) else [types]
     if "array" in types and "items" in rule:
         return f"list of {kind(rule['items'])}"
-    if "properties" in rule:
-        return "object: " + ", ".join(f"`{key}` {kind(value)}" for key, value in rule["properties"].items())
     return " or ".join(types)
 
 

@@ -11,15 +11,13 @@ import sys
 from pathlib import Path
 
 root = Path(__file__).resolve().parent.parent
-PAGES = ["docs/*.md", "examples/README.md", "reference/README.md", "reference/*/README.md", "bench/README.md",
+PAGES = ["README.md", "docs/*.md", "examples/README.md", "reference/README.md", "reference/*/README.md", "bench/README.md",
          "CHANGELOG.md", "CONTRIBUTING.md"]
 LINK = re.compile(r"(\]\(|^\[[^\]]+\]: )([^)#\s:]+)(#[^)\s]*)?(?=[)\s])", re.MULTILINE)
 
 
 def staged(path):
     """Where a file of the repository comes to lie."""
-    if path == "README.md":
-        return "index.md"
     return path.removeprefix("docs/")
 
 
@@ -55,7 +53,7 @@ def main(target, explorer):
         place = target / staged(page)
         place.parent.mkdir(parents=True, exist_ok=True)
         place.write_text(text, encoding="utf-8")
-    for file in sorted(files - set(pages) - {"README.md"}):
+    for file in sorted(files - set(pages)):
         place = target / staged(file)
         place.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(root / file, place)

@@ -86,15 +86,14 @@ def entries(found):
             f"{len(found['claims'])} entries: {counted(one['verdict'] for one in found['claims'])}. {made(found)} `steadyslide "
             "verify --claim ID` prints one of them with its evidence, `--proof` its proof."]
     for claim in found["claims"]:
-        caught = len(claim["controls"])
         text += [f"## {claim['id']}", f"**{claim['verdict']}** – {words(claim['source'])}", words(claim["statement"])]
         if claim["hypotheses"]:
             text += [f"*For:* {words(claim['hypotheses'])}"]
         proof = claim.get("proof") or {}
         if proof.get("steps"):
             text += [tree(proof)]
-        if caught:
-            text += [f"Wrong variants that were tried: {caught}. Pieces of evidence: {len(claim['evidence'])}."]
+        text += [f"Pieces of evidence: {len(claim['evidence'])}. Wrong variants that were tried: {claim['controls']['total']}, "
+                 f"refuted: {claim['controls']['refuted']}."]
     return text
 
 
