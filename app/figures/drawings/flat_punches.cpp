@@ -92,9 +92,9 @@ Figure make_flat_punch() {
       "Flat punch with one friction coefficient",
       "Normal traction under a rigid flat punch of half-width `L` that slides to the right under the load `P`, "
       "`nu = 1/5`: lines by the closed form `t_n = -P cos(pi alpha)/pi (1+x)^{-(1/2+alpha)} (1-x)^{-(1/2-alpha)}` "
-      "(`L = 1`), marks by the solver on 800 cells, which knows no exponents. Those at the edges are written beside them, in the order "
-      "of the legend. With friction the rear is loaded more "
-      "than the front, and its singularity is the stronger one.",
+      "(`L = 1`), marks by the solver on 800 cells, which knows no exponents. Those at the edges are written beside "
+      "them, in the order of the legend. With friction the rear is loaded more than the front, and its singularity is "
+      "the stronger one.",
       430,
       {panel}};
 }

@@ -65,9 +65,9 @@ Figure make_friction_direction() {
   Figure figure{
       "friction-direction",
       "One punch, two coatings: its friction depends on the direction of sliding",
-      "Tangential over normal force of a flat punch `-L < x < L` with the friction coefficient 0.1 on the left of `c` and 0.5 "
-      "on the right, `nu = 1/5`, sliding to the right and to the left, by the closed form; the marks are at `c = 0`, where "
-      "each coating has a half.",
+      "Tangential over normal force of a flat punch `-L < x < L` with the friction coefficient 0.1 on the left of `c` "
+      "and 0.5 on the right, `nu = 1/5`, sliding to the right and to the left, by the closed form; the marks are at "
+      "`c = 0`, where each coating has a half.",
       420,
       {panel}};
   figure.digits = 5;  // its copy in docs/ is compared

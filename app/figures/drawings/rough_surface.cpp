@@ -51,10 +51,10 @@ Figure make_rough_surface() {
       "rough-surface",
       "A rough trace under load, with two coatings",
       fmt::format(
-          "The rough slider of `examples/rough_surface.toml`: {} heights of a trace like a measured one, joined by straight lines, under "
-          "the load `P = 0.03 E L`, `nu = 3/10`, `f = 0.1` on the left of 0 and 0.4 on the right, solved on 65536 cells. Above the trace "
-          "and the surface below it, with bars where they touch, in {} zones; below the pressure. Effective "
-          "friction {:.4f}.",
+          "The rough slider of `examples/rough_surface.toml`: {} heights of a trace like a measured one, joined by "
+          "straight lines, under the load `P = 0.03 E L`, `nu = 3/10`, `f = 0.1` on the left of 0 and 0.4 on the "
+          "right, solved on 65536 cells. Above the trace and the surface below it, with bars where they touch, in {} "
+          "zones; below the pressure. Effective friction {:.4f}.",
           trace.points, zones.size(), solution->resultants().effective_friction.value),
       640,
       {above, below}};

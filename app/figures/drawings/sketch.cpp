@@ -48,10 +48,11 @@ Figure make_sketch() {
   Figure figure{
       "sketch",
       "A rigid indenter slides steadily over an elastic half-plane",
-      "A rigid indenter `-z = psi(x)` slides along the straight boundary of an elastic half-plane `z > 0` to the right, under "
-      "the load `P`. Its friction coefficient jumps at `c` from `f_-` to `f_+`; the contact from `a` to `b` is unknown. "
-      "Drawn from a solution, to scale: `psi = x^2/(3L)`, `nu = 1/5`, `P = E L/4`, `f_- = 0.3`, `f_+ = 1`, `c = L/5`. How "
-      "deep the indenter sits is not determined: displacements of a half-plane are, up to a constant.",
+      "A rigid indenter `-z = psi(x)` slides along the straight boundary of an elastic half-plane `z > 0` to the "
+      "right, under the load `P`. Its friction coefficient jumps at `c` from `f_-` to `f_+`; the contact from `a` to "
+      "`b` is unknown. Drawn from a solution, to scale: `psi = x^2/(3L)`, `nu = 1/5`, `P = E L/4`, `f_- = 0.3`, `f_+ "
+      "= 1`, `c = L/5`. How deep the indenter sits is not determined: displacements of a half-plane are, up to a "
+      "constant.",
       height,
       {panel}};
   figure.digits = 5;  // its copy in docs/ is compared

@@ -57,10 +57,10 @@ Figure make_two_zones() {
   return {
       "two-zones",
       "Two contact zones become one",
-      "Two bumps `psi = (x^2-1)^2/4` slide to the right, `f = 0.1` on the left of 0 and 0.7 on the right, `nu = 3/10`; `L` "
-      "is the unit of length, `E` Young's modulus. Above the bumps and the surface below them at four loads, below the "
-      "pressure. Up to a load of about 0.77 there are two zones with free ends, and no contact where friction jumps; then "
-      "the zones are one, and the pressure is infinite at the jump like `|x|^beta`.",
+      "Two bumps `psi = (x^2-1)^2/4` slide to the right, `f = 0.1` on the left of 0 and 0.7 on the right, `nu = "
+      "3/10`; `L` is the unit of length, `E` Young's modulus. Above the bumps and the surface below them at four "
+      "loads, below the pressure. Up to a load of about 0.77 there are two zones with free ends, and no contact where "
+      "friction jumps; then the zones are one, and the pressure is infinite at the jump like `|x|^beta`.",
       640,
       {above, below}};
 }
