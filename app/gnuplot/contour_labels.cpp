@@ -8,11 +8,11 @@ namespace steadyslide::app {
 namespace {
 
 /// The last cell [x_i, x_i+1] of a grid that begins at or before a place, and the part of it before that place.
-struct Cell {
+struct GridPlace {
   std::size_t i;
   double part;
 
-  Cell(const std::vector<double>& grid, double at) {
+  GridPlace(const std::vector<double>& grid, double at) {
     const auto above = std::upper_bound(grid.begin() + 1, grid.end() - 1, at);
     i = static_cast<std::size_t>(above - grid.begin()) - 1;
     part = (at - grid[i]) / (grid[i + 1] - grid[i]);
@@ -20,7 +20,7 @@ struct Cell {
 };
 
 double interpolated(const HeatMap& map, const Point& at) {
-  const Cell x(map.x, at.x), y(map.y, at.y);
+  const GridPlace x(map.x, at.x), y(map.y, at.y);
   const auto value = [&](std::size_t i, std::size_t j) { return map.values[j * map.x.size() + i]; };
   const auto across = [&](std::size_t j) { return (1 - x.part) * value(x.i, j) + x.part * value(x.i + 1, j); };
   return (1 - y.part) * across(y.i) + y.part * across(y.i + 1);
