@@ -25,6 +25,7 @@ extern const std::string_view help_report;
 
 extern const std::string_view exponent_tables_md;  ///< the exponents' tables without their numbers
 extern const std::string_view tables_tex;          ///< what a document of tables begins with
+extern const std::string_view rough_surface_csv;   ///< a trace for a figure
 
 // What the report is made of.
 extern const std::string_view report_page;   ///< with places in braces for what it is about

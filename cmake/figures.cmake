@@ -1,6 +1,6 @@
 # cmake -D FOLDER=app/figures/drawings -D OUTPUT=figure_list.cpp -P figures.cmake: the list that app/figures/figures.hpp
 # declares, one figure for each function make_NAME() of its sources; those of the paper's first part come first, then alphabetically.
-set(names reactions geometry flat_punch friction_jump_rising friction_jump_falling parabola local_forms)
+set(names sketch reactions flat_punch friction_jump_rising friction_jump_falling parabola local_forms)
 file(GLOB sources "${FOLDER}/*.cpp")
 set(found "")
 foreach(source IN LISTS sources)

@@ -12,8 +12,8 @@ def main():
     vary = {"friction.values[1]": ["0.4", "0.5"], "friction.jumps[0]": ["-0.5", "0", "0.5"]}
     with LocalCluster(n_workers=2, threads_per_worker=1) as cluster, Client(cluster) as client:
         table = ss.sweep(base, vary=vary, columns=["effective_friction"], executor=client.get_executor())
-    for row in table:
-        print(*row)
+    for friction, jump, effective_friction, failed_condition in table:
+        print(friction, jump, effective_friction, failed_condition or "solved")
 
 
 if __name__ == "__main__":

@@ -23,16 +23,22 @@ DrawnFigure draw(const Figure& figure) {
   return {figure.name, figure.title, figure.caption, figure.command(), drawn(figure)};
 }
 
-std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns) {
+std::vector<Figure> make_figures(const std::vector<std::string>& patterns) {
   const std::vector<FigureMaker> wanted = selected(patterns);
   // Before the work: without gnuplot it would be for nothing.
   run_gnuplot("");
   Progress progress(wanted.size());
-  std::vector<DrawnFigure> result;
+  std::vector<Figure> result;
   for (const FigureMaker& maker : wanted) {
-    result.push_back(draw(maker.make()));
+    result.push_back(maker.make());
     progress.next();
   }
+  return result;
+}
+
+std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns) {
+  std::vector<DrawnFigure> result;
+  for (const Figure& figure : make_figures(patterns)) result.push_back(draw(figure));
   return result;
 }
 

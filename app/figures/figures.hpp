@@ -17,6 +17,11 @@ struct FigureMaker {
 /// list is collected by cmake/figures.cmake.
 const std::vector<FigureMaker>& figures();
 
+/// Those whose name matches one of the patterns, * and ? being wildcards; all without patterns. Progress on stderr,
+/// where that is a terminal. Throws Failure: exit code 2 for a pattern that names no figure, 3 where gnuplot is missing;
+/// std::runtime_error if a problem is not solved.
+std::vector<Figure> make_figures(const std::vector<std::string>& patterns);
+
 struct DrawnFigure {
   std::string name;
   std::string title;
@@ -28,9 +33,7 @@ struct DrawnFigure {
 /// Throws Failure where gnuplot is missing or fails.
 DrawnFigure draw(const Figure& figure);
 
-/// Those whose name matches one of the patterns, * and ? being wildcards; all without patterns. Progress on stderr,
-/// where that is a terminal. Throws Failure: exit code 2 for a pattern that names no figure, 3 where gnuplot is missing
-/// or fails; std::runtime_error if a problem is not solved.
+/// make_figures(), drawn.
 std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns);
 
 }  // namespace steadyslide::app

@@ -1,31 +1,66 @@
 // steadyslide figures
 
+#include <fmt/ranges.h>
+
 #include <filesystem>
 #include <system_error>
 
 #include "app/commands/command_line.hpp"
 #include "app/embedded.hpp"
+#include "app/figures/figure_data.hpp"
 #include "app/figures/figures.hpp"
+#include "app/gnuplot/gnuplot.hpp"
 
 namespace steadyslide::app {
 namespace {
 
-ExitCode run_figures(const Given& given) {
-  namespace fs = std::filesystem;
-  const fs::path folder(given.folder());
-  const auto fail = [&](const std::string& what) -> Failure {
-    return {ExitCode::failed, folder.string() + ": " + what};
-  };
+namespace fs = std::filesystem;
+
+Failure cannot(const fs::path& folder, const std::string& what) {
+  return {ExitCode::failed, folder.string() + ": " + what};
+}
+
+/// Before the work.
+void check_folder(const fs::path& folder) {
   std::error_code error;
-  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) throw fail("is no folder");
-  const std::vector<DrawnFigure> drawn = draw_figures(given.texts("--figure"));
-  fs::create_directories(folder, error);
-  if (error) throw fail("cannot be made: " + error.message());
-  for (const DrawnFigure& figure : drawn) {
-    Output output((folder / (figure.name + ".svg")).string());
-    output.write(figure.svg);
-    output.commit();
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) throw cannot(folder, "is no folder");
+}
+
+Picture picture_of(const std::string& format) {
+  const auto found = std::ranges::find(picture_names, format);
+  if (found != picture_names.end()) return static_cast<Picture>(found - picture_names.begin());
+  throw bad_command_line("--format: unknown format", fmt::format("it is one of {}", fmt::join(picture_names, ", ")),
+                         format);
+}
+
+struct File {
+  fs::path folder;
+  std::string name;
+  std::string bytes;
+};
+
+void write(const File& file) {
+  std::error_code error;
+  fs::create_directories(file.folder, error);
+  if (error) throw cannot(file.folder, "cannot be made: " + error.message());
+  Output output((file.folder / file.name).string());
+  output.write(file.bytes);
+  output.commit();
+}
+
+ExitCode run_figures(const Given& given) {
+  const fs::path folder(given.folder());
+  const std::optional<std::string> data = given.name("--data", "folder");
+  check_folder(folder);
+  if (data) check_folder(*data);
+  const std::string ending = given.has("--format") ? given.text("--format") : "svg";
+  const Picture picture = picture_of(ending);
+  std::vector<File> files;
+  for (const Figure& figure : make_figures(given.texts("--figure"))) {
+    files.push_back({folder, figure.name + "." + ending, drawn(figure, picture)});
+    if (data) files.push_back({*data, figure.name + ".csv", figure_data(figure)});
   }
+  for (const File& file : files) write(file);
   return ExitCode::done;
 }
 
@@ -38,6 +73,9 @@ Command figures_command() {
           help,
           {{"--figure", "GLOB", "Only figures whose name matches, * and ? being wildcards; repeatable",
             Option::Kind::repeatable},
+           {"--format", "FORMAT", "Of the pictures; svg without", Option::Kind::text,
+            fmt::format("{}", fmt::join(picture_names, " "))},
+           {"--data", "DIR", "Writes the numbers of every curve there, too, as DIR/NAME.csv"},
            folder_option()},
           run_figures};
 }

@@ -73,6 +73,10 @@ std::vector<Point> pressure_of_cells(const numeric::VariationalSolution& solutio
   return points;
 }
 
+std::string exponent_text(const std::string& symbol, const numeric::SolvedSingularPoint<double>& point) {
+  return symbol + " = " + decimal(numeric::to_real<double>(point.exponent.value()), 4);
+}
+
 std::string decimal(double value, int places) {
   const std::string text = fmt::format("{:.{}f}", std::abs(value), places);
   const bool negative = value < 0 && text.find_first_not_of("0.") != std::string::npos;

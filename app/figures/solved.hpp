@@ -27,6 +27,9 @@ std::vector<Point> pressure_curve(const numeric::ContactSolution<double>& soluti
 /// -t against x of every `step`th cell in contact.
 std::vector<Point> pressure_of_cells(const numeric::VariationalSolution& solution, std::size_t step);
 
+/// "symbol = its exponent", to four places.
+std::string exponent_text(const std::string& symbol, const numeric::SolvedSingularPoint<double>& point);
+
 /// A decimal with so many places, the minus sign as printed.
 std::string decimal(double value, int places);
 

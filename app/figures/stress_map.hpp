@@ -1,21 +1,45 @@
 #pragma once
-// What the map of stresses is made of, for its test.
+// Maps of von Mises' stress below a contact. The row at the surface is the limit of what lies below it.
 
+#include "app/gnuplot/figure.hpp"
 #include "numeric/interior/interior_stress.hpp"
-#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "numeric/interior/largest_stress.hpp"
+#include "numeric/solution/contact_solution.hpp"
 
 namespace steadyslide::app {
 
-/// The flat punch with two coatings under the map.
+/// The flat punch with two coatings under the map `stress-map`, and the parabola of `stress-parabola`.
 ContactProblem stress_map_problem();
+ContactProblem stress_parabola_problem();
 
 /// The limit of the stresses at a place of the surface that is no singular point, without error estimates: sigma_zz =
 /// t, sigma_xz = -t_t, sigma_xx = (1 - 2 gamma) t + 2 u_t'/c.
-numeric::StressState<double> surface_stress(const numeric::RiemannHilbertSolution<double>& solution,
+numeric::StressState<double> surface_stress(const numeric::ContactSolution<double>& solution,
                                             const ContactProblem& problem, double x);
 
-/// The largest difference of sigma_zz and sigma_xz at the depth z from these, 0.25 away from the singular points.
-double surface_error(const numeric::RiemannHilbertSolution<double>& solution, const ContactProblem& problem,
+/// The largest difference of sigma_zz and sigma_xz at the depth z from these, 0.25 away from the singular points of
+/// stress_map_problem().
+double surface_error(const numeric::ContactSolution<double>& solution, const ContactProblem& problem,
                      const Rational& z);
+
+/// What a map shows: -width < x < width and 0 < z < depth in units of `length`, stresses in units of `stress`.
+struct MapView {
+  double length = 1;
+  double stress = 1;
+  double width;
+  double depth;
+  double highest;  ///< stress of the last colour
+  std::string length_name;
+  std::string stress_name;
+  std::vector<double> contours;
+};
+
+/// The map, without labels at its contours.
+Panel stress_panel(const numeric::ContactSolution<double>& solution, const ContactProblem& problem,
+                   const MapView& view);
+
+/// Marks the largest stress at depths of at least `depth`, with its value, and returns it.
+numeric::LargestStress<double> mark_largest(Panel& panel, const numeric::ContactSolution<double>& solution,
+                                            const MapView& view, double depth);
 
 }  // namespace steadyslide::app

@@ -28,8 +28,9 @@ struct Axis {
   bool labelled = true;  ///< numbers at the tics
 };
 
-/// Bars are thick lines, each from one point to the next, two by two.
-enum class Look { line, marks, bar };
+/// Bars are thick lines, each from one point to the next, two by two; a band is one thick line; an area is what a curve
+/// encloses, in a light tint.
+enum class Look { line, marks, bar, band, area };
 
 struct Series {
   std::string legend;  ///< empty: none
@@ -52,6 +53,8 @@ struct Note {
   Place at;
   std::string text;
   Align align = Align::left;
+  int size = 14;
+  bool boxed = false;  ///< on white, to be read on a map
 };
 
 /// A thin line, or an arrow.
@@ -61,15 +64,20 @@ struct Guide {
   bool arrow = false;
 };
 
-/// A function on a grid, row after row; values beyond `to` are drawn like `to`.
+/// A function on a grid, row after row; values beyond `from` and `to` are drawn like these. From 0 on colours get
+/// darker; else they are those of two signs, and 0, in the middle, is white.
 struct HeatMap {
   std::vector<double> x;
   std::vector<double> y;
   std::vector<double> values;
-  double to;  ///< colours go from 0 to this
+  double from;
+  double to;
   std::string label;
   std::vector<double> contours;
 };
+
+/// The contours' values, where the way from one place to another crosses them.
+std::vector<Note> contour_labels(const HeatMap& map, const Point& from, const Point& to);
 
 enum class LegendAt { none, top_left, top_centre, top_right, right_of_centre, below };
 
@@ -87,6 +95,7 @@ struct Panel {
   std::vector<Note> notes{};
   std::vector<Guide> guides{};
   std::optional<HeatMap> map{};
+  bool bare = false;  ///< no axes: a sketch
 };
 
 struct Figure {

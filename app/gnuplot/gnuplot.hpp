@@ -1,13 +1,17 @@
 #pragma once
 // gnuplot 5.4: a figure as its script, and the program as a child process.
 
+#include <array>
 #include <string>
+#include <string_view>
 
 #include "app/gnuplot/figure.hpp"
 
 namespace steadyslide::app {
 
 enum class Picture { svg, pdf, png };
+/// "svg pdf png", as endings of names and as choices of an option.
+inline constexpr std::array<std::string_view, 3> picture_names{"svg", "pdf", "png"};
 
 /// The whole script, data inline. It prints a picture of 800 units' width: 160 mm in print, 5 units a millimetre; a PNG
 /// has two pixels a unit.

@@ -13,19 +13,25 @@ namespace {
 
 constexpr int width = 800;
 
-/// Colours of Okabe and Ito, which colour blindness and a grey printer leave apart, each with dashes and a mark of its
-/// own.
+/// Colours of Okabe and Ito, which colour blindness and a grey printer leave apart, each with dashes, a mark and a tint
+/// for areas of its own.
 struct Style {
   const char* colour;
   const char* dashes;
   int mark;
+  const char* tint;
 };
-constexpr std::array<Style, 6> styles{{{"#0072b2", "1", 6},
-                                       {"#d55e00", "(12,4)", 4},
-                                       {"#000000", "(3,3)", 8},
-                                       {"#009e73", "(12,4,3,4)", 10},
-                                       {"#aa4499", "(7,3)", 12},
-                                       {"#808080", "(2,4)", 2}}};
+constexpr std::array<Style, 8> styles{{{"#0072b2", "1", 6, "#dfeaf3"},
+                                       {"#d55e00", "(12,4)", 4, "#f9e3d3"},
+                                       {"#000000", "(3,3)", 8, "#cfcac4"},
+                                       {"#009e73", "(12,4,3,4)", 10, "#d5efe7"},
+                                       {"#aa4499", "(7,3)", 12, "#f0dcec"},
+                                       {"#808080", "(2,4)", 2, "#eeeeee"},
+                                       {"#56b4e9", "(9,2,3,2)", 14, "#e6f3fb"},
+                                       {"#ffffff", "1", 2, "#ffffff"}}};
+
+constexpr auto darker = "0 '#ffffe5', 0.15 '#fff7bc', 0.3 '#fec44f', 0.5 '#ec7014', 0.75 '#8c2d04', 1 '#3b0f02'";
+constexpr auto two_signs = "0 '#b35806', 0.25 '#f1a340', 0.5 '#ffffff', 0.75 '#998ec3', 1 '#542788'";
 
 /// In gnuplot's single quotes.
 std::string quoted(const std::string& text) { return "'" + boost::replace_all_copy(text, "'", "''") + "'"; }
@@ -37,6 +43,8 @@ std::string text_of(const Series& series) {
   switch (series.look) {
     case Look::line: return fmt::format("lines lc rgb '{}' lw 2 dt {}", style.colour, style.dashes);
     case Look::bar: return fmt::format("vectors nohead lc rgb '{}' lw 6", style.colour);
+    case Look::band: return fmt::format("lines lc rgb '{}' lw 7 dt 1", style.colour);
+    case Look::area: return fmt::format("filledcurves closed fs solid noborder lc rgb '{}'", style.tint);
     case Look::marks: break;
   }
   return fmt::format("points lc rgb '{}' lw 1.5 pt {} ps 0.7", style.colour, style.mark);
@@ -51,11 +59,9 @@ class Script {
     line("set minussign");
     line("set terminal {}", terminal());
     line("set multiplot");
-    line("set border 15 lw 0.8");
+    line("set style textbox opaque noborder fillcolor rgb '#ffffff' margins 0.3,0.1");
     line("set tics scale 0.7,0.35");
     line("set grid back lw 0.5 lc rgb '#d8d8d8' dt 1");
-    line(
-        "set palette defined (0 '#ffffe5', 0.15 '#fff7bc', 0.3 '#fec44f', 0.5 '#ec7014', 0.75 '#8c2d04', 1 '#3b0f02')");
     for (std::size_t k = 0; k < figure_.panels.size(); ++k) panel(figure_.panels[k], k);
     line("unset multiplot");
     return std::move(text_);
@@ -115,24 +121,27 @@ class Script {
     line("set tmargin at screen {}", number(panel.frame.top));
     axis('x', panel.x);
     axis('y', panel.y);
+    line("{}", panel.bare ? "unset border; unset xtics; unset ytics" : "set border 15 lw 0.8");
     line("set key {} Left reverse samplen 3.2 spacing 1.15 width 0 font ',14'", legend_place(panel));
     if (panel.legend == LegendAt::none) line("unset key");
     for (const Note& note : panel.notes) {
-      line("set label {} at {} {} front font ',14'", quoted(note.text), place_text(note.at), text_of(note.align));
+      line("set label {} at {} {} front font ',{}'{}", quoted(note.text), place_text(note.at), text_of(note.align),
+           note.size, note.boxed ? " boxed" : "");
     }
     for (const Guide& guide : panel.guides) {
       line("set arrow from {} to {} {}", place_text(guide.from), place_text(guide.to),
-           guide.arrow ? "head filled size screen 0.012,20 front lw 1.5 lc rgb '#202020'"
-                       : "nohead back lw 1 dt (4,3) lc rgb '#606060'");
+           guide.arrow  ? "head filled size screen 0.012,20 front lw 1.5 lc rgb '#202020'"
+           : panel.bare ? "nohead front lw 1 dt (4,3) lc rgb '#606060'"
+                        : "nohead back lw 1 dt (4,3) lc rgb '#606060'");
     }
     if (k == 0) {
       line("set label {} at screen 0.5, screen {} center font ',16'", quoted(plain(figure_.title)),
            number(1 - 18.0 / figure_.height));
-      line("set label {} at screen 0.995, screen {} right font ',10' textcolor rgb '#808080'",
+      line("set label {} at screen 0.995, screen {} right front font ',10' textcolor rgb '#808080'",
            quoted(plain(figure_.command())), number(9.0 / figure_.height));
     }
     std::vector<std::string> plots;
-    if (panel.map) map(*panel.map, k, plots);
+    if (panel.map) map(*panel.map, panel.frame, k, plots);
     for (std::size_t j = 0; j < panel.series.size(); ++j) {
       const Series& series = panel.series[j];
       const std::string name = fmt::format("$series_{}_{}", k, j);
@@ -171,7 +180,7 @@ class Script {
     line("END");
   }
 
-  void map(const HeatMap& map, std::size_t k, std::vector<std::string>& plots) {
+  void map(const HeatMap& map, const Frame& frame, std::size_t k, std::vector<std::string>& plots) {
     line("$map_{} << END", k);
     for (std::size_t j = 0; j < map.y.size(); ++j) {
       for (std::size_t i = 0; i < map.x.size(); ++i) {
@@ -180,9 +189,10 @@ class Script {
       line("");
     }
     line("END");
-    line("set cbrange [0:{}]", number(map.to));
-    line("set cblabel {} offset -0.5,0", quoted(map.label));
-    line("set colorbox user origin screen 0.88, graph 0 size screen 0.02, graph 1");
+    line("set palette defined ({})", map.from < 0 ? two_signs : darker);
+    line("set cbrange [{}:{}]", number(map.from), number(map.to));
+    line("set cblabel {} offset {},0", quoted(map.label), map.from < 0 ? 1.5 : -0.5);
+    line("set colorbox user origin screen {}, graph 0 size screen 0.02, graph 1", number(frame.right + 0.02));
     plots.push_back(fmt::format("$map_{} using 1:2:3 with image notitle", k));
     if (map.contours.empty()) return;
     std::vector<std::string> levels;

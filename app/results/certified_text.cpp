@@ -83,7 +83,9 @@ class CertifiedWriter {
 
     text_.samples.clear();
     for (const Rational& x : places) text_.samples.push_back(sample(x));
+    const std::optional<LargestStressText> largest = std::move(text_.field.largest_stress);
     text_.field = field_text(problem_, solution_, field, digits_);
+    if (largest) text_.field.largest_stress = lower_bound(problem_, solution_, *largest, digits_);
     text_.errors = {{"ends", upper_text(relative_radius(ends))},
                     {"traction", upper_text(relative_radius(intensities))},
                     {"resultants", upper_text(relative_radius(resultants.load_share))}};

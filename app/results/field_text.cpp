@@ -150,6 +150,21 @@ FieldText field_text(const ContactProblem& problem, const enclosure::EnclosedSol
   return text;
 }
 
+LargestStressText lower_bound(const ContactProblem& problem, const enclosure::EnclosedSolution& solution,
+                              LargestStressText found, int digits) {
+  if (found.von_mises.value.empty()) return found;
+  const Rational x = parse_rational(found.x.value);
+  const Rational told = parse_rational(found.z.value);
+  const Indenter& indenter = problem.indenter();
+  const Rational z = told > 0 ? told : (indenter.right() - indenter.left()) * parse_rational("1e-15");
+  const EnclosedState state = state_of(problem.elasticity(), enclosure::interior_stress(solution, x, z));
+  found.von_mises = number_text(*state.von_mises, digits);
+  found.x = {found.x.value, found.x.value, "0", true};
+  found.z = {full_number(z, digits), full_number(z, digits), "0", true};
+  found.proved = true;
+  return found;
+}
+
 #define STEADYSLIDE_FIELDS_AS_TEXT(R) \
   template FieldText field_text(const numeric::ContactSolution<R>&, const FieldWanted&, int)
 STEADYSLIDE_FIELDS_AS_TEXT(double);

@@ -43,6 +43,7 @@ struct LargestStressText {
   std::vector<NumberText> unbounded_at;  ///< places of the surface
   std::string depth;                     ///< the least one looked at
   NumberText von_mises, x, z;
+  bool proved = false;  ///< that the stress at this place is von_mises: the largest one is not below that
 };
 
 struct FieldText {
@@ -59,5 +60,10 @@ FieldText field_text(const numeric::ContactSolution<R>& solution, const FieldWan
 /// Enclosed: no largest stress.
 FieldText field_text(const ContactProblem& problem, const enclosure::EnclosedSolution& solution,
                      const FieldWanted& wanted, int digits);
+
+/// Encloses the stress at the place where a solver found the largest one: a lower bound. Where that is at the surface,
+/// the stress at a depth of 1e-15 of the indenter's width.
+LargestStressText lower_bound(const ContactProblem& problem, const enclosure::EnclosedSolution& solution,
+                              LargestStressText found, int digits);
 
 }  // namespace steadyslide::app

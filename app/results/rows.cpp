@@ -13,9 +13,27 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Holds = Column::Holds;
 
-std::string joined(const TextCell& cell) {
-  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
-  return fmt::format("{}", fmt::join(std::get<std::vector<std::string>>(cell), " "));
+/// A cell's words, or this text of its number, or of each of its numbers.
+std::vector<std::string> texts(const Cell& cell, std::string NumberText::*text) {
+  if (const auto* word = std::get_if<std::string>(&cell)) return {*word};
+  if (const auto* words = std::get_if<std::vector<std::string>>(&cell)) return *words;
+  if (const auto* number = std::get_if<NumberText>(&cell)) return {number->*text};
+  std::vector<std::string> list;
+  for (const NumberText& number : std::get<std::vector<NumberText>>(cell)) list.push_back(number.*text);
+  return list;
+}
+
+std::string joined(const Cell& cell, std::string NumberText::*text = &NumberText::shown) {
+  return fmt::format("{}", fmt::join(texts(cell, text), " "));
+}
+
+Json json_of(const Cell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return text_json(*text);
+  if (const auto* words = std::get_if<std::vector<std::string>>(&cell)) return *words;
+  if (const auto* number = std::get_if<NumberText>(&cell)) return number_json(*number);
+  Json list = Json::array();
+  for (const NumberText& number : std::get<std::vector<NumberText>>(cell)) list.push_back(number_json(number));
+  return list;
 }
 
 /// Aligned: all rows are kept until the widths are known.
@@ -26,8 +44,11 @@ class TextRows final : public RowWriter {
     for (const Column& column : columns_) add(column.name);
   }
 
-  void row(const std::vector<TextCell>& cells) override {
-    for (const TextCell& cell : cells) add(joined(cell));
+  void row(const std::vector<Cell>& cells) override {
+    for (const Cell& cell : cells) {
+      const std::string text = joined(cell);
+      add(text.empty() ? "-" : text);
+    }
   }
 
   void end() override {
@@ -55,17 +76,16 @@ class TextRows final : public RowWriter {
   std::vector<std::size_t> ends_;  // where each ends
 };
 
-/// An array of objects, the columns' names as keys; an empty text is null.
+/// An array of objects, the columns' names as keys.
+template <Schema schema>
 class JsonRows final : public RowWriter {
  public:
   using RowWriter::RowWriter;
 
-  void row(const std::vector<TextCell>& cells) override {
+  void row(const std::vector<Cell>& cells) override {
     Json object;
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      std::visit([&](const auto& value) { object[columns_[k].name] = Json(value); }, cells[k]);
-      if (cells[k] == TextCell("")) object[columns_[k].name] = nullptr;
-    }
+    for (std::size_t k = 0; k < cells.size(); ++k) object[columns_[k].name] = json_of(cells[k]);
+    if (schema == Schema::one) object = in_schema_1(object);
     output_.write((first_ ? "[\n  " : ",\n  ") + object.dump());
     first_ = false;
   }
@@ -76,18 +96,31 @@ class JsonRows final : public RowWriter {
   bool first_ = true;
 };
 
-/// RFC 4180, with line feeds.
+/// RFC 4180, with line feeds; the errors behind everything else.
 class CsvRows final : public RowWriter {
  public:
   CsvRows(std::vector<Column> columns, Output& output) : RowWriter(std::move(columns), output) {
-    std::vector<TextCell> header;
-    for (const Column& column : columns_) header.emplace_back(column.name);
-    row(header);
+    std::vector<std::string> header;
+    for (const Column& column : columns_) header.push_back(column.name);
+    for (const Column& column : columns_) {
+      if (column.holds == Holds::numbers) header.push_back(column.name + "_error");
+    }
+    write(header);
   }
 
-  void row(const std::vector<TextCell>& cells) override {
+  void row(const std::vector<Cell>& cells) override {
+    std::vector<std::string> fields;
+    for (const Cell& cell : cells) fields.push_back(joined(cell, &NumberText::value));
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      if (columns_[k].holds == Holds::numbers) fields.push_back(joined(cells[k], &NumberText::error));
+    }
+    write(fields);
+  }
+
+ private:
+  void write(const std::vector<std::string>& fields) {
     std::string line;
-    for (const TextCell& cell : cells) line += csv_field(joined(cell)) + ",";
+    for (const std::string& field : fields) line += csv_field(field) + ",";
     line.back() = '\n';
     output_.write(line);
   }
@@ -105,7 +138,7 @@ class MarkdownRows final : public RowWriter {
     output_.write(header + "\n" + rule + "\n");
   }
 
-  void row(const std::vector<TextCell>& cells) override {
+  void row(const std::vector<Cell>& cells) override {
     std::string line = "|";
     for (std::size_t k = 0; k < cells.size(); ++k) {
       const std::string_view quote = columns_[k].holds == Holds::formulas ? "$" : "";
@@ -130,7 +163,7 @@ class LatexRows final : public RowWriter {
     for (const Column& column : columns_) longest_.push_back(column.name.size());
   }
 
-  void row(const std::vector<TextCell>& cells) override {
+  void row(const std::vector<Cell>& cells) override {
     for (std::size_t k = 0; k < cells.size(); ++k) {
       std::string shown;
       std::size_t length = 0;
@@ -139,11 +172,7 @@ class LatexRows final : public RowWriter {
         shown += (shown.empty() ? "" : ", ") + (maths.empty() ? latex_escaped(text) : "$" + maths + "$");
         length += text.size() + 2;
       };
-      if (const auto* text = std::get_if<std::string>(&cells[k])) {
-        add(*text);
-      } else {
-        for (const std::string& text : std::get<std::vector<std::string>>(cells[k])) add(text);
-      }
+      for (const std::string& text : texts(cells[k], &NumberText::shown)) add(text);
       longest_[k] = std::max(longest_[k], length);
       body_ += shown + (k + 1 < cells.size() ? " & " : " \\\\\n");
     }
@@ -183,17 +212,8 @@ std::unique_ptr<RowWriter> make(std::vector<Column> columns, Output& output) {
 }
 
 /// In the order of Format.
-constexpr std::array writers{make<TextRows>, make<JsonRows>, make<CsvRows>, make<MarkdownRows>, make<LatexRows>};
-
-/// A cell's words, or this text of its number, or of each of its numbers.
-TextCell texts(const Cell& cell, std::string NumberText::*text) {
-  if (const auto* words = std::get_if<std::string>(&cell)) return *words;
-  if (const auto* words = std::get_if<std::vector<std::string>>(&cell)) return *words;
-  if (const auto* number = std::get_if<NumberText>(&cell)) return number->*text;
-  std::vector<std::string> list;
-  for (const NumberText& number : std::get<std::vector<NumberText>>(cell)) list.push_back(number.*text);
-  return list;
-}
+constexpr std::array writers{make<TextRows>, make<JsonRows<Schema::two>>, make<CsvRows>, make<MarkdownRows>,
+                             make<LatexRows>};
 
 }  // namespace
 
@@ -202,27 +222,10 @@ std::string_view format_name(Format format) {
   return names.at(static_cast<std::size_t>(format));
 }
 
-Rows::Rows(Format format, const std::vector<Column>& columns, Output& output) : format_(format) {
-  std::vector<Column> all = columns;
-  for (const Column& column : columns) {
-    if (column.holds != Holds::numbers || !for_files()) continue;
-    all.emplace_back("").name = column.name + "_error";
-  }
-  writer_ = writers.at(static_cast<std::size_t>(format))(std::move(all), output);
-}
-
-void Rows::row(const std::vector<Cell>& cells) {
-  std::vector<TextCell> all;
-  for (const Cell& cell : cells) {
-    all.push_back(texts(cell, for_files() ? &NumberText::value : &NumberText::shown));
-    if (format_ == Format::text && joined(all.back()).empty()) all.back() = "-";
-  }
-  for (const Cell& cell : cells) {
-    const bool has_error =
-        std::holds_alternative<NumberText>(cell) || std::holds_alternative<std::vector<NumberText>>(cell);
-    if (for_files() && has_error) all.push_back(texts(cell, &NumberText::error));
-  }
-  writer_->row(all);
+Rows::Rows(Format format, std::vector<Column> columns, Output& output, Schema schema) {
+  const bool is_old = format == Format::json && schema == Schema::one;
+  const auto& make_writer = is_old ? make<JsonRows<Schema::one>> : writers.at(static_cast<std::size_t>(format));
+  writer_ = make_writer(std::move(columns), output);
 }
 
 std::string csv_field(const std::string& text) {

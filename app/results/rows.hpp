@@ -1,7 +1,7 @@
 #pragma once
 // Rows of a table in every output format: aligned text, a JSON array of objects, CSV, Markdown, and a LaTeX document
-// that compiles as it is. Of numbers with an error a text shows the digits that the error supports; CSV and JSON have
-// all digits and, after the other columns, one column NAME_error for each of these.
+// that compiles as it is. Of numbers with an error a text shows the digits that the error supports; CSV has all digits and,
+// after the other columns, one column NAME_error for each of these; JSON writes them as number_json.hpp says.
 
 #include <initializer_list>
 #include <memory>
@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/results/number_json.hpp"
 #include "app/terminal/output.hpp"
 #include "library/text/number_format.hpp"
 
@@ -32,18 +33,16 @@ struct Column {
   Holds holds;  ///< formulas are for LaTeX's math mode; numbers have an error
 };
 
-/// One text, or several: an array in JSON, separated by spaces elsewhere.
-using TextCell = std::variant<std::string, std::vector<std::string>>;
-/// A text or texts, a number or numbers.
+/// A text or texts, a number or numbers: several are an array in JSON, separated by spaces elsewhere.
 using Cell = std::variant<std::string, std::vector<std::string>, NumberText, std::vector<NumberText>>;
 
-/// Rows of texts in one format.
+/// Rows in one format.
 class RowWriter {
  public:
   RowWriter(std::vector<Column> columns, Output& output) : columns_(std::move(columns)), output_(output) {}
   virtual ~RowWriter() = default;
 
-  virtual void row(const std::vector<TextCell>& cells) = 0;
+  virtual void row(const std::vector<Cell>& cells) = 0;
   virtual void end() {}
 
  protected:
@@ -53,17 +52,14 @@ class RowWriter {
 
 class Rows {
  public:
-  Rows(Format format, const std::vector<Column>& columns, Output& output);
+  Rows(Format format, std::vector<Column> columns, Output& output, Schema schema = Schema::two);
 
   /// In a text what is empty is "-": it could not be told from its neighbour.
-  void row(const std::vector<Cell>& cells);
+  void row(const std::vector<Cell>& cells) { writer_->row(cells); }
   /// Call once, after the last row.
   void end() { writer_->end(); }
 
  private:
-  bool for_files() const { return format_ == Format::csv || format_ == Format::json; }
-
-  Format format_;
   std::unique_ptr<RowWriter> writer_;
 };
 

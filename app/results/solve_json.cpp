@@ -8,9 +8,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A number's text; null where there is no number.
-Json number(const std::string& text) { return text.empty() ? Json() : Json(text); }
-
 /// What json_of makes of each.
 template <class List, class JsonOf>
 Json array(const List& list, JsonOf json_of) {
@@ -21,31 +18,20 @@ Json array(const List& list, JsonOf json_of) {
 
 Json numbers(const std::vector<Rational>& values) { return array(values, exact_text); }
 
-void add(Json& json, const std::string& key, const std::string& text) { json[key] = number(text); }
+Json json_of(const std::string& text) { return text_json(text); }
+Json json_of(const NumberText& number) { return number_json(number); }
+Json json_of(const Json& json) { return json; }
+Json json_of(const std::vector<NumberText>& list) { return array(list, number_json); }
 
-/// KEY and KEY_error.
-void add(Json& json, const std::string& key, const NumberText& text) {
-  json[key] = number(text.value);
-  json[key + "_error"] = number(text.error);
-}
-
-void add(Json& json, const std::string& key, const Json& value) { json[key] = value; }
-
-void add(Json& json, const std::string& key, const LimitText& limits) {
-  if (!limits.two_sided()) return add(json, key, limits.left);
-  json[key] = {{"left", number(limits.left.value)}, {"right", number(limits.right.value)}};
-  json[key + "_error"] = {{"left", number(limits.left.error)}, {"right", number(limits.right.error)}};
-}
-
-void add(Json& json, const std::string& key, const std::vector<NumberText>& list) {
-  json[key] = array(list, [](const NumberText& text) { return number(text.value); });
-  json[key + "_error"] = array(list, [](const NumberText& text) { return number(text.error); });
+Json json_of(const LimitText& limits) {
+  if (!limits.two_sided()) return number_json(limits.left);
+  return {{"left", number_json(limits.left)}, {"right", number_json(limits.right)}};
 }
 
 /// The object with more keys, each followed by what stands there.
 template <class Value, class... More>
 Json with(Json json, const char* key, const Value& value, const More&... more) {
-  add(json, key, value);
+  json[key] = json_of(value);
   if constexpr (sizeof...(more) > 0) return with(std::move(json), more...);
   return json;
 }
@@ -123,14 +109,14 @@ Json largest_json(const LargestText& largest) {
 }
 
 Json resultants_json(const SolutionText& solution) {
-  Json json = with(Json(), "normal", solution.normal, "tangential", solution.tangential, "centre_of_pressure",
+  Json json = with(Json(), "normal", solution.normal, "friction_force", solution.tangential, "centre_of_pressure",
                    solution.centre_of_pressure, "effective_friction", solution.effective_friction, "load_share",
-                   solution.load_share, "friction_force", solution.tangential, "contact_width", solution.contact_width,
-                   "real_contact_length", solution.real_contact_length, "mean_pressure", solution.mean_pressure,
-                   "largest_pressure", largest_json(solution.largest_pressure));
+                   solution.load_share, "contact_width", solution.contact_width, "real_contact_length",
+                   solution.real_contact_length, "mean_pressure", solution.mean_pressure, "largest_pressure",
+                   largest_json(solution.largest_pressure));
   json["components"] = solution.contact.size();
-  if (solution.tilt) add(json, "tilt", *solution.tilt);
-  if (solution.core) add(json, "core", *solution.core);
+  if (solution.tilt) json["tilt"] = json_of(*solution.tilt);
+  if (solution.core) json["core"] = json_of(*solution.core);
   return json;
 }
 
@@ -139,7 +125,7 @@ Json sample_json(const SampleText& sample) {
                    "slope", sample.slope, "u", sample.displacement, "shear_slope", sample.shear_slope,
                    "cumulative_load", sample.cumulative_load);
   const auto& [left, right] = sample.friction;
-  json["friction"] = left == right ? number(left) : Json{{"left", left}, {"right", right}};
+  json["friction"] = left == right ? text_json(left) : Json{{"left", left}, {"right", right}};
   return json;
 }
 
@@ -161,18 +147,19 @@ void add_field(Json& json, const FieldText& field) {
   if (const auto& largest = field.largest_stress) {
     json["largest_stress"] = with(Json(), "depth", largest->depth, "von_mises", largest->von_mises, "x", largest->x,
                                   "z", largest->z, "unbounded_at", largest->unbounded_at);
+    if (largest->proved) json["largest_stress"]["proved"] = "lower bound";
   }
 }
 
 Json sizes_json(const std::vector<NamedSize>& sizes) {
   Json json;
-  for (const auto& [name, size] : sizes) add(json, name, size);
+  for (const auto& [name, size] : sizes) json[name] = text_json(size);
   return json;
 }
 
 Json proof_json(const ProofText& proof) {
   if (proof.proved) return {{"status", "proved"}, {"bits", proof.bits}, {"intervals", proof.intervals}};
-  return {{"status", "not_proved"}, {"reason", proof.reason}, {"x", number(proof.x)}};
+  return {{"status", "not_proved"}, {"reason", proof.reason}, {"x", text_json(proof.x)}};
 }
 
 Json bound_json(const BoundText& bound) {
@@ -202,23 +189,27 @@ Json uniqueness_json(const Result& result) {
 
 /// What opens every result.
 Json heading(const Problem& problem) {
-  return {{"schema", 1}, {"version", version}, {"problem", problem_json(problem.contact, problem.measured)}};
+  return {{"schema", 2}, {"version", version}, {"problem", problem_json(problem.contact, problem.measured)}};
 }
 
-/// Uniqueness and warnings, which end every result.
+/// The failed condition, uniqueness and warnings, which end every result.
 template <class Result>
 Json finished(Json json, const Result& result) {
+  json["failed_condition"] = text_json(result.failed_condition);
   json["uniqueness"] = uniqueness_json(result);
   json["warnings"] = result.warnings;
   return json;
 }
 
-void write(const Json& json, Output& output) { output.write(json.dump(2) + "\n"); }
+void write(const Json& json, Schema schema, Output& output) {
+  output.write((schema == Schema::one ? in_schema_1(json) : json).dump(2) + "\n");
+}
 
 /// A solution of a search: it has no samples.
 Json found_json(const SolutionText& solution) {
   Json json = solution_json(solution);
   json.erase("samples");
+  json["failed_condition"] = text_json(solution.failed_condition);
   return json;
 }
 
@@ -238,22 +229,22 @@ Json solution_entry(const SolutionText& solution, std::string_view key) {
   return {};
 }
 
-void write_json(const Problem& problem, const SolutionText& solution, Output& output) {
+void write_json(const Problem& problem, const SolutionText& solution, Schema schema, Output& output) {
   Json json = heading(problem);
   json.update(solution_json(solution));
-  write(finished(std::move(json), solution), output);
+  write(finished(std::move(json), solution), schema, output);
 }
 
-void write_json(const Problem& problem, const BothText& both, Output& output) {
+void write_json(const Problem& problem, const BothText& both, Schema schema, Output& output) {
   Json json = heading(problem);
   json.update(solution_json(both.as_given));
   json = finished(std::move(json), both.as_given);
   json["other_direction"] = {{"sliding", name_of(opposite(problem.contact.sliding()))}};
   json["other_direction"].update(finished(solution_json(both.opposite), both.opposite));
-  write(json, output);
+  write(json, schema, output);
 }
 
-void write_json(const Problem& problem, const SearchText& search, Output& output) {
+void write_json(const Problem& problem, const SearchText& search, Schema schema, Output& output) {
   Json json = heading(problem);
   json["search"] = {{"starts", search.starts},
                     {"unsolved", search.unsolved},
@@ -264,7 +255,7 @@ void write_json(const Problem& problem, const SearchText& search, Output& output
             {"variational", found_json(found.variational)},
             {"refined", found.refined ? found_json(*found.refined) : Json()}};
   });
-  write(finished(std::move(json), search), output);
+  write(finished(std::move(json), search), schema, output);
 }
 
 }  // namespace steadyslide::app

@@ -124,6 +124,7 @@ void write_field(const FieldText& field, Output& output) {
     for (const NumberText& x : largest->unbounded_at) write_line(output, "inf", "next to x = " + shown(x));
     write_line(output, shown(largest->von_mises),
                fmt::format("at x = {}, z = {} (depths from {})", shown(largest->x), shown(largest->z), largest->depth));
+    if (largest->proved) output.write("  proved of this place; that no other one has more is not\n");
   }
 }
 

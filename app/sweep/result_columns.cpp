@@ -48,13 +48,18 @@ const Json* found(const Json& json, std::span<const Step> steps, bool any = fals
 
 bool asks_size(const std::vector<Step>& steps) { return !steps.empty() && steps.back() == Step("size"); }
 
-std::string text_of(const Json& json) {
+/// A number with its error (number_json.hpp)?
+bool is_number(const Json& json) { return json.is_object() && json.contains("error"); }
+
+/// Of a number its value or its error.
+std::string text_of(const Json& json, const char* part) {
   if (json.is_null()) return "";
   if (json.is_string()) return json.get<std::string>();
   if (!json.is_structured()) return json.dump();
+  if (is_number(json)) return text_of(json.at(part), part);
   // Of two limits that differ here, and were one where the name was checked.
   std::vector<std::string> parts;
-  for (const Json& part : json) parts.push_back(text_of(part));
+  for (const Json& one : json) parts.push_back(text_of(one, part));
   return fmt::format("{}", fmt::join(parts, " "));
 }
 
@@ -78,48 +83,58 @@ std::string what_is_there(const Json& specimen, std::span<const Step> steps) {
   return fmt::format("keys here are {}", fmt::join(keys, ", "));
 }
 
-/// "largest_pressure_error", say, is "value_error" in the table largest_pressure. Null, and the steps as they were, where
-/// there is no such table.
-const Json* error_of_value(const Json& specimen, std::vector<Step>& steps) {
-  const auto* const last = std::get_if<std::string>(&steps.back());
-  if (last == nullptr || !last->ends_with("_error")) return nullptr;
-  std::vector<Step> inside(steps.begin(), steps.end() - 1);
-  inside.insert(inside.end(), {Step(last->substr(0, last->size() - 6)), Step("value_error")});
-  const Json* there = found(specimen, inside, true);
-  if (there != nullptr) steps = std::move(inside);
+/// What a name leads to, null if to nothing, and the steps there: from a table with a value to that; for "load_share_error[0]",
+/// `is_error`, to "load_share[0]".
+const Json* named(const Json& specimen, std::vector<Step>& steps, bool& is_error) {
+  if (const Json* there = found(specimen, steps, true)) {
+    if (is_number(*there) || !there->is_object() || !there->contains("value")) return there;
+    steps.emplace_back("value");
+    return &there->at("value");
+  }
+  constexpr std::string_view ending = "_error";
+  std::vector<Step> value = steps;
+  const auto last = std::ranges::find_if(value.rbegin(), value.rend(),
+                                         [](const Step& step) { return std::holds_alternative<std::string>(step); });
+  if (is_error || last == value.rend() || !std::get<std::string>(*last).ends_with(ending)) return nullptr;
+  auto& name = std::get<std::string>(*last);
+  name.erase(name.size() - ending.size());
+  is_error = true;
+  const Json* there = named(specimen, value, is_error);
+  is_error = there != nullptr && is_number(*there);
+  if (!is_error) return nullptr;
+  steps = std::move(value);
   return there;
 }
 
 /// Where a name is that of an entry of the resultants, the steps to it from the top.
-std::vector<Step> from_the_top(const Json& specimen, std::vector<Step> steps) {
+std::vector<Step> from_the_top(const Json& specimen, const std::vector<Step>& steps) {
   if (steps.empty() || specimen.contains(std::get<std::string>(steps.front()))) return steps;
   std::vector<Step> longer = steps;
   longer.insert(longer.begin(), "resultants");
-  const bool is_there = found(specimen, longer, true) != nullptr || error_of_value(specimen, longer) != nullptr;
-  return is_there ? longer : steps;
+  std::vector<Step> there = longer;
+  bool is_error = false;
+  return named(specimen, there, is_error) != nullptr ? longer : steps;
 }
 
-/// Refuses a name that leads to nothing, or to several values; leads on to "value" where the name is that of a table
-/// with one.
-void check(const Word& name, const Json& specimen, std::vector<Step>& steps) {
+/// Refuses a name that leads to nothing, or to several values. Completes the steps; is an error wanted?
+bool check(const Word& name, const Json& specimen, std::vector<Step>& steps) {
   const auto bad = [&](const std::string& what, const std::string& rule) {
     return Failure(ExitCode::bad_input, fmt::format("{}: {}; {}; {}", name.place, what, rule, excerpt(name.text)));
   };
   if (steps.empty()) throw bad("no path", "a column is named like contact[0].left.x");
-  const Json* there = found(specimen, steps, true);
+  bool is_error = false;
+  const Json* there = named(specimen, steps, is_error);
   if (there == nullptr && asks_size(steps)) {
     there = found(specimen, std::span(steps).first(steps.size() - 1), true);
-    if (there != nullptr && there->is_array()) return;
+    if (there != nullptr && there->is_array()) return false;
     there = nullptr;
   }
-  if (there == nullptr) there = error_of_value(specimen, steps);
   if (there == nullptr) throw bad("unknown column", what_is_there(specimen, steps));
-  if (there->is_object() && there->contains("value")) {
-    steps.emplace_back("value");
-    there = &there->at("value");
+  if (there->is_object() && !is_number(*there)) {
+    throw bad("not one value", fmt::format("its keys are {}", fmt::join(keys_of(*there), ", ")));
   }
-  if (there->is_object()) throw bad("not one value", fmt::format("its keys are {}", fmt::join(keys_of(*there), ", ")));
   if (there->is_array()) throw bad("not one value", "a list has entries [0], [1], ... and a size");
+  return is_error;
 }
 
 }  // namespace
@@ -130,7 +145,7 @@ ResultColumns::ResultColumns(const std::vector<Word>& names) {
   for (const char* entry : all_entries) whole[entry] = solution_entry(solution, entry);
   for (const Word& name : names) {
     std::vector<Step> steps = from_the_top(whole, steps_of(name.text));
-    check(name, whole, steps);
+    const char* part = check(name, whole, steps) ? "error" : "value";
     if (std::ranges::find(columns_, name.text, &Column::name) != columns_.end()) {
       throw Failure(ExitCode::bad_input,
                     fmt::format("{}: column twice; a column is named once; {}", name.place, excerpt(name.text)));
@@ -139,7 +154,7 @@ ResultColumns::ResultColumns(const std::vector<Word>& names) {
     const auto known = std::ranges::find(entries_, entry);
     const auto index = static_cast<std::size_t>(known - entries_.begin());
     if (known == entries_.end()) entries_.push_back(entry);
-    columns_.push_back({name.text, index, {steps.begin() + 1, steps.end()}});
+    columns_.push_back({name.text, index, {steps.begin() + 1, steps.end()}, part});
   }
 }
 
@@ -163,14 +178,14 @@ std::vector<std::string> ResultColumns::cells(const SolutionText& solution) cons
   std::vector<Json> made;
   for (const std::string& entry : entries_) made.push_back(solution_entry(solution, entry));
   std::vector<std::string> result;
-  for (const auto& [name, entry, steps] : columns_) {
+  for (const auto& [name, entry, steps, part] : columns_) {
     const std::span<const Step> path = steps;
     const Json* there = found(made[entry], path);
     if (there == nullptr && asks_size(steps)) {
       const Json* list = found(made[entry], path.first(path.size() - 1));
       result.push_back(list == nullptr ? "" : std::to_string(list->size()));
     } else {
-      result.push_back(there == nullptr ? "" : text_of(*there));
+      result.push_back(there == nullptr ? "" : text_of(*there, part));
     }
   }
   return result;

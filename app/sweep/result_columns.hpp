@@ -1,7 +1,7 @@
 #pragma once
 // Columns of results by name. A name is a path into what `solve --format json` prints: contact[0].left.x,
-// singular_points[1].intensity_error, contact.size (how many); "resultants." may be left out. The name of a table with a
-// key "value" is that value.
+// contact.size (how many); "resultants." may be left out. The name of a number, or of a table with a value, is that value;
+// with "_error" behind it, singular_points[1].intensity_error, the error.
 
 #include <string>
 #include <vector>
@@ -31,6 +31,7 @@ class ResultColumns {
     std::string name;
     std::size_t entry;        // of entries_
     std::vector<Step> steps;  // from there
+    const char* part;         // of a number: "value" or "error"
   };
 
   std::vector<std::string> entries_;

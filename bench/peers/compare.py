@@ -26,7 +26,7 @@ OCTAVES = range(4, 19)
 def share(program, problem, *options):
     """All its digits, and the least user time of three runs of the whole program."""
     runs = [run(program, os.path.join(HERE, problem), ["--format", "json", *options]) for _ in range(3)]
-    return Fraction(json.loads(runs[0][0])["resultants"]["load_share"][0]), min(seconds for _, seconds in runs)
+    return Fraction(json.loads(runs[0][0])["resultants"]["load_share"][0]["value"]), min(seconds for _, seconds in runs)
 
 
 def error(share, truth):

@@ -40,6 +40,11 @@ bool takes_variational(Method method, const ContactProblem& problem, bool certif
   return !numeric::closed_form<double>(problem).solution;  // pieces can all be the same polynomial
 }
 
+bool may_take_more_digits(const ContactProblem& problem) {
+  constexpr std::size_t many_pieces = 64;
+  return problem.indenter().pieces().size() <= many_pieces;
+}
+
 bool fits_double(const ContactProblem& problem, const std::vector<Rational>& at) {
   const auto all = [](const std::vector<Rational>& data) {
     return std::all_of(data.begin(), data.end(), is_comfortable);

@@ -26,8 +26,12 @@ numeric::Attempt<R> attempt(Method method, const ContactProblem& problem, const 
 /// Are all data, and these places, of a size with which double calculates without overflow?
 bool fits_double(const ContactProblem& problem, const std::vector<Rational>& at);
 
+/// May an answer in double that is not good enough be given up for one of more digits? Not of measured profiles: with so
+/// many pieces it would take minutes, and what double does not know stands beside each number.
+bool may_take_more_digits(const ContactProblem& problem);
+
 /// What `solve_in.operator()<R>()` returns: for 16 digits or fewer in double, unless that does not fit the problem or
-/// is not `good`; then, and for more digits, in the type that has them.
+/// is not `good` and more digits may be taken; then, and for more digits, in the type that has them.
 template <class SolveIn, class Good>
 auto in_precision(int digits, const ContactProblem& problem, const std::vector<Rational>& at, SolveIn solve_in,
                   Good good) {
@@ -35,7 +39,7 @@ auto in_precision(int digits, const ContactProblem& problem, const std::vector<R
   if (precision == numeric::Digits::sixteen) {
     if (fits_double(problem, at)) {
       auto found = solve_in.template operator()<double>();
-      if (good(found)) return found;
+      if (good(found) || !may_take_more_digits(problem)) return found;
     }
     precision = numeric::Digits::fifty;
   }

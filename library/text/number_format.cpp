@@ -168,11 +168,12 @@ std::string upper_text(const enclosure::Ball& ball, int digits) {
 NumberText number_text(const enclosure::Ball& ball, int digits) {
   if (ball.is_infinity()) {
     const std::string text = ball.is_positive() ? "inf" : "-inf";
-    return {text, text, "0"};
+    return {text, text, "0", true};
   }
   if (!ball.is_finite()) return {};
-  if (ball.is_zero()) return {"0", "0", "0"};
+  if (ball.is_zero()) return {"0", "0", "0", true};
   NumberText text;
+  text.proved = true;
   const enclosure::Ball middle = ball.midpoint();
   const double nearest = middle.to_double();
   const bool as_double = digits == 16 && std::isnormal(nearest);
@@ -240,7 +241,7 @@ std::string stress_intensity_unit(const Exponent& exponent) {
 }
 
 NumberText proved_exponent(const std::optional<Exponent>& exponent, int digits) {
-  if (!exponent) return {"log", "log", ""};
+  if (!exponent) return {"log", "log", "", true};
   return number_text(enclosure::Ball(*exponent, enclosure::bits_for(digits)), digits);
 }
 

@@ -28,9 +28,10 @@ std::string full_number(const Rational& value, int digits);
 
 /// An estimate as results tell it, to a person and to a file. Empty texts: not known.
 struct NumberText {
-  std::string shown;  ///< the digits that the error supports
-  std::string value;  ///< all digits
-  std::string error;  ///< estimated, absolute, two digits; 0 for an infinite limit
+  std::string shown;    ///< the digits that the error supports
+  std::string value;    ///< all digits
+  std::string error;    ///< absolute, two digits; 0 for an infinite limit
+  bool proved = false;  ///< the error is a bound, else an estimate
 };
 
 /// A proved number: every number in the ball, rounded to as many digits, is the text shown; where there is no such digit

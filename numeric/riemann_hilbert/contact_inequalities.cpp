@@ -162,20 +162,30 @@ class Inspection {
       });
       all.insert(all.end(), more.begin(), more.end());
     }
+    std::vector<R> rates;
+    for (const SurfacePoint<R>& at : all) rates.push_back(rate(at));
     // A gap that opens, and at its other end closes, is positive in between: no need to integrate.
     if (!steps) {
       std::size_t i = 0;
-      while (contact_left && i < all.size() && rate(all[i]) >= 0) ++i;
-      while (contact_right && i < all.size() && rate(all[i]) <= 0) ++i;
+      while (contact_left && i < all.size() && rates[i] >= 0) ++i;
+      while (contact_right && i < all.size() && rates[i] <= 0) ++i;
       if (i == all.size()) return;
     }
+    const GapIntegral<R> from_left(form_, first);
+    const GapIntegral<R> from_right(form_, end);
+    const auto penetrates = [&](std::size_t i) {
+      const bool left = contact_left && (!contact_right || i < all.size() / 2);
+      const Estimate<R> gap = (left ? from_left : from_right).reduced_gap(all[i]);
+      return gap.value < -8 * gap.error;
+    };
+    // It is lowest beside a step, at the last places, or where it no longer closes and begins to open.
+    const auto turns = [&](std::size_t i) { return !(rates[i] > 0) && !(rates[i + 1] < 0); };
+    const auto may_be_lowest = [&](std::size_t i) { return i == 0 || i + 1 == all.size() || turns(i - 1) || turns(i); };
+    bool fails = steps;
+    for (std::size_t i = 0; i < all.size() && !fails; ++i) fails = may_be_lowest(i) && penetrates(i);
+    if (!fails) return;
     begin(first);
-    const auto middle = all.size() / 2;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const bool from_left = contact_left && (!contact_right || i < middle);
-      const Estimate<R> gap = GapIntegral<R>(form_, from_left ? first : end).reduced_gap(all[i]);
-      note(What::penetration, gap.value < -8 * gap.error, all[i]);
-    }
+    for (std::size_t i = 0; i < all.size(); ++i) note(What::penetration, penetrates(i), all[i]);
     this->end(end - 1);
   }
 

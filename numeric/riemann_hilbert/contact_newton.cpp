@@ -142,7 +142,8 @@ class Newton {
     R part = 1;
     std::size_t tightest = 0;
     for (std::size_t k = 0; k < change.size(); ++k) {
-      if (by_order[k] || !(change[k] < 0)) continue;
+      // Both ends of it together may take more than there is.
+      if (!(change[k] < 0) || (by_order[k] && -change[k] < state_.set.length(k))) continue;
       const R allowed = -R(0.9) * state_.set.length(k) / change[k];
       if (allowed < part) {
         part = allowed;

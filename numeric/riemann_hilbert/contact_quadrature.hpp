@@ -57,11 +57,12 @@ class ContactQuadrature {
   std::vector<R> distances_to(std::size_t point, std::size_t first, std::size_t end) const;
   /// The weights of these nodes times (xi - e_i)^-sigma_i.
   std::vector<R> weights_beside(std::size_t component, std::size_t first, std::size_t end) const;
+  /// With the weights and the density at the panel's nodes.
   Estimate<R> panel_cauchy(const Panel& panel, std::size_t slope, std::size_t component, const SurfacePoint<R>& at,
-                           const R& between, const R* density) const;
-  /// Over the segments first..end-1 one by one, with the density at their nodes.
+                           const R& between, const R* weights, const R* density) const;
+  /// Over the segments first..end-1 one by one, with the weights and the density at their nodes.
   Estimate<R> sum_of_panels(std::size_t slope, std::size_t component, const SurfacePoint<R>& at, std::size_t first,
-                            std::size_t end, const std::vector<R>& density) const;
+                            std::size_t end, const std::vector<R>& weights, const std::vector<R>& density) const;
 
   // In double, panels far away by cells (contact_quadrature_cells.cpp).
   struct Cells;

@@ -12,20 +12,6 @@ R GapIntegral<R>::step(std::size_t j) const {
 }
 
 template <Real R>
-std::vector<SegmentPart<R>> GapIntegral<R>::parts_to(const SurfacePoint<R>& at) const {
-  const auto segment = static_cast<std::size_t>(at.segment);
-  std::vector<SegmentPart<R>> parts;
-  if (is_rightwards(at)) {
-    for (std::size_t k = end_; k < segment; ++k) parts.push_back(whole_segment(set(), k));
-    parts.push_back({segment, R(0), at.node.from_left, at.node.from_right});
-  } else {
-    for (std::size_t k = end_; k-- > segment + 1;) parts.push_back(whole_segment(set(), k));
-    parts.push_back({segment, at.node.from_left, at.node.from_right, R(0)});
-  }
-  return parts;
-}
-
-template <Real R>
 std::size_t GapIntegral<R>::slope_on(std::size_t segment, bool left_half) const {
   // Next to an end at a break, B_k is smooth for the k of the contact.
   const bool left = set().point(segment).is_end();
@@ -128,22 +114,36 @@ Estimate<R> GapIntegral<R>::closure_error(const std::vector<GapNode<R>>& rule) c
 }
 
 template <Real R>
-Estimate<R> GapIntegral<R>::reduced_gap(const SurfacePoint<R>& at) const {
-  if (at.segment < 0 || at.segment >= static_cast<std::ptrdiff_t>(set().segments())) {
-    throw std::domain_error("a gap off the support: there is no indenter");
-  }
+Estimate<R> GapIntegral<R>::rise(const SegmentPart<R>& part, bool rightwards) const {
+  const R height = step(rightwards ? part.segment : part.segment + 1);
+  Estimate<R> sum = Estimate<R>{height, R(0)}.widened(epsilon<R>()) + slope_difference(part);
   std::vector<GapNode<R>> nodes;
-  Estimate<R> sum;
-  for (const SegmentPart<R>& part : parts_to(at)) {
-    const R height = step(is_rightwards(at) ? part.segment : part.segment + 1);
-    sum += Estimate<R>{height, R(0)}.widened(epsilon<R>()) + slope_difference(part);
-    add_nodes(part, nodes);
-  }
+  add_nodes(part, nodes);
   for (const GapNode<R>& node : nodes) {
     sum +=
         R(node.weight * node.y * node.to_pivot) * form_->regular_factor(node.slope, node.at).widened(8 * epsilon<R>());
   }
-  return is_rightwards(at) ? sum : -sum;
+  return rightwards ? sum : -sum;
+}
+
+template <Real R>
+Estimate<R> GapIntegral<R>::reduced_gap(const SurfacePoint<R>& at) const {
+  if (at.segment < 0 || at.segment >= static_cast<std::ptrdiff_t>(set().segments())) {
+    throw std::domain_error("a gap off the support: there is no indenter");
+  }
+  const auto segment = static_cast<std::size_t>(at.segment);
+  const bool rightwards = is_rightwards(at);
+  const std::size_t whole = rightwards ? segment - end_ : end_ - 1 - segment;
+  while (rises_.size() < whole) {
+    const std::size_t k = rightwards ? end_ + rises_.size() : end_ - 1 - rises_.size();
+    const Estimate<R> more = rise(whole_segment(set(), k), rightwards);
+    rises_.push_back(rises_.empty() ? more : rises_.back() + more);
+  }
+  const auto& [x, from_left, from_right] = at.node;
+  const SegmentPart<R> part = rightwards ? SegmentPart<R>{segment, R(0), from_left, from_right}
+                                         : SegmentPart<R>{segment, from_left, from_right, R(0)};
+  const Estimate<R> last = rise(part, rightwards);
+  return whole == 0 ? last : rises_[whole - 1] + last;
 }
 
 template <Real R>

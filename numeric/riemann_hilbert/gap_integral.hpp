@@ -28,7 +28,8 @@ class GapIntegral {
   /// The height that the profile misses at the far end of the gap that begins at the end: zero for a solution.
   Estimate<R> closure_error(const std::vector<GapNode<R>>& rule) const;
 
-  /// The gap at a point of it, over c, measured from the end. Throws std::domain_error off the support.
+  /// The gap at a point of it, over c, measured from the end. What whole segments add is kept, for the next points. Throws
+  /// std::domain_error off the support.
   Estimate<R> reduced_gap(const SurfacePoint<R>& at) const;
   /// The tilted profile's height at a point of the gap minus that at the end, on the side of the contact.
   R profile_increment(const SurfacePoint<R>& at) const;
@@ -36,8 +37,8 @@ class GapIntegral {
  private:
   const ContactSet<R>& set() const { return form_->set(); }
   bool is_rightwards(const SurfacePoint<R>& at) const { return static_cast<std::ptrdiff_t>(end_) <= at.segment; }
-  /// What lies between the end and a point of its gap, from segment to segment as they follow the end.
-  std::vector<SegmentPart<R>> parts_to(const SurfacePoint<R>& at) const;
+  /// The gap's rise over a part of a segment, away from the end, with the step of the profile on the near side.
+  Estimate<R> rise(const SegmentPart<R>& part, bool rightwards) const;
   /// The step of the profile at point j, on the right of it minus on the left; 0 where there is none.
   R step(std::size_t j) const;
   std::size_t slope_on(std::size_t segment, bool left_half) const;
@@ -50,6 +51,7 @@ class GapIntegral {
 
   const RiemannHilbertForm<R>* form_;
   std::size_t end_;
+  mutable std::vector<Estimate<R>> rises_;  ///< the sums over the first segments from the end on
 };
 
 }  // namespace steadyslide::numeric

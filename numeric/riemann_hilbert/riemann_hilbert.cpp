@@ -167,29 +167,40 @@ std::shared_ptr<RiemannHilbertSolution<R>> refined(const ContactProblem& problem
 
 /// Equal cells, solved by fast products, for what is too much for dense coarse solutions: where many pieces meet there
 /// may be many zones.
-std::shared_ptr<RiemannHilbertSolution<double>> search_from_cells(const ContactProblem& problem) {
-  constexpr std::size_t cells_per_piece = 32;
+std::shared_ptr<RiemannHilbertSolution<double>> search_from_cells(const ContactProblem& problem,
+                                                                  std::size_t cells_per_piece) {
   VariationalOptions options;
   const std::size_t wanted = cells_per_piece * problem.indenter().pieces().size();
-  while (options.cells < std::min(wanted, std::size_t{1} << 18)) options.cells *= 2;
+  while (options.cells < std::min(wanted, std::size_t{1} << 20)) options.cells *= 2;
   const Attempt<double> cells = variational_inequality(problem, options);
   return cells.solution ? search<double>(problem, start_from(problem, *cells.solution)) : nullptr;
 }
 
-/// The coarse solution, finer where that did not lead to a solution.
-std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const ContactProblem& problem) {
-  constexpr std::size_t many_pieces = 24;
+/// The first solution of several searches, each from something finer; the first one's state where none leads to one.
+template <class... Searches>
+std::shared_ptr<RiemannHilbertSolution<double>> first_solved(const Searches&... searches) {
   std::shared_ptr<RiemannHilbertSolution<double>> best;
-  if (problem.indenter().pieces().size() > many_pieces) {
-    best = search_from_cells(problem);
-    if (best && best->failed_condition().empty()) return best;
-  }
-  for (const int cells : {48, 120, 300}) {
-    auto found = search<double>(problem, coarse_start(problem, cells));
-    if (found->failed_condition().empty()) return found;
-    if (!best) best = std::move(found);
-  }
+  const auto solves = [&best](const auto& search) {
+    auto found = search();
+    const bool solved = found && found->failed_condition().empty();
+    if (solved || !best) best = std::move(found);
+    return solved;
+  };
+  (solves(searches) || ...);
   return best;
+}
+
+std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const ContactProblem& problem) {
+  const auto from_cells = [&](std::size_t per_piece) {
+    return [&, per_piece] { return search_from_cells(problem, per_piece); };
+  };
+  const auto from_coarse = [&](int cells) {
+    return [&, cells] { return search<double>(problem, coarse_start(problem, cells)); };
+  };
+  const std::size_t pieces = problem.indenter().pieces().size();
+  if (pieces > 64) return first_solved(from_cells(32), from_cells(256));
+  if (pieces > 24) return first_solved(from_cells(32), from_coarse(48), from_coarse(120), from_coarse(300));
+  return first_solved(from_coarse(48), from_coarse(120), from_coarse(300));
 }
 
 }  // namespace

@@ -150,13 +150,22 @@ Estimate<R> RiemannHilbertForm<R>::regular_factor_at(std::size_t j, Side side) c
 
 template <Real R>
 R RiemannHilbertForm<R>::displaced(const SurfacePoint<R>& at, const R& end_error, const R& part) const {
-  using std::abs;
+  using std::abs, std::sqrt;
   const std::vector<R> distances = this->distances(at);
   const auto& pivots = y_->pivots();
-  const auto pivot_factor = [&](std::size_t f, std::size_t component) {
+  // Between two points, however short a gap they face each other over.
+  const auto apart = [&](std::size_t i, std::size_t j) {
+    const R d = abs(distances[i] - distances[j]);
+    if (d > sqrt(epsilon<R>()) * abs(distances[i])) return d;
+    return set().sum_of_lengths(std::min(i, j), std::max(i, j), R(0));
+  };
+  // |f - e|^order; of a component's own pivot f = e the term is (x - e)^order/(x - e), without a pole for order 1.
+  const auto pivot_factor = [&](std::size_t f, std::size_t component, bool is_pivot) {
     const auto& [pivot, order] = pivots[component];
-    const R d = abs(distances[f] - distances[pivot]);
-    return order == 0 ? R(1) : order > 0 ? d : R(1 / d);
+    if (order == 0) return R(1);
+    R d = f == pivot ? R(abs(distances[f])) : apart(f, pivot);
+    if (is_pivot) d = std::max(d, R(abs(distances[pivot])));
+    return order > 0 ? d : R(1 / d);
   };
   R sum = 0;
   for (const std::size_t f : set().movable()) {
@@ -166,7 +175,7 @@ R RiemannHilbertForm<R>::displaced(const SurfacePoint<R>& at, const R& end_error
     if (!pivots.empty()) {
       const std::size_t own = y_->component_of(f);
       const std::size_t here = y_->component_at(at);
-      if (own != here) b *= pivot_factor(f, own) / pivot_factor(f, here);
+      if (own != here) b *= pivot_factor(f, own, false) / pivot_factor(f, here, f == pivots[own].point);
     }
     sum += abs(power(f).value * b) * error / abs(distances[f]);
   }

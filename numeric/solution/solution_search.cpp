@@ -122,6 +122,7 @@ SolutionSearch search_solutions(const ContactProblem& problem, int starts, const
     std::vector<std::future<std::shared_ptr<const VariationalSolution>>> solved;
     for (int number = first; number < std::min(first + together, starts); ++number) {
       VariationalOptions each = options;
+      each.friction_rule = variational::FrictionRule::galerkin;
       if (options.progress) each.progress = progress.of(static_cast<std::size_t>(number));
       solved.push_back(std::async(std::launch::async, [&problem, each, set = start_set(number, random)] {
         return std::make_shared<const VariationalSolution>(problem, variational::solve_nested(problem, each, set));

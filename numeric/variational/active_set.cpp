@@ -21,11 +21,10 @@ std::vector<std::size_t> wrong_cells(const CellSet& contact, const DiscreteState
   return result;
 }
 
-SystemSolution solve_set(const DiscreteProblem& problem, const CellSet& contact, const DiscreteState& guess,
-                         double tolerance, std::size_t dense_cells) {
+std::unique_ptr<BorderedSystem> system_of(const DiscreteProblem& problem, const CellSet& contact,
+                                          const DiscreteState& guess, double tolerance, std::size_t dense_cells) {
   const bool dense = !problem.mesh().is_uniform() || cells_of(contact).size() <= dense_cells;
-  const auto system = dense ? dense_system(problem, contact) : krylov_system(problem, contact, guess, tolerance);
-  return solve(*system, problem);
+  return dense ? dense_system(problem, contact) : krylov_system(problem, contact, guess, tolerance);
 }
 
 }  // namespace
@@ -40,6 +39,7 @@ ActiveSetResult active_set(const DiscreteProblem& problem, CellSet start, const 
   DiscreteState state = guess;
   double tolerance = options.first_tolerance;
   int patience = options.patience;
+  std::unique_ptr<BorderedSystem> system;  // of the contact, if that is unchanged
   while (true) {
     if (best.steps == options.most_steps) {
       best.outcome = ActiveSetResult::Outcome::out_of_steps;
@@ -47,7 +47,9 @@ ActiveSetResult active_set(const DiscreteProblem& problem, CellSet start, const 
     }
     ++best.steps;
     const double scale = height_over(problem, cells_of(contact));
-    SystemSolution solution = solve_set(problem, contact, state, tolerance * scale, options.dense_cells);
+    const bool again = system != nullptr;
+    if (!again) system = system_of(problem, contact, state, tolerance * scale, options.dense_cells);
+    SystemSolution solution = again ? system->refined(tolerance * scale) : solve(*system, problem);
     best.products += solution.products;
     if (!is_finite(solution.state)) break;  // one cell alone cannot carry a load at another place
     state = std::move(solution.state);
@@ -71,6 +73,7 @@ ActiveSetResult active_set(const DiscreteProblem& problem, CellSet start, const 
     }
     // Few wrong cells: the end is near, and what is nearly solved decides wrongly.
     if (wrong.size() <= few) tolerance = options.tolerance;
+    if (!wrong.empty()) system = nullptr;
     for (const std::size_t i : wrong) contact[i] = contact[i] ? 0 : 1;
     if (cells_of(contact).empty()) {
       // All are released: the lowest of them touches first.

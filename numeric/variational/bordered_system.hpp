@@ -23,6 +23,8 @@ class BorderedSystem {
   virtual ~BorderedSystem() = default;
   /// rhs has an entry for each cell of the mesh; those outside the contact set are not looked at.
   virtual SystemSolution solve(std::span<const double> rhs, std::array<double, 2> loads) = 0;
+  /// The last solution to a smaller tolerance; the products are those taken in addition.
+  virtual SystemSolution refined(double tolerance) = 0;
 };
 
 /// LU of the whole matrix: the cube of the number of cells in contact, once.

@@ -35,7 +35,7 @@ Rational height_at(const Indenter& indenter, const Rational& x) { return indente
 
 }  // namespace
 
-CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh) {
+CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh, FrictionRule rule) {
   const FrictionProfile& friction = problem.friction();
   std::vector<double> ends;
   for (const Rational& c : friction.jumps()) ends.push_back(mesh.place(c));
@@ -52,6 +52,14 @@ CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh) 
     result.whole[i] += s[piece] * length;
     result.own[i] += result.sign * s[piece] * length * reach / mesh.length(i);
   });
+  const auto strong = [](double value) { return std::abs(value) > strong_friction; };
+  if (rule == FrictionRule::galerkin || std::none_of(s.begin(), s.end(), strong)) return result;
+  result.at_end.resize(mesh.size());
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    if (!strong(result.whole[i] / mesh.length(i))) continue;
+    result.at_end[i] = 1;
+    result.own[i] = std::abs(result.whole[i]);
+  }
   return result;
 }
 

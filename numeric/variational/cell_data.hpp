@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "numeric/variational/cell_mesh.hpp"
+#include "numeric/variational/friction_rule.hpp"
 
 namespace steadyslide::numeric::variational {
 
@@ -11,13 +12,18 @@ namespace steadyslide::numeric::variational {
 struct CellFriction {
   std::vector<double> whole;  ///< int s
   /// Mean over x in the cell of int s from its left end to x, or from x to its right end where s is negative: what a
-  /// traction on the cell adds to its own mean displacement.
+  /// traction on the cell adds to its own mean displacement. All of int |s| where the equation is asked at the end.
   std::vector<double> own;
   /// +1: s >= 0, and the displacement counts from the left end of the support. -1: s <= 0 somewhere, and it counts from
   /// the right end: no friction then lowers the surface, and the indenter's approach takes up the difference.
   int sign = 1;
+  /// Cells whose equation is asked at their right end, with sign < 0 at their left one; empty: none.
+  std::vector<char> at_end = {};
+
+  bool is_at_end(std::size_t i) const { return !at_end.empty() && at_end[i]; }
 };
-CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh);
+CellFriction cell_friction(const ContactProblem& problem, const CellMesh& mesh,
+                           FrictionRule rule = FrictionRule::galerkin);
 
 /// psi(x) less its value at the middle of the support: only differences matter, and these are small near the contact.
 Rational profile_above_middle(const ContactProblem& problem, const Rational& x);

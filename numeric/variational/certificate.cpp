@@ -77,7 +77,7 @@ Certificate certify(const DiscreteProblem& problem, const DiscreteState& state) 
   result.allowed = 1e-10 * height_over(problem, cells);
   bool is_number = std::isfinite(state.approach) && std::isfinite(state.tilt) && std::isfinite(result.product);
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const double gap = problem.profile()[i] + state.tilt * mesh.centre(i) + displacement[i] - state.approach;
+    const double gap = problem.profile()[i] + state.tilt * problem.place(i) + displacement[i] - state.approach;
     const double pressure = p[i] * contact_length;
     is_number = is_number && std::isfinite(gap) && std::isfinite(pressure);
     result.natural = std::max(result.natural, std::abs(std::min(pressure, gap)));

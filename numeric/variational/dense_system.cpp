@@ -20,7 +20,7 @@ class Dense : public BorderedSystem {
     for (Eigen::Index j = 0; j < n; ++j) right(j) = rhs[cells_[static_cast<std::size_t>(j)]];
     for (Eigen::Index k = 0; k < loads_; ++k) right(n + k) = loads[static_cast<std::size_t>(k)];
     const Eigen::VectorXd found = lu_.solve(right);
-    SystemSolution result;
+    SystemSolution& result = last_;
     result.residual = n == 0 ? 0 : (matrix_.topRows(n) * found - right.head(n)).cwiseAbs().maxCoeff();
     result.state.pressure.assign(size_, 0);
     for (Eigen::Index j = 0; j < n; ++j) result.state.pressure[cells_[static_cast<std::size_t>(j)]] = found(j);
@@ -28,6 +28,8 @@ class Dense : public BorderedSystem {
     if (loads_ == 2) result.state.tilt = found(n + 1);
     return result;
   }
+
+  SystemSolution refined(double) override { return last_; }
 
  private:
   Eigen::MatrixXd matrix(const DiscreteProblem& problem) const {
@@ -42,7 +44,7 @@ class Dense : public BorderedSystem {
       result(j, n) = -1;
       result(n, j) = mesh.length(cell);
       if (loads_ == 1) continue;
-      result(j, n + 1) = mesh.centre(cell);
+      result(j, n + 1) = problem.place(cell);
       result(n + 1, j) = mesh.length(cell) * mesh.centre(cell);
     }
     return result;
@@ -53,6 +55,7 @@ class Dense : public BorderedSystem {
   Eigen::Index loads_;
   Eigen::MatrixXd matrix_;
   DenseLu lu_;
+  SystemSolution last_;
 };
 
 }  // namespace

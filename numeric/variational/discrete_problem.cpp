@@ -4,11 +4,22 @@
 
 namespace steadyslide::numeric::variational {
 
-DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh)
-    : DiscreteProblem(problem, mesh, CellProfile(problem, mesh.frame())) {}
+DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh, FrictionRule rule)
+    : DiscreteProblem(problem, mesh, CellProfile(problem, mesh.frame()), rule) {}
 
-DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh, const CellProfile& profile)
-    : mesh_(std::move(mesh)), galerkin_operator_(mesh_, cell_friction(problem, mesh_)), profile_(profile.means(mesh_)) {
+DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh, const CellProfile& profile,
+                                 FrictionRule rule)
+    : mesh_(std::move(mesh)),
+      galerkin_operator_(mesh_, cell_friction(problem, mesh_, rule)),
+      profile_(profile.means(mesh_)) {
+  if (!is_galerkin()) {
+    const CellFriction& friction = galerkin_operator_.friction();
+    // Where pieces meet there, the one within the cell.
+    const Side side = friction.sign > 0 ? Side::left : Side::right;
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (friction.at_end[i]) profile_[i] = profile(place(i), side);
+    }
+  }
   if (problem.load_at()) load_at_ = mesh_.place(*problem.load_at());
 }
 
@@ -18,6 +29,12 @@ DiscreteProblem::DiscreteProblem(const DiscreteProblem& other, const std::vector
       profile_(other.profile_),
       load_at_(other.load_at_) {
   for (std::size_t i = 0; i < profile_.size(); ++i) profile_[i] -= lowered[i];
+}
+
+double DiscreteProblem::place(std::size_t i) const {
+  const CellFriction& friction = galerkin_operator_.friction();
+  if (!friction.is_at_end(i)) return mesh_.centre(i);
+  return friction.sign > 0 ? mesh_.right(i) : mesh_.left(i);
 }
 
 std::vector<std::size_t> cells_of(const CellSet& contact) {
@@ -39,7 +56,7 @@ std::vector<double> gaps(const DiscreteProblem& problem, const DiscreteState& st
   std::vector<double> g(problem.size());
   problem.galerkin_operator().multiply(state.pressure, g);
   for (std::size_t i = 0; i < g.size(); ++i) {
-    g[i] += problem.profile()[i] + state.tilt * problem.mesh().centre(i) - state.approach;
+    g[i] += problem.profile()[i] + state.tilt * problem.place(i) - state.approach;
   }
   return g;
 }

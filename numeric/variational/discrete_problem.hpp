@@ -3,7 +3,8 @@
 //
 //   g = psi + tilt xi + B p - approach,   sum p_i h_i = 1,   and with load_at   sum p_i h_i xi_i = xi_load,
 //
-// p in units of P/unit, heights in units of c P. No exponent, no singular function is known here. [Bal16, section 3.1]
+// p in units of P/unit, heights in units of c P. Under the damped rule some g_i are gaps at an end of their cell, with xi_i
+// of that place (friction_rule.hpp). No exponent, no singular function is known here. [Bal16, section 3.1]
 
 #include <optional>
 #include <vector>
@@ -14,9 +15,10 @@ namespace steadyslide::numeric::variational {
 
 class DiscreteProblem {
  public:
-  DiscreteProblem(const ContactProblem& problem, CellMesh mesh);
+  /// The damped rule is for uniform meshes.
+  DiscreteProblem(const ContactProblem& problem, CellMesh mesh, FrictionRule rule = FrictionRule::galerkin);
   /// With a profile made before, in the mesh's frame: meshes share one.
-  DiscreteProblem(const ContactProblem& problem, CellMesh mesh, const CellProfile& profile);
+  DiscreteProblem(const ContactProblem& problem, CellMesh mesh, const CellProfile& profile, FrictionRule rule);
   /// Another problem with the profile of cell i lowered by lowered[i].
   DiscreteProblem(const DiscreteProblem& other, const std::vector<double>& lowered);
 
@@ -26,6 +28,10 @@ class DiscreteProblem {
   /// xi of load_at.
   const std::optional<double>& load_at() const { return load_at_; }
   std::size_t size() const { return mesh_.size(); }
+  /// xi at which the gap of cell i is asked, which a tilt lifts it by: the cell's middle, or its end.
+  double place(std::size_t i) const;
+  /// By means over all cells, whatever is strong?
+  bool is_galerkin() const { return galerkin_operator_.friction().at_end.empty(); }
 
  private:
   CellMesh mesh_;

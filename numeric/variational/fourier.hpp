@@ -11,6 +11,9 @@
 
 namespace steadyslide::numeric::variational {
 
+/// A length >= n whose transforms are fast: a multiple of 16 without prime factors above 5.
+std::size_t fast_length(std::size_t n);
+
 class Fourier {
  public:
   /// n even. FFTW chooses its way by the length alone, so that a result can be had again to the last digit.

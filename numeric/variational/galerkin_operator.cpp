@@ -4,48 +4,62 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "numeric/variational/logarithmic_kernel.hpp"
 
 namespace steadyslide::numeric::variational {
 namespace {
 
-/// The smallest 2^k or 3 * 2^k that is >= n and even.
-std::size_t smooth_size(std::size_t n) {
-  std::size_t power = 8;
-  while (power < n) power *= 2;
-  return power / 4 * 3 >= n ? power / 4 * 3 : power;
-}
-
-/// The logarithm's entries by i - j.
-std::vector<double> toeplitz_entries(const CellMesh& mesh) {
-  if (!mesh.is_uniform()) return {};
-  const double h = mesh.length(0);
-  std::vector<double> entries(mesh.size());
-  for (std::size_t k = 0; k < entries.size(); ++k) {
-    entries[k] = -h * (std::log(h) + mean_log_of_unit_cells(k)) / std::numbers::pi;
+/// The logarithm's entries by i - j, from 1 - size on: means over cells, and values at their ends.
+std::array<std::vector<double>, 2> toeplitz_entries(const CellMesh& mesh, const CellFriction& friction) {
+  if (!mesh.is_uniform()) {
+    if (!friction.at_end.empty()) throw std::invalid_argument("the damped friction rule is for equal cells");
+    return {};
   }
-  return entries;
+  const double h = mesh.length(0);
+  const double log_h = std::log(h);
+  const auto entry = [&](double mean_log) { return -h * (log_h + mean_log) / std::numbers::pi; };
+  const std::size_t last = mesh.size() - 1;
+  std::vector<double> means(2 * last + 1);
+  for (std::size_t k = 0; k <= last; ++k) means[last + k] = means[last - k] = entry(mean_log_of_unit_cells(k));
+  if (friction.at_end.empty()) return {std::move(means), {}};
+  std::vector<double> ends(means.size());
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const double between_centres = static_cast<double>(k) - static_cast<double>(last);
+    ends[k] = entry(mean_log_from_point(between_centres + friction.sign * 0.5));
+  }
+  return {std::move(means), std::move(ends)};
 }
 
 }  // namespace
 
-GalerkinOperator::GalerkinOperator(std::vector<double> toeplitz, CellFriction friction)
-    : friction_(std::move(friction)), toeplitz_(std::move(toeplitz)) {
-  if (toeplitz_.empty()) return;
-  const std::size_t n = toeplitz_.size();
-  fourier_.emplace(smooth_size(2 * n));
-  const std::span<double> values = fourier_->values();
-  std::fill(values.begin(), values.end(), 0);
-  for (std::size_t k = 0; k < n; ++k) values[k] = values[(values.size() - k) % values.size()] = toeplitz_[k];
-  // Between the two branches nothing is asked; joined, the spectrum stays positive.
-  for (std::size_t k = n; k + n <= values.size(); ++k) values[k] = toeplitz_[n - 1];
-  fourier_->forward();
-  for (const std::complex<double>& mode : fourier_->modes()) spectrum_.push_back(mode.real());
+GalerkinOperator::GalerkinOperator(std::array<std::vector<double>, 2> entries, CellFriction friction)
+    : friction_(std::move(friction)) {
+  for (std::size_t kind = 0; kind < entries.size(); ++kind) {
+    if (entries[kind].empty()) continue;
+    kernels_[kind].entries = std::move(entries[kind]);
+    if (!fourier_) fourier_.emplace(fast_length(2 * size()));
+    kernels_[kind].spectrum = spectrum(kind == 1, *fourier_);
+  }
+}
+
+std::vector<std::complex<double>> GalerkinOperator::spectrum(bool at_end, const Fourier& circle) const {
+  const std::vector<double>& entries = kernels_[at_end ? 1 : 0].entries;
+  const std::span<double> values = circle.values();
+  const auto n = static_cast<std::ptrdiff_t>(values.size());
+  const auto last = static_cast<std::ptrdiff_t>(size() - 1);
+  for (std::ptrdiff_t k = 0; k < n; ++k) {
+    // Further than the cells reach nothing is asked; with the last entry there the spectrum stays positive.
+    const std::ptrdiff_t distance = std::clamp(2 * k <= n ? k : k - n, -last, last);
+    values[static_cast<std::size_t>(k)] = entries[static_cast<std::size_t>(last + distance)];
+  }
+  circle.forward();
+  return {circle.modes().begin(), circle.modes().end()};
 }
 
 GalerkinOperator::GalerkinOperator(const CellMesh& mesh, CellFriction friction)
-    : GalerkinOperator(toeplitz_entries(mesh), std::move(friction)) {
+    : GalerkinOperator(toeplitz_entries(mesh, friction), friction) {
   if (mesh.is_uniform()) return;
   const std::size_t n = mesh.size();
   logarithm_.resize(n * n);
@@ -59,17 +73,20 @@ GalerkinOperator::GalerkinOperator(const CellMesh& mesh, CellFriction friction)
 }
 
 GalerkinOperator GalerkinOperator::part(std::size_t first, std::size_t count) const {
-  const auto slice = [&](const std::vector<double>& all) {
-    const auto from = all.begin() + static_cast<std::ptrdiff_t>(first);
-    return std::vector<double>(from, from + static_cast<std::ptrdiff_t>(count));
+  const auto slice = [](const auto& all, std::size_t from, std::size_t length) {
+    if (all.empty()) return all;
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(from);
+    return std::decay_t<decltype(all)>(begin, begin + static_cast<std::ptrdiff_t>(length));
   };
-  const auto entries = toeplitz_.begin() + static_cast<std::ptrdiff_t>(count);
-  return {std::vector<double>(toeplitz_.begin(), entries),
-          CellFriction{slice(friction_.whole), slice(friction_.own), friction_.sign}};
+  const auto entries = [&](std::size_t kind) { return slice(kernels_[kind].entries, size() - count, 2 * count - 1); };
+  return {{entries(0), entries(1)},
+          {slice(friction_.whole, first, count), slice(friction_.own, first, count), friction_.sign,
+           slice(friction_.at_end, first, count)}};
 }
 
 double GalerkinOperator::logarithm(std::size_t i, std::size_t j) const {
-  return fourier_ ? toeplitz_[i > j ? i - j : j - i] : logarithm_[i + j * size()];
+  if (!fourier_) return logarithm_[i + j * size()];
+  return kernels_[friction_.is_at_end(i) ? 1 : 0].entries[size() - 1 + i - j];
 }
 
 double GalerkinOperator::friction_entry(std::size_t i, std::size_t j) const {
@@ -85,9 +102,23 @@ void GalerkinOperator::multiply_by_transform(std::span<const double> p, std::spa
   fourier_->forward();
   const std::span<std::complex<double>> modes = fourier_->modes();
   const double scale = 1 / static_cast<double>(values.size());
-  for (std::size_t k = 0; k < modes.size(); ++k) modes[k] *= spectrum_[k] * scale;
-  fourier_->backward();
-  std::copy(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(p.size()), result.begin());
+  const auto convolve = [&](const std::vector<std::complex<double>>& spectrum) {
+    for (std::size_t k = 0; k < modes.size(); ++k) modes[k] *= spectrum[k] * scale;
+    fourier_->backward();
+  };
+  if (friction_.at_end.empty()) {
+    convolve(kernels_[0].spectrum);
+    std::copy(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(p.size()), result.begin());
+    return;
+  }
+  const std::vector<std::complex<double>> transformed(modes.begin(), modes.end());
+  for (const bool at_end : {false, true}) {
+    if (at_end) std::copy(transformed.begin(), transformed.end(), modes.begin());
+    convolve(kernels_[at_end ? 1 : 0].spectrum);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (friction_.is_at_end(i) == at_end) result[i] = values[i];
+    }
+  }
 }
 
 void GalerkinOperator::multiply(std::span<const double> p, std::span<double> result) const {

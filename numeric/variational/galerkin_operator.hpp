@@ -5,7 +5,10 @@
 //
 // how far p pushes the surface down, -u/c. Where s is negative the second integral is -int_xi^right s p: a constant
 // less, which the indenter's approach takes up. So no entry of B is negative. [Bal16, section 3.1]
+//
+// Under the damped rule (friction_rule.hpp) the same at the end of cell i where s is strong.
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -17,6 +20,7 @@ namespace steadyslide::numeric::variational {
 
 class GalerkinOperator {
  public:
+  /// Cells that are asked at their ends: on a uniform mesh only.
   GalerkinOperator(const CellMesh& mesh, CellFriction friction);
   /// The same for pressures on neighbouring cells alone, looked at on these, up to a constant; on a uniform mesh only.
   GalerkinOperator part(std::size_t first, std::size_t count) const;
@@ -26,25 +30,31 @@ class GalerkinOperator {
   /// The two parts of an entry.
   double logarithm(std::size_t i, std::size_t j) const;
   double friction_entry(std::size_t i, std::size_t j) const;
-  /// B p, by two transforms on a uniform mesh, by the whole matrix on any other. Not to be called from two threads.
+  /// B p, by two transforms on a uniform mesh (three where some cells are asked at their ends), by the whole matrix on any other. Not to be called from two threads.
   void multiply(std::span<const double> p, std::span<double> result) const;
 
   const CellFriction& friction() const { return friction_; }
   /// Of the transforms; 0 on a mesh that is not uniform.
   std::size_t transform_size() const { return fourier_ ? fourier_->size() : 0; }
-  /// The eigenvalues of the logarithm's circulant over transform_size() cells, transform_size()/2 + 1 of them.
-  const std::vector<double>& spectrum() const { return spectrum_; }
+  /// The eigenvalues of the logarithm's circulant over the cells of a circle as long as the transform, on a uniform mesh: of
+  /// the means, or at the cells' ends if some ask for it.
+  std::vector<std::complex<double>> spectrum(bool at_end, const Fourier& circle) const;
 
  private:
-  /// On equal cells.
-  GalerkinOperator(std::vector<double> toeplitz, CellFriction friction);
+  /// The logarithm on equal cells: entries by i - j from 1 - size() on, and the spectrum.
+  struct Kernel {
+    std::vector<double> entries;
+    std::vector<std::complex<double>> spectrum;
+  };
+  /// On equal cells; entries of no kernel: on others.
+  GalerkinOperator(std::array<std::vector<double>, 2> entries, CellFriction friction);
   void multiply_by_transform(std::span<const double> p, std::span<double> result) const;
 
   CellFriction friction_;
-  // Uniform mesh: the logarithm's entries by i - j; else all of them, column by column.
-  std::vector<double> toeplitz_;
-  std::vector<double> spectrum_;
+  // Uniform mesh: for means over cells, and at their ends.
+  std::array<Kernel, 2> kernels_;
   std::optional<Fourier> fourier_;
+  // Any other: all entries of the logarithm, column by column.
   std::vector<double> logarithm_;
 };
 

@@ -14,7 +14,7 @@ using Border = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 2, 2>;
 using Load = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2, 1>;
 
 constexpr int basis_size = 40;
-constexpr int most_restarts = 12;
+constexpr int most_cycles = 12;
 
 /// GMRES for B p - E c = rhs, W^T p = loads, E the columns 1 and -xi and W = h E up to the sign, preconditioned by the
 /// same system with the surface's approximate inverse M^-1 in place of B^-1: the loads are then met exactly throughout,
@@ -42,7 +42,7 @@ class Krylov : public BorderedSystem {
       weights_(k, 0) = h;
       pressure_(k) = guess.pressure[i];
       if (loads == 1) continue;
-      columns_(k, 1) = -problem.mesh().centre(i);
+      columns_(k, 1) = -problem.place(i);
       weights_(k, 1) = h * problem.mesh().centre(i);
     }
     constants_ = Load::Zero(loads);
@@ -54,32 +54,23 @@ class Krylov : public BorderedSystem {
   }
 
   SystemSolution solve(std::span<const double> rhs, std::array<double, 2> loads) override {
-    const Eigen::Index n = pressure_.size();
-    Vector right(n);
-    for (Eigen::Index k = 0; k < n; ++k) right(k) = rhs[cells_[static_cast<std::size_t>(k)]];
+    right_.resize(pressure_.size());
+    for (Eigen::Index k = 0; k < right_.size(); ++k) right_(k) = rhs[cells_[static_cast<std::size_t>(k)]];
     const Load target = Eigen::Map<const Load>(loads.data(), columns_.cols());
-
     products_ = 0;
-    Vector residual = right - operate(pressure_, constants_);
-    correct(residual, target - weights_.transpose() * pressure_);
-    residual = right - operate(pressure_, constants_);
-    double size = largest(residual);
-    for (int restart = 0; restart < most_restarts && size > tolerance_; ++restart) {
-      cycle(residual);
-      residual = right - operate(pressure_, constants_);
-      const double before = size;
-      size = largest(residual);
-      if (size > before / 2) break;  // rounding, or no more to be had
-    }
+    residual_ = right_ - operate(pressure_, constants_);
+    correct(residual_, target - weights_.transpose() * pressure_);
+    residual_ = right_ - operate(pressure_, constants_);
+    begin_cycle();
+    return solution();
+  }
 
-    SystemSolution result;
-    result.state.pressure.assign(problem_.size(), 0);
-    for (Eigen::Index k = 0; k < n; ++k) result.state.pressure[cells_[static_cast<std::size_t>(k)]] = pressure_(k);
-    result.state.approach = constants_(0);
-    if (constants_.size() == 2) result.state.tilt = constants_(1);
-    result.residual = size;
-    result.products = products_;
-    return result;
+  SystemSolution refined(double tolerance) override {
+    tolerance_ = tolerance;
+    products_ = 0;
+    // A cycle that has little room left ends here.
+    if (2 * static_cast<Eigen::Index>(rotations_.size()) > hessenberg_.cols()) begin_cycle();
+    return solution();
   }
 
  private:
@@ -123,46 +114,88 @@ class Krylov : public BorderedSystem {
     constants_ += step.c;
   }
 
-  /// One cycle of GMRES from the residual given.
-  void cycle(const Vector& residual) {
-    const Eigen::Index n = residual.size();
-    const auto most = static_cast<int>(std::min<Eigen::Index>(basis_size, n));
-    const Load none = Load::Zero(columns_.cols());
-    const double start = residual.norm();
-    const double goal = tolerance_ / 4 * std::min(1.0, start / largest(residual));
-    basis_.resize(n, most + 1);
-    basis_.col(0) = residual / start;
-    Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(most + 1, most);
-    std::vector<Eigen::JacobiRotation<double>> rotations;
-    Vector right = Vector::Zero(most + 1);
-    right(0) = start;
-    int k = 0;
-    while (k < most && std::abs(right(k)) > goal) {
-      const Correction z = preconditioned(basis_.col(k), none);
-      Vector image = operate(z.p, z.c);
-      // Twice is enough: Gram-Schmidt with all vectors at once.
-      for (int pass = 0; pass < 2; ++pass) {
-        const Vector along = basis_.leftCols(k + 1).transpose() * image;
-        image.noalias() -= basis_.leftCols(k + 1) * along;
-        hessenberg.col(k).head(k + 1) += along;
-      }
-      const double rest = image.norm();
-      hessenberg(k + 1, k) = rest;
-      for (int i = 0; i < k; ++i) {
-        hessenberg.col(k).applyOnTheLeft(i, i + 1, rotations[static_cast<std::size_t>(i)].adjoint());
-      }
-      Eigen::JacobiRotation<double> rotation;
-      rotation.makeGivens(hessenberg(k, k), hessenberg(k + 1, k));
-      rotations.push_back(rotation);
-      hessenberg.col(k).applyOnTheLeft(k, k + 1, rotation.adjoint());
-      right.applyOnTheLeft(k, k + 1, rotation.adjoint());
-      ++k;
-      if (rest == 0) break;
-      basis_.col(k) = image / rest;
+  /// Is the cycle's residual below the tolerance in each of its entries? It is formed only where its 2-norm leaves that open.
+  bool is_small() const {
+    auto k = static_cast<Eigen::Index>(rotations_.size());
+    const double rest = std::abs(rest_(k));
+    const double goal = tolerance_ / 2;
+    if (rest <= goal) return true;
+    if (rest > goal * std::sqrt(static_cast<double>(cells_.size()))) return false;
+    Vector along = Vector::Zero(k + 1);
+    along(k) = rest;
+    for (; k-- > 0;) along.applyOnTheLeft(k, k + 1, rotations_[static_cast<std::size_t>(k)]);
+    return largest(basis_.leftCols(along.size()) * along) <= goal;
+  }
+
+  /// GMRES starts from here.
+  void begin_cycle() {
+    const auto most = std::min<Eigen::Index>(basis_size, residual_.size());
+    const double start = residual_.norm();
+    basis_.resize(residual_.size(), most + 1);
+    basis_.col(0) = residual_ / (start > 0 ? start : 1);
+    hessenberg_ = Eigen::MatrixXd::Zero(most + 1, most);
+    rotations_.clear();
+    rest_ = Vector::Zero(most + 1);
+    rest_(0) = start;
+    first_pressure_ = pressure_;
+    first_constants_ = constants_;
+  }
+
+  /// One step of the cycle.
+  void step() {
+    const auto k = static_cast<Eigen::Index>(rotations_.size());
+    const Correction z = preconditioned(basis_.col(k), Load::Zero(columns_.cols()));
+    Vector image = operate(z.p, z.c);
+    // Twice is enough: Gram-Schmidt with all vectors at once.
+    for (int pass = 0; pass < 2; ++pass) {
+      const Vector along = basis_.leftCols(k + 1).transpose() * image;
+      image.noalias() -= basis_.leftCols(k + 1) * along;
+      hessenberg_.col(k).head(k + 1) += along;
     }
+    const double norm = image.norm();
+    hessenberg_(k + 1, k) = norm;
+    for (Eigen::Index i = 0; i < k; ++i) {
+      hessenberg_.col(k).applyOnTheLeft(i, i + 1, rotations_[static_cast<std::size_t>(i)].adjoint());
+    }
+    Eigen::JacobiRotation<double>& rotation = rotations_.emplace_back();
+    rotation.makeGivens(hessenberg_(k, k), hessenberg_(k + 1, k));
+    hessenberg_.col(k).applyOnTheLeft(k, k + 1, rotation.adjoint());
+    rest_.applyOnTheLeft(k, k + 1, rotation.adjoint());
+    basis_.col(k + 1) = image / (norm > 0 ? norm : 1);
+  }
+
+  /// The cycle goes on until its residual is small or its basis full; then pressures and residual are those of its end.
+  void end_cycle() {
+    while (rotations_.size() < static_cast<std::size_t>(hessenberg_.cols()) && !is_small()) step();
+    const auto k = static_cast<Eigen::Index>(rotations_.size());
     if (k == 0) return;
-    const Vector y = hessenberg.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(right.head(k));
-    correct(basis_.leftCols(k) * y, none);
+    const Vector y = hessenberg_.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(rest_.head(k));
+    pressure_ = first_pressure_;
+    constants_ = first_constants_;
+    correct(basis_.leftCols(k) * y, Load::Zero(columns_.cols()));
+    residual_ = right_ - operate(pressure_, constants_);
+  }
+
+  /// From the cycle that was begun.
+  SystemSolution solution() {
+    double size = largest(residual_);
+    for (int cycle = 0; cycle < most_cycles && size > tolerance_; ++cycle) {
+      if (cycle > 0) begin_cycle();
+      end_cycle();
+      const double before = size;
+      size = largest(residual_);
+      if (size > before / 2) break;  // rounding, or no more to be had
+    }
+    SystemSolution result;
+    result.state.pressure.assign(problem_.size(), 0);
+    for (Eigen::Index k = 0; k < pressure_.size(); ++k) {
+      result.state.pressure[cells_[static_cast<std::size_t>(k)]] = pressure_(k);
+    }
+    result.state.approach = constants_(0);
+    if (constants_.size() == 2) result.state.tilt = constants_(1);
+    result.residual = size;
+    result.products = products_;
+    return result;
   }
 
   const DiscreteProblem& problem_;
@@ -176,9 +209,17 @@ class Krylov : public BorderedSystem {
   Eigen::MatrixXd weights_;
   Eigen::MatrixXd lifted_;
   Border border_;
-  Eigen::MatrixXd basis_;
+  Vector right_;
   Vector pressure_;
   Load constants_;
+  Vector residual_;
+  // A cycle of GMRES: where it began, and what it has found.
+  Vector first_pressure_;
+  Load first_constants_;
+  Eigen::MatrixXd basis_;
+  Eigen::MatrixXd hessenberg_;
+  std::vector<Eigen::JacobiRotation<double>> rotations_;
+  Vector rest_;
   int products_ = 0;
 };
 

@@ -90,6 +90,7 @@ End rolling_path(const DiscreteProblem& problem, const std::vector<std::size_t>&
   const Index last = from == From::right ? n - 1 : 0;
   const double sense = from == From::right ? 1 : -1;
   const auto xi = [&](Index i) { return mesh.centre(cells[at(i)]); };
+  const auto place = [&](Index i) { return problem.place(cells[at(i)]); };
   const auto entry = [&](Index i, Index j) {
     return problem.galerkin_operator().entry(cells[at(i)], cells[at(j)]) / mesh.length(cells[at(j)]);
   };
@@ -108,7 +109,7 @@ End rolling_path(const DiscreteProblem& problem, const std::vector<std::size_t>&
   }
   for (Index i = 0; i < n; ++i) {
     matrix(i, n - 1) = -1;
-    matrix(i, n) = sense * xi(i);
+    matrix(i, n) = sense * place(i);
   }
   constants(n) = 1;
   constants(n + 1) = xi(last);
@@ -121,7 +122,7 @@ End rolling_path(const DiscreteProblem& problem, const std::vector<std::size_t>&
   double tilt = HUGE_VAL;
   for (Index i = 0; i < n; ++i) {
     if (i == last) continue;
-    const double until = (constants(i) - constants(last)) / std::abs(xi(last) - xi(i));
+    const double until = (constants(i) - constants(last)) / std::abs(place(last) - place(i));
     if (until < tilt) {
       tilt = until;
       second = i;
@@ -167,7 +168,7 @@ SchurComplement schur_complement(const DiscreteProblem& problem, const std::vect
     problem.galerkin_operator().multiply(answer.pressure, push);
     for (Index i = 0; i < n; ++i) {
       const std::size_t other = contested[at(i)];
-      result.matrix(i, j) = push[other] + answer.tilt * mesh.centre(other) - answer.approach;
+      result.matrix(i, j) = push[other] + answer.tilt * problem.place(other) - answer.approach;
     }
   }
   return result;

@@ -9,7 +9,10 @@ namespace steadyslide::numeric::variational {
 namespace {
 
 /// int log|u| du.
-double once(double u) { return u == 0 ? 0 : u * (std::log(std::abs(u)) - 1); }
+template <class T>
+T once(T u) {
+  return u == 0 ? 0 : u * (std::log(std::abs(u)) - 1);
+}
 
 /// int int log|u| du du, but for a linear function, which second differences lose. They lose digits as well.
 long double twice(long double u) { return u == 0 ? 0 : u * u / 2 * (std::log(std::abs(u)) - 1.5L); }
@@ -68,6 +71,15 @@ double mean_log_of_unit_cells(std::size_t k) {
   }
   const double r = 1 / (x * x);
   return std::log(x) - r * (1.0 / 12 + r * (1.0 / 60 + r * (1.0 / 168 + r * (1.0 / 360 + r / 660))));
+}
+
+double mean_log_from_point(double u) {
+  if (std::abs(u) < 16) {
+    const auto near = static_cast<long double>(u);
+    return static_cast<double>(once(near + 0.5L) - once(near - 0.5L));
+  }
+  const double r = 1 / (4 * u * u);
+  return std::log(std::abs(u)) - r * (1.0 / 6 + r * (1.0 / 20 + r * (1.0 / 42 + r * (1.0 / 72 + r / 110))));
 }
 
 }  // namespace steadyslide::numeric::variational

@@ -14,4 +14,7 @@ double mean_log(double a, double b, double c, double d);
 /// The same over two cells of length 1 whose centres are k apart, to the last digits for every k.
 double mean_log_of_unit_cells(std::size_t k);
 
+/// The mean of log|u - v| over |v| < 1/2: a cell of length 1 seen from a point.
+double mean_log_from_point(double u);
+
 }  // namespace steadyslide::numeric::variational

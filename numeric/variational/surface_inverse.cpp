@@ -28,7 +28,7 @@ std::vector<double> representatives(std::vector<double> s) {
 }  // namespace
 
 SurfaceInverse::SurfaceInverse(const GalerkinOperator& influence, double length)
-    : zone_of_(influence.size()), fourier_(influence.transform_size()) {
+    : zone_of_(influence.size()), fourier_(fast_length(influence.size() + influence.size() / 8)) {
   std::vector<double> s = influence.friction().whole;
   for (double& value : s) value /= length;
   const std::vector<double> values = representatives(s);
@@ -43,15 +43,18 @@ SurfaceInverse::SurfaceInverse(const GalerkinOperator& influence, double length)
     zone_of_[i] = static_cast<unsigned char>(nearest - values.begin());
   }
 
-  const std::vector<double>& logarithm = influence.spectrum();
   const auto n = static_cast<double>(fourier_.size());
-  modes_.resize(logarithm.size());
+  modes_.resize(fourier_.modes().size());
+  std::vector<double> cot(modes_.size());
+  for (std::size_t k = 1; k < cot.size(); ++k) cot[k] = 1 / std::tan(std::numbers::pi * static_cast<double>(k) / n);
   for (const double value : values) {
     std::vector<std::complex<double>>& reciprocal = reciprocals_.emplace_back();
+    const bool at_end = !influence.friction().at_end.empty() && std::abs(value) > strong_friction;
+    const double rest = at_end ? influence.friction().sign * 0.5 : 0;
+    const std::vector<std::complex<double>> logarithm = influence.spectrum(at_end, fourier_);
     for (std::size_t k = 0; k < logarithm.size(); ++k) {
       // The symbol of sum over the cells before, half of the cell itself: -i h/2 cot(theta/2).
-      const double cot = k == 0 ? 0 : 1 / std::tan(std::numbers::pi * static_cast<double>(k) / n);
-      const std::complex<double> symbol(logarithm[k], -value * length / 2 * cot);
+      const std::complex<double> symbol = logarithm[k] + value * length * std::complex(rest, -cot[k] / 2);
       reciprocal.push_back(std::conj(symbol) / (std::norm(symbol) * n));
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 // An approximate inverse of the operator B on cells of a uniform mesh, by Fourier transforms: on a whole line under one
-// friction value B is a convolution and its symbol's reciprocal is exact; here each cell takes that of its own s.
+// friction value B is a convolution and its symbol's reciprocal is exact; here each cell takes that of its own s. The
+// inverse's kernel falls as the square of the distance, so that the line may close soon behind the cells.
 
 #include <span>
 #include <vector>

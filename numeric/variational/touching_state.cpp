@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "numeric/variational/logarithmic_kernel.hpp"
+
 namespace steadyslide::numeric::variational {
 namespace {
 
@@ -14,23 +16,13 @@ constexpr std::array places{0.0, 0.01, 0.04, 0.09, 0.16, 0.25, 0.37, 0.5, 0.63, 
 /// The bound is the root of the duality gap.
 constexpr double near_enough = 1.1;
 
-/// int log|u| du.
-long double once(long double u) { return u == 0 ? 0 : u * (std::log(std::abs(u)) - 1); }
-
-/// No less than twice the cells, even.
-std::size_t transform_length(std::size_t cells) {
-  std::size_t n = 8;
-  while (n < 2 * cells) n *= 2;
-  return n;
-}
-
 }  // namespace
 
 InnerGaps::InnerGaps(const ContactProblem& problem, const DiscreteProblem& discrete)
     : discrete_(discrete),
       profile_(problem, discrete.mesh().frame()),
       breaks_(profile_.breaks()),
-      fourier_(transform_length(discrete.size())) {
+      fourier_(fast_length(2 * discrete.size())) {
   const CellMesh& mesh = discrete.mesh();
   for (const Rational& c : problem.friction().jumps()) jumps_.push_back(mesh.place(c));
   for (std::size_t k = 0; k <= jumps_.size(); ++k) s_.push_back(to_real<double>(problem.coupled_friction(k)));
@@ -40,11 +32,10 @@ InnerGaps::InnerGaps(const ContactProblem& problem, const DiscreteProblem& discr
     const std::span<double> values = fourier_.values();
     std::fill(values.begin(), values.end(), 0);
     for (std::ptrdiff_t k = 1 - n; k < n; ++k) {
-      const long double u = static_cast<long double>(k) + z;
+      const double mean_log = std::log(h) + mean_log_from_point(static_cast<double>(k) + z - 0.5);
       const auto size = static_cast<std::ptrdiff_t>(values.size());
-      values[static_cast<std::size_t>((k + size) % size)] = -h *
-                                                            (std::log(h) + static_cast<double>(once(u) - once(u - 1))) /
-                                                            std::numbers::pi / static_cast<double>(values.size());
+      values[static_cast<std::size_t>((k + size) % size)] =
+          -h * mean_log / std::numbers::pi / static_cast<double>(size);
     }
     fourier_.forward();
     spectra_.emplace_back(fourier_.modes().begin(), fourier_.modes().end());
@@ -119,14 +110,17 @@ InnerGaps::Least InnerGaps::least(const DiscreteState& state) const {
 }
 
 TouchingState touching_state(const ContactProblem& problem, const MeshSolution& found, int most_passes) {
-  const InnerGaps inner(problem, *found.problem);
+  const std::shared_ptr<const DiscreteProblem> galerkin =
+      found.problem->is_galerkin() ? found.problem
+                                   : std::make_shared<const DiscreteProblem>(problem, found.problem->mesh());
+  const InnerGaps inner(problem, *galerkin);
   InnerGaps::Least least = inner.least(found.found.state);
   TouchingState best{found.found.state, least.duality_gap, 0};
   CellSet contact = found.found.contact;
   DiscreteState state = found.found.state;
   for (int pass = 1; pass <= most_passes && best.duality_gap > near_enough * least.within_cells; ++pass) {
     const MeshSolution next =
-        solve_on_cells(std::make_shared<DiscreteProblem>(*found.problem, least.below_mean), contact, state, {});
+        solve_on_cells(std::make_shared<DiscreteProblem>(*galerkin, least.below_mean), contact, state, {});
     if (next.found.outcome != ActiveSetResult::Outcome::solved) break;
     contact = next.found.contact;
     state = next.found.state;

@@ -8,7 +8,7 @@
 //   delta_i = (mean of the gap over cell i) - (its least value there),
 //
 // and the problem on cells solved again; delta depends on the pressures, so that this is repeated as long as it gains.
-// The least values are taken at a few places of each cell, in double: what is proved of the state, others prove.
+// All by Galerkin's rule. The least values are taken at a few places of each cell, in double: what is proved of the state, others prove.
 
 #include "numeric/variational/nested_solve.hpp"
 

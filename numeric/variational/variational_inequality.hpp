@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "numeric/solution/contact_solution.hpp"
+#include "numeric/variational/friction_rule.hpp"
 
 namespace steadyslide::numeric {
 
@@ -16,6 +17,7 @@ inline constexpr std::size_t most_cells = std::size_t{1} << 22;
 struct VariationalOptions {
   std::size_t cells = 4096;  ///< equal cells on the support, fewest_cells to most_cells
   int most_steps = 100;      ///< of the active sets, on each of the nested meshes
+  variational::FrictionRule friction_rule = variational::FrictionRule::damped;
   /// Called now and then: how much of the work is done, of how much. May throw to end the solve.
   std::function<void(std::size_t done, std::size_t total)> progress = {};
 };
@@ -48,7 +50,8 @@ struct SolutionSearch {
 
 /// Starts from `starts` >= 1 different contact sets: the whole support, then random ones (of a fixed seed) between
 /// single spots and almost everything. Two solutions are one if their tractions differ by less than
-/// a hundredth of the load, int |t - t'| < P/100, or by less than what doubling the cells changes.
+/// a hundredth of the load, int |t - t'| < P/100, or by less than what doubling the cells changes. Always by Galerkin's
+/// rule: how many solutions it has is what theorems speak of.
 SolutionSearch search_solutions(const ContactProblem& problem, int starts, const VariationalOptions& options = {},
                                 std::uint64_t seed = 2016);
 

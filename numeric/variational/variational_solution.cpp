@@ -60,7 +60,12 @@ VariationalSolution::VariationalSolution(ContactProblem problem, variational::Ne
   };
   set(found_.fine, edges_, traction_, load_before_);
   set(found_.coarse, coarse_edges_, coarse_traction_, coarse_load_before_);
-  discrete().galerkin_operator().multiply(state().pressure, displacement_);
+  if (discrete().is_galerkin()) {
+    discrete().galerkin_operator().multiply(state().pressure, displacement_);
+  } else {
+    const variational::CellFriction means = cell_friction(problem_, mesh(), variational::FrictionRule::galerkin);
+    variational::GalerkinOperator(mesh(), means).multiply(state().pressure, displacement_);
+  }
   find_runs();
   find_places();
   find_end_errors();

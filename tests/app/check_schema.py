@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """What `steadyslide solve --format json` answers fits docs/solve.schema.json, for every example and kind of answer; what does
-not fit is refused.
+not fit is refused. With `--schema 1` it says the same in the shape of docs/solve.schema.1.json.
 
-usage: check_schema.py PROGRAM SCHEMA EXAMPLES
+usage: check_schema.py PROGRAM SCHEMA SCHEMA_1 EXAMPLES
 """
 
 import copy
@@ -14,10 +14,14 @@ from pathlib import Path
 
 import jsonschema
 
-program, schema_file, examples = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3])
-schema = json.loads(schema_file.read_text())
-jsonschema.Draft202012Validator.check_schema(schema)
-validator = jsonschema.Draft202012Validator(schema)
+def validator_of(file):
+    schema = json.loads(Path(file).read_text())
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
+
+
+program, examples = sys.argv[1], Path(sys.argv[4])
+validator, validator_1 = validator_of(sys.argv[2]), validator_of(sys.argv[3])
 failures = []
 
 
@@ -30,6 +34,45 @@ def answer(problem, *options):
     return json.loads(result.stdout)
 
 
+def entries(document):
+    """Of an object or a list; a text has none."""
+    if isinstance(document, dict):
+        return list(document.items())
+    return list(enumerate(document)) if isinstance(document, list) else []
+
+
+def numbers_2(document, path=()):
+    """Of a document in schema 2 each number that has an error, by its path: its text and the error's."""
+    if isinstance(document, dict) and set(document) in ({"value", "error"}, {"mid", "rad"}):
+        return {path: tuple(document.values())}
+    return {p: n for key, item in entries(document) for p, n in numbers_2(item, (*path, key)).items()}
+
+
+def with_errors(number, error, path):
+    """The same of a number of schema 1, a list of them, or two limits, with errors of the same shape."""
+    if not isinstance(number, (list, dict)):
+        return {path: (number, error)}
+    return {p: n for key, item in entries(number) for p, n in with_errors(item, error[key], (*path, key)).items()}
+
+
+def numbers_1(document, path=()):
+    """The same of a document in schema 1."""
+    found = {}
+    for key, item in entries(document):
+        has_error = isinstance(document, dict) and f"{key}_error" in document
+        found |= with_errors(item, document[f"{key}_error"], (*path, key)) if has_error else numbers_1(item, (*path, key))
+    return found
+
+
+def say_the_same(document, document_1):
+    """In schema 1 the friction force has a second name."""
+    one = numbers_1(document_1)
+    for path in [path for path in one if path[-1] == "tangential" and "resultants" in path]:
+        if one.pop(path) != one[(*path[:-1], "friction_force")]:
+            return False
+    return one == numbers_2(document)
+
+
 def leaf_errors(error):
     """What is wrong in the alternatives that came furthest."""
     if not error.context:
@@ -38,15 +81,15 @@ def leaf_errors(error):
     return leaf_errors(deepest)
 
 
-def fits(what, document):
-    errors = [line for error in validator.iter_errors(document) for line in leaf_errors(error)]
+def fits(what, document, schema):
+    errors = [line for error in schema.iter_errors(document) for line in leaf_errors(error)]
     if errors:
         failures.append(f"{what}: {errors[0]}")
 
 
 for example in sorted(examples.glob("*.toml")):
     if "sweep" not in example.name:
-        fits(example.name, answer(example.name, "--samples", "3", "--at=-2,0,1/3"))
+        fits(example.name, answer(example.name, "--samples", "3", "--at=-2,0,1/3"), validator)
 
 tables = tempfile.TemporaryDirectory()
 points, mesh = Path(tables.name) / "points.csv", Path(tables.name) / "mesh.csv"
@@ -54,31 +97,41 @@ points.write_text("x,z\n0,0.5\n1,2\n")
 mesh.write_text("x\n-2\n-0.5\n0.5\n2\n")
 
 several = {
-    "stresses and forces": answer("parabola.toml", "--stress-at", str(points), "--loads-on", str(mesh), "--max-stress"),
-    "other direction": answer("parabola_rough_rear.toml", "--both-directions", "--at", "0"),
-    "40 digits": answer("wedge.toml", "--digits", "40"),
-    "cells": answer("parabola.toml", "--method", "variational", "--cells", "256", "--samples", "4"),
-    "proof": answer("two_coatings_forward.toml", "--certify", "--at=-1,0,0.5,2"),
-    "bound": answer("parabola.toml", "--method", "variational", "--cells", "256", "--certify"),
-    "no convergence": answer("two_bumps.toml", "--method", "variational", "--iterations", "1"),
-    "search": answer("parabola_rough_rear.toml", "--search-solutions", "2", "--cells", "256"),
-    "loads": answer("two_bumps.toml", "--load-steps", "0.7,0.8"),
-    "proved loads": answer("parabola.toml", "--load-steps", "400,500", "--certify"),
+    "stresses and forces": ("parabola.toml", "--stress-at", str(points), "--loads-on", str(mesh), "--max-stress"),
+    "other direction": ("parabola_rough_rear.toml", "--both-directions", "--at", "0"),
+    "40 digits": ("wedge.toml", "--digits", "40"),
+    "cells": ("parabola.toml", "--method", "variational", "--cells", "256", "--samples", "4"),
+    "proof": ("two_coatings_forward.toml", "--certify", "--max-stress", "--at=-1,0,0.5,2"),
+    "bound": ("parabola.toml", "--method", "variational", "--cells", "256", "--certify"),
+    "no convergence": ("two_bumps.toml", "--method", "variational", "--iterations", "1"),
+    "search": ("parabola_rough_rear.toml", "--search-solutions", "2", "--cells", "256"),
+    "loads": ("two_bumps.toml", "--load-steps", "0.7,0.8"),
+    "proved loads": ("parabola.toml", "--load-steps", "400,500", "--certify"),
 }
-for what, document in several.items():
-    fits(what, document)
+documents, documents_1 = ({what: answer(*wanted, "--schema", schema) for what, wanted in several.items()} for schema in "21")
+numbers = 0
+for what, document in documents.items():
+    fits(what, document, validator)
+    fits(f"{what}, schema 1", documents_1[what], validator_1)
+    numbers += len(numbers_2(document))
+    if not say_the_same(document, documents_1[what]):
+        failures.append(f"{what}: the two schemas say different numbers")
+if numbers < 400:
+    failures.append(f"only {numbers} numbers are compared")
 
 # Controls: each change of a document that fits is refused.
-document = several["other direction"]
+document = documents["other direction"]
 changes = {
     "a key less": lambda d: d["resultants"].pop("friction_force"),
-    "an error less": lambda d: d["samples"][0].pop("u_error"),
+    "an error less": lambda d: d["samples"][0]["u"].pop("error"),
     "an unknown key": lambda d: d["contact"][0].update(colour="red"),
-    "a number that is no text": lambda d: d["resultants"].update(normal=1.0),
-    "a text that is no number": lambda d: d["resultants"].update(normal="one"),
+    "a number that is no text": lambda d: d["resultants"]["normal"].update(value=1.0),
+    "a text that is no number": lambda d: d["resultants"]["normal"].update(value="one"),
     "an unknown kind": lambda d: d["contact"][0]["left"].update(kind="corner"),
-    "another schema": lambda d: d.update(schema=2),
-    "one limit": lambda d: d["samples"][0].update(traction={"left": "1"}),
+    "another schema": lambda d: d.update(schema=1),
+    "an error of another kind": lambda d: d["resultants"]["normal"].update(rad=d["resultants"]["normal"].pop("error")),
+    "a number without its error": lambda d: d["resultants"].update(normal="1"),
+    "one limit": lambda d: d["samples"][0].update(traction={"left": {"value": "1", "error": "0"}}),
     "no list": lambda d: d.update(contact={}),
     "the other direction without its numbers": lambda d: d["other_direction"].pop("resultants"),
     "two shapes of one indenter": lambda d: d["problem"]["indenter"].update(samples="a.csv", points=3),
@@ -88,10 +141,15 @@ for what, change in changes.items():
     change(broken)
     if validator.is_valid(broken):
         failures.append(f"control: {what} is not noticed")
-row = copy.deepcopy(several["loads"])
+row = copy.deepcopy(documents["loads"])
 row[0]["component"] = 1
 if validator.is_valid(row):
     failures.append("control: a component that is no text is not noticed")
+
+other = copy.deepcopy(documents_1["other direction"])
+other["other_direction"]["contact"][0]["left"]["x_error"] = "0.5"
+if say_the_same(document, other):
+    failures.append("control: another error in schema 1 is not noticed")
 
 print("\n".join(failures) or f"{len(several) + len(changes)} kinds of answers and controls")
 sys.exit(1 if failures else 0)

@@ -28,7 +28,17 @@ inline std::string keys(const Json& object, const char* between = " ") {
   return result;
 }
 
-inline Rational number(const Json& text) { return parse_rational(text.get<std::string>()); }
+/// With its error beside it, {"value", "error"} or {"mid", "rad"}?
+inline bool is_number(const Json& json) { return json.is_object() && (json.contains("error") || json.contains("rad")); }
+
+/// Of a number with an error its value, else what is given.
+inline const Json& value_of(const Json& json) { return is_number(json) ? json.front() : json; }
+inline Rational number(const Json& json) { return parse_rational(value_of(json).get<std::string>()); }
+inline Rational error_of(const Json& number) { return parse_rational(number.back().get<std::string>()); }
+
+inline double real(const Json& json) { return std::stod(value_of(json).get<std::string>()); }
+/// Of one number, or of two limits.
+inline double real_on(const Json& json, const char* side) { return real(json.contains(side) ? json.at(side) : json); }
 
 inline bool near(const Json& a, const Json& b, const char* tolerance) {
   return abs(number(a) - number(b)) <= parse_rational(tolerance);

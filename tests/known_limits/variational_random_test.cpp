@@ -24,14 +24,15 @@ bool decreases(const ContactProblem& problem) {
   return false;
 }
 
-void solve_the_first(int count, std::size_t cells) {
+/// Returns how often active sets cycled and Lemke's method went on.
+int solve_the_first(int count, std::size_t cells, FrictionRule rule) {
   const std::set<std::uint64_t> unsolved = listed();
   int accepted = 0, by_lemke = 0, decreasing = 0;
   double worst = 0;
   for (int i = 0; i < count; ++i) {
     const std::uint64_t seed = first_listed_seed + static_cast<std::uint64_t>(i);
     const ContactProblem problem = random_contact(seed);
-    const NestedResult result = solve_nested(problem, {.cells = cells});
+    const NestedResult result = solve_nested(problem, {.cells = cells, .friction_rule = rule});
     const Certificate& certificate = result.certificate;
     if (certificate.accepted()) {
       ++accepted;
@@ -48,15 +49,22 @@ void solve_the_first(int count, std::size_t cells) {
   MESSAGE("accepted ", accepted, " of ", count, ", s decreasing somewhere in ", decreasing, ", by Lemke's method ",
           by_lemke, ", largest natural residual ", worst, " of what is allowed");
   CHECK(2 * decreasing >= count);
-  CHECK(50 * by_lemke >= count);
+  return by_lemke;
 }
 
 }  // namespace
 
-TEST_CASE("the first 300 on 256 cells") { solve_the_first(300, 256); }
+// Where strong friction rings on cells, active sets cycle: by means over all cells Lemke's method is called often.
+TEST_CASE("the first 300 on 256 cells") {
+  CHECK(solve_the_first(300, 256, FrictionRule::galerkin) >= 6);
+  CHECK(solve_the_first(300, 256, FrictionRule::damped) < 6);
+}
 
 // Slow: 40 s.
-TEST_CASE("slow: the first 1000 on 1024 cells" * doctest::skip()) { solve_the_first(1000, 1024); }
+TEST_CASE("slow: the first 1000 on 1024 cells" * doctest::skip()) {
+  CHECK(solve_the_first(1000, 1024, FrictionRule::galerkin) >= 20);
+  CHECK(solve_the_first(1000, 1024, FrictionRule::damped) < 20);
+}
 
 TEST_CASE("control: a state that is not a solution is not accepted") {
   const ContactProblem problem = random_contact(first_listed_seed);

@@ -93,7 +93,7 @@ def check_laws(folder):
         normal, tangential = (sum(Decimal(row[name]) for row in forces) for name in ("normal", "tangential"))
         moment = sum(Decimal(row["x"]) * Decimal(row["normal"]) for row in forces)
         require(abs(normal - load(problem)) < TOLERANCE, f"{folder.name}: the sum of {kind} normal forces")
-        require(abs(tangential - resultants["tangential"]) < TOLERANCE, f"{folder.name}: the sum of {kind} tangential forces")
+        require(abs(tangential - resultants["friction_force"]) < TOLERANCE, f"{folder.name}: the sum of {kind} tangential forces")
         require(abs(moment - resultants["centre_of_pressure"] * load(problem)) < TOLERANCE, f"{folder.name}: the moment, {kind}")
     if folder.name in ("flat_punch", "two_coatings", "three_coatings"):
         traction, jumps = formula(problem)

@@ -43,11 +43,15 @@ Panel two_coatings(Sliding sliding) {
       {"one coating, " + friction_text((low + high) / 2), Look::line, 2, pressure_curve(*solved(uniform), 401)}};
   panel.legend = LegendAt::right_of_centre;
   const bool forward = sliding == Sliding::plus_x;
+  const auto points = solved(problem)->singular_points();
   panel.notes = {{{-0.5, 0.09, false, true}, friction_text(low), Align::centre},
                  {{0.5, 0.09, false, true}, friction_text(high), Align::centre},
                  {{0.05, 0.09, true, true}, forward ? "rear" : "front"},
                  {{0.95, 0.09, true, true}, forward ? "front" : "rear", Align::right},
-                 {{0.25, 0.66, true, true}, "sliding", Align::centre}};
+                 {{0.25, 0.66, true, true}, "sliding", Align::centre},
+                 {{0.09, 0.93, true, true}, exponent_text("−½ − α_{−}", points[0])},
+                 {forward ? Place{0.025, 0.9} : Place{0.04, 0.06}, exponent_text("β", points[1])},
+                 {{0.89, 0.53, true, true}, exponent_text("−½ + α_{+}", points[2]), Align::right}};
   const Place left{0.18, 0.61, true, true};
   const Place right{0.32, 0.61, true, true};
   panel.guides = {forward ? Guide{left, right, true} : Guide{right, left, true}};
@@ -64,23 +68,33 @@ const std::string two_coatings_caption =
 Figure make_flat_punch() {
   Panel panel = pressure_panel();
   int style = 0;
+  std::vector<std::string> rear, front;
   for (const Rational& f : {Rational(0), Rational(3, 10), Rational(1)}) {
     const ContactProblem problem = flat_punch(Rational(1, 5), {f});
+    const auto points = solved(problem)->singular_points();
+    rear.push_back(exponent_text("−½ − α", points[0]));
+    front.push_back(exponent_text("−½ + α", points[1]));
     panel.series.push_back({friction_text(f), Look::line, ++style, pressure_curve(*solved(problem), 401)});
     panel.series.push_back({"", Look::marks, style, pressure_of_cells(*solved_on_cells(problem, 800), 40)});
   }
   panel.legend = LegendAt::top_centre;
-  panel.notes = {{{0.05, 0.2, true, true}, "rear"},
-                 {{0.95, 0.2, true, true}, "front", Align::right},
+  panel.notes = {{{0.04, 0.07, true, true}, "rear"},
+                 {{0.96, 0.07, true, true}, "front", Align::right},
                  {{0.5, 0.105, true, true}, "sliding", Align::centre}};
+  for (std::size_t k = 0; k < rear.size(); ++k) {
+    const double y = 0.93 - 0.075 * static_cast<double>(k);
+    panel.notes.push_back({{0.1, y, true, true}, rear[k]});
+    panel.notes.push_back({{0.9, y, true, true}, front[k], Align::right});
+  }
   panel.guides = {{{0.42, 0.06, true, true}, {0.58, 0.06, true, true}, true}};
   return {
       "flat-punch",
       "Flat punch with one friction coefficient",
       "Normal traction under a rigid flat punch of half-width `L` that slides to the right under the load `P`, "
       "`nu = 1/5`: lines by the closed form `t_n = -P cos(pi alpha)/pi (1+x)^{-(1/2+alpha)} (1-x)^{-(1/2-alpha)}` "
-      "(`L = 1`), marks by the solver on 800 cells, which knows no exponents. With friction the rear is loaded more "
-      "than the front, and its singularity is the stronger one.",
+      "(`L = 1`), marks by the solver on 800 cells, which knows no exponents. Those at the edges are written beside "
+      "them, in the order of the legend. With friction the rear is loaded more than the front, and its singularity is "
+      "the stronger one.",
       430,
       {panel}};
 }

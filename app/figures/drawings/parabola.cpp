@@ -15,6 +15,7 @@ Figure make_parabola() {
   const auto solution = solved(problem);
   const double load = numeric::to_real<double>(problem.load());
   const auto zone = solution->contact().front();
+  const auto points = solution->singular_points();
   const double a = (zone.right.x.value - zone.left.x.value) / 2;
   const double alpha = numeric::to_real<double>(Exponent::angle(s));
 
@@ -54,7 +55,9 @@ Figure make_parabola() {
   }
   below.notes = {{{-(1 + 2 * alpha) - 0.03, 0.9, false, true}, "−(1 + 2α){/:Italic a}", Align::right},
                  {{peak + 0.03, 0.09, false, true}, "−4α{/:Italic a}"},
-                 {{1 - 2 * alpha + 0.03, 0.55, false, true}, "(1 − 2α){/:Italic a}"}};
+                 {{1 - 2 * alpha + 0.03, 0.55, false, true}, "(1 − 2α){/:Italic a}"},
+                 {{-(1 + 2 * alpha) - 0.03, 0.09, false, true}, exponent_text("½ − α", points.front()), Align::right},
+                 {{1 - 2 * alpha + 0.03, 0.09, false, true}, exponent_text("½ + α", points.back())}};
   above.notes = {{{0.5, 0.42, true, true}, "sliding", Align::centre}};
   above.guides.push_back({{0.43, 0.34, true, true}, {0.57, 0.34, true, true}, true});
   return {

@@ -57,7 +57,7 @@ TEST_CASE("solved examples: effective friction is the sum of f times load share,
     CHECK(abs(shares - 1) < 1e-11_r);
     const Rational load = number(json["problem"]["load"]);
     CHECK(abs(number(resultants["normal"]) / load - 1) < 1e-11_r);
-    CHECK(abs(number(resultants["tangential"]) / load - sum) < 1e-11_r);
+    CHECK(abs(number(resultants["friction_force"]) / load - sum) < 1e-11_r);
     for (const Json& residual : json["residuals"]) CHECK(number(residual) <= 1e-12_r);
     for (const Json& component : json["contact"]) {
       CHECK(number(component["left"]["x"]) < number(component["right"]["x"]));

@@ -116,17 +116,12 @@ TEST_CASE("files keep Coulomb's law in every row: |shear| = f |traction|") {
   CHECK(csv.worst <= 1e-15);
 
   Coulomb json;
-  const auto side = [](const Json& value, const char* name) {
-    return std::stod((value.is_object() ? value[name] : value).get<std::string>());
-  };
   const Json solution = Json::parse(run_example("rough_surface.toml", joined(wanted, {"--format", "json"})).out);
   for (const Json& sample : solution["samples"]) {
     for (const char* name : {"left", "right"}) {
-      json.add(side(sample["x"], name), name == std::string("left"), side(sample["traction"], name),
-               side(sample["shear"], name));
+      json.add(real(sample["x"]), name == std::string("left"), real_on(sample["traction"], name),
+               real_on(sample["shear"], name));
     }
-    CHECK(sample["traction"].is_object() == sample["traction_error"].is_object());
-    CHECK(sample["shear"].is_object() == sample["shear_error"].is_object());
   }
   CHECK(json.rows > 1000);
   CHECK(json.worst <= 1e-15);

@@ -5,31 +5,29 @@ namespace {
 const std::string punch = problem_text("punch"), parabola = problem_text("parabola");
 const std::string coated_punch = problem_text("coated_punch");
 
-/// Is each number's error beside it, and at least a tenth (it is an estimate) of what differs from the reference? How
-/// many are there?
-int check_errors(const Json& object, const Json& reference) {
+/// Is each number's error at least a tenth (it is an estimate) of what differs from the reference? How many are there?
+int check_errors(const Json& json, const Json& reference) {
   int count = 0;
-  if (object.is_array()) {
-    for (std::size_t k = 0; k < object.size(); ++k) count += check_errors(object[k], reference[k]);
+  if (json.is_array()) {
+    for (std::size_t k = 0; k < json.size(); ++k) count += check_errors(json[k], reference[k]);
     return count;
   }
-  if (!object.is_object()) return count;
-  for (const auto& item : object.items()) {
-    const Json& value = item.value();
-    count += check_errors(value, reference[item.key()]);
-    if (!value.is_string() || !object.contains(item.key() + "_error")) continue;
-    CAPTURE(item.key() + " = " + value.dump());
-    if (value == "inf") {  // exact
-      CHECK(reference[item.key()] == "inf");
-      continue;
-    }
-    const Rational error = number(object[item.key() + "_error"]);
-    const Rational rounding = 1e-16_r * (1 + abs(number(value)));
-    CHECK(abs(number(value) - number(reference[item.key()])) <= 10 * error + rounding);
-    CHECK(error >= 0);
-    ++count;
+  if (!json.is_object()) return count;
+  if (!is_number(json)) {
+    for (const auto& item : json.items()) count += check_errors(item.value(), reference[item.key()]);
+    return count;
   }
-  return count;
+  CAPTURE(json.dump());
+  CHECK(keys(json) == "value error");
+  if (json["value"].is_null()) return count;
+  if (json["value"] == "inf") {  // exact
+    CHECK(reference["value"] == "inf");
+    return count;
+  }
+  const Rational rounding = 1e-16_r * (1 + abs(number(json)));
+  CHECK(abs(number(json) - number(reference)) <= 10 * error_of(json) + rounding);
+  CHECK(error_of(json) >= 0);
+  return count + 1;
 }
 
 }  // namespace
@@ -42,7 +40,7 @@ TEST_CASE("data that double cannot hold are solved all the same") {
   CHECK(abs(scaled - number(usual["samples"][0]["traction"])) < 1e-13_r);
 }
 
-TEST_CASE("every number has its error beside it, of the same shape; it is the error of what is printed") {
+TEST_CASE("every number has its error beside it; it is the error of what is printed") {
   for (const std::string& problem : {punch, parabola}) {
     const Json json = solve(problem, {"--at=-1,0,0.1,2", "--samples", "3"});
     const Json exact = solve(problem, {"--at=-1,0,0.1,2", "--samples", "3", "--digits", "40"});
@@ -51,10 +49,10 @@ TEST_CASE("every number has its error beside it, of the same shape; it is the er
       numbers += check_errors(json[part], exact[part]);
     CHECK(numbers >= 14);
     CHECK(json["version"] == STEADYSLIDE_VERSION);
-    CHECK(json["resultants"]["load_share"].size() == json["resultants"]["load_share_error"].size());
     for (const Json& sample : json["samples"]) {
       for (const std::string key : {"traction", "shear", "gap", "slope"}) {
-        CHECK(sample[key].type() == sample[key + "_error"].type());
+        const bool has_limits = keys(sample[key]) == "left right";
+        CHECK((is_number(sample[key]) || (has_limits && is_number(sample[key]["left"]))));
       }
     }
   }
@@ -63,8 +61,7 @@ TEST_CASE("every number has its error beside it, of the same shape; it is the er
 TEST_CASE("16 digits give the doubles back: |shear| is f |traction| to the last bit") {
   const Json json = solve(parabola, {"--samples", "9"});
   for (const Json& sample : json["samples"]) {
-    const double traction = std::stod(sample["traction"].get<std::string>());
-    const double shear = std::stod(sample["shear"].get<std::string>());
+    const double traction = real(sample["traction"]), shear = real(sample["shear"]);
     if (traction == 0) continue;
     const double f = std::stod(sample["x"].get<std::string>()) < 0 ? 0.2 : 1.2;
     CHECK(shear == -f * traction);
@@ -89,7 +86,7 @@ TEST_CASE("tilt: only with load_at, and the pressure's centre lies under the loa
     CHECK(holds(run(tilting).out, "  tilt "));
     CHECK(json["uniqueness"]["status"] == "not_covered");
     // The same with the slope put into the profile of an indenter that keeps its attitude.
-    const std::string tilt = json["resultants"]["tilt"].get<std::string>();
+    const std::string tilt = json["resultants"]["tilt"]["value"].get<std::string>();
     const Json fixed = solve(replaced(coated_punch, "profile = \"0\"", "profile = \"" + tilt + "*x\""));
     CHECK(near(fixed["resultants"]["centre_of_pressure"], at, "1e-11"));
     CHECK(near(fixed["resultants"]["effective_friction"], json["resultants"]["effective_friction"], "1e-11"));

@@ -1,74 +1,12 @@
 // The numbers in the figures, against `solve` and against formulas.
 
-#include <fmt/ranges.h>
-
-#include "app/command_line.hpp"
+#include "app/figure_problems.hpp"
 #include "app/figures/moment_rule.hpp"
-#include "app/figures/solved.hpp"
 #include "app/figures/stress_map.hpp"
-#include "app/made_figures.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "proofs_checks/instruments/convergence/convergence_cases.hpp"
 
 using namespace steadyslide::app;
-
-namespace {
-
-struct Given {
-  std::string poisson;
-  std::string friction;
-  std::string jumps;
-  std::string profile = "0", load = "1", sliding = "+x";
-
-  std::string toml() const {
-    return fmt::format(
-        "load = \"{}\"\nsliding = \"{}\"\n[half_space]\npoisson = \"{}\"\n[friction]\nvalues = [{}]\njumps = [{}]\n"
-        "[indenter]\nprofile = \"{}\"\n",
-        load, sliding, poisson, friction, jumps, profile);
-  }
-};
-
-std::string answer(const Given& given, const Arguments& arguments = {}) { return output(given.toml(), arguments); }
-
-/// -t at these places, from left to right.
-std::vector<double> pressures(const Given& given, const std::vector<double>& places) {
-  const auto rows = lines(answer(given, {"--format", "csv", fmt::format("--at={:.17g}", fmt::join(places, ","))}));
-  REQUIRE(rows[0].starts_with("x,traction,"));
-  REQUIRE(rows.size() == places.size() + 1);
-  std::vector<double> found;
-  for (std::size_t k = 1; k < rows.size(); ++k) found.push_back(-std::stod(rows[k].substr(rows[k].find(',') + 1)));
-  return found;
-}
-
-/// The number that follows a word in the text.
-double value_after(const std::string& text, const std::string& word) {
-  const std::size_t at = text.find(word);
-  REQUIRE(at != std::string::npos);
-  return std::stod(text.substr(at + word.size()));
-}
-
-/// Some points of a curve are what `solve` says, in units `length` and `stress`; others are not.
-void check_curve(const Series& series, const Given& given, double length = 1, double stress = 1) {
-  REQUIRE(series.points.size() > 50);
-  std::vector<double> places, drawn;
-  for (const double part : {0.15, 0.3, 0.55, 0.8}) {
-    const Point& p = series.points[static_cast<std::size_t>(part * static_cast<double>(series.points.size()))];
-    places.push_back(p.x * length);
-    drawn.push_back(p.y * stress);
-  }
-  const std::vector<double> found = pressures(given, places);
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    CAPTURE(places[k]);
-    CHECK(found[k] == doctest::Approx(drawn[k]).epsilon(1e-9).scale(0));
-    CHECK(found[k] != doctest::Approx(drawn[k] * (1 + 1e-8)).epsilon(1e-9).scale(0));
-  }
-}
-
-double alpha(double s) { return std::atan(s) / std::numbers::pi; }
-
-double slope(const Point& a, const Point& b) { return std::log(b.y / a.y) / std::log(b.x / a.x); }
-
-}  // namespace
 
 TEST_CASE("the pressures under flat punches are those of solve; cells agree") {
   const std::vector<Series>& series = made("flat-punch").panels.front().series;
@@ -99,10 +37,10 @@ TEST_CASE("the pressures under flat punches are those of solve; cells agree") {
 
 TEST_CASE("the parabola is that of solve and of Galin") {
   const Figure& figure = made("parabola");
-  const double a = alpha(0.5), load = 0.02;
+  const double a = angle_of_friction(0.5), load = 0.02;
   // c = 2: R of the reduced profile is 2.
   const double half = std::sqrt(load * 2 / (2 * std::numbers::pi * (0.25 - a * a)));
-  const Given given{"0", "1", "", "x^2/2", "0.02"};
+  const GivenProblem given{"0", "1", "", "x^2/2", "0.02"};
   const Series& curve = figure.panels[1].series[0];
   check_curve(curve, given, half, load / half);
   CHECK(curve.points[1].x == doctest::Approx(-(1 + 2 * a)).epsilon(1e-12));
@@ -138,26 +76,9 @@ TEST_CASE("tractions on the body are those of solve, lengths and angles to scale
   }
 }
 
-TEST_CASE("the problem's contact is that of solve, and the surface lies below the obstacle beside it") {
-  const Figure& figure = made("geometry");
-  const std::vector<Series>& series = figure.panels.front().series;
-  const double left = series[2].points[0].x, right = series[2].points[3].x;
-  const std::vector<double> pressure =
-      pressures({"0.2", "0.3, 1", "0.2", "x^2/3", "0.25"}, {left - 0.001, left + 0.001, right - 0.001, right + 0.001});
-  CHECK(pressure[0] == 0);
-  CHECK(pressure[1] > 0);
-  CHECK(pressure[2] > 0);
-  CHECK(pressure[3] == 0);
-  for (const Point& surface : series[1].points) {
-    const double gap = surface.x * surface.x / 3 - surface.y;
-    const bool inside = surface.x >= left && surface.x <= right;
-    CHECK((inside ? std::abs(gap) < 1e-9 : gap > 0));
-  }
-}
-
 TEST_CASE("local forms have the derived slopes, and cells read the same") {
   const Figure& figure = made("local-forms");
-  const double a = alpha(0.375), beta = alpha(0.0375) - a;
+  const double a = angle_of_friction(0.375), beta = angle_of_friction(0.0375) - a;
   const double weak[] = {0.5 - a, 0.5 + a, -beta};
   const double strong[] = {-0.5 - a, -0.5 + a, beta};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -165,8 +86,8 @@ TEST_CASE("local forms have the derived slopes, and cells read the same") {
       const std::vector<Series>& series = figure.panels[static_cast<std::size_t>(panel)].series;
       const Series& line = series[2 * k];
       CAPTURE(line.legend);
-      CHECK(slope(line.points[0], line.points[5]) == doctest::Approx(exponent).epsilon(1e-4));
-      CHECK(slope(line.points[0], line.points[5]) != doctest::Approx(-1 - exponent).epsilon(1e-3));
+      CHECK(log_slope(line.points[0], line.points[5]) == doctest::Approx(exponent).epsilon(1e-4));
+      CHECK(log_slope(line.points[0], line.points[5]) != doctest::Approx(-1 - exponent).epsilon(1e-3));
       const std::string text = decimal(exponent, 4);
       CHECK(holds(line.legend, ": " + text + ", cells " + text.substr(0, text.size() - 1)));
     }
@@ -186,7 +107,7 @@ TEST_CASE("contact zones are those of solve, and end b moves as derived") {
     const std::vector<Point>&rear = one[2 * k].points, &front = one[2 * k + 1].points;
     const Point& p = front[80];
     const std::string text =
-        answer({"0.3", rising ? "0.1, 2" : "2, 0.1", "0.15", "x^2/2", fmt::format("{:.17g}", p.x)});
+        solve_answer({"0.3", rising ? "0.1, 2" : "2, 0.1", "0.15", "x^2/2", fmt::format("{:.17g}", p.x)});
     CHECK(value_after(text, "from x = ") == doctest::Approx(rear[80].y).epsilon(1e-9));
     CHECK(value_after(text, " to x = ") == doctest::Approx(p.y).epsilon(1e-9));
     // db/dP = c/(pi (1/2 + alpha)(b - a)), before and after the jump.
@@ -196,7 +117,7 @@ TEST_CASE("contact zones are those of solve, and end b moves as derived") {
       CHECK(before == (i == 20));
       const double f = rising == before ? 0.1 : 2;
       const auto derived = [&](double s) {
-        return c / (std::numbers::pi * (0.5 + alpha(s)) * (front[i].y - rear[i].y));
+        return c / (std::numbers::pi * (0.5 + angle_of_friction(s)) * (front[i].y - rear[i].y));
       };
       CHECK(rate == doctest::Approx(derived(gamma * f)).epsilon(0.01));
       CHECK(rate != doctest::Approx(derived(gamma * (2.1 - f))).epsilon(0.05));
@@ -214,11 +135,12 @@ TEST_CASE("effective friction is that of solve, not the mean") {
   const Figure& figure = made("effective-friction");
   for (const std::size_t direction : {0, 1}) {
     const Point& p = figure.panels[0].series[2 * direction].points[60];
-    const Given given{"0.2", "0.1, 1", fmt::format("\"{:.17g}\"", p.x), "0", "1", direction == 0 ? "+x" : "-x"};
-    CHECK(value_after(answer(given), "effective friction") == doctest::Approx(p.y).epsilon(1e-9));
+    const GivenProblem given{"0.2", "0.1, 1", fmt::format("\"{:.17g}\"", p.x), "0", "1", direction == 0 ? "+x" : "-x"};
+    CHECK(value_after(solve_answer(given), "effective friction") == doctest::Approx(p.y).epsilon(1e-9));
     const Point& marked = figure.panels[1].series[2 * direction + 1].points[4];
-    const Given other{"0.2", fmt::format("0.1, \"{:.17g}\"", marked.x), "0", "0", "1", direction == 0 ? "+x" : "-x"};
-    CHECK(value_after(answer(other), "effective friction") == doctest::Approx(marked.y).epsilon(0.01));
+    const GivenProblem other{
+        "0.2", fmt::format("0.1, \"{:.17g}\"", marked.x), "0", "0", "1", direction == 0 ? "+x" : "-x"};
+    CHECK(value_after(solve_answer(other), "effective friction") == doctest::Approx(marked.y).epsilon(0.01));
     CHECK(std::abs(marked.y - (0.1 + marked.x) / 2) > 0.05);
   }
 }
@@ -229,8 +151,8 @@ TEST_CASE("both solvers converge as derived") {
   const double derived[] = {1, 1, 2};
   for (std::size_t k = 0; k < 3; ++k) {
     const std::vector<Point>& marks = cells[2 * k].points;
-    CHECK(-slope(marks.front(), marks.back()) == doctest::Approx(derived[k]).epsilon(0.1));
-    CHECK(-slope(cells[2 * k + 1].points[0], cells[2 * k + 1].points[1]) == doctest::Approx(derived[k]));
+    CHECK(-log_slope(marks.front(), marks.back()) == doctest::Approx(derived[k]).epsilon(0.1));
+    CHECK(-log_slope(cells[2 * k + 1].points[0], cells[2 * k + 1].points[1]) == doctest::Approx(derived[k]));
   }
   const std::vector<Series>& rules = figure.panels[1].series;
   for (const std::size_t k : {0, 1}) {
@@ -277,9 +199,9 @@ TEST_CASE("layouts of coatings are those of solve and of design, and the order i
   for (const std::size_t k : {0, 1, 2, 3}) {
     const Point& p = curves[2 * k].points[60];
     const std::string friction = k < 2 ? "0.5, 0.1, 0.5" : "0.1, 0.5, 0.1";
-    const Given given{"0.2", friction, fmt::format("\"{:.17g}\", \"{:.17g}\"", p.x - 0.5, p.x + 0.5),
-                      "0",   "1",      k % 2 == 0 ? "+x" : "-x"};
-    CHECK(value_after(answer(given), "effective friction") == doctest::Approx(p.y).epsilon(1e-9));
+    const GivenProblem given{"0.2", friction, fmt::format("\"{:.17g}\", \"{:.17g}\"", p.x - 0.5, p.x + 0.5),
+                             "0",   "1",      k % 2 == 0 ? "+x" : "-x"};
+    CHECK(value_after(solve_answer(given), "effective friction") == doctest::Approx(p.y).epsilon(1e-9));
     for (const Point& marked : curves[2 * k + 1].points) {
       const Point& line = curves[2 * k].points[static_cast<std::size_t>(std::lround(100 * marked.x)) + 49];
       CHECK(marked.y == doctest::Approx(line.y).epsilon(0.01));

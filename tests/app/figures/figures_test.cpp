@@ -44,8 +44,12 @@ void check_texts(const Figure& figure, const std::string& svg) {
 /// Has it a unit, or a name without one? (Numbers: cells, nodes, friction, relative errors.)
 bool has_unit(const std::string& label) {
   if (label.empty() || holds(label, "/") || holds(label, "(")) return true;
-  const std::set<std::string> pure{"cells N", "nodes n of a rule", "relative error of an equation",
-                                   "friction of the right coating f"};
+  const std::set<std::string> pure{"cells N",
+                                   "nodes n of a rule",
+                                   "relative error of an equation",
+                                   "friction of the right coating f",
+                                   "friction on the left f−",
+                                   "friction on the right f+"};
   return pure.contains(plain(label));
 }
 
@@ -58,7 +62,7 @@ Finished with_path(const std::string& path, const std::filesystem::path& folder)
 TEST_CASE("every figure is written, whole, the same each time, and shows its title, axes with units, legend, command") {
   const TemporaryFolder folder;
   CHECK(out_of(run_program({"figures", "-o", "new/folder"}, folder.path())) == "");
-  REQUIRE(figures().size() == 12);
+  REQUIRE(figures().size() == 17);
   std::set<std::string> all_ids;
   std::vector<std::string> files;
   for (const FigureMaker& maker : figures()) {

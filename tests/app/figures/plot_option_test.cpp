@@ -111,7 +111,7 @@ struct Sampled {
 };
 
 double side(const Json& value, const char* which) {
-  const std::string text = value.is_object() ? value[which].get<std::string>() : value.get<std::string>();
+  const std::string text = value_of(value.contains(which) ? value[which] : value).get<std::string>();
   return text == "-inf" ? -infinite : text == "inf" ? infinite : std::stod(text);
 }
 

@@ -37,7 +37,7 @@ TEST_CASE("bad sweeps: an unknown column is told what there is") {
   CHECK(finished.code == 2);
   CHECK(
       finished.err.starts_with("steadyslide: sweep.toml:5: output.columns[0]: unknown column; keys here are method, "));
-  CHECK(holds(finished.err, ", effective_friction, effective_friction_error, "));
+  CHECK(holds(finished.err, ", effective_friction, load_share, "));
   CHECK(finished.err.ends_with("; 'effective_frikshun'\n"));
   CHECK(folder.names() == std::vector<std::string>{"base.toml", "sweep.toml"});
 }

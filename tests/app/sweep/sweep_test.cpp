@@ -48,7 +48,9 @@ TEST_CASE("sweep: each row is what one solve of the problem says") {
   const SweepFolder folder(sweep_of_three_data +
                            "[output]\ncolumns = [\"effective_friction\", \"resultants.centre_of_pressure_error\", "
                            "\"load_share[1]\", \"contact[0].right.exponent\", \"singular_points[1].intensity\", "
-                           "\"singular_points[3].kind\", \"contact.size\", \"digits\", \"method\"]\n");
+                           "\"singular_points[3].kind\", \"contact.size\", \"digits\", \"method\", "
+                           "\"load_share_error[1]\", \"largest_pressure_error\", "
+                           "\"singular_points[1].stress_intensity\"]\n");
   const auto table = table_of(out_of(folder.sweep()));
   REQUIRE(table.size() == 13);
   for (std::size_t n = 1; n < table.size(); ++n) {
@@ -57,9 +59,11 @@ TEST_CASE("sweep: each row is what one solve of the problem says") {
         replaced(replaced(replaced(sweep_base, "\"0.5\"", "\"" + row[0] + "\""), "\"0.2\"", "\"" + row[1] + "\""),
                  "jumps = [0]", "jumps = [\"" + row[2] + "\"]");
     const Json json = Json::parse(output(problem, {"--format", "json"}));
-    const auto at = [&](const char* pointer) { return json.at(Json::json_pointer(pointer)).get<std::string>(); };
+    const auto at = [&](const char* pointer) {
+      return value_of(json.at(Json::json_pointer(pointer))).get<std::string>();
+    };
     CHECK(row[3] == at("/resultants/effective_friction"));
-    CHECK(row[4] == at("/resultants/centre_of_pressure_error"));
+    CHECK(row[4] == at("/resultants/centre_of_pressure/error"));
     CHECK(row[5] == at("/resultants/load_share/1"));
     CHECK(row[6] == at("/contact/0/right/exponent"));
     CHECK(row[7] == at("/singular_points/1/intensity"));
@@ -67,6 +71,10 @@ TEST_CASE("sweep: each row is what one solve of the problem says") {
     CHECK(row[9] == "1");
     CHECK(row[10] == "16");
     CHECK(row[11] == at("/method"));
+    CHECK(row[12] == at("/resultants/load_share/1/error"));
+    CHECK(row[13] == at("/resultants/largest_pressure/value/error"));
+    CHECK(row[14] ==
+          at("/singular_points/1/stress_intensity/left") + " " + at("/singular_points/1/stress_intensity/right"));
     CHECK(row.back() == "");
   }
   CHECK(table[1][3] != table[2][3]);
@@ -112,14 +120,14 @@ TEST_CASE("sweep: measured profiles vary") {
 TEST_CASE("sweep: digits, method and cells are those of solve") {
   const SweepFolder folder("[vary]\nload = [1, 2]\n[solve]\ndigits = 30\n[output]\ncolumns = [\"load_share[0]\"]\n");
   const Json json = Json::parse(output(sweep_base, {"--format", "json", "--digits", "30"}));
-  CHECK(table_of(out_of(folder.sweep()))[1][1] == json["resultants"]["load_share"][0]);
+  CHECK(table_of(out_of(folder.sweep()))[1][1] == json["resultants"]["load_share"][0]["value"]);
   folder.write("sweep.toml",
                "problem = \"base.toml\"\n[vary]\nload = [1]\n[solve]\nmethod = \"variational\"\n"
                "cells = 2048\niterations = 9\n[output]\ncolumns = [\"load_share[0]\", \"method\"]\n");
   const Json cells =
       Json::parse(output(sweep_base, {"--format", "json", "--method", "variational", "--cells", "2048"}));
   CHECK(table_of(out_of(folder.sweep()))[1] ==
-        std::vector<std::string>{"1", cells["resultants"]["load_share"][0], "variational", ""});
+        std::vector<std::string>{"1", cells["resultants"]["load_share"][0]["value"], "variational", ""});
 }
 
 TEST_CASE("sweep: a failure is a row with its reason, and exit code 1") {

@@ -1,5 +1,7 @@
 // Many contact zones: a fundamental solution that is near 1 between them, a pivot in each (signed_fundamental_solution.hpp).
 
+#include <random>
+
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 #include "support/solved_contact.hpp"
@@ -157,4 +159,44 @@ TEST_CASE("64 zones are where cells see them") {
   const auto ours = found->resultants(), theirs = cells->resultants();
   CHECK(ours.load_share[0].value == doctest::Approx(theirs.load_share[0].value).epsilon(1e-4));
   CHECK(ours.centre_of_pressure.value == doctest::Approx(theirs.centre_of_pressure.value).epsilon(1e-4));
+}
+
+TEST_CASE("rough traces: many zones of many pieces, with gaps shorter than any cell between them") {
+  std::mt19937_64 random(2016);
+  for (const int n : {100, 200}) {
+    CAPTURE(n);
+    // A parabola with a random height at each of its points.
+    const auto height = [&](int i) {
+      const double x = 2.0 * i / n - 1;
+      const double rough = std::generate_canonical<double, 53>(random) * 0.3 / n;
+      return Rational(std::llround(1e9 * (x * x / 2 + rough)), 1'000'000'000);
+    };
+    std::vector<Indenter::Piece> pieces;
+    Rational left = height(0);
+    for (int i = 1; i <= n; ++i) {
+      const Rational right = height(i);
+      const Rational from(2 * (i - 1) - n, n), to(2 * i - n, n);
+      const Rational slope = (right - left) / (to - from);
+      pieces.push_back({to, Polynomial({left - slope * from, slope})});
+      left = right;
+    }
+    const ContactProblem problem = reduced({0.1_r, 0.4_r}, {0}, Indenter(-1, pieces), 0.1_r);
+    const auto found = solved<double>(problem);
+    REQUIRE(found->failed_condition() == "");
+    const auto zones = found->contact();
+    CHECK(zones.size() > 5);
+    double shortest = 1;
+    for (std::size_t i = 0; i + 1 < zones.size(); ++i) {
+      shortest = std::min(shortest, zones[i + 1].left.x.value - zones[i].right.x.value);
+    }
+    CHECK(shortest < 1e-6);
+    const auto residuals = found->residuals();
+    CHECK(residuals.load < 1e-8);
+    CHECK(residuals.tension == 0);
+    CHECK(found->estimated_error().traction < 0.5);
+    const auto cells = variational_inequality(problem, {.cells = 65536}).solution;
+    const auto ours = found->resultants(), theirs = cells->resultants();
+    CHECK(ours.load_share[0].value == doctest::Approx(theirs.load_share[0].value).epsilon(1e-3));
+    CHECK(ours.centre_of_pressure.value == doctest::Approx(theirs.centre_of_pressure.value).epsilon(1e-3));
+  }
 }

@@ -63,19 +63,47 @@ ContactProblem on_falling_friction(const Rational& s, const Rational& load) {
 }  // namespace
 
 TEST_CASE("a strong fall of s: ends are within their errors, and a gap that is none says so") {
-  Count count;
-  for (const Rational& s : {2_r, 5_r, 8_r}) {
+  for (const Rational& s : {2_r, 5_r, 8_r, 50_r}) {
+    Count count;
     for (const Rational& load : {0.1_r, 0.3_r, 0.5_r, 1_r, 2_r}) {
       compare(count, on_falling_friction(s, load), {128, 512});
     }
+    CAPTURE(s);
+    CHECK(count.uncovered == 0);
+    // Up to s = 2 equations are means over cells, which ring a little. Beyond nothing does.
+    if (s > 2) CHECK(count.none == 0);
+    if (s == 2) CHECK(count.none >= 5);
   }
-  CHECK(count.uncovered == 0);
-  CHECK(count.none >= 10);
-  // The traction blows up at the left edge like d^(-0.94), which cells see too weakly: behind the edge they show a gap.
-  const auto found = variational_inequality(on_falling_friction(5, 0.5_r), {.cells = 4096}).solution;
-  const auto contact = found->contact();
+  // Control: by means alone a gap opens behind the left edge, where the traction blows up like d^(-0.94). It says so.
+  const VariationalOptions by_means{.cells = 4096, .friction_rule = variational::FrictionRule::galerkin};
+  const auto contact = variational_inequality(on_falling_friction(5, 0.5_r), by_means).solution->contact();
   REQUIRE(contact.size() == 2);
   CHECK(contact[1].left.x.error >= contact[1].left.x.value - contact[0].right.x.value);
+}
+
+TEST_CASE("strong friction on a side of a jump: contact is right to one cell, without a gap, on any mesh") {
+  for (const auto& [left, right] :
+       {std::pair(5_r, 0_r), {0_r, 5_r}, {50_r, 0.1_r}, {0.1_r, 50_r}, {50_r, 50_r}, {8_r, 3_r}}) {
+    for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {
+      const ContactProblem problem = reduced({left, right}, {0}, one_piece(-3, 3, {0, 0, 1}), 1, std::nullopt, sliding);
+      const auto exact = riemann_hilbert<double>(problem).solution->contact();
+      REQUIRE(exact.size() == 1);
+      for (const std::size_t cells : {1000, 4096, 16384, 65536}) {
+        INFO("s = ", to_string(left), " | ", to_string(right), ", ", cells, " cells");
+        const auto found = variational_inequality(problem, {.cells = cells}).solution;
+        CHECK(found->failed_condition() == "");
+        const auto contact = found->contact();
+        REQUIRE(contact.size() == 1);
+        const double cell = 6.0 / static_cast<double>(cells);
+        for (const auto& [end, other] :
+             {std::pair(contact[0].left, exact[0].left), {contact[0].right, exact[0].right}}) {
+          const double off = std::abs(end.x.value - other.x.value);
+          CHECK(off <= cell);
+          CHECK(off <= end.x.error + 1e-12);
+        }
+      }
+    }
+  }
 }
 
 TEST_CASE("random problems: nearly all ends are within their errors, most of which are few cells") {

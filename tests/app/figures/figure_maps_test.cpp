@@ -1,0 +1,190 @@
+// The sketch, maps, zones and exponents in the figures, against `solve` and against formulas.
+
+#include "app/figure_problems.hpp"
+#include "app/figures/stress_map.hpp"
+
+using namespace steadyslide::app;
+
+namespace {
+
+/// A label's number, if it is one.
+std::optional<double> number_in(const Note& note) {
+  std::string text = note.text;
+  if (text.starts_with("−")) text = "-" + text.substr(std::string("−").size());
+  std::size_t end = 0;
+  try {
+    const double number = std::stod(text, &end);
+    if (end == text.size()) return number;
+  } catch (const std::invalid_argument&) {
+  }
+  return std::nullopt;
+}
+
+/// The labels of a map's contours are where `function` has their value; returned is how many there are.
+template <class Function>
+int check_labels(const Panel& panel, Function function) {
+  int labels = 0;
+  for (const Note& note : panel.notes) {
+    const std::optional<double> number = number_in(note);
+    if (!number || !note.boxed) continue;
+    ++labels;
+    CAPTURE(note.text);
+    CHECK(function(note.at.x, note.at.y) == doctest::Approx(*number).epsilon(0.02).scale(0.1));
+    CHECK(function(note.at.x, note.at.y) != doctest::Approx(*number + 0.02).epsilon(0.02).scale(0.1));
+  }
+  return labels;
+}
+
+bool has_note(const Panel& panel, const std::string& text) {
+  return std::ranges::any_of(panel.notes, [&](const Note& note) { return note.text == text; });
+}
+
+}  // namespace
+
+TEST_CASE("the sketch's contact is that of solve, and the surface lies below the indenter beside it") {
+  const Panel& panel = made("sketch").panels.front();
+  CHECK(panel.bare);
+  const double left = panel.guides[5].from.x, right = panel.guides[6].from.x;
+  const std::vector<double> pressure =
+      pressures({"0.2", "0.3, 1", "0.2", "x^2/3", "0.25"}, {left - 0.001, left + 0.001, right - 0.001, right + 0.001});
+  CHECK(pressure[0] == 0);
+  CHECK(pressure[1] > 0);
+  CHECK(pressure[2] > 0);
+  CHECK(pressure[3] == 0);
+  for (const Point& surface : panel.series[2].points) {
+    const double gap = surface.x * surface.x / 3 - surface.y;
+    const bool inside = surface.x >= left && surface.x <= right;
+    CHECK((inside ? std::abs(gap) < 1e-9 : gap > 0));
+  }
+  // The coatings meet at the jump.
+  CHECK(panel.series[3].points.back().x == doctest::Approx(0.2));
+  CHECK(panel.series[4].points.front().x == doctest::Approx(0.2));
+}
+
+TEST_CASE(
+    "the map of exponents is that of `exponents`, signed, 0 without a jump, and its labels are on their contours") {
+  const Panel& panel = made("jump-exponent").panels.front();
+  const HeatMap& map = *panel.map;
+  CHECK(map.from == -map.to);
+  const std::size_t n = map.x.size();
+  for (const auto& [i, j] : {std::pair(25, 75), {80, 10}}) {
+    const GivenProblem given{"0.2", fmt::format("\"{}\", \"{}\"", map.x[std::size_t(i)], map.y[std::size_t(j)]), "0"};
+    const std::string rows = out_of(run_alone({"exponents", "-", "--format", "csv"}, given.toml()));
+    const std::size_t at = rows.find("friction_jump,both,");
+    REQUIRE(at != std::string::npos);
+    const double exponent = std::stod(rows.substr(rows.find(',', at + 19) + 1));
+    const double drawn = map.values[std::size_t(j) * n + std::size_t(i)];
+    CHECK(drawn == doctest::Approx(exponent).epsilon(1e-9).scale(0));
+    CHECK((i < j ? drawn < 0 : drawn > 0));
+  }
+  for (std::size_t i = 0; i < n; ++i) CHECK(map.values[i * n + i] == 0);
+  const auto beta = [](double left, double right) {
+    return angle_of_friction(0.375 * left) - angle_of_friction(0.375 * right);
+  };
+  CHECK(check_labels(panel, beta) == static_cast<int>(map.contours.size()));
+}
+
+TEST_CASE("two zones and one are those of solve") {
+  const Figure& figure = made("two-zones");
+  const std::vector<Series>& surfaces = figure.panels[0].series;
+  const std::vector<Series>& curves = figure.panels[1].series;
+  REQUIRE(curves.size() == 4);
+  const char* loads[] = {"0.1", "0.4", "0.77", "1.1"};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const GivenProblem given{"0.3", "0.1, 0.7", "0", "(x^2-1)^2/4", loads[k], "+x", "-2, 2"};
+    check_curve(curves[k], given);
+    const std::string text = solve_answer(given);
+    CHECK(holds(curves[k].legend, k < 3 ? "two zones" : "one zone"));
+    CHECK(std::ranges::count_if(lines(text), [](const std::string& line) { return line.starts_with("  from x = "); }) ==
+          (k < 3 ? 2 : 1));
+    // The surface never rises above the bumps.
+    for (const Point& p : surfaces[k + 1].points) {
+      CHECK(p.y <= (p.x * p.x - 1) * (p.x * p.x - 1) / 4 + 1e-12);
+    }
+  }
+  CHECK(
+      has_note(figure.panels[1], "β = " + decimal(angle_of_friction(0.1 * 2 / 7) - angle_of_friction(0.7 * 2 / 7), 4)));
+}
+
+TEST_CASE("the rough surface is that of its example") {
+  const Figure& figure = made("rough-surface");
+  const std::vector<Point>& curve = figure.panels[1].series[0].points;
+  std::vector<double> x, drawn;
+  for (const double part : {0.11, 0.41, 0.6, 0.83}) {
+    const Point& p = curve[static_cast<std::size_t>(part * static_cast<double>(curve.size()))];
+    x.push_back(p.x);
+    drawn.push_back(p.y);
+  }
+  const auto rows =
+      lines(out_of(run_example("rough_surface.toml", {"--method", "variational", "--cells", "65536", "--format", "csv",
+                                                      fmt::format("--at={:.17g}", fmt::join(x, ","))})));
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double found = -std::stod(rows[i + 1].substr(rows[i + 1].find(',') + 1));
+    CHECK(found == doctest::Approx(drawn[i]).epsilon(1e-9).scale(1e-3));
+  }
+  // Bars for 36 zones, and the surface below the trace.
+  CHECK(figure.panels[0].series[2].points.size() == 2 * 36);
+  const std::vector<Series>& heights = figure.panels[0].series;
+  for (std::size_t i = 0; i < heights[0].points.size(); ++i) {
+    CHECK(heights[1].points[i].y <= heights[0].points[i].y + 1e-12);
+  }
+}
+
+TEST_CASE("the largest stress is where solve finds it, and contours carry their numbers") {
+  const Figure& parabola = made("stress-parabola");
+  const std::string text =
+      output(GivenProblem{"0.3", "0.2", "", "x^2/2", "0.02"}.toml(), {"--max-stress", "--format", "json"});
+  const std::string told = text.substr(text.find("\"largest_stress\""));
+  const auto number = [&](const char* key) { return value_after(told, std::string("\"") + key + "\": \""); };
+  const double a = value_after(text.substr(text.find("\"contact_width\"")), ": \"") / 2;
+  const Point& mark = parabola.panels.front().series.back().points.front();
+  CHECK(mark.x * a == doctest::Approx(number("x")).epsilon(1e-6).scale(0));
+  CHECK(mark.y * a == doctest::Approx(number("z")).epsilon(1e-6).scale(0));
+  CHECK(mark.x * a != doctest::Approx(-number("x")).epsilon(1e-6).scale(0));
+  CHECK(has_note(parabola.panels.front(), "largest: " + decimal(number("von_mises") * a / 0.02, 3)));
+  const HeatMap& map = *parabola.panels.front().map;
+  CHECK(*std::ranges::max_element(map.values) <= number("von_mises") * a / 0.02);
+  CHECK(*std::ranges::max_element(map.values) > 0.999 * number("von_mises") * a / 0.02);
+
+  const auto solution = solved(stress_parabola_problem());
+  const numeric::InteriorStress<double> interior(*solution);
+  CHECK(check_labels(parabola.panels.front(), [&](double x, double z) {
+          return interior.at(Rational(x * a), Rational(z * a)).von_mises()->value * a / 0.02;
+        }) >= 8);
+  const auto punch = solved(stress_map_problem());
+  const numeric::InteriorStress<double> below(*punch);
+  CHECK(check_labels(made("stress-map").panels.front(),
+                     [&](double x, double z) { return below.at(Rational(x), Rational(z)).von_mises()->value; }) >= 7);
+}
+
+TEST_CASE("friction by direction is that of solve, and its marks that of halves") {
+  const Panel& panel = made("friction-direction").panels.front();
+  for (const std::size_t k : {0, 1}) {
+    const Point& p = panel.series[2 * k].points[30];
+    const GivenProblem given{"0.2", "0.1, 0.5", fmt::format("\"{:.17g}\"", p.x), "0", "1", k == 0 ? "+x" : "-x"};
+    CHECK(value_after(solve_answer(given), "effective friction") == doctest::Approx(p.y).epsilon(1e-9));
+    CHECK(has_note(panel, k == 0 ? "0.283" : "0.316"));
+    CHECK(panel.series[2 * k + 1].points.front().y == doctest::Approx(k == 0 ? 0.2828077353 : 0.3159).epsilon(1e-3));
+  }
+  CHECK_FALSE(has_note(panel, "0.300"));
+}
+
+TEST_CASE("exponents beside the pressures are the formulas'") {
+  const auto text = [](const std::string& symbol, double value) { return symbol + " = " + decimal(value, 4); };
+  const Panel& uniform = made("flat-punch").panels.front();
+  for (const double f : {0.0, 0.3, 1.0}) {
+    CHECK(has_note(uniform, text("−½ − α", -0.5 - angle_of_friction(0.375 * f))));
+    CHECK(has_note(uniform, text("−½ + α", -0.5 + angle_of_friction(0.375 * f))));
+  }
+  CHECK_FALSE(has_note(uniform, text("−½ + α", -0.5 - angle_of_friction(0.375))));
+  const double left = angle_of_friction(0.0375), right = angle_of_friction(0.375);
+  for (const int sign : {1, -1}) {
+    const Panel& coated = made(sign == 1 ? "friction-jump-rising" : "friction-jump-falling").panels.front();
+    CHECK(has_note(coated, text("β", sign * (left - right))));
+    CHECK(has_note(coated, text("−½ − α_{−}", -0.5 - sign * left)));
+    CHECK(has_note(coated, text("−½ + α_{+}", -0.5 + sign * right)));
+  }
+  const Panel& parabola = made("parabola").panels[1];
+  CHECK(has_note(parabola, text("½ − α", 0.5 - angle_of_friction(0.5))));
+  CHECK(has_note(parabola, text("½ + α", 0.5 + angle_of_friction(0.5))));
+}
