@@ -1,4 +1,5 @@
-"""code_blocks.py PROGRAMS SOURCE WORK [FILE...]: every block of code in docs/*.md and the examples' page is run, compiled or read.
+"""code_blocks.py PROGRAMS SOURCE WORK [FILE...]: every block of code in README.md, docs/*.md and the
+examples' page is run, compiled or read.
 
     python   the blocks of a page, one after the other, in one interpreter
     cpp      a program: compiled, run; what a line prints is what its comment says (`...` stands for more digits)
@@ -116,7 +117,7 @@ class Runner:
 
 def main():
     programs, source, work = (Path(one).resolve() for one in sys.argv[1:4])
-    files = [Path(one) for one in sys.argv[4:]] or [*sorted(source.glob("docs/*.md")), source / "examples/README.md"]
+    files = [Path(one) for one in sys.argv[4:]] or [source / "README.md", *sorted(source.glob("docs/*.md")), source / "examples/README.md"]
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     shutil.copytree(source / "examples", work / "examples")
