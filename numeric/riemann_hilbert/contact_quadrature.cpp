@@ -139,7 +139,8 @@ const std::vector<R>& ContactQuadrature<R>::density(std::size_t slope, std::size
 
 template <Real R>
 Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t slope, std::size_t component,
-                                               const SurfacePoint<R>& at, const R& between, const R* density) const {
+                                               const SurfacePoint<R>& at, const R& between, const R* density,
+                                               const R* weights) const {
   using std::abs, std::pow;
   const SegmentPart<R>& part = panel.rule.part;
   const JacobiRule<R>& rule = *panel.rule.rule;
@@ -175,14 +176,12 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
     };
     const R phi_size = abs(phi) * slope_size(at.node.x);
     phi *= problem.slope(own, at.node.x) - problem.slope(slope, at.node.x);
-    const std::vector<R>& weights = y_->pivots().empty() ? node_weights_ : last_weights_;
     const bool mirrored = !panel.rule.singular_end && !panel_is_right;
     for (std::size_t i = 0; i < count; ++i) {
       const R& y = mirrored ? rule.from_right[i] : rule.from_left[i];
       const R term = (density[i] / part.length - phi * rule.weights[i]) / (y + d);
       sum += term;
-      const std::size_t node = panel.first + i;
-      const R density_size = abs(weights[node]) * slope_size(nodes_[node].node.x) / part.length;
+      const R density_size = abs(weights[i]) * slope_size(nodes_[panel.first + i].node.x) / part.length;
       size += abs(term) + (density_size + phi_size * rule.weights[i]) / (y + d);
     }
     const R rest =
@@ -195,15 +194,15 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
 
 template <Real R>
 Estimate<R> ContactQuadrature<R>::sum_of_panels(std::size_t slope, std::size_t component, const SurfacePoint<R>& at,
-                                                std::size_t first, std::size_t end,
-                                                const std::vector<R>& density) const {
+                                                std::size_t first, std::size_t end, const std::vector<R>& density,
+                                                const std::vector<R>& weights) const {
   Estimate<R> total{R(0), R(0)};
   const ContactSet<R>& set = y_->set();
   const auto add = [&](std::size_t segment, const R& between) {
     if (segment < first || segment >= end || !set.in_contact(segment) || y_->slope_at(segment) == slope) return;
     for (std::size_t k = first_panel_[segment]; k < first_panel_[segment + 1]; ++k) {
-      const R* const f = &density[panels_[k].first - first_node(first)];
-      total += panel_cauchy(panels_[k], slope, component, at, between, f);
+      const std::size_t node = panels_[k].first - first_node(first);
+      total += panel_cauchy(panels_[k], slope, component, at, between, &density[node], &weights[node]);
     }
   };
   R between = at.node.from_right;
@@ -226,7 +225,9 @@ Estimate<R> ContactQuadrature<R>::cauchy(std::size_t slope, const SurfacePoint<R
     if (Cells* const by_cells = cells()) return cauchy_by_cells(*by_cells, slope, at);
   }
   const std::size_t component = y_->component_at(at);
-  return sum_of_panels(slope, component, at, 0, y_->set().segments(), density(slope, component));
+  const std::vector<R>& f = density(slope, component);
+  const std::vector<R>& weights = y_->pivots().empty() ? node_weights_ : last_weights_;
+  return sum_of_panels(slope, component, at, 0, y_->set().segments(), f, weights);
 }
 
 template <Real R>

@@ -58,10 +58,10 @@ class ContactQuadrature {
   /// The weights of these nodes times (xi - e_i)^-sigma_i.
   std::vector<R> weights_beside(std::size_t component, std::size_t first, std::size_t end) const;
   Estimate<R> panel_cauchy(const Panel& panel, std::size_t slope, std::size_t component, const SurfacePoint<R>& at,
-                           const R& between, const R* density) const;
-  /// Over the segments first..end-1 one by one, with the density at their nodes.
+                           const R& between, const R* density, const R* weights) const;
+  /// Over the segments first..end-1 one by one, with density and weights at their nodes.
   Estimate<R> sum_of_panels(std::size_t slope, std::size_t component, const SurfacePoint<R>& at, std::size_t first,
-                            std::size_t end, const std::vector<R>& density) const;
+                            std::size_t end, const std::vector<R>& density, const std::vector<R>& weights) const;
 
   // In double, panels far away by cells (contact_quadrature_cells.cpp).
   struct Cells;

@@ -81,22 +81,23 @@ Estimate<R> ContactQuadrature<R>::cauchy_by_cells(Cells& cells, std::size_t slop
     return is_right(panel) ? panel.rule.part.from_left : panel.rule.part.from_right;
   };
   Estimate<R> total{0, 0};
-  const auto add = [&](const Panel& panel, double gap, const std::vector<R>& f) {
-    total += panel_cauchy(panel, slope, component, at, std::max(gap - start(panel), 0.0), f.data());
+  const auto add = [&](const Panel& panel, double gap, const R* weights) {
+    const std::vector<R> f = density(slope, weights, panel.first, panel.rule.rule->size());
+    total += panel_cauchy(panel, slope, component, at, std::max(gap - start(panel), 0.0), f.data(), weights);
   };
 
   if (own.far) {
     total += own.far->around(polynomial, at, [&](std::size_t k, double gap) {
       const Panel& panel = panels_[k];
       if (y_->slope_at(panel.rule.part.segment) == slope) return;
-      add(panel, gap, density(slope, &own.weights[panel.first - own.first_node], panel.first, panel.rule.rule->size()));
+      add(panel, gap, &own.weights[panel.first - own.first_node]);
     });
   } else {
     if (own.density.empty() || own.slope != slope) {
       own.slope = slope;
       own.density = density(slope, own.weights.data(), own.first_node, own.weights.size());
     }
-    total += sum_of_panels(slope, component, at, own.segments.first, own.segments.end, own.density);
+    total += sum_of_panels(slope, component, at, own.segments.first, own.segments.end, own.density, own.weights);
   }
   if (!cells.others) return total;
   const int sigma = y_->pivots()[component].order;
@@ -104,12 +105,13 @@ Estimate<R> ContactQuadrature<R>::cauchy_by_cells(Cells& cells, std::size_t slop
          cells.others->around(polynomial, at, component, sigma, [&](std::size_t k, double gap, double to_pivot) {
            const Panel& panel = panels_[k];
            if (y_->slope_at(panel.rule.part.segment) == slope) return;
-           std::vector<R> f = density(slope, &node_weights_[panel.first], panel.first, panel.rule.rule->size());
-           for (std::size_t i = 0; sigma != 0 && i < f.size(); ++i) {
+           const auto first = node_weights_.begin() + static_cast<std::ptrdiff_t>(panel.first);
+           std::vector<R> weights(first, first + static_cast<std::ptrdiff_t>(panel.rule.rule->size()));
+           for (std::size_t i = 0; sigma != 0 && i < weights.size(); ++i) {
              const R d = node_distance(panel, i, is_right(panel), to_pivot);
-             sigma > 0 ? f[i] /= d : f[i] *= d;
+             sigma > 0 ? weights[i] /= d : weights[i] *= d;
            }
-           add(panel, gap, f);
+           add(panel, gap, weights.data());
          });
 }
 
