@@ -80,8 +80,9 @@ class Script {
         return fmt::format("pdfcairo size {},{} enhanced font 'Helvetica,15' fontscale 0.567 background 'white' lw 0.6",
                            centimetres(width), centimetres(height));
       case Picture::png:
-        return fmt::format("pngcairo size {},{} enhanced font 'Helvetica,15' fontscale 1.5 background 'white' lw 2",
-                           2 * width, 2 * height);
+        return fmt::format(
+            "pngcairo size {},{} enhanced font 'Helvetica,15' fontscale 1.5 background 'white' lw 2 pointscale 2",
+            2 * width, 2 * height);
       case Picture::svg: break;
     }
     return fmt::format("svg size {},{} fixed enhanced font 'Helvetica,15' background 'white' name {} standalone", width,
