@@ -54,8 +54,8 @@ std::vector<TextTable> given_tables() {
   return tables;
 }
 
-std::string text(const Exponent& exponent) { return format_exponent(exponent, digits); }
-std::string text(const Rational& value) { return format_number(value, digits); }
+std::string text(const Exponent& exponent) { return library::format_exponent(exponent, digits); }
+std::string text(const Rational& value) { return library::format_number(value, digits); }
 
 /// What the traction does at a friction jump with this power, where nothing else is singular.
 std::string behaviour(const Exponent& beta) {
