@@ -34,6 +34,9 @@ extern const std::string_view report_css;
 extern const std::string_view report_print_css;
 extern const std::string_view report_js;
 extern const std::string_view report_guide;
+extern const std::string_view report_sketch;  ///< the problem, an <svg>
+extern const std::string_view report_result;  ///< the main result, with formulas between backticks
+extern const std::string_view notation_md;
 extern const std::string_view references_md;
 extern const std::string_view mutants_csv;
 

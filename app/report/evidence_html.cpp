@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/report/mathml.hpp"
+#include "app/report/math/mathml.hpp"
 #include "app/report/sections.hpp"
 
 namespace steadyslide::app {
@@ -24,7 +24,7 @@ std::vector<const Kind*> all_of(const checks::Report& report) {
 
 std::string heading(std::string_view text) { return block("h5", text); }
 
-std::string paragraph(std::string_view text) { return text.empty() ? "" : block("p", prose(text)); }
+std::string paragraph(std::string_view text) { return text.empty() ? "" : block("p", worded(text)); }
 
 /// 3.1e-52 with a power of ten; what is no number as it is.
 std::string number(const std::string& text) {
@@ -51,27 +51,31 @@ std::string details(const std::vector<const Kind*>& pieces) {
   return html;
 }
 
-/// As a list, indented by how far below what is concluded a fact stands.
+/// As nested lists, from what is concluded down to what it rests on.
 std::string proof_html(const checks::Report& report) {
   const checks::CheckedProof* proof = report.proof();
   if (!proof) return "";
-  std::string html = heading(proof->complete() ? "Proof" : "A proof with a gap");
-  if (!proof->text.parameters.empty())
-    html += block("p", "For " + element("code", escaped(text_of(proof->text.parameters))) + ".");
-  std::string items;
+  std::string html;
+  if (!proof->text.parameters.empty()) html += block("p", prose("For `" + text_of(proof->text.parameters) + "`."));
+  std::string tree;
+  std::size_t level = 0;
   for (const auto& [at, depth, again] : tree_of(*proof)) {
     const checks::ProofNode& node = proof->nodes[at];
-    std::string item = element("code", escaped(text_of(node.fact))) + " " +
-                       element("span", escaped(node.by) + (again ? ", see above" : ""), {{"class", "by"}});
-    if (!again) {
-      item += element("span", prose(checks::theory().sentence(node.fact)), {{"class", "says"}});
-      for (const std::string& words : node.words) item += element("span", prose(words), {{"class", "words"}});
-    }
-    items += block("li", item, {{"style", fmt::format("margin-left:{}em", 1.5 * static_cast<double>(depth))}});
+    for (; level > depth; --level) tree += "</li></ul>";
+    tree += level < depth || tree.empty() ? "<ul>" : "</li>";
+    level = depth;
+    std::string by = escaped(node.by);
+    if (node.by.starts_with("entry "))
+      by = "entry " + element("a", escaped(node.by.substr(6)), {{"href", "#" + node.by.substr(6)}});
+    tree += "\n<li>" + lined(checks::theory().sentence(node.fact)) + " " +
+            element("span", by + (again ? ", see above" : ""), {{"class", "by"}});
+    if (again) continue;
+    for (const std::string& words : node.words) tree += element("span", worded(words), {{"class", "words"}});
   }
-  html += block("ul", "\n" + items, {{"class", "proof"}});
-  if (!proof->complete()) html += paragraph(proof->gap);
-  return html;
+  for (std::size_t k = 0; k <= level && !tree.empty(); ++k) tree += "</li></ul>";
+  html += block("div", tree, {{"class", "proof"}});
+  if (!proof->complete()) return heading("A proof with a gap") + html + paragraph(proof->gap);
+  return folded("Proof: " + escaped(count_of_steps(*proof)), html);
 }
 
 std::string identities(const checks::Report& report) {
@@ -80,8 +84,9 @@ std::string identities(const checks::Report& report) {
     html += heading("Exact identities");
     html += paragraph(piece->detail);
     std::vector<std::string> items;
-    for (const std::string& identity : piece->identities) items.push_back(prose(identity));
-    html += list(items);
+    for (const std::string& identity : piece->identities) items.push_back(worded(identity));
+    constexpr std::size_t few = 6;
+    html += items.size() <= few ? list(items) : folded(fmt::format("{} identities", items.size()), list(items));
   }
   return html;
 }
@@ -93,11 +98,11 @@ std::string agreements(const checks::Report& report) {
   for (const auto* a : pieces) {
     std::string routes;
     for (const std::string& route : a->routes) {
-      routes += (routes.empty() ? "" : "<span class=\"against\">against</span> ") + prose(route) + " ";
+      routes += (routes.empty() ? "" : "<span class=\"against\">against</span> ") + worded(route) + " ";
     }
     std::string cases = fmt::format("{} of {}", a->effective, a->cases);
     if (a->effective < a->required) cases += fmt::format(" ({} required)", a->required);
-    rows.push_back({prose(a->what), routes, number(a->worst), number(a->tolerance), cases});
+    rows.push_back({worded(a->what), routes, number(a->worst), number(a->tolerance), cases});
   }
   return heading("Agreement of unrelated routes") +
          table_element("Agreement of unrelated routes",
@@ -110,8 +115,10 @@ std::string rates(const checks::Report& report) {
   if (pieces.empty()) return "";
   HtmlRows rows;
   for (const auto* r : pieces) {
-    rows.push_back({prose(r->what), fmt::format("{:.3g} ± {:.2g}", r->measured, r->error_bar),
-                    fmt::format("{:.3g} ± {:.2g}", r->expected, r->tolerance)});
+    const auto with_bar = [](double value, double bar) {
+      return element("span", fmt::format("{:.3f} ± {:.3f}", value, bar), {{"class", "n"}});
+    };
+    rows.push_back({worded(r->what), with_bar(r->measured, r->error_bar), with_bar(r->expected, r->tolerance)});
   }
   return heading("Rates of convergence") +
          table_element("Rates of convergence", {"error of", "power measured", "power expected"}, rows) +
@@ -120,7 +127,7 @@ std::string rates(const checks::Report& report) {
 
 std::string counterexamples(const checks::Report& report) {
   std::vector<std::string> items;
-  for (const auto* c : all_of<checks::Counterexample>(report)) items.push_back(prose(c->detail + " at " + c->where));
+  for (const auto* c : all_of<checks::Counterexample>(report)) items.push_back(worded(c->detail + " at " + c->where));
   return list(items, heading("Counterexample"));
 }
 
@@ -155,20 +162,34 @@ std::string badge(checks::Verdict verdict) {
 std::string evidence_html(const checks::Report& report, std::span<const checks::Report> reports) {
   std::string html = counterexamples(report) + proof_html(report) + identities(report) + agreements(report) +
                      rates(report) + beyond(report, reports);
-  if (!report.note.empty()) html += block("p", prose(report.note), {{"class", "note"}});
+  if (!report.note.empty()) html += block("p", worded(report.note), {{"class", "note"}});
   return html;
 }
 
 std::string controls_html(const checks::Report& report) {
   if (report.controls.empty()) return "";
-  std::string items;
+  // A step that is left out leaves a gap: its name says it all.
+  constexpr std::string_view left_out = "without the step ";
+  std::string items, steps;
   for (const checks::ControlReport& control : report.controls) {
-    const std::string_view mark = control.refuted ? "refuted" : "not refuted";
-    const std::string detail = control.detail.empty() ? "" : element("span", prose(control.detail), {{"class", "by"}});
-    items += block("li", element("span", mark, {{"class", control.refuted ? "mark" : "mark survived"}}) + " " +
-                             prose(control.name) + " " + detail);
+    const std::string_view name = control.name;
+    if (control.refuted && name.starts_with(left_out)) {
+      steps += (steps.empty() ? "" : ", ") + element("code", escaped(name.substr(left_out.size())));
+      continue;
+    }
+    // A wrong variant that is refuted says by its name what is wrong; of one that is not, all is said.
+    const std::string detail = control.refuted || control.detail.empty()
+                                   ? ""
+                                   : " " + element("span", worded(control.detail), {{"class", "by"}});
+    items += control.refuted ? block("li", worded(control.name))
+                             : block("li", "not refuted: " + worded(control.name) + detail, {{"class", "survived"}});
   }
-  return block("ul", "\n" + items, {{"class", "controls"}});
+  if (!steps.empty()) items += block("li", "the proof without one of its steps, which leaves a gap: " + steps);
+  const std::string html = block("ul", "\n" + items, {{"class", "controls"}});
+  const std::size_t n = report.controls.size(), refuted = report.controls_refuted();
+  const std::string variants = fmt::format("{} wrong variant{}", n, n == 1 ? "" : "s");
+  if (refuted == n) return folded(variants + (n == 1 ? ", refuted" : ", all refuted"), html);
+  return block("p", fmt::format("{}, {} refuted", variants, refuted)) + html;
 }
 
 }  // namespace steadyslide::app

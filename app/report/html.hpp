@@ -25,8 +25,21 @@ std::string block(std::string_view tag, std::string_view content, std::initializ
 
 using HtmlRows = std::vector<std::vector<std::string>>;
 
-/// A table that scrolls within itself where it is wider than the page; `label` is for those who cannot see it. Columns
-/// and rows are HTML already.
-std::string table_element(std::string_view label, const std::vector<std::string>& columns, const HtmlRows& rows);
+/// A table that scrolls within itself where it is wider than the page; on a phone its rows are cards, in which each cell
+/// names its column (report.js). Columns and rows are HTML already. A caption is numbered; without one, `label` is for those who cannot
+/// see the table.
+std::string table_element(std::string_view label, const std::vector<std::string>& columns, const HtmlRows& rows,
+                          std::string_view caption = {});
+
+/// What is folded away behind a line. Closed, it prints as that line.
+std::string folded(std::string_view line, std::string_view content);
+
+/// The numbers of a column below each other: decimal points aligned, with real minus signs, never broken. What is no number
+/// stays, as HTML.
+void align_numbers(std::vector<std::string>& cells);
+
+/// Where the mark stands in a text, "NAME 1", "NAME 2", ... in order.
+std::string with_numbers(std::string html, std::string_view mark, std::string_view name);
+inline constexpr std::string_view figure_mark = "<!--figure-->", table_mark = "<!--table-->";
 
 }  // namespace steadyslide::app

@@ -93,6 +93,7 @@ Supplement supplement() {
   }
   parts.tables = exponent_tables();
   parts.mutants = read_mutants(embedded::mutants_csv);
+  parts.made = made_now();
   return parts;
 }
 

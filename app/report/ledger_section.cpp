@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/embedded.hpp"
-#include "app/report/mathml.hpp"
+#include "app/report/math/mathml.hpp"
 #include "app/report/sections.hpp"
+#include "proofs_checks/statements/paper_statements.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -14,6 +17,17 @@ std::string searched(const checks::ClaimText& claim) {
   std::string text = claim.id + " " + claim.source + " " + claim.statement;
   std::erase(text, '`');
   return text;
+}
+
+/// The places of the paper that the claim speaks of: its own, and those of the statements that name it.
+std::string places_of(const checks::ClaimText& claim) {
+  std::string places = claim.source.substr(0, claim.source.find(':'));
+  for (const checks::PaperStatement& statement : checks::paper_statements()) {
+    const auto names = [&](const auto& ids) { return std::ranges::find(ids, claim.id) != ids.end(); };
+    if (!statement.place.empty() && (names(statement.claims) || names(statement.instances)))
+      places += fmt::format("; {}", statement.place);
+  }
+  return places;
 }
 
 std::string controls_badge(const checks::Report& report) {
@@ -45,8 +59,7 @@ std::string entry(const checks::Report& report, std::size_t order, const VerifyR
       element("code", escaped("steadyslide verify --claim " + claim.id + options_again(result.context)));
   const std::string body = part("Holds for", paragraph(claim.hypotheses)) +
                            part("How it follows", paragraph(claim.derivation)) +
-                           part("Evidence", evidence_html(report, result.reports)) +
-                           part("Controls: wrong variants of the statement", controls_html(report)) +
+                           part("Evidence", evidence_html(report, result.reports)) + controls_html(report) +
                            block("p", again + element("span", " · " + link, {{"class", "link"}}), {{"class", "again"}});
   return block("details", "\n" + summary(report) + block("div", "\n" + body, {{"class", "body"}}),
                {{"class", "claim"},
@@ -54,6 +67,7 @@ std::string entry(const checks::Report& report, std::size_t order, const VerifyR
                 {"data-order", std::to_string(order)},
                 {"data-verdict", name_of(report.verdict)},
                 {"data-seconds", fmt::format("{:.6f}", report.seconds)},
+                {"data-place", places_of(claim)},
                 {"data-text", searched(claim)}});
 }
 
@@ -64,7 +78,12 @@ std::string tools(const VerifyResult& result) {
     boxes += element(
         "label", fmt::format(R"(<input type="checkbox" name="verdict" value="{0}" checked> {0} ({1}))", verdict, n));
   }
-  return fmt::format(fmt::runtime(embedded::report_tools), fmt::arg("verdicts", boxes));
+  std::string places;
+  for (const checks::PaperStatement& statement : checks::paper_statements()) {
+    const std::string option = fmt::format(R"(<option value="{}">)", escaped(statement.place));
+    if (!statement.place.empty() && places.find(option) == std::string::npos) places += option;
+  }
+  return fmt::format(fmt::runtime(embedded::report_tools), fmt::arg("verdicts", boxes), fmt::arg("places", places));
 }
 
 }  // namespace

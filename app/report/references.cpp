@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <ranges>
 #include <regex>
 #include <vector>
 
 #include "app/embedded.hpp"
-#include "app/report/mathml.hpp"
+#include "app/report/math/mathml.hpp"
 #include "app/report/sections.hpp"
 
 namespace steadyslide::app {
@@ -16,7 +17,8 @@ namespace {
 
 struct Reference {
   std::string key;
-  std::string text;  ///< Markdown
+  std::string text;                                 ///< Markdown
+  std::vector<std::vector<std::string>> rows = {};  ///< of the table after it, without its head
 };
 
 std::vector<Reference> references(std::string_view markdown) {
@@ -28,7 +30,10 @@ std::vector<Reference> references(std::string_view markdown) {
     if (line.starts_with("**[") && close != std::string_view::npos) {
       found.push_back({std::string(line.substr(3, close - 3)), std::string(line.substr(close + 3))});
       inside = true;
-    } else if (line.empty() || line.starts_with("|") || !inside) {
+    } else if (line.starts_with("|") && !found.empty()) {
+      found.back().rows.push_back(cells_of_row(line));
+      inside = false;
+    } else if (line.empty() || !inside) {
       inside = false;
     } else {
       found.back().text += " " + std::string(line);
@@ -52,14 +57,51 @@ std::regex citation() {
   return std::regex(fmt::format(R"(\[({})(?=[,\]]))", fmt::join(keys, "|")));
 }
 
+/// What announces a table, "The places cited here:", is the line that it is folded behind.
+std::string reference_text(const Reference& reference) {
+  if (reference.rows.size() < 3) return inline_markdown(reference.text);
+  const std::size_t sentence = reference.text.rfind(". ") + 2;
+  const std::vector<std::string>& columns = reference.rows.front();
+  HtmlRows rows;
+  for (std::size_t k = 2; k < reference.rows.size(); ++k) {
+    for (std::vector<std::string>& row = rows.emplace_back(); const std::string& cell : reference.rows[k])
+      row.push_back(worded(cell));
+    rows.back().resize(columns.size());
+  }
+  const std::string line = reference.text.substr(sentence, reference.text.find_last_not_of(": ") + 1 - sentence);
+  return inline_markdown(reference.text.substr(0, sentence)) +
+         folded(escaped(line), table_element(line, columns, rows));
+}
+
 }  // namespace
+
+std::vector<std::string> cells_of_row(std::string_view line) {
+  std::vector<std::string> cells;
+  for (line.remove_prefix(1); !line.empty();) {
+    const std::size_t bar = std::min(line.find('|'), line.size());
+    const std::string_view cell = line.substr(0, bar);
+    const std::size_t first = cell.find_first_not_of(' ');
+    cells.emplace_back(first == std::string_view::npos ? ""
+                                                       : cell.substr(first, cell.find_last_not_of(' ') + 1 - first));
+    line.remove_prefix(std::min(bar + 1, line.size()));
+  }
+  return cells;
+}
 
 std::string references_list(std::string_view markdown) {
   std::string items;
   for (const Reference& r : references(markdown)) {
-    items += element("dt", "[" + escaped(r.key) + "]", {{"id", "ref-" + r.key}}) + block("dd", inline_markdown(r.text));
+    items += element("dt", "[" + escaped(r.key) + "]", {{"id", "ref-" + r.key}}) + block("dd", reference_text(r));
   }
   return items.empty() ? "" : block("dl", "\n" + items, {{"class", "references"}});
+}
+
+std::string reference_html(std::string_view key) {
+  const std::vector<Reference> all = references(embedded::references_md);
+  const auto found = std::ranges::find(all, key, &Reference::key);
+  if (found == all.end()) return "";
+  const std::size_t end = found->rows.empty() ? std::string::npos : found->text.rfind(". ") + 1;
+  return inline_markdown(found->text.substr(0, end));
 }
 
 std::string cited_prose(std::string_view text) {

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "app/embedded.hpp"
 #include "app/report/sections.hpp"
 
@@ -17,47 +15,35 @@ struct Section {
   std::string html;  ///< empty: the part is left out
 };
 
-std::string tiles(const VerifyResult& result) {
-  std::string html;
-  for (const auto& [verdict, n] : count(result.reports)) {
-    html += element("a", element("b", std::to_string(n)) + " " + element("span", verdict),
-                    {{"href", "#ledger"}, {"class", fmt::format("tile {}", verdict)}});
-  }
-  return html;
-}
-
-std::string beyond(const VerifyResult& result) {
-  const auto n = std::ranges::count_if(result.reports, &proofs_checks::Report::beyond_calculation);
-  return n == 0 ? "" : fmt::format(" Undecided because beyond calculation: {}.", n);
-}
-
 }  // namespace
 
 std::string report_html(const VerifyResult& result, const Supplement& supplement) {
   std::string contents;
   std::string sections;
-  for (const auto& [id, title, html] : {Section{"guide", "How to read this", std::string(embedded::report_guide)},
-                                        {"paper", "The paper, statement by statement", paper_html(result)},
-                                        {"ledger", "The ledger", ledger_html(result)},
+  int number = 0;
+  for (const auto& [id, title, html] : {Section{"paper", "The paper, statement by statement", paper_html(result)},
                                         {"notes", "Reading notes", notes_html(result)},
+                                        {"guide", "How to read the ledger", std::string(embedded::report_guide)},
+                                        {"ledger", "The ledger", ledger_html(result)},
+                                        {"rests", "What rests on what", rests_html(result)},
                                         {"figures", "Figures", figures_html(supplement)},
                                         {"tables", "Exponents", tables_html(supplement.tables)},
                                         {"mutants", "Faults put into the program", mutants_html(supplement.mutants)},
+                                        {"symbols", "Symbols", symbols_html(embedded::notation_md)},
                                         {"reproduce", "How to reproduce this", reproduce_html(result)},
                                         {"references", "References", references_list(embedded::references_md)}}) {
     if (html.empty()) continue;
-    const std::string heading = id + "-heading";
-    contents += element("li", element("a", title, {{"href", "#" + id}}));
-    sections += block("section", "\n" + block("h2", title, {{"id", heading}}) + html,
+    const std::string heading = id + "-heading", numbered = fmt::format("{} {}", ++number, title);
+    contents += element("li", element("a", numbered, {{"href", "#" + id}}));
+    sections += block("section", "\n" + block("h2", numbered, {{"id", heading}}) + html,
                       {{"id", id}, {"aria-labelledby", heading}});
   }
-  return fmt::format(
-      fmt::runtime(embedded::report_page), fmt::arg("version", version), fmt::arg("style", embedded::report_css),
-      fmt::arg("print_style", embedded::report_print_css), fmt::arg("script", embedded::report_js),
-      fmt::arg("digits", static_cast<int>(result.context.digits)), fmt::arg("seed", result.context.seed),
-      fmt::arg("quick", result.context.quick ? " · quick: fewer parameters" : ""), fmt::arg("tiles", tiles(result)),
-      fmt::arg("counts", counts_line(result.reports)), fmt::arg("controls", controls_line(result)),
-      fmt::arg("beyond", beyond(result)), fmt::arg("contents", contents), fmt::arg("sections", sections));
+  std::string page =
+      fmt::format(fmt::runtime(embedded::report_page), fmt::arg("version", version),
+                  fmt::arg("style", embedded::report_css), fmt::arg("print_style", embedded::report_print_css),
+                  fmt::arg("script", embedded::report_js), fmt::arg("front", front_html(result, supplement)),
+                  fmt::arg("contents", contents), fmt::arg("sections", sections));
+  return with_numbers(with_numbers(std::move(page), figure_mark, "Figure"), table_mark, "Table");
 }
 
 }  // namespace steadyslide::app

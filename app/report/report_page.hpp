@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/figures/figures.hpp"
@@ -30,9 +31,13 @@ struct Supplement {
   std::string no_figures;  ///< why there are none, a sentence
   std::vector<TextTable> tables;
   std::vector<Mutant> mutants;
+  std::vector<std::pair<std::string, std::string>> made = {};  ///< how the page was made: what, and its name
 };
 
-/// The same page for the same arguments: it has no date.
+/// The date, the program, its commit, compiler and libraries.
+std::vector<std::pair<std::string, std::string>> made_now();
+
+/// The same page for the same arguments.
 std::string report_html(const VerifyResult& result, const Supplement& supplement);
 
 }  // namespace steadyslide::app

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <boost/algorithm/string/erase.hpp>
 #include <boost/algorithm/string/replace.hpp>
+#include <cmath>
+#include <sstream>
 
 #include "app/embedded.hpp"
-#include "app/report/mathml.hpp"
-#include "proofs_checks/statements/paper_statements.hpp"
+#include "app/report/math/mathml.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -15,29 +17,114 @@ namespace checks = proofs_checks;
 
 std::string code(std::string_view text) { return element("code", escaped(text)); }
 
-std::vector<std::string> typeset(const std::vector<std::string>& cells) {
-  std::vector<std::string> html;
-  for (const std::string& cell : cells) html.push_back(cited_prose(cell));
-  return html;
+/// The data of a path in tenths of a pixel, without the points that lie on the line through their neighbours: what is left is
+/// seen as the same curve. Data of another form than "M1.00,2.00 L3.00,4.00" stay.
+std::string short_path(std::string_view data) {
+  struct Corner {
+    char command;
+    double x, y;
+  };
+  std::vector<Corner> corners;
+  std::istringstream stream{std::string(data)};
+  for (Corner c{}; stream >> c.command;) {
+    char comma = 0;
+    if ((c.command != 'M' && c.command != 'L') || !(stream >> c.x >> comma >> c.y) || comma != ',')
+      return std::string(data);
+    corners.push_back(c);
+  }
+  // From each kept corner as far as all corners between lie within a fifth of a pixel of the chord.
+  const auto is_straight = [&](std::size_t from, std::size_t to) {
+    const double dx = corners[to].x - corners[from].x, dy = corners[to].y - corners[from].y,
+                 length = std::hypot(dx, dy);
+    for (std::size_t k = from + 1; k < to; ++k) {
+      const double x = corners[k].x - corners[from].x, y = corners[k].y - corners[from].y;
+      const double along = (x * dx + y * dy), across = std::abs(x * dy - y * dx);
+      if (along < 0 || along > length * length || across > 0.2 * length) return false;
+    }
+    return true;
+  };
+  std::string result;
+  for (std::size_t k = 0; k < corners.size();) {
+    result += fmt::format("{}{:.4g},{:.4g}", corners[k].command, std::round(corners[k].x * 10) / 10,
+                          std::round(corners[k].y * 10) / 10);
+    std::size_t next = k + 1;
+    while (next + 1 < corners.size() && corners[next].command == 'L' && corners[next + 1].command == 'L' &&
+           is_straight(k, next + 1))
+      ++next;
+    k = next;
+  }
+  return result;
+}
+
+/// gnuplot's SVG without what nothing is drawn by: empty groups and texts, defaults, the blanks between elements.
+std::string slim_svg(std::string svg) {
+  std::string paths;
+  for (std::size_t at = 0;;) {
+    const std::size_t begin = svg.find(" d='", at);
+    const std::size_t end = begin == std::string::npos ? begin : svg.find('\'', begin + 4);
+    paths += svg.substr(at, end == std::string::npos ? end : begin + 4 - at);
+    if (end == std::string::npos) break;
+    paths += short_path(std::string_view(svg).substr(begin + 4, end - begin - 4));
+    at = end;
+  }
+  std::string result;
+  for (std::size_t at = 0; at < paths.size(); ++at) {
+    const std::size_t next = paths.find_first_not_of(" \t\n", at);
+    const bool between = result.ends_with('>') && next != std::string::npos && paths[next] == '<' &&
+                         paths.substr(at, next - at).find('\n') != std::string::npos;
+    if (between) at = next;
+    result += paths[at] == '\n' || paths[at] == '\t' ? ' ' : paths[at];
+  }
+  for (const char* idle :
+       {R"( stroke-linecap="butt")", R"( stroke-linejoin="miter")", "<text></text>",
+        R"( font-family="Helvetica, Arial, 'Liberation Sans', sans-serif")", R"( xml:space="preserve")"})
+    boost::erase_all(result, idle);
+  for (std::size_t before = 0; before != result.size();) {
+    before = result.size();
+    std::string kept;
+    for (std::size_t at = 0;;) {
+      const std::size_t close = result.find("></g>", at);
+      const std::size_t open = close == std::string::npos ? close : result.rfind('<', close);
+      const bool empty = open != std::string::npos && result.compare(open, 2, "<g") == 0 && open >= at &&
+                         std::string_view(result).substr(open, close - open).find(" id=") == std::string_view::npos;
+      kept += result.substr(at, close == std::string::npos ? close : (empty ? open : close + 5) - at);
+      if (close == std::string::npos) break;
+      at = close + 5;
+    }
+    result = std::move(kept);
+  }
+  return result;
 }
 
 std::string drawing(const DrawnFigure& drawn) {
-  const std::string caption = element("strong", cited_prose(drawn.title)) + " " + cited_prose(drawn.caption) +
+  const std::string caption = element("strong", std::string(figure_mark) + " " + cited_prose(drawn.title)) + " " +
+                              cited_prose(drawn.caption) +
                               element("code", escaped(drawn.command), {{"class", "command"}});
   return block("figure",
                "\n" +
-                   block("div", inline_svg(drawn.svg, drawn.name, drawn.title),
+                   block("div", inline_svg(slim_svg(drawn.svg), drawn.name, drawn.title),
                          {{"class", "drawing"}, {"tabindex", "0"}, {"role", "region"}, {"aria-label", drawn.title}}) +
                    block("figcaption", caption),
                {{"id", "figure-" + drawn.name}});
 }
 
 std::string table_html(const TextTable& table) {
-  HtmlRows rows;
-  for (const std::vector<std::string>& row : table.rows) rows.push_back(typeset(row));
-  std::string html = block("h3", cited_prose(table.title));
+  HtmlRows columns(table.columns.size());
+  for (const std::vector<std::string>& row : table.rows) {
+    for (std::size_t k = 0; k < columns.size(); ++k) columns[k].push_back(row.at(k));
+  }
+  HtmlRows rows(table.rows.size());
+  std::vector<std::string> head;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    head.push_back(worded(table.columns[k]));
+    std::vector<std::string> aligned = columns[k];
+    align_numbers(aligned);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      rows[i].push_back(aligned[i] == columns[k][i] ? cited_prose(aligned[i]) : aligned[i]);
+  }
+  std::string html;
   if (!table.note.empty()) html += block("p", cited_prose(table.note));
-  html += table_element(table.title, typeset(table.columns), rows);
+  html += table_element(table.title, head, rows, cited_prose(table.title) + ".");
   std::string sources;
   for (const std::string& reference : table.references) sources += block("li", cited_prose(reference));
   return sources.empty() ? html : html + block("ul", "\n" + sources, {{"class", "sources"}});
@@ -126,56 +213,6 @@ std::string options_again(const checks::Context& context) {
                      context.quick ? " --quick" : "");
 }
 
-std::string paper_html(const VerifyResult& result) {
-  HtmlRows rows;
-  for (const checks::PaperStatement& statement : checks::paper_statements()) {
-    const auto links_to = [&](const std::vector<std::string_view>& ids) {
-      std::string links;
-      for (const std::string_view id : ids) {
-        const checks::Report* report = report_on(id, result.reports);
-        if (report == nullptr) continue;
-        const std::string link = element("a", escaped(id), {{"href", "#" + report->claim.id}});
-        links += element("span", link + " " + badge(report->verdict), {{"class", "verdict-link"}}) + " ";
-      }
-      return links;
-    };
-    const std::string said = links_to(statement.claims);
-    const std::string instances = links_to(statement.instances);
-    if (said.empty() && instances.empty()) continue;
-    const auto verdict = checks::verdict_of(statement, result.reports);
-    const std::string place = statement.place.empty() ? "<em>beyond the paper</em>" : escaped(statement.place);
-    rows.push_back({place, prose(statement.what), verdict ? badge(*verdict) : "", said, instances});
-  }
-  if (rows.empty()) return "";
-  return block("p",
-               "What the paper says, in its order, and the entries of the ledger that say it, in the scope that their "
-               "words give: a statement is as good as the weakest of them. Others examine instances of it.") +
-         table_element("The paper, statement by statement", {"place", "statement", "verdict", "said by", "instances"},
-                       rows);
-}
-
-std::string notes_html(const VerifyResult& result) {
-  if (result.notes.empty() && result.notes_left_out == 0) return "";
-  std::string html = block("p",
-                           "Places where the text of the paper at hand and the mathematics disagree. That text was "
-                           "extracted from a PDF: each note says whether that may have made the difference, or whether "
-                           "it is more likely <em>the print's</em>, a slip in the paper itself.");
-  if (result.notes_left_out > 0) {
-    html += block("p", fmt::format("Left out are {} notes on statements that were not examined in this run.",
-                                   result.notes_left_out));
-  }
-  HtmlRows rows;
-  for (const checks::ReadingNote& note : result.notes) {
-    std::string place =
-        element("code", escaped(note.id), {{"id", "note-" + note.id}}) + "<br>" + cited_prose(note.place);
-    if (!note.claim.empty()) place += "<br>" + element("a", "the statement", {{"href", "#" + note.claim}});
-    rows.push_back({place, cited_prose(note.printed), cited_prose(note.derived), cited_prose(note.evidence)});
-  }
-  if (rows.empty()) return html;
-  return html +
-         table_element("Reading notes", {"place", "printed", "derived", "evidence, and the likely origin"}, rows);
-}
-
 std::string figures_html(const Supplement& supplement) {
   std::string html;
   if (!supplement.no_figures.empty()) html += block("p", escaped(supplement.no_figures));
@@ -199,7 +236,8 @@ std::string mutants_html(const std::vector<Mutant>& mutants) {
                                 "itself, one at a time, and each was noticed by the executable named, a test or a part "
                                 "of the checks, with its arguments.",
                                 mutants.size())) +
-         table_element("Faults put into the program", {"id", "file", "change", "noticed by", "evidence"}, rows);
+         folded(fmt::format("all {} faults", mutants.size()),
+                table_element("Faults put into the program", {"id", "file", "change", "noticed by", "evidence"}, rows));
 }
 
 std::string reproduce_html(const VerifyResult& result) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace steadyslide::app {
@@ -45,6 +46,14 @@ nlohmann::ordered_json proof_json(const checks::CheckedProof& proof) {
                              {"from", node.from}});
   }
   return json;
+}
+
+std::vector<std::string> names_used(const checks::CheckedProof& proof, checks::ProofStep::Kind kind) {
+  std::vector<std::string> names;
+  for (const checks::ProofStep& step : proof.text.steps) {
+    if (step.kind == kind && std::ranges::find(names, step.name) == names.end()) names.push_back(step.name);
+  }
+  return names;
 }
 
 }  // namespace steadyslide::app

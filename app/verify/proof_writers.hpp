@@ -3,6 +3,8 @@
 // classical theorems and other entries.
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
 
 #include "app/terminal/output.hpp"
 #include "proofs_checks/proof/proof.hpp"
@@ -15,5 +17,8 @@ void write_proof(const proofs_checks::CheckedProof& proof, Output& output);
 /// {"complete", "gap", "for", "assumes", "concludes", "steps": [{"fact", "says", "by", "words", "from"}]}, "from" counting
 /// the steps from 0.
 nlohmann::ordered_json proof_json(const proofs_checks::CheckedProof& proof);
+
+/// The entries, or the theorems, that its steps name, each once, in their order.
+std::vector<std::string> names_used(const proofs_checks::CheckedProof& proof, proofs_checks::ProofStep::Kind kind);
 
 }  // namespace steadyslide::app

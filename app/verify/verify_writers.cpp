@@ -159,7 +159,10 @@ Json report_json(const checks::Report& report) {
     json["evidence"].push_back({{"kind", kind_of(evidence)}, {"detail", describe(evidence)}});
   }
   if (!report.note.empty()) json["evidence"].push_back({{"kind", "note"}, {"detail", report.note}});
-  if (const checks::CheckedProof* proof = report.proof()) json["proof"] = proof_json(*proof);
+  if (const checks::CheckedProof* proof = report.proof()) {
+    json["proof"] = proof_json(*proof);
+    json["rests_on"] = names_used(*proof, checks::ProofStep::Kind::entry);
+  }
   json["controls"] = {{"total", report.controls.size()}, {"refuted", report.controls_refuted()}};
   json["seconds"] = std::round(report.seconds * 1000) / 1000;
   return json;
@@ -174,14 +177,16 @@ void write_verify_json(const VerifyResult& result, Output& output) {
   for (const auto& [verdict, n] : count(result.reports)) json["counts"][std::string(verdict)] = n;
   json["claims"] = Json::array();
   for (const checks::Report& report : result.reports) json["claims"].push_back(report_json(report));
+  for (const auto& [verdict, n] : checks::statement_counts(result.reports)) json["statement_counts"][verdict] = n;
   json["statements"] = Json::array();
   for (const checks::PaperStatement& statement : checks::paper_statements()) {
     const auto verdict = checks::verdict_of(statement, result.reports);
     if (!verdict) continue;
     json["statements"].push_back({{"place", statement.place},
-                                  {"what", statement.what},
+                                  {"statement", statement.what},
                                   {"verdict", name_of(*verdict)},
-                                  {"claims", statement.claims},
+                                  {"scope", statement.scope},
+                                  {"entries", statement.claims},
                                   {"instances", statement.instances}});
   }
   json["reading_notes"] = Json::array();
@@ -190,6 +195,7 @@ void write_verify_json(const VerifyResult& result, Output& output) {
                                      {"place", note.place},
                                      {"printed", note.printed},
                                      {"derived", note.derived},
+                                     {"fault", note.fault},
                                      {"evidence", note.evidence}});
   }
   json["reading_notes_left_out"] = result.notes_left_out;

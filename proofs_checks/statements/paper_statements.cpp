@@ -22,10 +22,12 @@ const std::vector<PaperStatement>& paper_statements() {
         PaperStatement& last = statements.back();
         (whole ? last.claims : last.instances)
             .push_back(line.substr(4, line.size() - 4 - (whole ? 0 : instance.size())));
+      } else if (constexpr std::string_view scope = "  scope: "; line.starts_with(scope)) {
+        statements.back().scope = line.substr(scope.size());
       } else if (line.starts_with("- ")) {
         const std::size_t colon = line.find(": ");
         const std::string_view place = line.substr(2, colon - 2);
-        statements.push_back({place == "beyond the paper" ? "" : place, line.substr(colon + 2), {}, {}});
+        statements.push_back({place == "beyond the paper" ? "" : place, line.substr(colon + 2), {}, {}, {}});
       }
     }
     return statements;
@@ -43,17 +45,27 @@ std::optional<Verdict> verdict_of(const PaperStatement& statement, std::span<con
   return weakest;
 }
 
-std::string statements_line(std::span<const Report> reports) {
+std::vector<std::pair<std::string_view, std::size_t>> statement_counts(std::span<const Report> reports) {
   std::map<Verdict, std::size_t> counts;
   for (const PaperStatement& statement : paper_statements()) {
-    if (statement.place.empty()) continue;
-    const auto verdict = verdict_of(statement, reports);
-    if (!verdict) return "";
-    ++counts[*verdict];
+    const auto verdict = statement.place.empty() ? std::nullopt : verdict_of(statement, reports);
+    if (verdict) ++counts[*verdict];
   }
-  std::string line;
+  std::vector<std::pair<std::string_view, std::size_t>> result;
   for (const Verdict verdict : {Verdict::proved, Verdict::supported, Verdict::undecided, Verdict::refuted}) {
-    line += (line.empty() ? "" : ", ") + std::to_string(counts[verdict]) + " " + std::string(name_of(verdict));
+    result.emplace_back(name_of(verdict), counts[verdict]);
+  }
+  return result;
+}
+
+std::string statements_line(std::span<const Report> reports) {
+  const auto is_left_out = [&](const PaperStatement& statement) {
+    return !statement.place.empty() && !verdict_of(statement, reports);
+  };
+  if (std::ranges::any_of(paper_statements(), is_left_out)) return "";
+  std::string line;
+  for (const auto& [verdict, n] : statement_counts(reports)) {
+    line += (line.empty() ? "" : ", ") + std::to_string(n) + " " + std::string(verdict);
   }
   return line;
 }

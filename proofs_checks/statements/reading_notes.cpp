@@ -71,7 +71,7 @@ std::vector<ReadingNote> reading_notes(std::span<const Report> reports) {
     for (const char* name : {"evidence", "fault"}) evidence.push_back(e.part(name));
     std::erase(evidence, std::string());
     notes.push_back({e.id, e.part("place"), e.part("printed"), e.part("derived"), boost::algorithm::join(evidence, " "),
-                     claim, control});
+                     e.part("at fault"), claim, control});
   }
   return notes;
 }

@@ -17,6 +17,8 @@ struct ReadingNote {
   std::string printed;
   std::string derived;
   std::string evidence;
+  /// Where the fault lies: "print", "extraction", or "undecided" between the two.
+  std::string fault;
   /// That examines the derived reading; empty where the local equation alone decides.
   std::string claim;
   /// Of the claim: the printed reading; empty where it is no formula that a check could take.

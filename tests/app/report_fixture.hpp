@@ -58,7 +58,7 @@ inline app::VerifyResult fabricated_result() {
        {{"swap", false, "nothing found"}},
        1.5}};
   result.notes.push_back({"eq-04-exponent", "[Bal16, (4)]", "`(1+x)^{1/2}`", "`(1+x)^{1/2+alpha}`",
-                          "claim eq-04-flat-punch is supported as derived", "eq-04-flat-punch"});
+                          "claim eq-04-flat-punch is supported as derived", "undecided", "eq-04-flat-punch"});
   return result;
 }
 
@@ -72,7 +72,8 @@ inline app::Supplement fabricated_supplement() {
             {"`nu`", "`f_-`", "`f_+`", "`beta`"},
             {{"0", "1/10", "3/5", "-0.0768"}, {"1/4", "3/5", "1/10", "0.0523"}},
             {"[Bal16, (7)]"}}},
-          {{"m-01", "numeric/a.cpp", "a < b becomes a <= b", "test_numeric", "assertion failed"}}};
+          {{"m-01", "numeric/a.cpp", "a < b becomes a <= b", "test_numeric", "assertion failed"}},
+          {{"compiler", "one"}}};
 }
 
 }  // namespace steadyslide::testing

@@ -16,9 +16,10 @@ set(may_include_checker checker)
 set(may_include_explorer model numeric library)
 set(layers model symbolic numeric enclosure library proofs_checks app checker explorer)
 
-# ginac.h and CLN's headers cost a second a file and bring macros along: sources of these layers, and these headers only.
+# ginac.h and CLN's headers cost a second a file and bring macros along: sources of these layers, and these headers only;
+# built_with.cpp takes their versions alone.
 set(algebra_in_sources_of symbolic proofs_checks)
-set(algebra_headers symbolic/cln/cln_number.hpp symbolic/coq/coq_equation.hpp symbolic/local/coupling.hpp symbolic/field/expression.hpp symbolic/field/field_linear.hpp
+set(algebra_headers app/report/built_with.cpp symbolic/cln/cln_number.hpp symbolic/coq/coq_equation.hpp symbolic/local/coupling.hpp symbolic/field/expression.hpp symbolic/field/field_linear.hpp
     symbolic/local/local_action.hpp symbolic/local/local_form.hpp symbolic/statements/local_form_check.hpp
     symbolic/local/local_place.hpp symbolic/field/phase_field.hpp
     symbolic/statements/polynomial_families.hpp symbolic/local/polynomial_slope.hpp symbolic/field/rational_function.hpp

@@ -15,14 +15,14 @@ namespace {
 using numeric::EffectiveFriction;
 using numeric::FrictionLayout;
 
-const Rational nu(1, 5);
-const Rational low(1, 10);
-const Rational high(1, 2);
+const Rational coated_nu(1, 5);
+const Rational smooth(1, 10);
+const Rational rough(1, 2);
 
 /// `inner` on a half of the contact, between the places c - 1/2 and c + 1/2, `outer` on the rest.
 ContactProblem sandwich(const Rational& outer, const Rational& inner, const Rational& c, Sliding sliding) {
   const Rational half_width(1, 2);
-  return flat_punch(nu, {outer, inner, outer}, {c - half_width, c + half_width}, sliding);
+  return flat_punch(coated_nu, {outer, inner, outer}, {c - half_width, c + half_width}, sliding);
 }
 
 double effective(const ContactProblem& problem) {
@@ -55,8 +55,8 @@ Panel by_place() {
               {"middle of the inner half {/:Italic c} / {/:Italic L}", -0.5, 0.5, false, 0.25},
               {"effective friction {/:Italic T}/{/:Italic P}", 0.2, 0.4, false, 0.05}};
   panel.legend = LegendAt::below;
-  add_curves(panel, high, low, "rough outside");
-  add_curves(panel, low, high, "rough inside");
+  add_curves(panel, rough, smooth, "rough outside");
+  add_curves(panel, smooth, rough, "rough inside");
   return panel;
 }
 
@@ -88,10 +88,10 @@ Panel by_periods(const std::vector<Rational>& s) {
 }  // namespace
 
 Figure make_coating_layouts() {
-  const Rational gamma = flat_punch(nu, {low}).elasticity().gamma();
+  const Rational gamma = flat_punch(coated_nu, {smooth}).elasticity().gamma();
   const auto g = numeric::to_real<double>(gamma);
-  const double largest = numeric::extreme_layout<double>(gamma * high, gamma * low, {1, 2}).s_eff.value / g;
-  const double smallest = numeric::extreme_layout<double>(gamma * low, gamma * high, {1, 2}).s_eff.value / g;
+  const double largest = numeric::extreme_layout<double>(gamma * rough, gamma * smooth, {1, 2}).s_eff.value / g;
+  const double smallest = numeric::extreme_layout<double>(gamma * smooth, gamma * rough, {1, 2}).s_eff.value / g;
   Panel place = by_place();
   for (const double value : {largest, smallest}) place.guides.push_back({{-0.5, value}, {0.5, value}});
   place.notes = {{{0.5, 0.94, true, true}, "{/:Italic f} = 0.1 and 0.5, half and half", Align::centre}};

@@ -26,9 +26,24 @@ click("close-all"); r.nothing = opened().length;
 r.manyFormulas = document.querySelectorAll("math").length > 20;
 r.fraction = document.querySelector("#eq-04-flat-punch mfrac").getBoundingClientRect().height > 10;
 r.unknown = document.querySelectorAll("math merror").length;
-// The entries before and after printing.
+// A place is that place: an entry of theorem 16 is none of theorem 1.
+type("theorem 1"); r.byPlace = ids(visible());
+r.address = location.hash;
+type("");
+location.hash = "#?q=flat+punch&hide=proved&sort=-id";
+window.dispatchEvent(new HashChangeEvent("hashchange"));
+r.recalled = ids(visible()); r.recalledText = document.getElementById("filter").value;
+box("proved"); type(""); order("place");
+// Printed is what is open, unless everything is asked for.
 window.dispatchEvent(new Event("beforeprint")); r.printed = opened().length;
+window.print = function () { r.printedAll = opened().length; };
+click("print-all");
 window.dispatchEvent(new Event("afterprint")); r.afterPrint = opened().length;
+// A formula tells its TeX and leads to its symbols.
+document.querySelector("#eq-04-flat-punch .statement math").dispatchEvent(new MouseEvent("click", { bubbles: true, cancelable: true }));
+r.tex = document.querySelector("#formula code").textContent;
+r.symbols = Array.prototype.map.call(document.querySelectorAll("#formula a"), function (a) {
+  return document.querySelector(a.hash).textContent; });
 // A link opens its statement, also where the filter hides it.
 type("flat punch");
 location.hash = "#energy-identity";

@@ -2,8 +2,8 @@
 #include <numeric>
 #include <regex>
 
-#include "app/report/math_symbols.hpp"
-#include "app/report/mathml.hpp"
+#include "app/report/math/math_symbols.hpp"
+#include "app/report/math/mathml.hpp"
 #include "app/svg.hpp"
 #include "library/text/utf8.hpp"
 
@@ -16,7 +16,9 @@ std::string bare(std::string_view formula) {
   const auto typeset = mathml(formula);
   if (!typeset) return "none";
   std::string xml = std::regex_replace(*typeset, std::regex("</?mrow>|<mspace[^>]*/>"), "");
-  return std::regex_replace(xml, std::regex("<(\\w+) [^>]*>"), "<$1>");
+  xml = std::regex_replace(xml, std::regex("<(\\w+) [^>]*>"), "<$1>");
+  // Brackets are operators where they stretch, and identifiers where they must not.
+  return std::regex_replace(xml, std::regex("<mi>([()|[]|]|⟨|⟩)</mi>"), "<mo>$1</mo>");
 }
 
 /// What is seen of it.
@@ -132,6 +134,30 @@ TEST_CASE("what is no formula is shown as it is") {
   CHECK(prose("``") == "<code></code>");
   CHECK_FALSE(mathml(std::string(100000, '(')).has_value());
   CHECK_FALSE(mathml(std::string(100000, '-')).has_value());
+}
+
+TEST_CASE("a number too long to be read is cut, and behind it is the whole") {
+  CHECK(*mathml("0.09688167321743") == "<math><mn title=\"0.09688167321743\">0.0968816…</mn></math>");
+  CHECK(*mathml("0.096881673217") == "<math><mn>0.096881673217</mn></math>");
+}
+
+TEST_CASE("formulas in words that do not mark them") {
+  for (const auto& [words, html] : std::vector<std::pair<std::string, std::string>>{
+           {"the sign of alpha exchanged", "the sign of <i>α</i> exchanged"},
+           {"difference 1.0e-44 at nu = 1/3, f = 2", "difference 10<sup>−44</sup> at <i>ν</i> = 1/3, <i>f</i> = 2"},
+           {"(1+x)^{1/2} instead of f_-", "(1+<i>x</i>)<sup>1/2</sup> instead of <i>f</i><sub>−</sub>"},
+           {"a two-sided near miss; and/or", "a two-sided near miss; and/or"},
+           {"[Bal16, (4)] and (5)-(7) of theorem 3", "[Bal16, (4)] and (5)-(7) of theorem 3"},
+           {"A t = 0 on a step, int t = -P", "<i>A</i> <i>t</i> = 0 on a step, " + *mathml("int t = -P")},
+           {"(4*nu - 1) at generic points", "(4 <i>ν</i> − 1) at generic points"},
+           {"without sqrt(1+s^2)", "without " + *mathml("sqrt(1+s^2)")},
+           {"`x^2/2`, and y^2", "<i>x</i><sup>2</sup>/2, and <i>y</i><sup>2</sup>"},
+           {"from -1 to 2-3, a < b", "from −1 to 2-3, <i>a</i> &lt; <i>b</i>"},
+           {"a lone ` b", "a lone ` b"}}) {
+    CHECK(worded(words) == html);
+  }
+  CHECK(lined("`x^2` & `1/f`, `sqrt(x)`") == "<i>x</i><sup>2</sup> &amp; 1/<i>f</i>, " + *mathml("sqrt(x)"));
+  CHECK(holds(prose("`A punch-any-jumps = 0`"), "<mi>punch-any-jumps</mi>"));
 }
 
 TEST_CASE("formulas by the rules are typeset, well-formed, and lose no letter") {

@@ -149,6 +149,15 @@ TEST_CASE("page and JSON of one run agree") {
   CHECK(seen["shown"] == json["claims"].size());
   const Json& counts = json["counts"];
   CHECK(seen["tiles"] == Json{counts["proved"], counts["supported"], counts["undecided"], counts["refuted"]});
+  const Json& statements = json["statement_counts"];
+  CHECK(seen["statements"] ==
+        Json{statements["proved"], statements["supported"], statements["undecided"], statements["refuted"]});
+  std::map<std::string, int> of_the_paper;
+  for (const Json& statement : json["statements"]) {
+    if (statement["place"] != "") ++of_the_paper[statement["verdict"].get<std::string>()];
+  }
+  CHECK(of_the_paper["proved"] == statements["proved"]);
+  CHECK(of_the_paper["proved"] > 0);
   std::size_t total = 0;
   for (const Json& claim : json["claims"]) total += claim["controls"]["total"].get<std::size_t>();
   const std::string n = std::to_string(total);

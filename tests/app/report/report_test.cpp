@@ -12,7 +12,8 @@ TEST_CASE("the page has every statement with its verdict, evidence and controls"
   for (const std::string& part : lines(file_text(STEADYSLIDE_TESTS "/app/report/page.txt"))) {
     CHECK_MESSAGE(holds(page, part), part);
   }
-  CHECK(times(page, "<svg") == 2);
+  CHECK(times(page, "<svg") == 3);
+  CHECK_FALSE(holds(page, "<!--"));
 }
 
 TEST_CASE("what a text says is never markup, and nothing is fetched") {
@@ -54,6 +55,24 @@ TEST_CASE("drawings on one page do not share ids") {
         "<svg role=\"img\" aria-label=\"A &quot;curve&quot;\"><g id=\"one-a\"/><g id='one-b'/><use "
         "xlink:href='#one-a'/><g clip-path=\"url(#one-b)\"/></svg>");
   CHECK(inline_svg("no drawing", "one", "") == "");
+}
+
+TEST_CASE("numbers of a column stand below each other; figures and tables are counted") {
+  std::vector<std::string> cells{"-0.5", "12", "1.25", "blows up"};
+  align_numbers(cells);
+  CHECK(cells == std::vector<std::string>{"<span class=\"n\">−0.5\u2007</span>",
+                                          "<span class=\"n\">12\u2008\u2007\u2007</span>",
+                                          "<span class=\"n\">1.25</span>", "blows up"});
+  CHECK(with_numbers("a # b # c", "#", "Table") == "a Table 1. b Table 2. c");
+}
+
+TEST_CASE("how a page was made") {
+  const auto made = made_now();
+  CHECK(std::ranges::any_of(made, [](const auto& part) { return part.first == "compiler" && !part.second.empty(); }));
+  CHECK(std::ranges::any_of(
+      made, [](const auto& part) { return part.first == "libraries" && holds(part.second, "MPFR 4."); }));
+  CHECK(std::ranges::any_of(made,
+                            [](const auto& part) { return part.first == "date" && part.second.starts_with("20"); }));
 }
 
 TEST_CASE("mutants: quoted fields, missing fields, empty lines") {

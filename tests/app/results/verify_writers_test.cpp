@@ -25,7 +25,7 @@ VerifyResult bad_result() {
                             "the control survives",
                             {{"swap", false, ""}},
                             1});
-  result.notes.push_back({"note-1", "(4)", "(1+x)^{1/2}", "(1+x)^{1/2+alpha}", "refuted", "a-claim"});
+  result.notes.push_back({"note-1", "(4)", "(1+x)^{1/2}", "(1+x)^{1/2+alpha}", "refuted", "undecided", "a-claim"});
   return result;
 }
 
@@ -58,8 +58,10 @@ TEST_CASE("JSON, whole") {
       "\"claims\":[{\"id\":\"a-claim\",\"source\":"));
   check_holds(
       compact,
-      {"\"controls\":{\"total\":1,\"refuted\":0},\"seconds\":1.0}],\"statements\":[],\"reading_notes\":[{\"id\":\"note-1\","
+      {"\"controls\":{\"total\":1,\"refuted\":0},\"seconds\":1.0}],\"statement_counts\":{\"proved\":0,\"supported\":0,"
+       "\"undecided\":0,\"refuted\":0},\"statements\":[],\"reading_notes\":[{\"id\":\"note-1\","
        "\"place\":\"(4)\",\"printed\":",
+       "\"derived\":\"(1+x)^{1/2+alpha}\",\"fault\":\"undecided\",\"evidence\":",
        "{\"kind\":\"note\",\"detail\":\"thecontrolsurvives\"}"});
 }
 
@@ -72,15 +74,15 @@ TEST_CASE("a proof is printed as a tree where it is asked for, and is in JSON al
               {"  for nu in ]-1, 0.5[\n",
                "\n  fills(gamma-plane-strain, range-of-plane-strain)  [theorem intermediate-values]\n",
                "\n    decreases(gamma-plane-strain)  [theorem monotone], see above\n", "nonzero(\"nu - 1\")  [sign]"});
-  check_holds(written(Format::json, result),
-              {"\"complete\": true", "\"concludes\": [", "\"fact\": \"nonzero(\\\"nu - 1\\\")\"", "\"from\": ["});
+  check_holds(written(Format::json, result), {"\"complete\": true", "\"rests_on\": []", "\"concludes\": [",
+                                              "\"fact\": \"nonzero(\\\"nu - 1\\\")\"", "\"from\": ["});
 }
 
 TEST_CASE("a statement of the paper is as good as the weakest of what says it") {
   const auto reported = [](const char* id, Verdict verdict) {
     return Report{{id, "", "", ""}, verdict, {}, "", {}, 0};
   };
-  const PaperStatement statement{"(1)", "", {"a", "b"}, {"c"}};
+  const PaperStatement statement{"(1)", "", "", {"a", "b"}, {"c"}};
   std::vector<Report> reports{reported("a", Verdict::proved), reported("c", Verdict::undecided)};
   CHECK_FALSE(verdict_of(statement, reports));
   reports.push_back(reported("b", Verdict::supported));
@@ -88,6 +90,12 @@ TEST_CASE("a statement of the paper is as good as the weakest of what says it") 
   reports.back().verdict = Verdict::refuted;
   CHECK(verdict_of(statement, reports) == Verdict::refuted);
   CHECK(statements_line(reports).empty());
+  // Of the paper's own: counted where all that says it was examined.
+  const auto refuted = [](std::span<const Report> some) { return statement_counts(some).back(); };
+  reports.push_back(reported("eq-01-surface-displacement", Verdict::refuted));
+  CHECK(refuted(reports) == std::pair<std::string_view, std::size_t>("refuted", 1));
+  reports.back().claim.id = "gamma-range";
+  CHECK(refuted(reports).second == 0);
 }
 
 TEST_CASE("Markdown escapes what would end a cell") {
@@ -109,8 +117,8 @@ TEST_CASE("notes of other claims are counted, not shown") {
   CHECK_FALSE(holds(written(Format::text, result), "left out"));
 
   // One of a claim that was not asked for, and one that belongs to no claim.
-  result.notes.push_back({"note-2", "(5)", "x", "y", "refuted", "c-claim"});
-  result.notes.push_back({"note-3", "theorem 3", "x", "y", "leaves x", ""});
+  result.notes.push_back({"note-2", "(5)", "x", "y", "refuted", "print", "c-claim"});
+  result.notes.push_back({"note-3", "theorem 3", "x", "y", "leaves x", "extraction", ""});
   leave_out_other_notes(result);
   REQUIRE(result.notes.size() == 1);
   CHECK(result.notes.front().id == "note-1");

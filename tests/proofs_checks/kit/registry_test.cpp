@@ -131,6 +131,7 @@ TEST_CASE("the ledger has lost nothing that its list says, and has what the pape
   for (const auto& [id, count] : controls) ids.insert(id);
   for (const PaperStatement& statement : paper_statements()) {
     CHECK_MESSAGE(!statement.claims.empty(), statement.what);
+    CHECK_MESSAGE(statement.scope.empty() == statement.place.empty(), statement.what);
     stated.insert(statement.claims.begin(), statement.claims.end());
     stated.insert(statement.instances.begin(), statement.instances.end());
   }
@@ -206,6 +207,11 @@ TEST_CASE("every reading note weighs print against extraction, with its formulas
   for (const ReadingNote& note : reading_notes({})) {
     CAPTURE(note.id);
     CHECK((holds(note.evidence, "xtraction") || holds(note.evidence, "the print's")));
+    // In its words and in its column.
+    CHECK((note.fault == "print" || note.fault == "extraction" || note.fault == "undecided"));
+    CHECK(holds(note.evidence, "extraction's") == (note.fault == "extraction"));
+    if (holds(note.evidence, "the print's")) CHECK(note.fault == "print");
+    if (holds(note.evidence, "extraction may well have")) CHECK(note.fault == "undecided");
     for (const std::string* text : {&note.place, &note.printed, &note.derived, &note.evidence}) {
       CHECK(std::ranges::count(*text, '`') % 2 == 0);
     }

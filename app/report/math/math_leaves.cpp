@@ -1,4 +1,4 @@
-#include "app/report/math_row.hpp"
+#include "app/report/math/math_row.hpp"
 
 #include <fmt/format.h>
 
@@ -20,10 +20,11 @@ bool is_letter_name(std::string_view name) {
   return symbol ? symbol->role == MathRole::operand && !symbol->upright : name.size() == 1;
 }
 
-std::string bracket(std::string_view sign, bool opens, bool stretches) {
+/// First and last of a row, brackets are prefix and postfix and have no spaces. Around letters they have their own size:
+/// stretching would only move them apart, and no identifier is stretched.
+std::string bracket(std::string_view sign, bool tall) {
   const std::string_view glyph = sign == "<<" ? "⟨" : sign == ">>" ? "⟩" : sign;
-  return fmt::format(R"(<mo form="{}" stretchy="{}" lspace="0" rspace="0">{}</mo>)", opens ? "prefix" : "postfix",
-                     stretches, glyph);
+  return fmt::format("<{0}>{1}</{0}>", tall ? "mo" : "mi", glyph);
 }
 
 }  // namespace
@@ -31,7 +32,11 @@ std::string bracket(std::string_view sign, bool opens, bool stretches) {
 MathItem number_item(std::string_view digits) {
   const std::size_t e = digits.find('e');
   if (e == std::string_view::npos) {
-    return {fmt::format("<mn>{}</mn>", digits), MathRole::operand, Shape::number, digits.size()};
+    constexpr std::size_t longest = 14, kept = 9;
+    const std::string xml = digits.size() <= longest
+                                ? fmt::format("<mn>{}</mn>", digits)
+                                : fmt::format(R"(<mn title="{}">{}…</mn>)", digits, digits.substr(0, kept));
+    return {xml, MathRole::operand, Shape::number, std::min(digits.size(), longest)};
   }
   const std::string_view mantissa = digits.substr(0, e);
   const std::string_view exponent = digits.substr(e + 1);
@@ -41,8 +46,7 @@ MathItem number_item(std::string_view digits) {
                                         exponent.starts_with('-') ? "<mo>−</mo>" : "", exponent.substr(first));
   const bool one = mantissa == "1" || mantissa == "1.0";
   const std::string xml =
-      one ? power
-          : fmt::format(R"(<mrow><mn>{}</mn><mo lspace="0.1em" rspace="0.1em">×</mo>{}</mrow>)", mantissa, power);
+      one ? power : fmt::format(R"(<mrow><mn>{}</mn><mo lspace=".1em" rspace=".1em">×</mo>{}</mrow>)", mantissa, power);
   return {xml, MathRole::operand, Shape::number, digits.size() + 2};
 }
 
@@ -67,27 +71,24 @@ MathItem symbol_item(const MathSymbol& symbol, bool small) {
     return {fmt::format(R"(<mo lspace="0" rspace="0" movablelimits="false">{}</mo>)", glyph), role};
   }
   if (role == MathRole::punctuation) {
-    return {fmt::format(R"(<mo form="infix" lspace="0" rspace="{}em">{}</mo>)", small ? 0.1 : 0.3, glyph), role};
+    return {fmt::format(R"(<mo lspace="0" rspace="{}em">{}</mo>)", small ? ".1" : ".3", glyph), role};
   }
-  const double space = small ? 0.08 : role == MathRole::relation ? 0.28 : 0.22;
-  return {fmt::format(R"(<mo form="infix" stretchy="false" lspace="{0}em" rspace="{0}em">{1}</mo>)", space, glyph),
-          role};
+  const std::string_view space = small ? ".08" : role == MathRole::relation ? ".28" : ".22";
+  return {fmt::format(R"(<mo lspace="{0}em" rspace="{0}em">{1}</mo>)", space, glyph), role};
 }
 
 MathItem prefix_item(const MathSymbol& symbol) {
-  return {fmt::format(R"(<mo form="prefix" lspace="0" rspace="0">{}</mo>)", symbol.glyph), MathRole::binary,
-          Shape::prefix};
+  return {fmt::format(R"(<mo lspace="0" rspace="0">{}</mo>)", symbol.glyph), MathRole::binary, Shape::prefix};
 }
 
 MathItem postfix_item(const MathSymbol& symbol) {
-  return {fmt::format(R"(<mo form="postfix" lspace="0" rspace="0">{}</mo>)", symbol.glyph)};
+  return {fmt::format(R"(<mo lspace="0" rspace="0">{}</mo>)", symbol.glyph)};
 }
 
 MathItem group_item(std::string_view open, MathRow row, std::string_view close) {
-  // Around letters brackets have their own size: stretching would only move them apart.
   const bool tall = std::ranges::any_of(row, &MathItem::tall);
-  MathItem item{
-      fmt::format("<mrow>{}{}{}</mrow>", bracket(open, true, tall), row_xml(row), bracket(close, false, tall))};
+  const std::string inside = bracket(open, tall) + row_xml(row) + bracket(close, tall);
+  MathItem item{tall ? fmt::format("<mrow>{}</mrow>", inside) : inside};
   item.shape = Shape::group;
   item.width = row_width(row) + 2;
   item.tall = tall;
@@ -98,10 +99,14 @@ MathItem group_item(std::string_view open, MathRow row, std::string_view close) 
 MathItem scripted(MathItem base, const Scripts& scripts) {
   constexpr std::array marks{"", "′", "″", "‴"};
   const std::string mark = marks.at(std::min(scripts.primes, marks.size() - 1));
-  const std::string primes = mark.empty() ? "" : fmt::format(R"(<mo lspace="0" rspace="0">{}</mo>)", mark);
   const std::string sub = fmt::format("{}", fmt::join(scripts.sub, ""));
-  const std::string sup = fmt::format("{}{}", primes, fmt::join(scripts.sup, ""));
-  if (sub.empty()) {
+  const std::string sup = fmt::format("{}", fmt::join(scripts.sup, ""));
+  // A prime of a text font stands high enough by itself; as a superscript it would float (report.css, .prime).
+  if (!mark.empty())
+    base.xml = fmt::format(R"(<mrow>{}<mo class="prime" lspace="0" rspace="0">{}</mo></mrow>)", base.xml, mark);
+  if (sub.empty() && sup.empty()) {
+    // a prime alone
+  } else if (sub.empty()) {
     base.xml = math_element("msup", {base.xml, sup});
   } else if (sup.empty()) {
     base.xml = math_element("msub", {base.xml, sub});

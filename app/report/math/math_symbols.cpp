@@ -1,4 +1,4 @@
-#include "app/report/math_symbols.hpp"
+#include "app/report/math/math_symbols.hpp"
 
 #include <algorithm>
 #include <map>
@@ -101,7 +101,17 @@ std::optional<std::vector<MathToken>> math_tokens(std::string_view formula) {
     std::string text(found[1].second, found[0].second);
     if (in_script && text == "->") text = "-";  // <<1, t_->>
     at = found[1].second + static_cast<std::ptrdiff_t>(text.size());
-    tokens.push_back({kind, std::move(text), found.length(1) > 0});
+    // punch-any-jumps, the name of a thing, is no difference.
+    const auto is_word = [](const MathToken& t) { return t.kind == name && t.text.size() > 2 && !math_name(t.text); };
+    const std::size_t n = tokens.size();
+    const MathToken read{kind, std::move(text), found.length(1) > 0};
+    if (is_word(read) && n > 1 && tokens[n - 1].is("-") && !read.space_before && !tokens[n - 1].space_before &&
+        is_word(tokens[n - 2])) {
+      tokens.pop_back();
+      tokens.back().text += "-" + read.text;
+    } else {
+      tokens.push_back(read);
+    }
     if (kind == end) return tokens;
   }
   return std::nullopt;

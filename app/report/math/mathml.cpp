@@ -1,9 +1,9 @@
-#include "app/report/mathml.hpp"
+#include "app/report/math/mathml.hpp"
 
 #include <algorithm>
 
 #include "app/report/html.hpp"
-#include "app/report/math_row.hpp"
+#include "app/report/math/math_row.hpp"
 
 namespace steadyslide::app {
 
@@ -51,8 +51,11 @@ std::string prose(std::string_view text) {
     if (const auto maths = mathml(formula)) {
       const std::size_t open = opening(before);
       const std::size_t close = closing(text);
-      html += escaped(before.substr(0, before.size() - open)) +
-              tied(escaped(before.substr(before.size() - open)), *maths, escaped(text.substr(0, close)));
+      const std::string whole =
+          tied(escaped(before.substr(before.size() - open)), *maths, escaped(text.substr(0, close)));
+      const bool parts = maths->rfind("<math>") > 0;
+      html +=
+          escaped(before.substr(0, before.size() - open)) + (parts ? element("span", whole, {{"class", "f"}}) : whole);
       text.remove_prefix(close);
     } else {
       html += escaped(before) + element("code", escaped(formula));

@@ -1,4 +1,4 @@
-#include "app/report/math_row.hpp"
+#include "app/report/math/math_row.hpp"
 
 #include <fmt/format.h>
 
@@ -82,7 +82,11 @@ std::string row_xml(const MathRow& row) {
   std::string xml;
   for (std::size_t k = 0; k < row.size(); ++k) {
     if (k > 0) xml += space_xml(row[k - 1], row[k]);
-    xml += row[k].xml;
+    const std::string& item = row[k].xml;
+    // Between others a sign has these spaces by itself.
+    const bool inside = k > 0 && k + 1 < row.size();
+    const bool usual = item.starts_with(R"(<mo lspace=".22em" r)") || item.starts_with(R"(<mo lspace=".28em" r)");
+    xml += inside && usual ? "<mo" + item.substr(item.find('>')) : item;
   }
   return xml;
 }
@@ -95,7 +99,12 @@ std::size_t row_width(const MathRow& row) {
 
 std::string math_element(std::string_view tag, std::initializer_list<std::string> children) {
   std::string xml;
-  for (const std::string& child : children) xml += fmt::format("<mrow>{}</mrow>", child);
+  for (const std::string& child : children) {
+    // What is one element already needs no row.
+    const std::string closing = "</" + child.substr(1, child.find_first_of(" >") - 1) + ">";
+    const bool single = child.ends_with(closing) && child.find(closing) + closing.size() == child.size();
+    xml += single ? child : fmt::format("<mrow>{}</mrow>", child);
+  }
   return fmt::format("<{0}>{1}</{0}>", tag, xml);
 }
 
@@ -123,8 +132,7 @@ void divide(MathRow& row, MathRow denominator, bool small) {
                       !has_bare_argument(begin, row.end()) &&
                       !has_bare_argument(denominator.begin(), denominator.end());
   if (!stacks) {
-    row.push_back(
-        {R"(<mo form="infix" stretchy="false" lspace="0" rspace="0">/</mo>)", MathRole::binary, Shape::prefix});
+    row.push_back({R"(<mo lspace="0" rspace="0">/</mo>)", MathRole::binary, Shape::prefix});
     std::ranges::move(denominator, std::back_inserter(row));
     return;
   }

@@ -1,0 +1,94 @@
+// The paper's statements with their verdicts, and where its text and the mathematics disagree.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/report/math/mathml.hpp"
+#include "app/report/sections.hpp"
+#include "proofs_checks/statements/paper_statements.hpp"
+
+namespace steadyslide::app {
+namespace {
+
+namespace checks = proofs_checks;
+
+/// Links to entries; a verdict beside those that have another than the statement.
+std::string links_to(const std::vector<std::string_view>& ids, const VerifyResult& result,
+                     std::optional<checks::Verdict> statement) {
+  std::string links;
+  for (const std::string_view id : ids) {
+    const checks::Report* report = report_on(id, result.reports);
+    if (report == nullptr) continue;
+    links += links.empty() ? "" : ", ";
+    links += element("a", escaped(id), {{"href", "#" + report->claim.id}});
+    if (report->verdict != statement) links += " " + badge(report->verdict);
+  }
+  return links;
+}
+
+}  // namespace
+
+std::string paper_html(const VerifyResult& result) {
+  HtmlRows rows, beyond;
+  for (const checks::PaperStatement& statement : checks::paper_statements()) {
+    const auto verdict = checks::verdict_of(statement, result.reports);
+    const std::string said = links_to(statement.claims, result, verdict);
+    const std::string instances = links_to(statement.instances, result, verdict);
+    if (said.empty() && instances.empty()) continue;
+    std::string entries = said;
+    if (!instances.empty()) entries += (said.empty() ? "" : "; ") + ("instances: " + instances);
+    const std::string mark = verdict ? badge(*verdict) : "not examined as a whole";
+    if (statement.place.empty()) {
+      beyond.push_back({prose(statement.what), mark, entries});
+    } else {
+      rows.push_back({escaped(statement.place), prose(statement.what), mark, prose(statement.scope), entries});
+    }
+  }
+  std::string html;
+  if (!rows.empty()) {
+    html +=
+        block("p",
+              "What the paper says, in its order. A statement is as good as the weakest entry that says it or a part "
+              "of it; the scope says for what. An entry shows its verdict where it has another one.") +
+        table_element("The paper, statement by statement", {"place", "statement", "verdict", "scope", "entries"}, rows,
+                      "The statements of the paper.");
+  }
+  if (!beyond.empty()) {
+    html += table_element("Beyond the paper", {"statement", "verdict", "entries"}, beyond, "Beyond the paper.");
+  }
+  return html;
+}
+
+std::string faults_line(std::span<const checks::ReadingNote> notes) {
+  const auto at = [&](std::string_view fault) { return std::ranges::count(notes, fault, &checks::ReadingNote::fault); };
+  return fmt::format("{} reading note{}: the print is at fault in {}, the extraction in {}, undecided between them {}",
+                     notes.size(), notes.size() == 1 ? "" : "s", at("print"), at("extraction"), at("undecided"));
+}
+
+std::string notes_html(const VerifyResult& result) {
+  if (result.notes.empty() && result.notes_left_out == 0) return "";
+  std::string html;
+  if (!result.notes.empty()) html += block("p", element("strong", faults_line(result.notes) + "."));
+  html += block(
+      "p",
+      "Places where the text of the paper at hand and the mathematics disagree. That text was extracted from a "
+      "PDF; <strong>the printed page was not seen</strong>. A fault of the print is a slip in the paper itself, one "
+      "of the extraction is not the paper's; where either may have made it, it is undecided.");
+  if (result.notes_left_out > 0) {
+    html += block("p", fmt::format("Left out are {} notes on statements that were not examined in this run.",
+                                   result.notes_left_out));
+  }
+  HtmlRows rows;
+  for (const checks::ReadingNote& note : result.notes) {
+    std::string place = element("span", cited_prose(note.place), {{"id", "note-" + note.id}});
+    if (!note.claim.empty()) place += "<br>" + element("a", escaped(note.claim), {{"href", "#" + note.claim}});
+    rows.push_back({place, cited_prose(note.printed), cited_prose(note.derived), escaped(note.fault),
+                    folded("why", block("p", cited_prose(note.evidence)))});
+  }
+  if (rows.empty()) return html;
+  return html + table_element("Reading notes", {"place", "printed", "derived", "at fault", "evidence"}, rows,
+                              "Reading notes.");
+}
+
+}  // namespace steadyslide::app
