@@ -135,8 +135,11 @@ TEST_CASE("the largest stress is where solve finds it, and contours carry their 
   const std::string text =
       output(GivenProblem{"0.3", "0.2", "", "x^2/2", "0.02"}.toml(), {"--max-stress", "--format", "json"});
   const std::string told = text.substr(text.find("\"largest_stress\""));
-  const auto number = [&](const char* key) { return value_after(told, std::string("\"") + key + "\": \""); };
-  const double a = value_after(text.substr(text.find("\"contact_width\"")), ": \"") / 2;
+  const auto value_of = [](const std::string& in, const char* key) {
+    return value_after(in.substr(in.find(std::string("\"") + key + "\":")), "\"value\": \"");
+  };
+  const auto number = [&](const char* key) { return value_of(told, key); };
+  const double a = value_of(text, "contact_width") / 2;
   const Point& mark = parabola.panels.front().series.back().points.front();
   CHECK(mark.x * a == doctest::Approx(number("x")).epsilon(1e-6).scale(0));
   CHECK(mark.y * a == doctest::Approx(number("z")).epsilon(1e-6).scale(0));
