@@ -7,11 +7,13 @@
 namespace steadyslide::app {
 namespace {
 
-const Rational smooth(1, 10);
-const Rational rough(1, 2);
+const Rational smooth_half(1, 10);
+const Rational rough_half(1, 2);
 
 double effective(const Rational& jump, Sliding sliding) {
-  return solved(flat_punch(Rational(1, 5), {smooth, rough}, {jump}, sliding))->resultants().effective_friction.value;
+  return solved(flat_punch(Rational(1, 5), {smooth_half, rough_half}, {jump}, sliding))
+      ->resultants()
+      .effective_friction.value;
 }
 
 /// A punch with its coatings, and where it slides: the middle of its lower face is at `at`.

@@ -15,7 +15,7 @@ namespace steadyslide::app {
 namespace {
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool is_decimal_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// A name of the notation that stands for something: x, alpha, sqrt, dx.
 bool is_known(std::string_view name) {
@@ -36,13 +36,13 @@ Kind kind_of(std::string_view token) {
     while (end < token.size() && is_letter(token[end])) ++end;
     if (end > at) {
       const std::string_view name = token.substr(at, end - at);
-      const bool power_of_ten = name == "e" && at > 0 && is_digit(token[at - 1]);
+      const bool power_of_ten = name == "e" && at > 0 && is_decimal_digit(token[at - 1]);
       if (!power_of_ten && !is_known(name)) return Kind::word;
       letters = letters || !power_of_ten;
     }
     at = std::max(end, at + 1);
   }
-  const bool digits = std::ranges::any_of(token, is_digit);
+  const bool digits = std::ranges::any_of(token, is_decimal_digit);
   if (!letters) return digits ? Kind::number : math_sign(token) || token == "/" ? Kind::sign : Kind::word;
   const bool plain = std::ranges::all_of(token, is_letter);
   if (!plain)
@@ -118,7 +118,7 @@ std::optional<std::string> in_line(std::string_view formula) {
 std::string real_minus(std::string_view text) {
   std::string result;
   for (std::size_t at = 0; at < text.size(); ++at) {
-    const bool number = text[at] == '-' && at + 1 < text.size() && is_digit(text[at + 1]);
+    const bool number = text[at] == '-' && at + 1 < text.size() && is_decimal_digit(text[at + 1]);
     const bool begins = at == 0 || std::string_view(" ([],").find(text[at - 1]) != std::string_view::npos;
     if (number && begins) {
       result += "−";
