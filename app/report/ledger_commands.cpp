@@ -82,11 +82,23 @@ std::string report_file(const std::string& folder) {
   return (std::filesystem::path(folder) / "report.html").string();
 }
 
+/// Those that bear on a statement. The page has a sketch of its own, and is to be small enough for a letter; the others
+/// stand in the gallery of the documentation.
+std::vector<std::string> shown_figures() {
+  std::vector<std::string> shown;
+  for (const FigureMaker& figure : figures()) {
+    const std::string& name = figure.name;
+    if (name != "sketch" && name != "friction-direction" && name != "rough-surface" && name != "stress-parabola")
+      shown.push_back(name);
+  }
+  return shown;
+}
+
 /// What stands on the page beside the ledger; without gnuplot it says that there are no figures.
 Supplement supplement() {
   Supplement parts;
   try {
-    parts.figures = draw_figures({});
+    parts.figures = draw_figures(shown_figures());
   } catch (const Failure& failure) {
     if (failure.code() == ExitCode::interrupted) throw;
     parts.no_figures = fmt::format("No figures: {}.", failure.what());
