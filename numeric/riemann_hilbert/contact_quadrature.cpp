@@ -221,6 +221,7 @@ Estimate<R> ContactQuadrature<R>::sum_of_panels(std::size_t slope, std::size_t c
 template <Real R>
 Estimate<R> ContactQuadrature<R>::cauchy(std::size_t slope, const SurfacePoint<R>& at) const {
   if (panels_.empty()) return {R(0), R(0)};
+  const std::lock_guard lock(*making_);
   if constexpr (std::same_as<R, double>) {
     if (Cells* const by_cells = cells()) return cauchy_by_cells(*by_cells, slope, at);
   }
@@ -244,6 +245,7 @@ std::vector<Estimate<R>> ContactQuadrature<R>::moments(const R& tilt, std::size_
 
 template <Real R>
 Estimate<R> ContactQuadrature<R>::pivot_moment(std::size_t component, const R& tilt) const {
+  const std::lock_guard lock(*making_);
   if constexpr (std::same_as<R, double>) {
     if (const Cells* by_cells = cells()) return pivot_moment_by_cells(*by_cells, component, tilt);
   }
@@ -259,6 +261,7 @@ Estimate<R> ContactQuadrature<R>::pivot_moment(std::size_t component, const R& t
 
 template <Real R>
 void ContactQuadrature<R>::add_difference_moments(std::size_t slope, std::vector<Estimate<R>>& moments) const {
+  const std::lock_guard lock(*making_);
   const std::vector<R>& f = density(slope);
   for (std::size_t i = 0; i < f.size(); ++i) {
     subtract_powers(moments, node_term<R>(1 / pi<R>(), {f[i], R(0)}), nodes_[i].node.x);

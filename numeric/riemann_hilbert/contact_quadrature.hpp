@@ -6,6 +6,7 @@
 // with g the slope of the profile and g_k its polynomial on one piece.
 
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -82,6 +83,8 @@ class ContactQuadrature {
   std::vector<std::size_t> first_panel_;  ///< of each segment, and one more
   std::vector<SurfacePoint<R>> nodes_;
   std::vector<R> node_weights_;
+  /// Over all that is made when first asked for: places of one solution may be asked for by several threads.
+  std::shared_ptr<std::mutex> making_ = std::make_shared<std::mutex>();
   mutable std::vector<std::vector<R>> densities_;  ///< made when first asked for: not all are; of many only the last
   // With pivots those of the place asked for last: neighbours follow each other.
   mutable std::size_t last_component_ = 0;

@@ -88,6 +88,7 @@ bool ReducedProblem<R>::edge_possible(End end, std::size_t anchor) const {
 template <Real R>
 template <class Make>
 const typename ReducedProblem<R>::Singularity& ReducedProblem<R>::cached(Slot& slot, const Make& make) const {
+  const std::lock_guard lock(*making_);
   if (!slot) {
     Exponent exponent = make();
     slot = Singularity{exponent, Power<R>::of(exponent)};

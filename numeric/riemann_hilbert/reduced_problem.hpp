@@ -7,6 +7,8 @@
 // breaks of the profile) is an anchor; its distance to the next one is rounded once, from the exact difference.
 
 #include <array>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -97,6 +99,7 @@ class ReducedProblem {
   R load_;
   std::optional<R> load_at_;
   // An exponent costs more than a solve has steps: made when first asked for.
+  std::shared_ptr<std::mutex> making_ = std::make_shared<std::mutex>();
   mutable std::vector<std::array<Slot, 4>> ends_;
   mutable std::vector<Slot> jumps_;
 };

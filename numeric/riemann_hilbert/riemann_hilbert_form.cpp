@@ -113,6 +113,7 @@ Estimate<R> RiemannHilbertForm<R>::pivoted_polynomial(std::size_t slope, const S
 
 template <Real R>
 const Estimate<R>& RiemannHilbertForm<R>::pivot_moment(std::size_t component) const {
+  const std::lock_guard lock(*making_);
   pivot_moments_.resize(y_->pivots().size());
   std::optional<Estimate<R>>& result = pivot_moments_[component];
   if (!result) {
@@ -143,6 +144,7 @@ Estimate<R> RiemannHilbertForm<R>::regular_factor_at(std::size_t j, Side side) c
     return regular_factor(slope_at(side == Side::left ? j - 1 : j), beside(set(), j, side, R(0)));
   };
   if (!set().point(j).is_end() || side != set().contact_side(j)) return factor();
+  const std::lock_guard lock(*making_);
   end_factors_.resize(set().points().size());
   if (!end_factors_[j]) end_factors_[j] = factor();
   return *end_factors_[j];

@@ -18,6 +18,7 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -113,6 +114,7 @@ class RiemannHilbertForm {
 
   std::vector<std::size_t> poles_;  ///< components that have a theta
   Estimate<R> load_without_poles_;  ///< the coefficient of 1/z that u'/(c Y) would have without them
+  std::shared_ptr<std::mutex> making_ = std::make_shared<std::mutex>();  ///< over what follows
   mutable std::vector<std::optional<Estimate<R>>> pivot_moments_;
   mutable std::vector<std::optional<Estimate<R>>> end_factors_;  ///< B_k at the ends of contact: asked for many times
 };
