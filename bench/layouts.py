@@ -130,7 +130,7 @@ def variational(t):
             cells += [t.time(name[kind], MS), "" if products is None else f"{products:.0f}"]
         rows.append(cells + [t.time(name["product"], MS), t.time(name["two_transforms"], MS),
                              t.ratio(name["product"], name["two_transforms"], 3)])
-    head = ["cells", "parabola", "products", "asperities", "products", "one product", "two transforms", "ratio"]
+    head = ["cells", "parabola, ms", "products", "asperities, ms", "products", "one product, ms", "two transforms, ms", "ratio"]
     return (table(head, [row for row in rows if any(row[1:])]),)
 
 
