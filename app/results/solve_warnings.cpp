@@ -1,4 +1,5 @@
-// What a person should know before a solution is used: large errors, and traces that look wrong. One line each,
+// What a person should know before a solution is used: large errors, gaps
+// that no number resolves, and traces that look wrong. One line each,
 // "what; the rule; the value".
 
 #include <fmt/format.h>
@@ -47,6 +48,21 @@ std::string sliver_only(const Indenter& indenter, const std::vector<ContactCompo
       number_text(contact.front().left.x, 6).shown, number_text(contact.back().right.x, 6).shown);
 }
 
+template <Real R>
+std::string gaps_unresolved(const std::vector<numeric::UnresolvedGap<R>>& gaps) {
+  if (gaps.empty()) return "";
+  constexpr std::size_t most_named = 3;
+  std::string named;
+  for (std::size_t k = 0; k < std::min(gaps.size(), most_named); ++k) {
+    named += fmt::format("{}x = {} (about 1e{:.0f})", k == 0 ? "" : ", ", number_text(gaps[k].x, 6).shown,
+                         gaps[k].log10_length);
+  }
+  if (gaps.size() > most_named) named += fmt::format(" and {} more", gaps.size() - most_named);
+  return "gaps over notches of the profile are shown as contact; they are too short for any place in them to have a "
+         "number; " +
+         named;
+}
+
 }  // namespace
 
 template <Real R>
@@ -58,6 +74,7 @@ std::vector<std::string> warnings(const Problem& problem, const numeric::Contact
     result.push_back(fmt::format("{}: {}; more than {} of {}; {}", error.name, estimated_error_warning,
                                  percent(large_error), error.of, percent(error.value)));
   }
+  if (std::string line = gaps_unresolved(solution.unresolved_gaps()); !line.empty()) result.push_back(std::move(line));
   if (!problem.measured) return result;
   const std::vector<ContactComponent<R>> contact = solution.contact();
   for (const std::string& line : {cut_end(contact), sliver_only(problem.contact.indenter(), contact)}) {

@@ -114,8 +114,7 @@ class Inspection {
     };
     // An edge that pulls, however little, is a free end before it, and an anchor that pulls lies in a gap.
     const auto decide = [&](std::size_t j) {
-      const std::optional<LeadingTerm<R>> term = leading_term(form_, j, end_error_);
-      const bool pulls = term && term->sign > 0;
+      const bool pulls = numeric::pulls(form_, j, leading_term(form_, j, end_error_));
       // A stretch ends at a place, not in the anchor itself.
       if (!pulls && !set_.point(j).is_end()) return;
       const bool ends = j == end;

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "numeric/riemann_hilbert/contact_inequalities.hpp"
-#include "numeric/riemann_hilbert/local_signs.hpp"
 
 namespace steadyslide::numeric {
 namespace {
@@ -33,7 +32,11 @@ class Search {
           snap();
           const RiemannHilbertForm<R> form(problem_, state_.set, state_.q, state_.tilt, rules_);
           const std::vector<Violation<R>> found = violations(form, newton.step);
-          if (found.empty()) return result({}, std::max(newton.step, newton.end_rounding), newton.tilt_rounding);
+          if (found.empty()) {
+            SearchResult<R> solved = result({}, std::max(newton.step, newton.end_rounding), newton.tilt_rounding);
+            solved.hairline_gaps = hairline_gaps(form, newton.step);
+            return solved;
+          }
           why = in_words(form, found, newton.step);
           before_gap_.reset();
           if (std::ranges::any_of(found, [](const Violation<R>& v) { return v.anchor.has_value(); })) {
@@ -177,11 +180,8 @@ class Search {
 
   bool repair(const std::vector<Violation<R>>& found) {
     Set set = state_.set;
-    using std::log;
-    for (const Violation<R>& v : found) {
-      if (!v.anchor) continue;
-      if (vanished_.count(*v.anchor) != 0 || (v.log_reach && *v.log_reach < log(R(shortest_gap)))) return false;
-    }
+    if (std::ranges::any_of(found, [&](const auto& v) { return v.anchor && vanished_.count(*v.anchor) != 0; }))
+      return false;
     // From right to left: indices on the left stay.
     for (std::size_t i = found.size(); i-- > 0;) {
       const Violation<R>& v = found[i];
@@ -214,7 +214,8 @@ class Search {
     set.open(between(from, first_end, part), between(to, last_end, part));
   }
 
-  /// A gap over an anchor that pulls much less far than to the next places that were looked at.
+  /// A gap over an anchor that pulls much less far than to the next anchors and ends: as far to both sides, since by the
+  /// law of its corner alone a gap has no long and short side.
   static bool open_over(Set& set, const Violation<R>& v) {
     using std::exp;
     if (!v.log_reach) return false;
@@ -222,7 +223,7 @@ class Search {
     const R reach = exp(*v.log_reach);
     const R& left = set.length(j - 1);
     const R& right = set.length(j);
-    if (set.point(j).is_end() || !(reach < R(1e-6) * std::min(left, right))) return false;
+    if (set.point(j).is_end() || !(reach < R(0.05) * std::min(left, right))) return false;
     set.open({j - 1, left - reach, reach}, {j, reach, right - reach});
     return true;
   }

@@ -3,8 +3,10 @@
 // into a jump, an edge or another end, the set changes and Newton's method goes on.
 
 #include <string>
+#include <vector>
 
 #include "numeric/riemann_hilbert/contact_newton.hpp"
+#include "numeric/riemann_hilbert/local_signs.hpp"
 
 namespace steadyslide::numeric {
 
@@ -14,6 +16,7 @@ struct SearchResult {
   R end_error;                   ///< estimated absolute error of the free ends, in xi
   std::string failed_condition;  ///< empty: every condition holds
   R tilt_error = 0;              ///< of the tilt, in units of c
+  std::vector<HairlineGap<R>> hairline_gaps = {};
 
   bool solved() const { return failed_condition.empty(); }
 };

@@ -72,13 +72,42 @@ std::optional<R> log_reach(const RiemannHilbertForm<R>& form, std::size_t point)
   return log(ratio) / form.power(point).value;
 }
 
+namespace {
+
+template <Real R>
+std::optional<R> hairline_reach(const RiemannHilbertForm<R>& form, std::size_t point) {
+  using std::log;
+  const std::optional<R> reach = log_reach(form, point);
+  return reach && *reach < log(R(shortest_resolved_gap)) ? reach : std::nullopt;
+}
+
+}  // namespace
+
+template <Real R>
+bool pulls(const RiemannHilbertForm<R>& form, std::size_t point, const std::optional<LeadingTerm<R>>& term) {
+  if (!term || term->sign <= 0) return false;
+  return form.set().point(point).is_end() || !hairline_reach(form, point);
+}
+
+template <Real R>
+std::vector<HairlineGap<R>> hairline_gaps(const RiemannHilbertForm<R>& form, const R& end_error) {
+  std::vector<HairlineGap<R>> result;
+  for (std::size_t j = 0; j < form.set().points().size(); ++j) {
+    if (form.set().point(j).is_end()) continue;
+    const std::optional<LeadingTerm<R>> term = leading_term(form, j, end_error);
+    if (!term || term->sign <= 0) continue;
+    if (const auto reach = hairline_reach(form, j)) result.push_back({*form.set().point(j).anchor, *reach});
+  }
+  return result;
+}
+
 template <Real R>
 R highest_limit(const RiemannHilbertForm<R>& form, const R& end_error) {
   using Is = typename LeadingTerm<R>::Is;
   R highest = 0;
   for (std::size_t j = 0; j < form.set().points().size(); ++j) {
     const std::optional<LeadingTerm<R>> term = leading_term(form, j, end_error);
-    if (!term || term->sign <= 0) continue;
+    if (!pulls(form, j, term)) continue;
     if (term->is == Is::logarithm || term->power < 0) return infinity<R>();
     if (term->is == Is::constant) highest = std::max(highest, term->coefficient.value);
     if (term->is == Is::power && term->power == 0) highest = std::max(highest, -term->coefficient.value);
@@ -114,6 +143,8 @@ std::string in_words(const RiemannHilbertForm<R>& form, std::size_t point, const
 #define STEADYSLIDE_INSTANTIATE(R)                                                                          \
   template std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>&, std::size_t, const R&); \
   template std::optional<R> log_reach(const RiemannHilbertForm<R>&, std::size_t);                           \
+  template std::vector<HairlineGap<R>> hairline_gaps(const RiemannHilbertForm<R>&, const R&);               \
+  template bool pulls(const RiemannHilbertForm<R>&, std::size_t, const std::optional<LeadingTerm<R>>&);     \
   template R highest_limit(const RiemannHilbertForm<R>&, const R&);                                         \
   template std::string in_words(const RiemannHilbertForm<R>&, std::size_t, const LeadingTerm<R>&);
 STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)

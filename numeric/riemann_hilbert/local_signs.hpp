@@ -14,6 +14,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
 
@@ -37,7 +38,28 @@ std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>& form, st
 template <Real R>
 std::optional<R> log_reach(const RiemannHilbertForm<R>& form, std::size_t point);
 
+/// In xi: below this length a gap is known by its logarithm alone.
+inline constexpr double shortest_resolved_gap = 1e-250;
+
+/// A gap over an anchor inside the contact that pulls no farther than shortest_resolved_gap. The set with contact there is
+/// the solution's but for this gap: at a distance d from it what the gap changes is smaller by a factor of the order of
+/// length/d, nothing at any place that has a number of its own.
+template <Real R>
+struct HairlineGap {
+  std::size_t anchor;
+  R log_length;  ///< of its length in xi, by order of magnitude
+};
+
+/// Left to right.
+template <Real R>
+std::vector<HairlineGap<R>> hairline_gaps(const RiemannHilbertForm<R>& form, const R& end_error);
+
+/// Does the leading term pull, and farther than over a hairline gap?
+template <Real R>
+bool pulls(const RiemannHilbertForm<R>& form, std::size_t point, const std::optional<LeadingTerm<R>>& term);
+
 /// The supremum of t at the points where the leading term is known to pull: infinite where it blows up; 0 if none does.
+/// Hairline gaps are none of them.
 template <Real R>
 R highest_limit(const RiemannHilbertForm<R>& form, const R& end_error);
 

@@ -151,6 +151,18 @@ std::vector<ContactComponent<R>> RiemannHilbertSolution<R>::contact() const {
 }
 
 template <Real R>
+std::vector<UnresolvedGap<R>> RiemannHilbertSolution<R>::unresolved_gaps() const {
+  using std::log;
+  std::vector<UnresolvedGap<R>> result;
+  const R unit = log(to_real<R>(reduced_.frame().unit));
+  for (const HairlineGap<R>& gap : found_.hairline_gaps) {
+    const double log10_length = static_cast<double>((gap.log_length + unit) / log(R(10)));
+    result.push_back({coordinate(contact_set().point_of(gap.anchor)), log10_length});
+  }
+  return result;
+}
+
+template <Real R>
 ApproximateContact RiemannHilbertSolution<R>::approximate_contact() const {
   ApproximateContact contact;
   const ContactSet<R>& set = contact_set();

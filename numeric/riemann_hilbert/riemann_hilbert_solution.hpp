@@ -28,6 +28,7 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   std::string method() const override { return "riemann-hilbert"; }
   std::string failed_condition() const override { return found_.failed_condition; }
   std::vector<ContactComponent<R>> contact() const override;
+  std::vector<UnresolvedGap<R>> unresolved_gaps() const override;
   ApproximateContact approximate_contact() const override;
   std::vector<SolvedSingularPoint<R>> singular_points() const override;
   Resultants<R> resultants() const override;

@@ -39,6 +39,14 @@ struct ContactComponent {
   Estimate<R> width;  ///< from end to end, better than the difference of their x
 };
 
+/// A gap over a notch of the profile, inside the contact, that is too short to have ends of its own: a solution has
+/// contact there, with a traction that turns to tension within about this length of x.
+template <Real R>
+struct UnresolvedGap {
+  Estimate<R> x;
+  double log10_length;  ///< by order of magnitude
+};
+
 /// K in p ~ K (2 pi d)^lambda on each side of a point (p ~ constant + K (2 pi d)^lambda with a wedge), a force per
 /// length^(2 + lambda); at lambda = -1/2 fracture mechanics' intensity factor. Absent without contact on that side, and for
 /// a logarithm.
@@ -162,6 +170,8 @@ class ContactSolution {
   /// Empty where every condition of the problem holds; otherwise what the best state reached violates, in words.
   virtual std::string failed_condition() const { return {}; }
   virtual std::vector<ContactComponent<R>> contact() const = 0;
+  /// Left to right.
+  virtual std::vector<UnresolvedGap<R>> unresolved_gaps() const { return {}; }
   /// Where contact is, in plain exact numbers: what a proof starts from.
   virtual ApproximateContact approximate_contact() const { return {}; }
   virtual std::vector<SolvedSingularPoint<R>> singular_points() const = 0;
