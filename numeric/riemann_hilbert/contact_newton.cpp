@@ -97,6 +97,24 @@ class Newton {
     return std::clamp(beta == 0 ? growth : -log1p(part) / beta, R(-30), R(6)) * damping_;
   }
 
+  /// The steps of both ends of a gap over a notch, for linear steps of its halves. The logarithm of its length follows
+  /// notch_step; how it is divided belongs to the corner and changes little. Returns the larger one of both changes.
+  R follow_gap(std::size_t end, R& left_step, R& right_step) const {
+    using std::abs, std::expm1;
+    const R& left = state_.set.length(end);
+    const R& right = state_.set.length(end + 1);
+    const R length = left + right;
+    const R& beta = problem_.jump(*state_.set.point(end + 1).anchor).power.value;
+    const R growth = (right_step - left_step) / length;
+    const R part = left / length;
+    const R shift = -left_step / length - part * growth;
+    const R rise = expm1(notch_step(growth, beta));
+    const R moved = std::clamp(damping_ * shift, R(-part / 2), R((1 - part) / 2)) * (1 + rise);
+    left_step = -left * rise - moved * length;
+    right_step = right * rise - moved * length;
+    return std::max(abs(growth), R(abs(shift) / std::min(part, R(1 - part))));
+  }
+
   /// Steps of such ends, and of gaps over notches, are steps of log l. Returns the largest of them.
   R follow_lengths(std::vector<R>& ends, const R& hull) const {
     using std::abs, std::expm1;
@@ -104,16 +122,13 @@ class Newton {
     for (std::size_t f = 0; f < free_.size(); ++f) {
       const std::size_t j = free_[f];
       const bool begins = state_.set.contact_side(j) == Side::right;
-      const R outwards = begins ? R(-1) : R(1);
-      if (const std::size_t outside = begins ? j - 1 : j; state_.set.is_over_notch(outside)) {
-        const R& length = state_.set.length(outside);
-        const R growth = -outwards * ends[f] / length;
-        largest = std::max(largest, abs(growth));
-        const R& beta = problem_.jump(*state_.set.point(begins ? j - 1 : j + 1).anchor).power.value;
-        ends[f] = -outwards * length * expm1(notch_step(growth, beta));
+      if (!begins && state_.set.is_over_notch(j)) {
+        largest = std::max(largest, follow_gap(j, ends[f], ends[f + 1]));
+        ++f;
         continue;
       }
       if (!is_beside_break(j, hull)) continue;
+      const R outwards = begins ? R(-1) : R(1);
       const R& length = state_.set.length(state_.set.inside(j));
       const R growth = outwards * ends[f] / length;
       largest = std::max(largest, abs(growth));
