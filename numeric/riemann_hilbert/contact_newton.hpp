@@ -42,12 +42,8 @@ struct NewtonResult {
   R tilt_rounding = 0;         ///< and to the tilt
 };
 
-/// In xi: a gap over a notch is not followed further. What is shorter has products that double cannot hold, and contact
-/// is looked for in double, whatever the precision.
-inline constexpr double shortest_gap = 1e-280;
-
 /// `limit[k]`: a segment that shrinks below this length and wants to go on is reported as collapsing; of half a gap
-/// over a notch the limit is shortest_gap.
+/// over a notch the limit is ContactSet::shortest_gap().
 template <Real R>
 NewtonResult<R> solve_newton(const ReducedProblem<R>& problem, ContactState<R> state, const std::vector<R>& limits,
                              JacobiRules<R>& rules);

@@ -128,7 +128,7 @@ class Search {
     if (set.is_over_notch(k)) {
       const std::size_t begin = left_moves ? k : k - 1;
       // Both halves as short as can be: there is no gap, or a shorter one, which is not to be found.
-      if (std::max(set.length(begin), set.length(begin + 1)) > R(1e6) * shortest_gap) return cross(j, towards);
+      if (std::max(set.length(begin), set.length(begin + 1)) > R(1e6) * set.shortest_gap()) return cross(j, towards);
       vanished_.insert(*set.point(begin + 1).anchor);
       set.remove_interval(begin);
       return renew(std::move(set));
@@ -254,7 +254,7 @@ class Search {
   JacobiRules<R>& rules_;
   ContactState<R> state_;
   std::optional<SearchResult<R>> before_gap_;
-  std::set<std::size_t> vanished_;  ///< anchors over which a gap became shorter than shortest_gap
+  std::set<std::size_t> vanished_;  ///< anchors over which a gap became shorter than the shortest
   std::map<std::size_t, int> crossings_;
   int closings_ = 0;
 };

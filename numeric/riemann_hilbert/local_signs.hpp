@@ -38,10 +38,8 @@ std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>& form, st
 template <Real R>
 std::optional<R> log_reach(const RiemannHilbertForm<R>& form, std::size_t point);
 
-/// In xi: below this length a gap is known by its logarithm alone.
-inline constexpr double shortest_resolved_gap = 1e-250;
-
-/// A gap over an anchor inside the contact that pulls no farther than shortest_resolved_gap. The set with contact there is
+/// A gap over an anchor inside the contact that pulls so little far that it is known by its logarithm alone: no farther than
+/// 1e30 shortest gaps, since its length is that distance but for a factor. The set with contact there is
 /// the solution's but for this gap: at a distance d from it what the gap changes is smaller by a factor of the order of
 /// length/d, nothing at any place that has a number of its own.
 template <Real R>
