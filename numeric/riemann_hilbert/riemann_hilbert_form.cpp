@@ -172,7 +172,10 @@ R RiemannHilbertForm<R>::displaced(const SurfacePoint<R>& at, const R& end_error
   R sum = 0;
   for (const std::size_t f : set().movable()) {
     if (distances[f] == 0) continue;
-    const R error = std::min(end_error, R(part * std::min(set().length(f - 1), set().length(f))));
+    // Over a notch both ends move together: it is the gap's logarithm that has an error.
+    const bool in_notch = set().is_over_notch(set().contact_side(f) == Side::right ? f - 1 : f);
+    const R share = in_notch ? std::min(part, sqrt(epsilon<R>())) : part;
+    const R error = std::min(end_error, R(share * std::min(set().length(f - 1), set().length(f))));
     R b = regular_factor_at(f, set().contact_side(f)).value;
     if (!pivots.empty()) {
       const std::size_t own = y_->component_of(f);
