@@ -48,7 +48,7 @@ class Newton {
       const auto [part, tightest] = admissible_part(ends);
       const bool moves = largest > rounding * hull || state_.set.is_over_notch(tightest);
       if (part < 1 && state_.set.length(tightest) < limit(tightest) && moves) {
-        return {std::move(state_), Status::collapse, tightest, largest};
+        return {std::move(state_), Status::collapse, tightest, std::nullopt, largest};
       }
       for (R& step : ends) step *= part;
       const std::vector<R> q_step = linear.q_step(ends, part);
@@ -68,7 +68,7 @@ class Newton {
       if (settled || (part == 1 && at_rounding_level)) {
         if (!linear.is_complete()) break;
         const auto [ends_rounding, tilt_rounding] = linear.rounding();
-        return {std::move(state_), Status::converged, 0, movement * hull, ends_rounding, tilt_rounding};
+        return {std::move(state_), Status::converged, 0, std::nullopt, movement * hull, ends_rounding, tilt_rounding};
       }
       previous = part == 1 ? movement : infinity<R>();
       // Orders of magnitude that swing to and fro want shorter steps.
@@ -76,7 +76,7 @@ class Newton {
                                                                                : std::min(1.5 * damping_, R(1));
       previous_beside = beside_wedges;
     }
-    return {std::move(state_), Status::stalled};
+    return {std::move(state_), Status::stalled, 0, restless_};
   }
 
  private:
@@ -116,9 +116,10 @@ class Newton {
   }
 
   /// Steps of such ends, and of gaps over notches, are steps of log l. Returns the largest of them.
-  R follow_lengths(std::vector<R>& ends, const R& hull) const {
+  R follow_lengths(std::vector<R>& ends, const R& hull) {
     using std::abs, std::expm1;
     R largest = 0;
+    restless_.reset();
     for (std::size_t f = 0; f < free_.size(); ++f) {
       const std::size_t j = free_[f];
       const bool begins = state_.set.contact_side(j) == Side::right;
@@ -131,6 +132,7 @@ class Newton {
       const R outwards = begins ? R(-1) : R(1);
       const R& length = state_.set.length(state_.set.inside(j));
       const R growth = outwards * ends[f] / length;
+      if (abs(growth) > largest) restless_ = j;
       largest = std::max(largest, abs(growth));
       ends[f] = outwards * length * expm1(std::clamp(growth, R(-7), R(3)));
     }
@@ -182,6 +184,7 @@ class Newton {
   const std::vector<R>& limits_;
   JacobiRules<R>& rules_;
   std::vector<std::size_t> free_;
+  std::optional<std::size_t> restless_;
   R damping_ = 1;  ///< of steps over notches
 };
 

@@ -15,7 +15,7 @@
 //   B(e_i) - sum_f rho_f/(e_i - e_f) + dtilt + p_i B_i(e_i) de_i = 0,
 // so that n components have n equations, and what is neglected is of second order.
 
-#include <string>
+#include <optional>
 
 #include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
 
@@ -37,9 +37,11 @@ struct NewtonResult {
   ContactState<R> state;
   enum class Status { converged, collapse, stalled } status;
   std::size_t collapsing = 0;  ///< the segment that wants to vanish
-  R step = 0;                  ///< the last movement of an end, at the end of the iteration
-  R end_rounding = 0;          ///< what rounding in the equations may have done to an end, in xi
-  R tilt_rounding = 0;         ///< and to the tilt
+  std::optional<std::size_t> restless =
+      std::nullopt;     ///< stalled: the end beyond a break that moved most, by its order
+  R step = 0;           ///< the last movement of an end, at the end of the iteration
+  R end_rounding = 0;   ///< what rounding in the equations may have done to an end, in xi
+  R tilt_rounding = 0;  ///< and to the tilt
 };
 
 /// `limit[k]`: a segment that shrinks below this length and wants to go on is reported as collapsing; of half a gap

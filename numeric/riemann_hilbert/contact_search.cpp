@@ -24,7 +24,11 @@ class Search {
       NewtonResult<R> newton = solve_newton(problem_, state_, limits(), rules_);
       state_ = std::move(newton.state);
       switch (newton.status) {
-        case NewtonResult<R>::Status::stalled: return failure("Newton's method for the contact's ends stalled", R(0));
+        case NewtonResult<R>::Status::stalled:
+          if (!newton.restless || !open_notch_at(*newton.restless)) {
+            return failure("Newton's method for the contact's ends stalled", R(0));
+          }
+          break;
         case NewtonResult<R>::Status::collapse:
           if (!collapse(newton.collapsing)) return failure("an end of the contact has nowhere to go", R(0));
           break;
@@ -150,6 +154,19 @@ class Search {
     return renew(std::move(set));
   }
 
+  /// Contact that ends just beyond a notch pulls in it, and there may be no length that Newton's method could find for what
+  /// lies beyond: a gap over the notch and a component behind it. False where the end j is no such end.
+  bool open_notch_at(std::size_t j) {
+    Set set = state_.set;
+    const std::size_t notch = set.neighbour(j);
+    const auto* anchor = set.anchor_at(notch);
+    if (!anchor || !(anchor->wedge < 0) || set.point(notch).is_end()) return false;
+    if (!opened_at_ends_.insert(*set.point(notch).anchor).second) return false;
+    const R half = std::min(set.length(notch - 1), set.length(notch)) / 2;
+    set.open({notch - 1, set.length(notch - 1) - half, half}, {notch, half, set.length(notch) - half});
+    return renew(std::move(set));
+  }
+
   bool cross(std::size_t j, Side towards) {
     Set set = state_.set;
     const auto& neighbour = set.point(towards == Side::left ? j - 1 : j + 1);
@@ -254,7 +271,8 @@ class Search {
   JacobiRules<R>& rules_;
   ContactState<R> state_;
   std::optional<SearchResult<R>> before_gap_;
-  std::set<std::size_t> vanished_;  ///< anchors over which a gap became shorter than the shortest
+  std::set<std::size_t> vanished_;        ///< anchors over which a gap became shorter than the shortest
+  std::set<std::size_t> opened_at_ends_;  ///< anchors that open_notch_at() has seen
   std::map<std::size_t, int> crossings_;
   int closings_ = 0;
 };
