@@ -30,6 +30,7 @@ class Newton {
     constexpr int max_steps = 100;
     // Within this part of the hull quadratic convergence has left nothing but rounding.
     const R rounding = 8 * epsilon<R>();
+    const R lengths_rounding = R(1e4) * epsilon<R>();
     R previous = infinity<R>();
     R previous_beside = infinity<R>();
     for (int iteration = 0; iteration < max_steps; ++iteration) {
@@ -59,11 +60,12 @@ class Newton {
       const R movement = std::max({largest / hull, relative_change(q_step, state_.q) / part,
                                    abs(tilt_step) / std::max(abs(state_.tilt), R(1))});
       if (!(movement < infinity<R>())) break;
-      const bool settled = movement <= rounding && beside_wedges <= R(1e-7);
+      const bool lengths_settled = beside_wedges <= lengths_rounding;
+      const bool settled = movement <= rounding && lengths_settled;
       // Rounding may keep the last steps above that: they are small, and no longer shrink.
       const bool at_rounding_level = movement < sqrt(epsilon<R>()) && movement >= previous / 2 &&
                                      beside_wedges <= R(1e-3) &&
-                                     (beside_wedges <= R(1e-7) || beside_wedges >= previous_beside / 2);
+                                     (lengths_settled || beside_wedges >= previous_beside / 2);
       // An end that rounding alone drives across an anchor takes part of the step for ever: it is where it belongs.
       if (settled || (part == 1 && at_rounding_level)) {
         if (!linear.is_complete()) break;
