@@ -42,8 +42,10 @@ NodeLine::NodeLine(const SignedFundamentalSolution<double>& y, const Panels& pan
 
 void NodeLine::add_panel(std::size_t panel, const SegmentPart<double>& part, std::size_t first, std::size_t end,
                          std::span<const SurfacePoint<double>> nodes, std::span<const double> weights) {
-  // Rules count their nodes from the end where the power sits.
-  const bool mirrored = nodes[first].node.from_left > nodes[end - 1].node.from_left;
+  // Rules count their nodes from the end where the power sits. Far from one end only the distance from the other tells.
+  const Node<double>& a = nodes[first].node;
+  const Node<double>& b = nodes[end - 1].node;
+  const bool mirrored = part.from_left <= part.from_right ? a.from_left > b.from_left : a.from_right < b.from_right;
   for (std::size_t n = first; n < end; ++n) {
     const std::size_t i = mirrored ? first + end - 1 - n : n;
     const Node<double>& node = nodes[i].node;
