@@ -82,7 +82,7 @@ class Newton {
   }
 
  private:
-  R limit(std::size_t k) const { return state_.set.is_over_notch(k) ? state_.set.shortest_gap() : limits_[k]; }
+  R limit(std::size_t k) const { return state_.set.is_over_notch(k) ? problem_.shortest_gap() : limits_[k]; }
 
   /// Does contact at the free end j reach just beyond a break of the profile? There the length l of that piece counts
   /// by its order of magnitude: it carries a load like l^(1 - p), and p may be near 1.

@@ -45,7 +45,7 @@ struct NewtonResult {
 };
 
 /// `limit[k]`: a segment that shrinks below this length and wants to go on is reported as collapsing; of half a gap
-/// over a notch the limit is ContactSet::shortest_gap().
+/// over a notch the limit is ReducedProblem::shortest_gap().
 template <Real R>
 NewtonResult<R> solve_newton(const ReducedProblem<R>& problem, ContactState<R> state, const std::vector<R>& limits,
                              JacobiRules<R>& rules);

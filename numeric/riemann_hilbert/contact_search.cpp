@@ -132,7 +132,8 @@ class Search {
     if (set.is_over_notch(k)) {
       const std::size_t begin = left_moves ? k : k - 1;
       // Both halves as short as can be: there is no gap, or a shorter one, which is not to be found.
-      if (std::max(set.length(begin), set.length(begin + 1)) > R(1e6) * set.shortest_gap()) return cross(j, towards);
+      if (std::max(set.length(begin), set.length(begin + 1)) > R(1e6) * problem_.shortest_gap())
+        return cross(j, towards);
       vanished_.insert(*set.point(begin + 1).anchor);
       set.remove_interval(begin);
       return renew(std::move(set));

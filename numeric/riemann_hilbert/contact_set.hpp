@@ -76,9 +76,6 @@ class ContactSet {
   /// Is segment k half of a short gap over a notch, a wedge with D < 0, both ends free? Such a gap keeps a traction
   /// like d^beta, or like log d, from pulling in the corner: its length counts by its order of magnitude.
   bool is_over_notch(std::size_t k) const;
-  /// In xi: no shorter gap over a notch is followed. It has products that double cannot hold, with pivots those of two such
-  /// lengths (signed_fundamental_solution.hpp), and contact is looked for in double, whatever the precision.
-  R shortest_gap() const { return R(components() > problem_->most_coupled() ? 1e-150 : 1e-280); }
 
   /// Moves the movable ends by steps[i] (in the order of movable()).
   void move(const std::vector<R>& steps);

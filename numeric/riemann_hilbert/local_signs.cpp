@@ -78,7 +78,7 @@ template <Real R>
 std::optional<R> hairline_reach(const RiemannHilbertForm<R>& form, std::size_t point) {
   using std::log;
   const std::optional<R> reach = log_reach(form, point);
-  return reach && *reach < log(R(1e30) * form.set().shortest_gap()) ? reach : std::nullopt;
+  return reach && *reach < log(R(1e30) * form.problem().shortest_gap()) ? reach : std::nullopt;
 }
 
 }  // namespace

@@ -52,6 +52,8 @@ ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& fr
     friction_of_.push_back(piece.friction);
   }
   add_anchor(indenter.right());
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(anchors_, &Anchor::is_break));
+  shortest_gap_ = count < most_coupled ? R(1e-280) : R(1e-150);
 
   for (std::size_t k = 0; k < friction.values().size(); ++k) {
     const Rational s = problem.coupled_friction(k);

@@ -60,6 +60,10 @@ class ReducedProblem {
   R profile_increment(std::size_t index, const R& from, const R& to) const;
   int highest_degree() const { return highest_degree_; }
   std::size_t most_coupled() const { return most_coupled_; }
+  /// In xi: no shorter gap over a notch is followed. It has products that double cannot hold, where there may be many
+  /// components those of two such lengths (signed_fundamental_solution.hpp), and contact is looked for in double, whatever
+  /// the precision.
+  const R& shortest_gap() const { return shortest_gap_; }
 
   const R& s(std::size_t friction) const { return s_[friction]; }
   const R& cos_alpha(std::size_t friction) const { return cos_alpha_[friction]; }
@@ -94,6 +98,7 @@ class ReducedProblem {
   std::vector<std::vector<R>> slopes_;
   int highest_degree_ = 0;
   std::size_t most_coupled_;
+  R shortest_gap_;
   std::vector<R> s_;
   std::vector<R> cos_alpha_;
   R load_;

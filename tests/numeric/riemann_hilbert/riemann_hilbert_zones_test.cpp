@@ -163,12 +163,15 @@ TEST_CASE("64 zones are where cells see them") {
 
 TEST_CASE("rough traces: many zones of many pieces, with gaps shorter than any cell between them") {
   std::mt19937_64 random(2016);
-  for (const int n : {100, 200}) {
+  // The smoother a trace is, the shorter are its gaps: some have no number.
+  std::size_t unresolved = 0;
+  for (const auto& [n, roughness] : {std::pair(100, 0.3), {200, 0.05}, {400, 0.05}, {1000, 0.1}}) {
     CAPTURE(n);
+    CAPTURE(roughness);
     // A parabola with a random height at each of its points.
     const auto height = [&](int i) {
       const double x = 2.0 * i / n - 1;
-      const double rough = std::generate_canonical<double, 53>(random) * 0.3 / n;
+      const double rough = std::generate_canonical<double, 53>(random) * roughness / n;
       return Rational(std::llround(1e9 * (x * x / 2 + rough)), 1'000'000'000);
     };
     std::vector<Indenter::Piece> pieces;
@@ -181,7 +184,7 @@ TEST_CASE("rough traces: many zones of many pieces, with gaps shorter than any c
       left = right;
     }
     const ContactProblem problem = reduced({0.1_r, 0.4_r}, {0}, Indenter(-1, pieces), 0.1_r);
-    const auto found = solved<double>(problem);
+    const auto found = riemann_hilbert<double>(problem).solution;
     REQUIRE(found->failed_condition() == "");
     const auto zones = found->contact();
     CHECK(zones.size() > 5);
@@ -191,12 +194,16 @@ TEST_CASE("rough traces: many zones of many pieces, with gaps shorter than any c
     }
     CHECK(shortest < 1e-6);
     const auto residuals = found->residuals();
-    CHECK(residuals.load < 1e-8);
+    CHECK(residuals.equation < 1e-11);
+    unresolved += found->unresolved_gaps().size();
+    CHECK(residuals.load < 1e-11);
+    CHECK(residuals.penetration < 1e-12);
     CHECK(residuals.tension == 0);
-    CHECK(found->estimated_error().traction < 0.5);
+    CHECK(found->estimated_error().traction < 0.01);
     const auto cells = variational_inequality(problem, {.cells = 65536}).solution;
     const auto ours = found->resultants(), theirs = cells->resultants();
     CHECK(ours.load_share[0].value == doctest::Approx(theirs.load_share[0].value).epsilon(1e-3));
     CHECK(ours.centre_of_pressure.value == doctest::Approx(theirs.centre_of_pressure.value).epsilon(1e-3));
   }
+  CHECK(unresolved > 0);
 }
