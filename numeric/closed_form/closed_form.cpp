@@ -227,7 +227,8 @@ PiecewiseTraction<R> ClosedForm<R>::piecewise_traction() const {
                 [&, k](const R& from_left, const R& from_right) {
                   const Node<R> node{weight().point(k) + from_left, from_left, from_right};
                   return R(16 * epsilon<R>() + weight().relative_error(k, node, 2 * data_.end_error));
-                }});
+                },
+                k == 0 ? data_.end_error : R(0), k + 1 == panels ? data_.end_error : R(0)});
   }
   return result;
 }

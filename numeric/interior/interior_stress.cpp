@@ -160,37 +160,47 @@ void InteriorStress<R>::add_panel(std::size_t k, const Point& point, Sums& sums)
   add_sums(of_panel, panel, x_left > 0 && x_right < 0, sums);
 }
 
-/// `x_left`: x minus the left end of the part.
+/// `x_left`: x minus the left end of the part; `reach`: from the panel's singular end to the point.
 template <Real R>
 void InteriorStress<R>::add_part(const TractionPanel<R>& panel, const PanelPart<R>& part, const R& x_left,
-                                 const R& x_right, const R& z, Sums& sums) const {
+                                 const R& x_right, const R& z, const R& reach, Sums& sums) const {
+  using std::abs;
   sums.nodes.clear();
   traction_.append_nodes(panel, part, sums.nodes);
   std::array<R, 4> of_part{};
+  std::array<R, 4> displaced{};
   // From the end of the part that is nearer: from x itself if it ends there.
   const bool by_left = x_left <= 0;
   for (std::size_t i = 0; i < sums.nodes.forces.size(); ++i) {
-    const R x = by_left ? x_left - sums.nodes.from_left[i] : x_right + sums.nodes.from_right[i];
-    add_force(of_part, sums.nodes.forces[i], x, z);
+    const R &left = sums.nodes.from_left[i], &right = sums.nodes.from_right[i], &force = sums.nodes.forces[i];
+    const R x = by_left ? x_left - left : x_right + right;
+    add_force(of_part, force, x, z);
+    if (panel.end_error > 0) add_force(displaced, R(force * panel.displaced(part, left, right, reach)), x, z);
   }
   add_sums(of_part, panel, false, sums);
+  for (std::size_t j = 0; j < 4; ++j) {
+    sums.normal_error[j] += abs(displaced[j]);
+    sums.tangential_error[j] += abs(panel.shear_ratio * displaced[j]);
+  }
 }
 
 template <Real R>
 void InteriorStress<R>::add_near(const TractionPanel<R>& panel, const R& x_left, const R& x_right, const R& z,
                                  Sums& sums) const {
   using std::sqrt;
+  const R& from_end = panel.singular_end == Side::right ? x_right : x_left;
+  const R reach = sqrt(from_end * from_end + z * z);
   PanelPart<R> whole{R(0), panel.length, R(0)};
   if (x_left > 0 && x_right < 0) {
     const R behind = -x_right;
-    add_part(panel, {R(0), x_left, behind, infinity<R>(), z}, x_left, R(0), z, sums);
-    add_part(panel, {x_left, behind, R(0), z, infinity<R>()}, R(0), x_right, z, sums);
+    add_part(panel, {R(0), x_left, behind, infinity<R>(), z}, x_left, R(0), z, reach, sums);
+    add_part(panel, {x_left, behind, R(0), z, infinity<R>()}, R(0), x_right, z, reach, sums);
   } else if (x_left <= 0) {
     whole.beyond_left = sqrt(x_left * x_left + z * z);
-    add_part(panel, whole, x_left, x_right, z, sums);
+    add_part(panel, whole, x_left, x_right, z, reach, sums);
   } else {
     whole.beyond_right = sqrt(x_right * x_right + z * z);
-    add_part(panel, whole, x_left, x_right, z, sums);
+    add_part(panel, whole, x_left, x_right, z, reach, sums);
   }
 }
 

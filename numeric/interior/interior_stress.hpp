@@ -20,7 +20,8 @@
 // smallest scale. Distances to x are sums from x, not differences of coordinates: nothing is lost however small z is. The
 // work grows like log(number of panels) + log(length/z).
 //
-// What the errors estimate: rounding, the traction's own error, and displaced free ends.
+// What the errors estimate: rounding, the traction's own error, and free ends displaced by their own error e, which at a
+// distance d from one changes what is nearest by about e/d.
 
 #include <span>
 
@@ -73,7 +74,7 @@ class InteriorStress {
   void add_panel(std::size_t panel, const Point& point, Sums& sums) const;
   void add_near(const TractionPanel<R>& panel, const R& x_left, const R& x_right, const R& z, Sums& sums) const;
   void add_part(const TractionPanel<R>& panel, const PanelPart<R>& part, const R& x_left, const R& x_right, const R& z,
-                Sums& sums) const;
+                const R& reach, Sums& sums) const;
   StressState<R> state_of(const Sums& sums) const;
   StressState<R> at(const Point& point, Sums& sums) const;
 

@@ -49,11 +49,12 @@ void add(const PiecewiseTraction<R>& traction, const TractionPanel<R>& panel, co
   nodes.clear();
   traction.append_nodes(panel, part, nodes);
   for (std::size_t i = 0; i < nodes.forces.size(); ++i) {
+    const R relative_error = panel.error + panel.displaced(part, nodes.from_left[i], nodes.from_right[i], part.length);
     const R from_left = ((before > 0 ? before : R(0)) + nodes.from_left[i]) / element.length;
     const R from_right = ((behind > 0 ? behind : R(0)) + nodes.from_right[i]) / element.length;
     for (int n = 0; n <= order; ++n) {
       const R force = nodes.forces[i] * shape_function(order, n, from_left, from_right);
-      const R error = panel.error * abs(force);
+      const R error = relative_error * abs(force);
       forces[n].normal += Estimate<R>{-force, error};
       forces[n].tangential += Estimate<R>{panel.shear_ratio * force, abs(panel.shear_ratio) * error};
     }

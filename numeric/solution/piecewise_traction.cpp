@@ -113,7 +113,7 @@ template <Real R>
 void PiecewiseTraction<R>::add(const SurfacePlace<R>& left, const SurfacePlace<R>& right, const R& length,
                                const R& traction, const R& shear_ratio, const R& error) {
   panels_.push_back(
-      {left, right, length, std::nullopt, {R(0), R(1)}, legendre_, coefficients_.size(), 1, shear_ratio, error});
+      {left, right, length, std::nullopt, {R(0), R(1)}, legendre_, coefficients_.size(), 1, shear_ratio, error, R(0)});
   coefficients_.push_back(traction);
 }
 
@@ -182,9 +182,9 @@ void PiecewiseTraction<R>::add_panel(const TractionSegment<R>& segment, const Gr
   for (std::size_t i = 0; is_power && i < values.size(); ++i) values[i] /= pow(y[i], power.value);
   values = chebyshev_series(values);
   const R half = part.length / 2;
-  R error = segment.relative_error(part.from_left + half, part.from_right + half);
-  // Next to a free end, where the traction vanishes, a displaced end does more.
-  if (is_power && power.value > 0) error *= 4;
+  const R end_error = !is_power ? R(0) : mirrored ? segment.right_error : segment.left_error;
+  // At the middle, and what a displaced end changes in all.
+  const R error = segment.relative_error(part.from_left + half, part.from_right + half) + 2 * end_error / part.length;
   const auto place = [&](const R& left, const R& right) {
     return left <= right ? segment.left.moved(left) : segment.right.moved(-right);
   };
@@ -197,7 +197,8 @@ void PiecewiseTraction<R>::add_panel(const TractionSegment<R>& segment, const Gr
                          coefficients_.size(),
                          values.size(),
                          segment.shear_ratio,
-                         error};
+                         error,
+                         end_error};
   if (is_power) panel.rule = &rules_->get(power, {R(0), R(1)}, rule_size_);
   // Without a power y counts from the left.
   for (std::size_t k = 1; mirrored && !is_power && k < values.size(); k += 2) values[k] = -values[k];

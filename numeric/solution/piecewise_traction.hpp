@@ -9,6 +9,7 @@
 // logarithm, or a constant beside its power, panels shrink by halves until what is left carries nothing. Cells are panels
 // with a constant g. In the user's units.
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -24,6 +25,16 @@
 
 namespace steadyslide::numeric {
 
+/// A part of a panel: what lies left of it, its length, and what lies right of it; zeros are exact.
+template <Real R>
+struct PanelPart {
+  R from_left;
+  R length;
+  R from_right;
+  R beyond_left = infinity<R>();  ///< from its ends to what else an integrand is singular at, a pole beside the surface
+  R beyond_right = infinity<R>();
+};
+
 template <Real R>
 struct TractionPanel {
   SurfacePlace<R> left;
@@ -35,7 +46,16 @@ struct TractionPanel {
   std::size_t first;          ///< of the Chebyshev coefficients of g
   std::size_t count;
   R shear_ratio;  ///< r
-  R error;        ///< of t, estimated, relative
+  R error;        ///< of t over the panel, estimated, relative
+  R end_error;    ///< by how much its singular end may be displaced, estimated; 0 where it cannot be
+
+  /// What a displaced end changes of the force at these distances from the ends of a part, relative, estimated, as a function
+  /// sees it that varies over lengths of `reach` near that end: p d^(p-1) of d^p, which is as large over all d < reach as
+  /// d^p/reach.
+  R displaced(const PanelPart<R>& part, const R& to_left, const R& to_right, const R& reach) const {
+    const R d = singular_end == Side::left ? part.from_left + to_left : part.from_right + to_right;
+    return 2 * end_error / std::max(d, reach);
+  }
 };
 
 /// A part of the contact between two neighbouring singular points, as a solution knows it.
@@ -57,16 +77,8 @@ struct TractionSegment {
   std::function<void(std::span<const R>, std::span<const R>, std::span<R>)> tractions;
   /// Of t at a place, estimated, by the same.
   std::function<R(const R&, const R&)> relative_error;
-};
-
-/// A part of a panel: what lies left of it, its length, and what lies right of it; zeros are exact.
-template <Real R>
-struct PanelPart {
-  R from_left;
-  R length;
-  R from_right;
-  R beyond_left = infinity<R>();  ///< from its ends to what else an integrand is singular at, a pole beside the surface
-  R beyond_right = infinity<R>();
+  R left_error = 0;  ///< by how much the ends may be displaced, estimated
+  R right_error = 0;
 };
 
 /// A rule: int f t dx = sum forces[i] f at the distances given from the part's ends.

@@ -1,8 +1,10 @@
 // The stresses below the surface by unrelated routes: the adaptive tanh-sinh rule, and where one friction value and one
 // polynomial rule, potentials in closed form; and what they have to be next to the surface and far from it.
 
+#include <algorithm>
 #include <random>
 
+#include "numeric/closed_form/closed_form.hpp"
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/interior/interior_stress_problems.hpp"
 
@@ -89,6 +91,40 @@ TEST_CASE("quadrature of the tractions: jumps, wedges, edges, at every depth") {
       }
     }
   }
+}
+
+TEST_CASE("next to a free end: in double as far from the closed potentials as the errors say, by both methods") {
+  std::vector<double> ratios;
+  int displaced = 0;
+  for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {
+    const ContactProblem problem = parabola(sliding);
+    const Solved<Real50> exact(problem);
+    for (const auto& rough : {closed_form<double>(problem).solution, riemann_hilbert<double>(problem).solution}) {
+      const InteriorStress<double> interior(*rough);
+      for (const double from_end : {-1e-3, -1e-6, -1e-9, 1e-9, 1e-6, 1e-3}) {
+        for (const double fraction : {from_end, 1 - from_end}) {
+          for (const char* depth : depths) {
+            CAPTURE(fraction);
+            CAPTURE(std::string(depth));
+            const Rational x = exact.place(fraction), z = parse_rational(depth);
+            const StressState<double> found = interior.at(x, z);
+            const StressComponents<Real50> expected = by_potentials(exact.solution, x, z);
+            for (const auto& [a, b] :
+                 {std::pair(found.xx, expected.xx), {found.zz, expected.zz}, {found.xz, expected.xz}}) {
+              const double error = static_cast<double>(size_of(Real50(a.value - b)));
+              CHECK(error <= a.error);
+              ratios.push_back(a.error / error);
+              if (error > 1e-12 * std::abs(a.value)) ++displaced;
+            }
+          }
+        }
+      }
+    }
+  }
+  // Not by being large, and where rounding alone would not do: the place of an end matters.
+  std::ranges::nth_element(ratios, ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2));
+  CHECK(ratios[ratios.size() / 2] < 1000);
+  CHECK(displaced > 10);
 }
 
 // Slow: 13 s of tanh-sinh rules at 50 digits.

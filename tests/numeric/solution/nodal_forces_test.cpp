@@ -85,6 +85,28 @@ TEST_CASE("a frictionless punch: a half, a half; a quarter, a half, a quarter, a
   CHECK(size_of(R(parts[1].normal.value - (on_left + R(1) / 6 - 2 * moment))) < R("1e-50"));
 }
 
+TEST_CASE("a short element at a free end: in double as far from 50 digits as the errors say") {
+  const ContactProblem problem = jumps();
+  const auto rough = riemann_hilbert<double>(problem).solution;
+  const auto exact = riemann_hilbert<Real50>(problem).solution;
+  const Rational left(rough->contact().front().left.x.value), right(rough->contact().back().right.x.value);
+  for (const char* length : {"1/1000", "1/10000000", "1/1000000000"}) {
+    const Rational h = parse_rational(length);
+    const SurfaceMesh mesh({left - h, left + h, 0, right - h, right + h}, 1);
+    const auto found = forces_of(*rough, mesh);
+    const auto expected = forces_of(*exact, mesh);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      CAPTURE(i);
+      CAPTURE(std::string(length));
+      const auto error = [](const Estimate<double>& a, const Estimate<Real50>& b) {
+        return static_cast<double>(size_of(Real50(a.value - b.value)));
+      };
+      CHECK(error(found[i].normal, expected[i].normal) <= found[i].normal.error);
+      CHECK(error(found[i].tangential, expected[i].tangential) <= found[i].tangential.error);
+    }
+  }
+}
+
 TEST_CASE("cells: a constant times a polynomial, by Simpson's rule on what cells and elements share") {
   VariationalOptions options;
   options.cells = 512;
