@@ -147,14 +147,17 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
   const bool panel_is_right = at.segment < static_cast<std::ptrdiff_t>(part.segment);
   const std::size_t count = rule.size();
   const R gap = between + (panel_is_right ? part.from_left : part.from_right);
+  const auto distance = [&](std::size_t i) {
+    const Node<R>& node = nodes_[panel.first + i].node;
+    return R(between + (panel_is_right ? node.from_left : node.from_right));
+  };
   R sum = 0;
-  R size = 0;
+  double size = 0;  // sizes need no more digits
   if (2 * gap >= part.length) {
-    for (std::size_t i = panel.first; i < panel.first + count; ++i) {
-      const R term = density[i - panel.first] /
-                     (between + (panel_is_right ? nodes_[i].node.from_left : nodes_[i].node.from_right));
+    for (std::size_t i = 0; i < count; ++i) {
+      const R term = density[i] / distance(i);
       sum += term;
-      size += abs(term);
+      size += abs(static_cast<double>(term));
     }
   } else {
     // phi(y) y^a over the unit interval, y from the end that faces the point, where the power sits if there is any:
@@ -171,25 +174,25 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
     const std::size_t own = y_->slope_at(part.segment);
     phi *= y_->traction_factor(part.segment, component);
     // Near a break g - g_k is a small difference: what counts is the rounding of both.
-    const auto slope_size = [&](const R& x) {
-      return (problem.slope_estimate(own, x).error + problem.slope_estimate(slope, x).error) / (4 * epsilon<R>());
-    };
-    const R phi_size = abs(phi) * slope_size(at.node.x);
+    const auto slope_size = [&](const R& x) { return (problem.slope_size(own, x) + problem.slope_size(slope, x)) / 4; };
+    const double phi_size = abs(static_cast<double>(phi)) * slope_size(at.node.x);
     phi *= problem.slope(own, at.node.x) - problem.slope(slope, at.node.x);
-    const bool mirrored = !panel.rule.singular_end && !panel_is_right;
+    const R scaled = phi * part.length;
+    const double scaled_size = phi_size * static_cast<double>(part.length);
     for (std::size_t i = 0; i < count; ++i) {
-      const R& y = mirrored ? rule.from_right[i] : rule.from_left[i];
-      const R term = (density[i] / part.length - phi * rule.weights[i]) / (y + d);
+      const R to_node = distance(i);
+      const R term = (density[i] - scaled * rule.weights[i]) / to_node;
       sum += term;
-      const R density_size = abs(weights[i]) * slope_size(nodes_[panel.first + i].node.x) / part.length;
-      size += abs(term) + (density_size + phi_size * rule.weights[i]) / (y + d);
+      const double density_size = abs(static_cast<double>(weights[i])) * slope_size(nodes_[panel.first + i].node.x);
+      size += abs(static_cast<double>(term)) +
+              (density_size + scaled_size * static_cast<double>(rule.weights[i])) / static_cast<double>(to_node);
     }
     const R rest =
         gap == 0 ? regular_second_kind(panel.rule.power, part.length) : second_kind::left_of(panel.rule.power, d);
     sum += phi * rest;
-    size += (abs(phi) + phi_size) * abs(rest);
+    size += (abs(static_cast<double>(phi)) + phi_size) * abs(static_cast<double>(rest));
   }
-  return {panel_is_right ? sum : -sum, size};
+  return {panel_is_right ? sum : -sum, R(size)};
 }
 
 template <Real R>
