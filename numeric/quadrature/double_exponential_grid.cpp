@@ -74,7 +74,8 @@ struct UnitNode {
   R far;
   R log_near;
   R log_far;
-  R rate;  ///< pi cosh tau
+  R rate;             ///< pi cosh tau
+  double rough_near;  ///< for what double is enough for
 
   static UnitNode at(const R& tau) {
     using std::exp, std::log;
@@ -84,7 +85,8 @@ struct UnitNode {
     const R decay = exp(R(-twice_u));
     const R far = 1 / (1 + decay);
     const R log_far = log(far);
-    return {decay * far, far, log_far - twice_u, log_far, pi<R>() * (e + inverse) / 2};
+    const R near = decay * far;
+    return {near, far, log_far - twice_u, log_far, pi<R>() * (e + inverse) / 2, static_cast<double>(near)};
   }
 };
 
@@ -213,6 +215,7 @@ typename Grid<R>::PanelSamples Grid<R>::sampled(const PanelDensity<R>& density, 
   const R& a = density.left.plus_one;
   const R& b = density.right.plus_one;
   const std::vector<R> powers = end_powers(*nodes, a, b, first, last);
+  const auto length = static_cast<double>(panel.length);
   // dx = length pi cosh(tau) y (1-y) dtau
   const R factor = h * power_of(panel.length, R(a + b - 1));
   result.samples.reserve(powers.size());
@@ -223,14 +226,14 @@ typename Grid<R>::PanelSamples Grid<R>::sampled(const PanelDensity<R>& density, 
     const R& rest = i > 0 ? unit.near : unit.far;
     const Node<R> node = node_at(panel, R(panel.length * y), R(panel.length * rest));
     const R smooth = density.smooth(node);
-    result.samples.push_back(
-        {node.from_left, node.from_right, factor * unit.rate * powers[static_cast<std::size_t>(i - first)] * smooth});
-    const Sample& s = result.samples.back();
-    result.rough.push_back(
-        {static_cast<double>(s.from_left), static_cast<double>(s.from_right), static_cast<double>(s.weighted)});
+    const R weighted = factor * unit.rate * powers[static_cast<std::size_t>(i - first)] * smooth;
+    result.samples.push_back({node.from_left, node.from_right, weighted});
+    const double near = length * unit.rough_near;
+    const double far = length * (1 - unit.rough_near);
+    result.rough.push_back({i > 0 ? far : near, i > 0 ? near : far, static_cast<double>(weighted)});
     // The sign is what counts; where it is wrong, the size as well.
-    if (y < outermost_seen || rest < outermost_seen) continue;
-    const R t = smooth > 0 ? R(s.weighted / (h * panel.length * unit.rate * y * rest)) : s.weighted;
+    if (unit.rough_near < outermost_seen) continue;
+    const R t = smooth > 0 ? R(weighted / (h * panel.length * unit.rate * y * rest)) : weighted;
     result.highest = std::max(result.highest, t);
   }
   return result;

@@ -41,7 +41,7 @@ R common_factor(const SignedFundamentalSolution<R>& y, std::size_t segment) {
 
 template <Real R>
 ContactQuadrature<R>::ContactQuadrature(const SignedFundamentalSolution<R>& y, JacobiRules<R>& rules)
-    : y_(&y), densities_(y.problem().slopes().size()) {
+    : y_(&y), densities_(y.problem().slopes().size()), distant_(densities_.size()) {
   const ContactSet<R>& set = y.set();
   if (y.problem().slopes().size() <= 1 && set.components() <= 1) return;
   const auto power_at = [&y](std::size_t j) {
@@ -138,6 +138,24 @@ const std::vector<R>& ContactQuadrature<R>::density(std::size_t slope, std::size
 }
 
 template <Real R>
+const DistantSum<R>* ContactQuadrature<R>::distant_sum(const Panel& panel, std::size_t slope, const R* density) const {
+  if constexpr (!std::same_as<R, double>) {
+    constexpr std::size_t worth_while = 48;
+    if (!y_->pivots().empty() || densities_.size() * nodes_.size() > most_kept) return nullptr;
+    std::vector<DistantPanel>& of_slope = distant_[slope];
+    of_slope.resize(panels_.size());
+    DistantPanel& distant = of_slope[static_cast<std::size_t>(&panel - panels_.data())];
+    if (++distant.asked == worth_while) {
+      const bool mirrored = panel.rule.singular_end == Side::right;
+      const JacobiRule<R>& rule = *panel.rule.rule;
+      distant.sum = DistantSum<R>(mirrored ? rule.from_right : rule.from_left, density);
+    }
+    if (distant.asked >= worth_while) return &distant.sum;
+  }
+  return nullptr;
+}
+
+template <Real R>
 Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t slope, std::size_t component,
                                                const SurfacePoint<R>& at, const R& between, const R* weights,
                                                const R* density) const {
@@ -147,17 +165,23 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
   const bool panel_is_right = at.segment < static_cast<std::ptrdiff_t>(part.segment);
   const std::size_t count = rule.size();
   const R gap = between + (panel_is_right ? part.from_left : part.from_right);
-  const auto distance = [&](std::size_t i) {
-    const Node<R>& node = nodes_[panel.first + i].node;
-    return R(between + (panel_is_right ? node.from_left : node.from_right));
-  };
   R sum = 0;
   double size = 0;  // sizes need no more digits
   if (2 * gap >= part.length) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const R term = density[i] / distance(i);
-      sum += term;
-      size += abs(static_cast<double>(term));
+    if (const DistantSum<R>* distant = distant_sum(panel, slope, density)) {
+      sum = distant->value(gap / part.length, !panel_is_right) / part.length;
+      size = distant->size() / static_cast<double>(gap);
+    } else {
+      R to_node, term;
+      for (std::size_t i = 0; i < count; ++i) {
+        const Node<R>& node = nodes_[panel.first + i].node;
+        to_node = between;
+        to_node += panel_is_right ? node.from_left : node.from_right;
+        term = density[i];
+        term /= to_node;
+        sum += term;
+        size += abs(static_cast<double>(term));
+      }
     }
   } else {
     // phi(y) y^a over the unit interval, y from the end that faces the point, where the power sits if there is any:
@@ -180,10 +204,11 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
     const R scaled = phi * part.length;
     const double scaled_size = phi_size * static_cast<double>(part.length);
     for (std::size_t i = 0; i < count; ++i) {
-      const R to_node = distance(i);
+      const Node<R>& node = nodes_[panel.first + i].node;
+      const R to_node = between + (panel_is_right ? node.from_left : node.from_right);
       const R term = (density[i] - scaled * rule.weights[i]) / to_node;
       sum += term;
-      const double density_size = abs(static_cast<double>(weights[i])) * slope_size(nodes_[panel.first + i].node.x);
+      const double density_size = abs(static_cast<double>(weights[i])) * slope_size(node.x);
       size += abs(static_cast<double>(term)) +
               (density_size + scaled_size * static_cast<double>(rule.weights[i])) / static_cast<double>(to_node);
     }
