@@ -5,9 +5,10 @@
 #include "support/numeric_test.hpp"
 #include "support/random_contact.hpp"
 
-TEST_CASE("the first eight") {
+TEST_CASE("the first eight, and those whose estimates have been too small") {
   EstimateAudit audit;
-  for (std::uint64_t i = 0; i < 8; ++i) audit_estimates(first_listed_seed + i, audit);
+  // 5606: loads beside a break, integrated by a rule that does not know the traction's own error.
+  for (const std::uint64_t i : {0, 1, 2, 3, 4, 5, 6, 7, 5606}) audit_estimates(first_listed_seed + i, audit);
   MESSAGE(audit.text());
   for (const std::string& line : audit.dishonest) FAIL_CHECK(line);
   CHECK(audit.failure() == "");
