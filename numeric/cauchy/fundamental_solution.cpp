@@ -29,7 +29,7 @@ class PowerProduct {
     if constexpr (std::same_as<R, double>) {
       return value_;
     } else {
-      return exp(value_);
+      return value_ == 0 ? R(1) : R(exp(value_));
     }
   }
 

@@ -43,7 +43,7 @@ class SurfaceCheck {
   /// length from one end to 1e-6 from the other; on the short grid at two or three, not next to the ends.
   R equation() const {
     R worst = 0;
-    for_points([&](const auto& grid, const PanelPoint<R>& point) {
+    for_points([&](const auto& grid, const auto& point) {
       const R t = density_[point.panel](point.node);
       const SlidingTerms<R> terms{t, {grid.hilbert(point)}, s_[point.panel] * t};
       worst = std::max(worst, terms.residual(profile_slope_(point.panel, point.node)));

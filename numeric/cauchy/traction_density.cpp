@@ -18,15 +18,18 @@ template <Real R>
 PanelDensity<R> panel_density(const RiemannHilbertForm<R>& form, std::size_t segment) {
   const Power<R> left = traction_power(form, segment);
   const Power<R> right = traction_power(form, segment + 1);
-  const auto smooth = [&form, segment, left, right](const Node<R>& node) {
+  const R factor = form.y().traction_factor(segment);
+  const R& p_left = form.power(segment).value;
+  const R& p_right = form.power(segment + 1).value;
+  const bool left_is_smooth = p_left != left.value;
+  const bool right_is_smooth = p_right != right.value;
+  const auto smooth = [&form, &p_left, &p_right, segment, factor, left_is_smooth,
+                       right_is_smooth](const Node<R>& node) {
     using std::pow;
     const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(segment), node};
-    const R& p_left = form.power(segment).value;
-    const R& p_right = form.power(segment + 1).value;
-    R value = form.sign(at.segment) * form.problem().cos_alpha(form.friction_at(segment)) *
-              form.y().smooth_modulus(segment, node) * form.regular_factor(form.slope_at(segment), at).value;
-    if (p_left != left.value) value *= pow(node.from_left, p_left);
-    if (p_right != right.value) value *= pow(node.from_right, p_right);
+    R value = factor * form.y().smooth_modulus(segment, node) * form.regular_value(form.slope_at(segment), at);
+    if (left_is_smooth) value *= pow(node.from_left, p_left);
+    if (right_is_smooth) value *= pow(node.from_right, p_right);
     return value;
   };
   const ContactSet<R>& set = form.set();

@@ -32,8 +32,11 @@ R pi() {
   if constexpr (std::same_as<R, double>) {
     return 0x1.921fb54442d18p+1;
   } else {
-    R value;
-    mpfr_const_pi(value.backend().data(), MPFR_RNDN);
+    static const R value = [] {
+      R made;
+      mpfr_const_pi(made.backend().data(), MPFR_RNDN);
+      return made;
+    }();
     return value;
   }
 }

@@ -26,17 +26,21 @@ R value_of(const std::vector<R>& coefficients, const R& x) {
   return value;
 }
 
-/// The value at x, and what rounding may have made of it: of x and of each coefficient once, and of Horner's rule. What
-/// cancels in the value does not cancel there.
+/// What rounding may make of the value at x, in units of epsilon: of x and of each coefficient once, and of Horner's rule.
+/// What cancels in the value does not cancel there.
+template <Real R>
+double rounding_size(const std::vector<R>& coefficients, const R& x) {
+  double size = 0;
+  const double magnitude = std::abs(static_cast<double>(x));
+  for (std::size_t k = coefficients.size(); k-- > 0;) {
+    size = size * magnitude + static_cast<double>(3 * k + 2) * std::abs(static_cast<double>(coefficients[k]));
+  }
+  return size;
+}
+
 template <Real R>
 Estimate<R> estimate_of(const std::vector<R>& coefficients, const R& x) {
-  using std::abs;
-  R size = 0;
-  const R magnitude = abs(x);
-  for (std::size_t k = coefficients.size(); k-- > 0;) {
-    size = size * magnitude + static_cast<double>(3 * k + 2) * abs(coefficients[k]);
-  }
-  return {value_of(coefficients, x), epsilon<R>() * size};
+  return {value_of(coefficients, x), epsilon<R>() * rounding_size(coefficients, x)};
 }
 
 template <Real R>

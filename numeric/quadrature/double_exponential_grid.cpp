@@ -74,7 +74,8 @@ struct UnitNode {
   R far;
   R log_near;
   R log_far;
-  R rate;  ///< pi cosh tau
+  R rate;             ///< pi cosh tau
+  double rough_near;  ///< for what double is enough for
 
   static UnitNode at(const R& tau) {
     using std::exp, std::log;
@@ -84,26 +85,71 @@ struct UnitNode {
     const R decay = exp(R(-twice_u));
     const R far = 1 / (1 + decay);
     const R log_far = log(far);
-    return {decay * far, far, log_far - twice_u, log_far, pi<R>() * (e + inverse) / 2};
+    const R near = decay * far;
+    return {near, far, log_far - twice_u, log_far, pi<R>() * (e + inverse) / 2, static_cast<double>(near)};
   }
 };
 
-/// The nodes at 0, h, 2h, ... as far as any power above -7/8 asks for, made once a step.
+/// What is known of a step, whatever the panel: grows as it is asked for, and is shared by all grids.
 template <Real R>
-std::shared_ptr<const std::vector<UnitNode<R>>> unit_nodes(int step) {
-  static std::mutex mutex;
-  static std::map<int, std::shared_ptr<const std::vector<UnitNode<R>>>> known;
-  const std::lock_guard lock(mutex);
-  auto& nodes = known[step];
-  if (!nodes) {
-    const double last = reach(Power<R>{R(-0.875), R(0.125)});
-    std::vector<UnitNode<R>> made;
-    for (int i = 0; i * step < last * steps_per_unit; ++i)
-      made.push_back(UnitNode<R>::at(R(i * step) / steps_per_unit));
-    nodes = std::make_shared<const std::vector<UnitNode<R>>>(std::move(made));
+class UnitGrid {
+ public:
+  using Numbers = std::shared_ptr<const std::vector<R>>;
+  using Nodes = std::shared_ptr<const std::vector<UnitNode<R>>>;
+
+  static UnitGrid& of(int step) {
+    static std::mutex mutex;
+    static std::map<int, UnitGrid> known;
+    const std::lock_guard lock(mutex);
+    return known.try_emplace(step, step).first->second;
   }
-  return nodes;
-}
+  explicit UnitGrid(int step) : step_(step) {}
+
+  /// At 0, h, 2h, ...: `count` at least.
+  Nodes nodes(int count) {
+    const std::lock_guard lock(mutex_);
+    return made_nodes(count);
+  }
+  /// 1/(y' - y) at the nodes -`reach`, ..., `reach` at least, y the midpoint of a cell; as many on both sides of the middle.
+  Numbers reciprocals(int cell, int reach) {
+    const std::lock_guard lock(mutex_);
+    Numbers& known = reciprocals_[cell];
+    if (known && static_cast<int>(known->size()) > 2 * reach) return known;
+    const Nodes nodes = made_nodes(reach + 1);
+    const UnitNode<R> place = midpoint(cell);
+    const bool right = cell >= 0;
+    std::vector<R> made;
+    for (int i = -reach; i <= reach; ++i) {
+      const UnitNode<R>& node = (*nodes)[static_cast<std::size_t>(std::abs(i))];
+      // From the end that is nearer to y: distances to it are known best.
+      const R& distance = (i > 0) == right ? node.near : node.far;
+      made.push_back(1 / (right ? R(place.near - distance) : R(distance - place.near)));
+    }
+    known = std::make_shared<const std::vector<R>>(std::move(made));
+    return known;
+  }
+  /// The midpoint's distances, that to the nearer end first.
+  UnitNode<R> midpoint(int cell) const {
+    const int twice = 2 * cell + 1;
+    return UnitNode<R>::at(R(std::abs(twice) * step_) / (2 * steps_per_unit));
+  }
+
+ private:
+  Nodes made_nodes(int count) {
+    if (!nodes_ || static_cast<int>(nodes_->size()) < count) {
+      std::vector<UnitNode<R>> made = nodes_ ? *nodes_ : std::vector<UnitNode<R>>();
+      for (int i = static_cast<int>(made.size()); i < count; ++i)
+        made.push_back(UnitNode<R>::at(R(i * step_) / steps_per_unit));
+      nodes_ = std::make_shared<const std::vector<UnitNode<R>>>(std::move(made));
+    }
+    return nodes_;
+  }
+
+  int step_;
+  std::mutex mutex_;
+  Nodes nodes_;
+  std::map<int, Numbers> reciprocals_;
+};
 
 template <Real R>
 Node<R> node_at(const Panel<R>& panel, const R& from_left, const R& from_right) {
@@ -114,6 +160,29 @@ template <Real R>
 R power_of(const R& base, const R& exponent) {
   using std::pow;
   return exponent == 1 ? base : pow(base, exponent);
+}
+
+/// y^a (1-y)^b at the nodes first..last, a, b > 0. Where a + b is whole, those of two nodes that mirror each other have the
+/// product (y (1-y))^(a+b): one exponential for both.
+template <Real R>
+std::vector<R> end_powers(const std::vector<UnitNode<R>>& nodes, const R& a, const R& b, int first, int last) {
+  using std::abs, std::exp;
+  const R sum = a + b;
+  const int whole = static_cast<int>(std::lround(static_cast<double>(sum)));
+  const bool mirrored = whole > 0 && abs(R(sum - whole)) <= 8 * epsilon<R>();
+  std::vector<R> result(static_cast<std::size_t>(last - first + 1));
+  for (int i = last; i >= first; --i) {
+    const UnitNode<R>& node = nodes[static_cast<std::size_t>(abs(i))];
+    R& power = result[static_cast<std::size_t>(i - first)];
+    if (mirrored && i < 0 && -i <= last) {
+      const R product = node.near * node.far;
+      power = product / result[static_cast<std::size_t>(-i - first)];
+      for (int k = 1; k < whole; ++k) power *= product;
+    } else {
+      power = exp(i > 0 ? R(a * node.log_far + b * node.log_near) : R(a * node.log_near + b * node.log_far));
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -136,39 +205,35 @@ Grid<R>::Grid(const PiecewiseDensity<R>& density) {
 
 template <Real R>
 typename Grid<R>::PanelSamples Grid<R>::sampled(const PanelDensity<R>& density, int step) const {
-  using std::abs, std::exp;
   const Panel<R>& panel = density.panel;
-  const auto nodes = unit_nodes<R>(step);
-  PanelSamples result{panel, density.gap, step, {}, {}, -infinity<R>()};
   const auto count = [&](const Power<R>& power) { return static_cast<int>(reach(power) * steps_per_unit) / step + 1; };
+  const int first = -count(density.left);
+  const int last = count(density.right);
+  PanelSamples result{panel, density.gap, step, first, {}, {}, -infinity<R>()};
+  const auto nodes = UnitGrid<R>::of(step).nodes(std::max(-first, last) + 1);
   const R h = R(step) / steps_per_unit;
   const R& a = density.left.plus_one;
   const R& b = density.right.plus_one;
+  const std::vector<R> powers = end_powers(*nodes, a, b, first, last);
+  const auto length = static_cast<double>(panel.length);
   // dx = length pi cosh(tau) y (1-y) dtau
   const R factor = h * power_of(panel.length, R(a + b - 1));
-  const int first = -count(density.left);
-  const int last = count(density.right);
-  result.samples.reserve(static_cast<std::size_t>(last - first + 1));
-  result.rough.reserve(result.samples.capacity());
+  result.samples.reserve(powers.size());
+  result.rough.reserve(powers.size());
   for (int i = first; i <= last; ++i) {
-    const auto index = static_cast<std::size_t>(abs(i));
-    const UnitNode<R> unit = index < nodes->size() ? (*nodes)[index] : UnitNode<R>::at(index * h);
-    const bool right = i > 0;
-    const R& y = right ? unit.far : unit.near;
-    const R& rest = right ? unit.near : unit.far;
-    const R powers =
-        a == 1 && b == 1
-            ? R(y * rest)
-            : exp(R(a * (right ? unit.log_far : unit.log_near) + b * (right ? unit.log_near : unit.log_far)));
+    const UnitNode<R>& unit = (*nodes)[static_cast<std::size_t>(std::abs(i))];
+    const R& y = i > 0 ? unit.far : unit.near;
+    const R& rest = i > 0 ? unit.near : unit.far;
     const Node<R> node = node_at(panel, R(panel.length * y), R(panel.length * rest));
     const R smooth = density.smooth(node);
-    result.samples.push_back({node.from_left, node.from_right, factor * unit.rate * powers * smooth});
-    const Sample& s = result.samples.back();
-    result.rough.push_back(
-        {static_cast<double>(s.from_left), static_cast<double>(s.from_right), static_cast<double>(s.weighted)});
+    const R weighted = factor * unit.rate * powers[static_cast<std::size_t>(i - first)] * smooth;
+    result.samples.push_back({node.from_left, node.from_right, weighted});
+    const double near = length * unit.rough_near;
+    const double far = length * (1 - unit.rough_near);
+    result.rough.push_back({i > 0 ? far : near, i > 0 ? near : far, static_cast<double>(weighted)});
     // The sign is what counts; where it is wrong, the size as well.
-    if (y < outermost_seen || rest < outermost_seen) continue;
-    const R t = smooth > 0 ? R(s.weighted / (h * panel.length * unit.rate * y * rest)) : s.weighted;
+    if (unit.rough_near < outermost_seen) continue;
+    const R t = smooth > 0 ? R(weighted / (h * panel.length * unit.rate * y * rest)) : weighted;
     result.highest = std::max(result.highest, t);
   }
   return result;
@@ -193,13 +258,10 @@ R Grid<R>::between(std::size_t j, std::size_t k) const {
 
 template <Real R>
 Estimate<R> Grid<R>::panel_integral(std::size_t k) const {
-  using std::abs;
   R sum = 0;
-  R size = 0;
-  for (const Sample& s : panels_[k].samples) {
-    sum += s.weighted;
-    size += abs(s.weighted);
-  }
+  for (const Sample& s : panels_[k].samples) sum += s.weighted;
+  double size = 0;
+  for (const RoughSample& s : panels_[k].rough) size += std::abs(s.weighted);
   return {sum, 16 * epsilon<R>() * size};
 }
 
@@ -218,27 +280,27 @@ R Grid<R>::highest() const {
 }
 
 template <Real R>
-PanelPoint<R> Grid<R>::midpoint_near(std::size_t k, double fraction) const {
+typename Grid<R>::Midpoint Grid<R>::midpoint_near(std::size_t k, double fraction) const {
   const double tau = std::asinh(std::log(fraction / (1 - fraction)) / std::numbers::pi);
   const PanelSamples& panel = panels_[k];
   const auto cell = static_cast<int>(std::floor(tau * steps_per_unit / panel.step));
-  const R at = R((2 * cell + 1) * panel.step) / (2 * steps_per_unit);
-  const UnitNode<R> unit = UnitNode<R>::at(at < 0 ? R(-at) : at);
+  const UnitNode<R> unit = UnitGrid<R>::of(panel.step).midpoint(cell);
   const R& length = panel.panel.length;
-  return {k, at > 0 ? node_at(panel.panel, R(length * unit.far), R(length * unit.near))
-                    : node_at(panel.panel, R(length * unit.near), R(length * unit.far))};
+  const R near = length * unit.near;
+  const R far = length * unit.far;
+  return {{k, cell >= 0 ? node_at(panel.panel, far, near) : node_at(panel.panel, near, far)}, cell};
 }
 
 template <Real R>
-R Grid<R>::hilbert(const PanelPoint<R>& midpoint) const {
+R Grid<R>::hilbert(const Midpoint& midpoint) const {
   const Node<R>& x = midpoint.node;
+  const PanelSamples& own = panels_[midpoint.panel];
+  const int last = own.first + static_cast<int>(own.samples.size()) - 1;
+  const auto reciprocals = UnitGrid<R>::of(own.step).reciprocals(midpoint.cell, std::max(-own.first, last));
+  auto reciprocal = reciprocals->begin() + static_cast<std::ptrdiff_t>(reciprocals->size() / 2) + own.first;
   R total = 0;
-  // x' - x from the distances to the end that is nearer to x: they are known best.
-  if (x.from_left < x.from_right) {
-    for (const Sample& s : panels_[midpoint.panel].samples) total += s.weighted / (s.from_left - x.from_left);
-  } else {
-    for (const Sample& s : panels_[midpoint.panel].samples) total += s.weighted / (x.from_right - s.from_right);
-  }
+  for (const Sample& s : own.samples) total += s.weighted * *reciprocal++;
+  total /= own.panel.length;
   for (std::size_t j = 0; j < panels_.size(); ++j) {
     if (j == midpoint.panel) continue;
     const bool to_the_right = j > midpoint.panel;

@@ -4,8 +4,9 @@
 //   y = 1/(1 + e^{-2u}), 1 - y = 1/(1 + e^{2u}), u = (pi/2) sinh tau, dy = pi cosh(tau) y (1-y) dtau [TM74],
 //
 // and the trapezoidal rule in tau: a tenth of the nodes of trapezoidal.hpp, whose tau goes without the sinh. Powers at
-// a panel's ends are one exponential a node; the logarithms of y and 1-y are made once a step. With the nodes staggered
-// half a step off the pole the rule gives the principal value.
+// a panel's ends are one exponential a node, or two nodes where they add up to a whole number; the logarithms of y and 1-y
+// are made once a step. With the nodes staggered half a step off the pole the rule gives the principal value; 1/(y' - y) on
+// the pole's own panel depends on the step and the place alone, and is made once for both.
 //
 // Error. A singular point at |Im tau| = b leaves e^{-2 pi b/h} of a step h; sinh tau is known there up to 2i:
 //
@@ -44,10 +45,14 @@ class Grid {
 
   /// Does a panel lie beside panel k, without a gap, on that side?
   bool touches(std::size_t k, Side side) const;
-  /// The point of panel k halfway (in tau) between the two samples next to the given fraction of its length.
-  PanelPoint<R> midpoint_near(std::size_t k, double fraction) const;
+  /// Halfway (in tau) between two samples of a panel.
+  struct Midpoint : PanelPoint<R> {
+    int cell;  ///< between samples `cell` and `cell` + 1, number 0 at tau = 0
+  };
+  /// That of panel k next to the given fraction of its length.
+  Midpoint midpoint_near(std::size_t k, double fraction) const;
   /// H t = (1/pi) PV int t(x')/(x'-x) dx' at such a point.
-  R hilbert(const PanelPoint<R>& midpoint) const;
+  R hilbert(const Midpoint& midpoint) const;
   /// trapezoidal::Grid's displacement() in double, with an estimate of its error: enough to see that a gap is open.
   Estimate<double> rough_displacement(std::size_t k, Side end, double distance) const;
 
@@ -64,8 +69,9 @@ class Grid {
   };
   struct PanelSamples {
     Panel<R> panel;
-    R gap;     ///< from the panel before
-    int step;  ///< h in units of 1/1024
+    R gap;      ///< from the panel before
+    int step;   ///< h in units of 1/1024
+    int first;  ///< the first sample lies at tau = first h
     std::vector<Sample> samples;
     std::vector<RoughSample> rough;
     R highest;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <optional>
 #include <tuple>
 
@@ -31,6 +33,36 @@ std::vector<SurfacePoint<R>> places(const ContactSet<R>& set, std::size_t segmen
   }
   return result;
 }
+
+/// The same form in double: what it sees to be open needs no more digits.
+template <Real R>
+class RoughGaps {
+ public:
+  explicit RoughGaps(const RiemannHilbertForm<R>& form)
+      : problem_(form.problem().problem(), form.problem().frame(), form.problem().most_coupled()),
+        form_(problem_, ContactSet<double>::converted(problem_, form.set()), rounded(form.q()),
+              static_cast<double>(form.tilt()), rules_) {}
+
+  /// Is the gap at a place, measured from point `end`, larger by far than what rounding may have done to it?
+  bool is_open(std::size_t end, const SurfacePoint<R>& at) {
+    const std::vector<double> node = rounded({at.node.x, at.node.from_left, at.node.from_right});
+    const Estimate<double> gap =
+        gaps_.try_emplace(end, form_, end).first->second.reduced_gap({at.segment, {node[0], node[1], node[2]}});
+    return gap.value > 1e6 * gap.error;
+  }
+
+ private:
+  static std::vector<double> rounded(const std::vector<R>& values) {
+    std::vector<double> result;
+    for (const R& v : values) result.push_back(static_cast<double>(v));
+    return result;
+  }
+
+  ReducedProblem<double> problem_;
+  JacobiRules<double> rules_;
+  RiemannHilbertForm<double> form_;
+  std::map<std::size_t, GapIntegral<double>> gaps_;
+};
 
 template <Real R>
 class Inspection {
@@ -174,6 +206,7 @@ class Inspection {
     const GapIntegral<R> from_right(form_, end);
     const auto penetrates = [&](std::size_t i) {
       const bool left = contact_left && (!contact_right || i < all.size() / 2);
+      if (is_clearly_open(left ? first : end, all[i])) return false;
       const Estimate<R> gap = (left ? from_left : from_right).reduced_gap(all[i]);
       return gap.value < -8 * gap.error;
     };
@@ -188,6 +221,15 @@ class Inspection {
     this->end(end - 1);
   }
 
+  bool is_clearly_open(std::size_t end, const SurfacePoint<R>& at) {
+    if constexpr (std::same_as<R, double>) {
+      return false;
+    } else {
+      if (!rough_) rough_ = std::make_unique<RoughGaps<R>>(form_);
+      return rough_->is_open(end, at);
+    }
+  }
+
   R rate(const SurfacePoint<R>& at) const {
     const auto segment = static_cast<std::size_t>(at.segment);
     return form_.sign(at) * form_.regular_factor(form_.slope_at(segment), at).value;
@@ -196,6 +238,7 @@ class Inspection {
   const RiemannHilbertForm<R>& form_;
   const ContactSet<R>& set_;
   R end_error_;
+  std::unique_ptr<RoughGaps<R>> rough_;  ///< above double, once a gap is asked for
   std::vector<Violation<R>> found_;
   bool open_ = false;
   SurfacePoint<R> previous_;

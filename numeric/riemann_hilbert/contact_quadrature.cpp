@@ -41,7 +41,7 @@ R common_factor(const SignedFundamentalSolution<R>& y, std::size_t segment) {
 
 template <Real R>
 ContactQuadrature<R>::ContactQuadrature(const SignedFundamentalSolution<R>& y, JacobiRules<R>& rules)
-    : y_(&y), densities_(y.problem().slopes().size()) {
+    : y_(&y), densities_(y.problem().slopes().size()), distant_(densities_.size()) {
   const ContactSet<R>& set = y.set();
   if (y.problem().slopes().size() <= 1 && set.components() <= 1) return;
   const auto power_at = [&y](std::size_t j) {
@@ -138,6 +138,24 @@ const std::vector<R>& ContactQuadrature<R>::density(std::size_t slope, std::size
 }
 
 template <Real R>
+const DistantSum<R>* ContactQuadrature<R>::distant_sum(const Panel& panel, std::size_t slope, const R* density) const {
+  if constexpr (!std::same_as<R, double>) {
+    constexpr std::size_t worth_while = 48;
+    if (!y_->pivots().empty() || densities_.size() * nodes_.size() > most_kept) return nullptr;
+    std::vector<DistantPanel>& of_slope = distant_[slope];
+    of_slope.resize(panels_.size());
+    DistantPanel& distant = of_slope[static_cast<std::size_t>(&panel - panels_.data())];
+    if (++distant.asked == worth_while) {
+      const bool mirrored = panel.rule.singular_end == Side::right;
+      const JacobiRule<R>& rule = *panel.rule.rule;
+      distant.sum = DistantSum<R>(mirrored ? rule.from_right : rule.from_left, density);
+    }
+    if (distant.asked >= worth_while) return &distant.sum;
+  }
+  return nullptr;
+}
+
+template <Real R>
 Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t slope, std::size_t component,
                                                const SurfacePoint<R>& at, const R& between, const R* weights,
                                                const R* density) const {
@@ -148,13 +166,22 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
   const std::size_t count = rule.size();
   const R gap = between + (panel_is_right ? part.from_left : part.from_right);
   R sum = 0;
-  R size = 0;
+  double size = 0;  // sizes need no more digits
   if (2 * gap >= part.length) {
-    for (std::size_t i = panel.first; i < panel.first + count; ++i) {
-      const R term = density[i - panel.first] /
-                     (between + (panel_is_right ? nodes_[i].node.from_left : nodes_[i].node.from_right));
-      sum += term;
-      size += abs(term);
+    if (const DistantSum<R>* distant = distant_sum(panel, slope, density)) {
+      sum = distant->value(gap / part.length, !panel_is_right) / part.length;
+      size = distant->size() / static_cast<double>(gap);
+    } else {
+      R to_node, term;
+      for (std::size_t i = 0; i < count; ++i) {
+        const Node<R>& node = nodes_[panel.first + i].node;
+        to_node = between;
+        to_node += panel_is_right ? node.from_left : node.from_right;
+        term = density[i];
+        term /= to_node;
+        sum += term;
+        size += abs(static_cast<double>(term));
+      }
     }
   } else {
     // phi(y) y^a over the unit interval, y from the end that faces the point, where the power sits if there is any:
@@ -171,25 +198,26 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
     const std::size_t own = y_->slope_at(part.segment);
     phi *= y_->traction_factor(part.segment, component);
     // Near a break g - g_k is a small difference: what counts is the rounding of both.
-    const auto slope_size = [&](const R& x) {
-      return (problem.slope_estimate(own, x).error + problem.slope_estimate(slope, x).error) / (4 * epsilon<R>());
-    };
-    const R phi_size = abs(phi) * slope_size(at.node.x);
+    const auto slope_size = [&](const R& x) { return (problem.slope_size(own, x) + problem.slope_size(slope, x)) / 4; };
+    const double phi_size = abs(static_cast<double>(phi)) * slope_size(at.node.x);
     phi *= problem.slope(own, at.node.x) - problem.slope(slope, at.node.x);
-    const bool mirrored = !panel.rule.singular_end && !panel_is_right;
+    const R scaled = phi * part.length;
+    const double scaled_size = phi_size * static_cast<double>(part.length);
     for (std::size_t i = 0; i < count; ++i) {
-      const R& y = mirrored ? rule.from_right[i] : rule.from_left[i];
-      const R term = (density[i] / part.length - phi * rule.weights[i]) / (y + d);
+      const Node<R>& node = nodes_[panel.first + i].node;
+      const R to_node = between + (panel_is_right ? node.from_left : node.from_right);
+      const R term = (density[i] - scaled * rule.weights[i]) / to_node;
       sum += term;
-      const R density_size = abs(weights[i]) * slope_size(nodes_[panel.first + i].node.x) / part.length;
-      size += abs(term) + (density_size + phi_size * rule.weights[i]) / (y + d);
+      const double density_size = abs(static_cast<double>(weights[i])) * slope_size(node.x);
+      size += abs(static_cast<double>(term)) +
+              (density_size + scaled_size * static_cast<double>(rule.weights[i])) / static_cast<double>(to_node);
     }
     const R rest =
         gap == 0 ? regular_second_kind(panel.rule.power, part.length) : second_kind::left_of(panel.rule.power, d);
     sum += phi * rest;
-    size += (abs(phi) + phi_size) * abs(rest);
+    size += (abs(static_cast<double>(phi)) + phi_size) * abs(static_cast<double>(rest));
   }
-  return {panel_is_right ? sum : -sum, size};
+  return {panel_is_right ? sum : -sum, R(size)};
 }
 
 template <Real R>

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "numeric/number/estimate.hpp"
+#include "numeric/quadrature/distant_sum.hpp"
 #include "numeric/riemann_hilbert/jacobi_panels.hpp"
 
 namespace steadyslide::numeric {
@@ -65,6 +66,10 @@ class ContactQuadrature {
   Estimate<R> sum_of_panels(std::size_t slope, std::size_t component, const SurfacePoint<R>& at, std::size_t first,
                             std::size_t end, const std::vector<R>& weights, const std::vector<R>& density) const;
 
+  /// A panel's sum for points far away from it, above double and without pivots, once it has been asked for so often that
+  /// moments are worth while; null before.
+  const DistantSum<R>* distant_sum(const Panel& panel, std::size_t slope, const R* density) const;
+
   // In double, panels far away by cells (contact_quadrature_cells.cpp).
   struct Cells;
   /// Once the panels have been asked for so often that cells are worth while; null before, and for few panels.
@@ -86,6 +91,11 @@ class ContactQuadrature {
   /// Over all that is made when first asked for: places of one solution may be asked for by several threads.
   std::shared_ptr<std::mutex> making_ = std::make_shared<std::mutex>();
   mutable std::vector<std::vector<R>> densities_;  ///< made when first asked for: not all are; of many only the last
+  struct DistantPanel {
+    std::size_t asked = 0;
+    DistantSum<R> sum;
+  };
+  mutable std::vector<std::vector<DistantPanel>> distant_;  ///< of each slope, panel by panel
   // With pivots those of the place asked for last: neighbours follow each other.
   mutable std::size_t last_component_ = 0;
   mutable std::size_t last_slope_ = 0;

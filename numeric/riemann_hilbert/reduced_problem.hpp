@@ -56,6 +56,8 @@ class ReducedProblem {
   R slope(std::size_t index, const R& x) const { return value_of(slopes_[index], x); }
   /// With what rounding may have done to it.
   Estimate<R> slope_estimate(std::size_t index, const R& x) const { return estimate_of(slopes_[index], x); }
+  /// Its error in units of epsilon.
+  double slope_size(std::size_t index, const R& x) const { return rounding_size(slopes_[index], x); }
   /// int_from^to g dxi.
   R profile_increment(std::size_t index, const R& from, const R& to) const;
   int highest_degree() const { return highest_degree_; }

@@ -139,6 +139,13 @@ Estimate<R> RiemannHilbertForm<R>::regular_factor(std::size_t slope, const Surfa
 }
 
 template <Real R>
+R RiemannHilbertForm<R>::regular_value(std::size_t slope, const SurfacePoint<R>& at) const {
+  if (!y_->pivots().empty()) return regular_factor(slope, at).value;
+  const R polynomial = value_of(polynomials_[slope], at.node.x);
+  return quadrature_.vanishes() ? polynomial : R(polynomial - quadrature_.cauchy(slope, at).value / pi<R>());
+}
+
+template <Real R>
 Estimate<R> RiemannHilbertForm<R>::regular_factor_at(std::size_t j, Side side) const {
   const auto factor = [&] {
     return regular_factor(slope_at(side == Side::left ? j - 1 : j), beside(set(), j, side, R(0)));
@@ -202,17 +209,11 @@ void RiemannHilbertForm<R>::tractions(std::size_t segment, std::span<const R> fr
                                       std::span<R> values) const {
   fundamental_solution().moduli(segment, from_left, from_right, values);
   const R factor = y_->traction_factor(segment);
-  const std::vector<R>& polynomial = polynomials_[slope_at(segment)];
+  const bool has_pivots = !y_->pivots().empty();
   for (std::size_t i = 0; i < values.size(); ++i) {
     const SurfacePoint<R> at = surface_point(set(), segment, from_left[i], from_right[i]);
-    if (!y_->pivots().empty()) {
-      values[i] *= factor * y_->to_pivot(at) * regular_factor(slope_at(segment), at).value;
-      continue;
-    }
-    R regular = 0;
-    for (std::size_t k = polynomial.size(); k-- > 0;) regular = regular * at.node.x + polynomial[k];
-    if (!quadrature_.vanishes()) regular -= quadrature_.cauchy(slope_at(segment), at).value / pi<R>();
-    values[i] *= factor * regular;
+    const R regular = factor * regular_value(slope_at(segment), at);
+    values[i] *= has_pivots ? R(regular * y_->to_pivot(at)) : regular;
   }
 }
 

@@ -60,6 +60,8 @@ class RiemannHilbertForm {
 
   /// B_k, with what rounding may have done to it.
   Estimate<R> regular_factor(std::size_t slope, const SurfacePoint<R>& at) const;
+  /// B_k alone.
+  R regular_value(std::size_t slope, const SurfacePoint<R>& at) const;
   /// B_k at point j of the set, k the slope on that side; where the contact changes its polynomial at j, what is left
   /// of B_k without its singular term there (a multiple of |x - x_j|^-p, or of log|x - x_j| where p = 0).
   Estimate<R> regular_factor_at(std::size_t j, Side side) const;

@@ -33,7 +33,10 @@ Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const {
   if (contact_set().in_contact(static_cast<std::size_t>(at.segment))) return {};
   const std::optional<std::size_t> end = nearest_end(at);
   if (!end) return {};
-  const Estimate<R> reduced_gap = GapIntegral<R>(form_, *end).reduced_gap(at);
+  const Estimate<R> reduced_gap = [&] {
+    const std::lock_guard lock(measuring_);
+    return gaps_.try_emplace(*end, form_, *end).first->second.reduced_gap(at);
+  }();
   const R scale = to_real<R>(problem_.elasticity().compliance()) * to_real<R>(reduced_.frame().unit);
   const R distance = abs(form_.distance(at, *end));
   const R ends = distance > 0 ? 2 * found_.end_error / distance : R(0);

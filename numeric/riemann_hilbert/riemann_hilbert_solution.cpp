@@ -217,18 +217,22 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::load_on(std::size_t segment) const {
+  // Rules for any density know nothing of the traction's own error.
+  const auto with_error_of_traction = [&](const Estimate<R>& load) {
+    using std::abs;
+    const Estimate<R> t = form_.traction(middle_of(segment));
+    return t.value == 0 ? load : load.widened(4 * t.error / abs(t.value));
+  };
   if constexpr (!std::same_as<R, double>) {
     // The samples are there, or soon will be; Gauss-Jacobi rules for this alone would cost ten times as much.
     const Checked& check = checked();
     const auto panel = std::ranges::find(check.segments, segment) - check.segments.begin();
     if (const auto load = check.surface.panel_integral(static_cast<std::size_t>(panel))) {
-      using std::abs;
-      const Estimate<R> t = form_.traction(middle_of(segment));
-      return t.value == 0 ? *load : load->widened(4 * t.error / abs(t.value));
+      return with_error_of_traction(*load);
     }
   }
   if (!form_.changes_polynomial(segment) && !form_.changes_polynomial(segment + 1)) return form_.load_on(segment);
-  return tanh_sinh::panel_integral(panel_density(form_, segment));
+  return with_error_of_traction(tanh_sinh::panel_integral(panel_density(form_, segment)));
 }
 
 template <Real R>

@@ -2,10 +2,13 @@
 // The Riemann-Hilbert form of a contact problem in the user's units and x: what riemann_hilbert() returns.
 
 #include <functional>
+#include <map>
+#include <mutex>
 
 #include "numeric/cauchy/residuals.hpp"
 #include "numeric/cauchy/traction_integrals.hpp"
 #include "numeric/riemann_hilbert/contact_search.hpp"
+#include "numeric/riemann_hilbert/gap_integral.hpp"
 
 namespace steadyslide::numeric {
 
@@ -111,6 +114,8 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   Once<std::vector<Estimate<R>>> loads_;
   Once<TractionIntegrals<R>> integrals_;
   Once<Estimate<R>> height_at_origin_;
+  mutable std::mutex measuring_;                        ///< over the gaps
+  mutable std::map<std::size_t, GapIntegral<R>> gaps_;  ///< from the ends asked for: they keep what whole segments add
 };
 
 }  // namespace steadyslide::numeric

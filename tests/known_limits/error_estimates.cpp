@@ -162,6 +162,13 @@ std::string EstimateAudit::text() const {
   return out.str();
 }
 
+std::string EstimateAudit::failure() const {
+  if (!dishonest.empty()) return std::to_string(dishonest.size()) + " estimates are not honest";
+  if (!(median_too_large() <= 1000)) return "estimates are too large";
+  if (compared < 9 * problems / 10 || all() < 50 * compared) return "too little was compared";
+  return "";
+}
+
 void compare_estimate(const std::string& kind, const Estimate<double>& value, const Estimate<Real50>& truth,
                       EstimateAudit& audit, const std::string& what) {
   if (std::isinf(value.value) && Real50(value.value) == truth.value) return;

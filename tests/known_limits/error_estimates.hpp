@@ -32,6 +32,9 @@ struct EstimateAudit {
   std::size_t honest() const;
   double median_too_large() const;
   std::string text() const;
+  /// Empty, or what is wrong: an estimate that is not honest, a median of more than a thousand times the true error, or too
+  /// little to say so.
+  std::string failure() const;
 };
 
 /// One number of a kind, said as a line of `what` where it is not honest.

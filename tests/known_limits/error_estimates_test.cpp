@@ -5,26 +5,14 @@
 #include "support/numeric_test.hpp"
 #include "support/random_contact.hpp"
 
-namespace {
-
-void estimates_are_honest(int first, int last) {
+TEST_CASE("the first eight, and those whose estimates have been too small") {
   EstimateAudit audit;
-  for (int i = first; i < last; ++i) audit_estimates(first_listed_seed + static_cast<std::uint64_t>(i), audit);
+  // 5606: loads beside a break, integrated by a rule that does not know the traction's own error.
+  for (const std::uint64_t i : {0, 1, 2, 3, 4, 5, 6, 7, 5606}) audit_estimates(first_listed_seed + i, audit);
   MESSAGE(audit.text());
   for (const std::string& line : audit.dishonest) FAIL_CHECK(line);
-  CHECK(audit.median_too_large() <= 1000);
-  CHECK(audit.compared >= 9 * audit.problems / 10);
-  CHECK(audit.all() >= 50 * audit.compared);
+  CHECK(audit.failure() == "");
 }
-
-}  // namespace
-
-TEST_CASE("the first eight") { estimates_are_honest(0, 8); }
-
-TEST_CASE("slow: random problems 0 to 249" * doctest::skip()) { estimates_are_honest(0, 250); }
-TEST_CASE("slow: random problems 250 to 499" * doctest::skip()) { estimates_are_honest(250, 500); }
-TEST_CASE("slow: random problems 500 to 749" * doctest::skip()) { estimates_are_honest(500, 750); }
-TEST_CASE("slow: random problems 750 to 999" * doctest::skip()) { estimates_are_honest(750, 1000); }
 
 TEST_CASE("control: an end that is off by more than its estimate is seen") {
   EstimateAudit audit;
@@ -38,4 +26,19 @@ TEST_CASE("control: an end that is off by more than its estimate is seen") {
   compare_estimate("place", {std::nan(""), 1.0}, {Real50(1), Real50(0)}, audit);
   CHECK(audit.dishonest.size() == 3U);
   CHECK(audit.honest() == 2U);
+  CHECK(audit.failure() != "");
+}
+
+TEST_CASE("control: estimates that cover everything are too large, and a few are no audit") {
+  EstimateAudit audit;
+  for (int i = 0; i < 50; ++i) compare_estimate("place", {1.0, 1e-12}, {Real50(1) + Real50(1e-16), Real50(0)}, audit);
+  audit.problems = audit.compared = 1;
+  CHECK(audit.dishonest.empty());
+  CHECK(audit.failure() == "estimates are too large");
+  audit.numbers["place"].too_large.assign(50, 2.0);
+  CHECK(audit.failure() == "");
+  audit.problems = 2;
+  CHECK(audit.failure() == "");
+  audit.problems = 3;
+  CHECK(audit.failure() == "too little was compared");
 }

@@ -1,0 +1,69 @@
+#pragma once
+// sum_i f_i/(x + y_i), y_i in [0, 1], for many x >= 1/2 and more digits than double's: with z = 1 + 2 x, T_k Chebyshev's
+// polynomials and rho = z + sqrt(z^2 - 1) >= 3.7,
+//
+//   1/(x + y) = 2/sqrt(x (1 + x)) (1/2 + sum_{k>0} rho^-k T_k(1 - 2 y)),
+//
+// so that the moments m_k = sum_i f_i T_k(1 - 2 y_i) say it all: a product a term in the place of a quotient, and the fewer
+// terms the farther x. From the other end, 1 - y for y, the signs of odd moments change.
+
+#include <cmath>
+#include <vector>
+
+#include "numeric/number/real.hpp"
+
+namespace steadyslide::numeric {
+
+template <Real R>
+class DistantSum {
+ public:
+  DistantSum() = default;
+  /// `y`, `f`: of one length.
+  DistantSum(const std::vector<R>& y, const R* f) : moments_(terms(R(0.5)), R(0)) {
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      size_ += std::abs(static_cast<double>(f[i]));
+      const R twice = 2 - 4 * y[i];
+      R before = f[i] * twice / 2;
+      R now = f[i];
+      R next;
+      for (R& moment : moments_) {
+        moment += now;
+        next = twice;
+        next *= now;
+        next -= before;
+        before = now;
+        now = next;
+      }
+    }
+    if (!moments_.empty()) moments_[0] /= 2;
+  }
+
+  /// At the distance x from y = 0, or from y = 1 beyond it.
+  R value(const R& x, bool beyond_one) const {
+    using std::sqrt;
+    const R root = sqrt(R(x * (1 + x)));
+    const R rho = 1 + 2 * (x + root);
+    const R q = beyond_one ? R(-1 / rho) : R(1 / rho);
+    R sum = 0;
+    for (std::size_t k = std::min(terms(x), moments_.size()); k-- > 0;) {
+      sum *= q;
+      sum += moments_[k];
+    }
+    return 2 * sum / root;
+  }
+  /// sum_i |f_i|.
+  double size() const { return size_; }
+
+ private:
+  /// Until rho^-k is below rounding.
+  static std::size_t terms(const R& x) {
+    static const double digits = -std::log(static_cast<double>(epsilon<R>())) + 2;
+    const auto d = static_cast<double>(x);
+    return static_cast<std::size_t>(digits / std::log1p(2 * (d + std::sqrt(d * (1 + d))))) + 2;
+  }
+
+  std::vector<R> moments_;
+  double size_ = 0;
+};
+
+}  // namespace steadyslide::numeric
