@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "app/embedded.hpp"
-#include "app/report/math/mathml.hpp"
+#include "app/html/mathml.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "app/report/html.hpp"
+#include "app/html/html.hpp"
 #include "app/report/report_page.hpp"
 
 namespace steadyslide::app {
