@@ -24,10 +24,10 @@ def links(page, ids, prefix=""):
 def table(heads, rows):
     """Of HTML, without the columns in which no row has anything."""
     kept = [k for k in range(len(heads)) if any(row[k] for row in rows)]
-    lines = ["".join(f"<td>{row[k]}</td>" for k in kept) for row in rows]
+    lines = ["".join(f'<td data-label="{heads[k]}">{row[k]}</td>' for k in kept) for row in rows]
     head = "".join(f'<th scope="col">{heads[k]}</th>' for k in kept)
     body = "\n".join(f"<tr>{line}</tr>" for line in lines)
-    return (f'<div class="table-wrapper docutils container">\n<table class="docutils">\n<thead><tr>{head}</tr></thead>\n'
+    return (f'<div class="table-wrapper docutils container">\n<table class="docutils ledger">\n<thead><tr>{head}</tr></thead>\n'
             f"<tbody>\n{body}\n</tbody></table></div>")
 
 

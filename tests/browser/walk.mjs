@@ -1,11 +1,12 @@
 // Walks through pages in Chromium and says what is in the way:
 //
-//   walk.mjs [--shots DIR] PAGE...     PAGE a file or a URL
+//   walk.mjs [--shots DIR] [--fits SELECTOR] [--pages N] PAGE...     PAGE a file or a URL
 //
 // Each page is opened 1300 and 390 px wide, in light and dark colours, and as it is printed, with everything unfolded. One line a
 // page with what was counted; a line for each fault: an error or a warning on the console, a request that fails or leaves the
 // machine, a page wider than the screen, an issue that axe-core calls serious or critical. Exit code 1 if there is a fault.
-// --shots keeps pictures and the PDF, as they are before anything is unfolded.
+// Before anything is unfolded --shots keeps pictures and the PDF, what --fits matches has to fit 1300 x 1600 px, and the page is
+// printed, on at most N pages.
 
 import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -17,7 +18,7 @@ import { chromium } from "playwright-core";
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const { values: options, positionals: pages } = parseArgs({
   allowPositionals: true,
-  options: { shots: { type: "string" } },
+  options: { shots: { type: "string" }, fits: { type: "string" }, pages: { type: "string", default: "Infinity" } },
 });
 if (options.shots) mkdirSync(options.shots, { recursive: true });
 
@@ -25,14 +26,15 @@ const isLocal = (url) => /^(file|data|blob|about|devtools):|^https?:\/\/(localho
 
 /**
  * In the page: what axe-core finds. A report has 100 000 elements, half of them inside formulas, which have the colours of the
- * whole: they become text first. Contrast, whose cost grows with all that is laid out, is examined in parts of 800 elements, each
+ * whole: they become text first. Colours, whose cost grows with all that is laid out, are examined in parts of 800 elements, each
  * element in one of them, while the other parts are out of the page; drawings are seen by the other rules alone, which see the
- * page as one.
+ * page as one and are asked once for each width.
  */
-async function violations() {
+async function violations(withoutColours) {
   document.querySelectorAll("math").forEach((math) => { math.textContent = math.textContent; });
   const run = async (rules) => (await axe.run(document, { ...rules, resultTypes: ["violations"], elementRef: false })).violations;
-  const found = await run({ rules: { "color-contrast": { enabled: false } } });
+  const colours = ["color-contrast", "link-in-text-block"];
+  const found = withoutColours ? await run({ rules: Object.fromEntries(colours.map((rule) => [rule, { enabled: false }])) }) : [];
   document.querySelectorAll("svg > *").forEach((part) => part.remove());
 
   const size = (element) => element.querySelectorAll("*").length + 1, most = 800, parts = [];
@@ -48,17 +50,17 @@ async function violations() {
   out.forEach((instead, element) => element.replaceWith(instead));
   for (const part of parts) {
     part.forEach((element) => out.get(element).replaceWith(element));
-    found.push(...(await run({ runOnly: ["color-contrast"] })));
+    found.push(...(await run({ runOnly: colours })));
     part.forEach((element) => element.replaceWith(out.get(element)));
   }
   return found;
 }
 
 /** Those that axe-core calls serious or critical, one line a rule with the first places. */
-async function issues(page) {
+async function issues(page, withoutColours) {
   await page.evaluate(axe);
   const rules = new Map();
-  for (const { id, impact, nodes } of await page.evaluate(violations)) {
+  for (const { id, impact, nodes } of await page.evaluate(violations, withoutColours)) {
     if (impact !== "serious" && impact !== "critical") continue;
     const places = nodes.map(({ target, any }) => `${target.join(" ")} ${any[0]?.message ?? ""}`.trim());
     rules.set(`axe ${impact} ${id}`, [...(rules.get(`axe ${impact} ${id}`) ?? []), ...places]);
@@ -92,18 +94,27 @@ async function walk(browser, address) {
     page.on("request", (request) => { if (!isLocal(request.url())) faults.add(`leaves the machine: ${request.url()}`); });
     await page.goto(url, { waitUntil: "load" });
     await page.waitForTimeout(300);
+    if (options.fits && width === 1300 && !media) {
+      for (const element of await page.locator(options.fits).all()) {
+        const box = await element.boundingBox();
+        const fits = box.width <= width && box.height <= tall;
+        if (!fits) faults.add(`${options.fits} does not fit the screen: ${box.width} x ${box.height} px`);
+      }
+    }
     height ||= await page.evaluate(() => document.documentElement.scrollHeight);
     if (media) {
       const path = options.shots ? `${options.shots}/${name}.pdf` : undefined;
       const pdf = await page.pdf({ path, preferCSSPageSize: true });
       printed = (pdf.toString("latin1").match(/\/Type ?\/Page[^s]/g) ?? []).length;
+      if (printed > Number(options.pages)) faults.add(`prints more than ${options.pages} pages`);
       await page.emulateMedia({ media, colorScheme });
     } else if (options.shots) {
       await page.screenshot({ path: `${options.shots}/${name}-${width}-${colorScheme}.png` });
     }
     await page.evaluate(() => document.querySelectorAll("details").forEach((fold) => { fold.open = true; }));
     const wide = media ? [] : await page.evaluate(tooWide);
-    for (const fault of [...wide, ...(await issues(page))]) faults.add(`${media ?? `${width} px`}, ${colorScheme}: ${fault}`);
+    for (const fault of [...wide, ...(await issues(page, !media && colorScheme === "light"))])
+      faults.add(`${media ?? `${width} px`}, ${colorScheme}: ${fault}`);
     await context.close();
   }
   console.log(`${address}: ${height} px high at 1300, ${printed} pages printed, ${faults.size} faults`);
