@@ -1,7 +1,7 @@
 """generate.py PROGRAM OUTPUT: the pages that the program itself writes, into OUTPUT/pages.
 
-command-line.md from its help, gallery.md from the examples and `figures`, schema.md from the JSON schema, statements.md,
-entries.md and reading-notes.md from `verify --format json`. Nothing of it is typed by hand.
+command-line.md from its help, gallery.md from the examples and `figures`, schema.md and verify-schema.md from the JSON schemas,
+statements.md, entries.md and reading-notes.md from `verify --format json`. Nothing of it is typed by hand.
 """
 
 import json
@@ -85,7 +85,8 @@ def main():
     found = ledger()
     written = {"command-line": command_line(), "gallery": gallery(), "statements": verdicts.statements(found),
                "entries": verdicts.entries(found), "reading-notes": verdicts.reading_notes(found),
-               "schema": schema.page(json.loads((root / "docs/solve.schema.json").read_text(encoding="utf-8")))}
+               "schema": schema.page("The JSON schema", root / "docs/solve.schema.json"),
+               "verify-schema": schema.page("The JSON schema of the ledger", root / "docs/verify.schema.json")}
     for name, text in written.items():
         (pages / f"{name}.md").write_text("\n\n".join(text) + "\n", encoding="utf-8")
 

@@ -1,6 +1,12 @@
-"""The page of the JSON schema: one table for each definition."""
+"""The page of a JSON schema: one table for each definition."""
 
 import json
+import re
+
+
+def linked(text):
+    """With links to the pages that it names."""
+    return re.sub(r"\b(\w+\.md)\b", r"[\1](\1)", text)
 
 
 def kind(rule):
@@ -28,18 +34,18 @@ def table(rule):
     required = rule.get("required", [])
     rows = ["| key | always there | value |", "|---|---|---|"]
     for key, value in rule["properties"].items():
-        words = f"; {value['description']}" if "description" in value else ""
+        words = f"; {linked(value['description'])}" if "description" in value else ""
         rows.append(f"| `{key}` | {'yes' if key in required else ''} | {kind(value)}{words} |".replace("\n", " "))
     return "\n".join(rows)
 
 
-def page(schema):
-    text = ["# The JSON schema", f"{schema['title']}. [output.md](output.md) says what the keys mean; the schema itself is "
-            "`docs/solve.schema.json`, JSON Schema 2020-12. A document is "
-            + (" or ".join(kind(one) for one in schema["oneOf"]) if "oneOf" in schema else kind(schema)) + "."]
+def page(heading, file):
+    schema = json.loads(file.read_text(encoding="utf-8"))
+    text = [f"# {heading}", f"{schema['title']}. {linked(schema['description'])} The schema itself is `docs/{file.name}`, JSON "
+            "Schema 2020-12. A document is " + kind(schema) + "."]
     for name, rule in schema["$defs"].items():
         text.append(f"## {name}")
         if "description" in rule:
-            text.append(rule["description"])
+            text.append(linked(rule["description"]))
         text.append(table(rule) if "properties" in rule else kind(rule))
     return text

@@ -1,21 +1,10 @@
-"""Pages of the ledger: statements of the paper with their verdicts, entries with their proofs, reading notes."""
+"""Pages of the ledger: statements of the paper with their verdicts, entries with their proofs, reading notes. What they say is in
+`verify --format json` twice, in letters and as HTML with formulas as MathML: here it is put in order."""
 
 import html
-import re
 from collections import Counter
 
 VERDICTS = "[proved, supported, undecided or refuted](proofs.md)"
-
-
-def cell(text):
-    """Text that may stand in a table's cell."""
-    return text.replace("\n", " ").replace("|", "\\|")
-
-
-def words(text):
-    """Text of the ledger as Markdown: formulas between backticks stay, what else looks like a mark is none."""
-    parts = re.split("(`[^`]*`)", text)
-    return "".join(part if part.startswith("`") else re.sub(r"([*_<\[\]])", r"\\\1", part) for part in parts)
 
 
 def counted(verdicts):
@@ -28,28 +17,32 @@ def made(found):
             "this site was built.")
 
 
-def links(ids):
-    return ", ".join(f"[{one}](entries.md#{one})" for one in ids)
+def links(page, ids, prefix=""):
+    return ", ".join(f'<a href="{page}.html#{prefix}{one.lower()}">{one}</a>' for one in ids)
 
 
 def table(heads, rows):
-    """Without the columns in which no row has anything."""
+    """Of HTML, without the columns in which no row has anything."""
     kept = [k for k in range(len(heads)) if any(row[k] for row in rows)]
-    lines = [[heads[k] for k in kept], ["---"] * len(kept)] + [[row[k] for k in kept] for row in rows]
-    return "\n".join("| " + " | ".join(map(cell, line)) + " |" for line in lines)
+    lines = ["".join(f'<td data-label="{heads[k]}">{row[k]}</td>' for k in kept) for row in rows]
+    head = "".join(f'<th scope="col">{heads[k]}</th>' for k in kept)
+    body = "\n".join(f"<tr>{line}</tr>" for line in lines)
+    return (f'<div class="table-wrapper docutils container">\n<table class="docutils ledger">\n<thead><tr>{head}</tr></thead>\n'
+            f"<tbody>\n{body}\n</tbody></table></div>")
 
 
 def statements(found):
     notes = {}
     for note in found["reading_notes"]:
-        for entry in re.findall(r"\bclaim ([\w-]+)", note["evidence"]):
-            notes.setdefault(entry, set()).add(note["id"])
+        notes.setdefault(note["claim"], []).append(note["id"])
 
     def row(one):
-        ids = one.get("entries") or one.get("claims", [])
-        own = sorted({note for entry in ids for note in notes.get(entry, ())})
-        return [one["place"], words(one.get("statement") or one["what"]), one["verdict"], words(one.get("scope", "")), links(ids),
-                ", ".join(f"[{note}](reading-notes.md#note-{note})" for note in own)]
+        entries = one["entries"] + one["instances"]
+        own = sorted({note for entry in entries for note in notes.get(entry, ())})
+        ids = [links("entries", one["entries"])] if one["entries"] else []
+        ids += ["instances: " + links("entries", one["instances"])] if one["instances"] else []
+        return [html.escape(one["place"]), one["html"]["statement"], one["verdict"], one["html"]["scope"], "; ".join(ids),
+                links("reading-notes", own, "note-")]
 
     heads = ["place", "statement", "verdict", "scope", "entries", "reading notes"]
     paper, beyond = ([one for one in found["statements"] if bool(one["place"]) == of_paper] for of_paper in (True, False))
@@ -60,13 +53,8 @@ def statements(found):
             table(heads, [row(one) for one in paper]), "## Beyond the paper", table(heads, [row(one) for one in beyond])]
 
 
-def html_words(text):
-    return re.sub("`([^`]+)`", r"<code>\1</code>", html.escape(text, quote=False))
-
-
 def tree(proof):
-    """The proof as nested lists, from what it concludes down; a fact shown before is named only. HTML, since Markdown here
-    gives up at the tenth level."""
+    """The proof as nested lists, from what it concludes down; a fact shown before is named only."""
     steps, shown = proof["steps"], set()
     places = {step["fact"]: k for k, step in enumerate(steps)}
 
@@ -74,8 +62,9 @@ def tree(proof):
         step, again = steps[k], k in shown
         shown.add(k)
         below = "" if again or not step["from"] else f"<ul>{''.join(map(show, step['from']))}</ul>"
-        words = html_words(step["says"].strip() or step["fact"])
-        return f"<li>{words} <em>({html_words(step['by'])}{', see above' if again else ''})</em>{below}</li>\n"
+        by = step["by"]
+        by = f'entry {links("entries", [by[6:]])}' if by.startswith("entry ") else html.escape(by)
+        return f"<li>{step['html']['says']} <em>({by}{', see above' if again else ''})</em>{below}</li>\n"
 
     concluded = "".join(show(places[fact]) for fact in proof["concludes"] if fact in places)
     return f"<details><summary>Proof, {len(steps)} steps</summary>\n<ul>{concluded}</ul></details>"
@@ -86,13 +75,12 @@ def entries(found):
             f"{len(found['claims'])} entries: {counted(one['verdict'] for one in found['claims'])}. {made(found)} `steadyslide "
             "verify --claim ID` prints one of them with its evidence, `--proof` its proof."]
     for claim in found["claims"]:
-        text += [f"## {claim['id']}", f"**{claim['verdict']}** – {words(claim['source'])}", words(claim["statement"])]
-        if claim["hypotheses"]:
-            text += [f"*For:* {words(claim['hypotheses'])}"]
-        proof = claim.get("proof") or {}
-        if proof.get("steps"):
-            text += [tree(proof)]
-        text += [f"Pieces of evidence: {len(claim['evidence'])}. Wrong variants that were tried: {claim['controls']['total']}, "
+        said, proof = claim["html"], claim.get("proof") or {}
+        text += [f"## {claim['id']}",
+                 f"<p><strong>{claim['verdict']}</strong> – {said['source']}</p>\n<p>{said['statement']}</p>"
+                 + (f"\n<p><em>For:</em> {said['hypotheses']}</p>" if claim["hypotheses"] else "")
+                 + (f"\n{tree(proof)}" if proof.get("steps") else ""),
+                 f"Pieces of evidence: {len(claim['evidence'])}. Wrong variants that were tried: {claim['controls']['total']}, "
                  f"refuted: {claim['controls']['refuted']}."]
     return text
 
@@ -102,7 +90,8 @@ def reading_notes(found):
             "says what was read, not what was printed, unless it says so.",
             f"{len(found['reading_notes'])} notes. {made(found)}"]
     for note in found["reading_notes"]:
-        fault = f"\n- fault: {note['fault']}" if note.get("fault") else ""
-        text += [f"## note {note['id']}", words(note["place"]), f"- read: {words(note['printed'])}\n- derived: {words(note['derived'])}{fault}",
-                 words(note["evidence"])]
+        said = note["html"]
+        text += [f"## note {note['id']}",
+                 f"<p>{said['place']}</p>\n<ul>\n<li>read: {said['printed']}</li>\n<li>derived: {said['derived']}</li>\n"
+                 f"<li>at fault: {note['fault']}</li>\n</ul>\n<p>{said['evidence']}</p>"]
     return text

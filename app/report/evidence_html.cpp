@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/report/math/mathml.hpp"
+#include "app/html/mathml.hpp"
 #include "app/report/sections.hpp"
 
 namespace steadyslide::app {

@@ -7,7 +7,7 @@
 #include <ctime>
 
 #include "app/embedded.hpp"
-#include "app/report/math/mathml.hpp"
+#include "app/html/mathml.hpp"
 #include "app/report/sections.hpp"
 #include "proofs_checks/statements/paper_statements.hpp"
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "app/report/math/mathml.hpp"
+#include "app/html/mathml.hpp"
 #include "app/report/sections.hpp"
 #include "app/verify/proof_writers.hpp"
 

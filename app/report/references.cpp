@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/embedded.hpp"
-#include "app/report/math/mathml.hpp"
+#include "app/html/mathml.hpp"
 #include "app/report/sections.hpp"
 
 namespace steadyslide::app {

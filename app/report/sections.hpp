@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "app/report/html.hpp"
+#include "app/html/html.hpp"
 #include "app/report/report_page.hpp"
 
 namespace steadyslide::app {
@@ -54,6 +54,9 @@ std::vector<std::string> cells_of_row(std::string_view line);
 /// The options that repeat a run.
 std::string options_again(const proofs_checks::Context& context);
 
+/// gnuplot's SVG without what nothing is drawn by: marks that no curve has, empty groups and texts, defaults, the blanks between
+/// elements, the description that the caption repeats.
+std::string slim_svg(std::string svg);
 /// The <svg> element alone. Several drawings share one page, so that every id and every reference to one begins with
 /// `prefix`. The drawing's own title, which a browser would show as a hint, gives way to `title`. Scripts are left out.
 std::string inline_svg(std::string_view svg, std::string_view prefix, std::string_view title);

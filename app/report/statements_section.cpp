@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/report/math/mathml.hpp"
+#include "app/html/mathml.hpp"
 #include "app/report/sections.hpp"
 #include "proofs_checks/statements/paper_statements.hpp"
 

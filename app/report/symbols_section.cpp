@@ -4,7 +4,7 @@
 
 #include <ranges>
 
-#include "app/report/math/mathml.hpp"
+#include "app/html/mathml.hpp"
 #include "app/report/sections.hpp"
 
 namespace steadyslide::app {

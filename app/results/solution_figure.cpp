@@ -117,11 +117,12 @@ class SolutionFigure {
         if (!std::isnan(point.y)) y.include(point.y);
       }
     }
-    // A flat punch fills its panel by the contact's length.
-    const double tall = y.length() > 0 ? y.length() : 0.1 * contact_.length();
+    // A flat punch fills its panel by the contact's length, and has the legend above it.
+    const bool flat = y.length() == 0;
+    const double tall = flat ? 0.1 * contact_.length() : y.length();
     Panel panel{{0.12, 0.98, 0.575, 0.93},
                 across(false),
-                {"height  (" + length_unit_ + ")", y.from - 0.15 * tall, y.to + 0.08 * tall}};
+                {"height  (" + length_unit_ + ")", y.from - 0.15 * tall, y.to + (flat ? 0.3 : 0.08) * tall}};
     panel.series = {std::move(profile), std::move(surface), zones(y.from - 0.08 * tall)};
     panel.legend = LegendAt::top_centre;
     panel.guides = std::move(guides);
@@ -196,7 +197,7 @@ class SolutionFigure {
       if (!std::isnan(point.y)) least = std::min(least, point.y);
     }
     // Room for the legend above what is not cut, and above the lowest shear.
-    return {std::max(1.08 * least, -y.to), is_infinite() ? y.to : 1.25 * y.to};
+    return {std::max(1.08 * least, -y.to), is_infinite() ? y.to : 1.32 * y.to};
   }
 
   /// A line at each singular point and, where there is room for it, its exponent.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/html/mathml.hpp"
+
 namespace steadyslide::app {
 namespace {
 
@@ -39,11 +41,13 @@ nlohmann::ordered_json proof_json(const checks::CheckedProof& proof) {
   json["concludes"] = texts_of(proof.text.concludes);
   json["steps"] = nlohmann::ordered_json::array();
   for (const checks::ProofNode& node : proof.nodes) {
+    const std::string says = checks::theory().sentence(node.fact);
     json["steps"].push_back({{"fact", text_of(node.fact)},
-                             {"says", checks::theory().sentence(node.fact)},
+                             {"says", says},
                              {"by", node.by},
                              {"words", node.words},
-                             {"from", node.from}});
+                             {"from", node.from},
+                             {"html", {{"says", lined(says)}}}});
   }
   return json;
 }

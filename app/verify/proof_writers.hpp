@@ -14,8 +14,8 @@ namespace steadyslide::app {
 /// Indented, each fact with what it says and by what it follows.
 void write_proof(const proofs_checks::CheckedProof& proof, Output& output);
 
-/// {"complete", "gap", "for", "assumes", "concludes", "steps": [{"fact", "says", "by", "words", "from"}]}, "from" counting
-/// the steps from 0.
+/// {"complete", "gap", "for", "assumes", "concludes", "steps": [{"fact", "says", "by", "words", "from", "html"}]}, "from" counting
+/// the steps from 0, "html" saying the same with formulas typeset.
 nlohmann::ordered_json proof_json(const proofs_checks::CheckedProof& proof);
 
 /// The entries, or the theorems, that its steps name, each once, in their order.

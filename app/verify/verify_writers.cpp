@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/embedded.hpp"
+#include "app/html/mathml.hpp"
 #include "app/verify/proof_writers.hpp"
 #include "proofs_checks/statements/paper_statements.hpp"
 
@@ -143,12 +144,19 @@ void write_verify_markdown(const VerifyResult& result, Output& output) {
 
 using Json = nlohmann::ordered_json;
 
+/// With its texts as HTML besides, formulas typeset: those of `keys`.
+Json typeset(Json json, std::initializer_list<const char*> keys) {
+  for (const char* key : keys) json["html"][key] = prose(json[key].get<std::string>());
+  return json;
+}
+
 Json claim_json(const checks::ClaimText& claim) {
-  return {{"id", claim.id},
-          {"source", claim.source},
-          {"statement", claim.statement},
-          {"hypotheses", claim.hypotheses},
-          {"derivation", claim.derivation}};
+  return typeset({{"id", claim.id},
+                  {"source", claim.source},
+                  {"statement", claim.statement},
+                  {"hypotheses", claim.hypotheses},
+                  {"derivation", claim.derivation}},
+                 {"source", "statement", "hypotheses", "derivation"});
 }
 
 Json report_json(const checks::Report& report) {
@@ -182,21 +190,24 @@ void write_verify_json(const VerifyResult& result, Output& output) {
   for (const checks::PaperStatement& statement : checks::paper_statements()) {
     const auto verdict = checks::verdict_of(statement, result.reports);
     if (!verdict) continue;
-    json["statements"].push_back({{"place", statement.place},
-                                  {"statement", statement.what},
-                                  {"verdict", name_of(*verdict)},
-                                  {"scope", statement.scope},
-                                  {"entries", statement.claims},
-                                  {"instances", statement.instances}});
+    json["statements"].push_back(typeset({{"place", statement.place},
+                                          {"statement", statement.what},
+                                          {"verdict", name_of(*verdict)},
+                                          {"scope", statement.scope},
+                                          {"entries", statement.claims},
+                                          {"instances", statement.instances}},
+                                         {"statement", "scope"}));
   }
   json["reading_notes"] = Json::array();
   for (const checks::ReadingNote& note : result.notes) {
-    json["reading_notes"].push_back({{"id", note.id},
-                                     {"place", note.place},
-                                     {"printed", note.printed},
-                                     {"derived", note.derived},
-                                     {"fault", note.fault},
-                                     {"evidence", note.evidence}});
+    json["reading_notes"].push_back(typeset({{"id", note.id},
+                                             {"place", note.place},
+                                             {"claim", note.claim},
+                                             {"printed", note.printed},
+                                             {"derived", note.derived},
+                                             {"fault", note.fault},
+                                             {"evidence", note.evidence}},
+                                            {"place", "printed", "derived", "evidence"}));
   }
   json["reading_notes_left_out"] = result.notes_left_out;
   output.write(json.dump(2) + "\n");

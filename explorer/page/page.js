@@ -211,8 +211,8 @@ function sentence(solution) {
   const ends = solution.contact.map(zone => `from ${shown(zone.left.x, 3)} to ${shown(zone.right.x, 3)}`).join(' and ');
   const jump = solution.singular_points.find(at => at.kind.includes('jump') && at.sign < 0) ?? solution.singular_points.find(at => at.kind.includes('jump'));
   let text = `It slides to the ${state.sliding === '+x' ? 'right' : 'left'} and touches ${ends}. `;
-  if (jump && jump.sign < 0) text += `At the jump x = ${shown(jump.x, 3)} the pressure blows up like |x − c|<sup>${shown(jump.exponent, 3)}</sup>. `;
-  else if (jump) text += `At the jump x = ${shown(jump.x, 3)} the pressure stays bounded, with a cusp like |x − c|<sup>${shown(jump.exponent, 3)}</sup>. `;
+  if (jump && jump.sign < 0) text += `At the jump x = ${shown(jump.x, 3)} the pressure blows up like <span class="whole">|x − c|<sup>${shown(jump.exponent, 3)}</sup></span>. `;
+  else if (jump) text += `At the jump x = ${shown(jump.x, 3)} the pressure stays bounded, with a cusp like <span class="whole">|x − c|<sup>${shown(jump.exponent, 3)}</sup></span>. `;
   const [right, left] = bothWays(solution);
   return text + `The effective friction is ${shown(right)} to the right and ${shown(left)} to the left.`;
 }

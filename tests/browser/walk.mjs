@@ -1,11 +1,12 @@
 // Walks through pages in Chromium and says what is in the way:
 //
-//   walk.mjs [--shots DIR] [--click SELECTOR] PAGE...     PAGE a file or a URL
+//   walk.mjs [--shots DIR] [--fits SELECTOR] [--pages N] PAGE...     PAGE a file or a URL
 //
-// Each page is opened 1300 and 390 px wide, in light and dark colours, and printed. One line a page with what was counted; a
-// line for each fault: an error or a warning on the console, a request that fails or leaves the machine, a page wider than the
-// screen, an issue that axe-core calls serious or critical. Exit code 1 if there is a fault. --shots keeps pictures and the PDF,
-// --click presses what matches (folds, say) before a page is examined.
+// Each page is opened 1300 and 390 px wide, in light and dark colours, and as it is printed, with everything unfolded. One line a
+// page with what was counted; a line for each fault: an error or a warning on the console, a request that fails or leaves the
+// machine, a page wider than the screen, an issue that axe-core calls serious or critical. Exit code 1 if there is a fault.
+// Before anything is unfolded --shots keeps pictures and the PDF, what --fits matches has to fit 1300 x 1600 px, and the page is
+// printed, on at most N pages.
 
 import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -17,24 +18,54 @@ import { chromium } from "playwright-core";
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const { values: options, positionals: pages } = parseArgs({
   allowPositionals: true,
-  options: { shots: { type: "string" }, click: { type: "string" } },
+  options: { shots: { type: "string" }, fits: { type: "string" }, pages: { type: "string", default: "Infinity" } },
 });
 if (options.shots) mkdirSync(options.shots, { recursive: true });
 
 const isLocal = (url) => /^(file|data|blob|about|devtools):|^https?:\/\/(localhost|127\.0\.0\.1)[:/]/.test(url);
 
-/** The issues of a page that axe-core calls serious or critical, one line each with the first places. */
-async function issues(page) {
+/**
+ * In the page: what axe-core finds. A report has 100 000 elements, half of them inside formulas, which have the colours of the
+ * whole: they become text first. Colours, whose cost grows with all that is laid out, are examined in parts of 800 elements, each
+ * element in one of them, while the other parts are out of the page; drawings are seen by the other rules alone, which see the
+ * page as one and are asked once for each width.
+ */
+async function violations(withoutColours) {
+  document.querySelectorAll("math").forEach((math) => { math.textContent = math.textContent; });
+  const run = async (rules) => (await axe.run(document, { ...rules, resultTypes: ["violations"], elementRef: false })).violations;
+  const colours = ["color-contrast", "link-in-text-block"];
+  const found = withoutColours ? await run({ rules: Object.fromEntries(colours.map((rule) => [rule, { enabled: false }])) }) : [];
+  document.querySelectorAll("svg > *").forEach((part) => part.remove());
+
+  const size = (element) => element.querySelectorAll("*").length + 1, most = 800, parts = [];
+  let room = 0;
+  (function divide(element) {
+    if (size(element) > most && element.children.length) return [...element.children].forEach(divide);
+    if (size(element) > room) room = parts.push([]) && most;
+    room -= size(element);
+    parts.at(-1).push(element);
+  })(document.body);
+  const empty = (element) => Object.assign(element.cloneNode(false), { style: "display: none" });
+  const out = new Map(parts.flat().map((element) => [element, empty(element)]));
+  out.forEach((instead, element) => element.replaceWith(instead));
+  for (const part of parts) {
+    part.forEach((element) => out.get(element).replaceWith(element));
+    found.push(...(await run({ runOnly: colours })));
+    part.forEach((element) => element.replaceWith(out.get(element)));
+  }
+  return found;
+}
+
+/** Those that axe-core calls serious or critical, one line a rule with the first places. */
+async function issues(page, withoutColours) {
   await page.evaluate(axe);
-  // Inside a formula or a drawing are the colours and the name of the whole; what is folded away is examined where --click opens it.
-  const { violations } = await page.evaluate(() =>
-    axe.run({ exclude: [["math > *"], ["svg > *"], ["details:not([open]) > :not(summary)"]] }, { resultTypes: ["violations"], elementRef: false }));
-  return violations
-    .filter(({ impact }) => impact === "serious" || impact === "critical")
-    .map(({ id, impact, nodes }) => {
-      const places = nodes.slice(0, 3).map(({ target, any }) => `${target.join(" ")} ${any[0]?.message ?? ""}`.trim());
-      return `axe ${impact} ${id}, ${nodes.length} times: ${places.join(" | ")}`;
-    });
+  const rules = new Map();
+  for (const { id, impact, nodes } of await page.evaluate(violations, withoutColours)) {
+    if (impact !== "serious" && impact !== "critical") continue;
+    const places = nodes.map(({ target, any }) => `${target.join(" ")} ${any[0]?.message ?? ""}`.trim());
+    rules.set(`axe ${impact} ${id}`, [...(rules.get(`axe ${impact} ${id}`) ?? []), ...places]);
+  }
+  return [...rules].map(([rule, places]) => `${rule}, ${places.length} times: ${places.slice(0, 3).join(" | ")}`);
 }
 
 /** What overflows a page: of the elements beyond its right edge the outermost. */
@@ -51,33 +82,40 @@ async function walk(browser, address) {
   const faults = new Set();
   let height = 0;
   let printed = 0;
-  for (const [width, tall] of [[1300, 1600], [390, 844]]) {
-    for (const colorScheme of ["light", "dark"]) {
-      const context = await browser.newContext({ viewport: { width, height: tall }, colorScheme });
-      const page = await context.newPage();
-      page.on("console", (message) => {
-        if (["error", "warning"].includes(message.type())) faults.add(`console ${message.type()}: ${message.text()}`);
-      });
-      page.on("pageerror", (error) => faults.add(`uncaught: ${error.message}`));
-      page.on("requestfailed", (request) => faults.add(`failed: ${request.url()}`));
-      page.on("request", (request) => { if (!isLocal(request.url())) faults.add(`leaves the machine: ${request.url()}`); });
-      await page.goto(url, { waitUntil: "load" });
-      await page.waitForTimeout(300);
-      if (options.click) {
-        for (const button of await page.locator(options.click).all()) await button.click();
+  for (const [width, tall, colorScheme, media] of [[1300, 1600, "light"], [1300, 1600, "dark"], [390, 844, "light"],
+    [390, 844, "dark"], [1300, 1600, "light", "print"]]) {
+    const context = await browser.newContext({ viewport: { width, height: tall }, colorScheme });
+    const page = await context.newPage();
+    page.on("console", (message) => {
+      if (["error", "warning"].includes(message.type())) faults.add(`console ${message.type()}: ${message.text()}`);
+    });
+    page.on("pageerror", (error) => faults.add(`uncaught: ${error.message}`));
+    page.on("requestfailed", (request) => faults.add(`failed: ${request.url()}`));
+    page.on("request", (request) => { if (!isLocal(request.url())) faults.add(`leaves the machine: ${request.url()}`); });
+    await page.goto(url, { waitUntil: "load" });
+    await page.waitForTimeout(300);
+    if (options.fits && width === 1300 && !media) {
+      for (const element of await page.locator(options.fits).all()) {
+        const box = await element.boundingBox();
+        const fits = box.width <= width && box.height <= tall;
+        if (!fits) faults.add(`${options.fits} does not fit the screen: ${box.width} x ${box.height} px`);
       }
-      for (const fault of [...(await issues(page)), ...(await page.evaluate(tooWide))]) {
-        faults.add(`${width} px, ${colorScheme}: ${fault}`);
-      }
-      height ||= await page.evaluate(() => document.documentElement.scrollHeight);
-      if (options.shots) await page.screenshot({ path: `${options.shots}/${name}-${width}-${colorScheme}.png` });
-      if (width === 1300 && colorScheme === "light") {
-        const path = options.shots ? `${options.shots}/${name}.pdf` : undefined;
-        const pdf = await page.pdf({ path, preferCSSPageSize: true });
-        printed = (pdf.toString("latin1").match(/\/Type ?\/Page[^s]/g) ?? []).length;
-      }
-      await context.close();
     }
+    height ||= await page.evaluate(() => document.documentElement.scrollHeight);
+    if (media) {
+      const path = options.shots ? `${options.shots}/${name}.pdf` : undefined;
+      const pdf = await page.pdf({ path, preferCSSPageSize: true });
+      printed = (pdf.toString("latin1").match(/\/Type ?\/Page[^s]/g) ?? []).length;
+      if (printed > Number(options.pages)) faults.add(`prints more than ${options.pages} pages`);
+      await page.emulateMedia({ media, colorScheme });
+    } else if (options.shots) {
+      await page.screenshot({ path: `${options.shots}/${name}-${width}-${colorScheme}.png` });
+    }
+    await page.evaluate(() => document.querySelectorAll("details").forEach((fold) => { fold.open = true; }));
+    const wide = media ? [] : await page.evaluate(tooWide);
+    for (const fault of [...wide, ...(await issues(page, !media && colorScheme === "light"))])
+      faults.add(`${media ?? `${width} px`}, ${colorScheme}: ${fault}`);
+    await context.close();
   }
   console.log(`${address}: ${height} px high at 1300, ${printed} pages printed, ${faults.size} faults`);
   for (const fault of faults) console.log(`  ${fault}`);

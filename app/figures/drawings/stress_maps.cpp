@@ -58,9 +58,9 @@ Figure make_stress_map() {
           " and more) below a flat punch on `]-1, 1[` that slides to the right, `f = 0.1` on its left half and 1 on "
           "its right one, `nu = 1/5`. It has no bound next to the edges and the jump; the cross is where it is largest "
           "at depths of `0.02 L` and more: " +
-          decimal(largest.von_mises.value, 4) + " at `x = " + decimal(largest.x.value, 4) +
-          " L`, `z = " + decimal(largest.z.value, 4) +
-          " L`. The row at the surface is made from the tractions and from the slope of the tangential displacement. "
+          decimal(largest.von_mises.value, 4) + " at `x` = " + decimal(largest.x.value, 4) +
+          " `L`, `z` = " + decimal(largest.z.value, 4) +
+          " `L`. The row at the surface is made from the tractions and from the slope of the tangential displacement. "
           "At the depth `z = 0.001 L`, at a distance of 0.25 from the singular points, `sigma_{zz}` and `sigma_{xz}` "
           "differ from `t_n` and `-t_t` by at most " +
           decimal(error, 4) + " in these units.",
@@ -95,9 +95,9 @@ Figure make_stress_parabola() {
       "Von Mises' stress in units of `P/a` (white 0, black " + decimal(view.highest, 2) +
           " and more) below a rigid parabola that slides to the right, `f = 1/5`, `nu = 3/10`; `a` is the half-length "
           "of the contact. The cross is where it is largest: " +
-          decimal(largest.von_mises.value / view.stress, 4) + " at `x = " + decimal(largest.x.value / a, 4) +
-          " a`, `z = " + decimal(largest.z.value / a, 4) +
-          " a`: below the surface, as without friction, and in the front half.",
+          decimal(largest.von_mises.value / view.stress, 4) + " at `x` = " + decimal(largest.x.value / a, 4) +
+          " `a`, `z` = " + decimal(largest.z.value / a, 4) +
+          " `a`: below the surface, as without friction, and in the front half.",
       450,
       {panel}};
 }

@@ -60,7 +60,9 @@ TEST_CASE("JSON, whole") {
       compact,
       {"\"controls\":{\"total\":1,\"refuted\":0},\"seconds\":1.0}],\"statement_counts\":{\"proved\":0,\"supported\":0,"
        "\"undecided\":0,\"refuted\":0},\"statements\":[],\"reading_notes\":[{\"id\":\"note-1\","
-       "\"place\":\"(4)\",\"printed\":",
+       "\"place\":\"(4)\",\"claim\":\"a-claim\",\"printed\":",
+       "\"html\":{\"source\":\"[Bal16,(1)]\",\"statement\":\"x|y_1&lt;2\",",
+       "\"html\":{\"place\":\"(4)\",\"printed\":\"(1+x)^{1/2}\",",
        "\"derived\":\"(1+x)^{1/2+alpha}\",\"fault\":\"undecided\",\"evidence\":",
        "{\"kind\":\"note\",\"detail\":\"thecontrolsurvives\"}"});
 }

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/report/html.hpp"
-#include "app/report/math/math_row.hpp"
-#include "app/report/math/mathml.hpp"
+#include "app/html/html.hpp"
+#include "app/html/math_row.hpp"
+#include "app/html/mathml.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/report/math/math_symbols.hpp"
+#include "app/html/math_symbols.hpp"
 
 namespace steadyslide::app {
 

@@ -1,9 +1,9 @@
-#include "app/report/math/mathml.hpp"
+#include "app/html/mathml.hpp"
 
 #include <algorithm>
 
-#include "app/report/html.hpp"
-#include "app/report/math/math_row.hpp"
+#include "app/html/html.hpp"
+#include "app/html/math_row.hpp"
 
 namespace steadyslide::app {
 

@@ -2,8 +2,8 @@
 #include <numeric>
 #include <regex>
 
-#include "app/report/math/math_symbols.hpp"
-#include "app/report/math/mathml.hpp"
+#include "app/html/math_symbols.hpp"
+#include "app/html/mathml.hpp"
 #include "app/svg.hpp"
 #include "library/text/utf8.hpp"
 
@@ -89,7 +89,7 @@ std::string random_formula(int depth) {
 }  // namespace
 
 TEST_CASE("formulas and their MathML") {
-  const auto table = pairs_of(STEADYSLIDE_TESTS "/app/report/formulas.txt");
+  const auto table = pairs_of(STEADYSLIDE_TESTS "/app/html/formulas.txt");
   CHECK(table.size() >= 41);
   for (const auto& [formula, xml] : table) CHECK_MESSAGE(bare(formula) == xml, formula);
 }

@@ -1,4 +1,4 @@
-#include "app/report/math/math_row.hpp"
+#include "app/html/math_row.hpp"
 
 #include <fmt/format.h>
 

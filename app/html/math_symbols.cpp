@@ -1,4 +1,4 @@
-#include "app/report/math/math_symbols.hpp"
+#include "app/html/math_symbols.hpp"
 
 #include <algorithm>
 #include <map>

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <string>
 
-#include "app/report/math/math_row.hpp"
+#include "app/html/math_row.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/report/html.hpp"
+#include "app/html/html.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
