@@ -82,7 +82,7 @@ def precision(t):
 def answers(t):
     rows = []
     for problem in ("punch", "parabola", "wedge, all in contact", "wedge, partly", "two zones"):
-        for how, name in ((", by formula", " by formula"), ("", "")):
+        for how, name in ((", by formula", " by formula"), (", Riemann–Hilbert", "")):
             cells = []
             for digits in (50, 100):
                 bare, answer = (f"{problem}, {digits} digits, {x}" for x in ("bare", "answer" + name))

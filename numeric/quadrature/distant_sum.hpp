@@ -19,23 +19,24 @@ class DistantSum {
  public:
   DistantSum() = default;
   /// `y`, `f`: of one length.
-  DistantSum(const std::vector<R>& y, const R* f) : moments_(terms(R(0.5)), R(0)) {
+  DistantSum(const std::vector<R>& y, const R* f) : moments_(terms(R(0.5), digits), R(0)) {
     for (std::size_t i = 0; i < y.size(); ++i) {
       size_ += std::abs(static_cast<double>(f[i]));
       const R twice = 2 - 4 * y[i];
-      R before = f[i] * twice / 2;
       R now = f[i];
+      R other = now * twice / 2;
       R next;
       for (R& moment : moments_) {
         moment += now;
         next = twice;
         next *= now;
-        next -= before;
-        before = now;
+        next -= other;
+        other = now;
         now = next;
       }
     }
-    if (!moments_.empty()) moments_[0] /= 2;
+    moments_[0] /= 2;
+    for (const R& moment : moments_) rough_.push_back(static_cast<double>(moment));
   }
 
   /// At the distance x from y = 0, or from y = 1 beyond it.
@@ -44,8 +45,14 @@ class DistantSum {
     const R root = sqrt(R(x * (1 + x)));
     const R rho = 1 + 2 * (x + root);
     const R q = beyond_one ? R(-1 / rho) : R(1 / rho);
-    R sum = 0;
-    for (std::size_t k = std::min(terms(x), moments_.size()); k-- > 0;) {
+    // From where rho^-k is below double's share of the digits, double is enough.
+    const std::size_t last = std::min(terms(x, digits), moments_.size());
+    const std::size_t first = std::min(terms(x, beyond_double), last);
+    const auto rough_q = static_cast<double>(q);
+    double rough = 0;
+    for (std::size_t k = last; k-- > first;) rough = rough * rough_q + rough_[k];
+    R sum = rough;
+    for (std::size_t k = first; k-- > 0;) {
       sum *= q;
       sum += moments_[k];
     }
@@ -55,14 +62,17 @@ class DistantSum {
   double size() const { return size_; }
 
  private:
-  /// Until rho^-k is below rounding.
-  static std::size_t terms(const R& x) {
-    static const double digits = -std::log(static_cast<double>(epsilon<R>())) + 2;
+  /// How many until rho^-k is below e^-accuracy by far.
+  static std::size_t terms(const R& x, double accuracy) {
     const auto d = static_cast<double>(x);
-    return static_cast<std::size_t>(digits / std::log1p(2 * (d + std::sqrt(d * (1 + d))))) + 2;
+    return static_cast<std::size_t>((accuracy + 2) / std::log1p(2 * (d + std::sqrt(d * (1 + d))))) + 2;
   }
+  /// -log(epsilon), and what of it is beyond double.
+  inline static const double digits = -std::log(static_cast<double>(epsilon<R>()));
+  inline static const double beyond_double = digits + std::log(epsilon<double>());
 
   std::vector<R> moments_;
+  std::vector<double> rough_;  ///< the same
   double size_ = 0;
 };
 

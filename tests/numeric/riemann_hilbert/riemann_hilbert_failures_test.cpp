@@ -19,14 +19,16 @@ double missing_load(const Form& form) {
   return std::abs(check.integral() + form.problem().load()) / form.problem().load();
 }
 
-SearchResult<double> converged(const ReducedProblem<double>& problem, const Set& set, JacobiRules<double>& rules) {
-  const std::vector<double> limits(set.segments(), 1e-3);
-  auto found = solve_newton(problem, ContactState<double>::initial(problem, set, 0), limits, rules);
-  REQUIRE(found.status == NewtonResult<double>::Status::converged);
-  return {std::move(found.state), 0, ""};
+template <Real R>
+SearchResult<R> converged(const ReducedProblem<R>& problem, const ContactSet<R>& set, JacobiRules<R>& rules) {
+  const std::vector<R> limits(set.segments(), R(1e-3));
+  auto found = solve_newton(problem, ContactState<R>::initial(problem, set, R(0)), limits, rules);
+  REQUIRE(found.status == NewtonResult<R>::Status::converged);
+  return {std::move(found.state), R(0), ""};
 }
 
-Form form_of(const ReducedProblem<double>& problem, const ContactState<double>& state, JacobiRules<double>& rules) {
+template <Real R>
+RiemannHilbertForm<R> form_of(const ReducedProblem<R>& problem, const ContactState<R>& state, JacobiRules<R>& rules) {
   return {problem, state.set, state.q, state.tilt, rules};
 }
 
@@ -80,8 +82,8 @@ TEST_CASE("control: a displaced end is seen in the load, the equation and the cl
   CHECK(check_of(displaced).equation() > 1e-8);
 }
 
-TEST_CASE("control: a set of the wrong kind has violations") {
-  using What = Violation<double>::What;
+TEST_CASE_TEMPLATE("control: a set of the wrong kind has violations", R, double, Real50) {
+  using What = typename Violation<R>::What;
   struct Case {
     ContactProblem data;
     ContactInterval contact;
@@ -94,21 +96,20 @@ TEST_CASE("control: a set of the wrong kind has violations") {
                         {reduced({0.3_r}, {}, two_wells(0), 0.5_r), {-1.2, -0.8, false, false}, What::penetration},
                         {reduced({0.3_r}, {}, one_piece(-1, 1, {0, 1}), 0.5_r), {-1, 1, true, true}, What::tension}};
   for (const Case& c : cases) {
-    JacobiRules<double> rules;
-    const ReducedProblem<double> problem(c.data, {0, 1});
-    const auto found = converged(problem, Set(problem, {c.contact}), rules);
+    JacobiRules<R> rules;
+    const ReducedProblem<R> problem(c.data, {0, 1});
+    const auto found = converged(problem, ContactSet<R>(problem, {c.contact}), rules);
     const auto seen = violations(form_of(problem, found.state, rules));
     REQUIRE(!seen.empty());
     CHECK(seen.front().what == c.seen);
-    if (c.seen == What::penetration)
-      CHECK(std::ranges::count(seen, c.seen, &Violation<double>::what) == std::ssize(seen));
+    if (c.seen == What::penetration) CHECK(std::ranges::count(seen, c.seen, &Violation<R>::what) == std::ssize(seen));
     if (!c.contact.left_at_edge) continue;
     CHECK(seen.size() == 1);
     const auto repaired = search_contact(problem, found.state, rules);
     CHECK(repaired.solved());
     CHECK(violations(form_of(problem, repaired.state, rules)).empty());
   }
-  const auto good = solved<double>(on_two_wells);
+  const auto good = solved<R>(on_two_wells);
   CHECK(violations(good->form()).empty());
 }
 
