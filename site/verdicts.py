@@ -31,10 +31,16 @@ def table(heads, rows):
             f"<tbody>\n{body}\n</tbody></table></div>")
 
 
-def statements(found):
+def notes_of(found):
+    """The reading notes of each entry."""
     notes = {}
     for note in found["reading_notes"]:
         notes.setdefault(note["claim"], []).append(note["id"])
+    return notes
+
+
+def statements(found):
+    notes = notes_of(found)
 
     def row(one):
         entries = one["entries"] + one["instances"]
@@ -74,14 +80,16 @@ def entries(found):
     text = ["# Entries of the ledger",
             f"{len(found['claims'])} entries: {counted(one['verdict'] for one in found['claims'])}. {made(found)} `steadyslide "
             "verify --claim ID` prints one of them with its evidence, `--proof` its proof."]
+    notes = notes_of(found)
     for claim in found["claims"]:
+        own = links("reading-notes", notes.get(claim["id"], []), "note-")
         said, proof = claim["html"], claim.get("proof") or {}
         text += [f"## {claim['id']}",
                  f"<p><strong>{claim['verdict']}</strong> – {said['source']}</p>\n<p>{said['statement']}</p>"
                  + (f"\n<p><em>For:</em> {said['hypotheses']}</p>" if claim["hypotheses"] else "")
                  + (f"\n{tree(proof)}" if proof.get("steps") else ""),
                  f"Pieces of evidence: {len(claim['evidence'])}. Wrong variants that were tried: {claim['controls']['total']}, "
-                 f"refuted: {claim['controls']['refuted']}."]
+                 f"refuted: {claim['controls']['refuted']}." + (f" Reading notes: {own}." if own else "")]
     return text
 
 
