@@ -77,6 +77,19 @@ TEST_CASE("heights in micrometres beside x in millimetres: a contact of one cell
   CHECK(last.ends_with(" % of the contact's length; what was reached is printed\n"));
 }
 
+TEST_CASE("a notch pressed so hard that its gap has no number: its order of magnitude is told") {
+  const Finished finished = run_program({"solve", "-", "--format", "json"}, ".", problem_text("pressed_notch"));
+  CHECK(finished.code == 0);
+  const Json json = Json::parse(finished.out);
+  CHECK(json["contact"].size() == 1);
+  CHECK(finished.err == as_lines(json["warnings"]));
+  CHECK(has(json["warnings"], "they are too short for any place in them to have a number; x = 0 (about 1e-"));
+  // A proof asks for the sign in the corner.
+  const Finished certified = run_program({"solve", "-", "--certify"}, ".", problem_text("pressed_notch"));
+  CHECK(certified.code == 1);
+  CHECK(holds(certified.out + certified.err, "not proved"));
+}
+
 TEST_CASE("loads one after the other, and a search: each says whose warning it is") {
   const auto turned = [](double x) { return -bowl(x) + 0.1 * x; };
   const Answer steps = solve_trace(turned, {"--load-steps", "0.01,0.02"});
