@@ -128,6 +128,9 @@ void FundamentalSolution<R>::moduli(std::size_t k, std::span<const R> from_left,
     }
   };
   if constexpr (std::same_as<R, double>) {
+    // Products over more panels than this cost less by cells.
+    constexpr std::size_t most_panels = 512;
+    if (panels_.size() > most_panels) return one_by_one([](std::size_t) { return true; });
     std::vector<PowerFactor> of_left, of_right;
     double sum = 0;
     const auto gather = [&](std::vector<PowerFactor>& factors) {

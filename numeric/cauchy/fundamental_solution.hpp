@@ -47,7 +47,7 @@ class FundamentalSolution {
   R modulus(std::size_t k, const Node<R>& node) const;
   /// |Y| at many points of panel k, by their distances from its ends. In double to 4 units in the last place of what the
   /// distances and powers demand (numeric/number/power_product.hpp); the sums of lengths in the distances from further
-  /// points are rounded, too.
+  /// points are rounded, too. Over more than 512 panels one by one, as modulus().
   void moduli(std::size_t k, std::span<const R> from_left, std::span<const R> from_right, std::span<R> values) const;
   /// |Y| at a node of panel k without the powers of the panel's two ends: analytic there.
   R smooth_modulus(std::size_t k, const Node<R>& node) const;

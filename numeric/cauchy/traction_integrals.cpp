@@ -1,8 +1,12 @@
 #include "numeric/cauchy/traction_integrals.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "numeric/cauchy/distant_tractions.hpp"
 #include "numeric/cauchy/interpolated_density.hpp"
+#include "numeric/hierarchical/line_sum.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 
 namespace steadyslide::numeric {
@@ -25,8 +29,16 @@ Estimate<R> part_integral(const PanelDensity<R>& density, Side end, const R& dis
 
 template <Real R>
 TractionIntegrals<R>::TractionIntegrals(PiecewiseDensity<R> density, const std::vector<Estimate<R>>& loads,
-                                        std::vector<Friction> friction, const R& gamma)
+                                        std::vector<Friction> friction, const R& gamma,
+                                        const ContactSolution<R>& solution, const R& unit)
     : density_(std::move(density)), friction_(std::move(friction)), gamma_(gamma) {
+  if constexpr (std::same_as<R, double>) {
+    const bool one_ratio =
+        std::ranges::adjacent_find(friction_, std::not_equal_to<>(), &Friction::ratio) == friction_.end();
+    if (!one_ratio && density_.size() >= hierarchical::fewest_panels) {
+      distant_ = std::make_shared<const DistantTractions>(density_, solution.piecewise_traction(), unit);
+    }
+  }
   for (PanelDensity<R>& panel : density_) panel = interpolated(std::move(panel));
   before_.emplace_back();
   for (const Estimate<R>& load : loads) before_.push_back(before_.back() - load);
@@ -62,13 +74,19 @@ Estimate<R> TractionIntegrals<R>::from_slope(std::size_t panel, const LinePlace<
                                              const Estimate<R>& slope) const {
   const auto& [s, ratio] = friction_[panel];
   Estimate<R> sum = ratio * (slope - s * traction) + gamma_ * traction;
+  const auto add = [&](std::size_t k, Side side, const R& distance) {
+    if (friction_[k].ratio != ratio) sum += (friction_[k].ratio - ratio) * cauchy(k, side, distance);
+  };
+  if constexpr (std::same_as<R, double>) {
+    if (distant_) return sum += distant_->around(place, ratio, add);
+  }
   R distance = place.to_left;
   for (std::size_t k = place.panels; k-- > 0; distance += density_[k].panel.length + density_[k].gap) {
-    if (friction_[k].ratio != ratio) sum += (friction_[k].ratio - ratio) * cauchy(k, Side::right, distance);
+    add(k, Side::right, distance);
   }
   distance = place.to_right;
   for (std::size_t k = place.panels + (place.inside ? 1 : 0); k < density_.size(); ++k) {
-    if (friction_[k].ratio != ratio) sum += (friction_[k].ratio - ratio) * cauchy(k, Side::left, distance);
+    add(k, Side::left, distance);
     distance += density_[k].panel.length + (k + 1 < density_.size() ? density_[k + 1].gap : R(0));
   }
   return sum;

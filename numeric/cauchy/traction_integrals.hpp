@@ -6,6 +6,7 @@
 // r_k = t_t/t on panel k and r, s those of the panel that x lies in or beside: with one ratio everywhere the principal
 // value of t_t is r times that of t, and what is left for other ratios keeps clear of x. [Bal16, (2)]
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "numeric/solution/contact_solution.hpp"
 
 namespace steadyslide::numeric {
+
+class DistantTractions;
 
 /// A place by what lies on both sides of it: `panels` panels end on its left, or at it.
 template <Real R>
@@ -30,9 +33,11 @@ class TractionIntegrals {
     R s;
     R ratio;  ///< t_t/t
   };
-  /// Of the reduced problem: `loads` are int t over the panels, `friction` holds on them.
+  /// Of the reduced problem: `loads` are int t over the panels, `friction` holds on them. Panels of various friction that are
+  /// many stand together in cells where they are far from a place, in double: as `solution` tells the same traction, its
+  /// lengths `unit` times those of the density.
   TractionIntegrals(PiecewiseDensity<R> density, const std::vector<Estimate<R>>& loads, std::vector<Friction> friction,
-                    const R& gamma);
+                    const R& gamma, const ContactSolution<R>& solution, const R& unit);
 
   /// -int t over all that lies left of a place.
   Estimate<R> load_before(const LinePlace<R>& place) const;
@@ -54,6 +59,7 @@ class TractionIntegrals {
   std::vector<Estimate<R>> before_;  ///< -int t over the panels before each, and over all
   std::vector<Friction> friction_;
   R gamma_;
+  std::shared_ptr<const DistantTractions> distant_;  ///< null where there are few
 };
 
 }  // namespace steadyslide::numeric

@@ -242,7 +242,7 @@ const TractionIntegrals<R>& ClosedForm<R>::integrals() const {
                           to_real<R>(problem_.shear_ratio(data_.first_piece + k))});
     }
     return TractionIntegrals<R>(data_.traction.density(), loads(), std::move(friction),
-                                to_real<R>(problem_.elasticity().gamma()));
+                                to_real<R>(problem_.elasticity().gamma()), *this, R(1));
   });
 }
 

@@ -17,7 +17,7 @@ const TractionIntegrals<R>& RiemannHilbertSolution<R>::integrals() const {
       if (contact_set().in_contact(k)) friction.push_back({reduced_.s(form_.friction_at(k)), shear_ratio(k)});
     }
     return TractionIntegrals<R>(traction_density(form_), loads(), std::move(friction),
-                                to_real<R>(problem_.elasticity().gamma()));
+                                to_real<R>(problem_.elasticity().gamma()), *this, to_real<R>(reduced_.frame().unit));
   });
 }
 
@@ -64,12 +64,13 @@ template <Real R>
 LinePlace<R> RiemannHilbertSolution<R>::line_place(const SurfacePoint<R>& at, std::optional<std::size_t> point) const {
   const ContactSet<R>& set = contact_set();
   LinePlace<R> place{0, infinity<R>(), infinity<R>()};
+  std::size_t end = 0;  // of the last segment in contact on the left
   for (std::size_t k = 0; k < set.segments(); ++k) {
     if (!set.in_contact(k)) continue;
     const auto segment = static_cast<std::ptrdiff_t>(k);
     if (point ? k < *point : segment < at.segment) {
       ++place.panels;
-      place.to_left = point == k + 1 ? R(0) : form_.distance(at, k + 1);
+      end = k + 1;
     } else if (segment == at.segment && !point) {
       place.inside = at.node;
     } else {
@@ -77,6 +78,7 @@ LinePlace<R> RiemannHilbertSolution<R>::line_place(const SurfacePoint<R>& at, st
       break;
     }
   }
+  if (end > 0) place.to_left = point == end ? R(0) : form_.distance(at, end);
   return place;
 }
 

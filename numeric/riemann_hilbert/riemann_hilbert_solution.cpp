@@ -49,9 +49,10 @@ R RiemannHilbertSolution<R>::relative_end_error(const SurfacePoint<R>& at) const
   // other factor of the traction.
   using std::abs;
   R sum = 0;
-  const std::vector<R> distances = form_.distances(at);
   for (const std::size_t j : contact_set().movable()) {
-    const R distance = abs(distances[j]);
+    const bool is_left = static_cast<std::ptrdiff_t>(j) <= at.segment;
+    const R beside = is_left ? at.node.from_left : at.node.from_right;
+    const R distance = std::max(beside, R(abs(at.node.x - contact_set().x(j))));
     if (distance > 0) sum += 4 * abs(form_.power(j).value) * found_.end_error / distance;
   }
   return sum;

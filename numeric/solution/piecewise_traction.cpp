@@ -112,6 +112,7 @@ std::vector<R> PiecewiseTraction<R>::chebyshev_series(const std::vector<R>& valu
 template <Real R>
 void PiecewiseTraction<R>::add(const SurfacePlace<R>& left, const SurfacePlace<R>& right, const R& length,
                                const R& traction, const R& shear_ratio, const R& error) {
+  segments_.push_back(panels_.size());
   panels_.push_back(
       {left, right, length, std::nullopt, {R(0), R(1)}, legendre_, coefficients_.size(), 1, shear_ratio, error, R(0)});
   coefficients_.push_back(traction);
@@ -119,6 +120,7 @@ void PiecewiseTraction<R>::add(const SurfacePlace<R>& left, const SurfacePlace<R
 
 template <Real R>
 void PiecewiseTraction<R>::add(const TractionSegment<R>& segment) {
+  segments_.push_back(panels_.size());
   for (const GradedPanel<R>& part : graded_panels(segment.length, segment.around)) {
     const bool at_left = part.singular_end == Side::left;
     const Power<R> power = !part.singular_end ? Power<R>{R(0), R(1)}

@@ -105,6 +105,11 @@ class PiecewiseTraction {
 
   const Elasticity& elasticity() const { return elasticity_; }
   const std::vector<TractionPanel<R>>& panels() const { return panels_; }
+  /// The panels of segment k, as added.
+  std::span<const TractionPanel<R>> segment(std::size_t k) const {
+    const std::size_t end = k + 1 < segments_.size() ? segments_[k + 1] : panels_.size();
+    return std::span(panels_).subspan(segments_[k], end - segments_[k]);
+  }
   /// t on a panel with a constant one.
   const R& constant(const TractionPanel<R>& panel) const { return coefficients_[panel.first]; }
   /// Nodes of every rule.
@@ -130,6 +135,7 @@ class PiecewiseTraction {
   std::shared_ptr<JacobiRules<R>> rules_;
   const JacobiRule<R>* legendre_;
   std::vector<TractionPanel<R>> panels_;
+  std::vector<std::size_t> segments_;  ///< the first panel of each
   std::vector<R> coefficients_;
 };
 
