@@ -1,11 +1,13 @@
 // What a sweep costs beside its solves: bench_sweep SWEEP.toml [JOBS]. In turns, so that a busy machine is busy for all:
-// the numbers that solve prints, the same as texts, the rows of the table; then all rows in threads. Problems and texts
+// the numbers that solve prints, the same as texts, the rows of the table; then all solves, and all rows, in threads. Problems and texts
 // are made in 20 blocks.
 
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <thread>
+#include <vector>
 
 #include "app/sweep/ordered_tasks.hpp"
 #include "app/sweep/sweep_table.hpp"
@@ -23,6 +25,13 @@ double cpu_time_of(Act act) {
   const double start = cpu_seconds();
   act();
   return cpu_seconds() - start;
+}
+
+template <class Act>
+double clock_time_of(Act act) {
+  const auto start = std::chrono::steady_clock::now();
+  act();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// What solve asks of a solution in double.
@@ -63,14 +72,26 @@ int main(int argc, char** argv) {
     });
   }
   const int jobs = argc > 2 ? std::atoi(argv[2]) : 2;
-  const auto start = std::chrono::steady_clock::now();
-  std::size_t bytes = 0;
-  const double threads = cpu_time_of([&] {
-    in_order(
-        {0, table.size()}, jobs, [&](std::size_t n) { return table.row(n); },
-        [&](std::size_t, const std::string& row) { bytes += row.size(); });
+  std::vector<Problem> all;
+  for (std::size_t n = 0; n < table.size(); ++n) all.push_back(problems.problem(n));
+  // Cores that are busy together are slower each: the floor is every thread with a part of the bare solves.
+  const double bare = clock_time_of([&] {
+    std::vector<std::jthread> threads;
+    for (int k = 0; k < jobs; ++k) {
+      threads.emplace_back([&, first = static_cast<std::size_t>(k)] {
+        for (std::size_t n = first; n < all.size(); n += static_cast<std::size_t>(jobs)) Solver({}).solve(all[n]);
+      });
+    }
   });
-  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::size_t bytes = 0;
+  double threads = 0;
+  const double wall = clock_time_of([&] {
+    threads = cpu_time_of([&] {
+      in_order(
+          {0, table.size()}, jobs, [&](std::size_t n) { return table.row(n); },
+          [&](std::size_t, const std::string& row) { bytes += row.size(); });
+    });
+  });
   const auto each = [&](double seconds) { return 1e6 * seconds / static_cast<double>(table.size()); };
   std::printf("%zu problems, CPU time of each in microseconds\n", table.size());
   std::printf("  problem made      %8.1f\n", each(made));
@@ -79,4 +100,6 @@ int main(int argc, char** argv) {
   std::printf("  row               %8.1f   / solved = %.3f\n", each(rows), rows / solved);
   std::printf("  row, in %d threads %8.1f   / solved = %.3f; on the clock %.2f s, x %d / solved = %.3f\n", jobs,
               each(threads), threads / solved, wall, jobs, wall * jobs / solved);
+  std::printf("  bare solves, in %d threads: on the clock %.2f s, x %d / solved = %.3f; rows / these = %.3f\n", jobs,
+              bare, jobs, bare * jobs / solved, wall / bare);
 }
