@@ -7,6 +7,7 @@
 // so that the moments m_k = sum_i f_i T_k(1 - 2 y_i) say it all: a product a term in the place of a quotient, and the fewer
 // terms the farther x. From the other end, 1 - y for y, the signs of odd moments change.
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
