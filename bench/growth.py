@@ -4,7 +4,8 @@
     bench/growth.py PROGRAM KIND FIRST LAST [OPTION ...]
 
 KIND: jumps (a flat punch), parabola-jumps (x^2), pieces (a polygon in a parabola, half of its wedges in contact), zones
-(a row of equal bumps, each in contact), cells (a parabola over three jumps, on cells), digits (the same, as many digits
+(a row of equal bumps, each in contact), traces (a measured profile of so many pieces: a self-affine roughness on a parabola,
+by the Riemann-Hilbert method; without samples), cells (a parabola over three jumps, on cells), digits (the same, as many digits
 certified). Numbers run from 2^FIRST to 2^LAST. Each solve prints its residuals, of jumps, pieces and zones also 101 samples
 a component.
 """
@@ -39,7 +40,19 @@ def pieces(n, profile):
     return "[indenter]\npieces = [\n " + ",\n ".join(rows) + "]\n"
 
 
+def trace(n):
+    """x, height: waves of random phases whose heights fall with the power 1.3 of their numbers, up to three points a wave."""
+    rng = random.Random(1)
+    waves = [(math.pi * k, rng.gauss(0, 1) * 0.05 * k**-1.3, rng.random() * 2 * math.pi) for k in range(4, n // 3)]
+    places = [2 * i / n - 1 for i in range(n + 1)]
+    heights = [x * x / 2 + sum(a * math.sin(k * x + phase) for k, a, phase in waves) for x in places]
+    return "".join(f"{x:.9f},{h:.9f}\n" for x, h in zip(places, heights))
+
+
 def problem(kind, n):
+    if kind == "traces":
+        two = '[friction]\nvalues = ["0.1", "0.4"]\njumps = ["0"]\n'
+        return 'load = "0.1"\n' + BODY + two + '[indenter]\nsamples = "trace.csv"\n'
     if kind == "jumps":
         return 'load = "1"\n' + BODY + friction(n) + '[indenter]\nprofile = "0"\n'
     if kind in ("parabola-jumps", "cells", "digits"):
@@ -59,6 +72,8 @@ def options(kind, n):
         return ["--method", "variational", "--cells", str(n)]
     if kind == "digits":
         return ["--certify", "--digits", str(n)]
+    if kind == "traces":
+        return ["--method", "riemann-hilbert"]
     return ["--samples", "101", *(["--method", "riemann-hilbert"] if kind == "zones" else [])]
 
 
@@ -74,6 +89,9 @@ def measure(program, kind, n, more=()):
         path = os.path.join(folder, "problem.toml")
         with open(path, "w", encoding="utf-8") as file:
             file.write(problem(kind, n))
+        if kind == "traces":
+            with open(os.path.join(folder, "trace.csv"), "w", encoding="utf-8") as file:
+                file.write(trace(n))
         return run(program, path, [*options(kind, n), *more])[1]
 
 
