@@ -33,9 +33,8 @@ TractionIntegrals<R>::TractionIntegrals(PiecewiseDensity<R> density, const std::
                                         const ContactSolution<R>& solution, const R& unit)
     : density_(std::move(density)), friction_(std::move(friction)), gamma_(gamma) {
   if constexpr (std::same_as<R, double>) {
-    const bool one_ratio =
-        std::ranges::adjacent_find(friction_, std::not_equal_to<>(), &Friction::ratio) == friction_.end();
-    if (!one_ratio && density_.size() >= hierarchical::fewest_panels) {
+    const auto has_other_ratio = [&](const Friction& f) { return f.ratio != friction_.front().ratio; };
+    if (std::ranges::any_of(friction_, has_other_ratio) && density_.size() >= hierarchical::fewest_panels) {
       distant_ = std::make_shared<const DistantTractions>(density_, solution.piecewise_traction(), unit);
     }
   }
@@ -72,8 +71,8 @@ std::size_t TractionIntegrals<R>::nearest(const LinePlace<R>& place) const {
 template <Real R>
 Estimate<R> TractionIntegrals<R>::from_slope(std::size_t panel, const LinePlace<R>& place, const Estimate<R>& traction,
                                              const Estimate<R>& slope) const {
-  const auto& [s, ratio] = friction_[panel];
-  Estimate<R> sum = ratio * (slope - s * traction) + gamma_ * traction;
+  const R& ratio = friction_[panel].ratio;
+  Estimate<R> sum = ratio * (slope - friction_[panel].s * traction) + gamma_ * traction;
   const auto add = [&](std::size_t k, Side side, const R& distance) {
     if (friction_[k].ratio != ratio) sum += (friction_[k].ratio - ratio) * cauchy(k, side, distance);
   };

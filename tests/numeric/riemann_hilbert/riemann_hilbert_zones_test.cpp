@@ -165,7 +165,9 @@ TEST_CASE("rough traces: many zones of many pieces, with gaps shorter than any c
   std::mt19937_64 random(2016);
   // The smoother a trace is, the shorter are its gaps: some have no number.
   std::size_t unresolved = 0;
-  for (const auto& [n, roughness] : {std::pair(100, 0.3), {200, 0.05}, {400, 0.05}, {1000, 0.1}}) {
+  for (const auto& trace : {std::pair(100, 0.3), {200, 0.05}, {400, 0.05}, {1000, 0.1}}) {
+    const int n = trace.first;
+    const double roughness = trace.second;
     CAPTURE(n);
     CAPTURE(roughness);
     // A parabola with a random height at each of its points.
