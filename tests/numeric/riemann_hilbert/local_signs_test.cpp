@@ -141,6 +141,17 @@ TEST_CASE("a gap that double cannot hold has a place and an order of magnitude")
   }
 }
 
+TEST_CASE("an unresolved gap is as many times longer as all lengths and the load are") {
+  const auto length = [](const Rational& scale) {
+    const Rational half(1, 8);
+    const Indenter corner(-scale, {{0, Polynomial({0, half})}, {scale, Polynomial({0, -half})}});
+    const auto gaps = riemann_hilbert<double>(reduced({0.5_r}, {}, corner, 1000 * scale)).solution->unresolved_gaps();
+    REQUIRE(gaps.size() == 1U);
+    return gaps[0].log10_length;
+  };
+  CHECK(length(1000) - length(1) == doctest::Approx(3).epsilon(1e-6));
+}
+
 TEST_CASE("unresolved gaps go on with the law of those that have ends") {
   const double power = std::atan(3. / 16) / pi<double>() - std::atan(3. / 80) / pi<double>();
   const double resolved = std::log10(gap(*solved<double>(notch(0.999999_r))));
