@@ -1,5 +1,7 @@
 #include "app/results/solve_json.hpp"
 
+#include <array>
+
 #include "app/embedded.hpp"
 #include "app/results/solve_writers.hpp"
 
@@ -94,13 +96,15 @@ Json singular_json(const SingularText& point) {
               "stress_intensity_unit", point.unit);
 }
 
+Json component_json(const SolutionText& solution, std::size_t k) {
+  const auto& [left, right] = solution.contact[k];
+  return with(Json(), "left", end_json(left), "right", end_json(right), "width", solution.width[k], "load",
+              solution.component_load[k]);
+}
+
 Json contact_json(const SolutionText& solution) {
   Json json = Json::array();
-  for (std::size_t k = 0; k < solution.contact.size(); ++k) {
-    const auto& [left, right] = solution.contact[k];
-    json.push_back(with(Json(), "left", end_json(left), "right", end_json(right), "width", solution.width[k], "load",
-                        solution.component_load[k]));
-  }
+  for (std::size_t k = 0; k < solution.contact.size(); ++k) json.push_back(component_json(solution, k));
   return json;
 }
 
@@ -108,15 +112,41 @@ Json largest_json(const LargestText& largest) {
   return with(Json(), "value", largest.value, "x", largest.x, "exponent", largest.exponent);
 }
 
+constexpr std::array resultants{"normal",
+                                "friction_force",
+                                "centre_of_pressure",
+                                "effective_friction",
+                                "load_share",
+                                "contact_width",
+                                "real_contact_length",
+                                "mean_pressure",
+                                "largest_pressure",
+                                "components",
+                                "tilt",
+                                "core"};
+
+/// Null where a solution has none of this name.
+Json resultant_json(const SolutionText& solution, std::string_view name) {
+  if (name == "normal") return json_of(solution.normal);
+  if (name == "friction_force") return json_of(solution.tangential);
+  if (name == "centre_of_pressure") return json_of(solution.centre_of_pressure);
+  if (name == "effective_friction") return json_of(solution.effective_friction);
+  if (name == "load_share") return json_of(solution.load_share);
+  if (name == "contact_width") return json_of(solution.contact_width);
+  if (name == "real_contact_length") return json_of(solution.real_contact_length);
+  if (name == "mean_pressure") return json_of(solution.mean_pressure);
+  if (name == "largest_pressure") return largest_json(solution.largest_pressure);
+  if (name == "components") return solution.contact.size();
+  if (name == "tilt" && solution.tilt) return json_of(*solution.tilt);
+  if (name == "core" && solution.core) return json_of(*solution.core);
+  return {};
+}
+
 Json resultants_json(const SolutionText& solution) {
-  Json json = with(Json(), "normal", solution.normal, "friction_force", solution.tangential, "centre_of_pressure",
-                   solution.centre_of_pressure, "effective_friction", solution.effective_friction, "load_share",
-                   solution.load_share, "contact_width", solution.contact_width, "real_contact_length",
-                   solution.real_contact_length, "mean_pressure", solution.mean_pressure, "largest_pressure",
-                   largest_json(solution.largest_pressure));
-  json["components"] = solution.contact.size();
-  if (solution.tilt) json["tilt"] = json_of(*solution.tilt);
-  if (solution.core) json["core"] = json_of(*solution.core);
+  Json json;
+  for (const char* name : resultants) {
+    if (Json one = resultant_json(solution, name); !one.is_null()) json[name] = std::move(one);
+  }
   return json;
 }
 
@@ -227,6 +257,26 @@ Json solution_entry(const SolutionText& solution, std::string_view key) {
   if (key == "uniqueness") return uniqueness_json(solution);
   if (key == "warnings") return solution.warnings;
   return {};
+}
+
+Json solution_entry(const SolutionText& solution, std::string_view key, const Step& next) {
+  const auto* name = std::get_if<std::string>(&next);
+  if (key == "resultants") return name != nullptr ? resultant_json(solution, *name) : Json();
+  const auto one_of = [&](std::size_t size, auto json_of_one) -> Json {
+    if (name != nullptr) return *name == "size" ? Json(size) : Json();
+    const std::size_t index = std::get<std::size_t>(next);
+    return index < size ? json_of_one(index) : Json();
+  };
+  if (key == "contact") {
+    return one_of(solution.contact.size(), [&](std::size_t k) { return component_json(solution, k); });
+  }
+  if (key == "singular_points") {
+    return one_of(solution.singular_points.size(),
+                  [&](std::size_t k) { return singular_json(solution.singular_points[k]); });
+  }
+  const Json whole = solution_entry(solution, key);
+  if (whole.is_array()) return one_of(whole.size(), [&](std::size_t k) { return whole[k]; });
+  return name != nullptr && whole.is_object() && whole.contains(*name) ? whole[*name] : Json();
 }
 
 void write_json(const Problem& problem, const SolutionText& solution, Schema schema, Output& output) {

@@ -150,11 +150,16 @@ ResultColumns::ResultColumns(const std::vector<Word>& names) {
       throw Failure(ExitCode::bad_input,
                     fmt::format("{}: column twice; a column is named once; {}", name.place, excerpt(name.text)));
     }
-    const std::string entry = std::get<std::string>(steps.front());
-    const auto known = std::ranges::find(entries_, entry);
-    const auto index = static_cast<std::size_t>(known - entries_.begin());
-    if (known == entries_.end()) entries_.push_back(entry);
-    columns_.push_back({name.text, index, {steps.begin() + 1, steps.end()}, part});
+    Start start{std::get<std::string>(steps.front()), std::nullopt};
+    steps.erase(steps.begin());
+    if (!steps.empty()) {
+      start.next = std::move(steps.front());
+      steps.erase(steps.begin());
+    }
+    const auto known = std::ranges::find(starts_, start);
+    const auto index = static_cast<std::size_t>(known - starts_.begin());
+    if (known == starts_.end()) starts_.push_back(std::move(start));
+    columns_.push_back({name.text, index, std::move(steps), part});
   }
 }
 
@@ -174,15 +179,23 @@ std::vector<std::string> ResultColumns::names() const {
   return result;
 }
 
+std::vector<std::string> ResultColumns::entries() const {
+  std::vector<std::string> result;
+  for (const Start& start : starts_) result.push_back(start.entry);
+  return result;
+}
+
 std::vector<std::string> ResultColumns::cells(const SolutionText& solution) const {
   std::vector<Json> made;
-  for (const std::string& entry : entries_) made.push_back(solution_entry(solution, entry));
+  for (const auto& [entry, next] : starts_) {
+    made.push_back(next ? solution_entry(solution, entry, *next) : solution_entry(solution, entry));
+  }
   std::vector<std::string> result;
-  for (const auto& [name, entry, steps, part] : columns_) {
+  for (const auto& [name, start, steps, part] : columns_) {
     const std::span<const Step> path = steps;
-    const Json* there = found(made[entry], path);
+    const Json* there = found(made[start], path);
     if (there == nullptr && asks_size(steps)) {
-      const Json* list = found(made[entry], path.first(path.size() - 1));
+      const Json* list = found(made[start], path.first(path.size() - 1));
       result.push_back(list == nullptr ? "" : std::to_string(list->size()));
     } else {
       result.push_back(there == nullptr ? "" : text_of(*there, part));
