@@ -25,7 +25,7 @@ int threads(std::size_t n) {
 
 struct Fourier::Plans {
   double* values;
-  fftw_complex* modes;
+  fftw_complex* modes;  // in the same place
   fftw_plan forward;
   fftw_plan backward;
 
@@ -33,11 +33,11 @@ struct Fourier::Plans {
     const std::lock_guard lock(planner());
     static const int available = fftw_init_threads();
     if (available != 0) fftw_plan_with_nthreads(threads(n));
-    values = fftw_alloc_real(n);
     modes = fftw_alloc_complex(n / 2 + 1);
-    if (values == nullptr || modes == nullptr) throw std::bad_alloc();
-    forward = fftw_plan_dft_r2c_1d(static_cast<int>(n), values, modes, FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
-    backward = fftw_plan_dft_c2r_1d(static_cast<int>(n), modes, values, FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
+    if (modes == nullptr) throw std::bad_alloc();
+    values = reinterpret_cast<double*>(modes);
+    forward = fftw_plan_dft_r2c_1d(static_cast<int>(n), values, modes, FFTW_ESTIMATE);
+    backward = fftw_plan_dft_c2r_1d(static_cast<int>(n), modes, values, FFTW_ESTIMATE);
   }
   Plans(const Plans&) = delete;
   Plans& operator=(const Plans&) = delete;
@@ -45,7 +45,6 @@ struct Fourier::Plans {
     const std::lock_guard lock(planner());
     fftw_destroy_plan(forward);
     fftw_destroy_plan(backward);
-    fftw_free(values);
     fftw_free(modes);
   }
 };
