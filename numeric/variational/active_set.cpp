@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/variational/contact_hull.hpp"
+
 namespace steadyslide::numeric::variational {
 namespace {
 
@@ -21,12 +23,6 @@ std::vector<std::size_t> wrong_cells(const CellSet& contact, const DiscreteState
   return result;
 }
 
-std::unique_ptr<BorderedSystem> system_of(const DiscreteProblem& problem, const CellSet& contact,
-                                          const DiscreteState& guess, double tolerance, std::size_t dense_cells) {
-  const bool dense = !problem.mesh().is_uniform() || cells_of(contact).size() <= dense_cells;
-  return dense ? dense_system(problem, contact) : krylov_system(problem, contact, guess, tolerance);
-}
-
 }  // namespace
 
 ActiveSetResult active_set(const DiscreteProblem& problem, CellSet start, const DiscreteState& guess,
@@ -39,6 +35,7 @@ ActiveSetResult active_set(const DiscreteProblem& problem, CellSet start, const 
   DiscreteState state = guess;
   double tolerance = options.first_tolerance;
   int patience = options.patience;
+  std::shared_ptr<ContactHull> hull;
   std::unique_ptr<BorderedSystem> system;  // of the contact, if that is unchanged
   while (true) {
     if (best.steps == options.most_steps) {
@@ -48,7 +45,14 @@ ActiveSetResult active_set(const DiscreteProblem& problem, CellSet start, const 
     ++best.steps;
     const double scale = height_over(problem, cells_of(contact));
     const bool again = system != nullptr;
-    if (!again) system = system_of(problem, contact, state, tolerance * scale, options.dense_cells);
+    if (!again) {
+      if (!problem.mesh().is_uniform() || cells_of(contact).size() <= options.dense_cells) {
+        system = dense_system(problem, contact);
+      } else {
+        hull = contact_hull(problem, contact, std::move(hull));
+        system = krylov_system(problem, contact, state, tolerance * scale, hull);
+      }
+    }
     SystemSolution solution = again ? system->refined(tolerance * scale) : solve(*system, problem);
     best.products += solution.products;
     if (!is_finite(solution.state)) break;  // one cell alone cannot carry a load at another place

@@ -31,9 +31,11 @@ class BorderedSystem {
 std::unique_ptr<BorderedSystem> dense_system(const DiscreteProblem& problem, const CellSet& contact);
 
 /// Krylov's method with products by FFT, on a uniform mesh. Starts from `guess`; stops at `tolerance` of the residual,
-/// or where it no longer falls.
+/// or where it no longer falls. `hull`: the contact's, made where it is not there.
+struct ContactHull;
 std::unique_ptr<BorderedSystem> krylov_system(const DiscreteProblem& problem, const CellSet& contact,
-                                              const DiscreteState& guess, double tolerance);
+                                              const DiscreteState& guess, double tolerance,
+                                              std::shared_ptr<ContactHull> hull = nullptr);
 
 /// rhs = -psi, loads those of the problem.
 SystemSolution solve(BorderedSystem& system, const DiscreteProblem& problem);

@@ -4,7 +4,7 @@
 
 #include "numeric/number/dense_lu.hpp"
 #include "numeric/variational/bordered_system.hpp"
-#include "numeric/variational/surface_inverse.hpp"
+#include "numeric/variational/contact_hull.hpp"
 
 namespace steadyslide::numeric::variational {
 namespace {
@@ -21,15 +21,14 @@ constexpr int most_cycles = 12;
 /// and the Krylov space is one of residuals on the contact cells. [SS86]
 class Krylov : public BorderedSystem {
  public:
-  /// `contact`: not empty. Transforms need not be longer than from its first cell to its last one.
-  Krylov(const DiscreteProblem& problem, const CellSet& contact, const DiscreteState& guess, double tolerance)
+  Krylov(const DiscreteProblem& problem, const CellSet& contact, const DiscreteState& guess, double tolerance,
+         std::shared_ptr<ContactHull> hull)
       : problem_(problem),
         cells_(cells_of(contact)),
-        influence_(problem.galerkin_operator().part(cells_.front(), cells_.back() + 1 - cells_.front())),
-        inverse_(influence_, problem.mesh().length(0)),
+        hull_(std::move(hull)),
         tolerance_(tolerance),
-        whole_(influence_.size(), 0.0),
-        image_(influence_.size()) {
+        whole_(hull_->influence.size(), 0.0),
+        image_(whole_.size()) {
     const auto n = static_cast<Eigen::Index>(cells_.size());
     const Eigen::Index loads = problem.load_at() ? 2 : 1;
     columns_.resize(n, loads);
@@ -77,23 +76,23 @@ class Krylov : public BorderedSystem {
   static double largest(const Vector& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
 
   void scatter(const Vector& v) {
-    for (Eigen::Index k = 0; k < v.size(); ++k) whole_[cells_[static_cast<std::size_t>(k)] - cells_.front()] = v(k);
+    for (Eigen::Index k = 0; k < v.size(); ++k) whole_[cells_[static_cast<std::size_t>(k)] - hull_->first] = v(k);
   }
   Vector gathered() const {
     Vector v(static_cast<Eigen::Index>(cells_.size()));
-    for (Eigen::Index k = 0; k < v.size(); ++k) v(k) = image_[cells_[static_cast<std::size_t>(k)] - cells_.front()];
+    for (Eigen::Index k = 0; k < v.size(); ++k) v(k) = image_[cells_[static_cast<std::size_t>(k)] - hull_->first];
     return v;
   }
 
   Vector operate(const Vector& p, const Load& c) {
     scatter(p);
-    influence_.multiply(whole_, image_);
+    hull_->influence.multiply(whole_, image_);
     ++products_;
     return gathered() - columns_ * c;
   }
   Vector inverse(const Vector& r) {
     scatter(r);
-    inverse_.apply(whole_, image_);
+    hull_->inverse.apply(whole_, image_);
     return gathered();
   }
 
@@ -200,8 +199,7 @@ class Krylov : public BorderedSystem {
 
   const DiscreteProblem& problem_;
   std::vector<std::size_t> cells_;
-  GalerkinOperator influence_;
-  SurfaceInverse inverse_;
+  std::shared_ptr<ContactHull> hull_;
   double tolerance_;
   std::vector<double> whole_;
   std::vector<double> image_;
@@ -226,8 +224,10 @@ class Krylov : public BorderedSystem {
 }  // namespace
 
 std::unique_ptr<BorderedSystem> krylov_system(const DiscreteProblem& problem, const CellSet& contact,
-                                              const DiscreteState& guess, double tolerance) {
-  return std::make_unique<Krylov>(problem, contact, guess, tolerance);
+                                              const DiscreteState& guess, double tolerance,
+                                              std::shared_ptr<ContactHull> hull) {
+  if (!hull) hull = contact_hull(problem, contact);
+  return std::make_unique<Krylov>(problem, contact, guess, tolerance, std::move(hull));
 }
 
 }  // namespace steadyslide::numeric::variational
