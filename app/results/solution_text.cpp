@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "library/solve/double_range.hpp"
 #include "numeric/flat_punch/punch_core.hpp"
 
 namespace steadyslide::app {
@@ -39,6 +40,12 @@ class Writer {
     return told_ ? number_text(estimate, digits_) : NumberText{};
   }
 
+  /// Of the singular traction at a place.
+  NumberText intensity(const Estimate<R>& estimate) {
+    notice(estimate, library::has_double<R>);
+    return told_ ? number_text(estimate, digits_) : NumberText{};
+  }
+
   ExponentText exponent(const std::optional<Exponent>& exponent) const {
     return told_ ? exponent_text(exponent, digits_) : ExponentText{};
   }
@@ -46,7 +53,7 @@ class Writer {
   std::vector<NamedSize> sizes(const std::vector<std::pair<std::string, R>>& values) {
     std::vector<NamedSize> result;
     for (const auto& [name, value] : values) {
-      notice(value);
+      notice(Estimate<R>{value});
       if (told_) result.push_back({name, size_text(value, digits_)});
     }
     return result;
@@ -54,7 +61,7 @@ class Writer {
 
   EndText end(const numeric::ContactEnd<R>& end) {
     return {text(end.x), std::string(name_of(end.kind)), told_ ? format_exponent(end.exponent, digits_) : "",
-            text(end.intensity)};
+            intensity(end.intensity)};
   }
 
   /// What of a sample fails to converge has its error, and the solution is one all the same.
@@ -77,8 +84,8 @@ class Writer {
   /// One number where there is contact on one side.
   LimitText stress_intensity(const numeric::StressIntensity<R>& k) {
     if (!k.left && !k.right) return {};
-    const NumberText left = text(k.left ? *k.left : *k.right);
-    return {left, k.left && k.right ? text(*k.right) : left};
+    const NumberText left = intensity(k.left ? *k.left : *k.right);
+    return {left, k.left && k.right ? intensity(*k.right) : left};
   }
 
   LargestText largest(const numeric::LargestPressure<R>& largest) {
@@ -101,23 +108,10 @@ class Writer {
     return limit_text(values, traction, digits_, apart);
   }
 
-  void notice(const Estimate<R>& estimate) {
+  void notice(const Estimate<R>& estimate, bool (*fits)(const R&) = library::squares_in_double<R>) {
     if (estimate.convergence == numeric::Convergence::stalled) converged_ = false;
-    if (isinf(estimate.error)) return;  // not known, and printed as such
-    using std::abs;
-    // A number known to three digits has none to lose at the ends of the range.
-    const bool is_rough = estimate.error >= abs(estimate.value) / 1000 && estimate.error < R(1e300);
-    if (!is_rough) notice(estimate.value);
-  }
-
-  void notice(const R& value) {
-    using std::abs;
-    const R magnitude = abs(value);
-    if (magnitude == 0 || isinf(magnitude)) return;
-    // Also false for what is no number.
-    const bool fine = magnitude < R(1e150) && magnitude > R(1e-150);
-    if (!fine) result_.in_range = false;
-    if (isnan(value)) converged_ = false;
+    if (!library::is_in_range(estimate, fits)) result_.in_range = false;
+    if (isnan(estimate.value) && !isinf(estimate.error)) converged_ = false;
   }
 
   SolutionText& result_;
@@ -173,7 +167,7 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
   const bool points_told = writer.tell("singular_points");
   for (const auto& point : solution.singular_points()) {
     text.singular_points.push_back({writer.text(point.x), std::string(name_of(point.kind)),
-                                    writer.exponent(point.exponent), writer.text(point.intensity),
+                                    writer.exponent(point.exponent), writer.intensity(point.intensity),
                                     writer.text(point.constant), writer.stress_intensity(point.stress_intensity),
                                     points_told && point.exponent ? stress_intensity_unit(*point.exponent) : ""});
   }

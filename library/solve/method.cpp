@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "library/solve/double_range.hpp"
 #include "library/text/one_line.hpp"
 #include "model/invalid_data.hpp"
 #include "numeric/closed_form/closed_form.hpp"
@@ -13,11 +14,10 @@
 namespace steadyslide::library {
 namespace {
 
-/// Zero, or in a range where squares and quotients of doubles neither overflow nor vanish.
+/// Of an exact number, as double_range.hpp says of an approximate one.
 bool is_comfortable(const Rational& value) {
-  if (value == 0) return true;
-  const double size = std::abs(value.convert_to<double>());  // 0 or infinity beyond its range
-  return size > 1e-150 && size < 1e150;
+  // A number beyond the range of double is 0 or infinite there.
+  return value == 0 || (value.convert_to<double>() != 0 && squares_in_double(value.convert_to<double>()));
 }
 
 }  // namespace

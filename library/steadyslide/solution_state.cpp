@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "library/solve/double_range.hpp"
 #include "library/solve/failed_condition.hpp"
 #include "library/text/number_format.hpp"
 #include "numeric/interior/interior_stress.hpp"
@@ -103,19 +104,15 @@ class SolvedIn final : public Solution::State {
   }
 
   bool is_in_range() const override {
-    std::vector<R> values;
     for (const auto& component : solution_->contact()) {
       for (const auto* end : {&component.left, &component.right}) {
-        values.push_back(end->x.value);
-        if (!std::isinf(static_cast<double>(end->intensity.error))) values.push_back(end->intensity.value);
+        if (!library::is_in_range(end->x) || !library::is_in_range(end->intensity, library::has_double<R>)) {
+          return false;
+        }
       }
     }
-    for (const Estimate<R>& share : solution_->resultants().load_share) values.push_back(share.value);
-    return std::ranges::all_of(values, [](const R& value) {
-      using std::abs;
-      const R size = abs(value);
-      return size == 0 || (size > R(1e-150) && size < R(1e150));
-    });
+    return std::ranges::all_of(solution_->resultants().load_share,
+                               [](const Estimate<R>& share) { return library::is_in_range(share); });
   }
 
   std::vector<ContactComponent> contact() const override {
