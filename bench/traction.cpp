@@ -1,6 +1,7 @@
 // Tractions of a flat punch with three friction jumps, beside the floor, the same powers alone, and in double beside the
 // logarithms and the exponential of glibc's libmvec. README.md says how to take the instruction sets from glibc, too.
 
+#include <arb.h>
 #include <benchmark/benchmark.h>
 
 #include "numeric/closed_form/closed_form.hpp"
@@ -115,6 +116,44 @@ void at_places(benchmark::State& state) {
   items<R>(state);
 }
 
+/// The peer in many digits: logarithms of the distances and one exponential by Arb, an enclosure to so many digits.
+template <Real R>
+void arb_kernel(benchmark::State& state) {
+  Setting<R>& s = Setting<R>::get();
+  constexpr slong bits = static_cast<slong>(digits_served<R> / 0.30103) + 1;
+  const auto balls = [](const std::vector<R>& values) {
+    arb_ptr list = _arb_vec_init(static_cast<slong>(values.size()));
+    for (std::size_t i = 0; i < values.size(); ++i) arf_set_mpfr(arb_midref(list + i), values[i].backend().data());
+    return list;
+  };
+  std::vector<R> powers;
+  for (const Power<R>& power : s.powers) powers.push_back(power.value);
+  const arb_ptr power = balls(powers);
+  std::vector<arb_ptr> distances;
+  for (const std::vector<R>& list : s.distances) distances.push_back(balls(list));
+  const arb_ptr values = balls(s.values);
+  arb_t sum, log;
+  arb_init(sum);
+  arb_init(log);
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < s.points; ++i) {
+      arb_zero(sum);
+      for (std::size_t j = 0; j < distances.size(); ++j) {
+        arb_log(log, distances[j] + i, bits);
+        arb_addmul(sum, log, power + j, bits);
+      }
+      arb_exp(values + i, sum, bits);
+    }
+    benchmark::DoNotOptimize(values);
+  }
+  arb_clear(sum);
+  arb_clear(log);
+  for (const arb_ptr list : distances) _arb_vec_clear(list, static_cast<slong>(s.points));
+  _arb_vec_clear(values, static_cast<slong>(s.points));
+  _arb_vec_clear(power, static_cast<slong>(powers.size()));
+  items<R>(state);
+}
+
 /// The kernel of an instruction set on the points of one panel.
 void kernel(benchmark::State& state, InstructionSet set) {
   Setting<double>& s = Setting<double>::get();
@@ -190,7 +229,10 @@ int main(int argc, char** argv) {
   if (sets.size() > 2) add("double/libmvec/avx512", libmvec_avx512);
 #endif
   add("50 digits/floor", floor_of_powers<Real50>);
+  add("50 digits/arb", arb_kernel<Real50>);
   add("50 digits/on_panels", on_panels<Real50>);
+  add("100 digits/arb", arb_kernel<Real100>);
+  add("100 digits/on_panels", on_panels<Real100>);
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

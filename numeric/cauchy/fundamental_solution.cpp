@@ -3,40 +3,11 @@
 #include <mutex>
 #include <optional>
 
+#include "numeric/cauchy/distance_product.hpp"
 #include "numeric/cauchy/distant_powers.hpp"
 #include "numeric/number/power_product.hpp"
 
 namespace steadyslide::numeric {
-
-/// Gathers prod d_j^{p_j}: in double as powers, in higher precision as one exponential of a sum of logarithms.
-template <Real R>
-class PowerProduct {
- public:
-  explicit PowerProduct(const std::vector<Power<R>>& powers) : powers_(powers) {}
-
-  void operator()(std::size_t j, const R& distance) {
-    using std::log, std::pow;
-    const R& power = powers_[j].value;
-    if (power == 0) return;
-    if constexpr (std::same_as<R, double>) {
-      value_ *= pow(distance, power);
-    } else {
-      value_ += power * log(distance);
-    }
-  }
-  R value() const {
-    using std::exp;
-    if constexpr (std::same_as<R, double>) {
-      return value_;
-    } else {
-      return value_ == 0 ? R(1) : R(exp(value_));
-    }
-  }
-
- private:
-  const std::vector<Power<R>>& powers_;
-  R value_ = std::same_as<R, double> ? 1 : 0;
-};
 
 namespace {
 
@@ -103,11 +74,12 @@ const DistantPowers* FundamentalSolution<R>::distant() const {
 
 template <Real R>
 template <class Skips>
-R FundamentalSolution<R>::product(std::size_t k, const R& from_left, const R& from_right, const Skips& skips) const {
-  PowerProduct<R> product(powers_);
+R FundamentalSolution<R>::product(std::size_t k, const R& from_left, const R& from_right, const Skips& skips,
+                                  DistanceProduct<R>& product) const {
   const auto visit = [&](std::size_t j, const R& distance) {
-    if (!skips(j)) product(j, distance);
+    if (powers_[j].value != 0 && !skips(j)) product.multiply(distance, powers_[j]);
   };
+  product.set_one();
   if constexpr (std::same_as<R, double>) {
     if (const DistantPowers* powers = distant()) {
       const double far = powers->around(k, from_left, from_right, visit);
@@ -120,11 +92,20 @@ R FundamentalSolution<R>::product(std::size_t k, const R& from_left, const R& fr
 }
 
 template <Real R>
+template <class Skips>
+R FundamentalSolution<R>::product(std::size_t k, const R& from_left, const R& from_right, const Skips& skips) const {
+  DistanceProduct<R> scratch(all_bits<R>);
+  return product(k, from_left, from_right, skips, scratch);
+}
+
+template <Real R>
 void FundamentalSolution<R>::moduli(std::size_t k, std::span<const R> from_left, std::span<const R> from_right,
                                     std::span<R> values) const {
   const auto one_by_one = [&](const auto& is_due) {
+    const auto none = [](std::size_t) { return false; };
+    DistanceProduct<R> scratch(served_bits<R>);
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (is_due(i)) values[i] = modulus(k, {R(0), from_left[i], from_right[i]});
+      if (is_due(i)) values[i] = product(k, from_left[i], from_right[i], none, scratch);
     }
   };
   if constexpr (std::same_as<R, double>) {
@@ -154,9 +135,9 @@ void FundamentalSolution<R>::moduli(std::size_t k, std::span<const R> from_left,
 template <Real R>
 template <class Skips>
 R FundamentalSolution<R>::product_beyond(Side side, const R& distance, const Skips& skips) const {
-  PowerProduct<R> product(powers_);
+  DistanceProduct<R> product(all_bits<R>);
   const auto visit = [&](std::size_t j, const R& d) {
-    if (!skips(j)) product(j, d);
+    if (powers_[j].value != 0 && !skips(j)) product.multiply(d, powers_[j]);
   };
   if constexpr (std::same_as<R, double>) {
     if (const DistantPowers* powers = distant()) {

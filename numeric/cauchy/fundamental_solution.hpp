@@ -19,6 +19,8 @@
 namespace steadyslide::numeric {
 
 class DistantPowers;
+template <Real R>
+class DistanceProduct;
 
 /// Y+ is the limit on the cut from above (Im z > 0), Y- from below.
 enum class BoundaryLimit { plus, minus };
@@ -47,7 +49,7 @@ class FundamentalSolution {
   R modulus(std::size_t k, const Node<R>& node) const;
   /// |Y| at many points of panel k, by their distances from its ends. In double to 4 units in the last place of what the
   /// distances and powers demand (numeric/number/power_product.hpp); the sums of lengths in the distances from further
-  /// points are rounded, too. Over more than 512 panels one by one, as modulus().
+  /// points are rounded, too. Over more than 512 panels one by one, as modulus(). Above double to all digits served.
   void moduli(std::size_t k, std::span<const R> from_left, std::span<const R> from_right, std::span<R> values) const;
   /// |Y| at a node of panel k without the powers of the panel's two ends: analytic there.
   R smooth_modulus(std::size_t k, const Node<R>& node) const;
@@ -74,6 +76,9 @@ class FundamentalSolution {
   /// The product of all powers but those of the points for which skips(j), as seen from a place of panel k.
   template <class Skips>
   R product(std::size_t k, const R& from_left, const R& from_right, const Skips& skips) const;
+  template <class Skips>
+  R product(std::size_t k, const R& from_left, const R& from_right, const Skips& skips,
+            DistanceProduct<R>& scratch) const;
   template <class Skips>
   R product_beyond(Side side, const R& distance, const Skips& skips) const;
 

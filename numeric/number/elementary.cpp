@@ -90,4 +90,62 @@ void pow(mpfr_ptr result, mpfr_srcptr base, mpfr_srcptr exponent) {
   mpfr_pow(result, base, exponent, MPFR_RNDN);
 }
 
+struct PowerProduct::Balls {
+  slong bits;
+  arb_t sum, logarithm, exponent, power;
+  mpfr_t beyond;  // the powers of what is no plain number
+  bool has_beyond = false;
+
+  explicit Balls(mpfr_prec_t of) : bits(of) {
+    for (arb_ptr ball : {sum, logarithm, exponent, power}) arb_init(ball);
+    mpfr_init2(beyond, of);
+  }
+  Balls(const Balls&) = delete;
+  Balls& operator=(const Balls&) = delete;
+  ~Balls() {
+    for (arb_ptr ball : {sum, logarithm, exponent, power}) arb_clear(ball);
+    mpfr_clear(beyond);
+  }
+};
+
+PowerProduct::PowerProduct(mpfr_prec_t bits) : balls_(std::make_unique<Balls>(bits)) {}
+PowerProduct::~PowerProduct() = default;
+
+void PowerProduct::set_one() {
+  arb_zero(balls_->sum);
+  balls_->has_beyond = false;
+}
+
+void PowerProduct::multiply(mpfr_srcptr base, mpfr_srcptr exponent) {
+  Balls& b = *balls_;
+  if (mpfr_regular_p(base) == 0) {
+    if (!b.has_beyond) mpfr_set_ui(b.beyond, 1, MPFR_RNDN);
+    b.has_beyond = true;
+    mpfr_t one;
+    mpfr_init2(one, b.bits);
+    mpfr_pow(one, base, exponent, MPFR_RNDN);
+    mpfr_mul(b.beyond, b.beyond, one, MPFR_RNDN);
+    mpfr_clear(one);
+    return;
+  }
+  // Only the midpoint is used again and again: a radius that is left there would be taken for the number's.
+  arf_set_mpfr(arb_midref(b.logarithm), base);
+  mag_zero(arb_radref(b.logarithm));
+  arb_log(b.logarithm, b.logarithm, b.bits);
+  arf_set_mpfr(arb_midref(b.exponent), exponent);
+  arb_addmul(b.sum, b.logarithm, b.exponent, b.bits);
+}
+
+void PowerProduct::value(mpfr_ptr result) const {
+  Balls& b = *balls_;
+  if (arf_cmpabs_2exp_si(arb_midref(b.sum), largest_exponent) < 0) {
+    arb_exp(b.power, b.sum, b.bits);
+    arf_get_mpfr(result, arb_midref(b.power), MPFR_RNDN);
+  } else {
+    arf_get_mpfr(result, arb_midref(b.sum), MPFR_RNDN);
+    mpfr_exp(result, result, MPFR_RNDN);
+  }
+  if (b.has_beyond) mpfr_mul(result, result, b.beyond, MPFR_RNDN);
+}
+
 }  // namespace steadyslide::numeric::elementary

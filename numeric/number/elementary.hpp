@@ -12,6 +12,7 @@
 // and the overloads below are more special than Boost's. eval_beta() is MPFR's own. No state, thus safe between threads.
 
 #include <boost/multiprecision/mpfr.hpp>
+#include <memory>
 
 namespace steadyslide::numeric::elementary {
 
@@ -19,6 +20,25 @@ namespace steadyslide::numeric::elementary {
 void log(mpfr_ptr result, mpfr_srcptr x);
 void exp(mpfr_ptr result, mpfr_srcptr x);
 void pow(mpfr_ptr result, mpfr_srcptr base, mpfr_srcptr exponent);
+
+/// prod x_j^{p_j} as e^(sum_j p_j log x_j): a logarithm a factor and one exponential, in one ball from end to end. To
+/// 2^-bits times the sum's size, relative.
+class PowerProduct {
+ public:
+  explicit PowerProduct(mpfr_prec_t bits);
+  ~PowerProduct();
+  PowerProduct(const PowerProduct&) = delete;
+  PowerProduct& operator=(const PowerProduct&) = delete;
+
+  void set_one();
+  /// base >= 0.
+  void multiply(mpfr_srcptr base, mpfr_srcptr exponent);
+  void value(mpfr_ptr result) const;
+
+ private:
+  struct Balls;
+  std::unique_ptr<Balls> balls_;
+};
 
 }  // namespace steadyslide::numeric::elementary
 

@@ -98,3 +98,36 @@ TEST_CASE_TEMPLATE("what is no plain number is MPFR's", R, Real50, Real100) {
     }
   }
 }
+
+TEST_CASE_TEMPLATE("a product of powers in one ball is that of MPFR's powers, also where a base is zero", R, Real50,
+                   Real100) {
+  const auto product = [](const std::vector<std::pair<R, R>>& powers, mpfr_prec_t bits) {
+    elementary::PowerProduct balls(bits);
+    balls.multiply(R(2).backend().data(), R(7).backend().data());
+    balls.set_one();
+    for (const auto& [x, y] : powers) balls.multiply(x.backend().data(), y.backend().data());
+    R result;
+    balls.value(result.backend().data());
+    return result;
+  };
+  constexpr int all = std::numeric_limits<R>::digits;
+  REQUIRE(rc::check([&] {
+    std::vector<std::pair<R, R>> powers;
+    R by_powers = 1, size = 1;
+    for (int count = uniform(0, 6); count > 0; --count) {
+      const auto& [x, y] =
+          powers.emplace_back(positive<R>(), with_exponent<R>(uniform(-40, 1)) * (2 * uniform(0, 1) - 1));
+      by_powers *= power_by_mpfr<R>(x, y);
+      size += abs(y * by_mpfr<R>(mpfr_log, x));
+    }
+    for (const int bits : {all, all - 14}) {
+      RC_ASSERT(abs(product(powers, bits) / by_powers - 1) <= 8 * size * ldexp(R(1), -bits));
+    }
+  }));
+  const R half(0.5), zero(0), inf = std::numeric_limits<R>::infinity();
+  CHECK(product({}, all) == 1);
+  CHECK(product({{zero, half}, {R(3), half}}, all) == 0);
+  CHECK(product({{zero, -half}, {R(3), half}}, all) == inf);
+  CHECK(product({{ldexp(R(1), 1'000'000), ldexp(R(1), 20)}}, all) == inf);
+  CHECK(product({{ldexp(R(1), 1'000'000), ldexp(R(-1), 20)}}, all) == 0);
+}

@@ -156,3 +156,25 @@ TEST_CASE("|Y| at many points is |Y| at each, however close to an end") {
     }
   }
 }
+
+TEST_CASE_TEMPLATE("|Y| at many points above double is |Y| at each to the digits that are served", R, Real50, Real100) {
+  const auto power = [](double p) { return Power<R>{R(p), R(1 + p)}; };
+  const FundamentalSolution<R> y(R(-1), {R(0.5), R(0.25), R(1.25)}, {power(-0.4), power(0.1), power(0), power(-0.7)});
+  const std::vector<R> left{R(1e-300), R(1e-20), R(0.1), R(0.125), R(0.25), R(0)};
+  std::vector<R> right;
+  for (const R& d : left) right.push_back(R(0.25) - d);
+  std::vector<R> values(left.size());
+  const R served = pow(R(10), -digits_served<R>);
+  R worst = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    y.moduli(k, left, right, values);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      const R one = y.modulus(k, {R(0), left[i], right[i]});
+      if (values[i] == one) continue;
+      worst = std::max(worst, R(abs(values[i] / one - 1)));
+    }
+  }
+  CHECK(worst <= served);
+  // Not by modulus() itself, which has all bits.
+  CHECK(worst > 0);
+}
