@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "library/solve/warnings.hpp"
 #include "numeric/flat_punch/punch_core.hpp"
 
 namespace steadyslide::app {
