@@ -21,25 +21,30 @@ class TaskThreads {
       auto one = first();
       return std::pair(std::move(one), second());
     }
+    // They have two threads. Who ends first leaves one to others, and the caller goes on when both have.
+    std::atomic<bool> has_one_ended = false;
+    const auto run = [&](auto& task) {
+      const AtEnd leave([&] {
+        if (!has_one_ended.exchange(true)) ++free_;
+      });
+      return task();
+    };
     auto other = std::async(std::launch::async, [&] {
-      const Leaving leaving{free_};
-      return second();
+      const AtEnd clean_up(&flint_cleanup);
+      return run(second);
     });
-    auto one = first();
-    ++free_;  // who waits needs none
-    auto two = other.get();
-    --free_;
-    return std::pair(std::move(one), std::move(two));
+    auto one = run(first);
+    return std::pair(std::move(one), other.get());
   }
 
  private:
-  /// The end of a thread: the next task may have one, and Flint's tables of this one go.
-  struct Leaving {
-    std::atomic<int>& free;
-    ~Leaving() {
-      ++free;
-      flint_cleanup();
-    }
+  template <class Call>
+  struct AtEnd {
+    explicit AtEnd(Call to_call) : call(std::move(to_call)) {}
+    AtEnd(const AtEnd&) = delete;
+    AtEnd& operator=(const AtEnd&) = delete;
+    ~AtEnd() { call(); }
+    Call call;
   };
 
   bool take() {

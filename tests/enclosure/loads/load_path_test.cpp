@@ -22,12 +22,10 @@ std::optional<ApproximateContact> solved(const ContactProblem& problem) {
 }
 
 std::vector<LoadStretch> path(const ContactProblem& problem, const Rational& from, const Rational& to,
-                              const Rational& width = Rational(1, 1000000), bool intervals_alone = false,
-                              unsigned threads = 1) {
+                              const Rational& width = Rational(1, 1000000), bool intervals_alone = false) {
   LoadPathOptions options;
   options.width = width;
   options.intervals_alone = intervals_alone;
-  options.threads = threads;
   return follow_loads(
       problem, from, to, [&](const Rational& load) { return solved<double>(problem.with_load(load)); }, options);
 }
@@ -186,34 +184,6 @@ TEST_CASE("loads that are not proved beside an event belong to it, where what is
   CHECK(words_of(stretches, from, to) ==
         std::vector<std::string>{"the left end of contact passes the friction jump at x = 0"});
   CHECK(is_narrow(events(stretches).at(0), Rational(1, 100000)));
-}
-
-namespace {
-
-/// All of it, to the last bit.
-std::string told(const std::vector<LoadStretch>& stretches) {
-  std::string text;
-  for (const LoadStretch& s : stretches) {
-    text += to_string(s.from) + " " + to_string(s.to) + " " + s.words + "\n";
-    if (!s.interval) continue;
-    for (const Ball& h : s.interval->proof.box.log_offsets) text += h.dump() + "\n";
-    for (const Ball& q : s.interval->proof.box.q) text += q.dump() + "\n";
-  }
-  return text;
-}
-
-}  // namespace
-
-TEST_CASE("so many threads at a time find the same, to the last bit") {
-  for (const auto& [problem, from, to] : {std::tuple(parabola(0.2_r, 1), 0.2_r, 0.8_r),
-                                          {on_two_coatings(two_wells(), 1), 0.36_r, 0.5_r},
-                                          {parabola(0.2_r, 1), 0.55_r, 0.56_r}}) {
-    const std::string alone = told(path(problem, from, to, 0.001_r));
-    for (const unsigned threads : {2U, 5U}) {
-      CHECK((told(path(problem, from, to, 0.001_r, false, threads)) == alone));
-    }
-    CHECK((told(path(problem, from, (from + to) / 2, 0.001_r)) != alone));
-  }
 }
 
 TEST_CASE("two wells: a second zone of contact is born, and later both meet") {
