@@ -74,6 +74,14 @@ py::list singular_points(const ss::Solution& solution) {
   return list;
 }
 
+py::list unresolved_gaps(const ss::Solution& solution) {
+  py::list list;
+  for (const auto& [x, log10_length] : released([&] { return solution.unresolved_gaps(); })) {
+    list.append(py::make_tuple(x, log10_length));
+  }
+  return list;
+}
+
 py::tuple resultants(const ss::Solution& solution) {
   const ss::Resultants r = released([&] { return solution.resultants(); });
   return py::make_tuple(r.normal, r.friction_force, r.centre_of_pressure, r.effective_friction, r.contact_width,
@@ -187,8 +195,10 @@ PYBIND11_MODULE(_core, m) {
   py::class_<ss::Solution>(m, "Solution")
       .def_property_readonly("failed_condition", &ss::Solution::failed_condition)
       .def_property_readonly("method", &ss::Solution::method)
+      .def("warnings", [](const ss::Solution& s) { return released([&] { return s.warnings(); }); })
       .def("contact", &contact)
       .def("singular_points", &singular_points)
+      .def("unresolved_gaps", &unresolved_gaps)
       .def("resultants", &resultants)
       .def("at", &sample)
       .def("traction", [](const ss::Solution& s, const Array& x) { return many(s, x, &ss::Solution::traction); })

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <thread>
 
+#include "app/commands/jobs.hpp"
 #include "library/problem_file/surface_files.hpp"
 #include "numeric/closed_form/closed_form.hpp"
 
@@ -35,6 +37,9 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
     refuse("--load-steps", {"--stress-at", "--loads-on", "--max-stress"}, "stresses and forces are those of one load");
   }
   if (options.plot) refuse("--plot", {"--load-steps", "--search-solutions"}, "a picture shows one solution");
+  if (given.has("--jobs") && (options.load_steps.empty() || !options.certify)) {
+    throw bad_command_line("--jobs: nothing to share", "it goes with --load-steps and --certify", given.text("--jobs"));
+  }
   if (given.has("--depth") && !given.has("--max-stress")) {
     throw bad_command_line("--max-stress: missing", "--depth is that of the largest stress", "--depth");
   }
@@ -101,6 +106,7 @@ std::vector<Option> solve_option_list() {
         "Start from N contact sets, 1 to 1000: do all lead to one solution? By the variational method"},
        certify_option("Prove the solution, enclose every number in ball arithmetic; exit code 1 if unproved"),
        {"--certificate", "FILE", "Write the proof's certificate, for steadyslide-check; implies --certify"},
+       jobs_option("With --load-steps and --certify: loads proved"),
        schema_option()},
       "Significant digits, 1 to 100, with --certify 1000; default 16", formats);
 }
@@ -118,6 +124,7 @@ SolveOptions solve_options(const Given& given) {
   options.at_file = given.name("--at-file", "file");
   options.both_directions = given.has("--both-directions");
   options.load_steps = list(given, "--load-steps");
+  options.jobs = jobs(given, std::max(1U, std::thread::hardware_concurrency()));
   options.samples = given.count("--samples", 1, 100000).value_or(0);
   options.cells = given.count("--cells", numeric::fewest_cells, numeric::most_cells);
   options.iterations = given.count("--iterations", 1, 10000);

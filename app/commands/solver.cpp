@@ -54,6 +54,7 @@ std::vector<StretchText> Solver::between(const Problem& problem, const Rational&
   std::vector<StretchText> result;
   enclosure::LoadPathOptions options;
   options.intervals_alone = wanted_.certificate;
+  options.threads = wanted_.jobs;
   for (const enclosure::LoadStretch& stretch :
        enclosure::follow_loads(problem.contact, from, to, contact_at, options)) {
     StretchText text = stretch_text(stretch, wanted_.solution.digits);

@@ -1,9 +1,13 @@
 #include "app/figures/figures.hpp"
 
-#include "app/gnuplot/gnuplot.hpp"
+#include <stdexcept>
+#include <utility>
+
+#include "app/figures/figure_data.hpp"
 #include "app/terminal/failure.hpp"
 #include "app/terminal/progress.hpp"
-#include "proofs_checks/kit/run.hpp"
+#include "proofs_checks/kit/archive.hpp"
+#include "proofs_checks/kit/processes.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -17,28 +21,58 @@ std::vector<FigureMaker> selected(const std::vector<std::string>& patterns) {
   return select(figures(), patterns, &FigureMaker::name);
 }
 
-}  // namespace
+/// What a process has to say of a figure: how it is drawn, or why it is not.
+struct Said {
+  ExitCode code = ExitCode::done;  ///< of a Failure
+  std::string complaint;
+  DrawnFigure figure;
+};
 
-DrawnFigure draw(const Figure& figure) {
-  return {figure.name, figure.title, figure.caption, figure.command(), drawn(figure)};
+template <class Archive>
+void pass(Archive& archive, Said& said) {
+  auto& [name, title, caption, command, picture, data] = said.figure;
+  archive(said.code, said.complaint, name, title, caption, command, picture, data);
 }
 
-std::vector<Figure> make_figures(const std::vector<std::string>& patterns) {
+Said said_of(const FigureMaker& maker, Picture picture) {
+  try {
+    return {ExitCode::done, "", draw(maker.make(), picture)};
+  } catch (const Failure& failure) {
+    return {failure.code(), failure.what(), {}};
+  } catch (const std::exception& error) {
+    return {ExitCode::done, error.what(), {}};
+  }
+}
+
+DrawnFigure drawn_as_said(const std::string& bytes) {
+  Said said;
+  proofs_checks::unarchive(bytes, said);
+  if (said.code != ExitCode::done) throw Failure(said.code, said.complaint);
+  if (!said.complaint.empty()) throw std::runtime_error(said.complaint);
+  return std::move(said.figure);
+}
+
+}  // namespace
+
+DrawnFigure draw(const Figure& figure, Picture picture) {
+  return {figure.name, figure.title, figure.caption, figure.command(), drawn(figure, picture), figure_data(figure)};
+}
+
+std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns, unsigned processes, Picture picture) {
   const std::vector<FigureMaker> wanted = selected(patterns);
   // Before the work: without gnuplot it would be for nothing.
   run_gnuplot("");
   Progress progress(wanted.size());
-  std::vector<Figure> result;
-  for (const FigureMaker& maker : wanted) {
-    result.push_back(maker.make());
-    progress.next();
-  }
-  return result;
-}
-
-std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns) {
+  const auto ends = proofs_checks::do_in_processes(
+      wanted.size(), processes, [&](std::size_t k) { return proofs_checks::archived(said_of(wanted[k], picture)); },
+      [&](std::size_t k) {
+        if (k >= processes) progress.next();  // another one is done
+      });
   std::vector<DrawnFigure> result;
-  for (const Figure& figure : make_figures(patterns)) result.push_back(draw(figure));
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    if (!ends[k].bytes) throw std::runtime_error(wanted[k].name + ": its process ended " + ends[k].how);
+    result.push_back(drawn_as_said(*ends[k].bytes));
+  }
   return result;
 }
 

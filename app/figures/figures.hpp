@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/gnuplot/figure.hpp"
+#include "app/gnuplot/gnuplot.hpp"
 
 namespace steadyslide::app {
 
@@ -17,23 +18,22 @@ struct FigureMaker {
 /// list is collected by cmake/figures.cmake.
 const std::vector<FigureMaker>& figures();
 
-/// Those whose name matches one of the patterns, * and ? being wildcards; all without patterns. Progress on stderr,
-/// where that is a terminal. Throws Failure: exit code 2 for a pattern that names no figure, 3 where gnuplot is missing;
-/// std::runtime_error if a problem is not solved.
-std::vector<Figure> make_figures(const std::vector<std::string>& patterns);
-
 struct DrawnFigure {
   std::string name;
   std::string title;
   std::string caption;  ///< formulas between backticks, in the notation of claims
   std::string command;  ///< that makes it
-  std::string svg;      ///< begins with the XML declaration; no scripts; ids begin with the name
+  std::string picture;  ///< an SVG begins with the XML declaration; no scripts; ids begin with the name
+  std::string data{};   ///< figure_data()
 };
 
 /// Throws Failure where gnuplot is missing or fails.
-DrawnFigure draw(const Figure& figure);
+DrawnFigure draw(const Figure& figure, Picture picture = Picture::svg);
 
-/// make_figures(), drawn.
-std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns);
+/// Those whose name matches one of the patterns, * and ? being wildcards; all without patterns. In so many processes at a
+/// time, since GiNaC allows no threads. Progress on stderr, where that is a terminal. Throws Failure: exit code 2 for a
+/// pattern that names no figure, 3 where gnuplot is missing or fails; std::runtime_error if a problem is not solved.
+std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns, unsigned processes,
+                                      Picture picture = Picture::svg);
 
 }  // namespace steadyslide::app

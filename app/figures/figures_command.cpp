@@ -5,11 +5,10 @@
 #include <filesystem>
 #include <system_error>
 
-#include "app/commands/command_line.hpp"
+#include "app/commands/jobs.hpp"
 #include "app/embedded.hpp"
-#include "app/figures/figure_data.hpp"
 #include "app/figures/figures.hpp"
-#include "app/gnuplot/gnuplot.hpp"
+#include "proofs_checks/kit/processes.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -55,10 +54,11 @@ ExitCode run_figures(const Given& given) {
   if (data) check_folder(*data);
   const std::string ending = given.has("--format") ? given.text("--format") : "svg";
   const Picture picture = picture_of(ending);
+  const unsigned processes = jobs(given, proofs_checks::available_processes());
   std::vector<File> files;
-  for (const Figure& figure : make_figures(given.texts("--figure"))) {
-    files.push_back({folder, figure.name + "." + ending, drawn(figure, picture)});
-    if (data) files.push_back({*data, figure.name + ".csv", figure_data(figure)});
+  for (const DrawnFigure& figure : draw_figures(given.texts("--figure"), processes, picture)) {
+    files.push_back({folder, figure.name + "." + ending, figure.picture});
+    if (data) files.push_back({*data, figure.name + ".csv", figure.data});
   }
   for (const File& file : files) write(file);
   return ExitCode::done;
@@ -76,6 +76,7 @@ Command figures_command() {
            {"--format", "FORMAT", "Of the pictures; svg without", Option::Kind::text,
             fmt::format("{}", fmt::join(picture_names, " "))},
            {"--data", "DIR", "Writes the numbers of every curve there, too, as DIR/NAME.csv"},
+           jobs_option("Figures drawn"),
            folder_option()},
           run_figures};
 }

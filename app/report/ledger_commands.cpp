@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/commands/command_line.hpp"
+#include "app/commands/jobs.hpp"
 #include "app/embedded.hpp"
 #include "app/report/report_page.hpp"
 #include "app/verify/coq_export.hpp"
@@ -20,12 +20,7 @@ namespace {
 
 namespace checks = proofs_checks;
 
-Option jobs_option() { return {"--jobs", "N", "Claims examined at a time, 1 to 1000; default: one on each core"}; }
-
-unsigned processes(const Given& given) {
-  const std::optional<int> jobs = given.count("--jobs", 1, 1000);
-  return jobs ? static_cast<unsigned>(*jobs) : checks::available_processes();
-}
+unsigned processes(const Given& given) { return jobs(given, checks::available_processes()); }
 
 constexpr std::initializer_list<Format> formats{Format::text, Format::json, Format::markdown};
 
@@ -95,10 +90,10 @@ std::vector<std::string> shown_figures() {
 }
 
 /// What stands on the page beside the ledger; without gnuplot it says that there are no figures.
-Supplement supplement() {
+Supplement supplement(unsigned processes) {
   Supplement parts;
   try {
-    parts.figures = draw_figures(shown_figures());
+    parts.figures = draw_figures(shown_figures(), processes);
   } catch (const Failure& failure) {
     if (failure.code() == ExitCode::interrupted) throw;
     parts.no_figures = fmt::format("No figures: {}.", failure.what());
@@ -109,8 +104,8 @@ Supplement supplement() {
   return parts;
 }
 
-void write_report(const VerifyResult& result, Output& output) {
-  output.write(report_html(result, supplement()));
+void write_report(const VerifyResult& result, unsigned processes, Output& output) {
+  output.write(report_html(result, supplement(processes)));
   output.commit();
 }
 
@@ -148,7 +143,7 @@ ExitCode verify(const Given& given) {
   VerifyResult result = examine(wanted, claims);
   result.with_proofs = given.has("--proof");
   write_verify(common.format, result, output);
-  if (page) write_report(result, *page);
+  if (page) write_report(result, wanted.processes, *page);
   output.commit();
   return exit_code_of(result.reports);
 }
@@ -158,7 +153,7 @@ ExitCode report(const Given& given) {
   const std::string file = report_file(given.folder());
   Output page(file);
   const VerifyResult result = examine(wanted, checks::registry());
-  write_report(result, page);
+  write_report(result, wanted.processes, page);
   Output line(std::nullopt);
   line.write(fmt::format("{}: {}; {}\n", file, counts_line(result.reports), controls_line(result)));
   line.commit();
@@ -178,7 +173,7 @@ Command verify_command() {
            {"--proof", "", "Print the proofs, as trees", flag},
            {"--quick", "", "Fewer parameters", flag},
            seed_option(),
-           jobs_option(),
+           jobs_option("Claims examined"),
            {"--report", "DIR", "Write the report on this run as well: DIR/report.html"},
            {"--export-coq", "DIR", "Write the statements decided exactly as lemmas of Coq, DIR/*.v; check nothing"}},
           "Digits to work with, 1 to 100; default 50", formats),
@@ -190,7 +185,7 @@ Command report_command() {
           std::string(embedded::help_report),
           {{"--quick", "", "Fewer parameters", Option::Kind::flag},
            seed_option(),
-           jobs_option(),
+           jobs_option("Claims examined, and figures drawn,"),
            {"--digits", "N", "Digits to work with, 1 to 100; default 50"},
            folder_option()},
           report};

@@ -18,7 +18,7 @@ std::string drawing(const DrawnFigure& drawn) {
                               element("code", escaped(drawn.command), {{"class", "command"}});
   return block("figure",
                "\n" +
-                   block("div", inline_svg(slim_svg(drawn.svg), drawn.name, drawn.title),
+                   block("div", inline_svg(slim_svg(drawn.picture), drawn.name, drawn.title),
                          {{"class", "drawing"}, {"tabindex", "0"}, {"role", "region"}, {"aria-label", drawn.title}}) +
                    block("figcaption", caption),
                {{"id", "figure-" + drawn.name}});

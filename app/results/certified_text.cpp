@@ -5,6 +5,7 @@
 #include "enclosure/contact/enclosed_solution.hpp"
 #include "enclosure/contact/punch_core.hpp"
 #include "library/proof/certificate.hpp"
+#include "library/solve/warnings.hpp"
 
 namespace steadyslide::app {
 namespace {

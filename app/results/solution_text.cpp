@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "library/solve/double_range.hpp"
+#include "library/solve/warnings.hpp"
 #include "numeric/flat_punch/punch_core.hpp"
 
 namespace steadyslide::app {

@@ -166,12 +166,4 @@ template <numeric::Real R>
 LimitText limit_text(const numeric::TwoSided<R>& limits, const numeric::TwoSided<R>& traction, int digits,
                      bool apart = false);
 
-/// What a warning of an estimated error says.
-inline constexpr const char* estimated_error_warning = "large estimated error";
-
-/// Estimated errors above 10 %; contact that reaches the cut end of a trace; contact of a trace within the last 1 % of
-/// the support alone.
-template <numeric::Real R>
-std::vector<std::string> warnings(const Problem& problem, const numeric::ContactSolution<R>& solution);
-
 }  // namespace steadyslide::app

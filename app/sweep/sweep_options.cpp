@@ -8,7 +8,7 @@
 namespace steadyslide::app {
 namespace {
 
-constexpr int most_jobs = 1024;
+constexpr int most_problems = 1024;
 
 bool names_hdf5(const std::optional<std::string>& file) {
   return file && (file->ends_with(".h5") || file->ends_with(".hdf5"));
@@ -22,7 +22,7 @@ SweepOptions read_sweep_options(const Given& given) {
   options.wanted.output = given.name("--output", "file");
   options.wanted.resume = given.has("--resume");
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  options.wanted.jobs = given.count("--jobs", 1, most_jobs).value_or(cores);
+  options.wanted.jobs = given.count("--jobs", 1, most_problems).value_or(cores);
   const std::string format = given.has("--format")               ? given.text("--format")
                              : names_hdf5(options.wanted.output) ? "hdf5"
                                                                  : "csv";

@@ -5,6 +5,7 @@
 #include "enclosure/loads/closing_gap.hpp"
 #include "enclosure/loads/contact_anchors.hpp"
 #include "enclosure/loads/contact_change.hpp"
+#include "enclosure/loads/task_threads.hpp"
 #include "model/invalid_data.hpp"
 
 namespace steadyslide::enclosure {
@@ -35,61 +36,62 @@ ContactBox predicted(const ReducedProblem& problem, const std::optional<Place>& 
   return result;
 }
 
+struct Failure {
+  Rational load;
+  std::string reason;
+};
+
+/// What is proved of some loads, and what is not, in the order in which it was tried.
+struct Found {
+  std::vector<LoadStretch> proved;
+  std::vector<Failure> failures;
+
+  void add(Found&& more) {
+    std::move(more.proved.begin(), more.proved.end(), std::back_inserter(proved));
+    std::move(more.failures.begin(), more.failures.end(), std::back_inserter(failures));
+  }
+  void fail(const Rational& load, std::string reason) { failures.push_back({load, std::move(reason)}); }
+};
+
+/// From one load to another.
+struct March {
+  Rational reached;
+  Found found;
+};
+
 class Follower {
  public:
   Follower(const ContactProblem& problem, const Frame& frame, const ContactAtLoad& contact_at,
            const LoadPathOptions& options)
-      : problem_(problem, frame), contact_at_(contact_at), options_(options), rules_(options.bits) {
+      : problem_(problem, frame),
+        contact_at_(contact_at),
+        options_(options),
+        rules_(options.bits),
+        threads_(options.threads) {
     for (std::size_t k = 1; k < problem_.intervals.size(); ++k) {
       const Rational& c = problem_.anchors[k].x;
       has_notch_ = has_notch_ || problem_.intervals[k].slope(c) < problem_.intervals[k - 1].slope(c);
     }
   }
 
-  /// Proves what it can of the loads from `low` to `high`. A part that hardly anything can be proved of is left open.
-  void fill(const Rational& low, const Rational& high, int depth = 12) {
-    if (depth == 0 || high - low <= options_.width * high) return;
-    // Where a gap closes, its first load is all that it takes.
-    if (has_notch_ && !options_.intervals_alone) {
-      const std::optional<Place> first = start_at(low);
-      const std::optional<Rational> up = first ? close_gap(*first, high) : std::nullopt;
-      if (up) return fill(*up, high, depth - 1);
-    }
-    // An event may lie at any of these loads, at least where the data are round numbers.
-    for (const int sixteenths : {7, 11, 4, 14, 1}) {
-      const Rational load = low + (high - low) * Rational(sixteenths, 16);
-      const std::optional<Place> start = start_at(load);
-      if (!start) continue;
-      const std::size_t before = proved_.size();
-      const std::optional<Rational> closed = options_.intervals_alone ? std::nullopt : close_gap(*start, high);
-      const Rational up = closed ? *closed : march(*start, high);
-      const Rational down = march(*start, low);
-      if ((up - down) * 64 < high - low) {
-        proved_.erase(proved_.begin() + static_cast<std::ptrdiff_t>(before), proved_.end());
-        continue;
-      }
-      fill(low, down, depth - 1);
-      fill(up, high, depth - 1);
-      return;
-    }
-  }
-
+  /// Proves what it can of the loads.
+  void follow(const Rational& from, const Rational& to) { found_ = fill(from, to, 12); }
   /// All of it, with what is not proved between what is.
   std::vector<LoadStretch> stretches(const Rational& from, const Rational& to) {
-    std::sort(proved_.begin(), proved_.end(),
+    std::sort(found_.proved.begin(), found_.proved.end(),
               [](const LoadStretch& a, const LoadStretch& b) { return a.from < b.from; });
-    const auto low = [&](std::size_t i) { return i > 0 ? proved_[i - 1].to : from; };
-    const auto high = [&](std::size_t i) { return i < proved_.size() ? proved_[i].from : to; };
+    const auto low = [&](std::size_t i) { return i > 0 ? found_.proved[i - 1].to : from; };
+    const auto high = [&](std::size_t i) { return i < found_.proved.size() ? found_.proved[i].from : to; };
     const auto is_open = [&](std::size_t i) {
-      return low(i) < high(i) || (i > 0 && i < proved_.size() && !are_joined(i));
+      return low(i) < high(i) || (i > 0 && i < found_.proved.size() && !are_joined(i));
     };
     // Unproved loads closer to each other than an event is wide are one: what was proved in between tells nobody anything.
     std::vector<std::size_t> open;
-    for (std::size_t i = 0; i <= proved_.size(); ++i) {
+    for (std::size_t i = 0; i <= found_.proved.size(); ++i) {
       if (!is_open(i)) continue;
       if (!open.empty() && low(i) - high(open.back()) <= options_.width * high(i)) {
-        proved_.erase(proved_.begin() + static_cast<std::ptrdiff_t>(open.back()),
-                      proved_.begin() + static_cast<std::ptrdiff_t>(i));
+        found_.proved.erase(found_.proved.begin() + static_cast<std::ptrdiff_t>(open.back()),
+                            found_.proved.begin() + static_cast<std::ptrdiff_t>(i));
         i = open.back();
       } else {
         open.push_back(i);
@@ -97,31 +99,72 @@ class Follower {
     }
     std::vector<LoadStretch> result;
     auto next = open.begin();
-    for (std::size_t i = 0; i <= proved_.size(); ++i) {
+    for (std::size_t i = 0; i <= found_.proved.size(); ++i) {
       if (next != open.end() && *next == i) {
         result.push_back(between(i, low(i), high(i)));
         ++next;
       }
-      if (i < proved_.size()) result.push_back(proved_[i]);
+      if (i < found_.proved.size()) result.push_back(found_.proved[i]);
     }
     return result;
   }
 
  private:
-  std::optional<Place> start_at(const Rational& load) {
+  /// A part that hardly anything can be proved of is left open.
+  Found fill(const Rational& low, const Rational& high, int depth) {
+    Found found;
+    if (depth == 0 || high - low <= options_.width * high) return found;
+    // Where a gap closes, its first load is all that it takes.
+    if (has_notch_ && !options_.intervals_alone) {
+      const std::optional<Place> first = start_at(low, found);
+      const std::optional<Rational> up = first ? close_gap(*first, high, found) : std::nullopt;
+      if (up) {
+        found.add(fill(*up, high, depth - 1));
+        return found;
+      }
+    }
+    // An event may lie at any of these loads, at least where the data are round numbers.
+    for (const int sixteenths : {7, 11, 4, 14, 1}) {
+      const Rational load = low + (high - low) * Rational(sixteenths, 16);
+      const std::optional<Place> start = start_at(load, found);
+      if (!start) continue;
+      Found from_here;
+      const std::optional<Rational> closed =
+          options_.intervals_alone ? std::nullopt : close_gap(*start, high, from_here);
+      const auto upwards = [&] { return closed ? March{*closed, {}} : march(*start, high); };
+      const auto downwards = [&] { return march(*start, low); };
+      std::pair<March, March> marches = threads_.both(upwards, downwards);
+      auto& up = marches.first;
+      auto& down = marches.second;
+      from_here.add(std::move(up.found));
+      from_here.add(std::move(down.found));
+      const bool hardly_any = (up.reached - down.reached) * 64 < high - low;
+      if (hardly_any) from_here.proved.clear();
+      found.add(std::move(from_here));
+      if (hardly_any) continue;
+      auto [below, above] = threads_.both([&] { return fill(low, down.reached, depth - 1); },
+                                          [&] { return fill(up.reached, high, depth - 1); });
+      found.add(std::move(below));
+      found.add(std::move(above));
+      return found;
+    }
+    return found;
+  }
+
+  std::optional<Place> start_at(const Rational& load, Found& found) {
     const std::optional<ApproximateContact> contact = contact_at_(load);
     if (!contact) {
-      fail(load, "the solver finds no solution");
+      found.fail(load, "the solver finds no solution");
       return std::nullopt;
     }
     const ContactStart start(problem_, *contact);
     if (std::string fault = start.topology.fault(problem_); !fault.empty()) {
-      fail(load, std::move(fault));
+      found.fail(load, std::move(fault));
       return std::nullopt;
     }
     KrawczykResult zero = enclose_zero(problem_.for_loads(load, load), start.box(options_.bits), rules_);
     if (!zero.proved) {
-      fail(load, std::move(zero.reason));
+      found.fail(load, std::move(zero.reason));
       return std::nullopt;
     }
     return Place{load, std::move(zero.box)};
@@ -129,7 +172,7 @@ class Follower {
 
   /// Where the contact has a gap that can but close: all loads up to where it does, and what can be proved of those up to `limit`
   /// then. The load reached; nothing where the contact is another one, or not proved.
-  std::optional<Rational> close_gap(const Place& here, const Rational& limit) {
+  std::optional<Rational> close_gap(const Place& here, const Rational& limit, Found& found) {
     const std::optional<ContactBox> full = closed_gap(problem_, here.zero);
     if (!full) return std::nullopt;
     const auto from = full_contact_from(problem_, *full, here.load, limit, options_.width, rules_);
@@ -142,18 +185,22 @@ class Follower {
     const ContactBox image = zero.box;
     ContactProof proof = prove_signs(at_load, std::move(zero), rules_);
     if (!proof.proved) {
-      fail(here.load, std::move(proof.reason));
+      found.fail(here.load, std::move(proof.reason));
       return std::nullopt;
     }
     LoadInterval first{here.load, here.load, image, image, std::move(box), std::move(proof)};
-    proved_.push_back({Stretch::closing, here.load, from->refuted, std::move(first), {}});
-    if (!from->proved && from->refuted < limit) fail(limit, "whether the gap has closed is not decided");
-    return from->proved ? march({*from->proved, *full}, limit) : from->refuted;
+    found.proved.push_back({Stretch::closing, here.load, from->refuted, std::move(first), {}});
+    if (!from->proved && from->refuted < limit) found.fail(limit, "whether the gap has closed is not decided");
+    if (!from->proved) return from->refuted;
+    March onward = march({*from->proved, *full}, limit);
+    found.add(std::move(onward.found));
+    return onward.reached;
   }
 
-  /// Towards `limit`, as far as intervals are proved: the load reached.
-  Rational march(Place here, const Rational& limit) {
+  /// Towards `limit`, as far as intervals are proved.
+  March march(Place here, const Rational& limit) {
     here.zero = seen_from_nearer(problem_, here.zero);
+    Found found;
     std::optional<Place> before;
     Rational step = (limit - here.load) / 4;
     const Rational least = options_.width * std::min(here.load, limit) / 8;
@@ -166,7 +213,7 @@ class Follower {
       const Rational most = options_.longest * here.load;
       if (abs(step) > most) step = limit > here.load ? most : -most;
       if (abs(limit - here.load) <= abs(step)) step = limit - here.load;
-      std::optional<std::pair<Place, Place>> next = stepped(before, here, here.load + step);
+      std::optional<std::pair<Place, Place>> next = stepped(before, here, here.load + step, found);
       if (!next) {
         if (grown) patience = std::min(2 * patience, most_patience);
         grown = false;
@@ -184,40 +231,39 @@ class Follower {
       proved_in_turn = 0;
       step *= 2;
     }
-    return here.load;
+    return {here.load, std::move(found)};
   }
 
   /// Proves the loads between here and `load`: the zeros at both; nothing if it does not.
   std::optional<std::pair<Place, Place>> stepped(const std::optional<Place>& before, const Place& here,
-                                                 const Rational& load) {
+                                                 const Rational& load, Found& found) {
     const bool upwards = here.load < load;
     const Rational& from = upwards ? here.load : load;
     const Rational& to = upwards ? load : here.load;
     LoadInterval interval = prove_loads(problem_, from, to, predicted(problem_, before, here, (from + to) / 2), rules_);
     if (!interval.proof.proved) {
-      fail(load, interval.proof.reason);
+      found.fail(load, interval.proof.reason);
       return std::nullopt;
     }
     std::pair zeros(Place{here.load, interval.at_from}, Place{load, interval.at_to});
     if (!upwards) std::swap(zeros.first.zero, zeros.second.zero);
-    proved_.push_back({Stretch::proved, from, to, std::move(interval), {}});
+    found.proved.push_back({Stretch::proved, from, to, std::move(interval), {}});
     return zeros;
   }
 
   /// The stretch i and the one before, which meet. (Of a gap that closes no box holds the zero at the last load.)
   bool are_joined(std::size_t i) {
-    const LoadStretch& before = proved_[i - 1];
-    return before.kind == Stretch::proved && enclosure::are_joined(*before.interval, *proved_[i].interval, rules_);
+    const LoadStretch& before = found_.proved[i - 1];
+    return before.kind == Stretch::proved &&
+           enclosure::are_joined(*before.interval, *found_.proved[i].interval, rules_);
   }
-
-  void fail(const Rational& load, std::string reason) { failures_.push_back({load, std::move(reason)}); }
 
   /// What lies before the proved interval i, from `low` to `high`.
   LoadStretch between(std::size_t i, const Rational& low, const Rational& high) const {
-    const bool inside = i > 0 && i < proved_.size();
+    const bool inside = i > 0 && i < found_.proved.size();
     if (inside) {
-      const ContactBox& before = proved_[i - 1].interval->at_to;
-      const ContactBox& after = proved_[i].interval->at_from;
+      const ContactBox& before = found_.proved[i - 1].interval->at_to;
+      const ContactBox& after = found_.proved[i].interval->at_from;
       const bool same = seen_from(problem_, before, after.topology).has_value();
       if (low < high && !same) return {Stretch::event, low, high, {}, contact_change(problem_, before, after)};
       if (low == high) {
@@ -231,24 +277,19 @@ class Follower {
     }
     // The last attempt's reason says most: it was the shortest one.
     std::string reason = "nothing was tried";
-    for (const Failure& failure : failures_) {
+    for (const Failure& failure : found_.failures) {
       if (low <= failure.load && failure.load <= high) reason = failure.reason;
     }
     return {Stretch::open, low, high, {}, reason};
   }
-
-  struct Failure {
-    Rational load;
-    std::string reason;
-  };
 
   ReducedProblem problem_;
   const ContactAtLoad& contact_at_;
   LoadPathOptions options_;
   JacobiRules rules_;
   bool has_notch_ = false;
-  std::vector<LoadStretch> proved_;
-  std::vector<Failure> failures_;
+  TaskThreads threads_;
+  Found found_;
 };
 
 }  // namespace
@@ -264,7 +305,7 @@ std::vector<LoadStretch> follow_loads(const ContactProblem& problem, const Ratio
   }
   const std::optional<ApproximateContact> largest = contact_at(to);
   Follower follower(problem, frame_of(problem, largest ? *largest : ApproximateContact{}), contact_at, options);
-  follower.fill(from, to);
+  follower.follow(from, to);
   return follower.stretches(from, to);
 }
 

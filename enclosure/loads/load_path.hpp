@@ -47,6 +47,8 @@ struct LoadPathOptions {
   Rational longest = Rational(1, 32);
   /// Closing gaps by intervals, too: what another program can be given to prove again.
   bool intervals_alone = false;
+  /// That work at a time; what is found does not depend on it. The solver is asked by each of them.
+  unsigned threads = 1;
 };
 
 /// Left to right, all of them in one frame. Throws InvalidData unless 0 < from < to and 0 < width.

@@ -19,6 +19,7 @@ bool JacobiRules::Before::operator()(const Key& a, const Key& b) const {
 
 const JacobiRule& JacobiRules::operator()(int count, const Ball& left, const Ball& right) {
   const Key key{count, left, right};
+  const std::lock_guard lock(in_use_);
   auto place = rules_.find(key);
   if (place == rules_.end()) place = rules_.emplace(key, JacobiRule(count, left, right, bits_)).first;
   return place->second;

@@ -1,8 +1,9 @@
 #pragma once
 // Gauss-Jacobi rules, each made once: for each number of nodes and pair of powers, balls that are the same only if midpoint
-// and radius are. Belongs to whoever computes; not to be shared between threads.
+// and radius are. May be shared between threads.
 
 #include <map>
+#include <mutex>
 
 #include "enclosure/quadrature/jacobi_rule.hpp"
 
@@ -30,6 +31,7 @@ class JacobiRules {
 
   Bits bits_;
   std::map<Key, JacobiRule, Before> rules_;
+  std::mutex in_use_;
 };
 
 }  // namespace steadyslide::enclosure

@@ -6,6 +6,7 @@
 
 #include "library/solve/double_range.hpp"
 #include "library/solve/failed_condition.hpp"
+#include "library/solve/warnings.hpp"
 #include "library/text/number_format.hpp"
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/number/once.hpp"
@@ -115,6 +116,8 @@ class SolvedIn final : public Solution::State {
                                [](const Estimate<R>& share) { return library::is_in_range(share); });
   }
 
+  std::vector<std::string> warnings() const override { return library::warnings(data_of(problem).problem, *solution_); }
+
   std::vector<ContactComponent> contact() const override {
     const auto components = solution_->contact();
     const auto loads = solution_->resultants().component_load;
@@ -134,6 +137,12 @@ class SolvedIn final : public Solution::State {
                         number_(point.constant), number_(point.stress_intensity.left),
                         number_(point.stress_intensity.right)});
     }
+    return result;
+  }
+
+  std::vector<UnresolvedGap> unresolved_gaps() const override {
+    std::vector<UnresolvedGap> result;
+    for (const auto& [x, log10_length] : solution_->unresolved_gaps()) result.push_back({number_(x), log10_length});
     return result;
   }
 

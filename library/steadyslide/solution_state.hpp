@@ -36,8 +36,10 @@ struct Solution::State {
 
   /// Are its numbers of a size with which double calculates without overflow?
   virtual bool is_in_range() const = 0;
+  virtual std::vector<std::string> warnings() const = 0;
   virtual std::vector<ContactComponent> contact() const = 0;
   virtual std::vector<SolvedPoint> singular_points() const = 0;
+  virtual std::vector<UnresolvedGap> unresolved_gaps() const = 0;
   virtual Resultants resultants() const = 0;
   /// Without displacement, shear slope and load unless `detailed`.
   virtual SurfaceSample at(const Rational& x, bool detailed) const = 0;

@@ -153,6 +153,12 @@ struct PossiblePoint {
   std::string symbolic;
 };
 
+/// A gap over a notch of the profile that is too short for any place in it to have a number: a solution has contact there.
+struct UnresolvedGap {
+  Number x;
+  double log10_length = 0;  ///< by order of magnitude
+};
+
 struct LargestPressure {
   Number value;
   Number x;
@@ -229,9 +235,13 @@ class STEADYSLIDE_API Solution {
   const std::string& method() const;
   int digits() const;
   const Problem& problem() const;
+  /// What a person should know before it is used: the warnings of the command solve, one line each.
+  std::vector<std::string> warnings() const;
 
   std::vector<ContactComponent> contact() const;
   std::vector<SolvedPoint> singular_points() const;
+  /// Left to right.
+  std::vector<UnresolvedGap> unresolved_gaps() const;
   Resultants resultants() const;
   Number effective_friction() const { return resultants().effective_friction; }
 

@@ -14,7 +14,6 @@
 #include <memory>
 #include <optional>
 #include <system_error>
-#include <utility>
 
 #include "proofs_checks/kit/transport.hpp"
 
@@ -46,11 +45,11 @@ bool receive_all(int socket, char* bytes, std::size_t size) {
   return true;
 }
 
-/// Numbers of claims come in, reports go out, until the other side closes. False where that was too early.
-bool answer(int socket, std::span<const Claim> claims, const Context& context) noexcept {
+/// Numbers of tasks come in, bytes go out, until the other side closes. False where that was too early.
+bool answer(int socket, const Task& task) noexcept {
   std::size_t index = 0;
   while (receive_all(socket, reinterpret_cast<char*>(&index), sizeof index)) {
-    const std::string bytes = to_bytes(run(claims[index], context));
+    const std::string bytes = task(index);
     const std::size_t size = bytes.size();
     if (!send_all(socket, reinterpret_cast<const char*>(&size), sizeof size)) return false;
     if (!send_all(socket, bytes.data(), size)) return false;
@@ -58,10 +57,10 @@ bool answer(int socket, std::span<const Claim> claims, const Context& context) n
   return true;
 }
 
-/// A process that examines claims. Destruction ends it.
+/// A process that does tasks. Destruction ends it.
 class Worker {
  public:
-  Worker(std::span<const Claim> claims, const Context& context) {
+  explicit Worker(const Task& task) {
     int sockets[2];
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0) fail("no socket for a process");
     std::fflush(nullptr);  // else what waits to be written would be written twice
@@ -70,7 +69,7 @@ class Worker {
     if (child_ == 0) {
       ::prctl(PR_SET_PDEATHSIG, SIGKILL);
       ::close(sockets[0]);
-      ::_exit(::getppid() == parent && answer(sockets[1], claims, context) ? 0 : 1);
+      ::_exit(::getppid() == parent && answer(sockets[1], task) ? 0 : 1);
     }
     ::close(sockets[1]);
     socket_ = sockets[0];
@@ -85,38 +84,42 @@ class Worker {
     ::shutdown(socket_, SHUT_RDWR);  // closing is not enough: later processes have a copy
     ::close(socket_);
     if (child_ == 0) return;
-    if (claim) ::kill(child_, SIGKILL);
+    if (index) ::kill(child_, SIGKILL);
     wait();
   }
 
   int socket() const { return socket_; }
-  std::optional<std::size_t> claim;  ///< that it examines
+  std::optional<std::size_t> index;  ///< of its task
 
-  void examine(std::size_t index) {
-    claim = index;
-    send_all(socket_, reinterpret_cast<const char*>(&index), sizeof index);  // if it has gone, report() says so
+  void begin(std::size_t next) {
+    index = next;
+    send_all(socket_, reinterpret_cast<const char*>(&next), sizeof next);  // if it has gone, end() says so
   }
-  /// On its claim; nothing where it has ended.
-  std::optional<Report> report(std::span<const Claim> claims) {
+  /// Of its task: what it made, or how the process ended.
+  TaskEnd end() {
     std::size_t size = 0;
     std::string bytes;
-    if (!receive_all(socket_, reinterpret_cast<char*>(&size), sizeof size)) return std::nullopt;
-    bytes.resize(size);
-    if (!receive_all(socket_, bytes.data(), size)) return std::nullopt;
-    return report_from(bytes, claims[*std::exchange(claim, std::nullopt)]);
+    bool received = receive_all(socket_, reinterpret_cast<char*>(&size), sizeof size);
+    if (received) {
+      bytes.resize(size);
+      received = receive_all(socket_, bytes.data(), size);
+    }
+    index.reset();
+    return received ? TaskEnd{bytes} : TaskEnd{std::nullopt, wait()};
   }
+  bool has_ended() const { return child_ == 0; }
+
+ private:
   /// Waits for its end: "by signal 11", "with exit code 1".
   std::string wait() {
     int status = 0;
     while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
     }
     child_ = 0;
-    claim.reset();
     return WIFSIGNALED(status) ? "by signal " + std::to_string(WTERMSIG(status))
                                : "with exit code " + std::to_string(WEXITSTATUS(status));
   }
 
- private:
   pid_t child_ = 0;
   int socket_ = -1;
 };
@@ -129,43 +132,53 @@ unsigned available_processes() {
   return static_cast<unsigned>(std::max(1, CPU_COUNT(&cores)));
 }
 
-std::vector<Report> run_in_processes(std::span<const Claim> claims, const Context& context, unsigned processes,
-                                     const Progress& progress) {
-  std::vector<std::optional<Report>> reports(claims.size());
+std::vector<TaskEnd> do_in_processes(std::size_t count, unsigned processes, const Task& task,
+                                     const std::function<void(std::size_t)>& begins) {
+  std::vector<TaskEnd> ends(count);
   std::vector<std::unique_ptr<Worker>> workers;
   std::size_t next = 0;
   const auto give_next = [&](Worker& worker) {
-    if (next == claims.size()) return;
-    if (progress) progress(next, claims.size(), claims[next]);
-    worker.examine(next++);
+    if (next == count) return;
+    if (begins) begins(next);
+    worker.begin(next++);
   };
-  while (workers.size() < std::min<std::size_t>(processes, claims.size())) {
-    workers.push_back(std::make_unique<Worker>(claims, context));
+  while (workers.size() < std::min<std::size_t>(processes, count)) {
+    workers.push_back(std::make_unique<Worker>(task));
     give_next(*workers.back());
   }
-  for (std::size_t done = 0; done < claims.size();) {
+  for (std::size_t done = 0; done < count;) {
     std::vector<pollfd> waiting;
-    for (const auto& worker : workers) waiting.push_back({worker->claim ? worker->socket() : -1, POLLIN, 0});
+    for (const auto& worker : workers) waiting.push_back({worker->index ? worker->socket() : -1, POLLIN, 0});
     if (::poll(waiting.data(), waiting.size(), -1) < 0) {
       if (errno == EINTR) continue;
       fail("the processes of a run cannot be waited for");
     }
     for (std::size_t k = 0; k < workers.size(); ++k) {
       if (waiting[k].revents == 0) continue;
-      const std::size_t index = *workers[k]->claim;
-      reports[index] = workers[k]->report(claims);
-      if (!reports[index]) {
-        const std::string note = "the check ended its process " + workers[k]->wait();
-        reports[index] = Report{claims[index], Verdict::undecided, {}, note, {}, 0};
-        if (next < claims.size()) workers[k] = std::make_unique<Worker>(claims, context);
-      }
+      const std::size_t index = *workers[k]->index;
+      ends[index] = workers[k]->end();
       ++done;
+      if (workers[k]->has_ended() && next < count) workers[k] = std::make_unique<Worker>(task);
       give_next(*workers[k]);
     }
   }
-  std::vector<Report> result;
-  for (std::optional<Report>& report : reports) result.push_back(std::move(*report));
-  return result;
+  return ends;
+}
+
+std::vector<Report> run_in_processes(std::span<const Claim> claims, const Context& context, unsigned processes,
+                                     const Progress& progress) {
+  const std::vector<TaskEnd> ends = do_in_processes(
+      claims.size(), processes, [&](std::size_t k) { return to_bytes(run(claims[k], context)); },
+      [&](std::size_t k) {
+        if (progress) progress(k, claims.size(), claims[k]);
+      });
+  std::vector<Report> reports;
+  for (std::size_t k = 0; k < claims.size(); ++k) {
+    const auto& [bytes, how] = ends[k];
+    const std::string note = "the check ended its process " + how;
+    reports.push_back(bytes ? report_from(*bytes, claims[k]) : Report{claims[k], Verdict::undecided, {}, note, {}, 0});
+  }
+  return reports;
 }
 
 }  // namespace steadyslide::proofs_checks

@@ -20,7 +20,8 @@ from . import _core, _document
 from ._core import InvalidData, __version__
 
 __all__ = ["Contact", "ContactEnd", "InvalidData", "LargestPressure", "NodalForces", "Number", "PossiblePoint", "Problem",
-           "Proof", "Resultants", "Sample", "SingularPoint", "Solution", "Stress", "__version__", "sweep"]
+           "Proof", "Resultants", "Sample", "SingularPoint", "Solution", "Stress", "UnresolvedGap", "__version__",
+           "sweep"]
 
 InvalidData.__module__ = __name__
 InvalidData.__doc__ = "Data that break a rule: what is wrong; the rule; the value."
@@ -53,6 +54,13 @@ class SingularPoint(NamedTuple):
     constant: Number
     stress_intensity_left: Optional[Number]
     stress_intensity_right: Optional[Number]
+
+
+class UnresolvedGap(NamedTuple):
+    """A gap over a notch that is too short for any place in it to have a number: a solution has contact there."""
+
+    x: Number
+    log10_length: float
 
 
 class PossiblePoint(NamedTuple):
@@ -286,6 +294,11 @@ class Solution:
         return self._core.failed_condition
 
     @property
+    def warnings(self):
+        """What a person should know before it is used: the warnings of the command solve, a list of lines."""
+        return self._core.warnings()
+
+    @property
     def contact(self):
         """The contact's components, left to right: a list of Contact."""
         return [Contact(ContactEnd(*left), ContactEnd(*right), width, load)
@@ -295,6 +308,11 @@ class Solution:
     def singular_points(self):
         """A list of SingularPoint, left to right."""
         return [SingularPoint(*point) for point in self._numbers(self._core.singular_points())]
+
+    @property
+    def unresolved_gaps(self):
+        """A list of UnresolvedGap, left to right; log10_length is an order of magnitude."""
+        return [UnresolvedGap(*gap) for gap in self._numbers(self._core.unresolved_gaps())]
 
     @property
     def resultants(self):

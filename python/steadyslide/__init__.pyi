@@ -41,6 +41,10 @@ class SingularPoint(NamedTuple):
     stress_intensity_left: Number | None
     stress_intensity_right: Number | None
 
+class UnresolvedGap(NamedTuple):
+    x: Number
+    log10_length: float
+
 class PossiblePoint(NamedTuple):
     x: str
     kind: str
@@ -130,9 +134,13 @@ class Solution:
     @property
     def failed_condition(self) -> str: ...
     @property
+    def warnings(self) -> list[str]: ...
+    @property
     def contact(self) -> list[Contact]: ...
     @property
     def singular_points(self) -> list[SingularPoint]: ...
+    @property
+    def unresolved_gaps(self) -> list[UnresolvedGap]: ...
     @property
     def resultants(self) -> Resultants: ...
     @property

@@ -146,6 +146,22 @@ def test_pickled_problems_and_results_are_the_same():
         assert (number, number.error) == (solution.effective_friction, solution.effective_friction.error)
 
 
+def test_warnings_are_those_of_the_command_line():
+    notch = ss.Problem(load=1000, gamma="0.5", friction=[1], pieces=[("1/4", "x/8"), (1, "1/16 - x/8")])
+    told = subprocess.run([os.environ["STEADYSLIDE_EXECUTABLE"], "solve", "-", "--format", "json"], input=notch.text,
+                          capture_output=True, text=True, check=True)
+    for digits in (16, 50):
+        solution = notch.solve(digits=digits)
+        (gap,) = solution.unresolved_gaps
+        assert float(gap.x) == pytest.approx(0.25, rel=1e-15) and gap.x.error < 1e-15
+        assert gap.log10_length < -1000
+        (line,) = solution.warnings
+        assert line.endswith(f"x = 0.25 (about 1e{gap.log10_length:.0f})")
+        assert [line] == json.loads(told.stdout)["warnings"]
+    plain = ss.Problem(**COATINGS).solve()
+    assert plain.warnings == plain.unresolved_gaps == []
+
+
 def test_no_convergence_raises_nothing():
     solution = ss.Problem(**(TILTING | {"load": 1000, "friction": [3, 0]})).solve(method="variational", cells=16)
     assert solution.solved == (solution.failed_condition == "")

@@ -157,4 +157,14 @@ TEST_CASE("a certificate for all loads between two: boxes that follow each other
   CHECK(holds(event.err, "0.557387"));
   CHECK(holds(event.err, "the right end of contact passes the friction jump at x = 0.25"));
   CHECK(folder.names() == std::vector<std::string>{"loads.json"});
+  // However many threads there are.
+  const std::string written = folder.read("loads.json");
+  const std::string followed = run_program({"solve", "-", "--load-steps", "0.5,2", "--certify"}, ".", passing).out;
+  for (const char* jobs : {"1", "3"}) {
+    out_of(run_program({"solve", "-", "--load-steps", "0.5,1", "--certificate", "loads.json", "--jobs", jobs},
+                       folder.path(), problem_text("parabola")));
+    CHECK((folder.read("loads.json") == written));
+    CHECK(run_program({"solve", "-", "--load-steps", "0.5,2", "--certify", "--jobs", jobs}, ".", passing).out ==
+          followed);
+  }
 }

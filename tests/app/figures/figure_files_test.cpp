@@ -85,7 +85,7 @@ TEST_CASE("--data writes tables, --format other pictures") {
 TEST_CASE("the copies in docs/ are what the program draws") {
   for (const char* name : {"sketch", "friction-direction"}) {
     const std::string copy = file_text(STEADYSLIDE_DOCS "/" + std::string(name) + ".svg");
-    CHECK_MESSAGE((copy == draw(made(name)).svg), "steadyslide figures -o docs --figure ", name);
-    CHECK((copy != draw(made("parabola")).svg));
+    CHECK_MESSAGE((copy == draw(made(name)).picture), "steadyslide figures -o docs --figure ", name);
+    CHECK((copy != draw(made("parabola")).picture));
   }
 }

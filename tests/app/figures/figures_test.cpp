@@ -73,9 +73,9 @@ TEST_CASE("every figure is written, whole, the same each time, and shows its tit
       CHECK(has_unit(panel.x.label));
       CHECK(has_unit(panel.y.label));
     }
-    check_texts(figure, drawn.svg);
+    check_texts(figure, drawn.picture);
     const std::string svg = folder.read("new/folder/" + drawn.name + ".svg");
-    CHECK((svg == drawn.svg));
+    CHECK((svg == drawn.picture));
     CHECK(drawn.name == maker.name);
     CHECK(drawn.command == "steadyslide figures --figure " + drawn.name);
     CHECK(std::ranges::count(drawn.caption, '`') % 2 == 0);
@@ -119,6 +119,23 @@ TEST_CASE("some figures, by patterns; none is an error") {
 
   const Finished help = run_alone({"figures", "--help"});
   for (const FigureMaker& maker : figures()) CHECK(holds(help.out, "  " + maker.name + "\n"));
+}
+
+TEST_CASE("one at a time or several: the same bytes") {
+  const TemporaryFolder folder;
+  const auto drawn_by = [&](const std::string& jobs) {
+    const auto out = folder.path() / jobs;
+    CHECK(out_of(run_program({"figures", "--figure", "*a*", "--jobs", jobs, "-o", out, "--data", out}, ".")) == "");
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(out)) {
+      files[entry.path().filename()] = folder.read(jobs + "/" + entry.path().filename().string());
+    }
+    return files;
+  };
+  const auto one = drawn_by("1");
+  CHECK(one.size() > 10);
+  CHECK((drawn_by("2") == one));
+  CHECK((drawn_by("50") == one));
 }
 
 TEST_CASE("without gnuplot: one clear line and nothing written") {

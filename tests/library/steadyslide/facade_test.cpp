@@ -115,6 +115,24 @@ TEST_CASE("exponents, their derivation and a proof") {
   CHECK(proof.certificate.find("\"exists\": true") != std::string::npos);
 }
 
+TEST_CASE("what solve warns of: a pressed notch whose gap has no number") {
+  CHECK(solve(coatings()).warnings().empty());
+  CHECK(solve(coatings()).unresolved_gaps().empty());
+  const ProblemData notch{.load = 1000, .friction = {1}, .gamma = "0.5", .pieces = {{"1/4", "x/8"}, {1, "1/16 - x/8"}}};
+  for (const int digits : {16, 50}) {
+    const Solution solution = solve(notch, {.digits = digits});
+    REQUIRE(solution.solved());
+    const std::vector<UnresolvedGap> gaps = solution.unresolved_gaps();
+    REQUIRE(gaps.size() == 1);
+    CHECK(gaps[0].x.value == doctest::Approx(0.25).epsilon(1e-15));
+    CHECK(gaps[0].log10_length < -1000);
+    const std::vector<std::string> warnings = solution.warnings();
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0].starts_with("gaps over notches of the profile are shown as contact; "));
+    CHECK(warnings[0].ends_with("x = 0.25 (about 1e" + std::to_string(std::lround(gaps[0].log10_length)) + ")"));
+  }
+}
+
 TEST_CASE("on cells, too") {
   const Solution solution = solve(parabola(), {.method = "variational", .cells = 512});
   CHECK(solution.method() == "variational");

@@ -219,3 +219,17 @@ TEST_CASE("in processes: the same reports in the same order, and a process that 
   CHECK(run_in_processes({}, {}, 2).empty());
   CHECK(available_processes() >= 1);
 }
+
+TEST_CASE("tasks in processes: all bytes of each, in order") {
+  const auto made = [](std::size_t k) { return std::string(100000 * (k % 4), '\0') + std::to_string(k); };
+  for (const unsigned processes : {1U, 3U, 50U}) {
+    std::vector<std::size_t> begun;
+    const std::vector<TaskEnd> ends = do_in_processes(20, processes, made, [&](std::size_t k) { begun.push_back(k); });
+    REQUIRE(ends.size() == 20);
+    for (std::size_t k = 0; k < 20; ++k) {
+      CHECK(begun[k] == k);
+      CHECK((ends[k].bytes == made(k)));
+      CHECK(ends[k].how.empty());
+    }
+  }
+}

@@ -1,6 +1,4 @@
-// What a person should know before a solution is used: large errors, gaps
-// that no number resolves, and traces that look wrong. One line each,
-// "what; the rule; the value".
+#include "library/solve/warnings.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "app/results/solution_text.hpp"
+#include "library/solve/failed_condition.hpp"
+#include "library/text/number_format.hpp"
 
-namespace steadyslide::app {
+namespace steadyslide::library {
 namespace {
 
 using numeric::ContactComponent;
@@ -89,4 +88,4 @@ STEADYSLIDE_WARNINGS_AT(double);
 STEADYSLIDE_WARNINGS_AT(numeric::Real50);
 STEADYSLIDE_WARNINGS_AT(numeric::Real100);
 
-}  // namespace steadyslide::app
+}  // namespace steadyslide::library

@@ -1,10 +1,11 @@
 // From which error on a solution is doubted, and from which on it is none.
 
-#include "app/results/solution_text.hpp"
+#include "library/solve/warnings.hpp"
+#include "library/solve/failed_condition.hpp"
 #include "support/made_up_solution.hpp"
 #include "support/test.hpp"
 
-using namespace steadyslide::app;
+using namespace steadyslide::library;
 using namespace steadyslide::numeric;
 
 namespace {

@@ -1,0 +1,80 @@
+// Loads proved by several threads are those proved by one, to the last bit. That no memory is shared unguarded is for the
+// thread sanitizer to see (preset tsan).
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "enclosure/loads/load_path.hpp"
+#include "enclosure/loads/task_threads.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "support/numeric_test.hpp"
+#include "support/problems.hpp"
+
+using namespace steadyslide::enclosure;
+
+namespace {
+
+std::vector<LoadStretch> path_in(unsigned threads, const ContactProblem& problem, const Rational& from,
+                                 const Rational& to) {
+  LoadPathOptions options;
+  options.width = 0.001_r;
+  options.threads = threads;
+  const auto solved = [&](const Rational& load) -> std::optional<ApproximateContact> {
+    const auto solution = riemann_hilbert<double>(problem.with_load(load)).solution;
+    if (!solution || !solution->failed_condition().empty()) return std::nullopt;
+    return solution->approximate_contact();
+  };
+  return follow_loads(problem, from, to, solved, options);
+}
+
+std::string told(const std::vector<LoadStretch>& stretches) {
+  std::string text;
+  for (const LoadStretch& s : stretches) {
+    text += to_string(s.from) + " " + to_string(s.to) + " " + s.words + "\n";
+    if (!s.interval) continue;
+    for (const Ball& h : s.interval->proof.box.log_offsets) text += h.dump() + "\n";
+    for (const Ball& q : s.interval->proof.box.q) text += q.dump() + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("so many threads at a time find the same, to the last bit") {
+  const ContactProblem parabola = reduced({0.1_r, 0.6_r}, {0.2_r}, one_piece(-2, 2, {0, 0, 2.5_r}), 1);
+  const ContactProblem tilting = reduced({0.1_r, 0.3_r}, {0.1_r}, one_piece(-1, 1, {0, 0, 1}), 1, 0.05_r);
+  for (const auto& [problem, from, to] : {std::tuple(parabola, 0.2_r, 0.8_r),  // an end passes the jump
+                                          {tilting, 2_r, 5_r}}) {              // both ends come to rest on edges
+    const std::string alone = told(path_in(1, problem, from, to));
+    for (const unsigned threads : {2U, 5U}) CHECK((told(path_in(threads, problem, from, to)) == alone));
+    CHECK((told(path_in(1, problem, from, (from + to) / 2)) != alone));
+  }
+}
+
+TEST_CASE("two tasks: at most as many threads as there may be, and what one throws is thrown") {
+  for (const int most : {1, 2, 3}) {
+    TaskThreads threads(static_cast<unsigned>(most));
+    std::atomic<int> running{0};
+    std::atomic<int> together{0};
+    const std::function<int(int)> leaves = [&](int depth) -> int {
+      if (depth > 0) {
+        const auto [left, right] = threads.both([&] { return leaves(depth - 1); }, [&] { return leaves(depth - 1); });
+        return left + right;
+      }
+      const int now = ++running;
+      for (int seen = together; now > seen && !together.compare_exchange_weak(seen, now);) {
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      --running;
+      return 1;
+    };
+    CHECK(leaves(5) == 32);
+    CHECK(together >= std::min(most, 2));
+    CHECK(together <= most);
+    const auto throws = []() -> int { throw std::runtime_error("here"); };
+    CHECK_THROWS_WITH(threads.both([] { return 1; }, throws), "here");
+    CHECK_THROWS_WITH(threads.both(throws, [] { return 1; }), "here");
+  }
+}
