@@ -42,6 +42,8 @@ TEST_CASE_TEMPLATE("sums over sources on hundreds of scales", R, Real50, Real100
     if (far.end > far.first + 1) {
       CHECK(size_of(R(far.value + near_sum(x, far.first + 1, far.end).first - value)) > 8 * epsilon<R>() * size);
     }
-    CHECK(size_of(R(graded.at(x * (1 + 1e-20)).value + near - value)) > 8 * epsilon<R>() * size * (x == 0 ? -1 : 1));
+    if (x > 0) {
+      CHECK(size_of(R(graded.at(x * (1 + R(1e-20))).value + near - value)) > 8 * epsilon<R>() * size);
+    }
   }
 }
