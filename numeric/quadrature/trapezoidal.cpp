@@ -137,7 +137,8 @@ struct Grid<R>::Line {
 template <Real R>
 std::shared_ptr<const typename Grid<R>::Line> Grid<R>::line() const {
   if constexpr (std::same_as<R, double>) {
-    if (density_.size() < hierarchical::fewest_panels) return nullptr;
+    // A displacement has a logarithm for every sample: cells are worth while for fewer panels than in sums of quotients.
+    if (density_.size() < hierarchical::fewest_panels / 4) return nullptr;
     std::vector<std::size_t> leaf_of, panel_of;
     std::vector<double> lengths, weights;
     std::vector<hierarchical::Source> sources;

@@ -11,6 +11,9 @@ namespace {
 /// More numbers than this are not kept of all densities.
 constexpr std::size_t most_kept = 4'000'000;
 
+/// After so many sums over all sources, moments of them cost no more.
+constexpr std::size_t worth_while = 48;
+
 /// Subtracts term x^j from entry j.
 template <Real R>
 void subtract_powers(std::vector<Estimate<R>>& moments, Estimate<R> term, const R& x) {
@@ -140,7 +143,6 @@ const std::vector<R>& ContactQuadrature<R>::density(std::size_t slope, std::size
 template <Real R>
 const DistantSum<R>* ContactQuadrature<R>::distant_sum(const Panel& panel, std::size_t slope, const R* density) const {
   if constexpr (!std::same_as<R, double>) {
-    constexpr std::size_t worth_while = 48;
     if (!y_->pivots().empty() || densities_.size() * nodes_.size() > most_kept) return nullptr;
     std::vector<DistantPanel>& of_slope = distant_[slope];
     of_slope.resize(panels_.size());
@@ -151,6 +153,34 @@ const DistantSum<R>* ContactQuadrature<R>::distant_sum(const Panel& panel, std::
       distant.sum = DistantSum<R>(mirrored ? rule.from_right : rule.from_left, density);
     }
     if (distant.asked >= worth_while) return &distant.sum;
+  }
+  return nullptr;
+}
+
+template <Real R>
+GradedSum<R>* ContactQuadrature<R>::graded_sum(std::size_t segment, Side end, std::size_t slope,
+                                               const R* density) const {
+  if constexpr (!std::same_as<R, double>) {
+    constexpr std::size_t many_panels = 48;
+    const std::size_t first = first_panel_[segment];
+    const std::size_t count = first_panel_[segment + 1] - first;
+    if (!y_->pivots().empty() || count < many_panels) return nullptr;
+    GradedSegment& graded = graded_[{slope, segment, end}];
+    if (++graded.asked == worth_while) {
+      const bool from_left = end == Side::left;
+      std::vector<typename GradedSum<R>::Panel> panels;
+      for (std::size_t n = 0; n < count; ++n) {
+        const Panel& panel = panels_[from_left ? first + n : first + count - 1 - n];
+        const R& begin = from_left ? panel.rule.part.from_left : panel.rule.part.from_right;
+        auto& made = panels.emplace_back(typename GradedSum<R>::Panel{begin, begin + panel.rule.part.length, {}, {}});
+        for (std::size_t i = panel.first; i < panel.first + panel.rule.rule->size(); ++i) {
+          made.y.push_back(from_left ? nodes_[i].node.from_left : nodes_[i].node.from_right);
+          made.f.push_back(density[i - panels_[first].first]);
+        }
+      }
+      graded.sum = GradedSum<R>(std::move(panels));
+    }
+    if (graded.asked >= worth_while) return &graded.sum;
   }
   return nullptr;
 }
@@ -228,7 +258,17 @@ Estimate<R> ContactQuadrature<R>::sum_of_panels(std::size_t slope, std::size_t c
   const ContactSet<R>& set = y_->set();
   const auto add = [&](std::size_t segment, const R& between) {
     if (segment < first || segment >= end || !set.in_contact(segment) || y_->slope_at(segment) == slope) return;
-    for (std::size_t k = first_panel_[segment]; k < first_panel_[segment + 1]; ++k) {
+    const std::size_t panel = first_panel_[segment];
+    std::pair<std::size_t, std::size_t> near{panel, first_panel_[segment + 1]};
+    const bool is_right = at.segment < static_cast<std::ptrdiff_t>(segment);
+    if (auto* graded = graded_sum(segment, is_right ? Side::left : Side::right, slope,
+                                  &density[first_node(segment) - first_node(first)])) {
+      const auto far = graded->at(between);
+      total += Estimate<R>{is_right ? far.value : R(-far.value), R(far.size)};
+      near = is_right ? std::pair(panel + far.first, panel + far.end)
+                      : std::pair(near.second - far.end, near.second - far.first);
+    }
+    for (std::size_t k = near.first; k < near.second; ++k) {
       const std::size_t node = panels_[k].first - first_node(first);
       total += panel_cauchy(panels_[k], slope, component, at, between, &weights[node], &density[node]);
     }

@@ -5,6 +5,7 @@
 //
 // with g the slope of the profile and g_k its polynomial on one piece.
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -12,6 +13,7 @@
 
 #include "numeric/number/estimate.hpp"
 #include "numeric/quadrature/distant_sum.hpp"
+#include "numeric/quadrature/graded_sum.hpp"
 #include "numeric/riemann_hilbert/jacobi_panels.hpp"
 
 namespace steadyslide::numeric {
@@ -69,6 +71,8 @@ class ContactQuadrature {
   /// A panel's sum for points far away from it, above double and without pivots, once it has been asked for so often that
   /// moments are worth while; null before.
   const DistantSum<R>* distant_sum(const Panel& panel, std::size_t slope, const R* density) const;
+  /// The same of a segment with many panels, for places beyond that end of it.
+  GradedSum<R>* graded_sum(std::size_t segment, Side end, std::size_t slope, const R* density) const;
 
   // In double, panels far away by cells (contact_quadrature_cells.cpp).
   struct Cells;
@@ -96,6 +100,11 @@ class ContactQuadrature {
     DistantSum<R> sum;
   };
   mutable std::vector<std::vector<DistantPanel>> distant_;  ///< of each slope, panel by panel
+  struct GradedSegment {
+    std::size_t asked = 0;
+    GradedSum<R> sum;
+  };
+  mutable std::map<std::tuple<std::size_t, std::size_t, Side>, GradedSegment> graded_;  ///< by slope, segment, end
   // With pivots those of the place asked for last: neighbours follow each other.
   mutable std::size_t last_component_ = 0;
   mutable std::size_t last_slope_ = 0;

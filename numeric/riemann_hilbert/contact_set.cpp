@@ -95,6 +95,11 @@ void ContactSet<R>::refresh() {
     if (points_[j].is_movable()) movable_.push_back(j);
   }
   place_points();
+  const std::vector<std::size_t> begins = all(Kind::begins);
+  const std::vector<std::size_t> ends = all(Kind::ends);
+  span_length_ = 0;
+  for (std::size_t k = begins.empty() ? lengths_.size() : begins.front(); !ends.empty() && k < ends.back(); ++k)
+    span_length_ += lengths_[k];
   blocks_.clear();
   if (lengths_.size() < 4 * block) return;
   for (std::size_t k = 0; k < lengths_.size(); ++k) {
@@ -193,16 +198,6 @@ bool ContactSet<R>::is_consistent() const {
   }
   const bool positive = std::ranges::all_of(lengths_, [](const R& length) { return length > 0; });
   return !contact && positive && components() > 0;
-}
-
-template <Real R>
-R ContactSet<R>::span_length() const {
-  const std::vector<std::size_t> begins = all(Kind::begins);
-  const std::vector<std::size_t> ends = all(Kind::ends);
-  if (begins.empty()) return R(0);
-  R sum = 0;
-  for (std::size_t k = begins.front(); k < ends.back(); ++k) sum += lengths_[k];
-  return sum;
 }
 
 template <Real R>

@@ -72,7 +72,7 @@ class ContactSet {
   /// Does contact begin and end in turns, at least once, with lengths > 0 between all points?
   bool is_consistent() const;
   /// From the first end to the last one.
-  R span_length() const;
+  const R& span_length() const { return span_length_; }
   /// Is segment k half of a short gap over a notch, a wedge with D < 0, both ends free? Such a gap keeps a traction
   /// like d^beta, or like log d, from pulling in the corner: its length counts by its order of magnitude.
   bool is_over_notch(std::size_t k) const;
@@ -112,6 +112,7 @@ class ContactSet {
   std::vector<std::size_t> intervals_;
   std::vector<std::size_t> movable_;
   std::vector<R> x_;
+  R span_length_ = 0;
   std::vector<R> blocks_;  ///< lengths of `block` segments each
   static constexpr std::size_t block = 64;
 

@@ -168,6 +168,19 @@ TEST_CASE("unresolved gaps go on with the law of those that have ends") {
   CHECK(unresolved > 0);
 }
 
+TEST_CASE("50 digits beside a gap over a notch, on a hundred octaves") {
+  for (const bool mirrored : {false, true}) {
+    CAPTURE(mirrored);
+    const auto found = solved<Real50>(notch(0.9_r, mirrored));
+    const auto residuals = found->residuals();
+    CHECK(residuals.equation < 1e-52);
+    CHECK(residuals.load < 1e-52);
+    const auto rough = solved<double>(notch(0.9_r, mirrored));
+    CHECK(static_cast<double>(found->resultants().effective_friction.value) ==
+          doctest::Approx(rough->resultants().effective_friction.value).epsilon(1e-13));
+  }
+}
+
 TEST_CASE("no solution of a random notch over a jump has a sign that is known to be wrong") {
   int solved_ones = 0;
   CHECK(rc::check("random slopes, frictions and loads", [&] {
