@@ -61,8 +61,11 @@ def traction(t):
              ("libmvec, SSE2", "double/libmvec/baseline"))
     points = 1e6
     rows = [[text, short(t.of[name] / points, 3) + " ns", t.ratio(floor, name)] for text, name in names if name in t.of]
-    rows.append(["50 digits: tractions / floor", "", t.ratio("50 digits/on_panels", "50 digits/floor")])
-    return (table(["a point", "time", "floor / time"], rows),)
+    points = 1e5
+    digits = [[f"{d} digits"] + [short(t.of[f"{d} digits/{name}"] / points / 1000, 3) + " us" for name in ("arb", "on_panels")] +
+              [t.ratio(f"{d} digits/on_panels", f"{d} digits/arb", 3)] for d in (50, 100) if f"{d} digits/arb" in t.of]
+    return (table(["a point", "time", "floor / time"], rows),
+            table(["a point", "Arb's logarithms and exponential", "tractions", "ratio"], digits))
 
 
 def precision(t):
