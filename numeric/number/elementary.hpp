@@ -21,8 +21,10 @@ void log(mpfr_ptr result, mpfr_srcptr x);
 void exp(mpfr_ptr result, mpfr_srcptr x);
 void pow(mpfr_ptr result, mpfr_srcptr base, mpfr_srcptr exponent);
 
-/// prod x_j^{p_j} as e^(sum_j p_j log x_j): a logarithm a factor and one exponential, in one ball from end to end. To
-/// 2^-bits times the sum's size, relative.
+/// prod x_j^{p_j} as e^(sum_j p_j log x_j): a logarithm a factor and one exponential, in one ball from end to end. Each step
+/// is cut off, an error of 2^(1 - bits) of its result: of n factors the product's is below, relative,
+///
+///   (2 n + 4) 2^-bits (1 + sum_j |p_j log x_j|).
 class PowerProduct {
  public:
   explicit PowerProduct(mpfr_prec_t bits);
