@@ -48,6 +48,7 @@ class Newton {
       const R beside_wedges = follow_lengths(ends, hull);
       const auto [part, tightest] = admissible_part(ends);
       const bool moves = largest > rounding * hull || state_.set.is_over_notch(tightest);
+      if (goes_in_circles(beside_wedges)) break;
       if (part < 1 && state_.set.length(tightest) < limit(tightest) && moves) {
         return {std::move(state_), Status::collapse, tightest, std::nullopt, largest};
       }
@@ -141,6 +142,23 @@ class Newton {
     return largest;
   }
 
+  /// Has one end been the most restless for many steps, and is now about where it was?
+  bool goes_in_circles(const R& beside_wedges) {
+    using std::abs, std::log;
+    constexpr int many_steps = 24;
+    if (!restless_ || beside_wedges < R(0.1)) {
+      watched_.reset();
+      return false;
+    }
+    const R& length = state_.set.length(state_.set.inside(*restless_));
+    if (watched_ != restless_) {
+      watched_ = restless_;
+      watched_length_ = length;
+      watched_steps_ = 0;
+    }
+    return ++watched_steps_ > many_steps && abs(log(length / watched_length_)) < 3;
+  }
+
   /// How much of the step leaves every segment a tenth of its length at least, and the segment that says so. The length
   /// beyond a break counts as admissible until it is below its limit.
   std::pair<R, std::size_t> admissible_part(const std::vector<R>& ends) const {
@@ -187,6 +205,9 @@ class Newton {
   JacobiRules<R>& rules_;
   std::vector<std::size_t> free_;
   std::optional<std::size_t> restless_;
+  std::optional<std::size_t> watched_;  ///< as long as it is the restless one
+  R watched_length_ = 0;                ///< where it began to be
+  int watched_steps_ = 0;
   R damping_ = 1;  ///< of steps over notches
 };
 
