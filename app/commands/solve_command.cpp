@@ -42,7 +42,8 @@ void write(const SolveOptions& options, const Problem& problem, const Result& re
 }
 
 SolutionText solve_shown(const SolveOptions& options, const Problem& problem, SolutionWanted solution) {
-  Solver::Wanted wanted{options.method, std::move(solution), options.variational(), options.certify};
+  Solver::Wanted wanted{options.method, std::move(solution), options.variational(), options.certify,
+                        false,          options.jobs};
   std::optional<Progress> progress;
   if (takes_variational(options.method, problem.contact, options.certify))
     wanted.variational.progress = follow(progress.emplace(1));

@@ -37,8 +37,8 @@ void refuse_conflicts(const Given& given, const SolveOptions& options) {
     refuse("--load-steps", {"--stress-at", "--loads-on", "--max-stress"}, "stresses and forces are those of one load");
   }
   if (options.plot) refuse("--plot", {"--load-steps", "--search-solutions"}, "a picture shows one solution");
-  if (given.has("--jobs") && (options.load_steps.empty() || !options.certify)) {
-    throw bad_command_line("--jobs: nothing to share", "it goes with --load-steps and --certify", given.text("--jobs"));
+  if (given.has("--jobs") && !options.certify) {
+    throw bad_command_line("--jobs: nothing to share", "it goes with --certify", given.text("--jobs"));
   }
   if (given.has("--depth") && !given.has("--max-stress")) {
     throw bad_command_line("--max-stress: missing", "--depth is that of the largest stress", "--depth");
@@ -106,7 +106,7 @@ std::vector<Option> solve_option_list() {
         "Start from N contact sets, 1 to 1000: do all lead to one solution? By the variational method"},
        certify_option("Prove the solution, enclose every number in ball arithmetic; exit code 1 if unproved"),
        {"--certificate", "FILE", "Write the proof's certificate, for steadyslide-check; implies --certify"},
-       jobs_option("With --load-steps and --certify: loads proved"),
+       jobs_option("With --certify: threads"),
        schema_option()},
       "Significant digits, 1 to 100, with --certify 1000; default 16", formats);
 }

@@ -22,7 +22,7 @@ struct SolveOptions {
   bool both_directions;
   int samples;             ///< 0: none
   std::string load_steps;  ///< a list; empty: the file's load
-  unsigned jobs;           ///< threads that prove what lies between them
+  unsigned jobs;           ///< threads that certify
   int search_starts;       ///< of a search for several solutions; 0: one solve
   std::optional<int> cells;
   std::optional<int> iterations;

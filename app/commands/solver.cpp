@@ -80,7 +80,7 @@ SolutionText Solver::prove_in(const Problem& problem) {
   if (text.is_solved()) last = found.solution;
   const auto proof =
       enclosure::prove_contact(problem.contact, found.solution->approximate_contact(), wanted_.solution.digits);
-  certify(text, problem, proof, wanted_.solution);
+  certify(text, problem, proof, wanted_.solution, wanted_.jobs);
   return text;
 }
 

@@ -22,7 +22,7 @@ class Solver {
     numeric::VariationalOptions variational;
     bool certify = false;      ///< proof, and enclosed numbers
     bool certificate = false;  ///< for another program to prove again
-    unsigned jobs = 1;         ///< threads for what lies between two loads
+    unsigned jobs = 1;         ///< threads that certify
   };
 
   explicit Solver(Wanted wanted) : wanted_(std::move(wanted)) {}

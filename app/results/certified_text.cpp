@@ -34,8 +34,9 @@ Ball relative_radius(const std::vector<Ball>& balls) {
 
 class CertifiedWriter {
  public:
-  CertifiedWriter(SolutionText& text, const Problem& problem, const enclosure::ContactProof& proof, int digits)
-      : text_(text), problem_(problem.contact), solution_(problem.contact, proof), digits_(digits) {}
+  CertifiedWriter(SolutionText& text, const Problem& problem, const enclosure::ContactProof& proof, int digits,
+                  unsigned threads)
+      : text_(text), problem_(problem.contact), solution_(problem.contact, proof, threads), digits_(digits) {}
 
   void write(const std::vector<Rational>& places, const FieldWanted& field) {
     std::vector<Ball> ends;
@@ -173,7 +174,7 @@ class CertifiedWriter {
 }  // namespace
 
 void certify(SolutionText& text, const Problem& problem, const enclosure::ContactProof& proof,
-             const SolutionWanted& wanted) {
+             const SolutionWanted& wanted, unsigned threads) {
   ProofText told{proof.proved, proof.reason, {}, proof.bits, proof.intervals, {}};
   if (proof.where) told.x = format_number(*proof.where, 6);
   if (!proof.proved) {
@@ -186,7 +187,7 @@ void certify(SolutionText& text, const Problem& problem, const enclosure::Contac
     places.push_back(parse_rational(text.samples[i].x));
   }
   text.digits = wanted.digits;
-  CertifiedWriter(text, problem, proof, wanted.digits).write(places, wanted.field);
+  CertifiedWriter(text, problem, proof, wanted.digits, threads).write(places, wanted.field);
   told.certificate = certificate(problem.contact, proof, wanted.digits);
   text.proof = std::move(told);
   // What the approximation could not vouch for is proved.

@@ -8,9 +8,9 @@
 namespace steadyslide::app {
 
 /// `text` is that of the approximation that the proof began with. Not proved: its numbers stay, and the reason is its
-/// failed condition.
+/// failed condition. `threads` share the work on its numbers.
 void certify(SolutionText& text, const Problem& problem, const enclosure::ContactProof& proof,
-             const SolutionWanted& wanted);
+             const SolutionWanted& wanted, unsigned threads);
 
 /// Puts load shares and effective friction as the bound encloses them into the text of a solution on cells; not proved: the
 /// reason is its failed condition.

@@ -3,6 +3,12 @@
 #include <algorithm>
 
 namespace steadyslide::enclosure {
+namespace {
+
+/// An expansion costs as much as so many.
+constexpr std::size_t few_panels = 12;
+
+}  // namespace
 
 int LocalValue::sign() const {
   const auto decided = [](const Ball& x) { return x.is_positive() ? 1 : x.is_negative() ? -1 : 0; };
@@ -155,9 +161,9 @@ void ContactForm::add_cauchy(std::size_t k, std::size_t segment, const Place& pl
   const Ball to_segment = distance(place, to_the_right ? segment : segment + 1);
   const std::size_t count = panels_[segment].size();
   PanelMoments::Rest rest{Ball(0, set_.bits()), 0, count};
-  // An expansion costs as much as a few panels, and loses what a wide distance leaves of it.
+  // An expansion loses what a wide distance leaves of it.
   const bool is_thin = to_segment.radius() * power(Ball(2, 64), 20) < to_segment;
-  if (count > 12 && is_thin) {
+  if (count > few_panels && is_thin) {
     if (const PanelMoments* all = moments(difference, segment, to_the_right ? Side::left : Side::right)) {
       rest = all->seen_from(to_segment);
       sum.regular += to_the_right ? rest.sum : -rest.sum;
@@ -186,6 +192,15 @@ void ContactForm::add_cauchy(std::size_t k, std::size_t segment, const Place& pl
     part_sum = Ball::plus_or_minus(
         part_sum, panel.remainder(panel.largest(difference.coefficients, ellipse) * pole_bound(clear), ellipse));
     sum.regular += to_the_right ? part_sum : -part_sum;
+  }
+}
+
+void ContactForm::prepare(std::size_t k, std::size_t segment) const {
+  for (std::size_t other = 0; other < set_.segments(); ++other) {
+    if (!set_.in_contact(other) || slopes_of_[other] == k || panels_[other].size() <= few_panels) continue;
+    const Side facing = other > segment ? Side::left : Side::right;
+    differences_[k][other].asked[facing == Side::left ? 0 : 1] = set_.bits();
+    moments(differences_[k][other], other, facing);
   }
 }
 

@@ -51,6 +51,8 @@ class ContactForm {
   ContactForm(ContactSet set, BallPolynomial q, Ball tilt, int count, JacobiRules& rules);
 
   const ContactSet& set() const { return set_; }
+  /// Nodes a panel.
+  int count() const { return count_; }
   /// With the load.
   const BallPolynomial& q() const { return q_; }
   /// B_k in a segment, k its own slope.
@@ -93,6 +95,8 @@ class ContactForm {
     return {set_, std::move(part), 1, lowered, count_, *rules_};
   }
   LocalValue regular_factor(std::size_t k, const Place& place) const;
+  /// Before B_k is asked for at many places of a segment: all moments that pay then are made, and threads may ask.
+  void prepare(std::size_t k, std::size_t segment) const;
   /// max |B_k| on the ellipse of a panel; without what a segment contributes.
   Ball bound(std::size_t k, const ContactPanel& panel, Ellipse ellipse,
              std::optional<std::size_t> without = std::nullopt) const;

@@ -1,5 +1,7 @@
 #include "enclosure/contact/contact_load.hpp"
 
+#include "enclosure/number/task_threads.hpp"
+
 namespace steadyslide::enclosure {
 
 bool ContactLoad::changes_polynomial(std::size_t j) const {
@@ -81,7 +83,7 @@ TractionRule ContactLoad::rule(ContactPanel::Part part) const {
 
 std::vector<TractionRule> ContactLoad::rules(std::size_t segment, const ContactPanel::Range& range,
                                              const Longest& longest) const {
-  std::vector<TractionRule> result;
+  std::vector<ContactPanel::Part> parts;
   const auto outward = [&](Side from, const ContactPanel::Range& distances) {
     const std::size_t j = from == Side::left ? segment : segment + 1;
     // Where the polynomial changes, a panel a fifth as long as the one on the other side.
@@ -89,7 +91,7 @@ std::vector<TractionRule> ContactLoad::rules(std::size_t segment, const ContactP
     if (changes_polynomial(j)) first = facing_panel(j, segment).part().length / Ball(5);
     for (ContactPanel::Part& part : ContactPanel::outward(set_, segment, from, distances, first)) {
       for (ContactPanel::Part& piece : ContactPanel::divided(std::move(part), longest)) {
-        result.push_back(rule(std::move(piece)));
+        parts.push_back(std::move(piece));
       }
     }
   };
@@ -99,10 +101,15 @@ std::vector<TractionRule> ContactLoad::rules(std::size_t segment, const ContactP
   const auto is_before = [](const Ball& a, const Ball& b) { return a.midpoint() < b.midpoint(); };
   const bool ends_before = is_before(range.to, half);
   if (is_before(range.from, half)) outward(Side::left, {range.from, ends_before ? range.to : half});
-  if (ends_before) return result;
-  const Ball rest = is_before(range.to, whole) ? whole - range.to : Ball(0, set_.bits());
-  outward(Side::right, {rest, is_before(range.from, half) ? half : whole - range.from});
-  return result;
+  if (!ends_before) {
+    const Ball rest = is_before(range.to, whole) ? whole - range.to : Ball(0, set_.bits());
+    outward(Side::right, {rest, is_before(range.from, half) ? half : whole - range.from});
+  }
+  const auto rule_of = [&](std::size_t i) { return rule(parts[i]); };
+  // Fewer places are asked for one by one: moments may not pay, and are counted for.
+  const bool are_many = 2 * static_cast<Bits>(parts.size()) * form_.count() > set_.bits();
+  if (are_many) form_.prepare(form_.slope_of(segment), segment);
+  return TaskThreads(are_many ? threads_ : 1).all(0, parts.size(), rule_of);
 }
 
 namespace {

@@ -37,8 +37,9 @@ struct TractionRule {
 
 class ContactLoad {
  public:
-  /// `form` has to outlive it.
-  explicit ContactLoad(const ContactForm& form) : form_(form), set_(form.set()) {}
+  /// `form` has to outlive it. `threads` share the work on many places; what they find does not depend on how many they are.
+  explicit ContactLoad(const ContactForm& form, unsigned threads = 1)
+      : form_(form), set_(form.set()), threads_(threads) {}
 
   Ball load_on(std::size_t segment) const;
   /// Between two distances from the segment's left point, the second of which may be the segment's length; `weight` is a
@@ -60,6 +61,7 @@ class ContactLoad {
 
   const ContactForm& form_;
   const ContactSet& set_;
+  unsigned threads_;
 };
 
 }  // namespace steadyslide::enclosure

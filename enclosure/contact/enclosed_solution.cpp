@@ -6,7 +6,7 @@ namespace steadyslide::enclosure {
 
 using Kind = ContactTopology::Kind;
 
-EnclosedSolution::EnclosedSolution(ContactProblem problem, const ContactProof& proof)
+EnclosedSolution::EnclosedSolution(ContactProblem problem, const ContactProof& proof, unsigned threads)
     : problem_(std::move(problem)),
       bits_(proof.bits),
       reduced_(std::make_shared<ReducedProblem>(proof.problem)),
@@ -14,7 +14,8 @@ EnclosedSolution::EnclosedSolution(ContactProblem problem, const ContactProof& p
       unit_(reduced_->frame.unit, bits_),
       origin_(reduced_->frame.origin, bits_),
       form_(proof.box.form(*reduced_, count_for(bits_), *rules_)),
-      tilt_(proof.box.tilt) {}
+      tilt_(proof.box.tilt),
+      threads_(threads) {}
 
 Ball EnclosedSolution::user(const Ball& xi) const { return origin_ + unit_ * xi; }
 
@@ -88,7 +89,7 @@ EnclosedSolution::Resultants EnclosedSolution::resultants() const {
   const std::size_t values = problem_.friction().values().size();
   std::vector<Ball> loads(values, Ball(0, bits_));
   for (std::size_t k = 0; k < set().segments(); ++k) {
-    if (set().in_contact(k)) loads[friction_of(k)] -= unit_ * ContactLoad(form_).load_on(k);
+    if (set().in_contact(k)) loads[friction_of(k)] -= unit_ * ContactLoad(form_, threads_).load_on(k);
   }
   Resultants result{Ball(0, bits_), Ball(0, bits_), Ball(0, bits_), Ball(0, bits_), {}};
   for (const Ball& load : loads) result.normal += load;

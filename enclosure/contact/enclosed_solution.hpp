@@ -19,8 +19,8 @@ namespace steadyslide::enclosure {
 
 class EnclosedSolution {
  public:
-  /// `proof` is one: proved.
-  EnclosedSolution(ContactProblem problem, const ContactProof& proof);
+  /// `proof` is one: proved. `threads`: of resultants().
+  EnclosedSolution(ContactProblem problem, const ContactProof& proof, unsigned threads = 1);
 
   struct End {
     Ball x;
@@ -102,6 +102,7 @@ class EnclosedSolution {
   Ball origin_;
   ContactForm form_;
   Ball tilt_;
+  unsigned threads_;
 };
 
 }  // namespace steadyslide::enclosure

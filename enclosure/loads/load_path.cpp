@@ -5,7 +5,7 @@
 #include "enclosure/loads/closing_gap.hpp"
 #include "enclosure/loads/contact_anchors.hpp"
 #include "enclosure/loads/contact_change.hpp"
-#include "enclosure/loads/task_threads.hpp"
+#include "enclosure/number/task_threads.hpp"
 #include "model/invalid_data.hpp"
 
 namespace steadyslide::enclosure {

@@ -4,8 +4,12 @@
 #include <flint/flint.h>
 
 #include <atomic>
+#include <cstddef>
 #include <future>
+#include <iterator>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace steadyslide::enclosure {
 
@@ -35,6 +39,22 @@ class TaskThreads {
     });
     auto one = run(first);
     return std::pair(std::move(one), other.get());
+  }
+
+  /// make(first), ..., make(last - 1).
+  template <class Make>
+  std::vector<std::invoke_result_t<Make, std::size_t>> all(std::size_t first, std::size_t last, const Make& make) {
+    std::vector<std::invoke_result_t<Make, std::size_t>> made;
+    if (first == last) return made;
+    if (first + 1 == last) {
+      made.push_back(make(first));
+      return made;
+    }
+    const std::size_t middle = first + (last - first) / 2;
+    auto halves = both([&] { return all(first, middle, make); }, [&] { return all(middle, last, make); });
+    made = std::move(halves.first);
+    std::move(halves.second.begin(), halves.second.end(), std::back_inserter(made));
+    return made;
   }
 
  private:
