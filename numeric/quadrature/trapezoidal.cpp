@@ -123,7 +123,7 @@ Grid<R>::Grid(PiecewiseDensity<R> density)
     : density_(std::move(density)), step_(step_length<R>()), shortest_(infinity<R>()) {
   for (const PanelDensity<R>& panel : density_) shortest_ = std::min(shortest_, panel.panel.length);
   samples_.reserve(density_.size());
-  for (const PanelDensity<R>& panel : density_) samples_.push_back(sample(panel, R(0)));
+  for (std::size_t k = 0; k < density_.size(); ++k) samples_.push_back(sample(k, R(0)));
   line_ = line();
 }
 
@@ -177,16 +177,21 @@ R Grid<R>::reach_for_others(const PanelDensity<R>& density) const {
 }
 
 template <Real R>
-typename Grid<R>::Samples Grid<R>::sample(const PanelDensity<R>& density, const R& offset) const {
-  using std::ceil, std::min;
+typename Grid<R>::Samples Grid<R>::sample(std::size_t panel_index, const R& offset) const {
+  using std::ceil, std::log, std::max, std::min;
+  const PanelDensity<R>& density = density_[panel_index];
   const Panel<R>& panel = density.panel;
   // Beyond this tau the density is its end power to full accuracy, and so is its product with a Cauchy kernel.
   const R constant_beyond = accuracy<R>() + margin<R>() + reach_for_others(density);
-  const auto reach = [&](const Power<R>& power) {
-    return min(constant_beyond, (5 + constant_beyond) / power.plus_one);
+  const auto reach = [&](const Power<R>& power, const R& gap) {
+    const R usual = min(constant_beyond, R((5 + constant_beyond) / power.plus_one));
+    if (gap == 0) return usual;
+    // Farther out than a short gap is long, the end beyond it has a part in the power.
+    return max(usual, min(R(2 * constant_beyond), R(log(panel.length / gap) + margin<R>())));
   };
-  const auto lowest = static_cast<long>(ceil((-reach(density.left) - offset) / step_));
-  const auto highest = static_cast<long>(ceil((reach(density.right) - offset) / step_));
+  const R right_gap = panel_index + 1 < density_.size() ? density_[panel_index + 1].gap : R(0);
+  const auto lowest = static_cast<long>(ceil((-reach(density.left, density.gap) - offset) / step_));
+  const auto highest = static_cast<long>(ceil((reach(density.right, right_gap) - offset) / step_));
 
   Samples samples;
   samples.inner.reserve(static_cast<std::size_t>(highest - lowest + 1));
@@ -265,7 +270,7 @@ R Grid<R>::hilbert(const PanelPoint<R>& at) const {
   // Off the staggered position by delta the principal value is off by pi^2 t delta/h: only rounding may be let pass.
   const bool on_grid = abs(off_grid) < 8 * epsilon<R>() * (4 + abs(cells));
   R total = on_grid ? sum(own.panel, samples_[at.panel], cauchy_kernel)
-                    : sum(own.panel, sample(own, tau + step_ / 2), cauchy_kernel);
+                    : sum(own.panel, sample(at.panel, tau + step_ / 2), cauchy_kernel);
   if (line_) return (total + hilbert_of_others(at)) / pi<R>();
   for (std::size_t j = 0; j < density_.size(); ++j) {
     if (j == at.panel) continue;

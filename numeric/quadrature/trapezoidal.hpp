@@ -59,7 +59,7 @@ class Grid {
   /// All samples of a line of panels, and of the gaps between them.
   struct Line;
 
-  Samples sample(const PanelDensity<R>& density, const R& offset) const;
+  Samples sample(std::size_t panel_index, const R& offset) const;
   std::shared_ptr<const Line> line() const;
   /// The part of hilbert() that other panels have in it.
   R hilbert_of_others(const PanelPoint<R>& at) const;

@@ -168,14 +168,14 @@ TEST_CASE("unresolved gaps go on with the law of those that have ends") {
   CHECK(unresolved > 0);
 }
 
-TEST_CASE("50 digits beside a gap over a notch, on a hundred octaves") {
-  for (const bool mirrored : {false, true}) {
+TEST_CASE("50 digits beside a gap over a notch, on hundreds of octaves") {
+  for (const auto& [part, mirrored] : {std::pair(0.9_r, true), {0.99_r, false}}) {
     CAPTURE(mirrored);
-    const auto found = solved<Real50>(notch(0.9_r, mirrored));
+    const auto found = solved<Real50>(notch(part, mirrored));
     const auto residuals = found->residuals();
-    CHECK(residuals.equation < 1e-52);
-    CHECK(residuals.load < 1e-52);
-    const auto rough = solved<double>(notch(0.9_r, mirrored));
+    CHECK(residuals.equation < 1e-50);
+    CHECK(residuals.load < 1e-50);
+    const auto rough = solved<double>(notch(part, mirrored));
     CHECK(static_cast<double>(found->resultants().effective_friction.value) ==
           doctest::Approx(rough->resultants().effective_friction.value).epsilon(1e-13));
   }
