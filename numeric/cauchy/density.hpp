@@ -18,7 +18,8 @@ struct PanelDensity {
   Power<R> left;
   Power<R> right;
   std::function<R(const Node<R>&)> smooth;
-  R gap = 0;  ///< from the panel before: without contact
+  R gap = 0;                 ///< from the panel before: without contact
+  bool is_constant = false;  ///< `smooth` is one number
 
   R operator()(const Node<R>& node) const {
     R value = smooth(node);

@@ -30,6 +30,7 @@ struct PowerTraction {
       };
       result.push_back({weight.panel(k), weight.powers()[k], weight.powers()[k + 1], smooth});
     }
+    if (result.size() == 1) result.front().is_constant = true;
     return result;
   }
 };

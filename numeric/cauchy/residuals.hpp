@@ -3,6 +3,7 @@
 // double-exponential grid where it suits, else by the trapezoidal one.
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <variant>
 
@@ -11,6 +12,14 @@
 #include "numeric/quadrature/double_exponential_grid.hpp"
 
 namespace steadyslide::numeric {
+
+/// Where a gap is looked at, over its length: Chebyshev's points, as double knows them.
+template <Real R>
+std::array<R, 8> gap_places() {
+  std::array<R, 8> result;
+  for (int i = 0; i < 8; ++i) result[static_cast<std::size_t>(i)] = chebyshev_position<double>(i, 8).first;
+  return result;
+}
 
 template <Real R>
 class SurfaceCheck {

@@ -41,10 +41,15 @@ PanelDensity<R> panel_density(const RiemannHilbertForm<R>& form, std::size_t seg
 template <Real R>
 PiecewiseDensity<R> traction_density(const RiemannHilbertForm<R>& form) {
   PiecewiseDensity<R> result;
+  std::size_t last = 0;
   for (std::size_t k = 0; k < form.set().segments(); ++k) {
-    if (form.set().in_contact(k)) result.push_back(panel_density(form, k));
+    if (!form.set().in_contact(k)) continue;
+    result.push_back(panel_density(form, k));
+    last = k;
   }
   if (!result.empty()) result.front().gap = 0;
+  // No singular point but the ends of the only panel.
+  if (result.size() == 1) result.front().is_constant = form.regular_value_is_constant(form.slope_at(last));
   return result;
 }
 

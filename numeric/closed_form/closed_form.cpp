@@ -65,7 +65,7 @@ std::vector<SolvedSingularPoint<R>> ClosedForm<R>::singular_points() const {
     const Estimate<R> theta = intensity(j);
     const auto on_side = [&](std::size_t piece) {
       const R factor = is_end ? R(1) : cos_pi_alpha<R>(problem_.coupled_friction(data_.first_piece + piece));
-      return stress_intensity_of<R>(factor * theta, data_.exponents[j]);
+      return stress_intensity_of<R>(factor * theta, weight().powers()[j].value);
     };
     StressIntensity<R> k;
     if (j > 0) k.left = on_side(j - 1);
@@ -189,10 +189,10 @@ Residuals<R> ClosedForm<R>::residuals() const {
   result.load = abs(check().integral() + load) / load;
   R deepest = 0;
   for (const Side side : {Side::left, Side::right}) {
-    constexpr int places = 8;
     const R length = gap_length(side);
-    for (int i = 0; length > 0 && i < places; ++i) {
-      const R distance = length * chebyshev_position<R>(i, places).first;
+    if (length == 0) continue;
+    for (const R& part : gap_places<R>()) {
+      const R distance = length * part;
       const std::size_t panel = side == Side::left ? 0 : weight().panel_count() - 1;
       const R end = weight().point(side == Side::left ? 0 : weight().panel_count());
       const R x = side == Side::left ? end - distance : end + distance;

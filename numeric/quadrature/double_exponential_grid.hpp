@@ -4,9 +4,10 @@
 //   y = 1/(1 + e^{-2u}), 1 - y = 1/(1 + e^{2u}), u = (pi/2) sinh tau, dy = pi cosh(tau) y (1-y) dtau [TM74],
 //
 // and the trapezoidal rule in tau: a tenth of the nodes of trapezoidal.hpp, whose tau goes without the sinh. Powers at
-// a panel's ends are one exponential a node, or two nodes where they add up to a whole number; the logarithms of y and 1-y
-// are made once a step. With the nodes staggered half a step off the pole the rule gives the principal value; 1/(y' - y) on
-// the pole's own panel depends on the step and the place alone, and is made once for both.
+// a panel's ends are one exponential a node, or two nodes where they add up to a whole number, and all there is to a node
+// where the rest of t is constant; the logarithms of y and 1-y are made once a step. With the nodes staggered half a step
+// off the pole the rule gives the principal value; 1/(y' - y) on the pole's own panel depends on the step and the place
+// alone, and is made once for both. Sums on that panel are exact, of integers with the digits of the largest sample.
 //
 // Error. A singular point at |Im tau| = b leaves e^{-2 pi b/h} of a step h; sinh tau is known there up to 2i:
 //
@@ -26,7 +27,7 @@ namespace steadyslide::numeric::double_exponential {
 /// Principal values are taken no nearer to an end than this part of a panel: to one that touches another panel, and to
 /// one that does not.
 inline constexpr double nearest_beside_a_panel = 0.25;
-inline constexpr double nearest_place = 0.125;
+inline constexpr double nearest_place = 0.1875;
 
 template <Real R>
 class Grid {
@@ -37,7 +38,7 @@ class Grid {
   explicit Grid(const PiecewiseDensity<R>& density);
 
   /// Its error is that of rounding.
-  Estimate<R> panel_integral(std::size_t k) const;
+  const Estimate<R>& panel_integral(std::size_t k) const { return panels_[k].integral; }
   /// int t.
   R integral() const;
   /// The largest t at a node, from 1e-6 of a panel's length from one end to 1e-6 from the other.
@@ -57,10 +58,9 @@ class Grid {
   Estimate<double> rough_displacement(std::size_t k, Side end, double distance) const;
 
  private:
-  struct Sample {
+  struct Distances {
     R from_left;
     R from_right;
-    R weighted;  ///< t(x) dx/dtau h
   };
   struct RoughSample {
     double from_left;
@@ -72,13 +72,18 @@ class Grid {
     R gap;      ///< from the panel before
     int step;   ///< h in units of 1/1024
     int first;  ///< the first sample lies at tau = first h
-    std::vector<Sample> samples;
+    R factor;
+    std::vector<R> weighted;        ///< times the factor: t(x) dx/dtau h
+    int shift;                      ///< of the integers
+    std::vector<Integer> integers;  ///< 2^shift times `weighted`, all digits of the largest
+    std::vector<Distances> nodes;   ///< for points of other panels; empty where there are none
     std::vector<RoughSample> rough;
+    Estimate<R> integral;
     R highest;
   };
 
   R between(std::size_t j, std::size_t k) const;
-  PanelSamples sampled(const PanelDensity<R>& density, int step) const;
+  static PanelSamples sampled(const PanelDensity<R>& density, int step, bool alone);
 
   std::vector<PanelSamples> panels_;
 };

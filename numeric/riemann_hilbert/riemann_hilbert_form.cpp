@@ -146,6 +146,13 @@ R RiemannHilbertForm<R>::regular_value(std::size_t slope, const SurfacePoint<R>&
 }
 
 template <Real R>
+bool RiemannHilbertForm<R>::regular_value_is_constant(std::size_t slope) const {
+  const std::vector<R>& p = polynomials_[slope];
+  return y_->pivots().empty() && quadrature_.vanishes() &&
+         std::all_of(p.begin() + 1, p.end(), [](const R& coefficient) { return coefficient == 0; });
+}
+
+template <Real R>
 Estimate<R> RiemannHilbertForm<R>::regular_factor_at(std::size_t j, Side side) const {
   const auto factor = [&] {
     return regular_factor(slope_at(side == Side::left ? j - 1 : j), beside(set(), j, side, R(0)));

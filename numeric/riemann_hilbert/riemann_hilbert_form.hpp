@@ -62,6 +62,8 @@ class RiemannHilbertForm {
   Estimate<R> regular_factor(std::size_t slope, const SurfacePoint<R>& at) const;
   /// B_k alone.
   R regular_value(std::size_t slope, const SurfacePoint<R>& at) const;
+  /// Is B_k one number: one polynomial of degree 0 over one component?
+  bool regular_value_is_constant(std::size_t slope) const;
   /// B_k at point j of the set, k the slope on that side; where the contact changes its polynomial at j, what is left
   /// of B_k without its singular term there (a multiple of |x - x_j|^-p, or of log|x - x_j| where p = 0).
   Estimate<R> regular_factor_at(std::size_t j, Side side) const;

@@ -193,7 +193,7 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
   for (std::size_t j = 0; j < contact_set().points().size(); ++j) {
     if (contact_set().point(j).is_end()) {
       ContactEnd<R> end = contact_end(j);
-      const Estimate<R> there = stress_intensity_of<R>(end.intensity, end.exponent);
+      const Estimate<R> there = stress_intensity_of<R>(end.intensity, form_.power(j).value);
       const bool on_right = contact_set().contact_side(j) == Side::right;
       const StressIntensity<R> k = on_right ? StressIntensity<R>{{}, there} : StressIntensity<R>{there, {}};
       result.push_back({end.x, end.kind, std::move(end.exponent), end.intensity, {}, k});
@@ -206,7 +206,7 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
       const SingularKind kind = has_corner ? SingularKind::wedge_and_jump : SingularKind::friction_jump;
       const Estimate<R> theta = intensity(j);
       const auto on_side = [&](std::size_t segment) {
-        return stress_intensity_of<R>(reduced_.cos_alpha(form_.friction_at(segment)) * theta, beta);
+        return stress_intensity_of<R>(reduced_.cos_alpha(form_.friction_at(segment)) * theta, form_.power(j).value);
       };
       result.push_back({coordinate(j), kind, beta, theta, constant(j), {on_side(j - 1), on_side(j)}});
     } else if (has_corner) {
@@ -365,14 +365,12 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
 
   // Gaps: the profile against the displacement, both from the end of the contact that is next to the place.
   R deepest = 0;
-  constexpr int places = 8;
   for (std::size_t k = 0; k < contact_set().segments(); ++k) {
     if (contact_set().in_contact(k)) continue;
     std::vector<SurfacePoint<R>> all = form_.profile_extrema(k);
-    for (int i = 0; i < places; ++i) {
-      const auto [left, right] = chebyshev_position<R>(i, places);
-      const R& length = contact_set().length(k);
-      all.push_back(surface_point(contact_set(), k, left * length, right * length));
+    const R& length = contact_set().length(k);
+    for (const R& part : gap_places<R>()) {
+      all.push_back(surface_point(contact_set(), k, R(part * length), R((1 - part) * length)));
     }
     for (const SurfacePoint<R>& at : all) {
       const std::optional<std::size_t> end = nearest_end(at);

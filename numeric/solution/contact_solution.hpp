@@ -69,9 +69,9 @@ struct SolvedSingularPoint {
 
 /// theta' (2 pi)^-lambda, theta' = theta at an end, theta cos(pi alpha) at a jump.
 template <Real R>
-Estimate<R> stress_intensity_of(const Estimate<R>& coefficient, const Exponent& exponent) {
+Estimate<R> stress_intensity_of(const Estimate<R>& coefficient, const R& exponent) {
   using std::pow;
-  return pow(R(2 * pi<R>()), -to_real<R>(exponent)) * coefficient;
+  return pow(R(2 * pi<R>()), -exponent) * coefficient;
 }
 
 template <Real R>

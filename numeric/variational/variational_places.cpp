@@ -162,7 +162,7 @@ SolvedSingularPoint<double> VariationalSolution::solved_point(const Place& place
     if (!place.exponent) return;
     const auto on_side = [&](std::size_t piece) {
       const double factor = place.is_end() ? 1 : cos_pi_alpha<double>(problem_.coupled_friction(piece));
-      return stress_intensity_of<double>(factor * result.intensity, *place.exponent);
+      return stress_intensity_of<double>(factor * result.intensity, to_real<double>(*place.exponent));
     };
     if (!place.is_end() || place.contact == Side::left) result.stress_intensity.left = on_side(place.friction_left);
     if (!place.is_end() || place.contact == Side::right) result.stress_intensity.right = on_side(place.friction_right);

@@ -3,7 +3,10 @@
 #include "numeric/quadrature/double_exponential_grid.hpp"
 
 #include "numeric/cauchy/residuals.hpp"
+#include "numeric/cauchy/traction_density.hpp"
 #include "numeric/closed_form/closed_form.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 #include "support/numeric_test.hpp"
 
 namespace {
@@ -34,6 +37,12 @@ ContactProblem punch(std::vector<Rational> jumps) {
 template <Real R>
 PiecewiseDensity<R> traction_of(const ContactProblem& problem) {
   return std::get<ClosedFormData<R>>(closed_form_data<R>(problem)).traction.density();
+}
+
+/// Of a solution by Riemann-Hilbert, which has to outlive it.
+template <Real R>
+PiecewiseDensity<R> solved_traction(const ContactSolution<R>& solution) {
+  return traction_density(dynamic_cast<const RiemannHilbertSolution<R>&>(solution).form());
 }
 
 }  // namespace
@@ -89,6 +98,46 @@ TEST_CASE_TEMPLATE("panels that touch, of very different lengths: the trapezoida
       }
     }
   }
+}
+
+TEST_CASE_TEMPLATE("a density that says it is constant is sampled alike, and says the truth", R, Real50, Real100) {
+  const auto all_of_it = [](const PiecewiseDensity<R>& density) {
+    const Short<R> grid(density);
+    CHECK(grid.highest() < 0);
+    std::vector<R> values{grid.panel_integral(0).value};
+    for (const double place : {0.2, 0.5625, 0.8}) values.push_back(grid.hilbert(grid.midpoint_near(0, place)));
+    return values;
+  };
+  const auto are_alike = [](const std::vector<R>& a, const std::vector<R>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), [](const R& x, const R& y) { return agree(x, y); });
+  };
+  const auto under = [](const Polynomial& profile) {
+    return ContactProblem(Elasticity(Solid(0.3_r, 1)), FrictionProfile({0.4_r}, {}), Indenter(-9, {{9, profile}}), 1);
+  };
+  const ContactProblem parabola = under(Polynomial({0, 0, 1}));
+  for (const ContactProblem& problem : {punch({}), parabola}) {
+    const auto solved = riemann_hilbert<R>(problem).solution;
+    for (PiecewiseDensity<R> density : {traction_of<R>(problem), solved_traction(*solved)}) {
+      REQUIRE(density.size() == 1);
+      REQUIRE(density[0].is_constant);
+      const std::vector<R> quick = all_of_it(density);
+      density[0].is_constant = false;
+      CHECK(are_alike(quick, all_of_it(density)));
+      // However small it is; control: a factor that changes by 1e-20.
+      const auto smooth = density[0].smooth;
+      density[0].smooth = [&](const Node<R>& node) { return R(smooth(node) * R("1e-300")); };
+      std::vector<R> tiny = all_of_it(density);
+      for (R& value : tiny) value *= R("1e300");
+      CHECK(are_alike(quick, tiny));
+      density[0].smooth = [&](const Node<R>& node) { return R(smooth(node) * (1 + R("1e-20") * node.from_left)); };
+      CHECK_FALSE(are_alike(quick, all_of_it(density)));
+    }
+  }
+  CHECK_FALSE(traction_of<R>(punch({0_r}))[0].is_constant);
+  const auto solved = riemann_hilbert<R>(under(Polynomial({0, 0, 0, 0, 1}))).solution;
+  const auto density = solved_traction(*solved);
+  CHECK(density.size() == 1);
+  CHECK_FALSE(density[0].is_constant);
 }
 
 TEST_CASE("a panel billions of times as long as its neighbour is left to the trapezoidal grid") {
