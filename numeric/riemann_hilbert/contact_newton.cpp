@@ -45,7 +45,7 @@ class Newton {
       R largest = 0;
       for (const R& step : ends) largest = std::max(largest, abs(step));
       const R hull = state_.set.span_length();
-      const R beside_wedges = follow_lengths(ends, hull);
+      const R beside_wedges = follow_lengths(ends);
       const auto [part, tightest] = admissible_part(ends);
       const bool moves = largest > rounding * hull || state_.set.is_over_notch(tightest);
       if (goes_in_circles(beside_wedges)) break;
@@ -71,7 +71,8 @@ class Newton {
       if (settled || (part == 1 && at_rounding_level)) {
         if (!linear.is_complete()) break;
         const auto [ends_rounding, tilt_rounding] = linear.rounding();
-        return {std::move(state_), Status::converged, 0, std::nullopt, movement * hull, ends_rounding, tilt_rounding};
+        return {std::move(state_), Status::converged, 0, std::nullopt, movement * hull, beside_wedges,
+                ends_rounding,     tilt_rounding};
       }
       previous = part == 1 ? movement : infinity<R>();
       // Orders of magnitude that swing to and fro want shorter steps.
@@ -84,13 +85,6 @@ class Newton {
 
  private:
   R limit(std::size_t k) const { return state_.set.is_over_notch(k) ? problem_.shortest_gap() : limits_[k]; }
-
-  /// Does contact at the free end j reach just beyond a break of the profile? There the length l of that piece counts
-  /// by its order of magnitude: it carries a load like l^(1 - p), and p may be near 1.
-  bool is_beside_break(std::size_t j, const R& hull) const {
-    const auto* anchor = state_.set.anchor_at(state_.set.neighbour(j));
-    return anchor && anchor->is_break && state_.set.length(state_.set.inside(j)) < R(0.05) * hull;
-  }
 
   /// The logarithm of the factor of a gap's length over a notch, for the linear step `growth` of that logarithm: what
   /// is linear is not the logarithm but the traction beside the gap, like length^-beta.
@@ -119,7 +113,7 @@ class Newton {
   }
 
   /// Steps of such ends, and of gaps over notches, are steps of log l. Returns the largest of them.
-  R follow_lengths(std::vector<R>& ends, const R& hull) {
+  R follow_lengths(std::vector<R>& ends) {
     using std::abs, std::expm1;
     R largest = 0;
     restless_.reset();
@@ -131,7 +125,7 @@ class Newton {
         ++f;
         continue;
       }
-      if (!is_beside_break(j, hull)) continue;
+      if (!state_.set.is_beside_break(j)) continue;
       const R outwards = begins ? R(-1) : R(1);
       const R& length = state_.set.length(state_.set.inside(j));
       const R growth = outwards * ends[f] / length;
@@ -167,11 +161,10 @@ class Newton {
       change[free_[f] - 1] += ends[f];
       change[free_[f]] -= ends[f];
     }
-    const R hull = state_.set.span_length();
     std::vector<char> by_order(state_.set.segments(), 0);
     for (const std::size_t j : free_) {
       const std::size_t k = state_.set.inside(j);
-      by_order[k] = is_beside_break(j, hull) && state_.set.length(k) >= limits_[k];
+      by_order[k] = state_.set.is_beside_break(j) && state_.set.length(k) >= limits_[k];
     }
     for (std::size_t k = 0; k < change.size(); ++k) {
       if (state_.set.is_over_notch(k)) by_order[k] = state_.set.length(k) >= limit(k);

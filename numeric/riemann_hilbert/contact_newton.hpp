@@ -40,6 +40,7 @@ struct NewtonResult {
   std::optional<std::size_t> restless =
       std::nullopt;     ///< stalled: the end beyond a break that moved most, by its order
   R step = 0;           ///< the last movement of an end, at the end of the iteration
+  R change = 0;         ///< and the last of a length that counts by its order of magnitude, relative
   R end_rounding = 0;   ///< what rounding in the equations may have done to an end, in xi
   R tilt_rounding = 0;  ///< and to the tilt
 };

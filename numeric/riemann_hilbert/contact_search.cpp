@@ -18,6 +18,7 @@ class Search {
       : problem_(problem), rules_(rules), state_(std::move(start)) {}
 
   SearchResult<R> run() {
+    using std::sqrt;
     constexpr int max_rounds = 60;
     std::string why = "the contact set kept changing";
     for (int round = 0; round < max_rounds; ++round) {
@@ -38,6 +39,7 @@ class Search {
           const std::vector<Violation<R>> found = violations(form, newton.step);
           if (found.empty()) {
             SearchResult<R> solved = result({}, std::max(newton.step, newton.end_rounding), newton.tilt_rounding);
+            solved.length_error = std::max(R(4 * newton.change), R(sqrt(epsilon<R>())));
             solved.hairline_gaps = hairline_gaps(form, newton.step);
             return solved;
           }

@@ -211,6 +211,20 @@ bool ContactSet<R>::is_over_notch(std::size_t k) const {
 }
 
 template <Real R>
+bool ContactSet<R>::is_beside_break(std::size_t j) const {
+  const auto* anchor = anchor_at(neighbour(j));
+  return anchor && anchor->is_break && length(inside(j)) < R(0.05) * span_length();
+}
+
+template <Real R>
+R ContactSet<R>::displacement(std::size_t j, const EndErrors<R>& errors) const {
+  // Over a notch both ends move together: it is the gap's logarithm that has an error.
+  const bool by_order = is_over_notch(contact_side(j) == Side::right ? j - 1 : j) || is_beside_break(j);
+  const R part = by_order ? std::min(errors.part, errors.length) : errors.part;
+  return std::min(errors.distance, R(part * std::min(length(j - 1), length(j))));
+}
+
+template <Real R>
 void ContactSet<R>::move(const std::vector<R>& steps) {
   const std::vector<std::size_t> free = movable();
   for (std::size_t i = 0; i < free.size(); ++i) {

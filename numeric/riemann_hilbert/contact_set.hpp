@@ -13,6 +13,14 @@
 
 namespace steadyslide::numeric {
 
+/// How well free ends are known.
+template <Real R>
+struct EndErrors {
+  R distance;  ///< absolute, in xi,
+  R part = 1;  ///< but by no more than this part of the length beside them;
+  R length;    ///< and this part, where that length counts by its order of magnitude
+};
+
 template <Real R>
 class ContactSet {
  public:
@@ -76,6 +84,11 @@ class ContactSet {
   /// Is segment k half of a short gap over a notch, a wedge with D < 0, both ends free? Such a gap keeps a traction
   /// like d^beta, or like log d, from pulling in the corner: its length counts by its order of magnitude.
   bool is_over_notch(std::size_t k) const;
+  /// Does contact at the free end j reach just beyond a break of the profile? There the length l of that piece counts by
+  /// its order of magnitude: it carries a load like l^(1 - p), and p may be near 1.
+  bool is_beside_break(std::size_t j) const;
+  /// How far the free end j may be from where it is.
+  R displacement(std::size_t j, const EndErrors<R>& errors) const;
 
   /// Moves the movable ends by steps[i] (in the order of movable()).
   void move(const std::vector<R>& steps);

@@ -23,7 +23,8 @@ LeadingTerm<R> power_term(const RiemannHilbertForm<R>& form, std::size_t point, 
   const Estimate<R> b = form.regular_factor_at(point, side);
   const Side seen = is_end ? side : Side::right;
   // Lengths keep their relative precision, however small they are.
-  const R error = b.error + form.displaced(beside(set, point, seen, R(0)), end_error, sqrt(epsilon<R>()));
+  const R shift = sqrt(epsilon<R>());
+  const R error = b.error + form.displaced(beside(set, point, seen, R(0)), {end_error, shift, shift});
   R factor = -form.sign(static_cast<std::ptrdiff_t>(segment)) * form.amplitude(point);
   if (is_end) factor *= form.problem().cos_alpha(form.friction_at(segment));
   const bool decided = abs(b.value) > 4 * error;

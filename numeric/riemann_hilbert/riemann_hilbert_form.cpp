@@ -165,7 +165,7 @@ Estimate<R> RiemannHilbertForm<R>::regular_factor_at(std::size_t j, Side side) c
 }
 
 template <Real R>
-R RiemannHilbertForm<R>::displaced(const SurfacePoint<R>& at, const R& end_error, const R& part) const {
+R RiemannHilbertForm<R>::displaced(const SurfacePoint<R>& at, const EndErrors<R>& errors) const {
   using std::abs, std::sqrt;
   const std::vector<R> distances = this->distances(at);
   const auto& pivots = y_->pivots();
@@ -186,17 +186,13 @@ R RiemannHilbertForm<R>::displaced(const SurfacePoint<R>& at, const R& end_error
   R sum = 0;
   for (const std::size_t f : set().movable()) {
     if (distances[f] == 0) continue;
-    // Over a notch both ends move together: it is the gap's logarithm that has an error.
-    const bool in_notch = set().is_over_notch(set().contact_side(f) == Side::right ? f - 1 : f);
-    const R share = in_notch ? std::min(part, sqrt(epsilon<R>())) : part;
-    const R error = std::min(end_error, R(share * std::min(set().length(f - 1), set().length(f))));
     R b = regular_factor_at(f, set().contact_side(f)).value;
     if (!pivots.empty()) {
       const std::size_t own = y_->component_of(f);
       const std::size_t here = y_->component_at(at);
       if (own != here) b *= pivot_factor(f, own, false) / pivot_factor(f, here, f == pivots[own].point);
     }
-    sum += abs(power(f).value * b) * error / abs(distances[f]);
+    sum += abs(power(f).value * b) * set().displacement(f, errors) / abs(distances[f]);
   }
   return sum;
 }

@@ -67,10 +67,9 @@ class RiemannHilbertForm {
   /// B_k at point j of the set, k the slope on that side; where the contact changes its polynomial at j, what is left
   /// of B_k without its singular term there (a multiple of |x - x_j|^-p, or of log|x - x_j| where p = 0).
   Estimate<R> regular_factor_at(std::size_t j, Side side) const;
-  /// What free ends displaced by `end_error`, but by no more than `part` of the length beside them, do to B_k at a place; at a
-  /// free end, what the others do. Neighbouring solutions differ by Y sum_f p_f B(e_f) de_f/(z - e_f); with pivots those of
+  /// What free ends displaced by these errors do to B_k at a place; at a free end, what the others do. Neighbouring solutions differ by Y sum_f p_f B(e_f) de_f/(z - e_f); with pivots those of
   /// other components by this times (Y_j/Y_i)(e_f).
-  R displaced(const SurfacePoint<R>& at, const R& end_error, const R& part = R(1)) const;
+  R displaced(const SurfacePoint<R>& at, const EndErrors<R>& errors) const;
   /// t; zero off the contact.
   Estimate<R> traction(const SurfacePoint<R>& at) const;
   /// At many points of a segment in contact, by their distances from its ends, without errors: |Y| as

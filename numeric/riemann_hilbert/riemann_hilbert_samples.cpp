@@ -58,7 +58,7 @@ Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const {
     result.shear = {shear, shear};
   } else {
     // The slope is the profile's less a singular part: that is what ends move.
-    slope.error += 2 * form_.modulus(at) * form_.displaced(at, found_.end_error);
+    slope.error += 2 * form_.modulus(at) * form_.displaced(at, found_.ends());
   }
   slope *= c;
   if (const auto turned = tilt()) slope.error += turned->error;

@@ -53,7 +53,7 @@ R RiemannHilbertSolution<R>::relative_end_error(const SurfacePoint<R>& at) const
     const bool is_left = static_cast<std::ptrdiff_t>(j) <= at.segment;
     const R beside = is_left ? at.node.from_left : at.node.from_right;
     const R distance = std::max(beside, R(abs(at.node.x - contact_set().x(j))));
-    if (distance > 0) sum += 4 * abs(form_.power(j).value) * found_.end_error / distance;
+    if (distance > 0) sum += 4 * abs(form_.power(j).value) * contact_set().displacement(j, found_.ends()) / distance;
   }
   return sum;
 }
@@ -64,7 +64,7 @@ Estimate<R> RiemannHilbertSolution<R>::traction(const SurfacePoint<R>& at) const
   Estimate<R> t = form_.traction(at);
   const auto segment = static_cast<std::size_t>(at.segment);
   // Twice: q and the tilt go with the ends.
-  t.error += 2 * abs(form_.y().traction_factor(segment)) * form_.modulus(at) * form_.displaced(at, found_.end_error);
+  t.error += 2 * abs(form_.y().traction_factor(segment)) * form_.modulus(at) * form_.displaced(at, found_.ends());
   return t;
 }
 
@@ -83,7 +83,7 @@ Estimate<R> RiemannHilbertSolution<R>::amplitude(std::size_t j, Side side) const
   const R factor = form_.sign(at.segment) * form_.amplitude(j);
   const R relative = form_.fundamental_solution().relative_error(segment, at.node, R(0)) + 2 * relative_end_error(at);
   Estimate<R> b = form_.regular_factor_at(j, side).widened(relative);
-  b.error += 2 * form_.displaced(beside(contact_set(), j, side, R(0)), found_.end_error);
+  b.error += 2 * form_.displaced(beside(contact_set(), j, side, R(0)), found_.ends());
   return factor * b;
 }
 

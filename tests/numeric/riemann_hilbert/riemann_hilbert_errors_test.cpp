@@ -1,5 +1,6 @@
 // Does an estimated error cover the true one? Measured against more digits.
 
+#include "support/random_contact.hpp"
 #include "support/solved_contact.hpp"
 
 namespace {
@@ -147,4 +148,20 @@ TEST_CASE("free ends: what they are off by is covered by every estimate") {
       CHECK(displaced.uncovered() == 0);
     }
   }
+}
+
+TEST_CASE("contact that ends 1e-96 beyond a break: the length between is known to a part of itself") {
+  const ContactProblem problem = random_contact(20160262);
+  const auto rough = riemann_hilbert<double>(problem).solution;
+  CHECK(fault(*rough) == "");
+  CHECK(rough->estimated_error().traction <= 1e-6);
+  const auto exact = riemann_hilbert<Real50>(problem).solution;
+  const ContactEnd<double> end = rough->contact().front().left;
+  const ContactEnd<Real50> true_end = exact->contact().front().left;
+  REQUIRE(end.kind == SingularKind::free);
+  // Like the length to the power -0.976.
+  CHECK(end.intensity.value > 1e93);
+  CHECK(end.intensity.error < 1e-3 * end.intensity.value);
+  CHECK(true_end.intensity.error < Real50(1e-20) * true_end.intensity.value);
+  CHECK(abs(Real50(end.intensity.value) - true_end.intensity.value) <= Real50(end.intensity.error));
 }
