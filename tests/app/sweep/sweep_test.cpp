@@ -106,6 +106,25 @@ TEST_CASE("sweep: lists, profiles and keys that the problem lacks vary, too") {
         "-0.5,0,stress,edge,\n-0.5,x^2*8,stress,free,\n0.5,0,stress,edge,\n0.5,x^2*8,stress,free,\n");
 }
 
+TEST_CASE("sweep: columns of a second component, and of one that is not there") {
+  const std::string two_bumps =
+      replaced(replaced(sweep_base, "profile = 0", "support = [-2, 2]\nprofile = \"(x^2-1)^2/4\""), "load = 1",
+               "load = \"0.1\"");
+  const SweepFolder folder(
+      "[vary]\nsliding = [\"+x\"]\n[output]\ncolumns = [\"contact[0].width\", \"contact[1].width\", "
+      "\"contact[1].left.kind\", \"contact[2].width\", \"contact.size\"]\n");
+  folder.write("base.toml", two_bumps);
+  const std::vector<std::string> row = table_of(out_of(folder.sweep())).at(1);
+  const Json contact = Json::parse(output(two_bumps, {"--format", "json"})).at("contact");
+  REQUIRE(contact.size() == 2);
+  CHECK(row[1] == value_of(contact[0].at("width")).get<std::string>());
+  CHECK(row[2] == value_of(contact[1].at("width")).get<std::string>());
+  CHECK(row[1] != row[2]);
+  CHECK(row[3] == "free");
+  CHECK(row[4] == "");
+  CHECK(row[5] == "2");
+}
+
 TEST_CASE("sweep: measured profiles vary") {
   const SweepFolder folder(
       "[vary]\nindenter.samples = [\"flat.csv\", \"wedge.csv\"]\n[output]\ncolumns = [\"method\"]\n");

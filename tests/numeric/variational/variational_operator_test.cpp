@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "numeric/variational/contact_hull.hpp"
 #include "support/cells.hpp"
 
 namespace {
@@ -62,6 +63,26 @@ SystemSolution by_krylov(const DiscreteProblem& problem) {
 }
 
 }  // namespace
+
+TEST_CASE("a contact's hull is kept for one nearly the same, and made anew for one elsewhere") {
+  const DiscreteProblem problem = coated(1024, Sliding::plus_x, std::nullopt);
+  const auto from_to = [](std::size_t first, std::size_t end) {
+    CellSet contact(1024, 0);
+    std::fill(contact.begin() + static_cast<std::ptrdiff_t>(first), contact.begin() + static_cast<std::ptrdiff_t>(end),
+              1);
+    return contact;
+  };
+  const auto hull = contact_hull(problem, from_to(300, 700));
+  CHECK(hull->first <= 300);
+  CHECK(hull->first + hull->influence.size() >= 700);
+  CHECK(contact_hull(problem, from_to(301, 701), hull) == hull);
+  const auto other = contact_hull(problem, from_to(364, 764), hull);
+  CHECK(other != hull);
+  CHECK(other->influence.size() == hull->influence.size());
+  CHECK(other->first > 300);
+  CHECK(other->first <= 364);
+  CHECK(contact_hull(problem, from_to(0, 1024))->influence.size() == 1024);
+}
 
 TEST_CASE("products by Fourier transforms are those of the entries") {
   double control = 0;
