@@ -133,6 +133,22 @@ TEST_CASE("what solve warns of: a pressed notch whose gap has no number") {
   }
 }
 
+TEST_CASE("a gap of 1e-195 is answered in double: an intensity of 1e160 does not ask for more digits") {
+  const Problem notch = ProblemData{.load = "6.42392389782674",
+                                    .friction = {"16/5", 4},
+                                    .jumps = {0},
+                                    .gamma = "1/2",
+                                    .pieces = {{0, "x/5"}, {1, "-x/5"}}};
+  const Solution solution = solve(notch);
+  REQUIRE(solution.solved());
+  REQUIRE(solution.contact().size() == 2);
+  const Number intensity = solution.contact().front().right.intensity;
+  CHECK(intensity.value > 1e150);
+  CHECK(intensity.error < 1e-6 * intensity.value);
+  // What fifty digits would not leave open.
+  CHECK(intensity.error > 1e-14 * intensity.value);
+}
+
 TEST_CASE("on cells, too") {
   const Solution solution = solve(parabola(), {.method = "variational", .cells = 512});
   CHECK(solution.method() == "variational");
