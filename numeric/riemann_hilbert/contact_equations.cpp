@@ -150,9 +150,9 @@ std::vector<R> ContactEquations<R>::end_steps() const {
 }
 
 template <Real R>
-std::pair<R, R> ContactEquations<R>::rounding() const {
+UnknownsRounding<R> ContactEquations<R>::rounding() const {
   using std::abs;
-  if (size_ == 0) return {R(0), R(0)};
+  if (size_ == 0) return {};
   const std::vector<R> unknowns = amplified(equations_, errors_);
   const R tilt = tilts_ ? unknowns.back() : R(0);
   R largest = 0;
@@ -171,7 +171,9 @@ std::pair<R, R> ContactEquations<R>::rounding() const {
     }
     largest = std::max(largest, R(abs(error / (form_.power(j).value * b))));
   }
-  return {largest, tilt};
+  // Poles follow the free ends, coefficients of r the poles.
+  const auto first = unknowns.begin() + static_cast<std::ptrdiff_t>(f);
+  return {largest, tilt, std::vector<R>(first, unknowns.end() - (tilts_ ? 1 : 0))};
 }
 
 template <Real R>

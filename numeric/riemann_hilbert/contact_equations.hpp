@@ -2,11 +2,19 @@
 // The conditions on a contact set (contact_newton.hpp), linear in the unknowns of one of Newton's steps: rho_f, the
 // coefficients of r, and the change of the tilt.
 
-#include <utility>
+#include <vector>
 
 #include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
 
 namespace steadyslide::numeric {
+
+/// What rounding in the equations may have done to the unknowns.
+template <Real R>
+struct UnknownsRounding {
+  R ends = 0;                      ///< to any free end, in xi
+  R tilt = 0;                      ///< in units of c
+  std::vector<R> polynomial = {};  ///< StateErrors::polynomial
+};
 
 template <Real R>
 class ContactEquations {
@@ -23,8 +31,7 @@ class ContactEquations {
   /// Of the movable ends, in their order.
   std::vector<R> end_steps() const;
   R tilt_step() const { return tilts_ ? solution_.back() : R(0); }
-  /// What rounding in the equations may have done to any end, and to the tilt.
-  std::pair<R, R> rounding() const;
+  UnknownsRounding<R> rounding() const;
   /// The change of q that goes with ends moved by `moved`, when `part` of the step is taken.
   std::vector<R> q_step(const std::vector<R>& moved, const R& part) const;
 

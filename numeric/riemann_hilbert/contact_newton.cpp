@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "numeric/riemann_hilbert/contact_equations.hpp"
-
 namespace steadyslide::numeric {
 namespace {
 
@@ -70,9 +68,9 @@ class Newton {
       // An end that rounding alone drives across an anchor takes part of the step for ever: it is where it belongs.
       if (settled || (part == 1 && at_rounding_level)) {
         if (!linear.is_complete()) break;
-        const auto [ends_rounding, tilt_rounding] = linear.rounding();
-        return {std::move(state_), Status::converged, 0, std::nullopt, movement * hull, beside_wedges,
-                ends_rounding,     tilt_rounding};
+        UnknownsRounding<R> rounding = linear.rounding();
+        return {std::move(state_), Status::converged,  0, std::nullopt, movement * hull,
+                beside_wedges,     std::move(rounding)};
       }
       previous = part == 1 ? movement : infinity<R>();
       // Orders of magnitude that swing to and fro want shorter steps.

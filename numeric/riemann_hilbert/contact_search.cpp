@@ -38,7 +38,8 @@ class Search {
           const RiemannHilbertForm<R> form(problem_, state_.set, state_.q, state_.tilt, rules_);
           const std::vector<Violation<R>> found = violations(form, newton.step);
           if (found.empty()) {
-            SearchResult<R> solved = result({}, std::max(newton.step, newton.end_rounding), newton.tilt_rounding);
+            SearchResult<R> solved = result({}, std::max(newton.step, newton.rounding.ends), newton.rounding.tilt);
+            solved.polynomial_error = std::move(newton.rounding.polynomial);
             solved.length_error = std::max(R(4 * newton.change), R(sqrt(epsilon<R>())));
             solved.hairline_gaps = hairline_gaps(form, newton.step);
             return solved;

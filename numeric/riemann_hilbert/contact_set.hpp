@@ -21,6 +21,13 @@ struct EndErrors {
   R length;    ///< and this part, where that length counts by its order of magnitude
 };
 
+/// How well a solution on its contact set is known (contact_newton.hpp).
+template <Real R>
+struct StateErrors {
+  EndErrors<R> ends;
+  std::vector<R> polynomial;  ///< of r's coefficients; with pivots of dtheta_i/pi, of each pole. Empty: none
+};
+
 template <Real R>
 class ContactSet {
  public:

@@ -123,6 +123,12 @@ Estimate<R> GapIntegral<R>::rise(const SegmentPart<R>& part, bool rightwards) co
     sum +=
         R(node.weight * node.y * node.to_pivot) * form_->regular_factor(node.slope, node.at).widened(8 * epsilon<R>());
   }
+  if (errors_) {
+    // Twice: q and the tilt go with the ends.
+    sum.error += 2 * form_->integral_of_error(part, [this](const SurfacePoint<R>& at) {
+      return R(form_->modulus(at) * form_->error_of_state(at, *errors_));
+    });
+  }
   return rightwards ? sum : -sum;
 }
 

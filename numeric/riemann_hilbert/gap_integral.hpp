@@ -1,6 +1,7 @@
 #pragma once
 // Heights over the gap beside one end of contact, by exact integration of Y B_k from there.
 
+#include <optional>
 #include <vector>
 
 #include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
@@ -20,8 +21,10 @@ struct GapNode {
 template <Real R>
 class GapIntegral {
  public:
-  /// The gap that the contact's end, point `end` of the set, faces. `form` has to outlive it.
-  GapIntegral(const RiemannHilbertForm<R>& form, std::size_t end) : form_(&form), end_(end) {}
+  /// The gap that the contact's end, point `end` of the set, faces; of a state known up to `errors`, or taken as it is.
+  /// `form` has to outlive it.
+  GapIntegral(const RiemannHilbertForm<R>& form, std::size_t end, std::optional<StateErrors<R>> errors = std::nullopt)
+      : form_(&form), end_(end), errors_(std::move(errors)) {}
 
   /// Over the whole gap, which begins at the end.
   std::vector<GapNode<R>> rule() const;
@@ -51,6 +54,7 @@ class GapIntegral {
 
   const RiemannHilbertForm<R>* form_;
   std::size_t end_;
+  std::optional<StateErrors<R>> errors_;
   mutable std::vector<Estimate<R>> rises_;  ///< the sums over the first segments from the end on
 };
 

@@ -19,6 +19,7 @@ int nodes_per_panel(const SignedFundamentalSolution<R>& y, SmoothFactor factor) 
   // Bernstein's ellipse through a pole at half a panel's length, or a branch point at a whole one, has the parameter
   // 2 + sqrt 3 or more; half a node more for every degree of the polynomial.
   using std::log, std::sqrt;
+  if (factor == SmoothFactor::error) return 1;
   static const int geometric = static_cast<int>(-log(epsilon<R>()) / (2 * log(2 + sqrt(R(3))))) + 2;
   const int more = factor == SmoothFactor::regular_factor ? std::max(-lowest_degree(y), 0) : 0;
   return geometric + (y.problem().highest_degree() + 1) / 2 + more;
@@ -28,7 +29,7 @@ template <Real R>
 bool is_singular(const SignedFundamentalSolution<R>& y, std::size_t j, SmoothFactor factor) {
   if (y.power(j).value != 0) return true;
   const ContactSet<R>& set = y.set();
-  return factor == SmoothFactor::regular_factor && j > 0 && j < set.segments() &&
+  return factor != SmoothFactor::polynomial && j > 0 && j < set.segments() &&
          (set.in_contact(j) || set.in_contact(j - 1));
 }
 

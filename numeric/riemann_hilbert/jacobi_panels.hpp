@@ -60,8 +60,9 @@ struct JacobiPanel {
 };
 
 /// What multiplies the powers of distances: a polynomial, or B_k, which is singular as well wherever contact begins,
-/// ends or changes its polynomial, and whose degree is higher by -S.
-enum class SmoothFactor { polynomial, regular_factor };
+/// ends or changes its polynomial, and whose degree is higher by -S, or an error of B_k, of which the order of magnitude
+/// is wanted: one node a panel.
+enum class SmoothFactor { polynomial, regular_factor, error };
 
 /// `power_at(j)` is the integrand's power at point j. `rules` has to outlive the panels.
 template <Real R>

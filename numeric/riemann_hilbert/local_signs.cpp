@@ -24,7 +24,7 @@ LeadingTerm<R> power_term(const RiemannHilbertForm<R>& form, std::size_t point, 
   const Side seen = is_end ? side : Side::right;
   // Lengths keep their relative precision, however small they are.
   const R shift = sqrt(epsilon<R>());
-  const R error = b.error + form.displaced(beside(set, point, seen, R(0)), {end_error, shift, shift});
+  const R error = b.error + form.error_of_state(beside(set, point, seen, R(0)), {{end_error, shift, shift}, {}});
   R factor = -form.sign(static_cast<std::ptrdiff_t>(segment)) * form.amplitude(point);
   if (is_end) factor *= form.problem().cos_alpha(form.friction_at(segment));
   const bool decided = abs(b.value) > 4 * error;

@@ -165,7 +165,7 @@ Estimate<R> RiemannHilbertForm<R>::regular_factor_at(std::size_t j, Side side) c
 }
 
 template <Real R>
-R RiemannHilbertForm<R>::displaced(const SurfacePoint<R>& at, const EndErrors<R>& errors) const {
+R RiemannHilbertForm<R>::error_of_state(const SurfacePoint<R>& at, const StateErrors<R>& errors) const {
   using std::abs, std::sqrt;
   const std::vector<R> distances = this->distances(at);
   const auto& pivots = y_->pivots();
@@ -192,7 +192,35 @@ R RiemannHilbertForm<R>::displaced(const SurfacePoint<R>& at, const EndErrors<R>
       const std::size_t here = y_->component_at(at);
       if (own != here) b *= pivot_factor(f, own, false) / pivot_factor(f, here, f == pivots[own].point);
     }
-    sum += abs(power(f).value * b) * set().displacement(f, errors) / abs(distances[f]);
+    sum += abs(power(f).value * b) * set().displacement(f, errors.ends) / abs(distances[f]);
+  }
+  if (errors.polynomial.empty()) return sum;
+  if (pivots.empty()) return sum + value_of(errors.polynomial, R(abs(at.node.x)));
+  const std::size_t here = y_->component_at(at);
+  const auto& [pivot, order] = pivots[here];
+  for (std::size_t i = 0; i < poles_.size(); ++i) {
+    const std::size_t pole = pivots[poles_[i]].point;
+    R factor = 1;  // as in pivoted_polynomial
+    if (pole != pivot) {
+      if (order != 0) factor = order < 0 ? R(abs(distances[pivot])) : R(1 / apart(pole, pivot));
+      factor /= abs(distances[pole]);
+    }
+    sum += errors.polynomial[i] * factor;
+  }
+  return sum;
+}
+
+template <Real R>
+R RiemannHilbertForm<R>::integral_of_error(const SegmentPart<R>& part,
+                                           const std::function<R(const SurfacePoint<R>&)>& error) const {
+  // A displaced end takes one from its power.
+  const std::function<Power<R>(std::size_t)> power_at = [this](std::size_t j) {
+    const Power<R>& p = power(j);
+    return set().point(j).is_movable() ? Power<R>{p.value - 1, p.value} : p;
+  };
+  R sum = 0;
+  for (const JacobiPanel<R>& panel : jacobi_panels(*y_, part, SmoothFactor::error, power_at, *rules_)) {
+    sum += panel.node_weight(0) * error(panel.node(set(), 0));
   }
   return sum;
 }

@@ -67,9 +67,10 @@ class RiemannHilbertForm {
   /// B_k at point j of the set, k the slope on that side; where the contact changes its polynomial at j, what is left
   /// of B_k without its singular term there (a multiple of |x - x_j|^-p, or of log|x - x_j| where p = 0).
   Estimate<R> regular_factor_at(std::size_t j, Side side) const;
-  /// What free ends displaced by these errors do to B_k at a place; at a free end, what the others do. Neighbouring solutions differ by Y sum_f p_f B(e_f) de_f/(z - e_f); with pivots those of
-  /// other components by this times (Y_j/Y_i)(e_f).
-  R displaced(const SurfacePoint<R>& at, const EndErrors<R>& errors) const;
+  /// What these errors may do to B_k at a place; at a free end, what those of the others do. Neighbouring solutions
+  /// differ by Y (sum_f p_f B(e_f) de_f/(z - e_f) + r(z)); with pivots those of other components by this times
+  /// (Y_j/Y_i)(e_f).
+  R error_of_state(const SurfacePoint<R>& at, const StateErrors<R>& errors) const;
   /// t; zero off the contact.
   Estimate<R> traction(const SurfacePoint<R>& at) const;
   /// At many points of a segment in contact, by their distances from its ends, without errors: |Y| as
@@ -98,6 +99,9 @@ class RiemannHilbertForm {
                                      const std::function<Power<R>(std::size_t)>& power_at) const {
     return jacobi_panels(*y_, part, SmoothFactor::regular_factor, power_at, *rules_);
   }
+  /// int error over a part of a segment, to its order of magnitude, for errors of |Y| B_k: graded panels as above, one
+  /// node each.
+  R integral_of_error(const SegmentPart<R>& part, const std::function<R(const SurfacePoint<R>&)>& error) const;
 
  private:
   std::size_t nearest_segment(const SurfacePoint<R>& at) const {

@@ -29,18 +29,15 @@ std::optional<std::size_t> RiemannHilbertSolution<R>::nearest_end(const SurfaceP
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const {
-  using std::abs;
   if (contact_set().in_contact(static_cast<std::size_t>(at.segment))) return {};
   const std::optional<std::size_t> end = nearest_end(at);
   if (!end) return {};
   const Estimate<R> reduced_gap = [&] {
     const std::lock_guard lock(measuring_);
-    return gaps_.try_emplace(*end, form_, *end).first->second.reduced_gap(at);
+    return gaps_.try_emplace(*end, form_, *end, errors_).first->second.reduced_gap(at);
   }();
   const R scale = to_real<R>(problem_.elasticity().compliance()) * to_real<R>(reduced_.frame().unit);
-  const R distance = abs(form_.distance(at, *end));
-  const R ends = distance > 0 ? 2 * found_.end_error / distance : R(0);
-  return scale * reduced_gap.widened(ends);
+  return scale * reduced_gap.widened(4 * epsilon<R>());
 }
 
 template <Real R>
@@ -58,7 +55,7 @@ Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const {
     result.shear = {shear, shear};
   } else {
     // The slope is the profile's less a singular part: that is what ends move.
-    slope.error += 2 * form_.modulus(at) * form_.displaced(at, found_.ends());
+    slope.error += 2 * form_.modulus(at) * form_.error_of_state(at, errors_);
   }
   slope *= c;
   if (const auto turned = tilt()) slope.error += turned->error;

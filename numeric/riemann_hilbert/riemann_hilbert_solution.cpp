@@ -16,6 +16,7 @@ RiemannHilbertSolution<R>::RiemannHilbertSolution(ContactProblem problem, const 
     : problem_(std::move(problem)),
       reduced_(problem_, frame),
       found_(search(reduced_, rules_)),
+      errors_(found_.errors()),
       form_(reduced_, found_.state.set, found_.state.q, found_.state.tilt, rules_) {}
 
 template <Real R>
@@ -53,7 +54,7 @@ R RiemannHilbertSolution<R>::relative_end_error(const SurfacePoint<R>& at) const
     const bool is_left = static_cast<std::ptrdiff_t>(j) <= at.segment;
     const R beside = is_left ? at.node.from_left : at.node.from_right;
     const R distance = std::max(beside, R(abs(at.node.x - contact_set().x(j))));
-    if (distance > 0) sum += 4 * abs(form_.power(j).value) * contact_set().displacement(j, found_.ends()) / distance;
+    if (distance > 0) sum += 4 * abs(form_.power(j).value) * contact_set().displacement(j, errors_.ends) / distance;
   }
   return sum;
 }
@@ -64,7 +65,7 @@ Estimate<R> RiemannHilbertSolution<R>::traction(const SurfacePoint<R>& at) const
   Estimate<R> t = form_.traction(at);
   const auto segment = static_cast<std::size_t>(at.segment);
   // Twice: q and the tilt go with the ends.
-  t.error += 2 * abs(form_.y().traction_factor(segment)) * form_.modulus(at) * form_.displaced(at, found_.ends());
+  t.error += 2 * abs(form_.y().traction_factor(segment)) * form_.modulus(at) * form_.error_of_state(at, errors_);
   return t;
 }
 
@@ -83,7 +84,7 @@ Estimate<R> RiemannHilbertSolution<R>::amplitude(std::size_t j, Side side) const
   const R factor = form_.sign(at.segment) * form_.amplitude(j);
   const R relative = form_.fundamental_solution().relative_error(segment, at.node, R(0)) + 2 * relative_end_error(at);
   Estimate<R> b = form_.regular_factor_at(j, side).widened(relative);
-  b.error += 2 * form_.displaced(beside(contact_set(), j, side, R(0)), found_.ends());
+  b.error += 2 * form_.error_of_state(beside(contact_set(), j, side, R(0)), errors_);
   return factor * b;
 }
 
@@ -218,22 +219,14 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::load_on(std::size_t segment) const {
-  // Rules for any density know nothing of the traction's own error.
-  const auto with_error_of_traction = [&](const Estimate<R>& load) {
-    using std::abs;
-    const Estimate<R> t = form_.traction(middle_of(segment));
-    return t.value == 0 ? load : load.widened(4 * t.error / abs(t.value));
-  };
   if constexpr (!std::same_as<R, double>) {
     // The samples are there, or soon will be; Gauss-Jacobi rules for this alone would cost ten times as much.
     const Checked& check = checked();
     const auto panel = std::ranges::find(check.segments, segment) - check.segments.begin();
-    if (const auto load = check.surface.panel_integral(static_cast<std::size_t>(panel))) {
-      return with_error_of_traction(*load);
-    }
+    if (const auto load = check.surface.panel_integral(static_cast<std::size_t>(panel))) return *load;
   }
   if (!form_.changes_polynomial(segment) && !form_.changes_polynomial(segment + 1)) return form_.load_on(segment);
-  return with_error_of_traction(tanh_sinh::panel_integral(panel_density(form_, segment)));
+  return tanh_sinh::panel_integral(panel_density(form_, segment));
 }
 
 template <Real R>
@@ -288,7 +281,11 @@ const std::vector<Estimate<R>>& RiemannHilbertSolution<R>::loads() const {
   return loads_([this] {
     std::vector<Estimate<R>> result;
     for (std::size_t k = 0; k < contact_set().segments(); ++k) {
-      if (contact_set().in_contact(k)) result.push_back(load_on(k).widened(2 * relative_end_error(middle_of(k))));
+      if (!contact_set().in_contact(k)) continue;
+      // Rules for any density know nothing of the traction's own error.
+      result.push_back(load_on(k));
+      result.back().error += form_.integral_of_error(whole_segment(contact_set(), k),
+                                                     [this](const SurfacePoint<R>& at) { return traction(at).error; });
     }
     return result;
   });

@@ -66,7 +66,7 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   /// where p = 0.
   Estimate<R> amplitude(std::size_t j, Side side) const;
   Estimate<R> intensity(std::size_t j) const;
-  /// With what the free ends' error may do to it.
+  /// With what the state's errors may do to it.
   Estimate<R> traction(const SurfacePoint<R>& at) const;
   Estimate<R> constant(std::size_t j) const;
   /// The jump of g at a point where the contact changes its polynomial.
@@ -108,6 +108,7 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   ReducedProblem<R> reduced_;
   JacobiRules<R> rules_;
   SearchResult<R> found_;
+  StateErrors<R> errors_;
   RiemannHilbertForm<R> form_;
   Once<Checked> checked_;
   Once<Resultants<R>> resultants_;
