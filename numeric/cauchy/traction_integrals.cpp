@@ -28,38 +28,39 @@ Estimate<R> part_integral(const PanelDensity<R>& density, Side end, const R& dis
 }  // namespace
 
 template <Real R>
-TractionIntegrals<R>::TractionIntegrals(PiecewiseDensity<R> density, const std::vector<Estimate<R>>& loads,
-                                        std::vector<Friction> friction, const R& gamma,
+TractionIntegrals<R>::TractionIntegrals(PiecewiseDensity<R> density, std::vector<OnPanel> on_panels, const R& gamma,
                                         const ContactSolution<R>& solution, const R& unit)
-    : density_(std::move(density)), friction_(std::move(friction)), gamma_(gamma) {
+    : density_(std::move(density)), on_panels_(std::move(on_panels)), gamma_(gamma) {
   if constexpr (std::same_as<R, double>) {
-    const auto has_other_ratio = [&](const Friction& f) { return f.ratio != friction_.front().ratio; };
-    if (std::ranges::any_of(friction_, has_other_ratio) && density_.size() >= hierarchical::fewest_panels) {
+    const auto has_other_ratio = [&](const OnPanel& p) { return p.ratio != on_panels_.front().ratio; };
+    if (std::ranges::any_of(on_panels_, has_other_ratio) && density_.size() >= hierarchical::fewest_panels) {
       distant_ = std::make_shared<const DistantTractions>(density_, solution.piecewise_traction(), unit);
     }
   }
   for (PanelDensity<R>& panel : density_) panel = interpolated(std::move(panel));
   before_.emplace_back();
-  for (const Estimate<R>& load : loads) before_.push_back(before_.back() - load);
+  for (const OnPanel& panel : on_panels_) before_.push_back(before_.back() - panel.load);
 }
 
 template <Real R>
 Estimate<R> TractionIntegrals<R>::load_before(const LinePlace<R>& place) const {
   if (!place.inside) return before_[place.panels];
   const PanelDensity<R>& density = density_[place.panels];
+  const R& error = on_panels_[place.panels].relative_error;
   const auto& [x, left, right] = *place.inside;
-  if (left < right) return before_[place.panels] - part_integral(density, Side::left, left);
-  return before_[place.panels + 1] + part_integral(density, Side::right, right);
+  if (left < right) return before_[place.panels] - part_integral(density, Side::left, left).widened(error);
+  return before_[place.panels + 1] + part_integral(density, Side::right, right).widened(error);
 }
 
 template <Real R>
 Estimate<R> TractionIntegrals<R>::cauchy(std::size_t k, Side side, const R& distance) const {
-  if (distance > 0) return tanh_sinh::cauchy<R>({density_[k]}, side, distance);
+  const R& error = on_panels_[k].relative_error;
+  if (distance > 0) return tanh_sinh::cauchy<R>({density_[k]}, side, distance).widened(error);
   // The distance to x is the one to the panel's end: a power lower by one.
   PanelDensity<R> divided = density_[k];
   Power<R>& power = side == Side::left ? divided.left : divided.right;
   power = {power.value - 1, power.value};
-  const Estimate<R> integral = tanh_sinh::panel_integral(divided) / pi<R>();
+  const Estimate<R> integral = tanh_sinh::panel_integral(divided).widened(error) / pi<R>();
   return side == Side::left ? integral : -integral;
 }
 
@@ -71,10 +72,10 @@ std::size_t TractionIntegrals<R>::nearest(const LinePlace<R>& place) const {
 template <Real R>
 Estimate<R> TractionIntegrals<R>::from_slope(std::size_t panel, const LinePlace<R>& place, const Estimate<R>& traction,
                                              const Estimate<R>& slope) const {
-  const R& ratio = friction_[panel].ratio;
-  Estimate<R> sum = ratio * (slope - friction_[panel].s * traction) + gamma_ * traction;
+  const R& ratio = on_panels_[panel].ratio;
+  Estimate<R> sum = ratio * (slope - on_panels_[panel].s * traction) + gamma_ * traction;
   const auto add = [&](std::size_t k, Side side, const R& distance) {
-    if (friction_[k].ratio != ratio) sum += (friction_[k].ratio - ratio) * cauchy(k, side, distance);
+    if (on_panels_[k].ratio != ratio) sum += (on_panels_[k].ratio - ratio) * cauchy(k, side, distance);
   };
   if constexpr (std::same_as<R, double>) {
     if (distant_) return sum += distant_->around(place, ratio, add);
@@ -108,7 +109,7 @@ Estimate<R> TractionIntegrals<R>::limit(const LinePlace<R>& place, Side side, co
   const Estimate<R>& t = on_left ? traction.left : traction.right;
   const bool touches = on_left ? touches_left : touches_right;
   if (touches_left && touches_right) {
-    const R rise = friction_[place.panels].ratio - friction_[place.panels - 1].ratio;
+    const R rise = on_panels_[place.panels].ratio - on_panels_[place.panels - 1].ratio;
     // t_t jumps: by a finite or logarithmic t the slope is -(rise/pi) t log d and more, and where t blows up by a power
     // that of s leads to what follows.
     if (rise != 0 && t.value != 0 && (gamma_ == 0 || !isinf(t.value))) return infinite(-rise);
@@ -116,12 +117,12 @@ Estimate<R> TractionIntegrals<R>::limit(const LinePlace<R>& place, Side side, co
   // gamma t - r s t = gamma (1 + f^2) t; at a jump of f the other side's part does not turn the sign.
   if (touches && isinf(t.value) && gamma_ != 0) {
     const bool jumps =
-        touches_left && touches_right && friction_[place.panels].ratio != friction_[place.panels - 1].ratio;
+        touches_left && touches_right && on_panels_[place.panels].ratio != on_panels_[place.panels - 1].ratio;
     return infinite(jumps ? gamma_ : R(gamma_ * (t.value > 0 ? 1 : -1)));
   }
   const std::size_t panel = touches ? place.panels - (on_left ? 1 : 0) : nearest(place);
   const Estimate<R>& slope_there = on_left ? slope.left : slope.right;
-  const R& ratio = friction_[panel].ratio;
+  const R& ratio = on_panels_[panel].ratio;
   if (isinf(slope_there.value)) {
     if (ratio != 0) return infinite(ratio * (slope_there.value > 0 ? 1 : -1));
     return from_slope(panel, place, {}, {});

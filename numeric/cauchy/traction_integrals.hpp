@@ -29,15 +29,17 @@ struct LinePlace {
 template <Real R>
 class TractionIntegrals {
  public:
-  struct Friction {
+  /// What is known of t on a panel but its values.
+  struct OnPanel {
+    Estimate<R> load;  ///< int t
+    R relative_error;  ///< the largest one of t, estimated
     R s;
     R ratio;  ///< t_t/t
   };
-  /// Of the reduced problem: `loads` are int t over the panels, `friction` holds on them. Panels of various friction that are
-  /// many stand together in cells where they are far from a place, in double: as `solution` tells the same traction, its
-  /// lengths `unit` times those of the density.
-  TractionIntegrals(PiecewiseDensity<R> density, const std::vector<Estimate<R>>& loads, std::vector<Friction> friction,
-                    const R& gamma, const ContactSolution<R>& solution, const R& unit);
+  /// Of the reduced problem. Panels of various friction that are many stand together in cells where they are far from a
+  /// place, in double: as `solution` tells the same traction, its lengths `unit` times those of the density.
+  TractionIntegrals(PiecewiseDensity<R> density, std::vector<OnPanel> on_panels, const R& gamma,
+                    const ContactSolution<R>& solution, const R& unit);
 
   /// -int t over all that lies left of a place.
   Estimate<R> load_before(const LinePlace<R>& place) const;
@@ -57,7 +59,7 @@ class TractionIntegrals {
 
   PiecewiseDensity<R> density_;
   std::vector<Estimate<R>> before_;  ///< -int t over the panels before each, and over all
-  std::vector<Friction> friction_;
+  std::vector<OnPanel> on_panels_;
   R gamma_;
   std::shared_ptr<const DistantTractions> distant_;  ///< null where there are few
 };

@@ -236,12 +236,18 @@ PiecewiseTraction<R> ClosedForm<R>::piecewise_traction() const {
 template <Real R>
 const TractionIntegrals<R>& ClosedForm<R>::integrals() const {
   return integrals_([this] {
-    std::vector<typename TractionIntegrals<R>::Friction> friction;
+    std::vector<typename TractionIntegrals<R>::OnPanel> on_panels;
     for (std::size_t k = 0; k < weight().panel_count(); ++k) {
-      friction.push_back({to_real<R>(problem_.coupled_friction(data_.first_piece + k)),
-                          to_real<R>(problem_.shear_ratio(data_.first_piece + k))});
+      // An eighth of a panel from its ends.
+      R error = 0;
+      for (const R& part : {R(0.125), R(0.875)}) {
+        const Panel<R>& panel = weight().panel(k);
+        error = std::max(error, weight().relative_error(k, panel.node_from_left(part * panel.length), data_.end_error));
+      }
+      on_panels.push_back({loads()[k], error, to_real<R>(problem_.coupled_friction(data_.first_piece + k)),
+                           to_real<R>(problem_.shear_ratio(data_.first_piece + k))});
     }
-    return TractionIntegrals<R>(data_.traction.density(), loads(), std::move(friction),
+    return TractionIntegrals<R>(data_.traction.density(), std::move(on_panels),
                                 to_real<R>(problem_.elasticity().gamma()), *this, R(1));
   });
 }

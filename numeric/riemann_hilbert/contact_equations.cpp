@@ -150,12 +150,13 @@ std::vector<R> ContactEquations<R>::end_steps() const {
 }
 
 template <Real R>
-UnknownsRounding<R> ContactEquations<R>::rounding() const {
+StateErrors<R> ContactEquations<R>::rounding() const {
   using std::abs;
   if (size_ == 0) return {};
   const std::vector<R> unknowns = amplified(equations_, errors_);
   const R tilt = tilts_ ? unknowns.back() : R(0);
   R largest = 0;
+  R relative = 0;
   std::size_t f = 0;
   for (const std::size_t j : movable_) {
     R b = form_.regular_factor_at(j, form_.set().contact_side(j)).value;
@@ -169,11 +170,14 @@ UnknownsRounding<R> ContactEquations<R>::rounding() const {
       if (has_pivots()) b *= form_.y().to_pivot(place);
       error = unknowns[f++];
     }
-    largest = std::max(largest, R(abs(error / (form_.power(j).value * b))));
+    error = abs(error / (form_.power(j).value * b));
+    largest = std::max(largest, error);
+    if (!form_.set().counts_by_order(j)) continue;
+    relative = std::max(relative, R(error / std::min(form_.set().length(j - 1), form_.set().length(j))));
   }
   // Poles follow the free ends, coefficients of r the poles.
   const auto first = unknowns.begin() + static_cast<std::ptrdiff_t>(f);
-  return {largest, tilt, std::vector<R>(first, unknowns.end() - (tilts_ ? 1 : 0))};
+  return {{largest, R(1), relative}, tilt, std::vector<R>(first, unknowns.end() - (tilts_ ? 1 : 0))};
 }
 
 template <Real R>

@@ -8,14 +8,6 @@
 
 namespace steadyslide::numeric {
 
-/// What rounding in the equations may have done to the unknowns.
-template <Real R>
-struct UnknownsRounding {
-  R ends = 0;                      ///< to any free end, in xi
-  R tilt = 0;                      ///< in units of c
-  std::vector<R> polynomial = {};  ///< StateErrors::polynomial
-};
-
 template <Real R>
 class ContactEquations {
  public:
@@ -31,7 +23,8 @@ class ContactEquations {
   /// Of the movable ends, in their order.
   std::vector<R> end_steps() const;
   R tilt_step() const { return tilts_ ? solution_.back() : R(0); }
-  UnknownsRounding<R> rounding() const;
+  /// What rounding in the equations may have done to the unknowns.
+  StateErrors<R> rounding() const;
   /// The change of q that goes with ends moved by `moved`, when `part` of the step is taken.
   std::vector<R> q_step(const std::vector<R>& moved, const R& part) const;
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "numeric/riemann_hilbert/contact_equations.hpp"
+
 namespace steadyslide::numeric {
 namespace {
 
@@ -68,7 +70,7 @@ class Newton {
       // An end that rounding alone drives across an anchor takes part of the step for ever: it is where it belongs.
       if (settled || (part == 1 && at_rounding_level)) {
         if (!linear.is_complete()) break;
-        UnknownsRounding<R> rounding = linear.rounding();
+        StateErrors<R> rounding = linear.rounding();
         return {std::move(state_), Status::converged,  0, std::nullopt, movement * hull,
                 beside_wedges,     std::move(rounding)};
       }

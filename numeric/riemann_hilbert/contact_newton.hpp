@@ -17,7 +17,7 @@
 
 #include <optional>
 
-#include "numeric/riemann_hilbert/contact_equations.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
 
 namespace steadyslide::numeric {
 
@@ -38,10 +38,10 @@ struct NewtonResult {
   enum class Status { converged, collapse, stalled } status;
   std::size_t collapsing = 0;  ///< the segment that wants to vanish
   std::optional<std::size_t> restless =
-      std::nullopt;  ///< stalled: the end beyond a break that moved most, by its order
-  R step = 0;        ///< the last movement of an end, at the end of the iteration
-  R change = 0;      ///< and the last of a length that counts by its order of magnitude, relative
-  UnknownsRounding<R> rounding = {};
+      std::nullopt;              ///< stalled: the end beyond a break that moved most, by its order
+  R step = 0;                    ///< the last movement of an end, at the end of the iteration
+  R change = 0;                  ///< and the last of a length that counts by its order of magnitude, relative
+  StateErrors<R> rounding = {};  ///< what rounding in the equations may have done
 };
 
 /// `limit[k]`: a segment that shrinks below this length and wants to go on is reported as collapsing; of half a gap

@@ -18,7 +18,6 @@ class Search {
       : problem_(problem), rules_(rules), state_(std::move(start)) {}
 
   SearchResult<R> run() {
-    using std::sqrt;
     constexpr int max_rounds = 60;
     std::string why = "the contact set kept changing";
     for (int round = 0; round < max_rounds; ++round) {
@@ -38,9 +37,10 @@ class Search {
           const RiemannHilbertForm<R> form(problem_, state_.set, state_.q, state_.tilt, rules_);
           const std::vector<Violation<R>> found = violations(form, newton.step);
           if (found.empty()) {
-            SearchResult<R> solved = result({}, std::max(newton.step, newton.rounding.ends), newton.rounding.tilt);
-            solved.polynomial_error = std::move(newton.rounding.polynomial);
-            solved.length_error = std::max(R(4 * newton.change), R(sqrt(epsilon<R>())));
+            SearchResult<R> solved = result({}, std::max(newton.step, newton.rounding.ends.distance));
+            solved.errors.ends.length = 4 * std::max(newton.change, newton.rounding.ends.length) + 16 * epsilon<R>();
+            solved.errors.tilt = newton.rounding.tilt;
+            solved.errors.polynomial = std::move(newton.rounding.polynomial);
             solved.hairline_gaps = hairline_gaps(form, newton.step);
             return solved;
           }
@@ -61,8 +61,10 @@ class Search {
   using Set = ContactSet<R>;
   using What = typename Violation<R>::What;
 
-  SearchResult<R> result(std::string failed_condition, const R& error, const R& tilt_error = R(0)) const {
-    return {state_, std::max(error, epsilon<R>() * state_.set.span_length()), std::move(failed_condition), tilt_error};
+  /// The state, its free ends known up to `error`.
+  SearchResult<R> result(std::string failed_condition, const R& error) const {
+    const R distance = std::max(error, epsilon<R>() * state_.set.span_length());
+    return {state_, {{distance, R(1), R(1)}}, std::move(failed_condition)};
   }
 
   /// Where a gap over a notch has not been found, contact there is the best state: what is wrong with it has a name.

@@ -13,14 +13,10 @@ namespace steadyslide::numeric {
 template <Real R>
 struct SearchResult {
   ContactState<R> state;
-  R end_error;                           ///< estimated absolute error of the free ends, in xi
-  std::string failed_condition;          ///< empty: every condition holds
-  R tilt_error = 0;                      ///< of the tilt, in units of c
-  R length_error = 1;                    ///< relative, of lengths that count by their order of magnitude
-  std::vector<R> polynomial_error = {};  ///< StateErrors::polynomial
+  StateErrors<R> errors;
+  std::string failed_condition;  ///< empty: every condition holds
   std::vector<HairlineGap<R>> hairline_gaps = {};
 
-  StateErrors<R> errors() const { return {{end_error, R(1), length_error}, polynomial_error}; }
   bool solved() const { return failed_condition.empty(); }
 };
 

@@ -219,8 +219,7 @@ bool ContactSet<R>::is_beside_break(std::size_t j) const {
 template <Real R>
 R ContactSet<R>::displacement(std::size_t j, const EndErrors<R>& errors) const {
   // Over a notch both ends move together: it is the gap's logarithm that has an error.
-  const bool by_order = is_over_notch(contact_side(j) == Side::right ? j - 1 : j) || is_beside_break(j);
-  const R part = by_order ? std::min(errors.part, errors.length) : errors.part;
+  const R part = counts_by_order(j) ? std::min(errors.part, errors.length) : errors.part;
   return std::min(errors.distance, R(part * std::min(length(j - 1), length(j))));
 }
 

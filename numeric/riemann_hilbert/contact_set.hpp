@@ -25,7 +25,8 @@ struct EndErrors {
 template <Real R>
 struct StateErrors {
   EndErrors<R> ends;
-  std::vector<R> polynomial;  ///< of r's coefficients; with pivots of dtheta_i/pi, of each pole. Empty: none
+  R tilt = 0;                      ///< in units of c
+  std::vector<R> polynomial = {};  ///< of r's coefficients; with pivots of dtheta_i/pi, of each pole. Empty: none
 };
 
 template <Real R>
@@ -94,6 +95,10 @@ class ContactSet {
   /// Does contact at the free end j reach just beyond a break of the profile? There the length l of that piece counts by
   /// its order of magnitude: it carries a load like l^(1 - p), and p may be near 1.
   bool is_beside_break(std::size_t j) const;
+  /// Does the shorter length beside the free end j count by its order of magnitude?
+  bool counts_by_order(std::size_t j) const {
+    return is_over_notch(contact_side(j) == Side::right ? j - 1 : j) || is_beside_break(j);
+  }
   /// How far the free end j may be from where it is.
   R displacement(std::size_t j, const EndErrors<R>& errors) const;
 

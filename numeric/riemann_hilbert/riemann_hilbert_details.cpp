@@ -12,11 +12,19 @@ namespace steadyslide::numeric {
 template <Real R>
 const TractionIntegrals<R>& RiemannHilbertSolution<R>::integrals() const {
   return integrals_([this] {
-    std::vector<typename TractionIntegrals<R>::Friction> friction;
+    std::vector<typename TractionIntegrals<R>::OnPanel> on_panels;
+    auto load = loads().begin();
     for (std::size_t k = 0; k < contact_set().segments(); ++k) {
-      if (contact_set().in_contact(k)) friction.push_back({reduced_.s(form_.friction_at(k)), shear_ratio(k)});
+      if (!contact_set().in_contact(k)) continue;
+      R error = 0;
+      for (const JacobiPanel<R>& panel : form_.error_panels(whole_segment(contact_set(), k))) {
+        using std::abs;
+        const Estimate<R> t = traction(panel.node(contact_set(), 0));
+        if (t.value != 0) error = std::max(error, R(t.error / abs(t.value)));
+      }
+      on_panels.push_back({*load++, error, reduced_.s(form_.friction_at(k)), shear_ratio(k)});
     }
-    return TractionIntegrals<R>(traction_density(form_), loads(), std::move(friction),
+    return TractionIntegrals<R>(traction_density(form_), std::move(on_panels),
                                 to_real<R>(problem_.elasticity().gamma()), *this, to_real<R>(reduced_.frame().unit));
   });
 }
@@ -31,12 +39,24 @@ Estimate<R> RiemannHilbertSolution<R>::height_beyond(const SurfacePoint<R>& at) 
   const R& distance = left ? at.node.from_right : at.node.from_left;
   const Power<R> none{R(0), R(1)};
   const Power<R> power = contact_set().point(j).is_end() ? form_.power(j) : none;
-  const Estimate<R> integral =
+  Estimate<R> integral =
       tanh_sinh::panel_integral<R>({{R(0), distance, distance}, power, none, [&](const Node<R>& node) {
-                                      const SurfacePoint<R> there = beside(contact_set(), j, side, node.from_left);
+                                      // Nothing is closer to the end, and double has no larger powers.
+                                      const R d = std::max(node.from_left, reduced_.shortest_gap());
+                                      const SurfacePoint<R> there = beside(contact_set(), j, side, d);
                                       const R y_b = (form_.profile_slope(there) - form_.surface_slope(there)).value;
-                                      return R(y_b / pow(node.from_left, power.value));
+                                      return R(y_b / pow(d, power.value));
                                     }});
+  // What the slope may be off by, added up over parts of a quarter of their distance from the end.
+  R error = 0;
+  for (R d = distance; d > 0; d /= 4) {
+    const SurfacePoint<R> there = beside(contact_set(), j, side, d);
+    const R part = d * sample(there).slope.left.error / to_real<R>(problem_.elasticity().compliance());
+    const bool last = d < contact_set().length(left ? 0 : j - 1);
+    error += last ? part / (1 + power.value) : part;
+    if (last) break;
+  }
+  integral.error += error;
   return left ? integral : -integral;
 }
 
@@ -46,14 +66,22 @@ Estimate<R> RiemannHilbertSolution<R>::height(const SurfacePoint<R>& at) const {
   const ContactSet<R>& set = contact_set();
   const auto last = static_cast<std::ptrdiff_t>(set.segments()) - 1;
   const auto segment = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at.segment, 0, last));
-  const R scale = to_real<R>(problem_.elasticity().compliance()) * to_real<R>(reduced_.frame().unit);
+  const R unit = to_real<R>(reduced_.frame().unit);
+  const R scale = to_real<R>(problem_.elasticity().compliance()) * unit;
   // The profile from the anchor on the left, exact there.
   const std::size_t anchor = set.interval(segment);
   const Rational& place = reduced_.place(anchor);
   const R from = to_real<R>(problem_.indenter().profile(place, Side::right)(place));
-  const R rise = scale * reduced_.profile_increment(form_.slope_at(segment), reduced_.anchors()[anchor].x, at.node.x);
+  const std::size_t k = form_.slope_at(segment);
+  const R& anchor_x = reduced_.anchors()[anchor].x;
+  const R rise = scale * reduced_.profile_increment(k, anchor_x, at.node.x);
+  const Estimate<R> g = reduced_.slope_estimate(k, at.node.x);
+  const R slope_error = reduced_.slope_estimate(k, anchor_x).error + g.error;
   const R tilted = scale * form_.tilt() * at.node.x;
-  const Estimate<R> profile{from + rise + tilted, 8 * epsilon<R>() * (abs(from) + abs(rise) + abs(tilted))};
+  const R turned = unit * tilt().value_or(Estimate<R>{}).error * abs(at.node.x);
+  const Estimate<R> profile{from + rise + tilted, 8 * epsilon<R>() * (abs(from) + abs(rise) + abs(tilted)) + turned +
+                                                      scale * slope_error * abs(at.node.x - anchor_x) +
+                                                      scale * abs(g.value) * epsilon<R>() * abs(at.node.x)};
   if (at.segment == static_cast<std::ptrdiff_t>(segment)) return profile - gap(at);
   const bool left = at.segment < 0;
   const std::size_t end = left ? 0 : set.segments();
@@ -113,7 +141,7 @@ DetailedSample<R> RiemannHilbertSolution<R>::detailed(const SurfacePoint<R>& at)
   if (point) {
     result.shear_slope = integrals().shear_slope(place, result.traction, slope);
   } else {
-    result.cumulative_load.error += 2 * unit * found_.end_error * abs(result.traction.left.value);
+    result.cumulative_load.error += 2 * unit * end_error() * abs(result.traction.left.value);
     const Estimate<R> there = integrals().shear_slope(place, result.traction.left, slope.left);
     result.shear_slope = {there, there};
   }

@@ -211,15 +211,20 @@ R RiemannHilbertForm<R>::error_of_state(const SurfacePoint<R>& at, const StateEr
 }
 
 template <Real R>
-R RiemannHilbertForm<R>::integral_of_error(const SegmentPart<R>& part,
-                                           const std::function<R(const SurfacePoint<R>&)>& error) const {
+std::vector<JacobiPanel<R>> RiemannHilbertForm<R>::error_panels(const SegmentPart<R>& part) const {
   // A displaced end takes one from its power.
   const std::function<Power<R>(std::size_t)> power_at = [this](std::size_t j) {
     const Power<R>& p = power(j);
     return set().point(j).is_movable() ? Power<R>{p.value - 1, p.value} : p;
   };
+  return jacobi_panels(*y_, part, SmoothFactor::error, power_at, *rules_);
+}
+
+template <Real R>
+R RiemannHilbertForm<R>::integral_of_error(const SegmentPart<R>& part,
+                                           const std::function<R(const SurfacePoint<R>&)>& error) const {
   R sum = 0;
-  for (const JacobiPanel<R>& panel : jacobi_panels(*y_, part, SmoothFactor::error, power_at, *rules_)) {
+  for (const JacobiPanel<R>& panel : error_panels(part)) {
     sum += panel.node_weight(0) * error(panel.node(set(), 0));
   }
   return sum;

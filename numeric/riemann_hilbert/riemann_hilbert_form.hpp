@@ -99,8 +99,9 @@ class RiemannHilbertForm {
                                      const std::function<Power<R>(std::size_t)>& power_at) const {
     return jacobi_panels(*y_, part, SmoothFactor::regular_factor, power_at, *rules_);
   }
-  /// int error over a part of a segment, to its order of magnitude, for errors of |Y| B_k: graded panels as above, one
-  /// node each.
+  /// Graded panels of one node each, for errors of |Y| B_k, of which orders of magnitude are wanted.
+  std::vector<JacobiPanel<R>> error_panels(const SegmentPart<R>& part) const;
+  /// int error over a part of a segment by these panels.
   R integral_of_error(const SegmentPart<R>& part, const std::function<R(const SurfacePoint<R>&)>& error) const;
 
  private:

@@ -34,7 +34,7 @@ Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const {
   if (!end) return {};
   const Estimate<R> reduced_gap = [&] {
     const std::lock_guard lock(measuring_);
-    return gaps_.try_emplace(*end, form_, *end, errors_).first->second.reduced_gap(at);
+    return gaps_.try_emplace(*end, form_, *end, found_.errors).first->second.reduced_gap(at);
   }();
   const R scale = to_real<R>(problem_.elasticity().compliance()) * to_real<R>(reduced_.frame().unit);
   return scale * reduced_gap.widened(4 * epsilon<R>());
@@ -55,7 +55,7 @@ Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const {
     result.shear = {shear, shear};
   } else {
     // The slope is the profile's less a singular part: that is what ends move.
-    slope.error += 2 * form_.modulus(at) * form_.error_of_state(at, errors_);
+    slope.error += 2 * form_.modulus(at) * form_.error_of_state(at, found_.errors);
   }
   slope *= c;
   if (const auto turned = tilt()) slope.error += turned->error;

@@ -16,7 +16,6 @@ RiemannHilbertSolution<R>::RiemannHilbertSolution(ContactProblem problem, const 
     : problem_(std::move(problem)),
       reduced_(problem_, frame),
       found_(search(reduced_, rules_)),
-      errors_(found_.errors()),
       form_(reduced_, found_.state.set, found_.state.q, found_.state.tilt, rules_) {}
 
 template <Real R>
@@ -35,7 +34,7 @@ Estimate<R> RiemannHilbertSolution<R>::coordinate(std::size_t j) const {
   }
   const R offset = to_real<R>(reduced_.frame().unit) * contact_set().x(j);
   const R x = to_real<R>(reduced_.frame().origin) + offset;
-  return {x, to_real<R>(reduced_.frame().unit) * found_.end_error + epsilon<R>() * (abs(x) + abs(offset))};
+  return {x, to_real<R>(reduced_.frame().unit) * end_error() + epsilon<R>() * (abs(x) + abs(offset))};
 }
 
 template <Real R>
@@ -54,7 +53,8 @@ R RiemannHilbertSolution<R>::relative_end_error(const SurfacePoint<R>& at) const
     const bool is_left = static_cast<std::ptrdiff_t>(j) <= at.segment;
     const R beside = is_left ? at.node.from_left : at.node.from_right;
     const R distance = std::max(beside, R(abs(at.node.x - contact_set().x(j))));
-    if (distance > 0) sum += 4 * abs(form_.power(j).value) * contact_set().displacement(j, errors_.ends) / distance;
+    if (distance > 0)
+      sum += 4 * abs(form_.power(j).value) * contact_set().displacement(j, found_.errors.ends) / distance;
   }
   return sum;
 }
@@ -65,7 +65,7 @@ Estimate<R> RiemannHilbertSolution<R>::traction(const SurfacePoint<R>& at) const
   Estimate<R> t = form_.traction(at);
   const auto segment = static_cast<std::size_t>(at.segment);
   // Twice: q and the tilt go with the ends.
-  t.error += 2 * abs(form_.y().traction_factor(segment)) * form_.modulus(at) * form_.error_of_state(at, errors_);
+  t.error += 2 * abs(form_.y().traction_factor(segment)) * form_.modulus(at) * form_.error_of_state(at, found_.errors);
   return t;
 }
 
@@ -84,7 +84,7 @@ Estimate<R> RiemannHilbertSolution<R>::amplitude(std::size_t j, Side side) const
   const R factor = form_.sign(at.segment) * form_.amplitude(j);
   const R relative = form_.fundamental_solution().relative_error(segment, at.node, R(0)) + 2 * relative_end_error(at);
   Estimate<R> b = form_.regular_factor_at(j, side).widened(relative);
-  b.error += 2 * form_.error_of_state(beside(contact_set(), j, side, R(0)), errors_);
+  b.error += 2 * form_.error_of_state(beside(contact_set(), j, side, R(0)), found_.errors);
   return factor * b;
 }
 
@@ -145,9 +145,8 @@ std::vector<ContactComponent<R>> RiemannHilbertSolution<R>::contact() const {
   const R unit = to_real<R>(reduced_.frame().unit);
   for (std::size_t i = 0; i < begins.size(); ++i) {
     const R width = unit * contact_set().sum_of_lengths(begins[i], ends[i], R(0));
-    result.push_back({contact_end(begins[i]),
-                      contact_end(ends[i]),
-                      {width, 2 * unit * found_.end_error + 4 * epsilon<R>() * width}});
+    result.push_back(
+        {contact_end(begins[i]), contact_end(ends[i]), {width, 2 * unit * end_error() + 4 * epsilon<R>() * width}});
   }
   return result;
 }
@@ -271,7 +270,7 @@ Resultants<R> RiemannHilbertSolution<R>::integrated() const {
   const Estimate<R> offset = unit * form_.moment_of_load() / reduced_.load();
   // Free ends move the centre by no more than what they do to the load, over the contact's length.
   const R ends =
-      8 * unit * found_.end_error + unit * contact_set().span_length() * result.normal.error / result.normal.value;
+      8 * unit * end_error() + unit * contact_set().span_length() * result.normal.error / result.normal.value;
   result.centre_of_pressure = {origin + offset.value, offset.error + epsilon<R>() * (abs(origin) + 32 * unit) + ends};
   return result;
 }
@@ -317,7 +316,7 @@ LargestPressure<R> RiemannHilbertSolution<R>::largest_pressure() const {
   if (!peak) return largest;
   const R offset = to_real<R>(reduced_.frame().unit) * place(peak->panel, peak->from_left, peak->from_right).node.x;
   const R origin = to_real<R>(reduced_.frame().origin);
-  const R error = to_real<R>(reduced_.frame().unit) * (peak->place_error + found_.end_error);
+  const R error = to_real<R>(reduced_.frame().unit) * (peak->place_error + end_error());
   return {peak->value, {origin + offset, error + 2 * epsilon<R>() * (abs(origin) + abs(offset))}, std::nullopt};
 }
 
@@ -327,14 +326,14 @@ std::optional<Estimate<R>> RiemannHilbertSolution<R>::tilt() const {
   if (!problem_.load_at()) return std::nullopt;
   const R c = to_real<R>(problem_.elasticity().compliance());
   const R value = c * form_.tilt();
-  return Estimate<R>{
-      value, 64 * epsilon<R>() * (abs(value) + c * reduced_.load()) + c * (found_.end_error + found_.tilt_error)};
+  return Estimate<R>{value,
+                     64 * epsilon<R>() * (abs(value) + c * reduced_.load()) + c * (end_error() + found_.errors.tilt)};
 }
 
 template <Real R>
 EstimatedError<R> RiemannHilbertSolution<R>::estimated_error() const {
   using std::abs, std::max;
-  EstimatedError<R> worst{max(found_.end_error / contact_set().span_length(), epsilon<R>()), R(0), R(0)};
+  EstimatedError<R> worst{max(end_error() / contact_set().span_length(), epsilon<R>()), R(0), R(0)};
   for (std::size_t k = 0; k < contact_set().segments(); ++k) {
     if (!contact_set().in_contact(k)) continue;
     const SurfacePoint<R> at = middle_of(k);
@@ -357,7 +356,7 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
   result.equation = check.equation();
   result.load = abs(check.integral() + load) / load;
   // Places show what is there; the limits decide what no place may show.
-  const R limit = highest_limit(form_, found_.end_error);
+  const R limit = highest_limit(form_, end_error());
   result.tension = max({check.highest_traction(), limit, R(0)}) * contact_length / load;
 
   // Gaps: the profile against the displacement, both from the end of the contact that is next to the place.

@@ -58,6 +58,7 @@ class RiemannHilbertSolution : public ContactSolution<R> {
 
  private:
   const ContactSet<R>& contact_set() const { return form_.set(); }
+  const R& end_error() const { return found_.errors.ends.distance; }
   Estimate<R> coordinate(std::size_t j) const;
   std::vector<Rational> places() const;
   SurfacePoint<R> middle_of(std::size_t segment) const;
@@ -108,7 +109,6 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   ReducedProblem<R> reduced_;
   JacobiRules<R> rules_;
   SearchResult<R> found_;
-  StateErrors<R> errors_;
   RiemannHilbertForm<R> form_;
   Once<Checked> checked_;
   Once<Resultants<R>> resultants_;

@@ -34,7 +34,7 @@ PiecewiseTraction<R> RiemannHilbertSolution<R>::piecewise_traction() const {
   const R unit = to_real<R>(reduced_.frame().unit);
   const std::vector<Rational> points = places();
   const auto is_singular = [&](std::size_t j) { return form_.power(j).value != 0 || form_.changes_polynomial(j); };
-  const auto end_error = [&](std::size_t j) { return set.point(j).is_movable() ? R(unit * found_.end_error) : R(0); };
+  const auto displaced = [&](std::size_t j) { return set.point(j).is_movable() ? R(unit * end_error()) : R(0); };
   PiecewiseTraction<R> result(problem_.elasticity(), reduced_.highest_degree());
   for (std::size_t k = 0; k < set.segments(); ++k) {
     if (!set.in_contact(k)) continue;
@@ -59,7 +59,7 @@ PiecewiseTraction<R> RiemannHilbertSolution<R>::piecewise_traction() const {
                   return R(16 * epsilon<R>() + 2 * relative_end_error(at) +
                            (t.value == 0 ? R(0) : R(t.error / abs(t.value))));
                 },
-                end_error(k), end_error(k + 1)});
+                displaced(k), displaced(k + 1)});
   }
   return result;
 }

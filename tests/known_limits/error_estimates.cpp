@@ -23,9 +23,9 @@ double median(std::vector<double> values) {
 /// One solution in double beside one with 50 digits.
 class Comparison {
  public:
-  Comparison(std::string name, const ContactSolution<double>& found, const ContactSolution<Real50>& truth,
-             EstimateAudit& audit)
-      : name_(std::move(name)), found_(found), truth_(truth), audit_(audit) {}
+  Comparison(std::string name, bool detailed, const ContactSolution<double>& found,
+             const ContactSolution<Real50>& truth, EstimateAudit& audit)
+      : name_(std::move(name)), detailed_(detailed), found_(found), truth_(truth), audit_(audit) {}
 
   void run() {
     points_ = found_.singular_points();
@@ -63,6 +63,9 @@ class Comparison {
       look("place", where, points_[k].x, true_points_[k].x);
       look("intensity", where, points_[k].intensity, true_points_[k].intensity);
       look("constant", where, points_[k].constant, true_points_[k].constant);
+      const auto& [left, right] = points_[k].stress_intensity;
+      if (left) look("stress intensity", where, *left, *true_points_[k].stress_intensity.left);
+      if (right) look("stress intensity", where, *right, *true_points_[k].stress_intensity.right);
       if (points_[k].kind == SingularKind::free) {
         worst = std::max(worst, points_[k].x.error);
         worst_true = std::max(worst_true, Real50(abs(Real50(points_[k].x.value) - true_points_[k].x.value)));
@@ -80,6 +83,15 @@ class Comparison {
     for (std::size_t k = 0; k < r.load_share.size(); ++k) {
       look("load share", std::to_string(k), r.load_share[k], t.load_share[k]);
     }
+    for (std::size_t k = 0; k < r.component_load.size(); ++k) {
+      const std::string where = "of component " + std::to_string(k);
+      look("load", where, r.component_load[k], t.component_load[k]);
+      look("width", where, found_.contact()[k].width, truth_.contact()[k].width);
+    }
+    const LargestPressure<double> p = found_.largest_pressure();
+    const LargestPressure<Real50> true_p = truth_.largest_pressure();
+    look("largest pressure", "", p.value, true_p.value);
+    look("place of it", "", p.x, true_p.x);
     if (const auto tilt = found_.tilt()) look("tilt", "", *tilt, *truth_.tilt());
     const Real50 load_off = abs(Real50(r.normal.value) / t.normal.value - 1);
     look("printed: resultants", "", {static_cast<double>(load_off), found_.estimated_error().resultants}, {});
@@ -96,7 +108,8 @@ class Comparison {
     double printed = 0;
     const double expected = found_.estimated_error().traction;
     for (std::size_t k = 0; k + 1 < x.size(); ++k) {
-      for (const char* part : {"0.000001", "0.013", "0.27", "0.5", "0.83", "0.991", "0.999999"}) {
+      const char* const parts[] = {"0.000001", "0.013", "0.27", "0.5", "0.83", "0.991", "0.999999"};
+      for (const char* const& part : parts) {
         const Rational place = x[k] + (x[k + 1] - x[k]) * parse_rational(part);
         const Sample<double> here = found_.at(place);
         const Sample<Real50> there = truth_.at(place);
@@ -105,6 +118,8 @@ class Comparison {
         look("shear", where, here.shear.left, there.shear.left);
         look("slope", where, here.slope.left, there.slope.left);
         if (here.gap && there.gap) look("gap", where, *here.gap, *there.gap);
+        // Each costs integrals with 50 digits: one place between two points, every kind of place in turn.
+        if (detailed_ && &part == &parts[(x.size() + k) % std::size(parts)]) compare_details(place, where);
         if (std::string_view(part) == "0.5" && there.traction.left.value != 0) {
           const Real50 off = abs(Real50(here.traction.left.value) / there.traction.left.value - 1);
           printed = std::max(printed, static_cast<double>(off));
@@ -114,7 +129,16 @@ class Comparison {
     look("printed: traction", "", {printed, expected}, {});
   }
 
+  void compare_details(const Rational& place, const std::string& where) {
+    const DetailedSample<double> here = found_.details_at(place);
+    const DetailedSample<Real50> there = truth_.details_at(place);
+    look("displacement", where, here.displacement, there.displacement);
+    look("shear slope", where, here.shear_slope.left, there.shear_slope.left);
+    look("load before", where, here.cumulative_load, there.cumulative_load);
+  }
+
   std::string name_;
+  bool detailed_;  ///< with what integrals of the traction say of places
   const ContactSolution<double>& found_;
   const ContactSolution<Real50>& truth_;
   EstimateAudit& audit_;
@@ -203,9 +227,12 @@ void audit_estimates(std::uint64_t seed, EstimateAudit& audit) {
     audit.different.push_back(std::to_string(seed) + " not solved with 50 digits");
     return;
   }
-  Comparison(std::to_string(seed), *rough, *fine, audit).run();
+  // In every fourth problem: they cost more than all the rest.
+  const bool detailed = seed % 4 == 0;
+  Comparison(std::to_string(seed), detailed, *rough, *fine, audit).run();
   if (const auto exact = closed_form<double>(problem).solution) {
-    Comparison(std::to_string(seed) + " closed form", *exact, *closed_form<Real50>(problem).solution, audit).run();
+    Comparison(std::to_string(seed) + " closed form", detailed, *exact, *closed_form<Real50>(problem).solution, audit)
+        .run();
   }
 }
 

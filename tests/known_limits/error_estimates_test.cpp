@@ -8,7 +8,13 @@
 TEST_CASE("the first eight, and those whose estimates have been too small") {
   EstimateAudit audit;
   // 5606: loads beside a break, integrated by a rule that does not know the traction's own error.
-  for (const std::uint64_t i : {0, 1, 2, 3, 4, 5, 6, 7, 5606}) audit_estimates(first_listed_seed + i, audit);
+  // 4360, 6829, 9274: loads, and 4428: gaps that a free end beside a short piece moves by more than they are large.
+  // 4921: components with edges alone, whose coefficients the gap between them decides.
+  // 36: displacements beyond an edge with a power near -1. 8: those in the contact of a profile of high degree.
+  // 48: slopes of the tangential displacement, whose integrals know nothing of the traction's error either.
+  for (const std::uint64_t i : {0, 1, 2, 3, 4, 5, 6, 7, 5606, 4360, 6829, 9274, 4428, 4921, 36, 8, 48}) {
+    audit_estimates(first_listed_seed + i, audit);
+  }
   MESSAGE(audit.text());
   for (const std::string& line : audit.dishonest) FAIL_CHECK(line);
   CHECK(audit.failure() == "");

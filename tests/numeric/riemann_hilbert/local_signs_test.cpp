@@ -20,13 +20,13 @@ template <Real R>
 struct FullContact {
   explicit FullContact(const ContactProblem& p) : data(p), problem(data, {0, 1}) {
     auto state = ContactState<R>::initial(problem, ContactSet<R>(problem, {{-1, 1, true, true}}), R(0));
-    found = {state, R(0), ""};
+    found = {state, {}, ""};
     form.emplace(problem, state.set, state.q, state.tilt, rules);
   }
   ContactProblem data;
   ReducedProblem<R> problem;
   JacobiRules<R> rules;
-  SearchResult<R> found{ContactState<R>{ContactSet<R>(problem), {}, R(0)}, R(0), ""};
+  SearchResult<R> found{ContactState<R>{ContactSet<R>(problem), {}, R(0)}, {}, ""};
   std::optional<RiemannHilbertForm<R>> form;
 };
 
@@ -96,7 +96,7 @@ TEST_CASE("what is in contact where it pulls has an infinite tension, and a name
   CAPTURE(words);
   CHECK(words.find("x = 0 pulls: theta = -0.79") != std::string::npos);
   const auto full_contact = [](const ReducedProblem<double>& problem, JacobiRules<double>&) -> SearchResult<double> {
-    return {{ContactSet<double>(problem, {{-1, 1, true, true}}), {problem.load()}, 0}, 0, ""};
+    return {{ContactSet<double>(problem, {{-1, 1, true, true}}), {problem.load()}, 0}, {}, ""};
   };
   const RiemannHilbertSolution<double> accepted(full.data, {0, 1}, full_contact);
   CHECK(accepted.residuals().tension == infinity<double>());

@@ -54,7 +54,7 @@ class Displaced {
             steps.push_back((pattern >> f & 1U) == 0 ? error : -error);
           }
           set.move(steps);
-          return SearchResult<double>{{std::move(set), state.q, state.tilt}, error, ""};
+          return SearchResult<double>{{std::move(set), state.q, state.tilt}, {{error, 1, 1}}, ""};
         }) {}
 
   /// The number of values whose error does not cover what they are off by.

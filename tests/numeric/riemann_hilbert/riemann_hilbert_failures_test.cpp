@@ -24,7 +24,7 @@ SearchResult<R> converged(const ReducedProblem<R>& problem, const ContactSet<R>&
   const std::vector<R> limits(set.segments(), R(1e-3));
   auto found = solve_newton(problem, ContactState<R>::initial(problem, set, R(0)), limits, rules);
   REQUIRE(found.status == NewtonResult<R>::Status::converged);
-  return {std::move(found.state), R(0), ""};
+  return {std::move(found.state), {}, ""};
 }
 
 template <Real R>
