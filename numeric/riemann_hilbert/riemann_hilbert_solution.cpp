@@ -310,7 +310,7 @@ LargestPressure<R> RiemannHilbertSolution<R>::largest_pressure() const {
   };
   const PanelFunction<R> pressure = [&](std::size_t panel, const R& left, const R& right) {
     const SurfacePoint<R> at = place(panel, left, right);
-    return -form_.traction(at).widened(relative_end_error(at));
+    return -traction(at).widened(relative_end_error(at));
   };
   const std::optional<Peak<R>> peak = highest_peak(lengths, pressure, largest.value.value);
   if (!peak) return largest;

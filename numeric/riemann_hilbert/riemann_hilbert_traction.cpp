@@ -54,7 +54,7 @@ PiecewiseTraction<R> RiemannHilbertSolution<R>::piecewise_traction() const {
                 [&, k](const R& from_left, const R& from_right) {
                   using std::abs;
                   const SurfacePoint<R> at = surface_point(set, k, R(from_left / unit), R(from_right / unit));
-                  const Estimate<R> t = form_.traction(at);
+                  const Estimate<R> t = traction(at);
                   // The place of x among the free ends is as uncertain as they are: twice their error.
                   return R(16 * epsilon<R>() + 2 * relative_end_error(at) +
                            (t.value == 0 ? R(0) : R(t.error / abs(t.value))));
