@@ -10,7 +10,6 @@
 namespace steadyslide::numeric::double_exponential {
 namespace {
 
-constexpr int steps_per_unit = 1024;
 /// Beyond the accuracy, as an exponent, for what is small next to a panel's end.
 constexpr double margin = 28;
 /// Nearer to an end the traction's limit decides: a rounding error times a power of the distance says nothing.
@@ -55,9 +54,13 @@ double strip_of(const PiecewiseDensity<R>& density, std::size_t k) {
                   strip(std::min(clearance(density, k, Side::left), clearance(density, k, Side::right))));
 }
 
+/// h.
+double step(int per_octave) { return std::numbers::ln2 / per_octave; }
+
 template <Real R>
-int step_of(const PiecewiseDensity<R>& density, std::size_t k) {
-  return static_cast<int>(steps_per_unit * 2 * std::numbers::pi * 0.95 * strip_of(density, k) / accuracy<R>());
+int nodes_per_octave(const PiecewiseDensity<R>& density, std::size_t k) {
+  const double longest = 2 * std::numbers::pi * 0.955 * strip_of(density, k) / accuracy<R>();
+  return static_cast<int>(std::ceil(std::numbers::ln2 / longest));
 }
 
 /// How far the nodes reach, in tau.
@@ -83,49 +86,68 @@ R shifted_back(const Integer& sum, int shift) {
   return ldexp(R(sum), -shift);
 }
 
+/// e^-(2 p u) at tau = 0, h, 2h, ..., `rise` being (pi/2) e^tau over one octave. e^(-p rise) is squared from one octave to
+/// the next, e^(p (pi/2) e^-tau) the root of what it was: an exponential a node of one octave is all.
+template <Real R>
+std::vector<R> decays(const R& p, const std::vector<R>& rise, std::size_t count) {
+  using std::exp, std::sqrt;
+  const std::size_t octave = rise.size();
+  std::vector<R> falling(std::max(count, octave)), rising(count), result(count);
+  for (std::size_t i = 0; i < falling.size(); ++i) {
+    falling[i] = i < octave ? R(exp(-p * rise[i])) : R(falling[i - octave] * falling[i - octave]);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const R square = i == 0 ? R(falling[0] * falling[0]) : i < octave ? falling[octave - i] : rising[i - octave];
+    rising[i] = i < octave ? R(1 / sqrt(square)) : R(sqrt(square));
+    result[i] = falling[i] * rising[i];
+  }
+  return result;
+}
+
 /// A node at tau >= 0 of the unit interval.
 template <Real R>
 struct UnitNode {
   R near;  ///< distances to the right end and to the left one
   R far;
-  R log_near;
   R log_far;
   R rate;             ///< pi cosh tau
   R both;             ///< near far
   R mirror;           ///< near far rate^2
   double rough_near;  ///< for what double is enough for
 
-  static UnitNode at(const R& tau) {
-    using std::exp, std::log;
-    const R e = exp(tau);
-    const R inverse = 1 / e;
-    const R twice_u = pi<R>() * (e - inverse) / 2;
-    const R decay = exp(R(-twice_u));
+  /// (pi/2) e^tau, (pi/2) e^-tau and e^-2u.
+  static UnitNode of(const R& rise, const R& fall, const R& decay) {
+    using std::log;
     const R far = 1 / (1 + decay);
-    const R log_far = log(far);
     const R near = decay * far;
     const R both = near * far;
-    const R rate = pi<R>() * (e + inverse) / 2;
-    return {near, far, log_far - twice_u, log_far, rate, both, both * rate * rate, static_cast<double>(near)};
+    const R rate = rise + fall;
+    return {near, far, log(far), rate, both, both * rate * rate, static_cast<double>(near)};
   }
 };
 
-/// What is known of a step, whatever the panel: grows as it is asked for, and is shared by all grids.
+/// What is known of a step, of which `per_octave` double e^tau, whatever the panel: grows as it is asked for, and is shared
+/// by all grids.
 template <Real R>
 class UnitGrid {
  public:
   using Numbers = std::shared_ptr<const std::vector<Integer>>;
   using Nodes = std::shared_ptr<const std::vector<UnitNode<R>>>;
 
-  static UnitGrid& of(int step) {
+  static UnitGrid& of(int per_octave) {
     static std::mutex mutex;
     static std::map<int, UnitGrid> known;
     const std::lock_guard lock(mutex);
-    return known.try_emplace(step, step).first->second;
+    return known.try_emplace(per_octave, per_octave).first->second;
   }
   static constexpr int bits = std::numeric_limits<R>::digits;
-  explicit UnitGrid(int step) : step_(step) {}
+  explicit UnitGrid(int per_octave) {
+    for (int i = 0; i < per_octave; ++i) octave_.push_back(rise_at(R(i) / per_octave));
+  }
 
+  /// h, and (pi/2) e^tau at 0, h, ... below log 2.
+  R step() const { return log_two() / octave_.size(); }
+  const std::vector<R>& octave() const { return octave_; }
   /// At 0, h, 2h, ...: `count` at least.
   Nodes nodes(int count) {
     const std::lock_guard lock(mutex_);
@@ -157,23 +179,40 @@ class UnitGrid {
   }
 
  private:
+  static R log_two() {
+    using std::log;
+    return log(R(2));
+  }
+  static R rise_at(const R& octaves) {
+    using std::exp;
+    return pi<R>() / 2 * exp(R(octaves * log_two()));
+  }
+  static R fall_at(const R& rise) { return pi<R>() * pi<R>() / (4 * rise); }
+
   Nodes made_nodes(int count) {
+    using std::ldexp;
     if (!nodes_ || static_cast<int>(nodes_->size()) < count) {
-      std::vector<UnitNode<R>> made = nodes_ ? *nodes_ : std::vector<UnitNode<R>>();
-      for (int i = static_cast<int>(made.size()); i < count; ++i)
-        made.push_back(UnitNode<R>::at(R(i * step_) / steps_per_unit));
+      std::vector<UnitNode<R>> made;
+      const auto size = static_cast<std::size_t>(count);
+      const std::vector<R> decay = decays(R(1), octave_, size);
+      for (std::size_t i = 0; i < size; ++i) {
+        const R rise = ldexp(octave_[i % octave_.size()], static_cast<int>(i / octave_.size()));
+        made.push_back(UnitNode<R>::of(rise, fall_at(rise), decay[i]));
+      }
       nodes_ = std::make_shared<const std::vector<UnitNode<R>>>(std::move(made));
     }
     return nodes_;
   }
   const UnitNode<R>& made_midpoint(int cell) {
+    using std::exp;
     const auto known = midpoints_.find(cell);
     if (known != midpoints_.end()) return known->second;
-    const int twice = 2 * cell + 1;
-    return midpoints_.emplace(cell, UnitNode<R>::at(R(std::abs(twice) * step_) / (2 * steps_per_unit))).first->second;
+    const R rise = rise_at(R(std::abs(2 * cell + 1)) / (2 * octave_.size()));
+    const R fall = fall_at(rise);
+    return midpoints_.emplace(cell, UnitNode<R>::of(rise, fall, exp(R(fall - rise)))).first->second;
   }
 
-  int step_;
+  std::vector<R> octave_;
   std::mutex mutex_;
   Nodes nodes_;
   std::map<int, UnitNode<R>> midpoints_;
@@ -191,26 +230,41 @@ R power_of(const R& base, const R& exponent) {
   return exponent == 1 ? base : pow(base, exponent);
 }
 
-/// y^a (1-y)^b pi cosh tau at the nodes first..last, a, b > 0. Where a + b is whole, those of two nodes that mirror each
-/// other have the product (y (1-y))^(a+b) (pi cosh tau)^2: one exponential for both.
+/// y^a (1-y)^b pi cosh tau at the nodes first..last, a, b > 0: (1-y)^(a+b) or y^(a+b), of the greater one, times e^-2bu on the
+/// right and e^2au on the left. Where a + b is whole, those of two nodes that mirror each other have the product
+/// (y (1-y))^(a+b) (pi cosh tau)^2.
 template <Real R>
-std::vector<R> end_weights(const std::vector<UnitNode<R>>& nodes, const R& a, const R& b, int first, int last) {
+std::vector<R> end_weights(UnitGrid<R>& grid, const R& a, const R& b, int first, int last) {
   using std::abs, std::exp;
   const R sum = a + b;
   const int whole = static_cast<int>(std::lround(static_cast<double>(sum)));
   const bool mirrored = whole > 0 && abs(R(sum - whole)) <= 8 * epsilon<R>();
+  const auto nodes = grid.nodes(std::max(-first, last) + 1);
   std::vector<R> result(static_cast<std::size_t>(last - first + 1));
-  for (int i = last; i >= first; --i) {
-    const UnitNode<R>& node = nodes[static_cast<std::size_t>(abs(i))];
-    R& weight = result[static_cast<std::size_t>(i - first)];
-    if (mirrored && i < 0 && -i <= last) {
-      weight = node.mirror;
-      for (int k = 1; k < whole; ++k) weight *= node.both;
-      weight /= result[static_cast<std::size_t>(-i - first)];
-    } else {
-      weight = exp(i > 0 ? R(a * node.log_far + b * node.log_near) : R(a * node.log_near + b * node.log_far));
-      weight *= node.rate;
+  const auto at = [&](int i) -> R& { return result[static_cast<std::size_t>(i - first)]; };
+  const auto fill = [&](int direction, int count, const R& p) {
+    const std::vector<R> decay = decays(p, grid.octave(), static_cast<std::size_t>(count + 1));
+    for (int i = 0; i <= count; ++i) {
+      const UnitNode<R>& node = (*nodes)[static_cast<std::size_t>(i)];
+      R& weight = at(direction * i);
+      weight = decay[static_cast<std::size_t>(i)] * node.rate;
+      if (!mirrored) weight *= exp(R(sum * node.log_far));
+      for (int k = 0; mirrored && k < whole; ++k) weight *= node.far;
     }
+  };
+  // The lower power reaches further.
+  const int longer = a < b ? -1 : 1;
+  fill(longer, a < b ? -first : last, std::min(a, b));
+  if (!mirrored) {
+    fill(-longer, a < b ? last : -first, std::max(a, b));
+    return result;
+  }
+  for (int i = a < b ? last : -first; i > 0; --i) {
+    const UnitNode<R>& node = (*nodes)[static_cast<std::size_t>(i)];
+    R& weight = at(-longer * i);
+    weight = node.mirror;
+    for (int k = 1; k < whole; ++k) weight *= node.both;
+    weight /= at(longer * i);
   }
   return result;
 }
@@ -231,22 +285,23 @@ template <Real R>
 Grid<R>::Grid(const PiecewiseDensity<R>& density) {
   panels_.reserve(density.size());
   for (std::size_t k = 0; k < density.size(); ++k) {
-    panels_.push_back(sampled(density[k], step_of(density, k), density.size() == 1));
+    panels_.push_back(sampled(density[k], nodes_per_octave(density, k), density.size() == 1));
   }
 }
 
 template <Real R>
-typename Grid<R>::PanelSamples Grid<R>::sampled(const PanelDensity<R>& density, int step, bool alone) {
+typename Grid<R>::PanelSamples Grid<R>::sampled(const PanelDensity<R>& density, int per_octave, bool alone) {
   const Panel<R>& panel = density.panel;
-  const auto count = [&](const Power<R>& power) { return static_cast<int>(reach(power) * steps_per_unit) / step + 1; };
+  const auto count = [&](const Power<R>& power) { return static_cast<int>(reach(power) / step(per_octave)) + 1; };
   const int first = -count(density.left);
   const int last = count(density.right);
-  const auto nodes = UnitGrid<R>::of(step).nodes(std::max(-first, last) + 1);
-  const R h = R(step) / steps_per_unit;
+  UnitGrid<R>& grid = UnitGrid<R>::of(per_octave);
+  const auto nodes = grid.nodes(std::max(-first, last) + 1);
+  const R h = grid.step();
   const R& a = density.left.plus_one;
   const R& b = density.right.plus_one;
-  PanelSamples result{panel, density.gap, step, first, R(0), end_weights(*nodes, a, b, first, last),
-                      0,     {},          {},   {},    {},   -infinity<R>()};
+  PanelSamples result{panel, density.gap, per_octave, first, R(0), end_weights(grid, a, b, first, last),
+                      0,     {},          {},         {},    {},   -infinity<R>()};
   const R middle = panel.length / 2;
   const R constant = density.is_constant ? density.smooth(panel.node_from_left(middle)) : R(1);
   // dx = length pi cosh(tau) y (1-y) dtau
@@ -325,8 +380,8 @@ template <Real R>
 typename Grid<R>::Midpoint Grid<R>::midpoint_near(std::size_t k, double fraction) const {
   const double tau = std::asinh(std::log(fraction / (1 - fraction)) / std::numbers::pi);
   const PanelSamples& panel = panels_[k];
-  const auto cell = static_cast<int>(std::floor(tau * steps_per_unit / panel.step));
-  const UnitNode<R> unit = UnitGrid<R>::of(panel.step).midpoint(cell);
+  const auto cell = static_cast<int>(std::floor(tau / step(panel.per_octave)));
+  const UnitNode<R> unit = UnitGrid<R>::of(panel.per_octave).midpoint(cell);
   const R& length = panel.panel.length;
   const R near = length * unit.near;
   const R far = length * unit.far;
@@ -338,7 +393,7 @@ R Grid<R>::hilbert(const Midpoint& midpoint) const {
   const Node<R>& x = midpoint.node;
   const PanelSamples& own = panels_[midpoint.panel];
   const int last = own.first + static_cast<int>(own.weighted.size()) - 1;
-  const auto reciprocals = UnitGrid<R>::of(own.step).reciprocals(midpoint.cell, std::max(-own.first, last));
+  const auto reciprocals = UnitGrid<R>::of(own.per_octave).reciprocals(midpoint.cell, std::max(-own.first, last));
   auto reciprocal = reciprocals->begin() + static_cast<std::ptrdiff_t>(reciprocals->size() / 2) + own.first;
   Integer products = 0;
   for (const Integer& weighted : own.integers) {
@@ -385,7 +440,7 @@ Estimate<double> Grid<R>::rough_displacement(std::size_t k, Side end, double dis
     // The point itself is a singular point, of a logarithm, beyond the panel.
     const double length = static_cast<double>(panels_[j].panel.length);
     const double clear = same_side ? distance + apart + (j == k ? 0 : own_length) : apart - distance;
-    const double h = static_cast<double>(panels_[j].step) / steps_per_unit;
+    const double h = step(panels_[j].per_octave);
     lost += part * (clear > 0 ? std::exp(-2 * std::numbers::pi * strip(clear / length) / h) : 1);
   }
   return {-sum / std::numbers::pi, 10 * lost + 1e-13 * size};

@@ -3,9 +3,9 @@
 //
 //   y = 1/(1 + e^{-2u}), 1 - y = 1/(1 + e^{2u}), u = (pi/2) sinh tau, dy = pi cosh(tau) y (1-y) dtau [TM74],
 //
-// and the trapezoidal rule in tau: a tenth of the nodes of trapezoidal.hpp, whose tau goes without the sinh. Powers at
-// a panel's ends are one exponential a node, or two nodes where they add up to a whole number, and all there is to a node
-// where the rest of t is constant; the logarithms of y and 1-y are made once a step. With the nodes staggered half a step
+// and the trapezoidal rule in tau: a tenth of the nodes of trapezoidal.hpp, whose tau goes without the sinh. A whole number
+// of steps doubles e^tau, so that e^u is squared, and powers at a panel's ends are exponentials over one octave and else
+// squares and roots; where the rest of t is constant they are all there is to a node. With the nodes staggered half a step
 // off the pole the rule gives the principal value; 1/(y' - y) on the pole's own panel depends on the step and the place
 // alone, and is made once for both. Sums on that panel are exact, of integers with the digits of the largest sample.
 //
@@ -69,9 +69,9 @@ class Grid {
   };
   struct PanelSamples {
     Panel<R> panel;
-    R gap;      ///< from the panel before
-    int step;   ///< h in units of 1/1024
-    int first;  ///< the first sample lies at tau = first h
+    R gap;           ///< from the panel before
+    int per_octave;  ///< log(2)/h
+    int first;       ///< the first sample lies at tau = first h
     R factor;
     std::vector<R> weighted;        ///< times the factor: t(x) dx/dtau h
     int shift;                      ///< of the integers
@@ -83,7 +83,7 @@ class Grid {
   };
 
   R between(std::size_t j, std::size_t k) const;
-  static PanelSamples sampled(const PanelDensity<R>& density, int step, bool alone);
+  static PanelSamples sampled(const PanelDensity<R>& density, int per_octave, bool alone);
 
   std::vector<PanelSamples> panels_;
 };

@@ -1,8 +1,7 @@
-#include <boost/math/constants/constants.hpp>
-
 #include "proofs_checks/instruments/tractions/punch_loads.hpp"
 #include "proofs_checks/kit/comparison.hpp"
 #include "proofs_checks/kit/rate.hpp"
+#include "proofs_checks/kit/special_numbers.hpp"
 
 namespace steadyslide::proofs_checks::flat_punch_direction_small {
 namespace {
@@ -41,8 +40,6 @@ Values predicted(const Halves& halves, const Number& constant) {
            Number(4 * constant / (pi * pi) * to_real<Number>(halves.rear * halves.rear - halves.front * halves.front))},
           {"rest", Order{2}}};
 }
-
-Number catalan() { return boost::math::constants::catalan<Number>(); }
 
 }  // namespace
 

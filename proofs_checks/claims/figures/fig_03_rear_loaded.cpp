@@ -1,9 +1,8 @@
-#include <boost/math/special_functions/digamma.hpp>
-
 #include "proofs_checks/instruments/operators/local_power.hpp"
 #include "proofs_checks/instruments/solutions/extremes.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/special_numbers.hpp"
 
 namespace steadyslide::proofs_checks::fig_03_rear_loaded {
 namespace {
@@ -25,7 +24,6 @@ R rear_load_by_quadrature(const ContactProblem& p) {
 ///   (2 cos(pi alpha)/pi) int_0^1 v^{-2 alpha}/(1+v^2) dv,   v^2 = (1+x)/(1-x),
 ///     = (cos(pi alpha)/(2 pi)) (digamma(3/4 - alpha/2) - digamma(1/4 - alpha/2)).
 Values rear_loaded(const Rational& s, const Number& alpha, int place = 2) {
-  using boost::math::digamma;
   const Number cosine = cos_pi_alpha<Number>(s);
   const Number pi = numeric::pi<Number>();
   const Number share =

@@ -1,8 +1,7 @@
-#include <boost/math/special_functions/digamma.hpp>
-
 #include "proofs_checks/instruments/tractions/friction_values.hpp"
 #include "proofs_checks/instruments/tractions/jacobi_traction.hpp"
 #include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/special_numbers.hpp"
 
 namespace steadyslide::proofs_checks::sec_31_decomposition {
 namespace {
@@ -19,7 +18,6 @@ struct UnitSolution {
 
 /// -(log 2 + C + (psi(1/2+alpha) + psi(1/2-alpha))/2)/pi, C Euler's constant, psi the digamma function.
 Number punch_constant(const Rational& s) {
-  using boost::math::digamma;
   const Number plus = to_real<Number>(half + Exponent::angle(s));
   const Number minus = to_real<Number>(half - Exponent::angle(s));
   return -(log(Number(2)) + (digamma(plus) + digamma(minus)) / 2 - digamma(Number(1))) / numeric::pi<Number>();
