@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 
 namespace steadyslide::numeric::variational {
 
@@ -21,6 +22,25 @@ std::shared_ptr<ContactHull> contact_hull(const DiscreteProblem& problem, const 
   if (last && last->first == first && last->influence.size() == behind - first) return last;
   last = nullptr;
   return std::make_shared<ContactHull>(problem, first, behind - first);
+}
+
+std::vector<CellRange> contact_zones(const std::vector<std::size_t>& cells, std::size_t most) {
+  std::vector<std::size_t> gaps;  // 1 + cells between
+  for (std::size_t k = 1; k < cells.size(); ++k) {
+    if (cells[k] != cells[k - 1] + 1) gaps.push_back(cells[k] - cells[k - 1]);
+  }
+  std::size_t least = 2;
+  if (gaps.size() >= most) {
+    const auto place = gaps.begin() + static_cast<std::ptrdiff_t>(most - 1);
+    std::nth_element(gaps.begin(), place, gaps.end(), std::greater<>());
+    least = *place + 1;
+  }
+  std::vector<CellRange> zones;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (k == 0 || cells[k] - cells[k - 1] >= least) zones.push_back({cells[k], 0});
+    zones.back().count = cells[k] + 1 - zones.back().first;
+  }
+  return zones;
 }
 
 }  // namespace steadyslide::numeric::variational

@@ -1,6 +1,7 @@
 #include <Eigen/Jacobi>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "numeric/number/dense_lu.hpp"
 #include "numeric/variational/bordered_system.hpp"
@@ -15,6 +16,11 @@ using Load = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2, 1>;
 
 constexpr int basis_size = 40;
 constexpr int most_cycles = 12;
+
+/// Of zones that are inverted by themselves: their matrix is factorised in the time of some products.
+std::size_t most_zones(std::size_t cells) {
+  return static_cast<std::size_t>(8 * std::cbrt(static_cast<double>(cells))) / ZoneCoupling::points;
+}
 
 /// GMRES for B p - E c = rhs, W^T p = loads, E the columns 1 and -xi and W = h E up to the sign, preconditioned by the
 /// same system with the surface's approximate inverse M^-1 in place of B^-1: the loads are then met exactly throughout,
@@ -47,6 +53,7 @@ class Krylov : public BorderedSystem {
     constants_ = Load::Zero(loads);
     constants_(0) = guess.approach;
     if (loads == 2) constants_(1) = guess.tilt;
+    prepare_inverse();
     lifted_.resize(n, loads);
     for (Eigen::Index k = 0; k < loads; ++k) lifted_.col(k) = inverse(columns_.col(k));
     border_ = DenseLu(weights_.transpose() * lifted_).inverse();
@@ -56,7 +63,6 @@ class Krylov : public BorderedSystem {
     right_.resize(pressure_.size());
     for (Eigen::Index k = 0; k < right_.size(); ++k) right_(k) = rhs[cells_[static_cast<std::size_t>(k)]];
     const Load target = Eigen::Map<const Load>(loads.data(), columns_.cols());
-    products_ = 0;
     residual_ = right_ - operate(pressure_, constants_);
     correct(residual_, target - weights_.transpose() * pressure_);
     residual_ = right_ - operate(pressure_, constants_);
@@ -66,7 +72,6 @@ class Krylov : public BorderedSystem {
 
   SystemSolution refined(double tolerance) override {
     tolerance_ = tolerance;
-    products_ = 0;
     // A cycle that has little room left ends here.
     if (2 * static_cast<Eigen::Index>(rotations_.size()) > hessenberg_.cols()) begin_cycle();
     return solution();
@@ -93,7 +98,23 @@ class Krylov : public BorderedSystem {
   Vector inverse(const Vector& r) {
     scatter(r);
     hull_->inverse.apply(whole_, image_);
-    return gathered();
+    Vector p = gathered();
+    if (coupled_) hull_->coupling->correct(p);
+    return p;
+  }
+
+  /// The inverse is made for the contact's zones, and what they do to each other.
+  void prepare_inverse() {
+    std::vector<std::size_t> cells = cells_;
+    for (std::size_t& i : cells) i -= hull_->first;
+    const std::vector<CellRange> zones = contact_zones(cells, most_zones(problem_.size()));
+    hull_->inverse.restrict_to(zones);
+    if (zones.size() == 1) return;
+    hull_->coupling = std::make_unique<ZoneCoupling>(
+        hull_->influence, problem_.mesh().length(0), cells, zones,
+        [this](const Vector& p) { return operate(p, Load::Zero(columns_.cols())); },
+        [this](const Vector& r) { return inverse(r); }, hull_->coupling.get());
+    coupled_ = true;
   }
 
   struct Correction {
@@ -193,7 +214,7 @@ class Krylov : public BorderedSystem {
     result.state.approach = constants_(0);
     if (constants_.size() == 2) result.state.tilt = constants_(1);
     result.residual = size;
-    result.products = products_;
+    result.products = std::exchange(products_, 0);
     return result;
   }
 
@@ -218,7 +239,8 @@ class Krylov : public BorderedSystem {
   Eigen::MatrixXd hessenberg_;
   std::vector<Eigen::JacobiRotation<double>> rotations_;
   Vector rest_;
-  int products_ = 0;
+  bool coupled_ = false;
+  int products_ = 0;  // since the last solution
 };
 
 }  // namespace

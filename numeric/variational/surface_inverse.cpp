@@ -1,78 +1,110 @@
 #include "numeric/variational/surface_inverse.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
 namespace steadyslide::numeric::variational {
 namespace {
 
-/// Each zone costs a transform: values of s that are close share one.
-constexpr std::size_t most_zones = 4;
+/// Each kind of cells costs a transform: values of s that are close share one.
+constexpr std::size_t most_kinds = 4;
 
-/// Representative values: those that occur, or the means of most_zones groups of them by angle.
+/// Representative values: those that occur, or the means of most_kinds groups of them by angle.
 std::vector<double> representatives(std::vector<double> s) {
   s.erase(std::unique(s.begin(), s.end()), s.end());  // neighbours: few are left to sort
   std::sort(s.begin(), s.end());
   s.erase(std::unique(s.begin(), s.end()), s.end());
-  if (s.size() <= most_zones) return s;
+  if (s.size() <= most_kinds) return s;
   const double low = std::atan(s.front());
-  const double width = (std::atan(s.back()) - low) / most_zones;
+  const double width = (std::atan(s.back()) - low) / most_kinds;
   std::vector<double> result;
-  for (std::size_t k = 0; k < most_zones; ++k) {
+  for (std::size_t k = 0; k < most_kinds; ++k) {
     result.push_back(std::tan(low + (static_cast<double>(k) + 0.5) * width));
   }
   return result;
 }
 
+/// Few lengths that are fast: four in an octave, so that plans and symbols are shared.
+std::size_t circle_length(std::size_t cells) {
+  const std::size_t least = std::max<std::size_t>(cells + cells / 8, 16);
+  const std::size_t octave = std::bit_floor(least);
+  for (const std::size_t quarters : {4U, 5U, 6U}) {
+    if (octave / 4 * quarters >= least) return octave / 4 * quarters;
+  }
+  return 2 * octave;
+}
+
 }  // namespace
 
 SurfaceInverse::SurfaceInverse(const GalerkinOperator& influence, double length)
-    : zone_of_(influence.size()), fourier_(fast_length(influence.size() + influence.size() / 8)) {
+    : influence_(influence), length_(length), kind_of_(influence.size()) {
   std::vector<double> s = influence.friction().whole;
   for (double& value : s) value /= length;
-  const std::vector<double> values = representatives(s);
+  values_ = representatives(s);
   for (std::size_t i = 0; i < s.size(); ++i) {
     if (i > 0 && s[i] == s[i - 1]) {
-      zone_of_[i] = zone_of_[i - 1];
+      kind_of_[i] = kind_of_[i - 1];
       continue;
     }
-    const auto nearest = std::min_element(values.begin(), values.end(), [&](double a, double b) {
+    const auto nearest = std::min_element(values_.begin(), values_.end(), [&](double a, double b) {
       return std::abs(std::atan(a) - std::atan(s[i])) < std::abs(std::atan(b) - std::atan(s[i]));
     });
-    zone_of_[i] = static_cast<unsigned char>(nearest - values.begin());
+    kind_of_[i] = static_cast<unsigned char>(nearest - values_.begin());
   }
+}
 
-  const auto n = static_cast<double>(fourier_.size());
-  modes_.resize(fourier_.modes().size());
-  std::vector<double> cot(modes_.size());
-  for (std::size_t k = 1; k < cot.size(); ++k) cot[k] = 1 / std::tan(std::numbers::pi * static_cast<double>(k) / n);
-  for (const double value : values) {
-    std::vector<std::complex<double>>& reciprocal = reciprocals_.emplace_back();
-    const bool at_end = !influence.friction().at_end.empty() && std::abs(value) > strong_friction;
-    const double rest = at_end ? influence.friction().sign * 0.5 : 0;
-    const std::vector<std::complex<double>> logarithm = influence.spectrum(at_end, fourier_);
-    for (std::size_t k = 0; k < logarithm.size(); ++k) {
-      // The symbol of sum over the cells before, half of the cell itself: -i h/2 cot(theta/2).
-      const std::complex<double> symbol = logarithm[k] + value * length * std::complex(rest, -cot[k] / 2);
-      reciprocal.push_back(std::conj(symbol) / (std::norm(symbol) * n));
+std::vector<std::complex<double>> SurfaceInverse::reciprocal(double s, const Fourier& fourier) const {
+  const CellFriction& friction = influence_.friction();
+  const bool at_end = !friction.at_end.empty() && std::abs(s) > strong_friction;
+  const double rest = at_end ? friction.sign * 0.5 : 0;
+  std::vector<std::complex<double>> result = influence_.spectrum(at_end, fourier);
+  const auto n = static_cast<double>(fourier.size());
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    const double cot = k == 0 ? 0 : 1 / std::tan(std::numbers::pi * static_cast<double>(k) / n);
+    // The symbol of sum over the cells before, half of the cell itself: -i h/2 cot(theta/2).
+    const std::complex<double> symbol = result[k] + s * length_ * std::complex(rest, -cot / 2);
+    result[k] = std::conj(symbol) / (std::norm(symbol) * n);
+  }
+  return result;
+}
+
+void SurfaceInverse::restrict_to(std::vector<CellRange> zones) {
+  zones_.clear();
+  for (const CellRange& cells : zones) {
+    const std::size_t length = circle_length(cells.count);
+    Circle& circle = circles_.try_emplace(length, length).first->second;
+    Zone& zone = zones_.emplace_back(Zone{cells, &circle, {}});
+    for (std::size_t i = cells.first; i < cells.first + cells.count; ++i) {
+      if (std::ranges::find(zone.kinds, kind_of_[i]) == zone.kinds.end()) zone.kinds.push_back(kind_of_[i]);
     }
+    for (const unsigned char kind : zone.kinds) {
+      if (!circle.reciprocals.contains(kind)) circle.reciprocals[kind] = reciprocal(values_[kind], circle.fourier);
+    }
+    modes_.resize(std::max(modes_.size(), length / 2 + 1));
   }
 }
 
 void SurfaceInverse::apply(std::span<const double> r, std::span<double> p) {
-  const std::span<double> values = fourier_.values();
-  const std::span<std::complex<double>> modes = fourier_.modes();
-  std::copy(r.begin(), r.end(), values.begin());
-  std::fill(values.begin() + static_cast<std::ptrdiff_t>(r.size()), values.end(), 0);
-  fourier_.forward();
-  if (reciprocals_.size() > 1) std::copy(modes.begin(), modes.end(), modes_.begin());
-  for (std::size_t zone = 0; zone < reciprocals_.size(); ++zone) {
-    const std::complex<double>* const from = reciprocals_.size() > 1 ? modes_.data() : modes.data();
-    for (std::size_t k = 0; k < modes.size(); ++k) modes[k] = from[k] * reciprocals_[zone][k];
-    fourier_.backward();
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      if (zone_of_[i] == zone) p[i] = values[i];
+  for (const Zone& zone : zones_) {
+    const Fourier& fourier = zone.circle->fourier;
+    const std::span<double> values = fourier.values();
+    const std::span<std::complex<double>> modes = fourier.modes();
+    const auto [first, count] = zone.cells;
+    std::copy_n(r.begin() + static_cast<std::ptrdiff_t>(first), count, values.begin());
+    std::fill(values.begin() + static_cast<std::ptrdiff_t>(count), values.end(), 0);
+    fourier.forward();
+    const bool mixed = zone.kinds.size() > 1;
+    if (mixed) std::copy(modes.begin(), modes.end(), modes_.begin());
+    for (const unsigned char kind : zone.kinds) {
+      const std::complex<double>* const from = mixed ? modes_.data() : modes.data();
+      const std::vector<std::complex<double>>& reciprocal = zone.circle->reciprocals.at(kind);
+      for (std::size_t k = 0; k < modes.size(); ++k) modes[k] = from[k] * reciprocal[k];
+      fourier.backward();
+      for (std::size_t i = 0; i < count; ++i) {
+        if (kind_of_[first + i] == kind) p[first + i] = values[i];
+      }
     }
   }
 }
