@@ -26,26 +26,30 @@ int threads(std::size_t n) {
 struct Fourier::Plans {
   double* values;
   fftw_complex* modes;  // in the same place
+  double* sums;         // room for another transform
   fftw_plan forward;
-  fftw_plan backward;
 
   explicit Plans(std::size_t n) {
     const std::lock_guard lock(planner());
     static const int available = fftw_init_threads();
     if (available != 0) fftw_plan_with_nthreads(threads(n));
     modes = fftw_alloc_complex(n / 2 + 1);
-    if (modes == nullptr) throw std::bad_alloc();
+    sums = fftw_alloc_real(n + 2);
+    if (modes == nullptr || sums == nullptr) {
+      fftw_free(modes);
+      fftw_free(sums);
+      throw std::bad_alloc();
+    }
     values = reinterpret_cast<double*>(modes);
     forward = fftw_plan_dft_r2c_1d(static_cast<int>(n), values, modes, FFTW_ESTIMATE);
-    backward = fftw_plan_dft_c2r_1d(static_cast<int>(n), modes, values, FFTW_ESTIMATE);
   }
   Plans(const Plans&) = delete;
   Plans& operator=(const Plans&) = delete;
   ~Plans() {
     const std::lock_guard lock(planner());
     fftw_destroy_plan(forward);
-    fftw_destroy_plan(backward);
     fftw_free(modes);
+    fftw_free(sums);
   }
 };
 
@@ -62,6 +66,26 @@ std::span<std::complex<double>> Fourier::modes() const {
 }
 
 void Fourier::forward() const { fftw_execute(plans_->forward); }
-void Fourier::backward() const { fftw_execute(plans_->backward); }
+
+void Fourier::convolve(std::span<const std::complex<double>> s, std::span<double> result) const {
+  // With h_k = re(s_k y_k) + im(s_k y_k), k = 0..n-1, and H its transform, x_j = re(H_j) + im(H_j): forward again, which takes
+  // two thirds of the time of FFTW's way back where it leaves the cache.
+  const std::span<const std::complex<double>> y = modes();
+  double* const h = plans_->sums;
+  const double scale = 1 / static_cast<double>(size_);
+  const std::size_t half = size_ / 2;
+  for (std::size_t k = 0; k <= half; ++k) {
+    const double re = scale * (s[k].real() * y[k].real() - s[k].imag() * y[k].imag());
+    const double im = scale * (s[k].real() * y[k].imag() + s[k].imag() * y[k].real());
+    if (k > 0) h[size_ - k] = re - im;
+    if (k < half) h[k] = re + im;
+  }
+  auto* const transformed = reinterpret_cast<fftw_complex*>(h);
+  fftw_execute_dft_r2c(plans_->forward, h, transformed);
+  for (std::size_t j = 0; j < result.size(); ++j) {
+    const auto& mode = transformed[std::min(j, size_ - j)];
+    result[j] = j <= half ? mode[0] + mode[1] : mode[0] - mode[1];
+  }
+}
 
 }  // namespace steadyslide::numeric::variational

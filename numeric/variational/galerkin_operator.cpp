@@ -100,24 +100,12 @@ void GalerkinOperator::multiply_by_transform(std::span<const double> p, std::spa
   std::copy(p.begin(), p.end(), values.begin());
   std::fill(values.begin() + static_cast<std::ptrdiff_t>(p.size()), values.end(), 0);
   fourier_->forward();
-  const std::span<std::complex<double>> modes = fourier_->modes();
-  const double scale = 1 / static_cast<double>(values.size());
-  const auto convolve = [&](const std::vector<std::complex<double>>& spectrum) {
-    for (std::size_t k = 0; k < modes.size(); ++k) modes[k] *= spectrum[k] * scale;
-    fourier_->backward();
-  };
-  if (friction_.at_end.empty()) {
-    convolve(kernels_[0].spectrum);
-    std::copy(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(p.size()), result.begin());
-    return;
-  }
-  const std::vector<std::complex<double>> transformed(modes.begin(), modes.end());
-  for (const bool at_end : {false, true}) {
-    if (at_end) std::copy(transformed.begin(), transformed.end(), modes.begin());
-    convolve(kernels_[at_end ? 1 : 0].spectrum);
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      if (friction_.is_at_end(i) == at_end) result[i] = values[i];
-    }
+  fourier_->convolve(kernels_[0].spectrum, result);
+  if (friction_.at_end.empty()) return;
+  std::vector<double> at_end(p.size());
+  fourier_->convolve(kernels_[1].spectrum, at_end);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (friction_.is_at_end(i)) result[i] = at_end[i];
   }
 }
 

@@ -39,7 +39,7 @@ std::size_t circle_length(std::size_t cells) {
 }  // namespace
 
 SurfaceInverse::SurfaceInverse(const GalerkinOperator& influence, double length)
-    : influence_(influence), length_(length), kind_of_(influence.size()) {
+    : influence_(influence), length_(length), kind_of_(influence.size()), pressures_(influence.size()) {
   std::vector<double> s = influence.friction().whole;
   for (double& value : s) value /= length;
   values_ = representatives(s);
@@ -65,7 +65,7 @@ std::vector<std::complex<double>> SurfaceInverse::reciprocal(double s, const Fou
     const double cot = k == 0 ? 0 : 1 / std::tan(std::numbers::pi * static_cast<double>(k) / n);
     // The symbol of sum over the cells before, half of the cell itself: -i h/2 cot(theta/2).
     const std::complex<double> symbol = result[k] + s * length_ * std::complex(rest, -cot / 2);
-    result[k] = std::conj(symbol) / (std::norm(symbol) * n);
+    result[k] = std::conj(symbol) / std::norm(symbol);
   }
   return result;
 }
@@ -82,7 +82,6 @@ void SurfaceInverse::restrict_to(std::vector<CellRange> zones) {
     for (const unsigned char kind : zone.kinds) {
       if (!circle.reciprocals.contains(kind)) circle.reciprocals[kind] = reciprocal(values_[kind], circle.fourier);
     }
-    modes_.resize(std::max(modes_.size(), length / 2 + 1));
   }
 }
 
@@ -90,20 +89,19 @@ void SurfaceInverse::apply(std::span<const double> r, std::span<double> p) {
   for (const Zone& zone : zones_) {
     const Fourier& fourier = zone.circle->fourier;
     const std::span<double> values = fourier.values();
-    const std::span<std::complex<double>> modes = fourier.modes();
     const auto [first, count] = zone.cells;
     std::copy_n(r.begin() + static_cast<std::ptrdiff_t>(first), count, values.begin());
     std::fill(values.begin() + static_cast<std::ptrdiff_t>(count), values.end(), 0);
     fourier.forward();
-    const bool mixed = zone.kinds.size() > 1;
-    if (mixed) std::copy(modes.begin(), modes.end(), modes_.begin());
     for (const unsigned char kind : zone.kinds) {
-      const std::complex<double>* const from = mixed ? modes_.data() : modes.data();
       const std::vector<std::complex<double>>& reciprocal = zone.circle->reciprocals.at(kind);
-      for (std::size_t k = 0; k < modes.size(); ++k) modes[k] = from[k] * reciprocal[k];
-      fourier.backward();
+      if (kind == zone.kinds.front()) {
+        fourier.convolve(reciprocal, p.subspan(first, count));
+        continue;
+      }
+      fourier.convolve(reciprocal, std::span(pressures_).first(count));
       for (std::size_t i = 0; i < count; ++i) {
-        if (kind_of_[first + i] == kind) p[first + i] = values[i];
+        if (kind_of_[first + i] == kind) p[first + i] = pressures_[i];
       }
     }
   }

@@ -49,7 +49,7 @@ class SurfaceInverse {
   std::vector<unsigned char> kind_of_;  ///< of each cell: those under about the same s
   std::map<std::size_t, Circle> circles_;
   std::vector<Zone> zones_;
-  std::vector<std::complex<double>> modes_;
+  std::vector<double> pressures_;  ///< room
 };
 
 }  // namespace steadyslide::numeric::variational

@@ -34,8 +34,7 @@ InnerGaps::InnerGaps(const ContactProblem& problem, const DiscreteProblem& discr
     for (std::ptrdiff_t k = 1 - n; k < n; ++k) {
       const double mean_log = std::log(h) + mean_log_from_point(static_cast<double>(k) + z - 0.5);
       const auto size = static_cast<std::ptrdiff_t>(values.size());
-      values[static_cast<std::size_t>((k + size) % size)] =
-          -h * mean_log / std::numbers::pi / static_cast<double>(size);
+      values[static_cast<std::size_t>((k + size) % size)] = -h * mean_log / std::numbers::pi;
     }
     fourier_.forward();
     spectra_.emplace_back(fourier_.modes().begin(), fourier_.modes().end());
@@ -47,10 +46,7 @@ void InnerGaps::displacement(std::size_t place, const std::vector<double>& p, st
   std::copy(p.begin(), p.end(), values.begin());
   std::fill(values.begin() + static_cast<std::ptrdiff_t>(p.size()), values.end(), 0);
   fourier_.forward();
-  const std::span<std::complex<double>> modes = fourier_.modes();
-  for (std::size_t k = 0; k < modes.size(); ++k) modes[k] *= spectra_[place][k];
-  fourier_.backward();
-  std::copy(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(p.size()), result.begin());
+  fourier_.convolve(spectra_[place], std::span(result).first(p.size()));
 }
 
 double InnerGaps::friction(std::size_t i, double part) const {

@@ -83,9 +83,9 @@ std::vector<double> VariationalSolution::shear_transform(const std::vector<doubl
     values[i] = to_real<double>(problem_.shear_ratio(piece)) * traction[i];
   }
   fourier.forward();
-  for (std::size_t k = 0; k < kernel.size(); ++k) fourier.modes()[k] *= kernel[k] / static_cast<double>(size);
-  fourier.backward();
-  return {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(n)};
+  std::vector<double> result(n);
+  fourier.convolve(kernel, result);
+  return result;
 }
 
 TwoSided<double> VariationalSolution::shear_slope(double xi, const TwoSided<double>& traction) const {
