@@ -1,8 +1,9 @@
 #pragma once
 // The smooth factor of a density, interpolated: for quadratures that ask for it many times where it is an integral itself.
 //
-// Parts of the panel, halved until Chebyshev's series of degree n - 1 is exact to rounding as its last coefficients tell; a
-// part that 2^-12 of the panel leaves unresolved, next to a logarithm, keeps the factor itself.
+// Parts of the panel, halved until Chebyshev's series of degree n - 1 is exact to rounding as its last coefficients tell, or
+// until halving no longer lowers them: then they are what the factor's own rounding leaves. A part that 2^-12 of the panel
+// leaves unresolved, next to a logarithm, keeps the factor itself.
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +53,7 @@ class InterpolatedFactor {
     std::vector<R> cosines;  // of pi k/2n
     for (std::size_t k = 0; k < 4 * nodes; ++k) cosines.push_back(cosine(k));
     std::vector<Part> result;
-    resolve(R(0), R(1), 0, cosines, result);
+    resolve(R(0), R(1), 0, infinity<R>(), cosines, result);
     return result;
   }
 
@@ -61,7 +62,8 @@ class InterpolatedFactor {
     return cos(pi<R>() * static_cast<double>(k) / static_cast<double>(2 * nodes));
   }
 
-  void resolve(const R& left, const R& width, int halvings, const std::vector<R>& cosines,
+  /// `before`: what the part of twice this width has missed, relative.
+  void resolve(const R& left, const R& width, int halvings, const R& before, const std::vector<R>& cosines,
                std::vector<Part>& result) const {
     using std::abs;
     std::vector<R> values, series;
@@ -78,13 +80,17 @@ class InterpolatedFactor {
       largest = std::max(largest, R(abs(series.back())));
     }
     const R missed = abs(series[nodes - 1]) + abs(series[nodes - 2]);
-    if (missed <= 16 * epsilon<R>() * largest) {
+    // Next to a logarithm they fall by a half or more with each halving, and not as low as that.
+    const R roundings = largest * epsilon<R>();
+    const bool is_rounding = missed <= 1e4 * roundings && missed > before * largest / 2;
+    if (missed <= 16 * roundings || is_rounding) {
       result.push_back({left, width, std::move(series)});
     } else if (halvings == most_halvings) {
       result.push_back({left, width, {}});
     } else {
-      resolve(left, width / 2, halvings + 1, cosines, result);
-      resolve(left + width / 2, width / 2, halvings + 1, cosines, result);
+      for (const R& half : {left, R(left + width / 2)}) {
+        resolve(half, width / 2, halvings + 1, missed / largest, cosines, result);
+      }
     }
   }
 

@@ -61,7 +61,7 @@ Estimate<R> RiemannHilbertSolution<R>::height_beyond(const SurfacePoint<R>& at) 
 }
 
 template <Real R>
-Estimate<R> RiemannHilbertSolution<R>::height(const SurfacePoint<R>& at) const {
+Estimate<R> RiemannHilbertSolution<R>::height(const SurfacePoint<R>& at, std::optional<Estimate<R>> gap_there) const {
   using std::abs;
   const ContactSet<R>& set = contact_set();
   const auto last = static_cast<std::ptrdiff_t>(set.segments()) - 1;
@@ -82,7 +82,7 @@ Estimate<R> RiemannHilbertSolution<R>::height(const SurfacePoint<R>& at) const {
   const Estimate<R> profile{from + rise + tilted, 8 * epsilon<R>() * (abs(from) + abs(rise) + abs(tilted)) + turned +
                                                       scale * slope_error * abs(at.node.x - anchor_x) +
                                                       scale * abs(g.value) * epsilon<R>() * abs(at.node.x)};
-  if (at.segment == static_cast<std::ptrdiff_t>(segment)) return profile - gap(at);
+  if (at.segment == static_cast<std::ptrdiff_t>(segment)) return profile - (gap_there ? *gap_there : gap(at));
   const bool left = at.segment < 0;
   const std::size_t end = left ? 0 : set.segments();
   return profile - gap(beside(set, end, left ? Side::right : Side::left, R(0))) + scale * height_beyond(at);
@@ -117,14 +117,15 @@ DetailedSample<R> RiemannHilbertSolution<R>::detailed(const SurfacePoint<R>& at)
   const std::size_t last = set.segments() - 1;
   const std::optional<std::size_t> point = point_at(at);
   DetailedSample<R> result{point ? sample_at_point(*point) : sample(at), {}, {}, {}, {}};
-  const auto height_there = [this](const SurfacePoint<R>& place, std::optional<std::size_t> j) {
-    if (!j) return height(place);
+  const auto height_there = [this](const SurfacePoint<R>& place, std::optional<std::size_t> j,
+                                   std::optional<Estimate<R>> gap_there) {
+    if (!j) return height(place, gap_there);
     const bool on_left = *j == contact_set().segments() || in_contact_at(*j, Side::left);
     return height(beside(contact_set(), *j, on_left ? Side::left : Side::right, R(0)));
   };
-  result.displacement = height_there(at, point) - height_at_origin_([&] {
+  result.displacement = height_there(at, point, result.gap) - height_at_origin_([&] {
                           const SurfacePoint<R> origin = locate(problem_.origin_of_displacement());
-                          return height_there(origin, point_at(origin));
+                          return height_there(origin, point_at(origin), std::nullopt);
                         });
   if (point) {
     result.friction = {form_.friction_at(*point > 0 ? *point - 1 : 0), form_.friction_at(std::min(*point, last))};
@@ -174,7 +175,8 @@ std::vector<DetailedSample<R>> RiemannHilbertSolution<R>::detailed_samples(int c
 #define STEADYSLIDE_INSTANTIATE(R)                                                                     \
   template const TractionIntegrals<R>& RiemannHilbertSolution<R>::integrals() const;                   \
   template Estimate<R> RiemannHilbertSolution<R>::height_beyond(const SurfacePoint<R>& at) const;      \
-  template Estimate<R> RiemannHilbertSolution<R>::height(const SurfacePoint<R>& at) const;             \
+  template Estimate<R> RiemannHilbertSolution<R>::height(const SurfacePoint<R>& at,                    \
+                                                         std::optional<Estimate<R>> gap_there) const;  \
   template LinePlace<R> RiemannHilbertSolution<R>::line_place(const SurfacePoint<R>& at,               \
                                                               std::optional<std::size_t> point) const; \
   template DetailedSample<R> RiemannHilbertSolution<R>::detailed(const SurfacePoint<R>& at) const;     \

@@ -86,8 +86,8 @@ class RiemannHilbertSolution : public ContactSolution<R> {
 
   /// Those of samples().
   std::vector<SurfacePoint<R>> sampled_places(int count) const;
-  /// psi + tilt x - gap, which is u + C.
-  Estimate<R> height(const SurfacePoint<R>& at) const;
+  /// psi + tilt x - gap, which is u + C; with the gap there if it is known.
+  Estimate<R> height(const SurfacePoint<R>& at, std::optional<Estimate<R>> gap_there = std::nullopt) const;
   Estimate<R> height_beyond(const SurfacePoint<R>& at) const;
   LinePlace<R> line_place(const SurfacePoint<R>& at, std::optional<std::size_t> point) const;
   DetailedSample<R> detailed(const SurfacePoint<R>& at) const;
