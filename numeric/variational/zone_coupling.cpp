@@ -79,10 +79,11 @@ ZoneCoupling::ZoneCoupling(const GalerkinOperator& influence, double h, std::spa
 }
 
 bool ZoneCoupling::fits(const ZoneCoupling& other) const {
-  return std::ranges::equal(zones_, other.zones_, [](const Zone& a, const Zone& b) {
+  const auto are_near = [](const Zone& a, const Zone& b) {
     const auto [first, count] = a.cells;
     return is_near(first, b.cells.first, count) && is_near(first + count, b.cells.first + b.cells.count, count);
-  });
+  };
+  return std::equal(zones_.begin(), zones_.end(), other.zones_.begin(), other.zones_.end(), are_near);
 }
 
 ZoneCoupling::Block ZoneCoupling::kernel(const Zone& at, const Zone& from) const {
