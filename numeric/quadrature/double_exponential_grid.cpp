@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <memory>
-#include <mutex>
 #include <numbers>
+
+#include "numeric/quadrature/unit_grid.hpp"
 
 namespace steadyslide::numeric::double_exponential {
 namespace {
@@ -54,9 +53,6 @@ double strip_of(const PiecewiseDensity<R>& density, std::size_t k) {
                   strip(std::min(clearance(density, k, Side::left), clearance(density, k, Side::right))));
 }
 
-/// h.
-double step(int per_octave) { return std::numbers::ln2 / per_octave; }
-
 template <Real R>
 int nodes_per_octave(const PiecewiseDensity<R>& density, std::size_t k) {
   const double longest = 2 * std::numbers::pi * 0.955 * strip_of(density, k) / accuracy<R>();
@@ -68,156 +64,6 @@ template <Real R>
 double reach(const Power<R>& power) {
   return std::asinh((accuracy<R>() + margin) / (std::numbers::pi * static_cast<double>(power.plus_one)));
 }
-
-/// 2^shift x without its fraction. Sums of products of such numbers cost a third of what they do with floating points.
-template <Real R>
-Integer shifted(const R& x, int shift) {
-  Integer result;
-  if (x == 0) return result;
-  mpz_ptr z = result.backend().data();
-  const mpfr_exp_t exponent = mpfr_get_z_2exp(z, x.backend().data()) + shift;
-  exponent < 0 ? mpz_tdiv_q_2exp(z, z, static_cast<mp_bitcnt_t>(-exponent))
-               : mpz_mul_2exp(z, z, static_cast<mp_bitcnt_t>(exponent));
-  return result;
-}
-template <Real R>
-R shifted_back(const Integer& sum, int shift) {
-  using std::ldexp;
-  return ldexp(R(sum), -shift);
-}
-
-/// e^-(2 p u) at tau = 0, h, 2h, ..., `rise` being (pi/2) e^tau over one octave. e^(-p rise) is squared from one octave to
-/// the next, e^(p (pi/2) e^-tau) the root of what it was: an exponential a node of one octave is all.
-template <Real R>
-std::vector<R> decays(const R& p, const std::vector<R>& rise, std::size_t count) {
-  using std::exp, std::sqrt;
-  const std::size_t octave = rise.size();
-  std::vector<R> falling(std::max(count, octave)), rising(count), result(count);
-  for (std::size_t i = 0; i < falling.size(); ++i) {
-    falling[i] = i < octave ? R(exp(-p * rise[i])) : R(falling[i - octave] * falling[i - octave]);
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    const R square = i == 0 ? R(falling[0] * falling[0]) : i < octave ? falling[octave - i] : rising[i - octave];
-    rising[i] = i < octave ? R(1 / sqrt(square)) : R(sqrt(square));
-    result[i] = falling[i] * rising[i];
-  }
-  return result;
-}
-
-/// A node at tau >= 0 of the unit interval.
-template <Real R>
-struct UnitNode {
-  R near;  ///< distances to the right end and to the left one
-  R far;
-  R log_far;
-  R rate;             ///< pi cosh tau
-  R both;             ///< near far
-  R mirror;           ///< near far rate^2
-  double rough_near;  ///< for what double is enough for
-
-  /// (pi/2) e^tau, (pi/2) e^-tau and e^-2u.
-  static UnitNode of(const R& rise, const R& fall, const R& decay) {
-    using std::log;
-    const R far = 1 / (1 + decay);
-    const R near = decay * far;
-    const R both = near * far;
-    const R rate = rise + fall;
-    return {near, far, log(far), rate, both, both * rate * rate, static_cast<double>(near)};
-  }
-};
-
-/// What is known of a step, of which `per_octave` double e^tau, whatever the panel: grows as it is asked for, and is shared
-/// by all grids.
-template <Real R>
-class UnitGrid {
- public:
-  using Numbers = std::shared_ptr<const std::vector<Integer>>;
-  using Nodes = std::shared_ptr<const std::vector<UnitNode<R>>>;
-
-  static UnitGrid& of(int per_octave) {
-    static std::mutex mutex;
-    static std::map<int, UnitGrid> known;
-    const std::lock_guard lock(mutex);
-    return known.try_emplace(per_octave, per_octave).first->second;
-  }
-  static constexpr int bits = std::numeric_limits<R>::digits;
-  explicit UnitGrid(int per_octave) {
-    for (int i = 0; i < per_octave; ++i) octave_.push_back(rise_at(R(i) / per_octave));
-  }
-
-  /// h, and (pi/2) e^tau at 0, h, ... below log 2.
-  R step() const { return log_two() / octave_.size(); }
-  const std::vector<R>& octave() const { return octave_; }
-  /// At 0, h, 2h, ...: `count` at least.
-  Nodes nodes(int count) {
-    const std::lock_guard lock(mutex_);
-    return made_nodes(count);
-  }
-  /// 2^`bits`/(y' - y) at the nodes -`reach`, ..., `reach` at least, y the midpoint of a cell; as many on both sides of the
-  /// middle.
-  Numbers reciprocals(int cell, int reach) {
-    const std::lock_guard lock(mutex_);
-    Numbers& known = reciprocals_[cell];
-    if (known && static_cast<int>(known->size()) > 2 * reach) return known;
-    const Nodes nodes = made_nodes(reach + 1);
-    const UnitNode<R>& place = made_midpoint(cell);
-    const bool right = cell >= 0;
-    std::vector<Integer> made;
-    for (int i = -reach; i <= reach; ++i) {
-      const UnitNode<R>& node = (*nodes)[static_cast<std::size_t>(std::abs(i))];
-      // From the end that is nearer to y: distances to it are known best.
-      const R& distance = (i > 0) == right ? node.near : node.far;
-      made.push_back(shifted(R(1 / (right ? R(place.near - distance) : R(distance - place.near))), bits));
-    }
-    known = std::make_shared<const std::vector<Integer>>(std::move(made));
-    return known;
-  }
-  /// The midpoint's distances, that to the nearer end first.
-  UnitNode<R> midpoint(int cell) {
-    const std::lock_guard lock(mutex_);
-    return made_midpoint(cell);
-  }
-
- private:
-  static R log_two() {
-    using std::log;
-    return log(R(2));
-  }
-  static R rise_at(const R& octaves) {
-    using std::exp;
-    return pi<R>() / 2 * exp(R(octaves * log_two()));
-  }
-  static R fall_at(const R& rise) { return pi<R>() * pi<R>() / (4 * rise); }
-
-  Nodes made_nodes(int count) {
-    using std::ldexp;
-    if (!nodes_ || static_cast<int>(nodes_->size()) < count) {
-      std::vector<UnitNode<R>> made;
-      const auto size = static_cast<std::size_t>(count);
-      const std::vector<R> decay = decays(R(1), octave_, size);
-      for (std::size_t i = 0; i < size; ++i) {
-        const R rise = ldexp(octave_[i % octave_.size()], static_cast<int>(i / octave_.size()));
-        made.push_back(UnitNode<R>::of(rise, fall_at(rise), decay[i]));
-      }
-      nodes_ = std::make_shared<const std::vector<UnitNode<R>>>(std::move(made));
-    }
-    return nodes_;
-  }
-  const UnitNode<R>& made_midpoint(int cell) {
-    using std::exp;
-    const auto known = midpoints_.find(cell);
-    if (known != midpoints_.end()) return known->second;
-    const R rise = rise_at(R(std::abs(2 * cell + 1)) / (2 * octave_.size()));
-    const R fall = fall_at(rise);
-    return midpoints_.emplace(cell, UnitNode<R>::of(rise, fall, exp(R(fall - rise)))).first->second;
-  }
-
-  std::vector<R> octave_;
-  std::mutex mutex_;
-  Nodes nodes_;
-  std::map<int, UnitNode<R>> midpoints_;
-  std::map<int, Numbers> reciprocals_;
-};
 
 template <Real R>
 Node<R> node_at(const Panel<R>& panel, const R& from_left, const R& from_right) {
