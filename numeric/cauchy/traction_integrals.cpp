@@ -72,10 +72,12 @@ std::size_t TractionIntegrals<R>::nearest(const LinePlace<R>& place) const {
 template <Real R>
 Estimate<R> TractionIntegrals<R>::from_slope(std::size_t panel, const LinePlace<R>& place, const Estimate<R>& traction,
                                              const Estimate<R>& slope) const {
-  const R& ratio = on_panels_[panel].ratio;
+  const Rational& exact_ratio = on_panels_[panel].ratio;
+  const R ratio = to_real<R>(exact_ratio);
   Estimate<R> sum = ratio * (slope - on_panels_[panel].s * traction) + gamma_ * traction;
   const auto add = [&](std::size_t k, Side side, const R& distance) {
-    if (on_panels_[k].ratio != ratio) sum += (on_panels_[k].ratio - ratio) * cauchy(k, side, distance);
+    const Rational& other = on_panels_[k].ratio;
+    if (other != exact_ratio) sum += to_real<R>(Rational(other - exact_ratio)) * cauchy(k, side, distance);
   };
   if constexpr (std::same_as<R, double>) {
     if (distant_) return sum += distant_->around(place, ratio, add);
@@ -109,10 +111,10 @@ Estimate<R> TractionIntegrals<R>::limit(const LinePlace<R>& place, Side side, co
   const Estimate<R>& t = on_left ? traction.left : traction.right;
   const bool touches = on_left ? touches_left : touches_right;
   if (touches_left && touches_right) {
-    const R rise = on_panels_[place.panels].ratio - on_panels_[place.panels - 1].ratio;
+    const Rational rise = on_panels_[place.panels].ratio - on_panels_[place.panels - 1].ratio;
     // t_t jumps: by a finite or logarithmic t the slope is -(rise/pi) t log d and more, and where t blows up by a power
     // that of s leads to what follows.
-    if (rise != 0 && t.value != 0 && (gamma_ == 0 || !isinf(t.value))) return infinite(-rise);
+    if (rise != 0 && t.value != 0 && (gamma_ == 0 || !isinf(t.value))) return infinite(R(-sign(rise)));
   }
   // gamma t - r s t = gamma (1 + f^2) t; at a jump of f the other side's part does not turn the sign.
   if (touches && isinf(t.value) && gamma_ != 0) {
@@ -122,9 +124,9 @@ Estimate<R> TractionIntegrals<R>::limit(const LinePlace<R>& place, Side side, co
   }
   const std::size_t panel = touches ? place.panels - (on_left ? 1 : 0) : nearest(place);
   const Estimate<R>& slope_there = on_left ? slope.left : slope.right;
-  const R& ratio = on_panels_[panel].ratio;
   if (isinf(slope_there.value)) {
-    if (ratio != 0) return infinite(ratio * (slope_there.value > 0 ? 1 : -1));
+    const int ratio = sign(on_panels_[panel].ratio);
+    if (ratio != 0) return infinite(R(ratio * (slope_there.value > 0 ? 1 : -1)));
     return from_slope(panel, place, {}, {});
   }
   // Without gamma, s is 0 as well: an infinite t is of no weight.

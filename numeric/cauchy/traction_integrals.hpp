@@ -34,7 +34,7 @@ class TractionIntegrals {
     Estimate<R> load;  ///< int t
     R relative_error;  ///< the largest one of t, estimated
     R s;
-    R ratio;  ///< t_t/t
+    Rational ratio;  ///< t_t/t, exact: rounded ratios of neighbours lose their difference
   };
   /// Of the reduced problem. Panels of various friction that are many stand together in cells where they are far from a
   /// place, in double: as `solution` tells the same traction, its lengths `unit` times those of the density.

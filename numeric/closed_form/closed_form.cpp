@@ -245,7 +245,7 @@ const TractionIntegrals<R>& ClosedForm<R>::integrals() const {
         error = std::max(error, weight().relative_error(k, panel.node_from_left(part * panel.length), data_.end_error));
       }
       on_panels.push_back({loads()[k], error, to_real<R>(problem_.coupled_friction(data_.first_piece + k)),
-                           to_real<R>(problem_.shear_ratio(data_.first_piece + k))});
+                           problem_.shear_ratio(data_.first_piece + k)});
     }
     return TractionIntegrals<R>(data_.traction.density(), std::move(on_panels),
                                 to_real<R>(problem_.elasticity().gamma()), *this, R(1));

@@ -6,11 +6,10 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// D.
+/// D, from the exact difference.
 template <Real R>
 R slope_jump(const RiemannHilbertForm<R>& form, std::size_t point) {
-  const R& x = form.set().x(point);
-  return form.problem().slope(form.slope_at(point), x) - form.problem().slope(form.slope_at(point - 1), x);
+  return to_real<R>(form.set().anchor_at(point)->wedge);
 }
 
 template <Real R>
@@ -45,15 +44,12 @@ std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>& form, st
   const int beta = form.exponent(point).sign();
   const int wedge = sign(set.anchor_at(point)->wedge);
   if (wedge == 0 || beta < 0) return power_term(form, point, end_error);
-  // The sign is exact; D may be a small difference.
-  const R d = slope_jump(form, point);
-  const R rounding = 4 * epsilon<R>() * abs(form.problem().slope(form.slope_at(point), set.x(point)));
-  const R& s_left = form.problem().s(form.friction_at(point - 1));
-  const R& s_right = form.problem().s(form.friction_at(point));
+  const R& s = form.problem().s(form.friction_at(point));
   const bool jumps = beta != 0;
-  const R divisor = jumps ? s_right - s_left : 1 + s_left * s_left;
+  const R coefficient = slope_jump(form, point) / (jumps ? set.anchor_at(point)->s_jump : 1 + s * s);
   // log d and [s] are negative where they come in.
-  return LeadingTerm<R>{jumps ? Is::constant : Is::logarithm, {d / divisor, abs(rounding / divisor)}, R(0), -wedge};
+  return LeadingTerm<R>{jumps ? Is::constant : Is::logarithm, Estimate<R>{coefficient, R(0)}.widened(4 * epsilon<R>()),
+                        R(0), -wedge};
 }
 
 template <Real R>
@@ -68,7 +64,7 @@ std::optional<R> log_reach(const RiemannHilbertForm<R>& form, std::size_t point)
     // D/(1+s^2) log(d)/pi + regular
     return d == 0 ? std::nullopt : std::optional<R>(-regular * pi<R>() * (1 + s * s) / d);
   }
-  const R ratio = -d / (s - form.problem().s(form.friction_at(point - 1))) / regular;
+  const R ratio = -d / form.set().anchor_at(point)->s_jump / regular;
   if (!(ratio > 0)) return std::nullopt;
   return log(ratio) / form.power(point).value;
 }

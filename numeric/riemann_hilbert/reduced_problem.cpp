@@ -34,7 +34,7 @@ ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& fr
   const std::vector<Indenter::Break> breaks = indenter.breaks();
   const auto add_anchor = [&](const Rational& x) -> Anchor& {
     places_.push_back(x);
-    return anchors_.emplace_back(Anchor{to_real<R>((x - frame.origin) / frame.unit), R(0), 0, false, 0});
+    return anchors_.emplace_back(Anchor{to_real<R>((x - frame.origin) / frame.unit), R(0), 0, false, 0, R(0)});
   };
   std::size_t profile = 0;
   for (const ContactProblem::Piece& piece : problem.pieces()) {
@@ -46,6 +46,10 @@ ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& fr
       anchor.is_break = slope_of_piece[piece.profile] != slope_of_piece[profile] || anchor.step_sign != 0;
       anchor.wedge = b.wedge / c;
       profile = piece.profile;
+    }
+    if (!friction_of_.empty() && piece.friction != friction_of_.back()) {
+      anchor.s_jump = to_real<R>(
+          Rational(problem.coupled_friction(piece.friction) - problem.coupled_friction(friction_of_.back())));
     }
     spacing_.push_back(to_real<R>((piece.right - piece.left) / frame.unit));
     slope_of_.push_back(slope_of_piece[profile]);

@@ -37,6 +37,7 @@ class ReducedProblem {
     int step_sign;
     bool is_break;   ///< the profile changes here
     Rational wedge;  ///< the jump of g, exact: a difference of rounded slopes would cancel
+    R s_jump;        ///< s on the right minus s on the left, from the exact difference
   };
 
   const ContactProblem& problem() const { return *problem_; }

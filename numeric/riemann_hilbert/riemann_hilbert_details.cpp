@@ -22,7 +22,8 @@ const TractionIntegrals<R>& RiemannHilbertSolution<R>::integrals() const {
         const Estimate<R> t = traction(panel.node(contact_set(), 0));
         if (t.value != 0) error = std::max(error, R(t.error / abs(t.value)));
       }
-      on_panels.push_back({*load++, error, reduced_.s(form_.friction_at(k)), shear_ratio(k)});
+      on_panels.push_back(
+          {*load++, error, reduced_.s(form_.friction_at(k)), problem_.shear_ratio(form_.friction_at(k))});
     }
     return TractionIntegrals<R>(traction_density(form_), std::move(on_panels),
                                 to_real<R>(problem_.elasticity().gamma()), *this, to_real<R>(reduced_.frame().unit));

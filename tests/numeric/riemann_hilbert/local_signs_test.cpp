@@ -108,6 +108,25 @@ TEST_CASE("what is in contact where it pulls has an infinite tension, and a name
   }
 }
 
+TEST_CASE("the constant at a wedge is that of the exact jumps, of s and of the slope") {
+  for (const char* difference : {"1e-3", "-1e-9", "3e-15", "1e-17", "-1e-25"}) {
+    CAPTURE(difference);
+    const Rational d = parse_rational(difference);
+    // Falls of s under a wedge of any size; slopes whose difference double does not hold.
+    for (const Rational& wedge : {0.125_r, parse_rational("1e-20")}) {
+      const Rational s_right = 0.3_r - (d > 0 ? d : Rational(-d));
+      const FullContact<double> full(reduced({0.3_r, s_right}, {0}, roof(0.125_r - wedge, 0.125_r), 4));
+      const auto term = leading_term(*full.form, 1);
+      REQUIRE(term);
+      CHECK(term->is == LeadingTerm<double>::Is::constant);
+      const double expected = to_real<double>(Rational(wedge / (s_right - 0.3_r)));
+      CHECK(std::abs(term->coefficient.value - expected) <= term->coefficient.error);
+      CHECK(term->coefficient.error <= 1e-15 * std::abs(expected));
+      CHECK(term->sign == -1);
+    }
+  }
+}
+
 TEST_CASE("gaps over notches without a jump, however short") {
   for (const int load : {4, 8, 12}) {
     const auto found = riemann_hilbert<double>(

@@ -1,0 +1,103 @@
+// A friction jump whose two values are almost equal: u_t' there is (f+ - f-) times an integral like 1/(f+ - f-), so that
+// what double leaves of the difference is a factor of it. Beside 50 digits.
+
+#include "numeric/closed_form/closed_form.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "support/numeric_test.hpp"
+#include "support/problems.hpp"
+
+namespace {
+
+const Rational place = 0.1_r;
+
+/// 1e-4 to 1e-25, and the same below 0.
+std::vector<Rational> small_differences() {
+  std::vector<Rational> result;
+  for (const char* size :
+       {"1e-4", "2e-7", "-3e-10", "-3e-11", "2e-13", "1e-15", "-7e-17", "2e-19", "-2e-23", "1e-25"}) {
+    result.push_back(parse_rational(size));
+  }
+  return result;
+}
+
+ContactProblem on_neighbours(const Rational& difference, const Indenter& indenter, Sliding sliding) {
+  const FrictionProfile friction({0.64_r, 0.64_r + difference}, {place});
+  return {Elasticity::reduced(0.45_r), friction, indenter, 1, sliding};
+}
+
+/// Two polynomials of x - 1/10 that meet at 1/10.
+Indenter meeting(const std::vector<Rational>& left, const std::vector<Rational>& right) {
+  const auto moved = [](const std::vector<Rational>& coefficients) {
+    return Polynomial(coefficients).composed(1, -place);
+  };
+  return {-1, {{place, moved(left)}, {1, moved(right)}}};
+}
+
+/// The numbers of u_t' that are finite, each as near to its 50 digits as it says, and how near is said well.
+int compare(const ContactSolution<double>& found, const ContactSolution<Real50>& truth) {
+  REQUIRE(found.failed_condition() == "");
+  REQUIRE(truth.failed_condition() == "");
+  int finite = 0;
+  for (const Rational& x :
+       {place, Rational(place - parse_rational("1e-9")), Rational(place + 0.001_r), 0.5_r, -0.3_r}) {
+    CAPTURE(to_string(x));
+    const TwoSided<double> here = found.details_at(x).shear_slope;
+    const TwoSided<Real50> there = truth.details_at(x).shear_slope;
+    for (const auto& [number, exact] : {std::pair(here.left, there.left), {here.right, there.right}}) {
+      CAPTURE(number.value);
+      if (isinf(exact.value)) {
+        CHECK(Real50(number.value) == exact.value);
+        continue;
+      }
+      CHECK(abs(Real50(number.value) - exact.value) <= Real50(number.error));
+      CHECK(number.error <= 2e-13 * std::max(std::abs(number.value), 0.1));
+      ++finite;
+    }
+  }
+  return finite;
+}
+
+}  // namespace
+
+TEST_CASE("u_t' at a jump between neighbouring frictions: a flat punch, by two methods") {
+  for (const Rational& difference : small_differences()) {
+    CAPTURE(to_string(difference));
+    for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {
+      const ContactProblem p = on_neighbours(difference, one_piece(-1, 1, {0}), sliding);
+      const auto truth = closed_form<Real50>(p).solution;
+      // The pressure vanishes at the jump from the lower to the higher s, and blows up at the other one.
+      const bool vanishes = (difference > 0) == (sliding == Sliding::minus_x);
+      CHECK(compare(*closed_form<double>(p).solution, *truth) == (vanishes ? 10 : 8));
+      CHECK(compare(*riemann_hilbert<double>(p).solution, *truth) == (vanishes ? 10 : 8));
+    }
+  }
+}
+
+TEST_CASE("u_t' at a jump between neighbouring frictions, where the profile has a wedge or changes its curvature") {
+  for (const Rational& difference : small_differences()) {
+    CAPTURE(to_string(difference));
+    for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {
+      const bool vanishes = (difference > 0) == (sliding == Sliding::minus_x);
+      const ContactProblem wedge = on_neighbours(difference, meeting({0, -0.2_r}, {0, 0.3_r, 1}), sliding);
+      CHECK(compare(*riemann_hilbert<double>(wedge).solution, *riemann_hilbert<Real50>(wedge).solution) == 8);
+      // Without a wedge the pressure is 0 where s rises, and the slope is finite there.
+      const ContactProblem bent = on_neighbours(difference, meeting({0, 0, 0.25_r}, {0, 0, 1}), sliding);
+      CHECK(compare(*riemann_hilbert<double>(bent).solution, *riemann_hilbert<Real50>(bent).solution) ==
+            (vanishes ? 10 : 8));
+    }
+  }
+}
+
+TEST_CASE("u_t' where the pressure vanishes at a jump is the limit of u_t' beside it, also on a change of curvature") {
+  for (const Indenter& indenter : {one_piece(-1, 1, {0}), meeting({0, 0, 0.25_r}, {0, 0, 1})}) {
+    // beta = 0.26: at 1e-40 from the jump u_t' is 1e-10 from its limit.
+    const ContactProblem p{Elasticity::reduced(0.45_r), FrictionProfile({0.1_r, 2.5_r}, {place}), indenter, 1,
+                           Sliding::minus_x};
+    const auto solution = riemann_hilbert<Real50>(p).solution;
+    const TwoSided<Real50> limits = solution->details_at(place).shear_slope;
+    const Rational d = parse_rational("1e-40");
+    CHECK(abs(solution->details_at(place - d).shear_slope.left.value - limits.left.value) < 1e-8);
+    CHECK(abs(solution->details_at(place + d).shear_slope.right.value - limits.right.value) < 1e-8);
+    CHECK(abs(solution->details_at(place + 0.01_r).shear_slope.right.value - limits.right.value) > 1e-3);
+  }
+}
