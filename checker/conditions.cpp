@@ -67,24 +67,10 @@ Ball integral_of_Y(const Form& form, std::size_t j, std::size_t i, const std::ve
 
 Ball gap_error(const Form& form, std::size_t j, std::size_t i) {
   const Contact& contact = form.contact();
-  const std::size_t left = contact.slope_of(j - 1);
-  const std::size_t right = contact.slope_of(i);
   const std::size_t cut = longest_segment(contact, j, i);
   const Ball half = contact.length(cut) * Ball(0.5);
-  Ball sum;
-  for (std::size_t m = j; m <= i; ++m) {
-    const Point& point = contact.layout().points[m];
-    if (!point.is_free()) sum += Ball(contact.problem().steps[point.anchor], contact.precision());
-  }
-  for (std::size_t m = j; m < i; ++m) {
-    const Ball length = contact.length(m);
-    const Ball from_left = m < cut ? length : m == cut ? half : Ball();
-    sum += slope_difference(contact, m, left, Ball(), from_left);
-    sum += slope_difference(contact, m, right, from_left, length);
-  }
-  if (left == right) return sum + integral_of_YB(form, left, {contact, j, i});
-  return sum + integral_of_YB(form, left, {contact, j, i, {}, half + contact.distance(cut + 1, i)}) +
-         integral_of_YB(form, right, {contact, j, i, contact.distance(j, cut) + half, {}});
+  const Place middle{cut, cut + 1, half, half};
+  return gap_at(form, j, middle) - gap_at(form, i, middle);
 }
 
 /// [q/(z - e)]_poly.
@@ -114,6 +100,28 @@ Ball slope_difference(const Contact& contact, std::size_t segment, std::size_t k
     sum += Ball(d[m], contact.precision()) * powers / Ball(static_cast<int>(m) + 1);
   }
   return sum * (to - from);
+}
+
+Ball gap_at(const Form& form, std::size_t end, const Place& at) {
+  const Contact& contact = form.contact();
+  const bool rightwards = end <= at.left;
+  const std::size_t k = contact.slope_of(rightwards ? end - 1 : end);
+  const std::size_t first = rightwards ? end : at.right;
+  const std::size_t last = rightwards ? at.left : end;
+  Ball sum;
+  for (std::size_t m = first; m <= last; ++m) {
+    const Point& point = contact.layout().points[m];
+    if (!point.is_free()) sum += Ball(contact.problem().steps[point.anchor], contact.precision());
+    if (m < last) sum += slope_difference(contact, m, k, Ball(), contact.length(m));
+  }
+  const Ball length = contact.length(at.left);
+  sum += rightwards ? slope_difference(contact, at.left, k, Ball(), at.from_left)
+                    : slope_difference(contact, at.left, k, at.from_left, length);
+  PowerPanel panel{contact, rightwards ? end : at.left, rightwards ? at.right : end};
+  (rightwards ? panel.end : panel.start) = rightwards ? at.from_right : at.from_left;
+  panel.length = contact.distance(at, end);
+  sum += integral_of_YB(form, k, panel);
+  return rightwards ? sum : -sum;
 }
 
 std::size_t longest_segment(const Contact& contact, std::size_t j, std::size_t i) {

@@ -16,6 +16,8 @@ namespace steadyslide::checker {
 
 /// int (g - g_k) over [from, to] within a segment, both from its left point; g the segment's own slope.
 Ball slope_difference(const Contact& contact, std::size_t segment, std::size_t k, const Ball& from, const Ball& to);
+/// The gap at a place off the contact, from the end of contact at point `end` on: steps + int (g - g_k) + int Y B_k.
+Ball gap_at(const Form& form, std::size_t end, const Place& at);
 /// The longest segment of those between points j and i: in its middle a gap changes from one B_k to the other.
 std::size_t longest_segment(const Contact& contact, std::size_t j, std::size_t i);
 

@@ -18,4 +18,9 @@ struct Unproved : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A sign that is the wrong one over all of the box: more digits do not help.
+struct Refuted : Unproved {
+  using Unproved::Unproved;
+};
+
 }  // namespace steadyslide::checker

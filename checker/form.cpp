@@ -19,7 +19,7 @@ Ball bound_near(const std::vector<Ball>& p, const Ball& centre, const Ball& radi
 
 Trapezoid PowerPanel::rule(slong bits, const Ball& left_reach, const Ball& right_reach) const {
   Trapezoid::Panel panel;
-  panel.length = contact.distance(i, j) - start - end;
+  panel.length = length.is_zero() ? contact.distance(i, j) - start - end : length;
   panel.degree = degree;
   for (std::size_t m = 0; m < contact.points(); ++m) {
     Ball p = exponent > 0 ? contact.power_at(m) : -contact.power_at(m);

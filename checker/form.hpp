@@ -27,6 +27,7 @@ struct PowerPanel {
   int exponent = 1;
   std::size_t extra = none;
   std::size_t degree = 0;
+  Ball length = {};  ///< where it is known better than as a difference, 0 otherwise
 
   Trapezoid rule(slong bits, const Ball& left_reach = {}, const Ball& right_reach = {}) const;
 };

@@ -87,12 +87,12 @@ class Prover {
     if (point.is_free()) return;
     const std::string at = "at x = " + contact_.problem().places[point.anchor].text();
     if (point.contact == Kind::interior && step(j).sign() != 0) {
-      throw Unproved(at + ": contact over a step of the profile");
+      throw Refuted(at + ": contact over a step of the profile");
     }
     const bool at_support_end = j == 0 || j + 1 == contact_.points();
     const int protrudes = point.contact == Kind::ends ? 1 : -1;
     if (point.is_end() && !at_support_end && step(j).sign() != protrudes) {
-      throw Unproved(at + ": contact ends at an edge where the indenter has none");
+      throw Refuted(at + ": contact ends at an edge where the indenter has none");
     }
   }
 
@@ -111,7 +111,7 @@ class Prover {
     if ((eps * all.value).is_negative()) return;
     const Ball middle = ((u + v) * Ball(0.5)).middle();
     const Ball centre = form_.regular(k, half.at(middle)).value;
-    if ((eps * centre).is_positive()) throw Unproved("t > 0: the contact pulls at " + half.name(middle));
+    if ((eps * centre).is_positive()) throw Refuted("t > 0: the contact pulls at " + half.name(middle));
     if ((eps * (centre + half.orientation() * all.slope * (cell - middle))).is_negative()) return;
     const Ball w = between(u, v);
     check_contact(half, u, w, depth + 1);
@@ -163,11 +163,11 @@ class Prover {
     const Ball rest = contact_.modulus(half.at(Ball()), c);
     const std::string name = blows_up ? (jump.sign() != 0 ? "D/[s] < 0" : "D > 0") : "theta > 0";
     if (!leading.is_negative()) {
-      const std::string seen =
-          leading.is_positive() ? " fails, the leading term pulls; it is " : " is not decided; it is ";
       const Ball theta = -rest * R;
       const Ball constant = rest * contact_.cosine(here) * S;
-      throw Unproved(at + name + seen + (blows_up ? constant : theta).text());
+      const std::string number = (blows_up ? constant : theta).text();
+      if (leading.is_positive()) throw Refuted(at + name + " fails, the leading term pulls; it is " + number);
+      throw Unproved(at + name + " is not decided; it is " + number);
     }
     if (!(R + S * phi).is_negative()) {
       throw Unproved(at + "t < 0 is not decided where " + name + " no longer leads, at distance " + d1.text());
@@ -223,10 +223,10 @@ class Prover {
     origin_ = origin;
     direction_ = Ball(direction);
     gap_ = Ball();
-    if (!contact_.layout().points[origin].is_free()) add_step(origin);
+    exact_ = true;
     for (std::size_t j = origin; j != stop; j = direction > 0 ? j + 1 : j - 1) {
       const std::size_t segment = direction > 0 ? j : j - 1;
-      if (j != origin && !contact_.layout().points[j].is_free()) add_step(j);
+      if (!contact_.layout().points[j].is_free()) gap_ += direction_ * Ball(step(j), contact_.precision());
       const HalfSegment near(contact_, segment, direction > 0);
       grow(near, true, Ball(), near.half(), 0);
       if (segment == cut) return;
@@ -235,26 +235,14 @@ class Prover {
     }
   }
 
-  void add_step(std::size_t j) {
-    if (step(j).sign() == 0) return;
-    gap_ += direction_ * Ball(step(j), contact_.precision());
-    if (!gap_.is_positive()) {
-      throw Unproved("gap > 0 is not decided at the step at x = " +
-                     contact_.problem().places[contact_.layout().points[j].anchor].text());
-    }
-  }
-
-  /// Carries gap_, a lower bound of the gap, over u <= d <= v: outwards from the base if `outwards`, else towards it.
+  /// Carries gap_, which encloses the gap, over u <= d <= v: outwards from the base if `outwards`, else towards it.
   void grow(const HalfSegment& half, bool outwards, const Ball& u, const Ball& v, int depth) {
     count(result_.in_gaps, half, u, depth, "gap > 0");
     const std::size_t base = half.base() == origin_ ? origin_ : none;
     const Ball p = base == origin_ ? contact_.power_at(origin_) : Ball();
     const Place all = half.at(hull(u, v));
     const Ball sign = direction_ * Ball(contact_.sign(half.segment()));
-    const auto slope_at = [&](const Place& at) {
-      return sign * contact_.modulus(at, base) * form_.regular_to(form_.bits(), k_, at).value;
-    };
-    const Ball f = slope_at(all);
+    const Ball f = sign * contact_.modulus(all, base) * form_.regular_to(form_.bits(), k_, all).value;
     const Ball weight = (power(v, p + Ball(1)) - power(u, p + Ball(1))) / (p + Ball(1));
     // (g - g_k) on the cell.
     const std::size_t own = contact_.slope_of(half.segment());
@@ -263,23 +251,23 @@ class Prover {
                              : direction_ * horner(form_.difference(own, k_, anchor),
                                                    contact_.offset(half.segment()) + all.from_left);
     const Ball change = f * weight + direction_ * half.slope_difference(k_, u, v);
-    const Ball after = (gap_ + change).lower();
-    const Ball lowest = gap_ - weight * positive_part((-f).upper()) - (v - u) * positive_part((-h).upper());
-    // From 0 the gap opens where it grows; elsewhere it stays above `lowest`. Both only if an octave of distances loses a
-    // small part of it by the width of its intervals, the smaller the more bits; what it loses by the width of the box,
-    // seen in the middle and in u and v, no halving would spare.
+    const Ball fall = weight * positive_part((-f).upper()) + (v - u) * positive_part((-h).upper());
+    // From 0 the gap opens where it grows; elsewhere it stays above what it can fall to.
     const bool opens = gap_.is_zero() && u.is_zero() && outwards && own == k_ && f.is_positive();
-    const Ball kept = gap_ + change.middle().size();
-    const Ball width = (v - u).middle();
-    const Ball factor = Ball(static_cast<int>(form_.bits() * form_.bits() / 200)) * v.middle() / width;
-    const auto loses_little = [&](const Ball& lost) { return (kept - factor * lost).is_positive(); };
-    const auto sharp = [&] {
-      if (loses_little(change.radius()) || !(width - Ball(4) * (u.radius() + v.radius())).is_positive()) return true;
-      const Ball centre = slope_at(half.at(((u + v) * Ball(0.5)).middle()));
-      return loses_little(change.radius() - Ball(2) * (weight * centre.radius()).upper());
+    const auto decides = [&](const Ball& gap) {
+      return (opens || (gap - fall).is_positive()) && (gap + change).is_positive();
     };
-    if ((opens || lowest.is_positive()) && after.is_positive() && sharp()) {
+    // Each cell adds the width of its intervals. Where that is what keeps this one open, all of them are integrated anew.
+    if (!decides(gap_) && !exact_ && decides(gap_.upper())) {
+      gap_ = gap_at(form_, origin_, half.at(outwards ? u : v));
+      exact_ = true;
+      if (!gap_.is_positive()) throw Unproved("gap > 0 is not decided near " + half.name(outwards ? u : v));
+    }
+    const Ball after = gap_ + change;
+    if (after.is_negative()) throw Refuted("gap < 0: the surface overlaps at " + half.name(outwards ? v : u));
+    if (decides(gap_)) {
       gap_ = after;
+      exact_ = false;
       return;
     }
     const Ball w = between(u, v);
@@ -295,6 +283,7 @@ class Prover {
   std::size_t origin_ = 0;
   Ball direction_;
   Ball gap_;
+  bool exact_ = true;  ///< no interval has widened gap_ since it was last integrated
 };
 
 }  // namespace

@@ -250,9 +250,15 @@ CHANGES = [
     ("contact beyond the gap of a notch", "notch_gap", drop_zone),
     ("the gap of a notch closed", "notch_gap", close_gap),
     ("the gap of a notch on the other side", "notch_gap", exchange_side),
+    ("load under which a gap has just closed", "gap_that_narrows", change(["problem", "load"], "0.3027864236")),
     ("load of a notch", "notch_gap", change(["problem", "load"], "2.1636")),
     ("an unknown key", PARABOLA, lambda c: c.update(proved=True)),
     ("an unknown key of a point", PARABOLA, lambda c: c["points"][0].update(proved=True)),
+]
+
+# Changes that leave a certificate true: the gap of the first is 0.0028 at its narrowest place, here it is 3.7e-11.
+STILL_TRUE = [
+    ("load under which a gap almost closes", "gap_that_narrows", change(["problem", "load"], "0.3027864235")),
 ]
 
 
@@ -293,6 +299,11 @@ def main():
         changed = json.loads(certificates[name])
         apply(changed)
         expect({1, 2}, f"changed: {what}", json.dumps(changed))
+
+    for what, name, apply in STILL_TRUE:
+        changed = json.loads(certificates[name])
+        apply(changed)
+        expect({0}, f"changed, and true: {what}", json.dumps(changed), "proved: the box contains a solution")
 
     # Every key left out but those that may be, every value of another type.
     original = json.loads(certificates[PARABOLA])
