@@ -1,9 +1,11 @@
 # shellcheck shell=bash
-# What ./verify and ./check have in common; sourced, never run. All that is said here goes to stderr, so that stdout
-# holds the result alone.
+# What ./verify, ./check, ./solve, site/build and explorer/build have in common; sourced, never run. All that is said here
+# goes to stderr, so that stdout holds the result alone.
 
-command_name=$(basename -- "$0")
 root=$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")
+# The command as a person types it in the root: verify, site/build.
+command_name=$(readlink -f -- "$(dirname -- "$0")")/$(basename -- "$0")
+[[ $command_name == "$root"/* ]] && command_name=${command_name#"$root"/} || command_name=$(basename -- "$0")
 
 say() { printf '%s: %s\n' "$command_name" "$*" >&2; }
 
