@@ -57,6 +57,27 @@ std::vector<Ball> conditions_at(const ReducedProblem& problem, const Box& box, c
 
 }  // namespace
 
+std::vector<Ball> krawczyk_image(const std::vector<Ball>& V, const std::vector<Ball>& F, const Matrix& derivative,
+                                 const Ball& loads, slong precision) {
+  const std::size_t n = V.size();
+  const Matrix C = inverse_of_centre(derivative, precision);
+  std::vector<Ball> deviations;  // V - v, and P - p after it
+  for (const Ball& x : V) deviations.push_back(x.rounded(precision) - x.rounded(precision).middle());
+  deviations.push_back(loads);
+  std::vector<Ball> result;
+  for (std::size_t i = 0; i < n; ++i) {
+    Ball K = V[i].rounded(precision).middle();
+    for (std::size_t k = 0; k < n; ++k) K -= C[i][k] * F[k];
+    for (std::size_t k = 0; k <= n; ++k) {
+      Ball entry = i == k ? 1 : 0;
+      for (std::size_t j = 0; j < n; ++j) entry -= C[i][j] * derivative[j][k];
+      K += entry * deviations[k];
+    }
+    result.push_back(K);
+  }
+  return result;
+}
+
 Krawczyk prove_zero(const ReducedProblem& problem, const Box& box, slong least_precision) {
   const std::vector<Ball> V = box.V.list();
   const std::size_t n = V.size();
@@ -76,26 +97,15 @@ Krawczyk prove_zero(const ReducedProblem& problem, const Box& box, slong least_p
   const std::vector<Ball> F = conditions_at(problem, box, v, result.bits, precision);
   if (F.size() != n) throw Unproved("as many conditions as unknowns are needed");
   if (n == 0) return result;
-  const Matrix J = jacobian_over(problem, box, precision);
-  const Matrix C = inverse_of_centre(J, precision);
-  // V - v, and P - p after it.
-  std::vector<Ball> deviations;
-  for (std::size_t k = 0; k < n; ++k) deviations.push_back(V[k].rounded(precision) - v[k]);
-  const Rational width = (box.loads.to - box.loads.from) / problem.unit;
-  deviations.push_back(Ball().widened(Ball(width / 2, precision)).rounded(precision));
+  const Ball width = Ball((box.loads.to - box.loads.from) / problem.unit, precision);
+  const Ball loads = Ball().widened(width * Ball(0.5)).rounded(precision);
+  const std::vector<Ball> K = krawczyk_image(V, F, jacobian_over(problem, box, precision), loads, precision);
   for (std::size_t i = 0; i < n; ++i) {
-    Ball K = v[i];
-    for (std::size_t k = 0; k < n; ++k) K -= C[i][k] * F[k];
-    for (std::size_t k = 0; k <= n; ++k) {
-      Ball entry = i == k ? 1 : 0;
-      for (std::size_t j = 0; j < n; ++j) entry -= C[i][j] * J[j][k];
-      K += entry * deviations[k];
-    }
-    if (!V[i].contains_inside(K)) {
+    if (!V[i].contains_inside(K[i])) {
       throw Unproved("Krawczyk's step leads out of the box: " + name_of(i, box.layout) + ", box " + V[i].text(20) +
-                     ", step " + K.text(20));
+                     ", step " + K[i].text(20));
     }
-    result.contraction = std::max(result.contraction, ((K - v[i]).size() / V[i].radius()).approximately());
+    result.contraction = std::max(result.contraction, ((K[i] - v[i]).size() / V[i].radius()).approximately());
   }
   return result;
 }

@@ -15,6 +15,11 @@ struct Krawczyk {
   double contraction = 0;  ///< the largest radius of K(V) relative to that of V
 };
 
+/// K(V) from F(v) at the middle load and from the derivative over V and P: a row for each condition, a column for each
+/// unknown and one for the load. `loads`: P - p. Throws Unproved where the derivative's centre has no inverse.
+std::vector<Ball> krawczyk_image(const std::vector<Ball>& V, const std::vector<Ball>& F,
+                                 const std::vector<std::vector<Ball>>& derivative, const Ball& loads, slong precision);
+
 /// Throws Unproved, with the unknown that leaves its box.
 Krawczyk prove_zero(const ReducedProblem& problem, const Box& box, slong least_precision);
 

@@ -1,6 +1,5 @@
 // steadyslide-check: proves contact solutions again from their certificate, and from nothing else.
 
-#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <exception>
@@ -22,20 +21,6 @@ constexpr const char* usage =
     "With --problem it also has to be a certificate for the problem in that file.\n"
     "\n"
     "Exit code: 0 if all is proved, 1 if something is not, 2 if the certificate or the command line breaks a rule.\n";
-
-/// Signs first with few digits in the integrals, then with more where those do not decide, up to `most` bits.
-Signs signs_of(const ReducedProblem& problem, const Box& box, slong most) {
-  for (slong bits = 40;; bits *= 2) {
-    try {
-      const Contact contact(problem, box.layout, box.V.log_offsets, 3 * bits + 64);
-      return prove_signs(Form(contact, box.V, box.loads, bits));
-    } catch (const Refuted&) {
-      throw;
-    } catch (const Unproved&) {
-      if (bits >= most) throw;
-    }
-  }
-}
 
 double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }  // of the processor, since the start
 
@@ -61,7 +46,7 @@ void prove(const Certificate& certificate) {
     } else {
       std::printf("  proved: the contact has no unknown\n");
     }
-    const Signs signs = signs_of(problem, box, std::max<slong>(160, zero.bits));
+    const Signs signs = prove_signs(problem, box, zero.bits);
     std::printf("  proved: t < 0 in the contact on %zu intervals, gap > 0 off it on %zu, integrals to 2^-%ld\n",
                 signs.in_contact, signs.in_gaps, static_cast<long>(signs.bits));
   }

@@ -169,7 +169,7 @@ class Prover {
       if (leading.is_positive()) throw Refuted(at + name + " fails, the leading term pulls; it is " + number);
       throw Unproved(at + name + " is not decided; it is " + number);
     }
-    if (!(R + S * phi).is_negative()) {
+    if (!negative_between(R, S, phi, blows_up)) {
       throw Unproved(at + "t < 0 is not decided where " + name + " no longer leads, at distance " + d1.text());
     }
     ++result_.in_contact;
@@ -288,6 +288,21 @@ class Prover {
 
 }  // namespace
 
-Signs prove_signs(const Form& form) { return Prover(form).run(); }
+bool negative_between(const Ball& R, const Ball& S, const Ball& phi1, bool to_infinity) {
+  return (to_infinity ? S : R).is_negative() && (R + S * phi1).is_negative();
+}
+
+Signs prove_signs(const ReducedProblem& problem, const Box& box, slong bits) {
+  for (slong tried = 40;; tried *= 2) {
+    try {
+      const Contact contact(problem, box.layout, box.V.log_offsets, 3 * tried + 64);
+      return Prover(Form(contact, box.V, box.loads, tried)).run();
+    } catch (const Refuted&) {
+      throw;
+    } catch (const Unproved&) {
+      if (tried >= std::max<slong>(160, bits)) throw;
+    }
+  }
+}
 
 }  // namespace steadyslide::checker

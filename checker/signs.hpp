@@ -30,7 +30,11 @@ struct Signs {
   slong bits = 0;              ///< of the integrals
 };
 
-/// Throws Unproved with the place and the sign that is not decided.
-Signs prove_signs(const Form& form);
+/// Integrals begin with few bits and go on to more where these do not decide: to `bits`, to 160 at least. Throws Unproved
+/// with the place and the sign that is not decided.
+Signs prove_signs(const ReducedProblem& problem, const Box& box, slong bits);
+
+/// Is R + S phi < 0 for all phi from phi1 to 0, or to infinity of the same sign? R and S are intervals: two ends decide.
+bool negative_between(const Ball& R, const Ball& S, const Ball& phi1, bool to_infinity);
 
 }  // namespace steadyslide::checker

@@ -119,3 +119,31 @@ TEST_CASE("B_k on both sides of a wedge differ as the profile's slopes over Y") 
   CHECK((Ball(1e-15) - slopes[0].radius()).is_positive());
   CHECK((Ball(1e-15) - slopes[2].radius()).is_positive());
 }
+
+TEST_CASE("B_k and its derivative with few bits enclose what they are with many") {
+  // Few bits: what the rule errs by, and the nodes that regular_to leaves out, count.
+  const Example example(true);
+  const Contact contact(example.reduced, example.layout, example.v.log_offsets, 260);
+  const Form fine(contact, example.v, example.problem.loads, 100);
+  for (const slong bits : {4, 6, 8, 12, 16}) {
+    const Form coarse(contact, example.v, example.problem.loads, bits);
+    for (const std::size_t segment : {0, 4, 5, 8}) {
+      for (const double part : {0.01, 0.1, 0.5, 0.9, 0.99}) {
+        const Ball length = contact.length(segment);
+        const Place place{segment, segment + 1, length * Ball(part), length - length * Ball(part)};
+        for (const std::size_t k : {contact.slope_of(1), contact.slope_of(3), contact.slope_of(7)}) {
+          const Form::Value few = coarse.regular(k, place);
+          const Form::Value many = fine.regular(k, place);
+          CAPTURE(bits);
+          CAPTURE(segment);
+          CAPTURE(part);
+          CAPTURE(k);
+          CHECK(few.value.contains_inside(many.value));
+          CHECK(few.slope.contains_inside(many.slope));
+          CHECK(fine.regular_to(bits, k, place).value.contains_inside(many.value));
+        }
+      }
+    }
+    for (const std::size_t j : {0, 1}) CHECK(coarse.moment(j).contains_inside(fine.moment(j)));
+  }
+}

@@ -64,6 +64,57 @@ TEST_CASE("the rule encloses Euler's beta integral, with the width it promises")
   }
 }
 
+TEST_CASE("the bound of the rule's error holds for an integrand that nearly reaches it") {
+  // cos(2 pi tau/h) is 1 at every node, and cosh(2 pi d/h) on the rim of the strip: the rule does not see it. With
+  // tau = log(x/(1 - x)), w = 2 pi/h:
+  //   int_0^1 x^a (1-x)^b (x + D)^c cos(w tau) dx = Re D^c B(a+1+iw, b+1-iw) 2F1(-c, a+1+iw; a+b+2; -1/D)
+  const double a = -0.75, b = -0.5, beyond = 0.25;
+  for (const double c : {0.0, 2.0, -2.0, -6.0}) {
+    Trapezoid::Panel panel = unit_panel(rounded(a), rounded(b));
+    if (c != 0) panel.left.push_back({rounded(beyond), rounded(c)});
+    const Trapezoid rule(panel, 30, precision);
+    const Ball h = log(rule.nodes()[1].u / rule.nodes()[1].v);
+    const Ball w = Ball(2) * Ball::pi(precision) / h;
+    Ball d = Ball(1) / rule.secant();  // cos(d/2)
+    arb_acos(d.get(), d.get(), precision);
+    const Ball growth = exp(w * Ball(2) * d);
+    const Ball M = (growth + Ball(1) / growth) * Ball(0.5);
+
+    acb_t p, q, sum, value, other;
+    for (acb_ptr z : {p, q, sum, value, other}) acb_init(z);
+    acb_set_d_d(p, a + 1, 0);
+    arb_set(acb_imagref(p), w.get());
+    acb_set_d_d(q, b + 1, 0);
+    arb_neg(acb_imagref(q), w.get());
+    acb_set_d(sum, a + b + 2);
+    acb_gamma(value, p, precision);
+    acb_gamma(other, q, precision);
+    acb_mul(value, value, other, precision);
+    acb_rgamma(other, sum, precision);
+    acb_mul(value, value, other, precision);
+    acb_set_d(q, -c);
+    acb_set_d(other, -1 / beyond);
+    acb_hypgeom_2f1(other, q, p, sum, other, 0, precision);
+    acb_mul(value, value, other, precision);
+    const Ball exact = Ball([&] {
+      Ball real = rounded(0);
+      arb_set(real.get(), acb_realref(value));
+      return real * power(rounded(beyond), rounded(c));
+    }());
+    for (acb_ptr z : {p, q, sum, value, other}) acb_clear(z);
+
+    Ball all;
+    for (const Trapezoid::Node& node : rule.nodes()) all += node.weight;
+    const Ball error = rule.error(0, M, all);
+    CAPTURE(c);
+    CAPTURE(all.text());
+    CAPTURE(exact.text());
+    CAPTURE(error.text());
+    CHECK(overlap(all.widened(error), exact));
+    if (c == 0) CHECK_FALSE(overlap(all.widened(error * rounded(0.1)), exact));
+  }
+}
+
 TEST_CASE("a point close to the panel needs no more nodes, and no wider ball") {
   // int_0^1 x^(-1/2) (x + d)^(-1/2) dx = 2 asinh(1/sqrt(d)); over (1 + x/d): 2 sqrt(d) atan(1/sqrt(d)) with a pole at -d
   for (const double d : {1.0, 1e-3, 1e-12, 1e-40}) {

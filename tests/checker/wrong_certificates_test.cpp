@@ -1,0 +1,174 @@
+// Certificates that are wrong, each of them one that a checker with a term less would prove.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "checker/cells.hpp"
+#include "checker/krawczyk.hpp"
+#include "checker/reader.hpp"
+#include "checker/signs.hpp"
+
+namespace {
+
+using namespace steadyslide::checker;
+using nlohmann::json;
+
+json certificate_of(const std::string& name) {
+  std::ifstream file(std::string(STEADYSLIDE_CERTIFICATES) + "/" + name + ".json");
+  return json::parse(file);
+}
+
+/// What is not proved; empty if all is.
+std::string refusal(const json& document) {
+  try {
+    const Reader at = Reader::of_json(document.dump(), "test");
+    if (document["kind"] == "cells") {
+      prove_cells(Cells::of_certificate(at));
+      return {};
+    }
+    const Certificate c = Certificate::read(at);
+    const ReducedProblem problem(c.problem, c.origin, c.unit);
+    for (const Box& box : c.boxes) prove_signs(problem, box, prove_zero(problem, box, c.bits).bits);
+    return {};
+  } catch (const Unproved& error) {
+    return error.what();
+  }
+}
+
+bool refused_for(const json& document, const std::string& words) {
+  const std::string said = refusal(document);
+  CAPTURE(said);
+  const bool found = said.find(words) != std::string::npos;
+  CHECK(found);
+  return found;
+}
+
+std::string dumped(const Ball& x) {
+  char* text = arb_dump_str(x.get());
+  std::string result = text;
+  flint_free(text);
+  return result;
+}
+
+/// 2^exponent around the midpoints of the free ends' offsets, 2^of_q around those of q.
+void widen(json& document, int exponent, int of_q) {
+  const auto around = [](const json& ball, int e) {
+    return dumped(Ball::parse(ball, 4096).middle().widened(Ball(std::ldexp(1, e))));
+  };
+  for (json& point : document["points"]) {
+    if (point.contains("log_offset")) point["log_offset"] = around(point["log_offset"], exponent);
+  }
+  for (json& coefficient : document["q"]) coefficient = around(coefficient, of_q);
+}
+
+}  // namespace
+
+TEST_CASE("control: certificates are proved as they are") {
+  for (const char* name : {"quartic_left_bump", "gap_that_narrows", "two_bumps", "rounded_wedge.loads"}) {
+    CAPTURE(name);
+    CHECK(refusal(certificate_of(name)).empty());
+  }
+}
+
+TEST_CASE("a second bump beyond the last end of contact, in the one segment there is") {
+  // The support's end moves from 0 to 2, and the free end keeps its place.
+  json c = certificate_of("quartic_left_bump");
+  c["problem"]["indenter"]["pieces"][0]["to"] = "2";
+  json& offset = c["points"][2]["log_offset"];
+  const Ball old = Ball::parse(offset, 231);
+  const Rational unit = Rational::parse(c["frame"]["unit"], "unit");
+  const Ball moved = log(exp(old.middle()) + Ball(Rational(2) / unit, 231)).rounded(200);
+  offset = dumped(moved.middle().widened(old.radius()));
+  refused_for(c, "gap");
+}
+
+TEST_CASE("a bump of another piece that reaches through the surface within an interval") {
+  json c = certificate_of("gap_that_narrows");
+  c["problem"]["load"] = "1/100";
+  c["problem"]["indenter"]["pieces"][1]["profile"] =
+      json::array({"3/10", "-3", "6"});  // -0.075 at 1/4, 3/10 at 0 and at 1/2
+  refused_for(c, "gap");
+  c["problem"]["indenter"]["pieces"][1]["profile"] = json::array({"3/10", "-2", "4"});  // 0.05 at 1/4
+  CHECK(refusal(c).empty());
+}
+
+TEST_CASE("a box so wide that the conditions are no longer linear in it") {
+  json c = certificate_of("two_bumps");
+  widen(c, -9, -13);
+  CHECK(refusal(c).empty());
+  widen(c, -6, -10);
+  refused_for(c, "Krawczyk");
+}
+
+TEST_CASE("an interval of loads three times as long as its box is for") {
+  json c = certificate_of("rounded_wedge.loads");
+  const auto loads = json::array({"0.997", "1.003"});
+  c["problem"]["loads"] = c["boxes"][0]["loads"] = loads;
+  refused_for(c, "Krawczyk");
+}
+
+TEST_CASE("Krawczyk's image has the radius of the conditions") {
+  // x^2 - 2 = 0 about 3/2 +- 1/4: F(v) = 1/4, F'(V) = 3 +- 1/2
+  const std::vector<Ball> V{Ball(1.5).widened(Ball(0.25)).rounded(100)};
+  const auto image = [&](const Ball& F) {
+    return krawczyk_image(V, {F.rounded(100)}, {{Ball(3).widened(Ball(0.5)), Ball()}}, Ball(), 100)[0];
+  };
+  CHECK(V[0].contains_inside(image(Ball(0.25))));
+  CHECK((image(Ball(0.25).widened(Ball(1))).radius() - Ball(0.33)).is_positive());
+  CHECK_FALSE(V[0].contains_inside(image(Ball(0.25).widened(Ball(1)))));
+}
+
+TEST_CASE("a sum that is negative at one end of its range only is not negative") {
+  // R + S phi, phi from phi1 to 0 or to infinity
+  CHECK(negative_between(Ball(-1), Ball(2), Ball(0.25), false));
+  CHECK_FALSE(negative_between(Ball(-1), Ball(2), Ball(1), false));
+  CHECK_FALSE(negative_between(Ball(1), Ball(-3), Ball(1), false));
+  CHECK(negative_between(Ball(1), Ball(-3), Ball(1), true));
+  CHECK_FALSE(negative_between(Ball(1), Ball(-3), Ball(0.25), true));
+  CHECK_FALSE(negative_between(Ball(-1), Ball(2), Ball(0.25), true));
+}
+
+TEST_CASE("an energy below the true one by less than the far nodes' Taylor polynomials are off") {
+  // One cell of sixteen, [j, j + 1], has all pressure. The profile is 10 up to y0 = j + 3 and rises from 0 beyond, so that the
+  // lowest gap is the one right of y0: E = <H, p> - min H = 10 + 1/(2 pi) + (3 log 3 - 2 log 2)/pi with c = P = 1.
+  // From the cell right of y0 node j is a far one, at the distance 7/2: its polynomial is 1.2e-9/pi too low there.
+  json c{{"certificate", 1}, {"kind", "cells"}, {"generator", "test 0.0.0"}};
+  c["problem"] = {{"load", "1"},
+                  {"load_at", nullptr},
+                  {"sliding", "+x"},
+                  {"gamma", "0"},
+                  {"compliance", "1"},
+                  {"friction", {{"values", json::array({"0"})}, {"jumps", json::array()}}},
+                  {"indenter",
+                   {{"left", "0"},
+                    {"pieces",
+                     {{{"to", "7"}, {"profile", json::array({"10"})}},
+                      {{"to", "16"}, {"profile", json::array({"-700", "100"})}}}}}}};
+  c["pressures"] = std::vector<int>(16, 0);
+  c["pressures"][4] = 1;
+  c["reaches"] = json::array();
+  c["claims"] = {{"load_share", json::array({json::array({"0", "1"})})},
+                 {"effective_friction", json::array({"0", "0"})}};
+  const Ball pi = Ball::pi(200);
+  const Ball energy =
+      Ball(10) + Ball(0.5) / pi + (Ball(3) * log(Ball(3).rounded(200)) - Ball(2) * log(Ball(2).rounded(200))) / pi;
+  const auto claimed = [&](double more) {
+    // 2^-60 of it, as a fraction.
+    Ball scaled = (energy + Ball(more)) * Ball(std::ldexp(1, 50));
+    fmpz_t n;
+    fmpz_init(n);
+    arf_get_fmpz(n, arb_midref(scaled.get()), ARF_RND_NEAR);
+    char* text = fmpz_get_str(nullptr, 10, n);
+    const std::string result = std::string(text) + "/1125899906842624";
+    flint_free(text);
+    fmpz_clear(n);
+    return result;
+  };
+  c["energy"] = claimed(1e-8);
+  CHECK(refusal(c).empty());
+  c["energy"] = claimed(-1e-10);
+  refused_for(c, "energy");
+}
