@@ -1,6 +1,7 @@
 #pragma once
 // Pressures on N equal cells of the support as an exact state, and how far from the solution they are at most. Only for s
-// that never decreases towards +x and a fixed attitude (theorem 1 of [Bal16]): there is exactly one solution p then.
+// that never decreases towards +x, a profile without steps and a fixed attitude (theorem 1 of [Bal16]): there is exactly one
+// solution p then.
 //
 // Places are y = (x - left)/h, cell i is ]i, i+1[, and p_h = (P/h) n_i/S on it, S = sum n_i. The gap under p_h is, in units
 // of c P and up to a constant,

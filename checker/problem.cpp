@@ -98,7 +98,11 @@ bool Problem::theorem_1_applies() const {
   for (std::size_t k = 0; k < jumps.size(); ++k) {
     nondecreasing = nondecreasing && (sign * gamma * (friction[k + 1] - friction[k])).sign() >= 0;
   }
-  return nondecreasing;
+  bool continuous = true;
+  for (std::size_t k = 1; k < pieces.size(); ++k) {
+    continuous = continuous && value(pieces[k].profile - pieces[k - 1].profile, pieces[k - 1].to).sign() == 0;
+  }
+  return nondecreasing && continuous;
 }
 
 ReducedProblem::ReducedProblem(const Problem& problem, Rational origin_, Rational unit_)

@@ -44,7 +44,7 @@ struct Problem {
   void check(const std::string& place) const;
   /// The first datum in which the problem of a file, which has one load, is not one of these; empty if it is.
   std::string difference(const Problem& file) const;
-  /// s never decreases, the attitude is fixed: one solution at most, by theorem 1 of [Bal16].
+  /// s never decreases, the profile has no step, the attitude is fixed: one solution at most, by theorem 1 of [Bal16].
   bool theorem_1_applies() const;
 };
 

@@ -12,6 +12,10 @@ Uniqueness uniqueness(const ContactProblem& problem) {
     if (right < left) return {false, "s = gamma f decreases towards the front at x = " + to_string(jumps[k])};
     constant = constant && left == right;
   }
+  for (const Indenter::Break& at : problem.indenter().breaks()) {
+    if (at.step != 0)
+      return {false, "the profile has a step at x = " + to_string(at.x) + ", which the theorem excludes"};
+  }
   if (constant) return {true, "s = gamma f is constant"};
   return {true, "s = gamma f is nondecreasing towards the front"};
 }

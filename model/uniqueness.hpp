@@ -14,7 +14,7 @@ struct Uniqueness {
 
 /// Proved where s = +-gamma f nowhere decreases towards +x: the energy of [Bal16, section 4] is then positive. That is
 /// "gamma f nondecreasing from rear to front" whichever way the indenter slides. Not covered otherwise, nor where the
-/// indenter may tilt.
+/// indenter may tilt or its profile has a step: the theorem's profiles are Lipschitz-continuous.
 Uniqueness uniqueness(const ContactProblem& problem);
 
 }  // namespace steadyslide

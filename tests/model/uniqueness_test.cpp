@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "model/uniqueness.hpp"
+#include "support/problems.hpp"
 #include "support/random_problem.hpp"
 
 namespace {
@@ -34,6 +35,18 @@ TEST_CASE("uniqueness where s nowhere decreases [Bal16, theorems 1 and 8]") {
   CHECK(of(-gamma, {2, 1}).proved);
   CHECK_FALSE(of(-gamma, {1, 2}).proved);
   CHECK(of(-gamma, {1, 2}, Sliding::minus_x).proved);
+}
+
+TEST_CASE("uniqueness: a profile with a step is not covered, one with a corner is") {
+  const auto with_height = [](const Rational& height) {
+    const Indenter indenter(-1, {{0.25_r, Polynomial({0, -0.5_r})}, {1, Polynomial({height - 0.25_r, 0.5_r})}});
+    return uniqueness(reduced({0.1_r, 0.3_r}, {0}, indenter, 1));
+  };
+  CHECK(with_height(0).proved);
+  for (const Rational& height : {0.001_r, -0.001_r}) {
+    CHECK_FALSE(with_height(height).proved);
+    CHECK(with_height(height).reason == "the profile has a step at x = 0.25, which the theorem excludes");
+  }
 }
 
 TEST_CASE("uniqueness does not depend on the side from which one looks") {
