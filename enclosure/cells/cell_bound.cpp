@@ -61,6 +61,12 @@ void enclose_resultants(const ContactProblem& problem, const CellPressures& pres
 }  // namespace
 
 CellBound bound_cells(const ContactProblem& problem, std::span<const double> pressures) {
+  constexpr std::int64_t of_a_cell = 10'000;
+  return bound_cells(problem, pressures,
+                     WorkBudget(WorkBudget::usual + of_a_cell * static_cast<std::int64_t>(pressures.size())));
+}
+
+CellBound bound_cells(const ContactProblem& problem, std::span<const double> pressures, WorkBudget work) {
   if (const Uniqueness unique = uniqueness(problem); !unique.proved) {
     return refused("the energy bounds no error: " + unique.reason);
   }
@@ -90,7 +96,11 @@ CellBound bound_cells(const ContactProblem& problem, std::span<const double> pre
     most = most ? max(*most, here) : here;
   }
   mean /= Ball(Rational(cells->total()), cell_bits);
-  const LowestGap lowest = lowest_gap(gap, mean, *least);
+  const LowestGap lowest = lowest_gap(gap, mean, *least, work);
+  if (lowest.unfinished) {
+    const Rational x = problem.indenter().left() + Rational(*lowest.unfinished) * h;
+    return refused("the budget of work is spent before the lowest gap is found; x = " + to_string(x));
+  }
 
   CellBound result;
   result.cells = cells->size();

@@ -1,5 +1,6 @@
 #pragma once
-// How far pressures on equal cells are from the solution, proved, where s = +-gamma f nowhere falls towards +x.
+// How far pressures on equal cells are from the solution, proved, where s = +-gamma f nowhere falls towards +x and
+// the profile has no step.
 //
 // Pressures p = -t push the surface down by -u = c B p, B p = -(1/pi) int p(x') log|x-x'| dx' + int_left^x s p, up to a
 // constant. Let p >= 0 be a solution of finite energy (one exists: [Bal16, theorem 1]), its gap G = psi/c + B p - C >= 0,
@@ -24,6 +25,7 @@
 
 #include "enclosure/cells/cell_pressures.hpp"
 #include "enclosure/number/ball.hpp"
+#include "enclosure/number/work_budget.hpp"
 
 namespace steadyslide::enclosure {
 
@@ -46,6 +48,8 @@ struct CellBound {
 /// `pressures`: -t on equal cells of the whole support, in the user's units. They are taken in proportion (their resultant
 /// made P exactly); a resultant that is not P to a part in 10^6 is refused, as are pressures that are negative or no
 /// numbers.
+CellBound bound_cells(const ContactProblem& problem, std::span<const double> pressures, WorkBudget work);
+/// With a budget that has room for many halvings of each cell.
 CellBound bound_cells(const ContactProblem& problem, std::span<const double> pressures);
 
 }  // namespace steadyslide::enclosure

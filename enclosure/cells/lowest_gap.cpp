@@ -5,16 +5,27 @@ namespace {
 
 /// Ends are multiples of 2^-20: every place met is one of 2^-44.
 constexpr int most_halvings = 24;
+/// Logarithms, mostly.
+constexpr std::int64_t work_of_interval = 100;
 
 class Search {
  public:
-  Search(const CellGap& gap, const Ball& mean, const Ball& low)
-      : gap_(gap), logarithms_(gap.bits()), mean_(mean), least_(low.upper()), result_{Ball(0), low.upper()} {}
+  Search(const CellGap& gap, const Ball& mean, const Ball& low, WorkBudget& work)
+      : gap_(gap),
+        logarithms_(gap.bits()),
+        mean_(mean),
+        least_(low.upper()),
+        work_(work),
+        result_{Ball(0), low.upper()} {}
 
   LowestGap run() {
     for (std::size_t i = 0; i < gap_.size(); ++i) {
       for (const GapPart& part : gap_.parts(i)) {
         search(part, part.from, part.to, part.value(part.from, logarithms_), part.value(part.to, logarithms_), 0);
+      }
+      if (work_.is_spent()) {
+        result_.unfinished = i;
+        break;
       }
     }
     return std::move(result_);
@@ -24,7 +35,8 @@ class Search {
   /// `at_z0`, `at_z1`: H without its rest there.
   void search(const GapPart& part, double z0, double z1, const Ball& at_z0, const Ball& at_z1, int halvings) {
     const Ball lower = (min(at_z0, at_z1) - part.rest - part.dip(z0, z1)).lower();
-    if (lower >= enough() || halvings == most_halvings || !lower.is_finite()) {
+    work_.take(work_of_interval);
+    if (lower >= enough() || work_.is_spent() || halvings == most_halvings || !lower.is_finite()) {
       result_.bound = result_.intervals++ == 0 ? lower : min(result_.bound, lower).lower();
       return;
     }
@@ -46,11 +58,14 @@ class Search {
   NearLogarithms logarithms_;
   const Ball& mean_;
   Ball least_;
+  WorkBudget& work_;
   LowestGap result_;
 };
 
 }  // namespace
 
-LowestGap lowest_gap(const CellGap& gap, const Ball& mean, const Ball& low) { return Search(gap, mean, low).run(); }
+LowestGap lowest_gap(const CellGap& gap, const Ball& mean, const Ball& low, WorkBudget& work) {
+  return Search(gap, mean, low, work).run();
+}
 
 }  // namespace steadyslide::enclosure

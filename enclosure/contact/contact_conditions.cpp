@@ -74,6 +74,16 @@ std::size_t ContactConditions::unknowns() const {
          (set_.problem().load_at ? 1 : 0);
 }
 
+std::int64_t ContactConditions::work() const {
+  std::size_t panels = 1;
+  for (const ContactSet::Run& gap : set_.gaps()) {
+    for (const SegmentPart& part : parts_of(gap)) {
+      panels += ContactPanel::graded(set_, part.segment, part.extent).size();
+    }
+  }
+  return static_cast<std::int64_t>(panels) * form_.count() * form_.work_of_place();
+}
+
 std::vector<Ball> ContactConditions::conditions() const {
   const Ball pi = Ball::pi(set_.bits());
   const Ball load = set_.problem().loads(set_.bits());

@@ -20,6 +20,8 @@ class ContactConditions {
   explicit ContactConditions(const ContactForm& form)
       : form_(form), set_(form.set()), q_(form.q()), degree_(set_.degree_at_infinity()) {}
 
+  /// What conditions() take of a budget (work_budget.hpp).
+  std::int64_t work() const;
   /// In the order moments, gaps, moment of the load: all of them are 0 at a solution.
   std::vector<Ball> conditions() const;
   /// Their derivatives by the logarithms of the offsets, the coefficients of q and the tilt, and in a last column by the

@@ -2,20 +2,39 @@
 
 #include <algorithm>
 
+#include "enclosure/contact/power_at_point.hpp"
+
 namespace steadyslide::enclosure {
 namespace {
 
 /// An expansion costs as much as so many.
 constexpr std::size_t few_panels = 12;
+/// So many segments in contact are seen from each other by the moments of each.
+constexpr std::ptrdiff_t many_segments = 4;
+
+/// sum v_i/(to_segment + y_i): as many terms as nothing else here has.
+Ball cauchy_sum(const ContactPanel& panel, const std::vector<Ball>& values, const Ball& to_segment, bool to_the_right) {
+  const Bits bits = to_segment.bits();
+  Ball sum(0, bits), term(0, bits);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const ContactPanel::Node& node = panel.nodes()[i];
+    arb_add(term.get(), to_segment.get(), (to_the_right ? node.from_left : node.from_right).get(), bits);
+    arb_div(term.get(), values[i].get(), term.get(), bits);
+    arb_add(sum.get(), sum.get(), term.get(), bits);
+  }
+  return sum;
+}
 
 }  // namespace
 
 int LocalValue::sign() const {
   const auto decided = [](const Ball& x) { return x.is_positive() ? 1 : x.is_negative() ? -1 : 0; };
-  if (!has_singular || singular.is_finite()) return decided(value());
-  // C times anything from `least` to infinity.
-  const int leading = decided(coefficient);
-  return leading != 0 && least.is_positive() && decided(regular + coefficient * least) == leading ? leading : 0;
+  if (has_singular && least.is_positive()) {
+    // C times anything from `least` on.
+    const int leading = decided(coefficient);
+    if (leading != 0 && decided(regular + coefficient * least) == leading) return leading;
+  }
+  return !has_singular || singular.is_finite() ? decided(value()) : 0;
 }
 
 Ball LocalValue::value() const { return has_singular ? regular + coefficient * singular : regular; }
@@ -35,6 +54,11 @@ ContactForm::ContactForm(ContactSet set, BallPolynomial q, Ball tilt, int count,
   panels_.resize(set_.segments());
   differences_.resize(slopes_.size());
   for (std::size_t segment = 0; segment < set_.segments(); ++segment) take_differences(segment);
+  for (const auto& panels : panels_) {
+    const auto nodes = static_cast<std::int64_t>(panels.size()) * count_;
+    work_of_place_ += std::min(nodes, static_cast<std::int64_t>(set_.bits()) / 2);
+  }
+  work_of_place_ = (work_of_place_ + static_cast<std::int64_t>(set_.points())) * ((set_.bits() + 63) / 64);
 }
 
 void ContactForm::expand_at_infinity() {
@@ -91,6 +115,12 @@ void ContactForm::take_differences(std::size_t segment) {
   }
   const Ball factor =
       set_.in_contact(segment) ? Ball(set_.sign(segment)) * set_.cos_alpha(segment) : Ball(1, set_.bits());
+  std::vector<Ball> moments_of_weights;
+  if (integrates && set_.segments_in_contact() >= many_segments) {
+    int degree = 0;
+    for (const Slope& slope : slopes_) degree = std::max(degree, slope.exact.degree());
+    moments_of_weights = SegmentMoments::of_weights(set_, segment, panels_[segment], degree);
+  }
   for (std::size_t k = 0; k < slopes_.size(); ++k) {
     Difference difference;
     difference.exact = set_.interval(segment).slope - slopes_[k].exact;
@@ -108,6 +138,10 @@ void ContactForm::take_differences(std::size_t segment) {
       difference.values.push_back(std::move(values));
       difference.masses.push_back(mass / Ball(3));  // 3 < pi
       difference.sizes.push_back(size);
+    }
+    if (!moments_of_weights.empty() && k != slopes_of_[segment]) {
+      difference.from_afar.emplace(set_, segment, panels_[segment], moments_of_weights, difference.coefficients,
+                                   difference.sizes);
     }
     differences_[k].push_back(std::move(difference));
   }
@@ -159,12 +193,19 @@ void ContactForm::add_cauchy(std::size_t k, std::size_t segment, const Place& pl
   const bool to_the_right = segment > place.segment;
   const Difference& difference = differences_[k][segment];
   const Ball to_segment = distance(place, to_the_right ? segment : segment + 1);
+  const Side towards = to_the_right ? Side::left : Side::right;
+  if (difference.from_afar) {
+    if (const std::optional<Ball> all = difference.from_afar->seen_from(to_segment, towards)) {
+      sum.regular += to_the_right ? *all : -*all;
+      return;
+    }
+  }
   const std::size_t count = panels_[segment].size();
   PanelMoments::Rest rest{Ball(0, set_.bits()), 0, count};
   // An expansion loses what a wide distance leaves of it.
   const bool is_thin = to_segment.radius() * power(Ball(2, 64), 20) < to_segment;
   if (count > few_panels && is_thin) {
-    if (const PanelMoments* all = moments(difference, segment, to_the_right ? Side::left : Side::right)) {
+    if (const PanelMoments* all = moments(difference, segment, towards)) {
       rest = all->seen_from(to_segment);
       sum.regular += to_the_right ? rest.sum : -rest.sum;
     }
@@ -174,9 +215,8 @@ void ContactForm::add_cauchy(std::size_t k, std::size_t segment, const Place& pl
     const ContactPanel& panel = panels_[segment][n];
     const std::vector<Ball>& values = difference.values[n];
     const ContactPanel::Part& part = panel.part();
-    const std::optional<Side> facing = to_the_right ? Side::left : Side::right;
     const bool neighbours = to_the_right ? segment == place.segment + 1 : segment + 1 == place.segment;
-    if (neighbours && part.touches == facing && Ball(2) * to_segment < part.length) {
+    if (neighbours && part.touches == towards && Ball(2) * to_segment < part.length) {
       add_beside(panel, difference, values, place, sum);
       continue;
     }
@@ -184,13 +224,9 @@ void ContactForm::add_cauchy(std::size_t k, std::size_t segment, const Place& pl
     const Ellipse ellipse =
         to_panel > part.length * Ball(Rational(19, 20), set_.bits()) ? Ellipse::far : Ellipse::close;
     const Ball clear = to_panel.lower() - panel.reach(ellipse);
-    Ball part_sum(0, set_.bits());
-    for (std::size_t i = 0; i < panel.nodes().size(); ++i) {
-      const ContactPanel::Node& node = panel.nodes()[i];
-      part_sum += values[i] / (to_segment + (to_the_right ? node.from_left : node.from_right));
-    }
-    part_sum = Ball::plus_or_minus(
-        part_sum, panel.remainder(panel.largest(difference.coefficients, ellipse) * pole_bound(clear), ellipse));
+    const Ball part_sum = Ball::plus_or_minus(
+        cauchy_sum(panel, values, to_segment, to_the_right),
+        panel.remainder(panel.largest(difference.coefficients, ellipse) * pole_bound(clear), ellipse));
     sum.regular += to_the_right ? part_sum : -part_sum;
   }
 }
@@ -249,51 +285,16 @@ void ContactForm::add_beside(const ContactPanel& panel, const Difference& differ
       panel.remainder(panel.largest(difference.coefficients, Ellipse::beside) * pole_bound(clear), Ellipse::beside));
   total = Ball::plus_or_minus(total, panel.end_remainder(abs(at_place) * pole_bound(clear), Ellipse::beside));
 
-  // G(-d) I(d), its singular term apart: (-1/pi) of it belongs to B.
+  // G(-d) times Cauchy's integral of y^a, its singular term apart: (-1/pi) of it belongs to B.
   const Ball sign(to_the_right ? 1 : -1, bits);
+  const PowerAtPoint at_c(a, set_.is_regular(c), part.length);
+  sum.regular += sign * (total + at_place * at_c.analytic_part(d));
   // (x - c)^m = (-+1)^m d^m.
-  const Ball coefficient = reduced * Ball(to_the_right && m % 2 == 1 ? -1 : 1);
-  const Ball upper = d.upper();
-  const bool reaches = !d.is_positive();
+  sum.coefficient = -sign * reduced * Ball(to_the_right && m % 2 == 1 ? -1 : 1) * at_c.factor() / pi;
+  sum.shift = sum.coefficient * power(d, m) * at_c.constant();
+  sum.singular = at_c.singular_part(d, m);
+  sum.least = m == 0 && d.upper().is_positive() ? at_c.at(d.upper()) : Ball(0, bits);
   sum.has_singular = true;
-  if (set_.is_regular(c)) {
-    total += at_place * log(part.length + d);
-    sum.coefficient = -sign * coefficient / pi;
-    const auto term = [&](const Ball& at) { return -log(at) * power(at, m); };
-    if (!reaches) {
-      sum.singular = term(d);
-    } else if (m == 0) {
-      sum.singular = Ball::unknown(bits);
-      sum.least = term(upper);
-    } else {
-      // -d^m log d increases from 0 to exp(-1/m) >= 0.36.
-      const Ball largest = upper.is_positive() ? term(upper) : Ball(0, bits);
-      sum.singular = upper < Ball(Rational(36, 100), bits) ? Ball::hull(Ball(0, bits), largest) : Ball::unknown(bits);
-      sum.least = Ball(0, bits);
-    }
-  } else {
-    const Ball exponent = a + Ball(m, bits);
-    sum.coefficient = sign * coefficient / sin(pi * a);
-    sum.singular = power(d, exponent);
-    sum.least = reaches ? power(upper, exponent) : Ball(0, bits);
-    // L^a sum (-d/L)^k/(k - a).
-    const Ball ratio = d / part.length;
-    const Ball largest_ratio = abs(ratio).upper();
-    Ball series(0, bits);
-    Ball term(1, bits);
-    Ball size(1, bits);
-    int k = 0;
-    const Ball enough = power(Ball(2, bits), -static_cast<int>(bits));
-    do {
-      series += term / (Ball(k, bits) - a);
-      term *= -ratio;
-      size *= largest_ratio;
-      ++k;
-    } while (!(size < enough));
-    series = Ball::plus_or_minus(series, size / ((Ball(k, bits) - abs(a)) * (Ball(1) - largest_ratio)));
-    total -= at_place * power(part.length, a) * series;
-  }
-  sum.regular += sign * total;
 }
 
 Ball ContactForm::profile_slope(const Place& place) const {

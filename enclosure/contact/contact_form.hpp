@@ -9,16 +9,16 @@
 // come up to it. Beside such a point c, x at the distance d from it, with y the distance on the other side, a = -p and
 // h(y) = y^a G(y) the integrand, G analytic across c,
 //
-//   int_0^L y^a G(y)/(y + d) dy = int_0^L y^a (G(y) - G(-d))/(y + d) dy + G(-d) I(d),
-//   I(d) = -pi d^a/sin(pi a) - L^a sum_{k>=0} (-d/L)^k/(k - a),   or log(L + d) - log d where a = 0,
+//   int_0^L y^a G(y)/(y + d) dy = int_0^L y^a (G(y) - G(-d))/(y + d) dy + G(-d) int_0^L y^a/(y + d) dy
 //
-// so that B_k = R + C d^(a+m), or R - C d^m log d: R and C are analytic up to c, m is the order of the zero of g - g_k
-// at c. A quotient of differences on the ellipse is at most (max |G| + |G(-d)|)/(distance of -d from the ellipse).
+// (the last one in power_at_point.hpp), so that B_k = R + C d^m E(d): R and C are analytic up to c, m is the order of the zero
+// of g - g_k at c. A quotient of differences on the ellipse is at most (max |G| + |G(-d)|)/(distance of -d from the ellipse).
 
 #include <array>
 #include <memory>
 
 #include "enclosure/contact/panel_moments.hpp"
+#include "enclosure/contact/segment_moments.hpp"
 #include "enclosure/number/ball_polynomial.hpp"
 
 namespace steadyslide::enclosure {
@@ -33,16 +33,19 @@ struct Place {
 
 /// B_k at a place, B = regular + coefficient * singular, where singular may be unbounded at the point nearby.
 struct LocalValue {
-  Ball regular;
+  Ball regular;      ///< R
   Ball coefficient;  ///< C
-  Ball singular;     ///< d^(a+m), or -d^m log d, for d from the smallest (0 is not finite) ...
-  Ball least;        ///< ... and, where it is unbounded, its lower bound: positive
+  Ball singular;     ///< d^m E(d), for d from the smallest (0 may not be finite)
+  Ball least;        ///< a lower bound of it; a ball from a little to very much would lose it
   bool has_singular = false;
+  Ball shift = Ball(0);  ///< of C d^m E(d) what is no power, or logarithm, of d alone
 
   /// -1 or 1 where it is decided, else 0.
   int sign() const;
   /// regular + coefficient * singular.
   Ball value() const;
+  /// B less C' d^(a+m), or C' d^m log d.
+  Ball analytic() const { return has_singular ? regular + shift : regular; }
 };
 
 class ContactForm {
@@ -53,6 +56,8 @@ class ContactForm {
   const ContactSet& set() const { return set_; }
   /// Nodes a panel.
   int count() const { return count_; }
+  /// What B_k at a place takes of a budget (work_budget.hpp).
+  std::int64_t work_of_place() const { return work_of_place_; }
   /// With the load.
   const BallPolynomial& q() const { return q_; }
   /// B_k in a segment, k its own slope.
@@ -86,6 +91,8 @@ class ContactForm {
     /// Seen from the left and from the right; made when they have been asked for often enough.
     mutable std::array<std::shared_ptr<const PanelMoments>, 2> moments;
     mutable std::array<Bits, 2> asked{};
+    /// Where there are many segments.
+    std::optional<SegmentMoments> from_afar = {};
   };
   const Difference& difference(std::size_t k, std::size_t segment) const { return differences_[k][segment]; }
   /// Of 1/|Y|, on segments in contact, left to right; none where the contact has one polynomial.
@@ -127,6 +134,7 @@ class ContactForm {
   BallPolynomial q_;
   Ball tilt_;
   int count_;
+  std::int64_t work_of_place_ = 0;
   JacobiRules* rules_;
   std::vector<Ball> expansion_;
   std::vector<Ball> reciprocal_;

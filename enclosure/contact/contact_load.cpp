@@ -76,7 +76,7 @@ TractionRule ContactLoad::rule(ContactPanel::Part part) const {
   const Ball factor = Ball(set_.sign(segment)) * set_.cos_alpha(segment);
   for (const ContactPanel::Node& node : result.panel.nodes()) {
     const LocalValue b = form_.regular_factor(k, {segment, node.from_left, node.from_right});
-    result.values.push_back(factor * node.weight * (apart ? b.regular : b.value()));
+    result.values.push_back(factor * node.weight * (apart ? b.analytic() : b.value()));
   }
   return result;
 }

@@ -24,16 +24,19 @@ ContactPanel::ContactPanel(const ContactSet& set, Part part, int n, std::optiona
   std::vector<Outside> outside;
   struct Factor {
     std::size_t j;
-    Ball power;
     Ball to_left;  ///< of the segment's nearer point from point j
   };
-  std::vector<Factor> factors;
+  // Points of one power share a logarithm.
+  std::vector<std::pair<Ball, std::vector<Factor>>> factors;
   for (std::size_t j = 0; j < set.points(); ++j) {
     if (touched == j || (set.is_regular(j) && lowered != j)) continue;
     const bool left = j <= k;
-    Factor factor{j, power(j), left ? set.distance(j, k) : set.distance(k + 1, j)};
-    outside.push_back({(factor.to_left + (left ? part_.from_left : part_.from_right)).at(few), factor.power.at(few)});
-    factors.push_back(std::move(factor));
+    const Ball p = power(j);
+    Factor factor{j, left ? set.distance(j, k) : set.distance(k + 1, j)};
+    outside.push_back({(factor.to_left + (left ? part_.from_left : part_.from_right)).at(few), p.at(few)});
+    auto same = std::ranges::find_if(factors, [&](const auto& other) { return arb_equal(other.first.get(), p.get()); });
+    if (same == factors.end()) same = factors.insert(same, {p, {}});
+    same->second.push_back(std::move(factor));
   }
 
   const Ball zero(0, set.bits());
@@ -45,8 +48,10 @@ ContactPanel::ContactPanel(const ContactSet& set, Part part, int n, std::optiona
     const Ball from_left = part_.from_left + half_length * rule.from_left[i];
     const Ball from_right = part_.from_right + half_length * rule.from_right[i];
     Ball sum(0, set.bits());
-    for (const Factor& factor : factors) {
-      sum += factor.power * log(factor.to_left + (factor.j <= k ? from_left : from_right));
+    for (const auto& [p, points] : factors) {
+      Ball product(1, set.bits());
+      for (const Factor& point : points) product *= point.to_left + (point.j <= k ? from_left : from_right);
+      sum += p * log(product);
     }
     const Ball weight = rule.weights[i] * scale;
     nodes_.push_back({from_left, from_right, weight * exp(sum), weight});

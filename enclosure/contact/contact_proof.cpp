@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "model/singular_point.hpp"
+
 namespace steadyslide::enclosure {
 namespace {
 
 /// Signs need few digits, except next to a threshold.
-SignsDecided decide(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules) {
+SignsDecided decide(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, WorkBudget& work) {
   SignsDecided signs;
   const int rounds = problem.load_radius > 0 ? 8 : 12;
   for (const Bits few : {Bits(96), Bits(192), Bits(384)}) {
@@ -14,17 +16,17 @@ SignsDecided decide(const ReducedProblem& problem, const ContactBox& box, Jacobi
     JacobiRules own(used);
     JacobiRules& chosen = used == rules.bits() ? rules : own;
     const int count = std::min(count_for(used), 16 * static_cast<int>(few / 96));
-    signs = decide_signs(box.form(problem, count, chosen), rounds);
-    if (signs.proved || signs.refuted || used == rules.bits()) break;
+    signs = decide_signs(box.form(problem, count, chosen), work, rounds);
+    if (signs.proved || signs.refuted || work.is_spent() || used == rules.bits()) break;
   }
   return signs;
 }
 
-void judge(ContactProof& proof, KrawczykResult zero, JacobiRules& rules) {
+void judge(ContactProof& proof, KrawczykResult zero, JacobiRules& rules, WorkBudget& work) {
   proof.box = std::move(zero.box);
   proof.reason = std::move(zero.reason);
   if (!zero.proved) return;
-  const SignsDecided signs = decide(proof.problem, proof.box, rules);
+  const SignsDecided signs = decide(proof.problem, proof.box, rules, work);
   proof.proved = signs.proved;
   proof.refuted = signs.refuted;
   proof.reason = signs.reason;
@@ -33,6 +35,18 @@ void judge(ContactProof& proof, KrawczykResult zero, JacobiRules& rules) {
     const Frame& frame = proof.problem.frame;
     proof.where = (Ball(frame.origin, 64) + Ball(frame.unit, 64) * signs.x).to_double();
   }
+}
+
+/// Bits that loads lose beside a friction jump with a power beta near 0, where they are differences of terms of 1/beta each. The
+/// bits that digits have to spare stand for some of them.
+Bits lost_bits(const ReducedProblem& problem) {
+  constexpr double spare = 24;
+  double lost = 0;
+  for (std::size_t k = 1; k < problem.intervals.size(); ++k) {
+    const Exponent beta = jump_exponent(problem.intervals[k - 1].s, problem.intervals[k].s);
+    if (beta.sign() != 0) lost = std::max(lost, -rough_log2(Ball(beta, 64)) - spare);
+  }
+  return static_cast<Bits>(lost);
 }
 
 }  // namespace
@@ -55,9 +69,15 @@ Frame frame_of(const ContactProblem& problem, const ApproximateContact& contact)
 }
 
 ContactProof prove_contact(const ContactProblem& problem, const ApproximateContact& contact, int digits) {
-  const Bits least = bits_for(digits);
-  ContactProof proof{false, false, {}, {}, ReducedProblem(problem, frame_of(problem, contact)), {{}, {}, {}, Ball(0)},
-                     least};
+  WorkBudget work;
+  return prove_contact(problem, contact, digits, work);
+}
+
+ContactProof prove_contact(const ContactProblem& problem, const ApproximateContact& contact, int digits,
+                           WorkBudget& work) {
+  const ReducedProblem reduced(problem, frame_of(problem, contact));
+  const Bits least = bits_for(digits) + lost_bits(reduced);
+  ContactProof proof{false, false, {}, {}, reduced, {{}, {}, {}, Ball(0)}, least};
   const ContactStart start(proof.problem, contact);
   if (std::string fault = start.topology.fault(proof.problem); !fault.empty()) {
     proof.reason = std::move(fault);
@@ -66,15 +86,15 @@ ContactProof prove_contact(const ContactProblem& problem, const ApproximateConta
   for (const int factor : {1, 2, 4}) {
     proof.bits = factor * least;
     JacobiRules rules(proof.bits);
-    judge(proof, enclose_zero(proof.problem, start, rules), rules);
-    if (proof.proved || proof.refuted) break;
+    judge(proof, enclose_zero(proof.problem, start, rules, work), rules, work);
+    if (proof.proved || proof.refuted || work.is_spent()) break;
   }
   return proof;
 }
 
-ContactProof prove_signs(const ReducedProblem& problem, KrawczykResult zero, JacobiRules& rules) {
+ContactProof prove_signs(const ReducedProblem& problem, KrawczykResult zero, JacobiRules& rules, WorkBudget& work) {
   ContactProof proof{false, false, {}, {}, problem, {{}, {}, {}, Ball(0)}, rules.bits()};
-  judge(proof, std::move(zero), rules);
+  judge(proof, std::move(zero), rules, work);
   return proof;
 }
 
@@ -85,7 +105,8 @@ ContactProof prove_box(const ReducedProblem& problem, const ContactBox& box, Bit
     return proof;
   }
   JacobiRules rules(bits);
-  judge(proof, prove_zero(proof.problem, box, rules), rules);
+  WorkBudget work;
+  judge(proof, prove_zero(proof.problem, box, rules, work), rules, work);
   return proof;
 }
 

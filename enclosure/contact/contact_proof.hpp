@@ -31,13 +31,16 @@ struct ContactProof {
 Frame frame_of(const ContactProblem& problem, const ApproximateContact& contact);
 
 /// From what a solver found. `digits`: of the ends, as far as the approximation's topology is right; precision is raised
-/// where it does not suffice, to four times what the digits need.
+/// where it does not suffice, to four times what the digits need. Ends when the budget of work is spent.
+ContactProof prove_contact(const ContactProblem& problem, const ApproximateContact& contact, int digits,
+                           WorkBudget& work);
+/// With a budget of its own.
 ContactProof prove_contact(const ContactProblem& problem, const ApproximateContact& contact, int digits);
 
 /// What Krawczyk's operator says, then the signs over its box.
-ContactProof prove_signs(const ReducedProblem& problem, KrawczykResult zero, JacobiRules& rules);
+ContactProof prove_signs(const ReducedProblem& problem, KrawczykResult zero, JacobiRules& rules, WorkBudget& work);
 
-/// A box that is given: no Newton step before the proof.
+/// A box that is given: no Newton step before the proof. With a budget of its own.
 ContactProof prove_box(const ReducedProblem& problem, const ContactBox& box, Bits bits);
 
 }  // namespace steadyslide::enclosure

@@ -6,6 +6,7 @@
 // Powers of the fundamental solution Y = prod (z - e_j)^{p_j} [Bal16, theorem 36]: at an end of contact that of an edge
 // or of a free end, inside the contact that of the friction's jump, else 0.
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,6 +56,7 @@ class ContactSet {
   std::size_t segments() const { return points() - 1; }
   /// Of segment k, between points k and k + 1.
   bool in_contact(std::size_t k) const { return contact_[k]; }
+  std::ptrdiff_t segments_in_contact() const { return std::count(contact_.begin(), contact_.end(), 1); }
   const ReducedProblem::Interval& interval(std::size_t k) const { return problem_->intervals[intervals_[k]]; }
   const Ball& length(std::size_t k) const { return lengths_[k]; }
   /// xi of point j.

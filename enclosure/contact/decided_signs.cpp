@@ -21,8 +21,8 @@ struct Interval {
 
 class Decision {
  public:
-  Decision(const ContactForm& form, int most_rounds)
-      : form_(form), set_(form.set()), bits_(set_.bits()), most_rounds_(most_rounds) {}
+  Decision(const ContactForm& form, WorkBudget& work, int most_rounds)
+      : form_(form), set_(form.set()), bits_(set_.bits()), work_(work), most_rounds_(most_rounds) {}
 
   SignsDecided run() {
     for (std::size_t k = 0; k < set_.segments() && result_.proved; ++k) {
@@ -45,6 +45,7 @@ class Decision {
 
   int sign_on(const Half& half, const Interval& d) {
     ++result_.intervals;
+    work_.take(form_.work_of_place());
     return form_.regular_factor(place(half, d)).sign();
   }
 
@@ -89,14 +90,20 @@ class Decision {
       if (!(d.low < d.high)) continue;
       const int sign = sign_on(half, d);
       if (sign == wanted) continue;
-      if (sign == -wanted || !is_divisible(d)) {
-        fail(half, d, sign == -wanted, sign == -wanted ? "the traction pulls" : "the traction's sign is not decided");
+      const bool is_refuted = sign == -wanted;
+      if (is_refuted || work_.is_spent() || !is_divisible(d)) {
+        fail(half, d, is_refuted, is_refuted ? "the traction pulls" : undecided("the traction's sign is not decided"));
         return;
       }
       const Ball middle = divide(d);
       open.push_back({middle, d.high});
       open.push_back({d.low, middle});
     }
+  }
+
+  /// With the budget's name, if it is the reason.
+  std::string undecided(const char* words) const {
+    return words + std::string(work_.is_spent() ? " within the budget of work" : "");
   }
 
   /// Intervals of relative width 2^-20 that are not decided touch a zero, or the precision does not suffice.
@@ -116,8 +123,11 @@ class Decision {
     Ball range;   ///< what it changes by up to any place of the cell lies between 0 and this
   };
 
+  std::int64_t work_of_cell() const { return (form_.count() + 1) * form_.work_of_place(); }
+
   Cell cell(const Half& half, const Interval& d) {
     ++result_.intervals;
+    work_.take(work_of_cell());
     const LocalValue b = form_.regular_factor(place(half, d));
     const int sign = b.sign() * set_.sign(half.segment);
     // int |Y| over the cell: the power of the half's own point is integrated, the others are enclosed.
@@ -193,36 +203,49 @@ class Decision {
     const bool from_left = set_.point(first).kind == Kind::ends;
     const bool from_right = set_.point(last + 1).kind == Kind::begins;
     std::vector<Cell> cells = cells_of(first, last);
+    // At first cells are divided where that may help, later all of them.
+    constexpr int rounds_of_some = 6;
     for (int round = 0; result_.proved; ++round) {
       std::vector<char> open(cells.size(), 0);
-      if (from_left) mark(cells, open, Side::left);
-      if (from_right) mark(cells, open, Side::right);
-      const auto undecided = std::find(open.begin(), open.end(), 0);
-      if (undecided == open.end()) return;
-      if (round == most_rounds_) {
-        const Cell& at = cells[static_cast<std::size_t>(undecided - open.begin())];
-        fail(at.half, at.d, false, "the gap's sign is not decided");
+      for (const Side side : {Side::left, Side::right}) {
+        if (!(side == Side::left ? from_left : from_right)) continue;
+        const std::optional<std::size_t> negative = mark(cells, open, side);
+        if (!negative) continue;
+        fail(cells[*negative].half, cells[*negative].d, true, "the surfaces penetrate");
         return;
       }
-      cells = divided(cells);
+      const auto open_at = std::find(open.begin(), open.end(), 0);
+      if (open_at == open.end()) return;
+      // Each round takes twice as much as the one before.
+      const std::int64_t next = 2 * static_cast<std::int64_t>(cells.size()) * work_of_cell();
+      if (next > work_.left()) work_.take(next);
+      if (round == rounds_of_some + most_rounds_ || work_.is_spent()) {
+        const Cell& at = cells[static_cast<std::size_t>(open_at - open.begin())];
+        fail(at.half, at.d, false, undecided("the gap's sign is not decided"));
+        return;
+      }
+      cells = divided(cells, round < rounds_of_some ? &open : nullptr);
     }
   }
 
-  /// Marks the cells in which the gap is positive by what it is at the contact's end on that side.
-  void mark(const std::vector<Cell>& cells, std::vector<char>& open, Side side) const {
+  /// Marks the cells in which the gap is positive by what it is at the contact's end on that side. The first cell at whose end it
+  /// is negative, if there is one.
+  std::optional<std::size_t> mark(const std::vector<Cell>& cells, std::vector<char>& open, Side side) const {
     const bool left = side == Side::left;
     const std::size_t n = cells.size();
     const auto at = [&](std::size_t i) -> const Cell& { return cells[left ? i : n - 1 - i]; };
     const auto direction = Ball(left ? 1 : -1);
     const auto entered = [&](const Cell& c) { return left ? c.half.segment : c.half.segment + 1; };
     Ball height = direction * step(entered(at(0)));
-    if (height.is_negative()) return;
+    Ball most = height;
+    if (height.is_negative()) return left ? 0 : n - 1;
     bool grows = true;  // all the way from the contact
     for (std::size_t i = 0; i < n; ++i) {
       const Cell& c = at(i);
       if (i > 0 && at(i - 1).half.segment != c.half.segment) {
         const Ball risen = direction * step(entered(c));
         height += risen;
+        most += risen;
         grows = grows && !(risen.is_negative());
       }
       grows = grows && c.sign == (left ? 1 : -1);
@@ -230,16 +253,26 @@ class Decision {
       if (grows || (height + min(lowest, Ball(0, bits_))).is_positive()) open[left ? i : n - 1 - i] = 1;
       const Ball least = (direction * c.change).lower();
       height += grows ? max(least, Ball(0, bits_)) : least;
+      most = (most + direction * c.change).upper();
+      if (most.is_negative()) return left ? i : n - 1 - i;
       if (!height.is_finite()) {
-        if (!grows) return;
+        if (!grows) return {};
         height = Ball(0, bits_);
       }
     }
+    return {};
   }
 
-  std::vector<Cell> divided(const std::vector<Cell>& cells) {
+  /// All cells in halves; or, by `open`, those in which the gap's sign or its change is not known well.
+  std::vector<Cell> divided(const std::vector<Cell>& cells, const std::vector<char>* open) {
     std::vector<Cell> result;
-    for (const Cell& c : cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const Cell& c = cells[i];
+      const bool known = c.change.radius() * Ball(64) < abs(c.change);
+      if (open != nullptr && (*open)[i] != 0 && known) {
+        result.push_back(c);
+        continue;
+      }
       const Ball middle = c.d.low.is_positive() ? divide(c.d) : (c.d.high / Ball(2)).midpoint();
       Cell parts[] = {cell(c.half, {c.d.low, middle}), cell(c.half, {middle, c.d.high})};
       if (c.half.from == Side::right) std::swap(parts[0], parts[1]);
@@ -251,12 +284,15 @@ class Decision {
   const ContactForm& form_;
   const ContactSet& set_;
   Bits bits_;
+  WorkBudget& work_;
   int most_rounds_;
   SignsDecided result_;
 };
 
 }  // namespace
 
-SignsDecided decide_signs(const ContactForm& form, int most_rounds) { return Decision(form, most_rounds).run(); }
+SignsDecided decide_signs(const ContactForm& form, WorkBudget& work, int most_rounds) {
+  return Decision(form, work, most_rounds).run();
+}
 
 }  // namespace steadyslide::enclosure

@@ -24,7 +24,7 @@ Ball EnclosedSolution::amplitude(std::size_t j, std::size_t segment) const {
   const Ball zero(0, bits_);
   const Place at{segment, at_left ? zero : set().length(segment), at_left ? set().length(segment) : zero};
   const LocalValue b = form_.regular_factor(at);
-  return Ball(set().sign(segment)) * set().cos_alpha(segment) * form_.modulus(at, j) * b.regular;
+  return Ball(set().sign(segment)) * set().cos_alpha(segment) * form_.modulus(at, j) * b.analytic();
 }
 
 EnclosedSolution::End EnclosedSolution::end(std::size_t j) const {

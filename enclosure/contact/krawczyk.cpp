@@ -116,6 +116,8 @@ ContactBox ContactStart::box(Bits bits) const {
 
 namespace {
 
+const char* const no_budget = "the budget of work is spent before Krawczyk's operator is enclosed";
+
 /// Rules of no more bits serve as their own coarse ones.
 constexpr Bits few_bits = 96;
 
@@ -126,7 +128,8 @@ ReducedProblem at_middle_load(const ReducedProblem& problem) {
 }
 
 /// One attempt, with F' enclosed by the rules `coarse`.
-KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, JacobiRules& coarse) {
+KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, JacobiRules& coarse,
+                       WorkBudget& work) {
   KrawczykResult result{false, {}, box};
   const Bits bits = rules.bits();
   const bool tilts = problem.load_at.has_value();
@@ -141,7 +144,13 @@ KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, Jac
   }
   const ReducedProblem one_load = at_middle_load(problem);
   const ContactForm at_middle = with_unknowns(box, middle).form(one_load, count_for(bits), rules);
-  const std::vector<Ball> values = ContactConditions(at_middle).conditions();
+  const ContactConditions at_form(at_middle);
+  work.take(at_form.work());
+  if (work.is_spent()) {
+    result.reason = no_budget;
+    return result;
+  }
+  const std::vector<Ball> values = at_form.conditions();
   if (values.size() != wide.size() || ContactConditions(over_box).unknowns() != wide.size()) {
     result.reason = "there are " + std::to_string(values.size()) + " conditions on " + std::to_string(wide.size()) +
                     " unknowns: a free end that stays on an anchor is an exact threshold";
@@ -190,16 +199,17 @@ KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, Jac
 
 }  // namespace
 
-KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules) {
-  if (rules.bits() <= few_bits) return attempt(problem, box, rules, rules);
+KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, WorkBudget& work) {
+  if (rules.bits() <= few_bits) return attempt(problem, box, rules, rules, work);
   // A few digits of F' are enough: they multiply the box's width.
   JacobiRules coarse(few_bits);
-  KrawczykResult result = attempt(problem, box, rules, coarse);
-  return result.proved ? result : attempt(problem, box, rules, rules);
+  KrawczykResult result = attempt(problem, box, rules, coarse, work);
+  return result.proved ? result : attempt(problem, box, rules, rules, work);
 }
 
-KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactStart& start, JacobiRules& rules) {
-  return enclose_zero(problem, start.box(rules.bits()), rules);
+KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactStart& start, JacobiRules& rules,
+                            WorkBudget& work) {
+  return enclose_zero(problem, start.box(rules.bits()), rules, work);
 }
 
 namespace {
@@ -212,7 +222,7 @@ struct Approach {
 
 /// From the middle of a box, with F' enclosed by the rules `coarse`; nothing where it does not converge.
 std::optional<Approach> newton(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules,
-                               JacobiRules& coarse) {
+                               JacobiRules& coarse, WorkBudget& work) {
   const Bits bits = rules.bits();
   const bool tilts = problem.load_at.has_value();
   Approach result;
@@ -229,7 +239,10 @@ std::optional<Approach> newton(const ReducedProblem& problem, const ContactBox& 
     const ContactBox here = with_unknowns(box, values);
     const ContactForm form = here.form(problem, count_for(bits), rules);
     if (!form.set().is_ordered()) return std::nullopt;
-    const std::vector<Ball> conditions = ContactConditions(form).conditions();
+    const ContactConditions at_form(form);
+    work.take(at_form.work());
+    if (work.is_spent()) return std::nullopt;
+    const std::vector<Ball> conditions = at_form.conditions();
     if (conditions.size() != values.size()) break;  // prove_zero() says so
     if (inverse.empty()) {
       const ContactForm rough = here.form(problem, count_for(coarse.bits()), coarse);
@@ -260,19 +273,21 @@ std::optional<Approach> newton(const ReducedProblem& problem, const ContactBox& 
 }
 
 /// The first steps at few bits, and twice as many from there on.
-std::optional<Approach> approach(const ReducedProblem& problem, ContactBox box, JacobiRules& rules) {
-  if (rules.bits() <= few_bits) return newton(problem, box, rules, rules);
+std::optional<Approach> approach(const ReducedProblem& problem, ContactBox box, JacobiRules& rules, WorkBudget& work) {
+  if (rules.bits() <= few_bits) return newton(problem, box, rules, rules, work);
   JacobiRules half(std::max(rules.bits() / 2, few_bits));
-  if (const auto rough = approach(problem, box, half)) box = with_unknowns(box, rough->values);
-  return newton(problem, box, rules, half);
+  if (const auto rough = approach(problem, box, half, work)) box = with_unknowns(box, rough->values);
+  return newton(problem, box, rules, half, work);
 }
 
 }  // namespace
 
-KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules) {
+KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules,
+                            WorkBudget& work) {
   const Bits bits = rules.bits();
   KrawczykResult result{false, "Newton's method does not converge", box};
-  const std::optional<Approach> near = approach(problem, box, rules);
+  const std::optional<Approach> near = approach(problem, box, rules, work);
+  if (work.is_spent()) result.reason = "the budget of work is spent before Newton's method has converged";
   if (!near) return result;
   for (int inflation = 1; inflation <= 4; ++inflation) {
     const Ball factor = power(Ball(16, bits), inflation);
@@ -281,13 +296,14 @@ KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactBox& box
       const Ball rounding = abs(near->values[i]).upper() * power(Ball(2, bits), -static_cast<int>(bits) + 8);
       wide.push_back(Ball::around(near->values[i], factor * (near->widths[i] + rounding)));
     }
-    result = prove_zero(problem, with_unknowns(box, wide), rules);
-    if (result.proved || wide.empty()) return result;
+    result = prove_zero(problem, with_unknowns(box, wide), rules, work);
+    if (result.proved || wide.empty() || work.is_spent()) return result;
   }
   return result;
 }
 
-std::optional<ContactBox> box_for_loads(const ReducedProblem& problem, const ContactBox& guess, JacobiRules& rules) {
+std::optional<ContactBox> box_for_loads(const ReducedProblem& problem, const ContactBox& guess, JacobiRules& rules,
+                                        WorkBudget& work) {
   const Bits bits = rules.bits();
   const ReducedProblem one_load = at_middle_load(problem);
   const Ball radius(problem.load_radius, bits);
@@ -299,6 +315,8 @@ std::optional<ContactBox> box_for_loads(const ReducedProblem& problem, const Con
     const ContactForm form = here.form(one_load, count_for(bits), rules);
     if (!form.set().is_ordered()) break;
     const ContactConditions at_form(form);
+    work.take(at_form.work());
+    if (work.is_spent()) break;
     const std::vector<Ball> conditions = at_form.conditions();
     if (values.empty() || conditions.size() != values.size()) return here;  // prove_zero() says what is wrong
     const Matrix derivatives = at_form.jacobian();

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "enclosure/contact/contact_conditions.hpp"
+#include "enclosure/number/work_budget.hpp"
 #include "model/approximate_contact.hpp"
 
 namespace steadyslide::enclosure {
@@ -49,17 +50,21 @@ struct KrawczykResult {
   ContactBox at_largest = {};
 };
 
+// All of them end when the budget of work is spent.
+
 /// Does the box hold exactly one zero? No Newton step before it: the box is taken as it is.
-KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules);
+KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, WorkBudget& work);
 /// Newton's method from there, then a box around where it leads. The conditions are affine in q and the tilt, which its
 /// first step finds from nothing.
-KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactStart& start, JacobiRules& rules);
+KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactStart& start, JacobiRules& rules,
+                            WorkBudget& work);
 /// From the middle of a box, for one load.
-KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules);
+KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, WorkBudget& work);
 
 /// The box of the zeros for all of a problem's loads, to first order, with a margin: Newton's method from the middle of
 /// `guess` to the middle load's zero, and |dv/dload| from there. Proves nothing; nothing where it does not converge.
-std::optional<ContactBox> box_for_loads(const ReducedProblem& problem, const ContactBox& guess, JacobiRules& rules);
+std::optional<ContactBox> box_for_loads(const ReducedProblem& problem, const ContactBox& guess, JacobiRules& rules,
+                                        WorkBudget& work);
 
 /// Nodes a panel that leave the quadrature's error at the precision's rounding.
 int count_for(Bits bits);

@@ -33,10 +33,10 @@ std::optional<ContactBox> closed_gap(const ReducedProblem& problem, const Contac
 
 std::optional<FullContactFrom> full_contact_from(const ReducedProblem& problem, const ContactBox& full,
                                                  const Rational& from, const Rational& to, const Rational& width,
-                                                 JacobiRules& rules) {
+                                                 JacobiRules& rules, WorkBudget& work) {
   const auto proof_at = [&](const Rational& load) {
     const ReducedProblem at_load = problem.for_loads(load, load);
-    return prove_signs(at_load, prove_zero(at_load, full, rules), rules);
+    return prove_signs(at_load, prove_zero(at_load, full, rules, work), rules, work);
   };
   if (!proof_at(from).refuted) return std::nullopt;
   if (proof_at(to).refuted) return FullContactFrom{to, std::nullopt};

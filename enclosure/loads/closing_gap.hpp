@@ -41,6 +41,6 @@ struct FullContactFrom {
 /// where full contact is not refuted at `from`.
 std::optional<FullContactFrom> full_contact_from(const ReducedProblem& problem, const ContactBox& full,
                                                  const Rational& from, const Rational& to, const Rational& width,
-                                                 JacobiRules& rules);
+                                                 JacobiRules& rules, WorkBudget& work);
 
 }  // namespace steadyslide::enclosure

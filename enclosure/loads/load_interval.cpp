@@ -33,26 +33,26 @@ bool contains(const ContactBox& wide, const ContactBox& thin) {
 }  // namespace
 
 LoadInterval prove_loads(const ReducedProblem& problem, const Rational& from, const Rational& to,
-                         const ContactBox& guess, JacobiRules& rules) {
+                         const ContactBox& guess, JacobiRules& rules, WorkBudget& work) {
   const ReducedProblem all = problem.for_loads(from, to);
   LoadInterval result{from, to, {}, {}, guess, {false, false, {}, {}, all, guess, rules.bits()}};
-  const std::optional<ContactBox> first = box_for_loads(all, guess, rules);
+  const std::optional<ContactBox> first = box_for_loads(all, guess, rules, work);
   if (!first) {
-    result.proof.reason = "Newton's method does not converge";
+    result.proof.reason = work.is_spent() ? "the budget of work is spent" : "Newton's method does not converge";
     return result;
   }
   result.box = *first;
-  KrawczykResult zero = prove_zero(all, result.box, rules);
+  KrawczykResult zero = prove_zero(all, result.box, rules, work);
   // What K(V) needs more is of second order in the interval's length: where V has grown a few times, that is too long.
   constexpr int most_boxes = 5;
   for (int i = 1; i < most_boxes && !zero.proved; ++i) {
     if (contains(result.box, zero.box)) break;  // no image that V could grow by
     result.box = around(result.box, zero.box);
-    zero = prove_zero(all, result.box, rules);
+    zero = prove_zero(all, result.box, rules, work);
   }
   result.at_from = zero.at_smallest;
   result.at_to = zero.at_largest;
-  result.proof = prove_signs(all, std::move(zero), rules);
+  result.proof = prove_signs(all, std::move(zero), rules, work);
   return result;
 }
 
@@ -64,10 +64,11 @@ LoadInterval prove_loads(const ContactProblem& problem, const ApproximateContact
     return {from, to, {}, {}, {}, {false, false, std::move(fault), {}, reduced, {}, bits}};
   }
   JacobiRules rules(bits);
-  return prove_loads(reduced, from, to, start.box(bits), rules);
+  WorkBudget work;
+  return prove_loads(reduced, from, to, start.box(bits), rules, work);
 }
 
-bool are_joined(const LoadInterval& left, const LoadInterval& right, JacobiRules& rules) {
+bool are_joined(const LoadInterval& left, const LoadInterval& right, JacobiRules& rules, WorkBudget& work) {
   const ReducedProblem& problem = left.proof.problem;
   const auto holds = [&](const LoadInterval& interval, const ContactBox& zero) {
     const std::optional<ContactBox> seen = seen_from(problem, zero, interval.box.topology);
@@ -75,7 +76,7 @@ bool are_joined(const LoadInterval& left, const LoadInterval& right, JacobiRules
   };
   if (holds(right, left.at_to) || holds(left, right.at_from)) return true;
   if (!seen_from(problem, left.at_to, right.box.topology)) return false;
-  const KrawczykResult zero = enclose_zero(problem.for_loads(left.to, left.to), left.at_to, rules);
+  const KrawczykResult zero = enclose_zero(problem.for_loads(left.to, left.to), left.at_to, rules, work);
   return zero.proved && holds(left, zero.box) && holds(right, zero.box);
 }
 

@@ -30,14 +30,14 @@ struct LoadInterval {
 
 /// `guess`: near the zero at the middle load. Throws InvalidData unless 0 < from <= to.
 LoadInterval prove_loads(const ReducedProblem& problem, const Rational& from, const Rational& to,
-                         const ContactBox& guess, JacobiRules& rules);
+                         const ContactBox& guess, JacobiRules& rules, WorkBudget& work);
 
-/// From what a solver found at some load nearby.
+/// From what a solver found at some load nearby, with a budget of its own.
 LoadInterval prove_loads(const ContactProblem& problem, const ApproximateContact& contact, const Rational& from,
                          const Rational& to, Bits bits = load_interval_bits);
 
 /// Of two proved intervals, the second beginning where the first one ends: is the zero at that load, exactly one in either
 /// box, the same? Then both are one branch of solutions.
-bool are_joined(const LoadInterval& left, const LoadInterval& right, JacobiRules& rules);
+bool are_joined(const LoadInterval& left, const LoadInterval& right, JacobiRules& rules, WorkBudget& work);
 
 }  // namespace steadyslide::enclosure

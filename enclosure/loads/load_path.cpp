@@ -57,7 +57,10 @@ struct Found {
 struct March {
   Rational reached;
   Found found;
+  WorkBudget rest = WorkBudget(0);
 };
+
+const char* const no_budget = "the budget of work is spent";
 
 class Follower {
  public:
@@ -75,7 +78,10 @@ class Follower {
   }
 
   /// Proves what it can of the loads.
-  void follow(const Rational& from, const Rational& to) { found_ = fill(from, to, 12); }
+  void follow(const Rational& from, const Rational& to) {
+    WorkBudget work(options_.work);
+    found_ = fill(from, to, 12, work);
+  }
   /// All of it, with what is not proved between what is.
   std::vector<LoadStretch> stretches(const Rational& from, const Rational& to) {
     std::sort(found_.proved.begin(), found_.proved.end(),
@@ -110,40 +116,49 @@ class Follower {
   }
 
  private:
-  /// A part that hardly anything can be proved of is left open.
-  Found fill(const Rational& low, const Rational& high, int depth) {
+  /// A part that hardly anything can be proved of is left open. Tasks beside each other have half of the budget each.
+  Found fill(const Rational& low, const Rational& high, int depth, WorkBudget& work) {
     Found found;
     if (depth == 0 || high - low <= options_.width * high) return found;
+    if (work.is_spent()) {
+      found.fail((low + high) / 2, no_budget);
+      return found;
+    }
     // Where a gap closes, its first load is all that it takes.
     if (has_notch_ && !options_.intervals_alone) {
-      const std::optional<Place> first = start_at(low, found);
-      const std::optional<Rational> up = first ? close_gap(*first, high, found) : std::nullopt;
+      const std::optional<Place> first = start_at(low, found, work);
+      const std::optional<Rational> up = first ? close_gap(*first, high, found, work) : std::nullopt;
       if (up) {
-        found.add(fill(*up, high, depth - 1));
+        found.add(fill(*up, high, depth - 1, work));
         return found;
       }
     }
     // An event may lie at any of these loads, at least where the data are round numbers.
     for (const int sixteenths : {7, 11, 4, 14, 1}) {
       const Rational load = low + (high - low) * Rational(sixteenths, 16);
-      const std::optional<Place> start = start_at(load, found);
+      const std::optional<Place> start = start_at(load, found, work);
       if (!start) continue;
       Found from_here;
       const std::optional<Rational> closed =
-          options_.intervals_alone ? std::nullopt : close_gap(*start, high, from_here);
-      const auto upwards = [&] { return closed ? March{*closed, {}} : march(*start, high); };
-      const auto downwards = [&] { return march(*start, low); };
+          options_.intervals_alone ? std::nullopt : close_gap(*start, high, from_here, work);
+      const WorkBudget half = work.half();
+      const auto upwards = [&] { return closed ? March{*closed, {}, half} : march(*start, high, half); };
+      const auto downwards = [&] { return march(*start, low, work); };
       std::pair<March, March> marches = threads_.both(upwards, downwards);
       auto& up = marches.first;
       auto& down = marches.second;
+      work = down.rest;
+      work.give_back(up.rest);
       from_here.add(std::move(up.found));
       from_here.add(std::move(down.found));
       const bool hardly_any = (up.reached - down.reached) * 64 < high - low;
       if (hardly_any) from_here.proved.clear();
       found.add(std::move(from_here));
       if (hardly_any) continue;
-      auto [below, above] = threads_.both([&] { return fill(low, down.reached, depth - 1); },
-                                          [&] { return fill(up.reached, high, depth - 1); });
+      WorkBudget for_above = work.half();
+      auto [below, above] = threads_.both([&] { return fill(low, down.reached, depth - 1, work); },
+                                          [&] { return fill(up.reached, high, depth - 1, for_above); });
+      work.give_back(for_above);
       found.add(std::move(below));
       found.add(std::move(above));
       return found;
@@ -151,7 +166,7 @@ class Follower {
     return found;
   }
 
-  std::optional<Place> start_at(const Rational& load, Found& found) {
+  std::optional<Place> start_at(const Rational& load, Found& found, WorkBudget& work) {
     const std::optional<ApproximateContact> contact = contact_at_(load);
     if (!contact) {
       found.fail(load, "the solver finds no solution");
@@ -162,7 +177,7 @@ class Follower {
       found.fail(load, std::move(fault));
       return std::nullopt;
     }
-    KrawczykResult zero = enclose_zero(problem_.for_loads(load, load), start.box(options_.bits), rules_);
+    KrawczykResult zero = enclose_zero(problem_.for_loads(load, load), start.box(options_.bits), rules_, work);
     if (!zero.proved) {
       found.fail(load, std::move(zero.reason));
       return std::nullopt;
@@ -172,18 +187,18 @@ class Follower {
 
   /// Where the contact has a gap that can but close: all loads up to where it does, and what can be proved of those up to `limit`
   /// then. The load reached; nothing where the contact is another one, or not proved.
-  std::optional<Rational> close_gap(const Place& here, const Rational& limit, Found& found) {
+  std::optional<Rational> close_gap(const Place& here, const Rational& limit, Found& found, WorkBudget& work) {
     const std::optional<ContactBox> full = closed_gap(problem_, here.zero);
     if (!full) return std::nullopt;
-    const auto from = full_contact_from(problem_, *full, here.load, limit, options_.width, rules_);
+    const auto from = full_contact_from(problem_, *full, here.load, limit, options_.width, rules_, work);
     if (!from || from->refuted == here.load) return std::nullopt;
     const ReducedProblem at_load = problem_.for_loads(here.load, here.load);
     ContactBox box = here.zero;
     const Ball width = power(Ball(2), -static_cast<int>(options_.bits) / 2);
     for (Ball& h : box.log_offsets) h = Ball::plus_or_minus(h, width);
-    KrawczykResult zero = prove_zero(at_load, box, rules_);
+    KrawczykResult zero = prove_zero(at_load, box, rules_, work);
     const ContactBox image = zero.box;
-    ContactProof proof = prove_signs(at_load, std::move(zero), rules_);
+    ContactProof proof = prove_signs(at_load, std::move(zero), rules_, work);
     if (!proof.proved) {
       found.fail(here.load, std::move(proof.reason));
       return std::nullopt;
@@ -192,13 +207,14 @@ class Follower {
     found.proved.push_back({Stretch::closing, here.load, from->refuted, std::move(first), {}});
     if (!from->proved && from->refuted < limit) found.fail(limit, "whether the gap has closed is not decided");
     if (!from->proved) return from->refuted;
-    March onward = march({*from->proved, *full}, limit);
+    March onward = march({*from->proved, *full}, limit, work);
+    work = onward.rest;
     found.add(std::move(onward.found));
     return onward.reached;
   }
 
   /// Towards `limit`, as far as intervals are proved.
-  March march(Place here, const Rational& limit) {
+  March march(Place here, const Rational& limit, WorkBudget work) {
     here.zero = seen_from_nearer(problem_, here.zero);
     Found found;
     std::optional<Place> before;
@@ -213,12 +229,12 @@ class Follower {
       const Rational most = options_.longest * here.load;
       if (abs(step) > most) step = limit > here.load ? most : -most;
       if (abs(limit - here.load) <= abs(step)) step = limit - here.load;
-      std::optional<std::pair<Place, Place>> next = stepped(before, here, here.load + step, found);
+      std::optional<std::pair<Place, Place>> next = stepped(before, here, here.load + step, found, work);
       if (!next) {
         if (grown) patience = std::min(2 * patience, most_patience);
         grown = false;
         proved_in_turn = 0;
-        if (abs(step) < least) break;
+        if (abs(step) < least || work.is_spent()) break;
         step /= 2;
         continue;
       }
@@ -231,16 +247,17 @@ class Follower {
       proved_in_turn = 0;
       step *= 2;
     }
-    return {here.load, std::move(found)};
+    return {here.load, std::move(found), work};
   }
 
   /// Proves the loads between here and `load`: the zeros at both; nothing if it does not.
   std::optional<std::pair<Place, Place>> stepped(const std::optional<Place>& before, const Place& here,
-                                                 const Rational& load, Found& found) {
+                                                 const Rational& load, Found& found, WorkBudget& work) {
     const bool upwards = here.load < load;
     const Rational& from = upwards ? here.load : load;
     const Rational& to = upwards ? load : here.load;
-    LoadInterval interval = prove_loads(problem_, from, to, predicted(problem_, before, here, (from + to) / 2), rules_);
+    LoadInterval interval =
+        prove_loads(problem_, from, to, predicted(problem_, before, here, (from + to) / 2), rules_, work);
     if (!interval.proof.proved) {
       found.fail(load, interval.proof.reason);
       return std::nullopt;
@@ -254,8 +271,9 @@ class Follower {
   /// The stretch i and the one before, which meet. (Of a gap that closes no box holds the zero at the last load.)
   bool are_joined(std::size_t i) {
     const LoadStretch& before = found_.proved[i - 1];
+    WorkBudget work;
     return before.kind == Stretch::proved &&
-           enclosure::are_joined(*before.interval, *found_.proved[i].interval, rules_);
+           enclosure::are_joined(*before.interval, *found_.proved[i].interval, rules_, work);
   }
 
   /// What lies before the proved interval i, from `low` to `high`.

@@ -258,6 +258,7 @@ Ball abs(const Ball& x) {
 
 Ball sqrt(const Ball& x) { return applied(arb_sqrt, x); }
 Ball exp(const Ball& x) { return applied(arb_exp, x); }
+Ball expm1(const Ball& x) { return applied(arb_expm1, x); }
 Ball log(const Ball& x) { return applied(arb_log, x); }
 Ball sin(const Ball& x) { return applied(arb_sin, x); }
 Ball cos(const Ball& x) { return applied(arb_cos, x); }

@@ -116,6 +116,8 @@ class Ball {
 Ball abs(const Ball& x);
 Ball sqrt(const Ball& x);
 Ball exp(const Ball& x);
+/// e^x - 1.
+Ball expm1(const Ball& x);
 Ball log(const Ball& x);
 Ball sin(const Ball& x);
 Ball cos(const Ball& x);

@@ -1,5 +1,7 @@
 // Contact solutions proved, and wrong ones refused, from what the Riemann-Hilbert solver hands over.
 
+#include <set>
+
 #include "enclosure/contact/contact_proof.hpp"
 #include "enclosure/contact/enclosed_solution.hpp"
 #include "numeric/closed_form/closed_form.hpp"
@@ -147,6 +149,83 @@ TEST_CASE("an unbounded term decides a sign only from where it exceeds the rest"
   CHECK(sign(5, Ball(-1, 64), 6) == -1);
   CHECK(sign(5, Ball(-1, 64), 5) == 0);
   CHECK(sign(5, Ball::plus_or_minus(Ball(0, 64), Ball(1, 64)), 6) == 0);
+}
+
+namespace {
+
+/// A wedge over a jump of friction from 0.1.
+ContactProblem hardly_jumping(const Rational& friction) {
+  const Indenter indenter(-1, {{0, Polynomial({0, -0.2_r})}, {1, Polynomial({0, 0.2_r})}});
+  return {Elasticity(Solid(0.3_r, 1)), FrictionProfile({0.1_r, friction}, {0}), indenter, 0.5_r, Sliding::minus_x};
+}
+
+}  // namespace
+
+TEST_CASE("friction that hardly jumps under a wedge: proved, and quickly") {
+  for (const char* friction : {"0.10000000000001", "0.099999999999", "0.09999999999999",
+                               "0.1000000000000000000000000000001", "0.0999999999999999999999999999999"}) {
+    CAPTURE(friction);
+    const ContactProblem problem = hardly_jumping(parse_rational(friction));
+    const ContactProof proof = prove_contact(problem, everywhere, 16);
+    CHECK_MESSAGE(proof.proved, proof.reason);
+    CHECK(proof.intervals < 100);
+    if (!proof.proved) continue;
+    const auto shares = EnclosedSolution(problem, proof).resultants().load_share;
+    CHECK(shares[0].to_double() == doctest::Approx(0.484738159279393).epsilon(1e-12));
+    CHECK(shares[0].radius() < power(Ball(10, 64), -16));
+  }
+}
+
+TEST_CASE("a proof ends where its budget is spent, and says where") {
+  const ContactProblem problem = reduced({0.1_r, 0.6_r}, {0}, two_wells(), 4);
+  const auto solution = riemann_hilbert<double>(problem).solution;
+  REQUIRE(solution);
+  const ApproximateContact contact = solution->approximate_contact();
+  WorkBudget enough;
+  CHECK(prove_contact(problem, contact, 16, enough).proved);
+  const std::int64_t needed = WorkBudget::usual - enough.left();
+  CHECK(needed < WorkBudget::usual / 20);
+  std::set<std::string> reasons;
+  for (const int percent : {1, 5, 10, 20, 30, 40, 50, 60, 70, 80, 90, 95, 99}) {
+    WorkBudget work(needed * percent / 100);
+    const ContactProof proof = prove_contact(problem, contact, 16, work);
+    if (proof.proved) continue;
+    CHECK_FALSE(proof.refuted);
+    CHECK(work.is_spent());
+    CHECK(holds(proof.reason, "budget of work"));
+    if (holds(proof.reason, "sign")) CHECK(proof.where.has_value());
+    reasons.insert(proof.reason);
+  }
+  CHECK(reasons.size() > 1);
+  // In the signs, too: p = (1 + pi a (2 x^2 - 1))/(pi sqrt(1 - x^2)) is hardly positive at 0.
+  const ContactProblem hollow = reduced({0}, {}, one_piece(-1, 1, {0, 0, -0.318309567_r}), 1);
+  WorkBudget room;
+  CHECK(prove_contact(hollow, everywhere, 16, room).proved);
+  WorkBudget half((WorkBudget::usual - room.left()) / 2);
+  const ContactProof proof = prove_contact(hollow, everywhere, 16, half);
+  CHECK_FALSE(proof.proved);
+  CHECK(proof.reason == "the traction's sign is not decided within the budget of work");
+  CHECK(std::abs(proof.where.value()) < 0.5);
+}
+
+TEST_CASE("a gap that grows from the contact's end on is not positive beyond a step towards the body") {
+  const auto profile = [](const Rational& height) {
+    return Indenter(-1, {{0.5_r, Polynomial({0, 0, 2.5_r})}, {1, Polynomial({height, 0, 2.5_r})}});
+  };
+  const ContactProblem whole = reduced({0.1_r, 0.3_r}, {0}, profile(0), 0.2_r);
+  const auto solution = riemann_hilbert<double>(whole).solution;
+  REQUIRE(solution);
+  for (const auto& [height, proved] : {std::pair(0_r, true), {5_r, true}, {-5_r, false}}) {
+    const ContactProblem problem = reduced({0.1_r, 0.3_r}, {0}, profile(height), 0.2_r);
+    ApproximateContact contact;
+    const auto zone = solution->contact().front();
+    for (const double x : {zone.left.x.value, zone.right.x.value}) {
+      contact.ends.push_back(ApproximateContact::free_end(problem, Rational(x)));
+    }
+    const ContactProof proof = prove_contact(problem, contact, 16);
+    CHECK_MESSAGE(proof.proved == proved, proof.reason);
+    if (!proved) CHECK(proof.reason == "the surfaces penetrate");
+  }
 }
 
 TEST_CASE("closed forms are proved: punches with jumps, parabolas over jumps") {

@@ -326,12 +326,13 @@ TEST_CASE("which gaps can but close") {
   const ReducedProblem problem(notch(1), {0, 2});
   const ContactBox full = ContactStart(problem, {{{-1}, {1}}}).box(64);
   JacobiRules rules(64);
-  CHECK_FALSE(full_contact_from(problem, full, full_contact_load * 1.001_r, 9, 0.001_r, rules));
-  const auto from = full_contact_from(problem, full, 2, 9, 0.001_r, rules);
+  WorkBudget work;
+  CHECK_FALSE(full_contact_from(problem, full, full_contact_load * 1.001_r, 9, 0.001_r, rules, work));
+  const auto from = full_contact_from(problem, full, 2, 9, 0.001_r, rules, work);
   REQUIRE(from);
   CHECK(from->refuted < full_contact_load);
   CHECK(full_contact_load < from->proved.value());
-  CHECK_FALSE(full_contact_from(problem, full, 2, 8, 0.001_r, rules)->proved);
+  CHECK_FALSE(full_contact_from(problem, full, 2, 8, 0.001_r, rules, work)->proved);
 }
 
 TEST_CASE("slow: notches close on other coatings, with other jumps and flanks, or never" * doctest::skip()) {

@@ -1,0 +1,154 @@
+// What a panel says of its ellipse, beside the values at both ends of it; and a power beside its point.
+
+#include "enclosure/contact/contact_panel.hpp"
+
+#include "enclosure/contact/power_at_point.hpp"
+#include "enclosure/contact/segment_moments.hpp"
+#include "enclosure/quadrature/enclosed_integral.hpp"
+#include "model/contact_problem.hpp"
+#include "support/problems.hpp"
+#include "support/test.hpp"
+
+namespace steadyslide::enclosure {
+
+namespace {
+
+using Kind = ContactTopology::Kind;
+constexpr Bits panel_bits = 160;
+
+/// Contact on [-1, 1] but for a gap around the origin.
+struct Gap {
+  ReducedProblem problem{
+      reduced({0.1_r, 0.5_r}, {0}, Indenter(-1, {{0, Polynomial({0, 0.2_r})}, {1, Polynomial({0, -0.2_r})}}), 1),
+      {0, 1}};
+  ContactSet set{problem,
+                 ContactTopology{{{0, {}, Kind::begins, false},
+                                  {1, Side::left, Kind::ends, true},
+                                  {1, {}, Kind::interior, false},
+                                  {1, Side::right, Kind::begins, true},
+                                  {2, {}, Kind::ends, false}}},
+                 {Ball(-2, panel_bits), Ball(-3, panel_bits)},
+                 panel_bits};
+  JacobiRules rules{panel_bits};
+};
+
+}  // namespace
+
+TEST_CASE("a panel's bounds hold at both ends of its ellipses: products of powers, polynomials") {
+  Gap gap;
+  int largest = 0;
+  for (const std::size_t segment : {0U, 3U}) {
+    for (const ContactPanel::Part& part : ContactPanel::graded(gap.set, segment)) {
+      for (const int n : {-1, 1}) {
+        const ContactPanel panel(gap.set, part, n, std::nullopt, 20, gap.rules);
+        for (const Ellipse ellipse : {Ellipse::close, Ellipse::beside, Ellipse::far}) {
+          const Ball reach = panel.reach(ellipse) * Ball(0.9999_r, panel_bits);
+          const Ball start = gap.set.x(segment) + part.from_left;
+          for (const Ball& x : {start - reach, start + part.length + reach}) {
+            CHECK(abs(x) <= panel.largest({Ball(0), Ball(1)}, ellipse));
+            CHECK(power(x, 2) <= panel.largest({Ball(0), Ball(0), Ball(1)}, ellipse));
+            // Nor is the bound of x that at the panel itself.
+            largest += abs(x) > max(abs(start), abs(start + part.length)) ? 1 : 0;
+            Ball product(1, panel_bits);
+            bool inside = true;
+            for (std::size_t j = 0; j < gap.set.points(); ++j) {
+              const bool touched = part.touches && j == (*part.touches == Side::left ? segment : segment + 1);
+              if (touched || gap.set.is_regular(j)) continue;
+              const Ball distance = abs(x - gap.set.x(j));
+              inside = inside && distance.is_positive();
+              product *= power(distance, Ball(n) * gap.set.power(j));
+            }
+            if (inside && panel.largest_product(ellipse).is_finite()) CHECK(product <= panel.largest_product(ellipse));
+          }
+        }
+      }
+    }
+  }
+  CHECK(largest > 10);
+}
+
+TEST_CASE("Cauchy's integral of a power beside its point, however small the power is") {
+  JacobiRules rules(panel_bits);
+  const Ball length(3, panel_bits);
+  for (const char* power_text : {"-0.4", "-1e-5", "-1e-14", "-1e-60", "0", "1e-60", "1e-14", "1e-5", "0.4", "0.9"}) {
+    for (const char* distance : {"1.5", "0.2", "1e-10", "1e-40"}) {
+      CAPTURE(power_text);
+      CAPTURE(distance);
+      const Rational exact = parse_rational(power_text);
+      const Ball a(exact, panel_bits), d(parse_rational(distance), panel_bits);
+      const PowerAtPoint at_c(a, exact == 0, length);
+      const Ball whole = at_c.factor() * at_c.at(d) + at_c.analytic_part(d);
+      const PowerIntegrand integrand{{-d, Ball(0, panel_bits), length}, {Ball(-1), a, Ball(0)}};
+      const Ball integral = enclosed_integral(integrand, 1, 2, Route::panels, rules).value;
+      CHECK(whole.overlaps(integral));
+      CHECK(whole.radius() < abs(integral) * steadyslide::enclosure::power(Ball(10, 64), -38));
+      // Over an interval of distances it is as wide as the integral is there, not 1/a times as wide.
+      const Ball wide = Ball::hull(d / Ball(2), d);
+      const Ball range = at_c.factor() * at_c.singular_part(wide, 0) + at_c.analytic_part(wide);
+      if (wide.upper() <= length / Ball(2)) {
+        CHECK(range.contains(whole));
+        CHECK(range.radius() < Ball(4) * (abs(a) + Ball(1)) * max(Ball(1), steadyslide::enclosure::power(d, a)));
+      }
+    }
+  }
+}
+
+TEST_CASE("d^m E(d) for all d from 0 on") {
+  const Ball length(2, panel_bits);
+  for (const char* power_text : {"-0.9", "-0.3", "-1e-20", "0", "1e-20", "0.3", "0.9"}) {
+    const Rational exact = parse_rational(power_text);
+    const PowerAtPoint at_c(Ball(exact, panel_bits), exact == 0, length);
+    for (const int m : {0, 1, 2}) {
+      CAPTURE(power_text);
+      CAPTURE(m);
+      for (const char* upper : {"1", "0.7", "0.1", "1e-9"}) {
+        const Ball d(parse_rational(upper), panel_bits);
+        const Ball range = at_c.singular_part(Ball::hull(Ball(0, panel_bits), d), m);
+        CHECK((range.is_finite() || (m == 0 ? exact <= 0 : exact == 0 && d > Ball(0.7_r, 64))));
+        if (m == 0 && exact <= 0) CHECK_FALSE(range.is_finite());
+        for (const int part : {1, 2, 3, 10, 1000, 1000000}) {
+          const Ball at = d / Ball(part);
+          const Ball value = power(at, m) * at_c.at(at);
+          CHECK((!range.is_finite() || range.overlaps(value)));
+          CHECK(at_c.at(d) <= at_c.at(at) + Ball(1e-30_r, 64));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a segment seen from afar by its moments: the sum over its nodes") {
+  Gap gap;
+  for (const std::size_t segment : {0U, 3U}) {
+    std::vector<ContactPanel> panels;
+    std::vector<Ball> sizes;
+    const BallPolynomial p{Ball(1, panel_bits), Ball(-2, panel_bits), Ball(3, panel_bits)};
+    for (ContactPanel::Part& part : ContactPanel::graded(gap.set, segment)) {
+      panels.emplace_back(gap.set, std::move(part), -1, std::nullopt, 40, gap.rules);
+      sizes.push_back(panels.back().largest(p, Ellipse::far));
+    }
+    const auto weights = SegmentMoments::of_weights(gap.set, segment, panels, 2);
+    const SegmentMoments moments(gap.set, segment, panels, weights, p, sizes);
+    for (const Side facing : {Side::left, Side::right}) {
+      CHECK_FALSE(moments.seen_from(Ball(0.1_r, panel_bits), facing));
+      CHECK_FALSE(moments.seen_from(Ball::hull(Ball(3, panel_bits), Ball(4, panel_bits)), facing));
+      for (const char* distance : {"0.6", "1", "3", "100", "1e30"}) {
+        CAPTURE(distance);
+        const Ball from(parse_rational(distance), panel_bits);
+        Ball sum(0, panel_bits);
+        for (const ContactPanel& panel : panels) {
+          for (const ContactPanel::Node& node : panel.nodes()) {
+            sum += node.weight * value_at(p, gap.set.x(segment) + node.from_left) /
+                   (from + (facing == Side::left ? node.from_left : node.from_right));
+          }
+        }
+        const auto seen = moments.seen_from(from, facing);
+        REQUIRE(seen);
+        CHECK(seen->contains(sum.midpoint()));
+        CHECK(seen->radius() < abs(sum) * power(Ball(10, 64), -30));
+      }
+    }
+  }
+}
+
+}  // namespace steadyslide::enclosure
