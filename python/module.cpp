@@ -74,11 +74,9 @@ py::list singular_points(const ss::Solution& solution) {
   return list;
 }
 
-py::list unresolved_gaps(const ss::Solution& solution) {
+py::list gap_tuples(const std::vector<ss::UnresolvedGap>& gaps) {
   py::list list;
-  for (const auto& [x, log10_length] : released([&] { return solution.unresolved_gaps(); })) {
-    list.append(py::make_tuple(x, log10_length));
-  }
+  for (const auto& [x, log10_length] : gaps) list.append(py::make_tuple(x, log10_length));
   return list;
 }
 
@@ -190,7 +188,8 @@ PYBIND11_MODULE(_core, m) {
   py::class_<ss::Proof>(m, "Proof")
       .def_readonly("proved", &ss::Proof::proved)
       .def_readonly("reason", &ss::Proof::reason)
-      .def_readonly("certificate", &ss::Proof::certificate);
+      .def_readonly("certificate", &ss::Proof::certificate)
+      .def("unresolved_gaps", [](const ss::Proof& proof) { return gap_tuples(proof.unresolved_gaps); });
 
   py::class_<ss::Solution>(m, "Solution")
       .def_property_readonly("failed_condition", &ss::Solution::failed_condition)
@@ -198,7 +197,8 @@ PYBIND11_MODULE(_core, m) {
       .def("warnings", [](const ss::Solution& s) { return released([&] { return s.warnings(); }); })
       .def("contact", &contact)
       .def("singular_points", &singular_points)
-      .def("unresolved_gaps", &unresolved_gaps)
+      .def("unresolved_gaps",
+           [](const ss::Solution& s) { return gap_tuples(released([&] { return s.unresolved_gaps(); })); })
       .def("resultants", &resultants)
       .def("at", &sample)
       .def("traction", [](const ss::Solution& s, const Array& x) { return many(s, x, &ss::Solution::traction); })

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/results/certified_text.hpp"
+#include "library/proof/proved_contact.hpp"
 #include "numeric/variational/variational_solution.hpp"
 
 namespace steadyslide::app {
@@ -70,28 +71,30 @@ std::vector<StretchText> Solver::between(const Problem& problem, const Rational&
 }
 
 template <numeric::Real R>
-SolutionText Solver::prove_in(const Problem& problem) {
+std::optional<ApproximateContact> Solver::contact_in(const Problem& problem, SolutionText& text) {
   Solution<R>& last = std::get<Solution<R>>(last_);
   const numeric::Attempt<R> found = attempt<R>(wanted_.method, problem.contact, last.get());
-  if (!found.solution) return inapplicable(found.reason);
+  if (!found.solution) {
+    text = inapplicable(found.reason);
+    return std::nullopt;
+  }
   SolutionWanted approximate = wanted_.solution;
   approximate.digits = std::min(approximate.digits, 16);
-  SolutionText text = solution_text(problem, *found.solution, approximate);
+  text = solution_text(problem, *found.solution, approximate);
   if (text.is_solved()) last = found.solution;
-  const auto proof =
-      enclosure::prove_contact(problem.contact, found.solution->approximate_contact(), wanted_.solution.digits);
-  certify(text, problem, proof, wanted_.solution, wanted_.jobs);
-  return text;
+  return found.solution->approximate_contact();
 }
 
 SolutionText Solver::solve_certified(const Problem& problem) {
   SolutionText text;
-  if (fits_double(problem.contact, wanted_.solution.at)) {
-    text = prove_in<double>(problem);
-    if (!text.reason.empty() || text.is_solved()) return text;
-  }
-  text = prove_in<numeric::Real50>(problem);
-  return text.is_solved() ? text : prove_in<numeric::Real100>(problem);
+  const auto found = [&](int digits) {
+    return numeric::at_precision(numeric::precision_for(digits),
+                                 [&]<numeric::Real R>() { return contact_in<R>(problem, text); });
+  };
+  const int first = fits_double(problem.contact, wanted_.solution.at) ? 16 : 50;
+  const auto proof = library::proved_contact(problem.contact, wanted_.solution.digits, first, found);
+  if (proof && text.reason.empty()) certify(text, problem, *proof, wanted_.solution, wanted_.jobs);
+  return text;
 }
 
 SolutionText Solver::solve(const Problem& problem) {

@@ -42,10 +42,11 @@ class Solver {
 
   template <numeric::Real R>
   SolutionText solve_in(const Problem& problem);
-  /// From what double finds; where that cannot be proved, from what is found with 50 and with 100 digits.
+  /// From what the solver finds, with more digits where that cannot be proved (library/proof/proved_contact.hpp).
   SolutionText solve_certified(const Problem& problem);
+  /// The contact that the solver finds, and `text` of it; nothing, and why, where it finds none.
   template <numeric::Real R>
-  SolutionText prove_in(const Problem& problem);
+  std::optional<ApproximateContact> contact_in(const Problem& problem, SolutionText& text);
   SolutionText solve_on_cells(const Problem& problem) const;
 
   Wanted wanted_;

@@ -1,10 +1,9 @@
-#include <array>
 #include <fstream>
 #include <stdexcept>
 
 #include "enclosure/cells/cell_bound.hpp"
-#include "enclosure/contact/contact_proof.hpp"
 #include "library/proof/certificate.hpp"
+#include "library/proof/proved_contact.hpp"
 #include "library/steadyslide/solution_state.hpp"
 #include "library/text/number_format.hpp"
 
@@ -13,14 +12,7 @@ namespace {
 
 Proof proof_on_cells(const ContactProblem& problem, const std::vector<double>& pressures) {
   const enclosure::CellBound bound = enclosure::bound_cells(problem, pressures);
-  return {bound.proved, bound.reason, bound.proved ? library::certificate(problem, bound) : ""};
-}
-
-Proof proof_from(const Solution::State& state) {
-  const ContactProblem& problem = contact_problem(state.problem);
-  const auto proof = enclosure::prove_contact(problem, state.approximate_contact(), state.digits);
-  if (proof.proved) return {true, "", library::certificate(problem, proof, state.digits)};
-  return {false, proof.reason + (proof.where ? "; x = " + library::format_number(*proof.where, 6) : ""), ""};
+  return {bound.proved, bound.reason, bound.proved ? library::certificate(problem, bound) : "", {}};
 }
 
 }  // namespace
@@ -29,13 +21,17 @@ Proof Solution::certify() const {
   if (const auto pressures = state_->touching_pressures()) {
     return proof_on_cells(contact_problem(state_->problem), *pressures);
   }
-  Proof proof = proof_from(*state_);
-  // What double finds may be too far away.
-  for (const int digits : std::array{50, 100}) {
-    if (proof.proved || digits <= state_->digits) continue;
-    proof = proof_from(*solved_state(state_->problem, library::method_named(state_->method), digits, {}));
-  }
-  return proof;
+  const ContactProblem& problem = contact_problem(state_->problem);
+  const int first = state_->digits <= 16 ? 16 : state_->digits <= 50 ? 50 : 100;
+  std::shared_ptr<const State> state = state_;
+  const auto found = [&](int digits) -> std::optional<ApproximateContact> {
+    if (digits > first) state = solved_state(state_->problem, library::method_named(state_->method), digits, {});
+    return state->approximate_contact();
+  };
+  const auto proof = library::proved_contact(problem, state_->digits, first, found);
+  if (proof->proved) return {true, "", library::certificate(problem, *proof, state_->digits), state->unresolved_gaps()};
+  const std::string where = proof->where ? "; x = " + library::format_number(*proof->where, 6) : "";
+  return {false, proof->reason + where, "", state->unresolved_gaps()};
 }
 
 void Proof::save(const std::string& file) const {

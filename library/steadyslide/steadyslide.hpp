@@ -214,6 +214,8 @@ struct Proof {
   bool proved = false;
   std::string reason;       ///< why not
   std::string certificate;  ///< JSON; empty if nothing is proved
+  /// Of the solution that it is about, which may have been found with more digits. Left to right.
+  std::vector<UnresolvedGap> unresolved_gaps{};
 
   /// Writes the certificate. Throws std::runtime_error if there is none, or the file cannot be written.
   STEADYSLIDE_API void save(const std::string& file) const;

@@ -136,10 +136,11 @@ class NodalForces(NamedTuple):
 class Proof:
     """What is proved of a solution in ball arithmetic."""
 
-    def __init__(self, proved, reason, certificate):
+    def __init__(self, proved, reason, certificate, unresolved_gaps):
         self.proved = proved
         self.reason = reason
         self.certificate = certificate
+        self.unresolved_gaps = unresolved_gaps
 
     def __repr__(self):
         return "<steadyslide.Proof: proved>" if self.proved else f"<steadyslide.Proof: not proved: {self.reason}>"
@@ -312,7 +313,10 @@ class Solution:
     @property
     def unresolved_gaps(self):
         """A list of UnresolvedGap, left to right; log10_length is an order of magnitude."""
-        return [UnresolvedGap(*gap) for gap in self._numbers(self._core.unresolved_gaps())]
+        return self._gaps(self._core.unresolved_gaps())
+
+    def _gaps(self, gaps):
+        return [UnresolvedGap(*gap) for gap in self._numbers(gaps)]
 
     @property
     def resultants(self):
@@ -386,7 +390,7 @@ class Solution:
     def certify(self):
         """Proves it in ball arithmetic, with a certificate for steadyslide-check: a Proof. Ten times a solve."""
         proof = self._core.certify()
-        return Proof(proof.proved, proof.reason, proof.certificate)
+        return Proof(proof.proved, proof.reason, proof.certificate, self._gaps(proof.unresolved_gaps()))
 
     def plot(self, ax=None):
         """Pressure and shear over x, with singular points marked, on matplotlib's axes, which are returned."""

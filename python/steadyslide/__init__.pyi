@@ -101,6 +101,7 @@ class Proof:
     proved: bool
     reason: str
     certificate: str
+    unresolved_gaps: list[UnresolvedGap]
     def save(self, path: str | PathLike[str]) -> None: ...
 
 class Problem:

@@ -226,6 +226,12 @@ def test_proofs_have_certificates(tmp_path):
     assert proof.proved
     proof.save(tmp_path / "proof.json")
     assert json.loads((tmp_path / "proof.json").read_text())["claims"]["exists"] is True
+    assert proof.unresolved_gaps == []
+    notch = ss.Problem(load=1000, gamma="0.5", friction=[1], pieces=[("1/4", "x/8"), (1, "1/16 - x/8")])
+    refused = notch.solve().certify()
+    assert not refused.proved
+    (gap,) = refused.unresolved_gaps
+    assert float(gap.x) == pytest.approx(0.25, rel=1e-15) and gap.log10_length < -1000
 
 
 def test_plots():

@@ -113,6 +113,14 @@ TEST_CASE("exponents, their derivation and a proof") {
   const Proof proof = solve(problem).certify();
   CHECK(proof.proved);
   CHECK(proof.certificate.find("\"exists\": true") != std::string::npos);
+  CHECK(proof.unresolved_gaps.empty());
+  // Nothing is proved of a solution that has contact in a gap too short for numbers, and the proof says which gap.
+  const ProblemData notch{.load = 1000, .friction = {1}, .gamma = "0.5", .pieces = {{"1/4", "x/8"}, {1, "1/16 - x/8"}}};
+  const Proof refused = solve(notch).certify();
+  CHECK_FALSE(refused.proved);
+  REQUIRE(refused.unresolved_gaps.size() == 1);
+  CHECK(refused.unresolved_gaps[0].x.value == doctest::Approx(0.25).epsilon(1e-15));
+  CHECK(refused.unresolved_gaps[0].log10_length < -1000);
 }
 
 TEST_CASE("what solve warns of: a pressed notch whose gap has no number") {

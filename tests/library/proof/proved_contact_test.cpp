@@ -1,0 +1,57 @@
+// When a proof is tried again with more digits: one rule for the program and for the library.
+
+#include "library/proof/proved_contact.hpp"
+
+#include "support/problems.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+using namespace steadyslide;
+
+struct Tried {
+  std::vector<int> digits;
+  std::optional<enclosure::ContactProof> proof;
+};
+
+/// A flat punch, whose contact the solver finds with so many digits only; it finds nothing with `nothing_with`.
+Tried tried(int first, int good_from, int nothing_with = 0) {
+  const ContactProblem problem = reduced({0.1_r, 0.5_r}, {0}, one_piece(-1, 1, {}), 1);
+  Tried result;
+  result.proof = library::proved_contact(problem, 20, first, [&](int digits) -> std::optional<ApproximateContact> {
+    result.digits.push_back(digits);
+    if (digits == nothing_with) return std::nullopt;
+    if (digits >= good_from) return ApproximateContact{{{-1}, {1}}};
+    return ApproximateContact{{{-1}, {0, Side::right, 0.5_r, true}}};
+  });
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("a proof that fails is tried again with 50 and with 100 digits") {
+  for (const auto& [first, good_from, asked] : {std::tuple(16, 16, std::vector{16}),
+                                                {16, 50, std::vector{16, 50}},
+                                                {16, 100, std::vector{16, 50, 100}},
+                                                {50, 16, std::vector{50}},
+                                                {50, 100, std::vector{50, 100}},
+                                                {100, 100, std::vector{100}}}) {
+    const Tried all = tried(first, good_from);
+    REQUIRE(all.proof);
+    CHECK_MESSAGE(all.proof->proved, all.proof->reason);
+    CHECK((all.digits == asked));
+  }
+  const Tried never = tried(16, 1000);
+  CHECK(never.digits.size() == 3);
+  CHECK_FALSE(never.proof.value().proved);
+  CHECK(never.proof.value().reason != "");
+}
+
+TEST_CASE("a solver that finds nothing ends the attempts") {
+  const Tried at_once = tried(16, 50, 16);
+  CHECK_FALSE(at_once.proof);
+  CHECK(at_once.digits.size() == 1);
+  const Tried later = tried(16, 100, 50);
+  CHECK((later.digits == std::vector{16, 50}));
+  CHECK_FALSE(later.proof.value().proved);
+}
