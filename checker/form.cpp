@@ -7,11 +7,23 @@
 
 namespace steadyslide::checker {
 
-Ball bound_near(const std::vector<Ball>& p, const Ball& centre, const Ball& radius) {
-  std::vector<Ball> shifted = p;  // Taylor coefficients about the centre
-  for (std::size_t i = 0; i < shifted.size(); ++i) {
-    for (std::size_t k = shifted.size() - 1; k > i; --k) shifted[k - 1] += centre * shifted[k];
+namespace {
+
+/// Of the terms in sums by moments: a remainder of 2^-8 of what is asked for.
+constexpr slong far_guard = 8;
+
+/// To Taylor coefficients about the centre.
+void shift(std::vector<Ball>& p, const Ball& centre) {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    for (std::size_t k = p.size() - 1; k > i; --k) p[k - 1] += centre * p[k];
   }
+}
+
+}  // namespace
+
+Ball bound_near(const std::vector<Ball>& p, const Ball& centre, const Ball& radius) {
+  std::vector<Ball> shifted = p;
+  shift(shifted, centre);
   Ball sum;
   for (std::size_t k = shifted.size(); k-- > 0;) sum = sum * radius.size() + shifted[k].size();
   return sum.upper();
@@ -75,8 +87,11 @@ void Form::add_integrals(std::size_t i, const std::vector<bool>& asked) {
   std::size_t degree = 0;
   for (std::size_t k = 0; k < g.size(); ++k) degree = std::max(degree, asked[k] ? g[k].size() : 0);
   const auto reach_at = [&](std::size_t j) { return contact_->changes_slope(j) ? reach(j) : Ball(); };
-  Integral integral{
-      PowerPanel{*contact_, i, i + 1, {}, {}, -1, none, degree}.rule(bits_, reach_at(i), reach_at(i + 1)), {}, {}};
+  Integral integral{PowerPanel{*contact_, i, i + 1, {}, {}, -1, none, degree}.rule(bits_, reach_at(i), reach_at(i + 1)),
+                    {},
+                    {},
+                    {},
+                    {}};
   const std::size_t own = contact_->slope_of(i);
   const Ball factor = contact_->cosine(i) / Ball::pi(contact_->precision());
   // |x - middle| = (L/2) |tanh(tau/2)| <= (L/2) sec(d/2).
@@ -92,7 +107,85 @@ void Form::add_integrals(std::size_t i, const std::vector<bool>& asked) {
       density.push_back(Ball(contact_->sign(i)) * factor * node.weight * horner(d, contact_->xi(i) + node.u));
     }
   }
+  add_moments(i, integral);
   integrals_[i] = std::move(integral);
+}
+
+void Form::add_moments(std::size_t i, Integral& integral) const {
+  const std::vector<Trapezoid::Node>& nodes = integral.rule.nodes();
+  Bound weights;
+  mag_add(weights.get(), nodes.front().behind.get(), nodes.at(integral.rule.nodes_to_right()).behind.get());
+  integral.weights = Ball(weights);
+  const Ball half = contact_->length(i) * Ball(0.5);
+  const Ball middle = contact_->xi(i) + half;
+  const Ball factor = Ball(contact_->sign(i)) * contact_->cosine(i) / Ball::pi(contact_->precision());
+  // The differences of slopes in (x - middle)/half; moments of the weights alone serve all of them.
+  const std::vector<Polynomial>& g = contact_->problem().slopes;
+  std::vector<std::vector<Ball>> differences;
+  std::size_t longest = 0;
+  for (std::size_t k = 0; k < g.size(); ++k) {
+    std::vector<Ball>& d = differences.emplace_back();
+    if (integral.densities[k].empty()) continue;
+    d = balls(g[contact_->slope_of(i)] - g[k], contact_->precision());
+    shift(d, middle);
+    Ball scale = factor;
+    for (Ball& coefficient : d) {
+      coefficient *= scale;
+      scale *= half;
+    }
+    longest = std::max(longest, d.size());
+  }
+  integral.moments.resize(g.size());
+  if (longest == 0) return;
+  const auto count = static_cast<std::size_t>(bits_ + far_guard);
+  std::vector<Ball> of_weights(count + longest, Ball().rounded(contact_->precision()));
+  Ball term;
+  for (const Trapezoid::Node& node : nodes) {
+    const Ball s = (node.u - half) / half;
+    term = node.weight;
+    for (Ball& moment : of_weights) {
+      arb_add(moment.get(), moment.get(), term.get(), contact_->precision());
+      arb_mul(term.get(), term.get(), s.get(), contact_->precision());
+    }
+  }
+  for (std::size_t k = 0; k < g.size(); ++k) {
+    for (std::size_t p = 0; p < count && !differences[k].empty(); ++p) {
+      Ball sum;
+      for (std::size_t j = 0; j < differences[k].size(); ++j) sum += differences[k][j] * of_weights[p + j];
+      integral.moments[k].push_back(sum);
+    }
+  }
+}
+
+bool Form::add_far_cauchy(std::size_t i, std::size_t k, const Ball& near, bool on_right, slong bits,
+                          Value& result) const {
+  const Integral& integral = *integrals_[i];
+  const std::vector<Ball>& moments = integral.moments[k];
+  const Ball half = contact_->length(i) * Ball(0.5);
+  const Ball distance = near + half;
+  const Ball z = half / distance;
+  // In an interval of places the nodes' own distances say more.
+  const bool thin = (distance - distance.radius() * Ball(0x1p20)).is_positive();
+  if (!thin || !(Ball(0.5) - z).is_positive()) return false;
+  const auto count = static_cast<std::size_t>(
+      std::ceil(static_cast<double>(bits + far_guard) / -std::log2(z.upper().approximately())));
+  if (count > moments.size()) return false;
+  const slong precision = std::min(contact_->precision(), bits + 48);
+  const Ball signed_z = on_right ? -z : z;
+  Ball sum;
+  for (std::size_t p = count; p-- > 0;) {
+    arb_mul(sum.get(), sum.get(), signed_z.get(), precision);
+    arb_add(sum.get(), sum.get(), moments[p].get(), precision);
+  }
+  const Ball& M = integral.bounds[k];
+  const Ball absolute = integral.weights / near.lower();
+  Ball rest = z.rounded(64);  // of the moments that are left out
+  arb_pow_ui(rest.get(), rest.get(), count, 64);
+  rest *= M * absolute;
+  sum = sum / distance;
+  result.value += (on_right ? -sum : sum).widened(integral.rule.error(1, M, absolute) + rest);
+  result.integrals += M * Trapezoid::integral_bound(absolute);
+  return true;
 }
 
 Form::Value Form::regular(std::size_t k, const Place& at, std::size_t without) const {
@@ -122,6 +215,7 @@ void Form::add_cauchy(std::size_t i, std::size_t k, const Place& at, bool with_s
   // |x' - x| = near + u for a segment on the right, near + v on the left.
   const Ball near =
       on_right ? contact_->distance(at.right, i) + at.from_right : contact_->distance(i + 1, at.left) + at.from_left;
+  if (!with_slope && add_far_cauchy(i, k, near, on_right, bits, result)) return;
   const slong precision = std::min(contact_->precision(), bits + 48);
   const Ball& length = integral.rule.panel().length;
   Bound negligible;
@@ -166,7 +260,7 @@ Ball Form::at_end(std::size_t j) const {
   const std::size_t segment = begins ? j : j - 1;
   const Ball length = contact_->length(segment);
   const Place at = begins ? Place{j, j + 1, Ball(), length} : Place{j - 1, j, length, Ball()};
-  return regular(contact_->slope_of(segment), at).value;
+  return regular_to(bits_ + 8, contact_->slope_of(segment), at).value;
 }
 
 Ball Form::polynomial_bound(std::size_t k, const Ball& centre, const Ball& radius) const {

@@ -6,6 +6,10 @@
 //
 // the same function for every polynomial g_k that is asked for. B_k is asked for off the pieces of the contact on which
 // g is another polynomial: the integral has no principal value. Its integrands are 1/|Y| times polynomials (Trapezoid).
+//
+// At a place x = m + D, m the middle of a segment of half the length a, |D| >= 2 a, the sum of its rule is taken by moments:
+//   sum_l d_l/(x_l - x) = -(1/D) sum_p mu_p (a/D)^p,  mu_p = sum_l d_l ((x_l - m)/a)^p,
+// and what follows p < n is at most sum_l |d_l| |a/D|^n/(|D| - a).
 
 #include <optional>
 
@@ -67,6 +71,9 @@ class Form {
     Trapezoid rule;
     std::vector<std::vector<Ball>> densities;  ///< for each k, at the nodes: eps cos(pi alpha) (g - g_k)/(pi |Y|) dx'
     std::vector<Ball> bounds;                  ///< for each k, of cos(pi alpha) |g - g_k|/pi in the strip
+    Ball weights;                              ///< an upper bound of their sum
+    /// For each k: sums over the nodes of the density times ((x' - middle)/half)^p, p = 0, 1, ...
+    std::vector<std::vector<Ball>> moments;
   };
   const Integral& integral(std::size_t segment) const { return *integrals_[segment]; }
   /// The polynomial g_l - g_k about anchor a.
@@ -74,6 +81,10 @@ class Form {
 
  private:
   void add_integrals(std::size_t segment, const std::vector<bool>& asked);
+  void add_moments(std::size_t segment, Integral& integral) const;
+  /// The sum over the nodes by its moments, at x = middle + D; false where it is not far enough, or D too wide.
+  bool add_far_cauchy(std::size_t segment, std::size_t k, const Ball& near, bool on_right, slong bits,
+                      Value& result) const;
   void add_cauchy(std::size_t segment, std::size_t k, const Place& at, bool with_slope, slong bits,
                   Value& result) const;
 
