@@ -159,8 +159,10 @@ py::list exponents(const ss::Problem& problem, int digits) {
 ss::Problem read_file(const std::string& file) {
   try {
     return released([&] { return ss::read_problem(file); });
-  } catch (const std::runtime_error& error) {
-    PyErr_SetString(PyExc_OSError, error.what());
+  } catch (const std::system_error& error) {
+    // As Python's own open() does it: a FileNotFoundError, PermissionError, ... with errno, strerror and filename.
+    errno = error.code().value();
+    PyErr_SetFromErrnoWithFilename(PyExc_OSError, file.c_str());
     throw py::error_already_set();
   }
 }

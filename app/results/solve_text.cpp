@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 
 #include "app/results/solve_writers.hpp"
 
 namespace steadyslide::app {
 namespace {
+
+/// A person reads so many; other formats have all of them.
+constexpr std::size_t most_load_shares = 10;
 
 /// What is not known, or no number, must not look like nothing: "-".
 std::string shown(const std::string& text) { return text.empty() ? "-" : text; }
@@ -81,11 +85,13 @@ void write_resultants(const Problem& problem, const SolutionText& solution, Outp
   write_line(output, "normal", solution.normal.shown);
   write_line(output, "friction force", solution.tangential.shown);
   write_friction_and_centre(solution, output);
-  for (std::size_t k = 0; k < solution.load_share.size(); ++k) {
+  const std::size_t shares = solution.load_share.size();
+  for (std::size_t k = 0; k < std::min(shares, most_load_shares); ++k) {
     write_line(output, k == 0 ? "load share" : "",
                fmt::format("{} under f = {}", shown(solution.load_share[k]),
                            exact_text(problem.contact.friction().values()[k])));
   }
+  if (shares > most_load_shares) write_line(output, "", fmt::format("... and {} more", shares - most_load_shares));
   write_line(output, "largest pressure", largest_text(solution.largest_pressure));
   write_line(output, "mean pressure", solution.mean_pressure.shown);
   write_line(output, "contact width", solution.contact_width.shown);
@@ -219,11 +225,14 @@ void write_text(const Problem& problem, const BothText& both, Output& output) {
   number("effective friction", &SolutionText::effective_friction);
   number("friction force", &SolutionText::tangential);
   number("centre of pressure", &SolutionText::centre_of_pressure);
-  for (std::size_t k = 0; k < problem.contact.friction().values().size(); ++k) {
-    row("load share under f = " + exact_text(problem.contact.friction().values()[k]),
-        [&](const SolutionText& solution) {
-          return k < solution.load_share.size() ? solution.load_share[k].shown : "";
-        });
+  const std::vector<Rational>& values = problem.contact.friction().values();
+  for (std::size_t k = 0; k < std::min(values.size(), most_load_shares); ++k) {
+    row("load share under f = " + exact_text(values[k]), [&](const SolutionText& solution) {
+      return k < solution.load_share.size() ? solution.load_share[k].shown : "";
+    });
+  }
+  if (values.size() > most_load_shares) {
+    row(fmt::format("... and {} more", values.size() - most_load_shares), [](const SolutionText&) { return ""; });
   }
   row("largest pressure", [](const SolutionText& solution) { return largest_text(solution.largest_pressure); });
   number("mean pressure", &SolutionText::mean_pressure);

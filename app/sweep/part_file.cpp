@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,10 +17,16 @@ namespace steadyslide::app {
 
 PartFile::PartFile(const std::string& file, const std::string& title, const std::string& header, bool resume)
     : name_(file + ".part"),
-      descriptor_(::open(name_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666)),
+      descriptor_(::open(name_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK, 0666)),
       title_(title.size()) {
   if (descriptor_ < 0) fail("cannot be written");
   try {
+    struct stat found {};
+    if (::fstat(descriptor_, &found) != 0) fail("cannot be read");
+    if (!S_ISREG(found.st_mode)) {
+      throw Failure(ExitCode::bad_input,
+                    name_ + ":1: no regular file; rows are kept in one until they are all there; a pipe or a device");
+    }
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) fail("another program writes it");
     read(title + header, resume);
   } catch (...) {

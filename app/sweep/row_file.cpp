@@ -35,7 +35,14 @@ RowFile::RowFile(const SweepWanted& wanted, const SweepTable& table) : wanted_(w
   const std::string before = part_->table();
   for (std::size_t at = before.find('\n') + 1; at < before.size();) {
     const std::size_t end = before.find('\n', at) + 1;
-    count(std::string_view(before).substr(at, end - at));
+    const std::string_view row = std::string_view(before).substr(at, end - at);
+    if (rows_ >= table.size() || !row.starts_with(table.beginning(rows_))) {
+      throw Failure(ExitCode::bad_input,
+                    fmt::format("{}.part:{}: not the row of its problem; rows are those of the sweep, in "
+                                "order, each once; {}",
+                                *wanted.output, rows_ + 3, excerpt(row.substr(0, row.size() - 1))));
+    }
+    count(row);
     at = end;
   }
 }

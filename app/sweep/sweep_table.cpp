@@ -97,10 +97,21 @@ SolutionText SweepTable::solved(std::size_t n) const {
   return failed;
 }
 
-std::string SweepTable::row(std::size_t n) const {
+std::vector<std::string> SweepTable::data(std::size_t n) const {
   std::vector<std::string> cells;
   const std::vector<std::size_t> chosen = sweep_.problems.chosen(n);
   for (std::size_t k = 0; k < chosen.size(); ++k) cells.push_back(values_[k][chosen[k]]);
+  return cells;
+}
+
+std::string SweepTable::beginning(std::size_t n) const {
+  std::string line = line_of(data(n));
+  line.back() = ',';
+  return line;
+}
+
+std::string SweepTable::row(std::size_t n) const {
+  std::vector<std::string> cells = data(n);
   const SolutionText solution = solved(n);
   if (solution.reason.empty()) {
     for (std::string& cell : columns_.cells(solution)) cells.push_back(std::move(cell));

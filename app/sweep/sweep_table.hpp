@@ -22,11 +22,14 @@ class SweepTable {
   std::string header() const;
   /// One line; a failure is one, too.
   std::string row(std::size_t n) const;
+  /// What row(n) begins with: the varied data, known before anything is solved.
+  std::string beginning(std::size_t n) const;
   /// Tables with another one have other rows.
   std::uint64_t fingerprint() const;
 
  private:
   SolutionText solved(std::size_t n) const;
+  std::vector<std::string> data(std::size_t n) const;
 
   SweepFile sweep_;
   Solver::Wanted wanted_;

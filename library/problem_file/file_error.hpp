@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 namespace steadyslide::library {
 
@@ -21,9 +22,10 @@ class InvalidFile : public std::invalid_argument {
   std::size_t complaint_begins_ = 0;
 };
 
-/// A file that the system does not give. what() is "FILE: cannot be read: why".
-struct UnreadableFile : std::runtime_error {
-  using std::runtime_error::runtime_error;
+/// A file that the system does not give. what() is "FILE: cannot be read: why", code() the system's number for it.
+struct UnreadableFile : std::system_error {
+  UnreadableFile(const std::string& file, int error)
+      : std::system_error(error, std::generic_category(), file + ": cannot be read") {}
 };
 
 }  // namespace steadyslide::library

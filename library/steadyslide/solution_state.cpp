@@ -186,9 +186,13 @@ class SolvedIn final : public Solution::State {
     std::ranges::transform(tangential, shear.begin(), [](const R& value) { return static_cast<double>(value); });
   }
 
-  Stress stress(const Rational& x, const Rational& z) const override { return number_(interior().at(x, z)); }
+  Stress stress(const Rational& x, const Rational& z) const override {
+    check_depth(numeric::to_real<R>(z), to_string(z));
+    return number_(interior().at(x, z));
+  }
 
   std::vector<Stress> stress(std::span<const double> x, std::span<const double> z) const override {
+    for (const double depth : z) check_depth(R(depth), Exact(depth).text());
     std::vector<numeric::StressState<R>> states(x.size());
     interior().at(reals<R>(x), reals<R>(z), states);
     std::vector<Stress> result;
@@ -215,6 +219,12 @@ class SolvedIn final : public Solution::State {
  private:
   SurfaceSample sample(const numeric::Sample<R>& found) const {
     return {number_(found.traction), number_(found.shear), number_(found.gap), number_(found.slope), {}, {}, {}};
+  }
+
+  static void check_depth(const R& z, const std::string& text) {
+    if (numeric::InteriorStress<R>::reaches(z)) return;
+    throw InvalidData("z", "z: depth too small for 16 digits",
+                      "its square is a number of that precision; ask for 50 digits", text);
   }
 
   const numeric::InteriorStress<R>& interior() const {

@@ -11,7 +11,7 @@
 /// positive in tension; all in the user's units, forces per unit of thickness (docs/conventions.md).
 ///
 /// Errors: data that break a rule throw InvalidData with what the command line says of them; a file that cannot be read
-/// throws std::runtime_error. A solve that does not converge throws nothing: Solution::solved(), failed_condition().
+/// throws std::system_error. A solve that does not converge throws nothing: Solution::solved(), failed_condition().
 ///
 /// Threads: every class here may be copied and read by any number of threads at a time, and all functions may be called
 /// from several.
@@ -116,7 +116,8 @@ class STEADYSLIDE_API Problem {
   std::shared_ptr<const Data> data_;
 };
 
-/// Throws InvalidData "FILE:LINE: what is wrong; the rule; the value", std::runtime_error.
+/// Throws InvalidData "FILE:LINE: what is wrong; the rule; the value", std::system_error for a file that cannot be
+/// read.
 STEADYSLIDE_API Problem read_problem(const std::string& file);
 
 struct ContactEnd {

@@ -9,6 +9,11 @@ namespace {
 /// Fewer panels than this are told one by one.
 constexpr std::size_t fewest_panels_with_moments = 8;
 
+template <class Depth>
+void check_below_surface(const Depth& z) {
+  if (!(z > 0)) throw std::invalid_argument("the depth of a point below the surface is positive");
+}
+
 /// Adds the sums of the normal forces of a panel, with what follows from them. `straddles`: forces on both sides of x,
 /// none of them further aside than the depth, cancel in the odd sums.
 template <Real R>
@@ -228,14 +233,19 @@ StressState<R> InteriorStress<R>::state_of(const Sums& sums) const {
 
 template <Real R>
 StressState<R> InteriorStress<R>::at(const Point& point, Sums& sums) const {
-  if (!(point.z > 0)) throw std::invalid_argument("the depth of a point below the surface is positive");
   static_cast<ForceSums<R>&>(sums) = {};
-  if (!cells_.empty()) add(0, point, sums);
+  if (!reaches(point.z)) {
+    sums.normal.fill(std::numeric_limits<R>::quiet_NaN());
+    sums.normal_error.fill(infinity<R>());
+  } else if (!cells_.empty()) {
+    add(0, point, sums);
+  }
   return state_of(sums);
 }
 
 template <Real R>
 StressState<R> InteriorStress<R>::at(const Rational& x, const Rational& z) const {
+  check_below_surface(z);
   Sums sums;
   return at({SurfacePlace<R>::of(x), to_real<R>(z)}, sums);
 }
@@ -243,7 +253,10 @@ StressState<R> InteriorStress<R>::at(const Rational& x, const Rational& z) const
 template <Real R>
 void InteriorStress<R>::at(std::span<const R> x, std::span<const R> z, std::span<StressState<R>> states) const {
   Sums sums;
-  for (std::size_t i = 0; i < x.size(); ++i) states[i] = at({{x[i], R(0)}, z[i]}, sums);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    check_below_surface(z[i]);
+    states[i] = at({{x[i], R(0)}, z[i]}, sums);
+  }
 }
 
 #define STEADYSLIDE_INSTANTIATE(R) template class InteriorStress<R>;

@@ -40,7 +40,9 @@ class InteriorStress {
 
   const PiecewiseTraction<R>& traction() const { return traction_; }
 
-  /// Throw std::invalid_argument unless z > 0.
+  /// Depths whose squares R has with all digits.
+  static bool reaches(const R& z) { return z * z >= std::numeric_limits<R>::min(); }
+  /// No numbers, with infinite errors, at a depth that reaches() says R has not. Throw std::invalid_argument unless z > 0.
   StressState<R> at(const Rational& x, const Rational& z) const;
   /// At many points; spans of one length.
   void at(std::span<const R> x, std::span<const R> z, std::span<StressState<R>> states) const;

@@ -26,28 +26,39 @@ def exact(value, field):
     raise InvalidData(f"{field}: wrong type; a number is a string, an integer or a decimal; {type(value).__name__}")
 
 
+def quoted(text):
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def keyed(key):
+    """A key of TOML, which stands in quotes unless it is made of letters, digits, _ and -."""
+    return key if re.fullmatch("[A-Za-z0-9_-]+", str(key)) else quoted(str(key))
+
+
 def toml(value, field=""):
     """An inline value of a problem file; numbers are strings, so that they stay exact."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, dict):
-        entries = (f"{key} = {toml(inner, f'{field}.{key}')}" for key, inner in value.items() if inner is not None)
+        entries = (f"{keyed(key)} = {toml(inner, f'{field}.{key}')}" for key, inner in value.items() if inner is not None)
         return "{" + ", ".join(entries) + "}"
     if isinstance(value, (list, tuple)) or (hasattr(value, "tolist") and getattr(value, "ndim", 0) > 0):
         return "[" + ", ".join(toml(inner, f"{field}[{k}]") for k, inner in enumerate(value)) + "]"
-    return json.dumps(exact(value, field), ensure_ascii=False).replace("\x7f", "\\u007f")
+    return quoted(exact(value, field))
 
 
 def text_of(document):
     """A problem file."""
-    return "".join(f"{key} = {toml(value, key)}\n" for key, value in document.items() if value is not None)
+    return "".join(f"{keyed(key)} = {toml(value, key)}\n" for key, value in document.items() if value is not None)
 
 
 def changed(document, path, value):
     """Puts `value` at "friction.values[1]" into a document, in place."""
     parts = [int(index) if index else key for key, index in re.findall(r"([^.\[\]]+)|\[(\d+)\]", path)]
-    *outer, last = parts
     try:
+        if not re.fullmatch(r"[^.\[\]]+(\[\d+\])*(\.[^.\[\]]+(\[\d+\])*)*", path):
+            raise KeyError
+        *outer, last = parts
         for part in outer:
             document = document.setdefault(part, {}) if isinstance(document, dict) else document[part]
         if isinstance(document, list) and last >= len(document):

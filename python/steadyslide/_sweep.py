@@ -3,6 +3,7 @@
 import itertools
 import os
 import re
+from collections.abc import Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 
@@ -50,8 +51,16 @@ def column_of(values):
         return array
 
 
+def values_of(path, values):
+    """A text, a table or a number is no list of values, though Python iterates over the first two."""
+    if isinstance(values, (str, bytes, Mapping)) or not isinstance(values, Iterable):
+        raise InvalidData(f"vary: no list of values for {path}; each datum takes a list of them, like ['1', '2']; {values!r}")
+    return list(values)
+
+
 def sweep(base, vary, columns, executor, digits, method, cells):
     columns = list(columns)
+    vary = {path: values_of(path, values) for path, values in vary.items()}
     if not vary:
         raise InvalidData("vary: no data; a sweep varies at least one; none")
     options = (digits, method, cells)

@@ -99,6 +99,12 @@ Finished run_program(const std::vector<std::string>& arguments, const fs::path& 
   return run(program(arguments), folder, input, where, [](pid_t) {});
 }
 
+Finished run_program_for(int seconds, const std::vector<std::string>& arguments, const fs::path& folder) {
+  std::vector<std::string> command = program(arguments);
+  command.insert(command.begin(), {"timeout", std::to_string(seconds)});
+  return run_other(command, folder);
+}
+
 Finished run_on_terminal(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& input) {
   return run_watched(arguments, folder, input, [](pid_t, const std::string&) {});
 }

@@ -1,8 +1,11 @@
 """Bad data raise InvalidData, a ValueError, with the command line's text."""
 
+import os
 import pathlib
 from fractions import Fraction
 
+import mpmath
+import numpy as np
 import pytest
 import steadyslide as ss
 
@@ -113,15 +116,54 @@ def test_files_as_the_command_line_refuses_them(tmp_path, monkeypatch):
     assert len(sections) >= 70
 
 
-def test_no_file():
-    with pytest.raises(OSError, match="^/no/such/file: cannot be read: No such file or directory$"):
-        ss.Problem.from_toml("/no/such/file")
+@pytest.mark.parametrize("name", ["/no/such/file", ".", "locked.toml"])
+def test_files_that_cannot_be_read_as_python_says_it(name, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "locked.toml").symlink_to("locked.toml")  # leads nowhere, for root, too
+    with pytest.raises(OSError) as told:
+        ss.Problem.from_toml(name)
+    with pytest.raises(OSError) as expected:
+        open(name, encoding="utf-8")
+    one, other = told.value, expected.value
+    assert type(one) is type(other) and str(one) == str(other)
+    assert (one.errno, one.strerror, one.filename) == (other.errno, other.strerror, other.filename)
+
+
+def test_pipes_are_refused(tmp_path):
+    pipe = str(tmp_path / "pipe")
+    os.mkfifo(pipe)
+    assert (refused(lambda: ss.Problem.from_toml(pipe))
+            == f"{pipe}:1: no regular file; a problem file is one, or comes from the standard input; a pipe")
+
+
+def test_keys_that_are_none():
+    problem = ss.Problem(**GOOD)
+    for key in ("x y", "a = 1\nb", "ä", '"'):
+        assert refused(lambda: problem.with_(**{key: 1})).startswith("unknown key; the keys of a problem file are load, ")
+    assert refused(lambda: problem.with_(**{"x y": 1})).endswith("; 'x y'")
+    assert refused(lambda: problem.with_(**{"half_space.x y": 1})).endswith("; 'x y'")
+    for path in ("", "friction[0", "friction..values", "[0]"):
+        assert refused(lambda: problem.with_(**{path: 1})) == f"{path}: no such datum; it names one of the problem's; absent"
+
+
+def test_depths_that_double_has_not():
+    problem = ss.Problem(**GOOD)
+    solution = problem.solve()
+    rule = "z: depth too small for 16 digits; its square is a number of that precision; ask for 50 digits; "
+    assert np.isfinite(solution.stress(0, 1e-153).von_mises)
+    assert refused(lambda: solution.stress(0, 1e-154)) == rule + "1e-154"
+    assert refused(lambda: solution.stress([0, 0], [1, 1e-320])) == rule + "1e-320"
+    assert mpmath.isfinite(problem.solve(digits=50).stress(0, "1e-320").von_mises)
 
 
 def test_sweeps():
     problem = ss.Problem(**GOOD)
     assert refused(lambda: ss.sweep(problem, {})) == "vary: no data; a sweep varies at least one; none"
     assert refused(lambda: ss.sweep(problem, {"load": []})) == "vary: no values; each datum has at least one; none"
+    for values in ("1:2:1", b"12", {"random": 2, "from": 1, "to": 2, "seed": 3}, 5):
+        assert (refused(lambda: ss.sweep(problem, {"load": values}))
+                == f"vary: no list of values for load; each datum takes a list of them, like ['1', '2']; {values!r}")
+    assert len(ss.sweep(problem, {"load": (load for load in (1, 2))})) == 2
     assert (refused(lambda: ss.sweep(problem, {"load": [1]}, columns=["mood"]))
             == "columns: unknown column; it names a result, like contact[0].left.x; 'mood'")
     assert (refused(lambda: problem.with_(**{"friction.values[2]": 1}))

@@ -45,6 +45,25 @@ void check_same(const Json& a, const Json& b, double relative = 1e-15) {
 
 }  // namespace
 
+TEST_CASE("stresses at depths that double does not have are computed with more digits") {
+  const auto stress_at = [](const std::string& depth) {
+    const TemporaryFolder folder;
+    folder.write("p.toml", coated);
+    folder.write("points.csv", "x,z\n0.1," + depth + "\n");
+    const Finished finished =
+        run_program({"solve", "p.toml", "--format", "json", "--stress-at", "points.csv"}, folder.path());
+    return Json::parse(out_of(finished)).at("stresses").at(0);
+  };
+  // Beside a friction jump stresses are a constant and a power of the depth: from decade to decade they change by a factor.
+  const auto factor = [&](int decade) {
+    const auto sxx = [&](int power) { return real_at(stress_at("1e-" + std::to_string(power)), "sxx"); };
+    return (sxx(decade + 2) - sxx(decade + 1)) / (sxx(decade + 1) - sxx(decade));
+  };
+  const double per_decade = factor(40);
+  CHECK(std::abs(per_decade - 1) > 0.05);
+  for (const int decade : {152, 154, 320, 397}) CHECK(factor(decade) == doctest::Approx(per_decade).epsilon(1e-10));
+}
+
 TEST_CASE("proved stresses, gradients and nodal forces are the estimated ones, within both errors") {
   const Json estimated = fields_of({}), proved = fields_of({"--certify"});
   check_same(estimated, proved);

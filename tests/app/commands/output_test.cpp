@@ -62,6 +62,33 @@ TEST_CASE("what cannot be read or written is exit code 3") {
   CHECK(folder.names() == std::vector<std::string>{"folder"});
 }
 
+TEST_CASE("no input is a pipe or a device, the standard input excepted") {
+  const TemporaryFolder folder;
+  REQUIRE(::mkfifo((folder.path() / "pipe").c_str(), 0600) == 0);
+  const std::string problem =
+      "load = 1\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.1]\n[indenter]\nprofile = 0\n";
+  folder.write("p.toml", problem);
+  folder.write("trace.toml", replaced(problem, "profile = 0", "samples = \"pipe\""));
+  folder.write("sweep.toml", "problem = \"pipe\"\n[vary]\nload = [1]\n");
+  // Who waits for a writer waits for ever.
+  const auto refused = [&](const Arguments& arguments, const std::string& message) {
+    check_refused(run_program_for(20, arguments, folder.path()), message);
+  };
+  const auto rule = [](const std::string& kind) {
+    return ":1: no regular file; " + kind + " is one, or comes from the standard input; ";
+  };
+  refused({"exponents", "pipe"}, "pipe" + rule("a problem file") + "a pipe");
+  refused({"solve", "/dev/zero"}, "/dev/zero" + rule("a problem file") + "a device");
+  refused({"solve", "trace.toml"}, "pipe" + rule("a trace") + "a pipe");
+  refused({"sweep", "pipe"}, "pipe" + rule("a sweep") + "a pipe");
+  refused({"sweep", "sweep.toml"}, "pipe" + rule("a problem file") + "a pipe");
+  refused({"solve", "p.toml", "--at-file", "pipe"}, "pipe" + rule("a table of places") + "a pipe");
+  refused({"solve", "p.toml", "--stress-at", "pipe"}, "pipe" + rule("a table of points") + "a pipe");
+  refused({"solve", "p.toml", "--loads-on", "pipe"}, "pipe" + rule("a mesh") + "a pipe");
+  for (const char* input : {"-", "/dev/stdin"})
+    CHECK(out_of(run_program({"solve", input}, folder.path(), problem)) != "");
+}
+
 TEST_CASE("a file without write permission is left alone") {
   if (::geteuid() == 0) return;  // root may write everything
   const TemporaryFolder folder;

@@ -92,3 +92,28 @@ TEST_CASE("tilt: only with load_at, and the pressure's centre lies under the loa
     CHECK(near(fixed["resultants"]["effective_friction"], json["resultants"]["effective_friction"], "1e-11"));
   }
 }
+
+TEST_CASE("of many load shares the text has ten, other formats all") {
+  const auto coatings = [](int values) {
+    std::string friction = "0.1", jumps;
+    for (int k = 1; k < values; ++k) {
+      friction += ", 0." + std::to_string(k % 8 + 1);
+      jumps += (k == 1 ? "\"" : ", \"") + std::to_string(2 * k - values) + "/" + std::to_string(values) + "\"";
+    }
+    return "load = 1\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [" + friction + "]\njumps = [" + jumps +
+           "]\n[indenter]\nprofile = 0\n";
+  };
+  const auto told = [](const std::string& text) {
+    int count = 0;
+    for (std::size_t at = 0; (at = text.find(" under f = ", at)) != text.npos; ++at) ++count;
+    return count;
+  };
+  const std::string ten = output(coatings(10));
+  CHECK(told(ten) == 10);
+  CHECK_FALSE(holds(ten, "... and"));
+  const std::string twelve = output(coatings(12));
+  CHECK(told(twelve) == 10);
+  CHECK(holds(twelve, "                        ... and 2 more\n"));
+  CHECK(told(output(coatings(12), {"--both-directions"})) == 20);
+  CHECK(Json::parse(output(coatings(12), {"--format", "json"})).at("resultants").at("load_share").size() == 12);
+}

@@ -1,5 +1,6 @@
 // steadyslide sweep, run as a user does: rows against single solves, their order, workers, interruptions.
 
+#include <sys/stat.h>
 #include <csignal>
 #include <fstream>
 
@@ -240,6 +241,45 @@ TEST_CASE("sweep: rows of before are neither lost nor taken for others") {
           "out.part:1: rows of another sweep; --resume goes on with the same sweep, problem "
           "and version; '# steadyslide 0.0.1, sweep 0123456789abc...'");
   CHECK(folder.read("out") == whole);
+}
+
+TEST_CASE("sweep: rows that are missing or doubled are noticed, and a part that is no file") {
+  const SweepFolder folder(long_sweep);
+  const Finished killed =
+      run_and_interrupt({"sweep", "sweep.toml", "-o", "out"}, folder, SIGKILL, std::chrono::milliseconds(200));
+  REQUIRE(killed.code == 128 + SIGKILL);
+  std::vector<std::string> part = lines(folder.read("out.part"));
+  REQUIRE(part.size() > 20);
+  const auto refused_at = [&](std::vector<std::string> changed, int line) {
+    std::string text;
+    for (const std::string& one : changed) text += one + "\n";
+    folder.write("out.part", text);
+    const Finished finished = folder.sweep({"-o", "out", "--resume"});
+    CHECK(finished.code == 2);
+    CHECK(
+        finished.err.starts_with("steadyslide: out.part:" + std::to_string(line) +
+                                 ": not the row of its problem; rows are those of the sweep, in order, each once; '"));
+    CHECK(folder.read("out.part") == text);
+  };
+  auto changed = part;
+  changed.erase(changed.begin() + 7);
+  refused_at(changed, 8);
+  changed = part;
+  changed.insert(changed.begin() + 7, part[7]);
+  refused_at(changed, 9);
+  changed = part;
+  changed.push_back(part.back());
+  refused_at(changed, static_cast<int>(part.size()) + 1);
+  changed = part;
+  std::swap(changed[5], changed[6]);
+  refused_at(changed, 6);
+
+  std::filesystem::remove(folder.path() / "out.part");
+  REQUIRE(::mkfifo((folder.path() / "out.part").c_str(), 0600) == 0);
+  for (const char* resume : {"--resume", "-j2"}) {
+    check_refused(run_program_for(20, {"sweep", "sweep.toml", "-o", "out", resume}, folder.path()),
+                  "out.part:1: no regular file; rows are kept in one until they are all there; a pipe or a device");
+  }
 }
 
 TEST_CASE("sweep: rows of another problem, of other columns or another trace are refused") {
