@@ -94,9 +94,9 @@ def entries(found):
 
 
 def reading_notes(found):
-    text = ["# Reading notes", "Where the text of [Bal16] at hand and the derivation differ. The printed page was not seen: a note "
-            "says what was read, not what was printed, unless it says so.",
-            f"{len(found['reading_notes'])} notes. {made(found)}"]
+    text = ["# Reading notes", "Where the text of [Bal16] at hand and the derivation differ: a note says what was read, not what was "
+            "printed, unless it says so.",
+            f"{len(found['reading_notes'])} notes. The printed page was not seen. {made(found)}"]
     for note in found["reading_notes"]:
         said = note["html"]
         text += [f"## note {note['id']}",

@@ -21,7 +21,7 @@ std::string paper_html(const VerifyResult& result);
 /// Every claim with its verdict, to be opened.
 std::string ledger_html(const VerifyResult& result);
 std::string notes_html(const VerifyResult& result);
-/// "34 reading notes: the print is at fault in 20, ...".
+/// "34 reading notes: in formulas the print is at fault in 8, ... The printed page was not seen."
 std::string faults_line(std::span<const proofs_checks::ReadingNote> notes);
 /// The graph of entries that rest on each other, and the classical theorems used.
 std::string rests_html(const VerifyResult& result);

@@ -62,19 +62,22 @@ std::string paper_html(const VerifyResult& result) {
 
 std::string faults_line(std::span<const checks::ReadingNote> notes) {
   const auto at = [&](std::string_view fault) { return std::ranges::count(notes, fault, &checks::ReadingNote::fault); };
-  return fmt::format("{} reading note{}: the print is at fault in {}, the extraction in {}, undecided between them {}",
-                     notes.size(), notes.size() == 1 ? "" : "s", at("print"), at("extraction"), at("undecided"));
+  return fmt::format(
+      "{} reading note{}: in formulas the print is at fault in {}, the extraction in {}, undecided between them {}; of "
+      "words {}. {}",
+      notes.size(), notes.size() == 1 ? "" : "s", at("print"), at("extraction"), at("undecided"), at("words"),
+      checks::printed_page);
 }
 
 std::string notes_html(const VerifyResult& result) {
   if (result.notes.empty() && result.notes_left_out == 0) return "";
   std::string html;
-  if (!result.notes.empty()) html += block("p", element("strong", faults_line(result.notes) + "."));
+  if (!result.notes.empty()) html += block("p", element("strong", faults_line(result.notes)));
   html += block(
       "p",
       "Places where the text of the paper at hand and the mathematics disagree. That text was extracted from a "
-      "PDF; <strong>the printed page was not seen</strong>. A fault of the print is a slip in the paper itself, one "
-      "of the extraction is not the paper's; where either may have made it, it is undecided.");
+      "PDF. A fault of the print is a slip in a formula of the paper itself, one of the extraction is not the paper's; "
+      "where either may have made it, it is undecided. Words are the paper's.");
   if (result.notes_left_out > 0) {
     html += block("p", fmt::format("Left out are {} notes on statements that were not examined in this run.",
                                    result.notes_left_out));

@@ -37,8 +37,8 @@ std::string numbered(std::size_t count, std::string_view what) {
 }
 
 std::string left_out_text(const VerifyResult& result) {
-  return fmt::format("{} left out: `steadyslide verify` without --claim shows all.",
-                     numbered(result.notes_left_out, "reading note"));
+  return fmt::format("{} left out: `steadyslide verify` without --claim shows all. {}",
+                     numbered(result.notes_left_out, "reading note"), checks::printed_page);
 }
 
 std::string head_text(const VerifyResult& result) {
@@ -99,7 +99,8 @@ void write_verify_text(const VerifyResult& result, Output& output) {
   if (const std::string beyond = beyond_text(result); !beyond.empty()) output.write(beyond + "\n");
   if (result.notes_left_out > 0) output.write("\n" + left_out_text(result) + "\n");
   if (result.notes.empty()) return;
-  output.write("\nplaces where the text at hand and the mathematics disagree\n");
+  output.write(fmt::format("\n{}: places where the text at hand and the mathematics disagree. {}\n",
+                           numbered(result.notes.size(), "reading note"), checks::printed_page));
   for (const checks::ReadingNote& note : result.notes) {
     output.write(fmt::format("\n{}, {}\n", note.id, note.place));
     output.write(wrapped("  printed   ", note.printed));
@@ -134,7 +135,8 @@ void write_verify_markdown(const VerifyResult& result, Output& output) {
   rows.end();
   if (result.notes_left_out > 0) output.write("\n" + left_out_text(result) + "\n");
   if (result.notes.empty()) return;
-  output.write("\n## Reading notes\n\n");
+  output.write(fmt::format("\n## Reading notes\n\n{}. {}\n\n", numbered(result.notes.size(), "reading note"),
+                           checks::printed_page));
   Rows notes(Format::markdown, {"note", "place", "printed", "derived", "evidence"}, output);
   for (const checks::ReadingNote& note : result.notes) {
     notes.row({cell(note.id), cell(note.place), cell(note.printed), cell(note.derived), cell(note.evidence)});

@@ -2,7 +2,8 @@
 // 1 <= 2A <= 1 + eps. For y = pi eps >= 0 the alternating series has y - y^3/6 <= sin y <= y - y^3/6 + y^5/120, so that
 //
 //   1 - eps <= 1 - pi^2 eps^2/6                              where eps pi^2/6 <= 1,
-//   1 - pi^2 eps^2/6 + pi^4 eps^4/120 <= (1-eps) (1+eps)     where eps^2 pi^4/120 <= pi^2/6 - 1:
+//   1 - pi^2 eps^2/6 + pi^4 eps^4/120 <= (1-eps) (1+eps)     where eps^2 pi^4/120 <= pi^2/6 - 1, and so where
+//                                                            eps pi^2/6 <= 1: 36/120 < 9/6 - 1,
 //
 // monotone in eps, and so decided at the largest, down to eps = 0.
 
@@ -20,9 +21,8 @@ Decision between(const Box& box) {
   if (!range.from || *range.from < 0 || !range.to) return {Truth::unknown, {"no interval of eps >= 0"}};
   const Ball eps = largest(box);
   const Ball square = Ball::pi(sign_bits) * Ball::pi(sign_bits);
-  const bool below = eps * square / 6 <= Ball(1, sign_bits);
-  const bool above = eps * eps * square * square / 120 <= square / 6 - 1;
-  return {below && above ? Truth::yes : Truth::unknown, {"1 <= sin(pi eps)/(pi eps (1-eps)) <= 1 + eps"}};
+  const bool small = eps * square / 6 <= Ball(1, sign_bits);
+  return {small ? Truth::yes : Truth::unknown, {"1 <= sin(pi eps)/(pi eps (1-eps)) <= 1 + eps"}};
 }
 
 /// Refuted at the largest eps, below 1: is 2A <= 1 + slope eps, or >= with `at_least`?

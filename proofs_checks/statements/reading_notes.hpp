@@ -5,11 +5,15 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "proofs_checks/kit/run.hpp"
 
 namespace steadyslide::proofs_checks {
+
+/// Stands beside their number, wherever that is said.
+inline constexpr std::string_view printed_page = "The printed page was not seen.";
 
 struct ReadingNote {
   std::string id;
@@ -17,7 +21,8 @@ struct ReadingNote {
   std::string printed;
   std::string derived;
   std::string evidence;
-  /// Where the fault lies: "print", "extraction", or "undecided" between the two.
+  /// Where the fault lies: in a formula "print", "extraction", or "undecided" between the two; else "words", the paper's,
+  /// which extraction does not change.
   std::string fault;
   /// That examines the derived reading; empty where the local equation alone decides.
   std::string claim;

@@ -127,7 +127,12 @@ TEST_CASE("notes of other claims are counted, not shown") {
   CHECK(result.notes_left_out == 2);
   for (const Format format : {Format::text, Format::markdown}) {
     const std::string text = written(format, result);
-    check_holds(text, {"\n2 reading notes left out: ", "note-1"});
+    check_holds(text, {"\n2 reading notes left out: ", "note-1", "\n1 reading note"});
+    // Beside both numbers.
+    std::size_t told = 0;
+    for (const std::string& line : lines(text))
+      told += holds(line, "reading note") && holds(line, "The printed page was not seen.");
+    CHECK(told == 2);
     CHECK_FALSE(holds(text, "note-2"));
   }
   CHECK(holds(written(Format::json, result), "\"reading_notes_left_out\": 2\n"));

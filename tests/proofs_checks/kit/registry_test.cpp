@@ -207,10 +207,13 @@ TEST_CASE("every reading note weighs print against extraction, with its formulas
   for (const ReadingNote& note : reading_notes({})) {
     CAPTURE(note.id);
     CHECK((holds(note.evidence, "xtraction") || holds(note.evidence, "the print's")));
-    // In its words and in its column.
-    CHECK((note.fault == "print" || note.fault == "extraction" || note.fault == "undecided"));
+    // In its words and in its column. The print is at fault in formulas only.
+    CHECK((note.fault == "print" || note.fault == "extraction" || note.fault == "undecided" || note.fault == "words"));
     CHECK(holds(note.evidence, "extraction's") == (note.fault == "extraction"));
     if (holds(note.evidence, "the print's")) CHECK(note.fault == "print");
+    if (holds(note.evidence, "the paper's")) CHECK(note.fault == "words");
+    CHECK_FALSE((note.fault == "print" && holds(note.evidence, "Words")));
+    if (note.fault == "print") CHECK(std::ranges::count(note.printed + note.derived, '`') > 0);
     if (holds(note.evidence, "extraction may well have")) CHECK(note.fault == "undecided");
     for (const std::string* text : {&note.place, &note.printed, &note.derived, &note.evidence}) {
       CHECK(std::ranges::count(*text, '`') % 2 == 0);
