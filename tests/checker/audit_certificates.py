@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+"""audit_certificates.py STEADYSLIDE CHECKER FIRST COUNT [FOLDER]: what the certifier proves the checker proves, in a few seconds.
+
+Random problems by seed, FIRST and on, until COUNT have a certificate: notches, steps, wedges on jumps, tilting indenters, and
+these together, some of them with friction that almost does not jump. Each is solved with --certify --certificate, and
+steadyslide-check --problem reads what was written. An answer takes at most MOST_SECONDS. FOLDER receives the problem files of
+those that fail.
+
+What it would miss: a wrong model that both programs share; both read problem files.
+"""
+
+import collections
+import pathlib
+import random
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction
+
+MOST_SECONDS = 10
+NOT_PROVED = 0.2  # of all problems, at most
+
+
+class Draw:
+    """Numbers of few digits, the same on every platform."""
+
+    def __init__(self, seed):
+        self.random = random.Random(seed).random
+
+    def whole(self, first, last):
+        return first + int(self.random() * (last + 1 - first))
+
+    def among(self, *choices):
+        return choices[self.whole(0, len(choices) - 1)]
+
+    def between(self, low, high, steps=1000):
+        return low + (high - low) * self.whole(0, steps) / steps
+
+    def size(self, low, high):
+        return low * (high / low) ** self.random()
+
+
+def text(number):
+    return f"{number:.6g}"
+
+
+def pieces_of(places, slopes, heights=None, rounded=False):
+    """Straight pieces with these slopes up to each of the places, from -1 on, joined exactly or, rounded, by steps of about
+    1e-9; or with these heights besides."""
+    height, last, lines = Fraction(0), Fraction(-1), []
+    for k, to in enumerate(Fraction(f"{place:.9g}") for place in places):
+        slope = Fraction(f"{slopes[k]:.6g}")
+        constant = height - slope * last if heights is None else Fraction(f"{heights[k]:.6g}")
+        if rounded:
+            constant = round(constant, 9)
+        height += slope * (to - last)
+        lines.append(f'  {{ to = "{to}", profile = "({slope})*x + ({constant})" }}')
+        last = to
+    return "support = [-1, 1]\npieces = [\n" + ",\n".join(lines) + "\n]\n"
+
+
+def problem(seed):
+    draw = Draw(seed)
+    family = ("notch", "steps", "wedge on a jump", "tilt", "mixture")[seed % 5]
+    corner = draw.among(0.0, round(draw.between(-0.7, 0.7), 2))
+    breaks = [corner]
+    if family == "notch":
+        indenter = pieces_of([corner, 1.0], [draw.size(0.02, 0.6), -draw.size(0.02, 0.6)])
+    elif family == "wedge on a jump":
+        indenter = pieces_of([corner, 1.0], [-draw.size(0.05, 1), draw.size(0.05, 1)])
+    elif family == "steps":
+        breaks = sorted({round(draw.between(-0.8, 0.8), 2) for _ in range(draw.whole(1, 3))})
+        heights = [draw.among(0.0, draw.size(0.02, 0.5)) for _ in range(len(breaks) + 1)]
+        slope = draw.among(0.0, 0.0, round(draw.between(-0.1, 0.1), 3))
+        indenter = pieces_of([*breaks, 1.0], [slope] * len(heights), [round(height, 4) for height in heights])
+    elif family == "tilt":
+        indenter = draw.among("support = [-1, 1]\nprofile = 0\n", f'profile = "{text(draw.size(0.2, 3))}*x^2"\n',
+                              f'support = [-1, 1]\nprofile = "{text(draw.size(0.05, 0.5))}*x^4"\n',
+                              pieces_of([corner, 1.0], [-draw.size(0.02, 0.3), draw.size(0.02, 0.3)]))
+    else:
+        breaks = sorted({round(draw.between(-0.8, 0.8), 2) for _ in range(draw.whole(2, 3))})
+        indenter = pieces_of([*breaks, 1.0], [draw.among(-1, 1) * draw.size(0.03, 0.6) for _ in range(len(breaks) + 1)],
+                             rounded=draw.random() < 0.2)
+    jumps = {one for one in breaks if family == "wedge on a jump" or draw.random() < 0.5}
+    jumps |= {round(draw.between(-0.9, 0.9), 2) for _ in range(draw.whole(0, 3))}
+    values = [round(draw.size(0.02, draw.among(0.5, 1, 5)), 3) for _ in range(len(jumps) + 1)]
+    if jumps and draw.random() < 0.15:  # almost no jump
+        values[1] = values[0] + draw.among(1, -1) * draw.size(1e-14, 1e-3)
+    load = draw.size(0.02, 5)
+    at = f'load_at = "{draw.between(-0.3, 0.3, 60):.9g}"\n' if family == "tilt" else ""
+    quoted = lambda numbers: ", ".join(f'"{number!r}"' for number in numbers)
+    return family, (f'# seed {seed}, {family}\nload = "{text(load)}"\n{at}sliding = "{draw.among("+x", "-x")}"\n'
+                    f'[half_space]\npoisson = "{draw.between(-0.5, 0.49):.3g}"\nplane = "{draw.among("strain", "stress")}"\n'
+                    f'[friction]\nvalues = [{quoted(values)}]\njumps = [{quoted(sorted(jumps))}]\n[indenter]\n{indenter}')
+
+
+def limited():
+    resource.setrlimit(resource.RLIMIT_CPU, (MOST_SECONDS, MOST_SECONDS + 1))
+
+
+def answered(command, folder):
+    """Exit code, last line said, seconds of processor time, which other processes do not lengthen; no code: without end."""
+    start = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    try:
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=60 * MOST_SECONDS,
+                              preexec_fn=limited, check=False)
+    except subprocess.TimeoutExpired:
+        return None, "no answer", 60.0 * MOST_SECONDS
+    seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - start
+    if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        return None, f"no answer in {MOST_SECONDS} s", seconds
+    said = (done.stderr.strip() or done.stdout.strip()).splitlines()
+    return done.returncode, said[-1] if said else "", seconds
+
+
+def main():
+    steadyslide, checker, seed, wanted = sys.argv[1], sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
+    kept = pathlib.Path(sys.argv[5]) if len(sys.argv) > 5 else None
+    counts, failures, slowest = collections.Counter(), [], {"certifier": (0.0, 0), "checker": (0.0, 0)}
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        while counts["certificates"] < wanted:
+            family, problem_file = problem(seed)
+            (folder / "p.toml").write_text(problem_file)
+            (folder / "c.json").unlink(missing_ok=True)
+
+            def failed(who, said):
+                failures.append(f"seed {seed}, {family}: {who}: {said}")
+                print(failures[-1], flush=True)
+                if kept:
+                    (kept / f"{seed}.toml").write_text(f"# {who}: {said}\n{problem_file}")
+
+            code, said, seconds = answered([steadyslide, "solve", "p.toml", "--certify", "--certificate", "c.json"], folder)
+            slowest["certifier"] = max(slowest["certifier"], (seconds, seed))
+            counts["problems"] += 1
+            if code is None:
+                failed("certifier", said)
+            elif (folder / "c.json").exists():
+                counts["certificates"] += 1
+                counts[family] += 1
+                code, said, seconds = answered([checker, "--problem", "p.toml", "c.json"], folder)
+                slowest["checker"] = max(slowest["checker"], (seconds, seed))
+                if code != 0:
+                    failed("checker", said)
+            elif code in (1, 2):
+                counts["not proved"] += 1
+                if kept:
+                    print(f"seed {seed}, {family}: not proved: {said}", flush=True)
+            else:
+                failed("certifier", f"exit code {code}: {said}")
+            seed += 1
+    print(", ".join(f"{count} {what}" for what, count in counts.items()))
+    print(", ".join(f"{who}: at most {seconds:.1f} s, seed {which}" for who, (seconds, which) in slowest.items()))
+    if counts["not proved"] > NOT_PROVED * counts["problems"]:
+        failures.append("too many problems are not proved")
+        print(failures[-1])
+    return 1 if failures else 0
+
+
+sys.exit(main())
