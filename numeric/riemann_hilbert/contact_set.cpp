@@ -217,6 +217,12 @@ bool ContactSet<R>::is_beside_break(std::size_t j) const {
 }
 
 template <Real R>
+bool ContactSet<R>::is_beside_step(std::size_t j) const {
+  const std::size_t far = contact_side(j) == Side::right ? j - 1 : j + 1;
+  return is_at_step(far) && points_[far].is_end() && length(outside(j)) < R(0.05) * span_length();
+}
+
+template <Real R>
 R ContactSet<R>::displacement(std::size_t j, const EndErrors<R>& errors) const {
   // Over a notch both ends move together: it is the gap's logarithm that has an error.
   const R part = counts_by_order(j) ? std::min(errors.part, errors.length) : errors.part;

@@ -95,9 +95,14 @@ class ContactSet {
   /// Does contact at the free end j reach just beyond a break of the profile? There the length l of that piece counts by
   /// its order of magnitude: it carries a load like l^(1 - p), and p may be near 1.
   bool is_beside_break(std::size_t j) const;
+  /// The gap's segment beside the free end j.
+  std::size_t outside(std::size_t j) const { return contact_side(j) == Side::right ? j - 1 : j; }
+  /// Does the free end j face contact at a step over a short gap? That gap is as high as the step at its far end, and its
+  /// length counts by its order of magnitude, however low the step is.
+  bool is_beside_step(std::size_t j) const;
   /// Does the shorter length beside the free end j count by its order of magnitude?
   bool counts_by_order(std::size_t j) const {
-    return is_over_notch(contact_side(j) == Side::right ? j - 1 : j) || is_beside_break(j);
+    return is_over_notch(outside(j)) || is_beside_break(j) || is_beside_step(j);
   }
   /// How far the free end j may be from where it is.
   R displacement(std::size_t j, const EndErrors<R>& errors) const;

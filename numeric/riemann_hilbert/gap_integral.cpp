@@ -65,20 +65,26 @@ Estimate<R> GapIntegral<R>::slope_difference(const SegmentPart<R>& part) const {
   const std::size_t segment = part.segment;
   const std::size_t own = form_->slope_at(segment);
   const R middle = set().length(segment) / 2;
-  const R end = part.from_left + part.length;
+  const bool in_left_half = part.from_right >= middle;
+  const bool in_right_half = part.from_left >= middle;
   Estimate<R> sum;
-  const auto add = [&](std::size_t k, const R& a, const R& b) {
-    if (k == own || a >= b) return;
-    const R left = surface_point(set(), segment, a, set().length(segment) - a).node.x;
-    const R right = surface_point(set(), segment, b, set().length(segment) - b).node.x;
+  const auto add = [&](std::size_t k, const R& from_left, const R& length) {
+    if (k == own || !(length > 0)) return;
+    const auto place = [&](const R& d) { return surface_point(set(), segment, d, set().length(segment) - d).node.x; };
+    const R left = place(from_left);
+    const R right = place(from_left + length);
     for (const auto& [index, sign] : {std::pair(own, 1), {k, -1}}) {
-      const R rise = problem.profile_increment(index, left, right);
+      const R rise = problem.profile_increment(index, left, length);
       const R size = problem.slope_estimate(index, left).error + problem.slope_estimate(index, right).error;
-      sum += Estimate<R>{sign * rise, size * (b - a)};
+      sum += Estimate<R>{sign * rise, size * length};
     }
   };
-  add(slope_on(segment, true), part.from_left, std::min(end, middle));
-  add(slope_on(segment, false), std::max(part.from_left, middle), end);
+  if (!in_right_half)
+    add(slope_on(segment, true), part.from_left, in_left_half ? part.length : R(middle - part.from_left));
+  if (!in_left_half) {
+    add(slope_on(segment, false), std::max(part.from_left, middle),
+        in_right_half ? part.length : R(middle - part.from_right));
+  }
   return sum;
 }
 
@@ -156,16 +162,16 @@ template <Real R>
 R GapIntegral<R>::profile_increment(const SurfacePoint<R>& at) const {
   const ReducedProblem<R>& problem = form_->problem();
   const auto segment = static_cast<std::size_t>(at.segment);
-  const auto rise = [&](std::size_t k, const R& from, const R& to) {
-    return problem.profile_increment(form_->slope_at(k), from, to);
+  const auto rise = [&](std::size_t k, const R& from, const R& length) {
+    return problem.profile_increment(form_->slope_at(k), from, length);
   };
   R sum = form_->tilt() * form_->distance(at, end_);
   if (end_ <= segment) {
-    for (std::size_t k = end_; k < segment; ++k) sum += step(k) + rise(k, set().x(k), set().x(k + 1));
-    return sum + step(segment) + rise(segment, set().x(segment), at.node.x);
+    for (std::size_t k = end_; k < segment; ++k) sum += step(k) + rise(k, set().x(k), set().length(k));
+    return sum + step(segment) + rise(segment, set().x(segment), at.node.from_left);
   }
-  for (std::size_t k = end_; k-- > segment + 1;) sum -= step(k + 1) + rise(k, set().x(k), set().x(k + 1));
-  return sum - step(segment + 1) - rise(segment, at.node.x, set().x(segment + 1));
+  for (std::size_t k = end_; k-- > segment + 1;) sum -= step(k + 1) + rise(k, set().x(k), set().length(k));
+  return sum - step(segment + 1) - rise(segment, at.node.x, at.node.from_right);
 }
 
 #define STEADYSLIDE_INSTANTIATE(R) template class GapIntegral<R>;

@@ -71,9 +71,10 @@ ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& fr
 }
 
 template <Real R>
-R ReducedProblem<R>::profile_increment(std::size_t index, const R& from, const R& to) const {
+R ReducedProblem<R>::profile_increment(std::size_t index, const R& from, const R& length) const {
   // x^{j+1} - y^{j+1} = (x - y) (x^j + ... + y^j): nothing cancels over a short interval.
   const std::vector<R>& g = slopes_[index];
+  const R to = from + length;
   R sum = 0;
   R quotient = 0;  // x^j + x^{j-1} y + ... + y^j
   R power = 1;     // y^j
@@ -82,7 +83,7 @@ R ReducedProblem<R>::profile_increment(std::size_t index, const R& from, const R
     power *= from;
     sum += g[j] * quotient / static_cast<double>(j + 1);
   }
-  return sum * (to - from);
+  return sum * length;
 }
 
 template <Real R>

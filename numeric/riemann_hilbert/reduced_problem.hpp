@@ -59,8 +59,8 @@ class ReducedProblem {
   Estimate<R> slope_estimate(std::size_t index, const R& x) const { return estimate_of(slopes_[index], x); }
   /// Its error in units of epsilon.
   double slope_size(std::size_t index, const R& x) const { return rounding_size(slopes_[index], x); }
-  /// int_from^to g dxi.
-  R profile_increment(std::size_t index, const R& from, const R& to) const;
+  /// int g dxi from `from` on, over a length that may have more digits than the difference of two places.
+  R profile_increment(std::size_t index, const R& from, const R& length) const;
   int highest_degree() const { return highest_degree_; }
   std::size_t most_coupled() const { return most_coupled_; }
   /// In xi: no shorter gap over a notch is followed. It has products that double cannot hold, where there may be many

@@ -75,14 +75,13 @@ Estimate<R> RiemannHilbertSolution<R>::height(const SurfacePoint<R>& at, std::op
   const R from = to_real<R>(problem_.indenter().profile(place, Side::right)(place));
   const std::size_t k = form_.slope_at(segment);
   const R& anchor_x = reduced_.anchors()[anchor].x;
-  const R rise = scale * reduced_.profile_increment(k, anchor_x, at.node.x);
-  const Estimate<R> g = reduced_.slope_estimate(k, at.node.x);
-  const R slope_error = reduced_.slope_estimate(k, anchor_x).error + g.error;
+  const R to_anchor = form_.distance(at, set.point_of(anchor));
+  const R rise = scale * reduced_.profile_increment(k, anchor_x, to_anchor);
+  const R slope_error = reduced_.slope_estimate(k, anchor_x).error + reduced_.slope_estimate(k, at.node.x).error;
   const R tilted = scale * form_.tilt() * at.node.x;
   const R turned = unit * tilt().value_or(Estimate<R>{}).error * abs(at.node.x);
   const Estimate<R> profile{from + rise + tilted, 8 * epsilon<R>() * (abs(from) + abs(rise) + abs(tilted)) + turned +
-                                                      scale * slope_error * abs(at.node.x - anchor_x) +
-                                                      scale * abs(g.value) * epsilon<R>() * abs(at.node.x)};
+                                                      scale * slope_error * abs(to_anchor)};
   if (at.segment == static_cast<std::ptrdiff_t>(segment)) return profile - (gap_there ? *gap_there : gap(at));
   const bool left = at.segment < 0;
   const std::size_t end = left ? 0 : set.segments();

@@ -41,11 +41,23 @@ Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const {
 }
 
 template <Real R>
-Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const {
+Estimate<R> RiemannHilbertSolution<R>::slope(const SurfacePoint<R>& at) const {
   const R c = to_real<R>(problem_.elasticity().compliance());
+  Estimate<R> slope = form_.surface_slope(at);
+  const bool in_support = at.segment >= 0 && at.segment < static_cast<std::ptrdiff_t>(contact_set().segments());
+  if (!in_support || !contact_set().in_contact(static_cast<std::size_t>(at.segment))) {
+    // The slope is the profile's less a singular part: that is what ends move.
+    slope.error += 2 * form_.modulus(at) * form_.error_of_state(at, found_.errors);
+  }
+  slope *= c;
+  if (const auto turned = tilt()) slope.error += turned->error;
+  return slope;
+}
+
+template <Real R>
+Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const {
   Sample<R> result;
   result.x = to_real<R>(reduced_.frame().origin) + to_real<R>(reduced_.frame().unit) * at.node.x;
-  Estimate<R> slope = form_.surface_slope(at);
   const bool in_support = at.segment >= 0 && at.segment < static_cast<std::ptrdiff_t>(contact_set().segments());
   if (in_support) result.gap = gap(at);
   if (in_support && contact_set().in_contact(static_cast<std::size_t>(at.segment))) {
@@ -53,13 +65,9 @@ Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const {
     const Estimate<R> shear = shear_of(problem_, form_.friction_at(static_cast<std::size_t>(at.segment)), t);
     result.traction = {t, t};
     result.shear = {shear, shear};
-  } else {
-    // The slope is the profile's less a singular part: that is what ends move.
-    slope.error += 2 * form_.modulus(at) * form_.error_of_state(at, found_.errors);
   }
-  slope *= c;
-  if (const auto turned = tilt()) slope.error += turned->error;
-  result.slope = {slope, slope};
+  const Estimate<R> here = slope(at);
+  result.slope = {here, here};
   return result;
 }
 
@@ -94,7 +102,7 @@ Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) con
     return c * slope + tilt().value_or(Estimate<R>{c * form_.tilt(), R(0)});
   }
   // Off the contact the surface is smooth, whatever the profile does above it.
-  return c * form_.surface_slope(beside(contact_set(), j, side, R(0)));
+  return slope(beside(contact_set(), j, side, R(0)));
 }
 
 template <Real R>
@@ -250,6 +258,7 @@ std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const {
   template R RiemannHilbertSolution<R>::shear_ratio(std::size_t segment) const;                                     \
   template std::optional<std::size_t> RiemannHilbertSolution<R>::nearest_end(const SurfacePoint<R>& at) const;      \
   template Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const;                             \
+  template Estimate<R> RiemannHilbertSolution<R>::slope(const SurfacePoint<R>& at) const;                           \
   template Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const;                            \
   template Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) const;                   \
   template Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) const;                      \

@@ -69,6 +69,19 @@ Estimate<R> RiemannHilbertSolution<R>::traction(const SurfacePoint<R>& at) const
   return t;
 }
 
+template <Real R>
+R RiemannHilbertSolution<R>::relative_shift(std::size_t j) const {
+  using std::abs;
+  const ContactSet<R>& set = contact_set();
+  if (!set.point(j).is_movable()) return R(0);
+  const std::vector<R> distances = form_.distances(beside(set, j, set.contact_side(j), R(0)));
+  R sum = 0;
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    if (i != j) sum += abs(form_.power(i).value / distances[i]);
+  }
+  return set.displacement(j, found_.errors.ends) * sum;
+}
+
 /// A segment's middle.
 template <Real R>
 SurfacePoint<R> RiemannHilbertSolution<R>::middle_of(std::size_t segment) const {
@@ -83,7 +96,7 @@ Estimate<R> RiemannHilbertSolution<R>::amplitude(std::size_t j, Side side) const
   const SurfacePoint<R> at = middle_of(segment);
   const R factor = form_.sign(at.segment) * form_.amplitude(j);
   const R relative = form_.fundamental_solution().relative_error(segment, at.node, R(0)) + 2 * relative_end_error(at);
-  Estimate<R> b = form_.regular_factor_at(j, side).widened(relative);
+  Estimate<R> b = form_.regular_factor_at(j, side).widened(relative + 2 * relative_shift(j));
   b.error += 2 * form_.error_of_state(beside(contact_set(), j, side, R(0)), found_.errors);
   return factor * b;
 }

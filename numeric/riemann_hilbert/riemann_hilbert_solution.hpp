@@ -59,6 +59,8 @@ class RiemannHilbertSolution : public ContactSolution<R> {
  private:
   const ContactSet<R>& contact_set() const { return form_.set(); }
   const R& end_error() const { return found_.errors.ends.distance; }
+  /// What the error of a free end does to the other points' powers there, relative; 0 of points that do not move.
+  R relative_shift(std::size_t j) const;
   Estimate<R> coordinate(std::size_t j) const;
   std::vector<Rational> places() const;
   SurfacePoint<R> middle_of(std::size_t segment) const;
@@ -75,6 +77,8 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   bool in_contact_at(std::size_t j, Side side) const;
 
   std::optional<std::size_t> point_at(const SurfacePoint<R>& at) const;
+  /// u' at a place that is no singular point, with what the state's errors may do to it.
+  Estimate<R> slope(const SurfacePoint<R>& at) const;
   Sample<R> sample(const SurfacePoint<R>& at) const;
   Sample<R> sample_at_point(std::size_t j) const;
   Estimate<R> traction_limit(std::size_t j, Side side) const;

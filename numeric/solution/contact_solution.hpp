@@ -133,8 +133,11 @@ struct TwoSided {
 /// The tangential traction under piece k of the friction: none without friction, under an infinite pressure, too.
 template <Real R>
 Estimate<R> shear_of(const ContactProblem& problem, std::size_t k, const Estimate<R>& traction) {
+  using std::isinf;
   const R ratio = to_real<R>(problem.shear_ratio(k));
-  return ratio == 0 ? Estimate<R>{} : ratio * traction;
+  if (ratio == 0) return {};
+  // The ratio is rounded, and so is the product.
+  return ratio * (isinf(traction.value) ? traction : traction.widened(epsilon<R>()));
 }
 
 template <Real R>

@@ -80,7 +80,8 @@ TEST_CASE("gaps beside a step whose other face is another polynomial") {
           // The control: as if the polynomial of the contact went on.
           const std::size_t inside = side == End::right ? j - 1 : j;
           const double end = set.x(j);
-          const double gone_on = form.problem().profile_increment(form.slope_at(inside), end, at.node.x) - surface;
+          const double gone_on =
+              form.problem().profile_increment(form.slope_at(inside), end, at.node.x - end) - surface;
           if (std::abs(gone_on - expected) > 1e-3) ++wrong_by_one_polynomial;
         }
       }
