@@ -23,9 +23,9 @@ double median(std::vector<double> values) {
 /// One solution in double beside one with 50 digits.
 class Comparison {
  public:
-  Comparison(std::string name, bool detailed, const ContactSolution<double>& found,
+  Comparison(std::string name, bool detailed, const ContactProblem& problem, const ContactSolution<double>& found,
              const ContactSolution<Real50>& truth, EstimateAudit& audit)
-      : name_(std::move(name)), detailed_(detailed), found_(found), truth_(truth), audit_(audit) {}
+      : name_(std::move(name)), detailed_(detailed), problem_(problem), found_(found), truth_(truth), audit_(audit) {}
 
   void run() {
     points_ = found_.singular_points();
@@ -38,6 +38,8 @@ class Comparison {
     compare_points();
     compare_resultants();
     compare_places();
+    for (const Rational& jump : problem_.friction().jumps()) compare_both_sides(jump);
+    for (const Indenter::Break& b : problem_.indenter().breaks()) compare_both_sides(b.x);
   }
 
  private:
@@ -98,7 +100,7 @@ class Comparison {
   }
 
   /// Between singular points and in gaps, from the middle to a millionth of the length from their ends, and beside the
-  /// contact.
+  /// contact; with many points one place between two, every kind of place in turn.
   void compare_places() {
     std::vector<Rational> x;
     for (const auto& point : points_) x.push_back(Rational(point.x.value));
@@ -110,6 +112,8 @@ class Comparison {
     for (std::size_t k = 0; k + 1 < x.size(); ++k) {
       const char* const parts[] = {"0.000001", "0.013", "0.27", "0.5", "0.83", "0.991", "0.999999"};
       for (const char* const& part : parts) {
+        const bool in_turn = &part == &parts[(x.size() + k) % std::size(parts)];
+        if (x.size() > many_points && !in_turn) continue;
         const Rational place = x[k] + (x[k + 1] - x[k]) * parse_rational(part);
         const Sample<double> here = found_.at(place);
         const Sample<Real50> there = truth_.at(place);
@@ -118,8 +122,7 @@ class Comparison {
         look("shear", where, here.shear.left, there.shear.left);
         look("slope", where, here.slope.left, there.slope.left);
         if (here.gap && there.gap) look("gap", where, *here.gap, *there.gap);
-        // Each costs integrals with 50 digits: one place between two points, every kind of place in turn.
-        if (detailed_ && &part == &parts[(x.size() + k) % std::size(parts)]) compare_details(place, where);
+        if (detailed_ && in_turn && k % (1 + x.size() / many_points) == 0) compare_details(place, where);
         if (std::string_view(part) == "0.5" && there.traction.left.value != 0) {
           const Real50 off = abs(Real50(here.traction.left.value) / there.traction.left.value - 1);
           printed = std::max(printed, static_cast<double>(off));
@@ -129,16 +132,37 @@ class Comparison {
     look("printed: traction", "", {printed, expected}, {});
   }
 
+  /// At a place of the data, where limits may differ.
+  void compare_both_sides(const Rational& place) {
+    const Sample<double> here = found_.at(place);
+    const Sample<Real50> there = truth_.at(place);
+    const std::string where = "at " + std::to_string(static_cast<double>(place));
+    look_at_sides("traction", where, here.traction, there.traction);
+    look_at_sides("shear", where, here.shear, there.shear);
+    look_at_sides("slope", where, here.slope, there.slope);
+    if (here.gap && there.gap) look("gap", where, *here.gap, *there.gap);
+    if (detailed_ && points_.size() <= many_points) compare_details(place, where);
+  }
+
+  void look_at_sides(const std::string& kind, const std::string& where, const TwoSided<double>& value,
+                     const TwoSided<Real50>& truth) {
+    look(kind, "on the left, " + where, value.left, truth.left);
+    look(kind, "on the right, " + where, value.right, truth.right);
+  }
+
+  /// Each costs integrals with 50 digits.
   void compare_details(const Rational& place, const std::string& where) {
     const DetailedSample<double> here = found_.details_at(place);
     const DetailedSample<Real50> there = truth_.details_at(place);
     look("displacement", where, here.displacement, there.displacement);
-    look("shear slope", where, here.shear_slope.left, there.shear_slope.left);
+    look_at_sides("shear slope", where, here.shear_slope, there.shear_slope);
     look("load before", where, here.cumulative_load, there.cumulative_load);
   }
 
+  static constexpr std::size_t many_points = 20;
   std::string name_;
   bool detailed_;  ///< with what integrals of the traction say of places
+  const ContactProblem& problem_;
   const ContactSolution<double>& found_;
   const ContactSolution<Real50>& truth_;
   EstimateAudit& audit_;
@@ -217,23 +241,25 @@ void compare_estimate(const std::string& kind, const Estimate<double>& value, co
   audit.dishonest.push_back(line.str());
 }
 
-void audit_estimates(std::uint64_t seed, EstimateAudit& audit) {
-  const ContactProblem problem = random_contact(seed);
+void audit_solutions(const std::string& name, const ContactProblem& problem, bool detailed, EstimateAudit& audit) {
   ++audit.problems;
   const auto rough = riemann_hilbert<double>(problem).solution;
   if (!rough || !rough->failed_condition().empty()) return;
   const auto fine = riemann_hilbert<Real50>(problem).solution;
   if (!fine || !fine->failed_condition().empty()) {
-    audit.different.push_back(std::to_string(seed) + " not solved with 50 digits");
+    audit.different.push_back(name + " not solved with 50 digits");
     return;
   }
-  // In every fourth problem: they cost more than all the rest.
-  const bool detailed = seed % 4 == 0;
-  Comparison(std::to_string(seed), detailed, *rough, *fine, audit).run();
+  Comparison(name, detailed, problem, *rough, *fine, audit).run();
   if (const auto exact = closed_form<double>(problem).solution) {
-    Comparison(std::to_string(seed) + " closed form", detailed, *exact, *closed_form<Real50>(problem).solution, audit)
-        .run();
+    Comparison(name + " closed form", detailed, problem, *exact, *closed_form<Real50>(problem).solution, audit).run();
   }
+}
+
+void audit_estimates(std::uint64_t seed, EstimateAudit& audit, ContactFamily family) {
+  // Of the list in every fourth problem: details cost more than all the rest.
+  const bool detailed = seed % 4 == 0 || family != ContactFamily::usual;
+  audit_solutions(std::to_string(seed), random_contact(seed, family), detailed, audit);
 }
 
 }  // namespace steadyslide::testing

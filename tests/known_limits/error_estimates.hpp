@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "numeric/number/estimate.hpp"
+#include "support/random_contact.hpp"
 
 namespace steadyslide::testing {
 
@@ -42,7 +43,10 @@ void compare_estimate(const std::string& kind, const numeric::Estimate<double>& 
                       const numeric::Estimate<numeric::Real50>& truth, EstimateAudit& audit,
                       const std::string& what = "");
 
-/// Problem number `seed` by the Riemann-Hilbert method, and by its closed form where it has one.
-void audit_estimates(std::uint64_t seed, EstimateAudit& audit);
+/// A problem by the Riemann-Hilbert method, and by its closed form where it has one; `detailed`: with what integrals of the
+/// traction say of places.
+void audit_solutions(const std::string& name, const ContactProblem& problem, bool detailed, EstimateAudit& audit);
+/// Problem number `seed` of a family.
+void audit_estimates(std::uint64_t seed, EstimateAudit& audit, ContactFamily family = ContactFamily::usual);
 
 }  // namespace steadyslide::testing

@@ -1,5 +1,6 @@
-// error_estimates FIRST COUNT: random problems number FIRST and on, in double beside 50 digits. Every estimate that does
-// not cover the true error is a line, then a table. Exit code 1 if that is not what estimates have to be.
+// error_estimates [FAMILY] FIRST COUNT: random problems number FIRST and on, of the usual list or of a family of
+// support/random_contact.hpp, in double beside 50 digits. Every estimate that does not cover the true error is a line, then a
+// table. Exit code 1 if that is not what estimates have to be.
 
 #include <cstdlib>
 #include <iostream>
@@ -9,16 +10,20 @@
 
 int main(int count, char** arguments) {
   using namespace steadyslide::testing;
-  if (count != 3) {
-    std::cerr << "usage: error_estimates FIRST COUNT\n";
+  const auto family = count == 4 ? contact_family(arguments[1]) : ContactFamily::usual;
+  if ((count != 3 && count != 4) || !family) {
+    std::cerr << "usage: error_estimates [FAMILY] FIRST COUNT\nfamilies:";
+    for (const auto& [number, name] : contact_families) std::cerr << ' ' << name;
+    std::cerr << '\n';
     return 2;
   }
+  arguments += count - 3;
   const std::uint64_t first = first_listed_seed + std::strtoull(arguments[1], nullptr, 10);
   const std::uint64_t last = first + std::strtoull(arguments[2], nullptr, 10);
   EstimateAudit audit;
   std::size_t told = 0, different = 0;
   for (std::uint64_t seed = first; seed < last; ++seed) {
-    audit_estimates(seed, audit);
+    audit_estimates(seed, audit, *family);
     for (; told < audit.dishonest.size(); ++told) std::cout << audit.dishonest[told] << std::endl;
     for (; different < audit.different.size(); ++different) std::cout << audit.different[different] << std::endl;
   }

@@ -20,6 +20,52 @@ TEST_CASE("the first eight, and those whose estimates have been too small") {
   CHECK(audit.failure() == "");
 }
 
+namespace {
+
+/// Contact on a short piece up to a gap beside the step at its end.
+ContactProblem short_piece(const Rational& length) {
+  const auto line = [](const Rational& slope, const Rational& height) { return Polynomial({height, slope}); };
+  const Indenter indenter(
+      -1, {{0, line(-0.3_r, 0)}, {length, line(0.1_r, 0)}, {1, line(0.9_r, Rational(-9 * length / 10))}});
+  return {Elasticity::reduced(Rational(2, 7)), FrictionProfile({0.3_r}), indenter, 1};
+}
+
+/// The same with a gap of 1e-18 beside friction 6: Newton's last steps are as long.
+ContactProblem shortest_gap() {
+  const FrictionProfile friction({0.58_r, 0, 6, 0.83_r, 3.9_r},
+                                 {-1.8125_r, -1.499999875_r, -1.492187375_r, -1.34375_r});
+  const Indenter indenter(-2, {{-1.5_r, Polynomial({-7.875_r, -5.25_r})},
+                               {-1.499999875_r, Polynomial({7.875_r, 5.25_r})},
+                               {-1, Polynomial({1.125000560625_r, 0.75_r})}});
+  return {Elasticity(Solid(-0.39_r, 1), Plane::stress), friction, indenter, 0.48_r};
+}
+
+}  // namespace
+
+TEST_CASE("intensities beside a step, over gaps much shorter than the contact") {
+  EstimateAudit audit;
+  audit_solutions("1e-6", short_piece(1e-6_r), false, audit);
+  audit_solutions("1e-8", short_piece(1e-8_r), false, audit);
+  audit_solutions("1e-18", shortest_gap(), false, audit);
+  MESSAGE(audit.text());
+  for (const std::string& line : audit.dishonest) FAIL_CHECK(line);
+  CHECK(audit.failure() == "");
+}
+
+TEST_CASE("two problems of each family") {
+  EstimateAudit audit;
+  for (const auto& [family, name] : contact_families) {
+    // Their 50 digits take a minute: error_estimates many-wedges FIRST COUNT.
+    if (family == ContactFamily::usual || family == ContactFamily::many_wedges) continue;
+    for (const std::uint64_t i : {0, 1}) audit_estimates(first_listed_seed + i, audit, family);
+  }
+  // The shear beside a wedge, where the pressure is known to the last digit.
+  audit_estimates(first_listed_seed + 7, audit, ContactFamily::neighbouring_frictions);
+  MESSAGE(audit.text());
+  for (const std::string& line : audit.dishonest) FAIL_CHECK(line);
+  CHECK(audit.failure() == "");
+}
+
 TEST_CASE("control: an end that is off by more than its estimate is seen") {
   EstimateAudit audit;
   compare_estimate("place", {1.0, 1e-16}, {Real50(1), Real50(0)}, audit);

@@ -1,4 +1,5 @@
-// random_contact SEED: a problem of the random list, as a problem file.
+// random_contact [FAMILY] SEED: a problem of the random list, or of a family of support/random_contact.hpp, as a problem
+// file.
 
 #include <cstdlib>
 #include <iostream>
@@ -7,11 +8,14 @@
 #include "support/random_contact.hpp"
 
 int main(int count, char** arguments) {
-  if (count != 2) {
-    std::cerr << "usage: random_contact SEED\n";
+  using namespace steadyslide::testing;
+  const auto family = count == 3 ? contact_family(arguments[1]) : ContactFamily::usual;
+  if ((count != 2 && count != 3) || !family) {
+    std::cerr << "usage: random_contact [FAMILY] SEED\n";
     return 2;
   }
-  const std::uint64_t seed = std::strtoull(arguments[1], nullptr, 10);
-  std::cout << "# random_contact " << seed << '\n'
-            << steadyslide::testing::problem_toml(steadyslide::testing::random_contact(seed));
+  const std::uint64_t seed = std::strtoull(arguments[count - 1], nullptr, 10);
+  std::cout << "# random_contact";
+  for (int i = 1; i < count; ++i) std::cout << ' ' << arguments[i];
+  std::cout << '\n' << problem_toml(random_contact(seed, *family));
 }

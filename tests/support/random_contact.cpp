@@ -101,6 +101,12 @@ Shape bumps(Dice& dice, int count, int tipped) {
   return shape;
 }
 
+/// Six to twenty.
+Shape wedges(Dice& dice) {
+  const int count = dice.whole(6, 20);
+  return bumps(dice, count, dice.whole(count / 2, count));
+}
+
 /// Wells at +-a, and at 0 with degree six; between them psi = 1.
 Shape wells(Dice& dice) {
   const bool three = dice.chance(40);
@@ -183,6 +189,63 @@ Shape any_polynomial(Dice& dice) {
   return {{{1, Polynomial(coefficients)}}, {{0, 1}}, dice.decades(-20, 20)};
 }
 
+/// 10^(k/10) to two digits, k at random: a small length or height.
+Rational small(Dice& dice, int lowest, int highest) { return dice.decades(10 * lowest, 10 * highest); }
+
+/// A parabola with a step of 1e-4 to 1e-12 of its height; a narrow slot in a flat bottom; or two flanks with a short piece
+/// between them, 1e-4 to 1e-10 long, that rises or falls, and a step down to what lies beyond it.
+Shape short_gap(Dice& dice) {
+  const Rational length = small(dice, -10, -4);
+  const Rational curve = dice.chance(30) ? dice.part(1, 4, 4) : Rational(0);
+  const Rational load = dice.decades(-8, 5);
+  const auto from = [&](const Rational& place, const Rational& height, const Rational& slope) {
+    return around(place, {height, slope, curve});
+  };
+  if (dice.chance(25)) {
+    const Rational step = small(dice, -12, -4), share = dice.decades(-20, 4);
+    const Rational place = reach(share, 0, 1) * dice.part(-6, 6, 8);
+    const Polynomial parabola({0, 0, 1});
+    const Polynomial above = parabola + Polynomial::constant(step);
+    const bool rises = dice.chance(50);
+    return {{{place, rises ? parabola : above}, {1, rises ? above : parabola}}, {{place, Rational(1, 8)}}, share};
+  }
+  if (dice.chance(20)) {
+    const Rational depth = length * dice.decades(-20, 10), place = dice.part(-4, 4, 8);
+    return {{{place, Polynomial()}, {place + length, Polynomial::constant(depth)}, {1, Polynomial()}}, {{0, 1}}, load};
+  }
+  const Rational step = length * dice.decades(-30, 0);
+  const Rational rise = length * dice.part(-4, 8, 8);
+  const Rational steep = dice.part(1, 8, 8), flat = dice.part(0, 8, 8);
+  if (dice.chance(50)) {
+    return {{{0, from(0, 0, -steep)}, {length, from(0, 0, rise / length)}, {1, from(length, rise - step, flat)}},
+            {{0, 1}},
+            load};
+  }
+  return {{{-length, from(-length, rise - step, -flat)}, {0, from(0, 0, -rise / length)}, {1, from(0, 0, steep)}},
+          {{0, 1}},
+          load};
+}
+
+/// x^4.
+Shape flat_bottom(Dice& dice) {
+  const Rational load = dice.decades(-30, 4);
+  Rational reach = 1;
+  while (reach * reach * reach * reach > load && reach > Rational(1, 16)) reach /= 2;
+  return {{{1, Polynomial({0, 0, 0, 0, 1})}}, {{0, reach}}, load, reach * dice.part(-2, 2, 16)};
+}
+
+/// A wedge and a notch beside it: contact ends somewhat before it, in it or beyond it, or leaves a gap that is almost closed.
+Shape notch(Dice& dice) {
+  const Rational place = dice.chance(60) ? dice.part(1, 6, 8) : small(dice, -6, -1);
+  const Rational left = dice.part(1, 8, 8), right = dice.part(1, 8, 8);
+  const Rational beyond = right * dice.part(-6, 7, 8);
+  const Rational curve = dice.part(1, 4, 8);
+  Shape shape{{{0, Polynomial({0, -left})}, {place, Polynomial({0, right})}}, {{0, place}, {place, place / 4}}, 0};
+  shape.pieces.push_back({1, around(place, {right * place, beyond, curve})});
+  shape.load = (left + right) * place * dice.decades(-5, 15);
+  return shape;
+}
+
 Shape any_shape(Dice& dice) {
   const int kind = dice.whole(1, 100);
   if (kind <= 14) return bumps(dice, 1, 0);
@@ -206,6 +269,17 @@ Elasticity any_elasticity(Dice& dice) {
   return Elasticity(Solid(nu, young), dice.chance(75) ? Plane::strain : Plane::stress);
 }
 
+/// Poisson's ratio near 1/2, 0 or -1.
+Elasticity limiting_elasticity(Dice& dice) {
+  const Rational off = small(dice, -9, -2);
+  const int kind = dice.whole(1, 20);
+  const Rational nu = kind <= 8    ? Rational(Rational(1, 2) - off)
+                      : kind <= 11 ? off
+                      : kind <= 14 ? Rational(-off)
+                                   : Rational(off - 1);
+  return Elasticity(Solid(nu, 1), dice.chance(75) ? Plane::strain : Plane::stress);
+}
+
 /// One in five is zero, half of them are up to 1, the others up to 20.
 Rational any_friction(Dice& dice) {
   const int kind = dice.whole(1, 20);
@@ -213,6 +287,17 @@ Rational any_friction(Dice& dice) {
          : kind <= 14 ? dice.part(1, 100, 100)
          : kind <= 17 ? dice.part(10, 40, 10)
                       : Rational(dice.whole(2, 20));
+}
+
+/// On each side of every jump nearly the same, up to 1e-4 or as little as 1e-16.
+std::vector<Rational> neighbouring_values(Dice& dice, std::size_t count) {
+  std::vector<Rational> values{any_friction(dice)};
+  while (values.size() < count) {
+    const Rational step = small(dice, -16, -4);
+    const bool rises = dice.chance(50) || values.back() < step;
+    values.push_back(rises ? Rational(values.back() + step) : Rational(values.back() - step));
+  }
+  return values;
 }
 
 /// Where friction changes on [-1, 1].
@@ -232,6 +317,16 @@ std::vector<Rational> any_jumps(Dice& dice, const Shape& shape) {
   return {jumps.begin(), jumps.end()};
 }
 
+/// Half of the wedges at least, and what any problem has.
+std::vector<Rational> jumps_on_wedges(Dice& dice, const Shape& shape) {
+  std::set<Rational> jumps;
+  for (const Spot& spot : shape.spots) {
+    if (dice.chance(60)) jumps.insert(spot.centre);
+  }
+  for (const Rational& jump : any_jumps(dice, shape)) jumps.insert(jump);
+  return {jumps.begin(), jumps.end()};
+}
+
 /// To three digits.
 Rational rounded(const Rational& value) {
   Rational unit = 1;
@@ -243,14 +338,24 @@ Rational rounded(const Rational& value) {
 
 }  // namespace
 
-ContactProblem random_contact(std::uint64_t seed) {
+ContactProblem random_contact(std::uint64_t seed, ContactFamily family) {
+  using enum ContactFamily;
   Dice dice(seed);
-  Shape shape = any_shape(dice);
-  if (!dice.chance(10)) shape.load_at.reset();
-  const Elasticity elasticity = any_elasticity(dice);
-  const std::vector<Rational> jumps = any_jumps(dice, shape);
+  const bool quartic = family == limits_of_poisson && dice.chance(25);
+  Shape shape = quartic                 ? flat_bottom(dice)
+                : family == short_gaps  ? short_gap(dice)
+                : family == notches     ? notch(dice)
+                : family == many_wedges ? wedges(dice)
+                                        : any_shape(dice);
+  const bool may_tilt = dice.chance(family == limits_of_poisson ? 40 : 10);
+  if (!may_tilt) shape.load_at.reset();
+  const Elasticity elasticity = family == limits_of_poisson ? limiting_elasticity(dice) : any_elasticity(dice);
+  const std::vector<Rational> jumps = family == many_wedges ? jumps_on_wedges(dice, shape) : any_jumps(dice, shape);
   std::vector<Rational> values;
-  for (std::size_t k = 0; k <= jumps.size(); ++k) values.push_back(any_friction(dice));
+  if (family == neighbouring_frictions) values = neighbouring_values(dice, jumps.size() + 1);
+  while (values.size() <= jumps.size()) {
+    values.push_back(family == large_frictions && dice.chance(70) ? Rational(dice.whole(20, 50)) : any_friction(dice));
+  }
   const Rational height =
       dice.one_of_these({Rational(1, 1000), Rational(1, 100), Rational(1, 20), Rational(1, 4), 1, 3});
   const Sliding sliding = dice.chance(50) ? Sliding::plus_x : Sliding::minus_x;
@@ -259,6 +364,13 @@ ContactProblem random_contact(std::uint64_t seed) {
   const Rational length = dice.one_of_these({Rational(1, 4), Rational(1, 2), 1, 1, 2, 5});
   const Rational shift = dice.chance(50) ? Rational(0) : dice.part(-8, 8, 4);
   return unit.with_indenter(unit.indenter().scaled(height)).with_load(height * unit.load()).moved(length, shift);
+}
+
+std::optional<ContactFamily> contact_family(std::string_view name) {
+  for (const auto& [family, its_name] : contact_families) {
+    if (name == its_name) return family;
+  }
+  return std::nullopt;
 }
 
 }  // namespace steadyslide::testing

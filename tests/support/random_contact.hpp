@@ -17,7 +17,13 @@
 // list, four in five problems have a free end, two in five several zones, one in three a wedge in the contact, and half
 // of them a decreasing jump of s there.
 
+//
+// Beside this list stand families, for what its draws leave out. They draw all else as it does.
+
 #include <cstdint>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 #include "model/contact_problem.hpp"
 
@@ -27,6 +33,28 @@ namespace steadyslide::testing {
 inline constexpr std::uint64_t first_listed_seed = 20160000;
 inline constexpr int listed_problems = 2000;
 
-ContactProblem random_contact(std::uint64_t seed);
+enum class ContactFamily {
+  usual,                   ///< the list
+  neighbouring_frictions,  ///< f changes by 1e-4 to 1e-16 at every jump
+  short_gaps,              ///< pieces of 1e-4 to 1e-10 of the profile's length, beside a step; slots as narrow
+  notches,                 ///< contact that ends beside a notch, or leaves an almost closed gap over it
+  many_wedges,             ///< six to twenty bumps with wedges, friction jumps on them
+  limits_of_poisson,       ///< nu within 1e-2 to 1e-9 of 1/2, 0 and -1, more of them with an indenter that may tilt
+  large_frictions          ///< most of f from 20 to 50
+};
+
+inline constexpr std::pair<ContactFamily, std::string_view> contact_families[] = {
+    {ContactFamily::usual, "usual"},
+    {ContactFamily::neighbouring_frictions, "neighbouring-frictions"},
+    {ContactFamily::short_gaps, "short-gaps"},
+    {ContactFamily::notches, "notches"},
+    {ContactFamily::many_wedges, "many-wedges"},
+    {ContactFamily::limits_of_poisson, "limits-of-poisson"},
+    {ContactFamily::large_frictions, "large-frictions"}};
+
+/// By its name; none for another name.
+std::optional<ContactFamily> contact_family(std::string_view name);
+
+ContactProblem random_contact(std::uint64_t seed, ContactFamily family = ContactFamily::usual);
 
 }  // namespace steadyslide::testing
