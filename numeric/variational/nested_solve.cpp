@@ -15,6 +15,7 @@ constexpr std::size_t tableau_work = 20'000'000'000;  // numbers changed by pivo
 constexpr std::size_t most_contested = 512;
 constexpr std::size_t most_factorised = 2000;  // for many right-hand sides
 constexpr int most_rounds = 30;
+constexpr std::size_t most_coarser = 3;
 
 /// The cell of another uniform mesh in which the middle of cell i lies.
 std::size_t coarse_cell(std::size_t i, std::size_t fine, std::size_t coarse) {
@@ -111,6 +112,8 @@ class Nested {
   NestedResult solve() {
     NestedResult result;
     for (const std::size_t n : sizes_) {
+      if (result.coarse.problem) result.coarser.insert(result.coarser.begin(), std::move(result.coarse.found.state));
+      if (result.coarser.size() > most_coarser) result.coarser.pop_back();
       result.coarse = std::move(result.fine);
       result.fine = solve_on(n, result.coarse);
       done_ += n;

@@ -20,14 +20,6 @@ double interpolated(const std::vector<double>& values, double xi) {
   return values[i] + part * (values[i + 1] - values[i]);
 }
 
-/// A sum over the cells before each, at a place of them.
-double summed(const std::vector<double>& before, double xi) {
-  const auto cells = static_cast<double>(before.size() - 1);
-  const double place = std::clamp((xi + 0.5) * cells, 0.0, cells);
-  const std::size_t i = std::min(static_cast<std::size_t>(place), before.size() - 2);
-  return before[i] + (place - static_cast<double>(i)) * (before[i + 1] - before[i]);
-}
-
 }  // namespace
 
 Estimate<double> VariationalSolution::height(const Rational& x) const {
@@ -52,12 +44,6 @@ Estimate<double> VariationalSolution::rise_beyond(double xi) const {
   // u = -(c/pi) int t log|x'-x| dx' and a constant.
   const double rise = height_ / std::numbers::pi * sum;
   return {rise, std::abs(rise) * estimated_error().traction + 1e-15 * height_};
-}
-
-Estimate<double> VariationalSolution::load_before(double xi) const {
-  const double load = to_real<double>(problem_.load());
-  const double fine = load * summed(load_before_, xi);
-  return {fine, std::abs(fine - load * summed(coarse_load_before_, xi)) + 1e-15 * load};
 }
 
 std::vector<double> VariationalSolution::shear_transform(const std::vector<double>& traction) const {

@@ -9,6 +9,7 @@
 namespace steadyslide::numeric {
 namespace {
 
+using variational::CellMesh;
 using variational::FittedIntensity;
 using variational::PlaceIs;
 
@@ -97,6 +98,7 @@ void VariationalSolution::find_places() {
     places_.push_back(end_place(run, End::right));
   }
   for (std::size_t k = 0; k < places_.size(); ++k) {
+    if (places_[k].is_end()) ends_.push_back(k);
     if (k > 0) places_[k].surroundings.left = places_[k].x - places_[k - 1].x;
     if (k + 1 < places_.size()) places_[k].surroundings.right = places_[k + 1].x - places_[k].x;
   }
@@ -107,11 +109,11 @@ void VariationalSolution::find_end_errors() {
   const double cell = cell_length();
   if (runs_.size() == 1 && runs_.front().end - runs_.front().begin == 1) {
     // All the load on one cell says nothing of where contact ends.
-    for (Place& place : places_) place.error = place.is_end() && !place.exact ? unit_ : 0;
+    for (Place& place : places_) place.error = place.moved = place.is_end() && !place.exact ? unit_ : 0;
     return;
   }
-  // How far from x the coarser contact begins, or ends.
   const variational::CellSet& coarse = found_.coarse.found.contact;
+  // How far from x the coarser contact begins, or ends.
   const auto moved = [&](const Place& end) {
     double least = edges_.back() - edges_.front();
     for (std::size_t i = 0; i < coarse.size(); ++i) {
@@ -122,21 +124,37 @@ void VariationalSolution::find_end_errors() {
     }
     return least;
   };
-  const double elsewhere = resultant_error() * (edges_[runs_.back().end] - edges_[runs_.front().begin]);
-  Place* before = nullptr;
-  double before_moved = 0;
-  for (Place& place : places_) {
-    if (!place.is_end()) continue;
-    const double by = place.exact ? 0 : moved(place);
-    if (!place.exact) place.error = cell + std::max(by - cell, 0.0) + elsewhere;
-    if (before != nullptr && place.contact == Side::right) {
-      const double gap = place.x - before->x;
-      if (gap <= 4 * cell + 8 * (before_moved + by) || gap <= before->error + place.error) {
-        for (Place* end : {before, &place}) end->error = std::max(end->error, gap + cell);
-      }
+  // Is all between two places, and the cells beside them, contact on the coarser mesh?
+  const auto closed = [&](double from, double to) {
+    const CellMesh& mesh = found_.coarse.problem->mesh();
+    const std::size_t last = mesh.cell_at((to + cell) / unit_);
+    for (std::size_t i = mesh.cell_at((from - cell) / unit_); i <= last; ++i) {
+      if (!coarse[i]) return false;
     }
-    before = &place;
-    before_moved = by;
+    return true;
+  };
+  std::vector<Place*> ends;
+  for (const std::size_t end : ends_) ends.push_back(&places_[end]);
+  // Ends of gaps that the coarser mesh does not have have moved by no more than their gap.
+  std::vector<double> by(ends.size());
+  std::vector<char> is_new(ends.size());
+  for (std::size_t k = 1; k + 1 < ends.size(); k += 2) is_new[k] = is_new[k + 1] = closed(ends[k]->x, ends[k + 1]->x);
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (ends[k]->exact) continue;
+    if (!is_new[k]) by[k] = moved(*ends[k]);
+    ends[k]->moved = cell + std::max(by[k] - cell, 0.0);
+  }
+  const double elsewhere = moved_load() * (edges_[runs_.back().end] - edges_[runs_.front().begin]);
+  for (Place* end : ends) {
+    if (!end->exact) end->error = end->moved + elsewhere;
+  }
+  for (std::size_t k = 1; k + 1 < ends.size(); k += 2) {
+    const double gap = ends[k + 1]->x - ends[k]->x;
+    const bool may_be_none =
+        is_new[k] || gap <= 4 * cell + 8 * (by[k] + by[k + 1]) || gap <= ends[k]->error + ends[k + 1]->error;
+    if (!may_be_none) continue;
+    for (Place* end : {ends[k], ends[k + 1]}) end->error = std::max(end->error, gap + cell);
+    doubtful_gaps_.push_back({origin_ + ends[k]->x, origin_ + ends[k + 1]->x});
   }
 }
 
@@ -178,6 +196,26 @@ SolvedSingularPoint<double> VariationalSolution::solved_point(const Place& place
   if (!place.is_end() && place.wedge_degree >= 0) result.constant = known(fine.constant, coarse.constant);
   tell_stress_intensity();
   return result;
+}
+
+std::optional<SolvedSingularPoint<double>> VariationalSolution::sharpest_wedge() const {
+  std::optional<SolvedSingularPoint<double>> sharpest;
+  const double c = to_real<double>(problem_.elasticity().compliance());
+  auto run = runs_.begin();
+  for (const Indenter::Break& at : problem_.indenter().breaks()) {
+    if (at.step != 0 || at.wedge <= 0) continue;
+    const double xi = mesh().place(at.x);
+    while (run != runs_.end() && mesh().right(run->end - 1) < xi) ++run;
+    if (run == runs_.end()) break;
+    if (xi < mesh().left(run->begin)) continue;
+    const Rational s = problem_.coupled_friction(problem_.friction().piece(at.x, Side::left));
+    if (s != problem_.coupled_friction(problem_.friction().piece(at.x, Side::right))) continue;
+    const double strength = to_real<double>(at.wedge) / (c * to_real<double>(Rational(1 + s * s)));
+    if (sharpest && !(strength > sharpest->intensity.value)) continue;
+    const double error = 1e-15 * (std::abs(origin_) + unit_);
+    sharpest = {{origin_ + unit_ * xi, error}, SingularKind::wedge, std::nullopt, {strength, 1e-15 * strength}, {}, {}};
+  }
+  return sharpest;
 }
 
 std::vector<SolvedSingularPoint<double>> VariationalSolution::singular_points() const {

@@ -8,39 +8,7 @@
 #include "numeric/variational/touching_state.hpp"
 
 namespace steadyslide::numeric {
-namespace {
-
 using variational::ActiveSetResult;
-using variational::CellMesh;
-using variational::DiscreteProblem;
-using variational::DiscreteState;
-
-/// The part of P under each friction value, and the centre of pressure in xi.
-struct Shares {
-  std::vector<double> loads;
-  double centre = 0;
-};
-
-Shares shares(const ContactProblem& problem, const CellMesh& mesh, const DiscreteState& state) {
-  const std::vector<Rational>& jumps = problem.friction().jumps();
-  Shares result{std::vector<double>(jumps.size() + 1), 0};
-  std::vector<double> ends;
-  for (const Rational& c : jumps) ends.push_back(mesh.place(c));
-  std::size_t piece = 0;
-  for (std::size_t i = 0; i < mesh.size(); ++i) {
-    const double p = state.pressure[i];
-    double left = mesh.left(i);
-    for (; piece < ends.size() && ends[piece] <= mesh.right(i); ++piece) {
-      result.loads[piece] += p * (ends[piece] - left);
-      left = ends[piece];
-    }
-    result.loads[piece] += p * (mesh.right(i) - left);
-    result.centre += p * mesh.length(i) * mesh.centre(i);
-  }
-  return result;
-}
-
-}  // namespace
 
 VariationalSolution::VariationalSolution(ContactProblem problem, variational::NestedResult found)
     : problem_(std::move(problem)),
@@ -50,16 +18,14 @@ VariationalSolution::VariationalSolution(ContactProblem problem, variational::Ne
       stress_(to_real<double>(problem_.load() / mesh().frame().unit)),
       height_(to_real<double>(problem_.elasticity().compliance() * problem_.load())),
       displacement_(discrete().size()) {
-  const auto set = [this](const variational::MeshSolution& solution, auto& edges, auto& traction, auto& load_before) {
+  const auto set = [this](const variational::MeshSolution& solution, auto& edges, auto& traction) {
     for (const double edge : solution.problem->mesh().edges()) edges.push_back(unit_ * edge);
-    load_before.push_back(0);
-    for (const double p : solution.found.state.pressure) {
-      traction.push_back(-stress_ * p);
-      load_before.push_back(load_before.back() + p * solution.problem->mesh().length(0));
-    }
+    for (const double p : solution.found.state.pressure) traction.push_back(-stress_ * p);
   };
-  set(found_.fine, edges_, traction_, load_before_);
-  set(found_.coarse, coarse_edges_, coarse_traction_, coarse_load_before_);
+  set(found_.fine, edges_, traction_);
+  set(found_.coarse, coarse_edges_, coarse_traction_);
+  for (const auto* mesh : {&found_.fine, &found_.coarse}) meshes_.emplace_back(mesh->found.state);
+  for (const variational::DiscreteState& coarser : found_.coarser) meshes_.emplace_back(coarser);
   if (discrete().is_galerkin()) {
     discrete().galerkin_operator().multiply(state().pressure, displacement_);
   } else {
@@ -107,38 +73,13 @@ std::string VariationalSolution::failed_condition() const {
   return "the certificate does not accept what was found";
 }
 
-Resultants<double> VariationalSolution::resultants() const {
-  const Shares fine = shares(problem_, mesh(), state());
-  const Shares coarse = shares(problem_, found_.coarse.problem->mesh(), found_.coarse.found.state);
-  const double load = to_real<double>(problem_.load());
-  std::vector<Estimate<double>> loads;
-  for (std::size_t k = 0; k < fine.loads.size(); ++k) {
-    // The load itself is met; how it is shared is known to the difference between the meshes.
-    loads.push_back({load * fine.loads[k], load * std::abs(fine.loads[k] - coarse.loads[k])});
-  }
-  Resultants<double> result = resultants_of(loads, problem_.friction().values());
-  result.normal.error = load * (found_.certificate.load + 1e-15);
-  for (const Run& run : runs_) {
-    const double end = mesh().left(run.end - 1) + mesh().length(0);
-    result.component_load.push_back(load_before(end) - load_before(mesh().left(run.begin)));
-  }
-  Estimate<double>& mu = result.effective_friction;
-  double coarse_friction = 0;
-  for (std::size_t k = 0; k < coarse.loads.size(); ++k) {
-    coarse_friction += to_real<double>(problem_.friction().values()[k]) * coarse.loads[k];
-  }
-  mu.error = std::abs(mu.value - coarse_friction) + 1e-15 * mu.value;
-  result.tangential.error = load * mu.error;
-  for (std::size_t k = 0; k < fine.loads.size(); ++k) {
-    result.load_share[k].error = std::abs(fine.loads[k] - coarse.loads[k]) + 1e-15;
-  }
-  result.centre_of_pressure = {origin_ + unit_ * fine.centre,
-                               unit_ * std::abs(fine.centre - coarse.centre) + 1e-15 * (std::abs(origin_) + unit_)};
-  return result;
-}
-
 LargestPressure<double> VariationalSolution::largest_pressure() const {
-  if (const auto infinite = infinite_pressure(singular_points())) return *infinite;
+  std::vector<SolvedSingularPoint<double>> unbounded;
+  for (const Place& place : places_) {
+    if (place.exponent && place.exponent->sign() < 0) unbounded.push_back(solved_point(place));
+  }
+  if (const auto wedge = sharpest_wedge()) unbounded.push_back(*wedge);
+  if (const auto infinite = infinite_pressure(unbounded)) return *infinite;
   const auto cell = static_cast<std::size_t>(std::ranges::min_element(traction_) - traction_.begin());
   const auto coarse = static_cast<std::size_t>(std::ranges::min_element(coarse_traction_) - coarse_traction_.begin());
   const double x = (edges_[cell] + edges_[cell + 1]) / 2;
@@ -147,12 +88,6 @@ LargestPressure<double> VariationalSolution::largest_pressure() const {
   value.error = std::max(value.error, std::abs(traction_[cell] - coarse_traction_[coarse])) +
                 value.value * estimated_error().traction;
   return {value, {origin_ + x, cell_length() + std::abs(x - coarse_x)}, std::nullopt};
-}
-
-std::optional<Estimate<double>> VariationalSolution::tilt() const {
-  if (!problem_.load_at()) return std::nullopt;
-  const double scale = height_ / unit_;
-  return Estimate<double>{scale * state().tilt, scale * std::abs(state().tilt - found_.coarse.found.state.tilt)};
 }
 
 double VariationalSolution::coarse_traction(std::size_t i) const {
@@ -172,14 +107,6 @@ EstimatedError<double> VariationalSolution::estimated_error() const {
   }
   result.resultants = resultant_error();
   return result;
-}
-
-double VariationalSolution::resultant_error() const {
-  const Resultants<double> r = resultants();
-  const double hull = edges_[runs_.back().end] - edges_[runs_.front().begin];
-  double worst = r.centre_of_pressure.error / hull;
-  for (const Estimate<double>& share : r.load_share) worst = std::max(worst, share.error);
-  return worst;
 }
 
 Residuals<double> VariationalSolution::residuals() const {

@@ -35,9 +35,12 @@ class VariationalSolution : public ContactSolution<double> {
   std::string method() const override { return "variational"; }
   std::string failed_condition() const override;
   std::vector<ContactComponent<double>> contact() const override;
+  /// Those whose ends are off by their length.
+  std::vector<DoubtfulGap<double>> doubtful_gaps() const override { return doubtful_gaps_; }
   std::vector<SolvedSingularPoint<double>> singular_points() const override;
   Resultants<double> resultants() const override;
-  /// The largest mean over a cell, unless a place that the cells can show says that it is infinite.
+  /// Infinite where the data say so of a place inside the contact: at edges, at friction jumps by their power, at convex
+  /// wedges by a logarithm whose intensity is exact. Else the largest mean over a cell.
   LargestPressure<double> largest_pressure() const override;
   std::optional<Estimate<double>> tilt() const override;
   EstimatedError<double> estimated_error() const override;
@@ -61,6 +64,7 @@ class VariationalSolution : public ContactSolution<double> {
     int wedge_degree;  ///< of the jump of the slope, a polynomial; -1: none
     bool exact;        ///< x is known exactly: not a free end
     double error = 0;  ///< of x, beyond rounding; a free end's
+    double moved = 0;  ///< a cell, and by how much more x differs on the coarser mesh; a free end's
     bool is_end() const {
       return kind == SingularKind::edge || kind == SingularKind::free || kind == SingularKind::step;
     }
@@ -73,17 +77,39 @@ class VariationalSolution : public ContactSolution<double> {
   const variational::CellMesh& mesh() const { return discrete().mesh(); }
   const variational::DiscreteState& state() const { return found_.fine.found.state; }
 
+  /// Forces on one of the nested meshes.
+  struct MeshLoads {
+    std::vector<double> before;  ///< the part of P left of each cell, and of all
+    double centre;               ///< of pressure, xi
+    double tilt;
+    explicit MeshLoads(const variational::DiscreteState& state);
+    double before_place(double xi) const;
+    /// The load between two places.
+    double between(double a, double b) const;
+  };
+  /// Of a number that each mesh has, `on_mesh(MeshLoads) -> double`.
+  template <class OnMesh>
+  double open_error(OnMesh on_mesh) const;
+  /// Of a run: the part of P by which its load may be wrong since it has few cells.
+  double load_in_doubt(const Run& run) const;
+  /// The part of P that may lie on the other side of a friction jump at xi, next to which contact ends.
+  double load_beyond_end(double xi) const;
+
   void find_runs();
   /// Of the load shares, and of the centre of pressure in parts of the contact.
   double resultant_error() const;
+  /// By how much the coarser mesh has it otherwise: the most of a load share, or of the centre in parts of the contact.
+  double moved_load() const;
   void find_places();
   /// What a free end may be off by: a cell, what the end has moved since the coarser mesh, and, for the load that lies
-  /// elsewhere moves it along, the part of the contact by which the resultants differ. The ends of a gap that is short,
-  /// or that has moved by much of its length, are off by all of it: cells cannot tell whether there is a gap.
+  /// elsewhere moves it along, the part of the contact by which the resultants differ. The ends of a gap that is short, that
+  /// the coarser mesh does not have, or that has moved by much of its length, are off by all of it, and the gap is in doubt.
   void find_end_errors();
   Place end_place(const Run& run, End end) const;
   variational::FittedIntensity fitted(const Place& place, const variational::Cells& cells) const;
   SolvedSingularPoint<double> solved_point(const Place& place) const;
+  /// Of the convex wedges in the contact under one friction, the one with the strongest logarithm.
+  std::optional<SolvedSingularPoint<double>> sharpest_wedge() const;
   /// t of the coarser mesh where cell i has its middle.
   double coarse_traction(std::size_t i) const;
   Estimate<double> traction(std::size_t cell) const;
@@ -112,10 +138,11 @@ class VariationalSolution : public ContactSolution<double> {
   std::vector<double> displacement_;  ///< B p of each cell
   std::vector<Run> runs_;
   std::vector<Place> places_;
+  std::vector<DoubtfulGap<double>> doubtful_gaps_;
+  std::vector<std::size_t> ends_;  ///< which of places_, two of each run
   /// Of the cells and of the coarser ones.
   Once<std::pair<std::vector<double>, std::vector<double>>> shear_transforms_;
-  std::vector<double> load_before_;  ///< the part of P left of each cell, and of all
-  std::vector<double> coarse_load_before_;
+  std::vector<MeshLoads> meshes_;  ///< the finest first
   Once<Estimate<double>> height_at_origin_;
 };
 

@@ -130,3 +130,31 @@ TEST_CASE("random problems: nearly all ends are within their errors, most of whi
   CHECK(30 * count.uncovered <= count.ends);
   CHECK(3 * count.wide <= count.ends);
 }
+
+TEST_CASE("a gap that half as many cells do not show is in doubt; the other ends and the forces are not") {
+  // The gap over a notch grows with its angle, from nothing to many cells.
+  int met = 0;
+  for (int k = 200; k < 900; k += 10) {
+    const Rational slope(k, 1000);
+    const Indenter notch(-1, {{0, Polynomial({0, slope, 2.5_r})}, {1, Polynomial({0, -slope, 2.5_r})}});
+    const auto found = variational_inequality(reduced({0.3_r}, {}, notch, 0.5_r), {.cells = 512}).solution;
+    REQUIRE(found->failed_condition() == "");
+    const auto contact = found->contact();
+    const std::vector<DoubtfulGap<double>> doubtful = found->doubtful_gaps();
+    REQUIRE(doubtful.size() < contact.size());
+    if (doubtful.empty()) continue;
+    ++met;
+    CAPTURE(k);
+    CHECK(doubtful[0].left == contact[0].right.x.value);
+    CHECK(doubtful[0].right == contact[1].left.x.value);
+    const double gap = doubtful[0].right - doubtful[0].left;
+    CHECK(contact[0].right.x.error >= gap);
+    CHECK(contact[1].left.x.error >= gap);
+    CHECK(contact[0].right.x.error <= gap + 1.5 / 256);
+    for (const ContactEnd<double>& end : {contact.front().left, contact.back().right}) CHECK(end.x.error < 2.0 / 256);
+    const double hull = contact.back().right.x.value - contact.front().left.x.value;
+    CHECK(found->estimated_error().ends * hull <= gap + 1.5 / 256);
+    CHECK(found->estimated_error().resultants < 0.1);
+  }
+  CHECK(met >= 3);
+}
