@@ -45,7 +45,7 @@ SolutionText solve_shown(const SolveOptions& options, const Problem& problem, So
   Solver::Wanted wanted{options.method, std::move(solution), options.variational(), options.certify,
                         false,          options.jobs};
   std::optional<Progress> progress;
-  if (takes_variational(options.method, problem.contact, options.certify))
+  if (takes_variational(options.method, problem.contact, options.certify, options.common.digits))
     wanted.variational.progress = follow(progress.emplace(1));
   return Solver(std::move(wanted)).solve(problem);
 }

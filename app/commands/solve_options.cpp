@@ -136,8 +136,8 @@ SolveOptions solve_options(const Given& given) {
 }
 
 void check_method(const SolveOptions& options, const Problem& problem) {
-  const bool on_cells =
-      options.search_starts > 0 || takes_variational(options.method, problem.contact, options.certify);
+  const bool on_cells = options.search_starts > 0 ||
+                        takes_variational(options.method, problem.contact, options.certify, options.common.digits);
   if (on_cells && numeric::precision_for(options.common.digits) != numeric::Digits::sixteen) {
     throw bad_command_line("--digits: out of range", "the variational method works in double, 16 digits at most",
                            std::to_string(options.common.digits));

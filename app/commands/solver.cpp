@@ -98,7 +98,8 @@ SolutionText Solver::solve_certified(const Problem& problem) {
 }
 
 SolutionText Solver::solve(const Problem& problem) {
-  if (takes_variational(wanted_.method, problem.contact, wanted_.certify)) return solve_on_cells(problem);
+  if (takes_variational(wanted_.method, problem.contact, wanted_.certify, wanted_.solution.digits))
+    return solve_on_cells(problem);
   if (wanted_.certify) return solve_certified(problem);
   return in_precision(
       wanted_.solution.digits, problem.contact, wanted_.solution.at,

@@ -82,7 +82,8 @@ SolutionText SweepTable::solved(std::size_t n) const {
   SolutionText failed;
   try {
     const Problem problem = sweep_.problems.problem(n);
-    if (wanted_.solution.digits > 16 && takes_variational(wanted_.method, problem.contact, false)) {
+    if (wanted_.solution.digits > 16 &&
+        takes_variational(wanted_.method, problem.contact, false, wanted_.solution.digits)) {
       failed.reason = "the variational method works in double, 16 digits at most";
       return failed;
     }

@@ -10,6 +10,7 @@
 #include "model/invalid_data.hpp"
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
+#include "numeric/variational/variational_inequality.hpp"
 
 namespace steadyslide::library {
 namespace {
@@ -18,6 +19,27 @@ namespace {
 bool is_comfortable(const Rational& value) {
   // A number beyond the range of double is 0 or infinite there.
   return value == 0 || (value.convert_to<double>() != 0 && squares_in_double(value.convert_to<double>()));
+}
+
+/// Concave corners that contact covers as far as cells show it.
+std::ptrdiff_t concave_corners_in_contact(const ContactProblem& problem, const std::vector<Indenter::Break>& concave) {
+  const auto rough = numeric::variational_inequality(problem, {.cells = 1024}).solution;
+  if (!rough) return 0;
+  const std::vector<numeric::ContactComponent<double>> contact = rough->contact();
+  return std::ranges::count_if(concave, [&](const Indenter::Break& corner) {
+    const auto x = numeric::to_real<double>(corner.x);
+    return std::ranges::any_of(contact, [x](const numeric::ContactComponent<double>& component) {
+      return component.left.x.value < x && x < component.right.x.value;
+    });
+  });
+}
+
+/// Would the Riemann-Hilbert method take more than a second for gaps over concave corners, each of which it finds in 0.1 s?
+bool gaps_are_slow(const ContactProblem& problem) {
+  constexpr std::ptrdiff_t slow = 10;
+  std::vector<Indenter::Break> concave = problem.indenter().breaks();
+  std::erase_if(concave, [](const Indenter::Break& b) { return b.wedge >= 0; });
+  return std::ssize(concave) > slow && concave_corners_in_contact(problem, concave) > slow;
 }
 
 }  // namespace
@@ -30,14 +52,15 @@ Method method_named(std::string_view name) {
                     excerpt(name));
 }
 
-bool takes_variational(Method method, const ContactProblem& problem, bool certify) {
+bool takes_variational(Method method, const ContactProblem& problem, bool certify, int digits) {
   if (method == Method::variational) return true;
   if (method != Method::automatic) return false;
   // Proofs cost as much as many digits do.
-  const numeric::Digits digits = certify ? numeric::Digits::fifty : numeric::Digits::sixteen;
-  if (!numeric::too_many_friction_pieces(problem, digits).empty()) return true;
-  if (numeric::too_many_profile_breaks(problem, digits).empty() && !numeric::may_have_many_gaps(problem)) return false;
-  return !numeric::closed_form<double>(problem).solution;  // pieces can all be the same polynomial
+  const numeric::Digits costs = certify ? numeric::Digits::fifty : numeric::Digits::sixteen;
+  if (!numeric::too_many_friction_pieces(problem, costs).empty()) return true;
+  const bool too_much = !numeric::too_many_profile_breaks(problem, costs).empty() ||
+                        numeric::may_have_many_gaps(problem) || (!certify && digits <= 16 && gaps_are_slow(problem));
+  return too_much && !numeric::closed_form<double>(problem).solution;  // pieces can all be the same polynomial
 }
 
 bool may_take_more_digits(const ContactProblem& problem) {

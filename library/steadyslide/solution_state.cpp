@@ -251,7 +251,7 @@ std::shared_ptr<const Solution::State> state_of(const Problem& problem, const nu
 std::shared_ptr<const Solution::State> solved_state(const Problem& problem, library::Method method, int digits,
                                                     const numeric::VariationalOptions& variational) {
   const ContactProblem& contact = contact_problem(problem);
-  if (library::takes_variational(method, contact, false)) {
+  if (library::takes_variational(method, contact, false, digits)) {
     return state_of<double>(problem, numeric::variational_inequality(contact, variational), method, digits);
   }
   return library::in_precision(

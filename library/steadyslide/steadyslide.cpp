@@ -147,7 +147,7 @@ Solution solve(const Problem& problem, const SolveOptions& options) {
     throw InvalidData(std::string("method: ") + invalid.what());
   }
   check("digits", options.digits, 1, 100);
-  const bool on_cells = library::takes_variational(method, contact_problem(problem), false);
+  const bool on_cells = library::takes_variational(method, contact_problem(problem), false, options.digits);
   if (on_cells && options.digits > 16) {
     throw InvalidData("digits", "digits: out of range", "the variational method works in double, 16 digits at most",
                       fmt::format("'{}'", options.digits));
