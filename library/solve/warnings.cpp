@@ -72,9 +72,7 @@ std::string gaps_in_doubt(const std::vector<numeric::DoubtfulGap<R>>& gaps) {
                          static_cast<double>(gaps[k].right));
   }
   if (gaps.size() > most_named) named += fmt::format(" and {} more", gaps.size() - most_named);
-  return "gaps inside the contact may be none; a gap of a few cells, or one that half as many cells do not show, is in doubt, "
-         "the forces are not; " +
-         named;
+  return "gaps inside the contact may be none; forces do not depend on them, more cells tell; " + named;
 }
 
 }  // namespace
