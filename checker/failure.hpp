@@ -6,6 +6,9 @@
 
 namespace steadyslide::checker {
 
+/// Safe to print on one line of a terminal: control characters and bytes that are not UTF-8 as \xNN, long lines shortened.
+std::string one_line(const std::string& text);
+
 /// "PLACE: what is wrong; the rule; the value", the value cut where it is long.
 struct Malformed : std::runtime_error {
   Malformed(const std::string& place, const std::string& what, const std::string& rule, const std::string& value)

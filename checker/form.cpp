@@ -137,7 +137,7 @@ void Form::add_moments(std::size_t i, Integral& integral) const {
   }
   integral.moments.resize(g.size());
   if (longest == 0) return;
-  const auto count = static_cast<std::size_t>(bits_ + far_guard);
+  const auto count = static_cast<std::size_t>(2 * (bits_ + far_guard));
   std::vector<Ball> of_weights(count + longest, Ball().rounded(contact_->precision()));
   Ball term;
   for (const Trapezoid::Node& node : nodes) {
@@ -166,7 +166,7 @@ bool Form::add_far_cauchy(std::size_t i, std::size_t k, const Ball& near, bool o
   const Ball z = half / distance;
   // In an interval of places the nodes' own distances say more.
   const bool thin = (distance - distance.radius() * Ball(0x1p20)).is_positive();
-  if (!thin || !(Ball(0.5) - z).is_positive()) return false;
+  if (!thin || !(Ball(0.7) - z).is_positive()) return false;
   const auto count = static_cast<std::size_t>(
       std::ceil(static_cast<double>(bits + far_guard) / -std::log2(z.upper().approximately())));
   if (count > moments.size()) return false;

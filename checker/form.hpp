@@ -7,7 +7,7 @@
 // the same function for every polynomial g_k that is asked for. B_k is asked for off the pieces of the contact on which
 // g is another polynomial: the integral has no principal value. Its integrands are 1/|Y| times polynomials (Trapezoid).
 //
-// At a place x = m + D, m the middle of a segment of half the length a, |D| >= 2 a, the sum of its rule is taken by moments:
+// At a place x = m + D, m the middle of a segment of half the length a, |D| > a/0.7, the sum of its rule is taken by moments:
 //   sum_l d_l/(x_l - x) = -(1/D) sum_p mu_p (a/D)^p,  mu_p = sum_l d_l ((x_l - m)/a)^p,
 // and what follows p < n is at most sum_l |d_l| |a/D|^n/(|D| - a).
 

@@ -55,6 +55,19 @@ std::vector<Ball> conditions_at(const ReducedProblem& problem, const Box& box, c
   return conditions(Form(contact, at, {p, p}, bits));
 }
 
+/// As many bits of F(v) as the box needs: what they leave open, seen through C, is 2^-12 of the box. `F` has jacobian_bits.
+slong bits_for(const std::vector<Ball>& V, const std::vector<Ball>& F, const Matrix& C) {
+  slong bits = 24;
+  for (std::size_t i = 0; i < V.size(); ++i) {
+    Ball open;
+    for (std::size_t k = 0; k < F.size(); ++k) open += (C[i][k] * F[k].radius()).size();
+    if (!open.is_finite()) throw Unproved("a condition that is not finite");
+    if (open.is_positive()) bits = std::max(bits, jacobian_bits + 12 + open.exponent() - V[i].radius().exponent());
+  }
+  if (bits > 5000) throw Unproved("a box that wants integrals to 2^-5000");
+  return bits;
+}
+
 }  // namespace
 
 std::vector<Ball> krawczyk_image(const std::vector<Ball>& V, const std::vector<Ball>& F, const Matrix& derivative,
@@ -82,30 +95,32 @@ Krawczyk prove_zero(const ReducedProblem& problem, const Box& box, slong least_p
   const std::vector<Ball> V = box.V.list();
   const std::size_t n = V.size();
   Krawczyk result;
-  // The box has to be wider than what the integrals leave open.
-  slong narrowest = 0;
-  for (const Ball& v : V) {
-    if (!v.radius().is_positive()) throw Unproved("a box without interior proves no zero");
-    narrowest = std::max(narrowest, std::max<slong>(v.exponent(), 0) - v.radius().exponent());
+  for (const Ball& x : V) {
+    if (!x.radius().is_positive()) throw Unproved("a box without interior proves no zero");
   }
-  if (narrowest > 5000) throw Unproved("a box narrower than 2^-5000");
-  result.bits = 24 + narrowest;
-  const slong precision = std::max(least_precision, result.bits + 96);
-
-  std::vector<Ball> v;
-  for (const Ball& x : V) v.push_back(x.rounded(precision).middle());
-  const std::vector<Ball> F = conditions_at(problem, box, v, result.bits, precision);
-  if (F.size() != n) throw Unproved("as many conditions as unknowns are needed");
+  const auto centre = [&](slong precision) {
+    std::vector<Ball> v;
+    for (const Ball& x : V) v.push_back(x.rounded(precision).middle());
+    return v;
+  };
+  const slong first_precision = std::max(least_precision, jacobian_bits + 96);
+  const std::vector<Ball> first = conditions_at(problem, box, centre(first_precision), jacobian_bits, first_precision);
+  if (first.size() != n) throw Unproved("as many conditions as unknowns are needed");
   if (n == 0) return result;
+  const Matrix J = jacobian_over(problem, box, first_precision);
+  result.bits = bits_for(V, first, inverse_of_centre(J, first_precision));
+  const slong precision = std::max(least_precision, result.bits + 96);
+  const std::vector<Ball> F = conditions_at(problem, box, centre(precision), result.bits, precision);
   const Ball width = Ball((box.loads.to - box.loads.from) / problem.unit, precision);
   const Ball loads = Ball().widened(width * Ball(0.5)).rounded(precision);
-  const std::vector<Ball> K = krawczyk_image(V, F, jacobian_over(problem, box, precision), loads, precision);
+  const std::vector<Ball> K = krawczyk_image(V, F, J, loads, precision);
   for (std::size_t i = 0; i < n; ++i) {
     if (!V[i].contains_inside(K[i])) {
       throw Unproved("Krawczyk's step leads out of the box: " + name_of(i, box.layout) + ", box " + V[i].text(20) +
                      ", step " + K[i].text(20));
     }
-    result.contraction = std::max(result.contraction, ((K[i] - v[i]).size() / V[i].radius()).approximately());
+    const Ball moved = (K[i] - V[i].rounded(precision).middle()).size();
+    result.contraction = std::max(result.contraction, (moved / V[i].radius()).approximately());
   }
   return result;
 }

@@ -15,10 +15,11 @@ namespace {
 using namespace steadyslide::checker;
 
 constexpr const char* usage =
-    "usage: steadyslide-check [--problem FILE.toml] CERTIFICATE\n"
+    "usage: steadyslide-check --problem FILE.toml CERTIFICATE\n"
+    "       steadyslide-check CERTIFICATE\n"
     "\n"
-    "Proves again what a certificate of 'steadyslide solve --certify' claims, from the certificate alone.\n"
-    "With --problem it also has to be a certificate for the problem in that file.\n"
+    "Proves again what a certificate of 'steadyslide solve --certify' claims, and that it is one for the problem in the file.\n"
+    "Without --problem the certificate's own copy of the problem is believed: it may be another problem than yours.\n"
     "\n"
     "Exit code: 0 if all is proved, 1 if something is not, 2 if the certificate or the command line breaks a rule.\n";
 
@@ -61,7 +62,7 @@ void compare(const Problem& problem, const std::string& file) {
   if (file.empty()) return;
   const std::string differs = problem.difference(Problem::of_file(file));
   if (!differs.empty()) throw Unproved(file + ": not the certificate's problem; it differs in " + differs);
-  std::printf("the problem is that of %s\n", file.c_str());
+  std::printf("the problem is that of %s\n", one_line(file).c_str());
 }
 
 int run(int count, char** arguments) {
@@ -78,11 +79,11 @@ int run(int count, char** arguments) {
     } else if (file.empty() && !word.starts_with("--")) {
       file = word;
     } else {
-      throw Malformed("command line", "unknown argument", "steadyslide-check [--problem FILE.toml] CERTIFICATE", word);
+      throw Malformed("command line", "unknown argument", "steadyslide-check --problem FILE.toml CERTIFICATE", word);
     }
   }
   if (file.empty()) {
-    throw Malformed("command line", "no certificate", "steadyslide-check [--problem FILE.toml] CERTIFICATE", "none");
+    throw Malformed("command line", "no certificate", "steadyslide-check --problem FILE.toml CERTIFICATE", "none");
   }
   const Reader document = Reader::of_json(read_file(file), file);
   if (document.has("kind") && document["kind"].choice({"cells", "solution", "loads"}) == 0) {
@@ -103,10 +104,10 @@ int main(int count, char** arguments) {
   try {
     return run(count, arguments);
   } catch (const Malformed& error) {
-    std::fprintf(stderr, "steadyslide-check: %s\n", error.what());
+    std::fprintf(stderr, "steadyslide-check: %s\n", one_line(error.what()).c_str());
     return 2;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "steadyslide-check: not proved: %s\n", error.what());
+    std::fprintf(stderr, "steadyslide-check: not proved: %s\n", one_line(error.what()).c_str());
     return 1;
   }
 }

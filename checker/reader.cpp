@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <filesystem>
 #include <fstream>
 #include <set>
-#include <sstream>
 
 namespace steadyslide::checker {
 namespace {
@@ -134,11 +134,20 @@ std::vector<Rational> Reader::rationals() const {
 }
 
 std::string read_file(const std::string& name) {
+  constexpr std::size_t most = std::size_t{1} << 26;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(name, ignored)) {
+    throw Malformed(name, "cannot be read", "it names a file", "a directory");
+  }
   std::ifstream file(name, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
+  std::string text;
+  std::vector<char> part(std::size_t{1} << 16);
+  while (text.size() <= most && file.read(part.data(), static_cast<std::streamsize>(part.size())).gcount() > 0) {
+    text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+  }
   if (!file.is_open() || file.bad()) throw Malformed(name, "cannot be read", "it names a file", "no such file");
-  return text.str();
+  if (text.size() > most) throw Malformed(name, "too long", "a file has at most 64 MiB", "more");
+  return text;
 }
 
 }  // namespace steadyslide::checker

@@ -46,7 +46,7 @@ class Reader {
   std::string place_;
 };
 
-/// The text of a file. Throws Malformed where it cannot be read.
+/// The text of a file. Throws Malformed where it cannot be read, is a directory or longer than 64 MiB.
 std::string read_file(const std::string& name);
 
 }  // namespace steadyslide::checker

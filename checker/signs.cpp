@@ -293,14 +293,14 @@ bool negative_between(const Ball& R, const Ball& S, const Ball& phi1, bool to_in
 }
 
 Signs prove_signs(const ReducedProblem& problem, const Box& box, slong bits) {
-  for (slong tried = 40;; tried *= 2) {
+  for (slong tried = 24;; tried *= 2) {
     try {
       const Contact contact(problem, box.layout, box.V.log_offsets, 3 * tried + 64);
       return Prover(Form(contact, box.V, box.loads, tried)).run();
     } catch (const Refuted&) {
       throw;
     } catch (const Unproved&) {
-      if (tried >= std::max<slong>(160, bits)) throw;
+      if (tried >= std::max<slong>(192, bits)) throw;
     }
   }
 }

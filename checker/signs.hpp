@@ -30,7 +30,7 @@ struct Signs {
   slong bits = 0;              ///< of the integrals
 };
 
-/// Integrals begin with few bits and go on to more where these do not decide: to `bits`, to 160 at least. Throws Unproved
+/// Integrals begin with few bits and go on to more where these do not decide: to `bits`, to 192 at least. Throws Unproved
 /// with the place and the sign that is not decided.
 Signs prove_signs(const ReducedProblem& problem, const Box& box, slong bits);
 

@@ -43,7 +43,11 @@ Trapezoid::Trapezoid(Panel panel, slong bits, slong precision) : panel_(std::mov
   }
   h = std::ldexp(std::round(std::ldexp(h, 20)), -20);
   secant_ = Ball(1) / cos(Ball(d / 2).rounded(precision));
-  suppression_ = Ball(2) / (exp(Ball(2) * Ball::pi(precision) * Ball(d) / Ball(h)) - Ball(1));
+  const Ball suppression = Ball(2) / (exp(Ball(2) * Ball::pi(precision) * Ball(d) / Ball(h)) - Ball(1));
+
+  for (std::size_t more = 0; more < relative_errors_.size(); ++more) {
+    relative_errors_.at(more) = suppression * power(secant_, kappa_ + Ball(static_cast<int>(more)));
+  }
 
   const Ball a = end_exponent(panel_.left) + Ball(1);
   const Ball b = end_exponent(panel_.right) + Ball(1);
@@ -98,7 +102,5 @@ Trapezoid::Trapezoid(Panel panel, slong bits, slong precision) : panel_(std::mov
   }
   if (!(Ball(0.5) - relative_error(2)).is_positive()) throw Unproved("a quadrature without accuracy");
 }
-
-Ball Trapezoid::relative_error(int more) const { return suppression_ * power(secant_, kappa_ + Ball(more)); }
 
 }  // namespace steadyslide::checker

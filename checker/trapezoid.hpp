@@ -20,6 +20,7 @@
 // with u = [0, u_N] and that sum as its weight stands for all of them, and the sum of the rule is enclosed to its end. It
 // is short where u_N is small beside the distances to all other points, however slowly the powers fall.
 
+#include <array>
 #include <vector>
 
 #include "checker/ball.hpp"
@@ -60,7 +61,7 @@ class Trapezoid {
   const Ball& secant() const { return secant_; }  ///< sec(d/2)
   const Ball& kappa() const { return kappa_; }
   /// 2 sec(d/2)^(kappa + more)/(e^(2 pi d/h) - 1), at most 1/2.
-  Ball relative_error(int more) const;
+  const Ball& relative_error(int more) const { return relative_errors_.at(static_cast<std::size_t>(more)); }
   /// An upper bound of int w f for f > 0 of the kind 1/|x - x0|^more, more <= 2, from its sum.
   static Ball integral_bound(const Ball& sum) { return Ball(2) * sum.size(); }
   /// The error of the rule for w f: f as above times an analytic factor of size M in the strip.
@@ -72,7 +73,7 @@ class Trapezoid {
   Panel panel_;
   Ball secant_;
   Ball kappa_;
-  Ball suppression_;  ///< 2/(e^(2 pi d/h) - 1)
+  std::array<Ball, 3> relative_errors_;
   std::vector<Node> nodes_;
   std::size_t nodes_to_right_ = 0;
 };

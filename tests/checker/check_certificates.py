@@ -325,6 +325,19 @@ def main():
     expect({2}, "half a document", text[: len(text) // 2], "not JSON")
     expect({2}, "nothing", "", "not JSON")
 
+    def expect_file(name, words):
+        nonlocal checked
+        checked += 1
+        done = subprocess.run([checker, name], capture_output=True, timeout=60, check=False)
+        said = done.stderr.decode("utf-8", "replace")
+        if done.returncode != 2 or words not in said or said.count("\n") != 1:
+            failures.append(f"{name}: exit code {done.returncode}: {said[:300]}")
+
+    expect_file("/dev/zero", "at most 64 MiB")
+    expect_file(str(HERE), "a directory")
+    expect_file("no\nsuch \x1b[31m file", "no\\x0asuch \\x1b[31m file: cannot be read")
+    expect_file("nö such file", "nö such file: cannot be read")
+
     print("\n".join(failures))
     print(f"{checked - len(failures)} passed, {len(failures)} failed")
     print(f"{len(CHANGES)} kinds of change")
