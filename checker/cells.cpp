@@ -403,7 +403,8 @@ Cells Cells::of_certificate(const Reader& at) {
   }
   c.effective_friction = interval(claims["effective_friction"]);
   if (!c.problem.theorem_1_applies()) {
-    at["problem"].fail("no bound", "the energy bounds errors where s never decreases towards +x, without steps and load_at");
+    at["problem"].fail("no bound",
+                       "the energy bounds errors where s never decreases towards +x, without steps and load_at");
   }
   return c;
 }
