@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "library/solve/double_range.hpp"
@@ -21,16 +22,18 @@ bool is_comfortable(const Rational& value) {
   return value == 0 || (value.convert_to<double>() != 0 && squares_in_double(value.convert_to<double>()));
 }
 
-/// Concave corners that contact covers as far as cells show it.
-std::ptrdiff_t concave_corners_in_contact(const ContactProblem& problem, const std::vector<Indenter::Break>& concave) {
+/// Concave corners under pressure, as far as cells show it, with a gap that double can hold: under the pressure p it is as long
+/// as exp(-pi (1 + s^2) p/D), D the corner's jump of slope. A kink at rounding level has none.
+std::ptrdiff_t gaps_in_contact(const ContactProblem& problem, const std::vector<Indenter::Break>& concave) {
+  constexpr double least_logarithm = -690;
   const auto rough = numeric::variational_inequality(problem, {.cells = 1024}).solution;
   if (!rough) return 0;
-  const std::vector<numeric::ContactComponent<double>> contact = rough->contact();
+  const auto c = numeric::to_real<double>(problem.elasticity().compliance());
   return std::ranges::count_if(concave, [&](const Indenter::Break& corner) {
-    const auto x = numeric::to_real<double>(corner.x);
-    return std::ranges::any_of(contact, [x](const numeric::ContactComponent<double>& component) {
-      return component.left.x.value < x && x < component.right.x.value;
-    });
+    const double pressure = -rough->at(corner.x).traction.left.value;
+    const auto s = numeric::to_real<double>(problem.coupled_friction(problem.friction().piece(corner.x, Side::left)));
+    const double jump = numeric::to_real<double>(corner.wedge) / c;  // < 0
+    return pressure > 0 && std::numbers::pi * (1 + s * s) * pressure < least_logarithm * jump;
   });
 }
 
@@ -39,7 +42,7 @@ bool gaps_are_slow(const ContactProblem& problem) {
   constexpr std::ptrdiff_t slow = 10;
   std::vector<Indenter::Break> concave = problem.indenter().breaks();
   std::erase_if(concave, [](const Indenter::Break& b) { return b.wedge >= 0; });
-  return std::ssize(concave) > slow && concave_corners_in_contact(problem, concave) > slow;
+  return std::ssize(concave) > slow && gaps_in_contact(problem, concave) > slow;
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ Method method_named(std::string_view name);
 /// Is it the variational method that solves this problem? Always if asked for; `automatic` takes it where the profile
 /// has more breaks, or the friction more values, than the other methods take, or than they prove, and, for 16 digits without a
 /// proof, where the Riemann-Hilbert method is predicted to take more than a second. It finds a gap over each concave corner
-/// inside the contact, 0.1 s each; how many there are a solution on 1024 cells tells.
+/// inside the contact, 0.1 s each; how many there are that double can hold a solution on 1024 cells tells.
 bool takes_variational(Method method, const ContactProblem& problem, bool certify, int digits = 16);
 
 /// The closed form where it is asked for or applies, else Riemann-Hilbert, from the solution `start` if there is one.

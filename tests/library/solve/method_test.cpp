@@ -52,3 +52,15 @@ TEST_CASE("auto keeps the Riemann-Hilbert method for few corners in the contact,
   // More than a hundred are not looked at.
   CHECK(takes_cells(trace(-0.3_r, 0.3_r, load)));
 }
+
+TEST_CASE("auto counts no kinks at rounding level, as the coefficients of a spline have them") {
+  std::vector<Indenter::Piece> pieces;
+  Rational height = 0;
+  for (int k = 1; k <= 60; ++k) {
+    const Rational from = Rational(k - 31, 100), to = Rational(k - 30, 100);
+    const Rational slope = k % 2 == 0 ? Rational(1, Integer("10000000000000000")) : 0_r;
+    pieces.push_back({to, Polynomial({height - slope * from, slope, 0.25_r})});
+    height += slope * (to - from);
+  }
+  CHECK_FALSE(takes_cells(reduced({0.1_r}, {}, Indenter(Rational(-3, 10), pieces), 0.01_r)));
+}
