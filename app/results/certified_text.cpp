@@ -80,7 +80,7 @@ class CertifiedWriter {
     if (!blows_up) text_.largest_pressure = {};
     if (const std::optional<Ball> tilt = solution_.tilt()) text_.tilt = number(*tilt);
     if (const auto core = enclosure::punch_core(problem_, resultants.normal.bits())) {
-      text_.core = LimitText{number(core->left), number(core->right)};
+      text_.core = LimitText{number(core->left), number(core->right), true};
     }
 
     text_.samples.clear();
@@ -105,15 +105,14 @@ class CertifiedWriter {
     if (!point.exponent) return {};
     const Bits bits = point.intensity.bits();
     const Ball k = point.intensity * power(Ball(2) * Ball::pi(bits), -Ball(*point.exponent, bits));
-    const bool is_jump = point.kind == SingularKind::friction_jump || point.kind == SingularKind::wedge_and_jump;
-    if (!is_jump) return {number(k), number(k)};
+    if (!has_two_sides(point.kind)) return {number(k), number(k)};
     // cos(pi alpha) = 1/sqrt(1 + s^2) of both sides.
     const std::size_t jump = friction_jump_at(point.x);
     const auto on_side = [&](std::size_t piece) {
       const Rational s = problem_.coupled_friction(piece);
       return number(k / sqrt(Ball(Rational(1 + s * s), bits)));
     };
-    return {on_side(jump), on_side(jump + 1)};
+    return {on_side(jump), on_side(jump + 1), true};
   }
 
   /// The one that the ball contains: jumps are exact.

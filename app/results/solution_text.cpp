@@ -82,11 +82,13 @@ class Writer {
                             : std::pair<std::string, std::string>()};
   }
 
-  /// One number where there is contact on one side.
-  LimitText stress_intensity(const numeric::StressIntensity<R>& k) {
-    if (!k.left && !k.right) return {};
-    const NumberText left = intensity(k.left ? *k.left : *k.right);
-    return {left, k.left && k.right ? intensity(*k.right) : left};
+  /// At a jump two numbers; at an end one, of the side in contact.
+  LimitText stress_intensity(const numeric::SolvedSingularPoint<R>& point) {
+    const auto told = [this](const std::optional<Estimate<R>>& k) { return k ? intensity(*k) : NumberText{}; };
+    const NumberText left = told(point.stress_intensity.left), right = told(point.stress_intensity.right);
+    if (has_two_sides(point.kind)) return {left, right, true};
+    const NumberText& one = point.stress_intensity.left ? left : right;
+    return {one, one};
   }
 
   LargestText largest(const numeric::LargestPressure<R>& largest) {
@@ -169,7 +171,7 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
   for (const auto& point : solution.singular_points()) {
     text.singular_points.push_back({writer.text(point.x), std::string(name_of(point.kind)),
                                     writer.exponent(point.exponent), writer.intensity(point.intensity),
-                                    writer.text(point.constant), writer.stress_intensity(point.stress_intensity),
+                                    writer.text(point.constant), writer.stress_intensity(point),
                                     points_told && point.exponent ? stress_intensity_unit(*point.exponent) : ""});
   }
   const bool resultants_told = writer.tell("resultants");
@@ -188,7 +190,7 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
   }
   if (const auto tilt = solution.tilt()) text.tilt = writer.text(*tilt);
   if (const auto core = resultants_told ? numeric::punch_core<R>(problem.contact) : std::nullopt) {
-    text.core = LimitText{number_text(core->left, wanted.digits), number_text(core->right, wanted.digits)};
+    text.core = LimitText{number_text(core->left, wanted.digits), number_text(core->right, wanted.digits), true};
   }
 
   writer.tell("samples");

@@ -22,8 +22,9 @@ using namespace library;
 struct LimitText {
   NumberText left;
   NumberText right;
+  bool apart = false;  ///< two numbers, also where they are equal
 
-  bool two_sided() const { return left.value != right.value; }
+  bool two_sided() const { return apart || left.value != right.value; }
 };
 
 struct SampleText {
@@ -57,7 +58,7 @@ struct SingularText {
   ExponentText exponent;
   NumberText intensity;
   NumberText constant;
-  LimitText stress_intensity{};  ///< one, where contact lies on one side
+  LimitText stress_intensity{};  ///< at a jump two, else one
   std::string unit{};            ///< of the stress intensity; empty for a logarithm
 };
 
@@ -66,6 +67,11 @@ struct LargestText {
   NumberText x;
   std::string exponent;  ///< of an infinite one, "log" for a logarithm
 };
+
+/// Has a singular point a stress intensity on each side? A jump does.
+inline bool has_two_sides(SingularKind kind) {
+  return kind == SingularKind::friction_jump || kind == SingularKind::wedge_and_jump;
+}
 
 /// The size of something that has a name.
 struct NamedSize {

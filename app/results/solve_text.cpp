@@ -100,8 +100,7 @@ void write_resultants(const Problem& problem, const SolutionText& solution, Outp
                fmt::format("{} in {} components", shown(solution.real_contact_length), solution.contact.size()));
   }
   if (solution.core) {
-    const auto& [left, right] = *solution.core;
-    write_line(output, "core", fmt::format("from {} to {}", shown(left), shown(right)));
+    write_line(output, "core", fmt::format("from {} to {}", shown(solution.core->left), shown(solution.core->right)));
   }
 }
 

@@ -47,8 +47,36 @@ std::string sliver_only(const Indenter& indenter, const std::vector<ContactCompo
       number_text(contact.front().left.x, 6).shown, number_text(contact.back().right.x, 6).shown);
 }
 
+/// The size of what is added up to a polynomial's slope at x.
+Rational size_of_slope(const Polynomial& polynomial, const Rational& x) {
+  Rational size = 0;
+  Rational power = 1;
+  const std::vector<Rational>& coefficients = polynomial.coefficients();
+  for (std::size_t k = 1; k < coefficients.size(); ++k, power *= abs(x)) size += k * abs(coefficients[k]) * power;
+  return size;
+}
+
+/// The breaks whose kink is no larger than what 16 roundings to double make of both slopes: of coefficients that a
+/// program has written.
+std::vector<Rational> rounded_kinks(const Indenter& indenter) {
+  const Integer roundings = Integer(1) << (std::numeric_limits<double>::digits - 4);
+  std::vector<Rational> result;
+  const std::vector<Indenter::Break> breaks = indenter.breaks();
+  for (std::size_t k = 0; k < breaks.size(); ++k) {
+    const auto& [x, step, wedge] = breaks[k];
+    const Rational size =
+        size_of_slope(indenter.pieces()[k].profile, x) + size_of_slope(indenter.pieces()[k + 1].profile, x);
+    if (step == 0 && abs(wedge) * roundings <= size) result.push_back(x);
+  }
+  return result;
+}
+
 template <Real R>
-std::string gaps_unresolved(const std::vector<numeric::UnresolvedGap<R>>& gaps) {
+std::string gaps_unresolved(std::vector<numeric::UnresolvedGap<R>> gaps, const Indenter& indenter) {
+  if (gaps.empty()) return "";
+  for (const Rational& x : rounded_kinks(indenter)) {
+    std::erase_if(gaps, [at = numeric::to_real<R>(x)](const auto& gap) { return gap.x.value == at; });
+  }
   if (gaps.empty()) return "";
   constexpr std::size_t most_named = 3;
   std::string named;
@@ -86,7 +114,8 @@ std::vector<std::string> warnings(const Problem& problem, const numeric::Contact
     result.push_back(fmt::format("{}: {}; more than {} of {}; {}", error.name, estimated_error_warning,
                                  percent(large_error), error.of, percent(error.value)));
   }
-  if (std::string line = gaps_unresolved(solution.unresolved_gaps()); !line.empty()) result.push_back(std::move(line));
+  std::string unresolved = gaps_unresolved(solution.unresolved_gaps(), problem.contact.indenter());
+  if (!unresolved.empty()) result.push_back(std::move(unresolved));
   if (std::string line = gaps_in_doubt(solution.doubtful_gaps()); !line.empty()) result.push_back(std::move(line));
   if (!problem.measured) return result;
   const std::vector<ContactComponent<R>> contact = solution.contact();

@@ -55,6 +55,20 @@ Scientific scientific(const R& value, int digits) {
   return scientific(value.backend().data(), digits);
 }
 
+Scientific rounded_up(double value, int digits) {
+  mpfr_t exact;
+  mpfr_init2(exact, std::numeric_limits<double>::digits);
+  mpfr_set_d(exact, value, MPFR_RNDN);
+  Scientific result = scientific(exact, digits, MPFR_RNDU);
+  mpfr_clear(exact);
+  return result;
+}
+
+template <numeric::Real R>
+Scientific rounded_up(const R& value, int digits) {
+  return scientific(value.backend().data(), digits, MPFR_RNDU);
+}
+
 /// The ball's midpoint, exactly.
 class Midpoint {
  public:
@@ -116,6 +130,42 @@ int common_digits(const enclosure::Ball& ball, int digits) {
   return 0;
 }
 
+/// The number nearest to a decimal.
+template <numeric::Real R>
+R number_of(const std::string& text) {
+  if constexpr (std::same_as<R, double>) {
+    double value = 0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+  } else {
+    return R(text);
+  }
+}
+
+constexpr int error_digits = 2;
+
+/// Of an estimate told by a text: its own error, and what the text's rounding adds to it.
+template <numeric::Real R>
+Scientific error_of_text(const std::string& text, const numeric::Estimate<R>& estimate, int digits) {
+  using std::abs;
+  return rounded_up(R(abs(estimate.error) + abs(number_of<R>(text) - estimate.value)), digits);
+}
+
+std::string size_of(const Scientific& error, int digits) {
+  return error.digits.find_first_not_of('0') == error.digits.npos ? "0" : lay_out(error, digits);
+}
+
+/// "80 +/- 120": a value that its error does not tell from 0, rounded to the error's last digit.
+template <numeric::Real R>
+std::string with_error(const numeric::Estimate<R>& estimate) {
+  using std::abs;
+  const Scientific error = rounded_up(R(abs(estimate.error)), error_digits);
+  const long digits = estimate.value == 0 ? 0 : scientific(estimate.value, 17).exponent - error.exponent + error_digits;
+  constexpr int plain = 6;
+  const std::string value = digits < 1 ? "0" : lay_out(scientific(estimate.value, static_cast<int>(digits)), plain);
+  return fmt::format("{} +/- {}", value, lay_out(error_of_text(value, estimate, error_digits), plain));
+}
+
 /// The smallest p with error <= 10^p.
 template <numeric::Real R>
 long last_place(const R& error) {
@@ -141,9 +191,8 @@ std::string format_number(const numeric::Estimate<R>& estimate, int digits) {
   if (isnan(value) || isinf(value)) return format_number(value, digits);
   const R error = abs(estimate.error);
   if (isnan(error) || isinf(error)) return "";
-  if (value == 0) return "0";
-  if (error >= abs(value)) return "0";
   if (error == 0) return format_number(value, digits);
+  if (error >= abs(value)) return with_error(estimate);
   const long supported = scientific(value, 17).exponent - last_place(error) + 1;
   const long shown = std::clamp<long>(supported, 1, digits);
   return lay_out(scientific(value, static_cast<int>(shown)), digits);
@@ -195,15 +244,15 @@ NumberText number_text(const numeric::Estimate<R>& estimate, int digits) {
   text.shown = format_number(estimate, digits);
   if (text.shown.empty()) return text;
   text.value = full_number(estimate.value, digits);
-  text.error = isinf(estimate.value) ? "0" : size_text(estimate.error, digits);
+  const int few = std::min(error_digits, digits);
+  text.error = isinf(estimate.value) ? "0" : size_of(error_of_text(text.value, estimate, few), few);
   return text;
 }
 
 template <numeric::Real R>
 std::string size_text(const R& value, int digits) {
   using std::abs;
-  constexpr int size_digits = 2;
-  return format_number(R(abs(value)), std::min(size_digits, digits));
+  return format_number(R(abs(value)), std::min(error_digits, digits));
 }
 
 std::string format_number(const Rational& value, int digits) {

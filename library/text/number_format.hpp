@@ -15,8 +15,9 @@ template <numeric::Real R>
 std::string format_number(const R& value, int digits);
 
 /// Only digits that the error supports: the last one printed is worth at least the error. One digit is left to a value
-/// larger than its error; a value that does not exceed its error is not distinguished from 0 and printed as such. An
-/// infinite error says that the value is not known: no text, unless the value is infinite itself.
+/// larger than its error. A value that does not exceed its error has no digit of its own: "80 +/- 120", rounded where its
+/// error is; a 0 alone is exact. An infinite error says that the value is not known: no text, unless the value is infinite
+/// itself.
 template <numeric::Real R>
 std::string format_number(const numeric::Estimate<R>& estimate, int digits);
 
@@ -30,7 +31,7 @@ std::string full_number(const Rational& value, int digits);
 struct NumberText {
   std::string shown;    ///< the digits that the error supports
   std::string value;    ///< all digits
-  std::string error;    ///< absolute, two digits; 0 for an infinite limit
+  std::string error;    ///< absolute, two digits, rounded up, of what `value` says; 0 for an infinite limit
   bool proved = false;  ///< the error is a bound, else an estimate
 };
 

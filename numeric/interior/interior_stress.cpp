@@ -14,19 +14,31 @@ void check_below_surface(const Depth& z) {
   if (!(z > 0)) throw std::invalid_argument("the depth of a point below the surface is positive");
 }
 
-/// Adds the sums of the normal forces of a panel, with what follows from them. `straddles`: forces on both sides of x,
-/// none of them further aside than the depth, cancel in the odd sums.
+/// Adds the sums of the normal forces of a panel, with what follows from them. `error`: relative. `straddles`: forces on both
+/// sides of x, none of them further aside than the depth, cancel in the odd sums.
 template <Real R>
-void add_sums(const std::array<R, 4>& sums, const TractionPanel<R>& panel, bool straddles, ForceSums<R>& to) {
+void add_sums(const std::array<R, 4>& sums, const TractionPanel<R>& panel, const R& error, bool straddles,
+              ForceSums<R>& to) {
   using std::abs;
-  const R tangential_error = abs(panel.shear_ratio) * panel.error;
+  const R tangential_error = abs(panel.shear_ratio) * error;
   for (std::size_t j = 0; j < 4; ++j) {
     R size = abs(sums[j]);
     if (straddles && j % 2 == 1) size = std::max(size, R(abs(sums[j - 1])));
     to.normal[j] += sums[j];
     to.tangential[j] += panel.shear_ratio * sums[j];
-    to.normal_error[j] += panel.error * size;
+    to.normal_error[j] += error * size;
     to.tangential_error[j] += tangential_error * size;
+  }
+}
+
+/// Adds what it changes that forces are displaced at the distance d: `normal` and `tangential` are sums of their sizes times
+/// by how much. dM_j/dx is at most about 2 (z/d)^(3-j)/d^2.
+template <Real R>
+void add_displaced(const R& normal, const R& tangential, const R& d, const R& z, ForceSums<R>& to) {
+  R part = 2 / (d * d);
+  for (std::size_t j = 4; j-- > 0; part *= z / d) {
+    to.normal_error[j] += normal * part;
+    to.tangential_error[j] += tangential * part;
   }
 }
 
@@ -82,7 +94,7 @@ void InteriorStress<R>::gather(std::size_t first, std::size_t end) {
   const auto& panels = traction_.panels();
   const std::size_t index = cells_.size();
   const R half = (panels[end - 1].right - panels[first].left) / 2;
-  cells_.push_back({first, end, panels[first].left.moved(half), half, 0, moments_.size(), R(0), R(0)});
+  cells_.push_back({first, end, panels[first].left.moved(half), half, 0, moments_.size(), R(0), R(0), R(0), R(0)});
   if (end - first < fewest_panels_with_moments) return;
   const std::size_t count = moment_count<R>();
   moments_.resize(moments_.size() + 2 * count);
@@ -100,8 +112,10 @@ void InteriorStress<R>::gather(std::size_t first, std::size_t end) {
     const auto [forces, factor] = forces_on(k);
     R size = 0;
     for (std::size_t i = 0; i < traction_.nodes_per_rule(); ++i) size += abs(factor * forces[i]);
-    cell.normal_error += panels[k].error * size;
-    cell.tangential_error += abs(panels[k].shear_ratio) * panels[k].error * size;
+    cell.normal_error += panels[k].force_error * size;
+    cell.tangential_error += abs(panels[k].shear_ratio) * panels[k].force_error * size;
+    cell.normal_shift += panels[k].shift * size;
+    cell.tangential_shift += abs(panels[k].shear_ratio) * panels[k].shift * size;
   }
   for (const std::size_t child : {index + 1, cell.children}) {
     if (!has_children) break;
@@ -113,6 +127,8 @@ void InteriorStress<R>::gather(std::size_t first, std::size_t end) {
     add_moments<R>(moments + count, scale, shift, normal + count);
     cell.normal_error += part.normal_error;
     cell.tangential_error += part.tangential_error;
+    cell.normal_shift += part.normal_shift;
+    cell.tangential_shift += part.tangential_shift;
   }
 }
 
@@ -124,7 +140,7 @@ const R& InteriorStress<R>::from_left(const TractionPanel<R>& panel, std::size_t
 
 template <Real R>
 void InteriorStress<R>::add(std::size_t index, const Point& point, Sums& sums) const {
-  using std::abs;
+  using std::abs, std::sqrt;
   const Cell& cell = cells_[index];
   if (cell.end - cell.first >= fewest_panels_with_moments) {
     const R x = point.x - cell.centre;
@@ -135,6 +151,10 @@ void InteriorStress<R>::add(std::size_t index, const Point& point, Sums& sums) c
       const R aside = std::max(R(abs(x)), cell.half);
       add_force(sums.normal_error, R(3 * cell.normal_error), aside, point.z);
       add_force(sums.tangential_error, R(3 * cell.tangential_error), aside, point.z);
+      if (cell.normal_shift > 0) {
+        const R nearest = sqrt(x * x + point.z * point.z) * 2 / 3;
+        add_displaced(cell.normal_shift, cell.tangential_shift, nearest, point.z, sums);
+      }
       return;
     }
   }
@@ -148,6 +168,7 @@ void InteriorStress<R>::add(std::size_t index, const Point& point, Sums& sums) c
 
 template <Real R>
 void InteriorStress<R>::add_panel(std::size_t k, const Point& point, Sums& sums) const {
+  using std::abs, std::sqrt;
   const TractionPanel<R>& panel = traction_.panels()[k];
   const R x_left = point.x - panel.left;
   const R x_right = point.x - panel.right;
@@ -162,7 +183,12 @@ void InteriorStress<R>::add_panel(std::size_t k, const Point& point, Sums& sums)
     add_force(of_panel, forces[i], R(x_left - panel.length * from_left(panel, i)), point.z);
   }
   for (R& sum : of_panel) sum *= factor;
-  add_sums(of_panel, panel, x_left > 0 && x_right < 0, sums);
+  add_sums(of_panel, panel, panel.force_error, x_left > 0 && x_right < 0, sums);
+  if (panel.shift > 0) {
+    const R displaced = abs(traction_.constant(panel)) * panel.length * panel.shift;
+    const R d = sqrt(aside * aside + point.z * point.z);
+    add_displaced(displaced, R(abs(panel.shear_ratio) * displaced), d, point.z, sums);
+  }
 }
 
 /// `x_left`: x minus the left end of the part; `reach`: from the panel's singular end to the point.
@@ -182,7 +208,7 @@ void InteriorStress<R>::add_part(const TractionPanel<R>& panel, const PanelPart<
     add_force(of_part, force, x, z);
     if (panel.end_error > 0) add_force(displaced, R(force * panel.displaced(part, left, right, reach)), x, z);
   }
-  add_sums(of_part, panel, false, sums);
+  add_sums(of_part, panel, panel.error, false, sums);
   for (std::size_t j = 0; j < 4; ++j) {
     sums.normal_error[j] += abs(displaced[j]);
     sums.tangential_error[j] += abs(panel.shear_ratio * displaced[j]);

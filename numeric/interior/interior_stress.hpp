@@ -21,7 +21,9 @@
 // work grows like log(number of panels) + log(length/z).
 //
 // What the errors estimate: rounding, the traction's own error, and free ends displaced by their own error e, which at a
-// distance d from one changes what is nearest by about e/d.
+// distance d from one changes what is nearest by about e/d. Of a cell that is its length away only the force counts, and by
+// how much that may be displaced: errors of neighbours cancel, and what a coarser mesh has on the other side of a place is
+// all that a point below can see.
 
 #include <span>
 
@@ -58,6 +60,8 @@ class InteriorStress {
     std::size_t moments;   ///< of the normal forces, then of the tangential ones
     R normal_error;
     R tangential_error;
+    R normal_shift;  ///< sum of forces times by how much they may be displaced
+    R tangential_shift;
   };
   struct Point {
     SurfacePlace<R> x;

@@ -12,7 +12,8 @@ struct Place {
   R x;
   R z;
   R value;
-  R scale;  ///< of what lies above
+  R scale;          ///< of what lies above; of a maximum, how far away it may be
+  R curvature = 0;  ///< of a maximum: the least one of the stress around it, over the length on which it varies
 };
 
 template <Real R>
@@ -20,8 +21,8 @@ class Maximum {
  public:
   Maximum(const InteriorStress<R>& stress, const R& least_depth) : stress_(stress), least_(least_depth) {}
 
-  /// Of all maxima that the highest places found by scanning lead to.
-  Place<R> highest() const {
+  /// All maxima that the highest places found by scanning lead to, the highest one first.
+  std::vector<Place<R>> highest() const {
     using std::abs;
     std::vector<Place<R>> places = scan();
     std::ranges::sort(places, [](const Place<R>& a, const Place<R>& b) { return a.value > b.value; });
@@ -34,12 +35,9 @@ class Maximum {
       if (std::ranges::none_of(starts, is_near)) starts.push_back(place);
       if (starts.size() == most) break;
     }
-    Place<R> best = climbed(starts.front());
-    for (const Place<R>& start : starts) {
-      const Place<R> top = climbed(start);
-      if (top.value > best.value) best = top;
-    }
-    return best;
+    std::ranges::transform(starts, starts.begin(), [this](const Place<R>& start) { return climbed(start); });
+    std::ranges::stable_sort(starts, [](const Place<R>& a, const Place<R>& b) { return a.value > b.value; });
+    return starts;
   }
 
  private:
@@ -91,12 +89,14 @@ class Maximum {
     const R smallest = pow(epsilon<R>(), R(0.25)) * at.scale;
     const R last = epsilon<R>() * at.scale;
     const R scale = at.scale;
+    // On which the field varies.
+    const R variation = std::min(scale, max(at.z, R(scale / 8)));
     for (int step = 0; step < 400 && h > last; ++step) {
       const Stencil here = stencil(at, h);
       if (here.is_peak) {
         const Place<R> peak = scanned(at.x + here.x_step, at.z + here.z_step, scale);
         if (h <= smallest && peak.value >= at.value * (1 - 64 * epsilon<R>())) {
-          return {peak.x, peak.z, peak.value, 4 * h * h / scale};
+          return {peak.x, peak.z, peak.value, 4 * h * h / scale, here.curvature / (h * h) * variation};
         }
         const R moved = max(abs(here.x_step), abs(here.z_step));
         at = peak.value >= here.highest.value ? peak : here.highest;
@@ -117,6 +117,7 @@ class Maximum {
     bool is_peak;  ///< a parabola with a maximum within the stencil
     R x_step;
     R z_step;
+    R curvature = 0;  ///< the least one, times the square of the stencil's step
   };
 
   R value(const R& x, const R& z) const {
@@ -126,7 +127,7 @@ class Maximum {
   }
 
   Stencil stencil(const Place<R>& at, const R& h) const {
-    using std::abs;
+    using std::abs, std::sqrt;
     R f[3][3];  // along x, along z
     Stencil result{at, false, R(0), R(0)};
     const bool at_surface = at.z - h < least_;
@@ -146,6 +147,7 @@ class Maximum {
       result.x_step = -h * x / xx;
       result.z_step = z - at.z;
       result.is_peak = abs(x) <= abs(xx);
+      result.curvature = -xx;
       return result;
     }
     const R zz = f[1][2] - 2 * f[1][1] + f[1][0];
@@ -156,6 +158,7 @@ class Maximum {
     result.x_step = -h * (zz * x - xz * zd) / determinant;
     result.z_step = -h * (xx * zd - xz * x) / determinant;
     result.is_peak = abs(result.x_step) <= h && abs(result.z_step) <= h;
+    result.curvature = 2 * determinant / (sqrt((xx - zz) * (xx - zz) + 4 * xz * xz) - xx - zz);
     return result;
   }
 
@@ -193,13 +196,25 @@ std::optional<LargestStress<R>> largest_stress(const InteriorStress<R>& stress, 
   if (!stress.traction().elasticity().half_space() || panels.empty()) return std::nullopt;
   const R width = panels.back().right - panels.front().left;
   const R least = std::max(depth, R(width * R(1e-30)));
-  const Place<R> best = Maximum<R>(stress, least).highest();
+  const std::vector<Place<R>> maxima = Maximum<R>(stress, least).highest();
+  const Place<R>& best = maxima.front();
   StressState<R> state;
   stress.at(std::span(&best.x, 1), std::span(&best.z, 1), std::span(&state, 1));
-  const R error = best.scale + epsilon<R>() * abs(best.x);
-  const bool at_least = best.z == least;
-  return LargestStress<R>{
-      depth, *state.von_mises(), {best.x, error}, {at_least ? depth : best.z, at_least ? R(0) : error}};
+  const Estimate<R> von_mises = *state.von_mises();
+  // What is wrong with the stress varies as fast as the stress itself: its slope moves the maximum.
+  const R moved = best.curvature > 0 ? R(von_mises.error / best.curvature) : R(0);
+  Estimate<R> x{best.x, best.scale + moved + epsilon<R>() * abs(best.x)};
+  Estimate<R> z{best.z, best.z == least ? R(0) : x.error};
+  if (best.z == least) z.value = depth;
+  // Another maximum may be the largest one, unless both are equal: then the place is that of one of them.
+  for (const Place<R>& other : maxima) {
+    const R less = best.value - other.value;
+    if (less <= 256 * epsilon<R>() * best.value || less > 2 * von_mises.error) continue;
+    x.error = std::max(x.error, R(abs(other.x - best.x)));
+    z.error = std::max(z.error, R(abs(other.z - best.z)));
+  }
+  x.error = std::min(x.error, width);
+  return LargestStress<R>{depth, von_mises, x, z};
 }
 
 #define STEADYSLIDE_INSTANTIATE(R)                                               \

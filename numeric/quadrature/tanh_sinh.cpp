@@ -47,8 +47,8 @@ Estimate<R> power_integral(const R& h, const Power<R>& power, const G& g) {
   const R factor = pow(h, power.plus_one) * inverse;
   if (power.plus_one < R(0.01)) {
     // In the variable below all that g does lies within 1 + lambda of 1: so little of the integral that two levels agree
-    // before they have seen it. Here it is a small integral of its own.
-    const R limit = g(R(0));
+    // before they have seen it. Here it is a small integral of its own. At the end itself a density may leave a term out.
+    const R limit = g(h * epsilon<R>() * epsilon<R>());
     const Estimate<R> rest = unit_integral<R>([&](const R& v) { return pow(v, power.value) * (g(h * v) - limit); });
     return factor * (Estimate<R>{limit, R(0)}.widened(16 * epsilon<R>()) + power.plus_one * rest);
   }

@@ -111,10 +111,22 @@ std::vector<R> PiecewiseTraction<R>::chebyshev_series(const std::vector<R>& valu
 
 template <Real R>
 void PiecewiseTraction<R>::add(const SurfacePlace<R>& left, const SurfacePlace<R>& right, const R& length,
-                               const R& traction, const R& shear_ratio, const R& error) {
+                               const R& traction, const R& shear_ratio, const R& error, const R& force_error,
+                               const R& shift) {
   segments_.push_back(panels_.size());
-  panels_.push_back(
-      {left, right, length, std::nullopt, {R(0), R(1)}, legendre_, coefficients_.size(), 1, shear_ratio, error, R(0)});
+  panels_.push_back({left,
+                     right,
+                     length,
+                     std::nullopt,
+                     {R(0), R(1)},
+                     legendre_,
+                     coefficients_.size(),
+                     1,
+                     shear_ratio,
+                     error,
+                     force_error,
+                     shift,
+                     R(0)});
   coefficients_.push_back(traction);
 }
 
@@ -200,6 +212,8 @@ void PiecewiseTraction<R>::add_panel(const TractionSegment<R>& segment, const Gr
                          values.size(),
                          segment.shear_ratio,
                          error,
+                         error,
+                         R(0),
                          end_error};
   if (is_power) panel.rule = &rules_->get(power, {R(0), R(1)}, rule_size_);
   // Without a power y counts from the left.

@@ -47,6 +47,8 @@ struct TractionPanel {
   std::size_t count;
   R shear_ratio;  ///< r
   R error;        ///< of t over the panel, estimated, relative
+  R force_error;  ///< as places see it that are at least its length away: of the force on it,
+  R shift;        ///< and by how much that may be displaced, a length
   R end_error;    ///< by how much its singular end may be displaced, estimated; 0 where it cannot be
 
   /// What a displaced end changes of the force at these distances from the ends of a part, relative, estimated, as a function
@@ -101,7 +103,7 @@ class PiecewiseTraction {
   void add(const TractionSegment<R>& segment);
   /// A cell with a constant traction.
   void add(const SurfacePlace<R>& left, const SurfacePlace<R>& right, const R& length, const R& traction,
-           const R& shear_ratio, const R& error);
+           const R& shear_ratio, const R& error, const R& force_error, const R& shift);
 
   const Elasticity& elasticity() const { return elasticity_; }
   const std::vector<TractionPanel<R>>& panels() const { return panels_; }

@@ -62,17 +62,6 @@ std::vector<Bin> gathered(const Cells& cells, double place, std::span<const Side
   return result;
 }
 
-/// Median, and largest less smallest value. Stalled where more than a third are no numbers.
-Estimate<double> summary(std::vector<double> values) {
-  const std::size_t asked = values.size();
-  std::erase_if(values, [](double value) { return !std::isfinite(value); });
-  if (values.size() < 3 || 3 * values.size() < 2 * asked) {
-    return {nan, std::numeric_limits<double>::infinity(), Convergence::stalled};
-  }
-  std::sort(values.begin(), values.end());
-  return {values[values.size() / 2], values.back() - values.front(), Convergence::reached};
-}
-
 /// About a free end's own place the first pole vanishes: Newton's step for it from x, where c_-1/(lambda c_0) is
 /// `step`; it leaves the step's square. Stays within two cells of `start`.
 Estimate<double> moved_place(const Cells& cells, double start, Side side, double x, const Estimate<double>& step) {
@@ -174,7 +163,7 @@ class Fits {
   Estimate<double> summary(const F& value) const {
     std::vector<double> values;
     for (const SeriesFit& fit : fits_) values.push_back(value(fit));
-    return variational::summary(std::move(values));
+    return of_family(std::move(values));
   }
 
  private:
@@ -186,10 +175,22 @@ double remainder(const SeriesFit& fit) { return fit.remainder; }
 
 }  // namespace
 
+Estimate<double> of_family(std::vector<double> values, std::vector<double> deviations) {
+  const std::size_t asked = values.size();
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  if (values.size() < 3 || 3 * values.size() < 2 * asked) {
+    return {nan, std::numeric_limits<double>::infinity(), Convergence::stalled};
+  }
+  std::sort(values.begin(), values.end());
+  Estimate<double> result{values[values.size() / 2], values.back() - values.front(), Convergence::reached};
+  if (!deviations.empty()) result.error += of_family(std::move(deviations)).value;
+  return result;
+}
+
 FittedExponent fitted_exponent(const Cells& cells, const LocalPlace& place, Side side, int remainder, PlaceIs known) {
   const Side sides[] = {side};
   const std::vector<FamilyMember> members = family(cells, place, sides, remainder >= 0);
-  FittedExponent result{summary({}), {place.x, 0}};
+  FittedExponent result{of_family({}), {place.x, 0}};
   if (members.empty()) return result;
 
   const double cell = cell_length(cells, place.x, side);
@@ -209,12 +210,11 @@ FittedExponent fitted_exponent(const Cells& cells, const LocalPlace& place, Side
       deviations.push_back(best.deviation(lambda));
       steps.push_back(fit.first_pole / (lambda * fit.amplitude));
     }
-    result.exponent = summary(exponents);
+    result.exponent = of_family(exponents, deviations);
     if (result.exponent.convergence == Convergence::stalled) break;
-    result.exponent.error += summary(deviations).value;
     about = result.exponent.value;
     if (known == PlaceIs::to_one_cell) {
-      result.place = moved_place(cells, place.x, side, result.place.value, summary(steps));
+      result.place = moved_place(cells, place.x, side, result.place.value, of_family(steps));
     }
   }
   return result;

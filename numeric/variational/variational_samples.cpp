@@ -119,13 +119,22 @@ PiecewiseTraction<double> VariationalSolution::piecewise_traction() const {
     for (std::size_t i = run.begin; i < run.end; ++i) {
       // Cut where the friction jumps.
       const Estimate<double> t = traction(i);
-      const double error = t.value == 0 ? 0 : t.error / std::abs(t.value);
+      const double size = std::abs(t.value);
+      const double error = size == 0 ? 0 : t.error / size;
+      // What the coarser mesh has on the other side of a place is a load that is displaced; from end to end of a gap that
+      // is a force. Of what varies within a cell the sum is 0.
+      const auto displaced = [&](double xi) { return size == 0 ? 0 : load_before(xi).error / size; };
+      double force_error = 0;
+      if (i == run.begin) force_error += displaced(mesh().left(i)) / cell_length();
+      if (i + 1 == run.end) force_error += displaced(mesh().right(i)) / cell_length();
+      const double shift = std::max(displaced(mesh().left(i)), displaced(mesh().right(i))) + error * cell_length() / 6;
       double left = mesh().left(i);
       const auto place_of = [&](double xi) { return middle.moved(unit_ * xi); };
       const auto add = [&](double to) {
         if (to <= left) return;
         result.add(place_of(left), place_of(to), unit_ * (to - left), t.value,
-                   to_real<double>(problem_.shear_ratio(piece)), error + 16 * epsilon<double>());
+                   to_real<double>(problem_.shear_ratio(piece)), error + 16 * epsilon<double>(),
+                   force_error + 16 * epsilon<double>(), shift);
         left = to;
       };
       for (; piece < jumps.size() && mesh().place(jumps[piece]) < mesh().right(i); ++piece)

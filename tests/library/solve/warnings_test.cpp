@@ -2,6 +2,7 @@
 
 #include "library/solve/warnings.hpp"
 #include "library/solve/failed_condition.hpp"
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "support/made_up_solution.hpp"
 #include "support/test.hpp"
 
@@ -78,4 +79,26 @@ TEST_CASE("gaps that may be none are named, three of them") {
   REQUIRE(lines.size() == 1);
   CHECK(lines[0].starts_with("gaps inside the contact may be none; "));
   CHECK(lines[0].ends_with("; x = -0.5 to -0.375, x = 0 to 0.125, x = 0.25 to 0.375 and 1 more"));
+}
+
+TEST_CASE("a gap over a notch is warned of, unless the notch is what coefficients have been rounded by") {
+  const auto told = [](const Rational& kink, const Rational& place) {
+    const Polynomial left({0, 0.1_r, 1});
+    const Polynomial right = left + Polynomial({-place, 1}) * Polynomial::constant(kink);
+    const Problem problem{ContactProblem(Elasticity::reduced(0.5_r), FrictionProfile({0.6_r}),
+                                         Indenter(-1, {{place, left}, {1, right}}), 1),
+                          "bump.toml", std::nullopt};
+    const auto solution = riemann_hilbert<double>(problem.contact).solution;
+    REQUIRE(solution->failed_condition() == "");
+    REQUIRE(solution->unresolved_gaps().size() == 1U);
+    return warnings(problem, *solution);
+  };
+  for (const Rational& place : {0_r, 0.125_r}) {
+    // Slopes of 0.1 + 2 x on both sides, 2^-49 of them together.
+    const Rational least = 2 * (0.1_r + 2 * place) / (Integer(1) << 49);
+    CHECK(told(-least * 0.9_r, place).empty());
+    const std::vector<std::string> lines = told(-least * 1.1_r, place);
+    REQUIRE(lines.size() == 1U);
+    CHECK(lines.front().find("gaps over notches") == 0U);
+  }
 }

@@ -45,8 +45,8 @@ TEST_CASE("digits that the error does not support are not printed") {
   // A value, its error, the digits asked for, what is written; with an infinite error a value is not known.
   for (const std::string& row : words(
            "1.23456789:0:16:1.23456789 1.23456789:3e-5:16:1.2346 1.23456789:1e-4:16:1.2346 1.23456789:1.1e-4:16:1.235 "
-           "1.23456789:1e-4:3:1.23 3:2:16:3 1e-17:1e-16:16:0 1.5:nan:16: -inf:0:16:-inf 1.5:inf:16: 0:inf:16: "
-           "1.5:1e300:16:0 -inf:inf:16:-inf")) {
+           "1.23456789:1e-4:3:1.23 3:2:16:3 0:0:16:0 1.5:nan:16: -inf:0:16:-inf 1.5:inf:16: 0:inf:16: "
+           "-inf:inf:16:-inf")) {
     CAPTURE(row);
     const std::size_t error = row.find(':') + 1, digits = row.find(':', error) + 1, last = row.rfind(':') + 1;
     const Estimate<double> estimate{std::stod(row), std::stod(row.substr(error))};
@@ -54,6 +54,29 @@ TEST_CASE("digits that the error does not support are not printed") {
   }
   CHECK(format_number(Estimate<Real50>{Real50(1) / 3, Real50("1e-40")}, 50) == "0." + std::string(40, '3'));
   CHECK(format_number(Estimate<Real50>{1, numeric::infinity<Real50>()}, 50) == "");
+}
+
+TEST_CASE("a value that does not exceed its error has it beside it, rounded where the error is; 0 alone is exact") {
+  const auto text = [](double value, double error) { return format_number(Estimate<double>{value, error}, 16); };
+  CHECK(text(76.278, 110) == "80 +/- 120");
+  CHECK(text(-0.0042, 0.0078) == "-0.0042 +/- 0.0078");
+  CHECK(text(1e-17, 1e-13) == "0 +/- 1.1e-13");
+  CHECK(text(1.5, 1e300) == "0 +/- 1.1e300");
+  CHECK(text(2, 2) == "2 +/- 2");
+  CHECK(text(0, 3e-16) == "0 +/- 3e-16");
+  CHECK(text(0, 0) == "0");
+  CHECK(format_number(Estimate<Real50>{Real50("1e-60"), Real50("3e-57")}, 50) == "0 +/- 3.1e-57");
+  REQUIRE(rc::check([](std::uint16_t value, std::uint16_t error) {
+    const double v = value / 256., e = v + error / 64.;
+    const std::string text = format_number(Estimate<double>{v, e}, 16);
+    const std::size_t sign = text.find(" +/- ");
+    if (e == 0) return;
+    RC_ASSERT(sign != text.npos);
+    // All that the estimate allows for is within what the text says.
+    const Rational said = parse_rational(text.substr(0, sign)), most = parse_rational(text.substr(sign + 5));
+    RC_ASSERT(abs(said - Rational(v)) + Rational(e) <= most);
+    RC_ASSERT(most <= Rational(e) * 5 / 4);
+  }));
 }
 
 TEST_CASE("17 digits bring any double back") {
@@ -86,10 +109,8 @@ TEST_CASE("an estimate for a person and for a file") {
   const NumberText text = number_text(Estimate<double>{0.123456789, 2.34e-3}, 16);
   CHECK(text.shown == "0.12");
   CHECK(text.value == "0.123456789");
-  CHECK(text.error == "0.0023");
-  // What a person reads as 0 is a number with an error in a file.
-  CHECK(number_text(Estimate<double>{1e-17, 1e-16}, 16).shown == "0");
-  CHECK(number_text(Estimate<double>{1e-17, 1e-16}, 16).value == "1e-17");
+  CHECK(text.error == "0.0024");
+  CHECK(number_text(Estimate<double>{1e-17, 1e-13}, 16).value == "1e-17");
   const NumberText blow_up = number_text(Estimate<double>{-infinite, 0}, 16);
   CHECK(blow_up.value == "-inf");
   CHECK(blow_up.error == "0");
@@ -97,6 +118,27 @@ TEST_CASE("an estimate for a person and for a file") {
     const NumberText unknown = number_text(Estimate<double>{1.5, error}, 16);
     CHECK(unknown.shown + unknown.value + unknown.error == "");
   }
+}
+
+TEST_CASE("an estimated error counts what its value is rounded by") {
+  CHECK(number_text(Estimate<double>{2. / 3, 1e-17}, 3).error == "0.00034");
+  CHECK(number_text(Estimate<double>{0.5, 0}, 3).error == "0");
+  CHECK(number_text(Estimate<double>{2. / 3, 1e-16}, 16).error == "1e-16");  // the text is the double
+  CHECK(number_text(Estimate<Real50>{Real50(2) / 3, Real50("1e-56")}, 25).error == "3.4e-26");
+  // The double is further away than 16 digits are.
+  CHECK(number_text(Estimate<Real50>{Real50(2) / 3, Real50("1e-56")}, 16).error == "6.7e-17");
+  // As a reader of the type has the text.
+  const auto covers = []<numeric::Real R>(const R& value, const R& error, int digits) {
+    const NumberText text = number_text(Estimate<R>{value, error}, digits);
+    const auto read = [](const std::string& decimal) { return numeric::to_real<R>(parse_rational(decimal)); };
+    const Rational off = abs(Rational(read(text.value)) - Rational(value)) + Rational(error);
+    return off <= parse_rational(text.error) && parse_rational(text.error) <= off * 11 / 10;
+  };
+  REQUIRE(rc::check([&](std::uint32_t n, std::uint16_t e) {
+    const int digits = 2 + static_cast<int>(n % 15);
+    RC_ASSERT(covers((n + 1.) / 7, e / 65536. / (n + 1.), digits));
+    RC_ASSERT(covers(Real50(Real50(n) + 1) / 7, Real50(Real50(e) / (Real50(n) + 1) / Real50("1e30")), digits + 34));
+  }));
 }
 
 TEST_CASE("a formatted number differs from the value by half a unit of its last digit at most") {

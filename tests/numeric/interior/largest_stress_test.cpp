@@ -7,6 +7,7 @@
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/interior/interior_stress_problems.hpp"
 #include "numeric/variational/variational_inequality.hpp"
+#include "numeric/variational/variational_solution.hpp"
 
 using namespace steadyslide::numeric::stress_test;
 
@@ -106,6 +107,56 @@ TEST_CASE("no place has more: jumps, strong friction, a punch below its least de
   }
   // Strong friction has it at the surface.
   CHECK(largest_stress<double>(InteriorStress<double>(*cases[1].solution), 0)->z.value == 0);
+}
+
+TEST_CASE("on cells: how far stresses and the place of the largest one are from those of the exact traction") {
+  std::mt19937 random(32);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<double> too_large;
+  double furthest = 0;
+  for (const ContactProblem& problem : {parabola(), jumps(), jumps(Sliding::minus_x), corners(), punch(),
+                                        parabola_under(FrictionProfile({0.5_r, 0.2_r}, {0.1_r}), 0.48_r)}) {
+    const auto truth = riemann_hilbert<double>(problem).solution;
+    const InteriorStress<double> exact(*truth);
+    const double left = truth->contact().front().left.x.value;
+    const double width = truth->contact().back().right.x.value - left;
+    for (const std::size_t cells : {512, 4096}) {
+      CAPTURE(cells);
+      VariationalOptions options;
+      options.cells = cells;
+      const auto found = variational_inequality(problem, options).solution;
+      const InteriorStress<double> interior(*found);
+      const double cell = dynamic_cast<const VariationalSolution&>(*found).cell_length();
+      for (int i = 0; i < 200; ++i) {
+        // From a cell's length to the contact's.
+        const Rational x(left + width * (1.4 * unit(random) - 0.2));
+        const Rational z(cell * std::pow(width / cell, unit(random)));
+        const Estimate<double> here = *interior.at(x, z).von_mises(), there = *exact.at(x, z).von_mises();
+        const double off = std::abs(here.value - there.value);
+        CAPTURE(to_string(x));
+        CAPTURE(to_string(z));
+        CHECK(off <= here.error);
+        too_large.push_back(here.error / off);
+      }
+      const double depth = width / 20;
+      const auto largest = largest_stress<double>(interior, depth), of_exact = largest_stress<double>(exact, depth);
+      CAPTURE(largest->x.value);
+      CHECK(std::abs(largest->von_mises.value - of_exact->von_mises.value) <= largest->von_mises.error);
+      // Where two maxima are almost equal the other one may be the largest.
+      const double there = exact.at(Rational(largest->x.value), Rational(largest->z.value)).von_mises()->value;
+      CHECK(there >= of_exact->von_mises.value - 2 * largest->von_mises.error);
+      if (std::abs(largest->x.value - of_exact->x.value) > 0.3 * width) continue;
+      CHECK(std::abs(largest->x.value - of_exact->x.value) <= largest->x.error);
+      CHECK(std::abs(largest->z.value - of_exact->z.value) <= largest->z.error);
+      CHECK(largest->x.error <= (cells == 512 ? 1 : 0.8) * width);
+      furthest = std::max(furthest, std::abs(largest->x.value - of_exact->x.value));
+    }
+  }
+  CHECK(furthest > 1e-6);
+  std::ranges::nth_element(too_large, too_large.begin() + static_cast<std::ptrdiff_t>(too_large.size() / 2));
+  const double median = too_large[too_large.size() / 2];
+  CAPTURE(median);
+  CHECK(median < 500);
 }
 
 TEST_CASE("without Poisson's ratio there is none") {

@@ -86,6 +86,8 @@ class Displaced {
     return count_;
   }
 
+  const RiemannHilbertSolution<double>& found() const { return found_; }
+
  private:
   /// Without its residuals: at 50 digits they cost more than all else.
   template <Real R>
@@ -146,6 +148,23 @@ TEST_CASE("free ends: what they are off by is covered by every estimate") {
       CAPTURE(pattern);
       Displaced displaced(problem, pattern, 1e-8);
       CHECK(displaced.uncovered() == 0);
+    }
+  }
+}
+
+TEST_CASE("free ends: what they do to u' is in the error of u_t', f u' and more") {
+  for (const ContactProblem& problem : with_free_ends()) {
+    const Displaced displaced(problem, 1, 1e-8);
+    // The support's ends, places in gaps, in contact and beside the support.
+    for (const char* x : {"-1", "1", "-0.97", "0.93", "0.31", "-1.2", "1.3"}) {
+      CAPTURE(x);
+      const DetailedSample<double> there = displaced.found().details_at(parse_rational(x));
+      if (there.traction.left.value == 0) CHECK(there.slope.left.error > 1e-10);
+      const std::vector<Rational>& f = problem.friction().values();
+      const double least =
+          to_real<double>(*std::min_element(f.begin(), f.end())) * there.slope.left.error * (1 - 1e-12);
+      CHECK(there.shear_slope.left.error >= least);
+      CHECK(there.shear_slope.right.error >= least);
     }
   }
 }

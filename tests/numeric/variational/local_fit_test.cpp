@@ -248,6 +248,33 @@ TEST_CASE("bars grow with errors that no series follows") {
   }
 }
 
+TEST_CASE("noise that the fits of a family share is in the bar: how often it misses the exponent") {
+  std::mt19937 generator(32);
+  std::uniform_real_distribution<double> sign(-1, 1);
+  int told = 0, missed = 0;
+  for (int draw = 0; draw < 60; ++draw) {
+    const double lambda = 0.4 * sign(generator);
+    CellMeans noisy{{0}, {}, 1};
+    for (int i = 0; i < 250; ++i) {
+      noisy.edges.push_back(i + 1);
+      const double mean = (std::pow(i + 1, lambda + 1) - std::pow(i, lambda + 1)) / (lambda + 1);
+      noisy.mean.push_back(-mean * (1 + 1e-9 * sign(generator)));
+    }
+    const LocalPlace place{0, std::numeric_limits<double>::infinity(), 200};
+    const Estimate<double> found = fitted_exponent(noisy.cells(), place, Side::right, 0).exponent;
+    if (!std::isfinite(found.error)) continue;
+    ++told;
+    if (std::abs(found.value - lambda) > found.error) ++missed;
+  }
+  CHECK(told > 50);
+  // Of spreads alone 7 miss.
+  CHECK(missed <= 3);
+  // What fits that agree but for noise say.
+  const Estimate<double> agreed = of_family({1, 1, 1.5, 1}, {0.5, 0.25, 0.25, 0.25});
+  CHECK(agreed.value == 1);
+  CHECK(agreed.error == 0.75);
+}
+
 TEST_CASE("cells too few for the family say so") {
   const Named named = problems()[5];
   const SolvedCells solution = with_cells(named.problem, 128);
