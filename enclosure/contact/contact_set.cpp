@@ -39,7 +39,10 @@ std::string ContactTopology::fault(const ReducedProblem& problem) const {
       return "the anchors are not met one after the other";
     }
     if (point.kind == Kind::interior && point.vanishes) return "a point that is no end vanishes";
-    if (point.kind == Kind::interior) continue;
+    if (point.kind == Kind::interior) {
+      if (contact && problem.anchors[point.anchor].step != 0) return "contact over a step of the profile";
+      continue;
+    }
     if (contact == (point.kind == Kind::begins)) return "contact does not begin and end in turns";
     contact = !contact;
     any = true;

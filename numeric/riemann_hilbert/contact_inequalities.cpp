@@ -161,6 +161,12 @@ class Inspection {
     };
     for (std::size_t k = first; k < end; ++k) {
       decide(k);
+      if (k > first && set_.is_at_step(k)) {
+        // Slopes do not show it: the surface would have to jump.
+        const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(k), {set_.x(k), R(0), set_.length(k)}};
+        found_.push_back({What::step, at, at, set_.point(k).anchor});
+        open_ = false;
+      }
       std::vector<Value> values;
       for (const SurfacePoint<R>& at : places(set_, k))
         values.push_back({at, form_.regular_factor(form_.slope_at(k), at)});

@@ -1,5 +1,6 @@
 #pragma once
-// What Newton's method does not know: t <= 0 throughout the contact, gap >= 0 throughout the rest.
+// What Newton's method does not know: t <= 0 throughout the contact, no step of the profile in it, gap >= 0 throughout
+// the rest.
 
 #include <optional>
 #include <vector>
@@ -11,10 +12,10 @@ namespace steadyslide::numeric {
 /// A stretch where an inequality fails.
 template <Real R>
 struct Violation {
-  enum class What { tension, penetration } what;
+  enum class What { tension, step, penetration } what;
   SurfacePoint<R> from;
   SurfacePoint<R> to;
-  /// Tension: an anchor within the stretch whose leading term pulls.
+  /// Tension: an anchor within the stretch whose leading term pulls. Step: its anchor.
   std::optional<std::size_t> anchor = std::nullopt;
   std::optional<R> log_reach = std::nullopt;  ///< how far the leading term pulls there (local_signs.hpp)
 };

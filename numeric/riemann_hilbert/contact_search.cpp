@@ -46,7 +46,7 @@ class Search {
           }
           why = in_words(form, found, newton.step);
           before_gap_.reset();
-          if (std::ranges::any_of(found, [](const Violation<R>& v) { return v.anchor.has_value(); })) {
+          if (std::ranges::any_of(found, [](const Violation<R>& v) { return v.what == What::tension && v.anchor; })) {
             before_gap_ = result(why, newton.step);
           }
           if (round + 1 == max_rounds || !repair(found)) return failure(why, newton.step);
@@ -77,6 +77,8 @@ class Search {
                               const R& end_error) {
     for (const Violation<R>& v : found) {
       if (!v.anchor) continue;
+      if (v.what == What::step)
+        return "contact over a step of the profile at x = " + to_string(form.problem().place(*v.anchor));
       const std::size_t j = form.set().point_of(*v.anchor);
       return numeric::in_words(form, j, *leading_term(form, j, end_error));
     }
@@ -210,6 +212,8 @@ class Search {
       const Violation<R>& v = found[i];
       if (v.what == What::penetration) {
         add_component(set, v);
+      } else if (v.what == What::step) {
+        open_beside_step(set, *v.anchor);
       } else if (!remove_contact(set, v)) {
         return false;
       }
@@ -249,6 +253,16 @@ class Search {
     if (set.point(j).is_end() || !(reach < R(0.05) * std::min(left, right))) return false;
     set.open({j - 1, left - reach, reach}, {j, reach, right - reach});
     return true;
+  }
+
+  /// A gap beside a step, on the side that recedes; on the other one contact ends at the step.
+  void open_beside_step(Set& set, std::size_t anchor) {
+    const std::size_t j = set.point_of(anchor);
+    const bool left_recedes = problem_.edge_possible(End::left, anchor);
+    const R left = set.length(j - 1) / 2;
+    const R right = set.length(j) / 2;
+    set.open({j - 1, left, left}, {j, right, right});
+    set.attach_to_anchor(left_recedes ? j + 2 : j, left_recedes ? Side::left : Side::right, false);
   }
 
   bool remove_contact(Set& set, const Violation<R>& v) {

@@ -231,6 +231,20 @@ TEST_CASE("a gap that grows from the contact's end on is not positive beyond a s
   }
 }
 
+TEST_CASE("no contact over a step of the profile is proved") {
+  // Flat but for a step beside which friction jumps: slopes and tractions of full contact do not show it.
+  const auto punch = [](const Rational& step) {
+    const Indenter indenter(-1, {{0.25_r, Polynomial({0})}, {1, Polynomial({step})}});
+    return reduced({0.1_r, 0.3_r}, {0.2500001_r}, indenter, 1);
+  };
+  CHECK(prove_contact(punch(0), everywhere, 16).proved);
+  for (const Rational& step : {1e-9_r, -1e-9_r}) {
+    const ContactProof proof = prove_contact(punch(step), everywhere, 16);
+    CHECK_FALSE(proof.proved);
+    CHECK(proof.reason == "contact over a step of the profile");
+  }
+}
+
 TEST_CASE("closed forms are proved: punches with jumps, parabolas over jumps") {
   for (const ContactProblem& problem : {reduced({0.1_r, 0.5_r, 0.2_r}, {-0.3_r, 0.4_r}, one_piece(-1, 1, {}), 1),
                                         reduced({0.1_r, 0.6_r}, {0}, one_piece(-1, 1, {0, 0, 2.5_r}), 1)}) {

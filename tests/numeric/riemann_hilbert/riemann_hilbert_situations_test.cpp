@@ -43,6 +43,26 @@ TEST_CASE("two components merge") {
   solved<Real50>(sloped_wells(0, 4));
 }
 
+TEST_CASE("contact does not cover a step beside a jump, however near") {
+  // Two slopes with a small step at 14/25, lower on its right; friction jumps there, or a little beside it.
+  const auto problem = [](const Rational& step, const Rational& jump) {
+    const Indenter indenter(
+        -1, {{0.56_r, Polynomial({-0.860781_r, -0.860781_r})}, {1, Polynomial({-1.396619128_r - step, 0.0960728_r})}});
+    return reduced({0.04_r, 0.06_r}, {jump}, indenter, 0.0772279_r, std::nullopt, Sliding::minus_x);
+  };
+  for (const Rational& step : {2e-9_r, 4e-4_r}) {
+    const auto at_step = solved<double>(problem(step, 0.56_r));
+    REQUIRE(at_step->contact().size() == 2U);
+    const Estimate<double> friction = at_step->resultants().effective_friction;
+    for (const Rational& beside : {5e-17_r, -5e-17_r, 1e-15_r, -1e-13_r, 1e-11_r}) {
+      CAPTURE(to_string(beside));
+      const auto found = solved<double>(problem(step, Rational(0.56_r + beside)));
+      CHECK(found->contact().size() == 2U);
+      CHECK(found->resultants().effective_friction.value == doctest::Approx(friction.value).epsilon(1e-7));
+    }
+  }
+}
+
 TEST_CASE("contact grows across a jump and a wedge or a step in the same place") {
   const Polynomial square({0, 0, 1}), steeper({-1, 1, 1}), flatter({0, 1}), higher({0.5_r, 0, 1}),
       lower({-0.5_r, 0, 1});
