@@ -123,7 +123,8 @@ class Decision {
     Ball range;   ///< what it changes by up to any place of the cell lies between 0 and this
   };
 
-  std::int64_t work_of_cell() const { return (form_.count() + 1) * form_.work_of_place(); }
+  /// Over an interval no expansion takes the place of the nodes, and each of them is a division.
+  std::int64_t work_of_cell() const { return 4 * (form_.count() + 1) * form_.work_of_place(); }
 
   Cell cell(const Half& half, const Interval& d) {
     ++result_.intervals;

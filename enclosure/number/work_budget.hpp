@@ -9,8 +9,8 @@ namespace steadyslide::enclosure {
 
 class WorkBudget {
  public:
-  /// Of one proof: it is spent in some ten seconds. Proofs that succeed take a hundredth of it as a rule.
-  static constexpr std::int64_t usual = 1'000'000'000;
+  /// Of one proof: it is spent in ten to thirty seconds. Proofs that succeed take a hundredth of it as a rule.
+  static constexpr std::int64_t usual = 500'000'000;
 
   explicit WorkBudget(std::int64_t most = usual) : left_(most) {}
 
