@@ -90,19 +90,6 @@ std::string gaps_unresolved(std::vector<numeric::UnresolvedGap<R>> gaps, const I
          named;
 }
 
-template <Real R>
-std::string gaps_in_doubt(const std::vector<numeric::DoubtfulGap<R>>& gaps) {
-  if (gaps.empty()) return "";
-  constexpr std::size_t most_named = 3;
-  std::string named;
-  for (std::size_t k = 0; k < std::min(gaps.size(), most_named); ++k) {
-    named += fmt::format("{}x = {:.6g} to {:.6g}", k == 0 ? "" : ", ", static_cast<double>(gaps[k].left),
-                         static_cast<double>(gaps[k].right));
-  }
-  if (gaps.size() > most_named) named += fmt::format(" and {} more", gaps.size() - most_named);
-  return "gaps inside the contact may be none; forces do not depend on them, more cells tell; " + named;
-}
-
 }  // namespace
 
 template <Real R>
@@ -116,7 +103,6 @@ std::vector<std::string> warnings(const Problem& problem, const numeric::Contact
   }
   std::string unresolved = gaps_unresolved(solution.unresolved_gaps(), problem.contact.indenter());
   if (!unresolved.empty()) result.push_back(std::move(unresolved));
-  if (std::string line = gaps_in_doubt(solution.doubtful_gaps()); !line.empty()) result.push_back(std::move(line));
   if (!problem.measured) return result;
   const std::vector<ContactComponent<R>> contact = solution.contact();
   for (const std::string& line : {cut_end(contact), sliver_only(problem.contact.indenter(), contact)}) {

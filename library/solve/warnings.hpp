@@ -14,8 +14,8 @@ namespace steadyslide::library {
 inline constexpr const char* estimated_error_warning = "large estimated error";
 
 /// Estimated errors above 10 %; gaps over notches that are shown as contact, unless the notch is no more than rounding: a
-/// jump of the slope of at most 2^-49 sum_k k (|a_k| + |b_k|) |x|^(k-1), a_k and b_k the coefficients on both sides; gaps that
-/// may be none; contact that reaches the cut end of a trace;
+/// jump of the slope of at most 2^-49 sum_k k (|a_k| + |b_k|) |x|^(k-1), a_k and b_k the coefficients on both sides; contact
+/// that reaches the cut end of a trace;
 /// contact of a trace within the last 1 % of the support alone. One line each, "what; the rule; the value".
 template <numeric::Real R>
 std::vector<std::string> warnings(const Problem& problem, const numeric::ContactSolution<R>& solution);

@@ -7,13 +7,11 @@ namespace steadyslide::testing {
 /// A solution of nothing but what it shows.
 struct MadeUp : numeric::ContactSolution<double> {
   std::vector<numeric::ContactComponent<double>> shown_contact;
-  std::vector<numeric::DoubtfulGap<double>> shown_doubtful_gaps;
   numeric::EstimatedError<double> shown_error{};
   numeric::Residuals<double> shown_residuals{};
 
   std::string method() const override { return "none"; }
   std::vector<numeric::ContactComponent<double>> contact() const override { return shown_contact; }
-  std::vector<numeric::DoubtfulGap<double>> doubtful_gaps() const override { return shown_doubtful_gaps; }
   std::vector<numeric::SolvedSingularPoint<double>> singular_points() const override { return {}; }
   numeric::Resultants<double> resultants() const override { return {}; }
   numeric::LargestPressure<double> largest_pressure() const override { return {}; }

@@ -71,16 +71,6 @@ TEST_CASE("contact at the cut end of a trace, and contact nowhere else") {
   CHECK(count(both) == 1);
 }
 
-TEST_CASE("gaps that may be none are named, three of them") {
-  MadeUp shown;
-  CHECK(count(shown, false) == 0);
-  for (const double x : {-0.5, 0.0, 0.25, 0.5}) shown.shown_doubtful_gaps.push_back({x, x + 0.125});
-  const std::vector<std::string> lines = warnings(punch(false), shown);
-  REQUIRE(lines.size() == 1);
-  CHECK(lines[0].starts_with("gaps inside the contact may be none; "));
-  CHECK(lines[0].ends_with("; x = -0.5 to -0.375, x = 0 to 0.125, x = 0.25 to 0.375 and 1 more"));
-}
-
 TEST_CASE("a gap over a notch is warned of, unless the notch is what coefficients have been rounded by") {
   const auto told = [](const Rational& kink, const Rational& place) {
     const Polynomial left({0, 0.1_r, 1});
