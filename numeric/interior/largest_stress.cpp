@@ -35,7 +35,8 @@ class Maximum {
       if (std::ranges::none_of(starts, is_near)) starts.push_back(place);
       if (starts.size() == most) break;
     }
-    std::ranges::transform(starts, starts.begin(), [this](const Place<R>& start) { return climbed(start); });
+    std::transform(starts.begin(), starts.end(), starts.begin(),
+                   [this](const Place<R>& start) { return climbed(start); });
     std::ranges::stable_sort(starts, [](const Place<R>& a, const Place<R>& b) { return a.value > b.value; });
     return starts;
   }

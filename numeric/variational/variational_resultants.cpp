@@ -126,7 +126,7 @@ Resultants<double> VariationalSolution::resultants() const {
   for (const Run& run : runs_) {
     const double part = load_in_doubt(run);
     const double middle = (mesh().left(run.begin) + mesh().right(run.end - 1)) / 2;
-    const auto piece = static_cast<std::size_t>(std::ranges::upper_bound(jumps, middle) - jumps.begin());
+    const auto piece = static_cast<std::size_t>(std::upper_bound(jumps.begin(), jumps.end(), middle) - jumps.begin());
     in_zones[piece] += part * part;
     in_all_zones += part * part;
     friction_in_zones += std::pow(part * (f[piece] - mu.value), 2);

@@ -123,7 +123,10 @@ PiecewiseTraction<double> VariationalSolution::piecewise_traction() const {
       const double error = size == 0 ? 0 : t.error / size;
       // What the coarser mesh has on the other side of a place is a load that is displaced; from end to end of a gap that
       // is a force. Of what varies within a cell the sum is 0.
-      const auto displaced = [&](double xi) { return size == 0 ? 0 : load_before(xi).error / size; };
+      const auto displaced = [&](double xi) {
+        const double moved = std::abs(meshes_[0].before_place(xi) - meshes_[1].before_place(xi)) + 1e-15;
+        return size == 0 ? 0 : to_real<double>(problem_.load()) * moved / size;
+      };
       double force_error = 0;
       if (i == run.begin) force_error += displaced(mesh().left(i)) / cell_length();
       if (i + 1 == run.end) force_error += displaced(mesh().right(i)) / cell_length();
