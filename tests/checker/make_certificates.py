@@ -12,7 +12,7 @@ LOADS = {
     "lifted_punch": ("0.98", "1.02", "2"),
     "rounded_wedge": ("0.999", "1.001", "1"),
 }
-CELLS = {"parabola_rough_front": "64", "stepped_punch": "50"}
+CELLS = {"parabola_rough_front": "64"}
 
 
 def main():

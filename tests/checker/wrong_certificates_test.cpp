@@ -132,8 +132,8 @@ TEST_CASE("a sum that is negative at one end of its range only is not negative")
 }
 
 TEST_CASE("an energy below the true one by less than the far nodes' Taylor polynomials are off") {
-  // One cell of sixteen, [j, j + 1], has all pressure. The profile is 10 up to y0 = j + 3 and rises from 0 beyond, so that the
-  // lowest gap is the one right of y0: E = <H, p> - min H = 10 + 1/(2 pi) + (3 log 3 - 2 log 2)/pi with c = P = 1.
+  // One cell of sixteen, [j, j + 1], has all pressure. The profile is 10 up to y0 - 1, falls to 0 at y0 = j + 3 and rises beyond,
+  // so that the lowest gap is the one at y0: E = <H, p> - min H = 10 + 1/(2 pi) + (3 log 3 - 2 log 2)/pi with c = P = 1.
   // From the cell right of y0 node j is a far one, at the distance 7/2: its polynomial is 1.2e-9/pi too low there.
   json c{{"certificate", 1}, {"kind", "cells"}, {"generator", "test 0.0.0"}};
   c["problem"] = {{"load", "1"},
@@ -145,7 +145,8 @@ TEST_CASE("an energy below the true one by less than the far nodes' Taylor polyn
                   {"indenter",
                    {{"left", "0"},
                     {"pieces",
-                     {{{"to", "7"}, {"profile", json::array({"10"})}},
+                     {{{"to", "6"}, {"profile", json::array({"10"})}},
+                      {{"to", "7"}, {"profile", json::array({"70", "-10"})}},
                       {{"to", "16"}, {"profile", json::array({"-700", "100"})}}}}}}};
   c["pressures"] = std::vector<int>(16, 0);
   c["pressures"][4] = 1;
