@@ -173,8 +173,9 @@ Certificate Certificate::read(const Reader& at) {
     claims["exists"].fail("nothing claimed", "a certificate claims that a solution exists");
   c.unique_by_theorem_1 = claims["unique_by_theorem_1"].boolean();
   if (c.unique_by_theorem_1 != c.problem.theorem_1_applies()) {
-    claims["unique_by_theorem_1"].fail("wrong claim of uniqueness",
-                                       "theorem 1 wants s nondecreasing towards +x, no step of the profile and no load_at, and then it holds");
+    claims["unique_by_theorem_1"].fail(
+        "wrong claim of uniqueness",
+        "theorem 1 wants s nondecreasing towards +x, no step of the profile and no load_at, and then it holds");
   }
   return c;
 }
