@@ -132,9 +132,10 @@ TEST_CASE("a sum that is negative at one end of its range only is not negative")
 }
 
 TEST_CASE("an energy below the true one by less than the far nodes' Taylor polynomials are off") {
-  // One cell of sixteen, [j, j + 1], has all pressure. The profile is 10 up to y0 - 1, falls to 0 at y0 = j + 3 and rises beyond,
-  // so that the lowest gap is the one at y0: E = <H, p> - min H = 10 + 1/(2 pi) + (3 log 3 - 2 log 2)/pi with c = P = 1.
-  // From the cell right of y0 node j is a far one, at the distance 7/2: its polynomial is 1.2e-9/pi too low there.
+  // One cell of sixteen, [j, j + 1], has all pressure. The profile is 10 up to j + 2, falls to 0 at y0 = j + 3 + 1/256 and rises
+  // beyond, so that the lowest gap is the one at y0: with c = P = 1 and a = 1/256
+  // E = <H, p> - min H = 10 + 1/(2 pi) + ((3 + a) log(3 + a) - (2 + a) log(2 + a))/pi.
+  // From the cell that y0 lies in node j is a far one, at the distance 7/2: its polynomial is 1e-9/pi too low there.
   json c{{"certificate", 1}, {"kind", "cells"}, {"generator", "test 0.0.0"}};
   c["problem"] = {{"load", "1"},
                   {"load_at", nullptr},
@@ -146,16 +147,16 @@ TEST_CASE("an energy below the true one by less than the far nodes' Taylor polyn
                    {{"left", "0"},
                     {"pieces",
                      {{{"to", "6"}, {"profile", json::array({"10"})}},
-                      {{"to", "7"}, {"profile", json::array({"70", "-10"})}},
-                      {{"to", "16"}, {"profile", json::array({"-700", "100"})}}}}}}};
+                      {{"to", "1793/256"}, {"profile", json::array({"17930/257", "-2560/257"})}},
+                      {{"to", "16"}, {"profile", json::array({"-44825/64", "100"})}}}}}}};
   c["pressures"] = std::vector<int>(16, 0);
   c["pressures"][4] = 1;
   c["reaches"] = json::array();
   c["claims"] = {{"load_share", json::array({json::array({"0", "1"})})},
                  {"effective_friction", json::array({"0", "0"})}};
   const Ball pi = Ball::pi(200);
-  const Ball energy =
-      Ball(10) + Ball(0.5) / pi + (Ball(3) * log(Ball(3).rounded(200)) - Ball(2) * log(Ball(2).rounded(200))) / pi;
+  const Ball far = Ball(3 + 1. / 256).rounded(200), near = Ball(2 + 1. / 256).rounded(200);
+  const Ball energy = Ball(10) + Ball(0.5) / pi + (far * log(far) - near * log(near)) / pi;
   const auto claimed = [&](double more) {
     // 2^-60 of it, as a fraction.
     Ball scaled = (energy + Ball(more)) * Ball(std::ldexp(1, 50));
