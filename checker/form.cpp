@@ -9,7 +9,7 @@ namespace steadyslide::checker {
 
 namespace {
 
-/// Of the terms in sums by moments: a remainder of 2^-8 of what is asked for.
+/// The remainder of sums by moments is 2^-8 of what is asked for.
 constexpr slong far_guard = 8;
 
 /// To Taylor coefficients about the centre.

@@ -34,7 +34,7 @@ struct Signs {
 /// with the place and the sign that is not decided.
 Signs prove_signs(const ReducedProblem& problem, const Box& box, slong bits);
 
-/// Is R + S phi < 0 for all phi from phi1 to 0, or to infinity of the same sign? R and S are intervals: two ends decide.
+/// True if R + S phi < 0 for all phi from phi1 to 0, or to infinity of the same sign. R and S are intervals: two ends decide.
 bool negative_between(const Ball& R, const Ball& S, const Ball& phi1, bool to_infinity);
 
 }  // namespace steadyslide::checker

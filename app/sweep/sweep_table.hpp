@@ -22,7 +22,7 @@ class SweepTable {
   std::string header() const;
   /// One line; a failure is one, too.
   std::string row(std::size_t n) const;
-  /// What row(n) begins with: the varied data, known before anything is solved.
+  /// The first columns of row(n): the varied data, known before anything is solved.
   std::string beginning(std::size_t n) const;
   /// Tables with another one have other rows.
   std::uint64_t fingerprint() const;

@@ -56,7 +56,7 @@ class ContactForm {
   const ContactSet& set() const { return set_; }
   /// Nodes a panel.
   int count() const { return count_; }
-  /// What B_k at a place takes of a budget (work_budget.hpp).
+  /// The work of B_k at one place, for a budget (work_budget.hpp).
   std::int64_t work_of_place() const { return work_of_place_; }
   /// With the load.
   const BallPolynomial& q() const { return q_; }
@@ -91,7 +91,7 @@ class ContactForm {
     /// Seen from the left and from the right; made when they have been asked for often enough.
     mutable std::array<std::shared_ptr<const PanelMoments>, 2> moments;
     mutable std::array<Bits, 2> asked{};
-    /// Where there are many segments.
+    /// Present if there are many segments.
     std::optional<SegmentMoments> from_afar = {};
   };
   const Difference& difference(std::size_t k, std::size_t segment) const { return differences_[k][segment]; }

@@ -18,9 +18,9 @@ class PowerAtPoint {
 
   /// L^a/sinc(pi a), E's factor.
   const Ball& factor() const { return factor_; }
-  /// What else there is in the integral. Not finite where d is no longer small beside L.
+  /// The rest of the integral, analytic in d. Not finite where d is no longer small beside L.
   Ball analytic_part(const Ball& d) const;
-  /// What E has besides a power of d alone, or -log d: 1/a, or log L.
+  /// The part of E that is constant, 1/a or log L. The other part is a power of d, or -log d.
   Ball constant() const;
 
   /// d^m E(d) for all d >= 0 in the ball; not finite where that is unbounded.

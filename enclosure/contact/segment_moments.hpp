@@ -14,7 +14,7 @@ namespace steadyslide::enclosure {
 
 class SegmentMoments {
  public:
-  /// Of the panels' weights: sum_i w_i y_i^k for k below terms(bits) + degree + 1.
+  /// Moments of the panels' weights: sum_i w_i y_i^k for k below terms(bits) + degree + 1.
   static std::vector<Ball> of_weights(const ContactSet& set, std::size_t segment,
                                       const std::vector<ContactPanel>& panels, int degree);
 

@@ -9,7 +9,7 @@ namespace steadyslide::enclosure {
 
 class WorkBudget {
  public:
-  /// Of one proof: it is spent in ten to thirty seconds. Proofs that succeed take a hundredth of it as a rule.
+  /// The budget of one proof. It is spent in ten to thirty seconds. Most proofs that succeed take a hundredth of it.
   static constexpr std::int64_t usual = 500'000'000;
 
   explicit WorkBudget(std::int64_t most = usual) : left_(most) {}

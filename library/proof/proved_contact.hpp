@@ -8,7 +8,7 @@
 
 namespace steadyslide::library {
 
-/// What a solver finds with 16, 50 or 100 digits; nothing where it finds nothing.
+/// The contact that a solver finds with 16, 50 or 100 digits; absent if it finds none.
 using ContactWithDigits = std::function<std::optional<ApproximateContact>(int digits)>;
 
 /// The proof to so many digits, or the last one that failed; nothing where the solver finds nothing at first. `first`: the digits

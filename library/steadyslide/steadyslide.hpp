@@ -215,7 +215,7 @@ struct Proof {
   bool proved = false;
   std::string reason;       ///< why not
   std::string certificate;  ///< JSON; empty if nothing is proved
-  /// Of the solution that it is about, which may have been found with more digits. Left to right.
+  /// Gaps of the certified solution, which may have been found with more digits. Left to right.
   std::vector<UnresolvedGap> unresolved_gaps{};
 
   /// Writes the certificate. Throws std::runtime_error if there is none, or the file cannot be written.

@@ -144,7 +144,7 @@ R number_of(const std::string& text) {
 
 constexpr int error_digits = 2;
 
-/// Of an estimate told by a text: its own error, and what the text's rounding adds to it.
+/// The error of a printed estimate: its own error and the rounding of the text.
 template <numeric::Real R>
 Scientific error_of_text(const std::string& text, const numeric::Estimate<R>& estimate, int digits) {
   using std::abs;

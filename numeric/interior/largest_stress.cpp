@@ -202,7 +202,7 @@ std::optional<LargestStress<R>> largest_stress(const InteriorStress<R>& stress, 
   StressState<R> state;
   stress.at(std::span(&best.x, 1), std::span(&best.z, 1), std::span(&state, 1));
   const Estimate<R> von_mises = *state.von_mises();
-  // What is wrong with the stress varies as fast as the stress itself: its slope moves the maximum.
+  // The error of the stress varies as fast as the stress itself: its slope moves the maximum.
   const R moved = best.curvature > 0 ? R(von_mises.error / best.curvature) : R(0);
   Estimate<R> x{best.x, best.scale + moved + epsilon<R>() * abs(best.x)};
   Estimate<R> z{best.z, best.z == least ? R(0) : x.error};

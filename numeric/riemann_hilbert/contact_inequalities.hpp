@@ -1,5 +1,5 @@
 #pragma once
-// What Newton's method does not know: t <= 0 throughout the contact, no step of the profile in it, gap >= 0 throughout
+// Conditions that Newton's method does not use: t <= 0 throughout the contact, no step of the profile in it, gap >= 0 throughout
 // the rest.
 
 #include <optional>

@@ -97,7 +97,7 @@ class ContactSet {
   bool is_beside_break(std::size_t j) const;
   /// The gap's segment beside the free end j.
   std::size_t outside(std::size_t j) const { return contact_side(j) == Side::right ? j - 1 : j; }
-  /// Does the free end j face contact at a step over a short gap? That gap is as high as the step at its far end, and its
+  /// True if the free end j faces contact at a step over a short gap. That gap is as high as the step at its far end, and its
   /// length counts by its order of magnitude, however low the step is.
   bool is_beside_step(std::size_t j) const;
   /// Does the shorter length beside the free end j count by its order of magnitude?

@@ -59,7 +59,7 @@ class RiemannHilbertSolution : public ContactSolution<R> {
  private:
   const ContactSet<R>& contact_set() const { return form_.set(); }
   const R& end_error() const { return found_.errors.ends.distance; }
-  /// What the error of a free end does to the other points' powers there, relative; 0 of points that do not move.
+  /// The relative change of the other points' powers by the error of free end j; 0 if point j does not move.
   R relative_shift(std::size_t j) const;
   Estimate<R> coordinate(std::size_t j) const;
   std::vector<Rational> places() const;

@@ -30,7 +30,7 @@ struct LocalPlace {
 /// Is the place as given, or is it a free end which cells know to about one cell's length only?
 enum class PlaceIs { exact, to_one_cell };
 
-/// What the fits of a family say together: their median, the error their spread and what noise does to the median fit,
+/// The result of a family of fits: their median, the error their spread and what noise does to the median fit,
 /// `deviations` the standard deviation of each. Stalled where more than a third are no numbers.
 Estimate<double> of_family(std::vector<double> values, std::vector<double> deviations = {});
 

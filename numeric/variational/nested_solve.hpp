@@ -19,7 +19,7 @@ struct MeshSolution {
 struct NestedResult {
   MeshSolution fine;
   MeshSolution coarse;  ///< on half as many cells: the difference shows the error
-  /// Of still coarser meshes, each half as fine as the one before, three at most.
+  /// States on still coarser meshes, each half as fine as the one before, three at most.
   std::vector<DiscreteState> coarser;
   Certificate certificate;
 };

@@ -124,7 +124,7 @@ void VariationalSolution::find_end_errors() {
     }
     return least;
   };
-  // Is all between two places, and the cells beside them, contact on the coarser mesh?
+  // True if all cells between two places, and those beside them, are contact on the coarser mesh.
   const auto closed = [&](double from, double to) {
     const CellMesh& mesh = found_.coarse.problem->mesh();
     const std::size_t last = mesh.cell_at((to + cell) / unit_);

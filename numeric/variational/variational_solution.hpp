@@ -87,10 +87,10 @@ class VariationalSolution : public ContactSolution<double> {
     /// The load between two places.
     double between(double a, double b) const;
   };
-  /// Of a number that each mesh has, `on_mesh(MeshLoads) -> double`.
+  /// The error of a number that each mesh has, `on_mesh(MeshLoads) -> double`.
   template <class OnMesh>
   double open_error(OnMesh on_mesh) const;
-  /// Of a run: the part of P by which its load may be wrong since it has few cells.
+  /// The part of P by which the load of a run may be wrong because it has few cells.
   double load_in_doubt(const Run& run) const;
   /// The part of P that may lie on the other side of a friction jump at xi, next to which contact ends.
   double load_beyond_end(double xi) const;
@@ -108,7 +108,7 @@ class VariationalSolution : public ContactSolution<double> {
   Place end_place(const Run& run, End end) const;
   variational::FittedIntensity fitted(const Place& place, const variational::Cells& cells) const;
   SolvedSingularPoint<double> solved_point(const Place& place) const;
-  /// Of the convex wedges in the contact under one friction, the one with the strongest logarithm.
+  /// The convex wedge with the strongest logarithm among those in the contact under one friction.
   std::optional<SolvedSingularPoint<double>> sharpest_wedge() const;
   /// t of the coarser mesh where cell i has its middle.
   double coarse_traction(std::size_t i) const;

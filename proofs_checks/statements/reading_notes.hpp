@@ -21,7 +21,7 @@ struct ReadingNote {
   std::string printed;
   std::string derived;
   std::string evidence;
-  /// Where the fault lies: in a formula "print", "extraction", or "undecided" between the two; else "words", the paper's,
+  /// The place of the fault: in a formula "print", "extraction", or "undecided" between the two; else "words", the paper's,
   /// which extraction does not change.
   std::string fault;
   /// That examines the derived reading; empty where the local equation alone decides.

@@ -21,7 +21,7 @@ json certificate_of(const std::string& name) {
   return json::parse(file);
 }
 
-/// What is not proved; empty if all is.
+/// The reason why it is not proved; empty if it is.
 std::string refusal(const json& document) {
   try {
     const Reader at = Reader::of_json(document.dump(), "test");

@@ -1,5 +1,5 @@
 #pragma once
-// Is what a solution on cells says of its errors true? Its forces beside those of the Riemann-Hilbert solution.
+// Compares estimated errors of forces on cells with their differences from the Riemann-Hilbert solution.
 //
 // An estimate is honest if the two numbers differ by no more than the sum of their estimates.
 

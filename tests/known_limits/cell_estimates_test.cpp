@@ -1,4 +1,4 @@
-// What cells say of their forces' errors is no less than the true ones.
+// Estimated errors of forces on cells are no less than the true ones.
 
 #include "known_limits/cell_estimates.hpp"
 

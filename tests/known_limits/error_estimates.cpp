@@ -257,7 +257,7 @@ void audit_solutions(const std::string& name, const ContactProblem& problem, boo
 }
 
 void audit_estimates(std::uint64_t seed, EstimateAudit& audit, ContactFamily family) {
-  // Of the list in every fourth problem: details cost more than all the rest.
+  // In the usual list every fourth problem has them: details cost more than all the rest.
   const bool detailed = seed % 4 == 0 || family != ContactFamily::usual;
   audit_solutions(std::to_string(seed), random_contact(seed, family), detailed, audit);
 }

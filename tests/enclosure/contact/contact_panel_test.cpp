@@ -1,4 +1,4 @@
-// What a panel says of its ellipse, beside the values at both ends of it; and a power beside its point.
+// Bounds on a panel's ellipse, compared with values at both of its ends; and a power beside its point.
 
 #include "enclosure/contact/contact_panel.hpp"
 

@@ -267,9 +267,9 @@ TEST_CASE("noise that the fits of a family share is in the bar: how often it mis
     if (std::abs(found.value - lambda) > found.error) ++missed;
   }
   CHECK(told > 50);
-  // Of spreads alone 7 miss.
+  // With the spread alone 7 miss.
   CHECK(missed <= 3);
-  // What fits that agree but for noise say.
+  // The result of fits that agree up to noise.
   const Estimate<double> agreed = of_family({1, 1, 1.5, 1}, {0.5, 0.25, 0.25, 0.25});
   CHECK(agreed.value == 1);
   CHECK(agreed.error == 0.75);

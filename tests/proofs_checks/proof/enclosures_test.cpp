@@ -1,4 +1,4 @@
-// What is decided in balls is decided where its derivation holds, and nowhere else.
+// Enclosures decide a sign where its derivation holds, and nowhere else.
 
 #include "proofs_checks/proof/enclosures.hpp"
 #include "support/test.hpp"
