@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "checker/interpolant.hpp"
+
 namespace steadyslide::checker {
 namespace {
 
@@ -35,15 +37,24 @@ Ball integral_of_YB(const Form& form, std::size_t k, const PowerPanel& panel) {
   Ball total, weights, integrals;
   slong largest = rule.nodes().front().weight.exponent();
   for (const Trapezoid::Node& node : rule.nodes()) largest = std::max(largest, node.weight.exponent());
+  const Ball half = rule.panel().length * Ball(0.5);
+  const auto interpolant =
+      Interpolant::of(form, form.bits() + 4, k, place(Ball(), rule.panel().length), rule.panel().length);
+  const std::vector<Ball> polynomial = interpolant ? interpolant->polynomial() : std::vector<Ball>();
   for (const Trapezoid::Node& node : rule.nodes()) {
     // What counts little is needed to fewer bits.
     const slong below = std::min(largest - node.weight.exponent(), form.bits());
-    const Form::Value b = form.regular_to(form.bits() + 8 - below, k, place(node.u, node.v));
-    total += node.weight * b.value;
+    if (interpolant) {
+      const Ball y = ((node.u - half) / half).rounded(contact.precision() - below);
+      total += node.weight * horner(polynomial, y).widened(interpolant->rest()).rounded(contact.precision());
+      integrals += node.weight * interpolant->integrals();
+    } else {
+      const Form::Value b = form.regular_to(form.bits() + 8 - below, k, place(node.u, node.v));
+      total += node.weight * b.value;
+      integrals += node.weight * b.integrals;
+    }
     weights += node.weight;
-    integrals += node.weight * b.integrals;
   }
-  const Ball half = rule.panel().length * Ball(0.5);
   const Ball M = form.polynomial_bound(k, contact.xi(panel.i) + panel.start + half, half * rule.secant());
   total = total.widened(rule.error(0, M, weights)).widened(rule.error(1, Ball(1), integrals));
   return Ball(contact.sign(panel.i)) * total;
@@ -138,14 +149,14 @@ std::vector<Ball> conditions(const Form& form) {
   const int S = contact.degree_at_infinity();
   const Ball pi = Ball::pi(precision);
   std::vector<Ball> result;
-  std::vector<Ball> moments;
+  const std::vector<Ball> moments =
+      form.moments(static_cast<std::size_t>(std::max(S + (contact.problem().load_at ? 2 : 1), 0)));
   for (const int k : orders_at_infinity(contact)) {
     const Ball expected = k < 1    ? Ball()
                           : k == 1 ? form.load() / pi
                                    : form.load() * Ball(*contact.problem().load_at, precision) / pi;
     Ball sum = -expected;
     for (int j = 0; j < S + k; ++j) {
-      if (moments.size() == static_cast<std::size_t>(j)) moments.push_back(form.moment(moments.size()));
       sum += moments[static_cast<std::size_t>(j)] * contact.series(S + k - 1 - j);
     }
     for (std::size_t l = 0; l < form.q().size(); ++l) {

@@ -57,12 +57,24 @@ void Contact::find_powers() {
     } else if (point.contact == Kind::interior && s(j - 1) != s(j)) {
       power_[j] = alpha(j - 1) - alpha(j);
     }
+    if (!power_[j].is_zero()) {
+      const auto same = std::ranges::find_if(alike_, [&](const auto& group) { return same_power(group.front(), j); });
+      (same == alike_.end() ? alike_.emplace_back() : *same).push_back(j);
+    }
     if (j == 0) break;
     const int parity = n % 2 == 0 ? 1 : -1;
     sign_[j - 1] = in_contact(j - 1) ? -parity : parity;
     const Ball slope(s(j - 1), precision_);
     cosine_[j - 1] = Ball(1) / sqrt(Ball(1) + slope * slope);
   }
+}
+
+bool Contact::same_power(std::size_t i, std::size_t j) const {
+  const Point& a = layout_->points[i];
+  const Point& b = layout_->points[j];
+  const auto contact_at = [](std::size_t k, const Point& p) { return p.contact == Kind::ends ? k - 1 : k; };
+  return a.contact == b.contact && a.is_end() && a.is_free() == b.is_free() &&
+         s(contact_at(i, a)) == s(contact_at(j, b));
 }
 
 Ball Contact::modulus(const Place& at, std::size_t but) const {

@@ -45,6 +45,8 @@ class Contact {
   /// Signed, of a free end from its anchor.
   const Ball& offset(std::size_t j) const { return offset_[j]; }
   const Ball& power_at(std::size_t j) const { return power_[j]; }
+  /// The points with a power other than 0, those of one power together.
+  const std::vector<std::vector<std::size_t>>& alike() const { return alike_; }
   /// From point i to point j >= i.
   Ball distance(std::size_t i, std::size_t j) const;
   Ball length(std::size_t segment) const { return distance(segment, segment + 1); }
@@ -67,6 +69,8 @@ class Contact {
  private:
   void place_points(const std::vector<Ball>& log_offsets);
   void find_powers();
+  /// True if the powers of two points are one number, by their definition.
+  bool same_power(std::size_t i, std::size_t j) const;
   void expand();
 
   const ReducedProblem* problem_;
@@ -75,6 +79,7 @@ class Contact {
   std::vector<Ball> offset_;
   std::vector<Ball> xi_;
   std::vector<Ball> power_;
+  std::vector<std::vector<std::size_t>> alike_;
   std::vector<Ball> cosine_;
   std::vector<int> sign_;
   int degree_;

@@ -33,13 +33,18 @@ Trapezoid PowerPanel::rule(slong bits, const Ball& left_reach, const Ball& right
   Trapezoid::Panel panel;
   panel.length = length.is_zero() ? contact.distance(i, j) - start - end : length;
   panel.degree = degree;
-  for (std::size_t m = 0; m < contact.points(); ++m) {
-    Ball p = exponent > 0 ? contact.power_at(m) : -contact.power_at(m);
-    if (m == extra) p -= Ball(1);
-    if ((i < m && m < j) || p.is_zero()) continue;
-    if (m <= i) panel.left.push_back({contact.distance(m, i) + start, p});
-    if (m >= j) panel.right.push_back({contact.distance(j, m) + end, p});
+  const auto add = [&](const Ball& power, const std::vector<std::size_t>& points) {
+    panel.factors.push_back({power, {}, {}});
+    for (const std::size_t m : points) {
+      if (m <= i) panel.factors.back().left.push_back(contact.distance(m, i) + start);
+      if (m >= j) panel.factors.back().right.push_back(contact.distance(j, m) + end);
+    }
+  };
+  for (const std::vector<std::size_t>& group : contact.alike()) {
+    const Ball& p = contact.power_at(group.front());
+    add(exponent > 0 ? p : -p, group);
   }
+  if (extra != none) add(Ball(-1), {extra});
   const auto beside = [&](bool there, std::size_t segment) {
     return there ? contact.length(segment) * Ball(0.5) : panel.length;
   };
@@ -183,7 +188,8 @@ bool Form::add_far_cauchy(std::size_t i, std::size_t k, const Ball& near, bool o
   arb_pow_ui(rest.get(), rest.get(), count, 64);
   rest *= M * absolute;
   sum = sum / distance;
-  result.value += (on_right ? -sum : sum).widened(integral.rule.error(1, M, absolute) + rest);
+  result.value += (on_right ? -sum : sum).widened(rest);
+  result.error += integral.rule.error(1, M, absolute);
   result.integrals += M * Trapezoid::integral_bound(absolute);
   return true;
 }
@@ -191,16 +197,23 @@ bool Form::add_far_cauchy(std::size_t i, std::size_t k, const Ball& near, bool o
 Form::Value Form::regular(std::size_t k, const Place& at, std::size_t without) const {
   const Ball x = contact_->xi(at);
   const std::vector<Ball>& p = polynomials_[k];
-  Value result{horner(p, x), {}, {}};
+  Value result{horner(p, x), {}, {}, {}};
   for (std::size_t l = p.size(); l-- > 1;) result.slope = result.slope * x + Ball(static_cast<int>(l)) * p[l];
   for (std::size_t i = 0; i < integrals_.size(); ++i) {
     if (without != i) add_cauchy(i, k, at, true, 2 * Ball::exact, result);
   }
+  result.value = result.value.widened(result.error);
   return result;
 }
 
 Form::Value Form::regular_to(slong bits, std::size_t k, const Place& at) const {
-  Value result{horner(polynomials_[k], contact_->xi(at)), {}, {}};
+  Value result = sums_to(bits, k, at);
+  result.value = result.value.widened(result.error);
+  return result;
+}
+
+Form::Value Form::sums_to(slong bits, std::size_t k, const Place& at) const {
+  Value result{horner(polynomials_[k], contact_->xi(at)), {}, {}, {}};
   for (std::size_t i = 0; i < integrals_.size(); ++i) add_cauchy(i, k, at, false, bits, result);
   return result;
 }
@@ -210,11 +223,7 @@ void Form::add_cauchy(std::size_t i, std::size_t k, const Place& at, bool with_s
   const Integral& integral = *integrals_[i];
   const std::vector<Trapezoid::Node>& nodes = integral.rule.nodes();
   const std::vector<Ball>& density = integral.densities[k];
-  const bool on_right = at.right <= i;
-  if (!on_right && i + 1 > at.left) throw Unproved("B is asked for inside a piece with another polynomial");
-  // |x' - x| = near + u for a segment on the right, near + v on the left.
-  const Ball near =
-      on_right ? contact_->distance(at.right, i) + at.from_right : contact_->distance(i + 1, at.left) + at.from_left;
+  const auto [near, on_right] = this->near(i, at);
   if (!with_slope && add_far_cauchy(i, k, near, on_right, bits, result)) return;
   const slong precision = std::min(contact_->precision(), bits + 48);
   const Ball& length = integral.rule.panel().length;
@@ -248,11 +257,29 @@ void Form::add_cauchy(std::size_t i, std::size_t k, const Place& at, bool with_s
   const Ball& M = integral.bounds[k];
   const Ball rest = Ball(left_out) / near.lower();
   const Ball absolute = Ball(poles) + rest;
-  result.value -= (on_right ? sum : -sum).widened(integral.rule.error(1, M, absolute) + M * rest);
+  result.value -= (on_right ? sum : -sum).widened(M * rest);
+  result.error += integral.rule.error(1, M, absolute);
   result.integrals += M * Trapezoid::integral_bound(absolute);
   if (!with_slope) return;
   const Ball rest_of_squares = rest / near.lower();
   result.slope -= slope.widened(integral.rule.error(2, M, Ball(squares) + rest_of_squares) + M * rest_of_squares);
+}
+
+Form::Near Form::near(std::size_t i, const Place& at) const {
+  if (at.right <= i) return {contact_->distance(at.right, i) + at.from_right, true};
+  if (i + 1 > at.left) throw Unproved("B is asked for inside a piece with another polynomial");
+  return {contact_->distance(i + 1, at.left) + at.from_left, false};
+}
+
+std::vector<Form::Piece> Form::other_pieces(std::size_t k, const Place& at) const {
+  std::vector<Piece> result;
+  for (std::size_t i = 0; i < integrals_.size(); ++i) {
+    if (!integrals_[i] || contact_->slope_of(i) == k) continue;
+    const Integral& integral = *integrals_[i];
+    result.push_back({near(i, at).near.lower(), integral.bounds[k] * Trapezoid::integral_bound(integral.weights),
+                      integral.rule.relative_error(1)});
+  }
+  return result;
 }
 
 Ball Form::at_end(std::size_t j) const {
@@ -267,27 +294,37 @@ Ball Form::polynomial_bound(std::size_t k, const Ball& centre, const Ball& radiu
   return bound_near(polynomials_[k], centre, radius);
 }
 
-Ball Form::moment(std::size_t j) const {
+std::vector<Ball> Form::moments(std::size_t count) const {
   const std::size_t k = contact_->slope_of(contact_->layout().all(Point::Contact::begins).front());
-  Ball sum = contact_->coefficient(slopes_[k], -static_cast<int>(j) - 1);
+  std::vector<Ball> result;
+  for (std::size_t j = 0; j < count; ++j) {
+    result.push_back(contact_->coefficient(slopes_[k], -static_cast<int>(j) - 1));
+  }
   for (std::size_t i = 0; i < integrals_.size(); ++i) {
-    if (!integrals_[i] || contact_->slope_of(i) == k) continue;
+    if (count == 0 || !integrals_[i] || contact_->slope_of(i) == k) continue;
     const Integral& integral = *integrals_[i];
-    Ball total;
+    std::vector<Ball> totals(count);
     Ball weights;
     for (std::size_t l = 0; l < integral.rule.nodes().size(); ++l) {
+      const Ball x = contact_->xi(i) + integral.rule.nodes()[l].u;
       Ball term = integral.densities[k][l];
-      for (std::size_t m = 0; m < j; ++m) term *= contact_->xi(i) + integral.rule.nodes()[l].u;
-      total += term;
+      for (Ball& total : totals) {
+        total += term;
+        term *= x;
+      }
       weights += integral.rule.nodes()[l].weight;
     }
     const Ball half = contact_->length(i) * Ball(0.5);
     const Ball largest = (contact_->xi(i) + half).size() + half * integral.rule.secant();
     Ball M = integral.bounds[k];
-    for (std::size_t m = 0; m < j; ++m) M *= largest;
-    sum -= total.widened(integral.rule.error(0, M, weights));
+    for (std::size_t j = 0; j < count; ++j) {
+      Ball& sum = result[j];
+      const Ball& total = totals[j];
+      sum -= total.widened(integral.rule.error(0, M, weights));
+      M *= largest;
+    }
   }
-  return sum;
+  return result;
 }
 
 std::vector<Ball> Form::difference(std::size_t l, std::size_t k, std::size_t anchor) const {

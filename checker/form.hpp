@@ -54,17 +54,30 @@ class Form {
     Ball value;
     Ball slope;      ///< d/dx
     Ball integrals;  ///< an upper bound of (1/pi) int_K cos(pi alpha) |g - g_k|/|Y| dx'/|x'-x|
+    Ball error;      ///< by which the rules' sums differ from the integrals at most
   };
   /// B_k at a place (an interval of them), k a slope. A segment may be left out of the integrals.
   Value regular(std::size_t k, const Place& at, std::size_t without = none) const;
   /// The same without its slope, the integrals to 2^-bits of their size with absolute values.
   Value regular_to(slong bits, std::size_t k, const Place& at) const;
+  /// The same with the rules' sums in place of the integrals.
+  Value sums_to(slong bits, std::size_t k, const Place& at) const;
+  /// A segment over which B_k has an integral: how far it is from a place at least; an upper bound of
+  /// (1/pi) int cos(pi alpha) |g - g_k|/|Y| dx' over it, and of the rule's sum; the rule's relative error with a pole.
+  struct Piece {
+    Ball distance;
+    Ball size;
+    Ball relative_error;
+  };
+  std::vector<Piece> other_pieces(std::size_t k, const Place& at) const;
+  /// Of [(g_k + tilt)/Y]_poly - q/pi, 1 more than its degree.
+  std::size_t terms(std::size_t k) const { return polynomials_[k].size(); }
   /// B_k at an end of contact, k the slope of the contact.
   Ball at_end(std::size_t j) const;
   /// An upper bound of |[(g_k + tilt)/Y]_poly - q/pi| within `radius` of a place.
   Ball polynomial_bound(std::size_t k, const Ball& centre, const Ball& radius) const;
-  /// m_j of u'/(cY) = m_0/z + m_1/z^2 + ... + q/pi.
-  Ball moment(std::size_t j) const;
+  /// The first m_j of u'/(cY) = m_0/z + m_1/z^2 + ... + q/pi.
+  std::vector<Ball> moments(std::size_t count) const;
 
   /// What the integral over a segment near an anchor consists of (signs.cpp).
   struct Integral {
@@ -81,6 +94,12 @@ class Form {
 
  private:
   void add_integrals(std::size_t segment, const std::vector<bool>& asked);
+  /// |x' - x| = near + u over a segment on the right of a place, near + v on the left.
+  struct Near {
+    Ball near;
+    bool on_right;
+  };
+  Near near(std::size_t segment, const Place& at) const;
   void add_moments(std::size_t segment, Integral& integral) const;
   /// The sum over the nodes by its moments, at x = middle + D; false where it is not far enough, or D too wide.
   bool add_far_cauchy(std::size_t segment, std::size_t k, const Ball& near, bool on_right, slong bits,

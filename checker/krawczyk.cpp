@@ -23,13 +23,19 @@ Matrix inverse_of_centre(const Matrix& a, slong precision) {
   const auto each = [&](const auto& visit) {
     for (std::size_t i = 0; i < a.size(); ++i) {
       for (std::size_t j = 0; j < a.size(); ++j) {
-        visit(arb_mat_entry(matrix, static_cast<slong>(i), static_cast<slong>(j)), a[i][j], result[i][j]);
+        visit(arb_mat_entry(matrix, static_cast<slong>(i), static_cast<slong>(j)), i, j);
       }
     }
   };
-  each([](arb_ptr entry, const Ball& given, Ball&) { arb_set(entry, given.middle().get()); });
+  // Rows that differ by powers of ten make bad pivots: each is taken with its largest entry near 1.
+  std::vector<slong> sizes(a.size(), -(slong(1) << 40));
+  each([&](arb_ptr, std::size_t i, std::size_t j) { sizes[i] = std::max(sizes[i], a[i][j].exponent()); });
+  each([&](arb_ptr entry, std::size_t i, std::size_t j) { arb_mul_2exp_si(entry, a[i][j].middle().get(), -sizes[i]); });
   const bool regular = arb_mat_inv(matrix, matrix, precision) != 0;
-  each([](arb_srcptr entry, const Ball&, Ball& inverse) { arb_get_mid_arb(inverse.get(), entry); });
+  each([&](arb_ptr entry, std::size_t i, std::size_t j) {
+    arb_mul_2exp_si(entry, entry, -sizes[j]);
+    arb_get_mid_arb(result[i][j].get(), entry);
+  });
   arb_mat_clear(matrix);
   if (!regular) throw Unproved("the conditions' derivative is singular as far as can be seen");
   return result;

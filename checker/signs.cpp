@@ -5,6 +5,7 @@
 
 #include "checker/conditions.hpp"
 #include "checker/failure.hpp"
+#include "checker/interpolant.hpp"
 
 namespace steadyslide::checker {
 namespace {
@@ -37,6 +38,8 @@ class HalfSegment {
   Place at(const Ball& d) const {
     return from_left_ ? Place{segment_, segment_ + 1, d, length_ - d} : Place{segment_, segment_ + 1, length_ - d, d};
   }
+  /// The left end of u <= d <= v.
+  Place leftmost(const Ball& u, const Ball& v) const { return at(from_left_ ? u : v); }
   /// int (g - g_k) dx over u <= d <= v.
   Ball slope_difference(std::size_t k, const Ball& u, const Ball& v) const {
     return from_left_ ? checker::slope_difference(*contact_, segment_, k, u, v)
@@ -101,18 +104,21 @@ class Prover {
       throw Unproved(sign + " is not decided near " + half.name(u));
   }
 
+  /// B_k on u <= d <= v.
+  Ball values(const HalfSegment& half, std::size_t k, const Ball& u, const Ball& v) const {
+    const auto interpolant = Interpolant::of(form_, form_.bits(), k, half.leftmost(u, v), v - u);
+    return interpolant ? interpolant->range() : form_.regular_to(form_.bits(), k, half.at(hull(u, v))).value;
+  }
+
   /// eps B < 0 for u <= d <= v.
   void check_contact(const HalfSegment& half, const Ball& u, const Ball& v, int depth) {
     count(result_.in_contact, half, u, depth, "t < 0");
     const std::size_t k = contact_.slope_of(half.segment());
     const Ball eps(contact_.sign(half.segment()));
-    const Ball cell = hull(u, v);
-    const Form::Value all = form_.regular(k, half.at(cell));
-    if ((eps * all.value).is_negative()) return;
+    if ((eps * values(half, k, u, v)).is_negative()) return;
     const Ball middle = ((u + v) * Ball(0.5)).middle();
-    const Ball centre = form_.regular(k, half.at(middle)).value;
+    const Ball centre = form_.regular_to(form_.bits(), k, half.at(middle)).value;
     if ((eps * centre).is_positive()) throw Refuted("t > 0: the contact pulls at " + half.name(middle));
-    if ((eps * (centre + half.orientation() * all.slope * (cell - middle))).is_negative()) return;
     const Ball w = between(u, v);
     check_contact(half, u, w, depth + 1);
     check_contact(half, w, v, depth + 1);
@@ -242,7 +248,7 @@ class Prover {
     const Ball p = base == origin_ ? contact_.power_at(origin_) : Ball();
     const Place all = half.at(hull(u, v));
     const Ball sign = direction_ * Ball(contact_.sign(half.segment()));
-    const Ball f = sign * contact_.modulus(all, base) * form_.regular_to(form_.bits(), k_, all).value;
+    const Ball f = sign * contact_.modulus(all, base) * values(half, k_, u, v);
     const Ball weight = (power(v, p + Ball(1)) - power(u, p + Ball(1))) / (p + Ball(1));
     // (g - g_k) on the cell.
     const std::size_t own = contact_.slope_of(half.segment());

@@ -10,11 +10,13 @@ namespace {
 
 constexpr std::size_t most_nodes = 400000;
 
-/// The power at the end itself, 0 if there is none.
-Ball end_exponent(const std::vector<Trapezoid::Factor>& factors) {
+/// The power at an end of the panel itself, 0 if there is none.
+Ball end_exponent(const std::vector<Trapezoid::Factor>& factors, std::vector<Ball> Trapezoid::Factor::*side) {
   Ball sum;
-  for (const auto& [beyond, exponent] : factors) {
-    if (beyond.is_zero()) sum += exponent;
+  for (const Trapezoid::Factor& factor : factors) {
+    for (const Ball& beyond : factor.*side) {
+      if (beyond.is_zero()) sum += factor.exponent;
+    }
   }
   return sum;
 }
@@ -23,10 +25,10 @@ Ball end_exponent(const std::vector<Trapezoid::Factor>& factors) {
 
 Trapezoid::Trapezoid(Panel panel, slong bits, slong precision) : panel_(std::move(panel)) {
   kappa_ = Ball(2).rounded(precision);
-  for (const std::vector<Factor>* factors : {&panel_.left, &panel_.right}) {
-    for (const auto& [beyond, exponent] : *factors) {
+  for (const auto& [exponent, left, right] : panel_.factors) {
+    for (const std::vector<Ball>* side : {&left, &right}) {
       // The end's own u^(c + 1) grows with c, also where c < 0; any other power counts by its size.
-      kappa_ += beyond.is_zero() ? exponent : exponent.size();
+      for (const Ball& beyond : *side) kappa_ += beyond.is_zero() ? exponent : exponent.size();
     }
   }
   // The strip that needs the fewest nodes: a wider one has a larger bound on its rim.
@@ -49,8 +51,8 @@ Trapezoid::Trapezoid(Panel panel, slong bits, slong precision) : panel_(std::mov
     relative_errors_.at(more) = suppression * power(secant_, kappa_ + Ball(static_cast<int>(more)));
   }
 
-  const Ball a = end_exponent(panel_.left) + Ball(1);
-  const Ball b = end_exponent(panel_.right) + Ball(1);
+  const Ball a = end_exponent(panel_.factors, &Factor::left) + Ball(1);
+  const Ball b = end_exponent(panel_.factors, &Factor::right) + Ball(1);
   if (!a.is_positive() || !b.is_positive() || !panel_.length.is_positive() || !(h > 0)) {
     throw Unproved("a power that is not integrable, or a segment of no length");
   }
@@ -63,11 +65,11 @@ Trapezoid::Trapezoid(Panel panel, slong bits, slong precision) : panel_(std::mov
     Node result{k < 0 ? small : large, k < 0 ? large : small, {}, {}, {}};
     const Ball& near = k < 0 ? a : b;
     Ball exponent = (a + b) * log(large) - near * t;
-    for (const auto& [beyond, c] : panel_.left) {
-      if (!beyond.is_zero()) exponent += c * log(result.u + beyond);
-    }
-    for (const auto& [beyond, c] : panel_.right) {
-      if (!beyond.is_zero()) exponent += c * log(result.v + beyond);
+    for (const auto& [c, left, right] : panel_.factors) {
+      Ball product = 1;
+      for (const Ball& beyond : left) product *= beyond.is_zero() ? Ball(1) : result.u + beyond;
+      for (const Ball& beyond : right) product *= beyond.is_zero() ? Ball(1) : result.v + beyond;
+      exponent += c * log(product);
     }
     result.weight = Ball(h) / panel_.length * exp(exponent);
     if (all_beyond) result.weight = result.weight / (exp(near * Ball(h)) - Ball(1));

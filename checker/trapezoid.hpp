@@ -29,15 +29,15 @@ namespace steadyslide::checker {
 
 class Trapezoid {
  public:
-  /// A power of the distance to a point at the distance `beyond` (0: the panel's end itself) outside an end of the panel.
+  /// A power of the distances to points: how far they lie beyond a or b, 0 for a or b itself.
   struct Factor {
-    Ball beyond;
     Ball exponent;
+    std::vector<Ball> left;
+    std::vector<Ball> right;
   };
   struct Panel {
     Ball length;
-    std::vector<Factor> left;   ///< beyond a
-    std::vector<Factor> right;  ///< beyond b
+    std::vector<Factor> factors;
     /// Poles 1/(x - x0) will be asked for down to these distances from the panel, > 0: nodes go on accordingly.
     Ball left_reach;
     Ball right_reach;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "checker/interpolant.hpp"
 #include "checker/reader.hpp"
 #include "overlap.hpp"
 
@@ -144,6 +145,53 @@ TEST_CASE("B_k and its derivative with few bits enclose what they are with many"
         }
       }
     }
-    for (const std::size_t j : {0, 1}) CHECK(coarse.moment(j).contains_inside(fine.moment(j)));
+    for (const std::size_t j : {0, 1}) CHECK(coarse.moments(2)[j].contains_inside(fine.moments(2)[j]));
   }
+}
+
+TEST_CASE("polynomials in place of B_k enclose it between and at the places that they are made of") {
+  const Example example(true);
+  const Contact contact(example.reduced, example.layout, example.v.log_offsets, 260);
+  const Form fine(contact, example.v, example.problem.loads, 100);
+  const Form coarse(contact, example.v, example.problem.loads, 4);
+  // Of the sums with many bits, that of the polynomial shows; of an exact polynomial, that of the rules.
+  for (const auto& [form, bits] : {std::pair(&fine, 1), {&fine, 4}, {&fine, 8}, {&fine, 60}, {&coarse, 60}}) {
+    for (const std::size_t segment : {0, 4, 5, 8}) {
+      for (const std::size_t k : {contact.slope_of(1), contact.slope_of(3), contact.slope_of(7)}) {
+        for (const double from : {0.0, 0.25, 0.5, 0.6875, 0.8125}) {
+          const auto at = [&](double part) {
+            const Ball d = contact.length(segment) * Ball(part);
+            return Place{segment, segment + 1, d, contact.length(segment) - d};
+          };
+          const auto found = Interpolant::of(*form, bits, k, at(from), contact.length(segment) * Ball(0.1875));
+          if (!found) continue;
+          for (const double y : {-1.0, -0.875, -0.25, 0.0, 0.375, 0.75, 1.0}) {
+            CAPTURE(bits);
+            CAPTURE(segment);
+            CAPTURE(from);
+            CAPTURE(y);
+            const Place place = at(from + 0.09375 * (1 + y));
+            const Ball exact = fine.regular(k, place).value;
+            CHECK(horner(found->polynomial(), Ball(y)).widened(found->rest()).contains_inside(exact));
+            CHECK(found->range().contains_inside(exact));
+            CHECK_FALSE((form->regular(k, place).integrals - found->integrals()).is_positive());
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("no polynomial in place of B_k where another piece is closer than an eighth of the panel") {
+  const Example example(true);
+  const Contact contact(example.reduced, example.layout, example.v.log_offsets, 192);
+  const Form form(contact, example.v, example.problem.loads, 40);
+  // Segment 5 has the piece of segments 6 and 7 on its right.
+  const std::size_t k = contact.slope_of(1);
+  const Ball length = contact.length(5);
+  const auto found = [&](double to) {
+    return Interpolant::of(form, 20, k, {5, 6, Ball(), length}, length * Ball(to)).has_value();
+  };
+  CHECK(found(0.85));
+  CHECK_FALSE(found(0.95));
 }

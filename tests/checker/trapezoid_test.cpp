@@ -28,7 +28,7 @@ Ball beta(const Ball& a, const Ball& b) {
 Ball rounded(double x) { return Ball(x).rounded(precision); }
 
 Trapezoid::Panel unit_panel(const Ball& a, const Ball& b) {
-  return {Ball(1).rounded(precision), {{Ball(), a}}, {{Ball(), b}}, Ball(1), Ball(1), 0};
+  return {Ball(1).rounded(precision), {{a, {Ball()}, {}}, {b, {}, {Ball()}}}, Ball(1), Ball(1), 0};
 }
 
 /// Sum of the rule for f, widened by its error.
@@ -71,7 +71,7 @@ TEST_CASE("the bound of the rule's error holds for an integrand that nearly reac
   const double a = -0.75, b = -0.5, beyond = 0.25;
   for (const double c : {0.0, 2.0, -2.0, -6.0}) {
     Trapezoid::Panel panel = unit_panel(rounded(a), rounded(b));
-    if (c != 0) panel.left.push_back({rounded(beyond), rounded(c)});
+    if (c != 0) panel.factors.push_back({rounded(c), {rounded(beyond)}, {}});
     const Trapezoid rule(panel, 30, precision);
     const Ball h = log(rule.nodes()[1].u / rule.nodes()[1].v);
     const Ball w = Ball(2) * Ball::pi(precision) / h;
@@ -120,7 +120,7 @@ TEST_CASE("a point close to the panel needs no more nodes, and no wider ball") {
   for (const double d : {1.0, 1e-3, 1e-12, 1e-40}) {
     const Ball half = rounded(0.5);
     Trapezoid::Panel panel = unit_panel(-half, Ball());
-    panel.left.push_back({rounded(d), -half});
+    panel.factors.push_back({-half, {rounded(d)}, {}});
     panel.left_reach = rounded(d);
     const Trapezoid rule(panel, 80, precision);
     const Ball root = sqrt(rounded(d));

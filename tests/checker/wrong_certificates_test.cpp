@@ -121,6 +121,34 @@ TEST_CASE("Krawczyk's image has the radius of the conditions") {
   CHECK_FALSE(V[0].contains_inside(image(Ball(0.25).widened(Ball(1)))));
 }
 
+TEST_CASE("Krawczyk's image of conditions whose sizes are far apart") {
+  // x + 2^200 y = 0 and x + y = 0: pivots of unscaled rows lose the inverse's first entry, -2^-200, below 100 bits.
+  const Ball large = Ball(std::ldexp(1, 200)).rounded(100);
+  const std::vector<Ball> V(2, Ball().widened(Ball(0.25)).rounded(100));
+  const auto image = [&](const Ball& F) {
+    return krawczyk_image(V, {F * large, F}, {{Ball(1), large, Ball()}, {Ball(1), Ball(1), Ball()}}, Ball(), 100);
+  };
+  for (const std::size_t i : {0, 1}) CHECK(V[i].contains_inside(image(Ball(0.125).rounded(100))[i]));
+  CHECK_FALSE(V[1].contains_inside(image(Ball(0.375).rounded(100))[1]));
+}
+
+TEST_CASE("twelve zones, each seen by the others as a small difference of large terms") {
+  const json c = certificate_of("twelve_zones");
+  const auto signs_of = [](const json& document) {
+    const Certificate read = Certificate::read(Reader::of_json(document.dump(), "test"));
+    return prove_signs(ReducedProblem(read.problem, read.origin, read.unit), read.boxes[0], 24);
+  };
+  const Signs signs = signs_of(c);
+  CHECK(signs.bits == 24);
+  CHECK(signs.in_gaps < 200);
+  // The fourth piece, tilted: its zone pulls at an end.
+  json wrong = c;
+  wrong["claims"]["unique_by_theorem_1"] = false;
+  REQUIRE(wrong["problem"]["indenter"]["pieces"][3]["profile"] == json::array({"12.5", "5", "0.5"}));
+  wrong["problem"]["indenter"]["pieces"][3]["profile"][1] = "11/2";
+  CHECK_THROWS_AS(signs_of(wrong), Refuted);
+}
+
 TEST_CASE("a sum that is negative at one end of its range only is not negative") {
   // R + S phi, phi from phi1 to 0 or to infinity
   CHECK(negative_between(Ball(-1), Ball(2), Ball(0.25), false));
