@@ -169,7 +169,9 @@ Ball ContactConditions::gap_condition(const ContactSet::Run& gap) const {
   }
   for (const SegmentPart& part : parts_of(gap)) {
     const std::size_t k = form_.slope_of(part.contact);
-    for (const ContactPanel::Part& piece : ContactPanel::graded(set_, part.segment, part.extent)) {
+    const std::vector<ContactPanel::Part> pieces = ContactPanel::graded(set_, part.segment, part.extent);
+    if (2 * static_cast<Bits>(pieces.size()) * form_.count() > set_.bits()) form_.prepare(k, part.segment);
+    for (const ContactPanel::Part& piece : pieces) {
       sum += form_.gap_change(piece, k);
     }
   }

@@ -320,7 +320,9 @@ Ball ContactForm::bound(std::size_t k, const ContactPanel& panel, Ellipse ellips
 Ball ContactForm::gap_change(const ContactPanel::Part& part, std::size_t k) const {
   const std::size_t segment = part.segment;
   const ContactPanel panel = this->panel(part);
-  Ball sum = Ball::plus_or_minus(Ball(0, set_.bits()), panel.remainder(bound(k, panel, Ellipse::far), Ellipse::far));
+  const Ball error = panel.remainder(bound(k, panel, Ellipse::far), Ellipse::far);
+  if (!error.is_finite()) return Ball::unknown(set_.bits());
+  Ball sum = Ball::plus_or_minus(Ball(0, set_.bits()), error);
   for (const ContactPanel::Node& node : panel.nodes()) {
     sum += node.weight * regular_factor(k, {segment, node.from_left, node.from_right}).value();
   }

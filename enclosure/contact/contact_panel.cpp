@@ -59,7 +59,7 @@ ContactPanel::ContactPanel(const ContactSet& set, Part part, int n, std::optiona
 
   const Ball length = part_.length.at(few);
   for (std::size_t i = 0; i < bounds_.size(); ++i) {
-    const Ball rho(std::array{Rational(16, 5), Rational(23, 5), Rational(5)}[i], few);
+    const Ball rho = ContactPanel::rho(static_cast<Ellipse>(i));
     const Ball reach = ((rho + Ball(1) / rho) / Ball(2) - Ball(1)) * length / Ball(2);
     Ball sum(0, few);
     bool clear = true;
@@ -99,6 +99,7 @@ std::vector<ContactPanel::Part> ContactPanel::outward(const ContactSet& set, std
   }
   std::vector<Part> result;
   Ball at = range.from;
+  const Ball hair = Ball(1) + enclosure::power(Ball(2, set.bits()), 16 - static_cast<int>(set.bits()));
   for (bool more = true; more;) {
     const bool touches = at.is_zero();
     Ball length = (whole - at) / Ball(2);
@@ -109,7 +110,8 @@ std::vector<ContactPanel::Part> ContactPanel::outward(const ContactSet& set, std
     const Ball left_over = range.to - at;
     // Points out of order, or closer than any solution has them: one panel, whose bounds are not finite.
     if (!length.is_positive() || result.size() == most_panels) length = left_over;
-    more = length < left_over;
+    // What rounding leaves over is no panel; what the box's width leaves is, or else it would be every node's.
+    more = length * hair < left_over;
     if (!more || Ball(2) * length > left_over) length = more ? (left_over / Ball(2)).lower() : left_over;
     const Ball to = at + length;
     const Ball rest = whole - to;

@@ -46,6 +46,9 @@ class ContactPanel {
   const std::vector<Node>& nodes() const { return nodes_; }
   /// The exponent a at the point that the panel touches.
   const Ball& power() const { return power_; }
+  static Ball rho(Ellipse ellipse) {
+    return {std::array{Rational(16, 5), Rational(23, 5), Rational(5)}[static_cast<std::size_t>(ellipse)], 64};
+  }
   /// (A - 1) L/2.
   const Ball& reach(Ellipse ellipse) const { return bounds_[static_cast<std::size_t>(ellipse)].reach; }
   /// The rule's error if |F| <= bound in the ellipse; not finite if a point of the set lies in it.

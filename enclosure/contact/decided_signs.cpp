@@ -1,6 +1,10 @@
 #include "enclosure/contact/decided_signs.hpp"
 
 #include <algorithm>
+#include <array>
+#include <optional>
+
+#include "enclosure/number/chebyshev_series.hpp"
 
 namespace steadyslide::enclosure {
 namespace {
@@ -13,16 +17,29 @@ struct Half {
   Side from;  ///< on which side of the segment that point is
 };
 
-/// Distances from `low` to `high`; both ends are exact.
+/// Distances from `low` to `high`; up to the half's end both are exact.
 struct Interval {
   Ball low;
   Ball high;
 };
 
+/// A part of half a segment, with B over it where its series is made, t = -1 at the lower distance.
+struct Stretch {
+  Half half;
+  Interval d;
+  std::optional<ChebyshevSeries> b = {};
+  std::array<std::optional<Ball>, 3> seen = {};  ///< distances at which B is negative, is not decided, is positive
+};
+
 class Decision {
  public:
   Decision(const ContactForm& form, WorkBudget& work, int most_rounds)
-      : form_(form), set_(form.set()), bits_(set_.bits()), work_(work), most_rounds_(most_rounds) {}
+      : form_(form),
+        set_(form.set()),
+        bits_(set_.bits()),
+        nodes_(form.count(), bits_),
+        work_(work),
+        most_rounds_(most_rounds) {}
 
   SignsDecided run() {
     for (std::size_t k = 0; k < set_.segments() && result_.proved; ++k) {
@@ -34,19 +51,76 @@ class Decision {
   }
 
  private:
-  Place place(const Half& half, const Interval& d) const {
-    const Ball from = Ball::hull(d.low, d.high);
+  Place place(const Half& half, const Ball& from) const {
     const Ball rest = set_.length(half.segment) - from;
     return half.from == Side::left ? Place{half.segment, from, rest} : Place{half.segment, rest, from};
   }
 
-  /// To the right of the middle for all values in the box: the two halves overlap a little.
-  Ball end_of(const Half& half) const { return (set_.length(half.segment) / Ball(2)).upper(); }
+  Place place(const Half& half, const Interval& d) const { return place(half, Ball::hull(d.low, d.high)); }
 
-  int sign_on(const Half& half, const Interval& d) {
+  std::size_t point(const Half& half) const { return half.from == Side::left ? half.segment : half.segment + 1; }
+
+  ContactPanel::Part part(const Half& half, const Interval& d) const {
+    const Ball rest = set_.length(half.segment) - d.high;
+    const bool left = half.from == Side::left;
+    ContactPanel::Part result{half.segment, left ? d.low : rest, left ? rest : d.low, d.high - d.low, {}};
+    if (d.low.is_zero() && !set_.is_regular(point(half))) result.touches = half.from;
+    return result;
+  }
+
+  /// The two halves meet for each of the box's values: one of them ends at an exact distance from its point.
+  Ball end_of(const Half& half) const {
+    const Ball& length = set_.length(half.segment);
+    const Ball middle = (length / Ball(2)).midpoint();
+    return half.from == Side::left ? middle : length - middle;
+  }
+
+  /// B from its values at thin places, whose number does not grow with what cancels in it; nothing next to a point at which it is
+  /// singular. For each of the box's values it is a function of the distance from the half's point.
+  void expand(Stretch& stretch) {
+    constexpr Ellipse ellipse = Ellipse::far;
+    const auto& [low, high] = stretch.d;
+    const Half& half = stretch.half;
+    const Ball bound = form_.bound(form_.slope_of(half.segment), form_.panel(part(half, stretch.d)), ellipse);
+    if (!bound.is_finite()) return;
+    work_.take(nodes_.count() * form_.work_of_place());
+    const Ball middle = (low + high) / Ball(2), radius = (high - low) / Ball(2);
+    std::vector<Ball> values;
+    for (int i = 0; i < nodes_.count(); ++i) {
+      const Ball at = middle + radius * nodes_[i];
+      values.push_back(form_.regular_factor(place(half, at)).value());
+      stretch.seen[static_cast<std::size_t>(sign_of(values.back()) + 1)] = at;
+    }
+    if (all_finite(values)) stretch.b.emplace(nodes_, values, bound, ContactPanel::rho(ellipse));
+  }
+
+  /// B's sign on the whole stretch, 0 if it is not decided. A series is made where an interval's arithmetic does not suffice.
+  int sign_on(Stretch& stretch, bool expands = true) {
     ++result_.intervals;
     work_.take(form_.work_of_place());
-    return form_.regular_factor(place(half, d)).sign();
+    const int sign = form_.regular_factor(place(stretch.half, stretch.d)).sign();
+    if (sign != 0) return sign;
+    if (!stretch.b && expands) expand(stretch);
+    return stretch.b ? sign_of(stretch.b->range()) : 0;
+  }
+
+  static int sign_of(const Ball& x) { return x.is_positive() ? 1 : x.is_negative() ? -1 : 0; }
+
+  /// The two parts of a stretch that meet there.
+  std::array<Stretch, 2> halves(const Stretch& whole, const Ball& middle) {
+    const auto& [half, d, b, seen] = whole;
+    std::array<Stretch, 2> result{Stretch{half, {d.low, middle}}, Stretch{half, {middle, d.high}}};
+    if (b) {
+      work_.take(work_of_restriction());
+      const Ball t = (middle - d.low - (d.high - middle)) / (d.high - d.low);
+      result[0].b = b->restricted(Ball(-1, bits_), t);
+      result[1].b = b->restricted(t, Ball(1, bits_));
+    }
+    return result;
+  }
+
+  std::int64_t work_of_restriction() const {
+    return std::int64_t{2} * nodes_.count() * nodes_.count() * ((bits_ + 63) / 64);
   }
 
   void fail(const Half& half, const Interval& d, bool refuted, std::string reason) {
@@ -65,7 +139,8 @@ class Decision {
     const Ball end = end_of(half);
     for (int k = 1; k <= 1 << 20; k *= 2) {
       const Ball d = end * power(Ball(2, bits_), -k);
-      const int sign = sign_on(half, {zero, d.upper()});
+      Stretch next{half, {zero, d.upper()}};
+      const int sign = sign_on(next, k == 1);
       if (sign == wanted) return d.upper();
       refuted = sign == -wanted;
       if (refuted) return zero;
@@ -83,21 +158,25 @@ class Decision {
            refuted ? "the traction's leading term pulls" : "the sign of the traction's leading term is not decided");
       return;
     }
-    std::vector<Interval> open{{first, end_of(half)}};
+    std::vector<Stretch> open{{half, {first, end_of(half)}}};
     while (!open.empty() && result_.proved) {
-      const Interval d = std::move(open.back());
+      Stretch stretch = std::move(open.back());
       open.pop_back();
+      const Interval& d = stretch.d;
       if (!(d.low < d.high)) continue;
-      const int sign = sign_on(half, d);
+      const int sign = sign_on(stretch);
       if (sign == wanted) continue;
-      const bool is_refuted = sign == -wanted;
-      if (is_refuted || work_.is_spent() || !is_divisible(d)) {
-        fail(half, d, is_refuted, is_refuted ? "the traction pulls" : undecided("the traction's sign is not decided"));
+      // A place where it is not as it has to be, or where the box decides nothing: no division helps.
+      const auto& pulls = stretch.seen[static_cast<std::size_t>(1 - wanted)];
+      const auto& is_open = stretch.seen[1];
+      const bool is_refuted = sign == -wanted || pulls;
+      if (is_refuted || is_open || work_.is_spent() || !is_divisible(d)) {
+        const std::optional<Ball>& at = pulls ? pulls : is_open;
+        fail(half, at ? Interval{*at, *at} : d, is_refuted,
+             is_refuted ? "the traction pulls" : undecided("the traction's sign is not decided"));
         return;
       }
-      const Ball middle = divide(d);
-      open.push_back({middle, d.high});
-      open.push_back({d.low, middle});
+      for (Stretch& part : halves(stretch, divide(d))) open.push_back(std::move(part));
     }
   }
 
@@ -116,37 +195,33 @@ class Decision {
 
   /// A part of a gap, with what the gap's height changes by, from left to right.
   struct Cell {
-    Half half;
-    Interval d;
+    Stretch at;
     int sign;     ///< of gap' for x to the right; 0 if it is not decided
     Ball change;  ///< of the gap over the cell, to the right
     Ball range;   ///< what it changes by up to any place of the cell lies between 0 and this
   };
 
-  /// Over an interval no expansion takes the place of the nodes, and each of them is a division.
-  std::int64_t work_of_cell() const { return 4 * (form_.count() + 1) * form_.work_of_place(); }
+  /// At the nodes of the panel that integrates it.
+  std::int64_t work_of_cell() const { return (form_.count() + 1) * form_.work_of_place() + 2 * work_of_restriction(); }
 
-  Cell cell(const Half& half, const Interval& d) {
+  Cell cell(Stretch at) {
     ++result_.intervals;
     work_.take(work_of_cell());
+    const Half& half = at.half;
+    const Interval& d = at.d;
+    if (!at.b) expand(at);
+    // The series widens what the box makes of values, the interval what cancels in them.
     const LocalValue b = form_.regular_factor(place(half, d));
-    const int sign = b.sign() * set_.sign(half.segment);
+    const Ball values = at.b ? b.value().intersection(at.b->range()) : b.value();
+    const int sign = (b.sign() != 0 ? b.sign() : sign_of(values)) * set_.sign(half.segment);
     // int |Y| over the cell: the power of the half's own point is integrated, the others are enclosed.
-    const std::size_t point = half.from == Side::left ? half.segment : half.segment + 1;
-    const Ball exponent = set_.power(point) + Ball(1);
+    const Ball exponent = set_.power(point(half)) + Ball(1);
     const Ball low = d.low.is_positive() ? power(d.low, exponent) : Ball(0, bits_);
-    const Ball weight = (power(d.high, exponent) - low) / exponent * form_.modulus(place(half, d), point);
-    const Ball range = b.value() * weight * Ball(set_.sign(half.segment));
-    Ball change = range;
-    // Away from the contact's ends a cell is integrated: ranges alone would add up to more than the gap's own variation.
-    const bool apart = d.low * Ball(2) >= d.high || !(set_.point(point).is_end() || d.low.is_positive());
-    if (apart) {
-      const Ball rest = set_.length(half.segment) - d.high;
-      const bool left = half.from == Side::left;
-      const ContactPanel::Part part{half.segment, left ? d.low : rest, left ? rest : d.low, d.high - d.low, {}};
-      change = change.intersection(form_.gap_change(part, form_.slope_of(half.segment)));
-    }
-    return {half, d, sign, std::move(change), range};
+    const Ball weight = (power(d.high, exponent) - low) / exponent * form_.modulus(place(half, d), point(half));
+    const Ball range = values * weight * Ball(set_.sign(half.segment));
+    // Ranges alone would add up to more than the gap's own variation.
+    Ball change = range.intersection(form_.gap_change(part(half, d), form_.slope_of(half.segment)));
+    return {std::move(at), sign, std::move(change), range};
   }
 
   void decide_gaps() {
@@ -174,15 +249,14 @@ class Decision {
     for (std::size_t k = first; k <= last; ++k) {
       for (const Side side : {Side::left, Side::right}) {
         const Half half{k, side};
-        const std::size_t point = side == Side::left ? k : k + 1;
         const Ball end = end_of(half);
-        Ball start = end;
-        if (set_.point(point).is_end()) {
+        Ball start(0, bits_);
+        if (set_.point(point(half)).is_end()) {
           // Away from the contact the gap opens: seen to the right, gap' > 0 to the right of an end, < 0 to the left.
           bool refuted = false;
           start = first_interval(half, (side == Side::left ? 1 : -1) * set_.sign(k), refuted);
           if (!start.is_positive()) {
-            if (step(point).contains_zero()) {
+            if (step(point(half)).contains_zero()) {
               fail(half, {Ball(0, bits_), Ball(0, bits_)}, refuted,
                    refuted ? "the surfaces penetrate beside the contact's end"
                            : "whether the surfaces open beside the contact's end is not decided");
@@ -191,8 +265,16 @@ class Decision {
             start = end;
           }
         }
-        std::vector<Cell> of_half{cell(half, {Ball(0, bits_), start})};
-        if (start < end) of_half.push_back(cell(half, {start, end}));
+        std::vector<Cell> of_half;
+        if (start.is_positive()) of_half.push_back(cell({half, {Ball(0, bits_), start}}));
+        if (start < end) {
+          std::vector<ContactPanel::Part> parts = ContactPanel::outward(set_, k, side, {start, end});
+          if (side == Side::right) std::reverse(parts.begin(), parts.end());
+          for (const ContactPanel::Part& p : parts) {
+            const Ball& low = side == Side::left ? p.from_left : p.from_right;
+            of_half.push_back(cell({half, {low, low + p.length}}));
+          }
+        }
         if (side == Side::right) std::reverse(of_half.begin(), of_half.end());
         std::move(of_half.begin(), of_half.end(), std::back_inserter(cells));
       }
@@ -212,7 +294,7 @@ class Decision {
         if (!(side == Side::left ? from_left : from_right)) continue;
         const std::optional<std::size_t> negative = mark(cells, open, side);
         if (!negative) continue;
-        fail(cells[*negative].half, cells[*negative].d, true, "the surfaces penetrate");
+        fail(cells[*negative].at.half, cells[*negative].at.d, true, "the surfaces penetrate");
         return;
       }
       const auto open_at = std::find(open.begin(), open.end(), 0);
@@ -222,7 +304,7 @@ class Decision {
       if (next > work_.left()) work_.take(next);
       if (round == rounds_of_some + most_rounds_ || work_.is_spent()) {
         const Cell& at = cells[static_cast<std::size_t>(open_at - open.begin())];
-        fail(at.half, at.d, false, undecided("the gap's sign is not decided"));
+        fail(at.at.half, at.at.d, false, undecided("the gap's sign is not decided"));
         return;
       }
       cells = divided(cells, round < rounds_of_some ? &open : nullptr);
@@ -236,14 +318,14 @@ class Decision {
     const std::size_t n = cells.size();
     const auto at = [&](std::size_t i) -> const Cell& { return cells[left ? i : n - 1 - i]; };
     const auto direction = Ball(left ? 1 : -1);
-    const auto entered = [&](const Cell& c) { return left ? c.half.segment : c.half.segment + 1; };
+    const auto entered = [&](const Cell& c) { return left ? c.at.half.segment : c.at.half.segment + 1; };
     Ball height = direction * step(entered(at(0)));
     Ball most = height;
     if (height.is_negative()) return left ? 0 : n - 1;
     bool grows = true;  // all the way from the contact
     for (std::size_t i = 0; i < n; ++i) {
       const Cell& c = at(i);
-      if (i > 0 && at(i - 1).half.segment != c.half.segment) {
+      if (i > 0 && at(i - 1).at.half.segment != c.at.half.segment) {
         const Ball risen = direction * step(entered(c));
         height += risen;
         most += risen;
@@ -274,10 +356,10 @@ class Decision {
         result.push_back(c);
         continue;
       }
-      const Ball middle = c.d.low.is_positive() ? divide(c.d) : (c.d.high / Ball(2)).midpoint();
-      Cell parts[] = {cell(c.half, {c.d.low, middle}), cell(c.half, {middle, c.d.high})};
-      if (c.half.from == Side::right) std::swap(parts[0], parts[1]);
-      for (Cell& part : parts) result.push_back(std::move(part));
+      const Interval& d = c.at.d;
+      std::array<Stretch, 2> parts = halves(c.at, d.low.is_positive() ? divide(d) : (d.high / Ball(2)).midpoint());
+      if (c.at.half.from == Side::right) std::swap(parts[0], parts[1]);
+      for (Stretch& part : parts) result.push_back(cell(std::move(part)));
     }
     return result;
   }
@@ -285,6 +367,7 @@ class Decision {
   const ContactForm& form_;
   const ContactSet& set_;
   Bits bits_;
+  ChebyshevNodes nodes_;
   WorkBudget& work_;
   int most_rounds_;
   SignsDecided result_;

@@ -233,7 +233,7 @@ std::optional<Approach> newton(const ReducedProblem& problem, const ContactBox& 
   Matrix inverse;
   Ball before = Ball::unknown(bits);
   // What is left Krawczyk's operator gains, whose F' has more bits than these.
-  const Ball enough = power(Ball(2, bits), -static_cast<int>(std::max(bits - 48, bits * 3 / 4)));
+  const Ball enough = power(Ball(2, bits), -static_cast<int>(std::max(bits - few_bits + 8, bits * 2 / 3)));
   constexpr int most_steps = 40;
   for (int step = 0; step < most_steps && !values.empty(); ++step) {
     const ContactBox here = with_unknowns(box, values);
@@ -255,13 +255,24 @@ std::optional<Approach> newton(const ReducedProblem& problem, const ContactBox& 
     }
     if (inverse.empty() || !all_finite(conditions)) return std::nullopt;
     const std::vector<Ball> change = product(inverse, conditions, bits);
-    Ball largest(0, bits);
+    Ball largest(0, bits), noise(0, bits);
     for (std::size_t i = 0; i < values.size(); ++i) {
       values[i] = (values[i] - change[i]).midpoint();
       result.widths[i] = abs(change[i]).upper();
       largest = max(largest, result.widths[i]);
+      noise = max(noise, change[i].radius());
     }
     if (largest < enough) break;
+    // The next step would be shorter by the derivative's error, which has the start's digits, or the coarse rules': where it
+    // shows nothing it is not made.
+    const Ball error =
+        power(Ball(2, bits), 16) * max(largest, noise * power(Ball(2, bits), static_cast<int>(bits - coarse.bits())));
+    if (largest * error < max(enough, noise)) {
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        result.widths[i] = (result.widths[i] * error + change[i].radius()).upper();
+      }
+      break;
+    }
     // Once rounding and the quadrature's error are reached, steps no longer shrink.
     if (before.is_finite() && !(largest < before * Ball(Rational(1, 16), bits))) {
       if (before < power(Ball(2, bits), -static_cast<int>(bits) / 2)) break;
@@ -276,7 +287,9 @@ std::optional<Approach> newton(const ReducedProblem& problem, const ContactBox& 
 std::optional<Approach> approach(const ReducedProblem& problem, ContactBox box, JacobiRules& rules, WorkBudget& work) {
   if (rules.bits() <= few_bits) return newton(problem, box, rules, rules, work);
   JacobiRules half(std::max(rules.bits() / 2, few_bits));
-  if (const auto rough = approach(problem, box, half, work)) box = with_unknowns(box, rough->values);
+  if (rules.bits() > 2 * few_bits) {
+    if (const auto rough = approach(problem, box, half, work)) box = with_unknowns(box, rough->values);
+  }
   return newton(problem, box, rules, half, work);
 }
 
