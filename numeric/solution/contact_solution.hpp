@@ -47,13 +47,6 @@ struct UnresolvedGap {
   double log10_length;  ///< by order of magnitude
 };
 
-/// A gap between two components that a method cannot tell from contact. Loads do not hang on it by more than their errors.
-template <Real R>
-struct DoubtfulGap {
-  R left;
-  R right;
-};
-
 /// K in p ~ K (2 pi d)^lambda on each side of a point (p ~ constant + K (2 pi d)^lambda with a wedge), a force per
 /// length^(2 + lambda); at lambda = -1/2 fracture mechanics' intensity factor. Absent without contact on that side, and for
 /// a logarithm.
@@ -182,8 +175,6 @@ class ContactSolution {
   virtual std::vector<ContactComponent<R>> contact() const = 0;
   /// Left to right.
   virtual std::vector<UnresolvedGap<R>> unresolved_gaps() const { return {}; }
-  /// Left to right.
-  virtual std::vector<DoubtfulGap<R>> doubtful_gaps() const { return {}; }
   /// Where contact is, in plain exact numbers: what a proof starts from.
   virtual ApproximateContact approximate_contact() const { return {}; }
   virtual std::vector<SolvedSingularPoint<R>> singular_points() const = 0;

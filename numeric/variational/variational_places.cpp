@@ -152,9 +152,7 @@ void VariationalSolution::find_end_errors() {
     const double gap = ends[k + 1]->x - ends[k]->x;
     const bool may_be_none =
         is_new[k] || gap <= 4 * cell + 8 * (by[k] + by[k + 1]) || gap <= ends[k]->error + ends[k + 1]->error;
-    if (!may_be_none) continue;
-    for (Place* end : {ends[k], ends[k + 1]}) end->error = std::max(end->error, gap + cell);
-    doubtful_gaps_.push_back({origin_ + ends[k]->x, origin_ + ends[k + 1]->x});
+    for (Place* end : {ends[k], ends[k + 1]}) end->error = std::max(end->error, may_be_none ? gap + cell : 0);
   }
 }
 

@@ -35,8 +35,6 @@ class VariationalSolution : public ContactSolution<double> {
   std::string method() const override { return "variational"; }
   std::string failed_condition() const override;
   std::vector<ContactComponent<double>> contact() const override;
-  /// Those whose ends are off by their length.
-  std::vector<DoubtfulGap<double>> doubtful_gaps() const override { return doubtful_gaps_; }
   std::vector<SolvedSingularPoint<double>> singular_points() const override;
   Resultants<double> resultants() const override;
   /// Infinite where the data say so of a place inside the contact: at edges, at friction jumps by their power, at convex
@@ -138,7 +136,6 @@ class VariationalSolution : public ContactSolution<double> {
   std::vector<double> displacement_;  ///< B p of each cell
   std::vector<Run> runs_;
   std::vector<Place> places_;
-  std::vector<DoubtfulGap<double>> doubtful_gaps_;
   std::vector<std::size_t> ends_;  ///< which of places_, two of each run
   /// Of the cells and of the coarser ones.
   Once<std::pair<std::vector<double>, std::vector<double>>> shear_transforms_;
