@@ -62,7 +62,6 @@ class DistantSum {
   /// sum_i |f_i|.
   double size() const { return size_; }
 
- private:
   /// How many until rho^-k is below e^-accuracy by far.
   static std::size_t terms(const R& x, double accuracy) {
     const auto d = static_cast<double>(x);
@@ -72,6 +71,7 @@ class DistantSum {
   inline static const double digits = -std::log(static_cast<double>(epsilon<R>()));
   inline static const double beyond_double = digits + std::log(epsilon<double>());
 
+ private:
   std::vector<R> moments_;
   std::vector<double> rough_;  ///< the same
   double size_ = 0;

@@ -188,19 +188,31 @@ class Inspection {
     const bool contact_right = end < set_.segments();
     if (!contact_left && !contact_right) return;
     std::vector<SurfacePoint<R>> all;
+    std::vector<R> rates;
     bool steps = set_.is_at_step(end);
     for (std::size_t k = first; k < end; ++k) {
       steps = steps || set_.is_at_step(k);
       std::vector<SurfacePoint<R>> more = places(set_, k);
       const std::vector<SurfacePoint<R>> extrema = form_.profile_extrema(k);
       more.insert(more.end(), extrema.begin(), extrema.end());
+      // The support's ends, and both sides of steps and corners.
+      if (k > first || !contact_left) more.push_back(beside(set_, k, Side::right, R(0)));
+      if (k + 1 < end || !contact_right) more.push_back(beside(set_, k + 1, Side::left, R(0)));
       std::ranges::stable_sort(more, [](const SurfacePoint<R>& a, const SurfacePoint<R>& b) {
         return std::tie(a.node.from_left, b.node.from_right) < std::tie(b.node.from_left, a.node.from_right);
       });
-      all.insert(all.end(), more.begin(), more.end());
+      for (const SurfacePoint<R>& at : more) {
+        const R here = rate(at);
+        if (!all.empty() && rates.back() < 0 && here > 0) {
+          if (const auto lowest = turn(all.back(), rates.back(), at, here)) {
+            all.push_back(*lowest);
+            rates.push_back(rate(*lowest));
+          }
+        }
+        all.push_back(at);
+        rates.push_back(here);
+      }
     }
-    std::vector<R> rates;
-    for (const SurfacePoint<R>& at : all) rates.push_back(rate(at));
     // A gap that opens, and at its other end closes, is positive in between: no need to integrate.
     if (!steps) {
       std::size_t i = 0;
@@ -234,6 +246,30 @@ class Inspection {
       if (!rough_) rough_ = std::make_unique<RoughGaps<R>>(form_);
       return rough_->is_open(end, at);
     }
+  }
+
+  /// The lowest place of the gap between two of one segment: it closes at the first one and opens at the second one. By the
+  /// rule of false position, the rate of an end that stays twice halved; what is left of the gap is of second order.
+  std::optional<SurfacePoint<R>> turn(SurfacePoint<R> closes, R closing, SurfacePoint<R> opens, R opening) const {
+    using std::abs, std::sqrt;
+    if (closes.segment != opens.segment) return std::nullopt;
+    const auto k = static_cast<std::size_t>(closes.segment);
+    const R near = sqrt(epsilon<R>()) * (opens.node.from_left - closes.node.from_left);
+    SurfacePoint<R> at = closes;
+    for (int step = 0, stays = 0; step < 60; ++step) {
+      const R& left = closes.node.from_left;
+      const R d = left + (opens.node.from_left - left) * (closing / (closing - opening));
+      const R moved = abs(d - at.node.from_left);
+      at = surface_point(set_, k, d, set_.length(k) - d);
+      if (moved <= near) break;
+      const R here = rate(at);
+      const int side = here < 0 ? -1 : 1;
+      (side < 0 ? closes : opens) = at;
+      (side < 0 ? closing : opening) = here;
+      if (side == stays) (side < 0 ? opening : closing) /= 2;
+      stays = side;
+    }
+    return at;
   }
 
   R rate(const SurfacePoint<R>& at) const {

@@ -62,7 +62,16 @@ class Newton {
                                    abs(tilt_step) / std::max(abs(state_.tilt), R(1))});
       if (!(movement < infinity<R>())) break;
       const bool lengths_settled = beside_wedges <= lengths_rounding;
-      const bool settled = movement <= rounding && lengths_settled;
+      // By quadratic convergence a movement m after m_0 is followed by one like m^3/m_0^2, here a thousand times that. In more
+      // digits than double's, where a step is most of the work, that need not be looked at.
+      const auto next = [](const R& now, const R& before) {
+        return now == 0 ? R(0) : R(1000 * now * (now * now / (before * before)));
+      };
+      const R left = next(movement, previous);
+      const R left_beside = next(beside_wedges, previous_beside);
+      const bool is_quadratic = !std::same_as<R, double> && part == 1 && std::max(previous, previous_beside) < R(1e-6);
+      const bool follows = is_quadratic && left <= rounding && left_beside <= rounding;
+      const bool settled = follows || (movement <= rounding && lengths_settled);
       // Rounding may keep the last steps above that: they are small, and no longer shrink.
       const bool at_rounding_level = movement < sqrt(epsilon<R>()) && movement >= previous / 2 &&
                                      beside_wedges <= R(1e-3) &&
@@ -71,8 +80,13 @@ class Newton {
       if (settled || (part == 1 && at_rounding_level)) {
         if (!linear.is_complete()) break;
         StateErrors<R> rounding = linear.rounding();
-        return {std::move(state_), Status::converged,  0, std::nullopt, movement * hull,
-                beside_wedges,     std::move(rounding)};
+        return {std::move(state_),
+                Status::converged,
+                0,
+                std::nullopt,
+                (follows ? left : movement) * hull,
+                follows ? left_beside : beside_wedges,
+                std::move(rounding)};
       }
       previous = part == 1 ? movement : infinity<R>();
       // Orders of magnitude that swing to and fro want shorter steps.

@@ -186,6 +186,43 @@ GradedSum<R>* ContactQuadrature<R>::graded_sum(std::size_t segment, Side end, st
 }
 
 template <Real R>
+auto ContactQuadrature<R>::local_sum(std::size_t slope, std::size_t component, const SurfacePoint<R>& at,
+                                     const std::vector<R>& density) const -> const Local* {
+  if constexpr (!std::same_as<R, double>) {
+    constexpr std::size_t worth_a_series = 24;
+    const ContactSet<R>& set = y_->set();
+    const auto segments = static_cast<std::ptrdiff_t>(set.segments());
+    if (y_->pivots().empty() || at.segment < 0 || at.segment >= segments) return nullptr;
+    if (local_.segment != at.segment || local_.component != component || local_.slope != slope) {
+      local_ = {at.segment, component, slope, 0, R(0), R(0), {}, {}};
+    }
+    if (++local_.asked < worth_a_series) return nullptr;
+    if (!local_.is_far.empty()) return &local_;
+    const auto here = static_cast<std::size_t>(at.segment);
+    const bool left = y_->component_at(beside(set, here, Side::right, R(0))) == component;
+    const bool right = y_->component_at(beside(set, here + 1, Side::left, R(0))) == component;
+    const R half = set.length(here) / 2;
+    local_.begin = left ? R(0) : half;
+    local_.length = left && right ? set.length(here) : half;
+    local_.is_far.assign(set.segments(), 0);
+    const auto add = [&](std::size_t k, const R& between, bool is_right) {
+      if (!set.in_contact(k) || y_->slope_at(k) == slope || 2 * between < local_.length) return;
+      local_.is_far[k] = 1;
+      for (std::size_t i = first_node(k); i < first_node(k + 1); ++i) {
+        const R d = between + (is_right ? nodes_[i].node.from_left : nodes_[i].node.from_right);
+        local_.sum.add(density[i], d / local_.length, is_right);
+      }
+    };
+    R between = set.length(here) - local_.begin - local_.length;
+    for (std::size_t k = here + 1; k < set.segments(); between += set.length(k++)) add(k, between, true);
+    between = local_.begin;
+    for (std::size_t k = here; k-- > 0; between += set.length(k)) add(k, between, false);
+    return &local_;
+  }
+  return nullptr;
+}
+
+template <Real R>
 Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t slope, std::size_t component,
                                                const SurfacePoint<R>& at, const R& between, const R* weights,
                                                const R* density) const {
@@ -256,8 +293,14 @@ Estimate<R> ContactQuadrature<R>::sum_of_panels(std::size_t slope, std::size_t c
                                                 const std::vector<R>& density) const {
   Estimate<R> total{R(0), R(0)};
   const ContactSet<R>& set = y_->set();
+  const Local* const local = local_sum(slope, component, at, density);
+  if (local) {
+    const R value = local->sum.value((at.node.from_left - local->begin) / local->length) / local->length;
+    total += Estimate<R>{value, R(local->sum.size()) / local->length};
+  }
   const auto add = [&](std::size_t segment, const R& between) {
     if (segment < first || segment >= end || !set.in_contact(segment) || y_->slope_at(segment) == slope) return;
+    if (local && local->is_far[segment]) return;
     const std::size_t panel = first_panel_[segment];
     std::pair<std::size_t, std::size_t> near{panel, first_panel_[segment + 1]};
     const bool is_right = at.segment < static_cast<std::ptrdiff_t>(segment);

@@ -14,6 +14,7 @@
 #include "numeric/number/estimate.hpp"
 #include "numeric/quadrature/distant_sum.hpp"
 #include "numeric/quadrature/graded_sum.hpp"
+#include "numeric/quadrature/local_sum.hpp"
 #include "numeric/riemann_hilbert/jacobi_panels.hpp"
 
 namespace steadyslide::numeric {
@@ -74,6 +75,21 @@ class ContactQuadrature {
   /// The same of a segment with many panels, for places beyond that end of it.
   GradedSum<R>* graded_sum(std::size_t segment, Side end, std::size_t slope, const R* density) const;
 
+  /// With pivots: what segments far from a segment do in it, or in that half of it that belongs to one component.
+  struct Local {
+    std::ptrdiff_t segment = -1;
+    std::size_t component = 0;
+    std::size_t slope = 0;
+    std::size_t asked = 0;
+    R begin = 0;  ///< of the half
+    R length = 0;
+    std::vector<char> is_far;  ///< of each segment
+    LocalSum<R> sum;
+  };
+  /// The one for a place, above double, once so many places in a row have asked for it that it is worth while; null before.
+  const Local* local_sum(std::size_t slope, std::size_t component, const SurfacePoint<R>& at,
+                         const std::vector<R>& density) const;
+
   // In double, panels far away by cells (contact_quadrature_cells.cpp).
   struct Cells;
   /// Once the panels have been asked for so often that cells are worth while; null before, and for few panels.
@@ -110,6 +126,7 @@ class ContactQuadrature {
   mutable std::size_t last_slope_ = 0;
   mutable std::vector<R> last_weights_;
   mutable std::vector<R> last_density_;
+  mutable Local local_;
   mutable std::shared_ptr<Cells> cells_;
   mutable std::size_t evaluations_ = 0;
 };

@@ -90,7 +90,8 @@ class Search {
   }
 
   /// An end that wants to cross an anchor may do so from this distance; every crossing makes the next one harder, so
-  /// that an end very near the anchor is approached and not jumped over for ever. The same with gaps that close.
+  /// that an end very near the anchor is approached and not jumped over for ever. The same with gaps that close, and with
+  /// components that vanish: contact at a corner begins with nothing.
   std::vector<R> limits() const {
     const Set& set = state_.set;
     const R hull = set.span_length();
@@ -99,6 +100,9 @@ class Search {
     for (std::size_t k = 0; k < set.segments(); ++k) {
       if (!set.in_contact(k) && set.point(k).is_end() && set.point(k + 1).is_end()) {
         result[k] = hull * pow(R(1e-3), closings_ + 1);
+      }
+      if (set.in_contact(k) && set.point(k).is_end() && set.point(k + 1).is_end()) {
+        result[k] = hull * pow(R(1e-3), removals_ + 1);
       }
       if (cannot_vanish(k)) result[k] = 0;
       for (const std::size_t j : {k, k + 1}) {
@@ -147,7 +151,7 @@ class Search {
     }
     if (left.is_end() && right.is_end()) {
       if (set.in_contact(k) ? set.components() == 1 : !left_moves || !right.is_movable()) return false;
-      if (!set.in_contact(k)) ++closings_;
+      ++(set.in_contact(k) ? removals_ : closings_);
       set.remove_interval(k);
       return renew(std::move(set));
     }
@@ -239,6 +243,14 @@ class Search {
     const SegmentPlace last_end = together ? from : SegmentPlace{to.segment, R(0), to.from_left + to.from_right};
     const R part = together ? 0.25 : 0.5;
     set.open(between(from, first_end, part), between(to, last_end, part));
+    // A corner that penetrates is the first to touch: indices are those of the new points and of the corners.
+    const std::size_t right = to.segment + 3, left = from.segment;
+    if (to.from_right == 0 && is_corner(set, End::right, right)) set.attach_to_anchor(right - 1, Side::right, false);
+    if (from.from_left == 0 && is_corner(set, End::left, left)) set.attach_to_anchor(left + 1, Side::left, false);
+  }
+
+  bool is_corner(const Set& set, End end, std::size_t j) const {
+    return set.point(j).anchor && !set.point(j).is_end() && problem_.edge_possible(end, *set.point(j).anchor);
   }
 
   /// A gap over an anchor that pulls much less far than to the next anchors and ends: as far to both sides, since by the
@@ -295,6 +307,7 @@ class Search {
   std::set<std::size_t> opened_at_ends_;  ///< anchors that open_notch_at() has seen
   std::map<std::size_t, int> crossings_;
   int closings_ = 0;
+  int removals_ = 0;  ///< of components that vanished
 };
 
 }  // namespace

@@ -102,3 +102,53 @@ TEST_CASE("the gap beside an edge does not depend on how its place rounds") {
   const std::vector<double> rough = openings<double>(), fine = openings<Real50>();
   for (std::size_t i = 0; i < fine.size(); ++i) CHECK_MESSAGE(rough[i] == doctest::Approx(fine[i]).epsilon(1e-12), i);
 }
+
+TEST_CASE_TEMPLATE("the corner of a step's far end touches from its closing load on", R, double, Real50) {
+  // At 0.302786423542875 the surface meets the corner at the support's end, and nothing else of that face.
+  for (const bool mirrored : {false, true}) {
+    CAPTURE(mirrored);
+    const auto zones = [&](const Rational& load) {
+      const Indenter foot(-1, {{0, Polynomial()}, {1, Polynomial({0.3_r})}});
+      const ContactProblem problem(Elasticity(Solid(0.2_r, 1)), FrictionProfile({0.3_r}), foot, load);
+      const auto solution = riemann_hilbert<R>(mirrored ? problem.mirrored() : problem).solution;
+      REQUIRE(fault(*solution) == "");
+      const auto contact = solution->contact();
+      const auto gap = solution->at(mirrored ? -1 : 1).gap;
+      REQUIRE(gap);
+      if (contact.size() == 1) CHECK(gap->value > 0);
+      // The control: a hundredth of the load's distance from closing is seen.
+      if (contact.size() == 1) CHECK(gap->value < 1e-9);
+      if (contact.size() == 2) CHECK((mirrored ? contact[0].left : contact[1].right).kind == SingularKind::edge);
+      return contact.size();
+    };
+    CHECK(zones(0.3027864234_r) == 1);
+    CHECK(zones(0.30278642354_r) == 1);
+    CHECK(zones(0.30278642355_r) == 2);
+    CHECK(zones(0.3027864236_r) == 2);
+    CHECK(zones(0.3028_r) == 2);
+    CHECK(zones(0.31_r) == 2);
+  }
+}
+
+TEST_CASE("a gap that closes between two places closes where it is lowest") {
+  // Another bowl beside a bowl: its lowest place is not that of its profile.
+  const auto at_load = [](double load) {
+    return solved<double>(reduced({0.3_r}, {},
+                                  Indenter(-1, {{0.5_r, Polynomial({0, 0, 1})}, {2, Polynomial({1.6_r, -2.4_r, 1})}}),
+                                  Rational(load)));
+  };
+  double below = 0.02, above = 2;
+  REQUIRE(at_load(below)->contact().size() == 1);
+  REQUIRE(at_load(above)->contact().size() == 2);
+  while (above - below > 1e-9) {
+    const double load = (below + above) / 2;
+    (at_load(load)->contact().size() == 1 ? below : above) = load;
+  }
+  const auto found = at_load(below);
+  double lowest = 1;
+  for (int i = 0; i <= 4000; ++i) lowest = std::min(lowest, found->at(Rational(5000 + 3 * i, 10000)).gap->value);
+  CAPTURE(below);
+  CHECK(lowest > -1e-9);
+  // The control: it is about to close.
+  CHECK(lowest < 1e-6);
+}
