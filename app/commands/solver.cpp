@@ -101,10 +101,16 @@ SolutionText Solver::solve(const Problem& problem) {
   if (takes_variational(wanted_.method, problem.contact, wanted_.certify, wanted_.solution.digits))
     return solve_on_cells(problem);
   if (wanted_.certify) return solve_certified(problem);
-  return in_precision(
+  SolutionText text = in_precision(
       wanted_.solution.digits, problem.contact, wanted_.solution.at,
       [&]<numeric::Real R>() { return solve_in<R>(problem); },
-      [](const SolutionText& text) { return !text.reason.empty() || (text.is_solved() && text.in_range); });
+      [](const SolutionText& found) { return !found.reason.empty() || (found.is_solved() && found.in_range); });
+  if (text.is_solved() || !may_fall_back(wanted_.method, wanted_.solution.digits)) return text;
+  SolutionText on_cells = solve_on_cells(problem);
+  if (!on_cells.is_solved()) return text;
+  on_cells.instead = fallen_back(text.reason + text.failed_condition);
+  on_cells.warnings.insert(on_cells.warnings.begin(), on_cells.instead);
+  return on_cells;
 }
 
 }  // namespace steadyslide::app

@@ -27,8 +27,8 @@ class Solver {
 
   explicit Solver(Wanted wanted) : wanted_(std::move(wanted)) {}
 
-  /// 16 digits are found in double; where double is not enough, 50 digits are found and 16 of them told. The
-  /// variational method knows double only.
+  /// 16 digits are found in double; where double is not enough, 50 digits are found and 16 of them told. Where neither
+  /// solves, `automatic` asks cells. The variational method knows double only.
   SolutionText solve(const Problem& problem);
 
   /// What is proved of all loads between two, left to right (enclosure/loads/load_path.hpp).

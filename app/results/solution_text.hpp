@@ -107,6 +107,7 @@ struct BoundText {
 
 struct SolutionText {
   std::string method;
+  std::string instead;  ///< not empty: the method took the place of another one, and why
   int digits = 0;
   std::vector<std::pair<EndText, EndText>> contact;
   std::vector<NumberText> width, component_load;  ///< of each contact component

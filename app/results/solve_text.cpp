@@ -190,7 +190,8 @@ void write_bound(const BoundText& bound, Output& output) {
 
 void write_text(const Problem& problem, const SolutionText& solution, Output& output) {
   write_problem(problem.contact, output);
-  output.write(fmt::format("method {}, {} digits\n\ncontact\n", solution.method, solution.digits));
+  const std::string& method = solution.instead.empty() ? "method " + solution.method : solution.instead;
+  output.write(fmt::format("{}, {} digits\n\ncontact\n", method, solution.digits));
   write_contact(solution, output);
   write_singular_points(solution, output);
   write_resultants(problem, solution, output);

@@ -66,6 +66,10 @@ bool takes_variational(Method method, const ContactProblem& problem, bool certif
   return too_much && !numeric::closed_form<double>(problem).solution;  // pieces can all be the same polynomial
 }
 
+std::string fallen_back(const std::string& why) {
+  return "method variational: the Riemann-Hilbert method did not converge; " + why;
+}
+
 bool may_take_more_digits(const ContactProblem& problem) {
   constexpr std::size_t many_pieces = 64;
   return problem.indenter().pieces().size() <= many_pieces;

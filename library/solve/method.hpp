@@ -1,6 +1,7 @@
 #pragma once
 // Which method solves a problem, and in which precision.
 
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -20,6 +21,12 @@ Method method_named(std::string_view name);
 /// proof, where the Riemann-Hilbert method is predicted to take more than a second. It finds a gap over each concave corner
 /// inside the contact, 0.1 s each; how many there are that double can hold a solution on 1024 cells tells.
 bool takes_variational(Method method, const ContactProblem& problem, bool certify, int digits = 16);
+
+/// May cells solve what the Riemann-Hilbert method has not: 16 digits or fewer, and no method asked for?
+inline bool may_fall_back(Method method, int digits) { return method == Method::automatic && digits <= 16; }
+
+/// The warning of an answer on cells, the Riemann-Hilbert method having failed before; `why` it did.
+std::string fallen_back(const std::string& why);
 
 /// The closed form where it is asked for or applies, else Riemann-Hilbert, from the solution `start` if there is one.
 template <numeric::Real R>

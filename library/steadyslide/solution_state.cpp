@@ -93,9 +93,11 @@ std::vector<R> reals(std::span<const double> x) {
 template <Real R>
 class SolvedIn final : public Solution::State {
  public:
-  SolvedIn(const Problem& of, std::shared_ptr<const numeric::ContactSolution<R>> solution, int its_digits)
+  SolvedIn(const Problem& of, std::shared_ptr<const numeric::ContactSolution<R>> solution, int its_digits,
+           std::string of_another)
       : State(of), solution_(std::move(solution)), number_{its_digits} {
     digits = its_digits;
+    instead = std::move(of_another);
     method = solution_->method();
     const bool on_cells = dynamic_cast<const numeric::VariationalSolution*>(solution_.get()) != nullptr;
     failed_condition =
@@ -238,8 +240,8 @@ class SolvedIn final : public Solution::State {
 
 template <Real R>
 std::shared_ptr<const Solution::State> state_of(const Problem& problem, const numeric::Attempt<R>& attempt,
-                                                library::Method method, int digits) {
-  if (attempt.solution) return std::make_shared<SolvedIn<R>>(problem, attempt.solution, digits);
+                                                library::Method method, int digits, std::string instead = {}) {
+  if (attempt.solution) return std::make_shared<SolvedIn<R>>(problem, attempt.solution, digits, std::move(instead));
   const bool closed = method == library::Method::closed_form;
   const std::string& name = data_of(problem).problem.file;
   throw InvalidData(closed ? "method closed-form: no closed form applies; " + attempt.reason
@@ -251,15 +253,20 @@ std::shared_ptr<const Solution::State> state_of(const Problem& problem, const nu
 std::shared_ptr<const Solution::State> solved_state(const Problem& problem, library::Method method, int digits,
                                                     const numeric::VariationalOptions& variational) {
   const ContactProblem& contact = contact_problem(problem);
-  if (library::takes_variational(method, contact, false, digits)) {
-    return state_of<double>(problem, numeric::variational_inequality(contact, variational), method, digits);
-  }
-  return library::in_precision(
+  const auto on_cells = [&](std::string instead) {
+    return state_of<double>(problem, numeric::variational_inequality(contact, variational), method, digits,
+                            std::move(instead));
+  };
+  if (library::takes_variational(method, contact, false, digits)) return on_cells({});
+  const std::shared_ptr<const Solution::State> found = library::in_precision(
       digits, contact, {},
       [&]<Real R>() { return state_of<R>(problem, library::attempt<R>(method, contact, nullptr), method, digits); },
       [](const std::shared_ptr<const Solution::State>& state) {
         return state->failed_condition.empty() && state->is_in_range();
       });
+  if (found->failed_condition.empty() || !library::may_fall_back(method, digits)) return found;
+  const std::shared_ptr<const Solution::State> cells = on_cells(library::fallen_back(found->failed_condition));
+  return cells->failed_condition.empty() ? cells : found;
 }
 
 }  // namespace steadyslide

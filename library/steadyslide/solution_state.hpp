@@ -29,6 +29,7 @@ struct Solution::State {
   Problem problem;
   int digits = 16;
   std::string method;
+  std::string instead;  ///< the first warning, where the method took the place of another one
   std::string failed_condition;
 
   explicit State(Problem of) : problem(std::move(of)) {}

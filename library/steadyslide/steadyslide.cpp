@@ -169,7 +169,11 @@ const std::string& Solution::failed_condition() const { return state_->failed_co
 const std::string& Solution::method() const { return state_->method; }
 int Solution::digits() const { return state_->digits; }
 const Problem& Solution::problem() const { return state_->problem; }
-std::vector<std::string> Solution::warnings() const { return state_->warnings(); }
+std::vector<std::string> Solution::warnings() const {
+  std::vector<std::string> all = state_->warnings();
+  if (!state_->instead.empty()) all.insert(all.begin(), state_->instead);
+  return all;
+}
 
 std::vector<ContactComponent> Solution::contact() const { return state_->contact(); }
 std::vector<SolvedPoint> Solution::singular_points() const { return state_->singular_points(); }
