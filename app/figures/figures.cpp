@@ -1,15 +1,18 @@
 #include "app/figures/figures.hpp"
 
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "app/figures/figure_data.hpp"
 #include "app/terminal/failure.hpp"
 #include "app/terminal/progress.hpp"
-#include "proofs_checks/kit/archive.hpp"
 #include "proofs_checks/kit/processes.hpp"
 
 namespace steadyslide::app {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DrawnFigure, name, title, caption, command, picture, data)
+
 namespace {
 
 std::vector<FigureMaker> selected(const std::vector<std::string>& patterns) {
@@ -28,11 +31,7 @@ struct Said {
   DrawnFigure figure;
 };
 
-template <class Archive>
-void pass(Archive& archive, Said& said) {
-  auto& [name, title, caption, command, picture, data] = said.figure;
-  archive(said.code, said.complaint, name, title, caption, command, picture, data);
-}
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Said, code, complaint, figure)
 
 Said said_of(const FigureMaker& maker, Picture picture) {
   try {
@@ -45,8 +44,7 @@ Said said_of(const FigureMaker& maker, Picture picture) {
 }
 
 DrawnFigure drawn_as_said(const std::string& bytes) {
-  Said said;
-  proofs_checks::unarchive(bytes, said);
+  Said said = nlohmann::json::from_cbor(bytes);
   if (said.code != ExitCode::done) throw Failure(said.code, said.complaint);
   if (!said.complaint.empty()) throw std::runtime_error(said.complaint);
   return std::move(said.figure);
@@ -64,7 +62,12 @@ std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns, 
   run_gnuplot("");
   Progress progress(wanted.size());
   const auto ends = proofs_checks::do_in_processes(
-      wanted.size(), processes, [&](std::size_t k) { return proofs_checks::archived(said_of(wanted[k], picture)); },
+      wanted.size(), processes,
+      [&](std::size_t k) {
+        std::string bytes;
+        nlohmann::json::to_cbor(said_of(wanted[k], picture), bytes);
+        return bytes;
+      },
       [&](std::size_t k) {
         if (k >= processes) progress.next();  // another one is done
       });

@@ -1,54 +1,47 @@
 #include "proofs_checks/kit/transport.hpp"
 
-#include "proofs_checks/kit/archive.hpp"
+#include <nlohmann/json.hpp>
+#include <utility>
 
 namespace steadyslide::proofs_checks {
 
-// What a report consists of.
+using Json = nlohmann::json;
 
-template <class Archive>
-static void pass(Archive& archive, ExactIdentity& e) {
-  archive(e.detail, e.identities);
-}
-template <class Archive>
-static void pass(Archive& archive, Agreement& e) {
-  archive(e.what, e.routes, e.worst, e.tolerance, e.cases, e.effective, e.required, e.detail);
-}
-template <class Archive>
-static void pass(Archive& archive, ConvergenceRate& e) {
-  archive(e.what, e.measured, e.error_bar, e.expected, e.tolerance, e.detail);
-}
-template <class Archive>
-static void pass(Archive& archive, Counterexample& e) {
-  archive(e.where, e.detail);
-}
-template <class Archive>
-static void pass(Archive& archive, BeyondCalculation& e) {
-  archive(e.reason, e.consequences);
-}
-template <class Archive>
-static void pass(Archive& archive, ProofNode& node) {
-  archive(node.fact.word, node.fact.things, node.by, node.words, node.from);
-}
-/// The text of the proof is the claim's.
-template <class Archive>
-static void pass(Archive& archive, CheckedProof& e) {
-  archive(e.nodes, e.gap);
-}
-template <class Archive>
-static void pass(Archive& archive, ControlReport& control) {
-  archive(control.name, control.refuted, control.detail);
-}
-template <class Archive>
-static void pass(Archive& archive, Report& report) {
-  archive(report.verdict, report.evidence, report.note, report.controls, report.seconds);
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ExactIdentity, detail, identities)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Agreement, what, routes, worst, tolerance, cases, effective, required, detail)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ConvergenceRate, what, measured, error_bar, expected, tolerance, detail)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Counterexample, where, detail)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BeyondCalculation, reason, consequences)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Fact, word, things)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProofNode, fact, by, words, from)
+// The text of a proof belongs to the claim.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckedProof, nodes, gap)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ControlReport, name, refuted, detail)
+
+/// An array of the alternative's index and its members.
+static void to_json(Json& json, const Evidence& evidence) {
+  std::visit([&](const auto& one) { json = {evidence.index(), one}; }, evidence);
 }
 
-std::string to_bytes(const Report& report) { return archived(report); }
+static void from_json(const Json& json, Evidence& evidence) {
+  const auto index = json.at(0).get<std::size_t>();
+  const auto read = [&]<std::size_t... All>(std::index_sequence<All...>) {
+    ((index == All ? json.at(1).get_to(evidence.emplace<All>()), 0 : 0), ...);
+  };
+  read(std::make_index_sequence<std::variant_size_v<Evidence>>());
+}
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Report, verdict, evidence, note, controls, seconds)
+
+std::string to_bytes(const Report& report) {
+  std::string bytes;
+  Json::to_cbor(report, bytes);
+  return bytes;
+}
 
 Report report_from(std::string_view bytes, const Claim& claim) {
   Report report{claim, Verdict::undecided, {}, {}, {}, 0};
-  unarchive(bytes, report);
+  Json::from_cbor(bytes).get_to(report);
   for (Evidence& e : report.evidence) {
     if (auto* proof = std::get_if<CheckedProof>(&e)) proof->text = claim.proof;
   }

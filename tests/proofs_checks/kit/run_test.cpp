@@ -183,8 +183,8 @@ TEST_CASE("a report goes through bytes unchanged, whatever its evidence; bytes t
   CHECK(received.proof()->nodes[1].from == std::vector<std::size_t>{0});
   CHECK(received.proof()->nodes[0].fact == Fact{"coercive", {"log-form"}});
   CHECK(received.controls[0].detail == sent.controls[0].detail);
-  CHECK_THROWS_AS(report_from(bytes.substr(0, bytes.size() - 1), claim), std::invalid_argument);
-  CHECK_THROWS_AS(report_from(bytes + "x", claim), std::invalid_argument);
+  CHECK_THROWS(report_from(bytes.substr(0, bytes.size() - 1), claim));
+  CHECK_THROWS(report_from(bytes + "x", claim));
 }
 
 TEST_CASE("in processes: the same reports in the same order, and a process that ends leaves one claim undecided") {
