@@ -159,7 +159,6 @@ std::optional<unsigned long long> Given::seed() const {
 
 Option problem_argument() { return {"PROBLEM", "", "Problem file, or -", Option::Kind::required}; }
 Option certify_option(const std::string& what) { return {"--certify", "", what, Option::Kind::flag}; }
-Option schema_option() { return {"--schema", "N", "Of JSON: 2, or 1 as before; default 2", Option::Kind::text, "1 2"}; }
 Option seed_option() { return {"--seed", "N", "Seed of the random parameters, a whole number"}; }
 Option folder_option() { return {"-o,--output", "DIR", "Write into DIR, which is made if need be; default: here"}; }
 

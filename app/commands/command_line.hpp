@@ -59,7 +59,6 @@ class Given {
   /// `otherwise` without --digits.
   int digits(int otherwise, int most = most_digits) const { return count("--digits", 1, most).value_or(otherwise); }
   CommonOptions common(int digits, std::initializer_list<Format> formats, int most = most_digits) const;
-  Schema schema() const { return count("--schema", 1, 2) == 1 ? Schema::one : Schema::two; }
   /// --output; the current one without.
   std::string folder() const { return name("--output", "folder").value_or("."); }
   std::optional<unsigned long long> seed() const;
@@ -68,10 +67,9 @@ class Given {
   const CLI::App& options_;
 };
 
-/// PROBLEM, --schema (of commands whose JSON has numbers with an error), --seed, and the folder to write into.
+/// PROBLEM, --certify, --seed, and the folder to write into.
 Option problem_argument();
 Option certify_option(const std::string& what);
-Option schema_option();
 Option seed_option();
 Option folder_option();
 /// A command's own options, then --digits with its help, --format and --output.

@@ -237,7 +237,7 @@ ExitCode run_design(const Given& given) {
              {"effective_friction", numbers},
              {"effective_friction_reversed", numbers},
              "by"},
-            output, given.schema());
+            output);
   // Never in double: the last of its digits are lost to rounding.
   const numeric::Digits digits = std::max(numeric::precision_for(options.digits), numeric::Digits::fifty);
   try {
@@ -264,8 +264,7 @@ Command design_command() {
                        {"--fractions", "LIST", "The part of the contact of each, together 1"},
                        {"--maximise", "", "The layout of largest friction alone", Option::Kind::flag},
                        {"--minimise", "", "The layout of smallest friction alone", Option::Kind::flag},
-                       {"--largest-jumps", "N", "At most so many friction jumps; default 2, more change nothing"},
-                       schema_option()},
+                       {"--largest-jumps", "N", "At most so many friction jumps; default 2, more change nothing"}},
                       "Significant digits, 1 to 100; default 16", all_formats),
           run_design};
 }

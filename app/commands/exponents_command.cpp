@@ -18,12 +18,10 @@ void write_derivations(const ContactProblem& problem, Format format, Output& out
   for (const symbolic::Derivation& derivation : all) output.write(symbolic::to_text(derivation) + "\n");
 }
 
-void write_exponents(const ContactProblem& problem, const CommonOptions& options, bool certify, Schema schema,
-                     Output& output) {
+void write_exponents(const ContactProblem& problem, const CommonOptions& options, bool certify, Output& output) {
   const Column exponent_column{"exponent", certify ? Column::Holds::numbers : Column::Holds::words};
   Rows rows(options.format,
-            {"x", "kind", "side", "friction", exponent_column, "symbolic", {"latex", Column::Holds::formulas}}, output,
-            schema);
+            {"x", "kind", "side", "friction", exponent_column, "symbolic", {"latex", Column::Holds::formulas}}, output);
   for (const SingularPoint& point : possible_singular_points(problem)) {
     std::vector<std::string> friction;
     for (const Rational& f : point.friction) friction.push_back(format_number(f, options.digits));
@@ -51,7 +49,7 @@ ExitCode run_exponents(const Given& given) {
   if (derivation) {
     write_derivations(problem.contact, options.format, output);
   } else {
-    write_exponents(problem.contact, options, certify, given.schema(), output);
+    write_exponents(problem.contact, options, certify, output);
   }
   output.commit();
   return ExitCode::done;
@@ -63,8 +61,7 @@ Command exponents_command() {
   return {"exponents", std::string(embedded::help_exponents).append(embedded::help_problem),
           with_common({problem_argument(),
                        {"--derivation", "", "How they are derived, step by step: text or latex", Option::Kind::flag},
-                       certify_option("Enclosed in ball arithmetic, with an error that is proved"),
-                       schema_option()},
+                       certify_option("Enclosed in ball arithmetic, with an error that is proved")},
                       "Significant digits, 1 to 100, with --certify 1000; default 16", all_formats),
           run_exponents};
 }

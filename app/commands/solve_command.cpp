@@ -33,7 +33,7 @@ std::function<void(std::size_t, std::size_t)> follow(Progress& progress) {
 template <class Result>
 void write(const SolveOptions& options, const Problem& problem, const Result& result, Output& output) {
   switch (options.common.format) {
-    case Format::json: write_json(problem, result, options.schema, output); break;
+    case Format::json: write_json(problem, result, output); break;
     case Format::csv: write_csv(problem, result, output); break;
     default: write_text(problem, result, output); break;
   }
@@ -138,7 +138,7 @@ ExitCode follow_loads(const SolveOptions& options, const Problem& problem) {
   if (std::ranges::none_of(steps, [](const LoadStep& step) { return step.solution.reason.empty(); })) {
     throw inapplicable(problem, options.method, steps.front().solution.reason);
   }
-  write_load_steps(options.common.format, options.schema, steps, options.certify, output);
+  write_load_steps(options.common.format, steps, options.certify, output);
   output.commit();
   for (const auto& [load, solution, until] : steps) {
     for (const std::string& what : solution.warnings) warn(problem.file, {"load " + load + ": " + what});

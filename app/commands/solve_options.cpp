@@ -106,8 +106,7 @@ std::vector<Option> solve_option_list() {
         "Start from N contact sets, 1 to 1000: do all lead to one solution? By the variational method"},
        certify_option("Prove the solution, enclose every number in ball arithmetic; exit code 1 if unproved"),
        {"--certificate", "FILE", "Write the proof's certificate, for steadyslide-check; implies --certify"},
-       jobs_option("With --certify: threads"),
-       schema_option()},
+       jobs_option("With --certify: threads")},
       "Significant digits, 1 to 100, with --certify 1000; default 16", formats);
 }
 
@@ -131,7 +130,6 @@ SolveOptions solve_options(const Given& given) {
   options.search_starts = given.count("--search-solutions", 1, 1000).value_or(0);
   refuse_conflicts(given, options);
   options.field = field_wanted(given);
-  options.schema = given.schema();
   return options;
 }
 

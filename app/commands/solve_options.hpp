@@ -30,7 +30,6 @@ struct SolveOptions {
   std::optional<std::string> certificate;  ///< a file
   std::optional<std::string> plot;         ///< a file
   FieldWanted field;
-  Schema schema;
 
   numeric::VariationalOptions variational() const {
     numeric::VariationalOptions result;

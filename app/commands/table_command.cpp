@@ -84,7 +84,7 @@ ExitCode run_table(const Given& given) {
   }
 
   Output output(file);
-  Rows rows(format, columns(certify), output, given.schema());
+  Rows rows(format, columns(certify), output);
   for (std::size_t i = 0; i < poisson.size(); ++i) {
     const std::string nu_text = format_number(poisson[i], digits);
     const std::string gamma_text = format_number(gamma[i], digits);
@@ -109,11 +109,10 @@ Command table_command() {
     return Option{option, "LIST", what, Option::Kind::required};
   };
   return {"table", std::string(embedded::help_table),
-          with_common(
-              {list("--poisson", "Poisson's ratios"), list("--rear", "Friction coefficients at the rear"),
-               list("--front", "Friction coefficients at the front"),
-               certify_option("Exponents enclosed in ball arithmetic, with errors that are proved"), schema_option()},
-              "Significant digits, 1 to 100, with --certify 1000; default 16", all_formats),
+          with_common({list("--poisson", "Poisson's ratios"), list("--rear", "Friction coefficients at the rear"),
+                       list("--front", "Friction coefficients at the front"),
+                       certify_option("Exponents enclosed in ball arithmetic, with errors that are proved")},
+                      "Significant digits, 1 to 100, with --certify 1000; default 16", all_formats),
           run_table};
 }
 

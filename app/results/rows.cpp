@@ -77,7 +77,6 @@ class TextRows final : public RowWriter {
 };
 
 /// An array of objects, the columns' names as keys.
-template <Schema schema>
 class JsonRows final : public RowWriter {
  public:
   using RowWriter::RowWriter;
@@ -85,7 +84,6 @@ class JsonRows final : public RowWriter {
   void row(const std::vector<Cell>& cells) override {
     Json object;
     for (std::size_t k = 0; k < cells.size(); ++k) object[columns_[k].name] = json_of(cells[k]);
-    if (schema == Schema::one) object = in_schema_1(object);
     output_.write((first_ ? "[\n  " : ",\n  ") + object.dump());
     first_ = false;
   }
@@ -212,8 +210,7 @@ std::unique_ptr<RowWriter> make(std::vector<Column> columns, Output& output) {
 }
 
 /// In the order of Format.
-constexpr std::array writers{make<TextRows>, make<JsonRows<Schema::two>>, make<CsvRows>, make<MarkdownRows>,
-                             make<LatexRows>};
+constexpr std::array writers{make<TextRows>, make<JsonRows>, make<CsvRows>, make<MarkdownRows>, make<LatexRows>};
 
 }  // namespace
 
@@ -222,11 +219,8 @@ std::string_view format_name(Format format) {
   return names.at(static_cast<std::size_t>(format));
 }
 
-Rows::Rows(Format format, std::vector<Column> columns, Output& output, Schema schema) {
-  const bool is_old = format == Format::json && schema == Schema::one;
-  const auto& make_writer = is_old ? make<JsonRows<Schema::one>> : writers.at(static_cast<std::size_t>(format));
-  writer_ = make_writer(std::move(columns), output);
-}
+Rows::Rows(Format format, std::vector<Column> columns, Output& output)
+    : writer_(writers.at(static_cast<std::size_t>(format))(std::move(columns), output)) {}
 
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;

@@ -52,7 +52,7 @@ class RowWriter {
 
 class Rows {
  public:
-  Rows(Format format, std::vector<Column> columns, Output& output, Schema schema = Schema::two);
+  Rows(Format format, std::vector<Column> columns, Output& output);
 
   /// In a text what is empty is "-": it could not be told from its neighbour.
   void row(const std::vector<Cell>& cells) { writer_->row(cells); }

@@ -231,9 +231,7 @@ Json finished(Json json, const Result& result) {
   return json;
 }
 
-void write(const Json& json, Schema schema, Output& output) {
-  output.write((schema == Schema::one ? in_schema_1(json) : json).dump(2) + "\n");
-}
+void write(const Json& json, Output& output) { output.write(json.dump(2) + "\n"); }
 
 /// A solution of a search: it has no samples.
 Json found_json(const SolutionText& solution) {
@@ -279,22 +277,22 @@ Json solution_entry(const SolutionText& solution, std::string_view key, const St
   return name != nullptr && whole.is_object() && whole.contains(*name) ? whole[*name] : Json();
 }
 
-void write_json(const Problem& problem, const SolutionText& solution, Schema schema, Output& output) {
+void write_json(const Problem& problem, const SolutionText& solution, Output& output) {
   Json json = heading(problem);
   json.update(solution_json(solution));
-  write(finished(std::move(json), solution), schema, output);
+  write(finished(std::move(json), solution), output);
 }
 
-void write_json(const Problem& problem, const BothText& both, Schema schema, Output& output) {
+void write_json(const Problem& problem, const BothText& both, Output& output) {
   Json json = heading(problem);
   json.update(solution_json(both.as_given));
   json = finished(std::move(json), both.as_given);
   json["other_direction"] = {{"sliding", name_of(opposite(problem.contact.sliding()))}};
   json["other_direction"].update(finished(solution_json(both.opposite), both.opposite));
-  write(json, schema, output);
+  write(json, output);
 }
 
-void write_json(const Problem& problem, const SearchText& search, Schema schema, Output& output) {
+void write_json(const Problem& problem, const SearchText& search, Output& output) {
   Json json = heading(problem);
   json["search"] = {{"starts", search.starts},
                     {"unsolved", search.unsolved},
@@ -305,7 +303,7 @@ void write_json(const Problem& problem, const SearchText& search, Schema schema,
             {"variational", found_json(found.variational)},
             {"refined", found.refined ? found_json(*found.refined) : Json()}};
   });
-  write(finished(std::move(json), search), schema, output);
+  write(finished(std::move(json), search), output);
 }
 
 }  // namespace steadyslide::app

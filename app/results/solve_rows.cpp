@@ -109,11 +109,11 @@ void write_csv(const Problem&, const SearchText& search, Output& output) {
   rows.end();
 }
 
-void write_load_steps(Format format, Schema schema, const std::vector<LoadStep>& steps, bool certify, Output& output) {
-  std::vector<Column> last{schema == Schema::one ? "shortcoming" : "failed_condition"};
+void write_load_steps(Format format, const std::vector<LoadStep>& steps, bool certify, Output& output) {
+  std::vector<Column> last{"failed_condition"};
   if (format == Format::json) last.push_back({"warnings"});
   if (certify) last.insert(last.end(), {{"until_load"}, {"status"}, {"event"}});
-  Rows rows(format, joined({"load", "component"}, component_columns, last), output, schema);
+  Rows rows(format, joined({"load", "component"}, component_columns, last), output);
   for (const auto& [load, solution, until] : steps) {
     for (const StretchText& stretch : until) {
       std::vector<Cell> told{stretch.is_open() ? stretch.words : ""};

@@ -47,10 +47,10 @@ void write_text(const Problem& problem, const SolutionText& solution, Output& ou
 void write_text(const Problem& problem, const SearchText& search, Output& output);
 /// The first summary, and the main results of both side by side.
 void write_text(const Problem& problem, const BothText& both, Output& output);
-/// The whole result, with the problem as read, in the shape of this schema.
-void write_json(const Problem& problem, const SolutionText& solution, Schema schema, Output& output);
-void write_json(const Problem& problem, const SearchText& search, Schema schema, Output& output);
-void write_json(const Problem& problem, const BothText& both, Schema schema, Output& output);
+/// The whole result, with the problem as read.
+void write_json(const Problem& problem, const SolutionText& solution, Output& output);
+void write_json(const Problem& problem, const SearchText& search, Output& output);
+void write_json(const Problem& problem, const BothText& both, Output& output);
 /// One row for each point, or node; without the displacement's gradient.
 void write_stresses(Format format, const FieldText& field, Output& output);
 void write_nodal_forces(Format format, const FieldText& field, Output& output);
@@ -63,7 +63,7 @@ void write_csv(const Problem& problem, const SearchText& search, Output& output)
 void write_csv(const Problem& problem, const BothText& both, Output& output);
 
 /// One row for each load and contact component; without a contact, one row for the load. Where it is to be proved, one row
-/// for each stretch between two loads as well. Schema 1 calls the failed condition "shortcoming".
-void write_load_steps(Format format, Schema schema, const std::vector<LoadStep>& steps, bool certify, Output& output);
+/// for each stretch between two loads as well.
+void write_load_steps(Format format, const std::vector<LoadStep>& steps, bool certify, Output& output);
 
 }  // namespace steadyslide::app

@@ -24,7 +24,7 @@ bool solve_and_write(std::uint64_t seed, app::Output& output) {
   const app::SolutionText solution = app::Solver(std::move(wanted)).solve(problem);
   if (!solution.reason.empty()) return false;
   switch (seed / methods.size() % 3) {
-    case 0: app::write_json(problem, solution, app::Schema::two, output); break;
+    case 0: app::write_json(problem, solution, output); break;
     case 1: app::write_csv(problem, solution, output); break;
     default: app::write_text(problem, solution, output); break;
   }
