@@ -1,4 +1,4 @@
-// exponent-tables [-o DIR]: writes exponents.md, exponents.tex and exponents.csv into DIR (docs). Exit code 2 for a
+// exponent-tables [-o DIR]: writes exponents.md, exponents.tex and exponents.csv into DIR (default: the current one). Exit code 2 for a
 // wrong command line, 3 for a file that cannot be written.
 
 #include <cstdio>
@@ -11,7 +11,7 @@
 
 int main(int argc, char** argv) {
   using namespace steadyslide::app;
-  std::string directory = "docs";
+  std::string directory = ".";
   if (argc == 3 && std::string_view(argv[1]) == "-o") {
     directory = argv[2];
   } else if (argc != 1) {
