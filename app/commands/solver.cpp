@@ -71,28 +71,30 @@ std::vector<StretchText> Solver::between(const Problem& problem, const Rational&
 }
 
 template <numeric::Real R>
-std::optional<ApproximateContact> Solver::contact_in(const Problem& problem, SolutionText& text) {
+std::optional<ApproximateContact> Solver::contact_in(const Problem& problem, std::function<SolutionText()>& text) {
   Solution<R>& last = std::get<Solution<R>>(last_);
   const numeric::Attempt<R> found = attempt<R>(wanted_.method, problem.contact, last.get());
   if (!found.solution) {
-    text = inapplicable(found.reason);
+    text = [reason = found.reason] { return inapplicable(reason); };
     return std::nullopt;
   }
   SolutionWanted approximate = wanted_.solution;
   approximate.digits = std::min(approximate.digits, 16);
-  text = solution_text(problem, *found.solution, approximate);
-  if (text.is_solved()) last = found.solution;
+  text = [&problem, approximate, solution = found.solution] { return solution_text(problem, *solution, approximate); };
+  if (found.solution->failed_condition().empty()) last = found.solution;
   return found.solution->approximate_contact();
 }
 
 SolutionText Solver::solve_certified(const Problem& problem) {
-  SolutionText text;
+  // Of the last solution alone: in more digits than double's the text costs as much as the solution.
+  std::function<SolutionText()> text_of_last;
   const auto found = [&](int digits) {
     return numeric::at_precision(numeric::precision_for(digits),
-                                 [&]<numeric::Real R>() { return contact_in<R>(problem, text); });
+                                 [&]<numeric::Real R>() { return contact_in<R>(problem, text_of_last); });
   };
   const int first = fits_double(problem.contact, wanted_.solution.at) ? 16 : 50;
   const auto proof = library::proved_contact(problem.contact, wanted_.solution.digits, first, found);
+  SolutionText text = text_of_last();
   if (proof && text.reason.empty()) certify(text, problem, *proof, wanted_.solution, wanted_.jobs);
   return text;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Problems solved: the method that is asked for, in the precision that it takes.
 
+#include <functional>
 #include <memory>
 #include <tuple>
 #include <vector>
@@ -44,9 +45,10 @@ class Solver {
   SolutionText solve_in(const Problem& problem);
   /// From what the solver finds, with more digits where that cannot be proved (library/proof/proved_contact.hpp).
   SolutionText solve_certified(const Problem& problem);
-  /// The contact that the solver finds, and `text` of it; nothing, and why, where it finds none.
+  /// The contact that the solver finds; `text` then makes the solution's text. Without a solution nothing, and `text` has the
+  /// reason.
   template <numeric::Real R>
-  std::optional<ApproximateContact> contact_in(const Problem& problem, SolutionText& text);
+  std::optional<ApproximateContact> contact_in(const Problem& problem, std::function<SolutionText()>& text);
   SolutionText solve_on_cells(const Problem& problem) const;
 
   Wanted wanted_;

@@ -12,7 +12,7 @@ namespace steadyslide::library {
 using ContactWithDigits = std::function<std::optional<ApproximateContact>(int digits)>;
 
 /// The proof to so many digits, or the last one that failed; nothing where the solver finds nothing at first. `first`: the digits
-/// to begin with. One budget of work serves all attempts.
+/// to begin with. One budget of work serves all attempts. A contact set that is refuted is not tried again.
 std::optional<enclosure::ContactProof> proved_contact(const ContactProblem& problem, int digits, int first,
                                                       const ContactWithDigits& found);
 
