@@ -70,9 +70,8 @@ TEST_CASE("16 digits give the doubles back: |shear| is f |traction| to the last 
 
 TEST_CASE("what does not converge is written all the same") {
   const TemporaryFolder folder;
-  const Finished json =
-      run_program({"solve", "-", "--method", "riemann-hilbert", "--format", "json", "-o", "result"}, folder.path(),
-                  problem_text("tiny_step"));
+  const Finished json = run_program({"solve", "-", "--method", "riemann-hilbert", "--format", "json", "-o", "result"},
+                                    folder.path(), problem_text("tiny_step"));
   CHECK(json.code == 1);
   CHECK(json.out == "");
   CHECK(Json::parse(folder.read("result"))["contact"].size() >= 1);

@@ -2,6 +2,7 @@
 
 #include "library/proof/proved_contact.hpp"
 
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "support/problems.hpp"
 #include "support/test.hpp"
 
@@ -54,4 +55,23 @@ TEST_CASE("a solver that finds nothing ends the attempts") {
   const Tried later = tried(16, 100, 50);
   CHECK((later.digits == std::vector{16, 50}));
   CHECK_FALSE(later.proof.value().proved);
+}
+
+TEST_CASE("a contact set that is refuted is not proved again with more digits, another one is") {
+  // Over a concave corner the traction pulls.
+  const Indenter notch(-1, {{0, Polynomial({0, 0.3_r})}, {1, Polynomial({0, -0.3_r})}});
+  const ContactProblem problem = reduced({0.1_r}, {}, notch, 0.2_r);
+  const ApproximateContact closed{{{-1}, {1}}};
+  const ApproximateContact open = numeric::riemann_hilbert<double>(problem).solution->approximate_contact();
+  for (const bool opens : {false, true}) {
+    std::vector<int> digits;
+    const auto proof = library::proved_contact(problem, 20, 16, [&](int wanted) -> std::optional<ApproximateContact> {
+      digits.push_back(wanted);
+      return opens && wanted > 16 ? open : closed;
+    });
+    REQUIRE(proof);
+    CHECK(proof->refuted == !opens);
+    CHECK(proof->proved == opens);
+    CHECK((digits == std::vector{16, 50}));
+  }
 }
