@@ -142,6 +142,7 @@ TEST_CASE("B_k and its derivative with few bits enclose what they are with many"
           CHECK(few.value.contains_inside(many.value));
           CHECK(few.slope.contains_inside(many.slope));
           CHECK(fine.regular_to(bits, k, place).value.contains_inside(many.value));
+          CHECK(coarse.regular_to(bits + 60, k, place).value.contains_inside(many.value));
         }
       }
     }
