@@ -10,7 +10,7 @@ namespace {
 /// Signs need few digits, except next to a threshold.
 SignsDecided decide(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, WorkBudget& work) {
   SignsDecided signs;
-  const int rounds = problem.load_radius > 0 ? 8 : 12;
+  const int rounds = problem.load_radius > 0 ? 14 : 40;
   for (const Bits few : {Bits(96), Bits(192), Bits(384)}) {
     const Bits used = std::min(few, rules.bits());
     JacobiRules own(used);

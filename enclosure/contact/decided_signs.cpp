@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "enclosure/number/chebyshev_series.hpp"
 
@@ -286,8 +287,8 @@ class Decision {
     const bool from_left = set_.point(first).kind == Kind::ends;
     const bool from_right = set_.point(last + 1).kind == Kind::begins;
     std::vector<Cell> cells = cells_of(first, last);
-    // At first cells are divided where that may help, later all of them.
-    constexpr int rounds_of_some = 6;
+    Ball error = Ball::unknown(bits_);  // of the gap's changes over all cells
+    bool error_falls = true;
     for (int round = 0; result_.proved; ++round) {
       std::vector<char> open(cells.size(), 0);
       for (const Side side : {Side::left, Side::right}) {
@@ -299,16 +300,29 @@ class Decision {
       }
       const auto open_at = std::find(open.begin(), open.end(), 0);
       if (open_at == open.end()) return;
-      // Each round takes twice as much as the one before.
+      // A round takes at most twice as much as the one before.
       const std::int64_t next = 2 * static_cast<std::int64_t>(cells.size()) * work_of_cell();
       if (next > work_.left()) work_.take(next);
-      if (round == rounds_of_some + most_rounds_ || work_.is_spent()) {
-        const Cell& at = cells[static_cast<std::size_t>(open_at - open.begin())];
+      const Ball before = std::exchange(error, error_of(cells));
+      // Once the values' own error is left, more bits help, and no division.
+      error_falls = error_falls && (!before.is_finite() || error * Ball(4) < before * Ball(3));
+      const Cell& at = cells[static_cast<std::size_t>(open_at - open.begin())];
+      const bool divides = error_falls || error < abs(at.range).upper() * Ball(4) || !at.range.is_finite();
+      if (!divides || round == most_rounds_ || work_.is_spent()) {
         fail(at.at.half, at.at.d, false, undecided("the gap's sign is not decided"));
         return;
       }
-      cells = divided(cells, round < rounds_of_some ? &open : nullptr);
+      cells = divided(cells, open, error_falls ? &error : nullptr);
     }
+  }
+
+  /// By which the known changes of the gap differ from the true ones at most, together.
+  Ball error_of(const std::vector<Cell>& cells) const {
+    Ball sum(0, bits_);
+    for (const Cell& c : cells) {
+      if (c.change.is_finite()) sum += c.change.radius();
+    }
+    return sum;
   }
 
   /// Marks the cells in which the gap is positive by what it is at the contact's end on that side. The first cell at whose end it
@@ -332,7 +346,8 @@ class Decision {
         grows = grows && !(risen.is_negative());
       }
       grows = grows && c.sign == (left ? 1 : -1);
-      const Ball lowest = (direction * c.range).lower();
+      // Where it only rises or only falls, it is lowest at one of the cell's ends.
+      const Ball lowest = (direction * (c.sign != 0 ? c.change : c.range)).lower();
       if (grows || (height + min(lowest, Ball(0, bits_))).is_positive()) open[left ? i : n - 1 - i] = 1;
       const Ball least = (direction * c.change).lower();
       height += grows ? max(least, Ball(0, bits_)) : least;
@@ -346,13 +361,15 @@ class Decision {
     return {};
   }
 
-  /// All cells in halves; or, by `open`, those in which the gap's sign or its change is not known well.
-  std::vector<Cell> divided(const std::vector<Cell>& cells, const std::vector<char>* open) {
+  /// Halves of the cells in which the gap's sign is open still, and of those that have a share in the error of all, if that is
+  /// given; the other cells as they are.
+  std::vector<Cell> divided(const std::vector<Cell>& cells, const std::vector<char>& open, const Ball* error) {
+    const Ball share = error == nullptr ? Ball::unknown(bits_) : *error / Ball(4 * static_cast<int>(cells.size()));
     std::vector<Cell> result;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const Cell& c = cells[i];
-      const bool known = c.change.radius() * Ball(64) < abs(c.change);
-      if (open != nullptr && (*open)[i] != 0 && known) {
+      const bool known = error == nullptr || c.change.radius() < share;
+      if (open[i] != 0 && known) {
         result.push_back(c);
         continue;
       }

@@ -29,8 +29,8 @@ struct SignsDecided {
 };
 
 /// `form` over the box; its precision and its number of nodes are those of the decision. A gap is divided `most_rounds` times:
-/// cells that are thin beside what the box's own width does to them decide nothing more. What is not decided when the budget
-/// is spent is not decided.
-SignsDecided decide_signs(const ContactForm& form, WorkBudget& work, int most_rounds = 12);
+/// cells that are thin beside what the box's own width does to them decide nothing more. A sign that is open when the budget is
+/// spent stays undecided.
+SignsDecided decide_signs(const ContactForm& form, WorkBudget& work, int most_rounds = 40);
 
 }  // namespace steadyslide::enclosure
