@@ -208,6 +208,25 @@ TEST_CASE("a proof ends where its budget is spent, and says where") {
   CHECK(std::abs(proof.where.value()) < 0.5);
 }
 
+TEST_CASE("a gap that almost closes is decided with little work, where it is lowest in between and where it falls") {
+  // Under 0.188034223129743829393...  the second bowl touches, under 0.302786423542875... the end of the lifted face.
+  const Indenter bowls(-1, {{0.5_r, Polynomial({0, 0, 1})}, {2, Polynomial({1.6_r, -2.4_r, 1})}});
+  const Indenter foot(-1, {{0, Polynomial()}, {1, Polynomial({0.3_r})}});
+  const Elasticity body(Solid(0.2_r, 1));
+  // Cells in which the range of the slope is looked at instead of the change take more work.
+  for (const auto& [problem, enough] :
+       {std::pair(reduced({0.3_r}, {}, bowls, 0.188034223129_r), 200'000),
+        {reduced({0.3_r}, {}, bowls, 0.188034223129743829_r), 200'000},
+        {ContactProblem(body, FrictionProfile({0.3_r}), foot, 0.302786423542_r), 20'000},
+        {ContactProblem(body, FrictionProfile({0.3_r}), foot, 0.302786423542875_r), 20'000}}) {
+    const auto solution = riemann_hilbert<Real50>(problem).solution;
+    REQUIRE(solution->contact().size() == 1);
+    WorkBudget work(enough);
+    const ContactProof proof = prove_contact(problem, solution->approximate_contact(), 16, work);
+    CHECK_MESSAGE(proof.proved, proof.reason);
+  }
+}
+
 TEST_CASE("a gap that grows from the contact's end on is not positive beyond a step towards the body") {
   const auto profile = [](const Rational& height) {
     return Indenter(-1, {{0.5_r, Polynomial({0, 0, 2.5_r})}, {1, Polynomial({height, 0, 2.5_r})}});

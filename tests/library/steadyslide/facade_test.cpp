@@ -1,6 +1,7 @@
 // The facade says what problem files, laws and closed forms say. It sees no header but its own.
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <numeric>
 #include <optional>
@@ -168,15 +169,11 @@ namespace {
 
 /// A trace as problem data: straight lines between points.
 ProblemData trace(const std::vector<double>& x, const std::vector<double>& heights) {
-  std::ofstream file("worn_trace.csv");
+  const std::string name = (std::filesystem::temp_directory_path() / "steadyslide_worn_trace.csv").string();
+  std::ofstream file(name);
   file.precision(17);
   for (std::size_t i = 0; i < x.size(); ++i) file << x[i] << ',' << heights[i] << '\n';
-  return {.load = 2,
-          .friction = {"0.1", "0.5"},
-          .jumps = {0},
-          .poisson = "0.3",
-          .young = 2000,
-          .samples = "worn_trace.csv"};
+  return {.load = 2, .friction = {"0.1", "0.5"}, .jumps = {0}, .poisson = "0.3", .young = 2000, .samples = name};
 }
 
 }  // namespace
