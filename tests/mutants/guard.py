@@ -42,7 +42,7 @@ def read_changes(path):
         if "open" in entry:
             raise BadList(f"{entry['id']}: no claim may be open, silent under a change that it speaks of: {entry['open']}")
         speaks = tuple(entry.pop("speaks"))
-        changes.append(Change(Mutant(killer=PROGRAM, **entry), speaks))
+        changes.append(Change(Mutant(killed_by=PROGRAM, **entry), speaks))
     wrong = [fault for change in changes for fault in faults(change.mutant, ROOT)]
     if wrong:
         raise BadList("\n".join(wrong))

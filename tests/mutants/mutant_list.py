@@ -18,14 +18,14 @@ class BadList(Exception):
 class Mutant:
     id: str
     file: str  # a source of the program, from the project's root
-    original: str  # occurs exactly once in it
-    mutated: str
+    old: str  # occurs exactly once in it
+    new: str
     change: str  # what is wrong, in words
-    killer: str  # an executable of bin/ and its arguments
+    killed_by: str  # an executable of bin/ and its arguments
     sample: bool = False  # one of those that ./check runs
 
     def applied_to(self, text):
-        return text.replace(self.original, self.mutated)
+        return text.replace(self.old, self.new)
 
 
 def faults(mutant, root):
@@ -35,11 +35,11 @@ def faults(mutant, root):
         return [f"{mutant.id}: {mutant.file} is no source of {', '.join(PARTS)}"]
     if not path.is_file():
         return [f"{mutant.id}: there is no {mutant.file}"]
-    count = path.read_text(encoding="utf-8").count(mutant.original) if mutant.original else 0
+    count = path.read_text(encoding="utf-8").count(mutant.old) if mutant.old else 0
     result = []
     if count != 1:
-        result.append(f"{mutant.id}: its original text occurs {count} times in {mutant.file}, not once")
-    if mutant.original == mutant.mutated:
+        result.append(f"{mutant.id}: its old text occurs {count} times in {mutant.file}, not once")
+    if mutant.old == mutant.new:
         result.append(f"{mutant.id}: changes nothing")
     return result
 
@@ -67,6 +67,11 @@ def read_table(path):
         return {row["id"]: row for row in csv.DictReader(file)}
 
 
+def row_of(mutant):
+    """The mutant's row of the table, without the evidence."""
+    return {"id": mutant.id, "file": mutant.file, "change": mutant.change, "killer": mutant.killed_by}
+
+
 def table_text(mutants, evidence, known):
     """The table in the list's order: new evidence first, else the row that was there; mutants without either are left
     out."""
@@ -76,8 +81,7 @@ def table_text(mutants, evidence, known):
     for mutant in mutants:
         seen = evidence.get(mutant.id) or known.get(mutant.id, {}).get("evidence")
         if seen:
-            writer.writerow({"id": mutant.id, "file": mutant.file, "change": mutant.change, "killer": mutant.killer,
-                             "evidence": seen})
+            writer.writerow({**row_of(mutant), "evidence": seen})
     return stream.getvalue()
 
 
@@ -91,6 +95,6 @@ def disagreements(mutants, table):
         elif not row["evidence"]:
             result.append(f"{mutant.id}: refuted by nothing")
         else:
-            result += [f"{mutant.id}: the table has another {name}" for name in ("file", "change", "killer")
-                       if row[name] != getattr(mutant, name)]
+            result += [f"{mutant.id}: the table has another {name}" for name, value in row_of(mutant).items()
+                       if row[name] != value]
     return result

@@ -80,10 +80,10 @@ class Runner:
         def outcome(killed, evidence, broken=False):
             return Outcome(killed, time.monotonic() - start, evidence, broken)
 
-        name, *arguments = shlex.split(mutant.killer)
+        name, *arguments = shlex.split(mutant.killed_by)
         if not self.tree.executable(name).is_file():
             return outcome(False, f"{name} is not built", broken=True)
-        limit = self.limit_of(mutant.killer)
+        limit = self.limit_of(mutant.killed_by)
         if limit is None:
             return outcome(False, "the killer fails, or checks nothing, without any mutant", broken=True)
         with tempfile.TemporaryDirectory(prefix="mutant-") as temporary:
@@ -139,7 +139,7 @@ def run_all(mutants, runner, jobs):
     with ThreadPoolExecutor(jobs) as pool:
         for mutant, outcome in zip(mutants, pool.map(runner.run, mutants)):
             verdict = "killed" if outcome.killed else "NOT RUN" if outcome.broken else "SURVIVED"
-            print(f"{mutant.id:28} {verdict:8} {mutant.killer}  {outcome.seconds:.1f} s  {outcome.evidence}", flush=True)
+            print(f"{mutant.id:28} {verdict:8} {mutant.killed_by}  {outcome.seconds:.1f} s  {outcome.evidence}", flush=True)
             outcomes[mutant.id] = outcome
     return outcomes
 
@@ -154,7 +154,7 @@ def main(arguments):
         return 2
     if options.list:
         for mutant in mutants:
-            print(f"{mutant.id:28} {mutant.file}: {mutant.change}; {mutant.killer}")
+            print(f"{mutant.id:28} {mutant.file}: {mutant.change}; {mutant.killed_by}")
         return 0
     if options.check:
         wrong = disagreements(everything, read_table(options.check))
