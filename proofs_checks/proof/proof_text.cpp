@@ -12,16 +12,15 @@ namespace {
 constexpr std::array<std::string_view, 7> kinds{"identity",   "sign",      "enclosure", "theorem",
                                                 "definition", "inference", "entry"};
 
-ProofStep step_of(const std::vector<std::string>& cells) {
-  if (cells.size() != 2) throw std::logic_error("not a step, a fact and by what: " + cells.at(0));
+void add_steps(std::vector<ProofStep>& steps, const std::vector<std::string>& cells) {
+  if (cells.size() != 2) throw std::logic_error("not a step, facts and by what: " + cells.at(0));
   const std::size_t space = cells[1].find(' ');
-  const auto kind = std::ranges::find(kinds, cells[1].substr(0, space));
-  ProofStep step{
-      parse_fact(items_of(cells[0]).at(0)), {}, space == std::string::npos ? "" : cells[1].substr(space + 1)};
-  step.kind = static_cast<ProofStep::Kind>(kind - kinds.begin());
-  const bool named = step.kind == ProofStep::Kind::theorem || step.kind == ProofStep::Kind::entry;
-  if (kind == kinds.end() || named == step.name.empty()) throw std::logic_error("no such step of a proof: " + cells[1]);
-  return step;
+  const auto found = std::ranges::find(kinds, cells[1].substr(0, space));
+  const auto kind = static_cast<ProofStep::Kind>(found - kinds.begin());
+  const std::string name = space == std::string::npos ? "" : cells[1].substr(space + 1);
+  const bool named = kind == ProofStep::Kind::theorem || kind == ProofStep::Kind::entry;
+  if (found == kinds.end() || named == name.empty()) throw std::logic_error("no such step of a proof: " + cells[1]);
+  for (Fact& fact : parse_facts(cells[0])) steps.push_back({std::move(fact), kind, name});
 }
 
 }  // namespace
@@ -37,7 +36,7 @@ ProofText parse_proof(const std::vector<std::string_view>& lines) {
       if (is_rule_of_table(line)) {
         in_rows = true;
       } else if (in_rows) {
-        proof.steps.push_back(step_of(cells_of(line)));
+        add_steps(proof.steps, cells_of(line));
       }
       continue;
     }

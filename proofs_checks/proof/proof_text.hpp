@@ -11,9 +11,11 @@
 //   | nonzero("nu - 1") | sign |                 a polynomial's sign over the parameters: positive, negative, nonzero
 //   | small(gamma) | enclosure |                 likewise, over boxes that together cover the parameters
 //   | plemelj(flat-punch) | theorem plemelj |
-//   | solves(flat-punch) | definition |
+//   | solves(flat-punch), carries(flat-punch) | definition |
 //   | pressing(flat-punch) | inference |
-//   | load(flat-punch) | entry n-jump-punch |
+//   | load({flat-punch, parabola}) | entry n-jump-punch |
+//
+// A row holds the steps that one reason gives, from left to right; braces hold alternatives (proof/fact.hpp).
 
 #include <string>
 #include <string_view>

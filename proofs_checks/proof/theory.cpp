@@ -20,23 +20,23 @@ void add_once(auto& map, const std::string& name, auto value) {
   if (!map.emplace(name, std::move(value)).second) throw std::logic_error("declared twice: " + name);
 }
 
-DecidedFact decided_fact(const std::vector<std::string>& cells) {
-  DecidedFact decided{parse_fact(items_of(cells[0]).at(0)), {}, {}, {}, {}};
+/// A row of facts and by what, of an enclosure over each of its boxes.
+void add_decided(std::vector<DecidedFact>& all, const std::vector<std::string>& cells) {
   const std::string& by = cells[1];
   const std::size_t space = by.find(' ');
   const std::string kind = by.substr(0, space);
   if (space == std::string::npos || (kind != "identity" && kind != "enclosure")) {
     throw std::logic_error("decided neither by an identity nor by an enclosure: " + cells[0] + ", " + by);
   }
-  decided.ids = items_of(by.substr(space + 1));
-  if (kind == "identity") {
-    decided.by = DecidedFact::By::identity;
-    if (!cells[2].empty()) decided.where = parse_facts(cells[2]);
-  } else {
-    decided.by = DecidedFact::By::enclosure;
-    if (!cells[2].empty()) decided.box = parse_box(cells[2]);
+  const std::vector<std::string> ids = items_of(by.substr(space + 1));
+  const std::vector<std::string> boxes = cells[2].empty() ? std::vector<std::string>{""} : list_of(cells[2], "; ");
+  for (const Fact& fact : parse_facts(cells[0])) {
+    if (kind == "identity") {
+      all.push_back({fact, DecidedFact::By::identity, ids, parse_facts(cells[2]), {}});
+      continue;
+    }
+    for (const std::string& box : boxes) all.push_back({fact, DecidedFact::By::enclosure, ids, {}, parse_box(box)});
   }
-  return decided;
 }
 
 /// One of what the rule gives that its needs do not name.
@@ -92,7 +92,7 @@ class Reader {
     if (part_ == "Things") {
       add_once(theory_.things, items_of(cells[0]).at(0), cells[1]);
     } else if (part_ == "Decided") {
-      theory_.decided.push_back(decided_fact(cells));
+      add_decided(theory_.decided, cells);
     } else {
       const Fact fact = parse_fact(items_of(cells[0]).at(0));
       const std::set<std::string> different(fact.things.begin(), fact.things.end());

@@ -28,7 +28,9 @@
 //   |---|---|---|
 //   | kernel(flat-punch) | identity rh-flat-punch-0, rh-kernel | |
 //   | kernel(two-values) | identity theorem-2-jump | nonzero("s_r - s_l") |
-//   | small(gamma) | enclosure gamma-of-nu | nu in [0, 1/2] |
+//   | small({gamma, alpha}) | enclosure gamma-of-nu | nu in [0, 1/2]; nu in ]-1, 0] |
+//
+// A row of the last table may hold several facts, and an enclosure's row several boxes.
 //
 // and docs/classical-theorems.md, where a theorem is
 //
