@@ -224,9 +224,7 @@ R pairing_by_moments(const Rational& s, const Polynomial& v) {
   template R pairing(const Rational&, const PiecewiseFunction&);              \
   template R pairing_by_tanh_sinh(const Rational&, const PiecewiseFunction&); \
   template R pairing_by_moments(const Rational&, const Polynomial&);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

@@ -141,9 +141,7 @@ void check_parabola_by_numeric(Findings& findings, const ParabolaTraction& t, co
   template void check_parabola<R>(Findings&, const ParabolaTraction&, const ContactProblem&, const Context&); \
   template void check_parabola_by_cln<R>(Findings&, const ParabolaTraction&, const ContactProblem&);          \
   template void check_parabola_by_numeric<R>(Findings&, const ParabolaTraction&, const ContactProblem&);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks
