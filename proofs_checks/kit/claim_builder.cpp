@@ -44,26 +44,17 @@ class Runner {
 }  // namespace
 
 std::vector<NamedQuantity> quantities_of(const ExaminedClaim& claim, double tolerance) {
-  const std::vector<QuantityText> texts = claim_text(claim.id).compared;
   std::vector<NamedQuantity> all;
-  for (const auto& [name, how] : claim.quantities) {
-    const auto text = std::ranges::find(texts, name, &QuantityText::name);
-    if (text == texts.end()) throw std::logic_error(claim.id + ": the text does not say what is compared as " + name);
-    all.push_back({name,
-                   {text->what, text->routes, how.tolerance != 0 ? how.tolerance : tolerance, how.required,
-                    how.absolute, how.at_most}});
-  }
-  for (const QuantityText& text : texts) {
-    if (std::ranges::find(all, text.name, &NamedQuantity::name) == all.end()) {
-      throw std::logic_error(claim.id + ": described in the text, but not compared: " + text.name);
-    }
+  for (const auto& [name, what, routes, how] : claim_text(claim.id).compared) {
+    all.push_back(
+        {name,
+         {what, routes, how.tolerance != 0 ? how.tolerance : tolerance, how.required, how.absolute, how.at_most}});
   }
   return all;
 }
 
 Claim claim_of(ExaminedClaim examined) {
   const auto runner = std::make_shared<Runner>(std::move(examined));
-  quantities_of(runner->claim(), 0);
   Claim claim{claim_text(runner->claim().id), {}, {}};
   const CaseSource& cases = runner->claim().cases;
   claim.examine = [runner, &cases](const Context& context) { return runner->examine(context, {}, cases); };

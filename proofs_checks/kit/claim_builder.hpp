@@ -12,16 +12,6 @@
 
 namespace steadyslide::proofs_checks {
 
-/// How a quantity is compared. What it is stands in the claim's text, under "Compared".
-struct HowCompared {
-  /// Of numbers: that of the precision if 0. Of orders: the largest difference of rates. Of fits: of error bars.
-  double tolerance = 0;
-  bool absolute = false;  ///< the difference itself, not relative to the larger value: where zero is predicted
-  bool at_most = false;   ///< the prediction is a bound of what is measured
-  double required = 0.5;  ///< the part of the cases that has to be effective
-  bool near_miss = true;  ///< false for truth values and for bounds that are not attained
-};
-
 /// The runner's view of a claim: cases and formula without their types, functions without their precision.
 struct ExaminedClaim {
   /// Changes a formula; `step`: what a near miss moves, ten times the tolerance.
@@ -37,13 +27,11 @@ struct ExaminedClaim {
   Precision precision = Precision::as_asked;
   CaseSource cases;
   std::function<bool(const void*)> effective;
-  std::vector<std::pair<std::string, HowCompared>> quantities;
   Examine examine;
   std::vector<Variant> controls;
 };
 
-/// With their descriptions from the claim's text; a tolerance that is not given is this one. Throws std::logic_error
-/// where the claim compares a quantity that its text does not describe, or the other way round.
+/// What the claim's text says is compared; a tolerance that is not given is this one.
 std::vector<NamedQuantity> quantities_of(const ExaminedClaim& claim, double tolerance);
 
 Claim claim_of(ExaminedClaim claim);
@@ -51,8 +39,8 @@ Claim claim_of(ExaminedClaim claim);
 /// All that either has; throws std::logic_error where that is no quantity of the claim.
 void compare(Findings& findings, const Values& measured, const Values& predicted);
 
-/// One control for each quantity: what is predicted of it, moved by ten times the tolerance (a decided value: by 1e-94;
-/// an order: by twice what it may differ).
+/// One control for each quantity of the text that has near misses: what is predicted of it, moved by ten times the
+/// tolerance (a decided value: by 1e-94; an order: by twice what it may differ).
 void add_near_misses(ExaminedClaim& claim);
 
 /// f(arguments...), at the number type of the context's digits where f has a type parameter, with the context behind
@@ -93,15 +81,6 @@ class ClaimBuilder {
     claim_.precision = precision;
     return std::move(*this);
   }
-  ClaimBuilder&& quantity(std::string name, HowCompared how = {}) && {
-    claim_.quantities.emplace_back(std::move(name), how);
-    return std::move(*this);
-  }
-  ClaimBuilder&& quantities(std::initializer_list<const char*> names, HowCompared how = {}) && {
-    for (const char* name : names) claim_.quantities.emplace_back(name, how);
-    return std::move(*this);
-  }
-
   /// The formula: formula(const Case&), called as called_at() says; Form() if nothing is said. Of values that are
   /// compared, what is predicted.
   template <class Formula>
@@ -166,7 +145,7 @@ class ClaimBuilder {
                      }
                    });
   }
-  /// Of values, one for each quantity said so far.
+  /// Of values: add_near_misses().
   ClaimBuilder&& near_misses() && {
     add_near_misses(claim_);
     return std::move(*this);

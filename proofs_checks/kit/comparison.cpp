@@ -51,12 +51,10 @@ void compare(Findings& findings, const Values& measured, const Values& predicted
 }
 
 void add_near_misses(ExaminedClaim& claim) {
-  const std::vector<NamedQuantity> texts = quantities_of(claim, 0);
-  for (std::size_t k = 0; k < texts.size(); ++k) {
-    const auto& [name, how] = claim.quantities[k];
-    if (!how.near_miss) continue;
-    claim.controls.push_back({"near miss: " + texts[k].quantity.what,
-                              [name = name, how = how](void* values, const Number& step, const void*) {
+  for (const QuantityText& text : claim_text(claim.id).compared) {
+    if (!text.how.near_miss) continue;
+    claim.controls.push_back({"near miss: " + text.what,
+                              [name = text.name, how = text.how](void* values, const Number& step, const void*) {
                                 miss(*static_cast<Values*>(values), name, how,
                                      how.tolerance != 0 ? Number(10 * how.tolerance) : step);
                               },

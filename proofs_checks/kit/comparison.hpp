@@ -5,8 +5,7 @@
 //   Claim rem_01_neglect() {
 //     return compared<Parabola>("rem-01-neglect")
 //         .cases(parabolas)    // CaseList<Parabola>(const Context&); a case has a name, or text_of()
-//         .quantity("peak")    // the claim's text says what it is
-//         .measured([]<Real R>(const Parabola& c) { return Values{{"peak", ...}}; })
+//         .measured([]<Real R>(const Parabola& c) { return Values{{"peak", ...}}; })  // what it is says the text
 //         .predicted([](const Parabola& c) { return Values{{"peak", ...}}; })
 //         .wrong("the contact shifted to the front", scaled({"centre"}, -1))
 //         .near_misses();

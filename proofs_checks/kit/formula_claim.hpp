@@ -5,9 +5,10 @@
 //   Claim eq_04_flat_punch() {
 //     return formula_claim<ContactProblem, PowerForm>("eq-04-flat-punch")
 //         .cases(punches)
-//         .quantity("load")                          // findings.compare("load", ...), described in the claim's text
 //         .says([](const ContactProblem& p) { return PowerForm(...); })
-//         .checked([]<Real R>(Findings& findings, const PowerForm& form, const ContactProblem& p) { ... })
+//         .checked([]<Real R>(Findings& findings, const PowerForm& form, const ContactProblem& p) {
+//           findings.compare("load", ...);  // described in the claim's text
+//         })
 //         .wrong("1/pi missing", [](PowerForm& form) { form.scale(pi); })
 //         .near_miss("the amplitude", [](PowerForm& form, const Number& step) { ... });
 //   }

@@ -20,7 +20,7 @@ foreach(control IN ITEMS none of_text of_name of_function alone text header priv
   file(REMOVE_RECURSE "${WORK}")
   file(WRITE "${WORK}/${place}/rem_01_neglect.md" "# rem-01-neglect\n")
   file(WRITE "${WORK}/${place}/rem_01_neglect.cpp" "${in}::rem_01_neglect {\nClaim claim() {\n")
-  file(WRITE "${WORK}/${place}/rem_04_derived.md" "# rem-04-derived\n\n## Decided\n")
+  file(WRITE "${WORK}/${place}/rem_04_derived.md" "# rem-04-derived\n\n| decided about |\n")
   file(WRITE "${WORK}/cmake/public_headers.txt" "# all\nnumeric/public.hpp\n")
   file(WRITE "${WORK}/numeric/public.hpp" "#include \"model/rational.hpp\"\n")
   file(WRITE "${WORK}/tests/law_test.cpp" "TEST_CASE() {\n  REQUIRE(rc::check([] {}));\n}\n")

@@ -50,8 +50,6 @@ Claim claim() {
                                   {"f = 0.3 | 2", Rational(3, 10), 2}},
                                  1, "two equal halves"))
       .precision(Precision::at_least_fifty)
-      .quantity("first order", {.tolerance = 1e-15})
-      .quantity("rest", {.tolerance = 0.01})
       .measured([]<Real R>(const Halves& halves) { return measured<R>(halves); })
       .predicted([](const Halves& halves) { return predicted(halves, catalan()); })
       .wrong("the rough half in front costs more", scaled({"first order"}, -1))

@@ -53,7 +53,6 @@ Claim claim() {
   return compared<ContactProblem>("flat-punch-effective-friction")
       .cases(punches)
       .effective_where(has_jump)
-      .quantity("friction")
       .measured([]<Real R>(const ContactProblem& p) {
         return Values{{"friction", punch_loads<R>(p).friction}};
       })

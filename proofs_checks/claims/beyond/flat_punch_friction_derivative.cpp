@@ -44,8 +44,6 @@ Claim claim() {
   return compared<ContactProblem>("flat-punch-friction-derivative")
       .cases(punches)
       .precision(Precision::at_least_fifty)
-      .quantity("derivative", {.tolerance = 1e-16})
-      .quantity("it is positive", {.near_miss = false})
       .measured([]<Real R>(const ContactProblem& p) {
         const R w = measured<R>(p);
         return Values{{"derivative", w}, {"it is positive", w > 0}};

@@ -28,7 +28,6 @@ Claim claim() {
   return compared<ContactProblem>("flat-punch-rear-share")
       .cases(punches)
       .effective_where(has_jump)
-      .quantity("share")
       .measured([]<Real R>(const ContactProblem& p) {
         return Values{{"share", punch_loads<R>(p).share.front()}};
       })

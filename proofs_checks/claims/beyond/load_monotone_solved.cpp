@@ -80,7 +80,6 @@ Claim claim() {
   return compared<TwoLoads>("load-monotone-solved")
       .cases(loads({}))
       .precision(Precision::in_double)
-      .quantities({"lost", "fall"}, {.tolerance = 1e-8, .absolute = true})
       .measured([](const TwoLoads& c) -> Values {
         const Solution small = solved(c.problem(1));
         const Solution large = solved(c.problem(c.growth));

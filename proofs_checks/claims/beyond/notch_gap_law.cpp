@@ -132,7 +132,6 @@ Claim claim() {
   return compared<Notch>("notch-gap-law")
       .cases(notches)
       .precision(Precision::in_double)
-      .quantities({"threshold", "exponent"}, {.tolerance = 1e-6})
       .measured(measured)
       .predicted(predicted)
       .wrong("the slope behind the notch alone",

@@ -81,7 +81,6 @@ Claim claim() {
       .cases(parabolas)
       .effective_where(has_friction)
       .precision(Precision::quick_in_double)
-      .quantities({"left", "right"})
       .measured([]<Real R>(const ContactProblem& p) -> Values {
         const auto contact = solve<R>(p)->contact();
         return {{"left", contact.front().left.x.value}, {"right", contact.back().right.x.value}};

@@ -50,9 +50,6 @@ Claim claim() {
           {halves(nu, 2), halves(nu, Rational(1, 5)), halves(nu, 1), halves(nu, 50), halves(Rational(-9, 10), 2)}, 1,
           "solved flat punches"))
       .precision(Precision::at_least_fifty)
-      .quantities({"share, solved", "share, quadrature"})
-      .quantity("more than half", {.near_miss = false})
-      .quantities({"rear power", "front power", "place", "smallest"})
       .measured([]<Real R>(const ContactProblem& p) {
         const auto solution = solve<R>(p);
         const R share = solution->resultants().load_share.front().value;

@@ -45,7 +45,6 @@ Claim claim() {
   return formula_claim<RigidContact, Angle>("alpha-range")
       .cases(contacts)
       .effective_where([](const RigidContact& c) { return c.f != 0; })
-      .quantities({"by cln", "cosine"})
       .checked([]<Real R>(Findings& findings, const Angle& angle, const RigidContact& c) {
         using std::abs, std::cos;
         const Rational gamma = c.gamma();

@@ -39,7 +39,6 @@ Claim claim() {
   return formula_claim<ContactProblem, PowerProduct>("eq-05-07-friction-jump")
       .cases(punches)
       .effective_where(has_jump)
-      .quantities({"power", "ratio"})
       .says([](const ContactProblem& p) {
         return PowerProduct::on({-1, 0, 1}, {-(half + alpha(p, 0)), alpha(p, 0) - alpha(p, 1), -(half - alpha(p, 1))},
                                 {punch_amplitude<Number>(p, 0), punch_amplitude<Number>(p, 1)});

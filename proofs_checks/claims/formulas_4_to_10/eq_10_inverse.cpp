@@ -62,7 +62,6 @@ Claim claim() {
   return formula_claim<LinearSlope, InverseFormula>("eq-10-inverse")
       .cases(slopes)
       .effective_where([](const LinearSlope& c) { return c.s() != 0; })
-      .quantities({"equation", "load", "trapezoidal", "tanh sinh"})
       .says([](const LinearSlope& c) { return InverseFormula::of(c.s()); })
       .checked([]<Real R>(auto&... of) { check_inverse<R>(of...); })
       .wrong("the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha}, in both places",

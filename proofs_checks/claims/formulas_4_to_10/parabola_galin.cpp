@@ -75,7 +75,6 @@ Claim claim() {
   return formula_claim<ContactProblem, Galin>("parabola-galin")
       .cases(parabolas)
       .effective_where(has_friction)
-      .quantities({"place", "factor"})
       .says(galin)
       .checked([]<Real R>(Findings& findings, const Galin& t, const ContactProblem& p, const Context& context) {
         check_parabola<R>(findings, t, p, context);

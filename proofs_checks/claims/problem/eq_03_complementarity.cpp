@@ -211,8 +211,6 @@ Claim claim() {
   return formula_claim<ContactProblem, Candidate>("eq-03-complementarity")
       .cases(problems)
       .precision(Precision::quick_in_double)
-      .quantities({"equation", "load", "tension", "penetration"})
-      .quantity("closure", {.required = 0})
       .checked([]<Real R>(Findings& findings, const Candidate& candidate, const ContactProblem& problem,
                           const Context& context) {
         // All problems with fifty digits at least.

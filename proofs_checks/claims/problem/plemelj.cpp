@@ -107,7 +107,6 @@ Claim claim() {
   return formula_claim<ContactProblem, PlemeljJump>("plemelj")
       .cases(punches)
       .effective_where(has_friction)
-      .quantities({"jump", "angle", "traction", "sum", "operator", "limit", "infinity"})
       .says(jump_of)
       .checked([]<Real R>(auto&... of) { check_jump<R>(of...); })
       .wrong("G = (s+i)/(s-i)",

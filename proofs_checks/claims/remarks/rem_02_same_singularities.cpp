@@ -122,7 +122,6 @@ Claim claim() {
   return formula_claim<Row, RowTraction>("rem-02-same-singularities")
       .cases(rows)
       .precision(Precision::quick_in_double)
-      .quantities({"equation", "load"})
       .says([](const Row& row) { return RowTraction{.powers = half_space_powers(row)}; })
       .checked([]<Real R>(auto&... of) { check<R>(of...); })
       .wrong("the powers at edges without friction",

@@ -76,7 +76,6 @@ Claim claim() {
   return compared<Edges>("rh-count")
       .cases(every_choice)
       .precision(Precision::in_double)
-      .quantities({"sum", "S", "coefficients", "unknowns"})
       .measured(counted)
       .predicted([](const Edges& c) { return predicted(c, {}); })
       .wrong("q of degree -S", with({.degree_of_q = 0}))

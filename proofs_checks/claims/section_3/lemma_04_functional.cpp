@@ -171,8 +171,6 @@ Claim claim() {
   };
   return formula_claim<Functions, Functional>("lemma-04-functional")
       .cases(functions)
-      .quantities({"lines", "convex", "scaled", "proper", "moments", "panels"})
-      .quantity("energy", {.tolerance = tolerance<double>()})
       .says([](const Functions& c) {
         return Functional{to_real<Number>(c.load), c.s};
       })

@@ -144,7 +144,6 @@ Claim claim() {
   using C = Conditions;
   return formula_claim<Case, Equivalence>("prop-05-equivalence")
       .cases(cases)
-      .quantities({"constant", "mean"})
       .checked([]<Real R>(Findings& findings, const Equivalence& said, const Case& c) {
         if (const auto* steps = std::get_if<Steps>(&c.data)) {
           check_steps<R>(findings, said, *steps);

@@ -85,8 +85,6 @@ Claim claim() {
   return formula_claim<Case, ProblemI>("prop-07-problem-I")
       .cases(cases)
       .precision(Precision::in_double)
-      .quantity("inequality", {.tolerance = allowed})
-      .quantity("forces", {.tolerance = allowed, .required = 0.7})
       .checked(check)
       .wrong("the friction's sign reversed in L", [](ProblemI& form) { form.problem.inverse.friction = -1; })
       .wrong("L with the printed (1+x)^{1/2}", [](ProblemI& form) { form.problem.inverse.printed = true; })

@@ -97,7 +97,6 @@ Claim claim() {
       .cases(cases)
       // Principal values at 50 digits take a tenth of a second.
       .precision(Precision::quick_in_double)
-      .quantity("forces")
       .checked([known = std::make_shared<KnownMoments>()]<Real R>(Findings& findings, const Link& link, const Case& c,
                                                                   const Context& context) {
         if (const auto* full = std::get_if<FullContact>(&c.data)) {

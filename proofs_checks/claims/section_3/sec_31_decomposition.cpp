@@ -51,7 +51,6 @@ Claim claim() {
   return formula_claim<FrictionValue, UnitSolution>("sec-31-decomposition")
       .cases([](const Context& context) { return frictions_of_both_signs(context, "sec-31-decomposition"); })
       .precision(Precision::at_least_fifty)
-      .quantities({"mean", "zero", "powers"})
       .says(unit_solution)
       .checked([]<Real R>(Findings& findings, const UnitSolution& form, const FrictionValue&, const Context& context) {
         check<R>(findings, form, context.quick);

@@ -69,7 +69,6 @@ Claim claim() {
       .cases(slopes)
       .effective_where([](const PolynomialSlope& c) { return c.s != 0; })
       .precision(Precision::at_least_fifty)
-      .quantities({"values", "weak"})
       .says([](const PolynomialSlope& c) { return InverseFormula::of(c.s); })
       .checked([]<Real R>(Findings& findings, const InverseFormula& formula, const PolynomialSlope& c,
                           const Context& context) { check_inverse<R>(findings, formula, c, context.quick); })

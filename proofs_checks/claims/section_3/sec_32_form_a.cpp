@@ -181,9 +181,6 @@ Claim claim() {
   return formula_claim<Case, FormA>("sec-32-form-a")
       .cases(cases)
       .precision(Precision::quick_in_double)
-      .quantities({"inverse", "forms"})
-      .quantities({"identity", "lower", "upper"}, {.tolerance = 1e-11})
-      .quantity("sharp", {.tolerance = 1e-9})
       .says(form_a)
       .checked([]<Real R>(Findings& findings, const FormA& form, const Case& c) {
         if (const auto* bounds = std::get_if<Bounds>(&c.data)) {

@@ -54,7 +54,6 @@ Claim claim() {
   return formula_claim<Started, SameForces>("thm-01-uniqueness-on-cells")
       .cases(rising)
       .precision(Precision::in_double)
-      .quantity("forces")
       .checked(check)
       .wrong_beyond("s falling by 5: a problem with three solutions",
                     fixed_cases<Started>({{"s falling by 5", problem_with_three_solutions(), all_contact_sets(8)}}, 1,

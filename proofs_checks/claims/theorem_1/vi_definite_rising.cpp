@@ -55,7 +55,6 @@ Claim claim() {
   return compared<JumpsOnCells>("vi-definite-rising")
       .cases(jumps(Trend::rising))
       .precision(Precision::in_double)
-      .quantities({"one", "several"}, {.absolute = true})
       .measured(measured)
       .predicted([](const JumpsOnCells& c) { return predicted(c, 0.5); })
       .wrong("the jump without the factor 1/2", [](Values& p, const JumpsOnCells& c) { p = predicted(c, 1); })

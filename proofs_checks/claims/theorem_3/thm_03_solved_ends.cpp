@@ -92,7 +92,6 @@ Claim claim() {
   return formula_claim<SolvedProblem, EndSlopes>("thm-03-solved-ends")
       .cases(problems)
       .precision(Precision::at_least_fifty)
-      .quantity("slope")
       .says(slopes)
       .checked([kept = std::make_shared<KeptForCases>()]<Real R>(Findings& findings, const EndSlopes& said,
                                                                  const SolvedProblem& c) {

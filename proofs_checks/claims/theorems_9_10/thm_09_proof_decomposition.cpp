@@ -189,7 +189,6 @@ Claim claim() {
   return formula_claim<WedgeProblem, Decomposition>("thm-09-proof-decomposition")
       .cases(problems)
       .precision(Precision::quick_in_double)
-      .quantities({"sum", "logarithm", "step", "others"})
       .checked([kept = std::make_shared<KeptForCases>()]<Real R>(Findings& findings, const Decomposition& said,
                                                                  const WedgeProblem& w) {
         check(findings, said, w, kept->at(w, [&] { return measure<R>(w); }));

@@ -54,7 +54,6 @@ Claim claim() {
                                      {Side::left, 1.1, Rational(-1, 2), 1}},
                                     3, "contacts made to end where the profile is continuous"))
       .precision(Precision::quick_in_double)
-      .quantities({"gap", "sign", "rule"})
       .measured([]<Real R>(const ForcedEnd& c) -> Values {
         using std::pow;
         const TrialForm<R> trial(trial_of(c));

@@ -39,7 +39,6 @@ Claim claim() {
   return formula_claim<FrictionValue, Splitting>("thm-10-proof-splitting")
       .cases([](const Context& context) { return friction_values(context, "thm-10-proof-splitting"); })
       .precision(Precision::quick_in_double)
-      .quantity("integral")
       .checked([]<Real R>(Findings& findings, const Splitting& form, const FrictionValue& c) {
         using std::abs;
         decide_powers(findings, form);
