@@ -1,7 +1,34 @@
 #pragma once
-// What both forms of a claim have in common (comparison.hpp, formula_claim.hpp): cases, the quantities that are
-// compared at them, and controls. A control is the formula with something in it changed, or cases that the hypotheses
-// exclude.
+// How claims are said: cases, a formula, a check, and controls. A control is the formula with something in it changed, or
+// cases that the hypotheses exclude. What is compared stands in the claim's text.
+//
+// The form in which most are said: what is measured knows no formula, what is predicted knows no measurement, and a
+// control changes the prediction alone.
+//
+//   Claim rem_01_neglect() {
+//     return compared<Parabola>("rem-01-neglect")
+//         .cases(parabolas)    // CaseList<Parabola>(const Context&); a case has a name, or text_of()
+//         .measured([]<Real R>(const Parabola& c) { return Values{{"peak", ...}}; })
+//         .predicted([](const Parabola& c) { return Values{{"peak", ...}}; })
+//         .wrong("the contact shifted to the front", scaled({"centre"}, -1))
+//         .near_misses();
+//   }
+//
+// Measurements are made once for a claim and all its controls. A case in which either side lacks a quantity counts as
+// one without effect: too many of them, and nothing is shown.
+//
+// Others put a formula into equations: the check is handed a formula and knows no other, the formula knows no check.
+//
+//   Claim eq_04_flat_punch() {
+//     return formula_claim<ContactProblem, PowerForm>("eq-04-flat-punch")
+//         .cases(punches)
+//         .says([](const ContactProblem& p) { return PowerForm(...); })
+//         .checked([]<Real R>(Findings& findings, const PowerForm& form, const ContactProblem& p) {
+//           findings.compare("load", ...);
+//         })
+//         .wrong("1/pi missing", [](PowerForm& form) { form.scale(pi); })
+//         .near_miss("the amplitude", [](PowerForm& form, const Number& step) { ... });
+//   }
 
 #include <functional>
 #include <stdexcept>
@@ -30,9 +57,6 @@ struct ExaminedClaim {
   Examine examine;
   std::vector<Variant> controls;
 };
-
-/// What the claim's text says is compared; a tolerance that is not given is this one.
-std::vector<NamedQuantity> quantities_of(const ExaminedClaim& claim, double tolerance);
 
 Claim claim_of(ExaminedClaim claim);
 
@@ -184,5 +208,36 @@ class ClaimBuilder {
   };
   std::function<void(Findings&, const Form&, const Case&, const Context&)> check_;
 };
+
+template <class Case>
+using ComparedClaim = ClaimBuilder<Case, Values>;
+template <class Case>
+ComparedClaim<Case> compared(std::string id) {
+  return ComparedClaim<Case>(std::move(id));
+}
+
+template <class Case, class Form>
+using FormulaClaim = ClaimBuilder<Case, Form>;
+template <class Case, class Form>
+FormulaClaim<Case, Form> formula_claim(std::string id) {
+  return FormulaClaim<Case, Form>(std::move(id));
+}
+
+/// Changes of a prediction for ClaimBuilder::wrong(). The numbers of these names, those that are there, times a factor: a
+/// number, or factor(case).
+template <class Factor>
+auto scaled(std::vector<std::string> names, Factor factor) {
+  return [names = std::move(names), factor = std::move(factor)](Values& p, const auto& c) {
+    if constexpr (std::is_invocable_v<const Factor&, decltype(c)>) {
+      p.scale(names, Number(factor(c)));
+    } else {
+      p.scale(names, Number(factor));
+    }
+  };
+}
+/// Other values in place of those of these names.
+inline auto replaced(Values values) {
+  return [values = std::move(values)](Values& p) { p.set(values); };
+}
 
 }  // namespace steadyslide::proofs_checks

@@ -12,8 +12,7 @@ namespace steadyslide::proofs_checks {
 namespace {
 
 /// "tolerance 1e-8, absolute".
-HowCompared how_compared(const std::string& text) {
-  HowCompared how;
+void set_how(Quantity& how, const std::string& text) {
   for (const std::string& item : items_of(text)) {
     const auto number = [&item](const std::string& name, double& value) {
       if (!item.starts_with(name + " ")) return false;
@@ -30,7 +29,6 @@ HowCompared how_compared(const std::string& text) {
       throw std::logic_error("not how numbers are compared: " + item);
     }
   }
-  return how;
 }
 
 void read_row(ClaimText& text, std::string_view row) {
@@ -41,8 +39,9 @@ void read_row(ClaimText& text, std::string_view row) {
     text.decided.push_back({cells[0], list_of(cells[1], ", "), list_of(cells[2], "; ")});
   } else if ((cells.size() == 4 || has_how) && !cells[0].empty() && !cells[1].empty() &&
              cells[2].empty() == cells[3].empty()) {
-    text.compared.push_back({cells[0], cells[1], {}, how_compared(has_how ? cells[4] : "")});
-    if (!cells[2].empty()) text.compared.back().routes = {cells[2], cells[3]};
+    Quantity& quantity = text.compared.emplace_back(Quantity{.what = cells[1], .name = cells[0]});
+    if (!cells[2].empty()) quantity.routes = {cells[2], cells[3]};
+    if (has_how) set_how(quantity, cells[4]);
   } else {
     throw std::logic_error(text.id + ": not a row of a name, what it is, and both routes or none: " + std::string(row));
   }

@@ -31,7 +31,7 @@
 // The first table has the numbers that the check compares, and the routes to them; the second the statements of the
 // symbolic layer, by their ids, with all the wrong variants that it has of them. Lines of text are joined. A bar within a
 // cell is written \|; where only one value is said to be true, both routes stay empty. How numbers are compared: of
-// `tolerance 1e-8`, `absolute`, `at most`, `required 0.4` and `no near miss` what HowCompared says; the column may be absent.
+// `tolerance 1e-8`, `absolute`, `at most`, `required 0.4` and `no near miss` what Quantity says; the column may be absent.
 // Formulas stand between backticks, in the notation of docs/notation.md: readable as they are, typeset in the report.
 
 #include <string>
@@ -42,24 +42,18 @@
 
 namespace steadyslide::proofs_checks {
 
-/// How a quantity is compared.
-struct HowCompared {
-  /// Of numbers: that of the precision if 0. Of orders: the largest difference of rates. Of fits: of error bars.
+/// A quantity that unrelated routes have to agree on, and how it is compared.
+struct Quantity {
+  std::string what;
+  std::vector<std::string> routes = {};  ///< that of the measurement, that of the prediction; or none
+  /// Of numbers: that of the precision if a claim's text has none. Of orders: the largest difference of rates. Of fits: of
+  /// error bars.
   double tolerance = 0;
+  double required = 0.5;  ///< the part of the cases that has to be effective
   bool absolute = false;  ///< the difference itself, not relative to the larger value: where zero is predicted
   bool at_most = false;   ///< the prediction is a bound of what is measured
-  double required = 0.5;  ///< the part of the cases that has to be effective
   bool near_miss = true;  ///< false for truth values and for bounds that are not attained
-
-  bool operator==(const HowCompared&) const = default;
-};
-
-/// What a check compares, in words.
-struct QuantityText {
-  std::string name;  ///< in the check
-  std::string what;
-  std::vector<std::string> routes;  ///< that of the measurement, that of the prediction; or none
-  HowCompared how = {};
+  std::string name = {};  ///< in the check
 };
 
 /// Statements of the symbolic layer that share their wrong variants.
@@ -75,7 +69,7 @@ struct ClaimText {
   std::string statement;
   std::string hypotheses;
   std::string derivation = {};
-  std::vector<QuantityText> compared = {};
+  std::vector<Quantity> compared = {};
   std::vector<Family> decided = {};
   ProofText proof = {};
   std::string convergence = {};

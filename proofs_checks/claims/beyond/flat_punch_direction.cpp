@@ -1,7 +1,7 @@
 #include "numeric/flat_punch/effective_friction.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/instruments/tractions/punch_loads.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::flat_punch_direction {
 namespace {

@@ -1,5 +1,5 @@
 #include "proofs_checks/instruments/tractions/punch_loads.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 #include "proofs_checks/kit/rate.hpp"
 #include "proofs_checks/kit/special_numbers.hpp"
 

@@ -1,6 +1,6 @@
 #include "numeric/flat_punch/extreme_layout.hpp"
 #include "proofs_checks/instruments/tractions/punch_loads.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::flat_punch_extreme_layouts {
 namespace {

@@ -1,7 +1,7 @@
 #include "numeric/flat_punch/fine_mixture.hpp"
 
 #include "numeric/flat_punch/effective_friction.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::flat_punch_fine_mixtures {
 namespace {

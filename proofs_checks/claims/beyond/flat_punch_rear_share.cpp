@@ -2,7 +2,7 @@
 
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/instruments/tractions/punch_loads.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::flat_punch_rear_share {
 namespace {

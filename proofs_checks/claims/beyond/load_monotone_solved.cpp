@@ -4,7 +4,7 @@
 
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "proofs_checks/instruments/cells/cells.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::load_monotone_solved {
 namespace {

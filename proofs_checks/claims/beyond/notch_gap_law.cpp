@@ -3,7 +3,7 @@
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::notch_gap_law {
 namespace {

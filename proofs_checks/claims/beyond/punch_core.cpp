@@ -4,7 +4,7 @@
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::punch_core {
 namespace {

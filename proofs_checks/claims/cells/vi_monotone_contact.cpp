@@ -12,7 +12,7 @@
 #include "numeric/variational/lemke.hpp"
 #include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/instruments/cells/dense_algebra.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::vi_monotone_contact {
 namespace {

@@ -1,7 +1,7 @@
 #include "proofs_checks/instruments/operators/local_power.hpp"
 #include "proofs_checks/instruments/solutions/extremes.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::fig_05_parabola {
 namespace {

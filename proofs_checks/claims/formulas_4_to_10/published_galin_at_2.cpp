@@ -1,6 +1,6 @@
 #include "numeric/quadrature/gsl_quadrature.hpp"
 #include "proofs_checks/instruments/tractions/power_product.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::published_galin_at_2 {
 namespace {

@@ -4,7 +4,7 @@
 #include "proofs_checks/instruments/operators/half_plane_field.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/instruments/tractions/surface.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::eq_02_03_reduction {
 namespace {
@@ -59,7 +59,7 @@ void check_reduction(Findings& findings, const PiecewiseS& s, const Sheared& c) 
     const numeric::SlidingTerms<R> terms = A.at(at);
     const R slope = field.normal_slope(at.node.x) / to_real<R>(elasticity.compliance());
     const R size = abs(terms.hilbert.value) + abs(terms.traction);
-    findings.compare("equation", static_cast<double>(R(abs(terms.sum().value - slope) / size)));
+    findings.compare("equation", R(abs(terms.sum().value - slope) / size));
   }
   for (std::size_t i = 0; i < s.size(); ++i) {
     findings.decide("-gamma t_t = s t_n", -elasticity.gamma() * c.problem.shear_ratio(i) == s[i]);

@@ -1,7 +1,7 @@
 #include "numeric/cauchy/sliding_operator.hpp"
 #include "proofs_checks/instruments/operators/complex_jet.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::plemelj {
 namespace {
@@ -58,8 +58,8 @@ void check_operator(Findings& findings, const PowerForm<R>& form, const R& poten
       // i Phi = potential Y.
       const R banks = potential * (y.boundary(k, at.node, BoundaryLimit::plus).re +
                                    y.boundary(k, at.node, BoundaryLimit::minus).re);
-      findings.compare("sum", static_cast<double>(R(abs(terms.hilbert.value - banks) / size)));
-      findings.compare("operator", static_cast<double>(R(abs(terms.sum().value) / size)));
+      findings.compare("sum", R(abs(terms.hilbert.value - banks) / size));
+      findings.compare("operator", R(abs(terms.sum().value) / size));
     }
   }
 }

@@ -8,7 +8,7 @@
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/instruments/tractions/parabola_cases.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
 namespace steadyslide::proofs_checks::sec_02_infinite_energy {

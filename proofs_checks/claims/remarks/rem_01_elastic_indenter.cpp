@@ -1,5 +1,5 @@
 #include "model/elasticity.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::rem_01_elastic_indenter {
 namespace {

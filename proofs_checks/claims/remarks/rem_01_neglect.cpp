@@ -1,6 +1,6 @@
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
 namespace steadyslide::proofs_checks::rem_01_neglect {

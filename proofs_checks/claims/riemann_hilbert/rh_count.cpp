@@ -1,5 +1,5 @@
 #include "proofs_checks/instruments/solutions/trial.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::rh_count {
 namespace {

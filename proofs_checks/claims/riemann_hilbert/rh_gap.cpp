@@ -2,7 +2,7 @@
 
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::rh_gap {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "proofs_checks/instruments/solutions/trial.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::rh_linearisation {
 namespace {

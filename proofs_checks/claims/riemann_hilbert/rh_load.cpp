@@ -1,7 +1,7 @@
 // What the Riemann-Hilbert form says of the load.
 
 #include "proofs_checks/instruments/solutions/trial.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::rh_load {
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "proofs_checks/instruments/operators/gap_functional.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
 namespace steadyslide::proofs_checks::lemma_04_functional {

@@ -3,7 +3,7 @@
 #include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/instruments/operators/contact_forces.hpp"
 #include "proofs_checks/instruments/operators/gap_functional.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::prop_05_equivalence {
 namespace {

@@ -1,6 +1,6 @@
 #include "proofs_checks/instruments/cells/interior_point.hpp"
 #include "proofs_checks/instruments/operators/dual_study.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::prop_07_problem_I {
 namespace {

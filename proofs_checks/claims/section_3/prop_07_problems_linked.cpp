@@ -2,7 +2,7 @@
 
 #include "proofs_checks/instruments/operators/dual_study.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::prop_07_problems_linked {
 namespace {

@@ -2,7 +2,7 @@
 #include "proofs_checks/instruments/cells/dense_algebra.hpp"
 #include "proofs_checks/instruments/operators/angle_forms.hpp"
 #include "proofs_checks/instruments/tractions/friction_values.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::sec_31_coercive {
 namespace {

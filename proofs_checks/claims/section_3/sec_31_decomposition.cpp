@@ -1,6 +1,6 @@
 #include "proofs_checks/instruments/tractions/friction_values.hpp"
 #include "proofs_checks/instruments/tractions/jacobi_traction.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 #include "proofs_checks/kit/special_numbers.hpp"
 
 namespace steadyslide::proofs_checks::sec_31_decomposition {

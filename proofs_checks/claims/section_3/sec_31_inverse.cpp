@@ -1,6 +1,6 @@
 #include "proofs_checks/instruments/operators/inverse_operator.hpp"
 #include "proofs_checks/instruments/tractions/surface.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::sec_31_inverse {
 namespace {
@@ -55,7 +55,7 @@ void check_inverse(Findings& findings, const InverseFormula& formula, const Poly
   R size = 0;
   for (const R& coefficient : t.factor) size += abs(coefficient);
   for (int k = 1; k <= 4; ++k) {
-    findings.compare("weak", static_cast<double>(R(abs(form_with_chebyshev(t, s, k) - pairing<R>(c.slope, k)) / size)));
+    findings.compare("weak", R(abs(form_with_chebyshev(t, s, k) - pairing<R>(c.slope, k)) / size));
   }
   // A L(u) = u' and int L(u) = 0.
   const Surface<R> surface{{traction}, {s}, [&c](const R& x) { return value_of(c.slope, x); }, R(0), size};

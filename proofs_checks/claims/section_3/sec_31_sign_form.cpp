@@ -6,7 +6,7 @@
 #include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/instruments/cells/dense_algebra.hpp"
 #include "proofs_checks/instruments/operators/angle_forms.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
 namespace steadyslide::proofs_checks::sec_31_sign_form {

@@ -4,7 +4,7 @@
 
 #include "proofs_checks/instruments/cells/dense_algebra.hpp"
 #include "proofs_checks/instruments/operators/displacement_operator.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::sec_32_form_a {
 namespace {

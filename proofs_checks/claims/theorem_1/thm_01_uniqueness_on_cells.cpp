@@ -1,5 +1,5 @@
 #include "proofs_checks/instruments/cells/interior_point.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_01_uniqueness_on_cells {
 namespace {

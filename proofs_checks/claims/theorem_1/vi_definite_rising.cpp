@@ -1,7 +1,7 @@
 #include "proofs_checks/instruments/cells/cell_law.hpp"
 #include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/instruments/cells/dense_algebra.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::vi_definite_rising {
 namespace {

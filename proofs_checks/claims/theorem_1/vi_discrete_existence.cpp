@@ -5,7 +5,7 @@
 #include "numeric/variational/certificate.hpp"
 #include "numeric/variational/lemke.hpp"
 #include "proofs_checks/instruments/cells/cells.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::vi_discrete_existence {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "proofs_checks/instruments/cells/cells.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::vi_energy_identity {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 #include "symbolic/local/local_action_value.hpp"
 
 namespace steadyslide::proofs_checks::local_action {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_03_outside_slope {
 namespace {

@@ -5,7 +5,7 @@
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_03_solved_ends {
 namespace {

@@ -3,7 +3,7 @@
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_10_proof_exclusion {
 namespace {

@@ -1,7 +1,7 @@
 #include "numeric/cauchy/residuals.hpp"
 #include "proofs_checks/instruments/operators/inverse_operator.hpp"
 #include "proofs_checks/instruments/tractions/friction_values.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_10_proof_linear {
 namespace {

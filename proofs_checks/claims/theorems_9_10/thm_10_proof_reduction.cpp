@@ -4,7 +4,7 @@
 #include "numeric/cauchy/traction_density.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_10_proof_reduction {
 namespace {

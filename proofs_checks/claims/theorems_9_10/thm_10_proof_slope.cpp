@@ -1,5 +1,5 @@
 #include "proofs_checks/instruments/tractions/friction_values.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_10_proof_slope {
 namespace {

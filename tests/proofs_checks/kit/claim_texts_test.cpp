@@ -59,7 +59,7 @@ TEST_CASE("every claim says what is stated, what is assumed and how it follows, 
 TEST_CASE("what is compared stands in a table, a row of which is a name, what it is, and both routes or none") {
   const std::string text = "# one\n\na source\n\n**Statement.** a\n\n**Hypotheses.** b\n\n";
   const std::string head = "| compared | what | measured by | predicted by |\n|---|---|---|---|\n";
-  const std::vector<QuantityText> rows =
+  const std::vector<Quantity> rows =
       parse_claim_text(text + head + "| peak | largest \\|t\\| | solved | 1 |\n| sign | it is negative | | |\n")
           .compared;
   REQUIRE(rows.size() == 2);
@@ -79,9 +79,12 @@ TEST_CASE("how what is compared is compared stands in a last column, if that is 
                                      "| c | three | | | at most, required 0.4, no near miss |\n")
                         .compared;
   REQUIRE(rows.size() == 3);
-  CHECK(rows[0].how == HowCompared{});
-  CHECK(rows[1].how == HowCompared{.tolerance = 1e-8, .absolute = true});
-  CHECK(rows[2].how == HowCompared{.at_most = true, .required = 0.4, .near_miss = false});
+  const auto how = [](const Quantity& q) {
+    return std::tuple(q.tolerance, q.absolute, q.at_most, q.required, q.near_miss);
+  };
+  CHECK(how(rows[0]) == std::tuple(0.0, false, false, 0.5, true));
+  CHECK(how(rows[1]) == std::tuple(1e-8, true, false, 0.5, true));
+  CHECK(how(rows[2]) == std::tuple(0.0, false, true, 0.4, false));
   CHECK_THROWS_AS(parse_claim_text(text + head + "| a | one | | | roughly |\n"), std::logic_error);
 }
 
