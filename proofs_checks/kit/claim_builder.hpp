@@ -223,6 +223,14 @@ FormulaClaim<Case, Form> formula_claim(std::string id) {
   return FormulaClaim<Case, Form>(std::move(id));
 }
 
+/// What is measured or predicted of one quantity: f(case) at the number type of the context's digits.
+template <class F>
+auto one_value(std::string name, F f) {
+  return [name = std::move(name), f = std::move(f)]<numeric::Real R>(const auto& c) {
+    return Values{{name, f.template operator()<R>(c)}};
+  };
+}
+
 /// Changes of a prediction for ClaimBuilder::wrong(). The numbers of these names, those that are there, times a factor: a
 /// number, or factor(case).
 template <class Factor>

@@ -22,12 +22,9 @@ Claim claim() {
   return compared<ContactProblem>("flat-punch-centre-of-pressure")
       .cases(punches)
       .effective_where(has_friction)
-      .measured([]<Real R>(const ContactProblem& p) {
-        return Values{{"centre", punch_loads<R>(p).centre}};
-      })
-      .predicted([]<Real R>(const ContactProblem& p) {
-        return Values{{"centre", R(-numeric::FrictionLayout<R>::of(p).moment(0))}};
-      })
+      .measured(one_value("centre", []<Real R>(const ContactProblem& p) { return punch_loads<R>(p).centre; }))
+      .predicted(one_value(
+          "centre", []<Real R>(const ContactProblem& p) { return R(-numeric::FrictionLayout<R>::of(p).moment(0)); }))
       .wrong("towards the front", scaled({"centre"}, -1))
       .wrong("the mean of alpha", scaled({"centre"}, 0.5))
       .wrong("the middle", replaced({{"centre", Number(0)}}))

@@ -53,12 +53,8 @@ Claim claim() {
   return compared<ContactProblem>("flat-punch-effective-friction")
       .cases(punches)
       .effective_where(has_jump)
-      .measured([]<Real R>(const ContactProblem& p) {
-        return Values{{"friction", punch_loads<R>(p).friction}};
-      })
-      .predicted([]<Real R>(const ContactProblem& p) {
-        return Values{{"friction", by_surface<R>(p)}};
-      })
+      .measured(one_value("friction", []<Real R>(const ContactProblem& p) { return punch_loads<R>(p).friction; }))
+      .predicted(one_value("friction", []<Real R>(const ContactProblem& p) { return by_surface<R>(p); }))
       .wrong("the mean of the coefficients",
              [](Values& p, const ContactProblem& c) { p["friction"] = mean_friction(c); })
       .wrong("tan(pi <alpha>)/gamma, as if the strips were ever finer",

@@ -20,14 +20,12 @@ std::string text_of(const Sheared& c) { return proofs_checks::text_of(c.problem)
 Sheared random_case(Random& random, std::size_t k) {
   const std::vector<std::vector<Rational>> jumps{{Rational(1, 9)}, {}, {Rational(-1, 3), Rational(2, 7)}};
   const std::vector<Rational>& c = jumps[k % jumps.size()];
-  std::vector<Rational> f;
-  for (std::size_t i = 0; i <= c.size(); ++i) f.push_back(random.between(Rational(1, 10), 3));
-  std::vector<Rational> coefficients;
-  for (std::size_t i = 0; i <= 3; ++i) coefficients.push_back(random.between(-1, 1));
+  const std::vector<Rational> f = random.between(Rational(1, 10), 3, c.size() + 1);
+  const Polynomial normal(random.between(-1, 1, 4));
   const Rational young = random.between(Rational(1, 2), 3);
   return {ContactProblem(Elasticity(Solid(random.poisson(), young)), FrictionProfile(f, c),
                          Indenter(-1, {{1, Polynomial()}}), 1, k % 2 == 0 ? Sliding::minus_x : Sliding::plus_x),
-          Polynomial(coefficients)};
+          normal};
 }
 
 CaseList<Sheared> cases(const Context& context) {

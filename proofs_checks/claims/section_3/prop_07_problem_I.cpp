@@ -28,11 +28,7 @@ CaseList<Case> cases(const Context& context) {
     const Rational load = random.between(Rational(1, 5), 4);
     const std::size_t n = 8 + random.below(context.quick ? 12 : 32);
     Case c{{"", s, profile, load, 0}, static_cast<int>(n), {}, {}};
-    for (int start = 0; start < 3; ++start) {
-      c.starts.emplace_back(n, 0);
-      for (char& contact : c.starts.back()) contact = random.below(2) == 0 ? 1 : 0;
-      c.starts.back()[random.below(n)] = 1;
-    }
+    for (int start = 0; start < 3; ++start) c.starts.push_back(random_contact_set(random, n));
     for (int j = 0; j < 6; ++j) {
       c.directions.emplace_back(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n)));
       for (double& at : c.directions.back()) {

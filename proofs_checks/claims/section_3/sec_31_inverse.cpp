@@ -16,9 +16,8 @@ CaseList<PolynomialSlope> slopes(const Context& context) {
   const std::vector<Rational> s{Rational(3, 4), -2, 0, 7, Rational(-1, 5)};
   return random_cases(context, "sec-31-inverse", 10, 1, "polynomials u of degree up to 4, s of both signs",
                       [&](Random& random, std::size_t k) {
-                        std::vector<Rational> u;
-                        for (std::size_t i = 0; i <= k % 4; ++i) u.push_back(random.between(-2, 2));
-                        return PolynomialSlope{k < s.size() ? s[k] : random.between(-3, 3), Polynomial(u)};
+                        const Polynomial slope(random.between(-2, 2, k % 4 + 1));
+                        return PolynomialSlope{k < s.size() ? s[k] : random.between(-3, 3), slope};
                       });
 }
 

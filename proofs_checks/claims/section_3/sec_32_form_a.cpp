@@ -38,9 +38,7 @@ CaseList<Case> cases(const Context& context) {
   for (std::size_t k = 0; k < (context.quick ? 1 : 3); ++k) {
     const Rational s = random.between(Rational(1, 4), 3) * (k % 2 == 0 ? 1 : -1);
     Pair pair;
-    for (std::vector<Rational>* coefficients : {&pair.u, &pair.v}) {
-      for (std::size_t i = 0; i < 2 + k; ++i) coefficients->push_back(random.between(-1, 1));
-    }
+    for (auto* coefficients : {&pair.u, &pair.v}) *coefficients = random.between(-1, 1, 2 + k);
     list.cases.push_back({s, std::move(pair)});
   }
   return list;

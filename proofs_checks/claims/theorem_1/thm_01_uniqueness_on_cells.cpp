@@ -11,13 +11,6 @@ struct Started {
   std::vector<CellSet> starts;
 };
 
-CellSet random_set(Random& random, std::size_t cells) {
-  CellSet set(cells, 0);
-  for (char& cell : set) cell = random.below(2) == 0;
-  set[random.below(cells)] = 1;
-  return set;
-}
-
 CaseList<Started> rising(const Context& context) {
   return random_cases(context, "thm-01-uniqueness-on-cells", 200, 10,
                       "random meshes, rising frictions, profiles and loads, four sets each",
@@ -25,7 +18,8 @@ CaseList<Started> rising(const Context& context) {
                         const Rational largest = random.between(Rational(1, 5), 3);
                         ProblemOnCells on_cells = random_problem_on_cells(random, k, Trend::rising, largest, false);
                         Started c{"problem " + std::to_string(k) + ": " + text_of(on_cells), on_cells, {}};
-                        for (int i = 0; i < 4; ++i) c.starts.push_back(random_set(random, on_cells.mesh.size()));
+                        for (int i = 0; i < 4; ++i)
+                          c.starts.push_back(random_contact_set(random, on_cells.mesh.size()));
                         return c;
                       });
 }

@@ -129,11 +129,7 @@ PiecewiseFunction random_polygon(Random& random, const std::vector<Rational>& po
   return v;
 }
 
-PiecewiseFunction random_cubic(Random& random) {
-  std::vector<Rational> c;
-  for (int k = 0; k < 4; ++k) c.push_back(random.between(-1, 1));
-  return {{-1, 1}, {Polynomial(c)}};
-}
+PiecewiseFunction random_cubic(Random& random) { return {{-1, 1}, {Polynomial(random.between(-1, 1, 4))}}; }
 
 std::vector<Rational> random_points(Random& random) {
   std::vector<Rational> points{-1, 1};
