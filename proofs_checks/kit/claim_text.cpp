@@ -65,9 +65,9 @@ ClaimText parse_claim_text(std::string_view document) {
        {"Checked in its place", &in_its_place}}};
   for (const auto characters : std::views::split(document, '\n')) {
     std::string_view line(characters.begin(), characters.end());
-    if (line.starts_with("# ")) {
-      text.id = line.substr(2);
-      part = &text.source;
+    if (line.starts_with("# ") && line.find(": ") != std::string_view::npos) {
+      text.id = line.substr(2, line.find(": ") - 2);
+      text.source = line.substr(line.find(": ") + 2);
       continue;
     }
     // "**Statement.** Words", with which a part begins.

@@ -2,9 +2,7 @@
 // The words of a claim. They stand in a Markdown file beside its source, named like it, and are compiled in; where one
 // of the last four parts says it all, there is no source:
 //
-//   # rem-01-neglect
-//
-//   [Bal16, remark 1]: where in the paper, and of what it speaks
+//   # rem-01-neglect: [Bal16, remark 1]: of what it speaks
 //
 //   **Statement.** Our own words, with the formula.
 //

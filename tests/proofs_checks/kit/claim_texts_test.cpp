@@ -57,7 +57,7 @@ TEST_CASE("every claim says what is stated, what is assumed and how it follows, 
 }
 
 TEST_CASE("what is compared stands in a table, a row of which is a name, what it is, and both routes or none") {
-  const std::string text = "# one\n\na source\n\n**Statement.** a\n\n**Hypotheses.** b\n\n";
+  const std::string text = "# one: a source\n\n**Statement.** a\n\n**Hypotheses.** b\n\n";
   const std::string head = "| compared | what | measured by | predicted by |\n|---|---|---|---|\n";
   const std::vector<Quantity> rows =
       parse_claim_text(text + head + "| peak | largest \\|t\\| | solved | 1 |\n| sign | it is negative | | |\n")
@@ -72,7 +72,7 @@ TEST_CASE("what is compared stands in a table, a row of which is a name, what it
 }
 
 TEST_CASE("how what is compared is compared stands in a last column, if that is not the usual way") {
-  const std::string text = "# one\n\na source\n\n**Statement.** a\n\n**Hypotheses.** b\n\n";
+  const std::string text = "# one: a source\n\n**Statement.** a\n\n**Hypotheses.** b\n\n";
   const std::string head = "| compared | what | measured by | predicted by | how |\n|---|---|---|---|---|\n";
   const auto rows = parse_claim_text(text + head +
                                      "| a | one | | | |\n| b | two | | | tolerance 1e-8, absolute |\n"
