@@ -79,16 +79,17 @@ class Reader {
     in_rows_ = false;
     rules_ = nullptr;
     facts_ = nullptr;
-    if (part_ == "Words" || part_ == "Things" || part_ == "Definitions" || part_ == "Inferences" || part_ == "Decided")
-      return;
+    if (part_ == "Words" || part_ == "Things" || part_ == "Definitions" || part_ == "Decided") return;
     add_once(theory_.theorems, part_, std::vector<Rule>{Rule{part_, {}, {}, {}}});
     rules_ = &theory_.theorems.at(part_);
   }
 
   void row(const std::vector<std::string>& cells) {
-    const std::size_t wanted = part_ == "Decided" ? 3 : 2;
     if (part_.empty() || rules_) throw std::logic_error("a row outside a table of a theory: " + cells.at(0));
-    if (cells.size() != wanted) throw std::logic_error("not a row of the table " + part_ + ": " + cells.at(0));
+    const bool good = part_ == "Words"     ? cells.size() == 2 || cells.size() == 3
+                      : part_ == "Decided" ? cells.size() == 3
+                                           : cells.size() == 2;
+    if (!good) throw std::logic_error("not a row of the table " + part_ + ": " + cells.at(0));
     if (part_ == "Things") {
       add_once(theory_.things, items_of(cells[0]).at(0), cells[1]);
     } else if (part_ == "Decided") {
@@ -99,12 +100,12 @@ class Reader {
       if (!std::ranges::all_of(fact.things, is_variable) || different.size() != fact.things.size()) {
         throw std::logic_error("a word is declared, defined and inferred for all things: " + cells[0]);
       }
-      if (part_ == "Words") {
-        add_once(theory_.words, fact.word, std::pair(fact, cells[1]));
-      } else {
-        auto& rules = part_ == "Definitions" ? theory_.definitions : theory_.inferences;
-        add_once(rules, fact.word, Rule{fact.word, {}, parse_facts(cells[1]), {fact}});
-      }
+      const std::size_t needs = part_ == "Words" ? 2 : 1;
+      Rule rule{fact.word, {}, {}, {fact}};
+      if (cells.size() > needs) rule.needs = parse_facts(cells[needs]);
+      if (part_ == "Words") add_once(theory_.words, fact.word, std::pair(fact, cells[1]));
+      if (part_ == "Definitions") add_once(theory_.definitions, fact.word, rule);
+      if (part_ == "Words" && !rule.needs.empty()) add_once(theory_.inferences, fact.word, rule);
     }
   }
 

@@ -4,9 +4,10 @@
 //
 //   ## Words                                        each name once in all files
 //
-//   | fact | says |
-//   |---|---|
-//   | load(T) | `int T = -P` |
+//   | fact | says | follows from |                 from facts by an inference: short ones, in words, that are read, and
+//   |---|---|---|                                 not decided by the program; the column may be absent
+//   | load(T) | `int T = -P` | |
+//   | pressing(T) | `T < 0` | factor-sign(T), cosine(T) |
 //   ## Things
 //
 //   | name | is |
@@ -17,11 +18,6 @@
 //   | fact | means |
 //   |---|---|
 //   | solves(T) | kernel(T), load(T) |
-//   ## Inferences                                   short ones, in words: read, and not decided by the program
-//
-//   | fact | follows from |
-//   |---|---|
-//   | pressing(T) | factor-sign(T), cosine(T) |
 //   ## Decided                                      what a decision says, and where
 //
 //   | fact | by | where |
