@@ -3,7 +3,7 @@
 
 #include "enclosure/contact/contact_proof.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
-#include "proofs_checks/enclosures/remark_enclosures.hpp"
+#include "proofs_checks/enclosures/enclosure_list.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {

@@ -1,7 +1,7 @@
 // The powers -(1/2+alpha) and -(1/2-alpha), alpha = arctan(s)/pi, are larger than -1: |alpha| < 1/2 for s in an interval.
 // arctan increases. Towards infinity 1/2 - alpha = arctan(y)/pi, y = 1/s, and arctan(y)/y = 1/(1+eta^2) with 0 < eta < y.
 
-#include "proofs_checks/enclosures/section_3_enclosures.hpp"
+#include "proofs_checks/enclosures/enclosure_list.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {

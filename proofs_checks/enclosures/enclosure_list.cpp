@@ -1,8 +1,9 @@
 // Every enclosure that a proof may name.
 
-#include "proofs_checks/enclosures/remark_enclosures.hpp"
-#include "proofs_checks/enclosures/section_3_enclosures.hpp"
-#include "proofs_checks/proof/enclosures.hpp"
+#include "proofs_checks/enclosures/enclosure_list.hpp"
+
+#include <algorithm>
+#include <stdexcept>
 
 namespace steadyslide::proofs_checks {
 
@@ -11,6 +12,13 @@ std::span<const Enclosure> enclosures() {
                                           triangle_amplitude(), peak_of_parabola(),     galin_at_two(),
                                           contact_over_notch(), contact_of_two_wells(), contact_of_bowl()};
   return all;
+}
+
+const Enclosure& enclosure(std::string_view id) {
+  const std::span<const Enclosure> all = enclosures();
+  const auto found = std::ranges::find(all, id, &Enclosure::id);
+  if (found == all.end()) throw std::logic_error("no enclosure " + std::string(id));
+  return *found;
 }
 
 }  // namespace steadyslide::proofs_checks

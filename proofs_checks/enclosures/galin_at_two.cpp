@@ -1,5 +1,5 @@
 #include "enclosure/number/ball.hpp"
-#include "proofs_checks/enclosures/remark_enclosures.hpp"
+#include "proofs_checks/enclosures/enclosure_list.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {

@@ -1,6 +1,6 @@
 // Signs of the logarithm. It increases, so that over an interval ]0, d] the least value of -log is -log d.
 
-#include "proofs_checks/enclosures/section_3_enclosures.hpp"
+#include "proofs_checks/enclosures/enclosure_list.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {

@@ -7,7 +7,7 @@
 //
 // monotone in eps, and so decided at the largest, down to eps = 0.
 
-#include "proofs_checks/enclosures/section_3_enclosures.hpp"
+#include "proofs_checks/enclosures/enclosure_list.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {

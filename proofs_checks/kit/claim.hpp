@@ -33,7 +33,7 @@ struct Claim : ClaimText {
   std::string group = {};  ///< its place in the paper, the folder of its source: "theorem-3"
 };
 
-/// The words, whatever stands under "## Proof" in them.
+/// The words, whatever stands under "Proof" in them.
 Claim words_alone(std::string_view id);
 
 /// A statement that no calculation decides, as its text says: it stays undecided, and is listed as such.

@@ -2,18 +2,50 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 #include <tuple>
 
 namespace steadyslide::proofs_checks {
 namespace {
 
+/// Moves what is predicted of one quantity as little as a check has to notice.
+void miss(Values& predicted, const Quantity& quantity, const Number& precision_step) {
+  const std::string& name = quantity.name;
+  const Number step = quantity.tolerance != 0 ? Number(10 * quantity.tolerance) : precision_step;
+  const Value* value = predicted.find(name);
+  if (!value) return;
+  if (const auto* number = std::get_if<Number>(value)) {
+    predicted.set(name, quantity.absolute ? Number(*number + step) : Number(*number * (1 + step)));
+  } else if (const auto* order = std::get_if<Order>(value)) {
+    predicted.set(name, Order{order->rate + 2 * quantity.tolerance});
+  } else if (const auto* exponent = std::get_if<Exponent>(value)) {
+    predicted.set(name, *exponent + Exponent::angle(tiny()));
+  } else if (const auto* rational = std::get_if<Rational>(value)) {
+    predicted.set(name, Rational(*rational + tiny()));
+  }
+}
+
+void compare(Findings& findings, const Quantity& quantity, const Value& measured, const Value& predicted) {
+  const std::string& name = quantity.name;
+  if (const auto* order = std::get_if<Order>(&measured)) {
+    findings.measure({quantity.what, order->rate, order->error_bar, std::get<Order>(predicted).rate, quantity.tolerance,
+                      order->detail});
+  } else if (const auto* fit = std::get_if<Fitted>(&measured)) {
+    const auto expected = static_cast<double>(std::get<Number>(predicted));
+    findings.compare(name, fit->value / fit->error_bar, expected / fit->error_bar, 1);
+  } else if (const auto* number = std::get_if<Number>(&measured)) {
+    findings.compare(name, *number, std::get<Number>(predicted));
+  } else {
+    findings.decide(quantity.what, measured == predicted);
+  }
+}
+
 /// A claim that remembers its cases, so that what is kept for a case serves all controls.
 class Runner {
  public:
-  explicit Runner(ExaminedClaim claim) : claim_(std::move(claim)) {}
+  explicit Runner(ExaminedClaim claim) : claim_(std::move(claim)), text_(claim_text(claim_.id)) {}
 
   const ExaminedClaim& claim() const { return claim_; }
+  const ClaimText& text() const { return text_; }
 
   std::vector<Evidence> examine(const Context& asked, const ExaminedClaim::Change& change, const CaseSource& source) {
     const Context context{digits_at(claim_.precision, asked), asked.seed, asked.quick};
@@ -21,7 +53,11 @@ class Runner {
         context.digits, []<numeric::Real R>() { return std::pair(tolerance<R>(), Number(near_miss<R>())); });
     return gather([&] {
       const Examples& examples = examples_of(source, context);
-      Findings findings(quantities_of(claim_, tolerance_there));
+      std::vector<Quantity> quantities = text_.compared;
+      for (Quantity& quantity : quantities) {
+        if (quantity.tolerance == 0) quantity.tolerance = tolerance_there;
+      }
+      Findings findings(std::move(quantities));
       for (const ExaminedCase& c : examples.cases) {
         findings.begin_case(c.where, !claim_.effective || claim_.effective(c.data.get()));
         claim_.examine(findings, c.data.get(), context, change, step);
@@ -38,33 +74,15 @@ class Runner {
   }
 
   ExaminedClaim claim_;
+  ClaimText text_;
   std::map<std::tuple<const CaseSource*, numeric::Digits, std::uint64_t, bool>, Examples> examples_;
 };
 
 }  // namespace
 
-std::vector<NamedQuantity> quantities_of(const ExaminedClaim& claim, double tolerance) {
-  const std::vector<QuantityText> texts = claim_text(claim.id).compared;
-  std::vector<NamedQuantity> all;
-  for (const auto& [name, how] : claim.quantities) {
-    const auto text = std::ranges::find(texts, name, &QuantityText::name);
-    if (text == texts.end()) throw std::logic_error(claim.id + ": the text does not say what is compared as " + name);
-    all.push_back({name,
-                   {text->what, text->routes, how.tolerance != 0 ? how.tolerance : tolerance, how.required,
-                    how.absolute, how.at_most}});
-  }
-  for (const QuantityText& text : texts) {
-    if (std::ranges::find(all, text.name, &NamedQuantity::name) == all.end()) {
-      throw std::logic_error(claim.id + ": described in the text, but not compared: " + text.name);
-    }
-  }
-  return all;
-}
-
 Claim claim_of(ExaminedClaim examined) {
   const auto runner = std::make_shared<Runner>(std::move(examined));
-  quantities_of(runner->claim(), 0);
-  Claim claim{claim_text(runner->claim().id), {}, {}};
+  Claim claim{runner->text(), {}, {}};
   const CaseSource& cases = runner->claim().cases;
   claim.examine = [runner, &cases](const Context& context) { return runner->examine(context, {}, cases); };
   for (const ExaminedClaim::Variant& control : runner->claim().controls) {
@@ -73,6 +91,32 @@ Claim claim_of(ExaminedClaim examined) {
                               }});
   }
   return claim;
+}
+
+void compare(Findings& findings, const Values& measured, const Values& predicted) {
+  for (const Values* values : {&measured, &predicted}) {
+    for (const Values::Named& named : *values) findings.quantity(named.name);
+  }
+  for (const Quantity& quantity : findings.quantities()) {
+    const Value* a = measured.find(quantity.name);
+    const Value* b = predicted.find(quantity.name);
+    if (a && b) {
+      compare(findings, quantity, *a, *b);
+    } else if (a || b) {  // neither: the case is not one of this quantity
+      findings.skip(quantity);
+    }
+  }
+}
+
+void add_near_misses(ExaminedClaim& claim) {
+  for (const Quantity& quantity : claim_text(claim.id).compared) {
+    if (!quantity.near_miss) continue;
+    claim.controls.push_back({"near miss: " + quantity.what,
+                              [quantity](void* values, const Number& step, const void*) {
+                                miss(*static_cast<Values*>(values), quantity, step);
+                              },
+                              {}});
+  }
 }
 
 }  // namespace steadyslide::proofs_checks

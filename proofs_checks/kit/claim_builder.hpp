@@ -1,7 +1,34 @@
 #pragma once
-// What both forms of a claim have in common (comparison.hpp, formula_claim.hpp): cases, the quantities that are
-// compared at them, and controls. A control is the formula with something in it changed, or cases that the hypotheses
-// exclude.
+// How claims are said: cases, a formula, a check, and controls. A control is the formula with something in it changed, or
+// cases that the hypotheses exclude. What is compared stands in the claim's text.
+//
+// The form in which most are said: what is measured knows no formula, what is predicted knows no measurement, and a
+// control changes the prediction alone.
+//
+//   Claim rem_01_neglect() {
+//     return compared<Parabola>("rem-01-neglect")
+//         .cases(parabolas)    // CaseList<Parabola>(const Context&); a case has a name, or text_of()
+//         .measured([]<Real R>(const Parabola& c) { return Values{{"peak", ...}}; })
+//         .predicted([](const Parabola& c) { return Values{{"peak", ...}}; })
+//         .wrong("the contact shifted to the front", scaled({"centre"}, -1))
+//         .near_misses();
+//   }
+//
+// Measurements are made once for a claim and all its controls. A case in which either side lacks a quantity counts as
+// one without effect: too many of them, and nothing is shown.
+//
+// Others put a formula into equations: the check is handed a formula and knows no other, the formula knows no check.
+//
+//   Claim eq_04_flat_punch() {
+//     return formula_claim<ContactProblem, PowerForm>("eq-04-flat-punch")
+//         .cases(punches)
+//         .says([](const ContactProblem& p) { return PowerForm(...); })
+//         .checked([]<Real R>(Findings& findings, const PowerForm& form, const ContactProblem& p) {
+//           findings.compare("load", ...);
+//         })
+//         .wrong("1/pi missing", [](PowerForm& form) { form.scale(pi); })
+//         .near_miss("the amplitude", [](PowerForm& form, const Number& step) { ... });
+//   }
 
 #include <functional>
 #include <stdexcept>
@@ -11,16 +38,6 @@
 #include "proofs_checks/kit/values.hpp"
 
 namespace steadyslide::proofs_checks {
-
-/// How a quantity is compared. What it is stands in the claim's text, under "Compared".
-struct HowCompared {
-  /// Of numbers: that of the precision if 0. Of orders: the largest difference of rates. Of fits: of error bars.
-  double tolerance = 0;
-  bool absolute = false;  ///< the difference itself, not relative to the larger value: where zero is predicted
-  bool at_most = false;   ///< the prediction is a bound of what is measured
-  double required = 0.5;  ///< the part of the cases that has to be effective
-  bool near_miss = true;  ///< false for truth values and for bounds that are not attained
-};
 
 /// The runner's view of a claim: cases and formula without their types, functions without their precision.
 struct ExaminedClaim {
@@ -37,22 +54,17 @@ struct ExaminedClaim {
   Precision precision = Precision::as_asked;
   CaseSource cases;
   std::function<bool(const void*)> effective;
-  std::vector<std::pair<std::string, HowCompared>> quantities;
   Examine examine;
   std::vector<Variant> controls;
 };
-
-/// With their descriptions from the claim's text; a tolerance that is not given is this one. Throws std::logic_error
-/// where the claim compares a quantity that its text does not describe, or the other way round.
-std::vector<NamedQuantity> quantities_of(const ExaminedClaim& claim, double tolerance);
 
 Claim claim_of(ExaminedClaim claim);
 
 /// All that either has; throws std::logic_error where that is no quantity of the claim.
 void compare(Findings& findings, const Values& measured, const Values& predicted);
 
-/// One control for each quantity: what is predicted of it, moved by ten times the tolerance (a decided value: by 1e-94;
-/// an order: by twice what it may differ).
+/// One control for each quantity of the text that has near misses: what is predicted of it, moved by ten times the
+/// tolerance (a decided value: by 1e-94; an order: by twice what it may differ).
 void add_near_misses(ExaminedClaim& claim);
 
 /// f(arguments...), at the number type of the context's digits where f has a type parameter, with the context behind
@@ -93,15 +105,6 @@ class ClaimBuilder {
     claim_.precision = precision;
     return std::move(*this);
   }
-  ClaimBuilder&& quantity(std::string name, HowCompared how = {}) && {
-    claim_.quantities.emplace_back(std::move(name), how);
-    return std::move(*this);
-  }
-  ClaimBuilder&& quantities(std::initializer_list<const char*> names, HowCompared how = {}) && {
-    for (const char* name : names) claim_.quantities.emplace_back(name, how);
-    return std::move(*this);
-  }
-
   /// The formula: formula(const Case&), called as called_at() says; Form() if nothing is said. Of values that are
   /// compared, what is predicted.
   template <class Formula>
@@ -166,7 +169,7 @@ class ClaimBuilder {
                      }
                    });
   }
-  /// Of values, one for each quantity said so far.
+  /// Of values: add_near_misses().
   ClaimBuilder&& near_misses() && {
     add_near_misses(claim_);
     return std::move(*this);
@@ -205,5 +208,44 @@ class ClaimBuilder {
   };
   std::function<void(Findings&, const Form&, const Case&, const Context&)> check_;
 };
+
+template <class Case>
+using ComparedClaim = ClaimBuilder<Case, Values>;
+template <class Case>
+ComparedClaim<Case> compared(std::string id) {
+  return ComparedClaim<Case>(std::move(id));
+}
+
+template <class Case, class Form>
+using FormulaClaim = ClaimBuilder<Case, Form>;
+template <class Case, class Form>
+FormulaClaim<Case, Form> formula_claim(std::string id) {
+  return FormulaClaim<Case, Form>(std::move(id));
+}
+
+/// What is measured or predicted of one quantity: f(case) at the number type of the context's digits.
+template <class F>
+auto one_value(std::string name, F f) {
+  return [name = std::move(name), f = std::move(f)]<numeric::Real R>(const auto& c) {
+    return Values{{name, f.template operator()<R>(c)}};
+  };
+}
+
+/// Changes of a prediction for ClaimBuilder::wrong(). The numbers of these names, those that are there, times a factor: a
+/// number, or factor(case).
+template <class Factor>
+auto scaled(std::vector<std::string> names, Factor factor) {
+  return [names = std::move(names), factor = std::move(factor)](Values& p, const auto& c) {
+    if constexpr (std::is_invocable_v<const Factor&, decltype(c)>) {
+      p.scale(names, Number(factor(c)));
+    } else {
+      p.scale(names, Number(factor));
+    }
+  };
+}
+/// Other values in place of those of these names.
+inline auto replaced(Values values) {
+  return [values = std::move(values)](Values& p) { p.set(values); };
+}
 
 }  // namespace steadyslide::proofs_checks

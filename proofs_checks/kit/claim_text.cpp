@@ -11,14 +11,37 @@
 namespace steadyslide::proofs_checks {
 namespace {
 
+/// "tolerance 1e-8, absolute".
+void set_how(Quantity& how, const std::string& text) {
+  for (const std::string& item : items_of(text)) {
+    const auto number = [&item](const std::string& name, double& value) {
+      if (!item.starts_with(name + " ")) return false;
+      value = std::stod(item.substr(name.size()));
+      return true;
+    };
+    if (item == "absolute") {
+      how.absolute = true;
+    } else if (item == "at most") {
+      how.at_most = true;
+    } else if (item == "no near miss") {
+      how.near_miss = false;
+    } else if (!number("tolerance", how.tolerance) && !number("required", how.required)) {
+      throw std::logic_error("not how numbers are compared: " + item);
+    }
+  }
+}
+
 void read_row(ClaimText& text, std::string_view row) {
   const std::vector<std::string> cells = cells_of(row);
-  if (!cells.empty() && (cells[0] == "name" || cells[0] == "about" || is_rule_of_table(row))) return;
+  if (!cells.empty() && (cells[0] == "compared" || cells[0] == "decided about" || is_rule_of_table(row))) return;
+  const bool has_how = cells.size() == 5;
   if (cells.size() == 3) {
     text.decided.push_back({cells[0], list_of(cells[1], ", "), list_of(cells[2], "; ")});
-  } else if (cells.size() == 4 && !cells[0].empty() && !cells[1].empty() && cells[2].empty() == cells[3].empty()) {
-    text.compared.push_back({cells[0], cells[1], {}});
-    if (!cells[2].empty()) text.compared.back().routes = {cells[2], cells[3]};
+  } else if ((cells.size() == 4 || has_how) && !cells[0].empty() && !cells[1].empty() &&
+             cells[2].empty() == cells[3].empty()) {
+    Quantity& quantity = text.compared.emplace_back(Quantity{.what = cells[1], .name = cells[0]});
+    if (!cells[2].empty()) quantity.routes = {cells[2], cells[3]};
+    if (has_how) set_how(quantity, cells[4]);
   } else {
     throw std::logic_error(text.id + ": not a row of a name, what it is, and both routes or none: " + std::string(row));
   }
@@ -29,34 +52,36 @@ void read_row(ClaimText& text, std::string_view row) {
 ClaimText parse_claim_text(std::string_view document) {
   ClaimText text;
   std::string nowhere;
-  std::string* part = &nowhere;  // null: within a table
+  std::string* part = &nowhere;  // null: within a proof; behind a table there are no words
   std::string in_its_place;
   std::vector<std::string_view> proof;
-  bool in_proof = false;
-  const std::array<std::pair<std::string_view, std::string*>, 9> parts{
-      {{"## Statement", &text.statement},
-       {"## Hypotheses", &text.hypotheses},
-       {"## Derivation", &text.derivation},
-       {"## Compared", nullptr},
-       {"## Decided", nullptr},
-       {"## Proof", nullptr},
-       {"## Convergence", &text.convergence},
-       {"## Beyond calculation", &text.beyond_calculation},
-       {"## Checked in its place", &in_its_place}}};
+  const std::array<std::pair<std::string_view, std::string*>, 7> parts{
+      {{"Statement", &text.statement},
+       {"Hypotheses", &text.hypotheses},
+       {"Derivation", &text.derivation},
+       {"Proof", nullptr},
+       {"Convergence", &text.convergence},
+       {"Beyond calculation", &text.beyond_calculation},
+       {"Checked in its place", &in_its_place}}};
   for (const auto characters : std::views::split(document, '\n')) {
-    const std::string_view line(characters.begin(), characters.end());
-    if (line.starts_with("# ")) {
-      text.id = line.substr(2);
-      part = &text.source;
-    } else if (line.starts_with('#')) {
-      const auto found = std::ranges::find(parts, line, [](const auto& p) { return p.first; });
+    std::string_view line(characters.begin(), characters.end());
+    if (line.starts_with("# ") && line.find(": ") != std::string_view::npos) {
+      text.id = line.substr(2, line.find(": ") - 2);
+      text.source = line.substr(line.find(": ") + 2);
+      continue;
+    }
+    // "**Statement.** Words", with which a part begins.
+    if (const std::size_t end = line.find(".** "); line.starts_with("**") && end != std::string_view::npos) {
+      const auto found = std::ranges::find(parts, line.substr(2, end - 2), [](const auto& p) { return p.first; });
       if (found == parts.end()) throw std::logic_error(text.id + ": no such part of a claim: " + std::string(line));
       part = found->second;
-      in_proof = line == "## Proof";
-    } else if (in_proof) {
+      line.remove_prefix(end + 4);
+    }
+    if (!part) {
       proof.push_back(line);
-    } else if (!part && !line.empty()) {
+    } else if (line.starts_with("| ") || is_rule_of_table(line)) {
       read_row(text, line);
+      part = &nowhere;
     } else if (!line.empty()) {
       if (!part->empty()) *part += ' ';
       *part += line;

@@ -16,9 +16,9 @@ std::string short_text(double value) {
 }
 
 const Quantity& Findings::quantity(std::string_view name) const {
-  const auto found = std::ranges::find(quantities_, name, &NamedQuantity::name);
+  const auto found = std::ranges::find(quantities_, name, &Quantity::name);
   if (found == quantities_.end()) throw std::logic_error("not a quantity of the claim: " + std::string(name));
-  return found->quantity;
+  return *found;
 }
 
 void Findings::begin_case(std::string where, bool effective) {

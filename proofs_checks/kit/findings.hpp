@@ -10,21 +10,6 @@
 
 namespace steadyslide::proofs_checks {
 
-/// A quantity that unrelated routes have to agree on.
-struct Quantity {
-  std::string what;
-  std::vector<std::string> routes;
-  double tolerance;
-  double required = 0.5;  ///< of the cases, this part has to be effective
-  bool absolute = false;  ///< the difference itself, not relative to the larger value
-  bool at_most = false;   ///< the second value is a bound of the first
-};
-
-struct NamedQuantity {
-  std::string name;
-  Quantity quantity;
-};
-
 /// Thrown inside a check by Findings, caught by gather().
 struct Refutation {
   Counterexample counterexample;
@@ -42,9 +27,9 @@ class Findings {
  public:
   Findings() = default;
   /// These are compared by name.
-  explicit Findings(std::vector<NamedQuantity> quantities) : quantities_(std::move(quantities)) {}
+  explicit Findings(std::vector<Quantity> quantities) : quantities_(std::move(quantities)) {}
 
-  const std::vector<NamedQuantity>& quantities() const { return quantities_; }
+  const std::vector<Quantity>& quantities() const { return quantities_; }
   /// Throws std::logic_error if there is none of this name.
   const Quantity& quantity(std::string_view name) const;
 
@@ -53,7 +38,14 @@ class Findings {
 
   /// A relative difference. Throws Refutation unless it is a number within the tolerance.
   void compare(const Quantity& quantity, double difference);
-  void compare(std::string_view name, double difference) { compare(quantity(name), difference); }
+  template <Real R>
+  void compare(const Quantity& quantity, const R& difference) {
+    compare(quantity, static_cast<double>(difference));
+  }
+  template <Real R>
+  void compare(std::string_view name, const R& difference) {
+    compare(quantity(name), static_cast<double>(difference));
+  }
   /// Two values, as the quantity says.
   template <Real R>
   void compare(std::string_view name, const R& value, const R& other) {
@@ -84,7 +76,7 @@ class Findings {
   std::vector<Evidence> evidence(const std::string& cases) const;
 
  private:
-  std::vector<NamedQuantity> quantities_;
+  std::vector<Quantity> quantities_;
   struct Tally {
     double worst = 0;
     std::size_t cases = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The proofs of the ledger: what a claim's text has under "## Proof", checked, and entries that rest on each other.
+// The proofs of the ledger: what a claim's text has under "Proof", checked, and entries that rest on each other.
 //
 // Controls of a proof: each step left out leaves a gap, so that none is idle; and each wrong variant of what its steps
 // decide is refuted.

@@ -20,6 +20,12 @@ Rational Random::between(const Rational& low, const Rational& high) {
   return low + (high - low) * Rational(static_cast<long>(p), static_cast<long>(q));
 }
 
+std::vector<Rational> Random::between(const Rational& low, const Rational& high, std::size_t count) {
+  std::vector<Rational> all;
+  while (all.size() < count) all.push_back(between(low, high));
+  return all;
+}
+
 Rational Random::poisson() {
   switch (below(8)) {
     case 0: return Rational(-1) + between(0, Rational(1, 1000));

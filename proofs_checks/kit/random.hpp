@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <random>
 #include <string_view>
+#include <vector>
 
 #include "model/rational.hpp"
 
@@ -18,6 +19,8 @@ class Random {
   std::size_t below(std::size_t count);
   /// A rational strictly between low and high, with one of several denominators.
   Rational between(const Rational& low, const Rational& high);
+  /// So many of them.
+  std::vector<Rational> between(const Rational& low, const Rational& high, std::size_t count);
   /// nu in ]-1, 1/2[, now and then close to an end.
   Rational poisson();
   /// f in [0, largest], with its small values as often as its large ones, sometimes 0.

@@ -16,6 +16,16 @@ bool is_name(std::string_view text) {
 
 bool is_formula(std::string_view text) { return text.size() > 2 && text.front() == '"' && text.back() == '"'; }
 
+/// Adds the fact, or one for each thing in its first braces.
+void add_facts(std::vector<Fact>& facts, const std::string& text) {
+  const std::size_t opening = text.find('{');
+  const std::size_t closing = text.find('}');
+  if (opening == std::string::npos || closing == std::string::npos) return facts.push_back(parse_fact(text));
+  for (const std::string& thing : items_of(text.substr(opening + 1, closing - opening - 1))) {
+    add_facts(facts, text.substr(0, opening) + thing + text.substr(closing + 1));
+  }
+}
+
 }  // namespace
 
 Fact parse_fact(std::string_view text) {
@@ -34,7 +44,7 @@ Fact parse_fact(std::string_view text) {
 
 std::vector<Fact> parse_facts(std::string_view list) {
   std::vector<Fact> facts;
-  for (const std::string& item : items_of(list)) facts.push_back(parse_fact(item));
+  for (const std::string& item : items_of(list)) add_facts(facts, item);
   return facts;
 }
 

@@ -21,6 +21,7 @@ struct Fact {
 
 /// Throws std::logic_error where the text is none.
 Fact parse_fact(std::string_view text);
+/// Of a list, where braces hold alternatives: "word(a, {b, c})" is word(a, b) and word(a, c).
 std::vector<Fact> parse_facts(std::string_view list);
 std::string text_of(const Fact& fact);
 std::string text_of(const std::vector<Fact>& facts);

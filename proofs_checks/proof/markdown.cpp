@@ -33,7 +33,7 @@ std::vector<std::string> list_of(std::string_view text, std::string_view separat
 
 std::vector<std::string> items_of(std::string_view text) {
   std::vector<std::string> items(1);
-  int depth = 0;  // of round brackets
+  int depth = 0;  // of round brackets and braces
   bool quoted = false;
   bool interval = false;  // behind " in " up to the second square bracket
   for (std::size_t k = 0; k < text.size(); ++k) {
@@ -41,8 +41,8 @@ std::vector<std::string> items_of(std::string_view text) {
     if (c == '`') continue;
     if (c == '"') quoted = !quoted;
     if (!quoted) {
-      if (c == '(') ++depth;
-      if (c == ')') --depth;
+      if (c == '(' || c == '{') ++depth;
+      if (c == ')' || c == '}') --depth;
       if (c == '[' || c == ']') interval = !interval;
     }
     if (c == ',' && depth == 0 && !quoted && !interval) {

@@ -4,24 +4,24 @@
 #include <array>
 #include <stdexcept>
 
-#include "proofs_checks/proof/markdown.hpp"
-
 namespace steadyslide::proofs_checks {
 namespace {
 
 constexpr std::array<std::string_view, 7> kinds{"identity",   "sign",      "enclosure", "theorem",
                                                 "definition", "inference", "entry"};
 
-ProofStep step_of(const std::vector<std::string>& cells) {
-  if (cells.size() != 2) throw std::logic_error("not a step, a fact and by what: " + cells.at(0));
-  const std::size_t space = cells[1].find(' ');
-  const auto kind = std::ranges::find(kinds, cells[1].substr(0, space));
-  ProofStep step{
-      parse_fact(items_of(cells[0]).at(0)), {}, space == std::string::npos ? "" : cells[1].substr(space + 1)};
-  step.kind = static_cast<ProofStep::Kind>(kind - kinds.begin());
-  const bool named = step.kind == ProofStep::Kind::theorem || step.kind == ProofStep::Kind::entry;
-  if (kind == kinds.end() || named == step.name.empty()) throw std::logic_error("no such step of a proof: " + cells[1]);
-  return step;
+/// "theorem plemelj: plemelj(flat-punch), ..."
+void add_steps(std::vector<ProofStep>& steps, std::string_view line) {
+  const std::string_view by = line.substr(0, line.find(": "));
+  const std::size_t space = by.find(' ');
+  const auto found = std::ranges::find(kinds, by.substr(0, space));
+  const auto kind = static_cast<ProofStep::Kind>(found - kinds.begin());
+  const std::string name(space == std::string_view::npos ? "" : by.substr(space + 1));
+  const bool named = kind == ProofStep::Kind::theorem || kind == ProofStep::Kind::entry;
+  if (by == line || found == kinds.end() || named == name.empty()) {
+    throw std::logic_error("no such step of a proof: " + std::string(line));
+  }
+  for (Fact& fact : parse_facts(line.substr(by.size() + 2))) steps.push_back({std::move(fact), kind, name});
 }
 
 }  // namespace
@@ -31,14 +31,9 @@ ProofText parse_proof(const std::vector<std::string_view>& lines) {
   std::array<std::pair<std::string_view, std::string>, 3> sentences{
       {{"For ", {}}, {"Assumes ", {}}, {"Concludes ", {}}}};
   std::string* sentence = nullptr;
-  bool in_rows = false;
   for (std::string_view line : lines) {
-    if (line.starts_with('|')) {
-      if (is_rule_of_table(line)) {
-        in_rows = true;
-      } else if (in_rows) {
-        proof.steps.push_back(step_of(cells_of(line)));
-      }
+    if (line.starts_with("- ")) {
+      add_steps(proof.steps, line.substr(2));
       continue;
     }
     if (line.empty()) {

@@ -1,19 +1,19 @@
 #pragma once
-// A proof as it is written, the part "## Proof" of a claim's text:
+// A proof as it is written, the part "Proof" of a claim's text:
 //
 //   For `s in [0, oo[`, `P in ]0, oo[`.          the parameters, and their ranges; absent where there are none
 //   Assumes `contact-around(c)`.                 what is taken as given; who cites the entry has to show it
 //   Concludes `solves(flat-punch)`.              what the statement says
 //
-//   | fact | by |
-//   |---|---|
-//   | kernel(flat-punch) | identity |            what the theory's table says decides it
-//   | nonzero("nu - 1") | sign |                 a polynomial's sign over the parameters: positive, negative, nonzero
-//   | small(gamma) | enclosure |                 likewise, over boxes that together cover the parameters
-//   | plemelj(flat-punch) | theorem plemelj |
-//   | solves(flat-punch) | definition |
-//   | pressing(flat-punch) | inference |
-//   | load(flat-punch) | entry n-jump-punch |
+//   - identity: kernel(flat-punch)               what the theory's table says decides it
+//   - sign: nonzero("nu - 1")                    a polynomial's sign over the parameters: positive, negative, nonzero
+//   - enclosure: small(gamma)                    likewise, over boxes that together cover the parameters
+//   - theorem plemelj: plemelj(flat-punch)
+//   - definition: solves(flat-punch), carries(flat-punch)
+//   - inference: pressing(flat-punch)
+//   - entry n-jump-punch: load({flat-punch, parabola})
+//
+// A line holds the steps that one reason gives, from left to right; braces hold alternatives (proof/fact.hpp).
 
 #include <string>
 #include <string_view>

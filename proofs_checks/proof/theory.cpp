@@ -20,23 +20,23 @@ void add_once(auto& map, const std::string& name, auto value) {
   if (!map.emplace(name, std::move(value)).second) throw std::logic_error("declared twice: " + name);
 }
 
-DecidedFact decided_fact(const std::vector<std::string>& cells) {
-  DecidedFact decided{parse_fact(items_of(cells[0]).at(0)), {}, {}, {}, {}};
+/// A row of facts and by what, of an enclosure over each of its boxes.
+void add_decided(std::vector<DecidedFact>& all, const std::vector<std::string>& cells) {
   const std::string& by = cells[1];
   const std::size_t space = by.find(' ');
   const std::string kind = by.substr(0, space);
   if (space == std::string::npos || (kind != "identity" && kind != "enclosure")) {
     throw std::logic_error("decided neither by an identity nor by an enclosure: " + cells[0] + ", " + by);
   }
-  decided.ids = items_of(by.substr(space + 1));
-  if (kind == "identity") {
-    decided.by = DecidedFact::By::identity;
-    if (!cells[2].empty()) decided.where = parse_facts(cells[2]);
-  } else {
-    decided.by = DecidedFact::By::enclosure;
-    if (!cells[2].empty()) decided.box = parse_box(cells[2]);
+  const std::vector<std::string> ids = items_of(by.substr(space + 1));
+  const std::vector<std::string> boxes = cells[2].empty() ? std::vector<std::string>{""} : list_of(cells[2], "; ");
+  for (const Fact& fact : parse_facts(cells[0])) {
+    if (kind == "identity") {
+      all.push_back({fact, DecidedFact::By::identity, ids, parse_facts(cells[2]), {}});
+      continue;
+    }
+    for (const std::string& box : boxes) all.push_back({fact, DecidedFact::By::enclosure, ids, {}, parse_box(box)});
   }
-  return decided;
 }
 
 /// One of what the rule gives that its needs do not name.
@@ -79,32 +79,33 @@ class Reader {
     in_rows_ = false;
     rules_ = nullptr;
     facts_ = nullptr;
-    if (part_ == "Words" || part_ == "Things" || part_ == "Definitions" || part_ == "Inferences" || part_ == "Decided")
-      return;
+    if (part_ == "Words" || part_ == "Things" || part_ == "Definitions" || part_ == "Decided") return;
     add_once(theory_.theorems, part_, std::vector<Rule>{Rule{part_, {}, {}, {}}});
     rules_ = &theory_.theorems.at(part_);
   }
 
   void row(const std::vector<std::string>& cells) {
-    const std::size_t wanted = part_ == "Decided" ? 3 : 2;
     if (part_.empty() || rules_) throw std::logic_error("a row outside a table of a theory: " + cells.at(0));
-    if (cells.size() != wanted) throw std::logic_error("not a row of the table " + part_ + ": " + cells.at(0));
+    const bool good = part_ == "Words"     ? cells.size() == 2 || cells.size() == 3
+                      : part_ == "Decided" ? cells.size() == 3
+                                           : cells.size() == 2;
+    if (!good) throw std::logic_error("not a row of the table " + part_ + ": " + cells.at(0));
     if (part_ == "Things") {
       add_once(theory_.things, items_of(cells[0]).at(0), cells[1]);
     } else if (part_ == "Decided") {
-      theory_.decided.push_back(decided_fact(cells));
+      add_decided(theory_.decided, cells);
     } else {
       const Fact fact = parse_fact(items_of(cells[0]).at(0));
       const std::set<std::string> different(fact.things.begin(), fact.things.end());
       if (!std::ranges::all_of(fact.things, is_variable) || different.size() != fact.things.size()) {
         throw std::logic_error("a word is declared, defined and inferred for all things: " + cells[0]);
       }
-      if (part_ == "Words") {
-        add_once(theory_.words, fact.word, std::pair(fact, cells[1]));
-      } else {
-        auto& rules = part_ == "Definitions" ? theory_.definitions : theory_.inferences;
-        add_once(rules, fact.word, Rule{fact.word, {}, parse_facts(cells[1]), {fact}});
-      }
+      const std::size_t needs = part_ == "Words" ? 2 : 1;
+      Rule rule{fact.word, {}, {}, {fact}};
+      if (cells.size() > needs) rule.needs = parse_facts(cells[needs]);
+      if (part_ == "Words") add_once(theory_.words, fact.word, std::pair(fact, cells[1]));
+      if (part_ == "Definitions") add_once(theory_.definitions, fact.word, rule);
+      if (part_ == "Words" && !rule.needs.empty()) add_once(theory_.inferences, fact.word, rule);
     }
   }
 

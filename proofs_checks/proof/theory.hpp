@@ -4,9 +4,10 @@
 //
 //   ## Words                                        each name once in all files
 //
-//   | fact | says |
-//   |---|---|
-//   | load(T) | `int T = -P` |
+//   | fact | says | follows from |                 from facts by an inference: short ones, in words, that are read, and
+//   |---|---|---|                                 not decided by the program; the column may be absent
+//   | load(T) | `int T = -P` | |
+//   | pressing(T) | `T < 0` | factor-sign(T), cosine(T) |
 //   ## Things
 //
 //   | name | is |
@@ -17,18 +18,15 @@
 //   | fact | means |
 //   |---|---|
 //   | solves(T) | kernel(T), load(T) |
-//   ## Inferences                                   short ones, in words: read, and not decided by the program
-//
-//   | fact | follows from |
-//   |---|---|
-//   | pressing(T) | factor-sign(T), cosine(T) |
 //   ## Decided                                      what a decision says, and where
 //
 //   | fact | by | where |
 //   |---|---|---|
 //   | kernel(flat-punch) | identity rh-flat-punch-0, rh-kernel | |
 //   | kernel(two-values) | identity theorem-2-jump | nonzero("s_r - s_l") |
-//   | small(gamma) | enclosure gamma-of-nu | nu in [0, 1/2] |
+//   | small({gamma, alpha}) | enclosure gamma-of-nu | nu in [0, 1/2]; nu in ]-1, 0] |
+//
+// A row of the last table may hold several facts, and an enclosure's row several boxes.
 //
 // and docs/classical-theorems.md, where a theorem is
 //

@@ -16,18 +16,20 @@ const std::vector<PaperStatement>& paper_statements() {
     std::vector<PaperStatement> statements;
     for (const auto part : std::views::split(embedded::paper_statements_md, '\n')) {
       const std::string_view line(part.begin(), part.end());
-      if (line.starts_with("  - ")) {
-        constexpr std::string_view instance = ", an instance";
-        const bool whole = !line.ends_with(instance);
+      if (line.empty()) continue;
+      const std::size_t colon = line.find(": ");
+      const std::string_view head = line.substr(0, colon);
+      const std::string_view rest = line.substr(colon + 2);
+      if (line.starts_with("- ")) {
+        const std::string_view place = head.substr(2);
+        statements.push_back({place == "beyond the paper" ? "" : place, rest, {}, {}, {}});
+      } else if (head == "  scope") {
+        statements.back().scope = rest;
+      } else if (head == "  claims" || head == "  instances") {
         PaperStatement& last = statements.back();
-        (whole ? last.claims : last.instances)
-            .push_back(line.substr(4, line.size() - 4 - (whole ? 0 : instance.size())));
-      } else if (constexpr std::string_view scope = "  scope: "; line.starts_with(scope)) {
-        statements.back().scope = line.substr(scope.size());
-      } else if (line.starts_with("- ")) {
-        const std::size_t colon = line.find(": ");
-        const std::string_view place = line.substr(2, colon - 2);
-        statements.push_back({place == "beyond the paper" ? "" : place, line.substr(colon + 2), {}, {}, {}});
+        for (const auto id : std::views::split(rest, std::string_view(", "))) {
+          (head == "  claims" ? last.claims : last.instances).emplace_back(id.begin(), id.end());
+        }
       }
     }
     return statements;

@@ -15,9 +15,10 @@ extern const std::string_view reading_notes_md;
 
 namespace {
 
-/// A note of the file: its name, and what stands behind "- place:", "- printed:" and so on.
+/// A note of the file, "## eq-04-exponent: [Bal16, (4)]", and what stands behind "- printed:", "- derived:" and so on.
 struct Entry {
   std::string id;
+  std::string place;
   std::map<std::string, std::string, std::less<>> parts;
 
   std::string part(std::string_view name) const {
@@ -26,17 +27,25 @@ struct Entry {
   }
 };
 
+/// What stands before the separator, and what behind it: nothing where there is none.
+std::pair<std::string, std::string> divided(const std::string& text, std::string_view separator) {
+  const std::size_t at = text.find(separator);
+  if (at == std::string::npos) return {text, ""};
+  return {text.substr(0, at), text.substr(at + separator.size())};
+}
+
 std::vector<Entry> entries() {
   std::vector<Entry> all;
   std::string* part = nullptr;
   for (const auto words : std::views::split(embedded::reading_notes_md, '\n')) {
     const std::string_view line(words.begin(), words.end());
     if (line.starts_with("## ")) {
-      all.push_back({std::string(line.substr(3)), {}});
+      const auto [id, place] = divided(std::string(line.substr(3)), ": ");
+      all.push_back({id, place, {}});
     } else if (line.starts_with("- ")) {
-      const std::size_t colon = line.find(": ");
-      part = &all.back().parts[std::string(line.substr(2, colon - 2))];
-      *part = line.substr(colon + 2);
+      const auto [name, said] = divided(std::string(line.substr(2)), ": ");
+      part = &all.back().parts[name];
+      *part = said;
     } else if (line.starts_with("  ")) {
       part->append(line.substr(1));
     }
@@ -62,16 +71,16 @@ std::vector<ReadingNote> reading_notes(std::span<const Report> reports) {
   const std::vector<symbolic::LocalReading> local = symbolic::local_readings();
   std::vector<ReadingNote> notes;
   for (const Entry& e : entries()) {
-    const std::string claim = e.part("claim");
-    const std::string control = e.part("control");
+    const auto [claim, control] = divided(e.part("claim"), "; control: ");
+    const auto [fault, reason] = divided(e.part("at fault"), ". ");
     std::vector<std::string> evidence;
     if (!claim.empty()) evidence.push_back(examined(claim, control, reports) + ".");
     const auto found = std::ranges::find(local, e.id, &symbolic::LocalReading::id);
     if (found != local.end()) evidence.push_back(found->found);
-    for (const char* name : {"evidence", "fault"}) evidence.push_back(e.part(name));
+    evidence.insert(evidence.end(), {e.part("evidence"), reason});
     std::erase(evidence, std::string());
-    notes.push_back({e.id, e.part("place"), e.part("printed"), e.part("derived"), boost::algorithm::join(evidence, " "),
-                     e.part("at fault"), claim, control});
+    notes.push_back({e.id, e.place, e.part("printed"), e.part("derived"), boost::algorithm::join(evidence, " "), fault,
+                     claim, control});
   }
   return notes;
 }

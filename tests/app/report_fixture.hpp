@@ -11,7 +11,7 @@ inline app::VerifyResult fabricated_result() {
   using namespace proofs_checks;
   std::map<std::string, ClaimText> words;
   for (const auto& [id, text] : sections_of(STEADYSLIDE_TESTS "/app/report/claims.txt")) {
-    words.emplace(id, parse_claim_text("# " + id + "\n\n" + text));
+    words.emplace(id, parse_claim_text("# " + id + ": " + text));
   }
   const std::string drawn = "24 random cases, seed 7";
   app::VerifyResult result{{numeric::Digits::fifty, 7, true}, {}, {}};

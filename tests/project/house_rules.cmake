@@ -6,7 +6,7 @@ cmake_minimum_required(VERSION 3.25)
 
 set(wrong "")
 
-# proofs_checks/claims/<place>/thm_03_outside_slope.{cpp,md}: "# thm-03-outside-slope" and "Claim claim() {" in a namespace
+# proofs_checks/claims/<place>/thm_03_outside_slope.{cpp,md}: "# thm-03-outside-slope: " and "Claim claim() {" in a namespace
 # thm_03_outside_slope.
 # A text that makes a claim by itself says how.
 set(count 0)
@@ -24,9 +24,9 @@ foreach(file IN LISTS claims)
   file(READ "${SOURCE}/${file}" text)
   if(file MATCHES "\\.md$")
     string(REGEX REPLACE "md$" "cpp" other "${file}")
-    string(FIND "${text}" "# ${id}\n" found)
+    string(FIND "${text}" "# ${id}: " found)
     math(EXPR count "${count} + 1")
-    if(text MATCHES "\n## (Decided|Convergence|Beyond calculation|Proof)\n")
+    if(text MATCHES "\n(\\| decided about |\\*\\*(Convergence|Beyond calculation|Proof)\\.\\*\\* )")
       set(other "${file}")
     endif()
   else()

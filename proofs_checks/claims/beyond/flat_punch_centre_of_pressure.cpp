@@ -1,7 +1,7 @@
 #include "numeric/flat_punch/friction_layout.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/instruments/tractions/punch_loads.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::flat_punch_centre_of_pressure {
 namespace {
@@ -22,13 +22,9 @@ Claim claim() {
   return compared<ContactProblem>("flat-punch-centre-of-pressure")
       .cases(punches)
       .effective_where(has_friction)
-      .quantity("centre", {.absolute = true})
-      .measured([]<Real R>(const ContactProblem& p) {
-        return Values{{"centre", punch_loads<R>(p).centre}};
-      })
-      .predicted([]<Real R>(const ContactProblem& p) {
-        return Values{{"centre", R(-numeric::FrictionLayout<R>::of(p).moment(0))}};
-      })
+      .measured(one_value("centre", []<Real R>(const ContactProblem& p) { return punch_loads<R>(p).centre; }))
+      .predicted(one_value(
+          "centre", []<Real R>(const ContactProblem& p) { return R(-numeric::FrictionLayout<R>::of(p).moment(0)); }))
       .wrong("towards the front", scaled({"centre"}, -1))
       .wrong("the mean of alpha", scaled({"centre"}, 0.5))
       .wrong("the middle", replaced({{"centre", Number(0)}}))

@@ -1,7 +1,7 @@
 #include "numeric/flat_punch/effective_friction.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/instruments/tractions/punch_loads.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::flat_punch_direction {
 namespace {
@@ -25,7 +25,6 @@ Claim claim() {
   return compared<ContactProblem>("flat-punch-direction")
       .cases(punches)
       .effective_where(has_jump)
-      .quantity("difference", {.absolute = true})
       .measured([]<Real R>(const ContactProblem& p) {
         const R forth = punch_loads<R>(p.with_sliding(Sliding::plus_x)).friction;
         const R back = punch_loads<R>(p.with_sliding(Sliding::minus_x)).friction;

@@ -1,5 +1,5 @@
 #include "proofs_checks/instruments/tractions/punch_loads.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 #include "proofs_checks/kit/rate.hpp"
 #include "proofs_checks/kit/special_numbers.hpp"
 
@@ -50,8 +50,6 @@ Claim claim() {
                                   {"f = 0.3 | 2", Rational(3, 10), 2}},
                                  1, "two equal halves"))
       .precision(Precision::at_least_fifty)
-      .quantity("first order", {.tolerance = 1e-15})
-      .quantity("rest", {.tolerance = 0.01})
       .measured([]<Real R>(const Halves& halves) { return measured<R>(halves); })
       .predicted([](const Halves& halves) { return predicted(halves, catalan()); })
       .wrong("the rough half in front costs more", scaled({"first order"}, -1))

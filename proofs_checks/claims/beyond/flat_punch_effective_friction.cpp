@@ -1,7 +1,7 @@
 #include "numeric/flat_punch/effective_friction.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/instruments/tractions/punch_loads.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::flat_punch_effective_friction {
 namespace {
@@ -53,13 +53,8 @@ Claim claim() {
   return compared<ContactProblem>("flat-punch-effective-friction")
       .cases(punches)
       .effective_where(has_jump)
-      .quantity("friction")
-      .measured([]<Real R>(const ContactProblem& p) {
-        return Values{{"friction", punch_loads<R>(p).friction}};
-      })
-      .predicted([]<Real R>(const ContactProblem& p) {
-        return Values{{"friction", by_surface<R>(p)}};
-      })
+      .measured(one_value("friction", []<Real R>(const ContactProblem& p) { return punch_loads<R>(p).friction; }))
+      .predicted(one_value("friction", []<Real R>(const ContactProblem& p) { return by_surface<R>(p); }))
       .wrong("the mean of the coefficients",
              [](Values& p, const ContactProblem& c) { p["friction"] = mean_friction(c); })
       .wrong("tan(pi <alpha>)/gamma, as if the strips were ever finer",

@@ -2,7 +2,7 @@
 
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/instruments/tractions/punch_loads.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::flat_punch_rear_share {
 namespace {
@@ -28,13 +28,10 @@ Claim claim() {
   return compared<ContactProblem>("flat-punch-rear-share")
       .cases(punches)
       .effective_where(has_jump)
-      .quantity("share")
-      .measured([]<Real R>(const ContactProblem& p) {
-        return Values{{"share", punch_loads<R>(p).share.front()}};
-      })
-      .predicted([]<Real R>(const ContactProblem& p) {
-        return Values{{"share", share<R>(p, p.coupled_friction(0), p.coupled_friction(1))}};
-      })
+      .measured(one_value("share", []<Real R>(const ContactProblem& p) { return punch_loads<R>(p).share.front(); }))
+      .predicted(one_value(
+          "share",
+          []<Real R>(const ContactProblem& p) { return share<R>(p, p.coupled_friction(0), p.coupled_friction(1)); }))
       .wrong("both frictions exchanged",
              [](Values& p, const ContactProblem& c) {
                p["share"] = share<Number>(c, c.coupled_friction(1), c.coupled_friction(0));

@@ -4,7 +4,7 @@
 
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "proofs_checks/instruments/cells/cells.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::load_monotone_solved {
 namespace {
@@ -80,7 +80,6 @@ Claim claim() {
   return compared<TwoLoads>("load-monotone-solved")
       .cases(loads({}))
       .precision(Precision::in_double)
-      .quantities({"lost", "fall"}, {.tolerance = 1e-8, .absolute = true})
       .measured([](const TwoLoads& c) -> Values {
         const Solution small = solved(c.problem(1));
         const Solution large = solved(c.problem(c.growth));

@@ -3,7 +3,7 @@
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::notch_gap_law {
 namespace {
@@ -132,7 +132,6 @@ Claim claim() {
   return compared<Notch>("notch-gap-law")
       .cases(notches)
       .precision(Precision::in_double)
-      .quantities({"threshold", "exponent"}, {.tolerance = 1e-6})
       .measured(measured)
       .predicted(predicted)
       .wrong("the slope behind the notch alone",

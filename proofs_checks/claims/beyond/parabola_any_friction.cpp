@@ -2,7 +2,7 @@
 
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/tractions/parabola_cases.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::parabola_any_friction {
 namespace {
@@ -81,7 +81,6 @@ Claim claim() {
       .cases(parabolas)
       .effective_where(has_friction)
       .precision(Precision::quick_in_double)
-      .quantities({"left", "right"})
       .measured([]<Real R>(const ContactProblem& p) -> Values {
         const auto contact = solve<R>(p)->contact();
         return {{"left", contact.front().left.x.value}, {"right", contact.back().right.x.value}};

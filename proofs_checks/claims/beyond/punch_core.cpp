@@ -4,7 +4,7 @@
 #include "numeric/cauchy/traction_density.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::punch_core {
 namespace {
@@ -50,7 +50,6 @@ Claim claim() {
   return compared<ContactProblem>("punch-core")
       .cases(punches)
       .effective_where(has_friction)
-      .quantities({"rear", "front", "rear, core", "front, core"}, {.absolute = true})
       .measured([]<Real R>(const ContactProblem& p) -> Values {
         const auto core = numeric::punch_core<R>(p);
         return {{"rear", place_of_load<R>(p, true)},

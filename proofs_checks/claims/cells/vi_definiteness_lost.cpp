@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "proofs_checks/instruments/cells/cell_law.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::vi_definiteness_lost {
 namespace {

@@ -12,7 +12,7 @@
 #include "numeric/variational/lemke.hpp"
 #include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/instruments/cells/dense_algebra.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::vi_monotone_contact {
 namespace {
@@ -138,7 +138,6 @@ Claim claim() {
   return compared<OnCells>("vi-monotone-contact")
       .cases(within({}))
       .precision(Precision::in_double)
-      .quantities({"fall", "lost", "tension", "penetration"}, {.absolute = true})
       .measured([](const OnCells& c) { return c.load == 0 ? punch_of_cells(c) : under_both_loads(c); })
       .predicted([](const OnCells& c) -> Values {
         if (c.load != 0) return {{"fall", 0.0}, {"lost", 0.0}};

@@ -1,7 +1,7 @@
 #include "proofs_checks/instruments/operators/local_power.hpp"
 #include "proofs_checks/instruments/solutions/extremes.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 #include "proofs_checks/kit/special_numbers.hpp"
 
 namespace steadyslide::proofs_checks::fig_03_rear_loaded {
@@ -50,9 +50,6 @@ Claim claim() {
           {halves(nu, 2), halves(nu, Rational(1, 5)), halves(nu, 1), halves(nu, 50), halves(Rational(-9, 10), 2)}, 1,
           "solved flat punches"))
       .precision(Precision::at_least_fifty)
-      .quantities({"share, solved", "share, quadrature"})
-      .quantity("more than half", {.near_miss = false})
-      .quantities({"rear power", "front power", "place", "smallest"})
       .measured([]<Real R>(const ContactProblem& p) {
         const auto solution = solve<R>(p);
         const R share = solution->resultants().load_share.front().value;

@@ -1,7 +1,7 @@
 #include "proofs_checks/instruments/operators/local_power.hpp"
 #include "proofs_checks/instruments/solutions/extremes.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::fig_04_shape {
 namespace {
@@ -47,11 +47,6 @@ Claim claim() {
            two_coatings(2, 0), two_coatings(Rational(7, 5), 3), two_coatings(20, 15)},
           3, "solved flat punches"))
       .precision(Precision::at_least_fifty)
-      .quantity("power")
-      .quantity("unbounded", {.near_miss = false})
-      .quantity("equation", {.tolerance = equation_tolerance, .absolute = true})
-      .quantities({"behind", "in front"}, {.near_miss = false})
-      .quantities({"first extreme", "second extreme"})
       .measured([]<Real R>(const ContactProblem& p) {
         const auto solution = solve<R>(p);
         const std::size_t jump = point_at(*solution, Rational(0));

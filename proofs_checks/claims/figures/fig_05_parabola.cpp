@@ -1,7 +1,7 @@
 #include "proofs_checks/instruments/operators/local_power.hpp"
 #include "proofs_checks/instruments/solutions/extremes.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::fig_05_parabola {
 namespace {
@@ -41,10 +41,6 @@ Claim claim() {
           {parabola(2, 1), parabola(Rational(1, 5), 3), parabola(30, 1), parabola(2, 1, Sliding::minus_x)}, 1,
           "solved parabolas"))
       .precision(Precision::at_least_fifty)
-      .quantities({"left end", "right end", "left power", "right power"})
-      .quantity("equation", {.tolerance = equation_tolerance, .absolute = true})
-      .quantity("place")
-      .quantity("to the rear", {.near_miss = false})
       .measured([]<Real R>(const ContactProblem& p) {
         const auto solution = solve<R>(p);
         const auto contact = solution->contact().front();

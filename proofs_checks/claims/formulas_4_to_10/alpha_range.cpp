@@ -1,6 +1,6 @@
 #include "proofs_checks/instruments/identities/derived.hpp"
 #include "proofs_checks/instruments/identities/gamma_range.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 #include "symbolic/cln/cln_evaluation.hpp"
 
 namespace steadyslide::proofs_checks::alpha_range {
@@ -45,7 +45,6 @@ Claim claim() {
   return formula_claim<RigidContact, Angle>("alpha-range")
       .cases(contacts)
       .effective_where([](const RigidContact& c) { return c.f != 0; })
-      .quantities({"by cln", "cosine"})
       .checked([]<Real R>(Findings& findings, const Angle& angle, const RigidContact& c) {
         using std::abs, std::cos;
         const Rational gamma = c.gamma();
@@ -61,7 +60,7 @@ Claim claim() {
         findings.compare<R>("by cln", value, to_real<R>(cln.value));
         // With large f the cosine is as ill-conditioned as it is small.
         const R root = cos_pi_alpha<R>(gamma * c.f);
-        findings.compare("cosine", static_cast<double>(R(abs(cos(R(numeric::pi<R>() * value)) - root))));
+        findings.compare("cosine", R(abs(cos(R(numeric::pi<R>() * value)) - root)));
       })
       .wrong("the interval [0, 1/4[", [](Angle& a) { a.supremum = Exponent(Rational(1, 4)); })
       .wrong("the interval [0, 1[", [](Angle& a) { a.supremum = Exponent(1); })

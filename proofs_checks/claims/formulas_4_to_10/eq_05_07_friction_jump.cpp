@@ -1,6 +1,6 @@
 #include "proofs_checks/instruments/operators/local_power.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::eq_05_07_friction_jump {
 namespace {
@@ -28,7 +28,7 @@ void check_at_the_jump(Findings& findings, const PowerProduct& t, const ContactP
   const Rational front = problem.coupled_friction(1);
   const JumpPower<R> measured = jump_power<R>(to_real<R>(rear), to_real<R>(front));
   const PowerForm<R> form = t.at<R>();
-  findings.compare("power", static_cast<double>(R(abs(measured.power - form.powers[1].value))));
+  findings.compare("power", R(abs(measured.power - form.powers[1].value)));
   findings.compare<R>("ratio", measured.ratio, form.amplitudes[0] / form.amplitudes[1]);
   findings.decide("beta has the sign of f_- - f_+", t.exponents[1].sign() == sign(rear - front));
 }
@@ -39,7 +39,6 @@ Claim claim() {
   return formula_claim<ContactProblem, PowerProduct>("eq-05-07-friction-jump")
       .cases(punches)
       .effective_where(has_jump)
-      .quantities({"power", "ratio"})
       .says([](const ContactProblem& p) {
         return PowerProduct::on({-1, 0, 1}, {-(half + alpha(p, 0)), alpha(p, 0) - alpha(p, 1), -(half - alpha(p, 1))},
                                 {punch_amplitude<Number>(p, 0), punch_amplitude<Number>(p, 1)});

@@ -1,7 +1,7 @@
 #include "numeric/cauchy/residuals.hpp"
 #include "proofs_checks/instruments/operators/inverse_operator.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::eq_10_inverse {
 namespace {
@@ -45,7 +45,7 @@ void check_inverse(Findings& findings, const InverseFormula& formula, const Line
   R size = 0;
   for (const R& coefficient : u) size += abs(coefficient);
   findings.compare("equation", static_cast<double>(surface.equation()));
-  findings.compare("load", static_cast<double>(R(abs(surface.integral()) / size)));
+  findings.compare("load", R(abs(surface.integral()) / size));
 
   const InverseOperator<R> inverse(formula, c.slope);
   for (const int percent : {40, 3, 75}) {
@@ -62,7 +62,6 @@ Claim claim() {
   return formula_claim<LinearSlope, InverseFormula>("eq-10-inverse")
       .cases(slopes)
       .effective_where([](const LinearSlope& c) { return c.s() != 0; })
-      .quantities({"equation", "load", "trapezoidal", "tanh sinh"})
       .says([](const LinearSlope& c) { return InverseFormula::of(c.s()); })
       .checked([]<Real R>(auto&... of) { check_inverse<R>(of...); })
       .wrong("the printed (1+x)^{1/2} instead of (1+x)^{1/2+alpha}, in both places",

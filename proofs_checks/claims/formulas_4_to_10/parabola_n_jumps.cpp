@@ -1,6 +1,6 @@
 #include "numeric/closed_form/closed_form.hpp"
 #include "proofs_checks/instruments/tractions/parabola_cases.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::parabola_n_jumps {
 namespace {

@@ -1,6 +1,6 @@
 #include "proofs_checks/instruments/operators/half_plane_field.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::eq_01_surface_displacement {
 namespace {
@@ -27,19 +27,13 @@ struct SurfaceSlopes {
   Number pressure;
 };
 
-Polynomial random_polynomial(Random& random, std::size_t degree) {
-  std::vector<Rational> coefficients;
-  for (std::size_t k = 0; k <= degree; ++k) coefficients.push_back(random.between(-2, 2));
-  return Polynomial(coefficients);
-}
-
 CaseList<Body> bodies(const Context& context) {
   return random_cases(context, "eq-01", 12, 1,
                       "random polynomials of degree up to 4 on ]-1, 1[, Poisson ratios of ]-1, 1/2[",
                       [](Random& random, std::size_t k) {
                         const Rational young = random.between(Rational(1, 2), 3);
-                        return Body{Solid(random.poisson(), young), random_polynomial(random, 1 + k % 4),
-                                    random_polynomial(random, 4 - k % 4)};
+                        return Body{Solid(random.poisson(), young), Polynomial(random.between(-2, 2, 2 + k % 4)),
+                                    Polynomial(random.between(-2, 2, 5 - k % 4))};
                       });
 }
 
@@ -62,9 +56,7 @@ void check_field(Findings& findings, const HalfPlaneField<R>& field, const Body&
   const StressComponents<R> at = field.stress(x, z);
   findings.compare("radial", difference(at, field.superposed_stress(x, z)));
   const R size = abs(at.xx) + abs(at.zz) + abs(at.xz);
-  const auto small = [&](const char* quantity, const R& value) {
-    findings.compare(quantity, static_cast<double>(R(abs(value) / size)));
-  };
+  const auto small = [&](const char* quantity, const R& value) { findings.compare(quantity, R(abs(value) / size)); };
   const StressComponents<R> rate = field.stress_rate(x, z);
   small("equilibrium", rate.xx + derivative([&](const R& depth) { return field.stress(x, depth).xz; }, z, R(1)));
   small("equilibrium", rate.xz + derivative([&](const R& depth) { return field.stress(x, depth).zz; }, z, R(1)));
@@ -101,9 +93,9 @@ void check_slopes(Findings& findings, const SurfaceSlopes& formula, const Body& 
     const R h_t = grid_t.hilbert(at);
     const R scale = compliance * (abs(n) + abs(t) + abs(h_n) + abs(h_t));
     const R u_t = compliance * (hilbert * h_t + R(formula.pressure) * n);
-    findings.compare("tangential", static_cast<double>(R(abs(u_t - field.tangential_slope(x)) / scale)));
+    findings.compare("tangential", R(abs(u_t - field.tangential_slope(x)) / scale));
     const R u_n = compliance * (hilbert * h_n + R(formula.shear) * t);
-    findings.compare("normal", static_cast<double>(R(abs(u_n - field.normal_slope(x)) / scale)));
+    findings.compare("normal", R(abs(u_n - field.normal_slope(x)) / scale));
     if (quick) break;
   }
   check_field(findings, field, body);
@@ -115,7 +107,6 @@ Claim claim() {
   return formula_claim<Body, SurfaceSlopes>("eq-01-surface-displacement")
       .cases(bodies)
       .precision(Precision::at_least_fifty)
-      .quantities({"equilibrium", "compatibility", "boundary", "radial", "normal", "tangential"}, {.tolerance = 1e-45})
       .says([](const Body& body) {
         const Rational& nu = body.solid.poisson();
         const auto gamma = to_real<Number>((1 - 2 * nu) / (2 * (1 - nu)));

@@ -7,7 +7,7 @@
 #include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::eq_03_complementarity {
 namespace {
@@ -169,8 +169,7 @@ void examine(Findings& findings, const ContactProblem& problem, const Candidate&
   const numeric::SurfaceCheck<R> check(density, friction_of(form), profile_slope);
   const R p = to_real<R>(problem.load()) / unit;
   findings.compare<R>("load", check.integral(), -p);
-  findings.compare("tension",
-                   static_cast<double>(R(max(check.highest_traction(), R(0)) * form.set().span_length() / p)));
+  findings.compare("tension", R(max(check.highest_traction(), R(0)) * form.set().span_length() / p));
   findings.compare(limits, pulling_sides<R>(form, factor));
 
   for (std::size_t k = 0; k < density.size(); ++k) {
@@ -196,7 +195,7 @@ void examine(Findings& findings, const ContactProblem& problem, const Candidate&
       const R half = density[k + 1].gap / 2;
       const R from_left = opening<R>(check, panel, form, problem, k, Side::right, half);
       const R from_right = opening<R>(check, density[k + 1].panel, form, problem, k + 1, Side::left, half);
-      findings.compare("closure", static_cast<double>(R(abs(from_left - from_right))));
+      findings.compare("closure", R(abs(from_left - from_right)));
     }
   }
   // The dearest one last: controls fail before.
@@ -211,8 +210,6 @@ Claim claim() {
   return formula_claim<ContactProblem, Candidate>("eq-03-complementarity")
       .cases(problems)
       .precision(Precision::quick_in_double)
-      .quantities({"equation", "load", "tension", "penetration"})
-      .quantity("closure", {.required = 0})
       .checked([]<Real R>(Findings& findings, const Candidate& candidate, const ContactProblem& problem,
                           const Context& context) {
         // All problems with fifty digits at least.

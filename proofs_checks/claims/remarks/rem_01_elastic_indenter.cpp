@@ -1,5 +1,5 @@
 #include "model/elasticity.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::rem_01_elastic_indenter {
 namespace {
@@ -66,9 +66,6 @@ auto with(const Constant& gamma, const Constant& compliance) {
 Claim claim() {
   return compared<TwoBodies>("rem-01-elastic-indenter")
       .cases(pairs)
-      .quantities({"gamma", "compliance", "exchanged", "equal bodies"})
-      .quantity("rigid gamma", {.tolerance = 1e-96, .absolute = true})
-      .quantity("rigid compliance", {.tolerance = 1e-96})
       .measured([](const TwoBodies& c) -> Values {
         const Elasticity both(c.half_space, c.indenter, c.plane);
         const Elasticity rigid(c.half_space, c.plane);

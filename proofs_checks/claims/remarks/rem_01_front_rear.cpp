@@ -1,6 +1,6 @@
 #include "proofs_checks/instruments/operators/local_power.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::rem_01_front_rear {
 namespace {
@@ -107,10 +107,6 @@ Claim claim() {
   return compared<SlidingContact>("rem-01-front-rear")
       .cases(contacts)
       .precision(Precision::at_least_fifty)
-      .quantities({"edges", "free ends"})
-      .quantities({"ends differ", "rear is stronger", "jump is singular"}, {.near_miss = false})
-      .quantities({"ends", "jump"}, {.absolute = true})
-      .quantity("equation", {.tolerance = equation_tolerance, .absolute = true})
       .measured([]<Real R>(const SlidingContact& c) { return measured<R>(c); })
       .predicted(predicted)
       .wrong("they differ whenever there is friction, gamma = 0 included",

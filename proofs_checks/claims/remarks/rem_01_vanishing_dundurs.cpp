@@ -1,6 +1,6 @@
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::rem_01_vanishing_dundurs {
 namespace {
@@ -95,8 +95,6 @@ Claim claim() {
   return compared<Bodies>("rem-01-vanishing-dundurs")
       .cases(pairs)
       .precision(Precision::at_least_fifty)
-      .quantity("surfaces", {.absolute = true})
-      .quantity("gamma")
       .measured([]<Real R>(const Bodies& bodies) { return measured<R>(bodies); })
       .predicted([](const Bodies&) {
         return Values{{"surfaces", Number(0)}, {"gamma", Rational(0)}};

@@ -4,7 +4,7 @@
 //   t = -(P/(2 pi)) cos(pi alpha) prod_j |sin((x-x_j)/2)|^{p_j} cos((x + sum_j p_j x_j)/2).
 
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::rem_02_same_singularities {
 namespace {
@@ -122,7 +122,6 @@ Claim claim() {
   return formula_claim<Row, RowTraction>("rem-02-same-singularities")
       .cases(rows)
       .precision(Precision::quick_in_double)
-      .quantities({"equation", "load"})
       .says([](const Row& row) { return RowTraction{.powers = half_space_powers(row)}; })
       .checked([]<Real R>(auto&... of) { check<R>(of...); })
       .wrong("the powers at edges without friction",

@@ -1,5 +1,5 @@
 #include "proofs_checks/instruments/solutions/trial.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::rh_count {
 namespace {
@@ -76,7 +76,6 @@ Claim claim() {
   return compared<Edges>("rh-count")
       .cases(every_choice)
       .precision(Precision::in_double)
-      .quantities({"sum", "S", "coefficients", "unknowns"})
       .measured(counted)
       .predicted([](const Edges& c) { return predicted(c, {}); })
       .wrong("q of degree -S", with({.degree_of_q = 0}))

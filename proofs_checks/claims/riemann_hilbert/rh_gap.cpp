@@ -2,7 +2,7 @@
 
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::rh_gap {
 namespace {
@@ -133,7 +133,6 @@ class GapCheck {
 Claim claim() {
   return formula_claim<Trial, GapTerms>("rh-gap")
       .cases(trials("rh-gap", {20, 3, 1}))
-      .quantities({"gap", "closure"})
       .checked([]<Real R>(Findings& findings, const GapTerms& terms, const Trial& trial, const Context& context) {
         const TrialForm<R> tried(trial);
         Random random(context.seed, "rh-gap, places: " + text_of(trial));

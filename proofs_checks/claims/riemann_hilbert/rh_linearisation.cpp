@@ -3,7 +3,7 @@
 #include <array>
 
 #include "proofs_checks/instruments/solutions/trial.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::rh_linearisation {
 namespace {
@@ -151,7 +151,6 @@ Claim claim() {
       .effective_where([](const Trial& trial) { return !TrialForm<double>(trial).form().set().movable().empty(); })
       // Differences need digits to spare.
       .precision(Precision::at_least_fifty)
-      .quantities({"tilt", "end"})
       .checked([]<Real R>(Findings& findings, const Derivatives& said, const Trial& trial) {
         const TrialForm<R> tried(trial);
         check_tilt(findings, said, tried);

@@ -1,7 +1,7 @@
 // What the Riemann-Hilbert form says of the load.
 
 #include "proofs_checks/instruments/solutions/trial.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::rh_load {
 namespace {
@@ -53,8 +53,6 @@ Values at_infinity(const Trial& trial, bool first_term_alone = false) {
 Claim claim() {
   return compared<Trial>("rh-load")
       .cases(trials("rh-load", {20, 2, 1}))
-      .quantities({"load", "moment", "moment, solver", "given"}, {.absolute = true})
-      .quantity("part", {.absolute = true})
       .measured([]<Real R>(const Trial& trial) { return by_quadrature<R>(trial); })
       .predicted([]<Real R>(const Trial& trial) { return at_infinity<R>(trial); })
       .wrong("Y's expansion cut after its first term",

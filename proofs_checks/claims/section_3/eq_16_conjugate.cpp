@@ -1,7 +1,7 @@
 #include <optional>
 
 #include "proofs_checks/instruments/operators/contact_forces.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::eq_16_conjugate {
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "proofs_checks/instruments/operators/gap_functional.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
 namespace steadyslide::proofs_checks::lemma_04_functional {
@@ -171,8 +171,6 @@ Claim claim() {
   };
   return formula_claim<Functions, Functional>("lemma-04-functional")
       .cases(functions)
-      .quantities({"lines", "convex", "scaled", "proper", "moments", "panels"})
-      .quantity("energy", {.tolerance = tolerance<double>()})
       .says([](const Functions& c) {
         return Functional{to_real<Number>(c.load), c.s};
       })

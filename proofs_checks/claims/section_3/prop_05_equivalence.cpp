@@ -3,7 +3,7 @@
 #include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/instruments/operators/contact_forces.hpp"
 #include "proofs_checks/instruments/operators/gap_functional.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::prop_05_equivalence {
 namespace {
@@ -144,7 +144,6 @@ Claim claim() {
   using C = Conditions;
   return formula_claim<Case, Equivalence>("prop-05-equivalence")
       .cases(cases)
-      .quantities({"constant", "mean"})
       .checked([]<Real R>(Findings& findings, const Equivalence& said, const Case& c) {
         if (const auto* steps = std::get_if<Steps>(&c.data)) {
           check_steps<R>(findings, said, *steps);

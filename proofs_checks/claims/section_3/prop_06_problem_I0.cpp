@@ -4,7 +4,7 @@
 #include "proofs_checks/instruments/cells/dense_algebra.hpp"
 #include "proofs_checks/instruments/cells/interior_point.hpp"
 #include "proofs_checks/instruments/operators/dual_study.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::prop_06_problem_I0 {
 namespace {
@@ -139,9 +139,6 @@ Claim claim() {
   return formula_claim<Case, OneSolution>("prop-06-problem-I0")
       .cases(cases)
       .precision(Precision::in_double)
-      .quantity("friction")
-      .quantity("inequality", {.tolerance = 100 * tolerance<double>()})
-      .quantity("forces", {.required = 0.7})
       .says(one_solution)
       .checked([known = std::make_shared<KnownMoments>()]<Real R>(Findings& findings, const OneSolution& said,
                                                                   const Case& c, const Context& context) {

@@ -2,7 +2,7 @@
 
 #include "proofs_checks/instruments/operators/dual_study.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::prop_07_problems_linked {
 namespace {
@@ -97,7 +97,6 @@ Claim claim() {
       .cases(cases)
       // Principal values at 50 digits take a tenth of a second.
       .precision(Precision::quick_in_double)
-      .quantity("forces")
       .checked([known = std::make_shared<KnownMoments>()]<Real R>(Findings& findings, const Link& link, const Case& c,
                                                                   const Context& context) {
         if (const auto* full = std::get_if<FullContact>(&c.data)) {

@@ -1,6 +1,6 @@
 #include "proofs_checks/instruments/tractions/friction_values.hpp"
 #include "proofs_checks/instruments/tractions/jacobi_traction.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 #include "proofs_checks/kit/special_numbers.hpp"
 
 namespace steadyslide::proofs_checks::sec_31_decomposition {
@@ -51,7 +51,6 @@ Claim claim() {
   return formula_claim<FrictionValue, UnitSolution>("sec-31-decomposition")
       .cases([](const Context& context) { return frictions_of_both_signs(context, "sec-31-decomposition"); })
       .precision(Precision::at_least_fifty)
-      .quantities({"mean", "zero", "powers"})
       .says(unit_solution)
       .checked([]<Real R>(Findings& findings, const UnitSolution& form, const FrictionValue&, const Context& context) {
         check<R>(findings, form, context.quick);

@@ -6,7 +6,7 @@
 #include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/instruments/cells/dense_algebra.hpp"
 #include "proofs_checks/instruments/operators/angle_forms.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 #include "proofs_checks/kit/rate.hpp"
 
 namespace steadyslide::proofs_checks::sec_31_sign_form {
@@ -115,11 +115,6 @@ Values predicted(const Case& c) {
 Claim claim() {
   return compared<Case>("sec-31-sign-form")
       .cases([](const Context& context) { return cases(context, false); })
-      .quantities({"entry", "exchanged"}, {.absolute = true})
-      .quantity("zero mean", {.at_most = true, .near_miss = false})
-      .quantity("zero mean, nearly", {.tolerance = 0.1})
-      .quantity("all", {.at_most = true, .near_miss = false})
-      .quantity("growth", {.tolerance = 0.02})
       .measured([]<Real R>(const Case& c) {
         if (const auto* at = std::get_if<Chebyshev>(&c.data)) return measured<R>(*at);
         if (const auto* cells = std::get_if<OnCells>(&c.data)) return measured(*cells);

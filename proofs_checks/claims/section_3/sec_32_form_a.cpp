@@ -4,7 +4,7 @@
 
 #include "proofs_checks/instruments/cells/dense_algebra.hpp"
 #include "proofs_checks/instruments/operators/displacement_operator.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::sec_32_form_a {
 namespace {
@@ -38,9 +38,7 @@ CaseList<Case> cases(const Context& context) {
   for (std::size_t k = 0; k < (context.quick ? 1 : 3); ++k) {
     const Rational s = random.between(Rational(1, 4), 3) * (k % 2 == 0 ? 1 : -1);
     Pair pair;
-    for (std::vector<Rational>* coefficients : {&pair.u, &pair.v}) {
-      for (std::size_t i = 0; i < 2 + k; ++i) coefficients->push_back(random.between(-1, 1));
-    }
+    for (auto* coefficients : {&pair.u, &pair.v}) *coefficients = random.between(-1, 1, 2 + k);
     list.cases.push_back({s, std::move(pair)});
   }
   return list;
@@ -181,9 +179,6 @@ Claim claim() {
   return formula_claim<Case, FormA>("sec-32-form-a")
       .cases(cases)
       .precision(Precision::quick_in_double)
-      .quantities({"inverse", "forms"})
-      .quantities({"identity", "lower", "upper"}, {.tolerance = 1e-11})
-      .quantity("sharp", {.tolerance = 1e-9})
       .says(form_a)
       .checked([]<Real R>(Findings& findings, const FormA& form, const Case& c) {
         if (const auto* bounds = std::get_if<Bounds>(&c.data)) {

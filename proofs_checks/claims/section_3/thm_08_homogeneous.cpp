@@ -2,7 +2,7 @@
 #include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_08_homogeneous {
 namespace {
@@ -97,9 +97,6 @@ void check(Findings& findings, const SameSolution& same, const Homogeneous& c) {
 Claim claim() {
   return formula_claim<Homogeneous, SameSolution>("thm-08-homogeneous")
       .cases(cases)
-      .quantity("residual")
-      .quantity("solvers", {.required = 0.4})
-      .quantity("shifted")
       .says(same_solution)
       .checked([]<Real R>(auto&... of) { check<R>(of...); })
       .wrong("the second solver with the friction's sign reversed", [](SameSolution& same) { same.closed.s *= -1; })

@@ -1,5 +1,5 @@
 #include "proofs_checks/instruments/cells/interior_point.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_01_uniqueness_on_cells {
 namespace {
@@ -11,13 +11,6 @@ struct Started {
   std::vector<CellSet> starts;
 };
 
-CellSet random_set(Random& random, std::size_t cells) {
-  CellSet set(cells, 0);
-  for (char& cell : set) cell = random.below(2) == 0;
-  set[random.below(cells)] = 1;
-  return set;
-}
-
 CaseList<Started> rising(const Context& context) {
   return random_cases(context, "thm-01-uniqueness-on-cells", 200, 10,
                       "random meshes, rising frictions, profiles and loads, four sets each",
@@ -25,7 +18,8 @@ CaseList<Started> rising(const Context& context) {
                         const Rational largest = random.between(Rational(1, 5), 3);
                         ProblemOnCells on_cells = random_problem_on_cells(random, k, Trend::rising, largest, false);
                         Started c{"problem " + std::to_string(k) + ": " + text_of(on_cells), on_cells, {}};
-                        for (int i = 0; i < 4; ++i) c.starts.push_back(random_set(random, on_cells.mesh.size()));
+                        for (int i = 0; i < 4; ++i)
+                          c.starts.push_back(random_contact_set(random, on_cells.mesh.size()));
                         return c;
                       });
 }
@@ -54,7 +48,6 @@ Claim claim() {
   return formula_claim<Started, SameForces>("thm-01-uniqueness-on-cells")
       .cases(rising)
       .precision(Precision::in_double)
-      .quantity("forces")
       .checked(check)
       .wrong_beyond("s falling by 5: a problem with three solutions",
                     fixed_cases<Started>({{"s falling by 5", problem_with_three_solutions(), all_contact_sets(8)}}, 1,

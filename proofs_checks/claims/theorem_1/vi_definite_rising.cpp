@@ -1,7 +1,7 @@
 #include "proofs_checks/instruments/cells/cell_law.hpp"
 #include "proofs_checks/instruments/cells/cells.hpp"
 #include "proofs_checks/instruments/cells/dense_algebra.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::vi_definite_rising {
 namespace {
@@ -55,7 +55,6 @@ Claim claim() {
   return compared<JumpsOnCells>("vi-definite-rising")
       .cases(jumps(Trend::rising))
       .precision(Precision::in_double)
-      .quantities({"one", "several"}, {.absolute = true})
       .measured(measured)
       .predicted([](const JumpsOnCells& c) { return predicted(c, 0.5); })
       .wrong("the jump without the factor 1/2", [](Values& p, const JumpsOnCells& c) { p = predicted(c, 1); })

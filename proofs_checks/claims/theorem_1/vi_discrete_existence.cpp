@@ -5,7 +5,7 @@
 #include "numeric/variational/certificate.hpp"
 #include "numeric/variational/lemke.hpp"
 #include "proofs_checks/instruments/cells/cells.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::vi_discrete_existence {
 namespace {
@@ -77,8 +77,6 @@ Claim claim() {
   return formula_claim<Numbered, Variant>("vi-discrete-existence")
       .cases(problems)
       .precision(Precision::in_double)
-      .quantity("entries")
-      .quantity("residual", {.tolerance = 1, .required = 0.75})
       .checked(check)
       .wrong("the logarithm with the other sign", [](Variant& v) { v.logarithm = -1; })
       .wrong("negative s integrated from the left end", [](Variant& v) { v.from_left = true; })

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 #include "symbolic/local/local_action_value.hpp"
 
 namespace steadyslide::proofs_checks::local_action {
@@ -92,7 +92,6 @@ Claim claim() {
   const auto with = [](WrongSymbol symbol) { return [symbol](Values& p, const ActionAt& c) { p = said(c, symbol); }; };
   return compared<ActionAt>("local-action")
       .cases(actions)
-      .quantities({"tanh-sinh", "trapezoidal"})
       .measured([]<Real R>(const ActionAt& c) { return principal_values<R>(c.action, c.x); })
       .predicted([](const ActionAt& c) { return said(c); })
       .wrong("+cot(pi lambda) on the density's side", with(WrongSymbol::cotangent_sign))

@@ -5,7 +5,7 @@
 #include "proofs_checks/instruments/solutions/flanks.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_02_words_jump {
 namespace {
@@ -118,13 +118,6 @@ Claim claim() {
   return compared<JumpCase>("thm-02-words-jump")
       .cases(jumps)
       .precision(Precision::quick_in_double)
-      .quantity("power")
-      .quantity("unbounded", {.near_miss = false})
-      .quantity("equation", {.tolerance = equation_tolerance, .absolute = true})
-      .quantities({"theta", "other theta", "vanishes"}, {.near_miss = false})
-      .quantities({"left cells", "right cells"}, {.tolerance = 3, .near_miss = false})
-      .quantity("error bar", {.tolerance = 0.02, .absolute = true, .near_miss = false})
-      .quantity("touch", {.absolute = true})
       .measured([]<Real R>(const JumpCase& c) {
         return c.examined == Examined::touch      ? touch<R>(c)
                : c.examined == Examined::on_cells ? powers_on_cells(c.problem, SingularKind::friction_jump)

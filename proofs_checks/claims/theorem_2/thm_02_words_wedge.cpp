@@ -3,7 +3,7 @@
 #include "proofs_checks/instruments/solutions/flanks.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_02_words_wedge {
 namespace {
@@ -99,10 +99,6 @@ Claim claim() {
       .cases(corners)
       .effective_where([](const CornerCase& c) { return c.examined != Examined::wedge || c.s() != 0; })
       .precision(Precision::quick_in_double)
-      .quantities({"left", "right"})
-      .quantity("step", {.absolute = true, .required = 0.3})
-      .quantity("inside", {.absolute = true})
-      .quantity("on cells", {.tolerance = 0.001, .near_miss = false})
       .measured([]<Real R>(const CornerCase& c) -> Values {
         if (c.examined == Examined::wedge) return at_wedge<R>(c);
         if (c.examined == Examined::on_cells) return {{"on cells", coefficient_on_cells(c.problem)}};

@@ -5,7 +5,7 @@
 #include "proofs_checks/instruments/solutions/flanks.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_02_words_wedge_and_jump {
 namespace {
@@ -106,15 +106,7 @@ Claim claim() {
   return compared<CornerCase>("thm-02-words-wedge-and-jump")
       .cases(corners)
       .precision(Precision::quick_in_double)
-      .quantity("inside", {.absolute = true})
-      .quantity("equation", {.tolerance = equation_tolerance, .absolute = true})
       // Beside a power of the distance a limit is exact to digits of the power's size.
-      .quantities({"left limit", "right limit"}, {.absolute = true})
-      .quantity("pressure", {.near_miss = false})
-      .quantity("power")
-      .quantity("cells", {.tolerance = 0.001, .near_miss = false})
-      .quantities({"left cells", "right cells"}, {.tolerance = 3, .near_miss = false})
-      .quantity("error bar", {.tolerance = 0.02, .absolute = true, .near_miss = false})
       .measured([]<Real R>(const CornerCase& c) { return measured<R>(c); })
       .predicted(predicted)
       .wrong("zero where f falls, as without the wedge", [](Values& p) { set_limit(p, 0); })

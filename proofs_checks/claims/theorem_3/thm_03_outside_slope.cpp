@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_03_outside_slope {
 namespace {
@@ -72,7 +72,6 @@ Claim claim() {
   return formula_claim<ContactProblem, Outside>("thm-03-outside-slope")
       .cases(punches)
       .effective_where(has_friction)
-      .quantities({"trapezoidal", "tanh-sinh", "estimate"})
       .says(outside)
       .checked([]<Real R>(Findings& findings, const Outside& form, const ContactProblem& problem) {
         const PowerForm<R> traction = punch_traction(problem).at<R>();

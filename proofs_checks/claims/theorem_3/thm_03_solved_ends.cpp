@@ -5,7 +5,7 @@
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_03_solved_ends {
 namespace {
@@ -92,7 +92,6 @@ Claim claim() {
   return formula_claim<SolvedProblem, EndSlopes>("thm-03-solved-ends")
       .cases(problems)
       .precision(Precision::at_least_fifty)
-      .quantity("slope")
       .says(slopes)
       .checked([kept = std::make_shared<KeptForCases>()]<Real R>(Findings& findings, const EndSlopes& said,
                                                                  const SolvedProblem& c) {

@@ -3,7 +3,7 @@
 #include "proofs_checks/instruments/operators/local_power.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_03_step_conditions {
 namespace {
@@ -84,11 +84,6 @@ Claim claim() {
   return compared<EndCase>("thm-03-step-conditions")
       .cases(ends)
       .precision(Precision::quick_in_double)
-      .quantity("power")
-      .quantity("cells", {.tolerance = 3})
-      .quantity("error bar", {.tolerance = 0.02, .absolute = true})
-      .quantity("equation", {.tolerance = equation_tolerance, .absolute = true})
-      .quantity("side")
       .measured([]<Real R>(const EndCase& c, const Context& context) -> Values {
         Values found{{"equation", equation_error(c.problem)}};
         const auto solution = solve<R>(c.problem);

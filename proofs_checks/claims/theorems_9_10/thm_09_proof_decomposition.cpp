@@ -6,7 +6,7 @@
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_09_proof_decomposition {
 namespace {
@@ -189,7 +189,6 @@ Claim claim() {
   return formula_claim<WedgeProblem, Decomposition>("thm-09-proof-decomposition")
       .cases(problems)
       .precision(Precision::quick_in_double)
-      .quantities({"sum", "logarithm", "step", "others"})
       .checked([kept = std::make_shared<KeptForCases>()]<Real R>(Findings& findings, const Decomposition& said,
                                                                  const WedgeProblem& w) {
         check(findings, said, w, kept->at(w, [&] { return measure<R>(w); }));

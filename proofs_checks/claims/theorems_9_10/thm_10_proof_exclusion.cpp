@@ -3,7 +3,7 @@
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_10_proof_exclusion {
 namespace {
@@ -54,7 +54,6 @@ Claim claim() {
                                      {Side::left, 1.1, Rational(-1, 2), 1}},
                                     3, "contacts made to end where the profile is continuous"))
       .precision(Precision::quick_in_double)
-      .quantities({"gap", "sign", "rule"})
       .measured([]<Real R>(const ForcedEnd& c) -> Values {
         using std::pow;
         const TrialForm<R> trial(trial_of(c));

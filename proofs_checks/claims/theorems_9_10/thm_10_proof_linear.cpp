@@ -1,7 +1,7 @@
 #include "numeric/cauchy/residuals.hpp"
 #include "proofs_checks/instruments/operators/inverse_operator.hpp"
 #include "proofs_checks/instruments/tractions/friction_values.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_10_proof_linear {
 namespace {
@@ -29,7 +29,6 @@ Claim claim() {
       .cases([](const Context& context) { return friction_values(context, "thm-10-proof-linear"); })
       .effective_where([](const FrictionValue& c) { return is_coupled(c); })
       .precision(Precision::quick_in_double)
-      .quantities({"formula", "equation"})
       .says([](const FrictionValue& c) {
         const Exponent alpha = Exponent::angle(c.s);
         return LinearForm{constant(c, 2), numeric::pi<Number>() * to_real<Number>(k), -(half + alpha), -(half - alpha)};

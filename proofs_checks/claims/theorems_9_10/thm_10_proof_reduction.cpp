@@ -4,7 +4,7 @@
 #include "numeric/cauchy/traction_density.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 #include "proofs_checks/instruments/solutions/trial.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_10_proof_reduction {
 namespace {
@@ -84,7 +84,6 @@ Claim claim() {
   return formula_claim<ContactProblem, Reduction>("thm-10-proof-reduction")
       .cases(fixed_cases<ContactProblem>({cell_case("two-zones")}, 1, "a solved problem with two contact zones"))
       .precision(Precision::quick_in_double)
-      .quantities({"equation", "load", "smooth"})
       .checked([kept = std::make_shared<KeptForCases>()]<Real R>(Findings& findings, const Reduction& said,
                                                                  const ContactProblem& c) {
         check(findings, said, kept->at(c, [&] { return measure<R>(c); }));

@@ -1,5 +1,5 @@
 #include "proofs_checks/instruments/tractions/friction_values.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_10_proof_slope {
 namespace {
@@ -49,9 +49,6 @@ Claim claim() {
       .cases([](const Context& context) { return friction_values(context, "thm-10-proof-slope"); })
       .effective_where([](const FrictionValue& c) { return is_coupled(c); })
       .precision(Precision::quick_in_double)
-      .quantity("tangent", {.near_miss = false})
-      .quantity("sine", {.absolute = true})
-      .quantities({"near", "far", "far by tanh-sinh"})
       .measured([]<Real R>(const FrictionValue& c) -> Values {
         using std::sin;
         const PiecewiseDensity<R> power = power_density<R>(c.s);

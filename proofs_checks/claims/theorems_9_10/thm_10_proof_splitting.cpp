@@ -1,5 +1,5 @@
 #include "proofs_checks/instruments/tractions/friction_values.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::thm_10_proof_splitting {
 namespace {
@@ -39,7 +39,6 @@ Claim claim() {
   return formula_claim<FrictionValue, Splitting>("thm-10-proof-splitting")
       .cases([](const Context& context) { return friction_values(context, "thm-10-proof-splitting"); })
       .precision(Precision::quick_in_double)
-      .quantity("integral")
       .checked([]<Real R>(Findings& findings, const Splitting& form, const FrictionValue& c) {
         using std::abs;
         decide_powers(findings, form);

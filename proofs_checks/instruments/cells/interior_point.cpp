@@ -85,6 +85,13 @@ std::vector<CellSet> all_contact_sets(std::size_t cells) {
   return sets;
 }
 
+CellSet random_contact_set(Random& random, std::size_t cells) {
+  CellSet set(cells, 0);
+  for (char& cell : set) cell = random.below(2) == 0;
+  set[random.below(cells)] = 1;
+  return set;
+}
+
 Eigen::VectorXd forces_of(const DiscreteProblem& problem, const DiscreteState& state) {
   return vector_of(problem.size(), [&](std::size_t i) { return state.pressure[i] * problem.mesh().length(i); });
 }

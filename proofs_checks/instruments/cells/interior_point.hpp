@@ -31,6 +31,8 @@ std::vector<DiscreteState> solutions_from(const DiscreteProblem& problem, const 
 /// fifth, and of these and the fourth. To be solved from every contact set.
 ProblemOnCells problem_with_three_solutions();
 std::vector<CellSet> all_contact_sets(std::size_t cells);
+/// About half of the cells, at least one.
+CellSet random_contact_set(Random& random, std::size_t cells);
 
 /// p_i h_i.
 Eigen::VectorXd forces_of(const DiscreteProblem& problem, const DiscreteState& state);

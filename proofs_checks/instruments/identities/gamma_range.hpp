@@ -6,7 +6,7 @@
 #include <string>
 
 #include "model/elasticity.hpp"
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks {
 

@@ -92,9 +92,7 @@ const FormMatrix<R>& sign_form_by_quadrature() {
 #define STEADYSLIDE_INSTANTIATE(R)                         \
   template FormMatrix<R> log_form_by_quadrature(const R&); \
   template const FormMatrix<R>& sign_form_by_quadrature();
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

@@ -129,11 +129,7 @@ PiecewiseFunction random_polygon(Random& random, const std::vector<Rational>& po
   return v;
 }
 
-PiecewiseFunction random_cubic(Random& random) {
-  std::vector<Rational> c;
-  for (int k = 0; k < 4; ++k) c.push_back(random.between(-1, 1));
-  return {{-1, 1}, {Polynomial(c)}};
-}
+PiecewiseFunction random_cubic(Random& random) { return {{-1, 1}, {Polynomial(random.between(-1, 1, 4))}}; }
 
 std::vector<Rational> random_points(Random& random) {
   std::vector<Rational> points{-1, 1};
@@ -224,9 +220,7 @@ R pairing_by_moments(const Rational& s, const Polynomial& v) {
   template R pairing(const Rational&, const PiecewiseFunction&);              \
   template R pairing_by_tanh_sinh(const Rational&, const PiecewiseFunction&); \
   template R pairing_by_moments(const Rational&, const Polynomial&);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

@@ -163,9 +163,7 @@ R HalfPlaneField<R>::normal_slope(const R& x) const {
 #define STEADYSLIDE_INSTANTIATE(R)                                   \
   template PiecewiseDensity<R> density_of(const PiecewiseTraction&); \
   template class HalfPlaneField<R>;
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

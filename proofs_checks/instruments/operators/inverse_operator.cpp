@@ -106,9 +106,7 @@ JacobiTraction<R> inverse_without_integral(const Rational& s, const Polynomial& 
   template struct InverseTerms<R>;   \
   template class InverseOperator<R>; \
   template JacobiTraction<R> inverse_without_integral(const Rational&, const Polynomial&);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

@@ -116,9 +116,7 @@ JumpPower<R> jump_power(const R& s_left, const R& s_right) {
 #define STEADYSLIDE_INSTANTIATE(R)                   \
   template R end_power(Side, EndTraction, const R&); \
   template JumpPower<R> jump_power(const R&, const R&);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

@@ -109,12 +109,6 @@ ComparedClaim<Length> log_form_claim(std::string id, std::vector<Rational> lengt
         if (context.quick) list.cases.resize(1);
         return list;
       })
-      .quantities({"positive on all meshes", "positive on some mesh", "second eigenvalue", "zero mean"},
-                  {.near_miss = false})
-      .quantity("rest", {.absolute = true})
-      .quantity("rate", {.tolerance = 0.05})
-      .quantity("critical", {.tolerance = 1e-3})
-      .quantities({"0", "1", "2", "3", "4"}, {.absolute = true})
       .measured([]<Real R>(const Length& length) { return measured<R>(length); })
       .predicted([](const Length& length) { return predicted_by({}, length); })
       .near_misses();

@@ -6,7 +6,7 @@
 // positive definite where L < critical, and on zero mean for every L. Its coefficients are found by quadrature in both
 // angles; whether it is positive, and its least value for int t = 1, on cells. [Bal16, section 3.1]
 
-#include "proofs_checks/kit/comparison.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks {
 

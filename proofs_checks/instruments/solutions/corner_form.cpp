@@ -105,7 +105,6 @@ FormulaClaim<SolvedCorner, CornerForm> corner_claim(std::string id, std::vector<
   return formula_claim<SolvedCorner, CornerForm>(std::move(id))
       .cases([=](const Context& context) { return first_when_quick(context, corners, quick, "solved problems"); })
       .precision(Precision::at_least_fifty)
-      .quantities({"across", "at c"})
       .says(formula)
       .checked([kept = std::make_shared<KeptForCases>()]<Real R>(Findings& findings, const CornerForm& form,
                                                                  const SolvedCorner& c, const Context& context) {

@@ -9,7 +9,7 @@
 #include <array>
 
 #include "model/contact_problem.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks {
 

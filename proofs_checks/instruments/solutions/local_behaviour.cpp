@@ -136,9 +136,7 @@ Values powers_on_cells(const ContactProblem& problem, SingularKind kind) {
   template R asymptotic_distance();                                                           \
   template R limit_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);               \
   template R logarithm_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

@@ -47,8 +47,6 @@ R asymptotic_distance();
 
 /// The problem solved in double: what trial.hpp's equation_error says of the solution. Throws Refutation unless one is found.
 double equation_error(const ContactProblem& problem);
-/// Of that error.
-inline constexpr double equation_tolerance = 1e-10;
 
 /// A of t ~ A + b d^p, whatever p > 0.
 template <Real R>

@@ -68,7 +68,7 @@ void check_exactly(Findings& findings, const ContactProblem& problem, const Cont
   const auto compare = [&](const Quantity& quantity, const R& found, const Rational& factor, const R& from,
                            const R& least) {
     const R f = to_real<R>(factor);
-    findings.compare(quantity, static_cast<double>(R(abs(found - f * from) / (abs(f) * (least + abs(from))))));
+    findings.compare(quantity, R(abs(found - f * from) / (abs(f) * (least + abs(from)))));
   };
   const R length = before.back().right.x.value - before.front().left.x.value;
   const R scale = to_real<R>(law.scale);
@@ -76,7 +76,7 @@ void check_exactly(Findings& findings, const ContactProblem& problem, const Cont
   for (std::size_t k = 0; k < before.size(); ++k) {
     for (const auto end : {&numeric::ContactComponent<R>::left, &numeric::ContactComponent<R>::right}) {
       const R expected = scale * (before[k].*end).x.value + shift;
-      findings.compare(ends, static_cast<double>(R(abs(expected - (after[k].*end).x.value) / abs(scale * length))));
+      findings.compare(ends, R(abs(expected - (after[k].*end).x.value) / abs(scale * length)));
     }
   }
   const R load = to_real<R>(problem.load());

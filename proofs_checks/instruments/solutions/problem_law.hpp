@@ -3,7 +3,7 @@
 // Riemann-Hilbert solver, and for the one on cells.
 
 #include "proofs_checks/instruments/tractions/surface.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks {
 

@@ -182,9 +182,7 @@ R extrapolated(const std::vector<R>& f, int to) {
   template R equation_error(const RiemannHilbertForm<R>&);                                                      \
   template void check_equation(Findings&, const RiemannHilbertForm<R>&);                                        \
   template R extrapolated(const std::vector<R>&, int);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

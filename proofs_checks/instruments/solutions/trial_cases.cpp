@@ -46,8 +46,7 @@ Trial random_trial(Random& random, std::size_t components, bool kinks) {
     zones.push_back({Trial::in_frame(left), Trial::in_frame(right), left_edge, right_edge});
   }
   pieces.push_back({4, profile});
-  std::vector<Rational> q;
-  for (int j = 0; j < 4; ++j) q.push_back(random.between(Rational(1, 4), 2));
+  const std::vector<Rational> q = random.between(Rational(1, 4), 2, 4);
   const Rational nu = random.between(-1, Rational(1, 2));
   const Sliding sliding = random.below(2) == 0 ? Sliding::plus_x : Sliding::minus_x;
   return {"random", problem(nu, FrictionProfile(friction, jumps), std::move(pieces), sliding), zones, q,

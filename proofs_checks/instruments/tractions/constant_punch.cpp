@@ -1,7 +1,7 @@
 #include "proofs_checks/instruments/tractions/constant_punch.hpp"
 
 #include "proofs_checks/instruments/tractions/punch.hpp"
-#include "proofs_checks/kit/formula_claim.hpp"
+#include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks {
 namespace {

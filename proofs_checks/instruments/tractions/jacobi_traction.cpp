@@ -87,9 +87,7 @@ R form_with_power(const JacobiTraction<R>& t, const R& s, int m) {
   template R integral(const JacobiTraction<R>&);                           \
   template R form_with_chebyshev(const JacobiTraction<R>&, const R&, int); \
   template R form_with_power(const JacobiTraction<R>&, const R&, int);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

@@ -53,7 +53,7 @@ void check_parabola(Findings& findings, const ParabolaTraction& t, const Contact
     size1 += abs(term);
     sum2 += term * r[j];
   }
-  findings.compare(first, static_cast<double>(R(abs(sum1) / size1)));
+  findings.compare(first, R(abs(sum1) / size1));
   findings.compare(second, relative_difference<R>(sum2, R(2 * to_real<R>(problem.load()) * radius / numeric::pi<R>())));
   const R width = r.back() - r.front();
   const R allowed = R(-tolerance<R>()) * width * width / radius;
@@ -80,8 +80,8 @@ void compare_ends(Findings& findings, const Quantity& quantity, const PowerForm<
   using std::abs;
   const R end = form.points().back();
   const R width = end - form.left_end;
-  findings.compare(quantity, static_cast<double>(R(abs(left - form.left_end) / width)));
-  findings.compare(quantity, static_cast<double>(R(abs(right - end) / width)));
+  findings.compare(quantity, R(abs(left - form.left_end) / width));
+  findings.compare(quantity, R(abs(right - end) / width));
 }
 
 /// Calls visit(panel, node, t) at points of every panel.
@@ -141,9 +141,7 @@ void check_parabola_by_numeric(Findings& findings, const ParabolaTraction& t, co
   template void check_parabola<R>(Findings&, const ParabolaTraction&, const ContactProblem&, const Context&); \
   template void check_parabola_by_cln<R>(Findings&, const ParabolaTraction&, const ContactProblem&);          \
   template void check_parabola_by_numeric<R>(Findings&, const ParabolaTraction&, const ContactProblem&);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

@@ -116,9 +116,7 @@ Rational largest_friction(const Context& context) { return context.digits == num
 #define STEADYSLIDE_INSTANTIATE(R)                                                         \
   template void check_punch_values(Findings&, const PowerForm<R>&, const ContactProblem&); \
   template void check_punch_traction<R>(Findings&, const PowerProduct&, const ContactProblem&, std::size_t);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

@@ -102,9 +102,7 @@ void check_surface_by_gsl(Findings& findings, const Surface<double>& surface) {
 #define STEADYSLIDE_INSTANTIATE(R)                                                                                     \
   template Surface<R> surface_of(const PowerForm<R>&, const ContactProblem&, std::size_t, std::function<R(const R&)>); \
   template trapezoidal::Grid<R> check_surface(Findings&, const Surface<R>&, std::size_t);
-STEADYSLIDE_INSTANTIATE(double)
-STEADYSLIDE_INSTANTIATE(Real50)
-STEADYSLIDE_INSTANTIATE(Real100)
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::proofs_checks

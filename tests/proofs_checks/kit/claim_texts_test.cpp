@@ -57,11 +57,10 @@ TEST_CASE("every claim says what is stated, what is assumed and how it follows, 
 }
 
 TEST_CASE("what is compared stands in a table, a row of which is a name, what it is, and both routes or none") {
-  const std::string text = "# one\n\na source\n\n## Statement\n\na\n\n## Hypotheses\n\nb\n\n## Compared\n\n";
-  const std::vector<QuantityText> rows =
-      parse_claim_text(text +
-                       "| name | what | measured by | predicted by |\n|---|---|---|---|\n| peak | largest \\|t\\| | "
-                       "solved | 1 |\n| sign | it is negative | | |\n")
+  const std::string text = "# one: a source\n\n**Statement.** a\n\n**Hypotheses.** b\n\n";
+  const std::string head = "| compared | what | measured by | predicted by |\n|---|---|---|---|\n";
+  const std::vector<Quantity> rows =
+      parse_claim_text(text + head + "| peak | largest \\|t\\| | solved | 1 |\n| sign | it is negative | | |\n")
           .compared;
   REQUIRE(rows.size() == 2);
   CHECK(rows[0].name == "peak");
@@ -69,7 +68,24 @@ TEST_CASE("what is compared stands in a table, a row of which is a name, what it
   CHECK(rows[0].routes == std::vector<std::string>{"solved", "1"});
   CHECK(rows[1].routes.empty());
   CHECK_THROWS_AS(parse_claim_text(text + "| peak | largest pressure | solved | |\n"), std::logic_error);
-  CHECK_THROWS_AS(parse_claim_text(text + "no row\n"), std::logic_error);
+  CHECK_THROWS_AS(parse_claim_text(text + head + "no row\n"), std::logic_error);
+}
+
+TEST_CASE("how what is compared is compared stands in a last column, if that is not the usual way") {
+  const std::string text = "# one: a source\n\n**Statement.** a\n\n**Hypotheses.** b\n\n";
+  const std::string head = "| compared | what | measured by | predicted by | how |\n|---|---|---|---|---|\n";
+  const auto rows = parse_claim_text(text + head +
+                                     "| a | one | | | |\n| b | two | | | tolerance 1e-8, absolute |\n"
+                                     "| c | three | | | at most, required 0.4, no near miss |\n")
+                        .compared;
+  REQUIRE(rows.size() == 3);
+  const auto how = [](const Quantity& q) {
+    return std::tuple(q.tolerance, q.absolute, q.at_most, q.required, q.near_miss);
+  };
+  CHECK(how(rows[0]) == std::tuple(0.0, false, false, 0.5, true));
+  CHECK(how(rows[1]) == std::tuple(1e-8, true, false, 0.5, true));
+  CHECK(how(rows[2]) == std::tuple(0.0, false, true, 0.4, false));
+  CHECK_THROWS_AS(parse_claim_text(text + head + "| a | one | | | roughly |\n"), std::logic_error);
 }
 
 TEST_CASE(

@@ -15,8 +15,8 @@ constexpr std::string_view facts_document = R"(# Numbers
 
 ## Words
 
-| fact | says |
-|---|---|
+| fact | says | follows from |
+|---|---|---|
 | even(N) | N is even |
 | odd(N) | N is odd |
 | whole(N) | N is whole |
@@ -24,7 +24,7 @@ constexpr std::string_view facts_document = R"(# Numbers
 | nonzero(E) | `E != 0` |
 | positive(E) | `E > 0` |
 | negative(E) | `E < 0` |
-| small(N) | N is small |
+| small(N) | N is small | sum(N, A, B), even(A) |
 
 ## Things
 
@@ -39,12 +39,6 @@ constexpr std::string_view facts_document = R"(# Numbers
 | fact | means |
 |---|---|
 | whole(N) | sum(N, A, B), even(A), odd(B) |
-
-## Inferences
-
-| fact | follows from |
-|---|---|
-| small(N) | sum(N, A, B), even(A) |
 
 ## Decided
 
@@ -104,16 +98,14 @@ const Decisions& decisions() {
 
 CheckedProof checked(const std::string& text) { return check_proof(proof_text(text), numbers(), decisions()); }
 
-const std::string head = "| fact | by |\n|---|---|\n";
 const std::string sum_is_odd =
-    "For `x in [0, oo[`.\nAssumes `nonzero(\"x - 1\")`.\nConcludes `odd(five)`,\n`whole(five)`.\n\n" + head +
-    "| even(two) | identity |\n| odd(three) | identity |\n| sum(five, two, three) | enclosure |\n"
-    "| odd(five) | theorem odd-sum |\n| whole(five) | definition |\n";
+    "For `x in [0, oo[`.\nAssumes `nonzero(\"x - 1\")`.\nConcludes `odd(five)`,\n`whole(five)`.\n\n"
+    "- identity: even(two)\n- identity: odd(three)\n- enclosure: sum(five, two, three)\n"
+    "- theorem odd-sum: odd(five)\n- definition: whole(five)\n";
 
 const CheckedProof* entry(const std::string& id) {
   static const CheckedProof five = checked(sum_is_odd);
-  static const CheckedProof open =
-      checked("Concludes `odd(two)`.\n" + head + "| even(two) | identity |\n| odd(two) | identity |\n");
+  static const CheckedProof open = checked("Concludes `odd(two)`.\n- identity: even(two)\n- identity: odd(two)\n");
   return id == "five-is-odd" ? &five : id == "open" ? &open : nullptr;
 }
 
@@ -150,35 +142,32 @@ TEST_CASE("every step left out, and every fact exchanged, leaves a gap") {
   }
   for (const auto& [from, to, gap] : std::vector<std::tuple<std::string, std::string, std::string>>{
            {"Assumes `nonzero(\"x - 1\")`.\n", "", "odd(three) needs nonzero(\"x - 1\")"},
-           {"| even(two) | identity |", "| odd(two) | identity |", "does not hold: wrong"},
-           {"| odd(five) | theorem odd-sum |", "| odd(five) | identity |", "not decided: unknown"},
-           {"| odd(five) | theorem odd-sum |", "| odd(two) | theorem odd-sum |",
-            "odd(two) by odd-sum needs sum(two, A, B)"},
+           {"- identity: even(two)", "- identity: odd(two)", "does not hold: wrong"},
+           {"- theorem odd-sum: odd(five)", "- identity: odd(five)", "not decided: unknown"},
+           {"- theorem odd-sum: odd(five)", "- theorem odd-sum: odd(two)", "odd(two) by odd-sum needs sum(two, A, B)"},
            {"theorem odd-sum", "theorem even-sum", "no classical theorem of this name: even-sum"},
-           {"| even(two) | identity |", "| even(five) | enclosure |", "do not cover x in [0, oo["},
-           {"| even(two) | identity |", "| even(three) | identity |", "nothing is said to decide even(three)"},
+           {"- identity: even(two)", "- enclosure: even(five)", "do not cover x in [0, oo["},
+           {"- identity: even(two)", "- identity: even(three)", "nothing is said to decide even(three)"},
            {"[0, oo[", "]-1, oo[", "do not cover x in ]-1, oo["},
            {"For `x in [0, oo[`.\n", "", "do not cover"},
-           {"| even(two) | identity |", "| even(two) | definition |", "not defined: even"},
-           {"| whole(five) | definition |", "| whole(five) | inference |", "no inference of: whole"},
-           {"| whole(five) | definition |", "| small(five) | definition |", "not defined: small"},
-           {"| whole(five) | definition |", "| small(three) | inference |",
-            "small(three) by small needs sum(three, A, B)"},
-           {"| whole(five) | definition |", "| whole(two) | definition |", "whole(two) by whole needs sum(two, A, B)"},
+           {"- identity: even(two)", "- definition: even(two)", "not defined: even"},
+           {"- definition: whole(five)", "- inference: whole(five)", "no inference of: whole"},
+           {"- definition: whole(five)", "- definition: small(five)", "not defined: small"},
+           {"- definition: whole(five)", "- inference: small(three)", "small(three) by small needs sum(three, A, B)"},
+           {"- definition: whole(five)", "- definition: whole(two)", "whole(two) by whole needs sum(two, A, B)"},
            {"Assumes `nonzero(\"x - 1\")`", "Assumes `nonzero(\"x - 1\")`, `even(three)`",
             "assumed, and used by no step: even(three)"},
            {"Concludes `odd(five)`", "Concludes `nonzero(\"x - 1\")`",
             "concluded, and given by no step: nonzero(\"x - 1\")"},
            {"Concludes `odd(five)`", "Concludes `odd(two)`", "concluded, and given by no step: odd(two)"},
-           {"| even(two) | identity |", "| positive(\"x + 2\") | sign |",
+           {"- identity: even(two)", "- sign: positive(\"x + 2\")",
             "not decided for x in [0, oo[: positive(\"x + 2\")"},
-           {"| even(two) | identity |", "| positive(\"-x - 1\") | sign |", "not decided for"},
-           {"| even(two) | identity |", "| negative(\"x + 1\") | sign |", "not decided for"},
-           {"| even(two) | identity |", "| whole(two) | identity |",
-            "thirds holds where x - 1 != 0, and nothing says so"},
-           {"| even(two) | identity |", "| nonzero(\"-x - 1\") | sign |\n| whole(three) | identity |",
+           {"- identity: even(two)", "- sign: positive(\"-x - 1\")", "not decided for"},
+           {"- identity: even(two)", "- sign: negative(\"x + 1\")", "not decided for"},
+           {"- identity: even(two)", "- identity: whole(two)", "thirds holds where x - 1 != 0, and nothing says so"},
+           {"- identity: even(two)", "- sign: nonzero(\"-x - 1\")\n- identity: whole(three)",
             "whole(three) needs nonzero(\"x - 2\")"},
-           {"| even(two) | identity |", "| even(two) | sign |", "no sign of a formula"}}) {
+           {"- identity: even(two)", "- sign: even(two)", "no sign of a formula"}}) {
     CAPTURE(to);
     const CheckedProof proof = checked(replaced_once(sum_is_odd, from, to));
     CAPTURE(proof.gap);
@@ -188,7 +177,7 @@ TEST_CASE("every step left out, and every fact exchanged, leaves a gap") {
 
 TEST_CASE("an inference needs what it is said to rest on, and is counted as what it is") {
   const CheckedProof proof =
-      checked(replaced_once(replaced_once(sum_is_odd, "| whole(five) | definition |", "| small(five) | inference |"),
+      checked(replaced_once(replaced_once(sum_is_odd, "- definition: whole(five)", "- inference: small(five)"),
                             "`whole(five)`", "`small(five)`"));
   CHECK(proof.complete());
   CHECK(count_of_steps(proof) == "2 identities, 1 enclosure, 1 classical theorem (odd-sum), 1 inference in words");
@@ -198,10 +187,10 @@ TEST_CASE("signs of formulas; divisors other than those that a fact is said to n
   for (const std::string fact :
        {"positive(\"x + 1\")", "nonzero(\"x + 1\")", "negative(\"-x - 1\")", "nonzero(\"-x - 1\")"}) {
     CAPTURE(fact);
-    CHECK(checked("For `x in [0, 1]`.\nConcludes `" + fact + "`.\n" + head + "| " + fact + " | sign |\n").complete());
+    CHECK(checked("For `x in [0, 1]`.\nConcludes `" + fact + "`.\n" + "- sign: " + fact + "\n").complete());
   }
   const CheckedProof other =
-      checked("Assumes `nonzero(\"x - 2\")`.\nConcludes `whole(three)`.\n" + head + "| whole(three) | identity |\n");
+      checked("Assumes `nonzero(\"x - 2\")`.\nConcludes `whole(three)`.\n- identity: whole(three)\n");
   CHECK(other.gap == "thirds holds where x - 1 != 0, and nothing says so");
 }
 
@@ -212,14 +201,14 @@ TEST_CASE("an order that does not follow is a gap: a step rests on those above i
 }
 
 TEST_CASE("an entry is cited with its conclusions, its assumptions and its parameters") {
-  const std::string cites = "For `x in [0, 7]`.\nAssumes `nonzero(\"x - 1\")`.\nConcludes `odd(five)`.\n" + head +
-                            "| odd(five) | entry five-is-odd |\n";
+  const std::string cites =
+      "For `x in [0, 7]`.\nAssumes `nonzero(\"x - 1\")`.\nConcludes `odd(five)`.\n- entry five-is-odd: odd(five)\n";
   CHECK(checked(cites).complete());
   CHECK(holds(checked(replaced_once(cites, "[0, 7]", "[-1, 7]")).gap, "is proved for x in [0, oo[ only"));
   CHECK(holds(checked(replaced_once(cites, "Assumes `nonzero(\"x - 1\")`.\n", "")).gap, "needs nonzero"));
   CHECK(holds(checked(replaced_once(cites, "entry five-is-odd", "entry open")).gap, "has a gap: does not hold: wrong"));
   CHECK(holds(checked(replaced_once(cites, "entry five-is-odd", "entry other")).gap, "no entry with a proof: other"));
-  CHECK(holds(checked(replaced_once(cites, "| odd(five)", "| odd(three)")).gap, "does not conclude odd(three)"));
+  CHECK(holds(checked(replaced_once(cites, ": odd(five)", ": odd(three)")).gap, "does not conclude odd(three)"));
 }
 
 TEST_CASE("a word, a thing or a step that is not declared is an error and no gap") {
@@ -234,8 +223,8 @@ TEST_CASE("a word, a thing or a step that is not declared is an error and no gap
   }
   for (const auto& [from, to] :
        std::vector<std::pair<std::string, std::string>>{{"theorem odd-sum", "theorem"},
-                                                        {"| identity |", "| identity halves |"},
-                                                        {"| identity |", "| guess |"},
+                                                        {"- identity:", "- identity halves:"},
+                                                        {"- identity:", "- guess:"},
                                                         {"Assumes", "Supposes"},
                                                         {"Concludes `odd(five)`,\n`whole(five)`.\n", ""},
                                                         {"[0, oo[", "[0, oo]"},
@@ -262,9 +251,9 @@ TEST_CASE("theories: nothing twice, nothing undeclared, definitions for all thin
                                                         {"| sum(N, A, B) |", "| sum(N, N, B) |"},
                                                         {"even(A), odd(B) |", "evn(A), odd(B) |"},
                                                         {"| whole(N) | sum(N, A, B)", "| whole(N) | sum(A, A, B)"},
-                                                        {"| small(N) | sum(N", "| small(two) | sum(N"},
-                                                        {"| small(N) | sum(N", "| small(N) | evn(N"},
-                                                        {"| small(N) | sum(N", "| whole(N) | sum(N"},
+                                                        {"| small(N) | N is", "| small(two) | N is"},
+                                                        {"N is small | sum(N", "N is small | evn(N"},
+                                                        {"N is whole |", "N is whole | sum(N, A, B) |"},
                                                         {"identity halves | |", "guess halves | |"},
                                                         {"identity halves | |", "identity halves |"},
                                                         {"nonzero(\"x - 1\") |", "x in [0, 1] |"}}) {
@@ -284,10 +273,9 @@ TEST_CASE("a theorem that says several things: each from its own needs") {
   const Theory theory{documents};
   REQUIRE(theory.theorems.at("odd-sum").size() == 2);
   const auto gap = [&](const std::string& fact) {
-    return check_proof(
-               proof_text(replaced_once(replaced_once(sum_is_odd, "| odd(five) | theorem", "| " + fact + " | theorem"),
-                                        "Concludes `odd(five)`,\n`whole(five)`", "Concludes `" + fact + "`")),
-               theory, decisions())
+    return check_proof(proof_text(replaced_once(replaced_once(sum_is_odd, ": odd(five)", ": " + fact),
+                                                "Concludes `odd(five)`,\n`whole(five)`", "Concludes `" + fact + "`")),
+                       theory, decisions())
         .gap;
   };
   CHECK(gap("odd(five)").empty());
@@ -307,6 +295,18 @@ TEST_CASE("facts in words") {
   CHECK(numbers().sentence(parse_fact("sum(five, two, three)")) == "`five = two + three`");
   CHECK(numbers().sentence(parse_fact("nonzero(\"s_r - s_l\")")) == "`s_r - s_l != 0`");
   CHECK(text_of(parse_facts("`sum(five, two, three)`, even(two).")) == "sum(five, two, three), even(two)");
+}
+
+TEST_CASE("braces hold alternatives, and one line holds the steps of one reason") {
+  CHECK(text_of(parse_facts("sum({five, two}, two, three), `even(two)`")) ==
+        "sum(five, two, three), sum(two, two, three), even(two)");
+  CHECK(text_of(parse_facts("sum(five, {two, three}, {two, \"x, y\"})")) ==
+        "sum(five, two, two), sum(five, two, \"x, y\"), sum(five, three, two), sum(five, three, \"x, y\")");
+  CHECK_THROWS_AS(parse_facts("sum(five, {two, three)"), std::logic_error);
+  const std::string in_one_line =
+      replaced_once(sum_is_odd, "even(two)\n- identity: odd(three)", "even(two), odd(three)");
+  CHECK(proof_text(in_one_line).steps.size() == 5);
+  CHECK(checked(in_one_line).complete());
 }
 
 TEST_CASE("boxes cover a box, ends included where brackets say so") {

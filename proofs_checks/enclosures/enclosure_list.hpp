@@ -1,5 +1,5 @@
 #pragma once
-// What proofs decide in balls.
+// What proofs decide in balls: of section 3, of remark 1, of a published integral and of single contact problems.
 
 #include "enclosure/number/ball.hpp"
 #include "proofs_checks/proof/enclosures.hpp"
@@ -17,5 +17,13 @@ Enclosure logarithm_of_two();
 Enclosure logarithm_of_a_unit();
 /// 1 <= sin(pi eps)/(pi eps (1-eps)) <= 1 + eps for eps in an interval within [0, 0.6].
 Enclosure triangle_amplitude();
+/// The fourth derivative of cos(pi alpha) ((1+2 alpha)/(1-2 alpha))^alpha in s = tan(pi alpha) is at most 4!/20.
+Enclosure peak_of_parabola();
+/// -pi sqrt(2)/3^{3/4} is in ]-1.949054259166748, -1.949054259166747[.
+Enclosure galin_at_two();
+/// Solutions of three contact problems, with every sign.
+Enclosure contact_over_notch();
+Enclosure contact_of_two_wells();
+Enclosure contact_of_bowl();
 
 }  // namespace steadyslide::proofs_checks
