@@ -83,9 +83,9 @@ struct Part {
 };
 
 template <Real R>
-class Search {
+class PeakSearch {
  public:
-  Search(const std::vector<R>& lengths, const PanelFunction<R>& f, const R& floor) : f_(f), best_(floor) {
+  PeakSearch(const std::vector<R>& lengths, const PanelFunction<R>& f, const R& floor) : f_(f), best_(floor) {
     for (std::size_t k = 0; k < lengths.size(); ++k) add({k, R(0), lengths[k], R(0), 0});
   }
 
@@ -189,7 +189,7 @@ class Search {
 
 template <Real R>
 std::optional<Peak<R>> highest_peak(const std::vector<R>& lengths, const PanelFunction<R>& f, const R& floor) {
-  return Search<R>(lengths, f, floor).highest();
+  return PeakSearch<R>(lengths, f, floor).highest();
 }
 
 #define STEADYSLIDE_INSTANTIATE(R) \
