@@ -1,9 +1,20 @@
 #include "model/singular_point.hpp"
 
+#include <array>
 #include <set>
 
 namespace steadyslide {
 namespace {
+
+// In the order of SingularKind: end, friction jumps, slope jumps; power, logarithm, constant.
+constexpr std::array<LocalForm, 6> local_forms{{
+    {SingularKind::edge, "edge", true, false, false, true, false, false},
+    {SingularKind::free, "free", true, false, false, true, false, false},
+    {SingularKind::step, "step", true, false, false, true, false, false},
+    {SingularKind::friction_jump, "friction_jump", false, true, false, true, false, false},
+    {SingularKind::wedge, "wedge", false, false, true, false, true, true},
+    {SingularKind::wedge_and_jump, "wedge_and_jump", false, true, true, true, false, true},
+}};
 
 void add_ends(const ContactProblem& problem, const Rational& x, End end, std::vector<SingularPoint>& points) {
   // At the left end of the contact, the contact is on the right.
@@ -33,12 +44,10 @@ void add_interior(const ContactProblem& problem, std::size_t left, std::size_t r
     return;
   }
   const Exponent beta = jump_exponent(problem.coupled_friction(left), problem.coupled_friction(right));
-  if (beta.sign() != 0) {
-    const SingularKind kind = at.wedge != 0 ? SingularKind::wedge_and_jump : SingularKind::friction_jump;
-    points.push_back({x, kind, ContactSide::both, {f[left], f[right]}, beta});
-  } else if (at.wedge != 0) {
-    points.push_back({x, SingularKind::wedge, ContactSide::both, {f[left], f[right]}, std::nullopt});
-  }
+  const std::optional<SingularKind> kind = inner_kind(beta.sign() != 0, at.wedge != 0);
+  if (!kind) return;
+  const std::optional<Exponent> exponent = local_form(*kind).has_power ? std::optional(beta) : std::nullopt;
+  points.push_back({x, *kind, ContactSide::both, {f[left], f[right]}, exponent});
 }
 
 }  // namespace
@@ -54,16 +63,14 @@ Exponent jump_exponent(const Rational& s_left, const Rational& s_right) {
   return Exponent::angle(s_left) - Exponent::angle(s_right);
 }
 
-std::string_view name_of(SingularKind kind) {
-  switch (kind) {
-    case SingularKind::edge: return "edge";
-    case SingularKind::free: return "free";
-    case SingularKind::step: return "step";
-    case SingularKind::friction_jump: return "friction_jump";
-    case SingularKind::wedge: return "wedge";
-    case SingularKind::wedge_and_jump: return "wedge_and_jump";
+const LocalForm& local_form(SingularKind kind) { return local_forms[static_cast<std::size_t>(kind)]; }
+
+std::optional<SingularKind> inner_kind(bool friction_jumps, bool slope_jumps) {
+  for (const LocalForm& form : local_forms) {
+    const bool fits = form.friction_jumps == friction_jumps && form.slope_jumps == slope_jumps;
+    if (!form.is_end && fits) return form.kind;
   }
-  return "";
+  return std::nullopt;
 }
 
 std::string_view name_of(ContactSide side) {

@@ -21,8 +21,22 @@ Exponent free_exponent(End end, const Rational& s);
 Exponent jump_exponent(const Rational& s_left, const Rational& s_right);
 
 enum class SingularKind { edge, free, step, friction_jump, wedge, wedge_and_jump };
-/// The names of interface and files: "edge", "free", "step", "friction_jump", "wedge", "wedge_and_jump".
-std::string_view name_of(SingularKind kind);
+
+/// The form of the traction beside a singular point of one kind. [Bal16, theorems 2 and 3]
+struct LocalForm {
+  SingularKind kind;
+  std::string_view name;  ///< in the interface and in files
+  bool is_end;            ///< contact ends there; otherwise there is contact on both sides, and
+  bool friction_jumps;    ///< the friction changes,
+  bool slope_jumps;       ///< the slope of the profile changes
+  bool has_power;         ///< the traction has a power of the distance,
+  bool has_logarithm;     ///< a logarithm of it,
+  bool has_constant;      ///< a constant beside that
+};
+const LocalForm& local_form(SingularKind kind);
+inline std::string_view name_of(SingularKind kind) { return local_form(kind).name; }
+/// The kind of a point inside the contact by what jumps there; absent if nothing does.
+std::optional<SingularKind> inner_kind(bool friction_jumps, bool slope_jumps);
 
 enum class ContactSide { left, right, both };
 std::string_view name_of(ContactSide side);

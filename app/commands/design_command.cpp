@@ -11,9 +11,7 @@
 #include "app/results/rows.hpp"
 #include "library/problem_file/problem_file.hpp"
 #include "library/text/number_format.hpp"
-#include "numeric/flat_punch/extreme_layout.hpp"
-#include "numeric/flat_punch/fine_mixture.hpp"
-#include "numeric/flat_punch/punch_core.hpp"
+#include "numeric/flat_punch/flat_punch.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "library/solve/double_range.hpp"
 #include "library/solve/warnings.hpp"
-#include "numeric/flat_punch/punch_core.hpp"
+#include "numeric/flat_punch/flat_punch.hpp"
 
 namespace steadyslide::app {
 namespace {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "enclosure/contact/contact_set.hpp"
-#include "enclosure/quadrature/jacobi_rules.hpp"
+#include "enclosure/quadrature/jacobi_rule.hpp"
 
 namespace steadyslide::enclosure {
 

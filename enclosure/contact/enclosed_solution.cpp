@@ -60,18 +60,17 @@ std::vector<EnclosedSolution::Point> EnclosedSolution::singular_points() const {
     const Rational& s_left = set().interval(j - 1).s;
     const Rational& s_right = set().interval(j).s;
     const Rational wedge = set().interval(j).slope(anchor.x) - set().interval(j - 1).slope(anchor.x);
-    const bool jumps = s_left != s_right;
-    if (!jumps && wedge == 0) continue;
+    const std::optional<SingularKind> kind = inner_kind(s_left != s_right, wedge != 0);
+    if (!kind) continue;
     const Ball x(Rational(reduced_->frame.origin + reduced_->frame.unit * anchor.x), bits_);
-    if (jumps) {
+    if (local_form(*kind).has_power) {
       const Ball theta = -amplitude(j, j) / set().cos_alpha(j) * power(unit_, -set().power(j));
-      result.push_back({x, wedge == 0 ? SingularKind::friction_jump : SingularKind::wedge_and_jump, set().exponent(j),
-                        theta, Ball(Rational(wedge / (s_right - s_left)), bits_)});
+      result.push_back({x, *kind, set().exponent(j), theta, Ball(Rational(wedge / (s_right - s_left)), bits_)});
       continue;
     }
     // The limit from the left of t - theta log|x - c|/pi, |x - c| in the user's unit.
     const Ball theta(Rational(wedge / (1 + s_left * s_left)), bits_);
-    result.push_back({x, SingularKind::wedge, std::nullopt, theta, amplitude(j, j - 1) - theta * log(unit_) / pi});
+    result.push_back({x, *kind, std::nullopt, theta, amplitude(j, j - 1) - theta * log(unit_) / pi});
   }
   return result;
 }

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "enclosure/number/ball.hpp"
-#include "enclosure/quadrature/jacobi_rules.hpp"
+#include "enclosure/quadrature/jacobi_rule.hpp"
 
 namespace steadyslide::enclosure {
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "enclosure/number/ball.hpp"
-#include "enclosure/quadrature/jacobi_rules.hpp"
+#include "enclosure/quadrature/jacobi_rule.hpp"
 #include "enclosure/quadrature/outside_points.hpp"
 
 namespace steadyslide::enclosure {

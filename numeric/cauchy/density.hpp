@@ -37,7 +37,6 @@ struct PanelDensity {
 
  private:
   static void multiply(R& value, const Power<R>& power, const R& distance) {
-    using std::pow;
     if (power.value != 0) value *= pow(distance, power.value);
   }
 };

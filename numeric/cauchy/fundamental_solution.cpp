@@ -1,14 +1,15 @@
 #include "numeric/cauchy/fundamental_solution.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <mutex>
+#include <numbers>
 #include <optional>
 
-#include "numeric/cauchy/distance_product.hpp"
-#include "numeric/cauchy/distant_powers.hpp"
+#include "numeric/hierarchical/line_sum.hpp"
 #include "numeric/number/power_product.hpp"
 
 namespace steadyslide::numeric {
-
 namespace {
 
 /// Calls visit(j, |e_j - e|) for all j < count to the left, given the distance from e to e_{count-1}, and likewise to
@@ -41,7 +42,145 @@ std::vector<Panel<R>> panels_from(R left, std::vector<R> lengths) {
   return panels;
 }
 
+std::vector<double> lengths_of(const std::vector<Panel<double>>& panels) {
+  std::vector<double> lengths;
+  lengths.reserve(panels.size());
+  for (const Panel<double>& panel : panels) lengths.push_back(panel.length);
+  return lengths;
+}
+
+hierarchical::LineSum sum_of(const std::vector<double>& lengths, const std::vector<Power<double>>& powers) {
+  std::vector<hierarchical::Source> sources;
+  std::vector<double> weights;
+  const auto add = [&](std::size_t panel, double from_left, double from_right, double power) {
+    if (power == 0) return;
+    sources.push_back({panel, from_left, from_right});
+    weights.push_back(power);
+  };
+  for (std::size_t k = 0; k < lengths.size(); ++k) add(k, 0, lengths[k], powers[k].value);
+  add(lengths.size() - 1, lengths.back(), 0, powers.back().value);
+  return {{hierarchical::LineSum::Kernel::logarithm}, lengths, sources, {weights}};
+}
+
 }  // namespace
+
+// prod d_j^{p_j} over distances d_j >= 0, factor by factor: in double by powers, above by one exponential of a sum of
+// logarithms.
+
+/// Those of R, and of the digits that are served with it: with ten to spare.
+template <Real R>
+inline constexpr int all_bits = std::numeric_limits<R>::digits;
+template <Real R>
+inline constexpr int served_bits = static_cast<int>(digits_served<R> / (std::numbers::ln2 / std::numbers::ln10)) + 11;
+
+template <>
+class DistanceProduct<double> {
+ public:
+  explicit DistanceProduct(int /*bits*/) {}
+  void multiply(double distance, const Power<double>& power) { value_ *= std::pow(distance, power.value); }
+  void set_one() { value_ = 1; }
+  double value() const { return value_; }
+
+ private:
+  double value_ = 1;
+};
+
+#ifndef STEADYSLIDE_DOUBLE_ONLY
+template <Real R>
+class DistanceProduct {
+ public:
+  /// So many bits are worked with (elementary.hpp).
+  explicit DistanceProduct(int bits) : product_(bits) {}
+  void multiply(const R& distance, const Power<R>& power) {
+    product_.multiply(distance.backend().data(), power.value.backend().data());
+  }
+  void set_one() { product_.set_one(); }
+  R value() const {
+    R result;
+    product_.value(result.backend().data());
+    return result;
+  }
+
+ private:
+  elementary::PowerProduct product_;
+};
+#endif
+
+// The logarithm of prod_j |x - e_j|^{p_j} over the points e_j that are far from x, by cells (numeric/hierarchical/), for the
+// fundamental solution of many points in double. The points near to x are left to the caller.
+
+class DistantPowers {
+ public:
+  /// Panels that follow each other, with one power more.
+  DistantPowers(const std::vector<Panel<double>>& panels, const std::vector<Power<double>>& powers);
+
+  /// At a place of panel k, its ends included: the sum over the far points, and visit(j, |e_j - x|) for the others.
+  template <class Visit>
+  double around(std::size_t k, double from_left, double from_right, const Visit& visit) const;
+  /// The same at the distance beyond the first point, or the last one, which is among the points visited.
+  template <class Visit>
+  double beyond(Side side, double distance, const Visit& visit) const;
+
+  /// An estimate of the sum's rounding error on panel k, over epsilon.
+  double rounding(std::size_t k) const;
+
+ private:
+  /// visit() for what panel k has of the points: its left end, and the last one.
+  template <class Visit>
+  void visit_panel(std::size_t k, double from_left, double from_right, const Visit& visit) const {
+    visit(k, from_left);
+    if (k + 1 == lengths_.size()) visit(k + 1, from_right);
+  }
+
+  std::vector<double> lengths_;
+  double size_ = 0;  ///< sum |p_j|
+  double hull_ = 0;
+  hierarchical::LineSum sum_;
+};
+
+template <class Visit>
+double DistantPowers::around(std::size_t k, double from_left, double from_right, const Visit& visit) const {
+  visit_panel(k, from_left, from_right, visit);
+  for (const auto& [panel, between] : sum_.near_to(k)) {
+    const double length = lengths_[panel];
+    if (panel < k) {
+      visit_panel(panel, from_left + between + length, from_left + between, visit);
+    } else {
+      visit_panel(panel, from_right + between, from_right + between + length, visit);
+    }
+  }
+  return sum_.far(0, k, from_left, from_right);
+}
+
+template <class Visit>
+double DistantPowers::beyond(Side side, double distance, const Visit& visit) const {
+  double sum = 0;
+  const hierarchical::PanelTree& tree = sum_.tree();
+  const auto takes = [&](std::size_t cell, Side sources, double from_here) {
+    const hierarchical::PanelTree::Cell& c = tree.cells()[cell];
+    const bool has_end = side == Side::left ? c.first == 0 : c.end == lengths_.size();
+    if (has_end || c.is_leaf() || !tree.is_far(cell, from_here)) return false;
+    sum += sum_.of_cell(0, cell, sources, from_here);
+    return true;
+  };
+  tree.beyond(side, distance, takes, [&](std::size_t panel, double gap, Side sources) {
+    const double other = gap + lengths_[panel];
+    visit_panel(panel, sources == Side::right ? gap : other, sources == Side::right ? other : gap, visit);
+  });
+  return sum;
+}
+
+DistantPowers::DistantPowers(const std::vector<Panel<double>>& panels, const std::vector<Power<double>>& powers)
+    : lengths_(lengths_of(panels)), sum_(sum_of(lengths_, powers)) {
+  for (const Power<double>& power : powers) size_ += std::abs(power.value);
+  for (const double length : lengths_) hull_ += length;
+}
+
+double DistantPowers::rounding(std::size_t k) const {
+  // Far points are at least as far away as the panel is long.
+  const double longest = std::max({1.0, std::abs(std::log(lengths_[k])), std::abs(std::log(hull_))});
+  return hierarchical::logarithm_rounding * size_ * longest;
+}
 
 template <Real R>
 struct FundamentalSolution<R>::LazyDistantPowers {
@@ -165,7 +304,6 @@ R FundamentalSolution<R>::smooth_modulus(std::size_t k, const Node<R>& node) con
 
 template <Real R>
 R FundamentalSolution<R>::modulus_beyond(Side side, const R& distance) const {
-  using std::pow;
   const Power<R>& end = side == Side::left ? powers_.front() : powers_.back();
   return pow(distance, end.value) * smooth_modulus_beyond(side, distance);
 }
@@ -192,7 +330,6 @@ R FundamentalSolution<R>::phase(std::size_t k) const {
 
 template <Real R>
 Complex<R> FundamentalSolution<R>::boundary(std::size_t k, const Node<R>& node, BoundaryLimit limit) const {
-  using std::cos, std::sin;
   const R size = modulus(k, node);
   const R angle = pi<R>() * phase(k) * (limit == BoundaryLimit::plus ? 1 : -1);
   return {size * cos(angle), size * sin(angle)};
@@ -200,7 +337,6 @@ Complex<R> FundamentalSolution<R>::boundary(std::size_t k, const Node<R>& node, 
 
 template <Real R>
 Complex<R> FundamentalSolution<R>::at(const Complex<R>& z) const {
-  using std::atan2, std::cos, std::exp, std::log, std::sin;
   R log_modulus = 0;
   R argument = 0;
   for (std::size_t j = 0; j < powers_.size(); ++j) {
@@ -214,7 +350,6 @@ Complex<R> FundamentalSolution<R>::at(const Complex<R>& z) const {
 
 template <Real R>
 R FundamentalSolution<R>::relative_error(std::size_t k, const Node<R>& node, const R& end_error) const {
-  using std::abs, std::log;
   R rounding = 2;
   R ends = 0;
   const auto add = [&](std::size_t j, const R& d) {
@@ -243,8 +378,6 @@ R FundamentalSolution<R>::relative_error(std::size_t k, const Node<R>& node, con
   return epsilon<R>() * rounding + ends;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R) template class FundamentalSolution<R>;
-STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
-#undef STEADYSLIDE_INSTANTIATE
+STEADYSLIDE_INSTANTIATE_CLASS(FundamentalSolution)
 
 }  // namespace steadyslide::numeric

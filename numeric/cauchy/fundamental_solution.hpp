@@ -6,7 +6,7 @@
 // cut along the contact [e_0, e_n] when the p_j sum to an integer S; Y ~ z^S at infinity. Panel k is ]e_k, e_{k+1}[.
 // On it Y+- = |Y| exp(+-i pi sigma_k), sigma_k = sum of p_j over e_j > x. [Bal16, theorem 36, reconstructed]
 //
-// In double a value with many points costs what those near to it cost: distant_powers.hpp.
+// In double a value with many points costs what those near to it cost: DistantPowers in the source.
 
 #include <memory>
 #include <span>

@@ -57,15 +57,11 @@ class InterpolatedFactor {
     return result;
   }
 
-  static R cosine(std::size_t k) {
-    using std::cos;
-    return cos(pi<R>() * static_cast<double>(k) / static_cast<double>(2 * nodes));
-  }
+  static R cosine(std::size_t k) { return cos(pi<R>() * static_cast<double>(k) / static_cast<double>(2 * nodes)); }
 
   /// `before`: what the part of twice this width has missed, relative.
   void resolve(const R& left, const R& width, int halvings, const R& before, const std::vector<R>& cosines,
                std::vector<Part>& result) const {
-    using std::abs;
     std::vector<R> values, series;
     for (std::size_t i = 0; i < nodes; ++i) {
       const R place = left + width * (1 + cosines[2 * i + 1]) / 2;

@@ -76,7 +76,6 @@ class SurfaceCheck {
   /// open. More digits than double's are made only for a gap that double cannot tell from 0.
   R penetration(std::size_t k, Side end, const R& distance, const R& rise) const {
     if constexpr (!std::same_as<R, double>) {
-      using std::abs;
       const auto profile = static_cast<double>(rise);
       const Estimate<double> surface = short_grid_
                                            ? short_grid_->rough_displacement(k, end, static_cast<double>(distance))

@@ -22,7 +22,6 @@ R euler_series(const R& c, const R& v) {
 /// What follows is smooth through a = 0 and used for |a| <= 1/4: pi/sin(pi a) - 1/a.
 template <Real R>
 R cosecant_rest(const R& a) {
-  using std::abs;
   const R square = pi<R>() * pi<R>() * a * a;
   // (x - sin x)/x^3 = 1/3! - x^2/5! + ...
   R term = R(1) / 6;
@@ -37,7 +36,6 @@ R cosecant_rest(const R& a) {
 /// (x^a - 1)/a, log(x) at a = 0. A long exponent is left to the power function, which keeps its digits.
 template <Real R>
 R power_quotient(const R& a, const R& x) {
-  using std::abs, std::expm1, std::log, std::pow;
   if (a == 0) return log(x);
   const R exponent = a * log(x);
   return (abs(exponent) < 1 ? expm1(exponent) : pow(x, a) - 1) / a;
@@ -46,7 +44,6 @@ R power_quotient(const R& a, const R& x) {
 /// x^a times f from whichever of a, 1 + a is smaller: the larger has lost what decides the power of a tiny x.
 template <Real R>
 R times_power(const R& f, const Power<R>& a, const R& x) {
-  using std::pow;
   return a.plus_one < 0.5 ? f * pow(x, a.plus_one) / x : f * pow(x, a.value);
 }
 
@@ -54,7 +51,6 @@ R times_power(const R& f, const Power<R>& a, const R& x) {
 
 template <Real R>
 R left_of(const Power<R>& a, const R& distance) {
-  using std::sin;
   const R v = 1 / (1 + distance);
   if (distance >= crossover) return v * euler_series(a.plus_one, v);
   // y^a = y^(a-1) ((y + d) - d)

@@ -12,7 +12,6 @@ namespace {
 
 template <Real R>
 Estimate<R> hilbert(const trapezoidal::Grid<R>& grid, const PanelPoint<R>& at) {
-  using std::abs;
   const R value = grid.hilbert(at);
   return {value, 100 * epsilon<R>() * (abs(value) + abs(grid.density()[at.panel](at.node)))};
 }
@@ -38,13 +37,11 @@ std::function<Estimate<R>(const PanelPoint<R>&)> hilbert_by(const PiecewiseDensi
 
 template <Real R>
 Estimate<R> SlidingTerms<R>::sum() const {
-  using std::abs;
   return hilbert + Estimate<R>{friction, 4 * epsilon<R>() * abs(friction)};
 }
 
 template <Real R>
 R SlidingTerms<R>::residual(const R& slope) const {
-  using std::abs, std::max;
   const R scale = max({abs(slope), abs(friction), abs(hilbert.value), abs(traction)});
   return abs(sum().value - slope) / scale;
 }

@@ -25,7 +25,6 @@ PanelDensity<R> panel_density(const RiemannHilbertForm<R>& form, std::size_t seg
   const bool right_is_smooth = p_right != right.value;
   const auto smooth = [&form, &p_left, &p_right, segment, factor, left_is_smooth,
                        right_is_smooth](const Node<R>& node) {
-    using std::pow;
     const SurfacePoint<R> at{static_cast<std::ptrdiff_t>(segment), node};
     R value = factor * form.y().smooth_modulus(segment, node) * form.regular_value(form.slope_at(segment), at);
     if (left_is_smooth) value *= pow(node.from_left, p_left);

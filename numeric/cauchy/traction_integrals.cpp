@@ -4,12 +4,133 @@
 #include <cmath>
 #include <functional>
 
-#include "numeric/cauchy/distant_tractions.hpp"
 #include "numeric/cauchy/interpolated_density.hpp"
+#include "numeric/hierarchical/cell_moments.hpp"
 #include "numeric/hierarchical/line_sum.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
+#include "numeric/solution/piecewise_traction.hpp"
 
 namespace steadyslide::numeric {
+
+// What the shear t_t = r_k t on many panels does to a place x in or beside one with the ratio r:
+//
+//   sum_k (r_k - r) (1/pi) int_k t/(x'-x) dx',
+//
+// in double. Panels that are far from x stand together in cells (numeric/hierarchical/), their sources the nodes of the rules
+// by which every method tells its traction (piecewise_traction.hpp): a place costs O(log n). Those that are near are left to
+// the caller. A rule is right for functions whose poles are a panel's length away, and a cell is far where that holds.
+
+class DistantTractions {
+ public:
+  /// Segment k of the traction is panel k of the density, all lengths `unit` times as long.
+  DistantTractions(const PiecewiseDensity<double>& density, const PiecewiseTraction<double>& traction, double unit)
+      : DistantTractions(line_of(density, traction, unit)) {}
+
+  /// The sum over far panels, and visit(k, side, distance) for the others, x on that side of panel k. The panel that x is in is
+  /// left out: its ratio is r.
+  template <class Visit>
+  Estimate<double> around(const LinePlace<double>& place, double ratio, const Visit& visit) const;
+
+ private:
+  /// Panels and the gaps between them.
+  struct Line {
+    std::vector<double> lengths;
+    std::vector<std::size_t> leaf_of;   ///< by panel
+    std::vector<std::size_t> panel_of;  ///< by leaf
+    std::vector<hierarchical::Source> sources;
+    /// Forces times r_k, forces, and what the sum of both may be wrong by.
+    std::vector<std::vector<double>> weights{3};
+  };
+  static Line line_of(const PiecewiseDensity<double>& density, const PiecewiseTraction<double>& traction, double unit);
+  explicit DistantTractions(Line line);
+  /// What a cell at this distance, on that side of x, has of the sum.
+  Estimate<double> of_cell(std::size_t cell, Side side, double distance, double ratio) const;
+
+  Line line_;
+  hierarchical::CellMoments moments_;
+};
+
+template <class Visit>
+Estimate<double> DistantTractions::around(const LinePlace<double>& place, double ratio, const Visit& visit) const {
+  const hierarchical::PanelTree& tree = moments_.tree();
+  Estimate<double> sum{0, 0};
+  const auto takes = [&](std::size_t cell, Side side, double distance) {
+    if (!tree.is_far(cell, distance)) return false;
+    sum += of_cell(cell, side, distance, ratio);
+    return true;
+  };
+  const auto near = [&](std::size_t leaf, double distance, Side side) {
+    visit(line_.panel_of[leaf], opposite(side), distance);
+  };
+  if (place.inside) {
+    tree.around(line_.leaf_of[place.panels], place.inside->from_left, place.inside->from_right, takes, near);
+  } else if (place.panels == 0) {
+    tree.beyond(Side::left, place.to_right, takes, near);
+  } else if (place.panels == line_.leaf_of.size()) {
+    tree.beyond(Side::right, place.to_left, takes, near);
+  } else if (const std::size_t before = line_.leaf_of[place.panels - 1]; before + 1 < line_.leaf_of[place.panels]) {
+    tree.around(before + 1, place.to_left, place.to_right, takes, near);
+  } else {
+    // Where two panels meet: the end of the one on the left.
+    visit(place.panels - 1, Side::right, 0.0);
+    tree.around(before, line_.lengths[before], 0.0, takes, near);
+  }
+  return sum;
+}
+
+DistantTractions::Line DistantTractions::line_of(const PiecewiseDensity<double>& density,
+                                                 const PiecewiseTraction<double>& traction, double unit) {
+  Line line;
+  double largest = 0;
+  for (const TractionPanel<double>& panel : traction.panels()) largest = std::max(largest, std::abs(panel.shear_ratio));
+  TractionNodes<double> nodes;  // from the singular end of a panel
+  for (std::size_t k = 0; k < density.size(); ++k) {
+    const auto add_leaf = [&](double length) {
+      line.panel_of.push_back(k);
+      line.lengths.push_back(length);
+    };
+    if (density[k].gap > 0) add_leaf(density[k].gap);
+    const std::size_t leaf = line.lengths.size();
+    line.leaf_of.push_back(leaf);
+    const double length = density[k].panel.length;
+    add_leaf(length);
+    double before = 0;
+    for (const TractionPanel<double>& panel : traction.segment(k)) {
+      nodes.clear();
+      traction.append_nodes(panel, nodes);
+      const double error = panel.error + 32 * epsilon<double>();
+      const bool backwards = panel.singular_end == Side::right;
+      for (std::size_t n = 0; n < nodes.forces.size(); ++n) {
+        const std::size_t i = backwards ? nodes.forces.size() - 1 - n : n;
+        const double from_left = before + nodes.from_left[i] / unit;
+        const double force = nodes.forces[i] / unit;
+        line.sources.push_back({leaf, from_left, std::max(length - from_left, 0.0)});
+        line.weights[0].push_back(panel.shear_ratio * force);
+        line.weights[1].push_back(force);
+        line.weights[2].push_back((std::abs(panel.shear_ratio) + largest) * std::abs(force) * error);
+      }
+      before += panel.length / unit;
+    }
+  }
+  return line;
+}
+
+DistantTractions::DistantTractions(Line line)
+    : line_(std::move(line)), moments_(line_.lengths, line_.sources, line_.weights) {}
+
+Estimate<double> DistantTractions::of_cell(std::size_t cell, Side side, double distance, double ratio) const {
+  // From the centre c: 1/(x'-x) = -+(1/D) sum_k r^k u^k, D = |x - c|.
+  const double h = moments_.tree().cells()[cell].extent / 2;
+  const double to_centre = h + distance;
+  const double sign = side == Side::left ? -1 : 1;
+  const double r = -sign * h / to_centre;
+  hierarchical::CellMoments::Series series;
+  series[0] = 1 / (pi<double>() * to_centre);
+  for (std::size_t k = 1; k < series.size(); ++k) series[k] = r * series[k - 1];
+  const auto sum = [&](std::size_t s) { return moments_.weighted(cell, s, series); };
+  return {sign * (sum(0) - ratio * sum(1)), sum(2)};
+}
+
 namespace {
 
 /// int t over the part of a panel between one of its ends and a node, in the half at that end.
@@ -103,7 +224,6 @@ Estimate<R> TractionIntegrals<R>::shear_slope(const LinePlace<R>& place, const E
 template <Real R>
 Estimate<R> TractionIntegrals<R>::limit(const LinePlace<R>& place, Side side, const TwoSided<R>& traction,
                                         const TwoSided<R>& slope) const {
-  using std::isinf;
   const auto infinite = [](const R& sign) { return Estimate<R>{sign > 0 ? infinity<R>() : -infinity<R>(), R(0)}; };
   const bool on_left = side == Side::left;
   const bool touches_left = place.to_left == 0;
@@ -139,8 +259,6 @@ TwoSided<R> TractionIntegrals<R>::shear_slope(const LinePlace<R>& place, const T
   return {limit(place, Side::left, traction, slope), limit(place, Side::right, traction, slope)};
 }
 
-#define STEADYSLIDE_INSTANTIATE(R) template class TractionIntegrals<R>;
-STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
-#undef STEADYSLIDE_INSTANTIATE
+STEADYSLIDE_INSTANTIATE_CLASS(TractionIntegrals)
 
 }  // namespace steadyslide::numeric

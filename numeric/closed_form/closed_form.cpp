@@ -1,18 +1,34 @@
 #include "numeric/closed_form/closed_form.hpp"
 
 #include <algorithm>
+#include <bit>
 
+#include "numeric/cauchy/panel_finder.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/solution/largest_pressure.hpp"
 
 namespace steadyslide::numeric {
+namespace {
+
+template <Real R>
+TwoSided<R> both(const Estimate<R>& value) {
+  return {value, value};
+}
+
+/// A value with what a few operations leave of rounding.
+template <Real R>
+Estimate<R> rounded(const R& value) {
+  return Estimate<R>{value, R(0)}.widened(4 * epsilon<R>());
+}
+
+}  // namespace
+
 template <Real R>
 ClosedForm<R>::ClosedForm(ContactProblem problem, ClosedFormData<R> data)
     : problem_(std::move(problem)), data_(std::move(data)) {}
 
 template <Real R>
 Estimate<R> ClosedForm<R>::coordinate(std::size_t j) const {
-  using std::abs;
   if (data_.exact[j]) {
     const R x = to_real<R>(data_.origin + *data_.exact[j]);
     return {x, epsilon<R>() * abs(x)};
@@ -30,7 +46,6 @@ R ClosedForm<R>::relative_error(std::size_t panel, int times) const {
 
 template <Real R>
 Estimate<R> ClosedForm<R>::intensity(std::size_t j) const {
-  using std::abs, std::log;
   const std::size_t last = weight().panel_count();
   R theta = abs(data_.factor) * weight().amplitude(j);
   // At an end theta carries the cos(pi alpha) of the contact side; at a jump the definition takes it out.
@@ -95,7 +110,6 @@ Resultants<R> ClosedForm<R>::resultants() const {
 
 template <Real R>
 Resultants<R> ClosedForm<R>::integrated() const {
-  using std::abs;
   std::vector<Estimate<R>> on_pieces(problem_.friction().values().size());
   for (std::size_t k = 0; k < loads().size(); ++k) on_pieces[data_.first_piece + k] = -loads()[k];
   Resultants<R> result = resultants_of(on_pieces, problem_.friction().values());
@@ -135,7 +149,6 @@ const std::vector<Estimate<R>>& ClosedForm<R>::loads() const {
 
 template <Real R>
 LargestPressure<R> ClosedForm<R>::largest_pressure() const {
-  using std::abs;
   if (const auto infinite = infinite_pressure(singular_points())) return *infinite;
   std::vector<R> lengths;
   for (std::size_t k = 0; k < weight().panel_count(); ++k) lengths.push_back(weight().panel(k).length);
@@ -152,7 +165,6 @@ LargestPressure<R> ClosedForm<R>::largest_pressure() const {
 
 template <Real R>
 EstimatedError<R> ClosedForm<R>::estimated_error() const {
-  using std::abs, std::max;
   EstimatedError<R> worst{0, 0, 0};
   const R width = weight().point(weight().panel_count()) - weight().point(0);
   worst.ends = max(data_.end_error / width, epsilon<R>());
@@ -181,7 +193,6 @@ R ClosedForm<R>::gap_length(Side side) const {
 
 template <Real R>
 Residuals<R> ClosedForm<R>::residuals() const {
-  using std::abs, std::max;
   const R load = to_real<R>(problem_.load());
   const R width = weight().point(weight().panel_count()) - weight().point(0);
   Residuals<R> result;
@@ -252,8 +263,261 @@ const TractionIntegrals<R>& ClosedForm<R>::integrals() const {
   });
 }
 
-#define STEADYSLIDE_INSTANTIATE(R) template class ClosedForm<R>;
-STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
-#undef STEADYSLIDE_INSTANTIATE
+// The closed form at places of the surface.
+
+template <Real R>
+Sample<R> ClosedForm<R>::inside(std::size_t panel, const Node<R>& node, const R& traction) const {
+  const Estimate<R> estimate =
+      Estimate<R>{traction, R(0)}.widened(weight().relative_error(panel, node, data_.end_error));
+  const R slope = to_real<R>(problem_.elasticity().compliance()) * profile_slope(node.x);
+  return {to_real<R>(data_.origin) + node.x, both(estimate),
+          both(shear_of(problem_, data_.first_piece + panel, estimate)), Estimate<R>{}, both(rounded(slope))};
+}
+
+template <Real R>
+Estimate<R> ClosedForm<R>::limit_at_point(std::size_t j, Side side) const {
+  if (side == Side::left ? j == 0 : j == weight().panel_count()) return {};  // no contact on that side
+  const int sign = data_.exponents[j].sign();
+  if (sign > 0) return {};
+  if (sign < 0) return {-infinity<R>(), 0};
+  const std::size_t panel = side == Side::left ? j - 1 : j;
+  const R t = traction(panel, weight().panel(panel).node_from(opposite(side), R(0)));
+  return Estimate<R>{t, R(0)}.widened(relative_error(panel, 4));
+}
+
+template <Real R>
+Sample<R> ClosedForm<R>::at_point(std::size_t j) const {
+  const std::size_t last = weight().panel_count();
+  Sample<R> sample;
+  sample.x = coordinate(j).value;
+  sample.traction = {limit_at_point(j, Side::left), limit_at_point(j, Side::right)};
+  const std::size_t right = data_.first_piece + j;
+  sample.shear = {j == 0 ? Estimate<R>{} : shear_of(problem_, right - 1, sample.traction.left),
+                  j == last ? Estimate<R>{} : shear_of(problem_, right, sample.traction.right)};
+  sample.gap = Estimate<R>{};
+  const R slope = to_real<R>(problem_.elasticity().compliance()) * profile_slope(weight().point(j));
+  sample.slope = both(rounded(slope));
+  if (data_.ends == SingularKind::edge) {
+    if (j == 0) sample.slope.left = {-infinity<R>(), 0};
+    if (j == last) sample.slope.right = {infinity<R>(), 0};
+  }
+  return sample;
+}
+
+/// psi - u - C beyond an end, psi continued: negative beside a punch.
+template <Real R>
+Estimate<R> ClosedForm<R>::below_profile(Side side, const R& distance) const {
+  // Its derivative is c N |Y| away from the contact, with the power of the end absorbed by the rule.
+  const PanelDensity<R> integrand{
+      {R(0), distance, distance},
+      side == Side::left ? weight().powers().front() : weight().powers().back(),
+      {R(0), R(1)},
+      [&](const Node<R>& node) { return data_.factor * weight().smooth_modulus_beyond(side, node.from_left); }};
+  return to_real<R>(problem_.elasticity().compliance()) *
+         tanh_sinh::panel_integral(integrand).widened(4 * relative_error_beyond(side, distance));
+}
+
+template <Real R>
+R ClosedForm<R>::relative_error_beyond(Side side, const R& distance) const {
+  return relative_error(side == Side::left ? 0 : weight().panel_count() - 1, 1) + data_.end_error / distance;
+}
+
+template <Real R>
+Sample<R> ClosedForm<R>::outside(Side side, const R& distance) const {
+  const std::size_t last = weight().panel_count();
+  const R x = side == Side::left ? weight().point(0) - distance : weight().point(last) + distance;
+  const R c = to_real<R>(problem_.elasticity().compliance());
+  // u'/c = psi'/c - N Y, and Y is -|Y| to the left of the contact: the powers sum to an odd number.
+  const R ny = data_.factor * weight().modulus_beyond(side, distance);
+  const R profile = profile_slope(x);
+  const R slope = c * (side == Side::left ? profile + ny : profile - ny);
+  const R slope_error = c * (4 * epsilon<R>() * abs(profile) + relative_error_beyond(side, distance) * abs(ny));
+
+  Sample<R> sample;
+  sample.x = to_real<R>(data_.origin) + x;
+  sample.slope = both(Estimate<R>{slope, slope_error});
+  if (distance <= gap_length(side)) sample.gap = below_profile(side, distance);
+  return sample;
+}
+
+template <Real R>
+typename ClosedForm<R>::Place ClosedForm<R>::locate(const Rational& x) const {
+  const Rational exact = x - data_.origin;
+  const R from_origin = to_real<R>(exact);
+  const std::size_t last = weight().panel_count();
+  const auto distance_from = [&](std::size_t j) {
+    return data_.exact[j] ? to_real<R>(exact - *data_.exact[j]) : from_origin - weight().point(j);
+  };
+  if (distance_from(0) < 0) return {0, {}, Side::left, -distance_from(0)};
+  if (distance_from(last) > 0) return {last - 1, {}, Side::right, distance_from(last)};
+  // The last of the points 0..last-1 on the left of x, 0 if none is.
+  std::size_t k = 0;
+  for (std::size_t step = std::bit_floor(last); step > 0; step /= 2) {
+    if (k + step < last && distance_from(k + step) > 0) k += step;
+  }
+  for (const std::size_t j : {k, k + 1}) {
+    if (distance_from(j) == 0) return {j};
+  }
+  return {k, Node<R>{from_origin, distance_from(k), -distance_from(k + 1)}};
+}
+
+template <Real R>
+Sample<R> ClosedForm<R>::at(const Place& place) const {
+  if (place.beyond) return outside(*place.beyond, place.distance);
+  if (!place.inside) return at_point(place.panel);
+  return inside(place.panel, *place.inside, traction(place.panel, *place.inside));
+}
+
+template <Real R>
+Sample<R> ClosedForm<R>::at(const Rational& x) const {
+  Sample<R> sample = at(locate(x));
+  sample.x = to_real<R>(x);
+  return sample;
+}
+
+template <Real R>
+void ClosedForm<R>::tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) const {
+  std::ranges::fill(normal, R(0));
+  std::ranges::fill(shear, R(0));
+  std::vector<Rational> ends;
+  for (std::size_t j = 0; j < data_.exact.size(); ++j) {
+    ends.push_back(data_.origin + data_.exact[j].value_or(Rational(weight().point(j))));
+  }
+  PanelFinder<R>(ends, 1).visit(
+      x,
+      [&](std::size_t panel, std::size_t first, std::span<const R> from_left, std::span<const R> from_right) {
+        const std::span<R> values = normal.subspan(first, from_left.size());
+        data_.traction(panel, from_left, from_right, values);
+        const R ratio = to_real<R>(problem_.shear_ratio(data_.first_piece + panel));
+        for (std::size_t i = 0; i < values.size(); ++i) shear[first + i] = ratio * values[i];
+      },
+      [&](std::size_t i) {
+        ContactSolution<R>::tractions(x.subspan(i, 1), normal.subspan(i, 1), shear.subspan(i, 1));
+      });
+}
+
+template <Real R>
+std::vector<std::pair<typename ClosedForm<R>::Place, R>> ClosedForm<R>::places(int count) const {
+  std::vector<std::pair<Place, R>> result;
+  const auto add_gap = [&](Side side) {
+    const R length = gap_length(side);
+    if (length == 0) return;
+    for (int i = 0; i < count; ++i) {
+      // From left to right: towards the contact on the left of it, away from it on the right.
+      const auto [forth, back] = chebyshev_position<R>(i, count);
+      const std::size_t panel = side == Side::left ? 0 : weight().panel_count() - 1;
+      result.push_back({{panel, {}, side, length * (side == Side::left ? back : forth)}, R(0)});
+    }
+  };
+  add_gap(Side::left);
+  const std::size_t panels = weight().panel_count();
+  const R width = weight().point(panels) - weight().point(0);
+  // Each panel gets its part of the count, half of it by number and half by length.
+  const auto points_before = [&](std::size_t k) {
+    const R part = R(static_cast<double>(k)) / static_cast<double>(panels);
+    const R length = (weight().point(k) - weight().point(0)) / width;
+    return k == panels ? count : static_cast<int>(count * (part + length) / 2);
+  };
+  for (std::size_t k = 0; k < panels; ++k) {
+    const int n = points_before(k + 1) - points_before(k);
+    const Panel<R>& panel = weight().panel(k);
+    std::vector<R> from_left, from_right, tractions(static_cast<std::size_t>(n));
+    for (int i = 0; i < n; ++i) {
+      const auto [left, right] = chebyshev_position<R>(i, n);
+      from_left.push_back(left * panel.length);
+      from_right.push_back(right * panel.length);
+    }
+    data_.traction(k, from_left, from_right, tractions);
+    for (std::size_t i = 0; i < tractions.size(); ++i) {
+      const R& left = from_left[i];
+      const R& right = from_right[i];
+      const Node<R> node{left < right ? panel.left + left : panel.right - right, left, right};
+      result.push_back({{k, node}, tractions[i]});
+    }
+  }
+  add_gap(Side::right);
+  return result;
+}
+
+template <Real R>
+Sample<R> ClosedForm<R>::sample(const std::pair<Place, R>& at) const {
+  const auto& [place, traction] = at;
+  return place.inside ? inside(place.panel, *place.inside, traction) : this->at(place);
+}
+
+template <Real R>
+std::vector<Sample<R>> ClosedForm<R>::samples(int count) const {
+  std::vector<Sample<R>> result;
+  for (const auto& place : places(count)) result.push_back(sample(place));
+  return result;
+}
+
+template <Real R>
+std::vector<DetailedSample<R>> ClosedForm<R>::detailed_samples(int count) const {
+  std::vector<DetailedSample<R>> result;
+  for (const auto& place : places(count)) result.push_back(detailed(place.first, sample(place)));
+  return result;
+}
+
+template <Real R>
+DetailedSample<R> ClosedForm<R>::details_at(const Rational& x) const {
+  const Place place = locate(x);
+  DetailedSample<R> result = detailed(place, at(place));
+  result.x = to_real<R>(x);
+  return result;
+}
+
+template <Real R>
+Estimate<R> ClosedForm<R>::height(const Place& place) const {
+  R x = place.inside ? place.inside->x : weight().point(place.panel);
+  if (place.beyond == Side::left) x = weight().point(0) - place.distance;
+  if (place.beyond == Side::right) x = weight().point(weight().panel_count()) + place.distance;
+  const R profile = to_real<R>(problem_.elasticity().compliance()) * profile_slope(x) * x / 2;
+  const Estimate<R> height = rounded(profile);
+  return place.beyond ? height - below_profile(*place.beyond, place.distance) : height;
+}
+
+template <Real R>
+DetailedSample<R> ClosedForm<R>::detailed(const Place& place, const Sample<R>& sample) const {
+  const std::size_t k = place.panel;
+  const std::size_t last = weight().panel_count();
+  DetailedSample<R> result{sample, {}, {}, {}, {}};
+  result.displacement =
+      height(place) - height_at_origin_([this] { return height(locate(problem_.origin_of_displacement())); });
+
+  const R c = to_real<R>(problem_.elasticity().compliance());
+  const auto reduced = [&](const Estimate<R>& slope) { return slope / c; };
+  LinePlace<R> at{0, infinity<R>(), infinity<R>()};
+  if (place.beyond) {
+    const bool left = place.beyond == Side::left;
+    (left ? at.to_right : at.to_left) = place.distance;
+    if (!left) at.panels = last;
+    if (place.distance <= gap_length(*place.beyond)) {
+      const auto piece = [&](Side side) { return problem_.friction().piece(Rational(sample.x), side); };
+      result.friction = {piece(Side::left), piece(Side::right)};
+    }
+  } else if (place.inside) {
+    at = {k, place.inside->from_left, place.inside->from_right, place.inside};
+    result.friction = {data_.first_piece + k, data_.first_piece + k};
+  } else {
+    at.panels = k;
+    if (k > 0) at.to_left = 0;
+    if (k < last) at.to_right = 0;
+    result.friction = {data_.first_piece + (k > 0 ? k - 1 : k), data_.first_piece + std::min(k, last - 1)};
+  }
+  result.cumulative_load = integrals().load_before(at);
+  if (place.is_point()) {
+    result.shear_slope =
+        integrals().shear_slope(at, sample.traction, {reduced(sample.slope.left), reduced(sample.slope.right)});
+  } else {
+    result.cumulative_load.error += 2 * data_.end_error * abs(sample.traction.left.value);
+    result.shear_slope = both(integrals().shear_slope(at, sample.traction.left, reduced(sample.slope.left)));
+  }
+  result.shear_slope.left *= c;
+  result.shear_slope.right *= c;
+  return result;
+}
+
+STEADYSLIDE_INSTANTIATE_CLASS(ClosedForm)
 
 }  // namespace steadyslide::numeric

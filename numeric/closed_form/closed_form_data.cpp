@@ -18,7 +18,6 @@ std::optional<Polynomial> common_profile(const Indenter& indenter) {
 /// Amplitudes -|N| cos(pi alpha) on the panels, which are the friction pieces from `first_piece` on.
 template <Real R>
 std::vector<R> amplitudes(const ContactProblem& problem, std::size_t first_piece, std::size_t panels, const R& factor) {
-  using std::abs;
   std::vector<R> result;
   result.reserve(panels);
   for (std::size_t k = 0; k < panels; ++k) {

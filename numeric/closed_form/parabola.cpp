@@ -37,7 +37,6 @@ class Candidate {
   }
 
   ParabolaZone<R> zone(const R& K) const {
-    using std::abs, std::sqrt;
     const R p0 = left_power();
     const R pe = right_power();
     const R q = p0 + pe;

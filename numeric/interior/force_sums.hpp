@@ -55,7 +55,6 @@ void add_force(std::array<R, 4>& sums, const R& force, const R& x, const R& z) {
 /// How many moments make the sums right to epsilon.
 template <Real R>
 std::size_t moment_count() {
-  using std::log;
   static const std::size_t count = static_cast<std::size_t>(static_cast<int>(-log(epsilon<R>()) / log(R(3)))) + 16;
   return count;
 }
@@ -76,7 +75,6 @@ void add_moments(const R* from, const R& scale, const R& shift, R* to) {
 /// Adds forces with these moments, (x, z) relative to c.
 template <Real R>
 void add_far_forces(ForceSums<R>& sums, const R* normal, const R* tangential, const R& h, const R& x, const R& z) {
-  using std::sqrt;
   const std::size_t count = moment_count<R>() - 3;
   const R distance = sqrt(x * x + z * z);
   const R q = x / distance;

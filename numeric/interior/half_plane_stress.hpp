@@ -36,7 +36,6 @@ struct StressComponents {
 /// Of a force (normal, tangential) seen from (x, z) relative to where it acts, z > 0.
 template <Real R>
 StressComponents<R> stress_of_force(const R& normal, const R& tangential, const R& x, const R& z) {
-  using std::sqrt;
   const R r = sqrt(x * x + z * z);
   const R c = x / r;
   const R s = z / r;

@@ -19,7 +19,6 @@ void check_below_surface(const Depth& z) {
 template <Real R>
 void add_sums(const std::array<R, 4>& sums, const TractionPanel<R>& panel, const R& error, bool straddles,
               ForceSums<R>& to) {
-  using std::abs;
   const R tangential_error = abs(panel.shear_ratio) * error;
   for (std::size_t j = 0; j < 4; ++j) {
     R size = abs(sums[j]);
@@ -90,7 +89,6 @@ void InteriorStress<R>::add_panel_moments(std::size_t k, const Cell& cell, R* no
 
 template <Real R>
 void InteriorStress<R>::gather(std::size_t first, std::size_t end) {
-  using std::abs;
   const auto& panels = traction_.panels();
   const std::size_t index = cells_.size();
   const R half = (panels[end - 1].right - panels[first].left) / 2;
@@ -140,7 +138,6 @@ const R& InteriorStress<R>::from_left(const TractionPanel<R>& panel, std::size_t
 
 template <Real R>
 void InteriorStress<R>::add(std::size_t index, const Point& point, Sums& sums) const {
-  using std::abs, std::sqrt;
   const Cell& cell = cells_[index];
   if (cell.end - cell.first >= fewest_panels_with_moments) {
     const R x = point.x - cell.centre;
@@ -168,7 +165,6 @@ void InteriorStress<R>::add(std::size_t index, const Point& point, Sums& sums) c
 
 template <Real R>
 void InteriorStress<R>::add_panel(std::size_t k, const Point& point, Sums& sums) const {
-  using std::abs, std::sqrt;
   const TractionPanel<R>& panel = traction_.panels()[k];
   const R x_left = point.x - panel.left;
   const R x_right = point.x - panel.right;
@@ -195,7 +191,6 @@ void InteriorStress<R>::add_panel(std::size_t k, const Point& point, Sums& sums)
 template <Real R>
 void InteriorStress<R>::add_part(const TractionPanel<R>& panel, const PanelPart<R>& part, const R& x_left,
                                  const R& x_right, const R& z, const R& reach, Sums& sums) const {
-  using std::abs;
   sums.nodes.clear();
   traction_.append_nodes(panel, part, sums.nodes);
   std::array<R, 4> of_part{};
@@ -218,7 +213,6 @@ void InteriorStress<R>::add_part(const TractionPanel<R>& panel, const PanelPart<
 template <Real R>
 void InteriorStress<R>::add_near(const TractionPanel<R>& panel, const R& x_left, const R& x_right, const R& z,
                                  Sums& sums) const {
-  using std::sqrt;
   const R& from_end = panel.singular_end == Side::right ? x_right : x_left;
   const R reach = sqrt(from_end * from_end + z * z);
   PanelPart<R> whole{R(0), panel.length, R(0)};
@@ -285,8 +279,6 @@ void InteriorStress<R>::at(std::span<const R> x, std::span<const R> z, std::span
   }
 }
 
-#define STEADYSLIDE_INSTANTIATE(R) template class InteriorStress<R>;
-STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
-#undef STEADYSLIDE_INSTANTIATE
+STEADYSLIDE_INSTANTIATE_CLASS(InteriorStress)
 
 }  // namespace steadyslide::numeric

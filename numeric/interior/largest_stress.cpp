@@ -23,7 +23,6 @@ class Maximum {
 
   /// All maxima that the highest places found by scanning lead to, the highest one first.
   std::vector<Place<R>> highest() const {
-    using std::abs;
     std::vector<Place<R>> places = scan();
     std::ranges::sort(places, [](const Place<R>& a, const Place<R>& b) { return a.value > b.value; });
     std::vector<Place<R>> starts;
@@ -73,7 +72,6 @@ class Maximum {
 
   /// Towards the end x of a panel, where a power near 0 may have its maximum at any scale that x has digits for.
   void add_beside(const R& x, const R& length, std::vector<Place<R>>& places) const {
-    using std::abs;
     const R shortest = std::max(least_, R(64 * epsilon<R>() * abs(x)));
     for (R scale = length / 8; scale > shortest; scale /= 4) {
       for (int i = -1; i <= 1; ++i) places.push_back(scanned(x + i * scale, scale, scale));
@@ -84,7 +82,6 @@ class Maximum {
   /// Climbs to the nearest maximum, and is never lower than `start`. `scale` is then how far away it may be.
   Place<R> climbed(const Place<R>& start) const {
     Place<R> at = start;
-    using std::abs, std::max, std::pow;
     R h = std::min(at.scale, max(at.z, R(at.scale / 8))) / 8;
     // Of smaller differences rounding leaves less than what the cubic terms of this one do.
     const R smallest = pow(epsilon<R>(), R(0.25)) * at.scale;
@@ -128,7 +125,6 @@ class Maximum {
   }
 
   Stencil stencil(const Place<R>& at, const R& h) const {
-    using std::abs, std::sqrt;
     R f[3][3];  // along x, along z
     Stencil result{at, false, R(0), R(0)};
     const bool at_surface = at.z - h < least_;
@@ -173,7 +169,7 @@ template <Real R>
 std::vector<Estimate<R>> unbounded_places(const ContactSolution<R>& solution) {
   std::vector<Estimate<R>> result;
   for (const SolvedSingularPoint<R>& point : solution.singular_points()) {
-    if (!point.exponent || point.exponent->sign() < 0 || point.kind == SingularKind::wedge_and_jump) {
+    if (!point.exponent || point.exponent->sign() < 0 || local_form(point.kind).has_constant) {
       result.push_back(point.x);
     }
   }
@@ -191,7 +187,6 @@ R default_depth(const ContactSolution<R>& solution) {
 
 template <Real R>
 std::optional<LargestStress<R>> largest_stress(const InteriorStress<R>& stress, const R& depth) {
-  using std::abs, std::sqrt;
   if (!(depth >= 0)) throw std::invalid_argument("depth");
   const std::vector<TractionPanel<R>>& panels = stress.traction().panels();
   if (!stress.traction().elasticity().half_space() || panels.empty()) return std::nullopt;

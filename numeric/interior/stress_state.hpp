@@ -40,7 +40,6 @@ struct StressState {
   }
 
   std::optional<Estimate<R>> von_mises() const {
-    using std::sqrt;
     if (!yy) return std::nullopt;
     const R a = xx.value - yy->value;
     const R b = yy->value - zz.value;
@@ -52,7 +51,6 @@ struct StressState {
   }
 
   Estimate<R> largest_shear() const {
-    using std::sqrt;
     const R half = (xx.value - zz.value) / 2;
     const R value = sqrt(half * half + xz.value * xz.value);
     return {value, (xx.error + zz.error) / 2 + xz.error + 4 * epsilon<R>() * value, xx.convergence};

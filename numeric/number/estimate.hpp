@@ -29,7 +29,6 @@ struct Estimate {
     return *this;
   }
   Estimate& operator*=(const R& factor) {
-    using std::abs;
     value *= factor;
     error *= abs(factor);
     return *this;
@@ -40,25 +39,19 @@ struct Estimate {
   friend Estimate operator-(Estimate a, const Estimate& b) { return a += -b; }
   friend Estimate operator*(const R& factor, Estimate a) { return a *= factor; }
   friend Estimate operator/(const Estimate& a, const R& divisor) {
-    using std::abs;
     return {a.value / divisor, a.error / abs(divisor), a.convergence};
   }
   friend Estimate operator*(const Estimate& a, const Estimate& b) {
-    using std::abs;
     return {a.value * b.value, abs(b.value) * a.error + abs(a.value) * b.error, worse(a, b)};
   }
   friend Estimate operator/(const Estimate& a, const Estimate& b) {
-    using std::abs;
     const R quotient = a.value / b.value;
     const R size = abs(b.value);
     return {quotient, a.error / size + b.error / size * abs(quotient), worse(a, b)};
   }
 
   /// The same value with `relative` of its size more as its error.
-  Estimate widened(const R& relative) const {
-    using std::abs;
-    return {value, error + relative * abs(value), convergence};
-  }
+  Estimate widened(const R& relative) const { return {value, error + relative * abs(value), convergence}; }
 
  private:
   static Convergence worse(const Estimate& a, const Estimate& b) {

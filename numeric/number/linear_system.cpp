@@ -6,7 +6,6 @@ namespace steadyslide::numeric {
 
 template <Real R>
 std::optional<std::vector<R>> solve_linear(std::vector<std::vector<R>> rows) {
-  using std::abs;
   const std::size_t n = rows.size();
   for (std::vector<R>& row : rows) {
     R largest = 0;

@@ -17,7 +17,6 @@ double nearest_double(const Rational& value) {
 
 template <class R>
 bool touch_limits() {
-  using std::isnan;
   using Limits = std::numeric_limits<R>;
   return Limits::epsilon() < Limits::round_error() && (Limits::min)() < (Limits::max)() &&
          (Limits::max)() < Limits::infinity() && isnan(Limits::quiet_NaN());

@@ -37,7 +37,6 @@ struct Panel {
 /// place for a sample, denser towards both ends, where tractions are singular.
 template <Real R>
 std::pair<R, R> chebyshev_position(int i, int n) {
-  using std::cos, std::sin;
   const R angle = pi<R>() * (2 * i + 1) / (4 * n);
   const R s = sin(angle);
   const R c = cos(angle);

@@ -4,14 +4,12 @@ namespace steadyslide::numeric {
 
 template <Real R>
 R to_real(const Exponent& exponent) {
-  using std::atan;
   const Exponent::Reduced reduced = exponent.reduced();
   return to_real<R>(Rational(reduced.halves) / 2) + atan(to_real<R>(reduced.slope)) / pi<R>();
 }
 
 template <Real R>
 R cos_pi_alpha(const Rational& s) {
-  using std::sqrt;
   return 1 / sqrt(to_real<R>(1 + s * s));
 }
 

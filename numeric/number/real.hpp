@@ -1,6 +1,7 @@
 #pragma once
 // The closed set of numbers that the numeric kernels are compiled for, and the one door from run time to type.
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -14,6 +15,11 @@
 
 namespace steadyslide::numeric {
 
+// Those of double. The MPFR numbers have theirs beside them, where an unqualified call finds them.
+using std::abs, std::asinh, std::atan, std::atan2, std::ceil, std::cos, std::cosh, std::exp, std::expm1, std::floor,
+    std::isfinite, std::isinf, std::isnan, std::ldexp, std::log, std::log1p, std::max, std::min, std::pow, std::sin,
+    std::sinh, std::sqrt, std::tan;
+
 #ifdef STEADYSLIDE_DOUBLE_ONLY
 
 // A build for where there is no MPFR (explorer/CMakeLists.txt): names of numbers that it does not have.
@@ -21,6 +27,7 @@ class Real50;
 class Real100;
 
 #define STEADYSLIDE_FOR_EACH_REAL(X) X(double)
+#define STEADYSLIDE_INSTANTIATE_CLASS(Name) template class Name<double>;
 
 #else
 
@@ -41,6 +48,12 @@ inline const bool limits_are_made = make_limits();
 
 /// X(R) for each number R: what is compiled, where templates are defined.
 #define STEADYSLIDE_FOR_EACH_REAL(X) X(double) X(Real50) X(Real100)
+
+/// Compiles the class template Name for each of them.
+#define STEADYSLIDE_INSTANTIATE_CLASS(Name) \
+  template class Name<double>;              \
+  template class Name<Real50>;              \
+  template class Name<Real100>;
 
 #endif
 

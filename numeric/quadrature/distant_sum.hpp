@@ -42,7 +42,6 @@ class DistantSum {
 
   /// At the distance x from y = 0, or from y = 1 beyond it.
   R value(const R& x, bool beyond_one) const {
-    using std::sqrt;
     const R root = sqrt(R(x * (1 + x)));
     const R rho = 1 + 2 * (x + root);
     const R q = beyond_one ? R(-1 / rho) : R(1 / rho);

@@ -72,7 +72,6 @@ Node<R> node_at(const Panel<R>& panel, const R& from_left, const R& from_right) 
 
 template <Real R>
 R power_of(const R& base, const R& exponent) {
-  using std::pow;
   return exponent == 1 ? base : pow(base, exponent);
 }
 
@@ -81,7 +80,6 @@ R power_of(const R& base, const R& exponent) {
 /// (y (1-y))^(a+b) (pi cosh tau)^2.
 template <Real R>
 std::vector<R> end_weights(UnitGrid<R>& grid, const R& a, const R& b, int first, int last) {
-  using std::abs, std::exp;
   const R sum = a + b;
   const int whole = static_cast<int>(std::lround(static_cast<double>(sum)));
   const bool mirrored = whole > 0 && abs(R(sum - whole)) <= 8 * epsilon<R>();

@@ -17,7 +17,6 @@ namespace steadyslide::numeric {
 /// Nodes and weights for int_0^1 f(y) dy; `plus_one` = 1 + p > 0.
 template <Real R>
 JacobiRule<R> double_exponential_rule(const R& plus_one) {
-  using std::asinh, std::ceil, std::cosh, std::exp, std::log, std::sinh;
   const R digits = -log(epsilon<R>());
   const R h = 2 * pi<R>() * R(0.7) / digits;
   // Logarithms of y at the first and of 1 - y at the last node, with a margin for log y.

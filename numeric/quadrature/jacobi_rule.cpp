@@ -57,7 +57,6 @@ class Polynomials {
   /// Halley's method: the differential equation y (1-y) P'' + (A - (A+B) y) P' + N P = 0 has the higher derivatives at
   /// hand, and the last step carries the slope along.
   Root<R> zero_near(R y) const {
-    using std::abs, std::sqrt;
     const auto n = static_cast<double>(g_.size());
     for (int step = 0; step < 20; ++step) {
       const auto [p, p1] = value_and_slope(y);

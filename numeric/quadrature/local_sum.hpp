@@ -15,7 +15,6 @@ class LocalSum {
  public:
   /// A source at the distance d from y = 1, beyond it, if it is on the right; else from y = 0.
   void add(const R& f, const R& d, bool is_right) {
-    using std::abs, std::sqrt;
     const R root = sqrt(R(d * (1 + d)));
     R q = 1 / (1 + 2 * (d + root));
     R term = f / root;

@@ -9,7 +9,6 @@ namespace {
 /// need not: with the end powers absorbed integrands are bounded, and what lies below epsilon^4 does not count.
 template <Real R>
 boost::math::quadrature::tanh_sinh<R>& rule() {
-  using std::pow;
   thread_local boost::math::quadrature::tanh_sinh<R> instance(15, pow(epsilon<R>(), R(4)));
   return instance;
 }
@@ -18,7 +17,6 @@ boost::math::quadrature::tanh_sinh<R>& rule() {
 /// once a precision: a call through it costs less than a tenth of one power.
 template <Real R>
 Estimate<R> unit_integral(const std::function<R(const R&)>& f) {
-  using std::pow, std::sqrt;
   // Halving the step squares the error of the rule: two levels that agree to sqrt(epsilon) leave an error near epsilon.
   // A little more is asked for; Boost stops short of it where its own heuristics see round-off.
   static const R tolerance = pow(epsilon<R>(), R(0.8));
@@ -39,7 +37,6 @@ Estimate<R> unit_integral(const std::function<R(const R&)>& f) {
 /// int_0^h d^lambda g(d) dd.
 template <Real R, class G>
 Estimate<R> power_integral(const R& h, const Power<R>& power, const G& g) {
-  using std::pow;
   if (power.value == 0) {
     return h * unit_integral<R>([&](const R& v) { return g(h * v); });
   }
@@ -77,7 +74,6 @@ Estimate<R> whole_integral(const PanelDensity<R>& density, const Kernel& kernel)
 /// PV int t(x')/(x'-x) dx' over the panel that contains x.
 template <Real R>
 Estimate<R> own_panel(const PanelDensity<R>& density, const Node<R>& at) {
-  using std::log;
   const R h_left = at.from_left / 2;
   const R h_right = at.from_right / 2;
   // x' - x from the distances to the end that is nearer to x: both are known exactly there.

@@ -13,7 +13,6 @@ namespace {
 /// -log(epsilon): the accuracy to be reached, as an exponent.
 template <Real R>
 R accuracy() {
-  using std::log;
   return -log(epsilon<R>());
 }
 
@@ -31,7 +30,6 @@ struct UnitNode {
   R logarithm;    ///< log(1 + e^-tau)
 
   static UnitNode at(const R& tau) {
-    using std::exp, std::log;
     const R e = exp(-tau);
     return {e, R(1 + e), log(R(1 + e))};
   }
@@ -40,7 +38,6 @@ struct UnitNode {
 /// A step of few bits makes every k h exact: nodes that jitter by a rounding would be the largest error of all.
 template <Real R>
 R step_length() {
-  using std::floor;
   // The integrand is analytic for |Im tau| < pi, with branch points on the border: a little more than the accuracy.
   return floor(1024 * 2 * pi<R>() * pi<R>() / (accuracy<R>() + 12)) / 1024;
 }
@@ -67,7 +64,6 @@ Node<R> node_at(const Panel<R>& panel, const UnitNode<R>& unit, bool right_half)
 
 template <Real R>
 Node<R> node_at(const Panel<R>& panel, const R& tau) {
-  using std::abs;
   return node_at(panel, UnitNode<R>::at(abs(tau)), tau > 0);
 }
 
@@ -78,12 +74,10 @@ template <Real R>
 class EndPowers {
  public:
   explicit EndPowers(const PanelDensity<R>& density) : left_(density.left.plus_one), right_(density.right.plus_one) {
-    using std::log;
     if constexpr (!std::same_as<R, double>) log_length_ = log(density.panel.length);
   }
 
   R at(const Node<R>& node, const UnitNode<R>& unit, const R& tau) const {
-    using std::exp, std::pow;
     if (left_ == 1 && right_ == 1) return node.from_left * node.from_right;
     if constexpr (std::same_as<R, double>) {
       return pow(node.from_left, left_) * pow(node.from_right, right_);
@@ -106,7 +100,6 @@ template <Real R>
 class CompensatedSum {
  public:
   void add(const R& term) {
-    using std::abs;
     const R sum = sum_ + term;
     compensation_ += abs(sum_) >= abs(term) ? (sum_ - sum) + term : (term - sum) + sum_;
     sum_ = sum;
@@ -172,13 +165,11 @@ std::shared_ptr<const typename Grid<R>::Line> Grid<R>::line() const {
 template <Real R>
 R Grid<R>::reach_for_others(const PanelDensity<R>& density) const {
   // A panel's neighbour, a short one, sees the density at distances of its own length.
-  using std::log;
   return log(density.panel.length / shortest_);
 }
 
 template <Real R>
 typename Grid<R>::Samples Grid<R>::sample(std::size_t panel_index, const R& offset) const {
-  using std::ceil, std::log, std::max, std::min;
   const PanelDensity<R>& density = density_[panel_index];
   const Panel<R>& panel = density.panel;
   // Beyond this tau the density is its end power to full accuracy, and so is its product with a Cauchy kernel.
@@ -199,7 +190,6 @@ typename Grid<R>::Samples Grid<R>::sample(std::size_t panel_index, const R& offs
   const EndPowers<R> powers(density);
   const std::vector<UnitNode<R>>& units = unit_nodes<R>();
   for (long k = lowest; k <= highest; ++k) {
-    using std::abs;
     const R tau = offset + static_cast<int>(k) * step_;
     const auto index = static_cast<std::size_t>(std::labs(k));
     const UnitNode<R> unit = offset == 0 && index < units.size() ? units[index] : UnitNode<R>::at(abs(tau));
@@ -207,7 +197,6 @@ typename Grid<R>::Samples Grid<R>::sample(std::size_t panel_index, const R& offs
     samples.inner.push_back({node, factor * density.smooth(node) * powers.at(node, unit, tau)});
   }
   const auto tail = [&](const R& last, const Power<R>& power) {
-    using std::expm1;
     // q + q^2 + ... with q = exp(-h (1 + lambda)).
     return last / expm1(step_ * power.plus_one);
   };
@@ -249,7 +238,6 @@ R Grid<R>::moment(const R& origin) const {
 
 template <Real R>
 PanelPoint<R> Grid<R>::midpoint_near(std::size_t k, const R& fraction) const {
-  using std::floor, std::log;
   const R tau = log(fraction / (1 - fraction));
   const R cell = floor(tau / step_);
   return {k, node_at(density_[k].panel, (cell + R(0.5)) * step_)};
@@ -257,7 +245,6 @@ PanelPoint<R> Grid<R>::midpoint_near(std::size_t k, const R& fraction) const {
 
 template <Real R>
 R Grid<R>::hilbert(const PanelPoint<R>& at) const {
-  using std::abs, std::floor, std::log;
   const PanelDensity<R>& own = density_[at.panel];
   const Node<R>& x = at.node;
   const R tau = log(x.from_left / x.from_right);
@@ -321,7 +308,6 @@ R Grid<R>::cauchy(Side side, const R& distance) const {
 
 template <Real R>
 R Grid<R>::displacement(std::size_t k, Side end, const R& distance) const {
-  using std::expm1, std::log1p;
   const PanelDensity<R>& own = density_[k];
   const auto from_end = [end](const Node<R>& node) { return end == Side::right ? node.from_right : node.from_left; };
   CompensatedSum<R> total;
@@ -363,7 +349,6 @@ R Grid<R>::displacement(std::size_t k, Side end, const R& distance) const {
 
 template <Real R>
 R Grid<R>::displacement_of(std::size_t j, bool same_side, Side end, const R& between, const R& distance) const {
-  using std::log1p;
   return sum(density_[j].panel, samples_[j], [&](const Node<R>& node) {
     const R& from_left = node.from_left;
     const R& from_right = node.from_right;
@@ -373,8 +358,6 @@ R Grid<R>::displacement_of(std::size_t j, bool same_side, Side end, const R& bet
   });
 }
 
-#define STEADYSLIDE_INSTANTIATE(R) template class Grid<R>;
-STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
-#undef STEADYSLIDE_INSTANTIATE
+STEADYSLIDE_INSTANTIATE_CLASS(Grid)
 
 }  // namespace steadyslide::numeric::trapezoidal

@@ -8,13 +8,11 @@ namespace {
 
 template <Real R>
 R log_two() {
-  using std::log;
   return log(R(2));
 }
 
 template <Real R>
 R rise_at(const R& octaves) {
-  using std::exp;
   return pi<R>() / 2 * exp(R(octaves * log_two<R>()));
 }
 
@@ -38,13 +36,11 @@ Integer shifted(const R& x, int shift) {
 
 template <Real R>
 R shifted_back(const Integer& sum, int shift) {
-  using std::ldexp;
   return ldexp(R(sum), -shift);
 }
 
 template <Real R>
 std::vector<R> decays(const R& p, const std::vector<R>& rise, std::size_t count) {
-  using std::exp, std::sqrt;
   const std::size_t octave = rise.size();
   std::vector<R> falling(std::max(count, octave)), rising(count), result(count);
   for (std::size_t i = 0; i < falling.size(); ++i) {
@@ -60,7 +56,6 @@ std::vector<R> decays(const R& p, const std::vector<R>& rise, std::size_t count)
 
 template <Real R>
 UnitNode<R> UnitNode<R>::of(const R& rise, const R& fall, const R& decay) {
-  using std::log;
   const R far = 1 / (1 + decay);
   const R near = decay * far;
   const R both = near * far;
@@ -102,7 +97,6 @@ typename UnitGrid<R>::Numbers UnitGrid<R>::reciprocals(int cell, int reach) {
 
 template <Real R>
 typename UnitGrid<R>::Nodes UnitGrid<R>::made_nodes(int count) {
-  using std::ldexp;
   if (!nodes_ || static_cast<int>(nodes_->size()) < count) {
     std::vector<UnitNode<R>> made;
     const auto size = static_cast<std::size_t>(count);
@@ -118,7 +112,6 @@ typename UnitGrid<R>::Nodes UnitGrid<R>::made_nodes(int count) {
 
 template <Real R>
 const UnitNode<R>& UnitGrid<R>::made_midpoint(int cell) {
-  using std::exp;
   const auto known = midpoints_.find(cell);
   if (known != midpoints_.end()) return known->second;
   const R rise = rise_at(R(std::abs(2 * cell + 1)) / (2 * octave_.size()));

@@ -50,7 +50,6 @@ std::optional<std::vector<R>> solve_equations(const std::vector<std::vector<R>>&
 template <Real R>
 std::vector<R> amplified(const std::vector<std::vector<R>>& rows, const std::vector<R>& errors) {
   constexpr Eigen::Index few = 48, choices = 4;
-  using std::abs;
   const auto n = static_cast<Eigen::Index>(rows.size());
   Eigen::MatrixXd matrix(n, n);
   Eigen::VectorXd sizes(n);
@@ -151,7 +150,6 @@ std::vector<R> ContactEquations<R>::end_steps() const {
 
 template <Real R>
 StateErrors<R> ContactEquations<R>::rounding() const {
-  using std::abs;
   if (size_ == 0) return {};
   const std::vector<R> unknowns = amplified(equations_, errors_);
   const R tilt = tilts_ ? unknowns.back() : R(0);
@@ -236,7 +234,6 @@ void ContactEquations<R>::add_moments() {
   for (std::size_t j = 0; j < count; ++j) {
     const Estimate<R> missing = Estimate<R>{j + 1 == count ? form_.problem().load() / pi<R>() : R(0), R(0)} - m[j];
     if (row_ >= size_) {
-      using std::abs, std::sqrt;
       if (!(abs(missing.value) <= sqrt(epsilon<R>()) * form_.problem().load())) complete_ = false;
       continue;
     }
@@ -319,8 +316,6 @@ void ContactEquations<R>::add_centre() {
   ++row_;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R) template class ContactEquations<R>;
-STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
-#undef STEADYSLIDE_INSTANTIATE
+STEADYSLIDE_INSTANTIATE_CLASS(ContactEquations)
 
 }  // namespace steadyslide::numeric

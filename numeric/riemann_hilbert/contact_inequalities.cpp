@@ -251,7 +251,6 @@ class Inspection {
   /// The lowest place of the gap between two of one segment: it closes at the first one and opens at the second one. By the
   /// rule of false position, the rate of an end that stays twice halved; what is left of the gap is of second order.
   std::optional<SurfacePoint<R>> turn(SurfacePoint<R> closes, R closing, SurfacePoint<R> opens, R opening) const {
-    using std::abs, std::sqrt;
     if (closes.segment != opens.segment) return std::nullopt;
     const auto k = static_cast<std::size_t>(closes.segment);
     const R near = sqrt(epsilon<R>()) * (opens.node.from_left - closes.node.from_left);

@@ -9,7 +9,6 @@ namespace {
 
 template <Real R>
 bool is_finite(const std::vector<R>& values) {
-  using std::abs;
   for (const R& v : values) {
     if (!(abs(v) < infinity<R>())) return false;
   }
@@ -26,7 +25,6 @@ class Newton {
       : problem_(problem), state_(std::move(state)), limits_(limits), rules_(rules) {}
 
   NewtonResult<R> run() {
-    using std::abs, std::sqrt;
     constexpr int max_steps = 100;
     // Within this part of the hull quadratic convergence has left nothing but rounding.
     const R rounding = 8 * epsilon<R>();
@@ -103,7 +101,6 @@ class Newton {
   /// The logarithm of the factor of a gap's length over a notch, for the linear step `growth` of that logarithm: what
   /// is linear is not the logarithm but the traction beside the gap, like length^-beta.
   R notch_step(const R& growth, const R& beta) const {
-    using std::log1p;
     const R part = std::max(-beta * growth, R(-0.99));
     return std::clamp(beta == 0 ? growth : -log1p(part) / beta, R(-30), R(6)) * damping_;
   }
@@ -111,7 +108,6 @@ class Newton {
   /// The steps of both ends of a gap over a notch, for linear steps of its halves. The logarithm of its length follows
   /// notch_step; how it is divided belongs to the corner and changes little. Returns the larger one of both changes.
   R follow_gap(std::size_t end, R& left_step, R& right_step) const {
-    using std::abs, std::expm1;
     const R& left = state_.set.length(end);
     const R& right = state_.set.length(end + 1);
     const R length = left + right;
@@ -129,7 +125,6 @@ class Newton {
   /// Steps of such ends, and of gaps over notches, are steps of log l. Returns the largest of them, and of what others change
   /// in short gaps beside steps, relative.
   R follow_lengths(std::vector<R>& ends) {
-    using std::abs, std::expm1;
     R largest = 0;
     R beside_steps = 0;
     restless_.reset();
@@ -156,7 +151,6 @@ class Newton {
 
   /// Has one end been the most restless for many steps, and is now about where it was?
   bool goes_in_circles(const R& beside_wedges) {
-    using std::abs, std::log;
     constexpr int many_steps = 24;
     if (!restless_ || beside_wedges < R(0.1)) {
       watched_.reset();
@@ -202,7 +196,6 @@ class Newton {
   }
 
   R relative_change(const std::vector<R>& step, const std::vector<R>& q) const {
-    using std::abs;
     R change = 0;
     R size = problem_.load();
     for (const R& c : step) change = std::max(change, abs(c));

@@ -27,7 +27,6 @@ void subtract_powers(std::vector<Estimate<R>>& moments, Estimate<R> term, const 
 /// 0.
 template <Real R>
 R regular_second_kind(const Power<R>& a, const R& length) {
-  using std::log;
   return a.value == 0 ? log(length) : 1 / a.value;
 }
 
@@ -226,7 +225,6 @@ template <Real R>
 Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t slope, std::size_t component,
                                                const SurfacePoint<R>& at, const R& between, const R* weights,
                                                const R* density) const {
-  using std::abs, std::pow;
   const SegmentPart<R>& part = panel.rule.part;
   const JacobiRule<R>& rule = *panel.rule.rule;
   const bool panel_is_right = at.segment < static_cast<std::ptrdiff_t>(part.segment);
@@ -379,8 +377,6 @@ void ContactQuadrature<R>::add_difference_moments(std::size_t slope, std::vector
   }
 }
 
-#define STEADYSLIDE_INSTANTIATE(R) template class ContactQuadrature<R>;
-STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
-#undef STEADYSLIDE_INSTANTIATE
+STEADYSLIDE_INSTANTIATE_CLASS(ContactQuadrature)
 
 }  // namespace steadyslide::numeric

@@ -96,7 +96,6 @@ class Search {
     const Set& set = state_.set;
     const R hull = set.span_length();
     std::vector<R> result(set.segments(), R(1e-3) * hull);
-    using std::pow;
     for (std::size_t k = 0; k < set.segments(); ++k) {
       if (!set.in_contact(k) && set.point(k).is_end() && set.point(k + 1).is_end()) {
         result[k] = hull * pow(R(1e-3), closings_ + 1);
@@ -256,7 +255,6 @@ class Search {
   /// A gap over an anchor that pulls much less far than to the next anchors and ends: as far to both sides, since by the
   /// law of its corner alone a gap has no long and short side.
   static bool open_over(Set& set, const Violation<R>& v) {
-    using std::exp;
     if (!v.log_reach) return false;
     const std::size_t j = set.point_of(*v.anchor);
     const R reach = exp(*v.log_reach);

@@ -21,7 +21,6 @@ ContactSet<R>::ContactSet(const ReducedProblem<R>& problem, const std::vector<Co
   // Ends follow each other: a guess that rounding has put before the last one comes after it.
   std::size_t last = 0;
   const auto edge_next_to = [&](double x) {
-    using std::abs;
     std::optional<std::size_t> best;
     for (std::size_t j = last; j < points_.size(); ++j) {
       if (!points_[j].anchor || points_[j].is_end()) continue;
@@ -344,8 +343,6 @@ void ContactSet<R>::open(const SegmentPlace& from, const SegmentPlace& to) {
   refresh();
 }
 
-#define STEADYSLIDE_INSTANTIATE(R) template class ContactSet<R>;
-STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
-#undef STEADYSLIDE_INSTANTIATE
+STEADYSLIDE_INSTANTIATE_CLASS(ContactSet)
 
 }  // namespace steadyslide::numeric

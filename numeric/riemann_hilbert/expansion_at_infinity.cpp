@@ -11,7 +11,6 @@ ExpansionAtInfinity<R>::ExpansionAtInfinity(const SignedFundamentalSolution<R>& 
   const int g = y.problem().highest_degree();
   const auto count = static_cast<std::size_t>(std::max({g + 2, g - S, S + 1, 2})) + 1;
   // log Y = S log z - sum_k sigma_k z^-k/k, sigma_k the power sums of the singular points.
-  using std::abs;
   std::vector<R> sigma(count, R(0)), sigma_sizes(count, R(0));
   for (std::size_t j = 0; j < y.set().points().size(); ++j) {
     const R& p = y.fundamental_solution().powers()[j].value;
@@ -41,7 +40,6 @@ ExpansionAtInfinity<R>::ExpansionAtInfinity(const SignedFundamentalSolution<R>& 
 
 template <Real R>
 Estimate<R> ExpansionAtInfinity<R>::term(const R& g, std::size_t i) const {
-  using std::abs;
   return {g * inverse_series_[i], 4 * epsilon<R>() * abs(g) * sizes_[i]};
 }
 
@@ -84,8 +82,6 @@ R ExpansionAtInfinity<R>::tilt_moment(std::size_t j) const {
   return index < 0 ? R(0) : inverse_series_[static_cast<std::size_t>(index)];
 }
 
-#define STEADYSLIDE_INSTANTIATE(R) template class ExpansionAtInfinity<R>;
-STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
-#undef STEADYSLIDE_INSTANTIATE
+STEADYSLIDE_INSTANTIATE_CLASS(ExpansionAtInfinity)
 
 }  // namespace steadyslide::numeric

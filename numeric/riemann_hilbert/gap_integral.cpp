@@ -174,8 +174,6 @@ R GapIntegral<R>::profile_increment(const SurfacePoint<R>& at) const {
   return sum - step(segment + 1) - rise(segment, at.node.x, at.node.from_right);
 }
 
-#define STEADYSLIDE_INSTANTIATE(R) template class GapIntegral<R>;
-STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
-#undef STEADYSLIDE_INSTANTIATE
+STEADYSLIDE_INSTANTIATE_CLASS(GapIntegral)
 
 }  // namespace steadyslide::numeric

@@ -18,7 +18,6 @@ template <Real R>
 int nodes_per_panel(const SignedFundamentalSolution<R>& y, SmoothFactor factor) {
   // Bernstein's ellipse through a pole at half a panel's length, or a branch point at a whole one, has the parameter
   // 2 + sqrt 3 or more; half a node more for every degree of the polynomial.
-  using std::log, std::sqrt;
   if (factor == SmoothFactor::error) return 1;
   static const int geometric = static_cast<int>(-log(epsilon<R>()) / (2 * log(2 + sqrt(R(3))))) + 2;
   const int more = factor == SmoothFactor::regular_factor ? std::max(-lowest_degree(y), 0) : 0;
@@ -45,7 +44,6 @@ SurfacePoint<R> JacobiPanel<R>::node(const ContactSet<R>& set, std::size_t i) co
 
 template <Real R>
 R JacobiPanel<R>::node_weight(std::size_t i) const {
-  using std::pow;
   const R w = part.length * rule->weights[i];
   return power.value == 0 ? w : w / pow(rule->from_left[i], power.value);
 }

@@ -14,7 +14,6 @@ R slope_jump(const RiemannHilbertForm<R>& form, std::size_t point) {
 
 template <Real R>
 LeadingTerm<R> power_term(const RiemannHilbertForm<R>& form, std::size_t point, const R& end_error) {
-  using std::abs, std::sqrt;
   const ContactSet<R>& set = form.set();
   const bool is_end = set.point(point).is_end();
   const Side side = set.contact_side(point);
@@ -37,7 +36,6 @@ LeadingTerm<R> power_term(const RiemannHilbertForm<R>& form, std::size_t point, 
 template <Real R>
 std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>& form, std::size_t point, const R& end_error) {
   using Is = typename LeadingTerm<R>::Is;
-  using std::abs;
   const ContactSet<R>& set = form.set();
   if (set.point(point).is_end()) return power_term(form, point, end_error);
   if (point == 0 || point == set.segments() || !set.in_contact(point)) return std::nullopt;
@@ -54,7 +52,6 @@ std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>& form, st
 
 template <Real R>
 std::optional<R> log_reach(const RiemannHilbertForm<R>& form, std::size_t point) {
-  using std::log;
   if (!form.changes_polynomial(point)) return std::nullopt;
   const R d = slope_jump(form, point);
   const R& s = form.problem().s(form.friction_at(point));
@@ -73,7 +70,6 @@ namespace {
 
 template <Real R>
 std::optional<R> hairline_reach(const RiemannHilbertForm<R>& form, std::size_t point) {
-  using std::log;
   const std::optional<R> reach = log_reach(form, point);
   return reach && *reach < log(R(1e30) * form.problem().shortest_gap()) ? reach : std::nullopt;
 }
@@ -115,7 +111,6 @@ R highest_limit(const RiemannHilbertForm<R>& form, const R& end_error) {
 template <Real R>
 std::string in_words(const RiemannHilbertForm<R>& form, std::size_t point, const LeadingTerm<R>& term) {
   using Is = typename LeadingTerm<R>::Is;
-  using std::pow;
   const auto& anchor = form.set().point(point).anchor;
   const Frame& frame = form.problem().frame();
   const R scale = pow(to_real<R>(frame.unit), -term.power);

@@ -122,8 +122,6 @@ const typename ReducedProblem<R>::Singularity& ReducedProblem<R>::jump(std::size
   });
 }
 
-#define STEADYSLIDE_INSTANTIATE(R) template class ReducedProblem<R>;
-STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
-#undef STEADYSLIDE_INSTANTIATE
+STEADYSLIDE_INSTANTIATE_CLASS(ReducedProblem)
 
 }  // namespace steadyslide::numeric

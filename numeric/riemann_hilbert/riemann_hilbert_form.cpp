@@ -11,7 +11,6 @@ namespace {
 /// sum_k a_k x^k, and the sum of the sizes of what is added: `sizes` went into the a_k.
 template <Real R>
 Estimate<R> horner(const std::vector<R>& a, const std::vector<R>& sizes, const R& x) {
-  using std::abs;
   R value = 0;
   R size = 0;
   const R magnitude = abs(x);
@@ -47,7 +46,6 @@ RiemannHilbertForm<R>::RiemannHilbertForm(const ReducedProblem<R>& problem, Cont
       tilt_(tilt),
       expansion_(*y_),
       quadrature_(*y_, rules) {
-  using std::abs;
   const bool has_pivots = !y_->pivots().empty();
   for (const std::vector<R>& g : problem.slopes()) {
     polynomials_.emplace_back();
@@ -65,7 +63,6 @@ RiemannHilbertForm<R>::RiemannHilbertForm(const ReducedProblem<R>& problem, Cont
 
 template <Real R>
 Estimate<R> RiemannHilbertForm<R>::pivoted_polynomial(std::size_t slope, const SurfacePoint<R>& at) const {
-  using std::abs;
   const std::size_t i = y_->component_at(at);
   const auto& [pivot, order] = y_->pivots()[i];
   const std::vector<R>& p = polynomials_[slope];
@@ -166,7 +163,6 @@ Estimate<R> RiemannHilbertForm<R>::regular_factor_at(std::size_t j, Side side) c
 
 template <Real R>
 R RiemannHilbertForm<R>::error_of_state(const SurfacePoint<R>& at, const StateErrors<R>& errors) const {
-  using std::abs, std::sqrt;
   const std::vector<R> distances = this->distances(at);
   const auto& pivots = y_->pivots();
   // Between two points, however short a gap they face each other over.
@@ -343,8 +339,6 @@ std::vector<SurfacePoint<R>> RiemannHilbertForm<R>::profile_extrema(std::size_t 
   return result;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R) template class RiemannHilbertForm<R>;
-STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
-#undef STEADYSLIDE_INSTANTIATE
+STEADYSLIDE_INSTANTIATE_CLASS(RiemannHilbertForm)
 
 }  // namespace steadyslide::numeric

@@ -26,7 +26,6 @@ bool RiemannHilbertSolution<R>::has_edge() const {
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::coordinate(std::size_t j) const {
-  using std::abs;
   const auto& point = contact_set().point(j);
   if (point.anchor) {
     const R x = to_real<R>(reduced_.place(*point.anchor));
@@ -47,7 +46,6 @@ template <Real R>
 R RiemannHilbertSolution<R>::relative_end_error(const SurfacePoint<R>& at) const {
   // What a displaced free end e does to |x - e|^p, next to where it matters most, and about as much again to every
   // other factor of the traction.
-  using std::abs;
   R sum = 0;
   for (const std::size_t j : contact_set().movable()) {
     const bool is_left = static_cast<std::ptrdiff_t>(j) <= at.segment;
@@ -61,7 +59,6 @@ R RiemannHilbertSolution<R>::relative_end_error(const SurfacePoint<R>& at) const
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::traction(const SurfacePoint<R>& at) const {
-  using std::abs;
   Estimate<R> t = form_.traction(at);
   const auto segment = static_cast<std::size_t>(at.segment);
   // Twice: q and the tilt go with the ends.
@@ -71,7 +68,6 @@ Estimate<R> RiemannHilbertSolution<R>::traction(const SurfacePoint<R>& at) const
 
 template <Real R>
 R RiemannHilbertSolution<R>::relative_shift(std::size_t j) const {
-  using std::abs;
   const ContactSet<R>& set = contact_set();
   if (!set.point(j).is_movable()) return R(0);
   const std::vector<R> distances = form_.distances(beside(set, j, set.contact_side(j), R(0)));
@@ -91,7 +87,6 @@ SurfacePoint<R> RiemannHilbertSolution<R>::middle_of(std::size_t segment) const 
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::amplitude(std::size_t j, Side side) const {
-  using std::abs;
   const std::size_t segment = side == Side::left ? j - 1 : j;
   const SurfacePoint<R> at = middle_of(segment);
   const R factor = form_.sign(at.segment) * form_.amplitude(j);
@@ -103,7 +98,6 @@ Estimate<R> RiemannHilbertSolution<R>::amplitude(std::size_t j, Side side) const
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::intensity(std::size_t j) const {
-  using std::abs, std::pow;
   const bool inside = !contact_set().point(j).is_end();
   const Side side = in_contact_at(j, Side::right) ? Side::right : Side::left;
   const std::size_t friction = form_.friction_at(side == Side::right ? j : j - 1);
@@ -122,7 +116,6 @@ Estimate<R> RiemannHilbertSolution<R>::intensity(std::size_t j) const {
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::constant(std::size_t j) const {
-  using std::abs, std::log;
   if (contact_set().point(j).is_end() || !form_.changes_polynomial(j)) return {};
   const Rational& d = wedge(j);
   const Rational s = problem_.coupled_friction(form_.friction_at(j - 1));
@@ -166,7 +159,6 @@ std::vector<ContactComponent<R>> RiemannHilbertSolution<R>::contact() const {
 
 template <Real R>
 std::vector<UnresolvedGap<R>> RiemannHilbertSolution<R>::unresolved_gaps() const {
-  using std::log;
   std::vector<UnresolvedGap<R>> result;
   const R unit = log(to_real<R>(reduced_.frame().unit));
   for (const HairlineGap<R>& gap : found_.hairline_gaps) {
@@ -214,16 +206,16 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
     }
     if (!in_contact_at(j, Side::left) || !in_contact_at(j, Side::right)) continue;
     const Exponent& beta = form_.exponent(j);
-    const bool has_corner = wedge(j) != 0;
-    if (beta.sign() != 0) {
-      const SingularKind kind = has_corner ? SingularKind::wedge_and_jump : SingularKind::friction_jump;
+    const std::optional<SingularKind> kind = inner_kind(beta.sign() != 0, wedge(j) != 0);
+    if (!kind) continue;
+    if (local_form(*kind).has_power) {
       const Estimate<R> theta = intensity(j);
       const auto on_side = [&](std::size_t segment) {
         return stress_intensity_of<R>(reduced_.cos_alpha(form_.friction_at(segment)) * theta, form_.power(j).value);
       };
-      result.push_back({coordinate(j), kind, beta, theta, constant(j), {on_side(j - 1), on_side(j)}});
-    } else if (has_corner) {
-      result.push_back({coordinate(j), SingularKind::wedge, std::nullopt, intensity(j), constant(j), {}});
+      result.push_back({coordinate(j), *kind, beta, theta, constant(j), {on_side(j - 1), on_side(j)}});
+    } else {
+      result.push_back({coordinate(j), *kind, std::nullopt, intensity(j), constant(j), {}});
     }
   }
   return result;
@@ -265,7 +257,6 @@ Resultants<R> RiemannHilbertSolution<R>::resultants() const {
 
 template <Real R>
 Resultants<R> RiemannHilbertSolution<R>::integrated() const {
-  using std::abs;
   const R unit = to_real<R>(reduced_.frame().unit);
   std::vector<Estimate<R>> on_pieces(problem_.friction().values().size());
   std::vector<Estimate<R>> on_components;
@@ -305,7 +296,6 @@ const std::vector<Estimate<R>>& RiemannHilbertSolution<R>::loads() const {
 
 template <Real R>
 LargestPressure<R> RiemannHilbertSolution<R>::largest_pressure() const {
-  using std::abs;
   if (const auto infinite = infinite_pressure(singular_points())) return *infinite;
   const ContactSet<R>& set = contact_set();
   LargestPressure<R> largest;
@@ -335,7 +325,6 @@ LargestPressure<R> RiemannHilbertSolution<R>::largest_pressure() const {
 
 template <Real R>
 std::optional<Estimate<R>> RiemannHilbertSolution<R>::tilt() const {
-  using std::abs;
   if (!problem_.load_at()) return std::nullopt;
   const R c = to_real<R>(problem_.elasticity().compliance());
   const R value = c * form_.tilt();
@@ -345,7 +334,6 @@ std::optional<Estimate<R>> RiemannHilbertSolution<R>::tilt() const {
 
 template <Real R>
 EstimatedError<R> RiemannHilbertSolution<R>::estimated_error() const {
-  using std::abs, std::max;
   EstimatedError<R> worst{max(end_error() / contact_set().span_length(), epsilon<R>()), R(0), R(0)};
   for (std::size_t k = 0; k < contact_set().segments(); ++k) {
     if (!contact_set().in_contact(k)) continue;
@@ -360,7 +348,6 @@ EstimatedError<R> RiemannHilbertSolution<R>::estimated_error() const {
 
 template <Real R>
 Residuals<R> RiemannHilbertSolution<R>::residuals() const {
-  using std::abs, std::max;
   const auto& [segments, check] = checked();
   R contact_length = 0;
   for (const std::size_t k : segments) contact_length += contact_set().length(k);
@@ -395,8 +382,6 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
   return result;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R) template class RiemannHilbertSolution<R>;
-STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
-#undef STEADYSLIDE_INSTANTIATE
+STEADYSLIDE_INSTANTIATE_CLASS(RiemannHilbertSolution)
 
 }  // namespace steadyslide::numeric

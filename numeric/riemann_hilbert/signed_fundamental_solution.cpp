@@ -172,7 +172,6 @@ R SignedFundamentalSolution<R>::amplitude(std::size_t j) const {
 
 template <Real R>
 R SignedFundamentalSolution<R>::smooth_modulus(std::size_t segment, const Node<R>& node) const {
-  using std::abs;
   const R common = solution_.smooth_modulus(segment, node);
   if (pivots_.empty()) return common;
   const std::size_t pivot = pivots_[left_component_[segment]].point;
@@ -192,7 +191,6 @@ bool SignedFundamentalSolution<R>::changes_polynomial(std::size_t j) const {
 
 template <Real R>
 R SignedFundamentalSolution<R>::modulus(const SurfacePoint<R>& at) const {
-  using std::abs;
   const R common = common_modulus(at);
   return pivots_.empty() ? common : R(common * abs(to_pivot(at)));
 }
@@ -245,8 +243,6 @@ std::vector<R> SignedFundamentalSolution<R>::distances(const SurfacePoint<R>& at
   return result;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R) template class SignedFundamentalSolution<R>;
-STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
-#undef STEADYSLIDE_INSTANTIATE
+STEADYSLIDE_INSTANTIATE_CLASS(SignedFundamentalSolution)
 
 }  // namespace steadyslide::numeric

@@ -70,7 +70,6 @@ struct SolvedSingularPoint {
 /// theta' (2 pi)^-lambda, theta' = theta at an end, theta cos(pi alpha) at a jump.
 template <Real R>
 Estimate<R> stress_intensity_of(const Estimate<R>& coefficient, const R& exponent) {
-  using std::pow;
   return pow(R(2 * pi<R>()), -exponent) * coefficient;
 }
 
@@ -133,7 +132,6 @@ struct TwoSided {
 /// The tangential traction under piece k of the friction: none without friction, under an infinite pressure, too.
 template <Real R>
 Estimate<R> shear_of(const ContactProblem& problem, std::size_t k, const Estimate<R>& traction) {
-  using std::isinf;
   const R ratio = to_real<R>(problem.shear_ratio(k));
   if (ratio == 0) return {};
   // The ratio is rounded, and so is the product.

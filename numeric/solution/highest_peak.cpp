@@ -41,7 +41,6 @@ Series<R> derivative(const Series<R>& c) {
 
 template <Real R>
 R size_of(const Series<R>& c, std::size_t first = 0) {
-  using std::abs;
   R sum = 0;
   for (std::size_t k = first; k < nodes; ++k) sum += abs(c[k]);
   return sum;
@@ -60,7 +59,6 @@ struct Nodes {
 
  private:
   Nodes() {
-    using std::cos, std::sin;
     for (int i = 0; i < nodes; ++i) {
       const R angle = pi<R>() * (2 * i + 1) / (2 * nodes);
       const auto n = static_cast<std::size_t>(i);
@@ -85,9 +83,9 @@ struct Part {
 };
 
 template <Real R>
-class Search {
+class PeakSearch {
  public:
-  Search(const std::vector<R>& lengths, const PanelFunction<R>& f, const R& floor) : f_(f), best_(floor) {
+  PeakSearch(const std::vector<R>& lengths, const PanelFunction<R>& f, const R& floor) : f_(f), best_(floor) {
     for (std::size_t k = 0; k < lengths.size(); ++k) add({k, R(0), lengths[k], R(0), 0});
   }
 
@@ -110,7 +108,6 @@ class Search {
 
  private:
   void add(Part<R> part) {
-    using std::abs, std::max;
     interpolate(part);
     part.missed = 4 * (abs(part.series[nodes - 1]) + abs(part.series[nodes - 2]) + abs(part.series[nodes - 3]));
     part.bound = part.series[0] + size_of(part.series, 1) + part.missed;
@@ -143,7 +140,6 @@ class Search {
 
   /// The largest value of the interpolant.
   void search(const Part<R>& part) {
-    using std::abs;
     const Series<R> first = derivative(part.series);
     const R curvature = size_of(derivative(first));
     const R enough = resolved * best_;
@@ -161,7 +157,6 @@ class Search {
   /// On so short a part around the peak that an interpolant is exact there, to the zero of its derivative; a zero beyond
   /// the part is where the next one is looked at.
   void refine() {
-    using std::abs, std::pow;
     constexpr int most_attempts = 8;
     R half = peak_->place_error;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
@@ -194,7 +189,7 @@ class Search {
 
 template <Real R>
 std::optional<Peak<R>> highest_peak(const std::vector<R>& lengths, const PanelFunction<R>& f, const R& floor) {
-  return Search<R>(lengths, f, floor).highest();
+  return PeakSearch<R>(lengths, f, floor).highest();
 }
 
 #define STEADYSLIDE_INSTANTIATE(R) \

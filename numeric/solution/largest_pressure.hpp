@@ -13,7 +13,6 @@ std::optional<LargestPressure<R>> infinite_pressure(const std::vector<SolvedSing
   const auto power = [](const SolvedSingularPoint<R>& point) {
     return point.exponent ? to_real<R>(*point.exponent) : R(0);
   };
-  using std::isinf;
   const SolvedSingularPoint<R>* worst = nullptr;
   for (const SolvedSingularPoint<R>& point : points) {
     const bool blows_up =

@@ -38,7 +38,6 @@ std::vector<Element<R>> elements_of(const SurfaceMesh& mesh) {
 template <Real R>
 void add(const PiecewiseTraction<R>& traction, const TractionPanel<R>& panel, const Element<R>& element, int order,
          TractionNodes<R>& nodes, NodalForce<R>* forces) {
-  using std::abs;
   const R before = panel.left - element.left;
   const R behind = element.right - panel.right;
   PanelPart<R> part{before < 0 ? R(-before) : R(0), panel.length, behind < 0 ? R(-behind) : R(0)};

@@ -61,7 +61,6 @@ void evaluate(std::span<const R> coefficients, std::span<R> values) {
 /// y^power, in double by vectors of logarithms.
 template <Real R>
 std::vector<R> powers_of(std::span<const R> y, const R& power) {
-  using std::pow;
   std::vector<R> result(y.begin(), y.end());
   if constexpr (std::same_as<R, double>) {
     const PowerFactor factor(0, power);
@@ -84,14 +83,12 @@ void TractionNodes<R>::clear() {
 template <Real R>
 PiecewiseTraction<R>::PiecewiseTraction(Elasticity elasticity, int degree)
     : elasticity_(std::move(elasticity)), rules_(std::make_shared<JacobiRules<R>>()) {
-  using std::log, std::sqrt;
   const R digits = -log(epsilon<R>());
   degree_ = static_cast<std::size_t>(static_cast<int>(digits / log(3 + sqrt(R(8)))) + 4 + degree);
   // A double pole a panel's length above its middle.
   rule_size_ = static_cast<int>(digits / (2 * log(2 + sqrt(R(5))))) + 5 + (degree + 1) / 2;
   legendre_ = &rules_->get({R(0), R(1)}, {R(0), R(1)}, rule_size_);
   const int n = static_cast<int>(degree_) + 1;
-  using std::cos;
   for (int k = 0; k < 4 * n; ++k) cosines_.push_back(cos(pi<R>() * k / (2 * n)));
   for (int i = 0; i < n; ++i) positions_.push_back(chebyshev_position<R>(i, n));
 }
@@ -148,7 +145,6 @@ void PiecewiseTraction<R>::add(const TractionSegment<R>& segment) {
 
 template <Real R>
 void PiecewiseTraction<R>::add_corner(const TractionSegment<R>& segment, const GradedPanel<R>& part) {
-  using std::expm1, std::log, std::pow;
   const bool at_left = part.singular_end == Side::left;
   const Power<R>& power = at_left ? segment.left_power : segment.right_power;
   const auto& q = at_left ? segment.left_corner : segment.right_corner;
@@ -183,7 +179,6 @@ void PiecewiseTraction<R>::add_corner(const TractionSegment<R>& segment, const G
 template <Real R>
 void PiecewiseTraction<R>::add_panel(const TractionSegment<R>& segment, const GradedPanel<R>& part,
                                      const Power<R>& power) {
-  using std::pow;
   const bool mirrored = part.singular_end == Side::right;
   const bool is_power = part.singular_end && power.value != 0;
   std::vector<R> y, from_left, from_right, values(degree_ + 1);
@@ -225,7 +220,6 @@ void PiecewiseTraction<R>::add_panel(const TractionSegment<R>& segment, const Gr
 template <Real R>
 void PiecewiseTraction<R>::append_rule(const TractionPanel<R>& panel, const PanelPart<R>& part,
                                        const GradedPanel<R>& of_part, TractionNodes<R>& nodes) const {
-  using std::pow;
   const bool touches = of_part.singular_end.has_value();
   const bool mirrored = of_part.singular_end == Side::right;
   const JacobiRule<R>& rule = touches ? *panel.rule : *legendre_;

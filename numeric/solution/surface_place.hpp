@@ -13,7 +13,6 @@ struct SurfacePlace {
 
   static SurfacePlace of(const Rational& x) {
     const R high = to_real<R>(x);
-    using std::isfinite;
     return {high, isfinite(high) ? to_real<R>(x - Rational(high)) : R(0)};
   }
 

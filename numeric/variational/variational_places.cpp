@@ -81,10 +81,9 @@ void VariationalSolution::find_places() {
       const bool wedge = slope(right.left) != 0;
       const Exponent beta =
           jump_exponent(problem_.coupled_friction(left.friction), problem_.coupled_friction(right.friction));
-      Place place{
-          x, SingularKind::wedge, std::nullopt, {x}, Side::left, left.friction, right.friction, slope.degree(), true};
+      const SingularKind kind = inner_kind(beta.sign() != 0, wedge).value_or(SingularKind::wedge);
+      Place place{x, kind, std::nullopt, {x}, Side::left, left.friction, right.friction, slope.degree(), true};
       if (beta.sign() != 0) {
-        place.kind = wedge ? SingularKind::wedge_and_jump : SingularKind::friction_jump;
         place.exponent = beta;
       } else if (!wedge) {
         place.exponent = Exponent(0);  // nothing blows up or vanishes; the polynomial changes

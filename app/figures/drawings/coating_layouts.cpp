@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "app/figures/solved.hpp"
-#include "numeric/flat_punch/extreme_layout.hpp"
-#include "numeric/flat_punch/fine_mixture.hpp"
+#include "numeric/flat_punch/flat_punch.hpp"
 
 namespace steadyslide::app {
 namespace {

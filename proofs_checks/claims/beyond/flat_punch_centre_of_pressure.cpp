@@ -1,4 +1,4 @@
-#include "numeric/flat_punch/friction_layout.hpp"
+#include "numeric/flat_punch/flat_punch.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/instruments/tractions/punch_loads.hpp"
 #include "proofs_checks/kit/claim_builder.hpp"

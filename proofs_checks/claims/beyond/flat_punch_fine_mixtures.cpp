@@ -1,6 +1,5 @@
-#include "numeric/flat_punch/fine_mixture.hpp"
+#include "numeric/flat_punch/flat_punch.hpp"
 
-#include "numeric/flat_punch/effective_friction.hpp"
 #include "proofs_checks/kit/claim_builder.hpp"
 
 namespace steadyslide::proofs_checks::flat_punch_fine_mixtures {

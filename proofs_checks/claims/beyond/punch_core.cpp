@@ -1,7 +1,7 @@
 // Where the load of a flat punch acts as one of its edges lifts: the traction has a free end there, and is integrated.
 
-#include "numeric/flat_punch/punch_core.hpp"
 #include "numeric/cauchy/traction_density.hpp"
+#include "numeric/flat_punch/flat_punch.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
 #include "proofs_checks/instruments/tractions/punch.hpp"
 #include "proofs_checks/kit/claim_builder.hpp"

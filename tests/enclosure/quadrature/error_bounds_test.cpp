@@ -1,7 +1,7 @@
 // Bounds of quadrature errors beside errors, for integrands chosen so that one term is most of the error: a bound without
 // that term, or with a hundredth of it, is too small.
 
-#include "enclosure/quadrature/jacobi_rules.hpp"
+#include "enclosure/quadrature/jacobi_rule.hpp"
 #include "enclosure/quadrature/outside_points.hpp"
 #include "enclosure/quadrature/trapezoidal.hpp"
 #include "support/enclosure_test.hpp"

@@ -1,6 +1,6 @@
 // Gauss-Jacobi rules against moments in Gamma functions.
 
-#include "enclosure/quadrature/jacobi_rules.hpp"
+#include "enclosure/quadrature/jacobi_rule.hpp"
 #include "support/enclosure_test.hpp"
 
 namespace {

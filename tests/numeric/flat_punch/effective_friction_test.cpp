@@ -1,7 +1,7 @@
 // The integral over the free surface against the load shares of the closed form, which integrates the traction: what they
 // have in common is the data.
 
-#include "numeric/flat_punch/effective_friction.hpp"
+#include "numeric/flat_punch/flat_punch.hpp"
 
 #include "numeric/solution/contact_solution.hpp"
 #include "random_punch.hpp"

@@ -1,4 +1,4 @@
-#include "numeric/flat_punch/extreme_layout.hpp"
+#include "numeric/flat_punch/flat_punch.hpp"
 
 #include <numeric>
 #include <random>

@@ -1,6 +1,5 @@
-#include "numeric/flat_punch/fine_mixture.hpp"
+#include "numeric/flat_punch/flat_punch.hpp"
 
-#include "numeric/flat_punch/effective_friction.hpp"
 #include "support/numeric_test.hpp"
 
 namespace {

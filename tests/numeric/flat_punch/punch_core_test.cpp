@@ -1,10 +1,8 @@
 // Where the load acts in full contact, against the solver for indenters that may tilt; shares and centre of pressure
 // against the closed form.
 
-#include "numeric/flat_punch/punch_core.hpp"
+#include "numeric/flat_punch/flat_punch.hpp"
 
-#include "numeric/flat_punch/friction_layout.hpp"
-#include "numeric/flat_punch/rear_share.hpp"
 #include "random_punch.hpp"
 #include "support/solved_contact.hpp"
 

@@ -1,7 +1,7 @@
 // What is not solved says so; and what is wrong is seen.
 
 #include "numeric/closed_form/closed_form.hpp"
-#include "numeric/flat_punch/effective_friction.hpp"
+#include "numeric/flat_punch/flat_punch.hpp"
 #include "numeric/riemann_hilbert/contact_inequalities.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 #include "numeric/variational/variational_inequality.hpp"
