@@ -44,20 +44,9 @@ foreach(file IN LISTS claims)
   endif()
 endforeach()
 
-file(STRINGS "${SOURCE}/cmake/public_headers.txt" public REGEX "^[a-z]")
-foreach(header IN LISTS public)
-  if(NOT EXISTS "${SOURCE}/${header}")
-    list(APPEND wrong "cmake/public_headers.txt: no ${header}")
-    continue()
-  endif()
-  file(STRINGS "${SOURCE}/${header}" includes REGEX "^#include \"")
-  foreach(line IN LISTS includes)
-    string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" included "${line}")
-    if(NOT included MATCHES "^model/" AND NOT included IN_LIST public)
-      list(APPEND wrong "${header}: public, and includes ${included}, which is not")
-    endif()
-  endforeach()
-endforeach()
+# A public header that is not there ends the list with an error.
+include("${CMAKE_CURRENT_LIST_DIR}/../../cmake/PublicHeaders.cmake")
+steadyslide_public_headers("${SOURCE}" public)
 
 # rc::check() returns whether the law holds; alone it fails no test.
 file(GLOB_RECURSE tests RELATIVE "${SOURCE}" "${SOURCE}/tests/*_test.cpp")
