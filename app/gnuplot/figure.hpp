@@ -73,11 +73,8 @@ struct HeatMap {
   double from;
   double to;
   std::string label;
-  std::vector<double> contours;
+  std::vector<double> contours;  ///< drawn as lines, with their values
 };
-
-/// The contours' values, where the way from one place to another crosses them.
-std::vector<Note> contour_labels(const HeatMap& map, const Point& from, const Point& to);
 
 enum class LegendAt { none, top_left, top_centre, top_right, right_of_centre, below };
 
