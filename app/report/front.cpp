@@ -44,8 +44,7 @@ std::string front_html(const VerifyResult& result, const Supplement& supplement)
                               result.context.quick ? ", quick: fewer parameters" : ""));
   for (const auto& [name, value] : supplement.made) made += block("dt", escaped(name)) + block("dd", escaped(value));
   std::string html = block("p", "On " + reference_html("Bal16"), {{"class", "paper"}});
-  html += block("figure",
-                std::string(embedded::report_sketch) + element("figcaption", cited_prose(embedded::report_result)),
+  html += block("figure", std::string(embedded::sketch_svg) + element("figcaption", cited_prose(embedded::result_txt)),
                 {{"id", "sketch"}});
   const Counts statements = checks::statement_counts(result.reports);
   if (std::ranges::any_of(statements, [](const auto& count) { return count.second > 0; }))

@@ -71,9 +71,7 @@ VerifyResult examine(const Examination& wanted, const std::vector<checks::Claim>
 
 /// FOLDER/report.html; the folder is made if need be.
 std::string report_file(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw Failure(ExitCode::failed, fmt::format("{}: cannot be made: {}", folder, error.message()));
+  make_folder(folder);
   return (std::filesystem::path(folder) / "report.html").string();
 }
 

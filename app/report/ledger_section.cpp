@@ -83,7 +83,7 @@ std::string tools(const VerifyResult& result) {
     const std::string option = fmt::format(R"(<option value="{}">)", escaped(statement.place));
     if (!statement.place.empty() && places.find(option) == std::string::npos) places += option;
   }
-  return fmt::format(fmt::runtime(embedded::report_tools), fmt::arg("verdicts", boxes), fmt::arg("places", places));
+  return fmt::format(fmt::runtime(embedded::tools_html), fmt::arg("verdicts", boxes), fmt::arg("places", places));
 }
 
 }  // namespace
