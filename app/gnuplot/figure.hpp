@@ -26,6 +26,8 @@ struct Axis {
   bool logarithmic = false;
   double tics = 0;       ///< their distance; 0: as gnuplot has them
   bool labelled = true;  ///< numbers at the tics
+
+  Axis bare() const { return {"", from, to, logarithmic, tics, false}; }
 };
 
 /// Bars are thick lines, each from one point to the next, two by two; a band is one thick line; an area is what a curve

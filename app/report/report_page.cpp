@@ -34,7 +34,7 @@ std::string report_html(const VerifyResult& result, const Supplement& supplement
                                         {"references", "References", references_list(embedded::references_md)}}) {
     if (html.empty()) continue;
     const std::string heading = id + "-heading", numbered = fmt::format("{} {}", ++number, title);
-    contents += element("li", element("a", numbered, {{"href", "#" + id}}));
+    contents += element("li", link(numbered, id));
     sections += block("section", "\n" + block("h2", numbered, {{"id", heading}}) + html,
                       {{"id", id}, {"aria-labelledby", heading}});
   }

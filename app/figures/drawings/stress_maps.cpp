@@ -21,10 +21,7 @@ void add_direction(Panel& panel, double from, double to) {
 
 ContactProblem stress_map_problem() { return flat_punch(Rational(1, 5), {Rational(1, 10), 1}, {0}); }
 
-ContactProblem stress_parabola_problem() {
-  return {Elasticity(Solid(Rational(3, 10), 1)), FrictionProfile({Rational(1, 5)}),
-          Indenter(-1, {{1, Polynomial({0, 0, Rational(1, 2)})}}), Rational(1, 50)};
-}
+ContactProblem stress_parabola_problem() { return parabola(Rational(3, 10), {Rational(1, 5)}, Rational(1, 50)); }
 
 Figure make_stress_map() {
   const ContactProblem problem = stress_map_problem();
