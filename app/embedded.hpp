@@ -23,19 +23,18 @@ extern const std::string_view help_verify;
 extern const std::string_view help_figures;
 extern const std::string_view help_report;
 
-extern const std::string_view exponent_tables_md;  ///< the exponents' tables without their numbers
-extern const std::string_view tables_tex;          ///< what a document of tables begins with
-extern const std::string_view rough_surface_csv;   ///< a trace for a figure
+extern const std::string_view exponents_md;
+extern const std::string_view preamble_tex;       ///< what a document of tables begins with
+extern const std::string_view rough_surface_csv;  ///< a trace for a figure
 
 // What the report is made of.
-extern const std::string_view report_page;   ///< with places in braces for what it is about
-extern const std::string_view report_tools;  ///< above the ledger: filter, order, folds
+extern const std::string_view report_html;  ///< the page, with places in braces for what it is about
+extern const std::string_view tools_html;   ///< above the ledger: filter, order, folds
+extern const std::string_view guide_html;   ///< how to read the ledger
 extern const std::string_view report_css;
-extern const std::string_view report_print_css;
 extern const std::string_view report_js;
-extern const std::string_view report_guide;
-extern const std::string_view report_sketch;  ///< the problem, an <svg>
-extern const std::string_view report_result;  ///< the main result, with formulas between backticks
+extern const std::string_view sketch_svg;  ///< the problem
+extern const std::string_view result_txt;  ///< the main result, with formulas between backticks
 extern const std::string_view notation_md;
 extern const std::string_view references_md;
 extern const std::string_view mutants_csv;

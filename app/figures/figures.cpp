@@ -1,5 +1,6 @@
 #include "app/figures/figures.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
@@ -9,7 +10,25 @@
 #include "app/terminal/progress.hpp"
 #include "proofs_checks/kit/processes.hpp"
 
+// The paper's first.
+#define STEADYSLIDE_FOR_EACH_FIGURE(figure)                                                                      \
+  figure(sketch) figure(reactions) figure(flat_punch) figure(friction_jump_rising) figure(friction_jump_falling) \
+      figure(parabola) figure(local_forms) figure(coating_layouts) figure(contact_load) figure(convergence)      \
+          figure(effective_friction) figure(friction_direction) figure(jump_exponent) figure(rough_surface)      \
+              figure(stress_map) figure(stress_parabola) figure(two_zones)
+
 namespace steadyslide::app {
+
+#define STEADYSLIDE_FIGURE(name) Figure make_##name();
+STEADYSLIDE_FOR_EACH_FIGURE(STEADYSLIDE_FIGURE)
+#undef STEADYSLIDE_FIGURE
+
+const std::vector<FigureMaker>& figures() {
+#define STEADYSLIDE_FIGURE(name) {boost::replace_all_copy(std::string(#name), "_", "-"), make_##name},
+  static const std::vector<FigureMaker> all{STEADYSLIDE_FOR_EACH_FIGURE(STEADYSLIDE_FIGURE)};
+#undef STEADYSLIDE_FIGURE
+  return all;
+}
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DrawnFigure, name, title, caption, command, picture, data)
 

@@ -14,8 +14,7 @@ struct FigureMaker {
   Figure (*make)();
 };
 
-/// All of them, the paper's first: `local-forms` is the function make_local_forms() in drawings/local_forms.cpp. The
-/// list is collected by cmake/figures.cmake.
+/// All of them, the paper's first: `local-forms` is the function make_local_forms() in drawings/local_forms.cpp.
 const std::vector<FigureMaker>& figures();
 
 struct DrawnFigure {

@@ -15,14 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Failure cannot(const fs::path& folder, const std::string& what) {
-  return {ExitCode::failed, folder.string() + ": " + what};
-}
-
 /// Before the work.
 void check_folder(const fs::path& folder) {
   std::error_code error;
-  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) throw cannot(folder, "is no folder");
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+    throw Failure(ExitCode::failed, folder.string() + ": is no folder");
 }
 
 Picture picture_of(const std::string& format) {
@@ -32,18 +29,10 @@ Picture picture_of(const std::string& format) {
                          format);
 }
 
-struct File {
-  fs::path folder;
-  std::string name;
-  std::string bytes;
-};
-
-void write(const File& file) {
-  std::error_code error;
-  fs::create_directories(file.folder, error);
-  if (error) throw cannot(file.folder, "cannot be made: " + error.message());
-  Output output((file.folder / file.name).string());
-  output.write(file.bytes);
+void write(const fs::path& folder, const std::string& name, const std::string& bytes) {
+  make_folder(folder);
+  Output output((folder / name).string());
+  output.write(bytes);
   output.commit();
 }
 
@@ -55,12 +44,10 @@ ExitCode run_figures(const Given& given) {
   const std::string ending = given.has("--format") ? given.text("--format") : "svg";
   const Picture picture = picture_of(ending);
   const unsigned processes = jobs(given, proofs_checks::available_processes());
-  std::vector<File> files;
   for (const DrawnFigure& figure : draw_figures(given.texts("--figure"), processes, picture)) {
-    files.push_back({folder, figure.name + "." + ending, figure.picture});
-    if (data) files.push_back({*data, figure.name + ".csv", figure.data});
+    write(folder, figure.name + "." + ending, figure.picture);
+    if (data) write(*data, figure.name + ".csv", figure.data);
   }
-  for (const File& file : files) write(file);
   return ExitCode::done;
 }
 

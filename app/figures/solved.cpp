@@ -28,6 +28,17 @@ ContactProblem flat_punch(const Rational& poisson, std::vector<Rational> frictio
           Indenter(-1, {{1, Polynomial()}}), 1, sliding};
 }
 
+ContactProblem parabola(const Rational& poisson, std::vector<Rational> friction, const Rational& load,
+                        std::vector<Rational> jumps) {
+  return {Elasticity(Solid(poisson, 1)), FrictionProfile(std::move(friction), std::move(jumps)),
+          Indenter(-1, {{1, Polynomial({0, 0, Rational(1, 2)})}}), load};
+}
+
+ContactProblem two_bumps() {
+  return {Elasticity(Solid(Rational(3, 10), 1)), FrictionProfile({Rational(1, 10), Rational(7, 10)}, {0}),
+          Indenter(-2, {{2, Polynomial({Rational(1, 4), 0, Rational(-1, 2), 0, Rational(1, 4)})}}), 1};
+}
+
 std::shared_ptr<const Solution> solved(const ContactProblem& problem) {
   if (auto formula = numeric::closed_form<double>(problem).solution) return formula;
   return solved_by_singular_functions(problem);

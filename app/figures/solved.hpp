@@ -14,6 +14,12 @@ namespace steadyslide::app {
 ContactProblem flat_punch(const Rational& poisson, std::vector<Rational> friction, std::vector<Rational> jumps = {},
                           Sliding sliding = Sliding::plus_x);
 
+/// A rigid parabola psi = x^2/2 with the support [-1, 1], E = 1, plane strain, sliding to the right.
+ContactProblem parabola(const Rational& poisson, std::vector<Rational> friction, const Rational& load,
+                        std::vector<Rational> jumps = {});
+/// Two rigid bumps psi = (x^2-1)^2/4 with the support [-2, 2] over a friction jump from 0.1 to 0.7 at 0, E = 1, nu = 3/10.
+ContactProblem two_bumps();
+
 /// By a closed form, or by the Riemann-Hilbert method where there is none. This and the next two throw
 /// std::runtime_error where the problem is not solved.
 std::shared_ptr<const numeric::ContactSolution<double>> solved(const ContactProblem& problem);

@@ -34,7 +34,6 @@ struct MapView {
   std::vector<double> contours;
 };
 
-/// The map, without labels at its contours.
 Panel stress_panel(const numeric::ContactSolution<double>& solution, const ContactProblem& problem,
                    const MapView& view);
 

@@ -26,6 +26,8 @@ struct Axis {
   bool logarithmic = false;
   double tics = 0;       ///< their distance; 0: as gnuplot has them
   bool labelled = true;  ///< numbers at the tics
+
+  Axis bare() const { return {"", from, to, logarithmic, tics, false}; }
 };
 
 /// Bars are thick lines, each from one point to the next, two by two; a band is one thick line; an area is what a curve
@@ -73,11 +75,8 @@ struct HeatMap {
   double from;
   double to;
   std::string label;
-  std::vector<double> contours;
+  std::vector<double> contours;  ///< drawn as lines, with their values
 };
-
-/// The contours' values, where the way from one place to another crosses them.
-std::vector<Note> contour_labels(const HeatMap& map, const Point& from, const Point& to);
 
 enum class LegendAt { none, top_left, top_centre, top_right, right_of_centre, below };
 

@@ -208,6 +208,11 @@ class Script {
     line("unset contour");
     line("set surface");
     plots.push_back(fmt::format("$contours_{} using 1:2 with lines lw 0.8 lc rgb '#404040' dt 1 notitle", k));
+    // A label at the 46th point of each part of a contour: short contours have none.
+    plots.push_back(
+        fmt::format("$contours_{} using 1:2:(gprintf('%g', $3)) every 10000::45 "
+                    "with labels boxed font ',11' notitle",
+                    k));
   }
 
   /// Enhanced text's signs as themselves.

@@ -45,6 +45,20 @@ std::string block(std::string_view tag, std::string_view content, std::initializ
   return element(tag, content, attributes) + "\n";
 }
 
+std::string span(std::string_view kind, std::string_view content) {
+  return element("span", content, {{"class", kind}});
+}
+
+std::string link(std::string_view content, std::string_view id) {
+  return element("a", content, {{"href", "#" + std::string(id)}});
+}
+
+std::string code(std::string_view text) { return element("code", escaped(text)); }
+
+std::string region(std::string_view kind, std::string_view label, std::string_view content) {
+  return block("div", content, {{"class", kind}, {"tabindex", "0"}, {"role", "region"}, {"aria-label", label}});
+}
+
 namespace {
 
 constexpr std::string_view number_class = "<span class=\"n\">";
@@ -75,7 +89,7 @@ std::string table_element(std::string_view label, const std::vector<std::string>
   const std::string table =
       element("table", title + block("thead", element("tr", fmt::format("{}", fmt::join(head, "")))) +
                            element("tbody", "\n" + body));
-  return block("div", table, {{"class", "wide"}, {"tabindex", "0"}, {"role", "region"}, {"aria-label", label}});
+  return region("wide", label, table);
 }
 
 std::string folded(std::string_view line, std::string_view content) {

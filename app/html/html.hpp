@@ -23,6 +23,13 @@ std::string element(std::string_view tag, std::string_view content, std::initial
 /// The same on a line of its own.
 std::string block(std::string_view tag, std::string_view content, std::initializer_list<Attribute> attributes = {});
 
+/// With a class; with a link to a place of the page; a text as code. Contents are HTML already, `text` is not.
+std::string span(std::string_view kind, std::string_view content);
+std::string link(std::string_view content, std::string_view id);
+std::string code(std::string_view text);
+/// A block that scrolls within itself, by the keyboard, too; `label` is for those who cannot see it.
+std::string region(std::string_view kind, std::string_view label, std::string_view content);
+
 using HtmlRows = std::vector<std::vector<std::string>>;
 
 /// A table that scrolls within itself where it is wider than the page; on a phone its rows are cards, in which each cell

@@ -54,11 +54,10 @@ std::string prose(std::string_view text) {
       const std::string whole =
           tied(escaped(before.substr(before.size() - open)), *maths, escaped(text.substr(0, close)));
       const bool parts = maths->rfind("<math>") > 0;
-      html +=
-          escaped(before.substr(0, before.size() - open)) + (parts ? element("span", whole, {{"class", "f"}}) : whole);
+      html += escaped(before.substr(0, before.size() - open)) + (parts ? span("f", whole) : whole);
       text.remove_prefix(close);
     } else {
-      html += escaped(before) + element("code", escaped(formula));
+      html += escaped(before) + code(formula);
     }
   }
 }

@@ -197,32 +197,24 @@ std::string typeset(std::string_view text) {
   return result;
 }
 
-}  // namespace
-
-std::string worded(std::string_view text) {
-  if (std::ranges::count(text, '`') % 2 != 0) return prose(text);
+/// The formulas between backticks in a line of HTML where that does, else as MathML; the words between them as `words` has them.
+template <class Words>
+std::string with_formulas(std::string_view text, Words words) {
   std::string result;
   while (true) {
     const std::size_t begin = text.find('`');
-    result += typeset(text.substr(0, begin));
-    if (begin == std::string_view::npos) return result;
+    if (begin == std::string_view::npos) return result + words(text);
     const std::size_t end = text.find('`', begin + 1);
-    const auto line = in_line(text.substr(begin + 1, end - begin - 1));
-    result += line ? *line : prose(text.substr(begin, end + 1 - begin));
-    text.remove_prefix(end + 1);
-  }
-}
-
-std::string lined(std::string_view text) {
-  std::string result;
-  while (true) {
-    const std::size_t begin = text.find('`');
-    const std::size_t end = begin == std::string_view::npos ? begin : text.find('`', begin + 1);
     if (end == std::string_view::npos) return result + escaped(text);
     const auto line = in_line(text.substr(begin + 1, end - begin - 1));
-    result += escaped(text.substr(0, begin)) + (line ? *line : prose(text.substr(begin, end + 1 - begin)));
+    result += words(text.substr(0, begin)) + (line ? *line : prose(text.substr(begin, end + 1 - begin)));
     text.remove_prefix(end + 1);
   }
 }
+
+}  // namespace
+
+std::string worded(std::string_view text) { return with_formulas(text, typeset); }
+std::string lined(std::string_view text) { return with_formulas(text, escaped); }
 
 }  // namespace steadyslide::app

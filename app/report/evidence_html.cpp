@@ -65,12 +65,11 @@ std::string proof_html(const checks::Report& report) {
     tree += level < depth || tree.empty() ? "<ul>" : "</li>";
     level = depth;
     std::string by = escaped(node.by);
-    if (node.by.starts_with("entry "))
-      by = "entry " + element("a", escaped(node.by.substr(6)), {{"href", "#" + node.by.substr(6)}});
-    tree += "\n<li>" + lined(checks::theory().sentence(node.fact)) + " " +
-            element("span", by + (again ? ", see above" : ""), {{"class", "by"}});
+    if (node.by.starts_with("entry ")) by = "entry " + link(by.substr(6), node.by.substr(6));
+    tree +=
+        "\n<li>" + lined(checks::theory().sentence(node.fact)) + " " + span("by", by + (again ? ", see above" : ""));
     if (again) continue;
-    for (const std::string& words : node.words) tree += element("span", worded(words), {{"class", "words"}});
+    for (const std::string& words : node.words) tree += span("words", worded(words));
   }
   for (std::size_t k = 0; k <= level && !tree.empty(); ++k) tree += "</li></ul>";
   html += block("div", tree, {{"class", "proof"}});
@@ -116,7 +115,7 @@ std::string rates(const checks::Report& report) {
   HtmlRows rows;
   for (const auto* r : pieces) {
     const auto with_bar = [](double value, double bar) {
-      return element("span", fmt::format("{:.3f} ± {:.3f}", value, bar), {{"class", "n"}});
+      return span("n", fmt::format("{:.3f} ± {:.3f}", value, bar));
     };
     rows.push_back({worded(r->what), with_bar(r->measured, r->error_bar), with_bar(r->expected, r->tolerance)});
   }
@@ -137,11 +136,9 @@ std::string beyond(const checks::Report& report, std::span<const checks::Report>
     html += heading("Beyond calculation") + paragraph(b->reason);
     std::vector<std::string> items;
     for (const std::string& id : b->consequences) {
-      const std::string code = element("code", escaped(id));
       const checks::Report* found = report_on(id, reports);
-      items.push_back(found == nullptr
-                          ? code + " (not in this run)"
-                          : fmt::format("{}: {}", element("a", code, {{"href", "#" + id}}), name_of(found->verdict)));
+      items.push_back(found == nullptr ? code(id) + " (not in this run)"
+                                       : fmt::format("{}: {}", link(code(id), id), name_of(found->verdict)));
     }
     html += list(items, block("p", "What follows from it and can be calculated:"));
   }
@@ -155,9 +152,7 @@ const checks::Report* report_on(std::string_view id, std::span<const checks::Rep
   return found == reports.end() ? nullptr : &*found;
 }
 
-std::string badge(checks::Verdict verdict) {
-  return element("span", name_of(verdict), {{"class", fmt::format("badge {}", name_of(verdict))}});
-}
+std::string badge(checks::Verdict verdict) { return span(fmt::format("badge {}", name_of(verdict)), name_of(verdict)); }
 
 std::string evidence_html(const checks::Report& report, std::span<const checks::Report> reports) {
   std::string html = counterexamples(report) + proof_html(report) + identities(report) + agreements(report) +
@@ -174,13 +169,11 @@ std::string controls_html(const checks::Report& report) {
   for (const checks::ControlReport& control : report.controls) {
     const std::string_view name = control.name;
     if (control.refuted && name.starts_with(left_out)) {
-      steps += (steps.empty() ? "" : ", ") + element("code", escaped(name.substr(left_out.size())));
+      steps += (steps.empty() ? "" : ", ") + code(name.substr(left_out.size()));
       continue;
     }
     // A wrong variant that is refuted says by its name what is wrong; of one that is not, all is said.
-    const std::string detail = control.refuted || control.detail.empty()
-                                   ? ""
-                                   : " " + element("span", worded(control.detail), {{"class", "by"}});
+    const std::string detail = control.detail.empty() ? "" : " " + span("by", worded(control.detail));
     items += control.refuted ? block("li", worded(control.name))
                              : block("li", "not refuted: " + worded(control.name) + detail, {{"class", "survived"}});
   }

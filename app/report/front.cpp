@@ -20,7 +20,7 @@ using Counts = std::vector<std::pair<std::string_view, std::size_t>>;
 
 /// A row of tiles under what they count.
 std::string tiles(std::string_view what, std::string_view href, const Counts& counts) {
-  std::string html = element("span", what, {{"class", "counted"}});
+  std::string html = span("counted", what);
   for (const auto& [verdict, n] : counts) {
     html += element("a", element("b", std::to_string(n)) + " " + element("span", verdict),
                     {{"href", href}, {"class", fmt::format("tile {}", verdict)}});
@@ -44,14 +44,13 @@ std::string front_html(const VerifyResult& result, const Supplement& supplement)
                               result.context.quick ? ", quick: fewer parameters" : ""));
   for (const auto& [name, value] : supplement.made) made += block("dt", escaped(name)) + block("dd", escaped(value));
   std::string html = block("p", "On " + reference_html("Bal16"), {{"class", "paper"}});
-  html += block("figure",
-                std::string(embedded::report_sketch) + element("figcaption", cited_prose(embedded::report_result)),
+  html += block("figure", std::string(embedded::sketch_svg) + element("figcaption", cited_prose(embedded::result_txt)),
                 {{"id", "sketch"}});
   const Counts statements = checks::statement_counts(result.reports);
   if (std::ranges::any_of(statements, [](const auto& count) { return count.second > 0; }))
     html += tiles("statements of the paper", "#paper", statements);
   html += tiles("entries of the ledger", "#ledger", count(result.reports)) + summary(result);
-  if (!result.notes.empty()) html += block("p", element("a", faults_line(result.notes), {{"href", "#notes"}}));
+  if (!result.notes.empty()) html += block("p", link(faults_line(result.notes), "notes"));
   return html + block("dl", "\n" + made, {{"class", "made"}});
 }
 

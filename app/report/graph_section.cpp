@@ -93,20 +93,18 @@ std::string graph(std::span<const checks::Report> reports) {
     const std::string text =
         fmt::format(R"(<text x="{:.0f}" y="{:.0f}"{}>{}</text>)", left[node.column], y(node) + 3.5,
                     report ? fmt::format(R"( class="{}")", name_of(report->verdict)) : "", escaped(id));
-    labels += report ? element("a", text, {{"href", "#" + id}}) : text;
+    labels += report ? link(text, id) : text;
   }
   const std::string svg =
       fmt::format(R"(<svg viewBox="0 0 {:.0f} {:.0f}" role="group" aria-label="What rests on what">)", right.back() + 4,
                   (static_cast<double>(longest) + 1) * line) +
       fmt::format(R"(<path d="{}"/>{}</svg>)", edges, labels);
-  return block(
-      "figure",
-      block("div", svg,
-            {{"class", "graph"}, {"tabindex", "0"}, {"role", "region"}, {"aria-label", "What rests on what"}}) +
-          block("figcaption",
-                fmt::format("<strong>{}</strong> Entries whose proofs rest on other entries, to the right of "
-                            "those. The others rest on decisions and classical theorems alone.",
-                            figure_mark)));
+  return block("figure",
+               region("graph", "What rests on what", svg) +
+                   block("figcaption",
+                         fmt::format("<strong>{}</strong> Entries whose proofs rest on other entries, to the right of "
+                                     "those. The others rest on decisions and classical theorems alone.",
+                                     figure_mark)));
 }
 
 std::string theorems(std::span<const checks::Report> reports) {
@@ -115,13 +113,13 @@ std::string theorems(std::span<const checks::Report> reports) {
     const checks::CheckedProof* proof = report.proof();
     if (proof == nullptr) continue;
     for (const std::string& name : names_used(*proof, checks::ProofStep::Kind::theorem))
-      used[name].push_back(element("a", escaped(report.claim.id), {{"href", "#" + report.claim.id}}));
+      used[name].push_back(link(escaped(report.claim.id), report.claim.id));
   }
   HtmlRows rows;
   for (const auto& [name, entries] : used) {
     const auto found = checks::theory().theorems.find(name);
     const std::string words = found == checks::theory().theorems.end() ? "" : found->second.front().words;
-    rows.push_back({element("code", escaped(name)), cited_prose(words),
+    rows.push_back({code(name), cited_prose(words),
                     folded(fmt::format("{} {}", entries.size(), entries.size() == 1 ? "entry" : "entries"),
                            fmt::format("{}", fmt::join(entries, ", ")))});
   }

@@ -20,60 +20,55 @@ namespace {
 
 namespace checks = proofs_checks;
 
-unsigned processes(const Given& given) { return jobs(given, checks::available_processes()); }
+unsigned processes_of(const Given& given) { return jobs(given, checks::available_processes()); }
+
+checks::Context context_of(const Given& given, int digits) {
+  checks::Context context;
+  context.digits = numeric::precision_for(digits);
+  context.seed = given.seed().value_or(context.seed);
+  context.quick = given.has("--quick");
+  return context;
+}
 
 constexpr std::initializer_list<Format> formats{Format::text, Format::json, Format::markdown};
 
-/// What is examined, and how.
-struct Examination {
-  int digits;
-  bool quick;
-  std::optional<unsigned long long> seed;
-  std::vector<std::string> claims{};  ///< patterns of ids; empty: all
-  std::string group{};                ///< empty: all places of the paper
-  unsigned processes = 1;
-};
-
-std::vector<checks::Claim> selected(const Examination& wanted) {
-  for (const std::string& pattern : wanted.claims) {
+std::vector<checks::Claim> selected(const Given& given) {
+  const std::vector<std::string> patterns = given.texts("--claim");
+  for (const std::string& pattern : patterns) {
     if (!checks::select(checks::registry(), {pattern}).empty()) continue;
     throw bad_command_line("--claim: no such claim", "verify --list names them", pattern);
   }
-  if (wanted.group.empty()) return checks::select(checks::registry(), wanted.claims);
+  const std::string group = given.text("--group");
+  if (group.empty()) return checks::select(checks::registry(), patterns);
   const std::vector<std::string> groups = checks::groups();
-  if (std::ranges::find(groups, wanted.group) == groups.end()) {
+  if (std::ranges::find(groups, group) == groups.end()) {
     throw bad_command_line("--group: no such place in the paper", fmt::format("one of {}", fmt::join(groups, ", ")),
-                           wanted.group);
+                           group);
   }
-  return checks::select(checks::claims_of_group(wanted.group), wanted.claims);
+  return checks::select(checks::claims_of_group(group), patterns);
 }
 
 /// On a terminal only: a line that the next one overwrites.
 void show_progress(const std::string& line) { fmt::print(stderr, "\r\x1b[K{}", line); }
 
 /// With progress on stderr where that is a terminal.
-VerifyResult examine(const Examination& wanted, const std::vector<checks::Claim>& claims) {
+VerifyResult examine(const checks::Context& context, unsigned processes, const std::vector<checks::Claim>& claims) {
   VerifyResult result;
-  result.context.digits = numeric::precision_for(wanted.digits);
-  result.context.seed = wanted.seed.value_or(result.context.seed);
-  result.context.quick = wanted.quick;
+  result.context = context;
   const bool on_terminal = ::isatty(STDERR_FILENO) == 1;
-  result.reports = checks::run_in_processes(claims, result.context, wanted.processes,
+  result.reports = checks::run_in_processes(claims, result.context, processes,
                                             [&](std::size_t index, std::size_t total, const checks::Claim& claim) {
                                               if (on_terminal)
                                                 show_progress(fmt::format("[{}/{}] {}", index + 1, total, claim.id));
                                             });
   if (on_terminal) show_progress("");
   result.notes = checks::reading_notes(result.reports);
-  if (!wanted.claims.empty() || !wanted.group.empty()) leave_out_other_notes(result);
   return result;
 }
 
 /// FOLDER/report.html; the folder is made if need be.
 std::string report_file(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw Failure(ExitCode::failed, fmt::format("{}: cannot be made: {}", folder, error.message()));
+  make_folder(folder);
   return (std::filesystem::path(folder) / "report.html").string();
 }
 
@@ -111,8 +106,8 @@ void write_report(const VerifyResult& result, unsigned processes, Output& output
 
 ExitCode verify(const Given& given) {
   const CommonOptions common = given.common(50, formats);
-  const Examination wanted{common.digits,          given.has("--quick"),  given.seed(),
-                           given.texts("--claim"), given.text("--group"), processes(given)};
+  const checks::Context context = context_of(given, common.digits);
+  const unsigned processes = processes_of(given);
   const std::optional<std::string> folder = given.name("--report", "folder");
   const bool list = given.has("--list");
   if (given.has("--proof") && list)
@@ -130,7 +125,7 @@ ExitCode verify(const Given& given) {
     return ExitCode::done;
   }
   if (folder && list) throw bad_command_line("--list: conflicting option", "it checks nothing to report", "--report");
-  const std::vector<checks::Claim> claims = selected(wanted);
+  const std::vector<checks::Claim> claims = selected(given);
   // Opened first: a run may be long, and should not end in a folder that does not exist.
   Output output(common.output);
   if (list) {
@@ -140,20 +135,22 @@ ExitCode verify(const Given& given) {
   }
   std::optional<Output> page;
   if (folder) page.emplace(report_file(*folder));
-  VerifyResult result = examine(wanted, claims);
+  VerifyResult result = examine(context, processes, claims);
+  if (given.has("--claim") || given.has("--group")) leave_out_other_notes(result);
   result.with_proofs = given.has("--proof");
   write_verify(common.format, result, output);
-  if (page) write_report(result, wanted.processes, *page);
+  if (page) write_report(result, processes, *page);
   output.commit();
   return exit_code_of(result.reports);
 }
 
 ExitCode report(const Given& given) {
-  const Examination wanted{given.digits(50), given.has("--quick"), given.seed(), {}, {}, processes(given)};
+  const checks::Context context = context_of(given, given.digits(50));
+  const unsigned processes = processes_of(given);
   const std::string file = report_file(given.folder());
   Output page(file);
-  const VerifyResult result = examine(wanted, checks::registry());
-  write_report(result, wanted.processes, page);
+  const VerifyResult result = examine(context, processes, checks::registry());
+  write_report(result, processes, page);
   Output line(std::nullopt);
   line.write(fmt::format("{}: {}; {}\n", file, counts_line(result.reports), controls_line(result)));
   line.commit();

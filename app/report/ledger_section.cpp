@@ -37,13 +37,11 @@ std::string controls_badge(const checks::Report& report) {
 
 std::string summary(const checks::Report& report) {
   std::string badges = badge(report.verdict);
-  if (report.beyond_calculation()) badges += " " + element("span", "beyond calculation", {{"class", "badge"}});
-  const std::string head = element("h3", escaped(report.claim.id)) + badges +
-                           element("span", controls_badge(report), {{"class", "meta"}}) +
-                           element("span", fmt::format("{:.2f} s", report.seconds), {{"class", "meta seconds"}});
-  return block("summary", element("span", head, {{"class", "head"}}) +
-                              element("span", prose(report.claim.source), {{"class", "source"}}) +
-                              element("span", prose(report.claim.statement), {{"class", "statement"}}));
+  if (report.beyond_calculation()) badges += " " + span("badge", "beyond calculation");
+  const std::string head = element("h3", escaped(report.claim.id)) + badges + span("meta", controls_badge(report)) +
+                           span("meta seconds", fmt::format("{:.2f} s", report.seconds));
+  return block("summary", span("head", head) + span("source", prose(report.claim.source)) +
+                              span("statement", prose(report.claim.statement)));
 }
 
 std::string part(std::string_view title, const std::string& html) {
@@ -54,13 +52,11 @@ std::string paragraph(const std::string& text) { return text.empty() ? "" : elem
 
 std::string entry(const checks::Report& report, std::size_t order, const VerifyResult& result) {
   const checks::ClaimText& claim = report.claim;
-  const std::string link = element("a", "link to this entry", {{"href", "#" + claim.id}});
-  const std::string again =
-      element("code", escaped("steadyslide verify --claim " + claim.id + options_again(result.context)));
-  const std::string body = part("Holds for", paragraph(claim.hypotheses)) +
-                           part("How it follows", paragraph(claim.derivation)) +
-                           part("Evidence", evidence_html(report, result.reports)) + controls_html(report) +
-                           block("p", again + element("span", " · " + link, {{"class", "link"}}), {{"class", "again"}});
+  const std::string again = code("steadyslide verify --claim " + claim.id + options_again(result.context));
+  const std::string body =
+      part("Holds for", paragraph(claim.hypotheses)) + part("How it follows", paragraph(claim.derivation)) +
+      part("Evidence", evidence_html(report, result.reports)) + controls_html(report) +
+      block("p", again + span("link", " · " + link("link to this entry", claim.id)), {{"class", "again"}});
   return block("details", "\n" + summary(report) + block("div", "\n" + body, {{"class", "body"}}),
                {{"class", "claim"},
                 {"id", claim.id},
@@ -83,7 +79,7 @@ std::string tools(const VerifyResult& result) {
     const std::string option = fmt::format(R"(<option value="{}">)", escaped(statement.place));
     if (!statement.place.empty() && places.find(option) == std::string::npos) places += option;
   }
-  return fmt::format(fmt::runtime(embedded::report_tools), fmt::arg("verdicts", boxes), fmt::arg("places", places));
+  return fmt::format(fmt::runtime(embedded::tools_html), fmt::arg("verdicts", boxes), fmt::arg("places", places));
 }
 
 }  // namespace

@@ -75,19 +75,6 @@ std::string reference_text(const Reference& reference) {
 
 }  // namespace
 
-std::vector<std::string> cells_of_row(std::string_view line) {
-  std::vector<std::string> cells;
-  for (line.remove_prefix(1); !line.empty();) {
-    const std::size_t bar = std::min(line.find('|'), line.size());
-    const std::string_view cell = line.substr(0, bar);
-    const std::size_t first = cell.find_first_not_of(' ');
-    cells.emplace_back(first == std::string_view::npos ? ""
-                                                       : cell.substr(first, cell.find_last_not_of(' ') + 1 - first));
-    line.remove_prefix(std::min(bar + 1, line.size()));
-  }
-  return cells;
-}
-
 std::string references_list(std::string_view markdown) {
   std::string items;
   for (const Reference& r : references(markdown)) {

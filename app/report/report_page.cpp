@@ -23,7 +23,7 @@ std::string report_html(const VerifyResult& result, const Supplement& supplement
   int number = 0;
   for (const auto& [id, title, html] : {Section{"paper", "The paper, statement by statement", paper_html(result)},
                                         {"notes", "Reading notes", notes_html(result)},
-                                        {"guide", "How to read the ledger", std::string(embedded::report_guide)},
+                                        {"guide", "How to read the ledger", std::string(embedded::guide_html)},
                                         {"ledger", "The ledger", ledger_html(result)},
                                         {"rests", "What rests on what", rests_html(result)},
                                         {"figures", "Figures", figures_html(supplement)},
@@ -34,15 +34,14 @@ std::string report_html(const VerifyResult& result, const Supplement& supplement
                                         {"references", "References", references_list(embedded::references_md)}}) {
     if (html.empty()) continue;
     const std::string heading = id + "-heading", numbered = fmt::format("{} {}", ++number, title);
-    contents += element("li", element("a", numbered, {{"href", "#" + id}}));
+    contents += element("li", link(numbered, id));
     sections += block("section", "\n" + block("h2", numbered, {{"id", heading}}) + html,
                       {{"id", id}, {"aria-labelledby", heading}});
   }
-  std::string page =
-      fmt::format(fmt::runtime(embedded::report_page), fmt::arg("version", version),
-                  fmt::arg("style", embedded::report_css), fmt::arg("print_style", embedded::report_print_css),
-                  fmt::arg("script", embedded::report_js), fmt::arg("front", front_html(result, supplement)),
-                  fmt::arg("contents", contents), fmt::arg("sections", sections));
+  std::string page = fmt::format(fmt::runtime(embedded::report_html), fmt::arg("version", version),
+                                 fmt::arg("style", embedded::report_css), fmt::arg("script", embedded::report_js),
+                                 fmt::arg("front", front_html(result, supplement)), fmt::arg("contents", contents),
+                                 fmt::arg("sections", sections));
   return with_numbers(with_numbers(std::move(page), figure_mark, "Figure"), table_mark, "Table");
 }
 

@@ -10,16 +10,12 @@ namespace {
 
 namespace checks = proofs_checks;
 
-std::string code(std::string_view text) { return element("code", escaped(text)); }
-
 std::string drawing(const DrawnFigure& drawn) {
   const std::string caption = element("strong", std::string(figure_mark) + " " + cited_prose(drawn.title)) + " " +
                               cited_prose(drawn.caption) +
                               element("code", escaped(drawn.command), {{"class", "command"}});
   return block("figure",
-               "\n" +
-                   block("div", inline_svg(slim_svg(drawn.picture), drawn.name, drawn.title),
-                         {{"class", "drawing"}, {"tabindex", "0"}, {"role", "region"}, {"aria-label", drawn.title}}) +
+               "\n" + region("drawing", drawn.title, inline_svg(slim_svg(drawn.picture), drawn.name, drawn.title)) +
                    block("figcaption", caption),
                {{"id", "figure-" + drawn.name}});
 }

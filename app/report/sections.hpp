@@ -48,9 +48,6 @@ std::string evidence_html(const proofs_checks::Report& report, std::span<const p
 /// The controls: their number, and behind it each with what refuted it; open where nothing refuted one.
 std::string controls_html(const proofs_checks::Report& report);
 
-/// The cells of a row of a Markdown table, "| a | b |".
-std::vector<std::string> cells_of_row(std::string_view line);
-
 /// The options that repeat a run.
 std::string options_again(const proofs_checks::Context& context);
 

@@ -21,7 +21,7 @@ std::string links_to(const std::vector<std::string_view>& ids, const VerifyResul
     const checks::Report* report = report_on(id, result.reports);
     if (report == nullptr) continue;
     links += links.empty() ? "" : ", ";
-    links += element("a", escaped(id), {{"href", "#" + report->claim.id}});
+    links += link(escaped(id), id);
     if (report->verdict != statement) links += " " + badge(report->verdict);
   }
   return links;
@@ -85,7 +85,7 @@ std::string notes_html(const VerifyResult& result) {
   HtmlRows rows;
   for (const checks::ReadingNote& note : result.notes) {
     std::string place = element("span", cited_prose(note.place), {{"id", "note-" + note.id}});
-    if (!note.claim.empty()) place += "<br>" + element("a", escaped(note.claim), {{"href", "#" + note.claim}});
+    if (!note.claim.empty()) place += "<br>" + link(escaped(note.claim), note.claim);
     rows.push_back({place, cited_prose(note.printed), cited_prose(note.derived), escaped(note.fault),
                     folded("why", block("p", cited_prose(note.evidence)))});
   }

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/algorithm/string/erase.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 #include <ranges>
 #include <regex>
 #include <sstream>
+#include <vector>
 
 #include "app/report/sections.hpp"
 
@@ -53,35 +55,30 @@ std::string short_path(std::string_view data) {
   return result;
 }
 
-void remove_elements(std::string& svg, const std::string& tag) {
-  const std::string closing = "</" + tag + ">";
-  std::size_t at = 0;
-  while ((at = svg.find("<" + tag, at)) != std::string::npos) {
-    const std::size_t after = at + 1 + tag.size();
-    if (after < svg.size() && svg[after] != '>' && svg[after] != ' ' && svg[after] != '\n' && svg[after] != '/') {
-      at = after;
-      continue;
-    }
-    const std::size_t bracket = svg.find('>', at);
-    const bool empty = bracket != std::string::npos && svg[bracket - 1] == '/';
-    const std::size_t end = empty ? bracket : svg.find(closing, at);
-    const std::size_t length = empty ? 1 : closing.size();
-    svg.erase(at, end == std::string::npos ? std::string::npos : end + length - at);
-  }
+std::string without(const std::string& svg, const std::string& pattern) {
+  return std::regex_replace(svg, std::regex(pattern), "");
+}
+std::string without_element(const std::string& svg, const std::string& tag) {
+  return without(svg, fmt::format(R"(<{0}(?:\s[^>]*)?(?:/>|>[^<]*</{0}>))", tag));
 }
 
-/// Without the marks that no curve has, and without the description: on the page the caption says the same.
-std::string without_idle(std::string svg) {
+/// Without the marks that no curve has. From the last to the first: a mark may be made of an earlier one.
+std::string without_idle_marks(std::string svg) {
   static const std::regex definition(R"(<(?:circle|path|rect|use)\b[^>]*\bid='([^']*)'[^>]*/>\s*)");
-  remove_elements(svg, "desc");
-  // From the last to the first: a mark may be made of an earlier one.
-  const std::size_t end = std::min(svg.find("</defs>"), svg.size());
-  std::vector<std::pair<std::string, std::string>> marks;
-  const std::string head = svg.substr(0, end);
-  for (std::sregex_iterator mark(head.begin(), head.end(), definition), none; mark != none; ++mark)
-    marks.emplace_back(mark->str(0), "#" + mark->str(1) + "'");
-  for (const auto& [mark, name] : marks | std::views::reverse) {
-    if (svg.find(name) == std::string::npos) svg.erase(svg.find(mark), mark.size());
+  const std::string head = svg.substr(0, svg.find("</defs>"));
+  const std::vector<std::smatch> marks(std::sregex_iterator(head.begin(), head.end(), definition), {});
+  for (const std::smatch& mark : marks | std::views::reverse) {
+    if (svg.find("#" + mark.str(1) + "'") == std::string::npos) boost::erase_first(svg, mark.str(0));
+  }
+  return svg;
+}
+
+std::string with_short_paths(std::string svg) {
+  for (std::size_t at = 0; (at = svg.find(" d='", at)) != std::string::npos;) {
+    at += 4;
+    const std::size_t length = svg.find('\'', at) - at;
+    const std::string data = short_path(svg.substr(at, length));
+    svg.replace(at, length, data);
   }
   return svg;
 }
@@ -89,43 +86,21 @@ std::string without_idle(std::string svg) {
 }  // namespace
 
 std::string slim_svg(std::string svg) {
-  svg = without_idle(std::move(svg));
-  std::string paths;
-  for (std::size_t at = 0;;) {
-    const std::size_t begin = svg.find(" d='", at);
-    const std::size_t end = begin == std::string::npos ? begin : svg.find('\'', begin + 4);
-    paths += svg.substr(at, end == std::string::npos ? end : begin + 4 - at);
-    if (end == std::string::npos) break;
-    paths += short_path(std::string_view(svg).substr(begin + 4, end - begin - 4));
-    at = end;
-  }
-  std::string result;
-  for (std::size_t at = 0; at < paths.size(); ++at) {
-    const std::size_t next = paths.find_first_not_of(" \t\n", at);
-    const bool between = result.ends_with('>') && next != std::string::npos && paths[next] == '<' &&
-                         paths.substr(at, next - at).find('\n') != std::string::npos;
-    if (between) at = next;
-    result += paths[at] == '\n' || paths[at] == '\t' ? ' ' : paths[at];
-  }
+  svg = with_short_paths(without_idle_marks(without_element(svg, "desc")));
+  svg = std::regex_replace(svg, std::regex(R"(>\s*\n\s*<)"), "><");
+  std::ranges::replace_if(
+      svg, [](char c) { return c == '\n' || c == '\t'; }, ' ');
   for (const char* idle :
        {R"( stroke-linecap="butt")", R"( stroke-linejoin="miter")", "<text></text>",
         R"( font-family="Helvetica, Arial, 'Liberation Sans', sans-serif")", R"( xml:space="preserve")"})
-    boost::erase_all(result, idle);
-  for (std::size_t before = 0; before != result.size();) {
-    before = result.size();
-    std::string kept;
-    for (std::size_t at = 0;;) {
-      const std::size_t close = result.find("></g>", at);
-      const std::size_t open = close == std::string::npos ? close : result.rfind('<', close);
-      const bool empty = open != std::string::npos && result.compare(open, 2, "<g") == 0 && open >= at &&
-                         std::string_view(result).substr(open, close - open).find(" id=") == std::string_view::npos;
-      kept += result.substr(at, close == std::string::npos ? close : (empty ? open : close + 5) - at);
-      if (close == std::string::npos) break;
-      at = close + 5;
-    }
-    result = std::move(kept);
+    boost::erase_all(svg, idle);
+  svg = std::regex_replace(svg, std::regex(R"(<tspan\s*>([^<]*)</tspan>)"), "$1");
+  // Groups with nothing in them, until none becomes empty by it.
+  for (std::size_t before = 0; before != svg.size();) {
+    before = svg.size();
+    svg = without(svg, R"(<g(?:\s(?!id=)[^>\s]*)*></g>)");
   }
-  return result;
+  return svg;
 }
 
 std::string inline_svg(std::string_view svg, std::string_view prefix, std::string_view title) {
@@ -133,7 +108,7 @@ std::string inline_svg(std::string_view svg, std::string_view prefix, std::strin
   const std::size_t end = svg.rfind("</svg>");
   if (begin == std::string_view::npos || end == std::string_view::npos || end < begin) return "";
   std::string result(svg.substr(begin, end + 6 - begin));
-  for (const char* tag : {"title", "script"}) remove_elements(result, tag);
+  for (const char* tag : {"title", "script"}) result = without_element(result, tag);
   const std::string start = std::string(prefix) + "-";
   for (const char* reference : {R"( id=")", " id='", R"(href="#)", "href='#", "url(#"}) {
     boost::replace_all(result, reference, reference + start);

@@ -18,37 +18,22 @@ struct Coatings {
   Rational right;
 };
 
-/// "| a | b |" has the cells "a" and "b".
-std::vector<std::string> cells_of(const std::string& row) {
-  std::vector<std::string> cells;
-  for (std::size_t at = 2; at < row.size(); at = row.find('|', at) + 2) {
-    cells.push_back(row.substr(at, row.find(" |", at) - at));
-  }
-  return cells;
-}
-
-/// The tables as exponent_tables.md has them: a heading, paragraphs, the columns, references; and rows, a line each, as
-/// far as they are data and no results.
+/// The tables of docs/exponents.md, whose words and data are taken from there: a heading, paragraphs, a table, references.
 std::vector<TextTable> given_tables() {
   std::vector<TextTable> tables;
-  for (const auto part : std::views::split(embedded::exponent_tables_md, std::string_view("\n\n"))) {
-    std::string block(part.begin(), part.end());
-    if (block.starts_with('|') && !tables.back().columns.empty()) {
-      for (const auto row : std::views::split(block, '\n')) {
-        if (!row.empty()) tables.back().rows.push_back(cells_of({row.begin(), row.end()}));
-      }
+  for (const auto part : std::views::split(embedded::exponents_md, '\n')) {
+    const std::string line(part.begin(), part.end());
+    if (line.starts_with("## ")) {
+      tables.push_back({line.substr(3), "", {}, {}, {}});
+    } else if (line.empty() || line.starts_with("# ") || line.starts_with("| ---")) {
       continue;
-    }
-    if (block.ends_with('\n')) block.pop_back();
-    std::ranges::replace(block, '\n', ' ');
-    if (block.starts_with("## ")) {
-      tables.push_back({block.substr(3), "", {}, {}, {}});
-    } else if (block.starts_with('[')) {
-      tables.back().references.push_back(block);
-    } else if (block.starts_with('|')) {
-      tables.back().columns = cells_of(block);
+    } else if (line.starts_with('[')) {
+      tables.back().references.push_back(line);
+    } else if (line.starts_with('|')) {
+      std::vector<std::string>& columns = tables.back().columns;
+      (columns.empty() ? columns : tables.back().rows.emplace_back()) = cells_of_row(line);
     } else {
-      tables.back().note += (tables.back().note.empty() ? "" : "\n") + block;
+      tables.back().note += (tables.back().note.empty() ? "" : "\n") + line;
     }
   }
   return tables;
@@ -70,6 +55,7 @@ Exponent jump_power(const Rational& gamma, const Coatings& f, bool forward) {
 }
 
 void fill_by_poisson(TextTable& table) {
+  table.rows.clear();
   const std::vector<Coatings> coatings{{0, 1},
                                        {Rational(1, 10), Rational(1, 2)},
                                        {Rational(1, 5), Rational(3, 5)},
@@ -102,6 +88,7 @@ Solid solid(const TextTable& constants, const std::string& name) {
 void fill_by_pair(TextTable& table, const TextTable& constants) {
   const Coatings jump{Rational(1, 10), Rational(1, 2)};
   for (std::vector<std::string>& row : table.rows) {
+    row.resize(2);
     const Solid half_plane = solid(constants, row[0]);
     const Elasticity elasticity =
         row[1] == "rigid" ? Elasticity(half_plane) : Elasticity(half_plane, solid(constants, row[1]));

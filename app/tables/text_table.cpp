@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <cctype>
 #include <ranges>
 #include <regex>
@@ -63,6 +64,13 @@ std::string paragraphs(const std::string& note) {
 
 }  // namespace
 
+std::vector<std::string> cells_of_row(std::string_view line) {
+  std::vector<std::string> cells;
+  for (const auto part : std::views::split(line.substr(1, line.rfind('|') - 1), '|'))
+    cells.push_back(boost::trim_copy(std::string(part.begin(), part.end())));
+  return cells;
+}
+
 std::string markdown_document(const std::string& title, const std::vector<TextTable>& tables) {
   std::string result = "# " + title + "\n";
   for (const TextTable& table : tables) {
@@ -77,7 +85,7 @@ std::string markdown_document(const std::string& title, const std::vector<TextTa
 }
 
 std::string latex_document(const std::string& title, const std::vector<TextTable>& tables) {
-  std::string result(embedded::tables_tex);
+  std::string result(embedded::preamble_tex);
   result += fmt::format("\\section*{{{}}}\n", latex_text(title));
   for (const TextTable& table : tables) {
     result += fmt::format("\n\\subsection*{{{}}}\n\n", latex_text(table.title)) + latex_text(paragraphs(table.note));

@@ -3,6 +3,7 @@
 // between backticks in ASCII, `alpha_-`, `1/2 - alpha`.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace steadyslide::app {
@@ -14,6 +15,9 @@ struct TextTable {
   std::vector<std::vector<std::string>> rows;  ///< as many cells as columns
   std::vector<std::string> references;         ///< works cited in note or rows, a key, author, title, ...
 };
+
+/// The cells of a row of a Markdown table, "| a | b |".
+std::vector<std::string> cells_of_row(std::string_view line);
 
 /// A document in Markdown: the formulas stay as they are.
 std::string markdown_document(const std::string& title, const std::vector<TextTable>& tables);

@@ -31,6 +31,8 @@ class MemoryFile {
   ~MemoryFile() { ::close(descriptor_); }
 
   int descriptor() const { return descriptor_; }
+  /// By which another process opens it.
+  std::string path() const { return "/proc/" + std::to_string(::getpid()) + "/fd/" + std::to_string(descriptor_); }
 
   std::string text() const {
     std::string result;

@@ -85,6 +85,13 @@ void Output::commit() {
   temporary_.clear();
 }
 
+bool make_folder(const std::string& folder) {
+  std::error_code error;
+  const bool is_new = std::filesystem::create_directories(folder, error);
+  if (error) throw Failure(ExitCode::failed, fmt::format("{}: cannot be made: {}", folder, error.message()));
+  return is_new;
+}
+
 void Output::fail(const std::string& what) const {
   throw Failure(ExitCode::failed, fmt::format("{}: {}: {}", name_, what, std::strerror(errno)));
 }

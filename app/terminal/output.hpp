@@ -33,4 +33,7 @@ class Output {
   std::string buffer_;
 };
 
+/// Makes a folder if need be: true if it is new. Throws Failure with exit code 3.
+bool make_folder(const std::string& folder);
+
 }  // namespace steadyslide::app

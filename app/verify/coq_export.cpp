@@ -65,9 +65,7 @@ void require_new_or_empty(const std::string& folder) {
 
 /// Each of the files, or none.
 void write_all(const std::string& folder, const std::vector<std::pair<std::string, std::string>>& files) {
-  std::error_code error;
-  const bool is_new = fs::create_directories(folder, error);
-  if (error) throw Failure(ExitCode::failed, fmt::format("{}: cannot be made: {}", folder, error.message()));
+  const bool is_new = make_folder(folder);
   const SignalsHeld held;
   try {
     for (const auto& [file, text] : files) {
@@ -76,6 +74,7 @@ void write_all(const std::string& folder, const std::vector<std::pair<std::strin
       output.commit();
     }
   } catch (...) {
+    std::error_code error;
     for (const auto& [file, text] : files) fs::remove(file, error);
     if (is_new) fs::remove(folder, error);
     throw;

@@ -139,7 +139,9 @@ Value converted(const toml::node& node, std::size_t enclosing_line) {
       value.entries.push_back(
           {std::string(key.str()), key_line, key.source().begin.column, converted(child, key_line)});
     }
-    std::ranges::stable_sort(value.entries, {}, [](const Entry& entry) { return std::pair(entry.line, entry.column); });
+    std::stable_sort(value.entries.begin(), value.entries.end(), [](const Entry& a, const Entry& b) {
+      return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+    });
   } else if (const toml::array* array = node.as_array()) {
     value.kind = Value::Kind::list;
     value.items.reserve(array->size());
@@ -165,7 +167,7 @@ Value converted(const toml::node& node, std::size_t enclosing_line) {
 }  // namespace
 
 const Entry* Value::find(std::string_view key) const {
-  const auto entry = std::ranges::find(entries, key, &Entry::key);
+  const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.key == key; });
   return entry == entries.end() ? nullptr : &*entry;
 }
 

@@ -155,13 +155,13 @@ class IndenterReader {
     const Value* value = reader_.find(field);
     if (value == nullptr) return otherwise;
     const std::string& given = reader_.text(field, *value);
-    if (std::ranges::find(words, given) != words.end()) return given;
+    if (std::find(words.begin(), words.end(), given) != words.end()) return given;
     throw reader_.error(field, what, fmt::format("it is one of {}", fmt::join(words, ", ")), excerpt(given));
   }
 
   /// 1 unit is 10^exponent m.
   static int exponent_of(const std::string& unit) {
-    return -3 * static_cast<int>(std::ranges::find(length_units, unit) - length_units.begin());
+    return -3 * static_cast<int>(std::find(length_units.begin(), length_units.end(), unit) - length_units.begin());
   }
 
   /// Beside the problem file; beside nothing for the standard input.

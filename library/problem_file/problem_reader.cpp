@@ -69,7 +69,7 @@ void ProblemReader::check_table(const std::string& field, std::initializer_list<
 
 void ProblemReader::check_keys(const std::string& field, std::initializer_list<std::string_view> keys) const {
   for (const Entry& entry : find(field)->entries) {
-    if (std::ranges::find(keys, entry.key) != keys.end()) continue;
+    if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
     const std::string& file = entry.value.file != nullptr ? *entry.value.file : file_;
     throw InvalidFile(fmt::format("{}:{}", file, entry.line),
                       fmt::format("unknown key; the keys of {} are {}; {}", field.empty() ? kind_ : field,

@@ -154,7 +154,8 @@ TractionIntegrals<R>::TractionIntegrals(PiecewiseDensity<R> density, std::vector
     : density_(std::move(density)), on_panels_(std::move(on_panels)), gamma_(gamma) {
   if constexpr (std::same_as<R, double>) {
     const auto has_other_ratio = [&](const OnPanel& p) { return p.ratio != on_panels_.front().ratio; };
-    if (std::ranges::any_of(on_panels_, has_other_ratio) && density_.size() >= hierarchical::fewest_panels) {
+    if (std::any_of(on_panels_.begin(), on_panels_.end(), has_other_ratio) &&
+        density_.size() >= hierarchical::fewest_panels) {
       distant_ = std::make_shared<const DistantTractions>(density_, solution.piecewise_traction(), unit);
     }
   }

@@ -377,8 +377,8 @@ Sample<R> ClosedForm<R>::at(const Rational& x) const {
 
 template <Real R>
 void ClosedForm<R>::tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) const {
-  std::ranges::fill(normal, R(0));
-  std::ranges::fill(shear, R(0));
+  std::fill(normal.begin(), normal.end(), R(0));
+  std::fill(shear.begin(), shear.end(), R(0));
   std::vector<Rational> ends;
   for (std::size_t j = 0; j < data_.exact.size(); ++j) {
     ends.push_back(data_.origin + data_.exact[j].value_or(Rational(weight().point(j))));

@@ -293,7 +293,8 @@ std::optional<PunchCore<R>> punch_core(const ContactProblem& problem) {
   const auto is_flat = [&](const Indenter::Piece& piece) {
     return piece.profile == punch.pieces().front().profile && piece.profile.degree() <= 0;
   };
-  if (problem.elasticity().indenter() || !std::ranges::all_of(punch.pieces(), is_flat)) return std::nullopt;
+  if (problem.elasticity().indenter() || !std::all_of(punch.pieces().begin(), punch.pieces().end(), is_flat))
+    return std::nullopt;
 
   const FrictionLayout<R> layout = FrictionLayout<R>::of(problem);
   const auto end = [&](R FrictionStrip<R>::*weight, int side) {

@@ -103,7 +103,7 @@ void LineSum::hand_down(std::size_t index, const double* parent_field) {
     }
     for (std::size_t s = 0; s < sums(); ++s) {
       clenshaw(parent_field + s * order, x, value);
-      std::ranges::copy(value, values.begin() + static_cast<std::ptrdiff_t>(s * order));
+      std::copy(value.begin(), value.end(), values.begin() + static_cast<std::ptrdiff_t>(s * order));
     }
   }
   add_far(index, values.data());
@@ -116,7 +116,7 @@ void LineSum::hand_down(std::size_t index, const double* parent_field) {
     }
   }
   if (cell.is_leaf()) {
-    std::ranges::copy(field, fields_.begin() + static_cast<std::ptrdiff_t>(cell.first * sums() * order));
+    std::copy(field.begin(), field.end(), fields_.begin() + static_cast<std::ptrdiff_t>(cell.first * sums() * order));
     return;
   }
   hand_down(cell.left, field.data());

@@ -24,19 +24,20 @@ class Maximum {
   /// All maxima that the highest places found by scanning lead to, the highest one first.
   std::vector<Place<R>> highest() const {
     std::vector<Place<R>> places = scan();
-    std::ranges::sort(places, [](const Place<R>& a, const Place<R>& b) { return a.value > b.value; });
+    std::sort(places.begin(), places.end(), [](const Place<R>& a, const Place<R>& b) { return a.value > b.value; });
     std::vector<Place<R>> starts;
     for (const Place<R>& place : places) {
       constexpr std::size_t most = 6;
       const auto is_near = [&](const Place<R>& start) {
         return abs(start.x - place.x) + abs(start.z - place.z) < std::max(place.scale, start.scale) / 2;
       };
-      if (std::ranges::none_of(starts, is_near)) starts.push_back(place);
+      if (std::none_of(starts.begin(), starts.end(), is_near)) starts.push_back(place);
       if (starts.size() == most) break;
     }
     std::transform(starts.begin(), starts.end(), starts.begin(),
                    [this](const Place<R>& start) { return climbed(start); });
-    std::ranges::stable_sort(starts, [](const Place<R>& a, const Place<R>& b) { return a.value > b.value; });
+    std::stable_sort(starts.begin(), starts.end(),
+                     [](const Place<R>& a, const Place<R>& b) { return a.value > b.value; });
     return starts;
   }
 
@@ -180,7 +181,8 @@ template <Real R>
 R default_depth(const ContactSolution<R>& solution) {
   const std::vector<ContactComponent<R>> contact = solution.contact();
   const auto jumps = [](const SolvedSingularPoint<R>& point) { return point.kind == SingularKind::friction_jump; };
-  const bool is_bounded = unbounded_places(solution).empty() && std::ranges::none_of(solution.singular_points(), jumps);
+  const std::vector<SolvedSingularPoint<R>> points = solution.singular_points();
+  const bool is_bounded = unbounded_places(solution).empty() && std::none_of(points.begin(), points.end(), jumps);
   if (contact.empty() || is_bounded) return 0;
   return (contact.back().right.x.value - contact.front().left.x.value) / 100;
 }

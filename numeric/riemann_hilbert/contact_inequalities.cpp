@@ -198,7 +198,7 @@ class Inspection {
       // The support's ends, and both sides of steps and corners.
       if (k > first || !contact_left) more.push_back(beside(set_, k, Side::right, R(0)));
       if (k + 1 < end || !contact_right) more.push_back(beside(set_, k + 1, Side::left, R(0)));
-      std::ranges::stable_sort(more, [](const SurfacePoint<R>& a, const SurfacePoint<R>& b) {
+      std::stable_sort(more.begin(), more.end(), [](const SurfacePoint<R>& a, const SurfacePoint<R>& b) {
         return std::tie(a.node.from_left, b.node.from_right) < std::tie(b.node.from_left, a.node.from_right);
       });
       for (const SurfacePoint<R>& at : more) {

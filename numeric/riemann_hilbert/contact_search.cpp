@@ -46,7 +46,8 @@ class Search {
           }
           why = in_words(form, found, newton.step);
           before_gap_.reset();
-          if (std::ranges::any_of(found, [](const Violation<R>& v) { return v.what == What::tension && v.anchor; })) {
+          if (std::any_of(found.begin(), found.end(),
+                          [](const Violation<R>& v) { return v.what == What::tension && v.anchor; })) {
             before_gap_ = result(why, newton.step);
           }
           if (round + 1 == max_rounds || !repair(found)) return failure(why, newton.step);
@@ -208,7 +209,8 @@ class Search {
 
   bool repair(const std::vector<Violation<R>>& found) {
     Set set = state_.set;
-    if (std::ranges::any_of(found, [&](const auto& v) { return v.anchor && vanished_.count(*v.anchor) != 0; }))
+    if (std::any_of(found.begin(), found.end(),
+                    [&](const auto& v) { return v.anchor && vanished_.count(*v.anchor) != 0; }))
       return false;
     // From right to left: indices on the left stay.
     for (std::size_t i = found.size(); i-- > 0;) {

@@ -1,5 +1,6 @@
 #include "numeric/riemann_hilbert/contact_set.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace steadyslide::numeric {
@@ -195,7 +196,7 @@ bool ContactSet<R>::is_consistent() const {
     if ((point.kind == Kind::ends) != contact) return false;
     contact = !contact;
   }
-  const bool positive = std::ranges::all_of(lengths_, [](const R& length) { return length > 0; });
+  const bool positive = std::all_of(lengths_.begin(), lengths_.end(), [](const R& length) { return length > 0; });
   return !contact && positive && components() > 0;
 }
 

@@ -56,7 +56,8 @@ ReducedProblem<R>::ReducedProblem(const ContactProblem& problem, const Frame& fr
     friction_of_.push_back(piece.friction);
   }
   add_anchor(indenter.right());
-  const auto count = static_cast<std::size_t>(std::ranges::count_if(anchors_, &Anchor::is_break));
+  const auto count = static_cast<std::size_t>(
+      std::count_if(anchors_.begin(), anchors_.end(), [](const Anchor& anchor) { return anchor.is_break; }));
   shortest_gap_ = count < most_coupled ? R(1e-280) : R(1e-150);
 
   for (std::size_t k = 0; k < friction.values().size(); ++k) {

@@ -218,7 +218,7 @@ std::string too_many_profile_breaks(const ContactProblem& problem, Digits digits
 bool may_have_many_gaps(const ContactProblem& problem) {
   constexpr std::ptrdiff_t many = 100;
   const std::vector<Indenter::Break> breaks = problem.indenter().breaks();
-  return std::ranges::count_if(breaks, [](const Indenter::Break& b) { return b.wedge < 0; }) > many;
+  return std::count_if(breaks.begin(), breaks.end(), [](const Indenter::Break& b) { return b.wedge < 0; }) > many;
 }
 
 template <Real R>

@@ -21,7 +21,7 @@ RiemannHilbertSolution<R>::RiemannHilbertSolution(ContactProblem problem, const 
 template <Real R>
 bool RiemannHilbertSolution<R>::has_edge() const {
   const auto& points = contact_set().points();
-  return std::ranges::any_of(points, [](const auto& p) { return p.is_end() && !p.vanishes; });
+  return std::any_of(points.begin(), points.end(), [](const auto& p) { return p.is_end() && !p.vanishes; });
 }
 
 template <Real R>
@@ -226,7 +226,7 @@ Estimate<R> RiemannHilbertSolution<R>::load_on(std::size_t segment) const {
   if constexpr (!std::same_as<R, double>) {
     // The samples are there, or soon will be; Gauss-Jacobi rules for this alone would cost ten times as much.
     const Checked& check = checked();
-    const auto panel = std::ranges::find(check.segments, segment) - check.segments.begin();
+    const auto panel = std::find(check.segments.begin(), check.segments.end(), segment) - check.segments.begin();
     if (const auto load = check.surface.panel_integral(static_cast<std::size_t>(panel))) return *load;
   }
   if (!form_.changes_polynomial(segment) && !form_.changes_polynomial(segment + 1)) return form_.load_on(segment);
@@ -371,7 +371,7 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
     for (const SurfacePoint<R>& at : all) {
       const std::optional<std::size_t> end = nearest_end(at);
       if (!end) continue;
-      const auto panel = std::ranges::find(segments, contact_set().inside(*end)) - segments.begin();
+      const auto panel = std::find(segments.begin(), segments.end(), contact_set().inside(*end)) - segments.begin();
       const R distance = abs(form_.distance(at, *end));
       const Side side = opposite(contact_set().contact_side(*end));
       const R rise = GapIntegral<R>(form_, *end).profile_increment(at);

@@ -208,8 +208,8 @@ std::vector<Rational> RiemannHilbertSolution<R>::places() const {
 
 template <Real R>
 void RiemannHilbertSolution<R>::tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) const {
-  std::ranges::fill(normal, R(0));
-  std::ranges::fill(shear, R(0));
+  std::fill(normal.begin(), normal.end(), R(0));
+  std::fill(shear.begin(), shear.end(), R(0));
   const ContactSet<R>& set = contact_set();
   PanelFinder<R>(places(), reduced_.frame().unit)
       .visit(

@@ -25,7 +25,7 @@ std::vector<GradedPanel<R>> towards_corner(GradedPanel<R> part) {
     result.push_back(outer);
   }
   result.push_back(part);
-  if (corner == Side::left) std::ranges::reverse(result);
+  if (corner == Side::left) std::reverse(result.begin(), result.end());
   return result;
 }
 
@@ -33,7 +33,7 @@ std::vector<GradedPanel<R>> towards_corner(GradedPanel<R> part) {
 template <Real R>
 void evaluate(std::span<const R> coefficients, std::span<R> values) {
   if (coefficients.size() == 1) {
-    std::ranges::fill(values, coefficients[0]);
+    std::fill(values.begin(), values.end(), coefficients[0]);
     return;
   }
   // Clenshaw's recurrence, for a few places at a time side by side.

@@ -10,7 +10,7 @@ namespace {
 
 bool is_finite(const DiscreteState& state) {
   return std::isfinite(state.approach) && std::isfinite(state.tilt) &&
-         std::ranges::all_of(state.pressure, [](double p) { return std::isfinite(p); });
+         std::all_of(state.pressure.begin(), state.pressure.end(), [](double p) { return std::isfinite(p); });
 }
 
 /// Cells under tension, and cells that penetrate by more than rounding.

@@ -13,7 +13,7 @@ ContactHull::ContactHull(const DiscreteProblem& problem, std::size_t first, std:
 
 std::shared_ptr<ContactHull> contact_hull(const DiscreteProblem& problem, const CellSet& contact,
                                           std::shared_ptr<ContactHull> last) {
-  const auto begin = static_cast<std::size_t>(std::ranges::find(contact, 1) - contact.begin());
+  const auto begin = static_cast<std::size_t>(std::find(contact.begin(), contact.end(), 1) - contact.begin());
   const auto end = static_cast<std::size_t>(contact.rend() - std::find(contact.rbegin(), contact.rend(), 1));
   // A contact that grows by a few cells keeps its hull: to plan transforms of a new length takes as long as some products.
   const std::size_t step = std::bit_floor(std::max<std::size_t>((end - begin) / 32, 1));

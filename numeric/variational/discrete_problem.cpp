@@ -48,8 +48,9 @@ std::vector<std::size_t> cells_of(const CellSet& contact) {
 double height_over(const DiscreteProblem& problem, const std::vector<std::size_t>& cells) {
   const auto psi = [&](std::size_t cell) { return problem.profile()[cell]; };
   if (cells.empty()) return 1;
-  const auto [low, high] = std::ranges::minmax(cells, {}, psi);
-  return std::max(1.0, psi(high) - psi(low));
+  const auto lower = [&](const auto& a, const auto& b) { return psi(a) < psi(b); };
+  const auto [low, high] = std::minmax_element(cells.begin(), cells.end(), lower);
+  return std::max(1.0, psi(*high) - psi(*low));
 }
 
 std::vector<double> gaps(const DiscreteProblem& problem, const DiscreteState& state) {

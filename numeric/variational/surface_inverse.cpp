@@ -77,7 +77,8 @@ void SurfaceInverse::restrict_to(std::vector<CellRange> zones) {
     Circle& circle = circles_.try_emplace(length, length).first->second;
     Zone& zone = zones_.emplace_back(Zone{cells, &circle, {}});
     for (std::size_t i = cells.first; i < cells.first + cells.count; ++i) {
-      if (std::ranges::find(zone.kinds, kind_of_[i]) == zone.kinds.end()) zone.kinds.push_back(kind_of_[i]);
+      if (std::find(zone.kinds.begin(), zone.kinds.end(), kind_of_[i]) == zone.kinds.end())
+        zone.kinds.push_back(kind_of_[i]);
     }
     for (const unsigned char kind : zone.kinds) {
       if (!circle.reciprocals.contains(kind)) circle.reciprocals[kind] = reciprocal(values_[kind], circle.fourier);

@@ -1,5 +1,6 @@
 // What integrals of the pressures on cells add to a sample.
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <numbers>
@@ -52,7 +53,7 @@ std::vector<double> VariationalSolution::shear_transform(const std::vector<doubl
   const std::size_t size = std::bit_ceil(2 * n);
   const variational::Fourier fourier(size);
   const std::span<double> values = fourier.values();
-  std::ranges::fill(values, 0.0);
+  std::fill(values.begin(), values.end(), 0.0);
   for (std::size_t m = 1; m < n; ++m) {
     const auto d = static_cast<double>(m);
     values[size - m] = std::log((d + 0.5) / (d - 0.5)) / std::numbers::pi;
@@ -60,7 +61,7 @@ std::vector<double> VariationalSolution::shear_transform(const std::vector<doubl
   }
   fourier.forward();
   const std::vector<std::complex<double>> kernel(fourier.modes().begin(), fourier.modes().end());
-  std::ranges::fill(values, 0.0);
+  std::fill(values.begin(), values.end(), 0.0);
   const std::vector<Rational>& jumps = problem_.friction().jumps();
   std::size_t piece = 0;
   for (std::size_t i = 0; i < n; ++i) {

@@ -80,8 +80,9 @@ LargestPressure<double> VariationalSolution::largest_pressure() const {
   }
   if (const auto wedge = sharpest_wedge()) unbounded.push_back(*wedge);
   if (const auto infinite = infinite_pressure(unbounded)) return *infinite;
-  const auto cell = static_cast<std::size_t>(std::ranges::min_element(traction_) - traction_.begin());
-  const auto coarse = static_cast<std::size_t>(std::ranges::min_element(coarse_traction_) - coarse_traction_.begin());
+  const auto cell = static_cast<std::size_t>(std::min_element(traction_.begin(), traction_.end()) - traction_.begin());
+  const auto coarse = static_cast<std::size_t>(std::min_element(coarse_traction_.begin(), coarse_traction_.end()) -
+                                               coarse_traction_.begin());
   const double x = (edges_[cell] + edges_[cell + 1]) / 2;
   const double coarse_x = (coarse_edges_[coarse] + coarse_edges_[coarse + 1]) / 2;
   Estimate<double> value = -traction(cell);

@@ -51,10 +51,8 @@ std::vector<SharedSolution> up_to_merging(const ContactProblem& problem, const S
 }
 
 /// Two bumps with the friction jump between them.
-Panel merging_zones(const Elasticity& body) {
-  const ContactProblem bumps{body, FrictionProfile({Rational(1, 10), Rational(7, 10)}, {0}),
-                             Indenter(-2, {{2, Polynomial({Rational(1, 4), 0, Rational(-1, 2), 0, Rational(1, 4)})}}),
-                             1};
+Panel merging_zones() {
+  const ContactProblem bumps = two_bumps();
   Panel panel{{0.59, 0.985, 0.175, 0.9},
               {"load {/:Italic P}  ({/:Italic E L})", 0, 1.2, false, 0.2},
               {"ends of contact {/:Italic x} / {/:Italic L}", -2, 2.6, false, 1}};
@@ -86,7 +84,7 @@ Panel merging_zones(const Elasticity& body) {
 }
 
 /// A parabola whose vertex lies beside the friction jump.
-Panel growing_zone(const Elasticity& body) {
+Panel growing_zone() {
   const Rational jump(3, 20);
   const Rational low(1, 10);
   const Rational high(2);
@@ -95,8 +93,7 @@ Panel growing_zone(const Elasticity& body) {
               {"ends of contact {/:Italic x} / {/:Italic L}", -0.6, 0.6, false, 0.2}};
   int style = 0;
   for (const auto& [left, right] : {std::pair(low, high), std::pair(high, low)}) {
-    const ContactProblem problem{body, FrictionProfile({left, right}, {jump}),
-                                 Indenter(-1, {{1, Polynomial({0, 0, Rational(1, 2)})}}), 1};
+    const ContactProblem problem = parabola(Rational(3, 10), {left, right}, 1, {jump});
     Series rear{
         "{/:Italic f} = " + to_string(left) + " left, " + to_string(right) + " right", Look::line, ++style, {{0, 0}}};
     Series front{"", Look::line, style, {{0, 0}}};
@@ -117,7 +114,6 @@ Panel growing_zone(const Elasticity& body) {
 }  // namespace
 
 Figure make_contact_load() {
-  const Elasticity body(Solid(Rational(3, 10), 1));
   return {
       "contact-load",
       "Contact zones that grow over a friction jump",
@@ -128,7 +124,7 @@ Figure make_contact_load() {
       "kink. Right: two bumps `psi = (x^2-1)^2/4` with `f = 0.1` on the left and 0.7 on the right of the jump at 0. "
       "Two zones become one, and from then on the jump is under contact.",
       445,
-      {growing_zone(body), merging_zones(body)}};
+      {growing_zone(), merging_zones()}};
 }
 
 }  // namespace steadyslide::app

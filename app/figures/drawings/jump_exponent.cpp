@@ -34,12 +34,10 @@ Figure make_jump_exponent() {
               {"friction on the left {/:Italic f}_{−}", 0, most, false, 0.5},
               {"friction on the right {/:Italic f}_{+}", 0, most, false, 0.5}};
   panel.legend = LegendAt::none;
-  panel.notes = contour_labels(map, {0.1, 1.9}, {1.9, 0.1});
-  panel.notes.insert(panel.notes.end(),
-                     {{{0.06, 0.95, true, true}, "rougher in front, β negative:", Align::left, 14, true},
-                      {{0.06, 0.9, true, true}, "pressure infinite", Align::left, 14, true},
-                      {{0.94, 0.085, true, true}, "rougher at the rear, β positive:", Align::right, 14, true},
-                      {{0.94, 0.035, true, true}, "pressure 0", Align::right, 14, true}});
+  panel.notes = {{{0.06, 0.95, true, true}, "rougher in front, β negative:", Align::left, 14, true},
+                 {{0.06, 0.9, true, true}, "pressure infinite", Align::left, 14, true},
+                 {{0.94, 0.085, true, true}, "rougher at the rear, β positive:", Align::right, 14, true},
+                 {{0.94, 0.035, true, true}, "pressure 0", Align::right, 14, true}};
   panel.map = std::move(map);
   return {
       "jump-exponent",

@@ -100,8 +100,7 @@ Figure make_local_forms() {
   const Solved falling(flat_punch(nu, {Rational(1, 10), 1}, {0}, Sliding::minus_x));
   const Solved punch(flat_punch(nu, {1}));
   const Elasticity body(Solid(nu, 1));
-  const Solved parabola(
-      {body, FrictionProfile({1}), Indenter(-1, {{1, Polynomial({0, 0, Rational(1, 2)})}}), Rational(1, 8)});
+  const Solved under_parabola(parabola(nu, {1}, Rational(1, 8)));
   const Rational slope(1);
   const Solved wedge(
       {body, FrictionProfile({1}),
@@ -120,8 +119,8 @@ Figure make_local_forms() {
   add(strong, "edge, front", punch, {1, Side::left}, 2);
   add(strong, "jump, rising", rising, {1, Side::right}, 4);
   add(strong, "wedge", wedge, {1, Side::right}, 3);
-  add(weak, "free end, rear", parabola, {0, Side::right}, 1);
-  add(weak, "free end, front", parabola, {1, Side::left}, 2);
+  add(weak, "free end, rear", under_parabola, {0, Side::right}, 1);
+  add(weak, "free end, front", under_parabola, {1, Side::left}, 2);
   add(weak, "jump, falling", falling, {1, Side::right}, 4);
   return {"local-forms",
           "Pressure next to a singular point",

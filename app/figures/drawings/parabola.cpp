@@ -10,8 +10,7 @@ namespace steadyslide::app {
 Figure make_parabola() {
   // psi = x^2/2, gamma = 1/2, f = 1: the radius R is 1.
   const Rational s(1, 2);
-  const ContactProblem problem{Elasticity(Solid(0, 1)), FrictionProfile({1}),
-                               Indenter(-1, {{1, Polynomial({0, 0, Rational(1, 2)})}}), Rational(1, 50)};
+  const ContactProblem problem = parabola(0, {1}, Rational(1, 50));
   const auto solution = solved(problem);
   const double load = numeric::to_real<double>(problem.load());
   const auto zone = solution->contact().front();
@@ -39,13 +38,11 @@ Figure make_parabola() {
   }
 
   const Axis across{"{/:Italic x} / {/:Italic a}", -2, 2, false, 0.5};
-  Panel above{{0.1, 0.98, 0.56, 0.93}, across, {"height  ({/:Italic a}^2/{/:Italic R})", -0.2, 2, false, 0.5}};
-  above.series = {profile, surface};
-  above.legend = LegendAt::top_centre;
-  above.x.label = "";
-  above.x.labelled = false;
+  Panel above{{0.1, 0.98, 0.56, 0.93}, across.bare(), {"height  ({/:Italic a}^2/{/:Italic R})", -0.2, 2, false, 0.5}};
   Panel below{
       {0.1, 0.98, 0.115, 0.52}, across, {"pressure −{/:Italic t}_n  ({/:Italic P}/{/:Italic a})", 0, 0.8, false, 0.2}};
+  above.series = {profile, surface};
+  above.legend = LegendAt::top_centre;
   below.series = {pressure, cells};
   below.legend = LegendAt::top_right;
   const double peak = -4 * alpha;

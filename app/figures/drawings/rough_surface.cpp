@@ -20,10 +20,8 @@ Figure make_rough_surface() {
   const auto zones = solution->contact();
 
   const Axis across{"{/:Italic x} / {/:Italic L}", -0.55, 0.45, false, 0.1};
-  Panel above{{0.12, 0.98, 0.58, 0.93}, across, {"height  ({/:Italic L})", -0.0125, 0.023, false, 0.01}};
+  Panel above{{0.12, 0.98, 0.58, 0.93}, across.bare(), {"height  ({/:Italic L})", -0.0125, 0.023, false, 0.01}};
   Panel below{{0.12, 0.98, 0.115, 0.54}, across, {"pressure −{/:Italic t}_n  ({/:Italic E})", 0, 0.35, false, 0.1}};
-  above.x.label = "";
-  above.x.labelled = false;
   above.legend = LegendAt::top_centre;
   below.legend = LegendAt::none;
 

@@ -12,12 +12,6 @@ namespace {
 /// What of a panel lies above its surface: an arrow, and notes.
 constexpr double note_height = 1.035;
 
-void add_labels(Panel& panel, std::initializer_list<std::pair<Point, Point>> ways) {
-  for (const auto& [from, to] : ways) {
-    for (Note& note : contour_labels(*panel.map, from, to)) panel.notes.push_back(std::move(note));
-  }
-}
-
 void add_direction(Panel& panel, double from, double to) {
   panel.notes.push_back({{from - 0.03, note_height, false, true}, "sliding", Align::right});
   panel.guides.push_back({{from, note_height, false, true}, {to, note_height, false, true}, true});
@@ -27,10 +21,7 @@ void add_direction(Panel& panel, double from, double to) {
 
 ContactProblem stress_map_problem() { return flat_punch(Rational(1, 5), {Rational(1, 10), 1}, {0}); }
 
-ContactProblem stress_parabola_problem() {
-  return {Elasticity(Solid(Rational(3, 10), 1)), FrictionProfile({Rational(1, 5)}),
-          Indenter(-1, {{1, Polynomial({0, 0, Rational(1, 2)})}}), Rational(1, 50)};
-}
+ContactProblem stress_parabola_problem() { return parabola(Rational(3, 10), {Rational(1, 5)}, Rational(1, 50)); }
 
 Figure make_stress_map() {
   const ContactProblem problem = stress_map_problem();
@@ -42,7 +33,6 @@ Figure make_stress_map() {
                      .stress_name = "{/:Italic P}/{/:Italic L}",
                      .contours = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8}};
   Panel panel = stress_panel(*solution, problem, view);
-  add_labels(panel, {{{-1.95, 1.1}, {-1.02, 0.33}}, {{1.05, 1.9}, {1.05, 0.15}}});
   const numeric::LargestStress<double> largest =
       mark_largest(panel, *solution, view, numeric::default_depth(*solution));
   panel.notes.insert(panel.notes.end(), {{{-0.5, note_height, false, true}, "{/:Italic f} = 0.1", Align::centre},
@@ -82,7 +72,6 @@ Figure make_stress_parabola() {
                      .stress_name = "{/:Italic P}/{/:Italic a}",
                      .contours = {0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35}};
   Panel panel = stress_panel(*solution, problem, view);
-  add_labels(panel, {{{-1.95, 1.2}, {1.95, 1.2}}, {{-1.6, 0.02}, {-1.6, 0.3}}, {{0.2, 1.1}, {0.2, 0.8}}});
   const numeric::LargestStress<double> largest = mark_largest(panel, *solution, view, 0);
   for (const auto& end : {zone.left, zone.right}) {
     panel.guides.push_back({{end.x.value / a, 1, false, true}, {end.x.value / a, 1.06, false, true}});

@@ -12,15 +12,11 @@ Rational bump_height(const Rational& x) { return (x * x - 1) * (x * x - 1) / 4; 
 }  // namespace
 
 Figure make_two_zones() {
-  const ContactProblem bumps{
-      Elasticity(Solid(Rational(3, 10), 1)), FrictionProfile({Rational(1, 10), Rational(7, 10)}, {0}),
-      Indenter(-2, {{2, Polynomial({Rational(1, 4), 0, Rational(-1, 2), 0, Rational(1, 4)})}}), 1};
+  const ContactProblem bumps = two_bumps();
   const double edge = 1.9;
   const Axis across{"{/:Italic x} / {/:Italic L}", -edge, edge, false, 0.5};
-  Panel above{{0.1, 0.98, 0.6, 0.93}, across, {"height  ({/:Italic L})", -0.15, 0.5, false, 0.2}};
+  Panel above{{0.1, 0.98, 0.6, 0.93}, across.bare(), {"height  ({/:Italic L})", -0.15, 0.5, false, 0.2}};
   Panel below{{0.1, 0.98, 0.115, 0.565}, across, {"pressure −{/:Italic t}_n  ({/:Italic E})", 0, 0.75, false, 0.2}};
-  above.x.label = "";
-  above.x.labelled = false;
   above.legend = LegendAt::none;
   below.legend = LegendAt::top_centre;
   Series profile{"bumps ψ", Look::line, 6, {}};
