@@ -33,13 +33,7 @@ void add_flat_punch(std::vector<DecidedStatement>& all);
 void add_inversion(std::vector<DecidedStatement>& all);
 void add_parabola(std::vector<DecidedStatement>& all);
 void add_quartic(std::vector<DecidedStatement>& all);
-void add_linearisation(std::vector<DecidedStatement>& all);
 void add_shapes(std::vector<DecidedStatement>& all);
 void add_loads(std::vector<DecidedStatement>& all);
-void add_strips(std::vector<DecidedStatement>& all);
-void add_strip_weights(std::vector<DecidedStatement>& all);
-void add_remarks(std::vector<DecidedStatement>& all);
-void add_rows(std::vector<DecidedStatement>& all);
-void add_limits(std::vector<DecidedStatement>& all);
 
 }  // namespace steadyslide::symbolic

@@ -7,10 +7,15 @@
 // for which the logarithmic form is (pi/2) sum a_n^2/n. [Bal16, section 3.1]
 
 #include "symbolic/statements/contact_symbols.hpp"
-#include "symbolic/statements/cosines.hpp"
 #include "symbolic/statements/polynomial_families.hpp"
+#include "symbolic/statements/written_statements.hpp"
 
 namespace steadyslide::symbolic {
+
+namespace embedded {
+extern const std::string_view energy_txt;
+}
+
 namespace {
 
 using GiNaC::ex;
@@ -240,9 +245,8 @@ DecidedStatement logarithmic() {
 }  // namespace
 
 std::vector<DecidedStatement> energy_statements() {
-  std::vector<DecidedStatement> all{piecewise(), bilinear(), skew(), primitive(), weighted(), logarithmic()};
-  add_friction_jumps(all);
-  return all;
+  return written_statements(embedded::energy_txt,
+                            {piecewise(), bilinear(), skew(), primitive(), weighted(), logarithmic()});
 }
 
 }  // namespace steadyslide::symbolic

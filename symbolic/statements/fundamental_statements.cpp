@@ -9,24 +9,6 @@ namespace {
 using GiNaC::ex;
 using GiNaC::symbol;
 
-DecidedStatement plemelj() {
-  const PhaseField field({symbol("s")});
-  const ex s = field.friction(0).s;
-  const ex i = field.i();
-  const auto relation = [&](const std::string& words, const ex& h, const ex& d, const ex& ratio) {
-    const JumpRelation derived = jump_relation(s, h, d);
-    return Comparison(field).equal("G", derived.ratio, ratio).equal("source", derived.source, 1 / (s + i)).as(words);
-  };
-  const ex g = field.phase({2, {{0, 2}}});
-  return {
-      "rh-plemelj",
-      relation("A t = psi' is Phi+ = G Phi- + psi'/(s+i) with G = -e^(2 pi i alpha)", i, 1, g),
-      {relation("Plemelj's sum with the other sign", -i, 1, g), relation("t = Phi- - Phi+", i, -1, g),
-       relation("Plemelj's sum without i", 1, 1, g), relation("G = e^(2 pi i alpha)", i, 1, field.phase({0, {{0, 2}}})),
-       relation("G = -e^(-2 pi i alpha)", i, 1, field.phase({2, {{0, -2}}})),
-       relation("G = -e^(i pi alpha)", i, 1, field.phase({2, {{0, 1}}}))}};
-}
-
 DecidedStatement exponent_at(const std::string& id, PointKind kind, const std::string& words, const AngleForm& stated,
                              const std::vector<std::pair<std::string, AngleForm>>& wrong) {
   const PhaseField field({symbol("s_l"), symbol("s_r")});
@@ -174,37 +156,46 @@ DecidedStatement exponent_sum() {
            decided("with beta of the other sign", 1, 1, -beta)}};
 }
 
-// The general solution: (s+i) Y+ is real, h = epsilon cos(pi alpha) psi'/|Y|, and as many conditions as unknowns.
-
-/// What (s+i) Y+ cos(pi alpha)/|Y| is next to a right end, and that it does not change over a jump.
-DecidedStatement real_on_contact() {
-  const PhaseField field({symbol("s_l"), symbol("s_r")});
-  const auto& left = field.friction(0);
-  const auto& right = field.friction(1);
-  const ex i = field.i();
-  const auto decided = [&](const std::string& words, const AngleForm& jump, const ex& cos_left, const ex& cos_right,
-                           int edge, int free) {
-    const AngleForm sigma(3);  // at the right of the jump, whatever it is
-    const auto epsilon = [&](PointKind kind) {
-      return (left.s + i) * field.phase(derived_exponent(kind).renamed({0, 0}), 1) * cos_left;
-    };
-    return Comparison(field)
-        .equal("over a jump", (left.s + i) * field.phase(sigma + jump, 1) * cos_left,
-               (right.s + i) * field.phase(sigma, 1) * cos_right)
-        .equal("at a right edge", epsilon(PointKind::right_edge), edge)
-        .equal("at a free right end", epsilon(PointKind::right_free), free)
-        .as(words);
+/// With one friction on both sides of a jump, Y and the relation of its banks are those without the jump.
+DecidedStatement height_zero() {
+  struct Layout {
+    Component with;
+    std::size_t jump;                 // of height zero
+    std::vector<std::size_t> values;  // of the panels
   };
-  const AngleForm beta = derived_exponent(PointKind::jump);
-  return {"rh-real",
-          decided("(s+i) Y+ = epsilon |Y|/cos(pi alpha), epsilon constant over jumps, +1 at a right edge, -1 at a free "
-                  "right end",
-                  beta, left.cos, right.cos, 1, -1),
-          {decided("beta of the other sign", -beta, left.cos, right.cos, 1, -1),
-           decided("without cos", beta, 1, 1, 1, -1), decided("sin for cos", beta, left.sin, right.sin, 1, -1),
-           decided("+1 at a free right end", beta, left.cos, right.cos, 1, 1),
-           decided("cos of the other side", beta, right.cos, left.cos, 1, -1)}};
+  const std::vector<Layout> layouts{{{EndKind::edge, EndKind::edge, 2}, 1, {0, 0}},
+                                    {{EndKind::free, EndKind::edge, 3}, 2, {0, 1, 1}},
+                                    {{EndKind::free, EndKind::free, 3}, 1, {0, 0, 1}}};
+  const auto decided = [&](const std::string& words, bool same, const ex& added) {
+    const std::vector<ex> alpha = symbols("alpha", 3);
+    const PhaseField field(symbols("s", 3));
+    Comparison comparison(field);
+    for (const auto& [component, jump, values] : layouts) {
+      const FundamentalSolution with({component});
+      const FundamentalSolution without({{component.left, component.right, component.panels - 1}});
+      std::vector<ex> powers, others, places = symbols("e", with.points().size());
+      for (const auto& point : with.points()) {
+        powers.push_back(expression(same ? point.power.renamed(values) : point.power, alpha));
+      }
+      powers[jump] += added;
+      for (const auto& point : without.points()) others.push_back(expression(point.power, alpha));
+      comparison.equal("power", powers[jump], 0);
+      const std::vector<ex> series = binomial_product(powers, places, 3);
+      places.erase(places.begin() + static_cast<std::ptrdiff_t>(jump));
+      const std::vector<ex> expected = binomial_product(others, places, 3);
+      for (std::size_t k = 0; k < series.size(); ++k) comparison.equal("Y far away", series[k], expected[k]);
+      comparison.equal("epsilon", with.sign_on(field, with.regions()[jump + 1]),
+                       without.sign_on(field, without.regions()[jump]));
+    }
+    return comparison.as(words);
+  };
+  return {"rh-height-zero",
+          decided("one friction on both sides of a jump: its power is 0, Y and epsilon are those without it", true, 0),
+          {decided("two frictions", false, 0), decided("the power 1 for 0", true, 1),
+           decided("the power -1 for 0", true, -1), decided("a power of its own", true, symbol("p"))}};
 }
+
+// The general solution: (s+i) Y+ is real, h = epsilon cos(pi alpha) psi'/|Y|, and as many conditions as unknowns.
 
 /// Phi = Y X with X+ - X- = h: the sum X+ + X- is free.
 DecidedStatement general_solution() {
@@ -245,36 +236,14 @@ DecidedStatement general_solution() {
            decided("sin for cos", Variant::sin)}};
 }
 
-/// n components, k free ends, S = k - n. Conditions: the load, the moments that S > 0 asks for, the n - 1 gaps.
-DecidedStatement count() {
-  const symbol n("n");
-  const symbol k("k");
-  const PhaseField field;
-  const auto decided = [&](const std::string& words, const ex& order, const ex& loads, const ex& gaps,
-                           const ex& coefficients) {
-    return Comparison(field)
-        .equal("S >= 0: free ends", k, loads + order + gaps)
-        .equal("S < 0: free ends and coefficients of q", k + coefficients, loads + gaps)
-        .as(words);
-  };
-  const ex order = k - n;
-  return {"rh-count",
-          decided("as many unknowns as conditions: k + max(0, -S) = 1 + max(0, S) + (n - 1)", order, 1, n - 1, -order),
-          {decided("without the load", order, 0, n - 1, -order),
-           decided("a condition for every component", order, 1, n, -order),
-           decided("S = n - k", -order, 1, n - 1, order), decided("one coefficient more", order, 1, n - 1, 1 - order)}};
-}
-
 }  // namespace
 
 void add_fundamental_solution(std::vector<DecidedStatement>& all) {
-  all.push_back(plemelj());
   add_exponents(all);
   add_layouts(all);
   all.push_back(exponent_sum());
-  all.push_back(real_on_contact());
+  all.push_back(height_zero());
   all.push_back(general_solution());
-  all.push_back(count());
 }
 
 }  // namespace steadyslide::symbolic

@@ -57,19 +57,6 @@ DecidedStatement zone() {
            decided("alpha for 2 alpha", -(1 + g.alpha) * g.a, (1 - g.alpha) * g.a, g.load)}};
 }
 
-DecidedStatement peak() {
-  const Galin g;
-  const auto decided = [&](const std::string& words, const ex& x) {
-    const ex l = -(1 + 2 * g.alpha) * g.a;
-    const ex b = (1 - 2 * g.alpha) * g.a;
-    return Comparison(g.data.field).equal("d log(-t)/dx", g.powers[0] / (x - l) + g.powers[1] / (x - b), 0).as(words);
-  };
-  return {"rh-parabola-peak",
-          decided("the pressure peaks at x = -4 alpha a", -4 * g.alpha * g.a),
-          {decided("4 alpha a", 4 * g.alpha * g.a), decided("-2 alpha a, the middle", -2 * g.alpha * g.a),
-           decided("0", 0), decided("-alpha a", -g.alpha * g.a)}};
-}
-
 /// Both printed amplitudes, by substitution: F = x/R - Y N with N = 1/R.
 DecidedStatement parabola_traction() {
   const Galin g;
@@ -241,7 +228,6 @@ DecidedStatement two_edges() {
 
 void add_parabola(std::vector<DecidedStatement>& all) {
   all.push_back(zone());
-  all.push_back(peak());
   all.push_back(parabola_traction());
   all.push_back(free_ends());
   all.push_back(

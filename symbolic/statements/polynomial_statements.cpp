@@ -113,12 +113,31 @@ DecidedStatement series() {
            decided("one point missing", -1, power_sums({p[0], p[1]}, {e[0], e[1]}, 4))}};
 }
 
+/// A linear B is (m/Y)_{poly} and a constant: F = m - Y B is O(1/z), Y of the order -1.
+DecidedStatement row_candidate() {
+  const PhaseField field;
+  const symbol slope("m"), a("a"), x("y");
+  const std::vector<ex> sums = power_sum_symbols(1);
+  const auto decided = [&](const std::string& words, const ex& first, int order) {
+    const std::vector<ex> y = series_at_infinity(sums, -1, 1);
+    return Comparison(field)
+        .equal("F far away, constant", field_coefficient(order, {slope}, {a, first}, y, 0), 0)
+        .equal("B", PolynomialSlope(-1, {slope}, sums, slope * sums[0] - a).factor(x), a + first * x)
+        .as(words);
+  };
+  return {"rh-row-candidate",
+          decided("B = a + m y is the polynomial part of m/Y and a constant, for any a", slope, -1),
+          {decided("2 m", 2 * slope, -1), decided("-m", -slope, -1), decided("without m", 0, -1),
+           decided("m + 1", slope + 1, -1)}};
+}
+
 }  // namespace
 
 void add_polynomial_slope(std::vector<DecidedStatement>& all) {
   all.push_back(substitution());
   all.push_back(decay());
   all.push_back(series());
+  all.push_back(row_candidate());
 }
 
 }  // namespace steadyslide::symbolic

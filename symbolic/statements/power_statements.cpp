@@ -60,79 +60,6 @@ DecidedStatement power_ranges() {
            decided("a jump below 0 alone for s >= 0", changed(4, {-2, 2}, {-1, 0}))}};
 }
 
-/// beta has the sign of s_l - s_r, and cos(pi beta) > 0 where s_l s_r > -1.
-DecidedStatement jump_sign() {
-  const PhaseField field({symbol("s_l"), symbol("s_r")});
-  const auto& l = field.friction(0);
-  const auto& r = field.friction(1);
-  const auto decided = [&](const std::string& words, const AngleForm& power, const ex& sine, const ex& cosine) {
-    const ex plus = field.phase(power, 1);
-    const ex minus = field.phase(power, -1);
-    return Comparison(field)
-        .equal("sin(pi beta)", (plus - minus) / (2 * field.i()), sine)
-        .equal("cos(pi beta)", (plus + minus) / 2, cosine)
-        .as(words);
-  };
-  const AngleForm beta = derived_exponent(PointKind::jump);
-  const ex root = 1 / (l.r * r.r);
-  const ex sine = (l.s - r.s) * root;
-  const ex cosine = (1 + l.s * r.s) * root;
-  return {
-      "rh-jump-sign",
-      decided("sin(pi beta) = (s_l - s_r)/(r_l r_r) and cos(pi beta) = (1 + s_l s_r)/(r_l r_r)", beta, sine, cosine),
-      {decided("beta of the other sign", -beta, sine, cosine), decided("s_r - s_l", beta, -sine, cosine),
-       decided("1 - s_l s_r", beta, sine, (1 - l.s * r.s) * root),
-       decided("alpha_l + alpha_r", AngleForm(0, {{0, 1}, {1, 1}}), sine, cosine)}};
-}
-
-/// cos(pi alpha) = sin(pi (1/2 + alpha)) = 1/sqrt(1+s^2), sin(pi alpha) = s/sqrt(1+s^2), by the square of e^{i pi alpha}.
-DecidedStatement cosine() {
-  const PhaseField field({symbol("s")});
-  const auto& f = field.friction(0);
-  const ex i = field.i();
-  const auto decided = [&](const std::string& words, const ex& cosine, const ex& sine, const AngleForm& shifted) {
-    const ex phase = cosine + i * sine;
-    return Comparison(field)
-        .equal("modulus", cosine * cosine + sine * sine, 1)
-        .equal("tangent", sine, f.s * cosine)
-        .equal("-(its square) is G", -phase * phase, jump_relation(f.s, i).ratio)
-        .equal("sin(pi (1/2 + alpha))", (field.phase(shifted, 1) - field.phase(shifted, -1)) / (2 * i), cosine)
-        .as(words);
-  };
-  const AngleForm shifted(1, {{0, 1}});
-  return {"rh-cosine",
-          decided("cos(pi alpha) = sin(pi (1/2 + alpha)) = 1/sqrt(1+s^2), sin(pi alpha) = s/sqrt(1+s^2)", f.cos, f.sin,
-                  shifted),
-          {decided("without the root", f.cos * f.cos, f.s * f.cos * f.cos, shifted),
-           decided("sine and cosine exchanged", f.sin, f.cos, shifted), decided("-alpha", f.cos, -f.sin, shifted),
-           decided("both of the other sign", -f.cos, -f.sin, shifted)}};
-}
-
-/// Sliding the other way mirrors the contact: front and rear friction change places, and edges and free ends too.
-DecidedStatement mirrored_powers() {
-  const std::vector<ex> alphas{symbol("alpha_l"), symbol("alpha_r")};
-  const PhaseField field;
-  const auto decided = [&](const std::string& words, const ex& sign, const std::vector<std::size_t>& order) {
-    Comparison comparison(field);
-    const auto power = [&](PointKind kind, const std::vector<std::size_t>& index) {
-      return expression(derived_exponent(kind).renamed(index), alphas);
-    };
-    comparison.equal("jump", power(PointKind::jump, order), sign * power(PointKind::jump, {0, 1}))
-        .equal("edges", power(PointKind::left_edge, {0, 0}) + power(PointKind::right_edge, {0, 0}), -1)
-        .equal("free ends", power(PointKind::left_free, {0, 0}) + power(PointKind::right_free, {0, 0}), 1)
-        .equal("left end", power(PointKind::left_free, {0, 0}), power(PointKind::left_edge, {0, 0}) + 1)
-        .equal("right end", power(PointKind::right_free, {0, 0}), power(PointKind::right_edge, {0, 0}) + 1);
-    return comparison.as(words);
-  };
-  return {
-      "rh-power-relations",
-      decided("frictions exchanged, beta has the other sign; a free end has the power of the edge and one more; the "
-              "powers of two edges sum to -1, of two free ends to 1",
-              -1, {1, 0}),
-      {decided("the same sign", 1, {1, 0}), decided("without the exchange", -1, {0, 1}), decided("twice", -2, {1, 0}),
-       decided("no power", 0, {1, 0})}};
-}
-
 /// Y/(z-c), c the first jump: Y+/Y- stays G on every panel, the powers sum to one less.
 DecidedStatement neutral_mode() {
   constexpr EndKind edge = EndKind::edge;
@@ -188,9 +115,6 @@ DecidedStatement neutral_mode() {
 
 void add_powers(std::vector<DecidedStatement>& all) {
   all.push_back(power_ranges());
-  all.push_back(cosine());
-  all.push_back(jump_sign());
-  all.push_back(mirrored_powers());
   all.push_back(neutral_mode());
 }
 

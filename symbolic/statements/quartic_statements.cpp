@@ -117,34 +117,12 @@ DecidedStatement frictionless() {
        decided("half the pressure", 2 / data.pi, ex(4) / 3, good / 2)}};
 }
 
-/// The quartic of the width by v = u + 2 alpha: a sum of what is positive where |alpha| < 1/2.
-DecidedStatement quartic_width() {
-  const PhaseField field;
-  const symbol v("v"), a("alpha");
-  const auto decided = [&](const std::string& words, int shift, const ex& rest) {
-    const ex u = v - shift * a;
-    const ex quartic = 24 * GiNaC::pow(u, 4) + 192 * a * GiNaC::pow(u, 3) + (288 * a * a + 72) * u * u +
-                       (128 * a * a * a + 160 * a) * u + 16 * GiNaC::pow(a, 4) + 56 * a * a + 9;
-    return Comparison(field).equal("quartic", quartic, 24 * GiNaC::pow(v, 4) + (1 - 4 * a * a) * rest).as(words);
-  };
-  const ex rest = 72 * v * v - 128 * a * v + 60 * a * a + 9;
-  return {
-      "rh-quartic-width",
-      decided("with u = v - 2 alpha the quartic of the width is 24 v^4 + (1 - 4 alpha^2) (72 v^2 - 128 alpha v + 60 "
-              "alpha^2 + 9)",
-              2, rest),
-      {decided("u = v - alpha", 1, rest), decided("u = v + 2 alpha", -2, rest),
-       decided("128 alpha v of the other sign", 2, rest + 256 * a * v),
-       decided("without 60 alpha^2", 2, rest - 60 * a * a)}};
-}
-
 }  // namespace
 
 void add_quartic(std::vector<DecidedStatement>& all) {
   all.push_back(any_jumps());
   all.push_back(ends());
   all.push_back(frictionless());
-  all.push_back(quartic_width());
 }
 
 }  // namespace steadyslide::symbolic

@@ -1,6 +1,11 @@
 #include "symbolic/statements/contact_symbols.hpp"
+#include "symbolic/statements/written_statements.hpp"
 
 namespace steadyslide::symbolic {
+
+namespace embedded {
+extern const std::string_view riemann_hilbert_txt;
+}
 
 using GiNaC::ex;
 
@@ -31,15 +36,9 @@ std::vector<DecidedStatement> riemann_hilbert_statements() {
   add_inversion(all);
   add_parabola(all);
   add_quartic(all);
-  add_linearisation(all);
   add_shapes(all);
   add_loads(all);
-  add_strips(all);
-  add_strip_weights(all);
-  add_remarks(all);
-  add_rows(all);
-  add_limits(all);
-  return all;
+  return written_statements(embedded::riemann_hilbert_txt, all);
 }
 
 }  // namespace steadyslide::symbolic

@@ -15,8 +15,6 @@ std::vector<DecidedStatement> elasticity_statements();
 /// The reduction to the normal traction for either direction of sliding; dilations and shifts, scaling, raising, the mirror:
 /// what they make of the equation, the gap and the load [Bal16, (2), (3)]. The half-plane under given tractions [Bal16, (1)].
 std::vector<DecidedStatement> equation_statements();
-void add_half_plane(std::vector<DecidedStatement>& all);
-void add_far_field(std::vector<DecidedStatement>& all);
 
 /// Theorem 2 with a friction jump, with a wedge and a jump, with a wedge alone; theorem 3 at either end of contact, at
 /// a step and free, with the slopes outside; theorem 9, and to all three orders; theorem 10 as theorem 3 under one
