@@ -66,6 +66,8 @@ if(TARGET steadyslide_shared)
           LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library NAMELINK_COMPONENT development)
   install(FILES "${PROJECT_SOURCE_DIR}/library/steadyslide/steadyslide.hpp"
           DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/steadyslide")
+  install(FILES "${PROJECT_SOURCE_DIR}/library/answer/quantities.hpp"
+          DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/steadyslide/library/answer")
   # Found wherever the tree is moved.
   file(RELATIVE_PATH prefix_from_pc "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
   configure_file("${CMAKE_CURRENT_LIST_DIR}/steadyslide.pc.in" "${CMAKE_CURRENT_BINARY_DIR}/steadyslide.pc" @ONLY)

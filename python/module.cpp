@@ -21,6 +21,24 @@ struct type_caster<ss::Number> {
   }
 };
 
+/// (value, x, exponent).
+template <>
+struct type_caster<ss::LargestPressure> {
+  PYBIND11_TYPE_CASTER(ss::LargestPressure, const_name("tuple"));
+  static handle cast(const ss::LargestPressure& largest, return_value_policy, handle) {
+    return py::make_tuple(largest.value, largest.x, largest.exponent).release();
+  }
+};
+
+/// (left, right).
+template <>
+struct type_caster<ss::Interval> {
+  PYBIND11_TYPE_CASTER(ss::Interval, const_name("tuple"));
+  static handle cast(const ss::Interval& interval, return_value_policy, handle) {
+    return py::make_tuple(interval.left, interval.right).release();
+  }
+};
+
 }  // namespace pybind11::detail
 
 namespace {
@@ -80,12 +98,21 @@ py::list gap_tuples(const std::vector<ss::UnresolvedGap>& gaps) {
   return list;
 }
 
-py::tuple resultants(const ss::Solution& solution) {
-  const ss::Resultants r = released([&] { return solution.resultants(); });
-  return py::make_tuple(r.normal, r.friction_force, r.centre_of_pressure, r.effective_friction, r.contact_width,
-                        r.real_contact_length, r.mean_pressure,
-                        py::make_tuple(r.largest_pressure.value, r.largest_pressure.x, r.largest_pressure.exponent),
-                        r.load_share, r.tilt);
+/// Type, key, unit and meaning of each quantity of the table.
+py::list quantities() {
+  py::list list;
+  for (const auto& [type, key, unit, line, meaning] : ss::answer::quantities) {
+    list.append(py::make_tuple(type, key, unit, meaning));
+  }
+  return list;
+}
+
+/// Their values, in the same order.
+py::list resultants(const ss::Solution& solution) {
+  py::list list;
+  const ss::Resultants found = released([&] { return solution.resultants(); });
+  ss::answer::for_each_quantity(found, [&](const auto&, const auto& value) { list.append(value); });
+  return list;
 }
 
 py::tuple sample(const ss::Solution& solution, const std::string& x) {
@@ -171,6 +198,7 @@ ss::Problem read_file(const std::string& file) {
 
 PYBIND11_MODULE(_core, m) {
   m.attr("__version__") = ss::version();
+  m.attr("quantities") = quantities();
   py::register_exception<ss::InvalidData>(m, "InvalidData", PyExc_ValueError);
 
   py::class_<ss::Problem>(m, "Problem")

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "enclosure/contact/enclosed_solution.hpp"
-#include "enclosure/contact/punch_core.hpp"
+#include "library/answer/enclosed_contact.hpp"
 #include "library/proof/certificate.hpp"
 #include "library/solve/warnings.hpp"
 
@@ -39,21 +38,18 @@ class CertifiedWriter {
       : text_(text), problem_(problem.contact), solution_(problem.contact, proof, threads), digits_(digits) {}
 
   void write(const std::vector<Rational>& places, const FieldWanted& field) {
+    const EnclosedContact solved(problem_, solution_);
     std::vector<Ball> ends;
     std::vector<Ball> intensities;
     text_.contact.clear();
     text_.width.clear();
-    Ball length(0);
-    for (const auto& [left, right] : solution_.contact()) {
+    for (const auto& [left, right] : solved.contact()) {
       text_.contact.emplace_back(end(left), end(right));
       text_.width.push_back(number(right.x - left.x));
-      length += right.x - left.x;
       ends.insert(ends.end(), {left.x, right.x});
       intensities.insert(intensities.end(), {left.intensity, right.intensity});
     }
-    const Ball whole = ends.back() - ends.front();
-    text_.contact_width = number(whole);
-    text_.real_contact_length = number(length);
+    const Ball whole = solved.width();
     for (Ball& x : ends) x = whole + (x - x.midpoint());  // relative to the contact's length
 
     text_.singular_points.clear();
@@ -65,23 +61,10 @@ class CertifiedWriter {
       intensities.push_back(point.intensity);
     }
 
-    const EnclosedSolution::Resultants resultants = solution_.resultants();
-    text_.normal = number(resultants.normal);
-    text_.tangential = number(resultants.tangential);
-    text_.centre_of_pressure = number(resultants.centre_of_pressure);
-    text_.effective_friction = number(resultants.effective_friction);
-    text_.load_share.clear();
-    for (const Ball& share : resultants.load_share) text_.load_share.push_back(number(share));
-    text_.mean_pressure = number(resultants.normal / length);
+    text_.resultants = answer::resultants_of<ResultantsText>(solved, *this);
     // What nothing encloses is not told.
     text_.component_load.assign(text_.contact.size(), {});
-    if (text_.contact.size() == 1) text_.component_load = {text_.normal};
-    const bool blows_up = text_.largest_pressure.value.value == "inf";
-    if (!blows_up) text_.largest_pressure = {};
-    if (const std::optional<Ball> tilt = solution_.tilt()) text_.tilt = number(*tilt);
-    if (const auto core = enclosure::punch_core(problem_, resultants.normal.bits())) {
-      text_.core = LimitText{number(core->left), number(core->right), true};
-    }
+    if (text_.contact.size() == 1) text_.component_load = {number(solved.forces().normal)};
 
     text_.samples.clear();
     for (const Rational& x : places) text_.samples.push_back(sample(x));
@@ -90,7 +73,28 @@ class CertifiedWriter {
     if (largest) text_.field.largest_stress = lower_bound(problem_, solution_, *largest, digits_);
     text_.errors = {{"ends", upper_text(relative_radius(ends))},
                     {"traction", upper_text(relative_radius(intensities))},
-                    {"resultants", upper_text(relative_radius(resultants.load_share))}};
+                    {"resultants", upper_text(relative_radius(solved.forces().load_share))}};
+  }
+
+  /// A quantity of the table (library/answer/quantities.hpp).
+  NumberText operator()(const Ball& ball) const { return number(ball); }
+  std::size_t operator()(std::size_t count) const { return count; }
+  std::optional<NumberText> operator()(const std::optional<Ball>& ball) const {
+    return ball ? std::optional(number(*ball)) : std::nullopt;
+  }
+  std::vector<NumberText> operator()(const std::vector<Ball>& balls) const {
+    std::vector<NumberText> texts;
+    for (const Ball& ball : balls) texts.push_back(number(ball));
+    return texts;
+  }
+  ResultantsText::Interval operator()(const std::optional<answer::IntervalOf<Ball>>& interval) const {
+    if (!interval) return std::nullopt;
+    return answer::IntervalOf<NumberText>{number(interval->left), number(interval->right)};
+  }
+  /// A finite largest pressure is not enclosed; an infinite one stays as it was found.
+  ResultantsText::Largest operator()(EnclosedContact::NotEnclosed) const {
+    const ResultantsText::Largest& found = text_.resultants.largest_pressure;
+    return found.value.value == "inf" ? found : ResultantsText::Largest{};
   }
 
  private:
@@ -208,10 +212,11 @@ void add_bound(SolutionText& text, const Problem& problem, const enclosure::Cell
     told.certificate = certificate(problem.contact, bound);
     told.energy = upper_text(bound.energy);
     told.largest_gap = upper_text(bound.largest_gap);
-    text.load_share.clear();
-    for (const Ball& share : bound.load_share) text.load_share.push_back(told_with_error(share));
-    text.effective_friction = told_with_error(bound.effective_friction);
-    text.tangential = told_with_error(bound.effective_friction * Ball(problem.contact.load(), 64));
+    ResultantsText& resultants = text.resultants;
+    resultants.load_share.clear();
+    for (const Ball& share : bound.load_share) resultants.load_share.push_back(told_with_error(share));
+    resultants.effective_friction = told_with_error(bound.effective_friction);
+    resultants.friction_force = told_with_error(bound.effective_friction * Ball(problem.contact.load(), 64));
   } else if (text.failed_condition.empty()) {
     text.failed_condition = "not proved: " + bound.reason;
   }

@@ -95,12 +95,12 @@ class SolutionFigure {
 
   /// psi, with what the tilt adds, on one side of x.
   double height(const Rational& x, Side side) const {
-    const double tilted = solution_.tilt ? value_of(solution_.tilt->value) * value_of(x) : 0;
+    const double tilted = solution_.resultants.tilt ? value_of(solution_.resultants.tilt->value) * value_of(x) : 0;
     return value_of(problem_.contact.indenter().profile(x, side)(x)) + tilted;
   }
 
   Panel shapes(std::vector<Guide> guides) const {
-    Series profile{solution_.tilt ? "indenter ψ, tilted" : "indenter ψ", Look::line, 2, {}};
+    Series profile{solution_.resultants.tilt ? "indenter ψ, tilted" : "indenter ψ", Look::line, 2, {}};
     Series surface{"surface {/:Italic u} + {/:Italic C}", Look::line, 1, {}};
     for (const SampleText& sample : solution_.curve) {
       const Rational x = parse_rational(sample.x);

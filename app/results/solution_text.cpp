@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "library/answer/solved_contact.hpp"
 #include "library/solve/double_range.hpp"
 #include "library/solve/warnings.hpp"
-#include "numeric/flat_punch/flat_punch.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -91,7 +92,22 @@ class Writer {
     return {one, one};
   }
 
-  LargestText largest(const numeric::LargestPressure<R>& largest) {
+  /// A quantity of the table (library/answer/quantities.hpp).
+  NumberText operator()(const Estimate<R>& estimate) { return text(estimate); }
+  std::size_t operator()(std::size_t count) { return count; }
+  std::optional<NumberText> operator()(const std::optional<Estimate<R>>& estimate) {
+    return estimate ? std::optional(text(*estimate)) : std::nullopt;
+  }
+  std::vector<NumberText> operator()(const std::vector<Estimate<R>>& estimates) {
+    std::vector<NumberText> texts;
+    for (const Estimate<R>& estimate : estimates) texts.push_back(text(estimate));
+    return texts;
+  }
+  ResultantsText::Interval operator()(const std::optional<answer::IntervalOf<Estimate<R>>>& interval) {
+    if (!interval) return std::nullopt;
+    return answer::IntervalOf<NumberText>{text(interval->left), text(interval->right)};
+  }
+  ResultantsText::Largest operator()(const numeric::LargestPressure<R>& largest) {
     const bool infinite = isinf(largest.value.value);
     return {text(largest.value), text(largest.x), infinite ? exponent(largest.exponent).value : ""};
   }
@@ -159,14 +175,13 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
   Writer<R> writer(text, wanted);
   text.method = solution.method();
   text.digits = wanted.digits;
-  const std::vector<numeric::ContactComponent<R>> contact = solution.contact();
-  const numeric::Resultants<R> resultants = solution.resultants();
+  const SolvedContact<R> solved(problem.contact, solution);
   writer.tell("contact");
-  for (const auto& component : contact) {
+  for (const auto& component : solved.contact()) {
     text.contact.emplace_back(writer.end(component.left), writer.end(component.right));
     text.width.push_back(writer.text(component.width));
   }
-  for (const Estimate<R>& load : resultants.component_load) text.component_load.push_back(writer.text(load));
+  text.component_load = writer(solved.forces().component_load);
   const bool points_told = writer.tell("singular_points");
   for (const auto& point : solution.singular_points()) {
     text.singular_points.push_back({writer.text(point.x), std::string(name_of(point.kind)),
@@ -174,24 +189,8 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
                                     writer.text(point.constant), writer.stress_intensity(point),
                                     points_told && point.exponent ? stress_intensity_unit(*point.exponent) : ""});
   }
-  const bool resultants_told = writer.tell("resultants");
-  text.normal = writer.text(resultants.normal);
-  text.tangential = writer.text(resultants.tangential);
-  text.centre_of_pressure = writer.text(resultants.centre_of_pressure);
-  text.effective_friction = writer.text(resultants.effective_friction);
-  for (const Estimate<R>& share : resultants.load_share) text.load_share.push_back(writer.text(share));
-  if (!contact.empty()) {
-    const Estimate<R> length = numeric::real_contact_length(contact);
-    const bool one = contact.size() == 1;
-    text.contact_width = writer.text(one ? length : contact.back().right.x - contact.front().left.x);
-    text.real_contact_length = writer.text(length);
-    text.mean_pressure = writer.text(resultants.normal / length);
-    text.largest_pressure = writer.largest(solution.largest_pressure());
-  }
-  if (const auto tilt = solution.tilt()) text.tilt = writer.text(*tilt);
-  if (const auto core = resultants_told ? numeric::punch_core<R>(problem.contact) : std::nullopt) {
-    text.core = LimitText{number_text(core->left, wanted.digits), number_text(core->right, wanted.digits), true};
-  }
+  writer.tell("resultants");
+  text.resultants = answer::resultants_of<ResultantsText>(solved, std::ref(writer));
 
   writer.tell("samples");
   for (const Rational& x : wanted.at)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/results/field_text.hpp"
+#include "library/answer/quantities.hpp"
 #include "library/problem_file/problem_file.hpp"
 #include "library/solve/failed_condition.hpp"
 #include "library/text/number_format.hpp"
@@ -62,11 +63,8 @@ struct SingularText {
   std::string unit{};            ///< of the stress intensity; empty for a logarithm
 };
 
-struct LargestText {
-  NumberText value;
-  NumberText x;
-  std::string exponent;  ///< of an infinite one, "log" for a logarithm
-};
+/// The exponent of the largest pressure is a text, "log" for a logarithm.
+using ResultantsText = answer::ResultantsOf<NumberText, std::string>;
 
 /// Has a singular point a stress intensity on each side? A jump does.
 inline bool has_two_sides(SingularKind kind) {
@@ -111,14 +109,8 @@ struct SolutionText {
   int digits = 0;
   std::vector<std::pair<EndText, EndText>> contact;
   std::vector<NumberText> width, component_load;  ///< of each contact component
-  NumberText contact_width, real_contact_length;  ///< from the first end to the last; without the gaps
   std::vector<SingularText> singular_points;
-  NumberText normal, tangential, centre_of_pressure, effective_friction;
-  NumberText mean_pressure;
-  LargestText largest_pressure;
-  std::optional<NumberText> tilt;  ///< absent unless the indenter may tilt
-  std::optional<LimitText> core;   ///< of a flat punch: where the load may act in full contact, if it may tilt
-  std::vector<NumberText> load_share;
+  ResultantsText resultants;
   std::vector<SampleText> samples;
   FieldText field;
   std::vector<SampleText> curve;  ///< for a picture, left to right; of the solver where the rest is proved

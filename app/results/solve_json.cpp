@@ -1,7 +1,5 @@
 #include "app/results/solve_json.hpp"
 
-#include <array>
-
 #include "app/embedded.hpp"
 #include "app/results/solve_writers.hpp"
 
@@ -108,45 +106,32 @@ Json contact_json(const SolutionText& solution) {
   return json;
 }
 
-Json largest_json(const LargestText& largest) {
+Json json_of(std::size_t count) { return count; }
+Json json_of(const ResultantsText::Largest& largest) {
   return with(Json(), "value", largest.value, "x", largest.x, "exponent", largest.exponent);
 }
-
-constexpr std::array resultants{"normal",
-                                "friction_force",
-                                "centre_of_pressure",
-                                "effective_friction",
-                                "load_share",
-                                "contact_width",
-                                "real_contact_length",
-                                "mean_pressure",
-                                "largest_pressure",
-                                "components",
-                                "tilt",
-                                "core"};
+Json json_of(const answer::IntervalOf<NumberText>& interval) {
+  return with(Json(), "left", interval.left, "right", interval.right);
+}
+template <class Value>
+Json json_of(const std::optional<Value>& value) {
+  return value ? json_of(*value) : Json();
+}
 
 /// Null where a solution has none of this name.
 Json resultant_json(const SolutionText& solution, std::string_view name) {
-  if (name == "normal") return json_of(solution.normal);
-  if (name == "friction_force") return json_of(solution.tangential);
-  if (name == "centre_of_pressure") return json_of(solution.centre_of_pressure);
-  if (name == "effective_friction") return json_of(solution.effective_friction);
-  if (name == "load_share") return json_of(solution.load_share);
-  if (name == "contact_width") return json_of(solution.contact_width);
-  if (name == "real_contact_length") return json_of(solution.real_contact_length);
-  if (name == "mean_pressure") return json_of(solution.mean_pressure);
-  if (name == "largest_pressure") return largest_json(solution.largest_pressure);
-  if (name == "components") return solution.contact.size();
-  if (name == "tilt" && solution.tilt) return json_of(*solution.tilt);
-  if (name == "core" && solution.core) return json_of(*solution.core);
-  return {};
+  Json json;
+  answer::for_each_quantity(solution.resultants, [&](const answer::Quantity& row, const auto& value) {
+    if (row.key == name) json = json_of(value);
+  });
+  return json;
 }
 
 Json resultants_json(const SolutionText& solution) {
   Json json;
-  for (const char* name : resultants) {
-    if (Json one = resultant_json(solution, name); !one.is_null()) json[name] = std::move(one);
-  }
+  answer::for_each_quantity(solution.resultants, [&](const answer::Quantity& row, const auto& value) {
+    if (Json one = json_of(value); !one.is_null()) json[std::string(row.key)] = std::move(one);
+  });
   return json;
 }
 

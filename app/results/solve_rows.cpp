@@ -21,9 +21,9 @@ const std::vector<Column> component_columns = joined<Column>(
 
 std::vector<Cell> component_cells(const SolutionText& whole, const Ends& component) {
   const auto& [left, right] = component;
-  return joined<Cell>(
-      {left.x, left.kind, left.intensity}, {right.x, right.kind, right.intensity},
-      {whole.effective_friction, whole.centre_of_pressure, whole.load_share, whole.tilt.value_or(NumberText())});
+  const ResultantsText& of = whole.resultants;
+  return joined<Cell>({left.x, left.kind, left.intensity}, {right.x, right.kind, right.intensity},
+                      {of.effective_friction, of.centre_of_pressure, of.load_share, of.tilt.value_or(NumberText())});
 }
 
 /// The values, then what has no error; the errors follow.

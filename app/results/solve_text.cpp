@@ -44,12 +44,6 @@ void write_contact(const SolutionText& solution, Output& output) {
   }
 }
 
-void write_friction_and_centre(const SolutionText& solution, Output& output) {
-  write_line(output, "effective friction", solution.effective_friction.shown);
-  write_line(output, "centre of pressure", solution.centre_of_pressure.shown);
-  if (solution.tilt) write_line(output, "tilt", solution.tilt->shown);
-}
-
 void write_singular_points(const SolutionText& solution, Output& output) {
   output.write(
       "\nsingular points (t = -intensity d^exponent; constant - intensity cos(pi alpha) d^exponent at jumps;\n"
@@ -71,36 +65,71 @@ void write_singular_points(const SolutionText& solution, Output& output) {
     output.write(fmt::format("  {} {}: their intensities are not known\n", count, kind));
 }
 
-std::string largest_text(const LargestText& largest) {
-  if (largest.value.shown.empty()) return "";
-  const std::string power =
-      largest.exponent.empty()
-          ? ""
-          : fmt::format(", like {}", largest.exponent == "log" ? "log d" : "d^" + largest.exponent);
-  return fmt::format("{} at x = {}{}", largest.value.shown, shown(largest.x), power);
+/// A line of a quantity; of one that has several lines, `which` tells them apart.
+struct Line {
+  std::string name;
+  std::string value;
+  std::string which{};
+};
+
+/// The lines of a quantity, by its type: none where it is absent.
+class Lines {
+ public:
+  explicit Lines(const Problem& problem) : friction_(problem.contact.friction().values()) {}
+
+  std::vector<Line> operator()(const std::string& name, const NumberText& number) const {
+    return {{name, shown(number)}};
+  }
+  std::vector<Line> operator()(const std::string& name, std::size_t count) const {
+    return {{name, std::to_string(count)}};
+  }
+  template <class Value>
+  std::vector<Line> operator()(const std::string& name, const std::optional<Value>& value) const {
+    return value ? (*this)(name, *value) : std::vector<Line>();
+  }
+  std::vector<Line> operator()(const std::string& name, const answer::IntervalOf<NumberText>& interval) const {
+    return {{name, fmt::format("from {} to {}", shown(interval.left), shown(interval.right))}};
+  }
+  std::vector<Line> operator()(const std::string& name, const ResultantsText::Largest& largest) const {
+    if (largest.value.shown.empty()) return {{name, "-"}};
+    const std::string singular = largest.exponent == "log" ? "log d" : "d^" + largest.exponent;
+    const std::string power = largest.exponent.empty() ? "" : ", like " + singular;
+    return {{name, fmt::format("{} at x = {}{}", largest.value.shown, shown(largest.x), power)}};
+  }
+  /// Of each friction value.
+  std::vector<Line> operator()(const std::string& name, const std::vector<NumberText>& numbers) const {
+    std::vector<Line> lines;
+    for (std::size_t k = 0; k < std::min(numbers.size(), most_load_shares); ++k) {
+      lines.push_back({name, shown(numbers[k]), "under f = " + exact_text(friction_[k])});
+    }
+    if (numbers.size() > most_load_shares) {
+      lines.push_back({name, "", fmt::format("... and {} more", numbers.size() - most_load_shares)});
+    }
+    return lines;
+  }
+
+ private:
+  const std::vector<Rational>& friction_;
+};
+
+/// All quantities, in the order of their lines.
+std::vector<Line> resultant_lines(const Problem& problem, const ResultantsText& resultants) {
+  std::map<int, std::vector<Line>> ordered;
+  answer::for_each_quantity(resultants, [&](const answer::Quantity& row, const auto& value) {
+    ordered[row.line] = Lines(problem)(answer::words(row), value);
+  });
+  std::vector<Line> result;
+  for (const auto& [place, lines] : ordered) result.insert(result.end(), lines.begin(), lines.end());
+  return result;
 }
 
 void write_resultants(const Problem& problem, const SolutionText& solution, Output& output) {
   output.write("\nresultants (forces per unit thickness, lengths in the problem's units)\n");
-  write_line(output, "normal", solution.normal.shown);
-  write_line(output, "friction force", solution.tangential.shown);
-  write_friction_and_centre(solution, output);
-  const std::size_t shares = solution.load_share.size();
-  for (std::size_t k = 0; k < std::min(shares, most_load_shares); ++k) {
-    write_line(output, k == 0 ? "load share" : "",
-               fmt::format("{} under f = {}", shown(solution.load_share[k]),
-                           exact_text(problem.contact.friction().values()[k])));
-  }
-  if (shares > most_load_shares) write_line(output, "", fmt::format("... and {} more", shares - most_load_shares));
-  write_line(output, "largest pressure", largest_text(solution.largest_pressure));
-  write_line(output, "mean pressure", solution.mean_pressure.shown);
-  write_line(output, "contact width", solution.contact_width.shown);
-  if (solution.contact.size() > 1) {
-    write_line(output, "real contact length",
-               fmt::format("{} in {} components", shown(solution.real_contact_length), solution.contact.size()));
-  }
-  if (solution.core) {
-    write_line(output, "core", fmt::format("from {} to {}", shown(solution.core->left), shown(solution.core->right)));
+  std::string before;
+  for (const auto& [name, value, which] : resultant_lines(problem, solution.resultants)) {
+    const std::string gap = value.empty() || which.empty() ? "" : " ";
+    write_line(output, name == before ? "" : name, value + gap + which);
+    before = name;
   }
 }
 
@@ -156,7 +185,11 @@ std::string outcome(const SearchText& search) {
 
 void write_found(const SolutionText& solution, Output& output) {
   write_contact(solution, output);
-  write_friction_and_centre(solution, output);
+  for (const auto& [name, number] : {std::pair("effective friction", &solution.resultants.effective_friction),
+                                     std::pair("centre of pressure", &solution.resultants.centre_of_pressure)}) {
+    write_line(output, name, number->shown);
+  }
+  if (solution.resultants.tilt) write_line(output, "tilt", solution.resultants.tilt->shown);
   std::vector<std::string> residuals;
   for (const auto& [name, size] : solution.residuals) residuals.push_back(name + " " + shown(size));
   write_line(output, "residuals", fmt::format("{}", fmt::join(residuals, ", ")));
@@ -218,24 +251,13 @@ void write_text(const Problem& problem, const BothText& both, Output& output) {
     return fmt::format("{} to {}", shown(solution.contact.front().first.x), shown(solution.contact.back().second.x));
   };
   row("contact from", ends);
-  row("components", [](const SolutionText& solution) { return std::to_string(solution.contact.size()); });
-  const auto number = [&](const char* name, NumberText SolutionText::*value) {
-    row(name, [&](const SolutionText& solution) { return (solution.*value).shown; });
-  };
-  number("effective friction", &SolutionText::effective_friction);
-  number("friction force", &SolutionText::tangential);
-  number("centre of pressure", &SolutionText::centre_of_pressure);
-  const std::vector<Rational>& values = problem.contact.friction().values();
-  for (std::size_t k = 0; k < std::min(values.size(), most_load_shares); ++k) {
-    row("load share under f = " + exact_text(values[k]), [&](const SolutionText& solution) {
-      return k < solution.load_share.size() ? solution.load_share[k].shown : "";
-    });
+  const std::vector<Line> others = resultant_lines(problem, both.opposite.resultants);
+  for (const Line& line : resultant_lines(problem, both.as_given.resultants)) {
+    const auto other =
+        std::ranges::find_if(others, [&](const Line& one) { return one.name == line.name && one.which == line.which; });
+    const std::string gap = line.which.empty() ? "" : " ";
+    rows.row({"  " + line.name + gap + line.which, line.value, other == others.end() ? "" : other->value});
   }
-  if (values.size() > most_load_shares) {
-    row(fmt::format("... and {} more", values.size() - most_load_shares), [](const SolutionText&) { return ""; });
-  }
-  row("largest pressure", [](const SolutionText& solution) { return largest_text(solution.largest_pressure); });
-  number("mean pressure", &SolutionText::mean_pressure);
   row("solved", [](const SolutionText& solution) {
     return solution.is_solved() ? std::string("yes") : solution.reason + solution.failed_condition;
   });

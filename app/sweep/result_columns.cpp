@@ -7,7 +7,6 @@
 #include <array>
 #include <span>
 
-#include "app/commands/solver.hpp"
 #include "app/results/solve_json.hpp"
 #include "app/terminal/failure.hpp"
 
@@ -19,13 +18,21 @@ using Json = nlohmann::ordered_json;
 constexpr std::array all_entries{"method",          "digits",    "contact",    "singular_points", "resultants",
                                  "estimated_error", "residuals", "uniqueness", "warnings"};
 
-/// A solution with all entries that any has: of a punch that may tilt, with a friction jump.
-SolutionText specimen() {
-  const Problem punch = parse_problem(
-      "load = 1\nload_at = 0\n[half_space]\npoisson = \"0.3\"\n[friction]\nvalues = [\"0.1\", \"0.2\"]\n"
-      "jumps = [0]\n[indenter]\nprofile = 0\n",
-      "specimen");
-  return Solver({}).solve(punch);
+/// A result with every key that any has, without values: nothing is solved.
+SolutionText all_keys() {
+  SolutionText keys;
+  keys.contact.resize(1);
+  keys.width.resize(1);
+  keys.component_load.resize(1);
+  keys.singular_points.resize(2);
+  keys.singular_points.back().stress_intensity.apart = true;  // a jump
+  answer::for_each_quantity(keys.resultants, []<class Value>(const answer::Quantity&, Value& value) {
+    if constexpr (requires { value.emplace(); }) value.emplace();
+    if constexpr (requires { value.resize(1); }) value.resize(1);
+  });
+  for (const char* part : {"ends", "traction", "resultants"}) keys.errors.push_back({part, ""});
+  for (const auto& [name, size] : library::named(numeric::Residuals<double>{})) keys.residuals.push_back({name, ""});
+  return keys;
 }
 
 /// What the steps lead to; null if to nothing. `any`: an index is any index.
@@ -70,23 +77,23 @@ std::vector<std::string> keys_of(const Json& json) {
 }
 
 /// What belongs where the path is still right.
-std::string what_is_there(const Json& specimen, std::span<const Step> steps) {
+std::string what_is_there(const Json& shape, std::span<const Step> steps) {
   std::size_t right = steps.size();
-  while (found(specimen, steps.first(right), true) == nullptr) --right;
-  const Json& last = *found(specimen, steps.first(right), true);
+  while (found(shape, steps.first(right), true) == nullptr) --right;
+  const Json& last = *found(shape, steps.first(right), true);
   if (last.is_array()) return "a list has entries [0], [1], ... and a size";
   if (!last.is_object()) return "the path ends before";
   std::vector<std::string> keys = keys_of(last);
   if (right == 0) {
-    for (std::string& key : keys_of(specimen.at("resultants"))) keys.push_back(std::move(key));
+    for (std::string& key : keys_of(shape.at("resultants"))) keys.push_back(std::move(key));
   }
   return fmt::format("keys here are {}", fmt::join(keys, ", "));
 }
 
 /// What a name leads to, null if to nothing, and the steps there: from a table with a value to that; for "load_share_error[0]",
 /// `is_error`, to "load_share[0]".
-const Json* named(const Json& specimen, std::vector<Step>& steps, bool& is_error) {
-  if (const Json* there = found(specimen, steps, true)) {
+const Json* named(const Json& shape, std::vector<Step>& steps, bool& is_error) {
+  if (const Json* there = found(shape, steps, true)) {
     if (is_number(*there) || !there->is_object() || !there->contains("value")) return there;
     steps.emplace_back("value");
     return &there->at("value");
@@ -99,7 +106,7 @@ const Json* named(const Json& specimen, std::vector<Step>& steps, bool& is_error
   auto& name = std::get<std::string>(*last);
   name.erase(name.size() - ending.size());
   is_error = true;
-  const Json* there = named(specimen, value, is_error);
+  const Json* there = named(shape, value, is_error);
   is_error = there != nullptr && is_number(*there);
   if (!is_error) return nullptr;
   steps = std::move(value);
@@ -107,29 +114,29 @@ const Json* named(const Json& specimen, std::vector<Step>& steps, bool& is_error
 }
 
 /// Where a name is that of an entry of the resultants, the steps to it from the top.
-std::vector<Step> from_the_top(const Json& specimen, const std::vector<Step>& steps) {
-  if (steps.empty() || specimen.contains(std::get<std::string>(steps.front()))) return steps;
+std::vector<Step> from_the_top(const Json& shape, const std::vector<Step>& steps) {
+  if (steps.empty() || shape.contains(std::get<std::string>(steps.front()))) return steps;
   std::vector<Step> longer = steps;
   longer.insert(longer.begin(), "resultants");
   std::vector<Step> there = longer;
   bool is_error = false;
-  return named(specimen, there, is_error) != nullptr ? longer : steps;
+  return named(shape, there, is_error) != nullptr ? longer : steps;
 }
 
 /// Refuses a name that leads to nothing, or to several values. Completes the steps; is an error wanted?
-bool check(const Word& name, const Json& specimen, std::vector<Step>& steps) {
+bool check(const Word& name, const Json& shape, std::vector<Step>& steps) {
   const auto bad = [&](const std::string& what, const std::string& rule) {
     return Failure(ExitCode::bad_input, fmt::format("{}: {}; {}; {}", name.place, what, rule, excerpt(name.text)));
   };
   if (steps.empty()) throw bad("no path", "a column is named like contact[0].left.x");
   bool is_error = false;
-  const Json* there = named(specimen, steps, is_error);
+  const Json* there = named(shape, steps, is_error);
   if (there == nullptr && asks_size(steps)) {
-    there = found(specimen, std::span(steps).first(steps.size() - 1), true);
+    there = found(shape, std::span(steps).first(steps.size() - 1), true);
     if (there != nullptr && there->is_array()) return false;
     there = nullptr;
   }
-  if (there == nullptr) throw bad("unknown column", what_is_there(specimen, steps));
+  if (there == nullptr) throw bad("unknown column", what_is_there(shape, steps));
   if (there->is_object() && !is_number(*there)) {
     throw bad("not one value", fmt::format("its keys are {}", fmt::join(keys_of(*there), ", ")));
   }
@@ -141,7 +148,7 @@ bool check(const Word& name, const Json& specimen, std::vector<Step>& steps) {
 
 ResultColumns::ResultColumns(const std::vector<Word>& names) {
   Json whole;
-  const SolutionText solution = specimen();
+  const SolutionText solution = all_keys();
   for (const char* entry : all_entries) whole[entry] = solution_entry(solution, entry);
   for (const Word& name : names) {
     std::vector<Step> steps = from_the_top(whole, steps_of(name.text));

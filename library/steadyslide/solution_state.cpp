@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "library/answer/solved_contact.hpp"
 #include "library/solve/double_range.hpp"
 #include "library/solve/failed_condition.hpp"
 #include "library/solve/warnings.hpp"
@@ -34,8 +35,15 @@ struct Numbers {
   Number operator()(const Exponent& exponent) const { return (*this)(Estimate<R>{numeric::to_real<R>(exponent)}); }
   Limits operator()(const numeric::TwoSided<R>& limits) const { return {(*this)(limits.left), (*this)(limits.right)}; }
   template <class T>
-  std::optional<Number> operator()(const std::optional<T>& value) const {
+  auto operator()(const std::optional<T>& value) const {
     return value ? std::optional((*this)(*value)) : std::nullopt;
+  }
+  std::size_t operator()(std::size_t count) const { return count; }
+  Interval operator()(const answer::IntervalOf<Estimate<R>>& interval) const {
+    return {(*this)(interval.left), (*this)(interval.right)};
+  }
+  LargestPressure operator()(const numeric::LargestPressure<R>& largest) const {
+    return {(*this)(largest.value), (*this)(largest.x), (*this)(largest.exponent)};
   }
   template <class T>
   std::vector<Number> operator()(const std::vector<T>& values) const {
@@ -149,24 +157,7 @@ class SolvedIn final : public Solution::State {
   }
 
   Resultants resultants() const override {
-    const numeric::Resultants<R> found = solution_->resultants();
-    Resultants result;
-    result.normal = number_(found.normal);
-    result.friction_force = number_(found.tangential);
-    result.centre_of_pressure = number_(found.centre_of_pressure);
-    result.effective_friction = number_(found.effective_friction);
-    result.load_share = number_(found.load_share);
-    result.tilt = number_(solution_->tilt());
-    const auto components = solution_->contact();
-    if (components.empty()) return result;
-    const Estimate<R> length = numeric::real_contact_length(components);
-    result.contact_width =
-        number_(components.size() == 1 ? length : components.back().right.x - components.front().left.x);
-    result.real_contact_length = number_(length);
-    result.mean_pressure = number_(found.normal / length);
-    const numeric::LargestPressure<R> largest = solution_->largest_pressure();
-    result.largest_pressure = {number_(largest.value), number_(largest.x), number_(largest.exponent)};
-    return result;
+    return answer::resultants_of<Resultants>(library::SolvedContact<R>(contact_problem(problem), *solution_), number_);
   }
 
   SurfaceSample at(const Rational& x, bool detailed) const override {

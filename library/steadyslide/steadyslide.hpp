@@ -26,6 +26,7 @@
 #include <utility>
 #include <vector>
 
+#include "library/answer/quantities.hpp"
 #include "model/invalid_data.hpp"
 
 #define STEADYSLIDE_API __attribute__((visibility("default")))
@@ -160,24 +161,12 @@ struct UnresolvedGap {
   double log10_length = 0;  ///< by order of magnitude
 };
 
-struct LargestPressure {
-  Number value;
-  Number x;
-  std::optional<Number> exponent;  ///< of an infinite one
-};
-
-struct Resultants {
-  Number normal;
-  Number friction_force;  ///< |int f t|; also the frictional power per unit of sliding speed
-  Number centre_of_pressure;
-  Number effective_friction;
-  Number contact_width;        ///< from end to end
-  Number real_contact_length;  ///< the sum of the components' widths
-  Number mean_pressure;
-  LargestPressure largest_pressure;
-  std::vector<Number> load_share;  ///< the part of the load under each friction value
-  std::optional<Number> tilt;
-};
+/// The numbers of the whole contact, by name: normal, friction_force, mean_pressure, ... (library/answer/quantities.hpp).
+/// Absent: the exponent of a finite largest pressure, `tilt` without a tilting indenter, `core` unless the punch is flat.
+using Resultants = answer::ResultantsOf<Number, std::optional<Number>>;
+using LargestPressure = Resultants::Largest;
+/// From left to right.
+using Interval = answer::IntervalOf<Number>;
 
 /// All that is known of a place of the surface.
 struct SurfaceSample {
@@ -246,7 +235,11 @@ class STEADYSLIDE_API Solution {
   /// Left to right.
   std::vector<UnresolvedGap> unresolved_gaps() const;
   Resultants resultants() const;
-  Number effective_friction() const { return resultants().effective_friction; }
+  // Each of them by its name: effective_friction(), largest_pressure(), ...
+#define STEADYSLIDE_QUANTITY(type, key, ...) \
+  Resultants::type key() const { return resultants().key; }
+  STEADYSLIDE_QUANTITIES(STEADYSLIDE_QUANTITY)
+#undef STEADYSLIDE_QUANTITY
 
   /// Everything at one place. Throws InvalidData "x: ..." for what is no number.
   SurfaceSample at(const Exact& x) const;

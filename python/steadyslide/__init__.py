@@ -12,6 +12,7 @@ positive in tension, z > 0 the depth. Objects may be shared by threads, which ru
 """
 
 import tomllib
+from collections import namedtuple
 from typing import NamedTuple, Optional
 
 import numpy as np
@@ -19,7 +20,7 @@ import numpy as np
 from . import _core, _document
 from ._core import InvalidData, __version__
 
-__all__ = ["Contact", "ContactEnd", "InvalidData", "LargestPressure", "NodalForces", "Number", "PossiblePoint", "Problem",
+__all__ = ["Contact", "ContactEnd", "Interval", "InvalidData", "LargestPressure", "NodalForces", "Number", "PossiblePoint", "Problem",
            "Proof", "Resultants", "Sample", "SingularPoint", "Solution", "Stress", "UnresolvedGap", "__version__",
            "sweep"]
 
@@ -81,19 +82,17 @@ class LargestPressure(NamedTuple):
     exponent: Optional[Number]
 
 
-class Resultants(NamedTuple):
-    """Forces per unit of thickness; load_share: the part of the load under each friction value."""
+class Interval(NamedTuple):
+    """From left to right."""
 
-    normal: Number
-    friction_force: Number
-    centre_of_pressure: Number
-    effective_friction: Number
-    contact_width: Number
-    real_contact_length: Number
-    mean_pressure: Number
-    largest_pressure: LargestPressure
-    load_share: list
-    tilt: Optional[Number]
+    left: Number
+    right: Number
+
+
+Resultants = namedtuple("Resultants", [key for _, key, _, _ in _core.quantities])
+Resultants.__doc__ = "The numbers of the whole contact; None: the solution has no such number."
+for _, _key, _unit, _meaning in _core.quantities:
+    getattr(Resultants, _key).__doc__ = f"{_meaning} ({_unit})"
 
 
 class Sample(NamedTuple):
@@ -320,13 +319,11 @@ class Solution:
 
     @property
     def resultants(self):
-        """Forces, widths, the largest pressure, shares of the load: Resultants."""
-        *numbers, largest, share, tilt = self._numbers(self._core.resultants())
-        return Resultants(*numbers, LargestPressure(*largest), share, tilt)
-
-    effective_friction = property(lambda self: self.resultants.effective_friction, doc="Tangential force over load.")
-    largest_pressure = property(lambda self: self.resultants.largest_pressure, doc="Value, place and exponent.")
-    load_share = property(lambda self: self.resultants.load_share, doc="The part of the load under each friction value.")
+        """Forces, widths, the largest pressure, shares of the load: Resultants. Each of them is an attribute, too."""
+        made = {"Largest": LargestPressure, "Interval": Interval}
+        values = self._numbers(self._core.resultants())
+        return Resultants(*(made[kind](*value) if kind in made and value is not None else value
+                            for (kind, _, _, _), value in zip(_core.quantities, values)))
 
     def at(self, x):
         """All that is known of one place: a Sample."""
@@ -404,6 +401,14 @@ class Solution:
     def __reduce__(self):
         # The same solve gives the same solution.
         return Solution, (self.problem, *self._options)
+
+
+def _quantity(key):
+    return property(lambda self: getattr(self.resultants, key), doc=getattr(Resultants, key).__doc__)
+
+
+for _, _key, _, _ in _core.quantities:
+    setattr(Solution, _key, _quantity(_key))
 
 
 def _floats(values, field):

@@ -20,6 +20,8 @@ def result(solution, column):
             value = value[int(index)] if index else _named(value, name)
         except IndexError:
             return np.nan
+        if value is None:
+            return np.nan
     value = getattr(value, "value", value)
     return np.nan if value is None else value
 

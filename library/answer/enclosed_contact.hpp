@@ -1,0 +1,49 @@
+#pragma once
+// A proved solution in balls as the table of quantities asks for it (library/answer/quantities.hpp).
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "enclosure/contact/enclosed_solution.hpp"
+#include "enclosure/contact/punch_core.hpp"
+#include "library/answer/quantities.hpp"
+
+namespace steadyslide::library {
+
+class EnclosedContact {
+ public:
+  using Ball = enclosure::Ball;
+  using End = enclosure::EnclosedSolution::End;
+  struct NotEnclosed {};
+
+  EnclosedContact(const ContactProblem& problem, const enclosure::EnclosedSolution& solution)
+      : problem_(problem), solution_(solution), contact_(solution.contact()), forces_(solution.resultants()) {}
+
+  const std::vector<std::pair<End, End>>& contact() const { return contact_; }
+  const enclosure::EnclosedSolution::Resultants& forces() const { return forces_; }
+  std::size_t components() const { return contact_.size(); }
+
+  /// From the first end to the last.
+  Ball width() const { return contact_.back().second.x - contact_.front().first.x; }
+  Ball length() const {
+    Ball sum(0);
+    for (const auto& [left, right] : contact_) sum += right.x - left.x;
+    return sum;
+  }
+  Ball per_length(const Ball& force) const { return force / length(); }
+  NotEnclosed largest_pressure() const { return {}; }
+  std::optional<Ball> tilt() const { return solution_.tilt(); }
+  std::optional<answer::IntervalOf<Ball>> core() const {
+    const auto core = enclosure::punch_core(problem_, forces_.normal.bits());
+    return core ? std::optional(answer::IntervalOf<Ball>{core->left, core->right}) : std::nullopt;
+  }
+
+ private:
+  const ContactProblem& problem_;
+  const enclosure::EnclosedSolution& solution_;
+  std::vector<std::pair<End, End>> contact_;
+  enclosure::EnclosedSolution::Resultants forces_;
+};
+
+}  // namespace steadyslide::library

@@ -1,0 +1,114 @@
+#pragma once
+// The quantities of an answer: one row each. Text, JSON, columns of sweeps, the C++ facade, Python, the Explorer, the schema
+// and the table in docs/output.md are made from these rows. A new quantity is a new row.
+//
+//   QUANTITY(type, key, unit, line, meaning, formula)
+//
+// type      a type named in ResultantsOf
+// key       the name in every format; a text shows it with spaces
+// unit      F a force per unit of thickness, L a length
+// line      the place in a text, which orders quantities for a reader; rows of JSON and columns follow the table
+// meaning   one sentence, Markdown
+// formula   computed from `solved`: a SolvedContact (library/answer/solved_contact.hpp) or an EnclosedContact
+//           (library/answer/enclosed_contact.hpp)
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// clang-format off
+#define STEADYSLIDE_QUANTITIES(QUANTITY)                                                                                  \
+  QUANTITY(One, normal, "F", 1, "−∫t, as it comes out of the traction", solved.forces().normal)                           \
+  QUANTITY(One, friction_force, "F", 2, "∫f∣t∣; it is also the work of friction per unit of sliding distance",            \
+           solved.forces().tangential)                                                                                    \
+  QUANTITY(One, centre_of_pressure, "L", 4, "∫x t / ∫t", solved.forces().centre_of_pressure)                              \
+  QUANTITY(One, effective_friction, "–", 3, "friction force over load", solved.forces().effective_friction)               \
+  QUANTITY(OfEachFriction, load_share, "–", 6,                                                                            \
+           "part of the load under each friction value, left to right; the text has the first ten",                      \
+           solved.forces().load_share)                                                                                    \
+  QUANTITY(One, contact_width, "L", 9, "from the first end of contact to the last", solved.width())                       \
+  QUANTITY(One, real_contact_length, "L", 10, "the sum of the components' widths", solved.length())                       \
+  QUANTITY(One, mean_pressure, "F/L²", 8, "load over real contact length",                                                \
+           solved.per_length(solved.forces().normal))                                                                     \
+  QUANTITY(Largest, largest_pressure, "F/L², L, –", 7,                                                                    \
+           "`value` and `x`, numbers, and where the value is `inf` its `exponent`, else `null`",                          \
+           solved.largest_pressure())                                                                                     \
+  QUANTITY(Count, components, "–", 11, "how many", solved.components())                                                   \
+  QUANTITY(IfAny, tilt, "–", 5, "where the indenter may tilt", solved.tilt())                                             \
+  QUANTITY(Interval, core, "L", 12, "of a flat punch: `{\"left\", \"right\"}`", solved.core())
+// clang-format on
+
+namespace steadyslide::answer {
+
+template <class Number, class Power>
+struct LargestPressureOf {
+  Number value;
+  Number x;
+  Power exponent;  ///< of an infinite one
+};
+
+template <class Number>
+struct IntervalOf {
+  Number left;
+  Number right;
+};
+
+/// The quantities in numbers of one type; `Power` is an exponent that may be absent.
+template <class Number, class Power>
+struct ResultantsOf {
+  using One = Number;
+  using OfEachFriction = std::vector<Number>;  ///< for each friction value, left to right
+  using Largest = LargestPressureOf<Number, Power>;
+  using Count = std::size_t;
+  using IfAny = std::optional<Number>;
+  using Interval = std::optional<IntervalOf<Number>>;
+
+#define STEADYSLIDE_QUANTITY(type, key, unit, line, meaning, ...) type key{};
+  STEADYSLIDE_QUANTITIES(STEADYSLIDE_QUANTITY)
+#undef STEADYSLIDE_QUANTITY
+};
+
+/// A row of the table, without its formula.
+struct Quantity {
+  std::string_view type;
+  std::string_view key;
+  std::string_view unit;
+  int line;
+  std::string_view meaning;
+};
+
+/// The key with spaces, as a text shows it.
+inline std::string words(const Quantity& row) {
+  std::string result(row.key);
+  for (char& letter : result) letter = letter == '_' ? ' ' : letter;
+  return result;
+}
+
+inline constexpr Quantity quantities[] = {
+#define STEADYSLIDE_QUANTITY(type, key, unit, line, meaning, ...) {#type, #key, unit, line, meaning},
+    STEADYSLIDE_QUANTITIES(STEADYSLIDE_QUANTITY)
+#undef STEADYSLIDE_QUANTITY
+};
+
+/// Calls visit(row, value) for each quantity, in the order of the table.
+template <class Resultants, class Visit>
+void for_each_quantity(Resultants& resultants, Visit visit) {
+  const Quantity* row = quantities;
+#define STEADYSLIDE_QUANTITY(type, key, ...) visit(*row++, resultants.key);
+  STEADYSLIDE_QUANTITIES(STEADYSLIDE_QUANTITY)
+#undef STEADYSLIDE_QUANTITY
+}
+
+/// Evaluates the formulas; `convert` makes a value of the result from what a formula returns.
+template <class Resultants, class Solved, class Convert>
+Resultants resultants_of(const Solved& solved, Convert convert) {
+  Resultants result;
+#define STEADYSLIDE_QUANTITY(type, key, unit, line, meaning, ...) result.key = convert(__VA_ARGS__);
+  STEADYSLIDE_QUANTITIES(STEADYSLIDE_QUANTITY)
+#undef STEADYSLIDE_QUANTITY
+  return result;
+}
+
+}  // namespace steadyslide::answer

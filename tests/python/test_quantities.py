@@ -1,0 +1,61 @@
+"""Every rendering of an answer has the quantities of one table, library/answer/quantities.hpp."""
+
+import inspect
+import json
+import os
+import subprocess
+
+import pytest
+
+import quantity_documents
+import steadyslide as ss
+from steadyslide import _core
+
+KEYS = [key for _, key, _, _ in _core.quantities]
+# Rigid, flat and free to tilt: its answer has every quantity.
+TILTING_PUNCH = ss.Problem(load=1, load_at=0, poisson="0.3", friction=["0.1", "0.2"], jumps=[0], profile=0)
+
+
+def printed(tmp_path, *arguments, command="solve", text=TILTING_PUNCH.text, code=0):
+    file = tmp_path / "problem.toml"
+    file.write_text(text, "utf-8")
+    done = subprocess.run([os.environ["STEADYSLIDE_EXECUTABLE"], command, str(file), *arguments], capture_output=True, text=True)
+    assert done.returncode == code
+    return done.stdout + done.stderr
+
+
+def lines_of(text, heading):
+    """The names in the block of lines below a heading."""
+    block = text.split(heading)[1].split("\n\n")[0].split("\n")[1:]
+    return [line[2:24].split("  ")[0].strip() for line in block]
+
+
+def test_the_table_has_what_it_should():
+    assert KEYS == ["normal", "friction_force", "centre_of_pressure", "effective_friction", "load_share", "contact_width",
+                    "real_contact_length", "mean_pressure", "largest_pressure", "components", "tilt", "core"]
+
+
+@pytest.mark.parametrize("part", quantity_documents.PARTS, ids=lambda part: f"{part[0]}, {part[3].__name__}")
+def test_documents_list_the_quantities(part):
+    assert quantity_documents.found(part)[1] == quantity_documents.expected(part)
+
+
+def test_every_rendering_has_the_same_keys(tmp_path):
+    solution = TILTING_PUNCH.solve()
+    assert list(solution.resultants._fields) == KEYS
+    assert None not in solution.resultants
+    assert all(getattr(solution, key) == value for key, value in zip(KEYS, solution.resultants, strict=True))
+    assert all(isinstance(inspect.getattr_static(ss.Solution, key), property) for key in KEYS)
+    for arguments in ([], ["--certify"]):
+        assert list(json.loads(printed(tmp_path, "--format", "json", *arguments))["resultants"]) == KEYS
+        names = lines_of(printed(tmp_path, *arguments), "\nresultants ")
+        assert sorted(name for name in names if name) == sorted(key.replace("_", " ") for key in KEYS)
+    both = lines_of(printed(tmp_path, "--both-directions"), "\nboth directions")
+    assert {key for key in KEYS if not any(name.startswith(key.replace("_", " ")) for name in both)} == set()
+
+
+def test_a_sweep_knows_the_same_keys(tmp_path):
+    (tmp_path / "punch.toml").write_text(TILTING_PUNCH.text, "utf-8")
+    sweep = 'problem = "punch.toml"\n[vary]\nload = [1]\n[output]\ncolumns = ["{}"]\n'
+    refusal = printed(tmp_path, command="sweep", text=sweep.format("mood"), code=2)
+    assert refusal.split("keys here are ")[1].split("; ")[0].split(", ")[-len(KEYS):] == KEYS
