@@ -1,5 +1,6 @@
 #include "model/singular_point.hpp"
 
+#include <algorithm>
 #include <array>
 #include <set>
 
@@ -7,7 +8,7 @@ namespace steadyslide {
 namespace {
 
 // In the order of SingularKind: end, friction jumps, slope jumps; power, logarithm, constant.
-constexpr std::array<LocalForm, 6> local_forms{{
+constexpr std::array<LocalTerms, 6> all_local_terms{{
     {SingularKind::edge, "edge", true, false, false, true, false, false},
     {SingularKind::free, "free", true, false, false, true, false, false},
     {SingularKind::step, "step", true, false, false, true, false, false},
@@ -15,6 +16,7 @@ constexpr std::array<LocalForm, 6> local_forms{{
     {SingularKind::wedge, "wedge", false, false, true, false, true, true},
     {SingularKind::wedge_and_jump, "wedge_and_jump", false, true, true, true, false, true},
 }};
+static_assert(std::ranges::is_sorted(all_local_terms, {}, &LocalTerms::kind));
 
 void add_ends(const ContactProblem& problem, const Rational& x, End end, std::vector<SingularPoint>& points) {
   // At the left end of the contact, the contact is on the right.
@@ -46,7 +48,7 @@ void add_interior(const ContactProblem& problem, std::size_t left, std::size_t r
   const Exponent beta = jump_exponent(problem.coupled_friction(left), problem.coupled_friction(right));
   const std::optional<SingularKind> kind = inner_kind(beta.sign() != 0, at.wedge != 0);
   if (!kind) return;
-  const std::optional<Exponent> exponent = local_form(*kind).has_power ? std::optional(beta) : std::nullopt;
+  const std::optional<Exponent> exponent = local_terms(*kind).has_power ? std::optional(beta) : std::nullopt;
   points.push_back({x, *kind, ContactSide::both, {f[left], f[right]}, exponent});
 }
 
@@ -63,12 +65,12 @@ Exponent jump_exponent(const Rational& s_left, const Rational& s_right) {
   return Exponent::angle(s_left) - Exponent::angle(s_right);
 }
 
-const LocalForm& local_form(SingularKind kind) { return local_forms[static_cast<std::size_t>(kind)]; }
+const LocalTerms& local_terms(SingularKind kind) { return all_local_terms[static_cast<std::size_t>(kind)]; }
 
 std::optional<SingularKind> inner_kind(bool friction_jumps, bool slope_jumps) {
-  for (const LocalForm& form : local_forms) {
-    const bool fits = form.friction_jumps == friction_jumps && form.slope_jumps == slope_jumps;
-    if (!form.is_end && fits) return form.kind;
+  for (const LocalTerms& terms : all_local_terms) {
+    const bool fits = terms.friction_jumps == friction_jumps && terms.slope_jumps == slope_jumps;
+    if (!terms.is_end && fits) return terms.kind;
   }
   return std::nullopt;
 }

@@ -22,8 +22,8 @@ Exponent jump_exponent(const Rational& s_left, const Rational& s_right);
 
 enum class SingularKind { edge, free, step, friction_jump, wedge, wedge_and_jump };
 
-/// The form of the traction beside a singular point of one kind. [Bal16, theorems 2 and 3]
-struct LocalForm {
+/// The terms of the traction beside a singular point of one kind. [Bal16, theorems 2 and 3]
+struct LocalTerms {
   SingularKind kind;
   std::string_view name;  ///< in the interface and in files
   bool is_end;            ///< contact ends there; otherwise there is contact on both sides, and
@@ -33,8 +33,8 @@ struct LocalForm {
   bool has_logarithm;     ///< a logarithm of it,
   bool has_constant;      ///< a constant beside that
 };
-const LocalForm& local_form(SingularKind kind);
-inline std::string_view name_of(SingularKind kind) { return local_form(kind).name; }
+const LocalTerms& local_terms(SingularKind kind);
+inline std::string_view name_of(SingularKind kind) { return local_terms(kind).name; }
 /// The kind of a point inside the contact by what jumps there; absent if nothing does.
 std::optional<SingularKind> inner_kind(bool friction_jumps, bool slope_jumps);
 

@@ -80,13 +80,16 @@ std::optional<ApproximateContact> Solver::contact_in(const Problem& problem, std
   }
   SolutionWanted approximate = wanted_.solution;
   approximate.digits = std::min(approximate.digits, 16);
-  text = [&problem, approximate, solution = found.solution] { return solution_text(problem, *solution, approximate); };
-  if (found.solution->failed_condition().empty()) last = found.solution;
+  text = [&last, &problem, approximate, solution = found.solution] {
+    SolutionText result = solution_text(problem, *solution, approximate);
+    if (result.is_solved()) last = solution;
+    return result;
+  };
   return found.solution->approximate_contact();
 }
 
 SolutionText Solver::solve_certified(const Problem& problem) {
-  // Of the last solution alone: in more digits than double's the text costs as much as the solution.
+  // Only the last solution needs a text. With more than 16 digits, a text costs as much as a solution.
   std::function<SolutionText()> text_of_last;
   const auto found = [&](int digits) {
     return numeric::at_precision(numeric::precision_for(digits),

@@ -45,8 +45,8 @@ class Solver {
   SolutionText solve_in(const Problem& problem);
   /// From what the solver finds, with more digits where that cannot be proved (library/proof/proved_contact.hpp).
   SolutionText solve_certified(const Problem& problem);
-  /// The contact that the solver finds; `text` then makes the solution's text. Without a solution nothing, and `text` has the
-  /// reason.
+  /// Returns the contact that the solver finds, and sets `text` to a function that makes the solution's text; it refers to
+  /// `problem`. If the solver finds none, returns nothing, and the text gives the reason.
   template <numeric::Real R>
   std::optional<ApproximateContact> contact_in(const Problem& problem, std::function<SolutionText()>& text);
   SolutionText solve_on_cells(const Problem& problem) const;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 
@@ -21,6 +22,12 @@ std::string last_line(std::string text) {
   return text.substr(begin);
 }
 
+/// The text after the last ": ", or all of it.
+std::string after_last_colon(const std::string& text) {
+  const std::size_t colon = text.rfind(": ");
+  return colon == text.npos ? text : text.substr(colon + 2);
+}
+
 }  // namespace
 
 std::string run_gnuplot(const std::string& script) try {
@@ -29,14 +36,19 @@ std::string run_gnuplot(const std::string& script) try {
       "exec /usr/bin/env -u GNUTERM LC_ALL=C.UTF-8 gnuplot --default-settings - > {} 2> {}", out.path(), err.path());
   std::FILE* const in = ::popen(command.c_str(), "w");
   if (in == nullptr) fail(std::string("cannot be run: ") + std::strerror(errno));
-  std::fwrite(script.data(), 1, script.size(), in);
+  // A gnuplot that ends early must not end this process.
+  const auto on_broken_pipe = std::signal(SIGPIPE, SIG_IGN);
+  const std::size_t written = std::fwrite(script.data(), 1, script.size(), in);
   const int status = ::pclose(in);
+  std::signal(SIGPIPE, on_broken_pipe);
   const std::string complaint = last_line(err.text());
-  // These two are env's, of a program that it does not find or cannot run.
+  // env exits with 127 if it does not find gnuplot, and with 126 if it cannot run it.
   switch (WIFEXITED(status) ? WEXITSTATUS(status) : -1) {
-    case 0: return out.text();
+    case 0:
+      if (written < script.size()) fail("did not read the whole script");
+      return out.text();
     case 127: fail("not found; figures are drawn by gnuplot 5.4 or later (Debian's package gnuplot-nox)");
-    case 126: fail("cannot be run: " + complaint.substr(complaint.rfind(": ") + 2));
+    case 126: fail("cannot be run: " + after_last_colon(complaint));
     default: fail("did not draw the figure: " + complaint);
   }
 } catch (const std::system_error& error) {

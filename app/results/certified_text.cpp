@@ -1,6 +1,7 @@
 #include "app/results/certified_text.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "library/answer/enclosed_contact.hpp"
 #include "library/proof/certificate.hpp"
@@ -61,7 +62,7 @@ class CertifiedWriter {
       intensities.push_back(point.intensity);
     }
 
-    text_.resultants = answer::resultants_of<ResultantsText>(solved, *this);
+    text_.resultants = answer::resultants_of<ResultantsText>(solved, std::cref(*this));
     // What nothing encloses is not told.
     text_.component_load.assign(text_.contact.size(), {});
     if (text_.contact.size() == 1) text_.component_load = {number(solved.forces().normal)};

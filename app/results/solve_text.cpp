@@ -65,7 +65,7 @@ void write_singular_points(const SolutionText& solution, Output& output) {
     output.write(fmt::format("  {} {}: their intensities are not known\n", count, kind));
 }
 
-/// A line of a quantity; of one that has several lines, `which` tells them apart.
+/// A line of the text. If a quantity has several lines, `which` names each.
 struct Line {
   std::string name;
   std::string value;
@@ -96,7 +96,7 @@ class Lines {
     const std::string power = largest.exponent.empty() ? "" : ", like " + singular;
     return {{name, fmt::format("{} at x = {}{}", largest.value.shown, shown(largest.x), power)}};
   }
-  /// Of each friction value.
+  /// One line for each friction value.
   std::vector<Line> operator()(const std::string& name, const std::vector<NumberText>& numbers) const {
     std::vector<Line> lines;
     for (std::size_t k = 0; k < std::min(numbers.size(), most_load_shares); ++k) {

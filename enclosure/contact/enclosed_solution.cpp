@@ -63,7 +63,7 @@ std::vector<EnclosedSolution::Point> EnclosedSolution::singular_points() const {
     const std::optional<SingularKind> kind = inner_kind(s_left != s_right, wedge != 0);
     if (!kind) continue;
     const Ball x(Rational(reduced_->frame.origin + reduced_->frame.unit * anchor.x), bits_);
-    if (local_form(*kind).has_power) {
+    if (local_terms(*kind).has_power) {
       const Ball theta = -amplitude(j, j) / set().cos_alpha(j) * power(unit_, -set().power(j));
       result.push_back({x, *kind, set().exponent(j), theta, Ball(Rational(wedge / (s_right - s_left)), bits_)});
       continue;

@@ -1,13 +1,14 @@
 #pragma once
-// The quantities of an answer: one row each. Text, JSON, columns of sweeps, the C++ facade, Python, the Explorer, the schema
-// and the table in docs/output.md are made from these rows. A new quantity is a new row.
+// The quantities of an answer: one row each. Text, JSON, columns of sweeps, C++ and Python read these rows.
+// quantity_documents.py writes the schema, the Python stub and the table of docs/output.md from them. The Explorer has its own
+// list. docs/architecture.md says what a new row needs.
 //
 //   QUANTITY(type, key, unit, line, meaning, formula)
 //
 // type      a type named in ResultantsOf
 // key       the name in every format; a text shows it with spaces
-// unit      F a force per unit of thickness, L a length
-// line      the place in a text, which orders quantities for a reader; rows of JSON and columns follow the table
+// unit      F is a force per unit of thickness, L a length, – no unit
+// line      the position in the text, another one for each row; JSON and columns keep the order of this table
 // meaning   one sentence, Markdown
 // formula   computed from `solved`: a SolvedContact (library/answer/solved_contact.hpp) or an EnclosedContact
 //           (library/answer/enclosed_contact.hpp)

@@ -23,7 +23,7 @@ class SolvedContact {
   const numeric::Resultants<R>& forces() const { return forces_; }
   std::size_t components() const { return contact_.size(); }
 
-  /// From the first end to the last; not known without contact, as length(), per_length() and largest_pressure().
+  /// From the first end to the last. Without contact, width(), length(), per_length() and largest_pressure() are unknown.
   Estimate width() const {
     if (contact_.size() <= 1) return length();
     return contact_.back().right.x - contact_.front().left.x;

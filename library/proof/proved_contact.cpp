@@ -6,10 +6,11 @@
 namespace steadyslide::library {
 namespace {
 
-/// True if both have the same points, each on the same side of the same place of the data, whatever the distances.
+/// True if both sets have the same ends beside the same places of the data, at distances that agree to three digits.
 bool same_contact_set(const ApproximateContact& one, const ApproximateContact& other) {
   return std::ranges::equal(one.ends, other.ends, [](const auto& a, const auto& b) {
-    return a.anchor == b.anchor && a.beside == b.beside && a.vanishes == b.vanishes;
+    const Rational larger = std::max(a.offset, b.offset), difference = larger - std::min(a.offset, b.offset);
+    return a.anchor == b.anchor && a.beside == b.beside && a.vanishes == b.vanishes && 1000 * difference <= larger;
   });
 }
 
@@ -23,7 +24,7 @@ std::optional<enclosure::ContactProof> proved_contact(const ContactProblem& prob
   for (const int solved_with : std::array{16, 50, 100}) {
     if (solved_with < first) continue;
     const std::optional<ApproximateContact> contact = found(solved_with);
-    // A sign that is decided the other way stays so with more digits of the same ends.
+    // The proof decided a sign the wrong way at these ends. More digits of the same ends cannot change that.
     if (!contact || (refuted && same_contact_set(*refuted, *contact))) break;
     proof = enclosure::prove_contact(problem, *contact, digits, work);
     if (proof->proved || work.is_spent()) break;

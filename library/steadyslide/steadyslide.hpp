@@ -162,7 +162,8 @@ struct UnresolvedGap {
 };
 
 /// The numbers of the whole contact, by name: normal, friction_force, mean_pressure, ... (library/answer/quantities.hpp).
-/// Absent: the exponent of a finite largest pressure, `tilt` without a tilting indenter, `core` unless the punch is flat.
+/// A finite largest pressure has no exponent. `tilt` exists if the indenter may tilt, `core` if the punch is rigid and flat.
+/// Without contact, widths and pressures are NaN.
 using Resultants = answer::ResultantsOf<Number, std::optional<Number>>;
 using LargestPressure = Resultants::Largest;
 /// From left to right.
@@ -235,7 +236,8 @@ class STEADYSLIDE_API Solution {
   /// Left to right.
   std::vector<UnresolvedGap> unresolved_gaps() const;
   Resultants resultants() const;
-  // Each of them by its name: effective_friction(), largest_pressure(), ...
+  // One function for each quantity: effective_friction(), largest_pressure(), ... Each call computes all of them; if you need
+  // several, call resultants() once.
 #define STEADYSLIDE_QUANTITY(type, key, ...) \
   Resultants::type key() const { return resultants().key; }
   STEADYSLIDE_QUANTITIES(STEADYSLIDE_QUANTITY)

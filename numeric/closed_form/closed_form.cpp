@@ -15,12 +15,6 @@ TwoSided<R> both(const Estimate<R>& value) {
   return {value, value};
 }
 
-/// A value with what a few operations leave of rounding.
-template <Real R>
-Estimate<R> rounded(const R& value) {
-  return Estimate<R>{value, R(0)}.widened(4 * epsilon<R>());
-}
-
 }  // namespace
 
 template <Real R>
@@ -182,6 +176,15 @@ R ClosedForm<R>::profile_slope(const R& from_origin) const {
 }
 
 template <Real R>
+Estimate<R> ClosedForm<R>::slope_in_contact(const R& from_origin) const {
+  const R c = to_real<R>(problem_.elasticity().compliance());
+  const R slope = c * profile_slope(from_origin);
+  // A place is a sum of lengths from the left end, which rounding shifts.
+  const R shift = 2 * epsilon<R>() * max(abs(weight().point(0)), abs(weight().point(weight().panel_count())));
+  return {slope, 4 * epsilon<R>() * abs(slope) + c * abs(profile_slope(shift))};
+}
+
+template <Real R>
 R ClosedForm<R>::gap_length(Side side) const {
   if (data_.ends == SingularKind::edge) return 0;
   const Indenter& indenter = problem_.indenter();
@@ -269,9 +272,8 @@ template <Real R>
 Sample<R> ClosedForm<R>::inside(std::size_t panel, const Node<R>& node, const R& traction) const {
   const Estimate<R> estimate =
       Estimate<R>{traction, R(0)}.widened(weight().relative_error(panel, node, data_.end_error));
-  const R slope = to_real<R>(problem_.elasticity().compliance()) * profile_slope(node.x);
   return {to_real<R>(data_.origin) + node.x, both(estimate),
-          both(shear_of(problem_, data_.first_piece + panel, estimate)), Estimate<R>{}, both(rounded(slope))};
+          both(shear_of(problem_, data_.first_piece + panel, estimate)), Estimate<R>{}, both(slope_in_contact(node.x))};
 }
 
 template <Real R>
@@ -295,8 +297,7 @@ Sample<R> ClosedForm<R>::at_point(std::size_t j) const {
   sample.shear = {j == 0 ? Estimate<R>{} : shear_of(problem_, right - 1, sample.traction.left),
                   j == last ? Estimate<R>{} : shear_of(problem_, right, sample.traction.right)};
   sample.gap = Estimate<R>{};
-  const R slope = to_real<R>(problem_.elasticity().compliance()) * profile_slope(weight().point(j));
-  sample.slope = both(rounded(slope));
+  sample.slope = both(slope_in_contact(weight().point(j)));
   if (data_.ends == SingularKind::edge) {
     if (j == 0) sample.slope.left = {-infinity<R>(), 0};
     if (j == last) sample.slope.right = {infinity<R>(), 0};
@@ -472,8 +473,8 @@ Estimate<R> ClosedForm<R>::height(const Place& place) const {
   R x = place.inside ? place.inside->x : weight().point(place.panel);
   if (place.beyond == Side::left) x = weight().point(0) - place.distance;
   if (place.beyond == Side::right) x = weight().point(weight().panel_count()) + place.distance;
-  const R profile = to_real<R>(problem_.elasticity().compliance()) * profile_slope(x) * x / 2;
-  const Estimate<R> height = rounded(profile);
+  const Estimate<R> slope = slope_in_contact(x);
+  const Estimate<R> height{slope.value * x / 2, slope.error * abs(x)};
   return place.beyond ? height - below_profile(*place.beyond, place.distance) : height;
 }
 

@@ -34,7 +34,7 @@ class FrictionLayout {
  public:
   /// One length > 0, as exactly as it is known, for each s. Throws std::invalid_argument.
   FrictionLayout(const std::vector<R>& lengths, const std::vector<Rational>& s);
-  /// What lies under the whole support.
+  /// The strips under the whole support.
   static FrictionLayout of(const ContactProblem& problem);
   /// So many times the same strips: shares of a period, whose sum is 1.
   static FrictionLayout periodic(const std::vector<Rational>& shares, const std::vector<Rational>& s, int periods);
@@ -98,7 +98,7 @@ class EffectiveFriction {
     R exp_a;        ///< e^A
     R exp_minus_b;  ///< e^-B
   };
-  /// What the nodes left of the first one would add to a sum, if the terms there are `first` times d^power.
+  /// The sum of the nodes left of the first one, if their terms are `first` times d^power.
   R left_tail(const R& first, const R& power) const;
   /// Relative, of rounding: a power d^-alpha is an exponential.
   R relative_error() const;
@@ -117,7 +117,7 @@ class EffectiveFriction {
 // continuous on it). There no admissible change increases s_eff: int w (alpha - alpha*) <= 0, so that alpha* is largest
 // where w is (bathtub principle). w is strictly convex with infinite limits at both ends: {w < const} is an interval
 // strictly inside. Smallest: the same with the signs turned.
-// Where the interval lies is a strictly concave problem (convex for the smallest): with D the difference of the
+// The place of the interval solves a strictly concave problem (convex for the smallest): with D the difference of the
 // alphas, 0 < D < 1, phi half the length of the interval and c its centre, c enters by h(z) = ((z-phi)/(z+phi))^D, z = x+c in e^A
 // and, inverted, z = x-c in e^-B, and
 //   h'' = 4 D phi (D phi - z)/(z^2-phi^2)^2 h < 0,   (1/h)'' > 0   for z > phi.
@@ -131,13 +131,13 @@ struct ExtremeLayout {
   Estimate<R> s_eff;
 };
 
-/// Of largest s_eff if s_outer > s_inner, else of smallest; either sign. Throws std::invalid_argument unless they differ
+/// The layout with the largest s_eff if s_outer > s_inner, else with the smallest. Both signs are allowed. Throws std::invalid_argument unless they differ
 /// and 0 < inner_share < 1; std::range_error where a strip is shorter than 1e-200 of the contact: it takes large friction,
 /// and an inner share next to 1.
 template <Real R>
 ExtremeLayout<R> extreme_layout(const Rational& s_outer, const Rational& s_inner, const Rational& inner_share);
 
-// What a flat punch's friction tends to when its coatings alternate ever faster: A and B of EffectiveFriction are
+// As its coatings alternate ever faster, the friction of a flat punch tends to a limit: A and B of EffectiveFriction are
 // integrals of alpha against functions that do not change, so that only the mean of alpha stays,
 //
 //   s_eff -> tan(pi <alpha>),   for s >= 0 at most the mean of s (Jensen: tan is convex there).
@@ -165,8 +165,8 @@ FineMixture<R> fine_mixture(const std::vector<Rational>& shares, const std::vect
 template <Real R>
 R order_of_periods(const R& e, const R& doubled, const R& doubled_twice);
 
-// Where the load may act on a flat punch that is free to tilt, so that it stays in full contact (the core of the contact,
-// as that of a column's section). In y of FrictionLayout, with M_j there:
+// The core of the contact, as that of a column's section: if the load acts there, a flat punch that may tilt stays in full
+// contact. In y of FrictionLayout, with M_j there:
 //
 //   from M_1/(1+M_0) - (1+M_0)/2 to (1-M_0)/2 - M_1/(1-M_0);   without friction from -1/2 to 1/2.
 //

@@ -170,7 +170,7 @@ template <Real R>
 std::vector<Estimate<R>> unbounded_places(const ContactSolution<R>& solution) {
   std::vector<Estimate<R>> result;
   for (const SolvedSingularPoint<R>& point : solution.singular_points()) {
-    if (!point.exponent || point.exponent->sign() < 0 || local_form(point.kind).has_constant) {
+    if (!point.exponent || point.exponent->sign() < 0 || local_terms(point.kind).has_constant) {
       result.push_back(point.x);
     }
   }

@@ -208,7 +208,7 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
     const Exponent& beta = form_.exponent(j);
     const std::optional<SingularKind> kind = inner_kind(beta.sign() != 0, wedge(j) != 0);
     if (!kind) continue;
-    if (local_form(*kind).has_power) {
+    if (local_terms(*kind).has_power) {
       const Estimate<R> theta = intensity(j);
       const auto on_side = [&](std::size_t segment) {
         return stress_intensity_of<R>(reduced_.cos_alpha(form_.friction_at(segment)) * theta, form_.power(j).value);

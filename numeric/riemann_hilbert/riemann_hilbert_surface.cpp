@@ -258,7 +258,7 @@ std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const {
   return result;
 }
 
-// What integrals of the traction add to a place.
+// Integrals of the traction add these terms at a place.
 
 template <Real R>
 const TractionIntegrals<R>& RiemannHilbertSolution<R>::integrals() const {
@@ -297,7 +297,7 @@ Estimate<R> RiemannHilbertSolution<R>::height_beyond(const SurfacePoint<R>& at) 
                                       const R y_b = (form_.profile_slope(there) - form_.surface_slope(there)).value;
                                       return R(y_b / pow(d, power.value));
                                     }});
-  // What the slope may be off by, added up over parts of a quarter of their distance from the end.
+  // The error of the slope, added up over parts of a quarter of their distance from the end.
   R error = 0;
   for (R d = distance; d > 0; d /= 4) {
     const SurfacePoint<R> there = beside(contact_set(), j, side, d);

@@ -63,7 +63,7 @@ class VariationalSolution : public ContactSolution<double> {
     bool exact;        ///< x is known exactly: not a free end
     double error = 0;  ///< of x, beyond rounding; a free end's
     double moved = 0;  ///< a cell, and by how much more x differs on the coarser mesh; a free end's
-    bool is_end() const { return local_form(kind).is_end; }
+    bool is_end() const { return local_terms(kind).is_end; }
   };
   /// All of them, left to right.
   const std::vector<Place>& places() const { return places_; }
