@@ -75,6 +75,8 @@ std::vector<Section> sections(std::string_view text) {
     } else if (first == indent) {
       const auto words = cut(content + " ", " ");
       all.back().lines.push_back({words->first, words->second});
+    } else if (all.back().lines.empty()) {
+      refuse("a line continues none", content);
     } else {
       std::string& before = all.back().lines.back().rest;
       before += (before.empty() ? "" : " ") + content;
@@ -83,7 +85,10 @@ std::vector<Section> sections(std::string_view text) {
   return all;
 }
 
-int integer(const ex& e) { return GiNaC::ex_to<GiNaC::numeric>(e).to_int(); }
+int integer(const ex& e) {
+  if (!GiNaC::is_a<GiNaC::numeric>(e)) refuse("no number", canonical_text(e));
+  return GiNaC::ex_to<GiNaC::numeric>(e).to_int();
+}
 
 ExactIdentity rational_identity(const std::string& words, const ex& lhs, const ex& rhs) {
   const RationalDecision decision = decide_equal(lhs, rhs);
@@ -142,6 +147,7 @@ class StatementReader {
   ExactIdentity decided(const std::string& words) {
     Comparison comparison(field_);
     identity_.reset();
+    equations_ = 0;
     words_ = words;
     run(0, section_.lines.size(), comparison);
     return identity_ ? *identity_ : comparison.as(words);
@@ -196,6 +202,8 @@ class StatementReader {
     if (!sides) refuse("an equation has two sides", text);
     const ex lhs = value(sides->first);
     const ex rhs = value(sides->second);
+    if (identity_ || (!named && equations_ > 0)) refuse("an equation without a name stands alone", text);
+    ++equations_;
     if (named) {
       comparison.equal(named->first, lhs, rhs);
     } else {
@@ -373,6 +381,7 @@ class StatementReader {
   std::map<std::string, Function> written_;
   std::map<std::string, ex> changes_;  ///< of the wrong variant that is decided
   std::optional<ExactIdentity> identity_;
+  int equations_ = 0;
   std::string words_;
 };
 

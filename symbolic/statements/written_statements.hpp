@@ -16,7 +16,7 @@
 // sigma_1, sigma_2, ...), the coefficient of z^(S-n). `i` is the imaginary unit, phase(form) = exp(i pi form).
 //
 // A line that is indented deeper continues the one before. A statement without lines is one that C++ decides. The lines
-// below `definitions` precede those of every statement that follows.
+// below `definitions` are put before the lines of each later statement; the next `definitions` replaces them.
 
 #include <ginac/ginac.h>
 
