@@ -1,5 +1,7 @@
 // The facade says what problem files, laws and closed forms say. It sees no header but its own.
 
+#include <unistd.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -169,8 +171,10 @@ namespace {
 
 /// A trace as problem data: straight lines between points.
 ProblemData trace(const std::vector<double>& x, const std::vector<double>& heights) {
-  const std::string name = (std::filesystem::temp_directory_path() / "steadyslide_worn_trace.csv").string();
+  const std::string name =
+      std::filesystem::temp_directory_path() / ("worn_trace_" + std::to_string(::getpid()) + ".csv");
   std::ofstream file(name);
+  REQUIRE(file);
   file.precision(17);
   for (std::size_t i = 0; i < x.size(); ++i) file << x[i] << ',' << heights[i] << '\n';
   return {.load = 2, .friction = {"0.1", "0.5"}, .jumps = {0}, .poisson = "0.3", .young = 2000, .samples = name};
