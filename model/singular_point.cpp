@@ -16,7 +16,8 @@ constexpr std::array<LocalTerms, 6> all_local_terms{{
     {SingularKind::wedge, "wedge", false, false, true, false, true, true},
     {SingularKind::wedge_and_jump, "wedge_and_jump", false, true, true, true, false, true},
 }};
-static_assert(std::ranges::is_sorted(all_local_terms, {}, &LocalTerms::kind));
+static_assert(std::is_sorted(all_local_terms.begin(), all_local_terms.end(),
+                             [](const LocalTerms& a, const LocalTerms& b) { return a.kind < b.kind; }));
 
 void add_ends(const ContactProblem& problem, const Rational& x, End end, std::vector<SingularPoint>& points) {
   // At the left end of the contact, the contact is on the right.
