@@ -70,7 +70,7 @@ class Form {
     Ball relative_error;
   };
   std::vector<Piece> other_pieces(std::size_t k, const Place& at) const;
-  /// Of [(g_k + tilt)/Y]_poly - q/pi, 1 more than its degree.
+  /// The number of coefficients of [(g_k + tilt)/Y]_poly - q/pi: its degree plus 1.
   std::size_t terms(std::size_t k) const { return polynomials_[k].size(); }
   /// B_k at an end of contact, k the slope of the contact.
   Ball at_end(std::size_t j) const;

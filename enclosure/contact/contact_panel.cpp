@@ -110,7 +110,7 @@ std::vector<ContactPanel::Part> ContactPanel::outward(const ContactSet& set, std
     const Ball left_over = range.to - at;
     // Points out of order, or closer than any solution has them: one panel, whose bounds are not finite.
     if (!length.is_positive() || result.size() == most_panels) length = left_over;
-    // What rounding leaves over is no panel; what the box's width leaves is, or else it would be every node's.
+    // A rest of the size of rounding makes no panel. A rest of the box's width makes one: else it would widen every node.
     more = length * hair < left_over;
     if (!more || Ball(2) * length > left_over) length = more ? (left_over / Ball(2)).lower() : left_over;
     const Ball to = at + length;

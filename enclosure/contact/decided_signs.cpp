@@ -346,7 +346,7 @@ class Decision {
         grows = grows && !(risen.is_negative());
       }
       grows = grows && c.sign == (left ? 1 : -1);
-      // Where it only rises or only falls, it is lowest at one of the cell's ends.
+      // A gap that only rises or only falls is lowest at one of the cell's ends.
       const Ball lowest = (direction * (c.sign != 0 ? c.change : c.range)).lower();
       if (grows || (height + min(lowest, Ball(0, bits_))).is_positive()) open[left ? i : n - 1 - i] = 1;
       const Ball least = (direction * c.change).lower();
