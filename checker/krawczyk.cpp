@@ -100,7 +100,7 @@ std::vector<Ball> krawczyk_image(const std::vector<Ball>& V, const std::vector<B
 Krawczyk prove_zero(const ReducedProblem& problem, const Box& box, slong least_precision) {
   const std::vector<Ball> V = box.V.list();
   const std::size_t n = V.size();
-  Krawczyk result;
+  Krawczyk result{box};
   for (const Ball& x : V) {
     if (!x.radius().is_positive()) throw Unproved("a box without interior proves no zero");
   }
@@ -128,6 +128,7 @@ Krawczyk prove_zero(const ReducedProblem& problem, const Box& box, slong least_p
     const Ball moved = (K[i] - V[i].rounded(precision).middle()).size();
     result.contraction = std::max(result.contraction, (moved / V[i].radius()).approximately());
   }
+  result.image.V = box.V.with(K);
   return result;
 }
 

@@ -11,6 +11,7 @@
 namespace steadyslide::checker {
 
 struct Krawczyk {
+  Box image;               ///< the loads and the contact of the box, with K(V) in place of V: the zero lies in it
   slong bits = 0;          ///< to which F(v) was enclosed
   double contraction = 0;  ///< the largest radius of K(V) relative to that of V
 };

@@ -47,7 +47,7 @@ void prove(const Certificate& certificate) {
     } else {
       std::printf("  proved: the contact has no unknown\n");
     }
-    const Signs signs = prove_signs(problem, box, zero.bits);
+    const Signs signs = prove_signs(problem, zero.image, zero.bits);
     std::printf("  proved: t < 0 in the contact on %zu intervals, gap > 0 off it on %zu, integrals to 2^-%ld\n",
                 signs.in_contact, signs.in_gaps, static_cast<long>(signs.bits));
   }

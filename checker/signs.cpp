@@ -257,7 +257,9 @@ class Prover {
                              : direction_ * horner(form_.difference(own, k_, anchor),
                                                    contact_.offset(half.segment()) + all.from_left);
     const Ball change = f * weight + direction_ * half.slope_difference(k_, u, v);
-    const Ball fall = weight * positive_part((-f).upper()) + (v - u) * positive_part((-h).upper());
+    // Away from the origin the slope is f + h, in which the two may cancel.
+    const Ball fall = base == none ? (v - u) * positive_part((-(f + h)).upper())
+                                   : weight * positive_part((-f).upper()) + (v - u) * positive_part((-h).upper());
     // From 0 the gap opens where it grows; elsewhere it stays above what it can fall to.
     const bool opens = gap_.is_zero() && u.is_zero() && outwards && own == k_ && f.is_positive();
     const auto decides = [&](const Ball& gap) {

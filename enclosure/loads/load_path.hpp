@@ -50,7 +50,7 @@ struct LoadPathOptions {
   /// That work at a time; what is found does not depend on it. The solver is asked by each of them.
   unsigned threads = 1;
   /// For all loads; what is not proved when it is spent stays open.
-  std::int64_t work = 200 * WorkBudget::usual;
+  std::int64_t work = 500 * WorkBudget::usual;
 };
 
 /// Left to right, all of them in one frame. Throws InvalidData unless 0 < from < to and 0 < width.

@@ -9,8 +9,8 @@ namespace steadyslide::enclosure {
 
 class WorkBudget {
  public:
-  /// The budget of one proof. It is spent in ten to thirty seconds. Most proofs that succeed take a hundredth of it.
-  static constexpr std::int64_t usual = 500'000'000;
+  /// The budget of one proof. It is spent in five to ten seconds. Most proofs that succeed take a hundredth of it.
+  static constexpr std::int64_t usual = 200'000'000;
 
   explicit WorkBudget(std::int64_t most = usual) : left_(most) {}
 

@@ -151,10 +151,12 @@ LargestPressure<R> ClosedForm<R>::largest_pressure() const {
     const Node<R> node{weight().panel(k).left + left, left, right};
     return Estimate<R>{-traction(k, node), R(0)}.widened(weight().relative_error(k, node, data_.end_error));
   };
-  const std::optional<Peak<R>> peak = highest_peak(lengths, pressure);
-  if (!peak) return {};
-  const R x = to_real<R>(data_.origin) + weight().panel(peak->panel).left + peak->from_left;
-  return {peak->value, {x, peak->place_error + data_.end_error + 2 * epsilon<R>() * abs(x)}, std::nullopt};
+  const std::vector<Peak<R>> peaks = highest_peaks(lengths, pressure);
+  if (peaks.empty()) return {};
+  return finite_pressure<R>(peaks, [&](const Peak<R>& peak) -> Estimate<R> {
+    const R x = to_real<R>(data_.origin) + weight().panel(peak.panel).left + peak.from_left;
+    return {x, peak.place_error + data_.end_error + 2 * epsilon<R>() * abs(x)};
+  });
 }
 
 template <Real R>

@@ -112,9 +112,7 @@ Estimate<R> GapIntegral<R>::closure_error(const std::vector<GapNode<R>>& rule) c
     Estimate<R> b = form_->regular_factor(node.slope, node.at);
     // B itself, with what it has at the pivot as long as the ends are not found.
     if (!y.pivots().empty()) b = node.to_pivot * b + form_->pivot_moment(y.component_at(node.at));
-    // Over a tiny gap the weight times Y alone may be no number any more.
-    b *= node.y;
-    sum += node.weight * b.widened(8 * epsilon<R>());
+    sum += node.term(b);
   }
   return sum;
 }
@@ -126,8 +124,7 @@ Estimate<R> GapIntegral<R>::rise(const SegmentPart<R>& part, bool rightwards) co
   std::vector<GapNode<R>> nodes;
   add_nodes(part, nodes);
   for (const GapNode<R>& node : nodes) {
-    sum +=
-        R(node.weight * node.y * node.to_pivot) * form_->regular_factor(node.slope, node.at).widened(8 * epsilon<R>());
+    sum += node.term(node.to_pivot * form_->regular_factor(node.slope, node.at));
   }
   if (errors_) {
     // Twice: q and the tilt go with the ends.

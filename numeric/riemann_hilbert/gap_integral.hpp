@@ -16,6 +16,13 @@ struct GapNode {
   R weight;
   R y;         ///< Y, with its sign, of all components
   R to_pivot;  ///< Y_i/Y, i the component the place belongs to
+
+  /// weight Y f, for f = B Y_i/Y. Y alone comes last: over a tiny gap the weight times Y may be no number any more, and the
+  /// rounding of its powers counts by the logarithms of distances.
+  Estimate<R> term(Estimate<R> f) const {
+    f *= y;
+    return weight * f.widened((8 + abs(log(abs(y)))) * epsilon<R>());
+  }
 };
 
 template <Real R>

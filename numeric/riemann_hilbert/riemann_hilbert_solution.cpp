@@ -75,6 +75,8 @@ R RiemannHilbertSolution<R>::relative_shift(std::size_t j) const {
   for (std::size_t i = 0; i < distances.size(); ++i) {
     if (i != j) sum += abs(form_.power(i).value / distances[i]);
   }
+  // B beside a gap over a notch follows the gap's length, like a power of it from -1 to 0.
+  if (set.counts_by_order(j)) sum += 1 / std::min(set.length(j - 1), set.length(j));
   return set.displacement(j, found_.errors.ends) * sum;
 }
 
@@ -315,12 +317,14 @@ LargestPressure<R> RiemannHilbertSolution<R>::largest_pressure() const {
     const SurfacePoint<R> at = place(panel, left, right);
     return -traction(at).widened(relative_end_error(at));
   };
-  const std::optional<Peak<R>> peak = highest_peak(lengths, pressure, largest.value.value);
-  if (!peak) return largest;
-  const R offset = to_real<R>(reduced_.frame().unit) * place(peak->panel, peak->from_left, peak->from_right).node.x;
-  const R origin = to_real<R>(reduced_.frame().origin);
-  const R error = to_real<R>(reduced_.frame().unit) * (peak->place_error + end_error());
-  return {peak->value, {origin + offset, error + 2 * epsilon<R>() * (abs(origin) + abs(offset))}, std::nullopt};
+  const std::vector<Peak<R>> peaks = highest_peaks(lengths, pressure, largest.value.value);
+  if (peaks.empty()) return largest;
+  return finite_pressure<R>(peaks, [&](const Peak<R>& peak) -> Estimate<R> {
+    const R offset = to_real<R>(reduced_.frame().unit) * place(peak.panel, peak.from_left, peak.from_right).node.x;
+    const R origin = to_real<R>(reduced_.frame().origin);
+    const R error = to_real<R>(reduced_.frame().unit) * (peak.place_error + end_error());
+    return {origin + offset, error + 2 * epsilon<R>() * (abs(origin) + abs(offset))};
+  });
 }
 
 template <Real R>

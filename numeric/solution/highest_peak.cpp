@@ -85,15 +85,16 @@ struct Part {
 template <Real R>
 class PeakSearch {
  public:
-  PeakSearch(const std::vector<R>& lengths, const PanelFunction<R>& f, const R& floor) : f_(f), best_(floor) {
+  PeakSearch(const std::vector<R>& lengths, const PanelFunction<R>& f, const R& floor)
+      : f_(f), floor_(floor), best_(floor) {
     for (std::size_t k = 0; k < lengths.size(); ++k) add({k, R(0), lengths[k], R(0), 0});
   }
 
-  std::optional<Peak<R>> highest() {
+  std::vector<Peak<R>> highest() {
     while (!parts_.empty()) {
       const Part<R> part = parts_.top();
       parts_.pop();
-      if (part.bound <= best_) break;
+      if (part.bound <= least()) break;
       if (part.missed <= resolved * best_) {
         search(part);
       } else if (part.halvings < most_halvings) {
@@ -102,65 +103,93 @@ class PeakSearch {
         add({part.panel, part.from_left + half, half, part.from_right, part.halvings + 1});
       }
     }
-    if (peak_) refine();
-    return peak_;
+    std::vector<Peak<R>> result;
+    for (Peak<R>& peak : found_) {
+      if (peak.value.value > least()) result.push_back(refined(std::move(peak)));
+    }
+    const auto higher = [](const Peak<R>& a, const Peak<R>& b) { return a.value.value > b.value.value; };
+    std::stable_sort(result.begin(), result.end(), higher);
+    if (result.empty()) return result;
+    // Lower ones, and the highest one seen again from another part.
+    const auto is_no_other = [best = result[0]](const Peak<R>& peak) {
+      return peak.value.value + peak.value.error < best.value.value - best.value.error ||
+             (peak.panel == best.panel && abs(peak.from_left - best.from_left) <= peak.place_error + best.place_error);
+    };
+    result.erase(std::remove_if(result.begin() + 1, result.end(), is_no_other), result.end());
+    return result;
   }
 
  private:
+  /// What is higher than that may be as high as the best value, when its place is known better.
+  R least() const { return std::max(floor_, R(best_ - resolved * abs(best_))); }
+
   void add(Part<R> part) {
-    interpolate(part);
+    Peak<R> node = interpolate(part);
+    if (node.value.value > best_) {
+      best_ = node.value.value;
+      found_.push_back(std::move(node));
+    }
     part.missed = 4 * (abs(part.series[nodes - 1]) + abs(part.series[nodes - 2]) + abs(part.series[nodes - 3]));
     part.bound = part.series[0] + size_of(part.series, 1) + part.missed;
-    if (part.bound > best_) parts_.push(std::move(part));
+    if (part.bound > least()) parts_.push(std::move(part));
   }
 
-  /// The best of the nodes is a first peak.
-  void interpolate(Part<R>& part) {
+  /// Returns the highest of the nodes.
+  Peak<R> interpolate(Part<R>& part) const {
     const Nodes<R>& at = Nodes<R>::get();
     Series<R> values;
-    for (std::size_t i = 0; i < nodes; ++i) values[i] = offer(part, at.from_left[i], at.from_right[i]);
+    std::optional<Peak<R>> highest;
+    for (std::size_t i = 0; i < nodes; ++i) {
+      Peak<R> node = peak_at(part, at.from_left[i], at.from_right[i]);
+      values[i] = node.value.value;
+      if (!highest || values[i] > highest->value.value) highest = std::move(node);
+    }
     for (std::size_t k = 0; k < nodes; ++k) {
       R sum = 0;
       for (std::size_t i = 0; i < nodes; ++i) sum += values[i] * at.cosine[i][k];
       part.series[k] = sum * (k == 0 ? 1 : 2) / nodes;
     }
+    return *highest;
   }
 
-  /// f at a place of a part, by its distances from the part's ends over the length; the best one is kept.
-  R offer(const Part<R>& part, const R& left, const R& right) {
+  /// f at a place of a part, by its distances from the part's ends over the length.
+  Peak<R> peak_at(const Part<R>& part, const R& left, const R& right) const {
     const R from_left = part.from_left + left * part.length;
     const R from_right = part.from_right + right * part.length;
-    const Estimate<R> value = f_(part.panel, from_left, from_right);
-    if (value.value > best_) {
-      best_ = value.value;
-      peak_ = {part.panel, from_left, from_right, value, part.length};
-    }
-    return value.value;
+    return {part.panel, from_left, from_right, f_(part.panel, from_left, from_right), part.length};
   }
 
-  /// The largest value of the interpolant.
+  /// The largest value of the interpolant, if it may be the largest of all.
   void search(const Part<R>& part) {
     const Series<R> first = derivative(part.series);
     const R curvature = size_of(derivative(first));
     const R enough = resolved * best_;
+    R largest = least();
+    std::optional<R> place;
     const auto visit = [&](const auto& self, const R& middle, const R& half) -> void {
       const R value = value_of(part.series, middle);
-      if (value > best_) offer(part, (1 + middle) / 2, (1 - middle) / 2);
+      if (value > largest) {
+        largest = value;
+        place = middle;
+      }
       const R more = abs(value_of(first, middle)) * half + curvature * half * half / 2;
-      if (value + more <= best_ || more <= enough) return;
+      if (value + more <= largest || more <= enough) return;
       self(self, middle - half / 2, half / 2);
       self(self, middle + half / 2, half / 2);
     };
     visit(visit, R(0), R(1));
+    if (!place) return;
+    found_.push_back(peak_at(part, (1 + *place) / 2, (1 - *place) / 2));
+    best_ = std::max(best_, found_.back().value.value);
   }
 
   /// On so short a part around the peak that an interpolant is exact there, to the zero of its derivative; a zero beyond
   /// the part is where the next one is looked at.
-  void refine() {
+  Peak<R> refined(Peak<R> peak) const {
     constexpr int most_attempts = 8;
-    R half = peak_->place_error;
+    R half = peak.place_error;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
-      const auto [panel, left, right, value, error] = *peak_;
+      const auto [panel, left, right, value, error] = peak;
       const R room = std::min(left, right);
       half = std::min(half, R(std::min(error, room) * pow(epsilon<R>(), R(1) / (nodes + 1)) / 2));
       Part<R> part{panel, left - half, 2 * half, right - half, 0};
@@ -172,28 +201,30 @@ class PeakSearch {
       for (int step = 0; within && step < 8; ++step) v -= value_of(first, v) / value_of(second, v);
       if (!(abs(v) * half < room / 2) || !(value_of(second, R(0)) < 0)) break;
       const R noise = nodes * nodes * (value.error + epsilon<R>() * value.value) / abs(value_of(second, R(0)));
-      peak_ = {panel, left + v * half, right - v * half, f_(panel, left + v * half, right - v * half), error};
+      peak = {panel, left + v * half, right - v * half, f_(panel, left + v * half, right - v * half), error};
       if (!within) continue;
-      peak_->place_error = half * std::min(R(1), noise);
-      return;
+      peak.place_error = half * std::min(R(1), noise);
+      break;
     }
+    return peak;
   }
 
   const PanelFunction<R>& f_;
+  R floor_;
   R best_;
-  std::optional<Peak<R>> peak_;
+  std::vector<Peak<R>> found_;
   std::priority_queue<Part<R>> parts_;
 };
 
 }  // namespace
 
 template <Real R>
-std::optional<Peak<R>> highest_peak(const std::vector<R>& lengths, const PanelFunction<R>& f, const R& floor) {
+std::vector<Peak<R>> highest_peaks(const std::vector<R>& lengths, const PanelFunction<R>& f, const R& floor) {
   return PeakSearch<R>(lengths, f, floor).highest();
 }
 
 #define STEADYSLIDE_INSTANTIATE(R) \
-  template std::optional<Peak<R>> highest_peak(const std::vector<R>&, const PanelFunction<R>&, const R&);
+  template std::vector<Peak<R>> highest_peaks(const std::vector<R>&, const PanelFunction<R>&, const R&);
 STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 

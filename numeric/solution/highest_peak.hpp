@@ -9,7 +9,6 @@
 // axis could hide between the points.)
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "numeric/number/estimate.hpp"
@@ -29,9 +28,10 @@ struct Peak {
 template <Real R>
 using PanelFunction = std::function<Estimate<R>(std::size_t panel, const R& from_left, const R& from_right)>;
 
-/// The largest value above `floor` on panels of these lengths; none if none is larger. Next to an end of a panel, closer than
-/// 2^-60 of it, nothing is looked for: the limits there are the caller's, as the floor.
+/// The largest value above `floor` on panels of these lengths, then other peaks that are as high as far as their errors
+/// tell; none if none is higher than the floor. Next to an end of a panel, closer than 2^-60 of it, nothing is looked for: the
+/// limits there are the caller's, as the floor.
 template <Real R>
-std::optional<Peak<R>> highest_peak(const std::vector<R>& lengths, const PanelFunction<R>& f, const R& floor = R(0));
+std::vector<Peak<R>> highest_peaks(const std::vector<R>& lengths, const PanelFunction<R>& f, const R& floor = R(0));
 
 }  // namespace steadyslide::numeric

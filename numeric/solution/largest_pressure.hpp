@@ -1,5 +1,5 @@
 #pragma once
-// The supremum of the pressure where it is infinite: what singular points say of it.
+// The supremum of the pressure: where it is infinite what singular points say of it, otherwise the highest of its peaks.
 
 #include "numeric/solution/contact_solution.hpp"
 #include "numeric/solution/highest_peak.hpp"
@@ -24,6 +24,18 @@ std::optional<LargestPressure<R>> infinite_pressure(const std::vector<SolvedSing
   }
   if (worst == nullptr) return std::nullopt;
   return LargestPressure<R>{{infinity<R>(), R(0)}, worst->x, worst->exponent};
+}
+
+/// The first of these peaks, at the place `x_of` it. The error of the place reaches to the other peaks, which may be the highest.
+template <Real R>
+LargestPressure<R> finite_pressure(const std::vector<Peak<R>>& peaks,
+                                   const std::function<Estimate<R>(const Peak<R>&)>& x_of) {
+  Estimate<R> x = x_of(peaks[0]);
+  for (const Peak<R>& peak : peaks) {
+    const Estimate<R> other = x_of(peak);
+    x.error = max(x.error, abs(other.value - x.value) + other.error);
+  }
+  return {peaks[0].value, x, std::nullopt};
 }
 
 }  // namespace steadyslide::numeric

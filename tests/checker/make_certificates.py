@@ -6,6 +6,7 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).parent
+DIGITS = {"notch_gap": "30", "notch_tiny_gap": "30", "two_bowls": "8"}
 LOADS = {
     "parabola_rough_front": ("0.9", "1.1", "5"),
     "two_bumps": ("0.099", "0.101", "2"),
@@ -18,7 +19,7 @@ CELLS = {"parabola_rough_front": "64"}
 def main():
     for problem in sorted((HERE / "problems").glob("*.toml")):
         name = problem.stem
-        options = [("everywhere",)] if name.endswith(".refused") else [("30",)] if name.startswith("notch") else [()]
+        options = [("everywhere",)] if name.endswith(".refused") else [(DIGITS[name],)] if name in DIGITS else [()]
         options += [LOADS[name]] if name in LOADS else []
         options += [("cells", CELLS[name])] if name in CELLS else []
         for option in options:

@@ -2,6 +2,7 @@
 
 #include "known_limits/error_estimates.hpp"
 
+#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "support/numeric_test.hpp"
 #include "support/random_contact.hpp"
 
@@ -59,11 +60,36 @@ TEST_CASE("two problems of each family") {
     if (family == ContactFamily::usual || family == ContactFamily::many_wedges) continue;
     for (const std::uint64_t i : {0, 1}) audit_estimates(first_listed_seed + i, audit, family);
   }
-  // The shear beside a wedge, where the pressure is known to the last digit.
-  audit_estimates(first_listed_seed + 7, audit, ContactFamily::neighbouring_frictions);
+  // 7: the shear beside a wedge, where the pressure is known to the last digit.
+  // 5168: slopes in the contact, at places that rounding shifts.
+  for (const std::uint64_t i : {7, 5168}) {
+    audit_estimates(first_listed_seed + i, audit, ContactFamily::neighbouring_frictions);
+  }
+  // Two zones with the same largest pressure.
+  audit_estimates(first_listed_seed + 5168, audit, ContactFamily::limits_of_poisson);
   MESSAGE(audit.text());
   for (const std::string& line : audit.dishonest) FAIL_CHECK(line);
   CHECK(audit.failure() == "");
+}
+
+TEST_CASE("the height and the intensities of a gap of 1e-164 over a notch") {
+  // random_contact notches 20165090, with 50 digits
+  const Polynomial right({0.380859375_r, 0.328125_r, 0.09375_r});
+  const Indenter indenter(
+      -2.5_r,
+      {{-1.5_r, Polynomial({-0.046875_r, -0.03125_r})}, {-0.75_r, Polynomial({0.375_r, 0.25_r})}, {-0.5_r, right}});
+  const FrictionProfile friction({4, 0.89_r, 2.9_r, 0.34_r}, {-1.359375_r, -0.8671875_r, -0.71484375_r});
+  const ContactProblem problem(Elasticity(Solid(-0.55_r, 1), Plane::strain), friction, indenter, 1.965_r,
+                               Sliding::minus_x);
+  const auto solution = numeric::riemann_hilbert<double>(problem).solution;
+  REQUIRE(solution);
+  EstimateAudit audit;
+  const Real50 gap("9.4813525799013471576107146372350371198317939959348e-167");
+  compare_estimate("gap", solution->at(-0.75_r).gap.value(), {gap, Real50(0)}, audit, "gap");
+  const Real50 theta("6.0867054044808263213580469462251441077244208926579e136");
+  compare_estimate("intensity", solution->singular_points()[5].intensity, {theta, Real50(0)}, audit, "intensity");
+  for (const std::string& line : audit.dishonest) FAIL_CHECK(line);
+  CHECK(audit.honest() == 2U);
 }
 
 TEST_CASE("control: an end that is off by more than its estimate is seen") {

@@ -57,6 +57,28 @@ TEST_CASE("a solver that finds nothing ends the attempts") {
   CHECK_FALSE(later.proof.value().proved);
 }
 
+TEST_CASE("ends at other distances make another contact set") {
+  // Contact on the left bowl alone: the right one penetrates.
+  const Polynomial left({0, 0, 1}), right({1.6_r, -2.4_r, 1});
+  const auto bowls = [&](const Indenter& indenter) { return reduced({0.3_r}, {}, indenter, 1); };
+  const ContactProblem problem = bowls(Indenter(-1, {{0.5_r, left}, {2, right}}));
+  const ApproximateContact alone =
+      numeric::riemann_hilbert<double>(bowls(Indenter(-1, {{0.5_r, left}}))).solution->approximate_contact();
+  for (const auto& [shift, asked] :
+       {std::pair(Rational(1, 10000), std::vector{16, 50}), {Rational(1, 100), std::vector{16, 50, 100}}}) {
+    std::vector<int> digits;
+    const auto proof = library::proved_contact(problem, 20, 16, [&](int wanted) -> std::optional<ApproximateContact> {
+      ApproximateContact result = alone;
+      for (ApproximateContact::End& end : result.ends) end.offset *= 1 + shift * static_cast<int>(digits.size());
+      digits.push_back(wanted);
+      return result;
+    });
+    REQUIRE(proof);
+    CHECK(proof->refuted);
+    CHECK((digits == asked));
+  }
+}
+
 TEST_CASE("a contact set that is refuted is not proved again with more digits, another one is") {
   // Over a concave corner the traction pulls.
   const Indenter notch(-1, {{0, Polynomial({0, 0.3_r})}, {1, Polynomial({0, -0.3_r})}});

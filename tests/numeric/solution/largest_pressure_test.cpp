@@ -140,15 +140,32 @@ TEST_CASE("random functions with many peaks: none is missed") {
     const PanelFunction<double> g = [&](std::size_t panel, const double& left, const double& right) {
       return Estimate<double>{f(panel == 0 ? left : 2 - right), 1e-13};
     };
-    const auto peak = highest_peak<double>({1, 1}, g);
-    RC_ASSERT(peak.has_value());
+    const auto peaks = highest_peaks<double>({1, 1}, g);
+    RC_ASSERT(!peaks.empty());
     double best = 0;
     for (int i = 1; i < 20000; ++i) best = std::max(best, f(i / 10000.0));
     // At the kink the limit is the caller's.
     const double limit = std::max({f(0), f(1), f(2)});
-    RC_ASSERT(best <= std::max(peak->value.value, limit) * (1 + 1e-9));
-    RC_ASSERT(peak->value.value <= std::max(best, limit) * (1 + 1e-3));
+    RC_ASSERT(best <= std::max(peaks[0].value.value, limit) * (1 + 1e-9));
+    RC_ASSERT(peaks[0].value.value <= std::max(best, limit) * (1 + 1e-3));
     // A floor above all leaves none.
-    RC_ASSERT(!highest_peak<double>({1, 1}, g, 10 * best).has_value());
+    RC_ASSERT(highest_peaks<double>({1, 1}, g, 10 * best).empty());
   }));
+}
+
+TEST_CASE("peaks of the same height are all found, on one panel or on two") {
+  // 1 - d^2/4, d the distance from the next of 1, 2, 3, 4; lower from the second one on
+  const auto peaks_of = [](const std::vector<double>& lengths, double lower) {
+    const PanelFunction<double> f = [&](std::size_t panel, const double& left, const double&) {
+      const double x = left + (panel == 0 ? 0 : 3.5), d = x - std::max(std::round(x), 1.0);
+      return Estimate<double>{1 - d * d / 4 - (x > 1.5 ? lower : 0), 1e-14};
+    };
+    return highest_peaks<double>(lengths, f);
+  };
+  for (const auto& [lengths, lower, count] : {std::tuple(std::vector{3.5}, 0.0, 3U),
+                                              {std::vector{3.5, 1.0}, 0.0, 4U},
+                                              {std::vector{3.5}, 1e-15, 3U},
+                                              {std::vector{3.5}, 1e-12, 1U}}) {
+    CHECK(peaks_of(lengths, lower).size() == count);
+  }
 }
