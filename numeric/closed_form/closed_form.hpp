@@ -74,7 +74,7 @@ class ClosedForm : public ContactSolution<R> {
   R relative_error(std::size_t panel, int times) const;
   Estimate<R> intensity(std::size_t j) const;
   R profile_slope(const R& from_origin) const;
-  /// Of the surface where it follows the profile, in the user's units.
+  /// The slope of the surface in the contact: the profile's, in the user's units.
   Estimate<R> slope_in_contact(const R& from_origin) const;
   /// What of x is known: the panel it is inside of, by its distances, the singular point it is, or the distance beyond an
   /// end.

@@ -121,7 +121,7 @@ class PeakSearch {
   }
 
  private:
-  /// What is higher than that may be as high as the best value, when its place is known better.
+  /// A peak above this value may turn out to be the highest, when its place is known more exactly.
   R least() const { return std::max(floor_, R(best_ - resolved * abs(best_))); }
 
   void add(Part<R> part) {
