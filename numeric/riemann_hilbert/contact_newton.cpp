@@ -122,22 +122,26 @@ class Newton {
     return std::max(abs(growth), R(abs(shift) / std::min(part, R(1 - part))));
   }
 
-  /// Steps of such ends, and of gaps over notches, are steps of log l. Returns the largest of them, and of what others change
-  /// in short gaps beside steps, relative.
+  /// Steps of such ends, and of gaps over notches, are steps of log l. Returns the largest of them, and of what others
+  /// change in such lengths and in short gaps beside steps, relative.
   R follow_lengths(std::vector<R>& ends) {
     R largest = 0;
-    R beside_steps = 0;
+    R others = 0;
     restless_.reset();
     for (std::size_t f = 0; f < free_.size(); ++f) {
       const std::size_t j = free_[f];
       const bool begins = state_.set.contact_side(j) == Side::right;
       if (!begins && state_.set.is_over_notch(j)) {
         largest = std::max(largest, follow_gap(j, ends[f], ends[f + 1]));
+        for (const std::size_t i : {f, f + 1}) {
+          if (!state_.set.is_beside_break(free_[i])) continue;
+          others = std::max(others, R(abs(ends[i]) / state_.set.length(state_.set.inside(free_[i]))));
+        }
         ++f;
         continue;
       }
       if (state_.set.is_beside_step(j))
-        beside_steps = std::max(beside_steps, R(abs(ends[f]) / state_.set.length(state_.set.outside(j))));
+        others = std::max(others, R(abs(ends[f]) / state_.set.length(state_.set.outside(j))));
       if (!state_.set.is_beside_break(j)) continue;
       const R outwards = begins ? R(-1) : R(1);
       const R& length = state_.set.length(state_.set.inside(j));
@@ -146,7 +150,7 @@ class Newton {
       largest = std::max(largest, abs(growth));
       ends[f] = outwards * length * expm1(std::clamp(growth, R(-7), R(3)));
     }
-    return std::max(largest, beside_steps);
+    return std::max(largest, others);
   }
 
   /// Has one end been the most restless for many steps, and is now about where it was?

@@ -1,5 +1,6 @@
 // Does an estimated error cover the true one? Measured against more digits.
 
+#include "numeric/riemann_hilbert/contact_equations.hpp"
 #include "support/random_contact.hpp"
 #include "support/solved_contact.hpp"
 
@@ -183,4 +184,21 @@ TEST_CASE("contact that ends 1e-96 beyond a break: the length between is known t
   CHECK(end.intensity.error < 1e-3 * end.intensity.value);
   CHECK(true_end.intensity.error < Real50(1e-20) * true_end.intensity.value);
   CHECK(abs(Real50(end.intensity.value) - true_end.intensity.value) <= Real50(end.intensity.error));
+}
+
+TEST_CASE("contact that ends 1e-12 beyond a break, at a gap over a notch: no step is left for Newton's method") {
+  const Solved<double> found = solved<double>(random_contact(20165131, ContactFamily::many_wedges));
+  const ContactSet<double>& set = found->state().set;
+  ContactEquations<double> equations(found->form());
+  REQUIRE(equations.solve());
+  const std::vector<std::size_t> ends = set.movable();
+  const std::vector<double> steps = equations.end_steps();
+  double shortest = 1;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    CAPTURE(ends[i]);
+    const double length = std::min(set.length(ends[i] - 1), set.length(ends[i]));
+    CHECK(std::abs(steps[i]) <= 1e-11 * length);
+    shortest = std::min(shortest, length);
+  }
+  CHECK(shortest < 1e-11);
 }
