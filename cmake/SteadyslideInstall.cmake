@@ -57,8 +57,9 @@ install(CODE "
   list(FILTER headers INCLUDE REGEX \"^(${public_folders})/\")
   foreach(header IN LISTS headers)
     cmake_path(GET header PARENT_PATH folder)
-    file(INSTALL \"${PROJECT_SOURCE_DIR}/\${header}\"
-         DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/steadyslide/\${folder}\")
+    set(to \"${CMAKE_INSTALL_INCLUDEDIR}/steadyslide/\${folder}\")
+    cmake_path(ABSOLUTE_PATH to BASE_DIRECTORY \"\${CMAKE_INSTALL_PREFIX}\")
+    file(INSTALL \"${PROJECT_SOURCE_DIR}/\${header}\" DESTINATION \"\${to}\")
   endforeach()")
 # The facade: include/steadyslide/steadyslide.hpp beside the layers' headers.
 if(TARGET steadyslide_shared)
@@ -68,8 +69,10 @@ if(TARGET steadyslide_shared)
           DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/steadyslide")
   install(FILES "${PROJECT_SOURCE_DIR}/library/answer/quantities.hpp"
           DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/steadyslide/library/answer")
-  # Found wherever the tree is moved.
+  # Relative paths: the installed tree may be moved.
   file(RELATIVE_PATH prefix_from_pc "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
+  file(RELATIVE_PATH libdir_from_prefix "${CMAKE_INSTALL_PREFIX}" "${CMAKE_INSTALL_FULL_LIBDIR}")
+  file(RELATIVE_PATH includedir_from_prefix "${CMAKE_INSTALL_PREFIX}" "${CMAKE_INSTALL_FULL_INCLUDEDIR}")
   configure_file("${CMAKE_CURRENT_LIST_DIR}/steadyslide.pc.in" "${CMAKE_CURRENT_BINARY_DIR}/steadyslide.pc" @ONLY)
   install(FILES "${CMAKE_CURRENT_BINARY_DIR}/steadyslide.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 endif()

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "library/answer/solved_contact.hpp"
 #include "library/problem_file/file_error.hpp"
 #include "library/problem_file/problem_file.hpp"
 #include "model/uniqueness.hpp"
@@ -29,13 +30,40 @@ constexpr double largest_residual = 1e-9;
 val text(const std::string& value) { return val(value); }
 val text(std::string_view value) { return val(std::string(value)); }
 
-void set(val& object, const char* key, const Estimate<double>& estimate) {
+/// A value of the page; null: unknown, or absent.
+val shown(const Estimate<double>& estimate) {
   const bool known = std::isinf(estimate.value) || std::isfinite(estimate.error);
-  object.set(key, known ? val(estimate.value) : val::null());
+  return known ? val(estimate.value) : val::null();
+}
+val shown(std::size_t count) { return val(static_cast<double>(count)); }
+val shown(const Exponent& exponent) { return val(numeric::to_real<double>(exponent)); }
+val shown(const answer::IntervalOf<Estimate<double>>& interval) {
+  val result = val::object();
+  result.set("left", shown(interval.left));
+  result.set("right", shown(interval.right));
+  return result;
+}
+template <class T>
+val shown(const std::optional<T>& value) {
+  return value ? shown(*value) : val::null();
+}
+val shown(const numeric::LargestPressure<double>& largest) {
+  val result = val::object();
+  result.set("value", shown(largest.value));
+  result.set("x", shown(largest.x));
+  result.set("exponent", shown(largest.exponent));
+  return result;
+}
+val shown(const std::vector<Estimate<double>>& values) {
+  val result = val::array();
+  for (const Estimate<double>& value : values) result.call<void>("push", shown(value));
+  return result;
 }
 
+void set(val& object, const char* key, const Estimate<double>& estimate) { object.set(key, shown(estimate)); }
+
 void set(val& object, const std::optional<Exponent>& exponent) {
-  object.set("exponent", exponent ? val(numeric::to_real<double>(*exponent)) : val::null());
+  object.set("exponent", shown(exponent));
   object.set("sign", exponent ? exponent->sign() : -1);
   object.set("symbolic", exponent ? to_string(*exponent) : std::string("log"));
 }
@@ -45,10 +73,6 @@ val list(const std::vector<T>& values, Write write) {
   val result = val::array();
   for (const T& value : values) result.call<void>("push", write(value));
   return result;
-}
-
-val numbers(const std::vector<Estimate<double>>& values) {
-  return list(values, [](const Estimate<double>& value) { return val(value.value); });
 }
 
 /// A copy that is JavaScript's own.
@@ -90,23 +114,12 @@ val singular_points(const numeric::ContactSolution<double>& solution) {
   });
 }
 
-val resultants(const numeric::ContactSolution<double>& solution, const numeric::Resultants<double>& found) {
+/// The quantities of the table (library/answer/quantities.hpp).
+val resultants(const ContactProblem& problem, const numeric::ContactSolution<double>& solution) {
   val result = val::object();
-  set(result, "normal", found.normal);
-  set(result, "friction_force", found.tangential);
-  set(result, "centre_of_pressure", found.centre_of_pressure);
-  set(result, "effective_friction", found.effective_friction);
-  result.set("load_share", numbers(found.load_share));
-  const auto components = solution.contact();
-  if (components.empty()) return result;
-  const Estimate<double> length = numeric::real_contact_length(components);
-  set(result, "real_contact_length", length);
-  set(result, "mean_pressure", found.normal / length);
-  const numeric::LargestPressure<double> largest = solution.largest_pressure();
-  val peak = val::object();
-  set(peak, "value", largest.value);
-  set(peak, "x", largest.x);
-  result.set("largest_pressure", peak);
+  answer::for_each_value(
+      library::SolvedContact<double>(problem, solution),
+      [&](const answer::Quantity& row, const auto& value) { result.set(std::string(row.key), shown(value)); });
   return result;
 }
 
@@ -130,12 +143,11 @@ class Explorer {
 
   val solution() const {
     val result = val::object();
-    const numeric::Resultants<double> found = solution_->resultants();
     result.set("method", solution_->method());
     result.set("failed_condition", solution_->failed_condition());
-    result.set("contact", contact(*solution_, found.component_load));
+    result.set("contact", contact(*solution_, solution_->resultants().component_load));
     result.set("singular_points", singular_points(*solution_));
-    result.set("resultants", resultants(*solution_, found));
+    result.set("resultants", resultants(*problem_, *solution_));
     val other = val::object();
     set(other, "effective_friction", opposite_->resultants().effective_friction);
     result.set("other_direction", other);

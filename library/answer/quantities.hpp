@@ -1,7 +1,7 @@
 #pragma once
-// The quantities of an answer: one row each. Text, JSON, columns of sweeps, C++ and Python read these rows.
-// quantity_documents.py writes the schema, the Python stub and the table of docs/output.md from them. The Explorer has its own
-// list. docs/architecture.md says what a new row needs.
+// The quantities of an answer: one row each. Text, JSON, columns of sweeps, C++, Python and the Explorer read these rows.
+// quantity_documents.py writes the schema, the Python stub and the table of docs/output.md from them. docs/architecture.md
+// says what a new row needs.
 //
 //   QUANTITY(type, key, unit, line, meaning, formula)
 //
@@ -27,18 +27,18 @@
   QUANTITY(One, centre_of_pressure, "L", 4, "∫x t / ∫t", solved.forces().centre_of_pressure)                              \
   QUANTITY(One, effective_friction, "–", 3, "friction force over load", solved.forces().effective_friction)               \
   QUANTITY(OfEachFriction, load_share, "–", 6,                                                                            \
-           "part of the load under each friction value, left to right; the text has the first ten",                      \
+           "part of the load under each friction value, left to right",                                                  \
            solved.forces().load_share)                                                                                    \
   QUANTITY(One, contact_width, "L", 9, "from the first end of contact to the last", solved.width())                       \
   QUANTITY(One, real_contact_length, "L", 10, "the sum of the components' widths", solved.length())                       \
   QUANTITY(One, mean_pressure, "F/L²", 8, "load over real contact length",                                                \
            solved.per_length(solved.forces().normal))                                                                     \
   QUANTITY(Largest, largest_pressure, "F/L², L, –", 7,                                                                    \
-           "`value` and `x`, numbers, and where the value is `inf` its `exponent`, else `null`",                          \
+           "its `value`, its place `x`, and the `exponent` of an infinite one",                                            \
            solved.largest_pressure())                                                                                     \
   QUANTITY(Count, components, "–", 11, "how many", solved.components())                                                   \
   QUANTITY(IfAny, tilt, "–", 5, "where the indenter may tilt", solved.tilt())                                             \
-  QUANTITY(Interval, core, "L", 12, "of a flat punch: `{\"left\", \"right\"}`", solved.core())
+  QUANTITY(Interval, core, "L", 12, "of a flat punch, from its `left` end to its `right` end", solved.core())
 // clang-format on
 
 namespace steadyslide::answer {
@@ -93,11 +93,31 @@ inline constexpr Quantity quantities[] = {
 #undef STEADYSLIDE_QUANTITY
 };
 
+/// Two quantities on one line would hide one of them.
+constexpr bool have_lines_of_their_own() {
+  for (const Quantity& row : quantities) {
+    for (const Quantity* other = quantities; other != &row; ++other) {
+      if (other->line == row.line) return false;
+    }
+  }
+  return true;
+}
+static_assert(have_lines_of_their_own(), "two rows of STEADYSLIDE_QUANTITIES have the same line");
+
 /// Calls visit(row, value) for each quantity, in the order of the table.
 template <class Resultants, class Visit>
 void for_each_quantity(Resultants& resultants, Visit visit) {
   const Quantity* row = quantities;
 #define STEADYSLIDE_QUANTITY(type, key, ...) visit(*row++, resultants.key);
+  STEADYSLIDE_QUANTITIES(STEADYSLIDE_QUANTITY)
+#undef STEADYSLIDE_QUANTITY
+}
+
+/// Calls visit(row, value) with the value of each formula, in the order of the table.
+template <class Solved, class Visit>
+void for_each_value(const Solved& solved, Visit visit) {
+  const Quantity* row = quantities;
+#define STEADYSLIDE_QUANTITY(type, key, unit, line, meaning, ...) visit(*row++, __VA_ARGS__);
   STEADYSLIDE_QUANTITIES(STEADYSLIDE_QUANTITY)
 #undef STEADYSLIDE_QUANTITY
 }

@@ -1,6 +1,5 @@
 #include "numeric/flat_punch/flat_punch.hpp"
 
-#include <arb_hypgeom.h>
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <stdexcept>
@@ -73,24 +72,6 @@ Estimate<R> zero_of(const Sandwich<R>& sandwich, const Start& start) {
 template <Real R>
 Sandwich<R> sandwich_of(const Rational& outer, const Rational& inner, const Rational& inner_share) {
   return {{outer, inner, outer}, to_real<R>(inner_share), to_real<R>(1 - inner_share)};
-}
-
-/// I_u(a, b), the regularised incomplete beta function, by Arb: Boost.Math's brings tables of MPFR numbers that every
-/// program would make when it starts.
-template <Real R>
-R regularised_beta(const R& a, const R& b, const R& u) {
-  constexpr slong spare = 64;
-  const Real100 numbers[] = {Real100(a), Real100(b), Real100(u)};
-  arb_t balls[3];
-  for (int i = 0; i < 3; ++i) {
-    arb_init(balls[i]);
-    arf_set_mpfr(arb_midref(balls[i]), numbers[i].backend().data());
-  }
-  arb_hypgeom_beta_lower(balls[0], balls[0], balls[1], balls[2], 1, std::numeric_limits<Real100>::digits + spare);
-  Real100 value;
-  arf_get_mpfr(value.backend().data(), arb_midref(balls[0]), MPFR_RNDN);
-  for (auto& ball : balls) arb_clear(ball);
-  return static_cast<R>(value);
 }
 
 }  // namespace
@@ -253,10 +234,6 @@ ExtremeLayout<R> extreme_layout(const Rational& s_outer, const Rational& s_inner
   return {{left, error}, {right, error}, layout, EffectiveFriction<R>(layout).value()};
 }
 
-template ExtremeLayout<double> extreme_layout(const Rational&, const Rational&, const Rational&);
-template ExtremeLayout<Real50> extreme_layout(const Rational&, const Rational&, const Rational&);
-template ExtremeLayout<Real100> extreme_layout(const Rational&, const Rational&, const Rational&);
-
 template <Real R>
 FineMixture<R> fine_mixture(const std::vector<Rational>& shares, const std::vector<Rational>& s) {
   R mean = 0;
@@ -279,13 +256,6 @@ R order_of_periods(const R& e, const R& doubled, const R& doubled_twice) {
   const R half_sum = (doubled_twice + e / 2) / doubled / 2;
   return -log(half_sum + sqrt(half_sum * half_sum - R(0.5))) / log(R(2));
 }
-
-template FineMixture<double> fine_mixture(const std::vector<Rational>&, const std::vector<Rational>&);
-template FineMixture<Real50> fine_mixture(const std::vector<Rational>&, const std::vector<Rational>&);
-template FineMixture<Real100> fine_mixture(const std::vector<Rational>&, const std::vector<Rational>&);
-template double order_of_periods(const double&, const double&, const double&);
-template Real50 order_of_periods(const Real50&, const Real50&, const Real50&);
-template Real100 order_of_periods(const Real100&, const Real100&, const Real100&);
 
 template <Real R>
 std::optional<PunchCore<R>> punch_core(const ContactProblem& problem) {
@@ -316,19 +286,12 @@ std::optional<PunchCore<R>> punch_core(const ContactProblem& problem) {
                       in_users_x(end(&FrictionStrip<R>::below_half, 1))};
 }
 
-template std::optional<PunchCore<double>> punch_core(const ContactProblem&);
-template std::optional<PunchCore<Real50>> punch_core(const ContactProblem&);
-template std::optional<PunchCore<Real100>> punch_core(const ContactProblem&);
-
-template <Real R>
-Estimate<R> rear_share(const Rational& s_left, const Rational& s_right, const Rational& u) {
-  const R a = to_real<R>(half - Exponent::angle(s_right));
-  const R b = to_real<R>(half + Exponent::angle(s_left));
-  return Estimate<R>{regularised_beta(a, b, to_real<R>(u)), R(0)}.widened(1000 * epsilon<R>());
-}
-
-template Estimate<double> rear_share(const Rational&, const Rational&, const Rational&);
-template Estimate<Real50> rear_share(const Rational&, const Rational&, const Rational&);
-template Estimate<Real100> rear_share(const Rational&, const Rational&, const Rational&);
+#define STEADYSLIDE_INSTANTIATE(R)                                                                  \
+  template ExtremeLayout<R> extreme_layout(const Rational&, const Rational&, const Rational&);      \
+  template FineMixture<R> fine_mixture(const std::vector<Rational>&, const std::vector<Rational>&); \
+  template R order_of_periods(const R&, const R&, const R&);                                        \
+  template std::optional<PunchCore<R>> punch_core(const ContactProblem&);
+STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
+#undef STEADYSLIDE_INSTANTIATE
 
 }  // namespace steadyslide::numeric

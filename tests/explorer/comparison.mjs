@@ -39,7 +39,8 @@ export function answer(program, folder, file, samples, places) {
 
 const asNumber = value => {
   const text = value !== null && typeof value === 'object' && 'value' in value ? value.value : value;
-  return text === null || text === undefined ? null : Number(text);
+  if (text === null || text === undefined || text === 'log') return null;
+  return Number(text);
 };
 
 /// Lines that say what differs by more than the tolerance, in units of the size that stands beside it.
@@ -56,11 +57,18 @@ export function differences(page, command) {
   const load = Number(command.problem.load), mean = asNumber(command.resultants.mean_pressure);
   words('method', solution.method, command.method);
 
-  const sizes = { normal: load, friction_force: load, centre_of_pressure: length, effective_friction: 1, real_contact_length: length, mean_pressure: mean };
-  for (const [key, size] of Object.entries(sizes)) compare(key, solution.resultants[key], command.resultants[key], size);
-  command.resultants.load_share.forEach((share, k) => compare(`load_share[${k}]`, solution.resultants.load_share[k], share, 1));
-  if (Number.isFinite(asNumber(command.resultants.largest_pressure.value))) {
-    compare('largest_pressure', solution.resultants.largest_pressure.value, command.resultants.largest_pressure.value, mean);
+  const known = quantities => Object.keys(quantities).filter(key => quantities[key] !== null).join(', ');
+  words('quantities', known(solution.resultants), known(command.resultants));
+  const sizes = { normal: load, friction_force: load, mean_pressure: mean, largest_pressure: mean, effective_friction: 1, load_share: 1, tilt: 1 };
+  for (const [key, theirs] of Object.entries(command.resultants)) {
+    const ours = solution.resultants[key], size = sizes[key] ?? length;
+    if (key === 'load_share') theirs.forEach((share, k) => compare(`load_share[${k}]`, ours[k], share, size));
+    else if (key === 'largest_pressure' || key === 'core') {
+      for (const part of Object.keys(theirs)) {
+        if (Number.isNaN(asNumber(theirs[part]))) continue; // infinite: no number comes out of the page
+        compare(`${key}.${part}`, ours?.[part], theirs[part], part === 'value' ? size : length);
+      }
+    } else compare(key, ours, theirs, size);
   }
   compare('other_direction', solution.other_direction.effective_friction, command.other_direction.resultants.effective_friction, 1);
 

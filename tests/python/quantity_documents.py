@@ -41,7 +41,7 @@ def properties(rows):
 
 # A file, the line before its part, the line behind it, and what the part says.
 PARTS = [
-    ("docs/output.md", "| `resultants` | | |\n", "| `samples[]`", markdown),
+    ("docs/output.md", "largest pressure is finite | |\n", "| `samples[]`", markdown),
     ("docs/solve.schema.json", '    "resultants": {\n', '    },\n    "sample": {', schema),
     ("python/steadyslide/__init__.pyi", "class Resultants(NamedTuple):\n", "\nclass Sample(", fields),
     ("python/steadyslide/__init__.pyi", "    def resultants(self) -> Resultants: ...\n", "    def at(self", properties),
