@@ -6,31 +6,38 @@
 namespace steadyslide::symbolic {
 
 namespace embedded {
-extern const std::string_view elasticity_txt, equation_txt, hilbert_txt;
+extern const std::string_view elasticity_txt, energy_txt, equation_txt, hilbert_txt;
 }
 
 std::vector<DecidedStatement> elasticity_statements() {
   using Arguments = std::vector<GiNaC::ex>;
   WrittenFunctions functions{
-      {"mu", [](const Arguments& a) { return kolosov_solid(a[0], a[1], Plane::strain).mu; }},
+      {"mu", {2, [](const Arguments& a) { return kolosov_solid(a[0], a[1], Plane::strain).mu; }}},
       {"compliance",
-       [](const Arguments& a) {
-         return compliance(KolosovSolid{a[0], a[1]});
-       }},
+       {2,
+        [](const Arguments& a) {
+          return compliance(KolosovSolid{a[0], a[1]});
+        }}},
       {"dundurs",
-       [](const Arguments& a) {
-         return dundurs_constant({a[0], a[1]}, {a[2], a[3]});
-       }},
-      {"limit", [](const Arguments& a) { return limit_at_infinity(a[0], GiNaC::ex_to<GiNaC::symbol>(a[1])); }}};
+       {4,
+        [](const Arguments& a) {
+          return dundurs_constant({a[0], a[1]}, {a[2], a[3]});
+        }}},
+      {"limit", {2, [](const Arguments& a) { return limit_at_infinity(a[0], GiNaC::ex_to<GiNaC::symbol>(a[1])); }}}};
+  const auto add = [&](const std::string& name, std::size_t arguments, const auto& value) {
+    functions.emplace(name, WrittenFunction{arguments, value});
+  };
   for (const auto& [name, plane] : {std::pair("_strain", Plane::strain), {"_stress", Plane::stress}}) {
-    functions["gamma" + std::string(name)] = [=](const Arguments& a) { return coupling_constant(a[0], plane); };
-    functions["kappa" + std::string(name)] = [=](const Arguments& a) { return kolosov_solid(a[0], 1, plane).kappa; };
-    functions["compliance" + std::string(name)] = [=](const Arguments& a) { return compliance(a[0], a[1], plane); };
+    add("gamma" + std::string(name), 1, [=](const Arguments& a) { return coupling_constant(a[0], plane); });
+    add("kappa" + std::string(name), 1, [=](const Arguments& a) { return kolosov_solid(a[0], 1, plane).kappa; });
+    add("compliance" + std::string(name), 2, [=](const Arguments& a) { return compliance(a[0], a[1], plane); });
   }
   return written_statements(embedded::elasticity_txt, {}, functions);
 }
 
 std::vector<DecidedStatement> equation_statements() { return written_statements(embedded::equation_txt); }
+
+std::vector<DecidedStatement> energy_statements() { return written_statements(embedded::energy_txt); }
 
 std::vector<DecidedStatement> hilbert_statements() { return written_statements(embedded::hilbert_txt); }
 

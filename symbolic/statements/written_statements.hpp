@@ -4,19 +4,31 @@
 //   # a comment
 //   says WORDS                        the statement in words
 //   field s_l, s_r                    frictions: r(s), cos(s), sin(s), angle(s) and phase(form) then have a meaning
-//   let a = EXPR, f(x) = EXPR         names; any other name is a symbol
-//   for e = 1, -1                     the lines up to `end` for each value
+//   let a = EXPR, f(x) = EXPR         names
+//   for e = 1, -1, 3..7               the lines up to `end` for each value
 //   equal NAME :: LHS = RHS           an equation in the field of phases; without NAME :: one between rational functions
 //   wrong WORDS :: a = EXPR, ...      a variant: other values of names that `let` gives; in EXPR all names have their right values
 //
-// Functions of every text: expand(f), normal(f), log(f), diff(f, x), coeff(f, x, n); at(f, x, v, y, w, ...) puts v for x, w
-// for y, ...; squares(f, p, v, q, w, ...) puts v for p^2, w for q^2, ... in the expanded f; ratio(s, h, d), source(s, h, d):
-// jump_relation, h = i and d = 1 where they are left out; left_edge(alpha), right_edge(alpha), left_free(alpha),
-// right_free(alpha), jump(alpha_l, alpha_r): the derived exponents; power_sum(k, p_1, e_1, p_2, e_2, ...); series_of_Y(n,
-// sigma_1, sigma_2, ...), the coefficient of z^(S-n). `i` is the imaginary unit, phase(form) = exp(i pi form).
+// A line that is indented deeper continues the one before. A statement without lines is one that C++ decides. Other lines
+// that are not indented:
 //
-// A line that is indented deeper continues the one before. A statement without lines is one that C++ decides. The lines
-// below `definitions` are put before the lines of each later statement; the next `definitions` replaces them.
+//   file equation.txt                 the file that follows: build files write this line
+//   symbols x, e_*                    in the rest of the file x and e_0, e_1, ... are symbols; other names are refused
+//   definitions                       the lines below it stand around those of each later statement, up to the next
+//                                     `definitions`: those from its first `equal` or `for` on behind, the others before
+//
+// Lists: [a, 0..3] and [f(j) | j = 0..3]; the first entry of p is p[0]. e_{j} is the name e_2 where j = 2, and {j} in the
+// name of an equation is its value. `i` is the imaginary unit, `edge` and `free` are 0 and 1, phase(form) = exp(i pi form),
+// alpha_k the angle of the k-th friction of the field.
+//
+// Functions of every text: expand(f), normal(f), log(f), diff(f, x), coeff(f, x, n), integral(f, x, a, b) of a polynomial,
+// chebyshev_T(n, x), chebyshev_U(n, x), max(a, ...), sum(list), polynomial(coefficients, x); same(a, b) is 1 or 0; at(f, x, v,
+// y, w, ...) puts v for x, w for y, ...; squares(f, p, v, q, w, ...) puts v for p^2, w for q^2, ... in the expanded f; ratio(s,
+// h, d), source(s, h, d): jump_relation, h = i and d = 1 where they are left out; left_edge(alpha), right_edge(alpha),
+// left_free(alpha), right_free(alpha), jump(alpha_l, alpha_r): the derived exponents; powers(left, right, jumps, ...): those of
+// Y for components from left to right; sign(f): 1 or -1, decided in the field. With lists of powers, places, power sums and
+// coefficients, as in polynomial_slope.hpp: power_sums(powers, places, n), binomials(powers, places, n), series_of_Y(sums),
+// series_of_reciprocal(sums), N_of(order, slope, sums, load over pi), conditions(the same), F_of(order, slope, N, series, n).
 
 #include <ginac/ginac.h>
 
@@ -30,11 +42,25 @@
 
 namespace steadyslide::symbolic {
 
-using WrittenFunctions = std::map<std::string, std::function<GiNaC::ex(const std::vector<GiNaC::ex>&)>>;
+struct ArgumentCount {
+  ArgumentCount(std::size_t n) : ArgumentCount(n, n) {}
+  ArgumentCount(std::size_t least, std::size_t most, std::size_t step = 1) : least(least), most(most), step(step) {}
+  bool admit(std::size_t n) const { return least <= n && n <= most && (n - least) % step == 0; }
+
+  std::size_t least;
+  std::size_t most;
+  std::size_t step;
+};
+
+struct WrittenFunction {
+  ArgumentCount arguments;
+  std::function<GiNaC::ex(const std::vector<GiNaC::ex>&)> value;
+};
+using WrittenFunctions = std::map<std::string, WrittenFunction>;
 
 /// The statements of the text in its order, those without lines from `decided_elsewhere`; `more`: functions that its
-/// expressions may use besides those of every text. Throws std::logic_error where the text cannot be read, where a
-/// statement is missing, and where one that was decided elsewhere is not in the text.
+/// expressions may use besides those of every text. Throws std::logic_error, with file and line, where the text cannot be
+/// read, where a statement is missing, and where one that was decided elsewhere is not in the text.
 std::vector<DecidedStatement> written_statements(std::string_view text,
                                                  const std::vector<DecidedStatement>& decided_elsewhere = {},
                                                  const WrittenFunctions& more = {});

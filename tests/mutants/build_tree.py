@@ -51,12 +51,27 @@ class BuildTree:
         copy.write_text(Path(unit).read_text(encoding="utf-8").replace(include, f'#include "{mutant}"'), encoding="utf-8")
         return copy
 
+    def embedded(self, source, copy, folder):
+        """The first C++ source that the build makes of a text, and the one that it makes with the copy in its place."""
+        query = run_build_command(["ninja", "-t", "query", source], self.directory).splitlines()
+        output = next((line.strip() for line in query if line.endswith(".cpp")), None)
+        if output is None:
+            raise BuildFailed(f"{source} is not embedded in this build")
+        command = run_build_command(["ninja", "-t", "commands", output], self.directory).splitlines()[-1]
+        words = [word.replace(source, str(copy)) for word in shlex.split(command.split("&&", 1)[1])]
+        target = folder / Path(output).name
+        words = [f"OUTPUT={target}" if word.startswith("OUTPUT=") else word for word in words]
+        run_build_command(words, self.directory)
+        return str(self.directory / output), target
+
     def compile(self, file, text, folder):
-        """Compiles `text` in the place of the source `file`; returns the object. Includes are named from the root, so
-        that the copy may lie anywhere."""
+        """Compiles `text` in the place of the source or embedded text `file`; returns the object. Includes are named
+        from the root, so that the copy may lie anywhere."""
         source = str(self.root / file)
         copy = folder / Path(file).name
         copy.write_text(text, encoding="utf-8")
+        if copy.suffix == ".txt":
+            source, copy = self.embedded(source, copy, folder)
         unit, include = self.unit_of(source)
         if include:
             source, copy = unit, self.unit_with(unit, include, copy, folder)

@@ -31,7 +31,7 @@ class Mutant:
 def faults(mutant, root):
     """What makes this entry of the list no mutant."""
     path = root / mutant.file
-    if not mutant.file.startswith(tuple(part + "/" for part in PARTS)) or path.suffix != ".cpp":
+    if not mutant.file.startswith(tuple(part + "/" for part in PARTS)) or path.suffix not in (".cpp", ".txt"):
         return [f"{mutant.id}: {mutant.file} is no source of {', '.join(PARTS)}"]
     if not path.is_file():
         return [f"{mutant.id}: there is no {mutant.file}"]

@@ -2,7 +2,7 @@
 #include "model/singular_point.hpp"
 #include "support/test.hpp"
 #include "symbolic/field/expression.hpp"
-#include "symbolic/statements/contact_symbols.hpp"
+#include "symbolic/local/polynomial_slope.hpp"
 
 using namespace steadyslide::symbolic;
 using GiNaC::ex;
@@ -64,5 +64,5 @@ TEST_CASE("what is no contact or no exponent is refused") {
   const FundamentalSolution y(EndKind::edge, EndKind::edge, 0);
   CHECK_THROWS_AS(y.with_powers({AngleForm(-1), AngleForm(-1, {{0, 1}})}).order(), std::domain_error);
   const FundamentalSolution wrong = y.with_powers({AngleForm(-1), AngleForm(-1)});
-  CHECK_THROWS_AS(wrong.sign_on(ContactSymbols(y).field, wrong.regions()[1]), std::domain_error);
+  CHECK_THROWS_AS(wrong.sign_on(PhaseField(symbols("s", y.panels())), wrong.regions()[1]), std::domain_error);
 }
