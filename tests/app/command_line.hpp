@@ -31,10 +31,16 @@ inline Arguments arguments_of(const std::string& line) {
   return {arguments.begin() + 1, arguments.end()};
 }
 
+/// The cells of a CSV line without quotes.
+inline std::vector<std::string> cells_of(std::string line) {
+  std::ranges::replace(line, ',', '\n');
+  return lines(line + '\n');
+}
+
 /// `steadyslide ARGUMENTS` where there are no files.
 inline Finished run_alone(const Arguments& arguments, const std::string& input = "") {
   const TemporaryFolder folder;
-  return run_program(arguments, folder.path(), input);
+  return folder.run(arguments, input);
 }
 
 /// `steadyslide solve - ARGUMENTS` with the problem on the standard input.
@@ -72,6 +78,22 @@ inline void check_holds(const std::string& text, std::initializer_list<const cha
 
 inline std::string replaced(std::string text, const std::string& what, const std::string& with) {
   return text.replace(text.find(what), what.size(), with);
+}
+
+/// A text with {a,b} stands for two, one with a and one with b; each is given with the name that was chosen.
+inline std::vector<std::pair<std::string, std::string>> choices(const std::string& text) {
+  const std::size_t open = text.find('{'), close = text.find('}');
+  if (open == std::string::npos) return {{text, ""}};
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const std::string& name : cells_of(text.substr(open + 1, close - open - 1))) {
+    result.emplace_back(text.substr(0, open) + name + text.substr(close + 1), name);
+  }
+  return result;
+}
+
+/// The chosen name in place of {}.
+inline std::string filled(const std::string& text, const std::string& name) {
+  return name.empty() || !holds(text, "{}") ? text : replaced(text, "{}", name);
 }
 
 /// A bar was `shown` on a terminal, in one line, and is gone.

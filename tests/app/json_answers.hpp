@@ -36,6 +36,25 @@ inline const Json& value_of(const Json& json) { return is_number(json) ? json.fr
 inline Rational number(const Json& json) { return parse_rational(value_of(json).get<std::string>()); }
 inline Rational error_of(const Json& number) { return parse_rational(number.back().get<std::string>()); }
 
+/// Sums `visit(a, b)` over the numbers of `json` that have an error and those in their places in `other`.
+template <class Visit>
+int sum_over_numbers(const Json& json, const Json& other, const Visit& visit) {
+  if (is_number(json)) {
+    CAPTURE(json.dump() + ", " + other.dump());
+    return visit(json, other);
+  }
+  int sum = 0;
+  if (json.is_array()) {
+    REQUIRE(json.size() == other.size());
+    for (std::size_t k = 0; k < json.size(); ++k) sum += sum_over_numbers(json[k], other[k], visit);
+  }
+  if (!json.is_object()) return sum;
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_structured()) sum += sum_over_numbers(value, other.at(key), visit);
+  }
+  return sum;
+}
+
 inline double real(const Json& json) { return std::stod(value_of(json).get<std::string>()); }
 /// Of one number, or of two limits.
 inline double real_on(const Json& json, const char* side) { return real(json.contains(side) ? json.at(side) : json); }

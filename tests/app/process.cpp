@@ -123,10 +123,11 @@ Finished run_other(const std::vector<std::string>& command, const fs::path& fold
   return run(command, folder, "", Stdout::captured, [](pid_t) {});
 }
 
-TemporaryFolder::TemporaryFolder() {
+TemporaryFolder::TemporaryFolder(std::initializer_list<std::pair<const char*, std::string>> files) {
   std::string name = (fs::temp_directory_path() / "steadyslide-test-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
   path_ = name;
+  for (const auto& [file, text] : files) write(file, text);
 }
 
 TemporaryFolder::~TemporaryFolder() {
@@ -143,9 +144,10 @@ std::string TemporaryFolder::read(const std::string& name) const {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-std::vector<std::string> TemporaryFolder::names() const {
+std::vector<std::string> TemporaryFolder::names(const std::string& folder) const {
   std::vector<std::string> result;
-  for (const fs::directory_entry& entry : fs::directory_iterator(path_)) result.push_back(entry.path().filename());
+  for (const fs::directory_entry& entry : fs::directory_iterator(path_ / folder))
+    result.push_back(entry.path().filename());
   std::sort(result.begin(), result.end());
   return result;
 }

@@ -3,7 +3,9 @@
 
 #include <chrono>
 #include <filesystem>
+#include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace steadyslide::testing {
@@ -31,10 +33,10 @@ Finished run_on_terminal(const std::vector<std::string>& arguments, const std::f
 /// Runs another program found by PATH, the same way.
 Finished run_other(const std::vector<std::string>& command, const std::filesystem::path& folder);
 
-/// A folder of its own, gone at the end.
+/// A folder of its own with these files, names and texts, gone at the end.
 class TemporaryFolder {
  public:
-  TemporaryFolder();
+  TemporaryFolder(std::initializer_list<std::pair<const char*, std::string>> files = {});
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -42,8 +44,13 @@ class TemporaryFolder {
   const std::filesystem::path& path() const { return path_; }
   void write(const std::string& name, const std::string& text) const;
   std::string read(const std::string& name) const;
-  /// The names in it, in order.
-  std::vector<std::string> names() const;
+  /// The names in it, or in a folder of it, in order.
+  std::vector<std::string> names(const std::string& folder = "") const;
+  /// Runs the program in it.
+  Finished run(const std::vector<std::string>& arguments, const std::string& input = "",
+               Stdout where = Stdout::captured) const {
+    return run_program(arguments, path_, input, where);
+  }
 
  private:
   std::filesystem::path path_;

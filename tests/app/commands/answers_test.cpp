@@ -60,14 +60,33 @@ bool is_so(const Finished& answer, const std::string& expected, const Finished& 
   return holds_for(part_of(answer, what), relation, value);
 }
 
+/// "/{a,b}/{x,y}" stands for four parts of an answer.
+std::vector<std::string> expanded(const std::string& part) {
+  std::vector<std::string> parts{part};
+  while (holds(parts.front(), "{")) {
+    std::vector<std::string> next;
+    for (const std::string& one : parts) {
+      for (const auto& [chosen, name] : choices(one)) next.push_back(chosen);
+    }
+    parts = next;
+  }
+  return parts;
+}
+
 /// What `steadyslide COMMAND` answers. Returns the number of command lines.
 int check_answers(const std::string& command_name, const std::string& file, const std::string& folder) {
   std::map<std::string, std::vector<std::string>> expected;
-  std::string command;
+  std::vector<std::pair<std::string, std::string>> commands;
   for (const std::string& line : lines(file_text(STEADYSLIDE_TESTS "/app/commands/" + file))) {
-    if (line.starts_with("steadyslide ")) command = line;
-    const bool wanted = command.starts_with("steadyslide " + command_name + " ");
-    if (wanted && line.starts_with("    ")) expected[command].push_back(line.substr(4));
+    if (line.starts_with("steadyslide ")) commands = choices(line);
+    if (!line.starts_with("    ")) continue;
+    const std::size_t space = line.find(' ', 4);
+    for (const auto& [command, name] : commands) {
+      if (!command.starts_with("steadyslide " + command_name + " ")) continue;
+      for (const std::string& part : expanded(line.substr(4, space - 4))) {
+        expected[command].push_back(part + filled(line.substr(space), name));
+      }
+    }
   }
   for (const auto& [line, parts] : expected) {
     CAPTURE(line);

@@ -6,10 +6,8 @@ namespace {
 
 void check_file(const std::string& text, const std::string& message) {
   CAPTURE(text);
-  const TemporaryFolder folder;
-  folder.write("at.txt", text);
-  const Finished finished =
-      run_program({"solve", "-", "--at-file", "at.txt", "-o", "out.txt"}, folder.path(), problem_text("punch"));
+  const TemporaryFolder folder{{"at.txt", text}};
+  const Finished finished = folder.run({"solve", "-", "--at-file", "at.txt", "-o", "out.txt"}, problem_text("punch"));
   check_refused(finished, "at.txt:" + message);
   CHECK(folder.names() == std::vector<std::string>{"at.txt"});
 }

@@ -14,11 +14,13 @@ TEST_CASE("bad command lines: message, exit code, no output") {
   folder.write("rough.toml", rest + "samples = \"rough.csv\"\n");
   const auto refused = [&](const Arguments& arguments, const std::string& message) {
     CAPTURE(message);
-    check_refused(run_program(arguments, folder.path()), "command line: " + message);
+    check_refused(folder.run(arguments), "command line: " + message);
   };
   const auto bad_lines = pairs_of(STEADYSLIDE_TESTS "/app/commands/bad_command_lines.txt");
   CHECK(bad_lines.size() >= 70);
-  for (const auto& [line, message] : bad_lines) refused(arguments_of(line), message);
+  for (const auto& [line, message] : bad_lines) {
+    for (const auto& [command, name] : choices(line)) refused(arguments_of(command), filled(message, name));
+  }
   refused({"solve", "good.toml", "two\nlines"}, "one argument too many; solve --help lists them; 'two\\x0alines'");
   CHECK(folder.names() == std::vector<std::string>{"good.toml", "rough.csv", "rough.toml", "tilt.toml", "wedge.toml"});
 }

@@ -8,26 +8,16 @@ const std::string notch = problem_text("notch_below_threshold");
 
 /// Every number with an error: is the other answer's number within both errors? How many are there?
 int check_enclosed(const Json& proved, const Json& other) {
-  int count = 0;
-  if (proved.is_array()) {
-    REQUIRE(proved.size() == other.size());
-    for (std::size_t k = 0; k < proved.size(); ++k) count += check_enclosed(proved[k], other[k]);
-    return count;
-  }
-  if (!proved.is_object()) return count;
-  if (!is_number(proved)) {
-    for (const auto& item : proved.items()) count += check_enclosed(item.value(), other[item.key()]);
-    return count;
-  }
-  CAPTURE(proved.dump() + ", " + other.dump());
-  if (value_of(proved).is_null()) return count;
-  if (holds(proved.dump(), "inf")) {
-    CHECK(value_of(other) == value_of(proved));
-    return count + 1;
-  }
-  CHECK(error_of(proved) >= 0);
-  CHECK(abs(number(proved) - number(other)) <= error_of(proved) + error_of(other));
-  return count + 1;
+  return sum_over_numbers(proved, other, [](const Json& a, const Json& b) {
+    if (value_of(a).is_null()) return 0;
+    if (holds(a.dump(), "inf")) {
+      CHECK(value_of(b) == value_of(a));
+      return 1;
+    }
+    CHECK(error_of(a) >= 0);
+    CHECK(abs(number(a) - number(b)) <= error_of(a) + error_of(b));
+    return 1;
+  });
 }
 
 }  // namespace
@@ -65,8 +55,7 @@ TEST_CASE("digits shown are proved ones; a number that has none is shown with it
 
 TEST_CASE("a notch below its threshold: the gap of 1e-93 is proved, and has a certificate") {
   const TemporaryFolder folder;
-  const Finished finished =
-      run_program({"solve", "-", "--certificate", "gap.json", "--format", "json"}, folder.path(), notch);
+  const Finished finished = folder.run({"solve", "-", "--certificate", "gap.json", "--format", "json"}, notch);
   CHECK(finished.code == 0);
   CHECK(finished.err == "");
   const Json proved = Json::parse(finished.out);
@@ -84,7 +73,7 @@ TEST_CASE("what is not proved is printed as the solver has it, with the reason, 
   const TemporaryFolder folder;
   // Under this load the wedge's left flank just ends: an exact threshold.
   const Finished finished =
-      run_program({"solve", "-", "--certificate", "none.json"}, folder.path(), problem_text("edge_without_pressure"));
+      folder.run({"solve", "-", "--certificate", "none.json"}, problem_text("edge_without_pressure"));
   CHECK(finished.code == 1);
   CHECK(holds(finished.out, "\nnot proved: "));
   CHECK(holds(finished.err, ": not proved: "));
@@ -119,8 +108,7 @@ TEST_CASE("on cells load shares are enclosed, and the other method's lie there; 
   }
   const TemporaryFolder folder;
   const auto certified = [&](const char* problem) {
-    return run_program({"solve", "-", "--method", "variational", "--certificate", "cells.json"}, folder.path(),
-                       problem_text(problem));
+    return folder.run({"solve", "-", "--method", "variational", "--certificate", "cells.json"}, problem_text(problem));
   };
   const Finished falling = certified("parabola_rough_rear");
   CHECK(folder.names().empty());
@@ -136,8 +124,8 @@ TEST_CASE("on cells load shares are enclosed, and the other method's lie there; 
 
 TEST_CASE("a certificate for all loads between two: boxes that follow each other; none over an event") {
   const TemporaryFolder folder;
-  const Finished finished = run_program({"solve", "-", "--load-steps", "0.5,1", "--certificate", "loads.json"},
-                                        folder.path(), problem_text("parabola"));
+  const Finished finished =
+      folder.run({"solve", "-", "--load-steps", "0.5,1", "--certificate", "loads.json"}, problem_text("parabola"));
   CHECK(finished.err == "");
   CHECK(finished.code == 0);
   const Json certificate = Json::parse(folder.read("loads.json"));
@@ -151,8 +139,7 @@ TEST_CASE("a certificate for all loads between two: boxes that follow each other
   CHECK(last == "1");
   // In between the contact's end passes the jump: at the load 0.557387094, by bisection of its end in 50 digits.
   const std::string passing = replaced(problem_text("parabola"), "jumps = [0]", "jumps = [0.25]");
-  const Finished event =
-      run_program({"solve", "-", "--load-steps", "0.5,2", "--certificate", "none.json"}, folder.path(), passing);
+  const Finished event = folder.run({"solve", "-", "--load-steps", "0.5,2", "--certificate", "none.json"}, passing);
   CHECK(event.code == 1);
   CHECK(holds(event.err, "0.557387"));
   CHECK(holds(event.err, "the right end of contact passes the friction jump at x = 0.25"));
@@ -161,8 +148,8 @@ TEST_CASE("a certificate for all loads between two: boxes that follow each other
   const std::string written = folder.read("loads.json");
   const std::string followed = run_program({"solve", "-", "--load-steps", "0.5,2", "--certify"}, ".", passing).out;
   for (const char* jobs : {"1", "3"}) {
-    out_of(run_program({"solve", "-", "--load-steps", "0.5,1", "--certificate", "loads.json", "--jobs", jobs},
-                       folder.path(), problem_text("parabola")));
+    out_of(folder.run({"solve", "-", "--load-steps", "0.5,1", "--certificate", "loads.json", "--jobs", jobs},
+                      problem_text("parabola")));
     CHECK((folder.read("loads.json") == written));
     CHECK(run_program({"solve", "-", "--load-steps", "0.5,2", "--certify", "--jobs", jobs}, ".", passing).out ==
           followed);

@@ -9,31 +9,27 @@ const std::string coated =
     "load = 2\n[half_space]\npoisson = 0.3\nyoung = 3\n[friction]\nvalues = [0.2, 0.6]\njumps = [0.1]\n[indenter]\n"
     "profile = 0\n";
 
+const std::string reduced =
+    "load = 2\n[half_space]\ngamma = 0.25\n[friction]\nvalues = [0.2]\n[indenter]\nprofile = 0\n";
+
 Json fields_of(const Arguments& arguments, const std::string& problem = coated) {
-  const TemporaryFolder folder;
-  folder.write("p.toml", problem);
-  folder.write("points.csv", "x,z\n0.05,0.25\n-1,1e-6\n1.5,1/3\n");
-  folder.write("mesh.csv", "x,order\n-1,2\n-0.25,2\n0.5,2\n1,2\n1.5,2\n");
+  const TemporaryFolder folder{{"p.toml", problem},
+                               {"points.csv", "x,z\n0.05,0.25\n-1,1e-6\n1.5,1/3\n"},
+                               {"mesh.csv", "x,order\n-1,2\n-0.25,2\n0.5,2\n1,2\n1.5,2\n"}};
   const Arguments files{"solve", "p.toml", "--format", "json", "--stress-at", "points.csv", "--loads-on", "mesh.csv"};
-  return Json::parse(out_of(run_program(joined(files, arguments), folder.path())));
+  return Json::parse(out_of(folder.run(joined(files, arguments))));
 }
 
 double real_at(const Json& object, const std::string& key) { return real(object.at(key)); }
-double error_at(const Json& object, const std::string& key) {
-  return std::stod(object.at(key).back().get<std::string>());
-}
+double error(const Json& number) { return std::stod(number.back().get<std::string>()); }
+double error_at(const Json& object, const std::string& key) { return error(object.at(key)); }
 
 /// All numbers of an object, and of the objects in it.
 void check_agree(const Json& a, const Json& b, double relative) {
-  for (const auto& [key, value] : a.items()) {
-    if (!is_number(value)) {
-      if (value.is_object()) check_agree(value, b.at(key), relative);
-      continue;
-    }
-    CAPTURE(key);
-    const double distance = std::abs(real_at(a, key) - real_at(b, key));
-    CHECK(distance <= error_at(a, key) + error_at(b, key) + relative * std::abs(real_at(b, key)));
-  }
+  sum_over_numbers(a, b, [&](const Json& one, const Json& other) {
+    CHECK(std::abs(real(one) - real(other)) <= error(one) + error(other) + relative * std::abs(real(other)));
+    return 1;
+  });
 }
 
 void check_same(const Json& a, const Json& b, double relative = 1e-15) {
@@ -47,11 +43,8 @@ void check_same(const Json& a, const Json& b, double relative = 1e-15) {
 
 TEST_CASE("stresses at depths that double does not have are computed with more digits") {
   const auto stress_at = [](const std::string& depth) {
-    const TemporaryFolder folder;
-    folder.write("p.toml", coated);
-    folder.write("points.csv", "x,z\n0.1," + depth + "\n");
-    const Finished finished =
-        run_program({"solve", "p.toml", "--format", "json", "--stress-at", "points.csv"}, folder.path());
+    const TemporaryFolder folder{{"p.toml", coated}, {"points.csv", "x,z\n0.1," + depth + "\n"}};
+    const Finished finished = folder.run({"solve", "p.toml", "--format", "json", "--stress-at", "points.csv"});
     return Json::parse(out_of(finished)).at("stresses").at(0);
   };
   // Beside a friction jump stresses are a constant and a power of the depth: from decade to decade they change by a factor.
@@ -90,9 +83,7 @@ TEST_CASE("cells tell the same to a percent, with what they are worth as errors"
 }
 
 TEST_CASE("reduced data have no stress out of the plane, no von Mises stress and no gradient") {
-  const Json reduced =
-      fields_of({}, "load = 2\n[half_space]\ngamma = 0.25\n[friction]\nvalues = [0.2]\n[indenter]\nprofile = 0\n");
-  const Json& stress = reduced["stresses"][0];
+  const Json stress = fields_of({}, reduced)["stresses"][0];
   CHECK(value_of(stress.at("syy")).is_null());
   CHECK(value_of(stress.at("von_mises")).is_null());
   CHECK(value_of(stress.at("displacement_gradient").at("dux_dx")).is_null());
@@ -137,16 +128,11 @@ TEST_CASE("with a proof the largest stress is a lower bound, and says so") {
 }
 
 TEST_CASE("fields that the problem or the method does not have are refused") {
-  const std::string gamma =
-      "load = 2\n[half_space]\ngamma = 0.25\n[friction]\nvalues = [0.2]\n[indenter]\nprofile = 0\n";
   check_refused(
-      run_alone({"solve", "-", "--max-stress"}, gamma),
+      run_alone({"solve", "-", "--max-stress"}, reduced),
       "command line: --max-stress: no von Mises stress; it needs the half-space's poisson in place of gamma; '-'");
-  const TemporaryFolder folder;
-  folder.write("p.toml", coated);
-  folder.write("points.csv", "0,1\n");
-  check_refused(run_program({"solve", "p.toml", "--certify", "--method", "variational", "--stress-at", "points.csv"},
-                            folder.path()),
+  const TemporaryFolder folder{{"p.toml", coated}, {"points.csv", "0,1\n"}};
+  check_refused(folder.run({"solve", "p.toml", "--certify", "--method", "variational", "--stress-at", "points.csv"}),
                 "command line: --certify: method without proved stresses and nodal forces; with them it goes with "
                 "closed-form and riemann-hilbert; '--method variational'");
 }

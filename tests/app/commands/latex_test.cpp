@@ -56,7 +56,7 @@ void check_notation(const std::string& document) {
 void check_compiles(const Arguments& arguments, const std::string& input = "",
                     const std::string& last_environment = "longtable") {
   const TemporaryFolder folder;
-  REQUIRE(run_program(joined(arguments, {"--format", "latex", "-o", "t.tex"}), folder.path(), input).code == 0);
+  REQUIRE(folder.run(joined(arguments, {"--format", "latex", "-o", "t.tex"}), input).code == 0);
   const std::string text = folder.read("t.tex");
   CHECK(text.starts_with("\\documentclass{article}\n"));
   CHECK(text.ends_with("\\end{" + last_environment + "}\n\\end{document}\n"));

@@ -59,5 +59,5 @@ TEST_CASE("a bar on a terminal, gone at the end; nothing elsewhere") {
   const Finished shown = run_on_terminal(arguments, folder.path(), bumps);
   CHECK(shown.code == 0);
   check_erased(shown, "0/2 0 %");
-  CHECK(run_program(arguments, folder.path(), bumps).err == "");
+  CHECK(folder.run(arguments, bumps).err == "");
 }

@@ -67,8 +67,7 @@ TEST_CASE("the manual page has every command, its options and what stands below 
 }
 
 TEST_CASE("bash completes commands, options, and the words that an option takes") {
-  const TemporaryFolder folder;
-  folder.write("completion", out_of(run_alone({"--generate", "bash"})));
+  const TemporaryFolder folder{{"completion", out_of(run_alone({"--generate", "bash"}))}};
   std::set<std::string> first(command_names.begin(), command_names.end());
   first.insert({"--help", "--version", "--generate"});
   CHECK(offered(folder, "steadyslide ''", 1) == first);

@@ -23,11 +23,11 @@ const Arguments long_solve{
 
 TEST_CASE("-o writes what the standard output would get, replaces, and leaves nothing else") {
   const TemporaryFolder folder;
-  const Finished plain = run_program(small_table, folder.path());
+  const Finished plain = folder.run(small_table);
   REQUIRE(plain.code == 0);
   folder.write("result", std::string(100000, 'x'));
   fs::permissions(folder.path() / "result", fs::perms(0640));
-  const Finished finished = run_program(into("result"), folder.path());
+  const Finished finished = folder.run(into("result"));
   CHECK(finished.code == 0);
   CHECK(finished.out == "");
   CHECK(folder.read("result") == plain.out);
@@ -36,10 +36,9 @@ TEST_CASE("-o writes what the standard output would get, replaces, and leaves no
 }
 
 TEST_CASE("a new file has the permissions of new files; a link stays, its file is replaced; devices are written") {
-  const TemporaryFolder folder;
-  folder.write("target", "earlier");
+  const TemporaryFolder folder{{"target", "earlier"}};
   fs::create_symlink("target", folder.path() / "link");
-  for (const char* file : {"result", "link", "/dev/null"}) CHECK(run_program(into(file), folder.path()).code == 0);
+  for (const char* file : {"result", "link", "/dev/null"}) CHECK(folder.run(into(file)).code == 0);
   const mode_t mask = ::umask(0);
   ::umask(mask);
   CHECK(fs::status(folder.path() / "result").permissions() == fs::perms(0666 & ~mask));
@@ -57,7 +56,7 @@ TEST_CASE("what cannot be read or written is exit code 3") {
            {into("none/result"), "none/result: cannot be written: No such file or directory"},
            {into("folder"), "folder: cannot be written: Is a directory"},
            {into("/dev/full"), "/dev/full: cannot be written: No space left on device"}}) {
-    check_refused(run_program(arguments, folder.path()), message, 3);
+    check_refused(folder.run(arguments), message, 3);
   }
   CHECK(folder.names() == std::vector<std::string>{"folder"});
 }
@@ -85,33 +84,29 @@ TEST_CASE("no input is a pipe or a device, the standard input excepted") {
   refused({"solve", "p.toml", "--at-file", "pipe"}, "pipe" + rule("a table of places") + "a pipe");
   refused({"solve", "p.toml", "--stress-at", "pipe"}, "pipe" + rule("a table of points") + "a pipe");
   refused({"solve", "p.toml", "--loads-on", "pipe"}, "pipe" + rule("a mesh") + "a pipe");
-  for (const char* input : {"-", "/dev/stdin"})
-    CHECK(out_of(run_program({"solve", input}, folder.path(), problem)) != "");
+  for (const char* input : {"-", "/dev/stdin"}) CHECK(out_of(folder.run({"solve", input}, problem)) != "");
 }
 
 TEST_CASE("a file without write permission is left alone") {
   if (::geteuid() == 0) return;  // root may write everything
-  const TemporaryFolder folder;
-  folder.write("result", "earlier");
+  const TemporaryFolder folder{{"result", "earlier"}};
   fs::permissions(folder.path() / "result", fs::perms(0440));
-  CHECK(run_program(into("result"), folder.path()).code == 3);
+  CHECK(folder.run(into("result")).code == 3);
   CHECK(folder.read("result") == "earlier");
 }
 
 TEST_CASE("a full device and a closed pipe are failures") {
   const TemporaryFolder folder;
   for (const Arguments& arguments : {small_table, {"--help"}, {"--version"}}) {
-    check_refused(run_program(arguments, folder.path(), "", Stdout::full_device),
+    check_refused(folder.run(arguments, "", Stdout::full_device),
                   "standard output: cannot be written: No space left on device", 3);
-    check_refused(run_program(arguments, folder.path(), "", Stdout::closed_pipe),
-                  "standard output: cannot be written: Broken pipe", 3);
+    check_refused(folder.run(arguments, "", Stdout::closed_pipe), "standard output: cannot be written: Broken pipe", 3);
   }
 }
 
 TEST_CASE("an interrupted run leaves no file and says 130") {
   for (const int signal : {SIGINT, SIGTERM}) {
-    const TemporaryFolder folder;
-    folder.write("result", "earlier");
+    const TemporaryFolder folder{{"result", "earlier"}};
     const Finished finished = run_and_interrupt({"table", "--poisson=-0.5:0.45:0.01", "--rear", "0:1:0.01", "--front",
                                                  "0:1:0.01", "--digits", "100", "-o", "result"},
                                                 folder, signal);

@@ -38,11 +38,6 @@ struct Coulomb {
   }
 };
 
-std::vector<std::string> cells(std::string line) {
-  std::ranges::replace(line, ',', '\n');
-  return lines(line + '\n');
-}
-
 }  // namespace
 
 TEST_CASE("the rough surface is what its generator prints") {
@@ -103,7 +98,7 @@ TEST_CASE("files keep Coulomb's law in every row: |shear| = f |traction|") {
         "slope_error,u_error,shear_slope_error,cumulative_load_error");
   std::string last;
   for (std::size_t k = 1; k < rows.size(); ++k) {
-    const std::vector<std::string> row = cells(rows[k]);
+    const std::vector<std::string> row = cells_of(rows[k]);
     REQUIRE(row.size() == 17);
     const double traction = std::stod(row[1]), shear = std::stod(row[2]), friction = std::stod(row[8]);
     CHECK(std::abs(std::abs(shear) - friction * std::abs(traction)) <= 1e-15 * std::abs(shear));

@@ -17,8 +17,7 @@ Answer solve_trace(Height height, const Arguments& arguments = {}) {
   std::string trace;
   for (int k = -200; k <= 200; ++k) trace += std::to_string(k) + "/200," + std::to_string(height(k / 200.0)) + "\n";
   folder.write("trace.csv", trace);
-  const Finished finished =
-      run_program(joined({"solve", "-", "--format", "json"}, arguments), folder.path(), problem_text("sampled"));
+  const Finished finished = folder.run(joined({"solve", "-", "--format", "json"}, arguments), problem_text("sampled"));
   return {finished.code, finished.err, Json::parse(finished.out)};
 }
 

@@ -17,16 +17,8 @@ TEST_CASE("tables have every number of every curve, with names and units above t
         comments += row + "\n";
         continue;
       }
-      std::vector<std::string> cells(1);
-      for (const char c : row) {
-        if (c == ',') {
-          cells.emplace_back();
-        } else {
-          cells.back().push_back(c);
-        }
-      }
-      CHECK(cells.size() == 5);
-      rows.push_back(cells);
+      rows.push_back(cells_of(row));
+      CHECK(rows.back().size() == 5);
     }
     CHECK(rows.front() == std::vector<std::string>{"panel", "curve", "x", "y", "value"});
     std::size_t at = 1;
@@ -69,15 +61,14 @@ TEST_CASE("--data writes tables, --format other pictures") {
   const TemporaryFolder folder;
   for (const auto& [format, magic] : {std::pair("pdf", "%PDF-"), {"png", "\x89PNG\r\n\x1a\n"}, {"svg", "<?xml"}}) {
     const std::string name = std::string("parabola.") + format;
-    out_of(run_program({"figures", "--figure", "parabola", "--format", format, "--data", "data", "-o", "pictures"},
-                       folder.path()));
+    out_of(folder.run({"figures", "--figure", "parabola", "--format", format, "--data", "data", "-o", "pictures"}));
     CHECK(folder.read("pictures/" + name).starts_with(magic));
     CHECK(folder.read("pictures/" + name).size() > 10000);
     CHECK((folder.read("data/parabola.csv") == figure_data(made("parabola"))));
   }
   folder.write("file", "kept");
-  check_refused(run_program({"figures", "--figure", "parabola", "--data", "file", "-o", "new"}, folder.path()),
-                "file: is no folder", 3);
+  check_refused(folder.run({"figures", "--figure", "parabola", "--data", "file", "-o", "new"}), "file: is no folder",
+                3);
   CHECK(folder.read("file") == "kept");
   CHECK_FALSE(std::filesystem::exists(folder.path() / "new"));
 }

@@ -61,7 +61,7 @@ Finished with_path(const std::string& path, const std::filesystem::path& folder)
 
 TEST_CASE("every figure is written, whole, the same each time, and shows its title, axes with units, legend, command") {
   const TemporaryFolder folder;
-  CHECK(out_of(run_program({"figures", "-o", "new/folder"}, folder.path())) == "");
+  CHECK(out_of(folder.run({"figures", "-o", "new/folder"})) == "");
   REQUIRE(figures().size() == 17);
   std::set<std::string> all_ids;
   std::vector<std::string> files;
@@ -101,18 +101,13 @@ TEST_CASE("every figure is written, whole, the same each time, and shows its tit
     files.push_back(drawn.name + ".svg");
   }
   std::ranges::sort(files);
-  std::vector<std::string> written;
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "new/folder")) {
-    written.push_back(entry.path().filename());
-  }
-  std::ranges::sort(written);
-  CHECK(written == files);
+  CHECK(folder.names("new/folder") == files);
   CHECK_FALSE(has_unit("pressure"));
 }
 
 TEST_CASE("some figures, by patterns; none is an error") {
   const TemporaryFolder folder;
-  const Finished two = run_program({"figures", "--figure", "friction-jump-*", "--figure", "parabol?"}, folder.path());
+  const Finished two = folder.run({"figures", "--figure", "friction-jump-*", "--figure", "parabol?"});
   CHECK(two.code == 0);
   CHECK(folder.names() ==
         std::vector<std::string>{"friction-jump-falling.svg", "friction-jump-rising.svg", "parabola.svg"});
@@ -127,9 +122,7 @@ TEST_CASE("one at a time or several: the same bytes") {
     const auto out = folder.path() / jobs;
     CHECK(out_of(run_program({"figures", "--figure", "*a*", "--jobs", jobs, "-o", out, "--data", out}, ".")) == "");
     std::map<std::string, std::string> files;
-    for (const auto& entry : std::filesystem::directory_iterator(out)) {
-      files[entry.path().filename()] = folder.read(jobs + "/" + entry.path().filename().string());
-    }
+    for (const std::string& name : folder.names(jobs)) files[name] = folder.read(jobs + "/" + name);
     return files;
   };
   const auto one = drawn_by("1");
@@ -153,10 +146,9 @@ TEST_CASE("without gnuplot: one clear line and nothing written") {
 }
 
 TEST_CASE("what cannot be written leaves nothing") {
-  const TemporaryFolder folder;
-  folder.write("file", "kept");
+  const TemporaryFolder folder{{"file", "kept"}};
   const auto draws_into = [&](const std::string& name) {
-    return run_program({"figures", "-o", name, "--figure", "parabola"}, folder.path());
+    return folder.run({"figures", "-o", name, "--figure", "parabola"});
   };
   check_refused(draws_into("file"), "file: is no folder", 3);
   check_refused(draws_into("file/new"), "file/new: cannot be made: Not a directory", 3);

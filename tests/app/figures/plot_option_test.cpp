@@ -137,6 +137,8 @@ void keep_below(Points& points, double most) {
 }  // namespace
 
 TEST_CASE("the curves are the samples of the result, for every method") {
+  const auto bumps = [](double x) { return (x * x - 1) * (x * x - 1) / 4; };
+  const auto flat = [](double) { return 0.0; };
   struct Plotted {
     const char* file;
     Arguments options;
@@ -144,29 +146,22 @@ TEST_CASE("the curves are the samples of the result, for every method") {
     std::size_t components;
     std::vector<const char*> texts;
   };
-  for (const auto& [file, options, psi, components, texts] : std::vector<Plotted>{
-           {"two_bumps.toml",
-            {},
-            [](double x) { return (x * x - 1) * (x * x - 1) / 4; },
-            2,
-            {"two_bumps.toml, load 0.1, sliding towards +x", "steadyslide " STEADYSLIDE_VERSION ", riemann-hilbert",
-             "0.491", "0.563", "contact", "user's unit of length"}},
-           {"two_bumps.toml",
-            {"--method", "variational", "--cells", "512"},
-            [](double x) { return (x * x - 1) * (x * x - 1) / 4; },
-            2,
-            {"variational"}},
-           {"two_bumps.toml", {"--digits", "30"}, [](double x) { return (x * x - 1) * (x * x - 1) / 4; }, 2, {}},
-           {"two_coatings_backward.toml",
-            {"--certify"},
-            [](double) { return 0.0; },
-            1,
-            {"closed-form", "sliding towards −x", "0.0471", "exponent", ", cut at 3"}},
-           {"three_jumps.toml",
-            {},
-            [](double) { return 0.0; },
-            1,
-            {"−0.532", "−0.0894", "0.121", "−0.0628", "−0.437"}}}) {
+  const std::vector<Plotted> plots{
+      {"two_bumps.toml",
+       {},
+       bumps,
+       2,
+       {"two_bumps.toml, load 0.1, sliding towards +x", "steadyslide " STEADYSLIDE_VERSION ", riemann-hilbert", "0.491",
+        "0.563", "contact", "user's unit of length"}},
+      {"two_bumps.toml", {"--method", "variational", "--cells", "512"}, bumps, 2, {"variational"}},
+      {"two_bumps.toml", {"--digits", "30"}, bumps, 2, {}},
+      {"two_coatings_backward.toml",
+       {"--certify"},
+       flat,
+       1,
+       {"closed-form", "sliding towards −x", "0.0471", "exponent", ", cut at 3"}},
+      {"three_jumps.toml", {}, flat, 1, {"−0.532", "−0.0894", "0.121", "−0.0628", "−0.437"}}};
+  for (const auto& [file, options, psi, components, texts] : plots) {
     CAPTURE(file);
     const TemporaryFolder folder;
     const std::string picture = (folder.path() / "p.svg").string();
@@ -212,10 +207,10 @@ TEST_CASE("a picture has the numbers of a far and a small problem") {
   for (const auto& [support, profile, load] : {std::tuple("[\"999999\", \"1000001\"]", "(x-1000000)^2/2", "0.1"),
                                                {"[\"-1e-9\", \"1e-9\"]", "1e8*x^2", "1e-12"}}) {
     const TemporaryFolder folder;
-    out_of(run_program({"solve", "-", "-o", "text", "--plot", "p.svg"}, folder.path(),
-                       std::string("load = \"") + load +
-                           "\"\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.2]\n" +
-                           "[indenter]\nsupport = " + support + "\nprofile = \"" + profile + "\"\n"));
+    out_of(folder.run({"solve", "-", "-o", "text", "--plot", "p.svg"},
+                      std::string("load = \"") + load +
+                          "\"\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.2]\n" +
+                          "[indenter]\nsupport = " + support + "\nprofile = \"" + profile + "\"\n"));
     const std::string svg = folder.read("p.svg");
     check_holds(shown_text(svg), {"standard input", "surface", "shear"});
     // A curve goes up and down over a good part of its panel.
@@ -255,8 +250,7 @@ TEST_CASE("what is not solved is drawn as that, a trace as far as it is seen") {
 TEST_CASE("without a picture nothing is solved, and nothing is left behind") {
   const TemporaryFolder folder;
   const auto refused = [&](const Arguments& plot, const std::string& message, int code) {
-    check_refused(run_program(joined({"solve", STEADYSLIDE_EXAMPLES "/parabola.toml"}, plot), folder.path()), message,
-                  code);
+    check_refused(folder.run(joined({"solve", STEADYSLIDE_EXAMPLES "/parabola.toml"}, plot)), message, code);
     CHECK(folder.names().empty());
   };
   refused({"--plot", "none/p.svg"}, "none/p.svg: cannot be written: No such file or directory", 3);

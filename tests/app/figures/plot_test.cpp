@@ -26,9 +26,8 @@ std::size_t longest_path(const std::string& svg, const std::string& colour) {
 
 TEST_CASE("the script draws what was solved, well-formed, every curve with its points") {
   const TemporaryFolder folder;
-  const Finished solved = run_program({"solve", examples + "/rough_surface.toml", "--method", "variational", "--cells",
-                                       "65536", "--at=-0.99975:0.99975:0.0005", "--format", "csv", "-o", "solved.csv"},
-                                      folder.path());
+  const Finished solved = folder.run({"solve", examples + "/rough_surface.toml", "--method", "variational", "--cells",
+                                      "65536", "--at=-0.99975:0.99975:0.0005", "--format", "csv", "-o", "solved.csv"});
   CHECK(solved.code == 0);
   out_of(draw(folder, {"solved.csv", examples + "/rough_surface.csv", "picture.svg"}));
   const std::string svg = folder.read("picture.svg");

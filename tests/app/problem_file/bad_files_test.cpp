@@ -2,6 +2,7 @@
 
 #include <regex>
 
+#include "app/changed_files.hpp"
 #include "app/command_line.hpp"
 
 namespace {
@@ -12,7 +13,7 @@ const std::string good =
 }  // namespace
 
 TEST_CASE("bad problem files: message, exit code, no output") {
-  auto files = sections_of(STEADYSLIDE_TESTS "/app/problem_file/bad_files.txt");
+  auto files = changed_files(STEADYSLIDE_TESTS "/app/problem_file/bad_files.txt");
   CHECK(files.size() >= 70);
   files.emplace_back(
       "1: not TOML; a problem file is written in TOML; Error while parsing key-value pair: encountered "
@@ -20,19 +21,15 @@ TEST_CASE("bad problem files: message, exit code, no output") {
       "load = ");
   for (const auto& [message, text] : files) {
     CAPTURE(text);
-    const TemporaryFolder folder;
-    folder.write("bad.toml", text);
-    folder.write("trace.csv", "-1,1/4\n0,0\n1,1/2\n");
-    check_refused(run_program({"exponents", "bad.toml", "-o", "result"}, folder.path()), "bad.toml:" + message);
+    const TemporaryFolder folder{{"bad.toml", text}, {"trace.csv", "-1,1/4\n0,0\n1,1/2\n"}};
+    check_refused(folder.run({"exponents", "bad.toml", "-o", "result"}), "bad.toml:" + message);
     CHECK(folder.names() == std::vector<std::string>{"bad.toml", "trace.csv"});
   }
 }
 
 TEST_CASE("bad input leaves the result of an earlier run alone") {
-  const TemporaryFolder folder;
-  folder.write("bad.toml", "load = ");
-  folder.write("result", "earlier");
-  CHECK(run_program({"solve", "bad.toml", "-o", "result"}, folder.path()).code == 2);
+  const TemporaryFolder folder{{"bad.toml", "load = "}, {"result", "earlier"}};
+  CHECK(folder.run({"solve", "bad.toml", "-o", "result"}).code == 2);
   CHECK(folder.read("result") == "earlier");
 }
 

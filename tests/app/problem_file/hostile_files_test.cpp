@@ -25,9 +25,7 @@ std::string noise(const std::string& alphabet) {
 /// Runs a problem file, and perhaps a trace t.csv beside it, within ten seconds and one gigabyte; a sanitizer reserves
 /// terabytes, and takes six times as long.
 Finished run_limited(const std::string& text, const std::string& trace = "") {
-  const TemporaryFolder folder;
-  folder.write("f.toml", text);
-  folder.write("t.csv", trace);
+  const TemporaryFolder folder{{"f.toml", text}, {"t.csv", trace}};
 #ifdef __SANITIZE_ADDRESS__
   const std::string limited = "exec timeout 60";
 #else

@@ -31,23 +31,21 @@ TEST_CASE("a trace is looked for beside the problem file; from the standard inpu
   CHECK(code("s.toml", folder.path()) == 0);
 
   folder.write("data/trace.csv", "0,0\n1,one\n");
-  check_refused(run_program({"exponents", "data/s.toml"}, folder.path()),
+  check_refused(folder.run({"exponents", "data/s.toml"}),
                 "data/trace.csv:2: psi: not a number; a number is written like 2, -0.25, 1e-3 or 1/3; 'one'");
 }
 
 TEST_CASE("jumps lie within the trace") {
-  const TemporaryFolder folder;
-  folder.write("trace.csv", "1,0\n2,0\n");
-  check_refused(run_program({"exponents", "-"}, folder.path(), problem(named)),
+  const TemporaryFolder folder{{"trace.csv", "1,0\n2,0\n"}};
+  check_refused(folder.run({"exponents", "-"}, problem(named)),
                 "-:6: friction.jumps[0]: jump outside the support; jumps lie in ]1, 2[; 0");
 }
 
 TEST_CASE("a flat trace, however many its points, is a flat punch") {
   std::string flat;
   for (int k = -50; k <= 50; ++k) flat += std::to_string(k) + "e-2,0\n";
-  const TemporaryFolder folder;
-  folder.write("trace.csv", flat);
-  const Finished samples = run_program({"solve", "-", "--method", "closed-form"}, folder.path(), problem(named));
+  const TemporaryFolder folder{{"trace.csv", flat}};
+  const Finished samples = folder.run({"solve", "-", "--method", "closed-form"}, problem(named));
   CHECK(samples.code == 0);
   CHECK(samples.out == run(problem("support = [-0.5, 0.5]\nprofile = 0")).out);
 }
@@ -58,8 +56,7 @@ TEST_CASE("more breaks than the Riemann-Hilbert method takes") {
     std::string text;
     for (int k = 0; k < points; ++k) text += std::to_string(k - 10) + "," + std::to_string(k * k) + "e-6\n";
     folder.write("trace.csv", text);
-    return run_program({"solve", "-", "--method", "riemann-hilbert", "--digits", digits}, folder.path(),
-                       problem(named));
+    return folder.run({"solve", "-", "--method", "riemann-hilbert", "--digits", digits}, problem(named));
   };
   check_refused(solve(203, "17"),
                 "-: the profile has too many breaks for the Riemann-Hilbert method with more than 16 digits; it has at "
@@ -75,13 +72,11 @@ TEST_CASE("a trace with its units, turned, without its trend, is the profile tha
     plain += to_string(x) + "," + to_string(x * x) + "\n";
     measured += to_string(x) + "," + to_string(-1000 * (x * x + 3 * x / 10 + 7)) + "\n";
   }
-  const TemporaryFolder folder;
-  folder.write("plain.csv", plain);
-  folder.write("measured.csv", measured);
+  const TemporaryFolder folder{{"plain.csv", plain}, {"measured.csv", measured}};
   const auto run_on_cells = [&](const std::string& indenter) {
-    return run_program(
+    return folder.run(
         {"solve", "-", "--method", "variational", "--cells", "1024", "--at=-0.1:0.1:0.05", "--format", "json"},
-        folder.path(), problem(indenter, "0.01"));
+        problem(indenter, "0.01"));
   };
   const auto solved = [&](const std::string& indenter) { return json_of(run_on_cells(indenter)); };
   const Json expected = solved("samples = \"plain.csv\"");
@@ -107,8 +102,9 @@ TEST_CASE("a trace with its units, turned, without its trend, is the profile tha
   CHECK(keys(expected["problem"]["indenter"]) == "support samples points");
 
   // What the picture says of lengths.
-  CHECK(run_program({"solve", "-", "--method", "variational", "--cells", "256", "--plot", "p.svg"}, folder.path(),
-                    problem("samples = {file = \"plain.csv\", x_unit = \"um\"}", "0.01"))
+  CHECK(folder
+            .run({"solve", "-", "--method", "variational", "--cells", "256", "--plot", "p.svg"},
+                 problem("samples = {file = \"plain.csv\", x_unit = \"um\"}", "0.01"))
             .code == 0);
   check_holds(folder.read("p.svg"), {"(µm)", "user's unit of stress"});
 

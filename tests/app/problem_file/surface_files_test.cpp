@@ -11,19 +11,15 @@ const std::string plain_punch =
 void check_bad_tables(const std::string& option, const std::string& list) {
   for (const auto& [message, text] : sections_of(STEADYSLIDE_TESTS "/app/problem_file/" + list)) {
     CAPTURE(text);
-    const TemporaryFolder folder;
-    folder.write("p.toml", plain_punch);
-    folder.write("t.csv", text);
-    check_refused(run_program({"solve", "p.toml", option, "t.csv", "-o", "result"}, folder.path()), "t.csv:" + message);
+    const TemporaryFolder folder{{"p.toml", plain_punch}, {"t.csv", text}};
+    check_refused(folder.run({"solve", "p.toml", option, "t.csv", "-o", "result"}), "t.csv:" + message);
     CHECK(folder.names() == std::vector<std::string>{"p.toml", "t.csv"});
   }
 }
 
 Finished run_on(const std::string& option, const std::string& table, const Arguments& more = {}) {
-  const TemporaryFolder folder;
-  folder.write("p.toml", plain_punch);
-  folder.write("t.csv", table);
-  return run_program(joined({"solve", "p.toml", option, "t.csv"}, more), folder.path());
+  const TemporaryFolder folder{{"p.toml", plain_punch}, {"t.csv", table}};
+  return folder.run(joined({"solve", "p.toml", option, "t.csv"}, more));
 }
 
 }  // namespace
@@ -43,12 +39,10 @@ TEST_CASE("bytes, long lines, many lines, and files that are none") {
   std::string nodes;
   for (int k = 0; k <= 1000000; ++k) nodes += std::to_string(k) + "\n";
   refused("--loads-on", nodes, "t.csv:1000001: too many nodes; there are at most 1000000; more");
-  const TemporaryFolder folder;
-  folder.write("p.toml", plain_punch);
-  check_refused(run_program({"solve", "p.toml", "--stress-at", "none.csv"}, folder.path()),
+  const TemporaryFolder folder{{"p.toml", plain_punch}};
+  check_refused(folder.run({"solve", "p.toml", "--stress-at", "none.csv"}),
                 "none.csv: cannot be read: No such file or directory", 3);
-  check_refused(run_program({"solve", "p.toml", "--loads-on", "."}, folder.path()), ".: cannot be read: Is a directory",
-                3);
+  check_refused(folder.run({"solve", "p.toml", "--loads-on", "."}), ".: cannot be read: Is a directory", 3);
 }
 
 TEST_CASE("headers, comments, semicolons, blanks, CRLF and a byte order mark are fine") {

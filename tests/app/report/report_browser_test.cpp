@@ -128,8 +128,8 @@ TEST_CASE("the page is printed on more than one") {
 
 TEST_CASE("control: a page that complains is noticed") {
   if (skipped()) return;
-  const TemporaryFolder folder;
-  folder.write("bad.html", "<!DOCTYPE html><html><head></head><body><script>missing();</script></body></html>");
+  const TemporaryFolder folder{
+      {"bad.html", "<!DOCTYPE html><html><head></head><body><script>missing();</script></body></html>"}};
   CHECK(browse(folder.path(), "bad.html", "result = 'fine';").result.starts_with("COMPLAINTS"));
   folder.write("far.html",
                "<!DOCTYPE html><html><head></head><body><img src=\"http://example.invalid/x.png\"></body></html>");
@@ -141,9 +141,8 @@ TEST_CASE("control: a page that complains is noticed") {
 TEST_CASE("page and JSON of one run agree") {
   if (skipped()) return;
   const TemporaryFolder folder;
-  const Finished finished = run_program({"verify", "--quick", "--digits", "16", "--claim", "eq-04-*", "--claim",
-                                         "gamma-*", "--format", "json", "--report", ".", "-o", "out.json"},
-                                        folder.path());
+  const Finished finished = folder.run({"verify", "--quick", "--digits", "16", "--claim", "eq-04-*", "--claim",
+                                        "gamma-*", "--format", "json", "--report", ".", "-o", "out.json"});
   CHECK(finished.code == 0);
   const Json json = Json::parse(folder.read("out.json")), seen = drive(folder, "summary.js");
   CHECK(seen["shown"] == json["claims"].size());

@@ -110,11 +110,10 @@ TEST_CASE("verify --report writes the page beside its own output, from one run")
 }
 
 TEST_CASE("reports: a folder that cannot be made") {
-  const TemporaryFolder folder;
-  folder.write("file", "");
+  const TemporaryFolder folder{{"file", ""}};
   for (const Arguments& arguments :
        {Arguments{"verify", "--claim", "gamma-range", "--report", "file"}, {"report", "-o", "file"}}) {
-    const Finished finished = run_program(arguments, folder.path());
+    const Finished finished = folder.run(arguments);
     CHECK(finished.code == 3);
     CHECK(finished.err.starts_with("steadyslide: file: cannot be made"));
   }

@@ -47,24 +47,8 @@ TEST_CASE("text shows why a claim is not settled") {
 }
 
 TEST_CASE("JSON, whole") {
-  const std::string text = written(Format::json, bad_result());
-  std::string compact;
-  for (const char c : text) {
-    if (c != '\n' && c != ' ') compact += c;
-  }
-  CHECK(compact.starts_with(
-      "{\"schema\":1,\"version\":\"" STEADYSLIDE_VERSION
-      "\",\"digits\":100,\"seed\":42,\"counts\":{\"proved\":0,\"supported\":0,\"undecided\":1,\"refuted\":1},"
-      "\"claims\":[{\"id\":\"a-claim\",\"source\":"));
-  check_holds(
-      compact,
-      {"\"controls\":{\"total\":1,\"refuted\":0},\"seconds\":1.0}],\"statement_counts\":{\"proved\":0,\"supported\":0,"
-       "\"undecided\":0,\"refuted\":0},\"statements\":[],\"reading_notes\":[{\"id\":\"note-1\","
-       "\"place\":\"(4)\",\"claim\":\"a-claim\",\"printed\":",
-       "\"html\":{\"source\":\"[Bal16,(1)]\",\"statement\":\"x|y_1&lt;2\",",
-       "\"html\":{\"place\":\"(4)\",\"printed\":\"(1+x)^{1/2}\",",
-       "\"derived\":\"(1+x)^{1/2+alpha}\",\"fault\":\"undecided\",\"evidence\":",
-       "{\"kind\":\"note\",\"detail\":\"thecontrolsurvives\"}"});
+  const std::string expected = file_text(STEADYSLIDE_TESTS "/app/results/verify.json");
+  CHECK(written(Format::json, bad_result()) == replaced(expected, "VERSION", STEADYSLIDE_VERSION));
 }
 
 TEST_CASE("a proof is printed as a tree where it is asked for, and is in JSON always") {

@@ -1,16 +1,17 @@
 // Bad sweeps: the whole message and the exit code of each, and nothing written.
 
+#include "app/changed_files.hpp"
 #include "app/sweep/sweep_folder.hpp"
 
 TEST_CASE("bad sweeps: message, exit code, no output") {
-  const auto sweeps = sections_of(STEADYSLIDE_TESTS "/app/sweep/bad_sweeps.txt");
+  const auto sweeps = changed_files(STEADYSLIDE_TESTS "/app/sweep/bad_sweeps.txt");
   CHECK(sweeps.size() >= 60);
   for (const auto& [message, text] : sweeps) {
     CAPTURE(text);
     const SweepFolder folder("");
     folder.write("bad.toml", text);
     folder.write("out", "earlier");
-    check_refused(run_program({"sweep", "bad.toml", "-o", "out"}, folder.path()), "bad.toml:" + message);
+    check_refused(folder.run({"sweep", "bad.toml", "-o", "out"}), "bad.toml:" + message);
     CHECK(folder.read("out") == "earlier");
     CHECK(folder.names() == std::vector<std::string>{"bad.toml", "base.toml", "out", "sweep.toml"});
   }
@@ -26,8 +27,7 @@ TEST_CASE("bad sweeps: mistakes in the base have the base's line") {
   check_refused(folder.sweep({"-o", "out"}),
                 "base.toml:1: not TOML; a problem file is written in TOML; Error while "
                 "parsing key-value pair: encountered end-of-file");
-  check_refused(run_program({"sweep", "none.toml"}, folder.path()),
-                "none.toml: cannot be read: No such file or directory", 3);
+  check_refused(folder.run({"sweep", "none.toml"}), "none.toml: cannot be read: No such file or directory", 3);
   CHECK(folder.names() == std::vector<std::string>{"base.toml", "sweep.toml"});
 }
 

@@ -9,19 +9,6 @@
 
 namespace {
 
-/// Of a line without quotes.
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells{""};
-  for (const char c : line) {
-    if (c == ',') {
-      cells.emplace_back();
-    } else {
-      cells.back() += c;
-    }
-  }
-  return cells;
-}
-
 std::vector<std::vector<std::string>> table_of(const std::string& csv) {
   std::vector<std::vector<std::string>> rows;
   for (const std::string& line : lines(csv)) rows.push_back(cells_of(line));
@@ -193,7 +180,7 @@ TEST_CASE("sweep: the same table from any number of threads, to a file or not, f
   for (const char* jobs : {"2", "7"}) CHECK(out_of(folder.sweep({"--jobs", jobs})) == one);
   CHECK(folder.sweep({"-o", "out"}).code == 0);
   CHECK(folder.read("out") == one);
-  CHECK(out_of(run_program({"sweep", "-"}, folder.path(), folder.read("sweep.toml"))) == one);
+  CHECK(out_of(folder.run({"sweep", "-"}, folder.read("sweep.toml"))) == one);
   CHECK(folder.sweep({"-o", "/dev/null"}).code == 0);
   CHECK(folder.names() == std::vector<std::string>{"base.toml", "out", "sweep.toml"});
 }

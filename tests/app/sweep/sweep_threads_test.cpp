@@ -13,12 +13,12 @@ using namespace steadyslide::testing;
 
 TEST_CASE("four threads make the rows of one") {
   for (const std::string digits : {"16", "40"}) {
-    const TemporaryFolder folder;
-    folder.write("sweep.toml",
-                 "[problem]\nload = 1\n[problem.half_space]\npoisson = 0.2\n[problem.friction]\nvalues = [0.1, 0.5]\n"
-                 "jumps = [0]\n[problem.indenter]\nprofile = 0\n[vary]\nindenter.profile = [0, \"x^2\"]\n"
-                 "\"friction.values[0]\" = \"0:0.2:0.1\"\nfriction.jumps = [[0], [2]]\n[solve]\ndigits = " +
-                     digits + "\n");
+    const TemporaryFolder folder{
+        {"sweep.toml",
+         "[problem]\nload = 1\n[problem.half_space]\npoisson = 0.2\n[problem.friction]\nvalues = [0.1, 0.5]\n"
+         "jumps = [0]\n[problem.indenter]\nprofile = 0\n[vary]\nindenter.profile = [0, \"x^2\"]\n"
+         "\"friction.values[0]\" = \"0:0.2:0.1\"\nfriction.jumps = [[0], [2]]\n[solve]\ndigits = " +
+             digits + "\n"}};
     const SweepTable table(read_sweep((folder.path() / "sweep.toml").string()));
     REQUIRE(table.size() == 12);
     std::vector<std::string> rows(table.size());

@@ -31,7 +31,7 @@ TEST_CASE("mpirun steadyslide-sweep: the same table from any number of processes
       run_and_interrupt({"sweep", "long.toml", "-o", "out"}, folder, SIGKILL, std::chrono::milliseconds(100));
   REQUIRE(killed.code == 128 + SIGKILL);
   CHECK(out_of(together(2, {"long.toml", "-o", "out", "--resume"}, folder)) == "");
-  CHECK(out_of(run_program({"sweep", "long.toml"}, folder.path())) == folder.read("out"));
+  CHECK(out_of(folder.run({"sweep", "long.toml"})) == folder.read("out"));
 }
 
 TEST_CASE("mpirun steadyslide-sweep: what is wrong is said once, failures are rows") {

@@ -11,6 +11,15 @@ void meets_its_loads(const DiscreteProblem& problem, const DiscreteState& state)
   if (problem.load_at()) CHECK(std::abs(forces.moment - *problem.load_at()) <= 1e-12);
 }
 
+/// Lemke's method finds a solution under the problem's load.
+LemkeResult solved_by_lemke(const DiscreteProblem& problem, int most_pivots) {
+  const LemkeResult result = lemke(problem, most_pivots);
+  REQUIRE(result.reached);
+  CHECK(natural_residual(problem, result.state) <= 1e-12);
+  meets_its_loads(problem, result.state);
+  return result;
+}
+
 double residual_of(const DiscreteProblem& problem, const CellSet& contact) {
   return natural_residual(problem, solve(*dense_system(problem, contact), problem).state);
 }
@@ -46,10 +55,7 @@ TEST_CASE("problems of the random list are solved, and a wrong set is refused") 
   for (std::uint64_t seed = 0; seed < 120; ++seed) {
     CAPTURE(seed);
     const DiscreteProblem discrete = on_cells(listed_contact(seed), 64);
-    const LemkeResult result = lemke(discrete, 2000);
-    REQUIRE(result.reached);
-    CHECK(natural_residual(discrete, result.state) <= 1e-12);
-    meets_its_loads(discrete, result.state);
+    const LemkeResult result = solved_by_lemke(discrete, 2000);
     tilting += discrete.load_at().has_value();
 
     // Control: without its most pressed cell the set is not complementary.
@@ -108,11 +114,7 @@ TEST_CASE("strong friction, cells of very different lengths") {
   // s = 5/2 down to cells of 1e-9, s = 10 down to 1e-3.
   for (const auto& [f, smallest] : {std::pair(5, 1e-9), {20, 1e-3}}) {
     for (const Place& load_at : {Place(), Place(Rational(1, 3))}) {
-      const DiscreteProblem discrete = graded(punch(bump, f, load_at), smallest);
-      const LemkeResult result = lemke(discrete, 10000);
-      REQUIRE(result.reached);
-      CHECK(natural_residual(discrete, result.state) <= 1e-12);
-      meets_its_loads(discrete, result.state);
+      solved_by_lemke(graded(punch(bump, f, load_at), smallest), 10000);
     }
   }
 }

@@ -79,6 +79,19 @@ void agree_everywhere(const ContactProblem& problem) {
   }
 }
 
+/// A polygon in the parabola x^2/4 over [-1, 1], a wedge every hundredth; the one at -1/10 is sharper by `bend`.
+Indenter polygon(const Rational& bend) {
+  std::vector<Indenter::Piece> pieces;
+  Rational height = 0.25_r;
+  for (int k = 1; k <= 200; ++k) {
+    const Rational slope = Rational(2 * k - 201, 400) + (k > 90 ? bend : 0_r);
+    const Rational to = Rational(k, 100) - 1;
+    height += slope / 100;
+    pieces.push_back({to, Polynomial({height - slope * to, slope})});
+  }
+  return {-1, pieces};
+}
+
 }  // namespace
 
 TEST_CASE("free ends over a jump up, down, and sliding back") {
@@ -144,14 +157,7 @@ TEST_CASE("jumps of friction and loads within cells") {
 }
 
 TEST_CASE("points that cells cannot tell apart are left out, jumps are not") {
-  std::vector<Indenter::Piece> pieces;
-  for (int k = 1; k <= 200; ++k) {
-    const Rational x = Rational(k - 1, 100) - 1;
-    // A polygon in a parabola: a wedge every hundredth.
-    const Rational slope = Rational(2 * k - 201, 100) / 4, height = x * x / 4;
-    pieces.push_back({Rational(k, 100) - 1, Polynomial({height - slope * x, slope})});
-  }
-  const ContactProblem problem = reduced({0.1_r, 0.5_r}, {0.001_r}, Indenter(-1, pieces), 0.5_r);
+  const ContactProblem problem = reduced({0.1_r, 0.5_r}, {0.001_r}, polygon(0), 0.5_r);
   int wedges = 0, jumps = 0;
   for (const auto& point : solved_on_cells(problem, 1024)->singular_points()) {
     wedges += point.kind == SingularKind::wedge ? 1 : 0;
@@ -162,16 +168,7 @@ TEST_CASE("points that cells cannot tell apart are left out, jumps are not") {
 }
 
 TEST_CASE("a pressure is infinite on any mesh, and where its logarithm is strongest") {
-  std::vector<Indenter::Piece> pieces;
-  Rational height = 0.25_r;
-  for (int k = 1; k <= 200; ++k) {
-    // A polygon in a parabola, with a sharper wedge at -1/10.
-    const Rational slope = Rational(2 * k - 201, 400) + (k > 90 ? Rational(1, 500) : 0_r);
-    const Rational to = Rational(k, 100) - 1;
-    height += slope / 100;
-    pieces.push_back({to, Polynomial({height - slope * to, slope})});
-  }
-  const ContactProblem problem = reduced({0.1_r}, {}, Indenter(-1, pieces), 0.05_r);
+  const ContactProblem problem = reduced({0.1_r}, {}, polygon(Rational(1, 500)), 0.05_r);
   const auto exact = riemann_hilbert<double>(problem).solution->largest_pressure();
   CHECK(exact.x.value == doctest::Approx(-0.1));
   for (const std::size_t cells : {128, 512, 2048, 16384}) {
