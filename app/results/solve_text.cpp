@@ -123,19 +123,6 @@ std::vector<Line> resultant_lines(const Problem& problem, const ResultantsText& 
   return result;
 }
 
-/// The lines of two directions, each with the value of the second one. A value that a direction lacks is empty.
-std::vector<std::pair<Line, std::string>> side_by_side(const std::vector<Line>& first, std::vector<Line> second) {
-  std::vector<std::pair<Line, std::string>> result;
-  for (const Line& line : first) {
-    const auto same = [&line](const Line& one) { return one.name == line.name && one.which == line.which; };
-    const auto found = std::ranges::find_if(second, same);
-    result.emplace_back(line, found == second.end() ? "" : found->value);
-    if (found != second.end()) second.erase(found);
-  }
-  for (const Line& line : second) result.push_back({{line.name, "", line.which}, line.value});
-  return result;
-}
-
 void write_resultants(const Problem& problem, const SolutionText& solution, Output& output) {
   output.write("\nresultants (forces per unit thickness, lengths in the problem's units)\n");
   std::string before;
@@ -264,10 +251,12 @@ void write_text(const Problem& problem, const BothText& both, Output& output) {
     return fmt::format("{} to {}", shown(solution.contact.front().first.x), shown(solution.contact.back().second.x));
   };
   row("contact from", ends);
-  for (const auto& [line, value] : side_by_side(resultant_lines(problem, both.as_given.resultants),
-                                                resultant_lines(problem, both.opposite.resultants))) {
+  const std::vector<Line> others = resultant_lines(problem, both.opposite.resultants);
+  for (const Line& line : resultant_lines(problem, both.as_given.resultants)) {
+    const auto other =
+        std::ranges::find_if(others, [&](const Line& one) { return one.name == line.name && one.which == line.which; });
     const std::string gap = line.which.empty() ? "" : " ";
-    rows.row({"  " + line.name + gap + line.which, line.value, value});
+    rows.row({"  " + line.name + gap + line.which, line.value, other == others.end() ? "" : other->value});
   }
   row("solved", [](const SolutionText& solution) {
     return solution.is_solved() ? std::string("yes") : solution.reason + solution.failed_condition;

@@ -93,7 +93,7 @@ class Comparison {
     const LargestPressure<double> p = found_.largest_pressure();
     const LargestPressure<Real50> true_p = truth_.largest_pressure();
     look("largest pressure", "", p.value, true_p.value);
-    // Where several peaks are equally high, each of their places is a right answer.
+    // If several peaks have the same height, the place of each of them is correct.
     const bool tied = true_p.x.error > Real50(1e-15);
     look("place of it", "", p.x, {true_p.x.value, tied ? Real50(0) : true_p.x.error});
     if (const auto tilt = found_.tilt()) look("tilt", "", *tilt, *truth_.tilt());

@@ -156,12 +156,12 @@ TEST_CASE("the largest stress is where solve finds it, and contours carry their 
 
   const auto solution = solved(stress_parabola_problem());
   const numeric::InteriorStress<double> interior(*solution);
-  // A contour may be too short for a label.
   CHECK(check_labels(parabola, [&](double x, double z) {
           return interior.at(Rational(x * a), Rational(std::max(z, 1e-6) * a)).von_mises()->value * a / 0.02;
-        }) == 7);
+        }) == map.contours.size());
   const auto punch = solved(stress_map_problem());
   const numeric::InteriorStress<double> below(*punch);
+  // The contours of 0.8, around the edges, are too short for labels.
   CHECK(check_labels(made("stress-map"), [&](double x, double z) {
           return below.at(Rational(x), Rational(std::max(z, 1e-6))).von_mises()->value;
         }) >= 6);
