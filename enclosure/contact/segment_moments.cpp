@@ -64,7 +64,8 @@ std::optional<Ball> SegmentMoments::seen_from(const Ball& distance, Side facing)
   if (facing == Side::left) inverse = -inverse;
   Ball sum(0, bits_);
   for (std::size_t k = count; k-- > 0;) {
-    const Bits shown = bits_ - static_cast<Bits>(static_cast<double>(k) * bits_per_term) + 16;
+    const Bits needed = bits_ - static_cast<Bits>(static_cast<double>(k) * bits_per_term);
+    const Bits shown = std::max(needed, Bits{0}) + 16;
     arb_mul(sum.get(), sum.get(), inverse.get(), shown);
     arb_add(sum.get(), sum.get(), moments_[k].get(), shown);
   }

@@ -176,13 +176,15 @@ Estimate<R> TractionIntegrals<R>::load_before(const LinePlace<R>& place) const {
 
 template <Real R>
 Estimate<R> TractionIntegrals<R>::cauchy(std::size_t k, Side side, const R& distance) const {
-  const R& error = on_panels_[k].relative_error;
-  if (distance > 0) return tanh_sinh::cauchy<R>({density_[k]}, side, distance).widened(error);
+  const OnPanel& on = on_panels_[k];
+  if (distance > 0) return tanh_sinh::cauchy<R>({density_[k]}, side, distance).widened(on.relative_error);
   // The distance to x is the one to the panel's end: a power lower by one.
   PanelDensity<R> divided = density_[k];
   Power<R>& power = side == Side::left ? divided.left : divided.right;
   power = {power.value - 1, power.value};
-  const Estimate<R> integral = tanh_sinh::panel_integral(divided).widened(error) / pi<R>();
+  Estimate<R> integral = tanh_sinh::panel_integral(divided).widened(on.relative_error) / pi<R>();
+  // Towards the end t vanishes, but its rounding error does not.
+  integral.error += (side == Side::left ? on.left_error : on.right_error) * tanh_sinh::logarithm(power) / pi<R>();
   return side == Side::left ? integral : -integral;
 }
 

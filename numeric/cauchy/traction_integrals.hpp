@@ -33,6 +33,8 @@ class TractionIntegrals {
   struct OnPanel {
     Estimate<R> load;  ///< int t
     R relative_error;  ///< the largest one of t, estimated
+    R left_error;      ///< the error of t next to the panel's left end,
+    R right_error;     ///< and next to its right end
     R s;
     Rational ratio;  ///< t_t/t, exact: rounded ratios of neighbours lose their difference
   };

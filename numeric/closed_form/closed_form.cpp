@@ -260,7 +260,7 @@ const TractionIntegrals<R>& ClosedForm<R>::integrals() const {
         const Panel<R>& panel = weight().panel(k);
         error = std::max(error, weight().relative_error(k, panel.node_from_left(part * panel.length), data_.end_error));
       }
-      on_panels.push_back({loads()[k], error, to_real<R>(problem_.coupled_friction(data_.first_piece + k)),
+      on_panels.push_back({loads()[k], error, R(0), R(0), to_real<R>(problem_.coupled_friction(data_.first_piece + k)),
                            problem_.shear_ratio(data_.first_piece + k)});
     }
     return TractionIntegrals<R>(data_.traction.density(), std::move(on_panels),

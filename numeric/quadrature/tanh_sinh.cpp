@@ -5,11 +5,17 @@
 namespace steadyslide::numeric::tanh_sinh {
 namespace {
 
+/// The rule's least abscissa, and the distance that stands for the end where nearly all of an integral lies there: powers of
+/// epsilon.
+constexpr int least_abscissa = 4, limit_distance = 2;
+/// Such an integral has a power p - 1 with p below this.
+constexpr double low_power = 0.01;
+
 /// The rule's abscissas. Boost 1.74 cannot build them down to the smallest MPFR number (its constructor throws), and
 /// need not: with the end powers absorbed integrands are bounded, and what lies below epsilon^4 does not count.
 template <Real R>
 boost::math::quadrature::tanh_sinh<R>& rule() {
-  thread_local boost::math::quadrature::tanh_sinh<R> instance(15, pow(epsilon<R>(), R(4)));
+  thread_local boost::math::quadrature::tanh_sinh<R> instance(15, pow(epsilon<R>(), R(least_abscissa)));
   return instance;
 }
 
@@ -42,10 +48,10 @@ Estimate<R> power_integral(const R& h, const Power<R>& power, const G& g) {
   }
   const R inverse = 1 / power.plus_one;
   const R factor = pow(h, power.plus_one) * inverse;
-  if (power.plus_one < R(0.01)) {
+  if (power.plus_one < R(low_power)) {
     // In the variable below all that g does lies within 1 + lambda of 1: so little of the integral that two levels agree
     // before they have seen it. Here it is a small integral of its own. At the end itself a density may leave a term out.
-    const R limit = g(h * epsilon<R>() * epsilon<R>());
+    const R limit = g(h * pow(epsilon<R>(), R(limit_distance)));
     const Estimate<R> rest = unit_integral<R>([&](const R& v) { return pow(v, power.value) * (g(h * v) - limit); });
     return factor * (Estimate<R>{limit, R(0)}.widened(16 * epsilon<R>()) + power.plus_one * rest);
   }
@@ -99,6 +105,13 @@ Estimate<R> panel_integral(const PanelDensity<R>& density) {
 }
 
 template <Real R>
+R logarithm(const Power<R>& power) {
+  const R of_epsilon = -log(epsilon<R>());
+  const R& p = power.plus_one;
+  return p < R(low_power) ? R(1 / p + limit_distance * of_epsilon) : R(least_abscissa * of_epsilon / p);
+}
+
+template <Real R>
 Estimate<R> integral(const PiecewiseDensity<R>& density) {
   Estimate<R> sum;
   for (const PanelDensity<R>& panel : density) sum += panel_integral(panel);
@@ -135,6 +148,7 @@ Estimate<R> cauchy(const PiecewiseDensity<R>& density, Side side, const R& dista
 
 #define STEADYSLIDE_INSTANTIATE(R)                                                \
   template Estimate<R> panel_integral(const PanelDensity<R>&);                    \
+  template R logarithm(const Power<R>&);                                          \
   template Estimate<R> integral(const PiecewiseDensity<R>&);                      \
   template Estimate<R> hilbert(const PiecewiseDensity<R>&, const PanelPoint<R>&); \
   template Estimate<R> cauchy(const PiecewiseDensity<R>&, Side, const R&);

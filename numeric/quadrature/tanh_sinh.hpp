@@ -15,6 +15,11 @@ namespace steadyslide::numeric::tanh_sinh {
 template <Real R>
 Estimate<R> panel_integral(const PanelDensity<R>& density);
 
+/// An upper bound of int dd/d over the distances d, in panel lengths, at which panel_integral() evaluates a density that has this
+/// power at an end. If the density is t/d, an error of t that does not vanish at the end has this factor in the integral.
+template <Real R>
+R logarithm(const Power<R>& power);
+
 /// int t over all panels.
 template <Real R>
 Estimate<R> integral(const PiecewiseDensity<R>& density);

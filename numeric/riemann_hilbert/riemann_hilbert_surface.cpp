@@ -272,8 +272,11 @@ const TractionIntegrals<R>& RiemannHilbertSolution<R>::integrals() const {
         const Estimate<R> t = traction(panel.node(contact_set(), 0));
         if (t.value != 0) error = std::max(error, R(t.error / abs(t.value)));
       }
-      on_panels.push_back(
-          {*load++, error, reduced_.s(form_.friction_at(k)), problem_.shear_ratio(form_.friction_at(k))});
+      const auto error_at = [&](std::size_t j, Side side) {
+        return traction(beside(contact_set(), j, side, R(epsilon<R>() * contact_set().length(k)))).error;
+      };
+      on_panels.push_back({*load++, error, error_at(k, Side::right), error_at(k + 1, Side::left),
+                           reduced_.s(form_.friction_at(k)), problem_.shear_ratio(form_.friction_at(k))});
     }
     return TractionIntegrals<R>(traction_density(form_), std::move(on_panels),
                                 to_real<R>(problem_.elasticity().gamma()), *this, to_real<R>(reduced_.frame().unit));

@@ -32,31 +32,14 @@
 
 #include <ginac/ginac.h>
 
-#include <functional>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "symbolic/field/exact_identity.hpp"
+#include "symbolic/statements/written_functions.hpp"
 
 namespace steadyslide::symbolic {
-
-struct ArgumentCount {
-  ArgumentCount(std::size_t n) : ArgumentCount(n, n) {}
-  ArgumentCount(std::size_t least, std::size_t most, std::size_t step = 1) : least(least), most(most), step(step) {}
-  bool admit(std::size_t n) const { return least <= n && n <= most && (n - least) % step == 0; }
-
-  std::size_t least;
-  std::size_t most;
-  std::size_t step;
-};
-
-struct WrittenFunction {
-  ArgumentCount arguments;
-  std::function<GiNaC::ex(const std::vector<GiNaC::ex>&)> value;
-};
-using WrittenFunctions = std::map<std::string, WrittenFunction>;
 
 /// The statements of the text in its order, those without lines from `decided_elsewhere`; `more`: functions that its
 /// expressions may use besides those of every text. Throws std::logic_error, with file and line, where the text cannot be

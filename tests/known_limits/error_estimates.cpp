@@ -212,9 +212,11 @@ std::string EstimateAudit::text() const {
   return out.str();
 }
 
-std::string EstimateAudit::failure() const {
+double largest_median(ContactFamily family) { return family == ContactFamily::many_wedges ? 20'000 : 1000; }
+
+std::string EstimateAudit::failure(double largest_median) const {
   if (!dishonest.empty()) return std::to_string(dishonest.size()) + " estimates are not honest";
-  if (!(median_too_large() <= 1000)) return "estimates are too large";
+  if (!(median_too_large() <= largest_median)) return "estimates are too large";
   if (compared < 9 * problems / 10 || all() < 50 * compared) return "too little was compared";
   return "";
 }

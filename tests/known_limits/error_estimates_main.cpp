@@ -28,7 +28,8 @@ int main(int count, char** arguments) {
     for (; different < audit.different.size(); ++different) std::cout << audit.different[different] << std::endl;
   }
   std::cout << audit.text();
-  if (audit.failure().empty()) return 0;
-  std::cout << audit.failure() << '\n';
+  const std::string failure = audit.failure(largest_median(*family));
+  if (failure.empty()) return 0;
+  std::cout << failure << '\n';
   return 1;
 }

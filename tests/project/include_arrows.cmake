@@ -23,7 +23,8 @@ set(algebra_headers app/report/built_with.cpp symbolic/cln/cln_number.hpp symbol
     symbolic/local/local_action.hpp symbolic/local/local_form.hpp symbolic/statements/local_form_check.hpp
     symbolic/local/local_place.hpp symbolic/field/phase_field.hpp
     symbolic/statements/polynomial_families.hpp symbolic/local/polynomial_slope.hpp symbolic/field/rational_function.hpp
-    symbolic/field/written_identity.hpp symbolic/statements/written_statements.hpp)
+    symbolic/field/written_identity.hpp symbolic/statements/written_expression.hpp
+    symbolic/statements/written_functions.hpp symbolic/statements/written_statements.hpp)
 
 set(wrong "")
 set(count 0)

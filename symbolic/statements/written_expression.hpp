@@ -1,0 +1,25 @@
+#pragma once
+// Expressions in the texts of statements: + - * / ^, parentheses, numbers, names, name_{index}, calls, [lists], list[index].
+
+#include <ginac/ginac.h>
+
+#include <string>
+#include <vector>
+
+namespace steadyslide::symbolic {
+
+/// What names, calls and lists mean where an expression stands.
+class ExpressionMeaning {
+ public:
+  virtual ~ExpressionMeaning() = default;
+
+  virtual GiNaC::ex named(const std::string& name) = 0;
+  virtual GiNaC::ex call(const std::string& function, const std::vector<GiNaC::ex>& arguments) = 0;
+  /// The values of what stands between the brackets of a list.
+  virtual std::vector<GiNaC::ex> items(const std::string& text) = 0;
+};
+
+/// Evaluates an expression from left to right. Throws UnreadableStatement.
+GiNaC::ex value_of(const std::string& text, ExpressionMeaning& meaning);
+
+}  // namespace steadyslide::symbolic
