@@ -181,7 +181,7 @@ std::vector<Rational> parse_list(const std::string& option, std::string_view tex
 
 int run_program(const Program& program, int argc, const char* const* argv) {
   const auto failed = [](ExitCode code, const std::string& message) {
-    fmt::print(stderr, "steadyslide: {}\n", one_line(message));
+    print_message(message);
     return static_cast<int>(code);
   };
   handle_signals();

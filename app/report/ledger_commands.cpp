@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 #include "app/commands/jobs.hpp"
@@ -49,7 +50,7 @@ std::vector<checks::Claim> selected(const Given& given) {
 }
 
 /// On a terminal only: a line that the next one overwrites.
-void show_progress(const std::string& line) { fmt::print(stderr, "\r\x1b[K{}", line); }
+void show_progress(const std::string& line) { std::fputs(("\r\x1b[K" + line).c_str(), stderr); }
 
 /// With progress on stderr where that is a terminal.
 VerifyResult examine(const checks::Context& context, unsigned processes, const std::vector<checks::Claim>& claims) {

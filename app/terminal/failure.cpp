@@ -1,7 +1,5 @@
 #include "app/terminal/failure.hpp"
 
-#include <fmt/format.h>
-
 #include <cstdio>
 
 namespace steadyslide::app {
@@ -12,10 +10,13 @@ Failure bad_command_line(const std::string& what, const std::string& rule, std::
   return bad_command_line(what + "; " + rule + "; " + excerpt(value));
 }
 
+void print_message(const std::string& message) {
+  // fmt::print would throw.
+  std::fputs(("steadyslide: " + one_line(message) + "\n").c_str(), stderr);
+}
+
 void warn(const std::string& file, const std::vector<std::string>& warnings) {
-  for (const std::string& what : warnings) {
-    fmt::print(stderr, "steadyslide: {}\n", one_line(file + ": warning: " + what));
-  }
+  for (const std::string& what : warnings) print_message(file + ": warning: " + what);
 }
 
 }  // namespace steadyslide::app

@@ -31,6 +31,9 @@ Failure bad_command_line(const std::string& what);
 /// "command line: WHAT; RULE; VALUE", exit code 2.
 Failure bad_command_line(const std::string& what, const std::string& rule, std::string_view value);
 
+/// "steadyslide: MESSAGE" on stderr, on one line. If stderr cannot be written, nothing happens.
+void print_message(const std::string& message);
+
 /// "steadyslide: FILE: warning: WHAT" on stderr, each on one line.
 void warn(const std::string& file, const std::vector<std::string>& warnings);
 

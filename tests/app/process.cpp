@@ -105,6 +105,12 @@ Finished run_program_for(int seconds, const std::vector<std::string>& arguments,
   return run_other(command, folder);
 }
 
+Finished run_without_stderr(const std::vector<std::string>& arguments, const fs::path& folder) {
+  std::vector<std::string> command = program(arguments);
+  command.insert(command.begin(), {"sh", "-c", "exec \"$@\" 2> /dev/full", "sh"});
+  return run_other(command, folder);
+}
+
 Finished run_on_terminal(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& input) {
   return run_watched(arguments, folder, input, [](pid_t, const std::string&) {});
 }

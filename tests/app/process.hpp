@@ -26,6 +26,9 @@ Finished run_program(const std::vector<std::string>& arguments, const std::files
 /// The same for at most so many seconds; the exit code is 124 for a program that does not end.
 Finished run_program_for(int seconds, const std::vector<std::string>& arguments, const std::filesystem::path& folder);
 
+/// The same with a standard error that cannot be written.
+Finished run_without_stderr(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
+
 /// The same with a terminal as its standard error: `err` is what the terminal was sent.
 Finished run_on_terminal(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
                          const std::string& input);

@@ -61,6 +61,12 @@ TEST_CASE("what cannot be read or written is exit code 3") {
   CHECK(folder.names() == std::vector<std::string>{"folder"});
 }
 
+TEST_CASE("a standard error that cannot be written changes no exit code") {
+  const TemporaryFolder folder;
+  CHECK(run_without_stderr({"solve", "none.toml"}, folder.path()).code == 3);
+  CHECK(run_without_stderr({"solve"}, folder.path()).code == 2);
+}
+
 TEST_CASE("no input is a pipe or a device, the standard input excepted") {
   const TemporaryFolder folder;
   REQUIRE(::mkfifo((folder.path() / "pipe").c_str(), 0600) == 0);
