@@ -8,7 +8,7 @@
 
 namespace steadyslide::symbolic {
 
-/// What names, calls and lists mean where an expression stands.
+/// Gives the values of the names, calls and lists in an expression.
 class ExpressionMeaning {
  public:
   virtual ~ExpressionMeaning() = default;

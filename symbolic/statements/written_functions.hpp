@@ -31,12 +31,12 @@ using WrittenFunctions = std::map<std::string, WrittenFunction>;
 /// The functions of every text that need no field.
 WrittenFunctions plain_functions();
 
-// What an expression is. Each throws UnreadableStatement if it is something else.
+// Conversions of an expression. Each throws UnreadableStatement if the expression has another type.
 
 int integer(const GiNaC::ex& e);
 /// An integer that is not negative.
 std::size_t count(const GiNaC::ex& e);
-/// A list in a text is a list of GiNaC's.
+/// The entries of a list.
 std::vector<GiNaC::ex> entries(const GiNaC::ex& e);
 GiNaC::ex list_of(const std::vector<GiNaC::ex>& entries);
 /// Components from left to right, three entries each: is the left end free, is the right end free, number of jumps.

@@ -38,8 +38,8 @@ struct EstimateAudit {
   std::string failure(double largest_median = 1000) const;
 };
 
-/// The largest admissible median of estimate/(true error). It is larger for many contact zones: the estimates add up the
-/// rounding of 6 to 20 coupled equations, and in truth it cancels.
+/// The largest admissible median of estimate/(true error). It is larger for problems with many contact zones. There the
+/// estimates add the rounding errors of 6 to 20 coupled equations; the true errors mostly cancel.
 double largest_median(ContactFamily family);
 
 /// One number of a kind, said as a line of `what` where it is not honest.
