@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/results/certified_text.hpp"
-#include "library/proof/proved_contact.hpp"
 #include "numeric/variational/variational_solution.hpp"
 
 namespace steadyslide::app {
@@ -71,7 +70,7 @@ std::vector<StretchText> Solver::between(const Problem& problem, const Rational&
 }
 
 template <numeric::Real R>
-std::optional<ApproximateContact> Solver::contact_in(const Problem& problem, std::function<SolutionText()>& text) {
+std::optional<library::FoundContact> Solver::contact_in(const Problem& problem, std::function<SolutionText()>& text) {
   Solution<R>& last = std::get<Solution<R>>(last_);
   const numeric::Attempt<R> found = attempt<R>(wanted_.method, problem.contact, last.get());
   if (!found.solution) {
@@ -85,7 +84,7 @@ std::optional<ApproximateContact> Solver::contact_in(const Problem& problem, std
     if (result.is_solved()) last = solution;
     return result;
   };
-  return found.solution->approximate_contact();
+  return library::FoundContact{found.solution->approximate_contact(), found.solution->failed_condition().empty()};
 }
 
 SolutionText Solver::solve_certified(const Problem& problem) {

@@ -8,6 +8,7 @@
 
 #include "app/results/solution_text.hpp"
 #include "library/proof/certificate.hpp"
+#include "library/proof/proved_contact.hpp"
 #include "library/solve/method.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 
@@ -48,7 +49,7 @@ class Solver {
   /// Returns the contact that the solver finds, and sets `text` to a function that makes the solution's text; it refers to
   /// `problem`. If the solver finds none, returns nothing, and the text gives the reason.
   template <numeric::Real R>
-  std::optional<ApproximateContact> contact_in(const Problem& problem, std::function<SolutionText()>& text);
+  std::optional<library::FoundContact> contact_in(const Problem& problem, std::function<SolutionText()>& text);
   SolutionText solve_on_cells(const Problem& problem) const;
 
   Wanted wanted_;

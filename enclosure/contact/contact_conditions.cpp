@@ -81,7 +81,7 @@ std::int64_t ContactConditions::work() const {
       panels += ContactPanel::graded(set_, part.segment, part.extent).size();
     }
   }
-  return static_cast<std::int64_t>(panels) * form_.count() * form_.work_of_place();
+  return static_cast<std::int64_t>(panels) * form_.count() * form_.work_of_place() + form_.work_of_panels();
 }
 
 std::vector<Ball> ContactConditions::conditions() const {

@@ -20,7 +20,7 @@ class ContactConditions {
   explicit ContactConditions(const ContactForm& form)
       : form_(form), set_(form.set()), q_(form.q()), degree_(set_.degree_at_infinity()) {}
 
-  /// The work of conditions(), for a budget (work_budget.hpp).
+  /// The work of the form and of conditions(), for a budget (work_budget.hpp).
   std::int64_t work() const;
   /// In the order moments, gaps, moment of the load: all of them are 0 at a solution.
   std::vector<Ball> conditions() const;

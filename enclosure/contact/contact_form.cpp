@@ -121,6 +121,9 @@ void ContactForm::take_differences(std::size_t segment) {
     for (const Slope& slope : slopes_) degree = std::max(degree, slope.exact.degree());
     moments_of_weights = SegmentMoments::of_weights(set_, segment, panels_[segment], degree);
   }
+  const auto nodes = static_cast<std::int64_t>(panels_[segment].size()) * count_;
+  work_of_panels_ +=
+      nodes * static_cast<std::int64_t>(set_.points() + moments_of_weights.size()) * ((set_.bits() + 63) / 64);
   for (std::size_t k = 0; k < slopes_.size(); ++k) {
     Difference difference;
     difference.exact = set_.interval(segment).slope - slopes_[k].exact;

@@ -58,6 +58,8 @@ class ContactForm {
   int count() const { return count_; }
   /// The work of B_k at one place, for a budget (work_budget.hpp).
   std::int64_t work_of_place() const { return work_of_place_; }
+  /// The work of the panels of all segments, which the constructor makes.
+  std::int64_t work_of_panels() const { return work_of_panels_; }
   /// With the load.
   const BallPolynomial& q() const { return q_; }
   /// B_k in a segment, k its own slope.
@@ -135,6 +137,7 @@ class ContactForm {
   Ball tilt_;
   int count_;
   std::int64_t work_of_place_ = 0;
+  std::int64_t work_of_panels_ = 0;
   JacobiRules* rules_;
   std::vector<Ball> expansion_;
   std::vector<Ball> reciprocal_;

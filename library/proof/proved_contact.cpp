@@ -23,12 +23,13 @@ std::optional<enclosure::ContactProof> proved_contact(const ContactProblem& prob
   std::optional<ApproximateContact> refuted;
   for (const int solved_with : std::array{16, 50, 100}) {
     if (solved_with < first) continue;
-    const std::optional<ApproximateContact> contact = found(solved_with);
+    const std::optional<FoundContact> solution = found(solved_with);
     // The proof decided a sign the wrong way at these ends. More digits of the same ends cannot change that.
-    if (!contact || (refuted && same_contact_set(*refuted, *contact))) break;
-    proof = enclosure::prove_contact(problem, *contact, digits, work);
-    if (proof->proved || work.is_spent()) break;
-    if (proof->refuted) refuted = contact;
+    if (!solution || (refuted && same_contact_set(*refuted, solution->contact))) break;
+    proof = enclosure::prove_contact(problem, solution->contact, digits, work);
+    const bool is_hopeless = solved_with > 16 && !solution->is_solved;
+    if (proof->proved || work.is_spent() || is_hopeless) break;
+    if (proof->refuted) refuted = solution->contact;
   }
   return proof;
 }

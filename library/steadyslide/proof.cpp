@@ -24,9 +24,9 @@ Proof Solution::certify() const {
   const ContactProblem& problem = contact_problem(state_->problem);
   const int first = state_->digits <= 16 ? 16 : state_->digits <= 50 ? 50 : 100;
   std::shared_ptr<const State> state = state_;
-  const auto found = [&](int digits) -> std::optional<ApproximateContact> {
+  const auto found = [&](int digits) -> std::optional<library::FoundContact> {
     if (digits > first) state = solved_state(state_->problem, library::method_named(state_->method), digits, {});
-    return state->approximate_contact();
+    return library::FoundContact{state->approximate_contact(), state->failed_condition.empty()};
   };
   const auto proof = library::proved_contact(problem, state_->digits, first, found);
   if (proof->proved) return {true, "", library::certificate(problem, *proof, state_->digits), state->unresolved_gaps()};

@@ -208,6 +208,16 @@ TEST_CASE("a proof ends where its budget is spent, and says where") {
   CHECK(std::abs(proof.where.value()) < 0.5);
 }
 
+TEST_CASE("the many panels beside a very short piece of contact are counted in the budget") {
+  // The solver fails here: a contact that ends 1e-170 beyond a notch.
+  const ContactProblem problem = random_contact(21060008, ContactFamily::notches);
+  const ApproximateContact contact = riemann_hilbert<double>(problem).solution->approximate_contact();
+  WorkBudget work(WorkBudget::usual / 50);
+  const ContactProof proof = prove_contact(problem, contact, 16, work);
+  CHECK_FALSE(proof.proved);
+  CHECK(proof.reason == "the budget of work is spent before Newton's method has converged");
+}
+
 TEST_CASE("a gap that almost closes is decided with little work, where it is lowest in between and where it falls") {
   // Under 0.188034223129743829393...  the second bowl touches, under 0.302786423542875... the end of the lifted face.
   const Indenter bowls(-1, {{0.5_r, Polynomial({0, 0, 1})}, {2, Polynomial({1.6_r, -2.4_r, 1})}});

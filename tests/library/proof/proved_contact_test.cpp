@@ -9,21 +9,23 @@
 namespace {
 
 using namespace steadyslide;
+using library::FoundContact;
 
 struct Tried {
   std::vector<int> digits;
   std::optional<enclosure::ContactProof> proof;
 };
 
-/// A flat punch, whose contact the solver finds with so many digits only; it finds nothing with `nothing_with`.
-Tried tried(int first, int good_from, int nothing_with = 0) {
+/// A flat punch, whose contact the solver finds with so many digits only; it finds nothing with `nothing_with`, and knows that it
+/// has not solved the problem from `unsolved_from` digits on.
+Tried tried(int first, int good_from, int nothing_with = 0, int unsolved_from = 1000) {
   const ContactProblem problem = reduced({0.1_r, 0.5_r}, {0}, one_piece(-1, 1, {}), 1);
   Tried result;
-  result.proof = library::proved_contact(problem, 20, first, [&](int digits) -> std::optional<ApproximateContact> {
+  result.proof = library::proved_contact(problem, 20, first, [&](int digits) -> std::optional<FoundContact> {
     result.digits.push_back(digits);
     if (digits == nothing_with) return std::nullopt;
-    if (digits >= good_from) return ApproximateContact{{{-1}, {1}}};
-    return ApproximateContact{{{-1}, {0, Side::right, 0.5_r, true}}};
+    if (digits >= good_from) return FoundContact{{{{-1}, {1}}}};
+    return FoundContact{{{{-1}, {0, Side::right, 0.5_r, true}}}, digits < unsolved_from};
   });
   return result;
 }
@@ -57,6 +59,14 @@ TEST_CASE("a solver that finds nothing ends the attempts") {
   CHECK_FALSE(later.proof.value().proved);
 }
 
+TEST_CASE("what is not solved with 50 digits is not tried with 100") {
+  CHECK((tried(16, 1000, 0, 50).digits == std::vector{16, 50}));
+  CHECK((tried(16, 1000, 0, 16).digits == std::vector{16, 50}));
+  CHECK((tried(50, 1000, 0, 50).digits == std::vector{50}));
+  // A contact that is proved needs no word of the solver.
+  CHECK(tried(16, 50, 0, 16).proof.value().proved);
+}
+
 TEST_CASE("ends at other distances make another contact set") {
   // Contact on the left bowl alone: the right one penetrates.
   const Polynomial left({0, 0, 1}), right({1.6_r, -2.4_r, 1});
@@ -67,11 +77,11 @@ TEST_CASE("ends at other distances make another contact set") {
   for (const auto& [shift, asked] :
        {std::pair(Rational(1, 10000), std::vector{16, 50}), {Rational(1, 100), std::vector{16, 50, 100}}}) {
     std::vector<int> digits;
-    const auto proof = library::proved_contact(problem, 20, 16, [&](int wanted) -> std::optional<ApproximateContact> {
+    const auto proof = library::proved_contact(problem, 20, 16, [&](int wanted) -> std::optional<FoundContact> {
       ApproximateContact result = alone;
       for (ApproximateContact::End& end : result.ends) end.offset *= 1 + shift * static_cast<int>(digits.size());
       digits.push_back(wanted);
-      return result;
+      return FoundContact{result};
     });
     REQUIRE(proof);
     CHECK(proof->refuted);
@@ -87,9 +97,9 @@ TEST_CASE("a contact set that is refuted is not proved again with more digits, a
   const ApproximateContact open = numeric::riemann_hilbert<double>(problem).solution->approximate_contact();
   for (const bool opens : {false, true}) {
     std::vector<int> digits;
-    const auto proof = library::proved_contact(problem, 20, 16, [&](int wanted) -> std::optional<ApproximateContact> {
+    const auto proof = library::proved_contact(problem, 20, 16, [&](int wanted) -> std::optional<FoundContact> {
       digits.push_back(wanted);
-      return opens && wanted > 16 ? open : closed;
+      return FoundContact{opens && wanted > 16 ? open : closed};
     });
     REQUIRE(proof);
     CHECK(proof->refuted == !opens);
