@@ -81,7 +81,8 @@ std::int64_t ContactConditions::work() const {
       panels += ContactPanel::graded(set_, part.segment, part.extent).size();
     }
   }
-  return static_cast<std::int64_t>(panels) * form_.count() * form_.work_of_place() + form_.work_of_panels();
+  // Segments seen from afar take the bits that show: half of them.
+  return static_cast<std::int64_t>(panels) * form_.count() * form_.work_of_place() / 2 + form_.work_of_panels();
 }
 
 std::vector<Ball> ContactConditions::conditions() const {
