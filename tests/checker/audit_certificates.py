@@ -1,15 +1,18 @@
 #!/usr/bin/env python3
-"""audit_certificates.py STEADYSLIDE CHECKER FIRST COUNT [FOLDER]: what the certifier proves the checker proves, in a few seconds.
+"""What the certifier proves of random problems the checker proves, in a few seconds.
 
-Random problems by seed, FIRST and on, until COUNT have a certificate: notches, steps, wedges on jumps, tilting indenters, and
+Random problems by seed, `first` and on, until `count` have a certificate: notches, steps, wedges on jumps, tilting indenters, and
 these together, some of them with friction that almost does not jump. Each is solved with --certify --certificate, and
-steadyslide-check --problem reads what was written. An answer takes at most MOST_SECONDS. FOLDER receives the problem files of
-those that fail.
+steadyslide-check --problem reads what was written. An answer takes at most MOST_SECONDS. `folder` receives the problem files
+of those that fail.
 
-What it would miss: a wrong model that both programs share; both read problem files.
+What it would miss: a wrong model that both programs share; both read problem files. With 16 digits: what goes wrong only where the
+bounds need more bits.
 """
 
+import argparse
 import collections
+import os
 import pathlib
 import random
 import resource
@@ -116,12 +119,20 @@ def answered(command, folder):
 
 
 def main():
-    steadyslide, checker, seed, wanted = sys.argv[1], sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
-    kept = pathlib.Path(sys.argv[5]) if len(sys.argv) > 5 else None
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("steadyslide", type=os.path.abspath)
+    parser.add_argument("checker", type=os.path.abspath)
+    parser.add_argument("first", type=int)
+    parser.add_argument("count", type=int)
+    parser.add_argument("folder", type=pathlib.Path, nargs="?")
+    parser.add_argument("--digits", default="16")
+    arguments = parser.parse_args()
+    seed, kept = arguments.first, arguments.folder
+    certify = [arguments.steadyslide, "solve", "p.toml", "--certify", "--certificate", "c.json", "--digits", arguments.digits]
     counts, failures, slowest = collections.Counter(), [], {"certifier": (0.0, 0), "checker": (0.0, 0)}
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        while counts["certificates"] < wanted:
+        while counts["certificates"] < arguments.count:
             family, problem_file = problem(seed)
             (folder / "p.toml").write_text(problem_file)
             (folder / "c.json").unlink(missing_ok=True)
@@ -132,7 +143,7 @@ def main():
                 if kept:
                     (kept / f"{seed}.toml").write_text(f"# {who}: {said}\n{problem_file}")
 
-            code, said, seconds = answered([steadyslide, "solve", "p.toml", "--certify", "--certificate", "c.json"], folder)
+            code, said, seconds = answered(certify, folder)
             slowest["certifier"] = max(slowest["certifier"], (seconds, seed))
             counts["problems"] += 1
             if code is None:
@@ -140,7 +151,7 @@ def main():
             elif (folder / "c.json").exists():
                 counts["certificates"] += 1
                 counts[family] += 1
-                code, said, seconds = answered([checker, "--problem", "p.toml", "c.json"], folder)
+                code, said, seconds = answered([arguments.checker, "--problem", "p.toml", "c.json"], folder)
                 slowest["checker"] = max(slowest["checker"], (seconds, seed))
                 if code != 0:
                     failed("checker", said)
