@@ -81,7 +81,7 @@ std::int64_t ContactConditions::work() const {
       panels += ContactPanel::graded(set_, part.segment, part.extent).size();
     }
   }
-  // Segments seen from afar take the bits that show: half of them.
+  // Sums over distant segments need fewer bits from term to term: half of them on average.
   return static_cast<std::int64_t>(panels) * form_.count() * form_.work_of_place() / 2 + form_.work_of_panels();
 }
 

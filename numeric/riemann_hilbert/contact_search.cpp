@@ -18,7 +18,7 @@ class Search {
       : problem_(problem), rules_(rules), state_(std::move(start)) {}
 
   SearchResult<R> run() {
-    // A search with more digits begins with what double found. If it is not over soon, an end runs to and fro.
+    // A search with more digits starts from the result in double. If it is long, an end moves back and forth for ever.
     constexpr int max_rounds = std::same_as<R, double> ? 60 : 20;
     std::string why = "the contact set kept changing";
     for (int round = 0; round < max_rounds; ++round) {

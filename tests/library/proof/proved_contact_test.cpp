@@ -16,8 +16,8 @@ struct Tried {
   std::optional<enclosure::ContactProof> proof;
 };
 
-/// A flat punch, whose contact the solver finds with so many digits only; it finds nothing with `nothing_with`, and knows that it
-/// has not solved the problem from `unsolved_from` digits on.
+/// A flat punch, whose contact the solver finds with so many digits only; it finds nothing with `nothing_with`. From
+/// `unsolved_from` digits on it reports that a wrong contact is no solution.
 Tried tried(int first, int good_from, int nothing_with = 0, int unsolved_from = 1000) {
   const ContactProblem problem = reduced({0.1_r, 0.5_r}, {0}, one_piece(-1, 1, {}), 1);
   Tried result;
@@ -63,7 +63,7 @@ TEST_CASE("what is not solved with 50 digits is not tried with 100") {
   CHECK((tried(16, 1000, 0, 50).digits == std::vector{16, 50}));
   CHECK((tried(16, 1000, 0, 16).digits == std::vector{16, 50}));
   CHECK((tried(50, 1000, 0, 50).digits == std::vector{50}));
-  // A contact that is proved needs no word of the solver.
+  // What is not solved in double is tried with 50 digits.
   CHECK(tried(16, 50, 0, 16).proof.value().proved);
 }
 
