@@ -17,14 +17,12 @@ std::vector<Ball> SegmentMoments::of_weights(const ContactSet& set, std::size_t 
   const Ball half_length = set.length(segment) / Ball(2);
   std::vector<Ball> result(terms(bits) + static_cast<std::size_t>(std::max(degree, 0)) + 1, Ball(0, bits));
   for (const ContactPanel& panel : panels) {
+    std::vector<Ball> weights, points;
     for (const ContactPanel::Node& node : panel.nodes()) {
-      const Ball y = node.from_left - half_length;
-      Ball term = node.weight;
-      for (Ball& moment : result) {
-        moment += term;
-        term *= y;
-      }
+      weights.push_back(node.weight);
+      points.push_back(node.from_left - half_length);
     }
+    add_moments(result, weights, points);
   }
   return result;
 }

@@ -1,6 +1,43 @@
 #include "enclosure/number/ball_polynomial.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace steadyslide::enclosure {
+namespace {
+
+/// A polynomial with fewer coefficients is evaluated one by one.
+constexpr std::size_t many_coefficients = 16;
+
+/// A block of this many powers, and as many blocks, make up `count` powers.
+std::size_t block_of(std::size_t count) {
+  return static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
+}
+
+/// The same numbers in one array, as Arb takes them, to be read only.
+std::vector<arb_struct> array_of(const std::vector<Ball>& balls) {
+  std::vector<arb_struct> result;
+  for (const Ball& ball : balls) result.push_back(*ball.get());
+  return result;
+}
+
+Ball value_of_many(const BallPolynomial& polynomial, const Ball& x) {
+  const std::size_t block = block_of(polynomial.size());
+  std::vector<Ball> powers{Ball(1, x.bits())};
+  while (powers.size() <= block) powers.push_back(powers.back() * x);
+  const std::vector<arb_struct> factors = array_of(powers);
+  const std::vector<arb_struct> coefficients = array_of(polynomial);
+  Ball value(0, x.bits());
+  for (std::size_t first = (polynomial.size() - 1) / block * block;; first -= block) {
+    value *= powers.back();
+    const std::size_t length = std::min(block, polynomial.size() - first);
+    arb_dot(value.get(), value.get(), 0, &coefficients[first], 1, factors.data(), 1, static_cast<slong>(length),
+            value.bits());
+    if (first == 0) return value;
+  }
+}
+
+}  // namespace
 
 BallPolynomial in_balls(const Polynomial& polynomial, Bits bits) {
   BallPolynomial result;
@@ -9,9 +46,35 @@ BallPolynomial in_balls(const Polynomial& polynomial, Bits bits) {
 }
 
 Ball value_at(const BallPolynomial& polynomial, const Ball& x) {
+  if (polynomial.size() >= many_coefficients) return value_of_many(polynomial, x);
   Ball value(0, x.bits());
   for (std::size_t i = polynomial.size(); i-- > 0;) value = value * x + polynomial[i];
   return value;
+}
+
+void add_moments(std::vector<Ball>& moments, const std::vector<Ball>& weights, const std::vector<Ball>& points) {
+  const std::size_t block = block_of(moments.size());
+  // powers[a] = points^a; weighted = weights points^(block b): moment a + block b is their product.
+  std::vector<std::vector<Ball>> powers{std::vector<Ball>(points.size(), Ball(1))};
+  std::vector<std::vector<arb_struct>> factors{array_of(powers[0])};
+  const auto times = [](const std::vector<Ball>& a, const std::vector<Ball>& b) {
+    std::vector<Ball> result;
+    for (std::size_t i = 0; i < a.size(); ++i) result.push_back(a[i] * b[i]);
+    return result;
+  };
+  for (std::size_t a = 1; a <= block; ++a) {
+    powers.push_back(times(powers.back(), points));
+    factors.push_back(array_of(powers.back()));
+  }
+  std::vector<Ball> weighted = weights;
+  for (std::size_t first = 0; first < moments.size(); first += block) {
+    if (first > 0) weighted = times(weighted, powers[block]);
+    const std::vector<arb_struct> terms = array_of(weighted);
+    for (std::size_t k = first; k < std::min(first + block, moments.size()); ++k) {
+      arb_dot(moments[k].get(), moments[k].get(), 0, terms.data(), 1, factors[k - first].data(), 1,
+              static_cast<slong>(terms.size()), moments[k].bits());
+    }
+  }
 }
 
 Ball integral_over(BallPolynomial polynomial, const Ball& x, const Ball& length) {

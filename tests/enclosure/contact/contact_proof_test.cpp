@@ -218,6 +218,22 @@ TEST_CASE("the many panels beside a very short piece of contact are counted in t
   CHECK(proof.reason == "the budget of work is spent before Newton's method has converged");
 }
 
+TEST_CASE("slow: twenty bowls under two frictions are proved with 50 digits" * doctest::skip()) {
+  std::vector<Indenter::Piece> bowls;
+  for (int k = 0; k < 20; ++k) {
+    const Rational centre = Rational(2 * k - 19) / 20;
+    bowls.push_back({centre + 0.05_r, Polynomial({centre * centre, -2 * centre, 1})});
+  }
+  const ContactProblem problem(Elasticity(Solid(0.3_r, 1)), FrictionProfile({0.2_r, 0.5_r}, {0.01_r}),
+                               Indenter(-1, bowls), 0.001_r);
+  const auto solution = riemann_hilbert<Real50>(problem).solution;
+  REQUIRE(solution->contact().size() == 20);
+  // It takes 105 million units.
+  WorkBudget work(150'000'000);
+  const ContactProof proof = prove_contact(problem, solution->approximate_contact(), 50, work);
+  CHECK_MESSAGE(proof.proved, proof.reason);
+}
+
 TEST_CASE("a gap that almost closes is decided with little work, where it is lowest in between and where it falls") {
   // Under 0.188034223129743829393...  the second bowl touches, under 0.302786423542875... the end of the lifted face.
   const Indenter bowls(-1, {{0.5_r, Polynomial({0, 0, 1})}, {2, Polynomial({1.6_r, -2.4_r, 1})}});
