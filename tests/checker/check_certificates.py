@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""check_certificates.py CHECKER: steadyslide-check proves the certificates in certificates/, and none that is changed.
+"""check_certificates.py CHECKER STEADYSLIDE: steadyslide-check proves certificates, and none that is changed.
 
-A file NAME.json has to be proved, NAME.loads.json too, an interval of loads, and NAME.cells.json, a bound for cells; NAME.refused.json has to be refused, with the
-words in its name's line of REFUSED. The problem files stand in problems/.
+Certificates are made from all files in problems/ with `steadyslide solve --certify --certificate`. Some are stored in certificates/, so
+that a change of the format is noticed. NAME.loads is for an interval of loads, NAME.cells a bound for cells; both are made with the
+options in MADE. NAME.refused.json has to be refused, with the words in its name's line of REFUSED.
 Changes: every kind in CHANGES, on the certificate it names; then every key left out, and every value of another type.
 """
 
@@ -14,10 +15,34 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).parent / "certificates"
+PROBLEMS = pathlib.Path(__file__).parent / "problems"
+MADE = {
+    "parabola_rough_front.loads": ("--load-steps", "0.9,1.1"),
+    "two_bumps.loads": ("--load-steps", "0.099,0.101"),
+    "lifted_punch.loads": ("--load-steps", "0.98,1.02"),
+    "rounded_wedge.loads": ("--load-steps", "0.999,1.001"),
+    "parabola_rough_front.cells": ("--method", "variational", "--cells", "64"),
+}
 REFUSED = {
     "wedge_on_jump_below_threshold": "theta > 0 fails",
     "wedge_on_jump_closed_corner": "theta > 0 fails",
 }
+
+
+def problem_of(name):
+    return PROBLEMS / f"{name.removesuffix('.loads').removesuffix('.cells')}.toml"
+
+
+def made_by(steadyslide):
+    """Certificates by name, from the files in problems/."""
+    names = {f.stem: ("--digits", "50") for f in sorted(PROBLEMS.glob("*.toml")) if not f.stem.endswith(".refused")}
+    certificates = {}
+    with tempfile.NamedTemporaryFile("r", suffix=".json") as file:
+        for name, options in (names | MADE).items():
+            subprocess.run([steadyslide, "solve", problem_of(name), "--certify", "--certificate", file.name, *options],
+                           stdout=subprocess.DEVNULL, timeout=300, check=True)
+            certificates[name] = pathlib.Path(file.name).read_text()
+    return certificates
 
 
 def run(checker, text, *options):
@@ -282,18 +307,23 @@ def main():
         if code not in codes or words not in said or not clear:
             failures.append(f"{what}: exit code {code}: {said.strip()[:300]}")
 
-    certificates = {f.name.removesuffix(".json"): f.read_text() for f in sorted(HERE.glob("*.json"))}
-    for name, text in certificates.items():
-        if name.endswith(".refused"):
-            expect({1}, name, text, REFUSED[name.removesuffix(".refused")])
-            continue
-        problem = HERE.parent / "problems" / f"{name.removesuffix('.loads').removesuffix('.cells')}.toml"
+    def expect_proof(name, text):
         proved = ("load shares and effective friction of the solution lie in the intervals" if name.endswith(".cells")
                   else "for every load its box contains a solution" if name.endswith(".loads")
                   else "the box contains a solution")
-        expect({0}, name, text, f"proved: {proved}", ("--problem", problem))
-        other = certificates[PUNCH if name.startswith(PARABOLA) else PARABOLA]
-        expect({1}, f"{name}'s problem, another certificate", other, "not the certificate's", ("--problem", problem))
+        options = ("--problem", problem_of(name))
+        expect({0}, name, text, f"proved: {proved}", options)
+        other = certificates["two_bumps" if name.startswith(PARABOLA) else PARABOLA]
+        expect({1}, f"{name}'s problem, another certificate", other, "not the certificate's", options)
+
+    stored = {f.name.removesuffix(".json"): f.read_text() for f in sorted(HERE.glob("*.json"))}
+    made = made_by(sys.argv[2])
+    certificates = made | stored
+    for name, text in [*made.items(), *stored.items()]:
+        if name.endswith(".refused"):
+            expect({1}, name, text, REFUSED[name.removesuffix(".refused")])
+        else:
+            expect_proof(name, text)
 
     for what, name, apply in CHANGES:
         changed = json.loads(certificates[name])
@@ -341,7 +371,7 @@ def main():
     print("\n".join(failures))
     print(f"{checked - len(failures)} passed, {len(failures)} failed")
     print(f"{len(CHANGES)} kinds of change")
-    sys.exit(bool(failures) or len(certificates) < 12)
+    sys.exit(bool(failures) or len(stored) < 8 or len(made) < 20)
 
 
 if __name__ == "__main__":
