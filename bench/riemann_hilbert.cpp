@@ -94,7 +94,7 @@ void traction(benchmark::State& state, bool wedge) {
 /// t = s g/(1+s^2) - eps cos(pi alpha) |Y| (1/pi) PV int eps cos(pi alpha) g/|Y| dx'/(x'-x), by QAWS and QAWC alone.
 void traction_by_gsl(benchmark::State& state, bool wedge) {
   const auto& s = dynamic_cast<const RiemannHilbertSolution<double>&>(solution<double>(few, wedge));
-  const RiemannHilbertForm<double>& form = s.form();
+  const TractionRepresentation<double>& form = s.form();
   const ContactSet<double>& set = form.set();
   PiecewiseDensity<double> density;
   std::vector<std::size_t> segments;

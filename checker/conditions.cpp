@@ -28,7 +28,7 @@ std::vector<int> orders_at_infinity(const Contact& contact) {
 
 /// int Y B_k over a panel inside a gap. In the strip of the rule |B_k| is at most the bound of its polynomial plus
 /// sec(d/2) times its integrals with absolute values.
-Ball integral_of_YB(const Form& form, std::size_t k, const PowerPanel& panel) {
+Ball integral_of_YB(const TractionRepresentation& form, std::size_t k, const PowerPanel& panel) {
   const Contact& contact = form.contact();
   const Trapezoid rule = panel.rule(form.bits());
   const auto place = [&](const Ball& u, const Ball& v) {
@@ -49,7 +49,7 @@ Ball integral_of_YB(const Form& form, std::size_t k, const PowerPanel& panel) {
       total += node.weight * horner(polynomial, y).widened(interpolant->rest()).rounded(contact.precision());
       integrals += node.weight * interpolant->integrals();
     } else {
-      const Form::Value b = form.regular_to(form.bits() + 8 - below, k, place(node.u, node.v));
+      const TractionRepresentation::Value b = form.regular_to(form.bits() + 8 - below, k, place(node.u, node.v));
       total += node.weight * b.value;
       integrals += node.weight * b.integrals;
     }
@@ -61,7 +61,7 @@ Ball integral_of_YB(const Form& form, std::size_t k, const PowerPanel& panel) {
 }
 
 /// int Y p/(x - e) over the gap between points j and i, e the point `extra`; int Y p if it is none.
-Ball integral_of_Y(const Form& form, std::size_t j, std::size_t i, const std::vector<Ball>& p,
+Ball integral_of_Y(const TractionRepresentation& form, std::size_t j, std::size_t i, const std::vector<Ball>& p,
                    std::size_t extra = none) {
   const Contact& contact = form.contact();
   const Trapezoid rule = PowerPanel{contact, j, i, {}, {}, 1, extra, p.size()}.rule(form.bits());
@@ -76,7 +76,7 @@ Ball integral_of_Y(const Form& form, std::size_t j, std::size_t i, const std::ve
   return Ball(side * contact.sign(j)) * sum.widened(rule.error(0, M, weights));
 }
 
-Ball gap_error(const Form& form, std::size_t j, std::size_t i) {
+Ball gap_error(const TractionRepresentation& form, std::size_t j, std::size_t i) {
   const Contact& contact = form.contact();
   const std::size_t cut = longest_segment(contact, j, i);
   const Ball half = contact.length(cut) * Ball(0.5);
@@ -113,7 +113,7 @@ Ball slope_difference(const Contact& contact, std::size_t segment, std::size_t k
   return sum * (to - from);
 }
 
-Ball gap_at(const Form& form, std::size_t end, const Place& at) {
+Ball gap_at(const TractionRepresentation& form, std::size_t end, const Place& at) {
   const Contact& contact = form.contact();
   const bool rightwards = end <= at.left;
   const std::size_t k = contact.slope_of(rightwards ? end - 1 : end);
@@ -143,7 +143,7 @@ std::size_t longest_segment(const Contact& contact, std::size_t j, std::size_t i
   return longest;
 }
 
-std::vector<Ball> conditions(const Form& form) {
+std::vector<Ball> conditions(const TractionRepresentation& form) {
   const Contact& contact = form.contact();
   const slong precision = contact.precision();
   const int S = contact.degree_at_infinity();
@@ -168,7 +168,7 @@ std::vector<Ball> conditions(const Form& form) {
   return result;
 }
 
-std::vector<std::vector<Ball>> jacobian(const Form& form) {
+std::vector<std::vector<Ball>> jacobian(const TractionRepresentation& form) {
   const Contact& contact = form.contact();
   const int S = contact.degree_at_infinity();
   const Ball pi = Ball::pi(contact.precision());

@@ -10,19 +10,19 @@
 //   d(u'/c)/d e_f = Y (rho_f/(z - e_f) + r),  rho_f = p_f B(e_f),  r = -p_f [q/(z - e_f)]_poly/pi,
 //   d(u'/c)/d q_l = Y z^l/pi,  d(u'/c)/d tilt = 1 - Y [1/Y]_poly.
 
-#include "checker/form.hpp"
+#include "checker/traction_representation.hpp"
 
 namespace steadyslide::checker {
 
 /// int (g - g_k) over [from, to] within a segment, both from its left point; g the segment's own slope.
 Ball slope_difference(const Contact& contact, std::size_t segment, std::size_t k, const Ball& from, const Ball& to);
 /// The gap at a place off the contact, from the end of contact at point `end` on: steps + int (g - g_k) + int Y B_k.
-Ball gap_at(const Form& form, std::size_t end, const Place& at);
+Ball gap_at(const TractionRepresentation& form, std::size_t end, const Place& at);
 /// The longest segment of those between points j and i: in its middle a gap changes from one B_k to the other.
 std::size_t longest_segment(const Contact& contact, std::size_t j, std::size_t i);
 
-std::vector<Ball> conditions(const Form& form);
+std::vector<Ball> conditions(const TractionRepresentation& form);
 /// A row for each condition, a column for each unknown and then one for the load P/unit.
-std::vector<std::vector<Ball>> jacobian(const Form& form);
+std::vector<std::vector<Ball>> jacobian(const TractionRepresentation& form);
 
 }  // namespace steadyslide::checker

@@ -15,7 +15,7 @@
 
 #include <optional>
 
-#include "checker/form.hpp"
+#include "checker/traction_representation.hpp"
 
 namespace steadyslide::checker {
 
@@ -23,8 +23,8 @@ class Interpolant {
  public:
   /// B_k from the place `start` on over `length`, to 2^-bits of its integrals with absolute values. Nothing where a
   /// segment with another polynomial is closer than an eighth of the length.
-  static std::optional<Interpolant> of(const Form& form, slong bits, std::size_t k, const Place& start,
-                                       const Ball& length);
+  static std::optional<Interpolant> of(const TractionRepresentation& form, slong bits, std::size_t k,
+                                       const Place& start, const Ball& length);
 
   /// A ball that contains all values on the panel.
   Ball range() const;

@@ -49,7 +49,7 @@ std::string name_of(std::size_t unknown, const Layout& layout) {
 
 Matrix jacobian_over(const ReducedProblem& problem, const Box& box, slong precision) {
   const Contact contact(problem, box.layout, box.V.log_offsets, precision);
-  return jacobian(Form(contact, box.V, box.loads, jacobian_bits));
+  return jacobian(TractionRepresentation(contact, box.V, box.loads, jacobian_bits));
 }
 
 /// At the middle load.
@@ -58,7 +58,7 @@ std::vector<Ball> conditions_at(const ReducedProblem& problem, const Box& box, c
   const Unknowns at = box.V.with(v);
   const Contact contact(problem, box.layout, at.log_offsets, precision);
   const Rational p = (box.loads.from + box.loads.to) / 2;
-  return conditions(Form(contact, at, {p, p}, bits));
+  return conditions(TractionRepresentation(contact, at, {p, p}, bits));
 }
 
 /// As many bits of F(v) as the box needs: what they leave open, seen through C, is 2^-12 of the box. `F` has jacobian_bits.

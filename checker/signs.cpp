@@ -60,7 +60,9 @@ class HalfSegment {
 
 class Prover {
  public:
-  explicit Prover(const Form& form) : form_(form), contact_(form.contact()) { result_.bits = form.bits(); }
+  explicit Prover(const TractionRepresentation& form) : form_(form), contact_(form.contact()) {
+    result_.bits = form.bits();
+  }
 
   Signs run() {
     for (std::size_t j = 0; j < contact_.points(); ++j) check_anchor(j);
@@ -188,7 +190,7 @@ class Prover {
     const slong precision = contact_.precision();
     const Ball pi = Ball::pi(precision);
     const Ball r = d1 * Ball(std::ldexp(1.0, static_cast<int>(form_.bits())));
-    const Form::Integral& integral = form_.integral(near);
+    const TractionRepresentation::Integral& integral = form_.integral(near);
     Ball weights;
     for (const Trapezoid::Node& node : integral.rule.nodes()) {
       weights += node.weight / ((near == c ? node.u : node.v) + r);
@@ -283,7 +285,7 @@ class Prover {
     grow(half, outwards, outwards ? w : u, outwards ? v : w, depth + 1);
   }
 
-  const Form& form_;
+  const TractionRepresentation& form_;
   const Contact& contact_;
   Signs result_;
   // Of the gap that is being followed.
@@ -304,7 +306,7 @@ Signs prove_signs(const ReducedProblem& problem, const Box& box, slong bits) {
   for (slong tried = 24;; tried *= 2) {
     try {
       const Contact contact(problem, box.layout, box.V.log_offsets, 3 * tried + 64);
-      return Prover(Form(contact, box.V, box.loads, tried)).run();
+      return Prover(TractionRepresentation(contact, box.V, box.loads, tried)).run();
     } catch (const Refuted&) {
       throw;
     } catch (const Unproved&) {

@@ -20,7 +20,7 @@
 // powers of the distance to the end are integrated exactly. From both sides to the middle of the longest segment of a
 // gap, and to the end of the support.
 
-#include "checker/form.hpp"
+#include "checker/traction_representation.hpp"
 
 namespace steadyslide::checker {
 

@@ -9,7 +9,7 @@ namespace steadyslide::app {
 namespace {
 
 using R = numeric::Real50;
-using Form = numeric::RiemannHilbertForm<R>;
+using Form = numeric::TractionRepresentation<R>;
 
 /// How far the contact goes on in a segment: if it has ended there, nothing singular lies beyond.
 R length_beyond(const numeric::ContactSet<R>& set, std::size_t segment) {

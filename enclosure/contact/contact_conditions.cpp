@@ -66,7 +66,7 @@ Ball ContactConditions::second_coefficient() const {
 }
 
 Ball ContactConditions::centre_of_pressure() const {
-  return second_coefficient() * Ball::pi(set_.bits()) / set_.problem().loads(set_.bits());
+  return second_coefficient() * Ball::pi(set_.bits()) / set_.loads();
 }
 
 std::size_t ContactConditions::unknowns() const {
@@ -87,7 +87,7 @@ std::int64_t ContactConditions::work() const {
 
 std::vector<Ball> ContactConditions::conditions() const {
   const Ball pi = Ball::pi(set_.bits());
-  const Ball load = set_.problem().loads(set_.bits());
+  const Ball load = set_.loads();
   std::vector<Ball> result;
   for (int j = 0; j <= degree_; ++j) {
     Ball missing = moment(static_cast<std::size_t>(j));

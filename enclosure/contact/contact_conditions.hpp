@@ -10,14 +10,14 @@
 // Their derivatives need none of an integral: near e_f, d(u'/c)/d e_f = Y (rho_f/(z - e_f) + r(z)) with rho_f = p_f B(e_f)
 // and r the polynomial part of -p_f q/(pi (z - e_f)); d/d tilt is 1 - Y [1/Y]_poly. (Liouville's theorem.)
 
-#include "enclosure/contact/contact_form.hpp"
+#include "enclosure/contact/traction_representation.hpp"
 
 namespace steadyslide::enclosure {
 
 class ContactConditions {
  public:
   /// `form` has to outlive it.
-  explicit ContactConditions(const ContactForm& form)
+  explicit ContactConditions(const TractionRepresentation& form)
       : form_(form), set_(form.set()), q_(form.q()), degree_(set_.degree_at_infinity()) {}
 
   /// The work of the form and of conditions(), for a budget (work_budget.hpp).
@@ -42,7 +42,7 @@ class ContactConditions {
   Ball gap_condition(const ContactSet::Run& gap) const;
   std::vector<Ball> gap_derivatives(const ContactSet::Run& gap, const std::vector<Ball>& residues) const;
 
-  const ContactForm& form_;
+  const TractionRepresentation& form_;
   const ContactSet& set_;
   const BallPolynomial& q_;
   int degree_;

@@ -5,14 +5,14 @@
 //
 // int (psi' - u')/c = int (g - g_k) + Y B_k with k the slope of the contact at that end, with which B_k is analytic up to it.
 
-#include "enclosure/contact/contact_form.hpp"
+#include "enclosure/contact/traction_representation.hpp"
 
 namespace steadyslide::enclosure {
 
 class ContactGap {
  public:
   /// `form` has to outlive it.
-  explicit ContactGap(const ContactForm& form) : form_(form), set_(form.set()) {}
+  explicit ContactGap(const TractionRepresentation& form) : form_(form), set_(form.set()) {}
 
   /// At a place in a segment off the contact, which is thin. Not finite where there is no contact on either side.
   Ball at(const Place& place) const;
@@ -23,7 +23,7 @@ class ContactGap {
   /// The profile's step at a point, from left to right.
   Ball step(std::size_t j) const;
 
-  const ContactForm& form_;
+  const TractionRepresentation& form_;
   const ContactSet& set_;
 };
 

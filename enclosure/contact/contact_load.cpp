@@ -21,7 +21,7 @@ Ball ContactLoad::bound_beside(std::size_t c, const ContactPanel& panel) const {
   const std::size_t k = form_.slope_of(segment);
   const std::size_t other = segment < c ? c : c - 1;
   const ContactPanel& facing = facing_panel(c, segment);
-  const ContactForm::Difference& difference = form_.difference(k, other);
+  const TractionRepresentation::Difference& difference = form_.difference(k, other);
   const Ball length = facing.part().length.at(64);
   const Bits bits = length.bits();
   if (!(Ball(4) * panel.part().length.at(64) <= length)) return Ball::unknown(bits);

@@ -10,7 +10,7 @@
 
 #include <functional>
 
-#include "enclosure/contact/contact_form.hpp"
+#include "enclosure/contact/traction_representation.hpp"
 
 namespace steadyslide::enclosure {
 
@@ -38,7 +38,7 @@ struct TractionRule {
 class ContactLoad {
  public:
   /// `form` has to outlive it. `threads` share the work on many places; what they find does not depend on how many they are.
-  explicit ContactLoad(const ContactForm& form, unsigned threads = 1)
+  explicit ContactLoad(const TractionRepresentation& form, unsigned threads = 1)
       : form_(form), set_(form.set()), threads_(threads) {}
 
   Ball load_on(std::size_t segment) const;
@@ -59,7 +59,7 @@ class ContactLoad {
   TractionRule::Singular singular_term(std::size_t c, std::size_t segment) const;
   TractionRule rule(ContactPanel::Part part) const;
 
-  const ContactForm& form_;
+  const TractionRepresentation& form_;
   const ContactSet& set_;
   unsigned threads_;
 };

@@ -24,7 +24,7 @@ struct ContactProof {
   std::size_t intervals = 0;  ///< on which signs were decided
 
   /// The enclosed solution, to be asked for numbers.
-  ContactForm form(JacobiRules& rules) const { return box.form(problem, count_for(bits), rules); }
+  TractionRepresentation form(JacobiRules& rules) const { return box.form(problem, count_for(bits), rules); }
 };
 
 /// A frame in which the contact is about one unit long.

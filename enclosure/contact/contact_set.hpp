@@ -7,41 +7,12 @@
 // or of a free end, inside the contact that of the friction's jump, else 0.
 
 #include <algorithm>
-#include <optional>
-#include <string>
 #include <vector>
 
-#include "enclosure/contact/reduced_problem.hpp"
 #include "enclosure/number/ball.hpp"
-#include "model/direction.hpp"
+#include "model/contact_topology.hpp"
 
 namespace steadyslide::enclosure {
-
-/// The points of a contact set, without numbers.
-struct ContactTopology {
-  enum class Kind { interior, begins, ends };  ///< contact begins or ends here, from left to right
-
-  struct Point {
-    std::size_t anchor;               ///< the anchor itself, or
-    std::optional<Side> beside = {};  ///< a free end on this side of it
-    Kind kind = Kind::interior;
-    bool vanishes = false;  ///< an end where the traction vanishes
-
-    bool is_end() const { return kind != Kind::interior; }
-    friend bool operator==(const Point&, const Point&) = default;
-  };
-
-  /// Every anchor is among them, left to right.
-  std::vector<Point> points;
-
-  /// The points that move: indices.
-  std::vector<std::size_t> movable() const;
-  /// Free ends, at anchors or not, less the number of components: the degree S of Y at infinity.
-  int degree_at_infinity() const;
-  /// The reason why this is no contact set of the problem; empty if it is one.
-  std::string fault(const ReducedProblem& problem) const;
-  friend bool operator==(const ContactTopology&, const ContactTopology&) = default;
-};
 
 class ContactSet {
  public:
@@ -58,6 +29,8 @@ class ContactSet {
   bool in_contact(std::size_t k) const { return contact_[k]; }
   std::ptrdiff_t segments_in_contact() const { return std::count(contact_.begin(), contact_.end(), 1); }
   const ReducedProblem::Interval& interval(std::size_t k) const { return problem_->intervals[intervals_[k]]; }
+  /// All loads of the problem.
+  Ball loads() const { return Ball::plus_or_minus(Ball(problem_->load, bits_), Ball(problem_->load_radius, bits_)); }
   const Ball& length(std::size_t k) const { return lengths_[k]; }
   /// xi of point j.
   const Ball& x(std::size_t j) const { return x_[j]; }

@@ -34,7 +34,7 @@ struct Stretch {
 
 class Decision {
  public:
-  Decision(const ContactForm& form, WorkBudget& work, int most_rounds)
+  Decision(const TractionRepresentation& form, WorkBudget& work, int most_rounds)
       : form_(form),
         set_(form.set()),
         bits_(set_.bits()),
@@ -381,7 +381,7 @@ class Decision {
     return result;
   }
 
-  const ContactForm& form_;
+  const TractionRepresentation& form_;
   const ContactSet& set_;
   Bits bits_;
   ChebyshevNodes nodes_;
@@ -392,7 +392,7 @@ class Decision {
 
 }  // namespace
 
-SignsDecided decide_signs(const ContactForm& form, WorkBudget& work, int most_rounds) {
+SignsDecided decide_signs(const TractionRepresentation& form, WorkBudget& work, int most_rounds) {
   return Decision(form, work, most_rounds).run();
 }
 

@@ -7,13 +7,13 @@
 //   off the contact              gap' = psi' - u' = Y B_k; the gap is > 0 where it grows from the contact's end on, and
 //                                elsewhere if a lower bound of its integral, from the contact on either side, is.
 //
-// B_k = R + C E(d) next to a point, d the distance from it (contact_form.hpp): on [0, d_1] by the range of E, which may be
+// B_k = R + C E(d) next to a point, d the distance from it (traction_representation.hpp): on [0, d_1] by the range of E, which may be
 // unbounded, and outwards on intervals cut in geometric proportion, since E changes with log d.
 
 #include <string>
 #include <vector>
 
-#include "enclosure/contact/contact_form.hpp"
+#include "enclosure/contact/traction_representation.hpp"
 #include "enclosure/number/work_budget.hpp"
 
 namespace steadyslide::enclosure {
@@ -31,6 +31,6 @@ struct SignsDecided {
 /// `form` over the box; its precision and its number of nodes are those of the decision. A gap is divided `most_rounds` times:
 /// cells that are thin beside what the box's own width does to them decide nothing more. A sign that is open when the budget is
 /// spent stays undecided.
-SignsDecided decide_signs(const ContactForm& form, WorkBudget& work, int most_rounds = 40);
+SignsDecided decide_signs(const TractionRepresentation& form, WorkBudget& work, int most_rounds = 40);
 
 }  // namespace steadyslide::enclosure

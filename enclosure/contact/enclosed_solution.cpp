@@ -33,10 +33,7 @@ EnclosedSolution::End EnclosedSolution::end(std::size_t j) const {
   SingularKind kind = SingularKind::free;
   if (!point.vanishes) kind = j == 0 || j + 1 == set().points() ? SingularKind::edge : SingularKind::step;
   // An exact place of the data stays exact.
-  const Ball x =
-      point.beside
-          ? user(set().x(j))
-          : Ball(Rational(reduced_->frame.origin + reduced_->frame.unit * reduced_->anchors[point.anchor].x), bits_);
+  const Ball x = point.beside ? user(set().x(j)) : Ball(reduced_->place(point.anchor), bits_);
   return {x, kind, set().exponent(j), -amplitude(j, segment) * power(unit_, -set().power(j))};
 }
 
@@ -56,13 +53,13 @@ std::vector<EnclosedSolution::Point> EnclosedSolution::singular_points() const {
       continue;
     }
     if (!in_contact_at(j, Side::left) || !in_contact_at(j, Side::right)) continue;
-    const ReducedProblem::Anchor& anchor = reduced_->anchors[set().point(j).anchor];
+    const std::size_t anchor = set().point(j).anchor;
     const Rational& s_left = set().interval(j - 1).s;
     const Rational& s_right = set().interval(j).s;
-    const Rational wedge = set().interval(j).slope(anchor.x) - set().interval(j - 1).slope(anchor.x);
+    const Rational& wedge = reduced_->anchors[anchor].wedge;
     const std::optional<SingularKind> kind = inner_kind(s_left != s_right, wedge != 0);
     if (!kind) continue;
-    const Ball x(Rational(reduced_->frame.origin + reduced_->frame.unit * anchor.x), bits_);
+    const Ball x(reduced_->place(anchor), bits_);
     if (local_terms(*kind).has_power) {
       const Ball theta = -amplitude(j, j) / set().cos_alpha(j) * power(unit_, -set().power(j));
       result.push_back({x, *kind, set().exponent(j), theta, Ball(Rational(wedge / (s_right - s_left)), bits_)});
@@ -75,20 +72,11 @@ std::vector<EnclosedSolution::Point> EnclosedSolution::singular_points() const {
   return result;
 }
 
-std::size_t EnclosedSolution::friction_of(std::size_t segment) const {
-  // The intervals of the reduced problem are the pieces of the problem.
-  std::size_t piece = 0;
-  for (std::size_t j = 1; j <= segment; ++j) {
-    if (!set().point(j).beside) ++piece;
-  }
-  return problem_.pieces()[piece].friction;
-}
-
 EnclosedSolution::Resultants EnclosedSolution::resultants() const {
   const std::size_t values = problem_.friction().values().size();
   std::vector<Ball> loads(values, Ball(0, bits_));
   for (std::size_t k = 0; k < set().segments(); ++k) {
-    if (set().in_contact(k)) loads[friction_of(k)] -= unit_ * ContactLoad(form_, threads_).load_on(k);
+    if (set().in_contact(k)) loads[set().interval(k).friction] -= unit_ * ContactLoad(form_, threads_).load_on(k);
   }
   Resultants result{Ball(0, bits_), Ball(0, bits_), Ball(0, bits_), Ball(0, bits_), {}};
   for (const Ball& load : loads) result.normal += load;
@@ -174,8 +162,7 @@ Ball EnclosedSolution::traction_limit(std::size_t j, Side side) const {
     if (set().power(j).is_negative()) return Ball::infinity(-1, bits_);
     if (set().point(j).is_end()) return Ball(0, bits_);
   }
-  const Rational& at = reduced_->anchors[set().point(j).anchor].x;
-  const Rational wedge = set().interval(j).slope(at) - set().interval(j - 1).slope(at);
+  const Rational& wedge = reduced_->anchors[set().point(j).anchor].wedge;
   if (!set().is_regular(j)) return Ball(Rational(wedge / (set().interval(j).s - set().interval(j - 1).s)), bits_);
   return wedge == 0 ? amplitude(j, segment) : Ball::infinity(-1, bits_);
 }

@@ -50,10 +50,10 @@ class EnclosedSolution {
   Resultants resultants() const;
   // For what integrates tractions: the form, in xi, and the part of a segment between two xi; absent if there is none, not
   // finite where an end of contact may lie at one of them.
-  const ContactForm& form() const { return form_; }
+  const TractionRepresentation& form() const { return form_; }
   std::optional<ContactPanel::Range> range(std::size_t segment, const Rational& from, const Rational& to) const;
   /// t_t/t on a segment.
-  Rational shear_ratio(std::size_t segment) const { return problem_.shear_ratio(friction_of(segment)); }
+  Rational shear_ratio(std::size_t segment) const { return problem_.shear_ratio(set().interval(segment).friction); }
 
   /// The slope added to psi where the indenter may tilt.
   std::optional<Ball> tilt() const;
@@ -73,7 +73,6 @@ class EnclosedSolution {
   const ContactSet& set() const { return form_.set(); }
   Ball user(const Ball& xi) const;
   /// Which of the friction's values rules on a segment.
-  std::size_t friction_of(std::size_t segment) const;
   /// xi of a point of the data; absent for a free end.
   std::optional<Rational> exact(std::size_t j) const;
   Place seen_from(std::size_t segment, const Rational& xi) const;
@@ -100,7 +99,7 @@ class EnclosedSolution {
   std::shared_ptr<JacobiRules> rules_;
   Ball unit_;
   Ball origin_;
-  ContactForm form_;
+  TractionRepresentation form_;
   Ball tilt_;
   unsigned threads_;
 };

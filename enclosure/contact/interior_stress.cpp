@@ -18,7 +18,7 @@ void add(Potential& sum, const Ball& factor, const Potential& term) {
 class CauchyIntegral {
  public:
   /// All in xi.
-  CauchyIntegral(const ContactForm& form, JacobiRules& rules, const Rational& x, const Rational& depth)
+  CauchyIntegral(const TractionRepresentation& form, JacobiRules& rules, const Rational& x, const Rational& depth)
       : form_(form),
         set_(form.set()),
         rules_(rules),
@@ -102,7 +102,7 @@ class CauchyIntegral {
     return sum;
   }
 
-  const ContactForm& form_;
+  const TractionRepresentation& form_;
   const ContactSet& set_;
   JacobiRules& rules_;
   Bits bits_;
@@ -115,7 +115,7 @@ class CauchyIntegral {
 
 StressComponents interior_stress(const EnclosedSolution& solution, const Rational& x, const Rational& z) {
   if (z <= 0) throw InvalidData("z", "place not inside the body", "the depth z is positive", to_string(z));
-  const ContactForm& form = solution.form();
+  const TractionRepresentation& form = solution.form();
   const ContactSet& set = form.set();
   const Frame& frame = set.problem().frame;
   const Bits bits = set.bits();

@@ -71,7 +71,7 @@ std::vector<Ball> product(const Matrix& matrix, const std::vector<Ball>& vector,
 
 int count_for(Bits bits) { return static_cast<int>(bits) / 4 + 4; }
 
-ContactForm ContactBox::form(const ReducedProblem& problem, int count, JacobiRules& rules) const {
+TractionRepresentation ContactBox::form(const ReducedProblem& problem, int count, JacobiRules& rules) const {
   const Bits bits = rules.bits();
   BallPolynomial coefficients;
   for (const Ball& c : q) coefficients.push_back(c.at(bits));
@@ -137,13 +137,13 @@ KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, Jac
   std::vector<Ball> middle;
   for (const Ball& x : wide) middle.push_back(x.at(bits).midpoint());
 
-  const ContactForm over_box = box.form(problem, count_for(coarse.bits()), coarse);
+  const TractionRepresentation over_box = box.form(problem, count_for(coarse.bits()), coarse);
   if (!over_box.set().is_ordered()) {
     result.reason = "the points of the contact set are not in order all over the box";
     return result;
   }
   const ReducedProblem one_load = at_middle_load(problem);
-  const ContactForm at_middle = with_unknowns(box, middle).form(one_load, count_for(bits), rules);
+  const TractionRepresentation at_middle = with_unknowns(box, middle).form(one_load, count_for(bits), rules);
   const ContactConditions at_form(at_middle);
   work.take(at_form.work());
   if (work.is_spent()) {
@@ -237,7 +237,7 @@ std::optional<Approach> newton(const ReducedProblem& problem, const ContactBox& 
   constexpr int most_steps = 40;
   for (int step = 0; step < most_steps && !values.empty(); ++step) {
     const ContactBox here = with_unknowns(box, values);
-    const ContactForm form = here.form(problem, count_for(bits), rules);
+    const TractionRepresentation form = here.form(problem, count_for(bits), rules);
     if (!form.set().is_ordered()) return std::nullopt;
     const ContactConditions at_form(form);
     work.take(at_form.work());
@@ -245,7 +245,7 @@ std::optional<Approach> newton(const ReducedProblem& problem, const ContactBox& 
     const std::vector<Ball> conditions = at_form.conditions();
     if (conditions.size() != values.size()) break;  // prove_zero() says so
     if (inverse.empty()) {
-      const ContactForm rough = here.form(problem, count_for(coarse.bits()), coarse);
+      const TractionRepresentation rough = here.form(problem, count_for(coarse.bits()), coarse);
       inverse = approximate_inverse(ContactConditions(rough).jacobian(), bits);
       if (inverse.empty() && step == 0 && tilts) {
         // Under a flat punch that does not tilt no end could be free; any other tilt will do, the conditions are affine in it.
@@ -325,7 +325,7 @@ std::optional<ContactBox> box_for_loads(const ReducedProblem& problem, const Con
   constexpr int most_steps = 8;
   for (int i = 0; i < most_steps; ++i) {
     const ContactBox here = with_unknowns(guess, values);
-    const ContactForm form = here.form(one_load, count_for(bits), rules);
+    const TractionRepresentation form = here.form(one_load, count_for(bits), rules);
     if (!form.set().is_ordered()) break;
     const ContactConditions at_form(form);
     work.take(at_form.work());

@@ -28,7 +28,7 @@ struct ContactBox {
   Ball tilt;  ///< 0 exactly where the indenter keeps its attitude
 
   /// At the rules' precision, with `count` nodes a panel.
-  ContactForm form(const ReducedProblem& problem, int count, JacobiRules& rules) const;
+  TractionRepresentation form(const ReducedProblem& problem, int count, JacobiRules& rules) const;
 };
 
 /// The points of a contact as a solver found it, the problem's other anchors among them; empty offsets where the contact

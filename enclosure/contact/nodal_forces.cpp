@@ -37,7 +37,7 @@ std::vector<BallPolynomial> shape_functions(const std::vector<Rational>& xi, Bit
 std::vector<NodalForce> nodal_forces(const EnclosedSolution& solution, const std::vector<Rational>& nodes, int order) {
   check_contact(solution, SurfaceMesh(nodes, order));
   const auto step = static_cast<std::size_t>(order);
-  const ContactForm& form = solution.form();
+  const TractionRepresentation& form = solution.form();
   const ContactSet& set = form.set();
   const Bits bits = set.bits();
   const Frame& frame = set.problem().frame;

@@ -21,7 +21,7 @@ std::optional<ContactBox> closed_gap(const ReducedProblem& problem, const Contac
   const Bits bits = box.log_offsets.front().bits();
   const ContactSet set(problem, box.topology, box.log_offsets, bits);
   for (const std::size_t flank : {j - 1, j}) {
-    const Polynomial& slope = problem.intervals[flank < j ? c - 1 : c].slope;
+    const Polynomial& slope = problem.slopes[problem.intervals[flank < j ? c - 1 : c].slope];
     const Ball bend = value_at(in_balls(slope.derivative(), bits), Ball::hull(set.x(flank), set.x(flank + 1)));
     if (!(bend >= Ball(0))) return std::nullopt;
   }

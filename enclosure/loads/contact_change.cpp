@@ -72,18 +72,14 @@ class Change {
     std::string kind = "the place";
     if (k == 0 || k + 1 == problem_.anchors.size()) {
       kind = "the support's edge";
-    } else {
-      const ReducedProblem::Interval& left = problem_.intervals[k - 1];
-      const ReducedProblem::Interval& right = problem_.intervals[k];
-      if (at.step != 0) {
-        kind = "the step";
-      } else if (left.slope(at.x) != right.slope(at.x)) {
-        kind = "the wedge";
-      } else if (left.s != right.s) {
-        kind = "the friction jump";
-      }
+    } else if (at.step != 0) {
+      kind = "the step";
+    } else if (at.wedge != 0) {
+      kind = "the wedge";
+    } else if (problem_.intervals[k - 1].s != problem_.intervals[k].s) {
+      kind = "the friction jump";
     }
-    return kind + " at x = " + to_string(Rational(problem_.frame.origin + problem_.frame.unit * at.x));
+    return kind + " at x = " + to_string(problem_.place(k));
   }
 
   /// Anchors strictly between two neighbouring zones of a set.

@@ -71,10 +71,7 @@ class Follower {
         options_(options),
         rules_(options.bits),
         threads_(options.threads) {
-    for (std::size_t k = 1; k < problem_.intervals.size(); ++k) {
-      const Rational& c = problem_.anchors[k].x;
-      has_notch_ = has_notch_ || problem_.intervals[k].slope(c) < problem_.intervals[k - 1].slope(c);
-    }
+    has_notch_ = std::ranges::any_of(problem_.anchors, [](const auto& anchor) { return anchor.wedge < 0; });
   }
 
   /// Proves what it can of the loads.

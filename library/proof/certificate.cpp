@@ -14,7 +14,6 @@ namespace steadyslide::library {
 namespace {
 
 using enclosure::Ball;
-using enclosure::ContactTopology;
 using Json = nlohmann::ordered_json;
 
 Json exact_numbers(const std::vector<Rational>& values) {
@@ -87,7 +86,7 @@ Json heading(const char* kind, const ContactProblem& problem) {
           {"problem", problem_json(problem)}};
 }
 
-Json heading(const char* kind, const ContactProblem& problem, const enclosure::Frame& frame, enclosure::Bits bits) {
+Json heading(const char* kind, const ContactProblem& problem, const Frame& frame, enclosure::Bits bits) {
   Json json = heading(kind, problem);
   json["frame"] = {{"origin", exact_text(frame.origin)}, {"unit", exact_text(frame.unit)}};
   json["bits"] = bits;

@@ -6,7 +6,7 @@ namespace steadyslide::numeric {
 namespace {
 
 template <Real R>
-Power<R> traction_power(const RiemannHilbertForm<R>& form, std::size_t j) {
+Power<R> traction_power(const TractionRepresentation<R>& form, std::size_t j) {
   const Power<R>& p = form.power(j);
   if (form.changes_polynomial(j) && p.value > 0 && form.set().anchor_at(j)->wedge != 0) return {R(0), R(1)};
   return p;
@@ -15,7 +15,7 @@ Power<R> traction_power(const RiemannHilbertForm<R>& form, std::size_t j) {
 }  // namespace
 
 template <Real R>
-PanelDensity<R> panel_density(const RiemannHilbertForm<R>& form, std::size_t segment) {
+PanelDensity<R> panel_density(const TractionRepresentation<R>& form, std::size_t segment) {
   const Power<R> left = traction_power(form, segment);
   const Power<R> right = traction_power(form, segment + 1);
   const R factor = form.y().traction_factor(segment);
@@ -38,7 +38,7 @@ PanelDensity<R> panel_density(const RiemannHilbertForm<R>& form, std::size_t seg
 }
 
 template <Real R>
-PiecewiseDensity<R> traction_density(const RiemannHilbertForm<R>& form) {
+PiecewiseDensity<R> traction_density(const TractionRepresentation<R>& form) {
   PiecewiseDensity<R> result;
   std::size_t last = 0;
   for (std::size_t k = 0; k < form.set().segments(); ++k) {
@@ -52,9 +52,9 @@ PiecewiseDensity<R> traction_density(const RiemannHilbertForm<R>& form) {
   return result;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                                   \
-  template PanelDensity<R> panel_density(const RiemannHilbertForm<R>&, std::size_t); \
-  template PiecewiseDensity<R> traction_density(const RiemannHilbertForm<R>&);
+#define STEADYSLIDE_INSTANTIATE(R)                                                       \
+  template PanelDensity<R> panel_density(const TractionRepresentation<R>&, std::size_t); \
+  template PiecewiseDensity<R> traction_density(const TractionRepresentation<R>&);
 STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 

@@ -4,16 +4,16 @@
 // vanishes: there the power is 0.
 
 #include "numeric/cauchy/density.hpp"
-#include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
+#include "numeric/riemann_hilbert/traction_representation.hpp"
 
 namespace steadyslide::numeric {
 
 /// On one segment in contact, in xi. The form has to outlive the density.
 template <Real R>
-PanelDensity<R> panel_density(const RiemannHilbertForm<R>& form, std::size_t segment);
+PanelDensity<R> panel_density(const TractionRepresentation<R>& form, std::size_t segment);
 
 /// On all segments in contact, left to right.
 template <Real R>
-PiecewiseDensity<R> traction_density(const RiemannHilbertForm<R>& form);
+PiecewiseDensity<R> traction_density(const TractionRepresentation<R>& form);
 
 }  // namespace steadyslide::numeric

@@ -79,14 +79,14 @@ std::vector<R> amplified(const std::vector<std::vector<R>>& rows, const std::vec
 
 /// Is point j the pivot of a component with two free ends?
 template <Real R>
-bool is_free_pivot(const RiemannHilbertForm<R>& form, std::size_t j) {
+bool is_free_pivot(const TractionRepresentation<R>& form, std::size_t j) {
   const auto& pivot = form.y().pivots()[form.y().component_of(j)];
   return pivot.order > 0 && pivot.point == j;
 }
 
 /// The points that have a rho: free ends, but no pivots; then the poles of components without a free end.
 template <Real R>
-std::vector<std::size_t> columns(const RiemannHilbertForm<R>& form, const std::vector<std::size_t>& movable) {
+std::vector<std::size_t> columns(const TractionRepresentation<R>& form, const std::vector<std::size_t>& movable) {
   if (form.y().pivots().empty()) return movable;
   std::vector<std::size_t> result;
   for (const std::size_t j : movable) {
@@ -101,7 +101,7 @@ std::vector<std::size_t> columns(const RiemannHilbertForm<R>& form, const std::v
 }  // namespace
 
 template <Real R>
-ContactEquations<R>::ContactEquations(const RiemannHilbertForm<R>& form)
+ContactEquations<R>::ContactEquations(const TractionRepresentation<R>& form)
     : form_(form),
       degree_(form.degree_at_infinity()),
       movable_(form.set().movable()),

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
+#include "numeric/riemann_hilbert/traction_representation.hpp"
 
 namespace steadyslide::numeric {
 
@@ -12,7 +12,7 @@ template <Real R>
 class ContactEquations {
  public:
   /// `form` has to outlive them.
-  explicit ContactEquations(const RiemannHilbertForm<R>& form);
+  explicit ContactEquations(const TractionRepresentation<R>& form);
 
   /// False where the number of conditions is not that of the unknowns (ends that cannot move, though they are free).
   bool solve();
@@ -41,7 +41,7 @@ class ContactEquations {
   void add_gaps();
   void add_centre();
 
-  const RiemannHilbertForm<R>& form_;
+  const TractionRepresentation<R>& form_;
   int degree_;
   std::vector<std::size_t> movable_;
   std::vector<std::size_t> free_;  ///< those that have a rho

@@ -38,7 +38,7 @@ std::vector<SurfacePoint<R>> places(const ContactSet<R>& set, std::size_t segmen
 template <Real R>
 class RoughGaps {
  public:
-  explicit RoughGaps(const RiemannHilbertForm<R>& form)
+  explicit RoughGaps(const TractionRepresentation<R>& form)
       : problem_(form.problem().problem(), form.problem().frame(), form.problem().most_coupled()),
         form_(problem_, ContactSet<double>::converted(problem_, form.set()), rounded(form.q()),
               static_cast<double>(form.tilt()), rules_) {}
@@ -58,16 +58,16 @@ class RoughGaps {
     return result;
   }
 
-  ReducedProblem<double> problem_;
+  RoundedProblem<double> problem_;
   JacobiRules<double> rules_;
-  RiemannHilbertForm<double> form_;
+  TractionRepresentation<double> form_;
   std::map<std::size_t, GapIntegral<double>> gaps_;
 };
 
 template <Real R>
 class Inspection {
  public:
-  Inspection(const RiemannHilbertForm<R>& form, const R& end_error)
+  Inspection(const TractionRepresentation<R>& form, const R& end_error)
       : form_(form), set_(form.set()), end_error_(end_error) {}
 
   std::vector<Violation<R>> run() {
@@ -276,7 +276,7 @@ class Inspection {
     return form_.sign(at) * form_.regular_factor(form_.slope_at(segment), at).value;
   }
 
-  const RiemannHilbertForm<R>& form_;
+  const TractionRepresentation<R>& form_;
   const ContactSet<R>& set_;
   R end_error_;
   std::unique_ptr<RoughGaps<R>> rough_;  ///< above double, once a gap is asked for
@@ -288,12 +288,12 @@ class Inspection {
 }  // namespace
 
 template <Real R>
-std::vector<Violation<R>> violations(const RiemannHilbertForm<R>& form, const R& end_error) {
+std::vector<Violation<R>> violations(const TractionRepresentation<R>& form, const R& end_error) {
   return Inspection<R>(form, end_error).run();
 }
 
 #define STEADYSLIDE_INSTANTIATE(R) \
-  template std::vector<Violation<R>> violations(const RiemannHilbertForm<R>&, const R&);
+  template std::vector<Violation<R>> violations(const TractionRepresentation<R>&, const R&);
 STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
+#include "numeric/riemann_hilbert/traction_representation.hpp"
 
 namespace steadyslide::numeric {
 
@@ -23,6 +23,6 @@ struct Violation {
 /// Left to right; what rounding alone, and the free ends' error, may have done is let pass. At ends and anchors the
 /// leading term decides (local_signs.hpp); between them places are looked at, which proves nothing.
 template <Real R>
-std::vector<Violation<R>> violations(const RiemannHilbertForm<R>& form, const R& end_error = R(0));
+std::vector<Violation<R>> violations(const TractionRepresentation<R>& form, const R& end_error = R(0));
 
 }  // namespace steadyslide::numeric

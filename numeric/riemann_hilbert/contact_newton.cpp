@@ -21,7 +21,7 @@ class Newton {
  public:
   using Status = typename NewtonResult<R>::Status;
 
-  Newton(const ReducedProblem<R>& problem, ContactState<R> state, const std::vector<R>& limits, JacobiRules<R>& rules)
+  Newton(const RoundedProblem<R>& problem, ContactState<R> state, const std::vector<R>& limits, JacobiRules<R>& rules)
       : problem_(problem), state_(std::move(state)), limits_(limits), rules_(rules) {}
 
   NewtonResult<R> run() {
@@ -32,7 +32,7 @@ class Newton {
     R previous = infinity<R>();
     R previous_beside = infinity<R>();
     for (int iteration = 0; iteration < max_steps; ++iteration) {
-      const RiemannHilbertForm<R> form(problem_, state_.set, state_.q, state_.tilt, rules_);
+      const TractionRepresentation<R> form(problem_, state_.set, state_.q, state_.tilt, rules_);
       ContactEquations<R> linear(form);
       if (!linear.solve()) break;
       std::vector<R> ends = linear.end_steps();
@@ -207,7 +207,7 @@ class Newton {
     return change / size;
   }
 
-  const ReducedProblem<R>& problem_;
+  const RoundedProblem<R>& problem_;
   ContactState<R> state_;
   const std::vector<R>& limits_;
   JacobiRules<R>& rules_;
@@ -222,7 +222,7 @@ class Newton {
 }  // namespace
 
 template <Real R>
-ContactState<R> ContactState<R>::initial(const ReducedProblem<R>& problem, ContactSet<R> set, const R& tilt) {
+ContactState<R> ContactState<R>::initial(const RoundedProblem<R>& problem, ContactSet<R> set, const R& tilt) {
   if (set.components() > problem.most_coupled()) {
     std::vector<R> theta;
     R poles = 0;
@@ -243,14 +243,14 @@ ContactState<R> ContactState<R>::initial(const ReducedProblem<R>& problem, Conta
 }
 
 template <Real R>
-NewtonResult<R> solve_newton(const ReducedProblem<R>& problem, ContactState<R> state, const std::vector<R>& limits,
+NewtonResult<R> solve_newton(const RoundedProblem<R>& problem, ContactState<R> state, const std::vector<R>& limits,
                              JacobiRules<R>& rules) {
   return Newton<R>(problem, std::move(state), limits, rules).run();
 }
 
 #define STEADYSLIDE_INSTANTIATE(R)                                                                        \
   template struct ContactState<R>;                                                                        \
-  template NewtonResult<R> solve_newton(const ReducedProblem<R>&, ContactState<R>, const std::vector<R>&, \
+  template NewtonResult<R> solve_newton(const RoundedProblem<R>&, ContactState<R>, const std::vector<R>&, \
                                         JacobiRules<R>&);
 STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE

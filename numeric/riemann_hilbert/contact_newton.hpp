@@ -17,7 +17,7 @@
 
 #include <optional>
 
-#include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
+#include "numeric/riemann_hilbert/traction_representation.hpp"
 
 namespace steadyslide::numeric {
 
@@ -25,11 +25,11 @@ namespace steadyslide::numeric {
 template <Real R>
 struct ContactState {
   ContactSet<R> set;
-  std::vector<R> q;  ///< or theta (riemann_hilbert_form.hpp)
+  std::vector<R> q;  ///< or theta (traction_representation.hpp)
   R tilt;
 
   /// For a set that is new: the load alone.
-  static ContactState initial(const ReducedProblem<R>& problem, ContactSet<R> set, const R& tilt);
+  static ContactState initial(const RoundedProblem<R>& problem, ContactSet<R> set, const R& tilt);
 };
 
 template <Real R>
@@ -45,9 +45,9 @@ struct NewtonResult {
 };
 
 /// `limit[k]`: a segment that shrinks below this length and wants to go on is reported as collapsing; of half a gap
-/// over a notch the limit is ReducedProblem::shortest_gap().
+/// over a notch the limit is RoundedProblem::shortest_gap().
 template <Real R>
-NewtonResult<R> solve_newton(const ReducedProblem<R>& problem, ContactState<R> state, const std::vector<R>& limits,
+NewtonResult<R> solve_newton(const RoundedProblem<R>& problem, ContactState<R> state, const std::vector<R>& limits,
                              JacobiRules<R>& rules);
 
 }  // namespace steadyslide::numeric

@@ -107,7 +107,7 @@ template <Real R>
 std::vector<R> ContactQuadrature<R>::density(std::size_t slope, const R* weights, std::size_t first,
                                              std::size_t count) const {
   std::vector<R> result;
-  const ReducedProblem<R>& problem = y_->problem();
+  const RoundedProblem<R>& problem = y_->problem();
   result.reserve(count);
   for (std::size_t i = first; i < first + count; ++i) {
     const std::size_t own = y_->slope_at(static_cast<std::size_t>(nodes_[i].segment));
@@ -259,7 +259,7 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
     if (gap > 0 && p != 0) phi *= pow(d, p);
     // y^a phi has a power higher than a by one if that is not the power of 1/|Y_i| there.
     if (y_->power(facing, component).value < p) phi = gap == 0 ? R(0) : R(-phi);
-    const ReducedProblem<R>& problem = y_->problem();
+    const RoundedProblem<R>& problem = y_->problem();
     const std::size_t own = y_->slope_at(part.segment);
     phi *= y_->traction_factor(part.segment, component);
     // Near a break g - g_k is a small difference: what counts is the rounding of both.

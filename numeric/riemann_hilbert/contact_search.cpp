@@ -14,7 +14,7 @@ namespace {
 template <Real R>
 class Search {
  public:
-  Search(const ReducedProblem<R>& problem, ContactState<R> start, JacobiRules<R>& rules)
+  Search(const RoundedProblem<R>& problem, ContactState<R> start, JacobiRules<R>& rules)
       : problem_(problem), rules_(rules), state_(std::move(start)) {}
 
   SearchResult<R> run() {
@@ -35,7 +35,7 @@ class Search {
           break;
         case NewtonResult<R>::Status::converged: {
           snap();
-          const RiemannHilbertForm<R> form(problem_, state_.set, state_.q, state_.tilt, rules_);
+          const TractionRepresentation<R> form(problem_, state_.set, state_.q, state_.tilt, rules_);
           const std::vector<Violation<R>> found = violations(form, newton.step);
           if (found.empty()) {
             SearchResult<R> solved = result({}, std::max(newton.step, newton.rounding.ends.distance));
@@ -75,7 +75,7 @@ class Search {
   }
 
   /// The first anchor that pulls, as a number, if there is one.
-  static std::string in_words(const RiemannHilbertForm<R>& form, const std::vector<Violation<R>>& found,
+  static std::string in_words(const TractionRepresentation<R>& form, const std::vector<Violation<R>>& found,
                               const R& end_error) {
     for (const Violation<R>& v : found) {
       if (!v.anchor) continue;
@@ -300,7 +300,7 @@ class Search {
     return true;
   }
 
-  const ReducedProblem<R>& problem_;
+  const RoundedProblem<R>& problem_;
   JacobiRules<R>& rules_;
   ContactState<R> state_;
   std::optional<SearchResult<R>> before_gap_;
@@ -314,12 +314,12 @@ class Search {
 }  // namespace
 
 template <Real R>
-SearchResult<R> search_contact(const ReducedProblem<R>& problem, ContactState<R> start, JacobiRules<R>& rules) {
+SearchResult<R> search_contact(const RoundedProblem<R>& problem, ContactState<R> start, JacobiRules<R>& rules) {
   return Search<R>(problem, std::move(start), rules).run();
 }
 
 #define STEADYSLIDE_INSTANTIATE(R) \
-  template SearchResult<R> search_contact(const ReducedProblem<R>&, ContactState<R>, JacobiRules<R>&);
+  template SearchResult<R> search_contact(const RoundedProblem<R>&, ContactState<R>, JacobiRules<R>&);
 STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 

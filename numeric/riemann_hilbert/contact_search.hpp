@@ -22,6 +22,6 @@ struct SearchResult {
 
 /// From a set that may be wrong in place and in kind.
 template <Real R>
-SearchResult<R> search_contact(const ReducedProblem<R>& problem, ContactState<R> start, JacobiRules<R>& rules);
+SearchResult<R> search_contact(const RoundedProblem<R>& problem, ContactState<R> start, JacobiRules<R>& rules);
 
 }  // namespace steadyslide::numeric

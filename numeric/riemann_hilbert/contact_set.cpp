@@ -6,7 +6,7 @@
 namespace steadyslide::numeric {
 
 template <Real R>
-ContactSet<R>::ContactSet(const ReducedProblem<R>& problem) : problem_(&problem) {
+ContactSet<R>::ContactSet(const RoundedProblem<R>& problem) : problem_(&problem) {
   const std::size_t count = problem.anchors().size();
   for (std::size_t k = 0; k < count; ++k) {
     points_.push_back({k, Kind::interior, false});
@@ -17,7 +17,7 @@ ContactSet<R>::ContactSet(const ReducedProblem<R>& problem) : problem_(&problem)
 }
 
 template <Real R>
-ContactSet<R>::ContactSet(const ReducedProblem<R>& problem, const std::vector<ContactInterval>& zones)
+ContactSet<R>::ContactSet(const RoundedProblem<R>& problem, const std::vector<ContactInterval>& zones)
     : ContactSet(problem) {
   // Ends follow each other: a guess that rounding has put before the last one comes after it.
   std::size_t last = 0;

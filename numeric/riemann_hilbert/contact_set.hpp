@@ -8,7 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "numeric/riemann_hilbert/reduced_problem.hpp"
+#include "model/contact_topology.hpp"
+#include "numeric/riemann_hilbert/rounded_problem.hpp"
 #include "numeric/solution/contact_interval.hpp"
 
 namespace steadyslide::numeric {
@@ -32,7 +33,7 @@ struct StateErrors {
 template <Real R>
 class ContactSet {
  public:
-  enum class Kind { interior, begins, ends };  ///< contact begins or ends here, from left to right
+  using Kind = ContactTopology::Kind;
 
   struct Point {
     std::optional<std::size_t> anchor;
@@ -46,12 +47,12 @@ class ContactSet {
   };
 
   /// No contact yet.
-  explicit ContactSet(const ReducedProblem<R>& problem);
+  explicit ContactSet(const RoundedProblem<R>& problem);
   /// Zones in xi; an end `at_edge` lies at the anchor next to it.
-  ContactSet(const ReducedProblem<R>& problem, const std::vector<ContactInterval>& zones);
+  ContactSet(const RoundedProblem<R>& problem, const std::vector<ContactInterval>& zones);
   /// The same set in another type of number; `problem` is the same one in it.
   template <Real Other>
-  static ContactSet converted(const ReducedProblem<R>& problem, const ContactSet<Other>& other);
+  static ContactSet converted(const RoundedProblem<R>& problem, const ContactSet<Other>& other);
 
   const std::vector<Point>& points() const { return points_; }
   const Point& point(std::size_t j) const { return points_[j]; }
@@ -62,7 +63,7 @@ class ContactSet {
   std::size_t inside(std::size_t j) const { return contact_side(j) == Side::right ? j : j - 1; }
   std::size_t neighbour(std::size_t j) const { return contact_side(j) == Side::right ? j + 1 : j - 1; }
   /// The data of the anchor at point j; null where there is none.
-  const typename ReducedProblem<R>::Anchor* anchor_at(std::size_t j) const {
+  const typename RoundedProblem<R>::Anchor* anchor_at(std::size_t j) const {
     return points_[j].anchor ? &problem_->anchors()[*points_[j].anchor] : nullptr;
   }
   bool is_at_step(std::size_t j) const { return points_[j].anchor && anchor_at(j)->step_sign != 0; }
@@ -135,7 +136,7 @@ class ContactSet {
   void insert(std::size_t segment, const R& from_left, const R& from_right, const R& x, Point point);
   void erase(std::size_t j);
 
-  const ReducedProblem<R>* problem_;
+  const RoundedProblem<R>* problem_;
   std::vector<Point> points_;
   std::vector<R> lengths_;
   std::vector<char> contact_;
@@ -152,13 +153,13 @@ class ContactSet {
 
 template <Real R>
 template <Real Other>
-ContactSet<R> ContactSet<R>::converted(const ReducedProblem<R>& problem, const ContactSet<Other>& other) {
+ContactSet<R> ContactSet<R>::converted(const RoundedProblem<R>& problem, const ContactSet<Other>& other) {
   ContactSet result(problem);
   result.points_.clear();
   result.lengths_.clear();
   result.x_.clear();
   for (const auto& p : other.points_) {
-    result.points_.push_back({p.anchor, static_cast<Kind>(static_cast<int>(p.kind)), p.vanishes});
+    result.points_.push_back({p.anchor, p.kind, p.vanishes});
   }
   for (const Other& length : other.lengths_) result.lengths_.push_back(static_cast<R>(length));
   for (const Other& x : other.x_) result.x_.push_back(static_cast<R>(x));

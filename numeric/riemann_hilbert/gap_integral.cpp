@@ -61,7 +61,7 @@ void GapIntegral<R>::add_nodes(const SegmentPart<R>& part, std::size_t slope, st
 template <Real R>
 Estimate<R> GapIntegral<R>::slope_difference(const SegmentPart<R>& part) const {
   // The nodes change their k in the middle of a segment that has contact at both ends.
-  const ReducedProblem<R>& problem = form_->problem();
+  const RoundedProblem<R>& problem = form_->problem();
   const std::size_t segment = part.segment;
   const std::size_t own = form_->slope_at(segment);
   const R middle = set().length(segment) / 2;
@@ -157,7 +157,7 @@ Estimate<R> GapIntegral<R>::reduced_gap(const SurfacePoint<R>& at) const {
 
 template <Real R>
 R GapIntegral<R>::profile_increment(const SurfacePoint<R>& at) const {
-  const ReducedProblem<R>& problem = form_->problem();
+  const RoundedProblem<R>& problem = form_->problem();
   const auto segment = static_cast<std::size_t>(at.segment);
   const auto rise = [&](std::size_t k, const R& from, const R& length) {
     return problem.profile_increment(form_->slope_at(k), from, length);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
+#include "numeric/riemann_hilbert/traction_representation.hpp"
 
 namespace steadyslide::numeric {
 
@@ -30,7 +30,8 @@ class GapIntegral {
  public:
   /// The gap that the contact's end, point `end` of the set, faces; of a state known up to `errors`, or taken as it is.
   /// `form` has to outlive it.
-  GapIntegral(const RiemannHilbertForm<R>& form, std::size_t end, std::optional<StateErrors<R>> errors = std::nullopt)
+  GapIntegral(const TractionRepresentation<R>& form, std::size_t end,
+              std::optional<StateErrors<R>> errors = std::nullopt)
       : form_(&form), end_(end), errors_(std::move(errors)) {}
 
   /// Over the whole gap, which begins at the end.
@@ -59,7 +60,7 @@ class GapIntegral {
   /// int (profile slope - g_k) over a part of a gap segment, k as the gap's nodes use it.
   Estimate<R> slope_difference(const SegmentPart<R>& part) const;
 
-  const RiemannHilbertForm<R>* form_;
+  const TractionRepresentation<R>* form_;
   std::size_t end_;
   std::optional<StateErrors<R>> errors_;
   mutable std::vector<Estimate<R>> rises_;  ///< the sums over the first segments from the end on

@@ -8,12 +8,12 @@ namespace {
 
 /// D, from the exact difference.
 template <Real R>
-R slope_jump(const RiemannHilbertForm<R>& form, std::size_t point) {
+R slope_jump(const TractionRepresentation<R>& form, std::size_t point) {
   return to_real<R>(form.set().anchor_at(point)->wedge);
 }
 
 template <Real R>
-LeadingTerm<R> power_term(const RiemannHilbertForm<R>& form, std::size_t point, const R& end_error) {
+LeadingTerm<R> power_term(const TractionRepresentation<R>& form, std::size_t point, const R& end_error) {
   const ContactSet<R>& set = form.set();
   const bool is_end = set.point(point).is_end();
   const Side side = set.contact_side(point);
@@ -34,7 +34,8 @@ LeadingTerm<R> power_term(const RiemannHilbertForm<R>& form, std::size_t point, 
 }  // namespace
 
 template <Real R>
-std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>& form, std::size_t point, const R& end_error) {
+std::optional<LeadingTerm<R>> leading_term(const TractionRepresentation<R>& form, std::size_t point,
+                                           const R& end_error) {
   using Is = typename LeadingTerm<R>::Is;
   const ContactSet<R>& set = form.set();
   if (set.point(point).is_end()) return power_term(form, point, end_error);
@@ -51,7 +52,7 @@ std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>& form, st
 }
 
 template <Real R>
-std::optional<R> log_reach(const RiemannHilbertForm<R>& form, std::size_t point) {
+std::optional<R> log_reach(const TractionRepresentation<R>& form, std::size_t point) {
   if (!form.changes_polynomial(point)) return std::nullopt;
   const R d = slope_jump(form, point);
   const R& s = form.problem().s(form.friction_at(point));
@@ -69,7 +70,7 @@ std::optional<R> log_reach(const RiemannHilbertForm<R>& form, std::size_t point)
 namespace {
 
 template <Real R>
-std::optional<R> hairline_reach(const RiemannHilbertForm<R>& form, std::size_t point) {
+std::optional<R> hairline_reach(const TractionRepresentation<R>& form, std::size_t point) {
   const std::optional<R> reach = log_reach(form, point);
   return reach && *reach < log(R(1e30) * form.problem().shortest_gap()) ? reach : std::nullopt;
 }
@@ -77,13 +78,13 @@ std::optional<R> hairline_reach(const RiemannHilbertForm<R>& form, std::size_t p
 }  // namespace
 
 template <Real R>
-bool pulls(const RiemannHilbertForm<R>& form, std::size_t point, const std::optional<LeadingTerm<R>>& term) {
+bool pulls(const TractionRepresentation<R>& form, std::size_t point, const std::optional<LeadingTerm<R>>& term) {
   if (!term || term->sign <= 0) return false;
   return form.set().point(point).is_end() || !hairline_reach(form, point);
 }
 
 template <Real R>
-std::vector<HairlineGap<R>> hairline_gaps(const RiemannHilbertForm<R>& form, const R& end_error) {
+std::vector<HairlineGap<R>> hairline_gaps(const TractionRepresentation<R>& form, const R& end_error) {
   std::vector<HairlineGap<R>> result;
   for (std::size_t j = 0; j < form.set().points().size(); ++j) {
     if (form.set().point(j).is_end()) continue;
@@ -95,7 +96,7 @@ std::vector<HairlineGap<R>> hairline_gaps(const RiemannHilbertForm<R>& form, con
 }
 
 template <Real R>
-R highest_limit(const RiemannHilbertForm<R>& form, const R& end_error) {
+R highest_limit(const TractionRepresentation<R>& form, const R& end_error) {
   using Is = typename LeadingTerm<R>::Is;
   R highest = 0;
   for (std::size_t j = 0; j < form.set().points().size(); ++j) {
@@ -109,7 +110,7 @@ R highest_limit(const RiemannHilbertForm<R>& form, const R& end_error) {
 }
 
 template <Real R>
-std::string in_words(const RiemannHilbertForm<R>& form, std::size_t point, const LeadingTerm<R>& term) {
+std::string in_words(const TractionRepresentation<R>& form, std::size_t point, const LeadingTerm<R>& term) {
   using Is = typename LeadingTerm<R>::Is;
   const auto& anchor = form.set().point(point).anchor;
   const Frame& frame = form.problem().frame();
@@ -132,13 +133,13 @@ std::string in_words(const RiemannHilbertForm<R>& form, std::size_t point, const
   return text.str();
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                                                          \
-  template std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>&, std::size_t, const R&); \
-  template std::optional<R> log_reach(const RiemannHilbertForm<R>&, std::size_t);                           \
-  template std::vector<HairlineGap<R>> hairline_gaps(const RiemannHilbertForm<R>&, const R&);               \
-  template bool pulls(const RiemannHilbertForm<R>&, std::size_t, const std::optional<LeadingTerm<R>>&);     \
-  template R highest_limit(const RiemannHilbertForm<R>&, const R&);                                         \
-  template std::string in_words(const RiemannHilbertForm<R>&, std::size_t, const LeadingTerm<R>&);
+#define STEADYSLIDE_INSTANTIATE(R)                                                                              \
+  template std::optional<LeadingTerm<R>> leading_term(const TractionRepresentation<R>&, std::size_t, const R&); \
+  template std::optional<R> log_reach(const TractionRepresentation<R>&, std::size_t);                           \
+  template std::vector<HairlineGap<R>> hairline_gaps(const TractionRepresentation<R>&, const R&);               \
+  template bool pulls(const TractionRepresentation<R>&, std::size_t, const std::optional<LeadingTerm<R>>&);     \
+  template R highest_limit(const TractionRepresentation<R>&, const R&);                                         \
+  template std::string in_words(const TractionRepresentation<R>&, std::size_t, const LeadingTerm<R>&);
 STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
+#include "numeric/riemann_hilbert/traction_representation.hpp"
 
 namespace steadyslide::numeric {
 
@@ -30,13 +30,13 @@ struct LeadingTerm {
 
 /// None at a point that is no end of contact, nor an anchor inside it. `end_error`: absolute, of the free ends, in xi.
 template <Real R>
-std::optional<LeadingTerm<R>> leading_term(const RiemannHilbertForm<R>& form, std::size_t point,
+std::optional<LeadingTerm<R>> leading_term(const TractionRepresentation<R>& form, std::size_t point,
                                            const R& end_error = R(0));
 
 /// Where the leading term pulls inside the contact: the logarithm of the distance in xi at which the local form,
 /// constant and power or logarithm, changes its sign. None where it does not.
 template <Real R>
-std::optional<R> log_reach(const RiemannHilbertForm<R>& form, std::size_t point);
+std::optional<R> log_reach(const TractionRepresentation<R>& form, std::size_t point);
 
 /// A gap over an anchor inside the contact that pulls so little far that it is known by its logarithm alone: no farther than
 /// 1e30 shortest gaps, since its length is that distance but for a factor. The set with contact there is
@@ -50,19 +50,19 @@ struct HairlineGap {
 
 /// Left to right.
 template <Real R>
-std::vector<HairlineGap<R>> hairline_gaps(const RiemannHilbertForm<R>& form, const R& end_error);
+std::vector<HairlineGap<R>> hairline_gaps(const TractionRepresentation<R>& form, const R& end_error);
 
 /// Does the leading term pull, and farther than over a hairline gap?
 template <Real R>
-bool pulls(const RiemannHilbertForm<R>& form, std::size_t point, const std::optional<LeadingTerm<R>>& term);
+bool pulls(const TractionRepresentation<R>& form, std::size_t point, const std::optional<LeadingTerm<R>>& term);
 
 /// The supremum of t at the points where the leading term is known to pull: infinite where it blows up; 0 if none does.
 /// Hairline gaps are none of them.
 template <Real R>
-R highest_limit(const RiemannHilbertForm<R>& form, const R& end_error);
+R highest_limit(const TractionRepresentation<R>& form, const R& end_error);
 
 /// "the leading term at x = 0 pulls: theta = -0.41 +- 3e-15", lengths in the user's unit.
 template <Real R>
-std::string in_words(const RiemannHilbertForm<R>& form, std::size_t point, const LeadingTerm<R>& term);
+std::string in_words(const TractionRepresentation<R>& form, std::size_t point, const LeadingTerm<R>& term);
 
 }  // namespace steadyslide::numeric

@@ -120,7 +120,7 @@ Start start_again(const RiemannHilbertSolution<R>& solution) {
 
 template <Real R>
 std::shared_ptr<RiemannHilbertSolution<R>> search_once(const ContactProblem& problem, const Start& start) {
-  const auto search = [&](const ReducedProblem<R>& reduced, JacobiRules<R>& rules) {
+  const auto search = [&](const RoundedProblem<R>& reduced, JacobiRules<R>& rules) {
     const std::vector<ContactInterval> zones = start.in(reduced.frame());
     ContactSet<R> set(reduced, zones);
     // Zones that rounding has run into each other: one.
@@ -147,7 +147,7 @@ std::shared_ptr<RiemannHilbertSolution<R>> search(const ContactProblem& problem,
 template <Real R>
 std::shared_ptr<RiemannHilbertSolution<R>> refined(const ContactProblem& problem,
                                                    const RiemannHilbertSolution<double>& rough) {
-  const auto search = [&](const ReducedProblem<R>& reduced, JacobiRules<R>& rules) {
+  const auto search = [&](const RoundedProblem<R>& reduced, JacobiRules<R>& rules) {
     const ContactState<double>& state = rough.state();
     ContactSet<R> set = ContactSet<R>::converted(reduced, state.set);
     // A free end that lies on a jump as far as double can tell is free again.

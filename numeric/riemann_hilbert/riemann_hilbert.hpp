@@ -1,6 +1,6 @@
 #pragma once
 // The contact problem solved in the space of its own singular functions: the traction is the Riemann-Hilbert form of
-// riemann_hilbert_form.hpp for a contact set whose free ends, polynomial and tilt are found by Newton's method.
+// traction_representation.hpp for a contact set whose free ends, polynomial and tilt are found by Newton's method.
 // [Bal16, theorem 36, reconstructed]
 
 #include "numeric/solution/contact_solution.hpp"

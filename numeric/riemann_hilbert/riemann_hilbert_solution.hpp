@@ -16,15 +16,15 @@ template <Real R>
 class RiemannHilbertSolution : public ContactSolution<R> {
  public:
   /// The contact that `search` finds for the reduced problem, with rules that the form goes on using.
-  using Search = std::function<SearchResult<R>(const ReducedProblem<R>&, JacobiRules<R>&)>;
+  using Search = std::function<SearchResult<R>(const RoundedProblem<R>&, JacobiRules<R>&)>;
   RiemannHilbertSolution(ContactProblem problem, const Frame& frame, const Search& search);
   // The form points into this object.
   RiemannHilbertSolution(const RiemannHilbertSolution&) = delete;
   RiemannHilbertSolution& operator=(const RiemannHilbertSolution&) = delete;
 
-  const ReducedProblem<R>& problem() const { return reduced_; }
+  const RoundedProblem<R>& problem() const { return reduced_; }
   const ContactState<R>& state() const { return found_.state; }
-  const RiemannHilbertForm<R>& form() const { return form_; }
+  const TractionRepresentation<R>& form() const { return form_; }
   /// Does the traction blow up at an end?
   bool has_edge() const;
 
@@ -110,10 +110,10 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   const Checked& checked() const;
 
   ContactProblem problem_;
-  ReducedProblem<R> reduced_;
+  RoundedProblem<R> reduced_;
   JacobiRules<R> rules_;
   SearchResult<R> found_;
-  RiemannHilbertForm<R> form_;
+  TractionRepresentation<R> form_;
   Once<Checked> checked_;
   Once<Resultants<R>> resultants_;
   Once<std::vector<Estimate<R>>> loads_;

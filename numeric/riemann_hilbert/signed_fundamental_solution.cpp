@@ -6,7 +6,7 @@ namespace steadyslide::numeric {
 namespace {
 
 template <Real R>
-const typename ReducedProblem<R>::Singularity& singularity_at(const ReducedProblem<R>& problem,
+const typename RoundedProblem<R>::Singularity& singularity_at(const RoundedProblem<R>& problem,
                                                               const ContactSet<R>& set, std::size_t j) {
   const auto& point = set.point(j);
   if (!point.is_end()) return problem.jump(*point.anchor);
@@ -14,7 +14,7 @@ const typename ReducedProblem<R>::Singularity& singularity_at(const ReducedProbl
 }
 
 template <Real R>
-Power<R> power_at(const ReducedProblem<R>& problem, const ContactSet<R>& set, std::size_t j) {
+Power<R> power_at(const RoundedProblem<R>& problem, const ContactSet<R>& set, std::size_t j) {
   const auto& point = set.point(j);
   const bool is_jump = point.anchor && j > 0 && j < set.segments() && set.in_contact(j);
   if (!point.is_end() && !is_jump) return {R(0), R(1)};
@@ -22,7 +22,7 @@ Power<R> power_at(const ReducedProblem<R>& problem, const ContactSet<R>& set, st
 }
 
 template <Real R>
-std::vector<Power<R>> powers_of(const ReducedProblem<R>& problem, const ContactSet<R>& set) {
+std::vector<Power<R>> powers_of(const RoundedProblem<R>& problem, const ContactSet<R>& set) {
   std::vector<Power<R>> powers;
   powers.reserve(set.points().size());
   for (std::size_t j = 0; j < set.points().size(); ++j) powers.push_back(power_at(problem, set, j));
@@ -54,7 +54,7 @@ FundamentalSolution<R> solution_of(const ContactSet<R>& set, std::vector<Power<R
 }
 
 template <Real R>
-std::vector<PivotOf<R>> pivots_of(const ReducedProblem<R>& problem, const ContactSet<R>& set,
+std::vector<PivotOf<R>> pivots_of(const RoundedProblem<R>& problem, const ContactSet<R>& set,
                                   const std::vector<Power<R>>& powers) {
   using Kind = typename ContactSet<R>::Kind;
   const std::vector<std::size_t> begins = set.all(Kind::begins);
@@ -76,7 +76,7 @@ int degree_of_component(const ContactSet<R>& set, std::size_t first) {
 }  // namespace
 
 template <Real R>
-SignedFundamentalSolution<R>::SignedFundamentalSolution(const ReducedProblem<R>& problem, ContactSet<R> set)
+SignedFundamentalSolution<R>::SignedFundamentalSolution(const RoundedProblem<R>& problem, ContactSet<R> set)
     : problem_(&problem),
       set_(std::move(set)),
       powers_(powers_of(problem, set_)),

@@ -21,9 +21,9 @@ template <Real R>
 class SignedFundamentalSolution {
  public:
   /// `problem` has to outlive it.
-  SignedFundamentalSolution(const ReducedProblem<R>& problem, ContactSet<R> set);
+  SignedFundamentalSolution(const RoundedProblem<R>& problem, ContactSet<R> set);
 
-  const ReducedProblem<R>& problem() const { return *problem_; }
+  const RoundedProblem<R>& problem() const { return *problem_; }
   const ContactSet<R>& set() const { return set_; }
   const FundamentalSolution<R>& fundamental_solution() const { return solution_; }
   /// S: Y ~ z^S.
@@ -85,7 +85,7 @@ class SignedFundamentalSolution {
   /// Is component i, of order 1 or -1, on the left of its pivot? Then x - e_i < 0 there.
   bool is_left_of_pivot(std::size_t segment, std::size_t component) const { return segment < pivots_[component].point; }
 
-  const ReducedProblem<R>* problem_;
+  const RoundedProblem<R>* problem_;
   ContactSet<R> set_;
   std::vector<Power<R>> powers_;
   std::vector<Pivot> pivots_;

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "model/contact_problem.hpp"
-#include "numeric/riemann_hilbert/reduced_problem.hpp"
+#include "model/reduced_problem.hpp"
+#include "numeric/number/real.hpp"
 
 namespace steadyslide::numeric::variational {
 

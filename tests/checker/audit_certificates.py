@@ -3,8 +3,8 @@
 
 Random problems by seed, `first` and on, until `count` have a certificate: notches, steps, wedges on jumps, tilting indenters, and
 these together, some of them with friction that almost does not jump. Each is solved with --certify --certificate, and
-steadyslide-check --problem reads what was written. An answer takes at most MOST_SECONDS. `folder` receives the problem files
-of those that fail.
+steadyslide-check --problem reads what was written. An answer takes at most `seconds` of processor time. `folder` receives the
+problem files of those that fail.
 
 What it would miss: a wrong model that both programs share; both read problem files. With 16 digits: what goes wrong only where the
 bounds need more bits.
@@ -22,7 +22,6 @@ import sys
 import tempfile
 from fractions import Fraction
 
-MOST_SECONDS = 10
 NOT_PROVED = 0.2  # of all problems, at most
 
 
@@ -99,21 +98,17 @@ def problem(seed):
                     f'[friction]\nvalues = [{quoted(values)}]\njumps = [{quoted(sorted(jumps))}]\n[indenter]\n{indenter}')
 
 
-def limited():
-    resource.setrlimit(resource.RLIMIT_CPU, (MOST_SECONDS, MOST_SECONDS + 1))
-
-
-def answered(command, folder):
+def answered(command, folder, most):
     """Exit code, last line said, seconds of processor time, which other processes do not lengthen; no code: without end."""
     start = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     try:
-        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=60 * MOST_SECONDS,
-                              preexec_fn=limited, check=False)
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=60 * most, check=False,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (most, most + 1)))
     except subprocess.TimeoutExpired:
-        return None, "no answer", 60.0 * MOST_SECONDS
+        return None, "no answer", 60.0 * most
     seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - start
     if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
-        return None, f"no answer in {MOST_SECONDS} s", seconds
+        return None, f"no answer in {most} s", seconds
     said = (done.stderr.strip() or done.stdout.strip()).splitlines()
     return done.returncode, said[-1] if said else "", seconds
 
@@ -126,6 +121,7 @@ def main():
     parser.add_argument("count", type=int)
     parser.add_argument("folder", type=pathlib.Path, nargs="?")
     parser.add_argument("--digits", default="16")
+    parser.add_argument("--seconds", type=int, default=10)
     arguments = parser.parse_args()
     seed, kept = arguments.first, arguments.folder
     certify = [arguments.steadyslide, "solve", "p.toml", "--certify", "--certificate", "c.json", "--digits", arguments.digits]
@@ -143,7 +139,7 @@ def main():
                 if kept:
                     (kept / f"{seed}.toml").write_text(f"# {who}: {said}\n{problem_file}")
 
-            code, said, seconds = answered(certify, folder)
+            code, said, seconds = answered(certify, folder, arguments.seconds)
             slowest["certifier"] = max(slowest["certifier"], (seconds, seed))
             counts["problems"] += 1
             if code is None:
@@ -151,7 +147,8 @@ def main():
             elif (folder / "c.json").exists():
                 counts["certificates"] += 1
                 counts[family] += 1
-                code, said, seconds = answered([arguments.checker, "--problem", "p.toml", "c.json"], folder)
+                code, said, seconds = answered([arguments.checker, "--problem", "p.toml", "c.json"], folder,
+                                               arguments.seconds)
                 slowest["checker"] = max(slowest["checker"], (seconds, seed))
                 if code != 0:
                     failed("checker", said)

@@ -54,7 +54,7 @@ struct Example {
   std::vector<Ball> conditions_at(const std::vector<Ball>& list, slong bits) const {
     const Unknowns at = v.with(list);
     const Contact contact(reduced, layout, at.log_offsets, bits + 64);
-    return conditions(Form(contact, at, problem.loads, bits));
+    return conditions(TractionRepresentation(contact, at, problem.loads, bits));
   }
 };
 
@@ -64,7 +64,7 @@ TEST_CASE("the derivative of the conditions is that of their differences") {
   for (const bool four_free : {true, false}) {
     const Example example(four_free);
     const Contact contact(example.reduced, example.layout, example.v.log_offsets, 192);
-    const auto J = jacobian(Form(contact, example.v, example.problem.loads, 40));
+    const auto J = jacobian(TractionRepresentation(contact, example.v, example.problem.loads, 40));
     std::vector<Ball> list = example.v.list();
     REQUIRE(J.size() == list.size());
     const double step = std::ldexp(1, -18);
@@ -106,7 +106,7 @@ TEST_CASE("B_k on both sides of a wedge differ as the profile's slopes over Y") 
   // u'/c = g_k + tilt - Y B_k is one function off the contact, whatever k is asked for.
   const Example example(true);
   const Contact contact(example.reduced, example.layout, example.v.log_offsets, 192);
-  const Form form(contact, example.v, example.problem.loads, 80);
+  const TractionRepresentation form(contact, example.v, example.problem.loads, 80);
   const Place place{4, 5, contact.length(4) * Ball(0.25), contact.length(4) * Ball(0.75)};
   const Ball x = contact.xi(place);
   std::vector<Ball> slopes;
@@ -125,16 +125,16 @@ TEST_CASE("B_k and its derivative with few bits enclose what they are with many"
   // Few bits: what the rule errs by, and the nodes that regular_to leaves out, count.
   const Example example(true);
   const Contact contact(example.reduced, example.layout, example.v.log_offsets, 260);
-  const Form fine(contact, example.v, example.problem.loads, 100);
+  const TractionRepresentation fine(contact, example.v, example.problem.loads, 100);
   for (const slong bits : {4, 6, 8, 12, 16}) {
-    const Form coarse(contact, example.v, example.problem.loads, bits);
+    const TractionRepresentation coarse(contact, example.v, example.problem.loads, bits);
     for (const std::size_t segment : {0, 4, 5, 8}) {
       for (const double part : {0.01, 0.1, 0.5, 0.9, 0.99}) {
         const Ball length = contact.length(segment);
         const Place place{segment, segment + 1, length * Ball(part), length - length * Ball(part)};
         for (const std::size_t k : {contact.slope_of(1), contact.slope_of(3), contact.slope_of(7)}) {
-          const Form::Value few = coarse.regular(k, place);
-          const Form::Value many = fine.regular(k, place);
+          const TractionRepresentation::Value few = coarse.regular(k, place);
+          const TractionRepresentation::Value many = fine.regular(k, place);
           CAPTURE(bits);
           CAPTURE(segment);
           CAPTURE(part);
@@ -153,8 +153,8 @@ TEST_CASE("B_k and its derivative with few bits enclose what they are with many"
 TEST_CASE("polynomials in place of B_k enclose it between and at the places that they are made of") {
   const Example example(true);
   const Contact contact(example.reduced, example.layout, example.v.log_offsets, 260);
-  const Form fine(contact, example.v, example.problem.loads, 100);
-  const Form coarse(contact, example.v, example.problem.loads, 4);
+  const TractionRepresentation fine(contact, example.v, example.problem.loads, 100);
+  const TractionRepresentation coarse(contact, example.v, example.problem.loads, 4);
   // Of the sums with many bits, that of the polynomial shows; of an exact polynomial, that of the rules.
   for (const auto& [form, bits] : {std::pair(&fine, 1), {&fine, 4}, {&fine, 8}, {&fine, 60}, {&coarse, 60}}) {
     for (const std::size_t segment : {0, 4, 5, 8}) {
@@ -186,7 +186,7 @@ TEST_CASE("polynomials in place of B_k enclose it between and at the places that
 TEST_CASE("no polynomial in place of B_k where another piece is closer than an eighth of the panel") {
   const Example example(true);
   const Contact contact(example.reduced, example.layout, example.v.log_offsets, 192);
-  const Form form(contact, example.v, example.problem.loads, 40);
+  const TractionRepresentation form(contact, example.v, example.problem.loads, 40);
   // Segment 5 has the piece of segments 6 and 7 on its right.
   const std::size_t k = contact.slope_of(1);
   const Ball length = contact.length(5);

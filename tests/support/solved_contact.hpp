@@ -48,7 +48,7 @@ Solved<R> solved(const ContactProblem& problem, const numeric::ContactSolution<R
 }
 
 template <numeric::Real R>
-numeric::SurfaceCheck<R> check_of(const numeric::RiemannHilbertForm<R>& form) {
+numeric::SurfaceCheck<R> check_of(const numeric::TractionRepresentation<R>& form) {
   std::vector<R> s;
   std::vector<std::size_t> segments;
   for (std::size_t k = 0; k < form.set().segments(); ++k) {

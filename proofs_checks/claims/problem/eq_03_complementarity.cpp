@@ -73,12 +73,12 @@ template <class R>
 struct Held {
   std::shared_ptr<const RiemannHilbertSolution<R>> solution;
   std::optional<ContactProblem> problem;  ///< on another support
-  std::optional<numeric::ReducedProblem<R>> reduced;
+  std::optional<numeric::RoundedProblem<R>> reduced;
   numeric::JacobiRules<R> rules;
-  std::optional<RiemannHilbertForm<R>> form;
+  std::optional<TractionRepresentation<R>> form;
 
   /// In contact all over the support, with edges.
-  void put_edges(const numeric::ReducedProblem<R>& on) {
+  void put_edges(const numeric::RoundedProblem<R>& on) {
     const auto left = static_cast<double>(on.anchors().front().x);
     const auto right = static_cast<double>(on.anchors().back().x);
     auto state = ContactState<R>::initial(on, ContactSet<R>(on, {{left, right, true, true}}), R(0));
@@ -92,7 +92,7 @@ std::unique_ptr<Held<R>> hold(const ContactProblem& problem, const Candidate& ca
   auto held = std::make_unique<Held<R>>();
   // What is not solved ends the walk, with the reason: no case is passed over.
   held->solution = solve<R>(candidate.which == Which::unsolved ? notch(false) : problem);
-  const RiemannHilbertForm<R>& form = held->solution->form();
+  const TractionRepresentation<R>& form = held->solution->form();
   if (candidate.which == Which::too_short || candidate.which == Which::too_long) {
     const auto contact = held->solution->contact();
     const auto left = static_cast<double>(contact.front().left.x.value);
@@ -117,9 +117,9 @@ std::unique_ptr<Held<R>> hold(const ContactProblem& problem, const Candidate& ca
 
 /// psi - u over c P beyond the end of panel k, `distance` from there in xi; both ends of it in the user's x.
 template <Real R>
-R opening(const numeric::SurfaceCheck<R>& check, const numeric::Panel<R>& panel, const RiemannHilbertForm<R>& form,
+R opening(const numeric::SurfaceCheck<R>& check, const numeric::Panel<R>& panel, const TractionRepresentation<R>& form,
           const ContactProblem& problem, std::size_t k, Side side, const R& distance) {
-  const numeric::Frame& frame = form.problem().frame();
+  const Frame& frame = form.problem().frame();
   const R unit = to_real<R>(frame.unit);
   const R end = to_real<R>(frame.origin) + unit * (side == Side::left ? panel.left : panel.right);
   const R x = end + (side == Side::left ? R(-unit * distance) : R(unit * distance));
@@ -130,7 +130,7 @@ R opening(const numeric::SurfaceCheck<R>& check, const numeric::Panel<R>& panel,
 /// How many sides of ends, jumps and wedges pull in the limit: read off the traction at a distance where the leading
 /// term of any of its local forms has outgrown the others, by a factor 10^40 at 50 digits if |beta| > 10^-4.
 template <Real R>
-int pulling_sides(const RiemannHilbertForm<R>& form, const R& factor) {
+int pulling_sides(const TractionRepresentation<R>& form, const R& factor) {
   using std::abs, std::pow;
   const R d = pow(R(10), std::same_as<R, double> ? R(-300) : R(-1'000'000));
   const ContactSet<R>& set = form.set();
@@ -154,7 +154,7 @@ void examine(Findings& findings, const ContactProblem& problem, const Candidate&
                         {"t as near as 10^-300 in double, 10^-1000000 with more digits", "0"},
                         0};
   const auto held = hold<R>(problem, candidate);
-  const RiemannHilbertForm<R>& form = *held->form;
+  const TractionRepresentation<R>& form = *held->form;
   const R factor(candidate.factor);
   PiecewiseDensity<R> density = traction_density(form);
   for (auto& panel : density) {

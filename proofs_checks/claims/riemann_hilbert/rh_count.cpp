@@ -32,7 +32,7 @@ CaseList<Edges> every_choice(const Context& context) {
 /// Of the exponents, as exact angles, and of the solver's form.
 Values counted(const Edges& c) {
   const TrialForm<double> trial(with_ends(c.components));
-  const RiemannHilbertForm<double>& form = trial.form();
+  const TractionRepresentation<double>& form = trial.form();
   Exponent sum;
   int free = 0;
   for (std::size_t j = 0; j < form.set().points().size(); ++j) {

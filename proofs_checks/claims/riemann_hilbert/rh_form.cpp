@@ -20,14 +20,14 @@ struct FormTerms {
   int integral = 1;                        ///< the integral's sign
   bool excess = true;                      ///< does A t miss what Y (m_0/z + ...) leaves at infinity?
 
-  const RiemannHilbertForm<double>& form() const { return trial->form(); }
+  const TractionRepresentation<double>& form() const { return trial->form(); }
   bool is_contact(std::size_t k) const { return form().set().in_contact(k); }
   bool is_end(std::size_t j) const { return form().set().point(j).is_end(); }
 };
 
 FormTerms terms_of(const Trial& trial) {
   FormTerms terms{std::make_shared<const TrialForm<double>>(trial), {}, {}, {}, {}};
-  const RiemannHilbertForm<double>& form = terms.form();
+  const TractionRepresentation<double>& form = terms.form();
   for (std::size_t k = 0; k < form.set().segments(); ++k) {
     terms.eps.push_back(form.sign(static_cast<std::ptrdiff_t>(k)));
     terms.cosine.push_back(cos_pi_alpha<Number>(trial.problem.coupled_friction(form.friction_at(k))));
@@ -38,7 +38,7 @@ FormTerms terms_of(const Trial& trial) {
 
 /// [(g_k + tilt)/Y]_poly at x.
 template <Real R>
-R polynomial_part(const RiemannHilbertForm<R>& form, std::size_t slope, const R& x) {
+R polynomial_part(const TractionRepresentation<R>& form, std::size_t slope, const R& x) {
   std::vector<R> g = form.problem().slopes()[slope];
   g.resize(std::max<std::size_t>(g.size(), 1), R(0));
   g[0] += form.tilt();
@@ -56,7 +56,7 @@ R polynomial_part(const RiemannHilbertForm<R>& form, std::size_t slope, const R&
 }
 
 template <Real R>
-Surface<R> surface_of(const RiemannHilbertForm<R>& form, const FormTerms& terms) {
+Surface<R> surface_of(const TractionRepresentation<R>& form, const FormTerms& terms) {
   const auto bracket = [&terms, &form](std::size_t k, const Node<R>& node) {
     R b = form.regular_factor(terms.slope[k], {static_cast<std::ptrdiff_t>(k), node}).value;
     if (!terms.polynomial || terms.integral < 0) {

@@ -18,7 +18,7 @@ struct GapTerms {
 /// One end of contact seen from a gap.
 template <class R>
 struct Facing {
-  const RiemannHilbertForm<R>& form;
+  const TractionRepresentation<R>& form;
   std::size_t end;
   std::size_t panel;  ///< of the contact, next to the end
 
@@ -49,7 +49,7 @@ struct Facing {
 template <Real R>
 class GapCheck {
  public:
-  GapCheck(Findings& findings, const GapTerms& terms, const RiemannHilbertForm<R>& form)
+  GapCheck(Findings& findings, const GapTerms& terms, const TractionRepresentation<R>& form)
       : findings_(findings), terms_(terms), form_(form), grid_(traction_density(form)) {
     if (terms.excess) excess_ = excess(form);
   }
@@ -123,7 +123,7 @@ class GapCheck {
 
   Findings& findings_;
   const GapTerms& terms_;
-  const RiemannHilbertForm<R>& form_;
+  const TractionRepresentation<R>& form_;
   trapezoidal::Grid<R> grid_;
   std::vector<R> excess_;
 };

@@ -26,7 +26,7 @@ struct Bracket {
   R pole;
   std::vector<R> polynomial;
 
-  Bracket(const RiemannHilbertForm<R>& form, std::size_t j, const Derivatives& said) : end(j) {
+  Bracket(const TractionRepresentation<R>& form, std::size_t j, const Derivatives& said) : end(j) {
     const R& p = form.fundamental_solution().powers()[j].value;
     const R in_residue = said.power == Derivatives::Power::own       ? p
                          : said.power == Derivatives::Power::missing ? R(1)
@@ -56,20 +56,20 @@ std::vector<SurfacePoint<R>> places(const ContactSet<R>& set) {
 }
 
 template <Real R>
-bool is_inside(const RiemannHilbertForm<R>& form, const SurfacePoint<R>& at) {
+bool is_inside(const TractionRepresentation<R>& form, const SurfacePoint<R>& at) {
   return at.segment >= 0 && at.segment < static_cast<std::ptrdiff_t>(form.set().segments()) &&
          form.set().in_contact(static_cast<std::size_t>(at.segment));
 }
 
 /// t in the contact, u'/c off it.
 template <Real R>
-R value(const RiemannHilbertForm<R>& form, const SurfacePoint<R>& at) {
+R value(const TractionRepresentation<R>& form, const SurfacePoint<R>& at) {
   return is_inside(form, at) ? form.traction(at).value : form.surface_slope(at).value;
 }
 
 /// What Y (...) is for u' is -eps cos(pi alpha) |Y| (...) for t.
 template <Real R>
-R factor(const RiemannHilbertForm<R>& form, const SurfacePoint<R>& at) {
+R factor(const TractionRepresentation<R>& form, const SurfacePoint<R>& at) {
   const R y = form.sign(at.segment) * form.modulus(at);
   if (!is_inside(form, at)) return y;
   return -y * form.problem().cos_alpha(form.friction_at(static_cast<std::size_t>(at.segment)));
@@ -90,7 +90,7 @@ std::vector<R> differences(const TrialForm<R>& trial, std::size_t f, const std::
       steps[f] = step;
       ContactSet<R> moved = set;
       moved.move(steps);
-      const RiemannHilbertForm<R> form = trial.form_on(std::move(moved), trial.form().tilt());
+      const TractionRepresentation<R> form = trial.form_on(std::move(moved), trial.form().tilt());
       const auto [numerator, denominator] = weights[static_cast<std::size_t>(k - 1)];
       for (std::size_t i = 0; i < at.size(); ++i) {
         SurfacePoint<R> place = at[i];
@@ -105,7 +105,7 @@ std::vector<R> differences(const TrialForm<R>& trial, std::size_t f, const std::
 
 template <Real R>
 void check_ends(Findings& findings, const Derivatives& said, const TrialForm<R>& trial) {
-  const RiemannHilbertForm<R>& form = trial.form();
+  const TractionRepresentation<R>& form = trial.form();
   const std::vector<SurfacePoint<R>> at = places(form.set());
   const std::vector<std::size_t> ends = form.set().movable();
   for (std::size_t f = 0; f < ends.size(); ++f) {
@@ -123,8 +123,8 @@ void check_ends(Findings& findings, const Derivatives& said, const TrialForm<R>&
 template <Real R>
 void check_tilt(Findings& findings, const Derivatives& said, const TrialForm<R>& trial) {
   using std::abs, std::max;
-  const RiemannHilbertForm<R>& form = trial.form();
-  const RiemannHilbertForm<R> tilted = trial.form_on(form.set(), R(form.tilt() + 1));
+  const TractionRepresentation<R>& form = trial.form();
+  const TractionRepresentation<R> tilted = trial.form_on(form.set(), R(form.tilt() + 1));
   for (const SurfacePoint<R>& at : places(form.set())) {
     const R expected =
         (is_inside(form, at) ? 0 : 1) - R(said.tilt) * factor(form, at) * form.expansion().tilt_polynomial(at.node.x);

@@ -12,7 +12,7 @@ template <Real R>
 Values by_quadrature(const Trial& trial) {
   using std::abs, std::max;
   const TrialForm<R> tried(trial);
-  const RiemannHilbertForm<R>& form = tried.form();
+  const TractionRepresentation<R>& form = tried.form();
   const trapezoidal::Grid<R> grid(traction_density(form));
   const R scale = load_scale(form);
   Values values{{"load", R(grid.integral() / scale)},
@@ -34,7 +34,7 @@ Values by_quadrature(const Trial& trial) {
 template <Real R>
 Values at_infinity(const Trial& trial, bool first_term_alone = false) {
   const TrialForm<R> tried(trial);
-  const RiemannHilbertForm<R>& form = tried.form();
+  const TractionRepresentation<R>& form = tried.form();
   const R minus_pi = -numeric::pi<R>() / load_scale(form);
   const int S = form.degree_at_infinity();
   const R moment = !first_term_alone ? coefficient_at_infinity(form, -2)

@@ -55,7 +55,7 @@ double distance(const Moments& a, const Moments& b, double load) {
 
 Moments riemann_hilbert_moments(const ContactProblem& problem) {
   const auto solution = solve<double>(problem);
-  const numeric::Frame& frame = solution->problem().frame();
+  const Frame& frame = solution->problem().frame();
   const auto unit = to_real<double>(frame.unit);
   const auto origin = to_real<double>(frame.origin);
   Moments result(compared_moments + 1, 0);
@@ -85,7 +85,7 @@ Moments cell_moments(const ContactProblem& problem, std::size_t cells) {
     if (!other.reached) throw std::runtime_error("not solved on cells");
     state = other.state;
   }
-  const numeric::Frame& frame = discrete.mesh().frame();
+  const Frame& frame = discrete.mesh().frame();
   const auto origin = to_real<double>(frame.origin);
   const auto unit = to_real<double>(frame.unit);
   const double scale = to_real<double>(problem.load()) / unit;

@@ -51,7 +51,7 @@ bool in_contact(const RiemannHilbertSolution<R>& solution, std::size_t point, Si
 }
 
 template <Real R>
-SurfacePoint<R> beside(const RiemannHilbertForm<R>& form, std::size_t point, Side side, const R& d) {
+SurfacePoint<R> beside(const TractionRepresentation<R>& form, std::size_t point, Side side, const R& d) {
   return numeric::beside(form.set(), point, side, R(d / to_real<R>(form.problem().frame().unit)));
 }
 
@@ -126,15 +126,15 @@ Values powers_on_cells(const ContactProblem& problem, SingularKind kind) {
   return values;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                                            \
-  template Solved<R> solve(const ContactProblem&);                                            \
-  template std::size_t point_at(const RiemannHilbertSolution<R>&, const Rational&);           \
-  template std::size_t contact_end(const RiemannHilbertSolution<R>&, Side);                   \
-  template bool in_contact(const RiemannHilbertSolution<R>&, std::size_t, Side);              \
-  template SurfacePoint<R> beside(const RiemannHilbertForm<R>&, std::size_t, Side, const R&); \
-  template R traction_beside(const RiemannHilbertSolution<R>&, std::size_t, Side, const R&);  \
-  template R asymptotic_distance();                                                           \
-  template R limit_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);               \
+#define STEADYSLIDE_INSTANTIATE(R)                                                                \
+  template Solved<R> solve(const ContactProblem&);                                                \
+  template std::size_t point_at(const RiemannHilbertSolution<R>&, const Rational&);               \
+  template std::size_t contact_end(const RiemannHilbertSolution<R>&, Side);                       \
+  template bool in_contact(const RiemannHilbertSolution<R>&, std::size_t, Side);                  \
+  template SurfacePoint<R> beside(const TractionRepresentation<R>&, std::size_t, Side, const R&); \
+  template R traction_beside(const RiemannHilbertSolution<R>&, std::size_t, Side, const R&);      \
+  template R asymptotic_distance();                                                               \
+  template R limit_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);                   \
   template R logarithm_beside(const RiemannHilbertSolution<R>&, std::size_t, Side);
 STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE

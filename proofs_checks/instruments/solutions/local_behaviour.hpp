@@ -15,9 +15,9 @@
 
 namespace steadyslide::proofs_checks {
 
-using numeric::RiemannHilbertForm;
 using numeric::RiemannHilbertSolution;
 using numeric::SurfacePoint;
+using numeric::TractionRepresentation;
 using numeric::VariationalSolution;
 
 template <Real R>
@@ -38,7 +38,7 @@ template <Real R>
 bool in_contact(const RiemannHilbertSolution<R>& solution, std::size_t point, Side side);
 
 template <Real R>
-SurfacePoint<R> beside(const RiemannHilbertForm<R>& form, std::size_t point, Side side, const R& d);
+SurfacePoint<R> beside(const TractionRepresentation<R>& form, std::size_t point, Side side, const R& d);
 template <Real R>
 R traction_beside(const RiemannHilbertSolution<R>& solution, std::size_t point, Side side, const R& d);
 /// 10^-(digits + 10): t at such distances is its leading term to all digits, if the next one is a whole power smaller.

@@ -37,12 +37,12 @@ TrialForm<R>::TrialForm(const Trial& trial) : problem_(trial.problem), reduced_(
 }
 
 template <class R>
-RiemannHilbertForm<R> TrialForm<R>::form_on(ContactSet<R> set, const R& tilt) const {
+TractionRepresentation<R> TrialForm<R>::form_on(ContactSet<R> set, const R& tilt) const {
   return {reduced_, std::move(set), form_->q(), tilt, rules_};
 }
 
 template <Real R>
-R coefficient_at_infinity(const RiemannHilbertForm<R>& form, int power) {
+R coefficient_at_infinity(const TractionRepresentation<R>& form, int power) {
   const int top = form.degree_at_infinity() - power;
   const std::vector<numeric::Estimate<R>> m = form.moments(static_cast<std::size_t>(std::max(top, 0)));
   R sum = 0;
@@ -57,7 +57,7 @@ R coefficient_at_infinity(const RiemannHilbertForm<R>& form, int power) {
 }
 
 template <Real R>
-std::vector<R> excess(const RiemannHilbertForm<R>& form) {
+std::vector<R> excess(const TractionRepresentation<R>& form) {
   std::vector<R> result;
   for (int power = 0; power < form.degree_at_infinity(); ++power) {
     result.push_back(coefficient_at_infinity(form, power));
@@ -66,7 +66,7 @@ std::vector<R> excess(const RiemannHilbertForm<R>& form) {
 }
 
 template <Real R>
-std::vector<std::size_t> segments_of(const RiemannHilbertForm<R>& form) {
+std::vector<std::size_t> segments_of(const TractionRepresentation<R>& form) {
   std::vector<std::size_t> result;
   for (std::size_t k = 0; k < form.set().segments(); ++k) {
     if (form.set().in_contact(k)) result.push_back(k);
@@ -75,7 +75,7 @@ std::vector<std::size_t> segments_of(const RiemannHilbertForm<R>& form) {
 }
 
 template <Real R>
-R load_scale(const RiemannHilbertForm<R>& form) {
+R load_scale(const TractionRepresentation<R>& form) {
   using std::abs;
   R sum = 0;
   for (const std::size_t k : segments_of(form)) {
@@ -87,12 +87,12 @@ R load_scale(const RiemannHilbertForm<R>& form) {
 }
 
 template <Real R>
-std::vector<R> friction_of(const RiemannHilbertForm<R>& form) {
+std::vector<R> friction_of(const TractionRepresentation<R>& form) {
   const ContactProblem& problem = form.problem().problem();
   std::vector<R> result;
   for (const std::size_t k : segments_of(form)) {
     const R middle = (form.set().x(k) + form.set().x(k + 1)) / 2;
-    const numeric::Frame& frame = form.problem().frame();
+    const Frame& frame = form.problem().frame();
     const R x = to_real<R>(frame.origin) + to_real<R>(frame.unit) * middle;
     std::size_t piece = 0;
     for (const Rational& c : problem.friction().jumps()) piece += to_real<R>(c) < x ? 1 : 0;
@@ -102,7 +102,7 @@ std::vector<R> friction_of(const RiemannHilbertForm<R>& form) {
 }
 
 template <Real R>
-PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>& form, const numeric::FundamentalSolution<R>& weight,
+PiecewiseDensity<R> density_of(const TractionRepresentation<R>& form, const numeric::FundamentalSolution<R>& weight,
                                const Bracket<R>& bracket) {
   PiecewiseDensity<R> density;
   // At a wedge a power that vanishes lies below the constant or the logarithm.
@@ -132,7 +132,7 @@ PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>& form, const numeric:
 }
 
 template <Real R>
-R equation_error(const RiemannHilbertForm<R>& solution) {
+R equation_error(const TractionRepresentation<R>& solution) {
   const ContactSet<R>& set = solution.set();
   const R origin = to_real<R>(solution.problem().frame().origin);
   const R unit = to_real<R>(solution.problem().frame().unit);
@@ -147,7 +147,7 @@ R equation_error(const RiemannHilbertForm<R>& solution) {
 }
 
 template <Real R>
-void check_equation(Findings& findings, const RiemannHilbertForm<R>& solution) {
+void check_equation(Findings& findings, const TractionRepresentation<R>& solution) {
   const Quantity equation{"A t = psi'/c for the solved problem",
                           {"(1/pi) PV int t/(x'-x) dx' + s t, trapezoidal rule", "psi'/c"},
                           tolerance<R>()};
@@ -168,19 +168,19 @@ R extrapolated(const std::vector<R>& f, int to) {
   return sum;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                                                              \
-  template R height(const ContactProblem&, const R&, const R&);                                                 \
-  template R slope(const ContactProblem&, const R&, const R&);                                                  \
-  template class TrialForm<R>;                                                                                  \
-  template R coefficient_at_infinity(const RiemannHilbertForm<R>&, int);                                        \
-  template R load_scale(const RiemannHilbertForm<R>&);                                                          \
-  template std::vector<R> excess(const RiemannHilbertForm<R>&);                                                 \
-  template std::vector<std::size_t> segments_of(const RiemannHilbertForm<R>&);                                  \
-  template std::vector<R> friction_of(const RiemannHilbertForm<R>&);                                            \
-  template PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>&, const numeric::FundamentalSolution<R>&, \
-                                          const Bracket<R>&);                                                   \
-  template R equation_error(const RiemannHilbertForm<R>&);                                                      \
-  template void check_equation(Findings&, const RiemannHilbertForm<R>&);                                        \
+#define STEADYSLIDE_INSTANTIATE(R)                                                                                  \
+  template R height(const ContactProblem&, const R&, const R&);                                                     \
+  template R slope(const ContactProblem&, const R&, const R&);                                                      \
+  template class TrialForm<R>;                                                                                      \
+  template R coefficient_at_infinity(const TractionRepresentation<R>&, int);                                        \
+  template R load_scale(const TractionRepresentation<R>&);                                                          \
+  template std::vector<R> excess(const TractionRepresentation<R>&);                                                 \
+  template std::vector<std::size_t> segments_of(const TractionRepresentation<R>&);                                  \
+  template std::vector<R> friction_of(const TractionRepresentation<R>&);                                            \
+  template PiecewiseDensity<R> density_of(const TractionRepresentation<R>&, const numeric::FundamentalSolution<R>&, \
+                                          const Bracket<R>&);                                                       \
+  template R equation_error(const TractionRepresentation<R>&);                                                      \
+  template void check_equation(Findings&, const TractionRepresentation<R>&);                                        \
   template R extrapolated(const std::vector<R>&, int);
 STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE

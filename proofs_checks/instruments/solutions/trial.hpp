@@ -14,8 +14,8 @@ namespace steadyslide::proofs_checks {
 
 using numeric::ContactInterval;
 using numeric::ContactSet;
-using numeric::RiemannHilbertForm;
 using numeric::SurfacePoint;
+using numeric::TractionRepresentation;
 
 struct Trial {
   std::string name;
@@ -24,7 +24,7 @@ struct Trial {
   std::vector<Rational> q;             ///< as many of them as the form has coefficients are used
   Rational tilt;
 
-  static numeric::Frame frame() { return {Rational(1, 8), 2}; }
+  static Frame frame() { return {Rational(1, 8), 2}; }
   static double in_frame(const Rational& x) { return to_real<double>((x - frame().origin) / frame().unit); }
 };
 
@@ -51,47 +51,47 @@ class TrialForm {
   TrialForm(const TrialForm&) = delete;
   TrialForm& operator=(const TrialForm&) = delete;
 
-  const RiemannHilbertForm<R>& form() const { return *form_; }
+  const TractionRepresentation<R>& form() const { return *form_; }
   /// On another contact set, or with another tilt.
-  RiemannHilbertForm<R> form_on(ContactSet<R> set, const R& tilt) const;
+  TractionRepresentation<R> form_on(ContactSet<R> set, const R& tilt) const;
 
  private:
   ContactProblem problem_;
-  numeric::ReducedProblem<R> reduced_;
+  numeric::RoundedProblem<R> reduced_;
   mutable numeric::JacobiRules<R> rules_;
-  std::optional<RiemannHilbertForm<R>> form_;
+  std::optional<TractionRepresentation<R>> form_;
 };
 
 /// The coefficient of z^power of u'/c = Y (m_0/z + m_1/z^2 + ... + q/pi) at infinity.
 template <Real R>
-R coefficient_at_infinity(const RiemannHilbertForm<R>& form, int power);
+R coefficient_at_infinity(const TractionRepresentation<R>& form, int power);
 /// Those of z^0, z^1, ...: none for a solution. What t leaves of psi'/c is A t = psi'/c + tilt - these.
 template <Real R>
-std::vector<R> excess(const RiemannHilbertForm<R>& form);
+std::vector<R> excess(const TractionRepresentation<R>& form);
 
 /// The size of int |t|: int t may vanish.
 template <Real R>
-R load_scale(const RiemannHilbertForm<R>& form);
+R load_scale(const TractionRepresentation<R>& form);
 
 /// t = bracket |Y|, Y from `weight`, panel by panel of the contact; segments_of says which they are.
 template <class R>
 using Bracket = std::function<R(std::size_t segment, const Node<R>&)>;
 template <Real R>
-PiecewiseDensity<R> density_of(const RiemannHilbertForm<R>& form, const numeric::FundamentalSolution<R>& weight,
+PiecewiseDensity<R> density_of(const TractionRepresentation<R>& form, const numeric::FundamentalSolution<R>& weight,
                                const Bracket<R>& bracket);
 template <Real R>
-std::vector<std::size_t> segments_of(const RiemannHilbertForm<R>& form);
+std::vector<std::size_t> segments_of(const TractionRepresentation<R>& form);
 /// s of the contact's panels, as formulas have it: s_of().
 template <Real R>
-std::vector<R> friction_of(const RiemannHilbertForm<R>& form);
+std::vector<R> friction_of(const TractionRepresentation<R>& form);
 
 /// The largest error of A t = psi'/c on the contact of a solution, from 1e-6 of each segment's length on, by the trapezoidal
 /// rule, which knows nothing of the form; s and psi from the problem's data.
 template <Real R>
-R equation_error(const RiemannHilbertForm<R>& solution);
+R equation_error(const TractionRepresentation<R>& solution);
 /// That a solution is one.
 template <Real R>
-void check_equation(Findings& findings, const RiemannHilbertForm<R>& solution);
+void check_equation(Findings& findings, const TractionRepresentation<R>& solution);
 
 /// The analytic function with values f_1, ..., f_n at -h, ..., -nh, at `to` times h. With so many values at distances
 /// so small the error stays far below the tolerance.

@@ -72,7 +72,7 @@ template <Real R>
 StressComponents<R> by_quadrature(const RiemannHilbertSolution<R>& solution, const Rational& x, const Rational& z,
                                   const R& factor = R(1)) {
   using std::abs, std::pow;
-  const RiemannHilbertForm<R>& form = solution.form();
+  const TractionRepresentation<R>& form = solution.form();
   const ContactSet<R>& set = form.set();
   const SurfacePoint<R> above = solution.locate(x);
   const R depth = to_real<R>(z / solution.problem().frame().unit);

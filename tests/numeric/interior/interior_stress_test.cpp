@@ -19,7 +19,7 @@ template <Real R>
 StressComponents<R> by_potentials(const RiemannHilbertSolution<R>& solution, const Rational& x, const Rational& z) {
   using Z = Complex<R>;
   const auto times = [](const Z& a, const Z& b) { return Z{a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; };
-  const RiemannHilbertForm<R>& form = solution.form();
+  const TractionRepresentation<R>& form = solution.form();
   const Frame& frame = solution.problem().frame();
   const Z zeta{to_real<R>((x - frame.origin) / frame.unit), to_real<R>(z / frame.unit)};
   const std::vector<R>& g = solution.problem().slopes().front();

@@ -17,7 +17,7 @@ const Frame unit_frame{0, 1};
 
 /// What is wrong with a set, or nothing.
 template <Real R>
-std::string fault(const ReducedProblem<R>& problem, const ContactSet<R>& set) {
+std::string fault(const RoundedProblem<R>& problem, const ContactSet<R>& set) {
   using std::abs;
   R sum = 0;
   std::size_t anchor = 0;
@@ -87,7 +87,7 @@ void change(ContactSet<R>& set) {
 
 TEST_CASE_TEMPLATE("random changes: lengths add up to the anchors' spacing and places follow them", R, double, Real50) {
   const ContactProblem p = jumps_on(Rational(-7, 3), 2, {-1.5_r, -0.001_r, 0, Rational(1, 3), Rational(4, 3)});
-  const ReducedProblem<R> problem(p, unit_frame);
+  const RoundedProblem<R> problem(p, unit_frame);
   CHECK(rc::check("random changes", [&] {
     ContactSet<R> set(problem, {{-1.7, -0.3, false, false}, {0.2, 1, false, false}});
     RC_ASSERT(fault(problem, set) == "");
@@ -100,7 +100,7 @@ TEST_CASE_TEMPLATE("random changes: lengths add up to the anchors' spacing and p
 
 TEST_CASE("zones that somebody guessed") {
   const ContactProblem p = jumps_on(-1, 1, {0});
-  const ReducedProblem<double> problem(p, unit_frame);
+  const RoundedProblem<double> problem(p, unit_frame);
   for (const ContactInterval& guess : {ContactInterval{-1, 1, true, true},
                                        {-1, 0.5, true, false},
                                        {-0.5, 1, false, true},
@@ -122,7 +122,7 @@ TEST_CASE("zones that somebody guessed") {
 
 TEST_CASE("an end settles at an anchor, and the set is closed and opened again") {
   const ContactProblem p = jumps_on(-1, 1, {0, 0.5_r});
-  const ReducedProblem<double> problem(p, unit_frame);
+  const RoundedProblem<double> problem(p, unit_frame);
   ContactSet<double> set(problem, {{-0.5, 0.25, false, false}});
   set.attach_to_anchor(set.all(Kind<double>::ends).front(), Side::right, true);
   CHECK(fault(problem, set) == "");
@@ -148,8 +148,8 @@ TEST_CASE("an end settles at an anchor, and the set is closed and opened again")
 
 TEST_CASE("tiny lengths survive, in the type and on the way to another one") {
   const ContactProblem p = jumps_on(-1, 1, {Rational(-1, 3), Rational(1, 3)});
-  const ReducedProblem<double> rough(p, unit_frame);
-  const ReducedProblem<Real50> fine(p, unit_frame);
+  const RoundedProblem<double> rough(p, unit_frame);
+  const RoundedProblem<Real50> fine(p, unit_frame);
   for (const double tiny : {1e-12, 1e-30, 1e-300}) {
     ContactSet<double> set(rough, {{-0.2, 0.2, false, false}});
     const std::size_t begin = set.all(Kind<double>::begins).front();
@@ -171,7 +171,7 @@ TEST_CASE("tiny lengths survive, in the type and on the way to another one") {
 
 TEST_CASE_TEMPLATE("anchors a million units away take no digit from the contact", R, double, Real50) {
   const ContactProblem p = jumps_on(-1000000, 1000000, {});
-  const ReducedProblem<R> problem(p, unit_frame);
+  const RoundedProblem<R> problem(p, unit_frame);
   CHECK(rc::check("far supports", [&] {
     using std::abs;
     ContactSet<R> set(problem, {{-1, 1, false, false}});
@@ -193,7 +193,7 @@ TEST_CASE_TEMPLATE("anchors a million units away take no digit from the contact"
 TEST_CASE("control: the checker sees a set that belongs to another problem") {
   const ContactProblem p = jumps_on(-1, 1, {0});
   const ContactProblem other = jumps_on(-1, 1, {Rational(1, 1000000)});
-  const ReducedProblem<double> problem(p, unit_frame), displaced(other, unit_frame);
+  const RoundedProblem<double> problem(p, unit_frame), displaced(other, unit_frame);
   const ContactSet<double> set(problem, {{-0.5, 0.5, false, false}});
   CHECK(fault(problem, set) == "");
   CHECK(fault(displaced, set) == "spacing");

@@ -24,10 +24,10 @@ struct FullContact {
     form.emplace(problem, state.set, state.q, state.tilt, rules);
   }
   ContactProblem data;
-  ReducedProblem<R> problem;
+  RoundedProblem<R> problem;
   JacobiRules<R> rules;
   SearchResult<R> found{ContactState<R>{ContactSet<R>(problem), {}, R(0)}, {}, ""};
-  std::optional<RiemannHilbertForm<R>> form;
+  std::optional<TractionRepresentation<R>> form;
 };
 
 /// Lengths of the two halves of the gap over the notch.
@@ -95,7 +95,7 @@ TEST_CASE("what is in contact where it pulls has an infinite tension, and a name
   const std::string words = in_words(*full.form, 1, *leading_term(*full.form, 1));
   CAPTURE(words);
   CHECK(words.find("x = 0 pulls: theta = -0.79") != std::string::npos);
-  const auto full_contact = [](const ReducedProblem<double>& problem, JacobiRules<double>&) -> SearchResult<double> {
+  const auto full_contact = [](const RoundedProblem<double>& problem, JacobiRules<double>&) -> SearchResult<double> {
     return {{ContactSet<double>(problem, {{-1, 1, true, true}}), {problem.load()}, 0}, {}, ""};
   };
   const RiemannHilbertSolution<double> accepted(full.data, {0, 1}, full_contact);

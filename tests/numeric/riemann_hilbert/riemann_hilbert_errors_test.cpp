@@ -47,7 +47,7 @@ class Displaced {
   Displaced(const ContactProblem& problem, std::size_t pattern, double error)
       : truth_(of<Real50>(problem)),
         rough_(of<double>(problem)),
-        found_(problem, rough_->problem().frame(), [&](const ReducedProblem<double>& reduced, JacobiRules<double>&) {
+        found_(problem, rough_->problem().frame(), [&](const RoundedProblem<double>& reduced, JacobiRules<double>&) {
           const ContactState<double>& state = rough_->state();
           ContactSet<double> set = ContactSet<double>::converted(reduced, state.set);
           std::vector<double> steps;

@@ -10,7 +10,7 @@
 namespace {
 
 using Set = ContactSet<double>;
-using Form = RiemannHilbertForm<double>;
+using Form = TractionRepresentation<double>;
 
 const ContactProblem on_two_wells = on_two_coatings(two_wells(), 3);
 
@@ -20,7 +20,7 @@ double missing_load(const Form& form) {
 }
 
 template <Real R>
-SearchResult<R> converged(const ReducedProblem<R>& problem, const ContactSet<R>& set, JacobiRules<R>& rules) {
+SearchResult<R> converged(const RoundedProblem<R>& problem, const ContactSet<R>& set, JacobiRules<R>& rules) {
   const std::vector<R> limits(set.segments(), R(1e-3));
   auto found = solve_newton(problem, ContactState<R>::initial(problem, set, R(0)), limits, rules);
   REQUIRE(found.status == NewtonResult<R>::Status::converged);
@@ -28,7 +28,8 @@ SearchResult<R> converged(const ReducedProblem<R>& problem, const ContactSet<R>&
 }
 
 template <Real R>
-RiemannHilbertForm<R> form_of(const ReducedProblem<R>& problem, const ContactState<R>& state, JacobiRules<R>& rules) {
+TractionRepresentation<R> form_of(const RoundedProblem<R>& problem, const ContactState<R>& state,
+                                  JacobiRules<R>& rules) {
   return {problem, state.set, state.q, state.tilt, rules};
 }
 
@@ -46,7 +47,7 @@ TEST_CASE("an elastic indenter whose contact reaches an edge") {
 
 TEST_CASE("a search that leads nowhere ends with a condition that fails") {
   const ContactProblem p = reduced({0.3_r}, {}, one_piece(-1, 1, {0, 0, 1}), 1);
-  const ReducedProblem<double> problem(p, {0, 1});
+  const RoundedProblem<double> problem(p, {0, 1});
   JacobiRules<double> rules;
   // Free ends that are fixed at the support's ends cannot bear the load.
   Set set(problem, {{-0.5, 0.5, false, false}});
@@ -61,7 +62,7 @@ TEST_CASE("a search that leads nowhere ends with a condition that fails") {
 
 TEST_CASE("control: a displaced end is seen in the load, the equation and the closure of the gap") {
   const auto good = solved<double>(on_two_wells);
-  const ReducedProblem<double>& problem = good->problem();
+  const RoundedProblem<double>& problem = good->problem();
   JacobiRules<double> rules;
   REQUIRE(good->contact().size() == 2U);
   ContactState<double> state = good->state();
@@ -97,7 +98,7 @@ TEST_CASE_TEMPLATE("control: a set of the wrong kind has violations", R, double,
                         {reduced({0.3_r}, {}, one_piece(-1, 1, {0, 1}), 0.5_r), {-1, 1, true, true}, What::tension}};
   for (const Case& c : cases) {
     JacobiRules<R> rules;
-    const ReducedProblem<R> problem(c.data, {0, 1});
+    const RoundedProblem<R> problem(c.data, {0, 1});
     const auto found = converged(problem, ContactSet<R>(problem, {c.contact}), rules);
     const auto seen = violations(form_of(problem, found.state, rules));
     REQUIRE(!seen.empty());

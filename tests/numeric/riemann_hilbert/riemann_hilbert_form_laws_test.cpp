@@ -2,7 +2,7 @@
 
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
-#include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
+#include "numeric/riemann_hilbert/traction_representation.hpp"
 #include "support/solved_contact.hpp"
 
 namespace {
@@ -18,7 +18,7 @@ ContactProblem some_problem() {
 }
 
 /// One to three components, with edges where they can be, ends anywhere, q and tilt anything.
-RiemannHilbertForm<R> random_form(const ReducedProblem<R>& problem, JacobiRules<R>& rules) {
+TractionRepresentation<R> random_form(const RoundedProblem<R>& problem, JacobiRules<R>& rules) {
   ContactSet<R> set(problem, {{-1.3, 1.7, uniform(0, 1) == 0, uniform(0, 1) == 0}});
   const auto inside = [&] {
     for (;;) {
@@ -48,7 +48,7 @@ std::vector<SurfacePoint<R>> beyond_support(const ContactSet<R>& set, const R& d
 template <class Law>
 void check_on_random_forms(const char* name, const Law& law) {
   const ContactProblem p = some_problem();
-  const ReducedProblem<R> problem(p, {0, 1});
+  const RoundedProblem<R> problem(p, {0, 1});
   JacobiRules<R> rules;
   CHECK(rc::check(name, [&] { law(random_form(problem, rules)); }));
 }
@@ -56,7 +56,7 @@ void check_on_random_forms(const char* name, const Law& law) {
 }  // namespace
 
 TEST_CASE("eps is the sign of (s + i) cos(pi alpha) Y+, and off the contact that of Y") {
-  check_on_random_forms("signs", [](const RiemannHilbertForm<R>& form) {
+  check_on_random_forms("signs", [](const TractionRepresentation<R>& form) {
     const ContactSet<R>& set = form.set();
     int degree = 0;
     for (const auto& end : set.points()) degree += end.is_free() ? 1 : 0;
@@ -84,8 +84,8 @@ TEST_CASE("eps is the sign of (s + i) cos(pi alpha) Y+, and off the contact that
 
 TEST_CASE("u' = g_k + tilt - Y B_k off the contact is the same for every k") {
   const R tolerance = 2000 * epsilon<R>();
-  check_on_random_forms("brackets", [&](const RiemannHilbertForm<R>& form) {
-    const ReducedProblem<R>& problem = form.problem();
+  check_on_random_forms("brackets", [&](const TractionRepresentation<R>& form) {
+    const RoundedProblem<R>& problem = form.problem();
     const ContactSet<R>& set = form.set();
     std::vector<SurfacePoint<R>> all = beyond_support(set, R(R(uniform(1, 100)) / 50));
     for (std::size_t k = 0; k < set.segments(); ++k) {
@@ -104,7 +104,7 @@ TEST_CASE("u' = g_k + tilt - Y B_k off the contact is the same for every k") {
 }
 
 TEST_CASE("loads of segments and openings of gaps against unrelated quadratures") {
-  check_on_random_forms("quadratures", [](const RiemannHilbertForm<R>& form) {
+  check_on_random_forms("quadratures", [](const TractionRepresentation<R>& form) {
     const ContactSet<double>& set = form.set();
     const auto density = traction_density(form);
     const auto check = check_of(form);
@@ -142,11 +142,11 @@ TEST_CASE("loads of segments and openings of gaps against unrelated quadratures"
 
 TEST_CASE("the traction next to ends, jumps and wedges is that of the same form with 50 digits") {
   const ContactProblem p = some_problem();
-  const ReducedProblem<Real50> fine_problem(p, {0, 1});
+  const RoundedProblem<Real50> fine_problem(p, {0, 1});
   JacobiRules<Real50> fine_rules;
-  check_on_random_forms("near", [&](const RiemannHilbertForm<R>& form) {
-    const RiemannHilbertForm<Real50> fine(fine_problem, ContactSet<Real50>::converted(fine_problem, form.set()),
-                                          {form.q().begin(), form.q().end()}, form.tilt(), fine_rules);
+  check_on_random_forms("near", [&](const TractionRepresentation<R>& form) {
+    const TractionRepresentation<Real50> fine(fine_problem, ContactSet<Real50>::converted(fine_problem, form.set()),
+                                              {form.q().begin(), form.q().end()}, form.tilt(), fine_rules);
     const ContactSet<double>& set = form.set();
     for (std::size_t k = 0; k < set.segments(); ++k) {
       if (!set.in_contact(k)) continue;

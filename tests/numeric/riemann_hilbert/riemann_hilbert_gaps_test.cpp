@@ -35,9 +35,9 @@ ContactProblem edge_at_step() {
 template <Real R>
 std::vector<double> openings() {
   const ContactProblem problem = edge_at_step();
-  const ReducedProblem<R> reduced(problem, {0.125_r, 2});
+  const RoundedProblem<R> reduced(problem, {0.125_r, 2});
   JacobiRules<R> rules;
-  const RiemannHilbertForm<R> form(reduced, ContactSet<R>(reduced, {{-1.67, 0.7, true, false}}), {}, R(0), rules);
+  const TractionRepresentation<R> form(reduced, ContactSet<R>(reduced, {{-1.67, 0.7, true, false}}), {}, R(0), rules);
   const GapIntegral<R> gap(form, 1);
   std::vector<double> result;
   for (int i = 1; i < 1000; ++i) {
@@ -55,7 +55,7 @@ TEST_CASE("gaps beside a step whose other face is another polynomial") {
     CAPTURE(c.name);
     const auto solution = solved<double>(reduced({1, 0.5_r}, {-0.5_r}, c.indenter, c.load));
     REQUIRE(solution->contact().size() == c.components);
-    const RiemannHilbertForm<double>& form = solution->form();
+    const TractionRepresentation<double>& form = solution->form();
     const ContactSet<double>& set = form.set();
     const auto check = check_of(form);
     std::size_t panel = 0;

@@ -39,10 +39,10 @@ std::vector<Zones> zone_cases() {
 /// A solution whose form has a pivot in every component, from a contact that is off by `error` of its lengths.
 template <Real R>
 struct Pivoted {
-  ReducedProblem<R> problem;
+  RoundedProblem<R> problem;
   JacobiRules<R> rules;
   SearchResult<R> found;
-  RiemannHilbertForm<R> form;
+  TractionRepresentation<R> form;
 
   Pivoted(const RiemannHilbertSolution<R>& known, const ContactProblem& data, double error)
       : problem(data, known.problem().frame(), 0),
@@ -76,9 +76,9 @@ TEST_CASE_TEMPLATE("a pivot in each component, or one fundamental solution of al
     if (!std::same_as<R, double> && !c.in_digits) continue;
     const auto known = solved<R>(c.problem);
     REQUIRE(known->form().y().pivots().empty());
-    const RiemannHilbertForm<R>& one = known->form();
+    const TractionRepresentation<R>& one = known->form();
     const Pivoted<R> pivoted(*known, c.problem, 0.02);
-    const RiemannHilbertForm<R>& many = pivoted.form;
+    const TractionRepresentation<R>& many = pivoted.form;
     REQUIRE(pivoted.found.failed_condition == "");
     REQUIRE(many.y().pivots().size() == known->contact().size());
     REQUIRE(many.set().points().size() == one.set().points().size());
@@ -116,7 +116,7 @@ TEST_CASE_TEMPLATE("a pivot in each component, or one fundamental solution of al
     const Pivoted<R> changed(*known, heavier, 0);
     std::size_t k = 0;
     while (!one.set().in_contact(k)) ++k;
-    const auto middle = [k](const RiemannHilbertForm<R>& form) {
+    const auto middle = [k](const TractionRepresentation<R>& form) {
       return form.traction(beside(form.set(), k, Side::right, R(form.set().length(k) / 2))).value;
     };
     CHECK(abs(middle(changed.form) - middle(one)) > R(1e-9));

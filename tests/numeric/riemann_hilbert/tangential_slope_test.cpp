@@ -13,7 +13,7 @@ void agree(Sliding sliding) {
   const ContactProblem p = stress_test::jumps(sliding);
   const stress_test::Solved<R> solved(p);
   const RiemannHilbertSolution<R>& solution = solved.solution;
-  const RiemannHilbertForm<R>& form = solution.form();
+  const TractionRepresentation<R>& form = solution.form();
   const ContactSet<R>& set = form.set();
   const Frame& frame = form.problem().frame();
 

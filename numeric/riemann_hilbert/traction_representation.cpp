@@ -1,4 +1,4 @@
-#include "numeric/riemann_hilbert/riemann_hilbert_form.hpp"
+#include "numeric/riemann_hilbert/traction_representation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,8 +38,8 @@ std::vector<Estimate<R>> polynomial_of(const ExpansionAtInfinity<R>& expansion, 
 }  // namespace
 
 template <Real R>
-RiemannHilbertForm<R>::RiemannHilbertForm(const ReducedProblem<R>& problem, ContactSet<R> set, std::vector<R> q,
-                                          const R& tilt, JacobiRules<R>& rules)
+TractionRepresentation<R>::TractionRepresentation(const RoundedProblem<R>& problem, ContactSet<R> set, std::vector<R> q,
+                                                  const R& tilt, JacobiRules<R>& rules)
     : rules_(&rules),
       y_(std::make_shared<const SignedFundamentalSolution<R>>(problem, std::move(set))),
       q_(std::move(q)),
@@ -62,7 +62,7 @@ RiemannHilbertForm<R>::RiemannHilbertForm(const ReducedProblem<R>& problem, Cont
 }
 
 template <Real R>
-Estimate<R> RiemannHilbertForm<R>::pivoted_polynomial(std::size_t slope, const SurfacePoint<R>& at) const {
+Estimate<R> TractionRepresentation<R>::pivoted_polynomial(std::size_t slope, const SurfacePoint<R>& at) const {
   const std::size_t i = y_->component_at(at);
   const auto& [pivot, order] = y_->pivots()[i];
   const std::vector<R>& p = polynomials_[slope];
@@ -109,7 +109,7 @@ Estimate<R> RiemannHilbertForm<R>::pivoted_polynomial(std::size_t slope, const S
 }
 
 template <Real R>
-const Estimate<R>& RiemannHilbertForm<R>::pivot_moment(std::size_t component) const {
+const Estimate<R>& TractionRepresentation<R>::pivot_moment(std::size_t component) const {
   const std::lock_guard lock(*making_);
   pivot_moments_.resize(y_->pivots().size());
   std::optional<Estimate<R>>& result = pivot_moments_[component];
@@ -128,7 +128,7 @@ const Estimate<R>& RiemannHilbertForm<R>::pivot_moment(std::size_t component) co
 }
 
 template <Real R>
-Estimate<R> RiemannHilbertForm<R>::regular_factor(std::size_t slope, const SurfacePoint<R>& at) const {
+Estimate<R> TractionRepresentation<R>::regular_factor(std::size_t slope, const SurfacePoint<R>& at) const {
   const Estimate<R> regular =
       y_->pivots().empty() ? horner(polynomials_[slope], sizes_[slope], at.node.x) : pivoted_polynomial(slope, at);
   const Estimate<R> integral = quadrature_.cauchy(slope, at);
@@ -136,21 +136,21 @@ Estimate<R> RiemannHilbertForm<R>::regular_factor(std::size_t slope, const Surfa
 }
 
 template <Real R>
-R RiemannHilbertForm<R>::regular_value(std::size_t slope, const SurfacePoint<R>& at) const {
+R TractionRepresentation<R>::regular_value(std::size_t slope, const SurfacePoint<R>& at) const {
   if (!y_->pivots().empty()) return regular_factor(slope, at).value;
   const R polynomial = value_of(polynomials_[slope], at.node.x);
   return quadrature_.vanishes() ? polynomial : R(polynomial - quadrature_.cauchy(slope, at).value / pi<R>());
 }
 
 template <Real R>
-bool RiemannHilbertForm<R>::regular_value_is_constant(std::size_t slope) const {
+bool TractionRepresentation<R>::regular_value_is_constant(std::size_t slope) const {
   const std::vector<R>& p = polynomials_[slope];
   return y_->pivots().empty() && quadrature_.vanishes() &&
          std::all_of(p.begin() + 1, p.end(), [](const R& coefficient) { return coefficient == 0; });
 }
 
 template <Real R>
-Estimate<R> RiemannHilbertForm<R>::regular_factor_at(std::size_t j, Side side) const {
+Estimate<R> TractionRepresentation<R>::regular_factor_at(std::size_t j, Side side) const {
   const auto factor = [&] {
     return regular_factor(slope_at(side == Side::left ? j - 1 : j), beside(set(), j, side, R(0)));
   };
@@ -162,7 +162,7 @@ Estimate<R> RiemannHilbertForm<R>::regular_factor_at(std::size_t j, Side side) c
 }
 
 template <Real R>
-R RiemannHilbertForm<R>::error_of_state(const SurfacePoint<R>& at, const StateErrors<R>& errors) const {
+R TractionRepresentation<R>::error_of_state(const SurfacePoint<R>& at, const StateErrors<R>& errors) const {
   const std::vector<R> distances = this->distances(at);
   const auto& pivots = y_->pivots();
   // Between two points, however short a gap they face each other over.
@@ -207,7 +207,7 @@ R RiemannHilbertForm<R>::error_of_state(const SurfacePoint<R>& at, const StateEr
 }
 
 template <Real R>
-std::vector<JacobiPanel<R>> RiemannHilbertForm<R>::error_panels(const SegmentPart<R>& part) const {
+std::vector<JacobiPanel<R>> TractionRepresentation<R>::error_panels(const SegmentPart<R>& part) const {
   // A displaced end takes one from its power.
   const std::function<Power<R>(std::size_t)> power_at = [this](std::size_t j) {
     const Power<R>& p = power(j);
@@ -217,8 +217,8 @@ std::vector<JacobiPanel<R>> RiemannHilbertForm<R>::error_panels(const SegmentPar
 }
 
 template <Real R>
-R RiemannHilbertForm<R>::integral_of_error(const SegmentPart<R>& part,
-                                           const std::function<R(const SurfacePoint<R>&)>& error) const {
+R TractionRepresentation<R>::integral_of_error(const SegmentPart<R>& part,
+                                               const std::function<R(const SurfacePoint<R>&)>& error) const {
   R sum = 0;
   for (const JacobiPanel<R>& panel : error_panels(part)) {
     sum += panel.node_weight(0) * error(panel.node(set(), 0));
@@ -227,7 +227,7 @@ R RiemannHilbertForm<R>::integral_of_error(const SegmentPart<R>& part,
 }
 
 template <Real R>
-Estimate<R> RiemannHilbertForm<R>::traction(const SurfacePoint<R>& at) const {
+Estimate<R> TractionRepresentation<R>::traction(const SurfacePoint<R>& at) const {
   if (at.segment < 0 || at.segment >= static_cast<std::ptrdiff_t>(set().segments())) return {};
   const auto segment = static_cast<std::size_t>(at.segment);
   if (!set().in_contact(segment)) return {};
@@ -237,8 +237,8 @@ Estimate<R> RiemannHilbertForm<R>::traction(const SurfacePoint<R>& at) const {
 }
 
 template <Real R>
-void RiemannHilbertForm<R>::tractions(std::size_t segment, std::span<const R> from_left, std::span<const R> from_right,
-                                      std::span<R> values) const {
+void TractionRepresentation<R>::tractions(std::size_t segment, std::span<const R> from_left,
+                                          std::span<const R> from_right, std::span<R> values) const {
   fundamental_solution().moduli(segment, from_left, from_right, values);
   const R factor = y_->traction_factor(segment);
   const bool has_pivots = !y_->pivots().empty();
@@ -250,13 +250,13 @@ void RiemannHilbertForm<R>::tractions(std::size_t segment, std::span<const R> fr
 }
 
 template <Real R>
-Estimate<R> RiemannHilbertForm<R>::profile_slope(const SurfacePoint<R>& at) const {
+Estimate<R> TractionRepresentation<R>::profile_slope(const SurfacePoint<R>& at) const {
   return problem().slope_estimate(slope_at(nearest_segment(at)), at.node.x) +
          Estimate<R>{tilt_, R(0)}.widened(4 * epsilon<R>());
 }
 
 template <Real R>
-Estimate<R> RiemannHilbertForm<R>::surface_slope(const SurfacePoint<R>& at) const {
+Estimate<R> TractionRepresentation<R>::surface_slope(const SurfacePoint<R>& at) const {
   const std::size_t segment = nearest_segment(at);
   const Estimate<R> profile = profile_slope(at);
   if (at.segment == static_cast<std::ptrdiff_t>(segment) && set().in_contact(segment)) return profile;
@@ -264,7 +264,7 @@ Estimate<R> RiemannHilbertForm<R>::surface_slope(const SurfacePoint<R>& at) cons
 }
 
 template <Real R>
-Estimate<R> RiemannHilbertForm<R>::load_on(std::size_t segment) const {
+Estimate<R> TractionRepresentation<R>::load_on(std::size_t segment) const {
   const R amplitude = y_->traction_factor(segment);
   Estimate<R> sum;
   for (const JacobiPanel<R>& panel :
@@ -279,7 +279,7 @@ Estimate<R> RiemannHilbertForm<R>::load_on(std::size_t segment) const {
 }
 
 template <Real R>
-std::vector<Estimate<R>> RiemannHilbertForm<R>::moments(std::size_t count) const {
+std::vector<Estimate<R>> TractionRepresentation<R>::moments(std::size_t count) const {
   // The expansion at infinity would be a small difference of large terms where components are small beside their gaps.
   if (set().components() > 1) {
     std::vector<Estimate<R>> result = quadrature_.moments(tilt_, count);
@@ -305,7 +305,7 @@ std::vector<Estimate<R>> RiemannHilbertForm<R>::moments(std::size_t count) const
 }
 
 template <Real R>
-Estimate<R> RiemannHilbertForm<R>::moment_of_load() const {
+Estimate<R> TractionRepresentation<R>::moment_of_load() const {
   // u'/c = -(1/pi) (int t/z + int xi t/z^2 + ...), and it is Y (m_0/z + ... + q/pi).
   const int degree = degree_at_infinity();
   const auto count = static_cast<std::size_t>(std::max(degree + 2, 0));
@@ -324,7 +324,7 @@ Estimate<R> RiemannHilbertForm<R>::moment_of_load() const {
 }
 
 template <Real R>
-std::vector<SurfacePoint<R>> RiemannHilbertForm<R>::profile_extrema(std::size_t segment) const {
+std::vector<SurfacePoint<R>> TractionRepresentation<R>::profile_extrema(std::size_t segment) const {
   std::vector<double> g;
   for (const R& c : problem().slopes()[slope_at(segment)]) g.push_back(static_cast<double>(c));
   if (g.empty()) return {};
@@ -339,6 +339,6 @@ std::vector<SurfacePoint<R>> RiemannHilbertForm<R>::profile_extrema(std::size_t 
   return result;
 }
 
-STEADYSLIDE_INSTANTIATE_CLASS(RiemannHilbertForm)
+STEADYSLIDE_INSTANTIATE_CLASS(TractionRepresentation)
 
 }  // namespace steadyslide::numeric

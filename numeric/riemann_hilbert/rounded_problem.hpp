@@ -1,10 +1,6 @@
 #pragma once
-// The contact problem as the Riemann-Hilbert solver sees it: reduced quantities in xi = (x - origin)/unit,
-//
-//   A t = g + tilt on the contact, g(xi) = psi'(x)/c,   int t dxi = -load,   load = P/unit,
-//
-// with heights psi/(c unit), so that their slope is g. Every place that is data (ends of the support, friction jumps,
-// breaks of the profile) is an anchor; its distance to the next one is rounded once, from the exact difference.
+// The reduced problem (model/reduced_problem.hpp) rounded to numbers of one type: each number once, from its exact value.
+// Nothing is a difference of two rounded numbers.
 
 #include <array>
 #include <memory>
@@ -12,46 +8,40 @@
 #include <optional>
 #include <vector>
 
-#include "model/contact_problem.hpp"
+#include "model/reduced_problem.hpp"
 #include "numeric/cauchy/fundamental_solution.hpp"
 #include "numeric/number/polynomial.hpp"
 
 namespace steadyslide::numeric {
 
-/// A frame for xi. Dilation leaves A, t and g as they are.
-struct Frame {
-  Rational origin;
-  Rational unit;  ///< > 0
-};
-
 template <Real R>
-class ReducedProblem {
+class RoundedProblem {
  public:
   /// `most_coupled`: the number of components up to which one fundamental solution has all their powers
   /// (signed_fundamental_solution.hpp).
-  ReducedProblem(const ContactProblem& problem, const Frame& frame, std::size_t most_coupled = 4);
+  RoundedProblem(const ContactProblem& problem, const Frame& frame, std::size_t most_coupled = 4);
 
   struct Anchor {
     R x;     ///< xi
     R step;  ///< height on the right minus height on the left; 0 at the support's ends
     int step_sign;
     bool is_break;   ///< the profile changes here
-    Rational wedge;  ///< the jump of g, exact: a difference of rounded slopes would cancel
+    Rational wedge;  ///< the jump of g, exact
     R s_jump;        ///< s on the right minus s on the left, from the exact difference
   };
 
   const ContactProblem& problem() const { return *problem_; }
-  const Frame& frame() const { return frame_; }
+  const Frame& frame() const { return exact_.frame; }
   /// The first and the last one are the support's ends.
   const std::vector<Anchor>& anchors() const { return anchors_; }
   /// Of anchor k in the user's x.
-  const Rational& place(std::size_t k) const { return places_[k]; }
+  Rational place(std::size_t k) const { return exact_.place(k); }
   /// From anchor k to the next one.
   const R& spacing(std::size_t k) const { return spacing_[k]; }
 
   /// Interval k reaches from anchor k to the next one: which of slopes() and which friction piece hold there.
-  std::size_t slope_of(std::size_t interval) const { return slope_of_[interval]; }
-  std::size_t friction_of(std::size_t interval) const { return friction_of_[interval]; }
+  std::size_t slope_of(std::size_t interval) const { return exact_.intervals[interval].slope; }
+  std::size_t friction_of(std::size_t interval) const { return exact_.intervals[interval].friction; }
   /// The different polynomials g, coefficients of 1, xi, xi^2, ...
   const std::vector<std::vector<R>>& slopes() const { return slopes_; }
   R slope(std::size_t index, const R& x) const { return value_of(slopes_[index], x); }
@@ -92,12 +82,9 @@ class ReducedProblem {
   const Singularity& cached(Slot& slot, const Make& make) const;
 
   const ContactProblem* problem_;
-  Frame frame_;
-  std::vector<Rational> places_;
+  ReducedProblem exact_;
   std::vector<Anchor> anchors_;
   std::vector<R> spacing_;
-  std::vector<std::size_t> slope_of_;
-  std::vector<std::size_t> friction_of_;
   std::vector<std::vector<R>> slopes_;
   int highest_degree_ = 0;
   std::size_t most_coupled_;

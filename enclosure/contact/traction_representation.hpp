@@ -1,6 +1,6 @@
 #pragma once
 // The solution of A t = g + tilt on a contact set, enclosed for all values of its unknowns in a box: free ends, the
-// polynomial q and the tilt. With g_k the polynomial of the slope on one piece,
+// polynomial q and the tilt. With g_k the polynomial of the slope on one piece (docs/traction-representation.md),
 //
 //   u'/c = g_k + tilt - Y B_k off the contact,   t = eps cos(pi alpha) |Y| B_k on it,
 //   B_k(x) = [(g_k + tilt)/Y]_poly - q(x)/pi - (1/pi) int_K eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x)
@@ -48,10 +48,10 @@ struct LocalValue {
   Ball analytic() const { return has_singular ? regular + shift : regular; }
 };
 
-class ContactForm {
+class TractionRepresentation {
  public:
   /// `q`: coefficients of 1, xi, ... without the leading one, which is the load. `count` nodes a panel.
-  ContactForm(ContactSet set, BallPolynomial q, Ball tilt, int count, JacobiRules& rules);
+  TractionRepresentation(ContactSet set, BallPolynomial q, Ball tilt, int count, JacobiRules& rules);
 
   const ContactSet& set() const { return set_; }
   /// Nodes a panel.
@@ -63,7 +63,7 @@ class ContactForm {
   /// With the load.
   const BallPolynomial& q() const { return q_; }
   /// B_k in a segment, k its own slope.
-  LocalValue regular_factor(const Place& place) const { return regular_factor(slopes_of_[place.segment], place); }
+  LocalValue regular_factor(const Place& place) const { return regular_factor(slope_of(place.segment), place); }
   /// B_k of the contact at its end j, where nothing is singular.
   Ball regular_factor_at_end(std::size_t j) const;
   /// |Y| at a place, without the power of point `without`.
@@ -81,7 +81,7 @@ class ContactForm {
     BallPolynomial coefficients;  ///< of g_k + tilt
     BallPolynomial rational;      ///< of [(g_k + tilt)/Y]_poly - q/pi
   };
-  std::size_t slope_of(std::size_t segment) const { return slopes_of_[segment]; }
+  std::size_t slope_of(std::size_t segment) const { return set_.interval(segment).slope; }
   const Slope& slope(std::size_t k) const { return slopes_[k]; }
   /// g - g_k on a segment; in contact eps cos(pi alpha) times that.
   struct Difference {
@@ -142,7 +142,6 @@ class ContactForm {
   std::vector<Ball> expansion_;
   std::vector<Ball> reciprocal_;
   std::vector<Slope> slopes_;
-  std::vector<std::size_t> slopes_of_;
   std::vector<std::vector<ContactPanel>> panels_;
   std::vector<std::vector<Difference>> differences_;  ///< [k][segment]
 };

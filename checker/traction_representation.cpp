@@ -1,4 +1,4 @@
-#include "checker/form.hpp"
+#include "checker/traction_representation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +53,8 @@ Trapezoid PowerPanel::rule(slong bits, const Ball& left_reach, const Ball& right
   return Trapezoid(std::move(panel), bits, contact.precision());
 }
 
-Form::Form(const Contact& contact, const Unknowns& unknowns, const Problem::Loads& loads, slong bits)
+TractionRepresentation::TractionRepresentation(const Contact& contact, const Unknowns& unknowns,
+                                               const Problem::Loads& loads, slong bits)
     : contact_(&contact), q_(unknowns.q), bits_(bits), integrals_(contact.segments()) {
   const slong precision = contact.precision();
   const Rational& unit = contact.problem().unit;
@@ -81,13 +82,13 @@ Form::Form(const Contact& contact, const Unknowns& unknowns, const Problem::Load
   }
 }
 
-Ball Form::reach(std::size_t point) const {
+Ball TractionRepresentation::reach(std::size_t point) const {
   const Ball left = contact_->length(point - 1).lower();
   const Ball right = contact_->length(point).lower();
   return ((left - right).is_positive() ? right : left) * Ball(std::ldexp(0.5, -static_cast<int>(bits_)));
 }
 
-void Form::add_integrals(std::size_t i, const std::vector<bool>& asked) {
+void TractionRepresentation::add_integrals(std::size_t i, const std::vector<bool>& asked) {
   const std::vector<Polynomial>& g = contact_->problem().slopes;
   std::size_t degree = 0;
   for (std::size_t k = 0; k < g.size(); ++k) degree = std::max(degree, asked[k] ? g[k].size() : 0);
@@ -116,7 +117,7 @@ void Form::add_integrals(std::size_t i, const std::vector<bool>& asked) {
   integrals_[i] = std::move(integral);
 }
 
-void Form::add_moments(std::size_t i, Integral& integral) const {
+void TractionRepresentation::add_moments(std::size_t i, Integral& integral) const {
   const std::vector<Trapezoid::Node>& nodes = integral.rule.nodes();
   Bound weights;
   mag_add(weights.get(), nodes.front().behind.get(), nodes.at(integral.rule.nodes_to_right()).behind.get());
@@ -162,8 +163,8 @@ void Form::add_moments(std::size_t i, Integral& integral) const {
   }
 }
 
-bool Form::add_far_cauchy(std::size_t i, std::size_t k, const Ball& near, bool on_right, slong bits,
-                          Value& result) const {
+bool TractionRepresentation::add_far_cauchy(std::size_t i, std::size_t k, const Ball& near, bool on_right, slong bits,
+                                            Value& result) const {
   const Integral& integral = *integrals_[i];
   const std::vector<Ball>& moments = integral.moments[k];
   const Ball half = contact_->length(i) * Ball(0.5);
@@ -194,7 +195,8 @@ bool Form::add_far_cauchy(std::size_t i, std::size_t k, const Ball& near, bool o
   return true;
 }
 
-Form::Value Form::regular(std::size_t k, const Place& at, std::size_t without) const {
+TractionRepresentation::Value TractionRepresentation::regular(std::size_t k, const Place& at,
+                                                              std::size_t without) const {
   const Ball x = contact_->xi(at);
   const std::vector<Ball>& p = polynomials_[k];
   Value result{horner(p, x), {}, {}, {}};
@@ -206,19 +208,20 @@ Form::Value Form::regular(std::size_t k, const Place& at, std::size_t without) c
   return result;
 }
 
-Form::Value Form::regular_to(slong bits, std::size_t k, const Place& at) const {
+TractionRepresentation::Value TractionRepresentation::regular_to(slong bits, std::size_t k, const Place& at) const {
   Value result = sums_to(bits, k, at);
   result.value = result.value.widened(result.error);
   return result;
 }
 
-Form::Value Form::sums_to(slong bits, std::size_t k, const Place& at) const {
+TractionRepresentation::Value TractionRepresentation::sums_to(slong bits, std::size_t k, const Place& at) const {
   Value result{horner(polynomials_[k], contact_->xi(at)), {}, {}, {}};
   for (std::size_t i = 0; i < integrals_.size(); ++i) add_cauchy(i, k, at, false, bits, result);
   return result;
 }
 
-void Form::add_cauchy(std::size_t i, std::size_t k, const Place& at, bool with_slope, slong bits, Value& result) const {
+void TractionRepresentation::add_cauchy(std::size_t i, std::size_t k, const Place& at, bool with_slope, slong bits,
+                                        Value& result) const {
   if (!integrals_[i] || contact_->slope_of(i) == k) return;
   const Integral& integral = *integrals_[i];
   const std::vector<Trapezoid::Node>& nodes = integral.rule.nodes();
@@ -265,13 +268,13 @@ void Form::add_cauchy(std::size_t i, std::size_t k, const Place& at, bool with_s
   result.slope -= slope.widened(integral.rule.error(2, M, Ball(squares) + rest_of_squares) + M * rest_of_squares);
 }
 
-Form::Near Form::near(std::size_t i, const Place& at) const {
+TractionRepresentation::Near TractionRepresentation::near(std::size_t i, const Place& at) const {
   if (at.right <= i) return {contact_->distance(at.right, i) + at.from_right, true};
   if (i + 1 > at.left) throw Unproved("B is asked for inside a piece with another polynomial");
   return {contact_->distance(i + 1, at.left) + at.from_left, false};
 }
 
-std::vector<Form::Piece> Form::other_pieces(std::size_t k, const Place& at) const {
+std::vector<TractionRepresentation::Piece> TractionRepresentation::other_pieces(std::size_t k, const Place& at) const {
   std::vector<Piece> result;
   for (std::size_t i = 0; i < integrals_.size(); ++i) {
     if (!integrals_[i] || contact_->slope_of(i) == k) continue;
@@ -282,7 +285,7 @@ std::vector<Form::Piece> Form::other_pieces(std::size_t k, const Place& at) cons
   return result;
 }
 
-Ball Form::at_end(std::size_t j) const {
+Ball TractionRepresentation::at_end(std::size_t j) const {
   const bool begins = contact_->layout().points[j].contact == Point::Contact::begins;
   const std::size_t segment = begins ? j : j - 1;
   const Ball length = contact_->length(segment);
@@ -290,11 +293,11 @@ Ball Form::at_end(std::size_t j) const {
   return regular_to(bits_ + 8, contact_->slope_of(segment), at).value;
 }
 
-Ball Form::polynomial_bound(std::size_t k, const Ball& centre, const Ball& radius) const {
+Ball TractionRepresentation::polynomial_bound(std::size_t k, const Ball& centre, const Ball& radius) const {
   return bound_near(polynomials_[k], centre, radius);
 }
 
-std::vector<Ball> Form::moments(std::size_t count) const {
+std::vector<Ball> TractionRepresentation::moments(std::size_t count) const {
   const std::size_t k = contact_->slope_of(contact_->layout().all(Point::Contact::begins).front());
   std::vector<Ball> result;
   for (std::size_t j = 0; j < count; ++j) {
@@ -327,7 +330,7 @@ std::vector<Ball> Form::moments(std::size_t count) const {
   return result;
 }
 
-std::vector<Ball> Form::difference(std::size_t l, std::size_t k, std::size_t anchor) const {
+std::vector<Ball> TractionRepresentation::difference(std::size_t l, std::size_t k, std::size_t anchor) const {
   const ReducedProblem& problem = contact_->problem();
   return balls(composed(problem.slopes[l] - problem.slopes[k], 1, problem.anchors[anchor]), contact_->precision());
 }

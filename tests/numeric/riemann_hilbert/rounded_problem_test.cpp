@@ -1,4 +1,4 @@
-#include "numeric/riemann_hilbert/reduced_problem.hpp"
+#include "numeric/riemann_hilbert/rounded_problem.hpp"
 #include "model/singular_point.hpp"
 #include "support/numeric_test.hpp"
 
@@ -46,7 +46,7 @@ TEST_CASE_TEMPLATE("a frame changes no slope and no height", R, double, Real50) 
   CHECK(rc::check("frames", [] {
     const ContactProblem p = some_problem(random_rational);
     const Frame frame = random_frame();
-    const ReducedProblem<R> reduced(p, frame);
+    const RoundedProblem<R> reduced(p, frame);
     const Rational c = p.elasticity().compliance();
     RC_ASSERT(reduced.anchors().size() == 5U);
     RC_ASSERT(reduced.slopes().size() == 2U);  // a step alone is no other slope
@@ -81,7 +81,7 @@ TEST_CASE_TEMPLATE("a frame changes no slope and no height", R, double, Real50) 
 
 TEST_CASE("anchors: steps, wedges, friction to the left and to the right, and where edges may be") {
   const ContactProblem p = some_problem([](int size, int denominator) { return Rational(size, denominator); });
-  const ReducedProblem<double> reduced(p, {0, 2});
+  const RoundedProblem<double> reduced(p, {0, 2});
   const auto& anchors = reduced.anchors();
   CHECK(anchors[2].step_sign == 1);
   CHECK(anchors[2].step * 2 * to_real<double>(p.elasticity().compliance()) == doctest::Approx(1).epsilon(1e-15));

@@ -1,4 +1,4 @@
-#include "enclosure/contact/contact_form.hpp"
+#include "enclosure/contact/traction_representation.hpp"
 
 #include <algorithm>
 
@@ -39,16 +39,11 @@ int LocalValue::sign() const {
 
 Ball LocalValue::value() const { return has_singular ? regular + coefficient * singular : regular; }
 
-ContactForm::ContactForm(ContactSet set, BallPolynomial q, Ball tilt, int count, JacobiRules& rules)
+TractionRepresentation::TractionRepresentation(ContactSet set, BallPolynomial q, Ball tilt, int count,
+                                               JacobiRules& rules)
     : set_(std::move(set)), q_(std::move(q)), tilt_(std::move(tilt)), count_(count), rules_(&rules) {
-  if (set_.degree_at_infinity() < 0) q_.push_back(set_.problem().loads(set_.bits()));
-  for (std::size_t k = 0; k < set_.segments(); ++k) {
-    const Polynomial& g = set_.interval(k).slope;
-    const auto found =
-        std::find_if(slopes_.begin(), slopes_.end(), [&](const Slope& slope) { return slope.exact == g; });
-    slopes_of_.push_back(static_cast<std::size_t>(found - slopes_.begin()));
-    if (found == slopes_.end()) slopes_.push_back({g, {}, {}});
-  }
+  if (set_.degree_at_infinity() < 0) q_.push_back(set_.loads());
+  for (const Polynomial& slope : set_.problem().slopes) slopes_.push_back({slope, {}, {}});
   expand_at_infinity();
   for (Slope& slope : slopes_) take_polynomial_parts(slope);
   panels_.resize(set_.segments());
@@ -61,7 +56,7 @@ ContactForm::ContactForm(ContactSet set, BallPolynomial q, Ball tilt, int count,
   work_of_place_ = (work_of_place_ + static_cast<std::int64_t>(set_.points())) * ((set_.bits() + 63) / 64);
 }
 
-void ContactForm::expand_at_infinity() {
+void TractionRepresentation::expand_at_infinity() {
   const Bits bits = set_.bits();
   int highest = 0;
   for (const Slope& slope : slopes_) highest = std::max(highest, slope.exact.degree());
@@ -90,7 +85,7 @@ void ContactForm::expand_at_infinity() {
   expansion_ = expand(-1);
 }
 
-void ContactForm::take_polynomial_parts(Slope& slope) {
+void TractionRepresentation::take_polynomial_parts(Slope& slope) {
   const int degree = set_.degree_at_infinity();
   slope.coefficients = in_balls(slope.exact, set_.bits());
   if (slope.coefficients.empty()) slope.coefficients.emplace_back(0, set_.bits());
@@ -106,7 +101,7 @@ void ContactForm::take_polynomial_parts(Slope& slope) {
   }
 }
 
-void ContactForm::take_differences(std::size_t segment) {
+void TractionRepresentation::take_differences(std::size_t segment) {
   const bool integrates = set_.in_contact(segment) && slopes_.size() > 1;
   if (integrates) {
     for (ContactPanel::Part& part : ContactPanel::graded(set_, segment)) {
@@ -126,11 +121,11 @@ void ContactForm::take_differences(std::size_t segment) {
       nodes * static_cast<std::int64_t>(set_.points() + moments_of_weights.size()) * ((set_.bits() + 63) / 64);
   for (std::size_t k = 0; k < slopes_.size(); ++k) {
     Difference difference;
-    difference.exact = set_.interval(segment).slope - slopes_[k].exact;
+    difference.exact = slopes_[slope_of(segment)].exact - slopes_[k].exact;
     difference.coefficients = in_balls(difference.exact, set_.bits());
     for (Ball& c : difference.coefficients) c *= factor;
     for (const ContactPanel& panel : panels_[segment]) {
-      if (k == slopes_of_[segment]) break;
+      if (k == slope_of(segment)) break;
       const Ball size = panel.largest(difference.coefficients, Ellipse::far);
       std::vector<Ball> values;
       Ball mass = panel.remainder(size, Ellipse::far);
@@ -142,7 +137,7 @@ void ContactForm::take_differences(std::size_t segment) {
       difference.masses.push_back(mass / Ball(3));  // 3 < pi
       difference.sizes.push_back(size);
     }
-    if (!moments_of_weights.empty() && k != slopes_of_[segment]) {
+    if (!moments_of_weights.empty() && k != slope_of(segment)) {
       difference.from_afar.emplace(set_, segment, panels_[segment], moments_of_weights, difference.coefficients,
                                    difference.sizes);
     }
@@ -150,18 +145,18 @@ void ContactForm::take_differences(std::size_t segment) {
   }
 }
 
-Ball ContactForm::distance(const Place& place, std::size_t j) const {
+Ball TractionRepresentation::distance(const Place& place, std::size_t j) const {
   return abs(j <= place.segment ? place.from_left + set_.distance(j, place.segment)
                                 : place.from_right + set_.distance(place.segment + 1, j));
 }
 
-Ball ContactForm::coordinate(const Place& place) const {
+Ball TractionRepresentation::coordinate(const Place& place) const {
   // From the nearer point, whose distance is the thinner one.
   return place.from_left < place.from_right ? set_.x(place.segment) + place.from_left
                                             : set_.x(place.segment + 1) - place.from_right;
 }
 
-Ball ContactForm::modulus(const Place& place, std::optional<std::size_t> without) const {
+Ball TractionRepresentation::modulus(const Place& place, std::optional<std::size_t> without) const {
   Ball product(1, set_.bits());
   Ball sum(0, set_.bits());
   for (std::size_t j = 0; j < set_.points(); ++j) {
@@ -176,23 +171,23 @@ Ball ContactForm::modulus(const Place& place, std::optional<std::size_t> without
   return product * exp(sum);
 }
 
-LocalValue ContactForm::regular_factor(std::size_t k, const Place& place) const {
+LocalValue TractionRepresentation::regular_factor(std::size_t k, const Place& place) const {
   LocalValue sum{Ball(0, set_.bits()), Ball(0, set_.bits()), Ball(0, set_.bits()), Ball(0, set_.bits())};
   for (std::size_t segment = 0; segment < set_.segments(); ++segment) {
-    if (set_.in_contact(segment) && slopes_of_[segment] != k) add_cauchy(k, segment, place, sum);
+    if (set_.in_contact(segment) && slope_of(segment) != k) add_cauchy(k, segment, place, sum);
   }
   sum.regular = value_at(slopes_[k].rational, coordinate(place)) - sum.regular / Ball::pi(set_.bits());
   return sum;
 }
 
-Ball ContactForm::regular_factor_at_end(std::size_t j) const {
+Ball TractionRepresentation::regular_factor_at_end(std::size_t j) const {
   const bool begins = set_.point(j).kind == ContactTopology::Kind::begins;
   const std::size_t segment = begins ? j : j - 1;
   const Ball zero(0, set_.bits());
   return regular_factor({segment, begins ? zero : set_.length(segment), begins ? set_.length(segment) : zero}).value();
 }
 
-void ContactForm::add_cauchy(std::size_t k, std::size_t segment, const Place& place, LocalValue& sum) const {
+void TractionRepresentation::add_cauchy(std::size_t k, std::size_t segment, const Place& place, LocalValue& sum) const {
   const bool to_the_right = segment > place.segment;
   const Difference& difference = differences_[k][segment];
   const Ball to_segment = distance(place, to_the_right ? segment : segment + 1);
@@ -234,16 +229,17 @@ void ContactForm::add_cauchy(std::size_t k, std::size_t segment, const Place& pl
   }
 }
 
-void ContactForm::prepare(std::size_t k, std::size_t segment) const {
+void TractionRepresentation::prepare(std::size_t k, std::size_t segment) const {
   for (std::size_t other = 0; other < set_.segments(); ++other) {
-    if (!set_.in_contact(other) || slopes_of_[other] == k || panels_[other].size() <= few_panels) continue;
+    if (!set_.in_contact(other) || slope_of(other) == k || panels_[other].size() <= few_panels) continue;
     const Side facing = other > segment ? Side::left : Side::right;
     differences_[k][other].asked[facing == Side::left ? 0 : 1] = set_.bits();
     moments(differences_[k][other], other, facing);
   }
 }
 
-const PanelMoments* ContactForm::moments(const Difference& difference, std::size_t segment, Side facing) const {
+const PanelMoments* TractionRepresentation::moments(const Difference& difference, std::size_t segment,
+                                                    Side facing) const {
   const std::size_t side = facing == Side::left ? 0 : 1;
   std::shared_ptr<const PanelMoments>& made = difference.moments[side];
   if (!made && 2 * ++difference.asked[side] > set_.bits()) {
@@ -252,8 +248,8 @@ const PanelMoments* ContactForm::moments(const Difference& difference, std::size
   return made.get();
 }
 
-void ContactForm::add_beside(const ContactPanel& panel, const Difference& difference, const std::vector<Ball>& values,
-                             const Place& place, LocalValue& sum) const {
+void TractionRepresentation::add_beside(const ContactPanel& panel, const Difference& difference,
+                                        const std::vector<Ball>& values, const Place& place, LocalValue& sum) const {
   const Bits bits = set_.bits();
   const ContactPanel::Part& part = panel.part();
   const bool to_the_right = *part.touches == Side::left;
@@ -300,16 +296,16 @@ void ContactForm::add_beside(const ContactPanel& panel, const Difference& differ
   sum.has_singular = true;
 }
 
-Ball ContactForm::profile_slope(const Place& place) const {
-  return value_at(slopes_[slopes_of_[place.segment]].coefficients, coordinate(place));
+Ball TractionRepresentation::profile_slope(const Place& place) const {
+  return value_at(slopes_[slope_of(place.segment)].coefficients, coordinate(place));
 }
 
-Ball ContactForm::bound(std::size_t k, const ContactPanel& panel, Ellipse ellipse,
-                        std::optional<std::size_t> without) const {
+Ball TractionRepresentation::bound(std::size_t k, const ContactPanel& panel, Ellipse ellipse,
+                                   std::optional<std::size_t> without) const {
   Ball sum = panel.largest(slopes_[k].rational, ellipse);
   const std::size_t at = panel.part().segment;
   for (std::size_t segment = 0; segment < set_.segments(); ++segment) {
-    if (!set_.in_contact(segment) || slopes_of_[segment] == k || without == segment) continue;
+    if (!set_.in_contact(segment) || slope_of(segment) == k || without == segment) continue;
     const bool to_the_right = segment > at;
     const Ball clear = (to_the_right ? set_.distance(at + 1, segment) + panel.part().from_right
                                      : set_.distance(segment + 1, at) + panel.part().from_left)
@@ -320,7 +316,7 @@ Ball ContactForm::bound(std::size_t k, const ContactPanel& panel, Ellipse ellips
   return sum;
 }
 
-Ball ContactForm::gap_change(const ContactPanel::Part& part, std::size_t k) const {
+Ball TractionRepresentation::gap_change(const ContactPanel::Part& part, std::size_t k) const {
   const std::size_t segment = part.segment;
   const ContactPanel panel = this->panel(part);
   const Ball error = panel.remainder(bound(k, panel, Ellipse::far), Ellipse::far);

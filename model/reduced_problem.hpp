@@ -3,18 +3,17 @@
 //
 //   g(xi) = psi'(x)/c,   A t = g + tilt on the contact,   int t dxi = -load,   load = P/unit,
 //
-// for one load, or for all loads of an interval, whose middle and radius are exact: what is then proved holds for each.
-// Places that are data (ends of the support, friction jumps, breaks of the profile) are anchors, in order.
+// for one load, or for all loads of an interval. Places of the data (ends of the support, friction jumps, breaks of the
+// profile) are anchors, left to right; interval k lies between the anchors k and k + 1.
 
 #include <optional>
 #include <vector>
 
-#include "enclosure/number/ball.hpp"
 #include "model/contact_problem.hpp"
 
-namespace steadyslide::enclosure {
+namespace steadyslide {
 
-/// Coordinates xi = (x - origin)/unit.
+/// Coordinates xi = (x - origin)/unit. Dilation leaves A, t and g as they are.
 struct Frame {
   Rational origin;
   Rational unit;  ///< > 0
@@ -26,24 +25,26 @@ struct ReducedProblem {
   ReducedProblem for_loads(const Rational& from, const Rational& to) const;
 
   struct Anchor {
-    Rational x;     ///< xi
-    Rational step;  ///< height on the right minus height on the left; 0 at the ends of the support
+    Rational x;          ///< xi
+    Rational step = 0;   ///< height on the right minus height on the left; 0 at the ends of the support
+    Rational wedge = 0;  ///< g on the right minus g on the left; 0 there, too
   };
-  /// Between an anchor and the next one.
   struct Interval {
-    Polynomial slope;  ///< g
-    Rational s;        ///< +-gamma f
+    std::size_t slope;     ///< which of the slopes
+    std::size_t friction;  ///< which value of the friction
+    Rational s;            ///< +-gamma f
   };
+
+  /// Of an anchor, in the user's x.
+  Rational place(std::size_t anchor) const { return frame.origin + frame.unit * anchors[anchor].x; }
 
   Frame frame;
   std::vector<Anchor> anchors;
   std::vector<Interval> intervals;
+  std::vector<Polynomial> slopes;   ///< g: the different polynomials, in the order of their first interval
   Rational load;                    ///< in the middle, if there are several ...
   Rational load_radius = 0;         ///< ... as far from it as this
   std::optional<Rational> load_at;  ///< where the load acts, if the indenter may tilt
-
-  /// All of them.
-  Ball loads(Bits bits) const { return Ball::plus_or_minus(Ball(load, bits), Ball(load_radius, bits)); }
 };
 
-}  // namespace steadyslide::enclosure
+}  // namespace steadyslide

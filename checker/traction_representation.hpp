@@ -1,5 +1,6 @@
 #pragma once
-// The solution of A t = g + tilt on a contact set, with the load P as the leading coefficient of q:
+// The solution of A t = g + tilt on a contact set, with the load P as the leading coefficient of q
+// (docs/traction-representation.md):
 //
 //   u'/c = g_k + tilt - Y B_k off the contact,   t = eps cos(pi alpha) |Y| B_k on it,
 //   B_k(x) = [(g_k + tilt)/Y]_poly - q(x)/pi - (1/pi) int_K eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x),
@@ -36,10 +37,10 @@ struct PowerPanel {
   Trapezoid rule(slong bits, const Ball& left_reach = {}, const Ball& right_reach = {}) const;
 };
 
-class Form {
+class TractionRepresentation {
  public:
   /// `bits`: of the integrals, relative.
-  Form(const Contact& contact, const Unknowns& unknowns, const Problem::Loads& loads, slong bits);
+  TractionRepresentation(const Contact& contact, const Unknowns& unknowns, const Problem::Loads& loads, slong bits);
 
   const Contact& contact() const { return *contact_; }
   /// P/unit, all loads in one ball.

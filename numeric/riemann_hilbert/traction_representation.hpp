@@ -1,13 +1,11 @@
 #pragma once
-// The solution of A t = g + tilt on a given contact set K, the profile's slope g a polynomial g_k on each piece:
+// The solution of A t = g + tilt on a given contact set K, the profile's slope g a polynomial g_k on each piece, derived in
+// docs/traction-representation.md:
 //
 //   u'/c = g_k + tilt - Y B_k off the contact,   t = eps cos(pi alpha) |Y| B_k on it,
 //   B_k(x) = [(g_k + tilt)/Y]_poly - q(x)/pi - (1/pi) int_K eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x),
 //
-// for every k the same function. [.]_poly is the polynomial part at infinity, S the degree of Y there, q a polynomial
-// of degree -S-1 with the load as its leading coefficient (none if S >= 0), eps = +-1 on each component: Y+ = eps
-// |Y|/((s+i) cos(pi alpha)). Taking k from the piece at x, the integral stays clear of x: there is no principal value,
-// and t has its exact local form next to ends, jumps and wedges. [Bal16, theorem 36, reconstructed]
+// for every k the same function. With k from the piece at x there is no principal value. [Bal16, theorem 36, reconstructed]
 //
 // Of many components Y is of degree 0 (signed_fundamental_solution.hpp), and in place of q every component without a
 // free end has a number theta_i:
@@ -29,12 +27,12 @@
 namespace steadyslide::numeric {
 
 template <Real R>
-class RiemannHilbertForm {
+class TractionRepresentation {
  public:
   /// `q`: coefficients of 1, xi, ...; empty if S >= 0; theta of each component if Y has pivots. `problem` and `rules`
   /// have to outlive the form.
-  RiemannHilbertForm(const ReducedProblem<R>& problem, ContactSet<R> set, std::vector<R> q, const R& tilt,
-                     JacobiRules<R>& rules);
+  TractionRepresentation(const RoundedProblem<R>& problem, ContactSet<R> set, std::vector<R> q, const R& tilt,
+                         JacobiRules<R>& rules);
 
   const SignedFundamentalSolution<R>& y() const { return *y_; }
   const ExpansionAtInfinity<R>& expansion() const { return expansion_; }
@@ -42,7 +40,7 @@ class RiemannHilbertForm {
   const R& tilt() const { return tilt_; }
 
   // What belongs to Y.
-  const ReducedProblem<R>& problem() const { return y_->problem(); }
+  const RoundedProblem<R>& problem() const { return y_->problem(); }
   const ContactSet<R>& set() const { return y_->set(); }
   const FundamentalSolution<R>& fundamental_solution() const { return y_->fundamental_solution(); }
   int degree_at_infinity() const { return y_->degree_at_infinity(); }
