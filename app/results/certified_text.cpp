@@ -1,7 +1,6 @@
 #include "app/results/certified_text.hpp"
 
 #include <algorithm>
-#include <functional>
 
 #include "library/answer/enclosed_contact.hpp"
 #include "library/proof/certificate.hpp"
@@ -11,7 +10,6 @@ namespace steadyslide::app {
 namespace {
 
 using enclosure::Ball;
-using enclosure::Bits;
 using enclosure::EnclosedSolution;
 
 /// The friction that acts beside x, on this side: f t = shear.
@@ -42,27 +40,19 @@ class CertifiedWriter {
     const EnclosedContact solved(problem_, solution_);
     std::vector<Ball> ends;
     std::vector<Ball> intensities;
-    text_.contact.clear();
-    text_.width.clear();
-    for (const auto& [left, right] : solved.contact()) {
-      text_.contact.emplace_back(end(left), end(right));
-      text_.width.push_back(number(right.x - left.x));
+    set_contact(text_, solved.contact(), *this);
+    for (const auto& [left, right, width] : solved.contact()) {
       ends.insert(ends.end(), {left.x, right.x});
       intensities.insert(intensities.end(), {left.intensity, right.intensity});
     }
     const Ball whole = solved.width();
     for (Ball& x : ends) x = whole + (x - x.midpoint());  // relative to the contact's length
 
-    text_.singular_points.clear();
-    for (const EnclosedSolution::Point& point : solution_.singular_points()) {
-      text_.singular_points.push_back({number(point.x), std::string(name_of(point.kind)),
-                                       exponent_text(point.exponent, digits_), number(point.intensity),
-                                       number(point.constant), stress_intensity(point),
-                                       point.exponent ? stress_intensity_unit(*point.exponent) : ""});
-      intensities.push_back(point.intensity);
-    }
+    const std::vector<EnclosedSolution::Point> points = solution_.singular_points();
+    set_singular_points(text_, points, *this);
+    for (const EnclosedSolution::Point& point : points) intensities.push_back(point.intensity);
 
-    text_.resultants = answer::resultants_of<ResultantsText>(solved, std::cref(*this));
+    text_.resultants = answer::resultants_of<ResultantsText>(solved, *this);
     // What nothing encloses is not told.
     text_.component_load.assign(text_.contact.size(), {});
     if (text_.contact.size() == 1) text_.component_load = {number(solved.forces().normal)};
@@ -77,21 +67,12 @@ class CertifiedWriter {
                     {"resultants", upper_text(relative_radius(solved.forces().load_share))}};
   }
 
-  /// A quantity of the table (library/answer/quantities.hpp).
+  // Texts of numbers (solution_text.hpp), and of quantities of the table (library/answer/quantities.hpp).
+  NumberText number(const Ball& ball) const { return number_text(ball, digits_); }
+  NumberText intensity(const Ball& ball) const { return number(ball); }
   NumberText operator()(const Ball& ball) const { return number(ball); }
-  std::size_t operator()(std::size_t count) const { return count; }
-  std::optional<NumberText> operator()(const std::optional<Ball>& ball) const {
-    return ball ? std::optional(number(*ball)) : std::nullopt;
-  }
-  std::vector<NumberText> operator()(const std::vector<Ball>& balls) const {
-    std::vector<NumberText> texts;
-    for (const Ball& ball : balls) texts.push_back(number(ball));
-    return texts;
-  }
-  ResultantsText::Interval operator()(const std::optional<answer::IntervalOf<Ball>>& interval) const {
-    if (!interval) return std::nullopt;
-    return answer::IntervalOf<NumberText>{number(interval->left), number(interval->right)};
-  }
+  static bool told() { return true; }
+  int digits() const { return digits_; }
   /// A finite largest pressure is not enclosed; an infinite one stays as it was found.
   ResultantsText::Largest operator()(EnclosedContact::NotEnclosed) const {
     const ResultantsText::Largest& found = text_.resultants.largest_pressure;
@@ -99,34 +80,6 @@ class CertifiedWriter {
   }
 
  private:
-  NumberText number(const Ball& ball) const { return number_text(ball, digits_); }
-
-  EndText end(const EnclosedSolution::End& end) const {
-    return {number(end.x), std::string(name_of(end.kind)), format_exponent(end.exponent, digits_),
-            number(end.intensity)};
-  }
-
-  LimitText stress_intensity(const EnclosedSolution::Point& point) const {
-    if (!point.exponent) return {};
-    const Bits bits = point.intensity.bits();
-    const Ball k = point.intensity * power(Ball(2) * Ball::pi(bits), -Ball(*point.exponent, bits));
-    if (!has_two_sides(point.kind)) return {number(k), number(k)};
-    // cos(pi alpha) = 1/sqrt(1 + s^2) of both sides.
-    const std::size_t jump = friction_jump_at(point.x);
-    const auto on_side = [&](std::size_t piece) {
-      const Rational s = problem_.coupled_friction(piece);
-      return number(k / sqrt(Ball(Rational(1 + s * s), bits)));
-    };
-    return {on_side(jump), on_side(jump + 1), true};
-  }
-
-  /// The one that the ball contains: jumps are exact.
-  std::size_t friction_jump_at(const Ball& x) const {
-    const std::vector<Rational>& jumps = problem_.friction().jumps();
-    const auto found = std::ranges::find_if(jumps, [&](const Rational& jump) { return x.contains(jump); });
-    return static_cast<std::size_t>(found - jumps.begin());
-  }
-
   /// One number where the limits may be the same, and where one of them is infinite: as limit_text has it.
   LimitText limits(const EnclosedSolution::TwoSided& limits, const EnclosedSolution::TwoSided& traction) const {
     const auto& [left, right] = limits;

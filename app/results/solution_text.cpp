@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "library/answer/solved_contact.hpp"
 #include "library/solve/double_range.hpp"
@@ -35,9 +34,12 @@ class Writer {
       : result_(result), wanted_(wanted.entries), digits_(wanted.digits) {}
 
   /// The numbers of this entry follow: as texts if it is wanted, to be noticed in any case.
-  bool tell(const char* entry) { return told_ = wanted_.empty() || std::ranges::find(wanted_, entry) != wanted_.end(); }
+  void tell(const char* entry) { told_ = wanted_.empty() || std::ranges::find(wanted_, entry) != wanted_.end(); }
 
-  NumberText text(const Estimate<R>& estimate) {
+  bool told() const { return told_; }
+  int digits() const { return digits_; }
+
+  NumberText number(const Estimate<R>& estimate) {
     notice(estimate);
     return told_ ? number_text(estimate, digits_) : NumberText{};
   }
@@ -46,10 +48,6 @@ class Writer {
   NumberText intensity(const Estimate<R>& estimate) {
     notice(estimate, library::has_double<R>);
     return told_ ? number_text(estimate, digits_) : NumberText{};
-  }
-
-  ExponentText exponent(const std::optional<Exponent>& exponent) const {
-    return told_ ? exponent_text(exponent, digits_) : ExponentText{};
   }
 
   std::vector<NamedSize> sizes(const std::vector<std::pair<std::string, R>>& values) {
@@ -61,12 +59,7 @@ class Writer {
     return result;
   }
 
-  EndText end(const numeric::ContactEnd<R>& end) {
-    return {text(end.x), std::string(name_of(end.kind)), told_ ? format_exponent(end.exponent, digits_) : "",
-            intensity(end.intensity)};
-  }
-
-  /// What of a sample fails to converge has its error, and the solution is one all the same.
+  /// A sample that does not converge carries its error; the solution is still valid.
   SampleText sample(std::string x, const numeric::DetailedSample<R>& sample, const ContactProblem& problem) {
     const auto friction = [&](std::size_t piece) { return exact_text(problem.friction().values()[piece]); };
     // Both or neither: |shear| = f |traction| holds on either side, not between the sides.
@@ -74,7 +67,7 @@ class Writer {
     return {std::move(x),
             limits(sample.traction, sample.traction, apart),
             limits(sample.shear, sample.traction, apart),
-            sample.gap ? text(*sample.gap) : NumberText{},
+            sample.gap ? number(*sample.gap) : NumberText{},
             limits(sample.slope, sample.slope, false),
             number_text(sample.displacement, digits_),
             limit_text(sample.shear_slope, sample.shear_slope, digits_),
@@ -83,33 +76,12 @@ class Writer {
                             : std::pair<std::string, std::string>()};
   }
 
-  /// At a jump two numbers; at an end one, of the side in contact.
-  LimitText stress_intensity(const numeric::SolvedSingularPoint<R>& point) {
-    const auto told = [this](const std::optional<Estimate<R>>& k) { return k ? intensity(*k) : NumberText{}; };
-    const NumberText left = told(point.stress_intensity.left), right = told(point.stress_intensity.right);
-    if (has_two_sides(point.kind)) return {left, right, true};
-    const NumberText& one = point.stress_intensity.left ? left : right;
-    return {one, one};
-  }
-
-  /// A quantity of the table (library/answer/quantities.hpp).
-  NumberText operator()(const Estimate<R>& estimate) { return text(estimate); }
-  std::size_t operator()(std::size_t count) { return count; }
-  std::optional<NumberText> operator()(const std::optional<Estimate<R>>& estimate) {
-    return estimate ? std::optional(text(*estimate)) : std::nullopt;
-  }
-  std::vector<NumberText> operator()(const std::vector<Estimate<R>>& estimates) {
-    std::vector<NumberText> texts;
-    for (const Estimate<R>& estimate : estimates) texts.push_back(text(estimate));
-    return texts;
-  }
-  ResultantsText::Interval operator()(const std::optional<answer::IntervalOf<Estimate<R>>>& interval) {
-    if (!interval) return std::nullopt;
-    return answer::IntervalOf<NumberText>{text(interval->left), text(interval->right)};
-  }
+  /// Quantities of the table (library/answer/quantities.hpp).
+  NumberText operator()(const Estimate<R>& estimate) { return number(estimate); }
   ResultantsText::Largest operator()(const numeric::LargestPressure<R>& largest) {
     const bool infinite = isinf(largest.value.value);
-    return {text(largest.value), text(largest.x), infinite ? exponent(largest.exponent).value : ""};
+    return {number(largest.value), number(largest.x),
+            infinite && told_ ? exponent_text(largest.exponent, digits_).value : ""};
   }
 
   void add_samples(std::vector<SampleText>& texts, const numeric::ContactSolution<R>& solution, int count,
@@ -147,6 +119,12 @@ int curve_samples(std::size_t components) {
 
 }  // namespace
 
+LimitText stress_intensity_text(SingularKind kind, const NumberText& left, const NumberText& right) {
+  if (has_two_sides(kind)) return {left, right, true};
+  const NumberText& one = left.value.empty() ? right : left;
+  return {one, one};
+}
+
 template <Real R>
 LimitText limit_text(const TwoSided<R>& limits, const TwoSided<R>& traction, int digits, bool apart) {
   const Estimate<R>& left = limits.left;
@@ -177,20 +155,12 @@ SolutionText solution_text(const Problem& problem, const numeric::ContactSolutio
   text.digits = wanted.digits;
   const SolvedContact<R> solved(problem.contact, solution);
   writer.tell("contact");
-  for (const auto& component : solved.contact()) {
-    text.contact.emplace_back(writer.end(component.left), writer.end(component.right));
-    text.width.push_back(writer.text(component.width));
-  }
-  text.component_load = writer(solved.forces().component_load);
-  const bool points_told = writer.tell("singular_points");
-  for (const auto& point : solution.singular_points()) {
-    text.singular_points.push_back({writer.text(point.x), std::string(name_of(point.kind)),
-                                    writer.exponent(point.exponent), writer.intensity(point.intensity),
-                                    writer.text(point.constant), writer.stress_intensity(point),
-                                    points_told && point.exponent ? stress_intensity_unit(*point.exponent) : ""});
-  }
+  set_contact(text, solved.contact(), writer);
+  text.component_load = answer::converted(writer, solved.forces().component_load);
+  writer.tell("singular_points");
+  set_singular_points(text, solution.singular_points(), writer);
   writer.tell("resultants");
-  text.resultants = answer::resultants_of<ResultantsText>(solved, std::ref(writer));
+  text.resultants = answer::resultants_of<ResultantsText>(solved, writer);
 
   writer.tell("samples");
   for (const Rational& x : wanted.at)

@@ -154,6 +154,40 @@ struct SolutionWanted {
   double largest_residual = library::largest_residual;
 };
 
+/// Sets the ends of contact. `texts` makes texts of numbers: number(), intensity(); `told()` is false where they stay empty.
+template <class Number, class Texts>
+void set_contact(SolutionText& text, const std::vector<ContactComponentOf<Number>>& contact, Texts& texts) {
+  text.contact.clear();
+  text.width.clear();
+  const auto end_text = [&](const ContactEndOf<Number>& end) {
+    return EndText{texts.number(end.x), std::string(name_of(end.kind)),
+                   texts.told() ? format_exponent(end.exponent, texts.digits()) : "", texts.intensity(end.intensity)};
+  };
+  for (const ContactComponentOf<Number>& component : contact) {
+    text.contact.emplace_back(end_text(component.left), end_text(component.right));
+    text.width.push_back(texts.number(component.width));
+  }
+}
+
+/// At a jump two numbers; at an end one, of the side in contact.
+LimitText stress_intensity_text(SingularKind kind, const NumberText& left, const NumberText& right);
+
+/// The same as set_contact() for singular points.
+template <class Number, class Texts>
+void set_singular_points(SolutionText& text, const std::vector<SingularPointOf<Number>>& points, Texts& texts) {
+  text.singular_points.clear();
+  for (const SingularPointOf<Number>& point : points) {
+    const auto side_text = [&](const std::optional<Number>& k) { return k ? texts.intensity(*k) : NumberText{}; };
+    const auto& [left, right] = point.stress_intensity;
+    const bool has_unit = texts.told() && point.exponent;
+    text.singular_points.push_back({texts.number(point.x), std::string(name_of(point.kind)),
+                                    texts.told() ? exponent_text(point.exponent, texts.digits()) : ExponentText{},
+                                    texts.intensity(point.intensity), texts.number(point.constant),
+                                    stress_intensity_text(point.kind, side_text(left), side_text(right)),
+                                    has_unit ? stress_intensity_unit(*point.exponent) : ""});
+  }
+}
+
 template <numeric::Real R>
 SolutionText solution_text(const Problem& problem, const numeric::ContactSolution<R>& solution,
                            const SolutionWanted& wanted);

@@ -37,22 +37,33 @@ EnclosedSolution::End EnclosedSolution::end(std::size_t j) const {
   return {x, kind, set().exponent(j), -amplitude(j, segment) * power(unit_, -set().power(j))};
 }
 
-std::vector<std::pair<EnclosedSolution::End, EnclosedSolution::End>> EnclosedSolution::contact() const {
-  std::vector<std::pair<End, End>> result;
-  for (const ContactSet::Run& run : set().components()) result.emplace_back(end(run.first), end(run.last + 1));
+std::vector<ContactComponentOf<Ball>> EnclosedSolution::contact() const {
+  std::vector<ContactComponentOf<Ball>> result;
+  for (const ContactSet::Run& run : set().components()) {
+    End left = end(run.first), right = end(run.last + 1);
+    const Ball width = right.x - left.x;
+    result.push_back({std::move(left), std::move(right), width});
+  }
   return result;
+}
+
+Ball EnclosedSolution::stress_intensity(std::size_t j, const Ball& coefficient) const {
+  return coefficient * power(Ball(2) * Ball::pi(bits_), -Ball(set().exponent(j), bits_));
 }
 
 std::vector<EnclosedSolution::Point> EnclosedSolution::singular_points() const {
   std::vector<Point> result;
   const Ball pi = Ball::pi(bits_);
   for (std::size_t j = 0; j < set().points(); ++j) {
+    const bool on_left = in_contact_at(j, Side::left), on_right = in_contact_at(j, Side::right);
     if (set().point(j).is_end()) {
       End here = end(j);
-      result.push_back({here.x, here.kind, std::move(here.exponent), here.intensity, Ball(0, bits_)});
+      StressIntensityOf<Ball> k;
+      (on_left ? k.left : k.right) = stress_intensity(j, here.intensity);
+      result.push_back({here.x, here.kind, std::move(here.exponent), here.intensity, Ball(0, bits_), std::move(k)});
       continue;
     }
-    if (!in_contact_at(j, Side::left) || !in_contact_at(j, Side::right)) continue;
+    if (!on_left || !on_right) continue;
     const std::size_t anchor = set().point(j).anchor;
     const Rational& s_left = set().interval(j - 1).s;
     const Rational& s_right = set().interval(j).s;
@@ -62,12 +73,16 @@ std::vector<EnclosedSolution::Point> EnclosedSolution::singular_points() const {
     const Ball x(reduced_->place(anchor), bits_);
     if (local_terms(*kind).has_power) {
       const Ball theta = -amplitude(j, j) / set().cos_alpha(j) * power(unit_, -set().power(j));
-      result.push_back({x, *kind, set().exponent(j), theta, Ball(Rational(wedge / (s_right - s_left)), bits_)});
+      const auto beside = [&](const Rational& s) {
+        return stress_intensity(j, theta) / sqrt(Ball(Rational(1 + s * s), bits_));
+      };
+      const Ball constant(Rational(wedge / (s_right - s_left)), bits_);
+      result.push_back({x, *kind, set().exponent(j), theta, constant, {beside(s_left), beside(s_right)}});
       continue;
     }
     // The limit from the left of t - theta log|x - c|/pi, |x - c| in the user's unit.
     const Ball theta(Rational(wedge / (1 + s_left * s_left)), bits_);
-    result.push_back({x, *kind, std::nullopt, theta, amplitude(j, j - 1) - theta * log(unit_) / pi});
+    result.push_back({x, *kind, std::nullopt, theta, amplitude(j, j - 1) - theta * log(unit_) / pi, {}});
   }
   return result;
 }

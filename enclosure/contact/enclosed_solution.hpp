@@ -13,7 +13,7 @@
 
 #include "enclosure/contact/contact_load.hpp"
 #include "enclosure/contact/contact_proof.hpp"
-#include "model/singular_point.hpp"
+#include "model/contact_values.hpp"
 
 namespace steadyslide::enclosure {
 
@@ -22,22 +22,13 @@ class EnclosedSolution {
   /// `proof` is one: proved. `threads`: of resultants().
   EnclosedSolution(ContactProblem problem, const ContactProof& proof, unsigned threads = 1);
 
-  struct End {
-    Ball x;
-    SingularKind kind;
-    Exponent exponent;
-    Ball intensity;
-  };
-  std::vector<std::pair<End, End>> contact() const;
+  using End = ContactEndOf<Ball>;
+  using Point = SingularPointOf<Ball>;
+  using TwoSided = TwoSidedOf<Ball>;
 
-  struct Point {
-    Ball x;
-    SingularKind kind;
-    std::optional<Exponent> exponent;  ///< absent: logarithm
-    Ball intensity;
-    Ball constant;
-  };
-  /// Those at ends of contact, whose constant is 0, and inside, left to right.
+  /// Left to right.
+  std::vector<ContactComponentOf<Ball>> contact() const;
+  /// Those at ends of contact and inside, left to right.
   std::vector<Point> singular_points() const;
 
   struct Resultants {
@@ -58,10 +49,6 @@ class EnclosedSolution {
   /// The slope added to psi where the indenter may tilt.
   std::optional<Ball> tilt() const;
 
-  struct TwoSided {
-    Ball left;
-    Ball right;
-  };
   /// t at x: 0 off the contact, -infinity where it blows up; what contains everything where x may be a free end.
   TwoSided traction(const Rational& x) const;
   /// u' at x, in the support or not; infinite beside an edge.
@@ -72,12 +59,13 @@ class EnclosedSolution {
  private:
   const ContactSet& set() const { return form_.set(); }
   Ball user(const Ball& xi) const;
-  /// Which of the friction's values rules on a segment.
   /// xi of a point of the data; absent for a free end.
   std::optional<Rational> exact(std::size_t j) const;
   Place seen_from(std::size_t segment, const Rational& xi) const;
   Ball from_unit(const Ball& power) const;
   End end(std::size_t j) const;
+  /// theta' (2 pi)^-lambda, lambda the exponent at point j.
+  Ball stress_intensity(std::size_t j, const Ball& coefficient) const;
   /// eps cos(pi alpha) prod' |x - x_j|^p B without its singular term, in the segment's limit at its point j.
   Ball amplitude(std::size_t j, std::size_t segment) const;
   /// Where x is, seen from one of its sides; absent where x may be a free end.

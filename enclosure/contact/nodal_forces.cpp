@@ -13,8 +13,8 @@ void check_contact(const EnclosedSolution& solution, const SurfaceMesh& mesh) {
     throw InvalidData("nodes[" + std::to_string(node) + "]", "contact outside the mesh", "the mesh covers the contact",
                       end.to_string(16));
   };
-  const Ball& left = contact.front().first.x;
-  const Ball& right = contact.back().second.x;
+  const Ball& left = contact.front().left.x;
+  const Ball& right = contact.back().right.x;
   check(left, 0, left < Ball(mesh.nodes().front(), left.bits()));
   check(right, mesh.nodes().size() - 1, right > Ball(mesh.nodes().back(), right.bits()));
 }

@@ -155,7 +155,8 @@ bool JacobiRule::make(int count, const Ball& left, const Ball& right, Bits bits,
   const JacobiPolynomial polynomial(count, left, right, working);
   const Ball factor = mass_of(left.at(working), right.at(working)) * polynomial.norm();
   const double a = (left + 1).to_double(), b = (right + 1).to_double();
-  const int in_left = (count + 1) / 2;
+  // A node is seen from the nearer end. One alone is at a/(a + b) of the interval.
+  const int in_left = count == 1 && a > b ? 0 : (count + 1) / 2;
   const std::vector<double> lefts = jacobi_starts(count, in_left, a, b);
   const std::vector<double> rights = jacobi_starts(count, count - in_left, b, a);
   for (int i = 0; i < count; ++i) {

@@ -2,7 +2,6 @@
 // A proved solution in balls as the table of quantities asks for it (library/answer/quantities.hpp).
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "enclosure/contact/enclosed_solution.hpp"
@@ -14,21 +13,20 @@ namespace steadyslide::library {
 class EnclosedContact {
  public:
   using Ball = enclosure::Ball;
-  using End = enclosure::EnclosedSolution::End;
   struct NotEnclosed {};
 
   EnclosedContact(const ContactProblem& problem, const enclosure::EnclosedSolution& solution)
       : problem_(problem), solution_(solution), contact_(solution.contact()), forces_(solution.resultants()) {}
 
-  const std::vector<std::pair<End, End>>& contact() const { return contact_; }
+  const std::vector<ContactComponentOf<Ball>>& contact() const { return contact_; }
   const enclosure::EnclosedSolution::Resultants& forces() const { return forces_; }
   std::size_t components() const { return contact_.size(); }
 
   /// From the first end to the last.
-  Ball width() const { return contact_.back().second.x - contact_.front().first.x; }
+  Ball width() const { return contact_.back().right.x - contact_.front().left.x; }
   Ball length() const {
     Ball sum(0);
-    for (const auto& [left, right] : contact_) sum += right.x - left.x;
+    for (const auto& component : contact_) sum += component.width;
     return sum;
   }
   Ball per_length(const Ball& force) const { return force / length(); }
@@ -42,7 +40,7 @@ class EnclosedContact {
  private:
   const ContactProblem& problem_;
   const enclosure::EnclosedSolution& solution_;
-  std::vector<std::pair<End, End>> contact_;
+  std::vector<ContactComponentOf<Ball>> contact_;
   enclosure::EnclosedSolution::Resultants forces_;
 };
 

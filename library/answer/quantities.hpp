@@ -122,11 +122,36 @@ void for_each_value(const Solved& solved, Visit visit) {
 #undef STEADYSLIDE_QUANTITY
 }
 
-/// Evaluates the formulas; `convert` makes a value of the result from what a formula returns.
+// What a formula returns in other numbers; `convert` does it for a number and for a largest pressure.
+template <class Convert, class Value>
+auto converted(Convert& convert, const Value& value) {
+  return convert(value);
+}
+template <class Convert>
+std::size_t converted(Convert&, std::size_t count) {
+  return count;
+}
+template <class Convert, class Number>
+auto converted(Convert& convert, const IntervalOf<Number>& interval) {
+  return IntervalOf<decltype(converted(convert, interval.left))>{converted(convert, interval.left),
+                                                                 converted(convert, interval.right)};
+}
+template <class Convert, class Value>
+auto converted(Convert& convert, const std::optional<Value>& value) {
+  return value ? std::optional(converted(convert, *value)) : std::nullopt;
+}
+template <class Convert, class Number>
+auto converted(Convert& convert, const std::vector<Number>& values) {
+  std::vector<decltype(converted(convert, values[0]))> result;
+  for (const Number& value : values) result.push_back(converted(convert, value));
+  return result;
+}
+
+/// Evaluates the formulas; `convert` makes a number of the result from a number, and a largest pressure from what is known of it.
 template <class Resultants, class Solved, class Convert>
-Resultants resultants_of(const Solved& solved, Convert convert) {
+Resultants resultants_of(const Solved& solved, Convert&& convert) {
   Resultants result;
-#define STEADYSLIDE_QUANTITY(type, key, unit, line, meaning, ...) result.key = convert(__VA_ARGS__);
+#define STEADYSLIDE_QUANTITY(type, key, unit, line, meaning, ...) result.key = converted(convert, __VA_ARGS__);
   STEADYSLIDE_QUANTITIES(STEADYSLIDE_QUANTITY)
 #undef STEADYSLIDE_QUANTITY
   return result;

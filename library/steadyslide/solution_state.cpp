@@ -38,18 +38,8 @@ struct Numbers {
   auto operator()(const std::optional<T>& value) const {
     return value ? std::optional((*this)(*value)) : std::nullopt;
   }
-  std::size_t operator()(std::size_t count) const { return count; }
-  Interval operator()(const answer::IntervalOf<Estimate<R>>& interval) const {
-    return {(*this)(interval.left), (*this)(interval.right)};
-  }
   LargestPressure operator()(const numeric::LargestPressure<R>& largest) const {
     return {(*this)(largest.value), (*this)(largest.x), (*this)(largest.exponent)};
-  }
-  template <class T>
-  std::vector<Number> operator()(const std::vector<T>& values) const {
-    std::vector<Number> result;
-    for (const T& value : values) result.push_back((*this)(value));
-    return result;
   }
   ContactEnd operator()(const numeric::ContactEnd<R>& end) const {
     return {(*this)(end.x), std::string(name_of(end.kind)), (*this)(end.exponent), (*this)(end.intensity)};

@@ -18,26 +18,22 @@
 
 #include "model/approximate_contact.hpp"
 #include "model/contact_problem.hpp"
-#include "model/singular_point.hpp"
+#include "model/contact_values.hpp"
 #include "numeric/number/estimate.hpp"
 #include "numeric/solution/piecewise_traction.hpp"
 
 namespace steadyslide::numeric {
 
 template <Real R>
-struct ContactEnd {
-  Estimate<R> x;
-  SingularKind kind;
-  Exponent exponent;
-  Estimate<R> intensity;
-};
-
+using ContactEnd = ContactEndOf<Estimate<R>>;
 template <Real R>
-struct ContactComponent {
-  ContactEnd<R> left;
-  ContactEnd<R> right;
-  Estimate<R> width;  ///< from end to end, better than the difference of their x
-};
+using ContactComponent = ContactComponentOf<Estimate<R>>;
+template <Real R>
+using StressIntensity = StressIntensityOf<Estimate<R>>;
+template <Real R>
+using SolvedSingularPoint = SingularPointOf<Estimate<R>>;
+template <Real R>
+using TwoSided = TwoSidedOf<Estimate<R>>;
 
 /// A gap over a notch of the profile, inside the contact, that is too short to have ends of its own: a solution has
 /// contact there, with a traction that turns to tension within about this length of x.
@@ -45,26 +41,6 @@ template <Real R>
 struct UnresolvedGap {
   Estimate<R> x;
   double log10_length;  ///< by order of magnitude
-};
-
-/// K in p ~ K (2 pi d)^lambda on each side of a point (p ~ constant + K (2 pi d)^lambda with a wedge), a force per
-/// length^(2 + lambda); at lambda = -1/2 fracture mechanics' intensity factor. Absent without contact on that side, and for
-/// a logarithm.
-template <Real R>
-struct StressIntensity {
-  std::optional<Estimate<R>> left;
-  std::optional<Estimate<R>> right;
-};
-
-/// A singular point inside the contact or at its ends, left to right.
-template <Real R>
-struct SolvedSingularPoint {
-  Estimate<R> x;
-  SingularKind kind;
-  std::optional<Exponent> exponent;  ///< absent: logarithm
-  Estimate<R> intensity;
-  Estimate<R> constant;
-  StressIntensity<R> stress_intensity;
 };
 
 /// theta' (2 pi)^-lambda, theta' = theta at an end, theta cos(pi alpha) at a jump.
@@ -120,13 +96,6 @@ struct EstimatedError {
   R ends;
   R traction;
   R resultants;
-};
-
-/// The limits from both sides; equal where the function is continuous; infinite where it blows up.
-template <Real R>
-struct TwoSided {
-  Estimate<R> left;
-  Estimate<R> right;
 };
 
 /// The tangential traction under piece k of the friction: none without friction, under an infinite pressure, too.

@@ -79,12 +79,12 @@ ContactProof proved_beside(const ContactProblem& problem, const ContactSolution<
   const double length = found.back().right.x.value - found.front().left.x.value;
   agrees(resultants.centre_of_pressure, estimated.centre_of_pressure, length);
   for (std::size_t k = 0; k < zones.size(); ++k) {
-    CHECK(zones[k].first.kind == found[k].left.kind);
-    CHECK(zones[k].second.exponent == found[k].right.exponent);
-    agrees(zones[k].first.x, found[k].left.x, length);
-    agrees(zones[k].second.x, found[k].right.x, length);
-    agrees(zones[k].first.intensity, found[k].left.intensity);
-    agrees(zones[k].second.intensity, found[k].right.intensity);
+    CHECK(zones[k].left.kind == found[k].left.kind);
+    CHECK(zones[k].right.exponent == found[k].right.exponent);
+    agrees(zones[k].left.x, found[k].left.x, length);
+    agrees(zones[k].right.x, found[k].right.x, length);
+    agrees(zones[k].left.intensity, found[k].left.intensity);
+    agrees(zones[k].right.intensity, found[k].right.intensity);
   }
   const std::vector<SolvedSingularPoint<double>> singular = solution.singular_points();
   const auto points = enclosed.singular_points();

@@ -53,6 +53,18 @@ TEST_CASE("moments of degree < 2n are contained, those of degree 2n are not") {
   }
 }
 
+TEST_CASE("one node next to either end") {
+  for (const int exponent : {-10, -39, -40, -200}) {
+    const Ball small(Rational(two_to(exponent) - 1), 900), large(1.07_r, 900);
+    for (const Bits bits : {30, 200}) {
+      const JacobiRule left(1, small, large, bits), right(1, large, small, bits);
+      const Ball expected = Ball(2) * (small + 1) / (small + large + 2);
+      CHECK(left.from_left[0].overlaps(expected));
+      CHECK(right.from_right[0].overlaps(expected));
+    }
+  }
+}
+
 TEST_CASE("random rules") {
   CHECK(rc::check("moments", [] {
     const Bits bits = some_bits();

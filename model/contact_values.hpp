@@ -1,0 +1,53 @@
+#pragma once
+// What a solution says of the ends of contact and of singular points, in numbers of any kind: estimates, balls.
+
+#include <optional>
+
+#include "model/exponent.hpp"
+#include "model/singular_point.hpp"
+
+namespace steadyslide {
+
+template <class Number>
+struct ContactEndOf {
+  Number x;
+  SingularKind kind;
+  Exponent exponent;
+  Number intensity;
+};
+
+template <class Number>
+struct ContactComponentOf {
+  ContactEndOf<Number> left;
+  ContactEndOf<Number> right;
+  Number width;  ///< from end to end, better than the difference of their x
+};
+
+/// K in p ~ K (2 pi d)^lambda on each side of a point (p ~ constant + K (2 pi d)^lambda with a wedge), a force per
+/// length^(2 + lambda); at lambda = -1/2 fracture mechanics' intensity factor. Absent without contact on that side, and for
+/// a logarithm.
+template <class Number>
+struct StressIntensityOf {
+  std::optional<Number> left;
+  std::optional<Number> right;
+};
+
+/// A singular point inside the contact or at its ends.
+template <class Number>
+struct SingularPointOf {
+  Number x;
+  SingularKind kind;
+  std::optional<Exponent> exponent;  ///< absent: logarithm
+  Number intensity;
+  Number constant;  ///< 0 at an end
+  StressIntensityOf<Number> stress_intensity;
+};
+
+/// The limits from both sides; equal where the function is continuous; infinite where it blows up.
+template <class Number>
+struct TwoSidedOf {
+  Number left;
+  Number right;
+};
+
+}  // namespace steadyslide
