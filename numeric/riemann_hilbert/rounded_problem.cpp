@@ -25,7 +25,8 @@ RoundedProblem<R>::RoundedProblem(const ContactProblem& problem, const Frame& fr
     }
     anchors_.push_back(std::move(anchor));
   }
-  const auto count = static_cast<std::size_t>(std::ranges::count_if(anchors_, &Anchor::is_break));
+  const auto count = static_cast<std::size_t>(
+      std::count_if(anchors_.begin(), anchors_.end(), [](const Anchor& anchor) { return anchor.is_break; }));
   shortest_gap_ = count < most_coupled ? R(1e-280) : R(1e-150);
 
   const std::size_t frictions = problem.friction().values().size();
