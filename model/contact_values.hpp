@@ -1,5 +1,5 @@
 #pragma once
-// What a solution says of the ends of contact and of singular points, in numbers of any kind: estimates, balls.
+// The values of a solution at the ends of contact and at singular points. `Number` is an estimate or a ball.
 
 #include <optional>
 

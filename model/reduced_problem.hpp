@@ -35,7 +35,7 @@ struct ReducedProblem {
     Rational s;            ///< +-gamma f
   };
 
-  /// Of an anchor, in the user's x.
+  /// Returns the anchor's place in the user's x.
   Rational place(std::size_t anchor) const { return frame.origin + frame.unit * anchors[anchor].x; }
 
   Frame frame;

@@ -122,7 +122,7 @@ void for_each_value(const Solved& solved, Visit visit) {
 #undef STEADYSLIDE_QUANTITY
 }
 
-// What a formula returns in other numbers; `convert` does it for a number and for a largest pressure.
+// converted() changes the type of the numbers that a formula returns. `convert` takes a number or a largest pressure.
 template <class Convert, class Value>
 auto converted(Convert& convert, const Value& value) {
   return convert(value);

@@ -23,7 +23,7 @@ def exported(library):
 
 def declared(header):
     """What the header declares in its public parts, by last names: types, members, functions."""
-    text = re.sub(r"//.*|#.*|\bSTEADYSLIDE_API\b", "", header.read_text(encoding="utf-8"))
+    text = re.sub(r"//.*|#(?:.*\\\n)*.*|STEADYSLIDE_QUANTITIES\(.*\)|\bSTEADYSLIDE_API\b", "", header.read_text(encoding="utf-8"))
     text = re.sub(r"private:.*?\n};", "};", text, flags=re.DOTALL)
     types = set(re.findall(r"\b(?:struct|class) (\w+)[^;{]*{", text))
     functions = set(re.findall(r"\b(\w+)\([^;{]*\)[^;{(]*[;{]", text))
@@ -44,7 +44,7 @@ def python_names():
                       if not member.startswith("_") and (issubclass(thing, tuple) or callable(getattr(thing, member))
                                                          or isinstance(vars(thing)[member], property))}
     public = {name for name in dir(steadyslide) if not name.startswith("_")}
-    modules = {"np", "tomllib", "NamedTuple", "Optional"}  # what the module itself imports
+    modules = {"np", "tomllib", "namedtuple", "NamedTuple", "Optional"}  # what the module itself imports
     return names | {f"steadyslide.{name}" for name in public - modules}
 
 

@@ -63,7 +63,7 @@ TEST_CASE("what is not solved with 50 digits is not tried with 100") {
   CHECK((tried(16, 1000, 0, 50).digits == std::vector{16, 50}));
   CHECK((tried(16, 1000, 0, 16).digits == std::vector{16, 50}));
   CHECK((tried(50, 1000, 0, 50).digits == std::vector{50}));
-  // What is not solved in double is tried with 50 digits.
+  // A problem that double does not solve is tried with 50 digits.
   CHECK(tried(16, 50, 0, 16).proof.value().proved);
 }
 
