@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <map>
 #include <regex>
 
@@ -12,7 +13,7 @@
 namespace steadyslide::app {
 
 std::string escaped(std::string_view text) {
-  static const std::map<char, std::string_view> names{{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}};
+  static const std::map<char, std::string_view> names{{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}};
   std::string result;
   result.reserve(text.size());
   while (!text.empty()) {
@@ -35,9 +36,11 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
+std::string escaped_attribute(std::string_view text) { return boost::replace_all_copy(escaped(text), "\"", "&quot;"); }
+
 std::string element(std::string_view tag, std::string_view content, std::initializer_list<Attribute> attributes) {
   std::string result = fmt::format("<{}", tag);
-  for (const Attribute& a : attributes) result += fmt::format(" {}=\"{}\"", a.name, escaped(a.value));
+  for (const Attribute& a : attributes) result += fmt::format(" {}=\"{}\"", a.name, escaped_attribute(a.value));
   return result + fmt::format(">{}</{}>", content, tag);
 }
 

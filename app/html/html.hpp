@@ -8,9 +8,12 @@
 
 namespace steadyslide::app {
 
-/// Safe as text and inside a quoted attribute, in HTML and in XML alike. Control characters are dropped; bytes that are
-/// not UTF-8 become U+FFFD.
+/// A text as the content of an element, in HTML and in XML alike. Control characters are dropped; bytes that are not UTF-8
+/// become U+FFFD.
 std::string escaped(std::string_view text);
+
+/// The same as an attribute's value: double quotation marks are escaped, too.
+std::string escaped_attribute(std::string_view text);
 
 struct Attribute {
   std::string_view name;

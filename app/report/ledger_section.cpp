@@ -76,7 +76,7 @@ std::string tools(const VerifyResult& result) {
   }
   std::string places;
   for (const checks::PaperStatement& statement : checks::paper_statements()) {
-    const std::string option = fmt::format(R"(<option value="{}">)", escaped(statement.place));
+    const std::string option = fmt::format(R"(<option value="{}">)", escaped_attribute(statement.place));
     if (!statement.place.empty() && places.find(option) == std::string::npos) places += option;
   }
   return fmt::format(fmt::runtime(embedded::tools_html), fmt::arg("verdicts", boxes), fmt::arg("places", places));

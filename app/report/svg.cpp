@@ -113,7 +113,7 @@ std::string inline_svg(std::string_view svg, std::string_view prefix, std::strin
   for (const char* reference : {R"( id=")", " id='", R"(href="#)", "href='#", "url(#"}) {
     boost::replace_all(result, reference, reference + start);
   }
-  result.insert(4, R"( role="img" aria-label=")" + escaped(title) + R"(")");
+  result.insert(4, R"( role="img" aria-label=")" + escaped_attribute(title) + R"(")");
   return result;
 }
 

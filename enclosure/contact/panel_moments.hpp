@@ -7,9 +7,12 @@
 //
 //   1/(D + y) = sum_{k<K} (-y)^k/D^(k+1) + R,   |R| <= 4^-K/D,      1/(D + y) = sum_{k<K} (-D)^k/y^(k+1) + R,   |R| <= 4^-K/y,
 //
-// by moments of all panels up to one, and of all from one on: a gap of 1e-90 has hundreds of panels, and a place a few near
-// ones. The rules' remainders: a panel's far ellipse reaches 4/5 of its length beyond it, which is no longer than y at its
+// by moments of all panels up to one, and of all from one on: beside a gap of 1e-90 stand hundreds of panels, and a place
+// has a few near ones. Places are expected in a range of distances. Panels that are near or far for the whole range need
+// the fewer moments the nearer or farther they are, since the expansion's terms fall faster. The rules' remainders: a panel's far ellipse reaches 4/5 of its length beyond it, which is no longer than y at its
 // nearer end (but for the one that touches c), so that -D is at least D/5, and y/5, away from it.
+
+#include <optional>
 
 #include "enclosure/contact/contact_panel.hpp"
 
@@ -17,13 +20,22 @@ namespace steadyslide::enclosure {
 
 class PanelMoments {
  public:
+  /// Of the distances from which the panels are seen: bounds.
+  struct Range {
+    Ball least;
+    Ball most;
+  };
+
   /// `values`: v of each panel's nodes. `sizes`: bounds of what they are values of, in the panel's far ellipse and without the
-  /// powers of |Y|. `c`: the side of the segment on which that point is.
+  /// powers of |Y|. `c`: the side of the segment on which that point is. `distances`: none if any distance is expected.
   PanelMoments(const std::vector<ContactPanel>& panels, const std::vector<std::vector<Ball>>& values,
-               const std::vector<Ball>& sizes, Side c, Bits bits);
+               const std::vector<Ball>& sizes, Side c, const std::optional<Range>& distances, Bits bits);
+
+  /// Are all of these distances expected?
+  bool cover(const Range& distances) const;
 
   /// The panels' sum but for those from `first` up to, not including, `last`, counted from c; enclosed, with the rules'
-  /// remainders. `distance` is D.
+  /// remainders. `distance` is D. Where it is not expected, fewer panels are in the sum.
   struct Rest {
     Ball sum;
     std::size_t first;
@@ -38,10 +50,18 @@ class PanelMoments {
     Ball remainder;             ///< of the rules, times D/5, or with the pole's bound
   };
 
+  /// How many panels have y <= D/4.
+  std::size_t count_of_near(const Ball& distance) const;
+  /// The first panel with y >= 4 D; never the one that touches c.
+  std::size_t first_far(const Ball& distance) const;
+
+  std::optional<Range> distances_;
   std::vector<Ball> starts_;  ///< y of the panels' nearer and farther ends
   std::vector<Ball> ends_;
-  std::vector<Sums> up_to_;  ///< of the first n panels
-  std::vector<Sums> from_;   ///< of all panels from n on
+  std::size_t least_near_ = 0;  ///< for the least distance
+  std::size_t least_far_ = 0;
+  std::vector<Sums> near_;  ///< of the first least_near_ + i panels
+  std::vector<Sums> far_;   ///< of all panels from least_far_ + i on
   Bits bits_;
 };
 

@@ -203,7 +203,7 @@ void TractionRepresentation::add_cauchy(std::size_t k, std::size_t segment, cons
   // An expansion loses what a wide distance leaves of it.
   const bool is_thin = to_segment.radius() * power(Ball(2, 64), 20) < to_segment;
   if (count > few_panels && is_thin) {
-    if (const PanelMoments* all = moments(difference, segment, towards)) {
+    if (const PanelMoments* all = moments(difference, segment, place.segment)) {
       rest = all->seen_from(to_segment);
       sum.regular += to_the_right ? rest.sum : -rest.sum;
     }
@@ -234,17 +234,29 @@ void TractionRepresentation::prepare(std::size_t k, std::size_t segment) const {
     if (!set_.in_contact(other) || slope_of(other) == k || panels_[other].size() <= few_panels) continue;
     const Side facing = other > segment ? Side::left : Side::right;
     differences_[k][other].asked[facing == Side::left ? 0 : 1] = set_.bits();
-    moments(differences_[k][other], other, facing);
+    moments(differences_[k][other], other, segment);
   }
 }
 
 const PanelMoments* TractionRepresentation::moments(const Difference& difference, std::size_t segment,
-                                                    Side facing) const {
+                                                    std::size_t seen_from) const {
+  const Side facing = segment > seen_from ? Side::left : Side::right;
   const std::size_t side = facing == Side::left ? 0 : 1;
   std::shared_ptr<const PanelMoments>& made = difference.moments[side];
-  if (!made && 2 * ++difference.asked[side] > set_.bits()) {
-    made = std::make_shared<PanelMoments>(panels_[segment], difference.values, difference.sizes, facing, set_.bits());
-  }
+  const Ball zero(0, 64);
+  const PanelMoments::Range here =
+      facing == Side::left
+          ? PanelMoments::Range{seen_from + 1 == segment ? zero : set_.distance(seen_from + 1, segment),
+                                set_.distance(seen_from, segment)}
+          : PanelMoments::Range{segment + 1 == seen_from ? zero : set_.distance(segment + 1, seen_from),
+                                set_.distance(segment + 1, seen_from + 1)};
+  if (made && made->cover(here)) return made.get();
+  if (2 * ++difference.asked[side] <= set_.bits()) return made.get();
+  difference.asked[side] = 0;
+  // For one segment first; for every distance when another one asks.
+  const std::optional<PanelMoments::Range> expected = made ? std::nullopt : std::optional(here);
+  made = std::make_shared<PanelMoments>(panels_[segment], difference.values, difference.sizes, facing, expected,
+                                        set_.bits());
   return made.get();
 }
 

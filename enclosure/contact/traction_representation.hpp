@@ -124,9 +124,9 @@ class TractionRepresentation {
   void take_differences(std::size_t segment);
   /// Adds a segment's part of int eps cos(pi alpha) (g - g_k)/|Y| dx'/(x'-x).
   void add_cauchy(std::size_t k, std::size_t segment, const Place& place, LocalValue& sum) const;
-  /// A segment's panels from a place: those far from it and close to the segment's point together. None at first: they cost
-  /// as much as all panels do for half as many places as they have bits.
-  const PanelMoments* moments(const Difference& difference, std::size_t segment, Side facing) const;
+  /// The moments of the panels of `segment` for places in `seen_from`. None at first: they cost as much as all panels do for
+  /// half as many places as they have bits.
+  const PanelMoments* moments(const Difference& difference, std::size_t segment, std::size_t seen_from) const;
   void add_beside(const ContactPanel& panel, const Difference& difference, const std::vector<Ball>& values,
                   const Place& place, LocalValue& sum) const;
   Ball distance(const Place& place, std::size_t j) const;

@@ -52,7 +52,7 @@ Ball value_at(const BallPolynomial& polynomial, const Ball& x) {
   return value;
 }
 
-void add_moments(std::vector<Ball>& moments, const std::vector<Ball>& weights, const std::vector<Ball>& points) {
+void add_moments(std::span<Ball> moments, const std::vector<Ball>& weights, const std::vector<Ball>& points) {
   const std::size_t block = block_of(moments.size());
   // powers[a] = points^a; weighted = weights points^(block b): moment a + block b is their product.
   std::vector<std::vector<Ball>> powers{std::vector<Ball>(points.size(), Ball(1))};
