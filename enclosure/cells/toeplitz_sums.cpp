@@ -53,8 +53,7 @@ std::vector<Ball> toeplitz_sums(const std::vector<std::int64_t>& weights, const 
     fmpz_poly_set_coeff_fmpz(k.get(), static_cast<slong>(d), number.get());
     widest = max(widest, kernel[d].radius().at(64));
   }
-  Ball unit(1, 64);
-  arb_mul_2exp_si(unit.get(), unit.get(), -fraction);
+  const Ball unit = made_by(arb_mul_2exp_si, 64, Ball(1).get(), -fraction);
   const Ball error = (widest + unit) * sum_of_sizes;
 
   fmpz_poly_mul(product.get(), w.get(), k.get());

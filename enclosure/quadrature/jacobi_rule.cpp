@@ -95,11 +95,7 @@ std::vector<double> jacobi_starts(int count, int wanted, double a, double b) {
   return zeros;
 }
 
-Ball digamma(const Ball& x) {
-  Ball result(0, x.bits());
-  arb_digamma(result.get(), x.get(), x.bits());
-  return result;
-}
+Ball digamma(const Ball& x) { return made_by(arb_digamma, x.bits(), x.get(), x.bits()); }
 
 /// int (1+x)^left (1-x)^right dx = 2^(left+right+1) B(left+1, right+1).
 Ball mass_of(const Ball& left, const Ball& right) {
@@ -107,11 +103,7 @@ Ball mass_of(const Ball& left, const Ball& right) {
   return power(Ball(2, sum.bits()), sum + 1) * gamma(left + 1) * gamma(right + 1) / gamma(sum + 2);
 }
 
-Ball rounded(const Ball& x, Bits bits) {
-  Ball result(0, bits);
-  arb_set_round(result.get(), x.get(), bits);
-  return result;
-}
+Ball rounded(const Ball& x, Bits bits) { return made_by(arb_set_round, bits, x.get(), bits); }
 
 bool centred_at_zero(const Ball& x) { return arf_is_zero(arb_midref(x.get())) != 0; }
 
