@@ -27,6 +27,9 @@ struct ContactBox {
   std::vector<Ball> q;
   Ball tilt;  ///< 0 exactly where the indenter keeps its attitude
 
+  /// All of them in one list. A tilt that is not unknown may be left out.
+  std::vector<Ball> unknowns(bool with_tilt = true) const;
+  ContactBox with(const std::vector<Ball>& unknowns) const;
   /// At the rules' precision, with `count` nodes a panel.
   TractionRepresentation form(const ReducedProblem& problem, int count, JacobiRules& rules) const;
 };

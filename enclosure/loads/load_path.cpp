@@ -26,14 +26,10 @@ ContactBox predicted(const ReducedProblem& problem, const std::optional<Place>& 
   const std::optional<ContactBox> earlier = seen_from(problem, before->zero, here.zero.topology);
   if (!earlier) return here.zero;
   const Ball ratio(Rational((load - here.load) / (here.load - before->load)), load_interval_bits);
-  const auto onward = [&](const Ball& from, const Ball& to) { return (to + (to - from) * ratio).midpoint(); };
-  ContactBox result = here.zero;
-  for (std::size_t i = 0; i < result.log_offsets.size(); ++i) {
-    result.log_offsets[i] = onward(earlier->log_offsets[i], result.log_offsets[i]);
-  }
-  for (std::size_t i = 0; i < result.q.size(); ++i) result.q[i] = onward(earlier->q[i], result.q[i]);
-  result.tilt = onward(earlier->tilt, result.tilt);
-  return result;
+  std::vector<Ball> values = here.zero.unknowns();
+  std::ranges::transform(earlier->unknowns(), values, values.begin(),
+                         [&](const Ball& from, const Ball& to) { return (to + (to - from) * ratio).midpoint(); });
+  return here.zero.with(values);
 }
 
 struct Failure {
