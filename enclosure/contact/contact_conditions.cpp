@@ -165,9 +165,7 @@ std::vector<std::vector<Ball>> ContactConditions::jacobian() const {
 
 Ball ContactConditions::gap_condition(const ContactSet::Run& gap) const {
   Ball sum(0, set_.bits());
-  for (std::size_t j = gap.first; j <= gap.last + 1; ++j) {
-    if (!set_.point(j).beside) sum += Ball(set_.problem().anchors[set_.point(j).anchor].step, set_.bits());
-  }
+  for (std::size_t j = gap.first; j <= gap.last + 1; ++j) sum += set_.step(j);
   for (const SegmentPart& part : parts_of(gap)) {
     const std::size_t k = form_.slope_of(part.contact);
     const std::vector<ContactPanel::Part> pieces = ContactPanel::graded(set_, part.segment, part.extent);

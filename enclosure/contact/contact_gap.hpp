@@ -9,22 +9,7 @@
 
 namespace steadyslide::enclosure {
 
-class ContactGap {
- public:
-  /// `form` has to outlive it.
-  explicit ContactGap(const TractionRepresentation& form) : form_(form), set_(form.set()) {}
-
-  /// At a place in a segment off the contact, which is thin. Not finite where there is no contact on either side.
-  Ball at(const Place& place) const;
-
- private:
-  /// Over parts of segments off the contact, from left to right.
-  Ball change(const std::vector<ContactPanel::Part>& parts, std::size_t k) const;
-  /// The profile's step at a point, from left to right.
-  Ball step(std::size_t j) const;
-
-  const TractionRepresentation& form_;
-  const ContactSet& set_;
-};
+/// At a place in a segment off the contact, which is thin. Not finite where there is no contact on either side.
+Ball contact_gap(const TractionRepresentation& form, const Place& place);
 
 }  // namespace steadyslide::enclosure

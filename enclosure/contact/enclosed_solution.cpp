@@ -20,9 +20,7 @@ EnclosedSolution::EnclosedSolution(ContactProblem problem, const ContactProof& p
 Ball EnclosedSolution::user(const Ball& xi) const { return origin_ + unit_ * xi; }
 
 Ball EnclosedSolution::amplitude(std::size_t j, std::size_t segment) const {
-  const bool at_left = j == segment;
-  const Ball zero(0, bits_);
-  const Place at{segment, at_left ? zero : set().length(segment), at_left ? set().length(segment) : zero};
+  const Place at = set().place_of(j, segment);
   const LocalValue b = form_.regular_factor(at);
   return Ball(set().sign(segment)) * set().cos_alpha(segment) * form_.modulus(at, j) * b.analytic();
 }
@@ -192,10 +190,7 @@ Ball EnclosedSolution::slope_limit(std::size_t j, Side side) const {
   const bool contact = in_contact_at(j, side);
   const ContactTopology::Point& point = set().point(j);
   if (!contact && point.is_end() && !point.vanishes) return Ball::infinity(side == Side::left ? -1 : 1, bits_);
-  const Ball zero(0, bits_);
-  const auto beside = [&](bool left) {
-    return left ? Place{j - 1, set().length(j - 1), zero} : Place{j, zero, set().length(j)};
-  };
+  const auto beside = [&](bool left) { return set().place_of(j, left ? j - 1 : j); };
   const Ball c(problem_.elasticity().compliance(), bits_);
   // The surface leaves a free end along the profile of the contact.
   if (contact || point.is_end()) return c * form_.profile_slope(beside((side == Side::left) == contact));
@@ -245,7 +240,7 @@ std::optional<Ball> EnclosedSolution::gap(const Rational& x) const {
     if (!is_in_support(*at) || (point && *point == (side == Side::left ? 0 : set().segments()))) continue;
     const bool contact = set().in_contact(at->segment) || (point && set().point(*point).is_end());
     const Ball here =
-        contact ? Ball(0, bits_) : Ball(problem_.elasticity().compliance(), bits_) * unit_ * ContactGap(form_).at(*at);
+        contact ? Ball(0, bits_) : Ball(problem_.elasticity().compliance(), bits_) * unit_ * contact_gap(form_, *at);
     lowest = lowest ? min(*lowest, here) : here;
   }
   return lowest;
