@@ -10,6 +10,8 @@
 // Their derivatives need none of an integral: near e_f, d(u'/c)/d e_f = Y (rho_f/(z - e_f) + r(z)) with rho_f = p_f B(e_f)
 // and r the polynomial part of -p_f q/(pi (z - e_f)); d/d tilt is 1 - Y [1/Y]_poly. (Liouville's theorem.)
 
+#include <algorithm>
+
 #include "enclosure/contact/traction_representation.hpp"
 
 namespace steadyslide::enclosure {
@@ -18,7 +20,12 @@ class ContactConditions {
  public:
   /// `form` has to outlive it.
   explicit ContactConditions(const TractionRepresentation& form)
-      : form_(form), set_(form.set()), q_(form.q()), degree_(set_.degree_at_infinity()) {}
+      : form_(form),
+        set_(form.set()),
+        q_(form.q()),
+        degree_(set_.degree_at_infinity()),
+        movable_(set_.topology().movable()),
+        free_coefficients_(static_cast<std::size_t>(std::max(-degree_ - 1, 0))) {}
 
   /// The work of the form and of conditions(), for a budget (work_budget.hpp).
   std::int64_t work() const;
@@ -46,6 +53,8 @@ class ContactConditions {
   const ContactSet& set_;
   const BallPolynomial& q_;
   int degree_;
+  std::vector<std::size_t> movable_;
+  std::size_t free_coefficients_;  ///< of q: without the load
 };
 
 }  // namespace steadyslide::enclosure

@@ -75,11 +75,9 @@ ContactPanel::ContactPanel(const ContactSet& set, Part part, int n, std::optiona
   farthest_ = max(abs(set.x(k) + part_.from_left), abs(set.x(k + 1) - part_.from_right)).at(few);
 }
 
-Ball ContactPanel::largest(const std::vector<Ball>& polynomial, Ellipse ellipse) const {
+Ball ContactPanel::largest(const BallPolynomial& polynomial, Ellipse ellipse) const {
   const Ball r = farthest_ + reach(ellipse);
-  Ball value(0, r.bits());
-  for (std::size_t i = polynomial.size(); i-- > 0;) value = value * r + abs(polynomial[i].at(r.bits()));
-  return value;
+  return bound_within(polynomial, r);
 }
 
 namespace {

@@ -92,10 +92,7 @@ class CauchyIntegral {
       }
     }
     // The ellipse rho = 5 about [0, 1] reaches 4/5 beyond: |d| <= 9/5 L on it.
-    Ball largest(0, 64);
-    for (std::size_t i = term.factor.size(); i-- > 0;) {
-      largest = largest * part.length * Ball(Rational(9, 5), 64) + abs(term.factor[i]);
-    }
+    const Ball largest = bound_within(term.factor, part.length * Ball(Rational(9, 5), 64));
     const Ball applied = term.logarithm ? abs(log_length) + Ball(2) : Ball(1);
     widen(sum, unit.remainder(largest.upper() * pole, rho) / two * applied, pole);
     for (Ball& component : sum) component *= part.length;
