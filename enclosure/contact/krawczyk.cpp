@@ -214,11 +214,6 @@ KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, 
   return result.proved ? result : attempt(problem, box, rules, rules, work);
 }
 
-KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactStart& start, JacobiRules& rules,
-                            WorkBudget& work) {
-  return enclose_zero(problem, start.box(rules.bits()), rules, work);
-}
-
 namespace {
 
 /// Where Newton's method leads, and how far its last step was.

@@ -56,8 +56,6 @@ struct March {
   WorkBudget rest = WorkBudget(0);
 };
 
-const char* const no_budget = "the budget of work is spent";
-
 class Follower {
  public:
   Follower(const ContactProblem& problem, const Frame& frame, const ContactAtLoad& contact_at,
@@ -70,13 +68,10 @@ class Follower {
     has_notch_ = std::ranges::any_of(problem_.anchors, [](const auto& anchor) { return anchor.wedge < 0; });
   }
 
-  /// Proves what it can of the loads.
-  void follow(const Rational& from, const Rational& to) {
+  /// Proves what it can of the loads: all of them, with what is not proved between what is.
+  std::vector<LoadStretch> follow(const Rational& from, const Rational& to) {
     WorkBudget work(options_.work);
     found_ = fill(from, to, 12, work);
-  }
-  /// All of it, with what is not proved between what is.
-  std::vector<LoadStretch> stretches(const Rational& from, const Rational& to) {
     std::sort(found_.proved.begin(), found_.proved.end(),
               [](const LoadStretch& a, const LoadStretch& b) { return a.from < b.from; });
     const auto low = [&](std::size_t i) { return i > 0 ? found_.proved[i - 1].to : from; };
@@ -114,7 +109,7 @@ class Follower {
     Found found;
     if (depth == 0 || high - low <= options_.width * high) return found;
     if (work.is_spent()) {
-      found.fail((low + high) / 2, no_budget);
+      found.fail((low + high) / 2, "the budget of work is spent");
       return found;
     }
     // Where a gap closes, its first load is all that it takes.
@@ -277,14 +272,9 @@ class Follower {
       const ContactBox& after = found_.proved[i].interval->at_from;
       const bool same = seen_from(problem_, before, after.topology).has_value();
       if (low < high && !same) return {Stretch::event, low, high, {}, contact_change(problem_, before, after)};
-      if (low == high) {
-        return {Stretch::open,
-                low,
-                high,
-                {},
-                same ? "whether the solutions on both sides are one branch is not proved"
-                     : "two solutions are proved at this load"};
-      }
+      const char* const no_branch = same ? "whether the solutions on both sides are one branch is not proved"
+                                         : "two solutions are proved at this load";
+      if (low == high) return {Stretch::open, low, high, {}, no_branch};
     }
     // The last attempt's reason says most: it was the shortest one.
     std::string reason = "nothing was tried";
@@ -315,9 +305,8 @@ std::vector<LoadStretch> follow_loads(const ContactProblem& problem, const Ratio
     throw InvalidData("width", "an event has no width", "0 < width", to_string(options.width));
   }
   const std::optional<ApproximateContact> largest = contact_at(to);
-  Follower follower(problem, frame_of(problem, largest ? *largest : ApproximateContact{}), contact_at, options);
-  follower.follow(from, to);
-  return follower.stretches(from, to);
+  const Frame frame = frame_of(problem, largest.value_or(ApproximateContact{}));
+  return Follower(problem, frame, contact_at, options).follow(from, to);
 }
 
 }  // namespace steadyslide::enclosure

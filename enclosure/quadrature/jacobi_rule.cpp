@@ -124,7 +124,6 @@ JacobiRule::JacobiRule(int count, const Ball& left, const Ball& right, Bits bits
     const Ball common = log(Ball(2, 64)) + digamma(a + b);
     spread_ = mass.at(64) * (dl * (common - digamma(a)) + dr * (common - digamma(b)));
   }
-  for (std::vector<Ball>* part : {&from_left, &from_right, &weights}) part->reserve(static_cast<std::size_t>(count));
   const Ball l = left.midpoint(), r = right.midpoint();
   if (centred_at_zero(l) && centred_at_zero(r)) {
     make_legendre(count, bits);
@@ -168,17 +167,13 @@ bool JacobiRule::make(int count, const Ball& left, const Ball& right, Bits bits,
 void JacobiRule::make_legendre(int count, Bits bits) {
   const auto n = static_cast<std::size_t>(count);
   const Bits working = bits + 2 * static_cast<Bits>(std::log2(count + 1)) + 16;
-  from_left.assign(n, Ball(0, bits));
-  from_right.assign(n, Ball(0, bits));
-  weights.assign(n, Ball(0, bits));
-  for (std::size_t k = 0; k < n; ++k) {
-    // Arb counts the roots from the right, and makes the left half from the right one.
+  // Arb counts the roots from the right, and makes the left half from the right one.
+  for (std::size_t k = n; k-- > 0;) {
     Ball x(0, working), weight(0, working);
     arb_hypgeom_legendre_p_ui_root(x.get(), weight.get(), n, k, working);
-    const std::size_t i = n - 1 - k;
-    from_left[i] = rounded(1 + x, bits);
-    from_right[i] = rounded(1 - x, bits);
-    weights[i] = rounded(weight, bits);
+    from_left.push_back(rounded(1 + x, bits));
+    from_right.push_back(rounded(1 - x, bits));
+    weights.push_back(rounded(weight, bits));
   }
 }
 
