@@ -13,10 +13,6 @@ double rounded(const Rational& z, bool up) {
   return static_cast<double>(static_cast<long>(whole)) / (1 << 20);
 }
 
-Rational between(const Rational& low, const Rational& x, const Rational& high) {
-  return std::min(std::max(low, x), high);
-}
-
 }  // namespace
 
 CellGap::CellGap(const ContactProblem& problem, const CellPressures& pressures, Bits bits)
@@ -79,8 +75,8 @@ std::vector<GapPart> CellGap::parts(std::size_t i) const {
       if (i + 1 + k <= size()) part.b[k] = Ball(Rational(potential_.rises[i + 1 + k]), bits_) * per_pi_;
     }
     for (std::size_t k = 0; k < 4; ++k) part.q[k] -= potential[k] * per_pi_;
-    part.from = rounded(between(0, piece->left - Rational(i), 1), false);
-    part.to = rounded(between(0, piece->right - Rational(i), 1), true);
+    part.from = rounded(std::clamp<Rational>(piece->left - Rational(i), 0, 1), false);
+    part.to = rounded(std::clamp<Rational>(piece->right - Rational(i), 0, 1), true);
     result.push_back(std::move(part));
   }
   return result;
@@ -89,8 +85,8 @@ std::vector<GapPart> CellGap::parts(std::size_t i) const {
 Ball CellGap::mean(std::size_t i) const {
   Ball sum = -potential_.means[i] * per_pi_;
   for (auto piece = first_piece(i); piece != pieces_.end() && piece->left < Rational(i + 1); ++piece) {
-    const Rational from = between(0, piece->left - Rational(i), 1);
-    const Rational to = between(0, piece->right - Rational(i), 1);
+    const Rational from = std::clamp<Rational>(piece->left - Rational(i), 0, 1);
+    const Rational to = std::clamp<Rational>(piece->right - Rational(i), 0, 1);
     sum += integral_over(given(*piece, i), Ball(from, bits_), Ball(Rational(to - from), bits_));
   }
   return sum;

@@ -6,11 +6,25 @@ namespace steadyslide::enclosure {
 
 using Kind = ContactTopology::Kind;
 
+namespace {
+
+bool is_in_support(const Place& place) { return !place.from_left.is_negative() && !place.from_right.is_negative(); }
+
+/// The point of the contact set that the place is exactly.
+std::optional<std::size_t> point_at(const Place& place) {
+  if (place.from_left.is_zero()) return place.segment;
+  if (place.from_right.is_zero()) return place.segment + 1;
+  return std::nullopt;
+}
+
+}  // namespace
+
 EnclosedSolution::EnclosedSolution(ContactProblem problem, const ContactProof& proof, unsigned threads)
     : problem_(std::move(problem)),
       bits_(proof.bits),
       reduced_(std::make_shared<ReducedProblem>(proof.problem)),
       rules_(std::make_shared<JacobiRules>(bits_)),
+      compliance_(problem_.elasticity().compliance(), bits_),
       unit_(reduced_->frame.unit, bits_),
       origin_(reduced_->frame.origin, bits_),
       form_(proof.box.form(*reduced_, count_for(bits_), *rules_)),
@@ -106,7 +120,7 @@ EnclosedSolution::Resultants EnclosedSolution::resultants() const {
 
 std::optional<Ball> EnclosedSolution::tilt() const {
   if (!problem_.load_at()) return std::nullopt;
-  return Ball(problem_.elasticity().compliance(), bits_) * tilt_;
+  return compliance_ * tilt_;
 }
 
 std::optional<Rational> EnclosedSolution::exact(std::size_t j) const {
@@ -153,16 +167,6 @@ std::optional<Place> EnclosedSolution::place(const Rational& x, Side side) const
   return seen_from(*k, xi);
 }
 
-bool EnclosedSolution::is_in_support(const Place& place) const {
-  return !place.from_left.is_negative() && !place.from_right.is_negative();
-}
-
-std::optional<std::size_t> EnclosedSolution::point_at(const Place& place) const {
-  if (place.from_left.is_zero()) return place.segment;
-  if (place.from_right.is_zero()) return place.segment + 1;
-  return std::nullopt;
-}
-
 bool EnclosedSolution::in_contact_at(std::size_t j, Side side) const {
   if (side == Side::left) return j > 0 && set().in_contact(j - 1);
   return j < set().segments() && set().in_contact(j);
@@ -191,21 +195,19 @@ Ball EnclosedSolution::slope_limit(std::size_t j, Side side) const {
   const ContactTopology::Point& point = set().point(j);
   if (!contact && point.is_end() && !point.vanishes) return Ball::infinity(side == Side::left ? -1 : 1, bits_);
   const auto beside = [&](bool left) { return set().place_of(j, left ? j - 1 : j); };
-  const Ball c(problem_.elasticity().compliance(), bits_);
   // The surface leaves a free end along the profile of the contact.
-  if (contact || point.is_end()) return c * form_.profile_slope(beside((side == Side::left) == contact));
+  if (contact || point.is_end()) return compliance_ * form_.profile_slope(beside((side == Side::left) == contact));
   return slope_at(beside(j == set().segments() || (side == Side::left && j > 0)));
 }
 
 Ball EnclosedSolution::slope_at(const Place& place) const {
   const Ball profile = form_.profile_slope(place);
-  const Ball c(problem_.elasticity().compliance(), bits_);
-  if (is_in_support(place) && set().in_contact(place.segment)) return c * profile;
+  if (is_in_support(place) && set().in_contact(place.segment)) return compliance_ * profile;
   // Beyond all points Y has the sign of z^S.
   int sign = set().sign(place.segment);
   if (place.from_left.is_negative()) sign = set().degree_at_infinity() % 2 == 0 ? 1 : -1;
   if (place.from_right.is_negative()) sign = 1;
-  return c * (profile - Ball(sign) * form_.modulus(place) * form_.regular_factor(place).value());
+  return compliance_ * (profile - Ball(sign) * form_.modulus(place) * form_.regular_factor(place).value());
 }
 
 template <class Limit, class Value>
@@ -239,8 +241,7 @@ std::optional<Ball> EnclosedSolution::gap(const Rational& x) const {
     // Beside the support there is nothing.
     if (!is_in_support(*at) || (point && *point == (side == Side::left ? 0 : set().segments()))) continue;
     const bool contact = set().in_contact(at->segment) || (point && set().point(*point).is_end());
-    const Ball here =
-        contact ? Ball(0, bits_) : Ball(problem_.elasticity().compliance(), bits_) * unit_ * contact_gap(form_, *at);
+    const Ball here = contact ? Ball(0, bits_) : compliance_ * unit_ * contact_gap(form_, *at);
     lowest = lowest ? min(*lowest, here) : here;
   }
   return lowest;

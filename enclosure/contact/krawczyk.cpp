@@ -110,8 +110,6 @@ ContactBox ContactStart::box(Bits bits) const {
 
 namespace {
 
-const char* const no_budget = "the budget of work is spent before Krawczyk's operator is enclosed";
-
 /// Rules of no more bits serve as their own coarse ones.
 constexpr Bits few_bits = 96;
 
@@ -146,22 +144,21 @@ KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, Jac
   std::vector<Ball> middle;
   for (const Ball& x : wide) middle.push_back(x.at(bits).midpoint());
 
+  const auto unproved = [&](std::string reason) {
+    result.reason = std::move(reason);
+    return result;
+  };
   const TractionRepresentation over_box = box.form(problem, count_for(coarse.bits()), coarse);
   if (!over_box.set().is_ordered()) {
-    result.reason = "the points of the contact set are not in order all over the box";
-    return result;
+    return unproved("the points of the contact set are not in order all over the box");
   }
   const ReducedProblem one_load = at_middle_load(problem);
   const std::optional<TractionRepresentation> at_middle = affordable_form(one_load, box.with(middle), rules, work);
-  if (!at_middle) {
-    result.reason = no_budget;
-    return result;
-  }
+  if (!at_middle) return unproved("the budget of work is spent before Krawczyk's operator is enclosed");
   const std::vector<Ball> values = ContactConditions(*at_middle).conditions();
   if (values.size() != wide.size() || ContactConditions(over_box).unknowns() != wide.size()) {
-    result.reason = "there are " + std::to_string(values.size()) + " conditions on " + std::to_string(wide.size()) +
-                    " unknowns: a free end that stays on an anchor is an exact threshold";
-    return result;
+    return unproved("there are " + std::to_string(values.size()) + " conditions on " + std::to_string(wide.size()) +
+                    " unknowns: a free end that stays on an anchor is an exact threshold");
   }
   if (wide.empty()) {
     result.proved = true;
@@ -170,10 +167,8 @@ KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, Jac
   }
   const Matrix derivatives = ContactConditions(over_box).jacobian();
   const Matrix inverse = approximate_inverse(derivatives, bits);
-  if (inverse.empty() || !all_finite(values)) {
-    result.reason = inverse.empty() ? "the conditions' derivative is singular" : "the conditions cannot be enclosed";
-    return result;
-  }
+  if (inverse.empty()) return unproved("the conditions' derivative is singular");
+  if (!all_finite(values)) return unproved("the conditions cannot be enclosed");
   const std::vector<Ball> step = product(inverse, values, bits);
   const std::vector<Ball> moved = product(inverse, by_load(derivatives), bits);
   const Ball radius(problem.load_radius, bits);
@@ -192,9 +187,8 @@ KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, Jac
   }
   for (std::size_t i = 0; i < wide.size(); ++i) {
     if (!wide[i].contains_inside(image[i])) {
-      result.reason = "Krawczyk's operator does not map the box into itself (unknown " + std::to_string(i) + ")";
       if (all_finite(image)) result.box = box.with(image);
-      return result;
+      return unproved("Krawczyk's operator does not map the box into itself (unknown " + std::to_string(i) + ")");
     }
   }
   result.proved = true;

@@ -46,7 +46,10 @@ struct Found {
     std::move(more.proved.begin(), more.proved.end(), std::back_inserter(proved));
     std::move(more.failures.begin(), more.failures.end(), std::back_inserter(failures));
   }
-  void fail(const Rational& load, std::string reason) { failures.push_back({load, std::move(reason)}); }
+  std::nullopt_t fail(const Rational& load, std::string reason) {
+    failures.push_back({load, std::move(reason)});
+    return std::nullopt;
+  }
 };
 
 /// From one load to another.
@@ -156,20 +159,11 @@ class Follower {
 
   std::optional<Place> start_at(const Rational& load, Found& found, WorkBudget& work) {
     const std::optional<ApproximateContact> contact = contact_at_(load);
-    if (!contact) {
-      found.fail(load, "the solver finds no solution");
-      return std::nullopt;
-    }
+    if (!contact) return found.fail(load, "the solver finds no solution");
     const ContactStart start(problem_, *contact);
-    if (std::string fault = start.topology.fault(problem_); !fault.empty()) {
-      found.fail(load, std::move(fault));
-      return std::nullopt;
-    }
+    if (std::string fault = start.topology.fault(problem_); !fault.empty()) return found.fail(load, std::move(fault));
     KrawczykResult zero = enclose_zero(problem_.for_loads(load, load), start.box(options_.bits), rules_, work);
-    if (!zero.proved) {
-      found.fail(load, std::move(zero.reason));
-      return std::nullopt;
-    }
+    if (!zero.proved) return found.fail(load, std::move(zero.reason));
     return Place{load, std::move(zero.box)};
   }
 
@@ -187,10 +181,7 @@ class Follower {
     KrawczykResult zero = prove_zero(at_load, box, rules_, work);
     const ContactBox image = zero.box;
     ContactProof proof = prove_signs(at_load, std::move(zero), rules_, work);
-    if (!proof.proved) {
-      found.fail(here.load, std::move(proof.reason));
-      return std::nullopt;
-    }
+    if (!proof.proved) return found.fail(here.load, std::move(proof.reason));
     LoadInterval first{here.load, here.load, image, image, std::move(box), std::move(proof)};
     found.proved.push_back({Stretch::closing, here.load, from->refuted, std::move(first), {}});
     if (!from->proved && from->refuted < limit) found.fail(limit, "whether the gap has closed is not decided");
@@ -246,10 +237,7 @@ class Follower {
     const Rational& to = upwards ? load : here.load;
     LoadInterval interval =
         prove_loads(problem_, from, to, predicted(problem_, before, here, (from + to) / 2), rules_, work);
-    if (!interval.proof.proved) {
-      found.fail(load, interval.proof.reason);
-      return std::nullopt;
-    }
+    if (!interval.proof.proved) return found.fail(load, interval.proof.reason);
     std::pair zeros(Place{here.load, interval.at_from}, Place{load, interval.at_to});
     if (!upwards) std::swap(zeros.first.zero, zeros.second.zero);
     found.proved.push_back({Stretch::proved, from, to, std::move(interval), {}});
