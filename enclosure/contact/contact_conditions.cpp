@@ -172,6 +172,37 @@ Ball ContactConditions::gap_condition(const ContactSet::Run& gap) const {
   return sum;
 }
 
+Ball ContactConditions::gap_at(const Place& place) const {
+  std::size_t first = place.segment;
+  std::size_t last = place.segment;
+  while (first > 0 && !set_.in_contact(first - 1)) --first;
+  while (last + 1 < set_.segments() && !set_.in_contact(last + 1)) ++last;
+  const bool from_left = first > 0;
+  const bool from_right = last + 1 < set_.segments();
+  if (!from_left && !from_right) return Ball::unknown(set_.bits());
+  const Ball to_left = place.from_left + set_.distance(first, place.segment);
+  const Ball to_right = place.from_right + set_.distance(place.segment + 1, last + 1);
+  const bool left = from_left && (!from_right || to_left.midpoint() <= to_right.midpoint());
+
+  const std::size_t k = form_.slope_of(left ? first - 1 : last + 1);
+  // Over parts of segments off the contact, from left to right.
+  const auto change = [&](const std::vector<ContactPanel::Part>& parts) {
+    Ball sum(0, set_.bits());
+    for (const ContactPanel::Part& part : parts) sum += form_.gap_change(part, k);
+    return sum;
+  };
+  Ball sum = left ? set_.step(first) : -set_.step(last + 1);
+  for (std::size_t m = left ? first : last; m != place.segment; left ? ++m : --m) {
+    const Ball risen = change(ContactPanel::graded(set_, m));
+    sum += left ? risen + set_.step(m + 1) : -risen - set_.step(m);
+  }
+  const bool whole = (left ? place.from_right : place.from_left).is_zero();
+  const ContactPanel::Range range{Ball(0, set_.bits()), left ? place.from_left : place.from_right};
+  const Ball risen = change(whole ? ContactPanel::graded(set_, place.segment)
+                                  : ContactPanel::outward(set_, place.segment, left ? Side::left : Side::right, range));
+  return left ? sum + risen : sum - risen;
+}
+
 std::vector<Ball> ContactConditions::gap_derivatives(const ContactSet::Run& gap,
                                                      const std::vector<Ball>& residues) const {
   const Bits bits = set_.bits();

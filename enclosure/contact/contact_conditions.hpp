@@ -7,6 +7,12 @@
 //   gaps            int psi' - u' over each gap, the profile's steps added, is 0;
 //   moment of load  the coefficient of z^-2 in u'/c is P load_at/pi, where the indenter may tilt.
 //
+// The gap at one place, enclosed, in units of c xi, is
+//
+//   gap/c = steps of the profile + int (psi' - u')/c dxi   from the nearer end of contact to the place,
+//
+// int (psi' - u')/c = int (g - g_k) + Y B_k with k the slope of the contact at that end, with which B_k is analytic up to it.
+//
 // Their derivatives need none of an integral: near e_f, d(u'/c)/d e_f = Y (rho_f/(z - e_f) + r(z)) with rho_f = p_f B(e_f)
 // and r the polynomial part of -p_f q/(pi (z - e_f)); d/d tilt is 1 - Y [1/Y]_poly. (Liouville's theorem.)
 
@@ -38,6 +44,8 @@ class ContactConditions {
   std::size_t unknowns() const;
   /// int xi t dxi / int t dxi, from the expansion at infinity.
   Ball centre_of_pressure() const;
+  /// The gap at a place in a segment off the contact, which is thin. Not finite where there is no contact on either side.
+  Ball gap_at(const Place& place) const;
 
  private:
   /// int eps cos(pi alpha) (g - g_k)/|Y| x^j dx over the contact.

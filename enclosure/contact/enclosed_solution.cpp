@@ -1,7 +1,5 @@
 #include "enclosure/contact/enclosed_solution.hpp"
 
-#include "enclosure/contact/contact_gap.hpp"
-
 namespace steadyslide::enclosure {
 
 using Kind = ContactTopology::Kind;
@@ -241,7 +239,7 @@ std::optional<Ball> EnclosedSolution::gap(const Rational& x) const {
     // Beside the support there is nothing.
     if (!is_in_support(*at) || (point && *point == (side == Side::left ? 0 : set().segments()))) continue;
     const bool contact = set().in_contact(at->segment) || (point && set().point(*point).is_end());
-    const Ball here = contact ? Ball(0, bits_) : compliance_ * unit_ * contact_gap(form_, *at);
+    const Ball here = contact ? Ball(0, bits_) : compliance_ * unit_ * ContactConditions(form_).gap_at(*at);
     lowest = lowest ? min(*lowest, here) : here;
   }
   return lowest;
