@@ -104,8 +104,9 @@ std::vector<std::vector<Ball>> ContactConditions::jacobian() const {
   const bool tilts = set_.problem().load_at.has_value();
   std::vector<std::vector<Ball>> rows;
 
-  std::vector<Ball> residues;  // rho_f for a change of log h
+  std::vector<Ball> rates, residues;  // p_f and rho_f for a change of log h
   for (const std::size_t f : movable_) {
+    rates.push_back(set_.power(f) * set_.velocity(f));
     residues.push_back(set_.power(f) * form_.regular_factor_at_end(f) * set_.velocity(f));
   }
   std::vector<Ball> moments;
@@ -117,8 +118,7 @@ std::vector<std::vector<Ball>> ContactConditions::jacobian() const {
       const Ball& e = set_.x(movable_[f]);
       Ball entry = residues[f] * power(e, j);
       for (int i = 0; i < j; ++i) {
-        entry += set_.power(movable_[f]) * set_.velocity(movable_[f]) * moments[static_cast<std::size_t>(i)] *
-                 power(e, j - 1 - i);
+        entry += rates[f] * moments[static_cast<std::size_t>(i)] * power(e, j - 1 - i);
       }
       row.push_back(std::move(entry));
     }
@@ -137,8 +137,7 @@ std::vector<std::vector<Ball>> ContactConditions::jacobian() const {
       for (int i = 0; i <= degree_ + 1; ++i) entry += residues[f] * power(e, i) * form_.expansion(degree_ + 1 - i);
       const BallPolynomial r = quotient(q_, e);
       for (std::size_t l = 0; l < r.size(); ++l) {
-        entry -= set_.power(movable_[f]) * set_.velocity(movable_[f]) * r[l] / pi *
-                 form_.expansion(degree_ + static_cast<int>(l) + 2);
+        entry -= rates[f] * r[l] / pi * form_.expansion(degree_ + static_cast<int>(l) + 2);
       }
       row.push_back(std::move(entry));
     }

@@ -5,47 +5,6 @@
 #include <algorithm>
 
 namespace steadyslide::enclosure {
-namespace {
-
-using Matrix = std::vector<std::vector<Ball>>;
-
-/// An approximate inverse of the square part: its error does not matter. Empty where there is none.
-Matrix approximate_inverse(const Matrix& matrix, Bits bits) {
-  const std::size_t n = matrix.size();
-  arb_mat_t a;
-  arb_mat_init(a, static_cast<slong>(n), static_cast<slong>(n));
-  const auto entry = [&](std::size_t i, std::size_t j) {
-    return arb_mat_entry(a, static_cast<slong>(i), static_cast<slong>(j));
-  };
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) arb_set(entry(i, j), matrix[i][j].get());
-  }
-  Matrix result(arb_mat_approx_inv(a, a, bits) != 0 ? n : 0);
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    for (std::size_t j = 0; j < n; ++j) result[i].push_back(made_by(arb_get_mid_arb, bits, entry(i, j)));
-  }
-  arb_mat_clear(a);
-  return result;
-}
-
-/// The last column of the conditions' derivatives: by the load.
-std::vector<Ball> by_load(const Matrix& derivatives) {
-  std::vector<Ball> result;
-  for (const std::vector<Ball>& row : derivatives) result.push_back(row.back());
-  return result;
-}
-
-std::vector<Ball> product(const Matrix& matrix, const std::vector<Ball>& vector, Bits bits) {
-  std::vector<Ball> result;
-  for (const std::vector<Ball>& row : matrix) {
-    Ball sum(0, bits);
-    for (std::size_t j = 0; j < row.size(); ++j) sum += row[j] * vector[j];
-    result.push_back(std::move(sum));
-  }
-  return result;
-}
-
-}  // namespace
 
 int count_for(Bits bits) { return static_cast<int>(bits) / 4 + 4; }
 
@@ -109,6 +68,44 @@ ContactBox ContactStart::box(Bits bits) const {
 }
 
 namespace {
+
+using Matrix = std::vector<std::vector<Ball>>;
+
+/// An approximate inverse of the square part: its error does not matter. Empty where there is none.
+Matrix approximate_inverse(const Matrix& matrix, Bits bits) {
+  const std::size_t n = matrix.size();
+  arb_mat_t a;
+  arb_mat_init(a, static_cast<slong>(n), static_cast<slong>(n));
+  const auto entry = [&](std::size_t i, std::size_t j) {
+    return arb_mat_entry(a, static_cast<slong>(i), static_cast<slong>(j));
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) arb_set(entry(i, j), matrix[i][j].get());
+  }
+  Matrix result(arb_mat_approx_inv(a, a, bits) != 0 ? n : 0);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    for (std::size_t j = 0; j < n; ++j) result[i].push_back(made_by(arb_get_mid_arb, bits, entry(i, j)));
+  }
+  arb_mat_clear(a);
+  return result;
+}
+
+/// The last column of the conditions' derivatives: by the load.
+std::vector<Ball> by_load(const Matrix& derivatives) {
+  std::vector<Ball> result;
+  for (const std::vector<Ball>& row : derivatives) result.push_back(row.back());
+  return result;
+}
+
+std::vector<Ball> product(const Matrix& matrix, const std::vector<Ball>& vector, Bits bits) {
+  std::vector<Ball> result;
+  for (const std::vector<Ball>& row : matrix) {
+    Ball sum(0, bits);
+    for (std::size_t j = 0; j < row.size(); ++j) sum += row[j] * vector[j];
+    result.push_back(std::move(sum));
+  }
+  return result;
+}
 
 /// Rules of no more bits serve as their own coarse ones.
 constexpr Bits few_bits = 96;
@@ -198,18 +195,6 @@ KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, Jac
   return result;
 }
 
-}  // namespace
-
-KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, WorkBudget& work) {
-  if (rules.bits() <= few_bits) return attempt(problem, box, rules, rules, work);
-  // A few digits of F' are enough: they multiply the box's width.
-  JacobiRules coarse(few_bits);
-  KrawczykResult result = attempt(problem, box, rules, coarse, work);
-  return result.proved ? result : attempt(problem, box, rules, rules, work);
-}
-
-namespace {
-
 /// Where Newton's method leads, and how far its last step was.
 struct Approach {
   std::vector<Ball> values;
@@ -287,6 +272,14 @@ std::optional<Approach> approach(const ReducedProblem& problem, ContactBox box, 
 }
 
 }  // namespace
+
+KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, WorkBudget& work) {
+  if (rules.bits() <= few_bits) return attempt(problem, box, rules, rules, work);
+  // A few digits of F' are enough: they multiply the box's width.
+  JacobiRules coarse(few_bits);
+  KrawczykResult result = attempt(problem, box, rules, coarse, work);
+  return result.proved ? result : attempt(problem, box, rules, rules, work);
+}
 
 KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules,
                             WorkBudget& work) {

@@ -44,6 +44,9 @@ Ball applied(Binary function, const Ball& x, const Ball& y) {
   return made_by(function, bits, x.get(), y.get(), bits);
 }
 
+/// x^p for x > 0: one logarithm, one exponential.
+Ball positive_power(const Ball& x, const Ball& p) { return exp(p * log(x)); }
+
 }  // namespace
 
 Bits bits_for(int digits) { return static_cast<Bits>(std::ceil(digits * 3.3219280948873626)) + 64; }
@@ -190,13 +193,6 @@ Ball power(const Ball& x, int n) {
   if (n < 0) return Ball(1) / power(x, -n);
   return made_by(arb_pow_ui, x.bits(), x.get(), static_cast<ulong>(n), x.bits());
 }
-
-namespace {
-
-/// x^p for x > 0: one logarithm, one exponential.
-Ball positive_power(const Ball& x, const Ball& p) { return exp(p * log(x)); }
-
-}  // namespace
 
 Ball power(const Ball& x, const Ball& p) {
   const Bits bits = larger(x, p);
