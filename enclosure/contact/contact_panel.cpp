@@ -80,15 +80,9 @@ Ball ContactPanel::largest(const BallPolynomial& polynomial, Ellipse ellipse) co
   return bound_within(polynomial, r);
 }
 
-namespace {
-
-/// Enough for a distance of 1e-1200 of the contact.
-constexpr std::size_t most_panels = 4096;
-
-}  // namespace
-
 std::vector<ContactPanel::Part> ContactPanel::outward(const ContactSet& set, std::size_t segment, Side from,
                                                       const Range& range, std::optional<Ball> first) {
+  constexpr std::size_t most_panels = 4096;  // enough for a distance of 1e-1200 of the contact
   const bool left = from == Side::left;
   const Ball& whole = set.length(segment);
   if (const bool at_margin = left ? segment == 0 : segment + 1 == set.segments(); !at_margin) {
