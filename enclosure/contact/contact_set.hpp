@@ -51,7 +51,7 @@ class ContactSet {
   /// The point on that side of a segment, and a place at a distance from it.
   static std::size_t point_of(std::size_t segment, Side side) { return side == Side::left ? segment : segment + 1; }
   Place place(std::size_t segment, Side from, const Ball& distance) const;
-  /// The contact's end j, or any point seen from one of its segments.
+  /// Point j, seen from a segment that it bounds.
   Place place_of(std::size_t j, std::size_t segment) const {
     return place(segment, j == segment ? Side::left : Side::right, Ball(0, bits_));
   }
