@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "enclosure/quadrature/jacobi_polynomial.hpp"
 
@@ -12,11 +13,6 @@ namespace steadyslide::enclosure {
 namespace {
 
 // The zeros in double are starts for what proves them (jacobi_polynomial.hpp). Nothing here is proved, and nothing has to be.
-
-struct Values {
-  double p;
-  double slope;
-};
 
 /// P_k normalised by P_k(0) = a, from differences in which nothing cancels next to y = 0:
 ///   P_{k+1} - P_k = h_k (P_k - P_{k-1}) - y g_k P_k,   g, h > 0.
@@ -34,7 +30,8 @@ class Differences {
     first_ = a;
   }
 
-  Values at(double y) const {
+  /// Value and slope.
+  std::pair<double, double> at(double y) const {
     double p = first_;
     double slope = 0;
     double change = 0;
