@@ -22,6 +22,7 @@ constexpr std::size_t most_cells = std::size_t{1} << 22;
 constexpr std::int64_t largest_weight = (std::int64_t{1} << 41) - 1;  ///< no sum of them exceeds 63 bits
 
 Ball ball(const Rational& q) { return {q, precision}; }
+Rational size(const Rational& q) { return q.sign() < 0 ? Rational(0) - q : q; }
 /// k/2.
 Ball halves(long k) { return Ball(static_cast<double>(k) / 2).rounded(precision); }
 Ball logarithm_of_size(const Ball& x) { return log(x.is_negative() ? -x : x); }
@@ -151,7 +152,7 @@ class Gap {
     while (place < right) {
       Rational next = std::min(right, p.pieces[at.piece].to);
       if (at.friction < p.jumps.size()) next = std::min(next, p.jumps[at.friction]);
-      const Rational s = Rational(p.slides_to_plus_x ? 1 : -1) * p.gamma * p.friction[at.friction];
+      const Rational s = p.s(at.friction);
       const Rational from = (place - middle) / h_, to = (next - middle) / h_;
       const Polynomial height =
           composed(p.pieces[at.piece].profile, h_, middle) * Polynomial{Rational(1) / (p.compliance * p.loads.from)};
@@ -262,17 +263,11 @@ class Gap {
 
 /// The parts of the load left of y.
 Rational load_before(const Cells& cells, const Rational& y) {
-  Rational sum, place;
-  Rational total;
+  Rational sum, total, place;
   for (const std::int64_t w : cells.weights) {
-    const Rational next = place + Rational(1);
-    if (next <= y) {
-      sum = sum + Rational(w);
-    } else if (place < y) {
-      sum = sum + Rational(w) * (y - place);
-    }
+    sum = sum + Rational(w) * std::clamp(y - place, Rational(0), Rational(1));
     total = total + Rational(w);
-    place = next;
+    place = place + Rational(1);
   }
   return sum / total;
 }
@@ -300,18 +295,15 @@ class Deviations {
     const Rational h = (p.pieces.back().to - p.left) / n;
     for (std::size_t k = 0; k < p.jumps.size(); ++k) {
       const Rational c = (p.jumps[k] - p.left) / h;
-      rises_.push_back(Rational(p.slides_to_plus_x ? 1 : -1) * p.gamma * (p.friction[k + 1] - p.friction[k]));
+      rises_.push_back(p.s(k + 1) - p.s(k));
       before_.push_back(load_before(cells, c));
-      Capacity& capacity = capacities_.emplace_back();
-      for (const int side : {0, 1}) {
-        const Rational& eps = cells.reaches[k][static_cast<std::size_t>(side)];
-        const Rational room = side == 0 ? c : n - c;
+      const auto capacity = [&](const Rational& eps, const Rational& room, const Rational& far) {
         if (!(eps.sign() > 0 && eps < room)) throw Unproved("a reach ends outside the support");
-        const Rational far = side == 0 ? c - eps : c + eps;
-        const Rational part = load_before(cells, far) - before_.back();
-        capacity.load[side] = ball(part.sign() < 0 ? Rational(0) - part : part);
-        capacity.root[side] = sqrt(modulus(eps * n / ((n - room + eps) * room)));
-      }
+        return Capacity{ball(size(load_before(cells, far) - before_.back())),
+                        sqrt(modulus(eps * n / ((n - room + eps) * room)))};
+      };
+      const auto& [left, right] = cells.reaches[k];
+      capacities_.push_back({capacity(left, c, c - left), capacity(right, n - c, c + right)});
     }
   }
 
@@ -333,9 +325,8 @@ class Deviations {
     const auto capacity_bound = [&](const Ball& beta) {
       Ball total;
       for (std::size_t k = 0; k < a.size(); ++k) {
-        const auto side = [&](int i) { return capacities_[k].load[i] + capacities_[k].root[i] * sqrt(beta); };
-        const Ball left = side(0), right = side(1);
-        total += ball(a[k].sign() < 0 ? Rational(0) - a[k] : a[k]) * hull(left, right).upper();
+        const auto side = [&](const Capacity& capacity) { return capacity.load + capacity.root * sqrt(beta); };
+        total += ball(size(a[k])) * hull(side(capacities_[k][0]), side(capacities_[k][1])).upper();
       }
       return total;
     };
@@ -352,14 +343,15 @@ class Deviations {
   }
 
  private:
+  /// |D(c)| <= load + root sqrt(beta), from one side.
   struct Capacity {
-    std::array<Ball, 2> load;
-    std::array<Ball, 2> root;
+    Ball load;
+    Ball root;
   };
   Ball E_;
   std::vector<Rational> rises_;
   std::vector<Rational> before_;
-  std::vector<Capacity> capacities_;
+  std::vector<std::array<Capacity, 2>> capacities_;
 };
 
 void require_within(const std::array<Rational, 2>& claim, const Rational& value, const Ball& bound,

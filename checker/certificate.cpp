@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <regex>
 
 #include "checker/reader.hpp"
@@ -10,6 +11,15 @@ namespace steadyslide::checker {
 namespace {
 
 using Kind = Point::Contact;
+
+template <class Is>
+std::vector<std::size_t> those_of(const std::vector<Point>& points, const Is& is) {
+  std::vector<std::size_t> result;
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    if (is(points[j])) result.push_back(j);
+  }
+  return result;
+}
 
 Ball read_ball(const Reader& at, int bits) {
   const Ball ball = Ball::parse(at.string(), bits);
@@ -102,21 +112,11 @@ void read_boxes(const Reader& at, const ReducedProblem& problem, Certificate& c)
 
 }  // namespace
 
-std::vector<std::size_t> Layout::all(Point::Contact kind) const {
-  std::vector<std::size_t> result;
-  for (std::size_t j = 0; j < points.size(); ++j) {
-    if (points[j].contact == kind) result.push_back(j);
-  }
-  return result;
+std::vector<std::size_t> Layout::all(Kind kind) const {
+  return those_of(points, [&](const Point& point) { return point.contact == kind; });
 }
 
-std::vector<std::size_t> Layout::free_ends() const {
-  std::vector<std::size_t> result;
-  for (std::size_t j = 0; j < points.size(); ++j) {
-    if (points[j].is_free()) result.push_back(j);
-  }
-  return result;
-}
+std::vector<std::size_t> Layout::free_ends() const { return those_of(points, std::mem_fn(&Point::is_free)); }
 
 int Layout::degree_at_infinity() const {
   return static_cast<int>(free_ends().size()) - static_cast<int>(all(Kind::begins).size());

@@ -66,8 +66,10 @@ void compare(const Problem& problem, const std::string& file) {
 }
 
 int run(int count, char** arguments) {
-  std::string file;
-  std::string problem;
+  const auto refuse = [](const char* what, const std::string& value) {
+    throw Malformed("command line", what, "steadyslide-check --problem FILE.toml CERTIFICATE", value);
+  };
+  std::string file, problem;
   for (int k = 1; k < count; ++k) {
     const std::string word = arguments[k];
     if (word == "--help" || word == "-h") {
@@ -79,12 +81,10 @@ int run(int count, char** arguments) {
     } else if (file.empty() && !word.starts_with("--")) {
       file = word;
     } else {
-      throw Malformed("command line", "unknown argument", "steadyslide-check --problem FILE.toml CERTIFICATE", word);
+      refuse("unknown argument", word);
     }
   }
-  if (file.empty()) {
-    throw Malformed("command line", "no certificate", "steadyslide-check --problem FILE.toml CERTIFICATE", "none");
-  }
+  if (file.empty()) refuse("no certificate", "none");
   const Reader document = Reader::of_json(read_file(file), file);
   if (document.has("kind") && document["kind"].choice({"cells", "solution", "loads"}) == 0) {
     const Cells cells = Cells::of_certificate(document);

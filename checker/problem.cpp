@@ -93,16 +93,13 @@ std::string Problem::difference(const Problem& file) const {
 }
 
 bool Problem::theorem_1_applies() const {
-  const Rational sign = slides_to_plus_x ? 1 : -1;
-  bool nondecreasing = !load_at;
   for (std::size_t k = 0; k < jumps.size(); ++k) {
-    nondecreasing = nondecreasing && (sign * gamma * (friction[k + 1] - friction[k])).sign() >= 0;
+    if (s(k + 1) < s(k)) return false;
   }
-  bool continuous = true;
   for (std::size_t k = 1; k < pieces.size(); ++k) {
-    continuous = continuous && value(pieces[k].profile - pieces[k - 1].profile, pieces[k - 1].to).sign() == 0;
+    if (value(pieces[k].profile - pieces[k - 1].profile, pieces[k - 1].to).sign() != 0) return false;
   }
-  return nondecreasing && continuous;
+  return !load_at;
 }
 
 ReducedProblem::ReducedProblem(const Problem& problem, Rational origin_, Rational unit_)
@@ -112,7 +109,6 @@ ReducedProblem::ReducedProblem(const Problem& problem, Rational origin_, Rationa
   std::ranges::sort(places);
   places.erase(std::unique(places.begin(), places.end()), places.end());
 
-  const Rational sign = problem.slides_to_plus_x ? 1 : -1;
   std::size_t piece = 0;
   std::size_t friction = 0;
   for (std::size_t k = 0; k < places.size(); ++k) {
@@ -130,7 +126,7 @@ ReducedProblem::ReducedProblem(const Problem& problem, Rational origin_, Rationa
     const auto found = std::ranges::find(slopes, g);
     slope_of.push_back(static_cast<std::size_t>(found - slopes.begin()));
     if (found == slopes.end()) slopes.push_back(g);
-    s.push_back(sign * problem.gamma * problem.friction[friction]);
+    s.push_back(problem.s(friction));
   }
   if (problem.load_at) load_at = (*problem.load_at - origin) / unit;
 }

@@ -44,6 +44,8 @@ struct Problem {
   void check(const std::string& place) const;
   /// The first datum in which the problem of a file, which has one load, is not one of these; empty if it is.
   std::string difference(const Problem& file) const;
+  /// +-gamma f for friction value k, with the sign of the sliding direction.
+  Rational s(std::size_t k) const { return Rational(slides_to_plus_x ? 1 : -1) * gamma * friction[k]; }
   /// s never decreases, the profile has no step, the attitude is fixed: one solution at most, by theorem 1 of [Bal16].
   bool theorem_1_applies() const;
 };

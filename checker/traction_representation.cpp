@@ -98,60 +98,48 @@ void TractionRepresentation::add_integrals(std::size_t i, const std::vector<bool
                     {},
                     {},
                     {}};
+  const slong precision = contact_->precision();
   const std::size_t own = contact_->slope_of(i);
-  const Ball factor = contact_->cosine(i) / Ball::pi(contact_->precision());
+  const Ball sign(contact_->sign(i));
+  const Ball factor = contact_->cosine(i) / Ball::pi(precision);
   // |x - middle| = (L/2) |tanh(tau/2)| <= (L/2) sec(d/2).
   const Ball half = contact_->length(i) * Ball(0.5);
   const Ball middle = contact_->xi(i) + half;
+  const std::vector<Trapezoid::Node>& nodes = integral.rule.nodes();
+  std::vector<std::vector<Ball>> differences;  // of slopes, in (x - middle)/half
+  std::size_t longest = 0;
   for (std::size_t k = 0; k < slopes_.size(); ++k) {
     std::vector<Ball>& density = integral.densities.emplace_back();
+    std::vector<Ball>& difference = differences.emplace_back();
     integral.bounds.emplace_back();
     if (!asked[k] || k == own) continue;
-    const std::vector<Ball> d = balls(g[own] - g[k], contact_->precision());
-    integral.bounds.back() = factor * bound_near(d, middle, half * integral.rule.secant());
-    for (const Trapezoid::Node& node : integral.rule.nodes()) {
-      density.push_back(Ball(contact_->sign(i)) * factor * node.weight * horner(d, contact_->xi(i) + node.u));
+    difference = balls(g[own] - g[k], precision);
+    integral.bounds.back() = factor * bound_near(difference, middle, half * integral.rule.secant());
+    for (const Trapezoid::Node& node : nodes) {
+      density.push_back(sign * factor * node.weight * horner(difference, contact_->xi(i) + node.u));
     }
-  }
-  add_moments(i, integral);
-  integrals_[i] = std::move(integral);
-}
-
-void TractionRepresentation::add_moments(std::size_t i, Integral& integral) const {
-  const std::vector<Trapezoid::Node>& nodes = integral.rule.nodes();
-  Bound weights;
-  mag_add(weights.get(), nodes.front().behind.get(), nodes.at(integral.rule.nodes_to_right()).behind.get());
-  integral.weights = Ball(weights);
-  const Ball half = contact_->length(i) * Ball(0.5);
-  const Ball middle = contact_->xi(i) + half;
-  const Ball factor = Ball(contact_->sign(i)) * contact_->cosine(i) / Ball::pi(contact_->precision());
-  // The differences of slopes in (x - middle)/half; moments of the weights alone serve all of them.
-  const std::vector<Polynomial>& g = contact_->problem().slopes;
-  std::vector<std::vector<Ball>> differences;
-  std::size_t longest = 0;
-  for (std::size_t k = 0; k < g.size(); ++k) {
-    std::vector<Ball>& d = differences.emplace_back();
-    if (integral.densities[k].empty()) continue;
-    d = balls(g[contact_->slope_of(i)] - g[k], contact_->precision());
-    shift(d, middle);
-    Ball scale = factor;
-    for (Ball& coefficient : d) {
+    shift(difference, middle);
+    Ball scale = sign * factor;
+    for (Ball& coefficient : difference) {
       coefficient *= scale;
       scale *= half;
     }
-    longest = std::max(longest, d.size());
+    longest = std::max(longest, difference.size());
   }
+  Bound weights;
+  mag_add(weights.get(), nodes.front().behind.get(), nodes.at(integral.rule.nodes_to_right()).behind.get());
+  integral.weights = Ball(weights);
+  // Moments of the weights alone serve all differences.
   integral.moments.resize(g.size());
-  if (longest == 0) return;
   const auto count = static_cast<std::size_t>(2 * (bits_ + far_guard));
-  std::vector<Ball> of_weights(count + longest, Ball().rounded(contact_->precision()));
+  std::vector<Ball> of_weights(count + longest, Ball().rounded(precision));
   Ball term;
   for (const Trapezoid::Node& node : nodes) {
     const Ball s = (node.u - half) / half;
     term = node.weight;
     for (Ball& moment : of_weights) {
-      arb_add(moment.get(), moment.get(), term.get(), contact_->precision());
-      arb_mul(term.get(), term.get(), s.get(), contact_->precision());
+      arb_add(moment.get(), moment.get(), term.get(), precision);
+      arb_mul(term.get(), term.get(), s.get(), precision);
     }
   }
   for (std::size_t k = 0; k < g.size(); ++k) {
@@ -161,6 +149,7 @@ void TractionRepresentation::add_moments(std::size_t i, Integral& integral) cons
       integral.moments[k].push_back(sum);
     }
   }
+  integrals_[i] = std::move(integral);
 }
 
 bool TractionRepresentation::add_far_cauchy(std::size_t i, std::size_t k, const Ball& near, bool on_right, slong bits,

@@ -101,7 +101,6 @@ class TractionRepresentation {
     bool on_right;
   };
   Near near(std::size_t segment, const Place& at) const;
-  void add_moments(std::size_t segment, Integral& integral) const;
   /// The sum over the nodes by its moments, at x = middle + D; false where it is not far enough, or D too wide.
   bool add_far_cauchy(std::size_t segment, std::size_t k, const Ball& near, bool on_right, slong bits,
                       Value& result) const;

@@ -10,26 +10,22 @@ namespace {
 
 constexpr std::size_t most_nodes = 400000;
 
-/// The power at an end of the panel itself, 0 if there is none.
-Ball end_exponent(const std::vector<Trapezoid::Factor>& factors, std::vector<Ball> Trapezoid::Factor::*side) {
-  Ball sum;
-  for (const Trapezoid::Factor& factor : factors) {
-    for (const Ball& beyond : factor.*side) {
-      if (beyond.is_zero()) sum += factor.exponent;
-    }
-  }
-  return sum;
-}
-
 }  // namespace
 
 Trapezoid::Trapezoid(Panel panel, slong bits, slong precision) : panel_(std::move(panel)) {
   kappa_ = Ball(2).rounded(precision);
-  for (const auto& [exponent, left, right] : panel_.factors) {
-    for (const std::vector<Ball>* side : {&left, &right}) {
-      // The end's own u^(c + 1) grows with c, also where c < 0; any other power counts by its size.
-      for (const Ball& beyond : *side) kappa_ += beyond.is_zero() ? exponent : exponent.size();
-    }
+  Ball a = 1, b = 1;  // c + 1 for the powers c at the panel's own ends
+  for (const Factor& factor : panel_.factors) {
+    const Ball& exponent = factor.exponent;
+    const auto add = [&](const std::vector<Ball>& side, Ball& end) {
+      for (const Ball& beyond : side) {
+        // The end's own u^(c + 1) grows with c, also where c < 0; any other power counts by its size.
+        kappa_ += beyond.is_zero() ? exponent : exponent.size();
+        if (beyond.is_zero()) end += exponent;
+      }
+    };
+    add(factor.left, a);
+    add(factor.right, b);
   }
   // The strip that needs the fewest nodes: a wider one has a larger bound on its rim.
   double h = 0;
@@ -51,8 +47,6 @@ Trapezoid::Trapezoid(Panel panel, slong bits, slong precision) : panel_(std::mov
     relative_errors_.at(more) = suppression * power(secant_, kappa_ + Ball(static_cast<int>(more)));
   }
 
-  const Ball a = end_exponent(panel_.factors, &Factor::left) + Ball(1);
-  const Ball b = end_exponent(panel_.factors, &Factor::right) + Ball(1);
   if (!a.is_positive() || !b.is_positive() || !panel_.length.is_positive() || !(h > 0)) {
     throw Unproved("a power that is not integrable, or a segment of no length");
   }

@@ -13,10 +13,6 @@ double rounded(const Rational& z, bool up) {
   return static_cast<double>(static_cast<long>(whole)) / (1 << 20);
 }
 
-Rational between(const Rational& low, const Rational& x, const Rational& high) {
-  return std::min(std::max(low, x), high);
-}
-
 }  // namespace
 
 CellGap::CellGap(const ContactProblem& problem, const CellPressures& pressures, Bits bits)
@@ -62,35 +58,35 @@ BallPolynomial CellGap::given(const Piece& piece, std::size_t i) const {
 }
 
 std::vector<GapPart> CellGap::parts(std::size_t i) const {
-  const Ball& bend = potential_.bend(i);
-  const Ball& skew = potential_.skew(i);
+  const Ball& bend = potential_.bend[i];
+  const Ball& skew = potential_.skew[i];
   // (1-z) V(i) + z V(i+1) - z(1-z) (A + B (z - 1/2)).
   const Ball potential[4] = {
-      potential_.at_node(i),
-      potential_.at_node(i + 1) - potential_.at_node(i) - bend + skew / Ball(2),
+      potential_.nodes[i],
+      potential_.nodes[i + 1] - potential_.nodes[i] - bend + skew / Ball(2),
       bend - Ball(3) * skew / Ball(2),
       skew,
   };
   std::vector<GapPart> result;
   for (auto piece = first_piece(i); piece != pieces_.end() && piece->left < Rational(i + 1); ++piece) {
-    GapPart part{given(*piece, i), {}, {}, potential_.rest(i) * per_pi_ / Ball(4)};
+    GapPart part{given(*piece, i), {}, {}, potential_.rest[i] * per_pi_ / Ball(4)};
     for (std::size_t k = 0; k < near; ++k) {
-      if (k <= i) part.a[k] = Ball(Rational(potential_.rise(i - k)), bits_) * per_pi_;
-      if (i + 1 + k <= size()) part.b[k] = Ball(Rational(potential_.rise(i + 1 + k)), bits_) * per_pi_;
+      if (k <= i) part.a[k] = Ball(Rational(potential_.rises[i - k]), bits_) * per_pi_;
+      if (i + 1 + k <= size()) part.b[k] = Ball(Rational(potential_.rises[i + 1 + k]), bits_) * per_pi_;
     }
     for (std::size_t k = 0; k < 4; ++k) part.q[k] -= potential[k] * per_pi_;
-    part.from = rounded(between(0, piece->left - Rational(i), 1), false);
-    part.to = rounded(between(0, piece->right - Rational(i), 1), true);
+    part.from = rounded(std::clamp<Rational>(piece->left - Rational(i), 0, 1), false);
+    part.to = rounded(std::clamp<Rational>(piece->right - Rational(i), 0, 1), true);
     result.push_back(std::move(part));
   }
   return result;
 }
 
 Ball CellGap::mean(std::size_t i) const {
-  Ball sum = -potential_.mean(i) * per_pi_;
+  Ball sum = -potential_.means[i] * per_pi_;
   for (auto piece = first_piece(i); piece != pieces_.end() && piece->left < Rational(i + 1); ++piece) {
-    const Rational from = between(0, piece->left - Rational(i), 1);
-    const Rational to = between(0, piece->right - Rational(i), 1);
+    const Rational from = std::clamp<Rational>(piece->left - Rational(i), 0, 1);
+    const Rational to = std::clamp<Rational>(piece->right - Rational(i), 0, 1);
     sum += integral_over(given(*piece, i), Ball(from, bits_), Ball(Rational(to - from), bits_));
   }
   return sum;

@@ -26,29 +26,16 @@
 
 namespace steadyslide::enclosure {
 
-class CellPotential {
- public:
+struct CellPotential {
   /// Of absolute accuracy about 2^-fraction S.
   CellPotential(const CellPressures& pressures, Bits fraction);
 
-  /// V at the node i = 0..N.
-  const Ball& at_node(std::size_t i) const { return nodes_[i]; }
-  /// The mean of V over cell i.
-  const Ball& mean(std::size_t i) const { return means_[i]; }
-  /// r_m.
-  std::int64_t rise(std::size_t m) const { return rises_[m]; }
-  /// A_i, B_i, R_i.
-  const Ball& bend(std::size_t i) const { return bend_[i]; }
-  const Ball& skew(std::size_t i) const { return skew_[i]; }
-  const Ball& rest(std::size_t i) const { return rest_[i]; }
-
- private:
-  std::vector<std::int64_t> rises_;
-  std::vector<Ball> nodes_;
-  std::vector<Ball> means_;
-  std::vector<Ball> bend_;
-  std::vector<Ball> skew_;
-  std::vector<Ball> rest_;
+  std::vector<std::int64_t> rises;  ///< r_m
+  std::vector<Ball> nodes;          ///< V at the nodes i = 0..N
+  std::vector<Ball> means;          ///< of V over cell i
+  std::vector<Ball> bend;           ///< A_i
+  std::vector<Ball> skew;           ///< B_i
+  std::vector<Ball> rest;           ///< R_i
 };
 
 }  // namespace steadyslide::enclosure

@@ -9,11 +9,7 @@ namespace {
 constexpr Bits load_bits = 64;
 constexpr int most_tried = 200;
 
-Ball agm_with_one(const Ball& x) {
-  Ball result(0, load_bits);
-  arb_agm(result.get(), Ball(1, load_bits).get(), x.get(), load_bits);
-  return result;
-}
+Ball agm_with_one(const Ball& x) { return made_by(arb_agm, load_bits, Ball(1).get(), x.get(), load_bits); }
 
 }  // namespace
 

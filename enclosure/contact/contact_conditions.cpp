@@ -1,7 +1,5 @@
 #include "enclosure/contact/contact_conditions.hpp"
 
-#include <algorithm>
-
 namespace steadyslide::enclosure {
 
 namespace {
@@ -35,10 +33,10 @@ Ball ContactConditions::integral(std::size_t k, std::size_t j) const {
     const BallPolynomial& difference = form_.difference(k, segment).coefficients;
     polynomial.insert(polynomial.end(), difference.begin(), difference.end());
     for (const ContactPanel& panel : form_.panels(segment)) {
-      for (const ContactPanel::Node& node : panel.nodes()) {
-        sum += node.weight * value_at(polynomial, set_.x(segment) + node.from_left);
-      }
-      sum = Ball::plus_or_minus(sum, panel.remainder(panel.largest(polynomial, Ellipse::far), Ellipse::far));
+      const auto term = [&](const ContactPanel::Node& node) {
+        return node.weight * value_at(polynomial, set_.x(segment) + node.from_left);
+      };
+      panel.add_sum(sum, term, panel.remainder(panel.largest(polynomial, Ellipse::far), Ellipse::far));
     }
   }
   return sum;
@@ -70,8 +68,7 @@ Ball ContactConditions::centre_of_pressure() const {
 }
 
 std::size_t ContactConditions::unknowns() const {
-  return set_.topology().movable().size() + static_cast<std::size_t>(std::max(-degree_ - 1, 0)) +
-         (set_.problem().load_at ? 1 : 0);
+  return movable_.size() + free_coefficients_ + (set_.problem().load_at ? 1 : 0);
 }
 
 std::int64_t ContactConditions::work() const {
@@ -104,13 +101,12 @@ std::vector<Ball> ContactConditions::conditions() const {
 std::vector<std::vector<Ball>> ContactConditions::jacobian() const {
   const Bits bits = set_.bits();
   const Ball pi = Ball::pi(bits);
-  const std::vector<std::size_t> movable = set_.topology().movable();
-  const auto free_coefficients = static_cast<std::size_t>(std::max(-degree_ - 1, 0));
   const bool tilts = set_.problem().load_at.has_value();
   std::vector<std::vector<Ball>> rows;
 
-  std::vector<Ball> residues;  // rho_f for a change of log h
-  for (const std::size_t f : movable) {
+  std::vector<Ball> rates, residues;  // p_f and rho_f for a change of log h
+  for (const std::size_t f : movable_) {
+    rates.push_back(set_.power(f) * set_.velocity(f));
     residues.push_back(set_.power(f) * form_.regular_factor_at_end(f) * set_.velocity(f));
   }
   std::vector<Ball> moments;
@@ -118,12 +114,11 @@ std::vector<std::vector<Ball>> ContactConditions::jacobian() const {
 
   for (int j = 0; j <= degree_; ++j) {
     std::vector<Ball> row;
-    for (std::size_t f = 0; f < movable.size(); ++f) {
-      const Ball& e = set_.x(movable[f]);
+    for (std::size_t f = 0; f < movable_.size(); ++f) {
+      const Ball& e = set_.x(movable_[f]);
       Ball entry = residues[f] * power(e, j);
       for (int i = 0; i < j; ++i) {
-        entry += set_.power(movable[f]) * set_.velocity(movable[f]) * moments[static_cast<std::size_t>(i)] *
-                 power(e, j - 1 - i);
+        entry += rates[f] * moments[static_cast<std::size_t>(i)] * power(e, j - 1 - i);
       }
       row.push_back(std::move(entry));
     }
@@ -136,18 +131,17 @@ std::vector<std::vector<Ball>> ContactConditions::jacobian() const {
 
   if (tilts) {
     std::vector<Ball> row;
-    for (std::size_t f = 0; f < movable.size(); ++f) {
-      const Ball& e = set_.x(movable[f]);
+    for (std::size_t f = 0; f < movable_.size(); ++f) {
+      const Ball& e = set_.x(movable_[f]);
       Ball entry(0, bits);
       for (int i = 0; i <= degree_ + 1; ++i) entry += residues[f] * power(e, i) * form_.expansion(degree_ + 1 - i);
       const BallPolynomial r = quotient(q_, e);
       for (std::size_t l = 0; l < r.size(); ++l) {
-        entry -= set_.power(movable[f]) * set_.velocity(movable[f]) * r[l] / pi *
-                 form_.expansion(degree_ + static_cast<int>(l) + 2);
+        entry -= rates[f] * r[l] / pi * form_.expansion(degree_ + static_cast<int>(l) + 2);
       }
       row.push_back(std::move(entry));
     }
-    for (std::size_t l = 0; l < free_coefficients; ++l) {
+    for (std::size_t l = 0; l < free_coefficients_; ++l) {
       row.push_back(form_.expansion(degree_ + static_cast<int>(l) + 2) / pi);
     }
     Ball entry(0, bits);
@@ -165,9 +159,7 @@ std::vector<std::vector<Ball>> ContactConditions::jacobian() const {
 
 Ball ContactConditions::gap_condition(const ContactSet::Run& gap) const {
   Ball sum(0, set_.bits());
-  for (std::size_t j = gap.first; j <= gap.last + 1; ++j) {
-    if (!set_.point(j).beside) sum += Ball(set_.problem().anchors[set_.point(j).anchor].step, set_.bits());
-  }
+  for (std::size_t j = gap.first; j <= gap.last + 1; ++j) sum += set_.step(j);
   for (const SegmentPart& part : parts_of(gap)) {
     const std::size_t k = form_.slope_of(part.contact);
     const std::vector<ContactPanel::Part> pieces = ContactPanel::graded(set_, part.segment, part.extent);
@@ -179,16 +171,44 @@ Ball ContactConditions::gap_condition(const ContactSet::Run& gap) const {
   return sum;
 }
 
+Ball ContactConditions::gap_at(const Place& place) const {
+  std::size_t first = place.segment;
+  std::size_t last = place.segment;
+  while (first > 0 && !set_.in_contact(first - 1)) --first;
+  while (last + 1 < set_.segments() && !set_.in_contact(last + 1)) ++last;
+  const bool from_left = first > 0;
+  const bool from_right = last + 1 < set_.segments();
+  if (!from_left && !from_right) return Ball::unknown(set_.bits());
+  const Ball to_left = place.from_left + set_.distance(first, place.segment);
+  const Ball to_right = place.from_right + set_.distance(place.segment + 1, last + 1);
+  const bool left = from_left && (!from_right || to_left.midpoint() <= to_right.midpoint());
+
+  const std::size_t k = form_.slope_of(left ? first - 1 : last + 1);
+  // Over parts of segments off the contact, from left to right.
+  const auto change = [&](const std::vector<ContactPanel::Part>& parts) {
+    Ball sum(0, set_.bits());
+    for (const ContactPanel::Part& part : parts) sum += form_.gap_change(part, k);
+    return sum;
+  };
+  Ball sum = left ? set_.step(first) : -set_.step(last + 1);
+  for (std::size_t m = left ? first : last; m != place.segment; left ? ++m : --m) {
+    const Ball risen = change(ContactPanel::graded(set_, m));
+    sum += left ? risen + set_.step(m + 1) : -risen - set_.step(m);
+  }
+  const bool whole = (left ? place.from_right : place.from_left).is_zero();
+  const ContactPanel::Range range{Ball(0, set_.bits()), left ? place.from_left : place.from_right};
+  const Ball risen = change(whole ? ContactPanel::graded(set_, place.segment)
+                                  : ContactPanel::outward(set_, place.segment, left ? Side::left : Side::right, range));
+  return left ? sum + risen : sum - risen;
+}
+
 std::vector<Ball> ContactConditions::gap_derivatives(const ContactSet::Run& gap,
                                                      const std::vector<Ball>& residues) const {
   const Bits bits = set_.bits();
   const Ball pi = Ball::pi(bits);
-  const std::vector<std::size_t> movable = set_.topology().movable();
-  const auto free_coefficients = static_cast<std::size_t>(std::max(-degree_ - 1, 0));
-
   // What multiplies Y in the derivative of profile slope - u'/c, but for the poles.
   std::vector<BallPolynomial> polynomials;
-  for (const std::size_t f : movable) {
+  for (const std::size_t f : movable_) {
     BallPolynomial r = quotient(q_, set_.x(f));
     for (Ball& c : r) c *= set_.power(f) * set_.velocity(f) / pi;
     polynomials.push_back(std::move(r));
@@ -198,46 +218,45 @@ std::vector<Ball> ContactConditions::gap_derivatives(const ContactSet::Run& gap,
     polynomial[l] = -Ball(1) / pi;
     return polynomial;
   };
-  for (std::size_t l = 0; l < free_coefficients; ++l) polynomials.push_back(coefficient_of_q(l));
+  for (std::size_t l = 0; l < free_coefficients_; ++l) polynomials.push_back(coefficient_of_q(l));
   if (set_.problem().load_at) {
     polynomials.emplace_back();
     for (int i = 0; i <= -degree_; ++i) polynomials.back().push_back(form_.reciprocal(-degree_ - i));
   }
   // The load is q's leading coefficient, or among the moments.
-  polynomials.push_back(degree_ < 0 ? coefficient_of_q(free_coefficients) : BallPolynomial{Ball(0, bits)});
+  polynomials.push_back(degree_ < 0 ? coefficient_of_q(free_coefficients_) : BallPolynomial{Ball(0, bits)});
 
   std::vector<Ball> row(polynomials.size(), Ball(0, bits));
   for (std::size_t segment = gap.first; segment <= gap.last; ++segment) {
     const Ball sign(set_.sign(segment));
     for (ContactPanel::Part& piece : ContactPanel::graded(set_, segment)) {
       const ContactPanel panel = form_.panel(piece);
-      const auto pole_distance = [&](std::size_t f, const Ball& from_left, const Ball& from_right) {
-        return f <= segment ? from_left + set_.distance(f, segment) : -(from_right + set_.distance(segment + 1, f));
-      };
       for (std::size_t i = 0; i < polynomials.size(); ++i) {
-        for (const ContactPanel::Node& node : panel.nodes()) {
-          row[i] += sign * node.weight * value_at(polynomials[i], set_.x(segment) + node.from_left);
-        }
-        row[i] =
-            Ball::plus_or_minus(row[i], panel.remainder(panel.largest(polynomials[i], Ellipse::far), Ellipse::far));
+        const auto term = [&](const ContactPanel::Node& node) {
+          return sign * node.weight * value_at(polynomials[i], set_.x(segment) + node.from_left);
+        };
+        panel.add_sum(row[i], term, panel.remainder(panel.largest(polynomials[i], Ellipse::far), Ellipse::far));
       }
-      for (std::size_t i = 0; i < movable.size(); ++i) {
-        const std::size_t f = movable[i];
+      for (std::size_t i = 0; i < movable_.size(); ++i) {
+        const std::size_t f = movable_[i];
         if (f == gap.first || f == gap.last + 1) {
           const ContactPanel lowered = form_.panel(piece, f);
           const Ball direction(f == gap.first ? 1 : -1);
-          for (const ContactPanel::Node& node : lowered.nodes()) {
-            row[i] -= sign * direction * residues[i] * node.weight;
-          }
-          row[i] = Ball::plus_or_minus(row[i], lowered.remainder(abs(residues[i]), Ellipse::far));
+          const auto term = [&](const ContactPanel::Node& node) {
+            return -(sign * direction * residues[i] * node.weight);
+          };
+          lowered.add_sum(row[i], term, lowered.remainder(abs(residues[i]), Ellipse::far));
         } else {
-          for (const ContactPanel::Node& node : panel.nodes()) {
-            row[i] -= sign * residues[i] * node.weight / pole_distance(f, node.from_left, node.from_right);
-          }
-          const Ball clear = (f <= segment ? piece.from_left + set_.distance(f, segment)
-                                           : piece.from_right + set_.distance(segment + 1, f)) -
-                             panel.reach(Ellipse::close);
-          row[i] = Ball::plus_or_minus(row[i], panel.remainder(abs(residues[i]) * pole_bound(clear), Ellipse::close));
+          const bool on_left = f <= segment;
+          const auto distance_from = [&](const auto& place) {
+            return on_left ? place.from_left + set_.distance(f, segment)
+                           : place.from_right + set_.distance(segment + 1, f);
+          };
+          const auto term = [&](const ContactPanel::Node& node) {
+            return -(sign * residues[i] * node.weight / (on_left ? distance_from(node) : -distance_from(node)));
+          };
+          const Ball clear = distance_from(piece) - panel.reach(Ellipse::close);
+          panel.add_sum(row[i], term, panel.remainder(abs(residues[i]) * pole_bound(clear), Ellipse::close));
         }
       }
     }

@@ -7,8 +7,16 @@
 //   gaps            int psi' - u' over each gap, the profile's steps added, is 0;
 //   moment of load  the coefficient of z^-2 in u'/c is P load_at/pi, where the indenter may tilt.
 //
+// The gap at one place, enclosed, in units of c xi, is
+//
+//   gap/c = steps of the profile + int (psi' - u')/c dxi   from the nearer end of contact to the place,
+//
+// int (psi' - u')/c = int (g - g_k) + Y B_k with k the slope of the contact at that end, with which B_k is analytic up to it.
+//
 // Their derivatives need none of an integral: near e_f, d(u'/c)/d e_f = Y (rho_f/(z - e_f) + r(z)) with rho_f = p_f B(e_f)
 // and r the polynomial part of -p_f q/(pi (z - e_f)); d/d tilt is 1 - Y [1/Y]_poly. (Liouville's theorem.)
+
+#include <algorithm>
 
 #include "enclosure/contact/traction_representation.hpp"
 
@@ -18,7 +26,12 @@ class ContactConditions {
  public:
   /// `form` has to outlive it.
   explicit ContactConditions(const TractionRepresentation& form)
-      : form_(form), set_(form.set()), q_(form.q()), degree_(set_.degree_at_infinity()) {}
+      : form_(form),
+        set_(form.set()),
+        q_(form.q()),
+        degree_(set_.degree_at_infinity()),
+        movable_(set_.topology().movable()),
+        free_coefficients_(static_cast<std::size_t>(std::max(-degree_ - 1, 0))) {}
 
   /// The work of the form and of conditions(), for a budget (work_budget.hpp).
   std::int64_t work() const;
@@ -31,6 +44,8 @@ class ContactConditions {
   std::size_t unknowns() const;
   /// int xi t dxi / int t dxi, from the expansion at infinity.
   Ball centre_of_pressure() const;
+  /// The gap at a place in a segment off the contact, which is thin. Not finite where there is no contact on either side.
+  Ball gap_at(const Place& place) const;
 
  private:
   /// int eps cos(pi alpha) (g - g_k)/|Y| x^j dx over the contact.
@@ -46,6 +61,8 @@ class ContactConditions {
   const ContactSet& set_;
   const BallPolynomial& q_;
   int degree_;
+  std::vector<std::size_t> movable_;
+  std::size_t free_coefficients_;  ///< of q: without the load
 };
 
 }  // namespace steadyslide::enclosure

@@ -75,22 +75,14 @@ ContactPanel::ContactPanel(const ContactSet& set, Part part, int n, std::optiona
   farthest_ = max(abs(set.x(k) + part_.from_left), abs(set.x(k + 1) - part_.from_right)).at(few);
 }
 
-Ball ContactPanel::largest(const std::vector<Ball>& polynomial, Ellipse ellipse) const {
+Ball ContactPanel::largest(const BallPolynomial& polynomial, Ellipse ellipse) const {
   const Ball r = farthest_ + reach(ellipse);
-  Ball value(0, r.bits());
-  for (std::size_t i = polynomial.size(); i-- > 0;) value = value * r + abs(polynomial[i].at(r.bits()));
-  return value;
+  return bound_within(polynomial, r);
 }
-
-namespace {
-
-/// Enough for a distance of 1e-1200 of the contact.
-constexpr std::size_t most_panels = 4096;
-
-}  // namespace
 
 std::vector<ContactPanel::Part> ContactPanel::outward(const ContactSet& set, std::size_t segment, Side from,
                                                       const Range& range, std::optional<Ball> first) {
+  constexpr std::size_t most_panels = 4096;  // enough for a distance of 1e-1200 of the contact
   const bool left = from == Side::left;
   const Ball& whole = set.length(segment);
   if (const bool at_margin = left ? segment == 0 : segment + 1 == set.segments(); !at_margin) {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "enclosure/contact/contact_set.hpp"
+#include "enclosure/number/ball_polynomial.hpp"
 #include "enclosure/quadrature/jacobi_rule.hpp"
 
 namespace steadyslide::enclosure {
@@ -59,10 +60,16 @@ class ContactPanel {
   Ball end_remainder(const Ball& bound, Ellipse ellipse) const {
     return bound * bounds_[static_cast<std::size_t>(ellipse)].end_remainder;
   }
+  /// Adds term(node) for all nodes, which includes their weights, and what the rule errs by at most.
+  template <class Term>
+  void add_sum(Ball& sum, const Term& term, const Ball& error) const {
+    for (const Node& node : nodes_) sum += term(node);
+    sum = Ball::plus_or_minus(sum, error);
+  }
   /// The largest product of the powers of the points that the panel does not touch, in the ellipse.
   const Ball& largest_product(Ellipse ellipse) const { return bounds_[static_cast<std::size_t>(ellipse)].product; }
   /// max |p(x)| in the ellipse, x the coordinate xi.
-  Ball largest(const std::vector<Ball>& polynomial, Ellipse ellipse) const;
+  Ball largest(const BallPolynomial& polynomial, Ellipse ellipse) const;
 
   /// Distances from one of a segment's points, from < to; the smaller one may be 0 exactly.
   struct Range {

@@ -86,7 +86,7 @@ ContactProof prove_contact(const ContactProblem& problem, const ApproximateConta
   for (const int factor : {1, 2, 4}) {
     proof.bits = factor * least;
     JacobiRules rules(proof.bits);
-    judge(proof, enclose_zero(proof.problem, start, rules, work), rules, work);
+    judge(proof, enclose_zero(proof.problem, start.box(proof.bits), rules, work), rules, work);
     if (proof.proved || proof.refuted || work.is_spent()) break;
   }
   return proof;

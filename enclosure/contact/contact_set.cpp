@@ -66,6 +66,15 @@ Ball ContactSet::distance(std::size_t i, std::size_t j) const {
   return from == to ? moved : Ball(problem_->anchors[to].x - problem_->anchors[from].x, bits_) + moved;
 }
 
+Ball ContactSet::step(std::size_t j) const {
+  return point(j).beside ? Ball(0, bits_) : Ball(problem_->anchors[point(j).anchor].step, bits_);
+}
+
+Place ContactSet::place(std::size_t segment, Side from, const Ball& distance) const {
+  const Ball rest = length(segment) - distance;
+  return from == Side::left ? Place{segment, distance, rest} : Place{segment, rest, distance};
+}
+
 bool ContactSet::is_ordered() const {
   return std::all_of(lengths_.begin(), lengths_.end(), [](const Ball& length) { return length.is_positive(); });
 }

@@ -14,6 +14,14 @@
 
 namespace steadyslide::enclosure {
 
+/// A point of the surface: in segment k of the contact set, with its distances from both points. They may be wide. Beside the
+/// support it is seen from the outermost segment, with a negative distance from the support's end.
+struct Place {
+  std::size_t segment;
+  Ball from_left;
+  Ball from_right;
+};
+
 class ContactSet {
  public:
   /// `log_offsets` in the order of movable(). The topology has no fault.
@@ -38,6 +46,15 @@ class ContactSet {
   Ball velocity(std::size_t j) const;
   /// From point i to point j > i.
   Ball distance(std::size_t i, std::size_t j) const;
+  /// The profile's step at point j, from left to right: 0 at a free end.
+  Ball step(std::size_t j) const;
+  /// The point on that side of a segment, and a place at a distance from it.
+  static std::size_t point_of(std::size_t segment, Side side) { return side == Side::left ? segment : segment + 1; }
+  Place place(std::size_t segment, Side from, const Ball& distance) const;
+  /// Point j, seen from a segment that it bounds.
+  Place place_of(std::size_t j, std::size_t segment) const {
+    return place(segment, j == segment ? Side::left : Side::right, Ball(0, bits_));
+  }
   /// Are the points in this order, for all values in the box?
   bool is_ordered() const;
 
@@ -51,12 +68,14 @@ class ContactSet {
   /// cos(pi alpha) = 1/sqrt(1 + s^2) on a segment.
   const Ball& cos_alpha(std::size_t k) const { return cosines_[k]; }
 
-  /// The first and the last segment of each component, and of each gap between two of them.
+  /// The first and the last segment of each component, of each part of the support off the contact, and of each gap between
+  /// two components.
   struct Run {
     std::size_t first;
     std::size_t last;
   };
   std::vector<Run> components() const { return runs(true); }
+  std::vector<Run> off_contact() const { return runs(false); }
   std::vector<Run> gaps() const;
 
  private:

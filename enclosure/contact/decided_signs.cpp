@@ -47,19 +47,18 @@ class Decision {
       if (!set_.in_contact(k)) continue;
       for (const Side side : {Side::left, Side::right}) decide_half({k, side}, -set_.sign(k));
     }
-    decide_gaps();
+    for (const ContactSet::Run& run : set_.off_contact()) {
+      if (result_.proved) decide_gap(run.first, run.last);
+    }
     return std::move(result_);
   }
 
  private:
-  Place place(const Half& half, const Ball& from) const {
-    const Ball rest = set_.length(half.segment) - from;
-    return half.from == Side::left ? Place{half.segment, from, rest} : Place{half.segment, rest, from};
+  Place place(const Half& half, const Interval& d) const {
+    return set_.place(half.segment, half.from, Ball::hull(d.low, d.high));
   }
 
-  Place place(const Half& half, const Interval& d) const { return place(half, Ball::hull(d.low, d.high)); }
-
-  std::size_t point(const Half& half) const { return half.from == Side::left ? half.segment : half.segment + 1; }
+  static std::size_t point(const Half& half) { return ContactSet::point_of(half.segment, half.from); }
 
   ContactPanel::Part part(const Half& half, const Interval& d) const {
     const Ball rest = set_.length(half.segment) - d.high;
@@ -89,7 +88,7 @@ class Decision {
     std::vector<Ball> values;
     for (int i = 0; i < nodes_.count(); ++i) {
       const Ball at = middle + radius * nodes_[i];
-      values.push_back(form_.regular_factor(place(half, at)).value());
+      values.push_back(form_.regular_factor(set_.place(half.segment, half.from, at)).value());
       stretch.seen[static_cast<std::size_t>(sign_of(values.back()) + 1)] = at;
     }
     if (all_finite(values)) stretch.b.emplace(nodes_, values, bound, ContactPanel::rho(ellipse));
@@ -129,8 +128,8 @@ class Decision {
     result_.proved = false;
     result_.refuted = refuted;
     result_.reason = std::move(reason);
-    result_.x = half.from == Side::left ? set_.x(half.segment) + Ball::hull(d.low, d.high)
-                                        : set_.x(half.segment + 1) - Ball::hull(d.low, d.high);
+    const Ball distance = Ball::hull(d.low, d.high);
+    result_.x = set_.x(point(half)) + (half.from == Side::left ? distance : -distance);
   }
 
   /// A closed interval [0, d_1] next to the half's point on which B has this sign. Where there is none 0, and `refuted` says
@@ -225,25 +224,6 @@ class Decision {
     return {std::move(at), sign, std::move(change), range};
   }
 
-  void decide_gaps() {
-    std::size_t k = 0;
-    while (k < set_.segments() && result_.proved) {
-      if (set_.in_contact(k)) {
-        ++k;
-        continue;
-      }
-      std::size_t last = k;
-      while (last + 1 < set_.segments() && !set_.in_contact(last + 1)) ++last;
-      decide_gap(k, last);
-      k = last + 1;
-    }
-  }
-
-  /// The step of the profile at point j, seen to the right.
-  Ball step(std::size_t j) const {
-    return set_.point(j).beside ? Ball(0, bits_) : Ball(set_.problem().anchors[set_.point(j).anchor].step, bits_);
-  }
-
   /// Cells from left to right: first intervals up to the contact on either side, the rest in geometric proportion.
   std::vector<Cell> cells_of(std::size_t first, std::size_t last) {
     std::vector<Cell> cells;
@@ -257,7 +237,7 @@ class Decision {
           bool refuted = false;
           start = first_interval(half, (side == Side::left ? 1 : -1) * set_.sign(k), refuted);
           if (!start.is_positive()) {
-            if (step(point(half)).contains_zero()) {
+            if (set_.step(point(half)).contains_zero()) {
               fail(half, {Ball(0, bits_), Ball(0, bits_)}, refuted,
                    refuted ? "the surfaces penetrate beside the contact's end"
                            : "whether the surfaces open beside the contact's end is not decided");
@@ -332,15 +312,15 @@ class Decision {
     const std::size_t n = cells.size();
     const auto at = [&](std::size_t i) -> const Cell& { return cells[left ? i : n - 1 - i]; };
     const auto direction = Ball(left ? 1 : -1);
-    const auto entered = [&](const Cell& c) { return left ? c.at.half.segment : c.at.half.segment + 1; };
-    Ball height = direction * step(entered(at(0)));
+    const auto entered = [&](const Cell& c) { return ContactSet::point_of(c.at.half.segment, side); };
+    Ball height = direction * set_.step(entered(at(0)));
     Ball most = height;
     if (height.is_negative()) return left ? 0 : n - 1;
     bool grows = true;  // all the way from the contact
     for (std::size_t i = 0; i < n; ++i) {
       const Cell& c = at(i);
       if (i > 0 && at(i - 1).at.half.segment != c.at.half.segment) {
-        const Ball risen = direction * step(entered(c));
+        const Ball risen = direction * set_.step(entered(c));
         height += risen;
         most += risen;
         grows = grows && !(risen.is_negative());

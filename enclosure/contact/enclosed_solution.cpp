@@ -1,16 +1,28 @@
 #include "enclosure/contact/enclosed_solution.hpp"
 
-#include "enclosure/contact/contact_gap.hpp"
-
 namespace steadyslide::enclosure {
 
 using Kind = ContactTopology::Kind;
+
+namespace {
+
+bool is_in_support(const Place& place) { return !place.from_left.is_negative() && !place.from_right.is_negative(); }
+
+/// The point of the contact set that the place is exactly.
+std::optional<std::size_t> point_at(const Place& place) {
+  if (place.from_left.is_zero()) return place.segment;
+  if (place.from_right.is_zero()) return place.segment + 1;
+  return std::nullopt;
+}
+
+}  // namespace
 
 EnclosedSolution::EnclosedSolution(ContactProblem problem, const ContactProof& proof, unsigned threads)
     : problem_(std::move(problem)),
       bits_(proof.bits),
       reduced_(std::make_shared<ReducedProblem>(proof.problem)),
       rules_(std::make_shared<JacobiRules>(bits_)),
+      compliance_(problem_.elasticity().compliance(), bits_),
       unit_(reduced_->frame.unit, bits_),
       origin_(reduced_->frame.origin, bits_),
       form_(proof.box.form(*reduced_, count_for(bits_), *rules_)),
@@ -20,9 +32,7 @@ EnclosedSolution::EnclosedSolution(ContactProblem problem, const ContactProof& p
 Ball EnclosedSolution::user(const Ball& xi) const { return origin_ + unit_ * xi; }
 
 Ball EnclosedSolution::amplitude(std::size_t j, std::size_t segment) const {
-  const bool at_left = j == segment;
-  const Ball zero(0, bits_);
-  const Place at{segment, at_left ? zero : set().length(segment), at_left ? set().length(segment) : zero};
+  const Place at = set().place_of(j, segment);
   const LocalValue b = form_.regular_factor(at);
   return Ball(set().sign(segment)) * set().cos_alpha(segment) * form_.modulus(at, j) * b.analytic();
 }
@@ -108,7 +118,7 @@ EnclosedSolution::Resultants EnclosedSolution::resultants() const {
 
 std::optional<Ball> EnclosedSolution::tilt() const {
   if (!problem_.load_at()) return std::nullopt;
-  return Ball(problem_.elasticity().compliance(), bits_) * tilt_;
+  return compliance_ * tilt_;
 }
 
 std::optional<Rational> EnclosedSolution::exact(std::size_t j) const {
@@ -155,16 +165,6 @@ std::optional<Place> EnclosedSolution::place(const Rational& x, Side side) const
   return seen_from(*k, xi);
 }
 
-bool EnclosedSolution::is_in_support(const Place& place) const {
-  return !place.from_left.is_negative() && !place.from_right.is_negative();
-}
-
-std::optional<std::size_t> EnclosedSolution::point_at(const Place& place) const {
-  if (place.from_left.is_zero()) return place.segment;
-  if (place.from_right.is_zero()) return place.segment + 1;
-  return std::nullopt;
-}
-
 bool EnclosedSolution::in_contact_at(std::size_t j, Side side) const {
   if (side == Side::left) return j > 0 && set().in_contact(j - 1);
   return j < set().segments() && set().in_contact(j);
@@ -192,25 +192,20 @@ Ball EnclosedSolution::slope_limit(std::size_t j, Side side) const {
   const bool contact = in_contact_at(j, side);
   const ContactTopology::Point& point = set().point(j);
   if (!contact && point.is_end() && !point.vanishes) return Ball::infinity(side == Side::left ? -1 : 1, bits_);
-  const Ball zero(0, bits_);
-  const auto beside = [&](bool left) {
-    return left ? Place{j - 1, set().length(j - 1), zero} : Place{j, zero, set().length(j)};
-  };
-  const Ball c(problem_.elasticity().compliance(), bits_);
+  const auto beside = [&](bool left) { return set().place_of(j, left ? j - 1 : j); };
   // The surface leaves a free end along the profile of the contact.
-  if (contact || point.is_end()) return c * form_.profile_slope(beside((side == Side::left) == contact));
+  if (contact || point.is_end()) return compliance_ * form_.profile_slope(beside((side == Side::left) == contact));
   return slope_at(beside(j == set().segments() || (side == Side::left && j > 0)));
 }
 
 Ball EnclosedSolution::slope_at(const Place& place) const {
   const Ball profile = form_.profile_slope(place);
-  const Ball c(problem_.elasticity().compliance(), bits_);
-  if (is_in_support(place) && set().in_contact(place.segment)) return c * profile;
+  if (is_in_support(place) && set().in_contact(place.segment)) return compliance_ * profile;
   // Beyond all points Y has the sign of z^S.
   int sign = set().sign(place.segment);
   if (place.from_left.is_negative()) sign = set().degree_at_infinity() % 2 == 0 ? 1 : -1;
   if (place.from_right.is_negative()) sign = 1;
-  return c * (profile - Ball(sign) * form_.modulus(place) * form_.regular_factor(place).value());
+  return compliance_ * (profile - Ball(sign) * form_.modulus(place) * form_.regular_factor(place).value());
 }
 
 template <class Limit, class Value>
@@ -244,8 +239,7 @@ std::optional<Ball> EnclosedSolution::gap(const Rational& x) const {
     // Beside the support there is nothing.
     if (!is_in_support(*at) || (point && *point == (side == Side::left ? 0 : set().segments()))) continue;
     const bool contact = set().in_contact(at->segment) || (point && set().point(*point).is_end());
-    const Ball here =
-        contact ? Ball(0, bits_) : Ball(problem_.elasticity().compliance(), bits_) * unit_ * ContactGap(form_).at(*at);
+    const Ball here = contact ? Ball(0, bits_) : compliance_ * unit_ * ContactConditions(form_).gap_at(*at);
     lowest = lowest ? min(*lowest, here) : here;
   }
   return lowest;

@@ -62,7 +62,6 @@ class EnclosedSolution {
   /// xi of a point of the data; absent for a free end.
   std::optional<Rational> exact(std::size_t j) const;
   Place seen_from(std::size_t segment, const Rational& xi) const;
-  Ball from_unit(const Ball& power) const;
   End end(std::size_t j) const;
   /// theta' (2 pi)^-lambda, lambda the exponent at point j.
   Ball stress_intensity(std::size_t j, const Ball& coefficient) const;
@@ -70,9 +69,6 @@ class EnclosedSolution {
   Ball amplitude(std::size_t j, std::size_t segment) const;
   /// Where x is, seen from one of its sides; absent where x may be a free end.
   std::optional<Place> place(const Rational& x, Side side) const;
-  bool is_in_support(const Place& place) const;
-  /// The point of the contact set that the place is exactly.
-  std::optional<std::size_t> point_at(const Place& place) const;
   bool in_contact_at(std::size_t j, Side side) const;
   Ball traction_limit(std::size_t j, Side side) const;
   Ball traction_at(const Place& place) const;
@@ -85,6 +81,7 @@ class EnclosedSolution {
   Bits bits_;
   std::shared_ptr<const ReducedProblem> reduced_;  ///< the form points to it
   std::shared_ptr<JacobiRules> rules_;
+  Ball compliance_;
   Ball unit_;
   Ball origin_;
   TractionRepresentation form_;

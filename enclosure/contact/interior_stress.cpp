@@ -11,6 +11,8 @@ namespace {
 /// Re, Im of (1/pi) int t/(x'-zeta), then of the same with the square.
 using Potential = std::array<Ball, 4>;
 
+Potential no_potential(Bits bits) { return {Ball(0, bits), Ball(0, bits), Ball(0, bits), Ball(0, bits)}; }
+
 void add(Potential& sum, const Ball& factor, const Potential& term) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor * term[i];
 }
@@ -19,17 +21,11 @@ class CauchyIntegral {
  public:
   /// All in xi.
   CauchyIntegral(const TractionRepresentation& form, JacobiRules& rules, const Rational& x, const Rational& depth)
-      : form_(form),
-        set_(form.set()),
-        rules_(rules),
-        bits_(set_.bits()),
-        x_(x, bits_),
-        depth_(depth, bits_),
-        zero_{Ball(0, bits_), Ball(0, bits_), Ball(0, bits_), Ball(0, bits_)} {}
+      : form_(form), set_(form.set()), rules_(rules), bits_(set_.bits()), x_(x, bits_), depth_(depth, bits_) {}
 
   /// int t/(x'-zeta)^n over a segment in contact.
   Potential over(std::size_t segment) const {
-    Potential sum = zero_;
+    Potential sum = no_potential(bits_);
     const auto near = [&](const ContactPanel::Part& part) { return distance(part); };
     const ContactPanel::Range whole{Ball(0, bits_), set_.length(segment)};
     for (const TractionRule& rule : ContactLoad(form_).rules(segment, whole, near)) {
@@ -76,14 +72,13 @@ class CauchyIntegral {
     const JacobiRule& unit = rules_(PowerPanel::count_for(bits_, 5), Ball(0, bits_), Ball(0, bits_));  // on [0, 2]
     const auto at = [&](const Ball& u) {
       const Ball d = part.length * u;
-      Potential result = zero_;
+      Potential result = no_potential(bits_);
       add(result, value_at(term.factor, Ball(term.direction) * d),
           kernel(part.segment, right ? set_.length(part.segment) - d : d));
       return result;
     };
-    Potential sum = zero_;
-    Ball log_length(1, bits_);
-    if (term.logarithm) log_length = log(part.length);
+    Potential sum = no_potential(bits_);
+    const Ball log_length = term.logarithm ? log(part.length) : Ball(1, bits_);
     for (std::size_t i = 0; i < unit.size(); ++i) {
       const Ball v = unit.from_left[i] / two;
       add(sum, log_length * unit.weights[i] / two, at(v));
@@ -92,10 +87,7 @@ class CauchyIntegral {
       }
     }
     // The ellipse rho = 5 about [0, 1] reaches 4/5 beyond: |d| <= 9/5 L on it.
-    Ball largest(0, 64);
-    for (std::size_t i = term.factor.size(); i-- > 0;) {
-      largest = largest * part.length * Ball(Rational(9, 5), 64) + abs(term.factor[i]);
-    }
+    const Ball largest = bound_within(term.factor, part.length * Ball(Rational(9, 5), 64));
     const Ball applied = term.logarithm ? abs(log_length) + Ball(2) : Ball(1);
     widen(sum, unit.remainder(largest.upper() * pole, rho) / two * applied, pole);
     for (Ball& component : sum) component *= part.length;
@@ -108,7 +100,6 @@ class CauchyIntegral {
   Bits bits_;
   Ball x_;
   Ball depth_;
-  Potential zero_;
 };
 
 }  // namespace
@@ -121,9 +112,7 @@ StressComponents interior_stress(const EnclosedSolution& solution, const Rationa
   const Bits bits = set.bits();
   JacobiRules rules(bits);
   const CauchyIntegral cauchy(form, rules, (x - frame.origin) / frame.unit, z / frame.unit);
-  const Ball zero(0, bits);
-  Potential normal{zero, zero, zero, zero};
-  Potential tangential{zero, zero, zero, zero};
+  Potential normal = no_potential(bits), tangential = no_potential(bits);
   for (std::size_t segment = 0; segment < set.segments(); ++segment) {
     if (!set.in_contact(segment)) continue;
     const Potential potential = cauchy.over(segment);

@@ -5,71 +5,24 @@
 #include <algorithm>
 
 namespace steadyslide::enclosure {
-namespace {
-
-using Matrix = std::vector<std::vector<Ball>>;
-
-/// The unknowns in one list.
-std::vector<Ball> unknowns(const ContactBox& box, bool tilts) {
-  std::vector<Ball> result = box.log_offsets;
-  result.insert(result.end(), box.q.begin(), box.q.end());
-  if (tilts) result.push_back(box.tilt);
-  return result;
-}
-
-ContactBox with_unknowns(const ContactBox& box, const std::vector<Ball>& values) {
-  ContactBox result = box;
-  auto next = values.begin();
-  for (Ball& x : result.log_offsets) x = *next++;
-  for (Ball& x : result.q) x = *next++;
-  if (next != values.end()) result.tilt = *next;
-  return result;
-}
-
-/// An approximate inverse of the square part: its error does not matter. Empty where there is none.
-Matrix approximate_inverse(const Matrix& matrix, Bits bits) {
-  const auto n = static_cast<slong>(matrix.size());
-  arb_mat_t a;
-  arb_mat_init(a, n, n);
-  for (slong i = 0; i < n; ++i) {
-    for (slong j = 0; j < n; ++j) {
-      arb_set(arb_mat_entry(a, i, j), matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].get());
-    }
-  }
-  Matrix result;
-  if (arb_mat_approx_inv(a, a, bits)) {
-    result.assign(matrix.size(), std::vector<Ball>(matrix.size(), Ball(0, bits)));
-    for (slong i = 0; i < n; ++i) {
-      for (slong j = 0; j < n; ++j) {
-        Ball& entry = result[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-        arb_get_mid_arb(entry.get(), arb_mat_entry(a, i, j));
-      }
-    }
-  }
-  arb_mat_clear(a);
-  return result;
-}
-
-/// The last column of the conditions' derivatives: by the load.
-std::vector<Ball> by_load(const Matrix& derivatives) {
-  std::vector<Ball> result;
-  for (const std::vector<Ball>& row : derivatives) result.push_back(row.back());
-  return result;
-}
-
-std::vector<Ball> product(const Matrix& matrix, const std::vector<Ball>& vector, Bits bits) {
-  std::vector<Ball> result;
-  for (const std::vector<Ball>& row : matrix) {
-    Ball sum(0, bits);
-    for (std::size_t j = 0; j < row.size(); ++j) sum += row[j] * vector[j];
-    result.push_back(std::move(sum));
-  }
-  return result;
-}
-
-}  // namespace
 
 int count_for(Bits bits) { return static_cast<int>(bits) / 4 + 4; }
+
+std::vector<Ball> ContactBox::unknowns(bool with_tilt) const {
+  std::vector<Ball> result = log_offsets;
+  result.insert(result.end(), q.begin(), q.end());
+  if (with_tilt) result.push_back(tilt);
+  return result;
+}
+
+ContactBox ContactBox::with(const std::vector<Ball>& unknowns) const {
+  ContactBox result = *this;
+  auto next = unknowns.begin();
+  for (Ball& x : result.log_offsets) x = *next++;
+  for (Ball& x : result.q) x = *next++;
+  if (next != unknowns.end()) result.tilt = *next;
+  return result;
+}
 
 TractionRepresentation ContactBox::form(const ReducedProblem& problem, int count, JacobiRules& rules) const {
   const Bits bits = rules.bits();
@@ -116,7 +69,43 @@ ContactBox ContactStart::box(Bits bits) const {
 
 namespace {
 
-const char* const no_budget = "the budget of work is spent before Krawczyk's operator is enclosed";
+using Matrix = std::vector<std::vector<Ball>>;
+
+/// An approximate inverse of the square part: its error does not matter. Empty where there is none.
+Matrix approximate_inverse(const Matrix& matrix, Bits bits) {
+  const std::size_t n = matrix.size();
+  arb_mat_t a;
+  arb_mat_init(a, static_cast<slong>(n), static_cast<slong>(n));
+  const auto entry = [&](std::size_t i, std::size_t j) {
+    return arb_mat_entry(a, static_cast<slong>(i), static_cast<slong>(j));
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) arb_set(entry(i, j), matrix[i][j].get());
+  }
+  Matrix result(arb_mat_approx_inv(a, a, bits) != 0 ? n : 0);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    for (std::size_t j = 0; j < n; ++j) result[i].push_back(made_by(arb_get_mid_arb, bits, entry(i, j)));
+  }
+  arb_mat_clear(a);
+  return result;
+}
+
+/// The last column of the conditions' derivatives: by the load.
+std::vector<Ball> by_load(const Matrix& derivatives) {
+  std::vector<Ball> result;
+  for (const std::vector<Ball>& row : derivatives) result.push_back(row.back());
+  return result;
+}
+
+std::vector<Ball> product(const Matrix& matrix, const std::vector<Ball>& vector, Bits bits) {
+  std::vector<Ball> result;
+  for (const std::vector<Ball>& row : matrix) {
+    Ball sum(0, bits);
+    for (std::size_t j = 0; j < row.size(); ++j) sum += row[j] * vector[j];
+    result.push_back(std::move(sum));
+  }
+  return result;
+}
 
 /// Rules of no more bits serve as their own coarse ones.
 constexpr Bits few_bits = 96;
@@ -127,34 +116,46 @@ ReducedProblem at_middle_load(const ReducedProblem& problem) {
   return result;
 }
 
+/// At the rules' precision; nothing where points may be out of order, or where the budget is spent before its conditions are
+/// enclosed.
+std::optional<TractionRepresentation> affordable_form(const ReducedProblem& problem, const ContactBox& box,
+                                                      JacobiRules& rules, WorkBudget& work) {
+  TractionRepresentation form = box.form(problem, count_for(rules.bits()), rules);
+  if (!form.set().is_ordered()) return std::nullopt;
+  work.take(ContactConditions(form).work());
+  if (work.is_spent()) return std::nullopt;
+  return form;
+}
+
+/// What rounding leaves open of a number.
+Ball rounding_of(const Ball& x, Bits bits) {
+  return abs(x).upper() * power(Ball(2, bits), -static_cast<int>(bits) + 8);
+}
+
 /// One attempt, with F' enclosed by the rules `coarse`.
 KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, JacobiRules& coarse,
                        WorkBudget& work) {
   KrawczykResult result{false, {}, box};
   const Bits bits = rules.bits();
-  const bool tilts = problem.load_at.has_value();
-  const std::vector<Ball> wide = unknowns(box, tilts);
+  const std::vector<Ball> wide = box.unknowns(problem.load_at.has_value());
   std::vector<Ball> middle;
   for (const Ball& x : wide) middle.push_back(x.at(bits).midpoint());
 
+  const auto unproved = [&](std::string reason) {
+    result.reason = std::move(reason);
+    return result;
+  };
   const TractionRepresentation over_box = box.form(problem, count_for(coarse.bits()), coarse);
   if (!over_box.set().is_ordered()) {
-    result.reason = "the points of the contact set are not in order all over the box";
-    return result;
+    return unproved("the points of the contact set are not in order all over the box");
   }
   const ReducedProblem one_load = at_middle_load(problem);
-  const TractionRepresentation at_middle = with_unknowns(box, middle).form(one_load, count_for(bits), rules);
-  const ContactConditions at_form(at_middle);
-  work.take(at_form.work());
-  if (work.is_spent()) {
-    result.reason = no_budget;
-    return result;
-  }
-  const std::vector<Ball> values = at_form.conditions();
+  const std::optional<TractionRepresentation> at_middle = affordable_form(one_load, box.with(middle), rules, work);
+  if (!at_middle) return unproved("the budget of work is spent before Krawczyk's operator is enclosed");
+  const std::vector<Ball> values = ContactConditions(*at_middle).conditions();
   if (values.size() != wide.size() || ContactConditions(over_box).unknowns() != wide.size()) {
-    result.reason = "there are " + std::to_string(values.size()) + " conditions on " + std::to_string(wide.size()) +
-                    " unknowns: a free end that stays on an anchor is an exact threshold";
-    return result;
+    return unproved("there are " + std::to_string(values.size()) + " conditions on " + std::to_string(wide.size()) +
+                    " unknowns: a free end that stays on an anchor is an exact threshold");
   }
   if (wide.empty()) {
     result.proved = true;
@@ -163,10 +164,8 @@ KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, Jac
   }
   const Matrix derivatives = ContactConditions(over_box).jacobian();
   const Matrix inverse = approximate_inverse(derivatives, bits);
-  if (inverse.empty() || !all_finite(values)) {
-    result.reason = inverse.empty() ? "the conditions' derivative is singular" : "the conditions cannot be enclosed";
-    return result;
-  }
+  if (inverse.empty()) return unproved("the conditions' derivative is singular");
+  if (!all_finite(values)) return unproved("the conditions cannot be enclosed");
   const std::vector<Ball> step = product(inverse, values, bits);
   const std::vector<Ball> moved = product(inverse, by_load(derivatives), bits);
   const Ball radius(problem.load_radius, bits);
@@ -185,34 +184,16 @@ KrawczykResult attempt(const ReducedProblem& problem, const ContactBox& box, Jac
   }
   for (std::size_t i = 0; i < wide.size(); ++i) {
     if (!wide[i].contains_inside(image[i])) {
-      result.reason = "Krawczyk's operator does not map the box into itself (unknown " + std::to_string(i) + ")";
-      if (all_finite(image)) result.box = with_unknowns(box, image);
-      return result;
+      if (all_finite(image)) result.box = box.with(image);
+      return unproved("Krawczyk's operator does not map the box into itself (unknown " + std::to_string(i) + ")");
     }
   }
   result.proved = true;
-  result.box = with_unknowns(box, image);
-  result.at_smallest = with_unknowns(box, at_smallest);
-  result.at_largest = with_unknowns(box, at_largest);
+  result.box = box.with(image);
+  result.at_smallest = box.with(at_smallest);
+  result.at_largest = box.with(at_largest);
   return result;
 }
-
-}  // namespace
-
-KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, WorkBudget& work) {
-  if (rules.bits() <= few_bits) return attempt(problem, box, rules, rules, work);
-  // A few digits of F' are enough: they multiply the box's width.
-  JacobiRules coarse(few_bits);
-  KrawczykResult result = attempt(problem, box, rules, coarse, work);
-  return result.proved ? result : attempt(problem, box, rules, rules, work);
-}
-
-KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactStart& start, JacobiRules& rules,
-                            WorkBudget& work) {
-  return enclose_zero(problem, start.box(rules.bits()), rules, work);
-}
-
-namespace {
 
 /// Where Newton's method leads, and how far its last step was.
 struct Approach {
@@ -227,7 +208,7 @@ std::optional<Approach> newton(const ReducedProblem& problem, const ContactBox& 
   const bool tilts = problem.load_at.has_value();
   Approach result;
   std::vector<Ball>& values = result.values;
-  for (const Ball& x : unknowns(box, tilts)) values.push_back(x.at(bits).midpoint());
+  for (const Ball& x : box.unknowns(tilts)) values.push_back(x.at(bits).midpoint());
   result.widths.assign(values.size(), Ball(0, bits));
   // With the derivative where it starts, a step gains as many digits as the start has, or the derivative.
   Matrix inverse;
@@ -236,13 +217,10 @@ std::optional<Approach> newton(const ReducedProblem& problem, const ContactBox& 
   const Ball enough = power(Ball(2, bits), -static_cast<int>(std::max(bits - few_bits + 8, bits * 2 / 3)));
   constexpr int most_steps = 40;
   for (int step = 0; step < most_steps && !values.empty(); ++step) {
-    const ContactBox here = with_unknowns(box, values);
-    const TractionRepresentation form = here.form(problem, count_for(bits), rules);
-    if (!form.set().is_ordered()) return std::nullopt;
-    const ContactConditions at_form(form);
-    work.take(at_form.work());
-    if (work.is_spent()) return std::nullopt;
-    const std::vector<Ball> conditions = at_form.conditions();
+    const ContactBox here = box.with(values);
+    const std::optional<TractionRepresentation> form = affordable_form(problem, here, rules, work);
+    if (!form) return std::nullopt;
+    const std::vector<Ball> conditions = ContactConditions(*form).conditions();
     if (conditions.size() != values.size()) break;  // prove_zero() says so
     if (inverse.empty()) {
       const TractionRepresentation rough = here.form(problem, count_for(coarse.bits()), coarse);
@@ -288,12 +266,20 @@ std::optional<Approach> approach(const ReducedProblem& problem, ContactBox box, 
   if (rules.bits() <= few_bits) return newton(problem, box, rules, rules, work);
   JacobiRules half(std::max(rules.bits() / 2, few_bits));
   if (rules.bits() > 2 * few_bits) {
-    if (const auto rough = approach(problem, box, half, work)) box = with_unknowns(box, rough->values);
+    if (const auto rough = approach(problem, box, half, work)) box = box.with(rough->values);
   }
   return newton(problem, box, rules, half, work);
 }
 
 }  // namespace
+
+KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, WorkBudget& work) {
+  if (rules.bits() <= few_bits) return attempt(problem, box, rules, rules, work);
+  // A few digits of F' are enough: they multiply the box's width.
+  JacobiRules coarse(few_bits);
+  KrawczykResult result = attempt(problem, box, rules, coarse, work);
+  return result.proved ? result : attempt(problem, box, rules, rules, work);
+}
 
 KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules,
                             WorkBudget& work) {
@@ -306,10 +292,10 @@ KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactBox& box
     const Ball factor = power(Ball(16, bits), inflation);
     std::vector<Ball> wide;
     for (std::size_t i = 0; i < near->values.size(); ++i) {
-      const Ball rounding = abs(near->values[i]).upper() * power(Ball(2, bits), -static_cast<int>(bits) + 8);
-      wide.push_back(Ball::around(near->values[i], factor * (near->widths[i] + rounding)));
+      const Ball& x = near->values[i];
+      wide.push_back(Ball::around(x, factor * (near->widths[i] + rounding_of(x, bits))));
     }
-    result = prove_zero(problem, with_unknowns(box, wide), rules, work);
+    result = prove_zero(problem, box.with(wide), rules, work);
     if (result.proved || wide.empty() || work.is_spent()) return result;
   }
   return result;
@@ -321,15 +307,13 @@ std::optional<ContactBox> box_for_loads(const ReducedProblem& problem, const Con
   const ReducedProblem one_load = at_middle_load(problem);
   const Ball radius(problem.load_radius, bits);
   std::vector<Ball> values;
-  for (const Ball& x : unknowns(guess, problem.load_at.has_value())) values.push_back(x.at(bits).midpoint());
+  for (const Ball& x : guess.unknowns(problem.load_at.has_value())) values.push_back(x.at(bits).midpoint());
   constexpr int most_steps = 8;
   for (int i = 0; i < most_steps; ++i) {
-    const ContactBox here = with_unknowns(guess, values);
-    const TractionRepresentation form = here.form(one_load, count_for(bits), rules);
-    if (!form.set().is_ordered()) break;
-    const ContactConditions at_form(form);
-    work.take(at_form.work());
-    if (work.is_spent()) break;
+    const ContactBox here = guess.with(values);
+    const std::optional<TractionRepresentation> form = affordable_form(one_load, here, rules, work);
+    if (!form) break;
+    const ContactConditions at_form(*form);
     const std::vector<Ball> conditions = at_form.conditions();
     if (values.empty() || conditions.size() != values.size()) return here;  // prove_zero() says what is wrong
     const Matrix derivatives = at_form.jacobian();
@@ -344,10 +328,10 @@ std::optional<ContactBox> box_for_loads(const ReducedProblem& problem, const Con
       longest = max(longest, length);
       widest = max(widest, width);
       values[k] = (values[k] - step[k]).midpoint();
-      const Ball rounding = abs(values[k]).upper() * power(Ball(2, bits), -static_cast<int>(bits) + 8);
-      wide.push_back(Ball::around(values[k], width * Ball(Rational(5, 4), bits) + length + rounding));
+      const Ball room = width * Ball(Rational(5, 4), bits) + length + rounding_of(values[k], bits);
+      wide.push_back(Ball::around(values[k], room));
     }
-    if (longest * Ball(16) < widest) return with_unknowns(guess, wide);
+    if (longest * Ball(16) < widest) return guess.with(wide);
   }
   return std::nullopt;
 }

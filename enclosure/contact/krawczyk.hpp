@@ -27,6 +27,9 @@ struct ContactBox {
   std::vector<Ball> q;
   Ball tilt;  ///< 0 exactly where the indenter keeps its attitude
 
+  /// All of them in one list. A tilt that is not unknown may be left out.
+  std::vector<Ball> unknowns(bool with_tilt = true) const;
+  ContactBox with(const std::vector<Ball>& unknowns) const;
   /// At the rules' precision, with `count` nodes a panel.
   TractionRepresentation form(const ReducedProblem& problem, int count, JacobiRules& rules) const;
 };
@@ -54,11 +57,8 @@ struct KrawczykResult {
 
 /// Does the box hold exactly one zero? No Newton step before it: the box is taken as it is.
 KrawczykResult prove_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, WorkBudget& work);
-/// Newton's method from there, then a box around where it leads. The conditions are affine in q and the tilt, which its
-/// first step finds from nothing.
-KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactStart& start, JacobiRules& rules,
-                            WorkBudget& work);
-/// From the middle of a box, for one load.
+/// Newton's method from the middle of a box, then a box around where it leads, for one load. The conditions are affine in q
+/// and the tilt, which its first step finds from nothing.
 KrawczykResult enclose_zero(const ReducedProblem& problem, const ContactBox& box, JacobiRules& rules, WorkBudget& work);
 
 /// The box of the zeros for all of a problem's loads, to first order, with a margin: Newton's method from the middle of

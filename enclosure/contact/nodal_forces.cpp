@@ -7,16 +7,15 @@ namespace steadyslide::enclosure {
 namespace {
 
 void check_contact(const EnclosedSolution& solution, const SurfaceMesh& mesh) {
-  const auto contact = solution.contact();
-  const auto check = [&](const Ball& end, std::size_t node, bool outside) {
-    if (!outside) return;
+  const auto refuse = [](const Ball& end, std::size_t node) {
     throw InvalidData("nodes[" + std::to_string(node) + "]", "contact outside the mesh", "the mesh covers the contact",
                       end.to_string(16));
   };
+  const auto contact = solution.contact();
   const Ball& left = contact.front().left.x;
   const Ball& right = contact.back().right.x;
-  check(left, 0, left < Ball(mesh.nodes().front(), left.bits()));
-  check(right, mesh.nodes().size() - 1, right > Ball(mesh.nodes().back(), right.bits()));
+  if (left < Ball(mesh.nodes().front(), left.bits())) refuse(left, 0);
+  if (right > Ball(mesh.nodes().back(), right.bits())) refuse(right, mesh.nodes().size() - 1);
 }
 
 /// The shape functions of the element of these nodes, in xi.

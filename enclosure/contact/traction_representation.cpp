@@ -182,9 +182,7 @@ LocalValue TractionRepresentation::regular_factor(std::size_t k, const Place& pl
 
 Ball TractionRepresentation::regular_factor_at_end(std::size_t j) const {
   const bool begins = set_.point(j).kind == ContactTopology::Kind::begins;
-  const std::size_t segment = begins ? j : j - 1;
-  const Ball zero(0, set_.bits());
-  return regular_factor({segment, begins ? zero : set_.length(segment), begins ? set_.length(segment) : zero}).value();
+  return regular_factor(set_.place_of(j, begins ? j : j - 1)).value();
 }
 
 void TractionRepresentation::add_cauchy(std::size_t k, std::size_t segment, const Place& place, LocalValue& sum) const {

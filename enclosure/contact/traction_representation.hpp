@@ -23,14 +23,6 @@
 
 namespace steadyslide::enclosure {
 
-/// A point of the surface: in segment k of the contact set, with its distances from both points. They may be wide. Beside the
-/// support it is seen from the outermost segment, with a negative distance from the support's end.
-struct Place {
-  std::size_t segment;
-  Ball from_left;
-  Ball from_right;
-};
-
 /// B_k at a place, B = regular + coefficient * singular, where singular may be unbounded at the point nearby.
 struct LocalValue {
   Ball regular;      ///< R

@@ -8,20 +8,19 @@ using Point = ContactTopology::Point;
 /// The anchor on the left of a free end.
 std::size_t interval_of(const Point& end) { return end.anchor - (*end.beside == Side::left ? 1 : 0); }
 
-Point turned(const Point& end) {
-  Point result = end;
+/// The length of the interval in which a free end lies.
+Ball length_around(const ReducedProblem& problem, const Point& end, Bits bits) {
+  const std::size_t k = interval_of(end);
+  return Ball(Rational(problem.anchors[k + 1].x - problem.anchors[k].x), bits);
+}
+
+/// Sees a free end from the other one of the two anchors around it.
+void turn(const ReducedProblem& problem, Point& end, Ball& log_offset) {
+  log_offset = log(length_around(problem, end, log_offset.bits()) - exp(log_offset));
   const bool from_left = *end.beside == Side::right;
-  result.anchor = from_left ? end.anchor + 1 : end.anchor - 1;
-  result.beside = from_left ? Side::left : Side::right;
-  return result;
+  end.anchor = from_left ? end.anchor + 1 : end.anchor - 1;
+  end.beside = from_left ? Side::left : Side::right;
 }
-
-Ball length_of(const ReducedProblem& problem, std::size_t interval, Bits bits) {
-  return Ball(Rational(problem.anchors[interval + 1].x - problem.anchors[interval].x), bits);
-}
-
-/// log of what is left of the interval beyond an offset.
-Ball turned_offset(const Ball& log_offset, const Ball& length) { return log(length - exp(log_offset)); }
 
 bool same_end(const Point& a, const Point& b) {
   if (a.kind != b.kind || a.vanishes != b.vanishes || a.beside.has_value() != b.beside.has_value()) return false;
@@ -36,10 +35,7 @@ ContactBox seen_from_nearer(const ReducedProblem& problem, const ContactBox& box
   for (std::size_t i = 0; i < movable.size(); ++i) {
     Point& end = result.topology.points[movable[i]];
     Ball& offset = result.log_offsets[i];
-    const Ball length = length_of(problem, interval_of(end), offset.bits());
-    if (!(exp(offset) * Ball(2) > length)) continue;
-    offset = turned_offset(offset, length);
-    end = turned(end);
+    if (exp(offset) * 2 > length_around(problem, end, offset.bits())) turn(problem, end, offset);
   }
   return result;
 }
@@ -54,9 +50,7 @@ std::optional<ContactBox> seen_from(const ReducedProblem& problem, const Contact
     if (!same_end(end, other.points[j])) return std::nullopt;
     if (!end.beside) continue;
     Ball& offset = result.log_offsets[i++];
-    if (end.beside == other.points[j].beside) continue;
-    offset = turned_offset(offset, length_of(problem, interval_of(end), offset.bits()));
-    end = turned(end);
+    if (end.beside != other.points[j].beside) turn(problem, end, offset);
   }
   return result;
 }

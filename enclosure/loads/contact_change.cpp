@@ -8,38 +8,44 @@ namespace {
 
 constexpr Bits change_bits = 64;
 
-/// A zone of contact: its two points, and where they are.
-struct Zone {
-  std::size_t first;
-  std::size_t last;
-  Ball left;
-  Ball right;
+/// A contact set, and its zones of contact.
+struct Zones {
+  Zones(const ReducedProblem& problem, const ContactBox& box)
+      : set(problem, box.topology, box.log_offsets, change_bits), runs(set.components()) {}
+
+  std::size_t size() const { return runs.size(); }
+  // Zone i's ends: points, and where they are.
+  std::size_t first(std::size_t i) const { return runs[i].first; }
+  std::size_t last(std::size_t i) const { return runs[i].last + 1; }
+  const Ball& left(std::size_t i) const { return set.x(first(i)); }
+  const Ball& right(std::size_t i) const { return set.x(last(i)); }
+  Ball middle(std::size_t i) const { return (left(i) + right(i)) / 2; }
+
+  ContactSet set;
+  std::vector<ContactSet::Run> runs;
 };
 
 class Change {
  public:
   Change(const ReducedProblem& problem, const ContactBox& before, const ContactBox& after)
-      : problem_(problem),
-        sets_{ContactSet(problem, before.topology, before.log_offsets, change_bits),
-              ContactSet(problem, after.topology, after.log_offsets, change_bits)},
-        zones_{zones(0), zones(1)} {}
+      : problem_(problem), before_(problem, before), after_(problem, after) {}
 
   std::string words() const {
     std::vector<std::string> changes;
     // Zones that have places in common belong together: from left to right.
     std::size_t i = 0, j = 0;
-    while (i < zones_[0].size() || j < zones_[1].size()) {
+    while (i < before_.size() || j < after_.size()) {
       const std::size_t i_from = i, j_from = j;
-      if (j == zones_[1].size() || (i < zones_[0].size() && zones_[0][i].right < zones_[1][j].left)) {
+      if (j == after_.size() || (i < before_.size() && before_.right(i) < after_.left(j))) {
         ++i;
-      } else if (i == zones_[0].size() || zones_[1][j].right < zones_[0][i].left) {
+      } else if (i == before_.size() || after_.right(j) < before_.left(i)) {
         ++j;
       } else {
         ++i, ++j;
         for (bool more = true; more;) {
           more = false;
-          while (i < zones_[0].size() && !(zones_[1][j - 1].right < zones_[0][i].left)) ++i, more = true;
-          while (j < zones_[1].size() && !(zones_[0][i - 1].right < zones_[1][j].left)) ++j, more = true;
+          while (i < before_.size() && !(after_.right(j - 1) < before_.left(i))) ++i, more = true;
+          while (j < after_.size() && !(before_.right(i - 1) < after_.left(j))) ++j, more = true;
         }
       }
       group(i_from, i, j_from, j, changes);
@@ -50,14 +56,6 @@ class Change {
   }
 
  private:
-  std::vector<Zone> zones(std::size_t of) const {
-    std::vector<Zone> result;
-    for (const ContactSet::Run& run : sets_[of].components()) {
-      result.push_back({run.first, run.last + 1, sets_[of].x(run.first), sets_[of].x(run.last + 1)});
-    }
-    return result;
-  }
-
   std::string place(const Ball& xi) const {
     const Ball x = Ball(problem_.frame.origin, change_bits) + Ball(problem_.frame.unit, change_bits) * xi;
     std::ostringstream text;
@@ -82,44 +80,33 @@ class Change {
     return kind + " at x = " + to_string(problem_.place(k));
   }
 
-  /// Anchors strictly between two neighbouring zones of a set.
-  std::vector<std::size_t> anchors_between(std::size_t of, const Zone& left, const Zone& right) const {
-    std::vector<std::size_t> result;
-    for (std::size_t j = left.last + 1; j < right.first; ++j) result.push_back(sets_[of].point(j).anchor);
-    return result;
-  }
-
-  /// Every gap among zones i to j - 1 of a set.
-  void gaps(std::size_t of, std::size_t i, std::size_t j, std::vector<std::string>& changes) const {
+  /// Every gap among zones i to j - 1.
+  void gaps(const Zones& zones, std::size_t i, std::size_t j, std::vector<std::string>& changes) const {
     for (; i + 1 < j; ++i) {
-      const Zone& left = zones_[of][i];
-      const Zone& right = zones_[of][i + 1];
-      const std::vector<std::size_t> over = anchors_between(of, left, right);
-      const std::string where =
-          over.size() == 1 ? "over " + anchor(over.front()) : place((left.right + right.left) / Ball(2));
-      if (of == 1) {
-        changes.push_back("a gap opens " + where);
-      } else {
-        changes.push_back((over.size() == 1 ? "the gap closes " : "two zones of contact meet ") + where);
-      }
+      // A gap over one anchor is named by it.
+      const std::size_t next = zones.last(i) + 1;
+      const bool over_anchor = next + 1 == zones.first(i + 1);
+      const std::string where = over_anchor ? "over " + anchor(zones.set.point(next).anchor)
+                                            : place((zones.right(i) + zones.left(i + 1)) / 2);
+      const char* const closes = over_anchor ? "the gap closes " : "two zones of contact meet ";
+      changes.push_back((&zones == &after_ ? "a gap opens " : closes) + where);
     }
   }
 
   void group(std::size_t i, std::size_t i_to, std::size_t j, std::size_t j_to,
              std::vector<std::string>& changes) const {
-    const auto middle = [](const Zone& zone) { return (zone.left + zone.right) / Ball(2); };
     if (j == j_to) {
-      changes.push_back("a zone of contact vanishes " + place(middle(zones_[0][i])));
+      changes.push_back("a zone of contact vanishes " + place(before_.middle(i)));
     } else if (i == i_to) {
-      changes.push_back("a zone of contact is born " + place(middle(zones_[1][j])));
+      changes.push_back("a zone of contact is born " + place(after_.middle(j)));
     } else if (i_to - i > 1 && j_to - j > 1) {
-      changes.push_back("zones of contact change from " + place(zones_[0][i].left) + " to " +
-                        place(zones_[0][i_to - 1].right));
+      changes.push_back("zones of contact change from " + place(before_.left(i)) + " to " +
+                        place(before_.right(i_to - 1)));
     } else {
-      gaps(0, i, i_to, changes);
-      gaps(1, j, j_to, changes);
-      end("left", sets_[0].point(zones_[0][i].first), sets_[1].point(zones_[1][j].first), changes);
-      end("right", sets_[0].point(zones_[0][i_to - 1].last), sets_[1].point(zones_[1][j_to - 1].last), changes);
+      gaps(before_, i, i_to, changes);
+      gaps(after_, j, j_to, changes);
+      end("left", before_.set.point(before_.first(i)), after_.set.point(after_.first(j)), changes);
+      end("right", before_.set.point(before_.last(i_to - 1)), after_.set.point(after_.last(j_to - 1)), changes);
     }
   }
 
@@ -145,8 +132,8 @@ class Change {
   }
 
   const ReducedProblem& problem_;
-  ContactSet sets_[2];
-  std::vector<Zone> zones_[2];
+  Zones before_;
+  Zones after_;
 };
 
 }  // namespace

@@ -9,25 +9,17 @@ namespace {
 
 /// The box around two, each of its intervals longer by an eighth.
 ContactBox around(const ContactBox& a, const ContactBox& b) {
-  const auto widened = [&](const Ball& x, const Ball& y) {
-    const Ball both = Ball::hull(x, y);
-    return Ball::plus_or_minus(both, both.radius() / Ball(8));
-  };
-  ContactBox result = a;
-  for (std::size_t i = 0; i < a.log_offsets.size(); ++i) {
-    result.log_offsets[i] = widened(a.log_offsets[i], b.log_offsets[i]);
-  }
-  for (std::size_t i = 0; i < a.q.size(); ++i) result.q[i] = widened(a.q[i], b.q[i]);
-  result.tilt = widened(a.tilt, b.tilt);
-  return result;
+  std::vector<Ball> both = a.unknowns();
+  std::ranges::transform(both, b.unknowns(), both.begin(), [](const Ball& x, const Ball& y) {
+    const Ball hull = Ball::hull(x, y);
+    return Ball::plus_or_minus(hull, hull.radius() / 8);
+  });
+  return a.with(both);
 }
 
 bool contains(const ContactBox& wide, const ContactBox& thin) {
-  const auto all = [](const std::vector<Ball>& wides, const std::vector<Ball>& thins) {
-    return std::equal(wides.begin(), wides.end(), thins.begin(), thins.end(),
-                      [](const Ball& a, const Ball& b) { return a.contains(b); });
-  };
-  return all(wide.log_offsets, thin.log_offsets) && all(wide.q, thin.q) && wide.tilt.contains(thin.tilt);
+  return std::ranges::equal(wide.unknowns(), thin.unknowns(),
+                            [](const Ball& a, const Ball& b) { return a.contains(b); });
 }
 
 }  // namespace

@@ -26,14 +26,10 @@ ContactBox predicted(const ReducedProblem& problem, const std::optional<Place>& 
   const std::optional<ContactBox> earlier = seen_from(problem, before->zero, here.zero.topology);
   if (!earlier) return here.zero;
   const Ball ratio(Rational((load - here.load) / (here.load - before->load)), load_interval_bits);
-  const auto onward = [&](const Ball& from, const Ball& to) { return (to + (to - from) * ratio).midpoint(); };
-  ContactBox result = here.zero;
-  for (std::size_t i = 0; i < result.log_offsets.size(); ++i) {
-    result.log_offsets[i] = onward(earlier->log_offsets[i], result.log_offsets[i]);
-  }
-  for (std::size_t i = 0; i < result.q.size(); ++i) result.q[i] = onward(earlier->q[i], result.q[i]);
-  result.tilt = onward(earlier->tilt, result.tilt);
-  return result;
+  std::vector<Ball> values = here.zero.unknowns();
+  std::ranges::transform(earlier->unknowns(), values, values.begin(),
+                         [&](const Ball& from, const Ball& to) { return (to + (to - from) * ratio).midpoint(); });
+  return here.zero.with(values);
 }
 
 struct Failure {
@@ -50,7 +46,10 @@ struct Found {
     std::move(more.proved.begin(), more.proved.end(), std::back_inserter(proved));
     std::move(more.failures.begin(), more.failures.end(), std::back_inserter(failures));
   }
-  void fail(const Rational& load, std::string reason) { failures.push_back({load, std::move(reason)}); }
+  std::nullopt_t fail(const Rational& load, std::string reason) {
+    failures.push_back({load, std::move(reason)});
+    return std::nullopt;
+  }
 };
 
 /// From one load to another.
@@ -59,8 +58,6 @@ struct March {
   Found found;
   WorkBudget rest = WorkBudget(0);
 };
-
-const char* const no_budget = "the budget of work is spent";
 
 class Follower {
  public:
@@ -74,13 +71,10 @@ class Follower {
     has_notch_ = std::ranges::any_of(problem_.anchors, [](const auto& anchor) { return anchor.wedge < 0; });
   }
 
-  /// Proves what it can of the loads.
-  void follow(const Rational& from, const Rational& to) {
+  /// Proves what it can of the loads: all of them, with what is not proved between what is.
+  std::vector<LoadStretch> follow(const Rational& from, const Rational& to) {
     WorkBudget work(options_.work);
     found_ = fill(from, to, 12, work);
-  }
-  /// All of it, with what is not proved between what is.
-  std::vector<LoadStretch> stretches(const Rational& from, const Rational& to) {
     std::sort(found_.proved.begin(), found_.proved.end(),
               [](const LoadStretch& a, const LoadStretch& b) { return a.from < b.from; });
     const auto low = [&](std::size_t i) { return i > 0 ? found_.proved[i - 1].to : from; };
@@ -118,7 +112,7 @@ class Follower {
     Found found;
     if (depth == 0 || high - low <= options_.width * high) return found;
     if (work.is_spent()) {
-      found.fail((low + high) / 2, no_budget);
+      found.fail((low + high) / 2, "the budget of work is spent");
       return found;
     }
     // Where a gap closes, its first load is all that it takes.
@@ -165,20 +159,11 @@ class Follower {
 
   std::optional<Place> start_at(const Rational& load, Found& found, WorkBudget& work) {
     const std::optional<ApproximateContact> contact = contact_at_(load);
-    if (!contact) {
-      found.fail(load, "the solver finds no solution");
-      return std::nullopt;
-    }
+    if (!contact) return found.fail(load, "the solver finds no solution");
     const ContactStart start(problem_, *contact);
-    if (std::string fault = start.topology.fault(problem_); !fault.empty()) {
-      found.fail(load, std::move(fault));
-      return std::nullopt;
-    }
+    if (std::string fault = start.topology.fault(problem_); !fault.empty()) return found.fail(load, std::move(fault));
     KrawczykResult zero = enclose_zero(problem_.for_loads(load, load), start.box(options_.bits), rules_, work);
-    if (!zero.proved) {
-      found.fail(load, std::move(zero.reason));
-      return std::nullopt;
-    }
+    if (!zero.proved) return found.fail(load, std::move(zero.reason));
     return Place{load, std::move(zero.box)};
   }
 
@@ -196,10 +181,7 @@ class Follower {
     KrawczykResult zero = prove_zero(at_load, box, rules_, work);
     const ContactBox image = zero.box;
     ContactProof proof = prove_signs(at_load, std::move(zero), rules_, work);
-    if (!proof.proved) {
-      found.fail(here.load, std::move(proof.reason));
-      return std::nullopt;
-    }
+    if (!proof.proved) return found.fail(here.load, std::move(proof.reason));
     LoadInterval first{here.load, here.load, image, image, std::move(box), std::move(proof)};
     found.proved.push_back({Stretch::closing, here.load, from->refuted, std::move(first), {}});
     if (!from->proved && from->refuted < limit) found.fail(limit, "whether the gap has closed is not decided");
@@ -255,10 +237,7 @@ class Follower {
     const Rational& to = upwards ? load : here.load;
     LoadInterval interval =
         prove_loads(problem_, from, to, predicted(problem_, before, here, (from + to) / 2), rules_, work);
-    if (!interval.proof.proved) {
-      found.fail(load, interval.proof.reason);
-      return std::nullopt;
-    }
+    if (!interval.proof.proved) return found.fail(load, interval.proof.reason);
     std::pair zeros(Place{here.load, interval.at_from}, Place{load, interval.at_to});
     if (!upwards) std::swap(zeros.first.zero, zeros.second.zero);
     found.proved.push_back({Stretch::proved, from, to, std::move(interval), {}});
@@ -281,14 +260,9 @@ class Follower {
       const ContactBox& after = found_.proved[i].interval->at_from;
       const bool same = seen_from(problem_, before, after.topology).has_value();
       if (low < high && !same) return {Stretch::event, low, high, {}, contact_change(problem_, before, after)};
-      if (low == high) {
-        return {Stretch::open,
-                low,
-                high,
-                {},
-                same ? "whether the solutions on both sides are one branch is not proved"
-                     : "two solutions are proved at this load"};
-      }
+      const char* const no_branch = same ? "whether the solutions on both sides are one branch is not proved"
+                                         : "two solutions are proved at this load";
+      if (low == high) return {Stretch::open, low, high, {}, no_branch};
     }
     // The last attempt's reason says most: it was the shortest one.
     std::string reason = "nothing was tried";
@@ -319,9 +293,8 @@ std::vector<LoadStretch> follow_loads(const ContactProblem& problem, const Ratio
     throw InvalidData("width", "an event has no width", "0 < width", to_string(options.width));
   }
   const std::optional<ApproximateContact> largest = contact_at(to);
-  Follower follower(problem, frame_of(problem, largest ? *largest : ApproximateContact{}), contact_at, options);
-  follower.follow(from, to);
-  return follower.stretches(from, to);
+  const Frame frame = frame_of(problem, largest.value_or(ApproximateContact{}));
+  return Follower(problem, frame, contact_at, options).follow(from, to);
 }
 
 }  // namespace steadyslide::enclosure

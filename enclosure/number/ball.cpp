@@ -14,13 +14,6 @@
 namespace steadyslide::enclosure {
 namespace {
 
-/// A unary function of Arb's.
-Ball applied(void (*function)(arb_t, const arb_t, slong), const Ball& x) {
-  Ball result(0, x.bits());
-  function(result.get(), x.get(), x.bits());
-  return result;
-}
-
 /// Four integers in hexadecimal with single spaces: mantissa, exponent, and both of the radius, whose mantissa has up to 30
 /// bits and no sign. Exponents fit into a word; that of 0 is 0.
 bool is_four_numbers(std::string_view text) {
@@ -42,6 +35,18 @@ bool is_four_numbers(std::string_view text) {
 
 Bits larger(const Ball& a, const Ball& b) { return std::max(a.bits(), b.bits()); }
 
+using Unary = void (*)(arb_t, const arb_t, slong);
+using Binary = void (*)(arb_t, const arb_t, const arb_t, slong);
+
+Ball applied(Unary function, const Ball& x) { return made_by(function, x.bits(), x.get(), x.bits()); }
+Ball applied(Binary function, const Ball& x, const Ball& y) {
+  const Bits bits = larger(x, y);
+  return made_by(function, bits, x.get(), y.get(), bits);
+}
+
+/// x^p for x > 0: one logarithm, one exponential.
+Ball positive_power(const Ball& x, const Ball& p) { return exp(p * log(x)); }
+
 }  // namespace
 
 Bits bits_for(int digits) { return static_cast<Bits>(std::ceil(digits * 3.3219280948873626)) + 64; }
@@ -60,10 +65,7 @@ Ball::Ball(const Rational& value, Bits bits) : Ball(0, bits) {
 }
 
 Ball Ball::exactly(double value, Bits bits) {
-  Ball result(0, bits);
-  arb_set_d(result.value_, value);
-  if (!std::isfinite(value)) arb_indeterminate(result.value_);
-  return result;
+  return std::isfinite(value) ? made_by(arb_set_d, bits, value) : unknown(bits);
 }
 
 Ball::Ball(const Exponent& exponent, Bits bits) : Ball(0, bits) {
@@ -71,17 +73,10 @@ Ball::Ball(const Exponent& exponent, Bits bits) : Ball(0, bits) {
   *this = Ball(Rational(reduced.halves) / 2, bits) + atan(Ball(reduced.slope, bits)) / pi(bits);
 }
 
-Ball Ball::hull(const Ball& a, const Ball& b) {
-  Ball result(0, larger(a, b));
-  arb_union(result.value_, a.value_, b.value_, result.bits_);
-  return result;
-}
+Ball Ball::hull(const Ball& a, const Ball& b) { return applied(arb_union, a, b); }
 
 Ball Ball::around(const Ball& centre, const Ball& radius) {
-  Ball result = centre.midpoint();
-  result.bits_ = larger(centre, radius);
-  arb_add_error(result.value_, radius.value_);
-  return result;
+  return plus_or_minus(centre.midpoint().at(larger(centre, radius)), radius);
 }
 
 Ball Ball::plus_or_minus(const Ball& ball, const Ball& error) {
@@ -90,23 +85,11 @@ Ball Ball::plus_or_minus(const Ball& ball, const Ball& error) {
   return result;
 }
 
-Ball Ball::pi(Bits bits) {
-  Ball result(0, bits);
-  arb_const_pi(result.value_, bits);
-  return result;
-}
+Ball Ball::pi(Bits bits) { return made_by(arb_const_pi, bits, bits); }
 
-Ball Ball::unknown(Bits bits) {
-  Ball result(0, bits);
-  arb_indeterminate(result.value_);
-  return result;
-}
+Ball Ball::unknown(Bits bits) { return made_by(arb_indeterminate, bits); }
 
-Ball Ball::infinity(int sign, Bits bits) {
-  Ball result(0, bits);
-  sign < 0 ? arb_neg_inf(result.value_) : arb_pos_inf(result.value_);
-  return result;
-}
+Ball Ball::infinity(int sign, Bits bits) { return made_by(sign < 0 ? arb_neg_inf : arb_pos_inf, bits); }
 
 Ball::Ball(const Ball& other) : bits_(other.bits_) {
   arb_init(value_);
@@ -118,57 +101,13 @@ Ball::Ball(Ball&& other) noexcept : bits_(other.bits_) {
   arb_swap(value_, other.value_);
 }
 
-Ball& Ball::operator=(const Ball& other) {
-  arb_set(value_, other.value_);
-  bits_ = other.bits_;
-  return *this;
-}
-
-Ball& Ball::operator=(Ball&& other) noexcept {
-  arb_swap(value_, other.value_);
-  bits_ = other.bits_;
-  return *this;
-}
-
 Ball Ball::at(Bits bits) const {
   Ball result(*this);
   result.bits_ = bits;
   return result;
 }
 
-Ball& Ball::operator+=(const Ball& other) {
-  use(other);
-  arb_add(value_, value_, other.value_, bits_);
-  return *this;
-}
-
-Ball& Ball::operator-=(const Ball& other) {
-  use(other);
-  arb_sub(value_, value_, other.value_, bits_);
-  return *this;
-}
-
-Ball& Ball::operator*=(const Ball& other) {
-  use(other);
-  arb_mul(value_, value_, other.value_, bits_);
-  return *this;
-}
-
-Ball& Ball::operator/=(const Ball& other) {
-  use(other);
-  arb_div(value_, value_, other.value_, bits_);
-  return *this;
-}
-
-Ball Ball::operator-() const {
-  Ball result(*this);
-  arb_neg(result.value_, result.value_);
-  return result;
-}
-
-bool Ball::contains(const Ball& other) const {
-  return is_finite() && other.is_finite() && arb_contains(value_, other.value_) != 0;
-}
+Ball Ball::operator-() const { return made_by(arb_neg, bits_, value_); }
 
 bool Ball::contains(const Rational& value) const {
   fmpq_t exact;
@@ -187,35 +126,19 @@ bool Ball::overlaps(const Ball& other) const {
   return is_finite() && other.is_finite() && arb_overlaps(value_, other.value_) != 0;
 }
 
-Ball Ball::midpoint() const {
-  Ball result(0, bits_);
-  arb_get_mid_arb(result.value_, value_);
-  return result;
-}
+Ball Ball::midpoint() const { return made_by(arb_get_mid_arb, bits_, value_); }
 
-Ball Ball::radius() const {
-  Ball result(0, bits_);
-  arb_get_rad_arb(result.value_, value_);
-  return result;
-}
+Ball Ball::radius() const { return made_by(arb_get_rad_arb, bits_, value_); }
 
 Ball Ball::lower() const {
   Ball result(0, bits_);
-  arf_t end;
-  arf_init(end);
-  arb_get_lbound_arf(end, value_, bits_);
-  arb_set_arf(result.value_, end);
-  arf_clear(end);
+  arb_get_lbound_arf(arb_midref(result.value_), value_, bits_);
   return result;
 }
 
 Ball Ball::upper() const {
   Ball result(0, bits_);
-  arf_t end;
-  arf_init(end);
-  arb_get_ubound_arf(end, value_, bits_);
-  arb_set_arf(result.value_, end);
-  arf_clear(end);
+  arb_get_ubound_arf(arb_midref(result.value_), value_, bits_);
   return result;
 }
 
@@ -250,12 +173,7 @@ Ball Ball::load(std::string_view text, Bits bits) {
   return result;
 }
 
-Ball abs(const Ball& x) {
-  Ball result(0, x.bits());
-  arb_abs(result.get(), x.get());
-  return result;
-}
-
+Ball abs(const Ball& x) { return made_by(arb_abs, x.bits(), x.get()); }
 Ball sqrt(const Ball& x) { return applied(arb_sqrt, x); }
 Ball exp(const Ball& x) { return applied(arb_exp, x); }
 Ball expm1(const Ball& x) { return applied(arb_expm1, x); }
@@ -264,38 +182,17 @@ Ball sin(const Ball& x) { return applied(arb_sin, x); }
 Ball cos(const Ball& x) { return applied(arb_cos, x); }
 Ball atan(const Ball& x) { return applied(arb_atan, x); }
 Ball gamma(const Ball& x) { return applied(arb_gamma, x); }
+Ball min(const Ball& a, const Ball& b) { return applied(arb_min, a, b); }
+Ball max(const Ball& a, const Ball& b) { return applied(arb_max, a, b); }
 
 bool all_finite(const std::vector<Ball>& balls) {
   return std::all_of(balls.begin(), balls.end(), [](const Ball& ball) { return ball.is_finite(); });
 }
 
-Ball min(const Ball& a, const Ball& b) {
-  Ball result(0, larger(a, b));
-  arb_min(result.get(), a.get(), b.get(), result.bits());
-  return result;
-}
-
-Ball max(const Ball& a, const Ball& b) {
-  Ball result(0, larger(a, b));
-  arb_max(result.get(), a.get(), b.get(), result.bits());
-  return result;
-}
-
 Ball power(const Ball& x, int n) {
-  Ball result(0, x.bits());
-  if (n >= 0) {
-    arb_pow_ui(result.get(), x.get(), static_cast<ulong>(n), x.bits());
-    return result;
-  }
-  return Ball(1) / power(x, -n);
+  if (n < 0) return Ball(1) / power(x, -n);
+  return made_by(arb_pow_ui, x.bits(), x.get(), static_cast<ulong>(n), x.bits());
 }
-
-namespace {
-
-/// x^p for x > 0: one logarithm, one exponential.
-Ball positive_power(const Ball& x, const Ball& p) { return exp(p * log(x)); }
-
-}  // namespace
 
 Ball power(const Ball& x, const Ball& p) {
   const Bits bits = larger(x, p);

@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "model/exponent.hpp"
 #include "model/rational.hpp"
@@ -48,18 +49,21 @@ class Ball {
 
   Ball(const Ball& other);
   Ball(Ball&& other) noexcept;
-  Ball& operator=(const Ball& other);
-  Ball& operator=(Ball&& other) noexcept;
+  Ball& operator=(Ball other) noexcept {
+    arb_swap(value_, other.value_);
+    bits_ = other.bits_;
+    return *this;
+  }
   ~Ball() { arb_clear(value_); }
 
   Bits bits() const { return bits_; }
   /// The same ball, rounded from now on at another precision.
   Ball at(Bits bits) const;
 
-  Ball& operator+=(const Ball& other);
-  Ball& operator-=(const Ball& other);
-  Ball& operator*=(const Ball& other);
-  Ball& operator/=(const Ball& other);
+  Ball& operator+=(const Ball& other) { return combine(arb_add, other); }
+  Ball& operator-=(const Ball& other) { return combine(arb_sub, other); }
+  Ball& operator*=(const Ball& other) { return combine(arb_mul, other); }
+  Ball& operator/=(const Ball& other) { return combine(arb_div, other); }
   Ball operator-() const;
   friend Ball operator+(Ball a, const Ball& b) { return std::move(a += b); }
   friend Ball operator-(Ball a, const Ball& b) { return std::move(a -= b); }
@@ -77,7 +81,9 @@ class Ball {
   bool is_zero() const { return arb_is_zero(value_) != 0; }
   bool is_finite() const { return arb_is_finite(value_) != 0; }
   /// False for what is not finite, unlike Arb's own test.
-  bool contains(const Ball& other) const;
+  bool contains(const Ball& other) const {
+    return is_finite() && other.is_finite() && arb_contains(value_, other.value_);
+  }
   bool contains(const Rational& value) const;
   bool contains_zero() const { return arb_contains_zero(value_) != 0; }
   /// Strictly inside, with a distance from both ends.
@@ -107,11 +113,25 @@ class Ball {
 
  private:
   static constexpr Bits exact_ = 64;
-  void use(const Ball& other) { bits_ = bits_ < other.bits_ ? other.bits_ : bits_; }
+  /// The ball becomes what Arb's operation makes of it and the other one.
+  template <class Operation>
+  Ball& combine(Operation operation, const Ball& other) {
+    bits_ = bits_ < other.bits_ ? other.bits_ : bits_;
+    operation(value_, value_, other.value_, bits_);
+    return *this;
+  }
 
   arb_t value_;
   Bits bits_;
 };
+
+/// What Arb's function makes of its arguments, which include the bits where it rounds.
+template <class Function, class... Arguments>
+Ball made_by(Function function, Bits bits, const Arguments&... arguments) {
+  Ball result(0, bits);
+  function(result.get(), arguments...);
+  return result;
+}
 
 Ball abs(const Ball& x);
 Ball sqrt(const Ball& x);

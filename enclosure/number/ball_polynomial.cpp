@@ -52,6 +52,13 @@ Ball value_at(const BallPolynomial& polynomial, const Ball& x) {
   return value;
 }
 
+Ball bound_within(const BallPolynomial& polynomial, const Ball& radius) {
+  const Bits bits = radius.bits();
+  Ball value(0, bits);
+  for (std::size_t i = polynomial.size(); i-- > 0;) value = value * radius + abs(polynomial[i].at(bits));
+  return value;
+}
+
 void add_moments(std::span<Ball> moments, const std::vector<Ball>& weights, const std::vector<Ball>& points) {
   const std::size_t block = block_of(moments.size());
   // powers[a] = points^a; weighted = weights points^(block b): moment a + block b is their product.

@@ -13,6 +13,8 @@ using BallPolynomial = std::vector<Ball>;
 
 BallPolynomial in_balls(const Polynomial& polynomial, Bits bits);
 Ball value_at(const BallPolynomial& polynomial, const Ball& x);
+/// |p(x)| is no larger for |x| <= radius, at the radius' precision.
+Ball bound_within(const BallPolynomial& polynomial, const Ball& radius);
 /// Adds sum_i weights_i points_i^k to moments_k, for every k.
 void add_moments(std::span<Ball> moments, const std::vector<Ball>& weights, const std::vector<Ball>& points);
 /// int_x^{x+length} p: from the derivatives at x, so that a short interval loses nothing.

@@ -1,47 +1,16 @@
 #include "enclosure/quadrature/enclosed_integral.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
+#include "enclosure/number/ball_polynomial.hpp"
 #include "enclosure/quadrature/graded_panels.hpp"
 #include "enclosure/quadrature/power_panel.hpp"
 #include "enclosure/quadrature/trapezoidal.hpp"
 
 namespace steadyslide::enclosure {
 namespace {
-
-/// A polynomial in x - centre.
-class ShiftedPolynomial {
- public:
-  ShiftedPolynomial(std::vector<Ball> c, Ball centre) : c_(std::move(c)), centre_(std::move(centre)) {
-    // Horner's scheme by x - centre, again for each quotient.
-    for (std::size_t from = 0; from + 1 < c_.size(); ++from) {
-      for (std::size_t k = c_.size() - 1; k-- > from;) c_[k] += centre_ * c_[k + 1];
-    }
-  }
-
-  const Ball& centre() const { return centre_; }
-  int degree() const { return static_cast<int>(c_.size()) - 1; }
-
-  Ball at(const Ball& offset) const {
-    Ball value = c_.back();
-    for (std::size_t k = c_.size() - 1; k-- > 0;) value = value * offset + c_[k];
-    return value;
-  }
-
-  /// A bound for |x - centre| <= radius.
-  Ball bound(const Ball& radius) const {
-    Ball value = abs(c_.back().at(64));
-    for (std::size_t k = c_.size() - 1; k-- > 0;) value = value * radius + abs(c_[k].at(64));
-    return value.upper();
-  }
-
- private:
-  std::vector<Ball> c_;
-  Ball centre_;
-};
 
 /// The stretch between two neighbouring points, as panels see it.
 struct Piece {
@@ -73,51 +42,51 @@ class PieceIntegral {
   Ball by_panels(const Piece& piece) const {
     Ball sum(0, rules_.bits());
     for (const GradedPanel& part : graded(piece.length, piece.left, piece.right, piece.outside)) {
-      const ShiftedPolynomial f(polynomial_, piece.start + part.from_left + part.length / 2);
-      const int exact = f.degree() / 2 + 1;
+      const BallPolynomial f = about(piece.start + part.from_left + part.length / 2);
       const bool is_polynomial = part.outside.empty();
-      const int count = is_polynomial ? exact : count_for(part.length, part.outside);
+      const int count = is_polynomial ? degree() / 2 + 1 : count_for(part.length, part.outside);
       if (count == 0) return Ball::unknown(rules_.bits());
       const PowerPanel panel(part.length, part.left, part.right, part.outside, count, rules_);
-      const auto value = [&](const PowerPanel::Node& node) { return f.at((node.from_left - node.from_right) / 2); };
-      Ball sum_of_panel(0, rules_.bits());
-      for (const PowerPanel::Node& node : panel.nodes()) sum_of_panel += node.weight * value(node);
       const Ball half = part.length.at(64) / 2;
-      sum += Ball::plus_or_minus(sum_of_panel, is_polynomial ? panel.remainder_of_polynomial(f.bound(half))
-                                                             : panel.remainder(f.bound(half + panel.reach())));
+      sum += panel.sum([&](const PowerPanel::Node& node) { return value_at(f, offset(node)); },
+                       is_polynomial ? panel.remainder_of_polynomial(bound_within(f, half))
+                                     : panel.remainder(bound_within(f, half + panel.reach().at(64))));
     }
     return sum;
   }
 
   /// The piece has no power at its ends, and the pole is in the middle.
   Ball symmetric_principal_value(const Piece& piece) const {
-    const ShiftedPolynomial f(polynomial_, piece.start + piece.length / 2);
+    const BallPolynomial f = about(piece.start + piece.length / 2);
     int count = count_for(piece.length, piece.outside);
     if (count == 0) return Ball::unknown(rules_.bits());
     count += count % 2;
     const PowerPanel panel(piece.length, Ball(0), Ball(0), piece.outside, count, rules_);
-    const auto value = [&](const PowerPanel::Node& node) {
-      const Ball offset = (node.from_left - node.from_right) / 2;
-      return f.at(offset) / offset;
-    };
-    return panel.integral(value, 2 * f.bound(piece.length.at(64) / 2 + panel.reach()) / panel.half_height());
+    const Ball bound = 2 * bound_within(f, piece.length.at(64) / 2 + panel.reach().at(64)) / panel.half_height();
+    return panel.integral([&](const PowerPanel::Node& node) { return value_at(f, offset(node)) / offset(node); },
+                          bound);
   }
 
   Ball by_trapezoidal_rule(const Piece& piece, const std::optional<Trapezoidal::Pole>& pole) const {
-    const ShiftedPolynomial f(polynomial_, piece.start + piece.length / 2);
-    const Trapezoidal rule(piece.length, piece.left, piece.right, piece.outside, pole, f.degree(), rules_.bits());
-    return rule.integral([&](const Trapezoidal::Node& node) { return f.at((node.from_left - node.from_right) / 2); },
-                         f.bound(rule.lens_radius()));
+    const BallPolynomial f = about(piece.start + piece.length / 2);
+    const Trapezoidal rule(piece.length, piece.left, piece.right, piece.outside, pole, degree(), rules_.bits());
+    return rule.integral([&](const Trapezoidal::Node& node) { return value_at(f, offset(node)); },
+                         bound_within(f, rule.lens_radius()));
   }
 
  private:
+  /// The polynomial in x - centre.
+  BallPolynomial about(const Ball& centre) const { return shifted(polynomial_, centre); }
+  int degree() const { return static_cast<int>(polynomial_.size()) - 1; }
+  /// From the middle of a panel.
+  static Ball offset(const auto& node) { return (node.from_left - node.from_right) / 2; }
   /// With nodes for the polynomial's growth in the ellipse.
   int count_for(const Ball& length, const std::vector<OutsidePoint>& outside) const {
     const int count = PowerPanel::count_for(rules_.bits(), length, outside);
-    return count == 0 ? 0 : count + (static_cast<int>(polynomial_.size()) - 1) / 2;
+    return count == 0 ? 0 : count + degree() / 2;
   }
 
-  std::vector<Ball> polynomial_;
+  BallPolynomial polynomial_;
   JacobiRules& rules_;
 };
 

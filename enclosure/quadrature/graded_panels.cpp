@@ -13,12 +13,6 @@ struct Part {
   Ball length;
 };
 
-Ball halved(const Ball& x) {
-  Ball result(x);
-  arb_mul_2exp_si(result.get(), x.get(), -1);
-  return result;
-}
-
 class Grading {
  public:
   Grading(const Ball& left, const Ball& right, const std::vector<OutsidePoint>& outside, double clearance)
@@ -90,7 +84,7 @@ std::vector<GradedPanel> graded(const Ball& length, const Ball& left, const Ball
       panels.push_back(grading.panel(std::move(part)));
       continue;
     }
-    const Ball half = halved(part.length);
+    const Ball half = made_by(arb_mul_2exp_si, part.length.bits(), part.length.get(), -1);
     waiting.push_back({part.from_left + half, part.from_right, half});
     waiting.push_back({part.from_left, part.from_right + half, half});
   }

@@ -11,11 +11,7 @@ constexpr Bits root_bits = 64;
 
 Ball upper_size(const Ball& x) { return abs(x).at(root_bits).upper(); }
 
-Ball two_to(Bits exponent) {
-  Ball result(1, root_bits);
-  arb_mul_2exp_si(result.get(), result.get(), exponent);
-  return result;
-}
+Ball two_to(Bits exponent) { return made_by(arb_mul_2exp_si, root_bits, Ball(1).get(), exponent); }
 
 struct ValueAndSlope {
   Ball value{0};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "enclosure/quadrature/jacobi_polynomial.hpp"
 
@@ -12,11 +13,6 @@ namespace steadyslide::enclosure {
 namespace {
 
 // The zeros in double are starts for what proves them (jacobi_polynomial.hpp). Nothing here is proved, and nothing has to be.
-
-struct Values {
-  double p;
-  double slope;
-};
 
 /// P_k normalised by P_k(0) = a, from differences in which nothing cancels next to y = 0:
 ///   P_{k+1} - P_k = h_k (P_k - P_{k-1}) - y g_k P_k,   g, h > 0.
@@ -34,7 +30,8 @@ class Differences {
     first_ = a;
   }
 
-  Values at(double y) const {
+  /// Value and slope.
+  std::pair<double, double> at(double y) const {
     double p = first_;
     double slope = 0;
     double change = 0;
@@ -95,11 +92,7 @@ std::vector<double> jacobi_starts(int count, int wanted, double a, double b) {
   return zeros;
 }
 
-Ball digamma(const Ball& x) {
-  Ball result(0, x.bits());
-  arb_digamma(result.get(), x.get(), x.bits());
-  return result;
-}
+Ball digamma(const Ball& x) { return made_by(arb_digamma, x.bits(), x.get(), x.bits()); }
 
 /// int (1+x)^left (1-x)^right dx = 2^(left+right+1) B(left+1, right+1).
 Ball mass_of(const Ball& left, const Ball& right) {
@@ -107,11 +100,7 @@ Ball mass_of(const Ball& left, const Ball& right) {
   return power(Ball(2, sum.bits()), sum + 1) * gamma(left + 1) * gamma(right + 1) / gamma(sum + 2);
 }
 
-Ball rounded(const Ball& x, Bits bits) {
-  Ball result(0, bits);
-  arb_set_round(result.get(), x.get(), bits);
-  return result;
-}
+Ball rounded(const Ball& x, Bits bits) { return made_by(arb_set_round, bits, x.get(), bits); }
 
 bool centred_at_zero(const Ball& x) { return arf_is_zero(arb_midref(x.get())) != 0; }
 
@@ -132,7 +121,6 @@ JacobiRule::JacobiRule(int count, const Ball& left, const Ball& right, Bits bits
     const Ball common = log(Ball(2, 64)) + digamma(a + b);
     spread_ = mass.at(64) * (dl * (common - digamma(a)) + dr * (common - digamma(b)));
   }
-  for (std::vector<Ball>* part : {&from_left, &from_right, &weights}) part->reserve(static_cast<std::size_t>(count));
   const Ball l = left.midpoint(), r = right.midpoint();
   if (centred_at_zero(l) && centred_at_zero(r)) {
     make_legendre(count, bits);
@@ -176,17 +164,13 @@ bool JacobiRule::make(int count, const Ball& left, const Ball& right, Bits bits,
 void JacobiRule::make_legendre(int count, Bits bits) {
   const auto n = static_cast<std::size_t>(count);
   const Bits working = bits + 2 * static_cast<Bits>(std::log2(count + 1)) + 16;
-  from_left.assign(n, Ball(0, bits));
-  from_right.assign(n, Ball(0, bits));
-  weights.assign(n, Ball(0, bits));
-  for (std::size_t k = 0; k < n; ++k) {
-    // Arb counts the roots from the right, and makes the left half from the right one.
+  // Arb counts the roots from the right, and makes the left half from the right one.
+  for (std::size_t k = n; k-- > 0;) {
     Ball x(0, working), weight(0, working);
     arb_hypgeom_legendre_p_ui_root(x.get(), weight.get(), n, k, working);
-    const std::size_t i = n - 1 - k;
-    from_left[i] = rounded(1 + x, bits);
-    from_right[i] = rounded(1 - x, bits);
-    weights[i] = rounded(weight, bits);
+    from_left.push_back(rounded(1 + x, bits));
+    from_right.push_back(rounded(1 - x, bits));
+    weights.push_back(rounded(weight, bits));
   }
 }
 

@@ -56,9 +56,14 @@ class PowerPanel {
   /// F takes a Node and returns a Ball.
   template <class F>
   Ball integral(const F& f, const Ball& bound_of_F) const {
+    return sum(f, remainder(bound_of_F));
+  }
+  /// The same with another remainder.
+  template <class F>
+  Ball sum(const F& f, const Ball& remainder) const {
     Ball sum(0, length_.bits());
     for (const Node& node : nodes_) sum += node.weight * f(node);
-    return Ball::plus_or_minus(sum, remainder(bound_of_F));
+    return Ball::plus_or_minus(sum, remainder);
   }
 
  private:
