@@ -3,7 +3,7 @@
 # problem files, except the files below, and instead of them what is in double_only/:
 #
 #   mpfr_real, elementary         numbers with 50 and 100 digits; pi, and doubles of rationals, without MPFR
-#   double_exponential_grid, unit_grid   residuals above double
+#   double_exponential_grid       residuals above double
 #   gsl_quadrature                a third route, for tests: refused
 #   fourier                       the same transforms by Eigen's FFT; no solution here is large enough to need one
 #   rear_share, solution_search   needed by other commands than `solve`; Arb and threads
@@ -18,7 +18,7 @@ function(steadyslide_double_only name)
   set(not_model "^$")
   set(only_numeric "${root}")
   set(not_numeric "numeric/(number/mpfr_real|number/elementary|number/power_product_avx|quadrature/double_exponential_grid|\
-quadrature/unit_grid|quadrature/gsl_quadrature|variational/fourier|solution/solution_search|flat_punch/rear_share)")
+quadrature/gsl_quadrature|variational/fourier|solution/solution_search|flat_punch/rear_share)")
   set(only_library "library/(problem_file/|text/one_line|text/utf8)")
   set(not_library "library/problem_file/(profile_trace|surface_files|table_reader)")
 

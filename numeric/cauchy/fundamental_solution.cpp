@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <numbers>
-#include <optional>
 
 #include "numeric/hierarchical/line_sum.hpp"
+#include "numeric/number/mapped.hpp"
 #include "numeric/number/power_product.hpp"
 
 namespace steadyslide::numeric {
@@ -40,13 +39,6 @@ std::vector<Panel<R>> panels_from(R left, std::vector<R> lengths) {
     left = std::move(right);
   }
   return panels;
-}
-
-std::vector<double> lengths_of(const std::vector<Panel<double>>& panels) {
-  std::vector<double> lengths;
-  lengths.reserve(panels.size());
-  for (const Panel<double>& panel : panels) lengths.push_back(panel.length);
-  return lengths;
 }
 
 hierarchical::LineSum sum_of(const std::vector<double>& lengths, const std::vector<Power<double>>& powers) {
@@ -112,17 +104,53 @@ class DistanceProduct {
 class DistantPowers {
  public:
   /// Panels that follow each other, with one power more.
-  DistantPowers(const std::vector<Panel<double>>& panels, const std::vector<Power<double>>& powers);
+  DistantPowers(const std::vector<Panel<double>>& panels, const std::vector<Power<double>>& powers)
+      : lengths_(mapped(panels, [](const Panel<double>& panel) { return panel.length; })),
+        sum_(sum_of(lengths_, powers)) {
+    for (const Power<double>& power : powers) size_ += std::abs(power.value);
+    for (const double length : lengths_) hull_ += length;
+  }
 
   /// At a place of panel k, its ends included: the sum over the far points, and visit(j, |e_j - x|) for the others.
   template <class Visit>
-  double around(std::size_t k, double from_left, double from_right, const Visit& visit) const;
+  double around(std::size_t k, double from_left, double from_right, const Visit& visit) const {
+    visit_panel(k, from_left, from_right, visit);
+    for (const auto& [panel, between] : sum_.near_to(k)) {
+      const double length = lengths_[panel];
+      if (panel < k) {
+        visit_panel(panel, from_left + between + length, from_left + between, visit);
+      } else {
+        visit_panel(panel, from_right + between, from_right + between + length, visit);
+      }
+    }
+    return sum_.far(0, k, from_left, from_right);
+  }
+
   /// The same at the distance beyond the first point, or the last one, which is among the points visited.
   template <class Visit>
-  double beyond(Side side, double distance, const Visit& visit) const;
+  double beyond(Side side, double distance, const Visit& visit) const {
+    double sum = 0;
+    const hierarchical::PanelTree& tree = sum_.tree();
+    const auto takes = [&](std::size_t cell, Side sources, double from_here) {
+      const hierarchical::PanelTree::Cell& c = tree.cells()[cell];
+      const bool has_end = side == Side::left ? c.first == 0 : c.end == lengths_.size();
+      if (has_end || c.is_leaf() || !tree.is_far(cell, from_here)) return false;
+      sum += sum_.of_cell(0, cell, sources, from_here);
+      return true;
+    };
+    tree.beyond(side, distance, takes, [&](std::size_t panel, double gap, Side sources) {
+      const double other = gap + lengths_[panel];
+      visit_panel(panel, sources == Side::right ? gap : other, sources == Side::right ? other : gap, visit);
+    });
+    return sum;
+  }
 
   /// An estimate of the sum's rounding error on panel k, over epsilon.
-  double rounding(std::size_t k) const;
+  double rounding(std::size_t k) const {
+    // Far points are at least as far away as the panel is long.
+    const double longest = std::max({1.0, std::abs(std::log(lengths_[k])), std::abs(std::log(hull_))});
+    return hierarchical::logarithm_rounding * size_ * longest;
+  }
 
  private:
   /// visit() for what panel k has of the points: its left end, and the last one.
@@ -138,56 +166,6 @@ class DistantPowers {
   hierarchical::LineSum sum_;
 };
 
-template <class Visit>
-double DistantPowers::around(std::size_t k, double from_left, double from_right, const Visit& visit) const {
-  visit_panel(k, from_left, from_right, visit);
-  for (const auto& [panel, between] : sum_.near_to(k)) {
-    const double length = lengths_[panel];
-    if (panel < k) {
-      visit_panel(panel, from_left + between + length, from_left + between, visit);
-    } else {
-      visit_panel(panel, from_right + between, from_right + between + length, visit);
-    }
-  }
-  return sum_.far(0, k, from_left, from_right);
-}
-
-template <class Visit>
-double DistantPowers::beyond(Side side, double distance, const Visit& visit) const {
-  double sum = 0;
-  const hierarchical::PanelTree& tree = sum_.tree();
-  const auto takes = [&](std::size_t cell, Side sources, double from_here) {
-    const hierarchical::PanelTree::Cell& c = tree.cells()[cell];
-    const bool has_end = side == Side::left ? c.first == 0 : c.end == lengths_.size();
-    if (has_end || c.is_leaf() || !tree.is_far(cell, from_here)) return false;
-    sum += sum_.of_cell(0, cell, sources, from_here);
-    return true;
-  };
-  tree.beyond(side, distance, takes, [&](std::size_t panel, double gap, Side sources) {
-    const double other = gap + lengths_[panel];
-    visit_panel(panel, sources == Side::right ? gap : other, sources == Side::right ? other : gap, visit);
-  });
-  return sum;
-}
-
-DistantPowers::DistantPowers(const std::vector<Panel<double>>& panels, const std::vector<Power<double>>& powers)
-    : lengths_(lengths_of(panels)), sum_(sum_of(lengths_, powers)) {
-  for (const Power<double>& power : powers) size_ += std::abs(power.value);
-  for (const double length : lengths_) hull_ += length;
-}
-
-double DistantPowers::rounding(std::size_t k) const {
-  // Far points are at least as far away as the panel is long.
-  const double longest = std::max({1.0, std::abs(std::log(lengths_[k])), std::abs(std::log(hull_))});
-  return hierarchical::logarithm_rounding * size_ * longest;
-}
-
-template <Real R>
-struct FundamentalSolution<R>::LazyDistantPowers {
-  std::once_flag made;
-  std::optional<DistantPowers> powers;
-};
-
 template <Real R>
 FundamentalSolution<R>::FundamentalSolution(const R& left_end, std::vector<R> lengths, std::vector<Power<R>> powers)
     : FundamentalSolution(panels_from(left_end, std::move(lengths)), std::move(powers)) {}
@@ -196,19 +174,16 @@ template <Real R>
 FundamentalSolution<R>::FundamentalSolution(std::vector<Panel<R>> panels, std::vector<Power<R>> powers)
     : panels_(std::move(panels)), powers_(std::move(powers)) {
   if (std::same_as<R, double> && panels_.size() >= hierarchical::fewest_panels) {
-    distant_ = std::make_shared<LazyDistantPowers>();
+    distant_ = std::make_shared<const Once<DistantPowers>>();
   }
 }
 
 template <Real R>
 const DistantPowers* FundamentalSolution<R>::distant() const {
   if constexpr (std::same_as<R, double>) {
-    if (!distant_) return nullptr;
-    std::call_once(distant_->made, [this] { distant_->powers.emplace(panels_, powers_); });
-    return &*distant_->powers;
-  } else {
-    return nullptr;
+    if (distant_) return &(*distant_)([this] { return DistantPowers(panels_, powers_); });
   }
+  return nullptr;
 }
 
 template <Real R>

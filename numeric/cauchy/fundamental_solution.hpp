@@ -14,6 +14,7 @@
 
 #include "model/direction.hpp"
 #include "numeric/number/node.hpp"
+#include "numeric/number/once.hpp"
 #include "numeric/number/power.hpp"
 
 namespace steadyslide::numeric {
@@ -82,10 +83,9 @@ class FundamentalSolution {
   template <class Skips>
   R product_beyond(Side side, const R& distance, const Skips& skips) const;
 
-  struct LazyDistantPowers;
   std::vector<Panel<R>> panels_;
   std::vector<Power<R>> powers_;
-  std::shared_ptr<LazyDistantPowers> distant_;  ///< made when first asked for; copies share them
+  std::shared_ptr<const Once<DistantPowers>> distant_;  ///< made when first asked for; copies share them
 };
 
 }  // namespace steadyslide::numeric

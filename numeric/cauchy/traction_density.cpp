@@ -8,7 +8,7 @@ namespace {
 template <Real R>
 Power<R> traction_power(const TractionRepresentation<R>& form, std::size_t j) {
   const Power<R>& p = form.power(j);
-  if (form.changes_polynomial(j) && p.value > 0 && form.set().anchor_at(j)->wedge != 0) return {R(0), R(1)};
+  if (form.changes_polynomial(j) && p.value > 0 && form.set().anchor_at(j)->wedge != 0) return {};
   return p;
 }
 
@@ -40,15 +40,11 @@ PanelDensity<R> panel_density(const TractionRepresentation<R>& form, std::size_t
 template <Real R>
 PiecewiseDensity<R> traction_density(const TractionRepresentation<R>& form) {
   PiecewiseDensity<R> result;
-  std::size_t last = 0;
-  for (std::size_t k = 0; k < form.set().segments(); ++k) {
-    if (!form.set().in_contact(k)) continue;
-    result.push_back(panel_density(form, k));
-    last = k;
-  }
+  const std::vector<std::size_t>& segments = form.set().contact_segments();
+  for (const std::size_t k : segments) result.push_back(panel_density(form, k));
   if (!result.empty()) result.front().gap = 0;
   // No singular point but the ends of the only panel.
-  if (result.size() == 1) result.front().is_constant = form.regular_value_is_constant(form.slope_at(last));
+  if (result.size() == 1) result.front().is_constant = form.regular_value_is_constant(form.slope_at(segments.front()));
   return result;
 }
 

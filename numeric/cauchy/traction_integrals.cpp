@@ -24,12 +24,37 @@ class DistantTractions {
  public:
   /// Segment k of the traction is panel k of the density, all lengths `unit` times as long.
   DistantTractions(const PiecewiseDensity<double>& density, const PiecewiseTraction<double>& traction, double unit)
-      : DistantTractions(line_of(density, traction, unit)) {}
+      : line_(density, traction, unit), moments_(line_.lengths, line_.sources, line_.weights) {}
 
   /// The sum over far panels, and visit(k, side, distance) for the others, x on that side of panel k. The panel that x is in is
   /// left out: its ratio is r.
   template <class Visit>
-  Estimate<double> around(const LinePlace<double>& place, double ratio, const Visit& visit) const;
+  Estimate<double> around(const LinePlace<double>& place, double ratio, const Visit& visit) const {
+    const hierarchical::PanelTree& tree = moments_.tree();
+    Estimate<double> sum{0, 0};
+    const auto takes = [&](std::size_t cell, Side side, double distance) {
+      if (!tree.is_far(cell, distance)) return false;
+      sum += of_cell(cell, side, distance, ratio);
+      return true;
+    };
+    const auto near = [&](std::size_t leaf, double distance, Side side) {
+      visit(line_.panel_of[leaf], opposite(side), distance);
+    };
+    if (place.inside) {
+      tree.around(line_.leaf_of[place.panels], place.inside->from_left, place.inside->from_right, takes, near);
+    } else if (place.panels == 0) {
+      tree.beyond(Side::left, place.to_right, takes, near);
+    } else if (place.panels == line_.leaf_of.size()) {
+      tree.beyond(Side::right, place.to_left, takes, near);
+    } else if (const std::size_t before = line_.leaf_of[place.panels - 1]; before + 1 < line_.leaf_of[place.panels]) {
+      tree.around(before + 1, place.to_left, place.to_right, takes, near);
+    } else {
+      // Where two panels meet: the end of the one on the left.
+      visit(place.panels - 1, Side::right, 0.0);
+      tree.around(before, line_.lengths[before], 0.0, takes, near);
+    }
+    return sum;
+  }
 
  private:
   /// Panels and the gaps between them.
@@ -40,96 +65,60 @@ class DistantTractions {
     std::vector<hierarchical::Source> sources;
     /// Forces times r_k, forces, and what the sum of both may be wrong by.
     std::vector<std::vector<double>> weights{3};
+
+    Line(const PiecewiseDensity<double>& density, const PiecewiseTraction<double>& traction, double unit) {
+      double largest = 0;
+      for (const TractionPanel<double>& panel : traction.panels())
+        largest = std::max(largest, std::abs(panel.shear_ratio));
+      TractionNodes<double> nodes;  // from the singular end of a panel
+      for (std::size_t k = 0; k < density.size(); ++k) {
+        const auto add_leaf = [&](double length) {
+          panel_of.push_back(k);
+          lengths.push_back(length);
+        };
+        if (density[k].gap > 0) add_leaf(density[k].gap);
+        const std::size_t leaf = lengths.size();
+        leaf_of.push_back(leaf);
+        const double length = density[k].panel.length;
+        add_leaf(length);
+        double before = 0;
+        for (const TractionPanel<double>& panel : traction.segment(k)) {
+          nodes.clear();
+          traction.append_nodes(panel, nodes);
+          const double error = panel.error + 32 * epsilon<double>();
+          const bool backwards = panel.singular_end == Side::right;
+          for (std::size_t n = 0; n < nodes.forces.size(); ++n) {
+            const std::size_t i = backwards ? nodes.forces.size() - 1 - n : n;
+            const double from_left = before + nodes.from_left[i] / unit;
+            const double force = nodes.forces[i] / unit;
+            sources.push_back({leaf, from_left, std::max(length - from_left, 0.0)});
+            weights[0].push_back(panel.shear_ratio * force);
+            weights[1].push_back(force);
+            weights[2].push_back((std::abs(panel.shear_ratio) + largest) * std::abs(force) * error);
+          }
+          before += panel.length / unit;
+        }
+      }
+    }
   };
-  static Line line_of(const PiecewiseDensity<double>& density, const PiecewiseTraction<double>& traction, double unit);
-  explicit DistantTractions(Line line);
+
   /// What a cell at this distance, on that side of x, has of the sum.
-  Estimate<double> of_cell(std::size_t cell, Side side, double distance, double ratio) const;
+  Estimate<double> of_cell(std::size_t cell, Side side, double distance, double ratio) const {
+    // From the centre c: 1/(x'-x) = -+(1/D) sum_k r^k u^k, D = |x - c|.
+    const double h = moments_.tree().cells()[cell].extent / 2;
+    const double to_centre = h + distance;
+    const double sign = side == Side::left ? -1 : 1;
+    const double r = -sign * h / to_centre;
+    hierarchical::CellMoments::Series series;
+    series[0] = 1 / (pi<double>() * to_centre);
+    for (std::size_t k = 1; k < series.size(); ++k) series[k] = r * series[k - 1];
+    const auto sum = [&](std::size_t s) { return moments_.weighted(cell, s, series); };
+    return {sign * (sum(0) - ratio * sum(1)), sum(2)};
+  }
 
   Line line_;
   hierarchical::CellMoments moments_;
 };
-
-template <class Visit>
-Estimate<double> DistantTractions::around(const LinePlace<double>& place, double ratio, const Visit& visit) const {
-  const hierarchical::PanelTree& tree = moments_.tree();
-  Estimate<double> sum{0, 0};
-  const auto takes = [&](std::size_t cell, Side side, double distance) {
-    if (!tree.is_far(cell, distance)) return false;
-    sum += of_cell(cell, side, distance, ratio);
-    return true;
-  };
-  const auto near = [&](std::size_t leaf, double distance, Side side) {
-    visit(line_.panel_of[leaf], opposite(side), distance);
-  };
-  if (place.inside) {
-    tree.around(line_.leaf_of[place.panels], place.inside->from_left, place.inside->from_right, takes, near);
-  } else if (place.panels == 0) {
-    tree.beyond(Side::left, place.to_right, takes, near);
-  } else if (place.panels == line_.leaf_of.size()) {
-    tree.beyond(Side::right, place.to_left, takes, near);
-  } else if (const std::size_t before = line_.leaf_of[place.panels - 1]; before + 1 < line_.leaf_of[place.panels]) {
-    tree.around(before + 1, place.to_left, place.to_right, takes, near);
-  } else {
-    // Where two panels meet: the end of the one on the left.
-    visit(place.panels - 1, Side::right, 0.0);
-    tree.around(before, line_.lengths[before], 0.0, takes, near);
-  }
-  return sum;
-}
-
-DistantTractions::Line DistantTractions::line_of(const PiecewiseDensity<double>& density,
-                                                 const PiecewiseTraction<double>& traction, double unit) {
-  Line line;
-  double largest = 0;
-  for (const TractionPanel<double>& panel : traction.panels()) largest = std::max(largest, std::abs(panel.shear_ratio));
-  TractionNodes<double> nodes;  // from the singular end of a panel
-  for (std::size_t k = 0; k < density.size(); ++k) {
-    const auto add_leaf = [&](double length) {
-      line.panel_of.push_back(k);
-      line.lengths.push_back(length);
-    };
-    if (density[k].gap > 0) add_leaf(density[k].gap);
-    const std::size_t leaf = line.lengths.size();
-    line.leaf_of.push_back(leaf);
-    const double length = density[k].panel.length;
-    add_leaf(length);
-    double before = 0;
-    for (const TractionPanel<double>& panel : traction.segment(k)) {
-      nodes.clear();
-      traction.append_nodes(panel, nodes);
-      const double error = panel.error + 32 * epsilon<double>();
-      const bool backwards = panel.singular_end == Side::right;
-      for (std::size_t n = 0; n < nodes.forces.size(); ++n) {
-        const std::size_t i = backwards ? nodes.forces.size() - 1 - n : n;
-        const double from_left = before + nodes.from_left[i] / unit;
-        const double force = nodes.forces[i] / unit;
-        line.sources.push_back({leaf, from_left, std::max(length - from_left, 0.0)});
-        line.weights[0].push_back(panel.shear_ratio * force);
-        line.weights[1].push_back(force);
-        line.weights[2].push_back((std::abs(panel.shear_ratio) + largest) * std::abs(force) * error);
-      }
-      before += panel.length / unit;
-    }
-  }
-  return line;
-}
-
-DistantTractions::DistantTractions(Line line)
-    : line_(std::move(line)), moments_(line_.lengths, line_.sources, line_.weights) {}
-
-Estimate<double> DistantTractions::of_cell(std::size_t cell, Side side, double distance, double ratio) const {
-  // From the centre c: 1/(x'-x) = -+(1/D) sum_k r^k u^k, D = |x - c|.
-  const double h = moments_.tree().cells()[cell].extent / 2;
-  const double to_centre = h + distance;
-  const double sign = side == Side::left ? -1 : 1;
-  const double r = -sign * h / to_centre;
-  hierarchical::CellMoments::Series series;
-  series[0] = 1 / (pi<double>() * to_centre);
-  for (std::size_t k = 1; k < series.size(); ++k) series[k] = r * series[k - 1];
-  const auto sum = [&](std::size_t s) { return moments_.weighted(cell, s, series); };
-  return {sign * (sum(0) - ratio * sum(1)), sum(2)};
-}
 
 namespace {
 
@@ -138,10 +127,9 @@ template <Real R>
 Estimate<R> part_integral(const PanelDensity<R>& density, Side end, const R& distance) {
   const Panel<R> part = end == Side::left ? Panel<R>{density.panel.left, density.panel.left + distance, distance}
                                           : Panel<R>{density.panel.right - distance, density.panel.right, distance};
-  const Power<R> none{R(0), R(1)};
   const bool left = end == Side::left;
   return tanh_sinh::panel_integral<R>(
-      {part, left ? density.left : none, left ? none : density.right, [&](const Node<R>& node) {
+      {part, left ? density.left : Power<R>{}, left ? Power<R>{} : density.right, [&](const Node<R>& node) {
          return density.without_power(end, density.panel.node_from(end, left ? node.from_left : node.from_right));
        }});
 }
@@ -151,7 +139,7 @@ Estimate<R> part_integral(const PanelDensity<R>& density, Side end, const R& dis
 template <Real R>
 TractionIntegrals<R>::TractionIntegrals(PiecewiseDensity<R> density, std::vector<OnPanel> on_panels, const R& gamma,
                                         const ContactSolution<R>& solution, const R& unit)
-    : density_(std::move(density)), on_panels_(std::move(on_panels)), gamma_(gamma) {
+    : density_(std::move(density)), on_panels_(std::move(on_panels)), gamma_(gamma), unit_(unit) {
   if constexpr (std::same_as<R, double>) {
     const auto has_other_ratio = [&](const OnPanel& p) { return p.ratio != on_panels_.front().ratio; };
     if (std::any_of(on_panels_.begin(), on_panels_.end(), has_other_ratio) &&
@@ -257,9 +245,19 @@ Estimate<R> TractionIntegrals<R>::limit(const LinePlace<R>& place, Side side, co
 }
 
 template <Real R>
-TwoSided<R> TractionIntegrals<R>::shear_slope(const LinePlace<R>& place, const TwoSided<R>& traction,
-                                              const TwoSided<R>& slope) const {
-  return {limit(place, Side::left, traction, slope), limit(place, Side::right, traction, slope)};
+void TractionIntegrals<R>::add_to(DetailedSample<R>& sample, const LinePlace<R>& place, bool is_singular_point,
+                                  const R& compliance, const R& end_error) const {
+  const TwoSided<R>& traction = sample.traction;
+  const TwoSided<R> slope{sample.slope.left / compliance, sample.slope.right / compliance};
+  sample.cumulative_load = unit_ * load_before(place);
+  if (is_singular_point) {
+    sample.shear_slope = {limit(place, Side::left, traction, slope), limit(place, Side::right, traction, slope)};
+  } else {
+    sample.cumulative_load.error += 2 * unit_ * end_error * abs(traction.left.value);
+    sample.shear_slope.left = sample.shear_slope.right = shear_slope(place, traction.left, slope.left);
+  }
+  sample.shear_slope.left *= compliance;
+  sample.shear_slope.right *= compliance;
 }
 
 STEADYSLIDE_INSTANTIATE_CLASS(TractionIntegrals)

@@ -43,18 +43,20 @@ class TractionIntegrals {
   TractionIntegrals(PiecewiseDensity<R> density, std::vector<OnPanel> on_panels, const R& gamma,
                     const ContactSolution<R>& solution, const R& unit);
 
-  /// -int t over all that lies left of a place.
-  Estimate<R> load_before(const LinePlace<R>& place) const;
-
+  /// Adds to a sample what integrals say of its place: the load up to there, and u_t'. `compliance` is c; `end_error`, of the
+  /// reduced problem, is by how much the contact's ends may be displaced.
+  void add_to(DetailedSample<R>& sample, const LinePlace<R>& place, bool is_singular_point, const R& compliance,
+              const R& end_error) const;
   /// u_t'/c where t and the reduced slope are known, at no singular point.
   Estimate<R> shear_slope(const LinePlace<R>& place, const Estimate<R>& traction, const Estimate<R>& slope) const;
-  /// Its limits at a place between two panels, or at the end of one, from those of t and of the reduced slope.
-  TwoSided<R> shear_slope(const LinePlace<R>& place, const TwoSided<R>& traction, const TwoSided<R>& slope) const;
 
  private:
+  /// -int t over all that lies left of a place.
+  Estimate<R> load_before(const LinePlace<R>& place) const;
   std::size_t nearest(const LinePlace<R>& place) const;
   Estimate<R> from_slope(std::size_t panel, const LinePlace<R>& place, const Estimate<R>& traction,
                          const Estimate<R>& slope) const;
+  /// The limit of shear_slope() at a place between two panels, or at the end of one, from those of t and of the reduced slope.
   Estimate<R> limit(const LinePlace<R>& place, Side side, const TwoSided<R>& traction, const TwoSided<R>& slope) const;
   /// (1/pi) int t/(x'-x) over panel k, x at a distance to that side of it.
   Estimate<R> cauchy(std::size_t k, Side side, const R& distance) const;
@@ -63,6 +65,7 @@ class TractionIntegrals {
   std::vector<Estimate<R>> before_;  ///< -int t over the panels before each, and over all
   std::vector<OnPanel> on_panels_;
   R gamma_;
+  R unit_;
   std::shared_ptr<const DistantTractions> distant_;  ///< null where there are few
 };
 

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "numeric/cauchy/panel_finder.hpp"
+#include "numeric/number/mapped.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/solution/largest_pressure.hpp"
 
@@ -19,7 +20,9 @@ TwoSided<R> both(const Estimate<R>& value) {
 
 template <Real R>
 ClosedForm<R>::ClosedForm(ContactProblem problem, ClosedFormData<R> data)
-    : problem_(std::move(problem)), data_(std::move(data)) {}
+    : problem_(std::move(problem)),
+      compliance_(to_real<R>(problem_.elasticity().compliance())),
+      data_(std::move(data)) {}
 
 template <Real R>
 Estimate<R> ClosedForm<R>::coordinate(std::size_t j) const {
@@ -29,6 +32,15 @@ Estimate<R> ClosedForm<R>::coordinate(std::size_t j) const {
   }
   const R x = to_real<R>(data_.origin) + weight().point(j);
   return {x, data_.end_error + epsilon<R>() * (abs(x) + abs(weight().point(j)))};
+}
+
+template <Real R>
+std::vector<Rational> ClosedForm<R>::points() const {
+  std::vector<Rational> result;
+  for (std::size_t j = 0; j < data_.exact.size(); ++j) {
+    result.push_back(data_.origin + data_.exact[j].value_or(Rational(weight().point(j))));
+  }
+  return result;
 }
 
 /// Of |Y| in the middle of a panel, the ends' own error counted `times`.
@@ -99,31 +111,29 @@ const SurfaceCheck<R>& ClosedForm<R>::check() const {
 
 template <Real R>
 Resultants<R> ClosedForm<R>::resultants() const {
-  return resultants_([this] { return integrated(); });
-}
+  return resultants_([this] {
+    std::vector<Estimate<R>> on_pieces(problem_.friction().values().size());
+    for (std::size_t k = 0; k < loads().size(); ++k) on_pieces[data_.first_piece + k] = -loads()[k];
+    Resultants<R> result = resultants_of(on_pieces, problem_.friction().values());
+    result.component_load = {result.normal};
 
-template <Real R>
-Resultants<R> ClosedForm<R>::integrated() const {
-  std::vector<Estimate<R>> on_pieces(problem_.friction().values().size());
-  for (std::size_t k = 0; k < loads().size(); ++k) on_pieces[data_.first_piece + k] = -loads()[k];
-  Resultants<R> result = resultants_of(on_pieces, problem_.friction().values());
-  result.component_load = {result.normal};
-
-  // The moments of t are the coefficients of u' at infinity, and those are power sums of the singular points.
-  R sum1 = 0, sum2 = 0, sum3 = 0, size = 0;
-  for (std::size_t j = 0; j < data_.exponents.size(); ++j) {
-    const R& p = weight().powers()[j].value;
-    const R x = weight().point(j);
-    sum1 += p * x;
-    sum2 += p * x * x;
-    sum3 += p * x * x * x;
-    size = std::max(size, abs(x));
-  }
-  const R offset = data_.ends == SingularKind::edge ? -sum1 : 2 * sum3 / (3 * sum2);
-  const R points = R(static_cast<double>(data_.exponents.size()));
-  result.centre_of_pressure = {to_real<R>(data_.origin) + offset, 8 * points * (epsilon<R>() * size + data_.end_error) +
-                                                                      epsilon<R>() * abs(to_real<R>(data_.origin))};
-  return result;
+    // The moments of t are the coefficients of u' at infinity, and those are power sums of the singular points.
+    R sum1 = 0, sum2 = 0, sum3 = 0, size = 0;
+    for (std::size_t j = 0; j < data_.exponents.size(); ++j) {
+      const R& p = weight().powers()[j].value;
+      const R x = weight().point(j);
+      sum1 += p * x;
+      sum2 += p * x * x;
+      sum3 += p * x * x * x;
+      size = std::max(size, abs(x));
+    }
+    const R offset = data_.ends == SingularKind::edge ? -sum1 : 2 * sum3 / (3 * sum2);
+    const R points = R(static_cast<double>(data_.exponents.size()));
+    result.centre_of_pressure = {
+        to_real<R>(data_.origin) + offset,
+        8 * points * (epsilon<R>() * size + data_.end_error) + epsilon<R>() * abs(to_real<R>(data_.origin))};
+    return result;
+  });
 }
 
 template <Real R>
@@ -151,9 +161,7 @@ LargestPressure<R> ClosedForm<R>::largest_pressure() const {
     const Node<R> node{weight().panel(k).left + left, left, right};
     return Estimate<R>{-traction(k, node), R(0)}.widened(weight().relative_error(k, node, data_.end_error));
   };
-  const std::vector<Peak<R>> peaks = highest_peaks(lengths, pressure);
-  if (peaks.empty()) return {};
-  return finite_pressure<R>(peaks, [&](const Peak<R>& peak) -> Estimate<R> {
+  return finite_pressure<R>({}, lengths, pressure, [&](const Peak<R>& peak) -> Estimate<R> {
     const R x = to_real<R>(data_.origin) + weight().panel(peak.panel).left + peak.from_left;
     return {x, peak.place_error + data_.end_error + 2 * epsilon<R>() * abs(x)};
   });
@@ -179,11 +187,10 @@ R ClosedForm<R>::profile_slope(const R& from_origin) const {
 
 template <Real R>
 Estimate<R> ClosedForm<R>::slope_in_contact(const R& from_origin) const {
-  const R c = to_real<R>(problem_.elasticity().compliance());
-  const R slope = c * profile_slope(from_origin);
+  const R slope = compliance_ * profile_slope(from_origin);
   // A place is a sum of lengths from the left end, which rounding shifts.
   const R shift = 2 * epsilon<R>() * max(abs(weight().point(0)), abs(weight().point(weight().panel_count())));
-  return {slope, 4 * epsilon<R>() * abs(slope) + c * abs(profile_slope(shift))};
+  return {slope, 4 * epsilon<R>() * abs(slope) + compliance_ * abs(profile_slope(shift))};
 }
 
 template <Real R>
@@ -226,10 +233,7 @@ template <Real R>
 PiecewiseTraction<R> ClosedForm<R>::piecewise_traction() const {
   const std::vector<Power<R>>& powers = weight().powers();
   const std::size_t panels = weight().panel_count();
-  std::vector<SurfacePlace<R>> places;
-  for (std::size_t j = 0; j <= panels; ++j) {
-    places.push_back(SurfacePlace<R>::of(data_.origin + data_.exact[j].value_or(Rational(weight().point(j)))));
-  }
+  const std::vector<SurfacePlace<R>> places = mapped(points(), SurfacePlace<R>::of);
   const auto length = [&](std::size_t k) { return k < panels ? weight().panel(k).length : infinity<R>(); };
   PiecewiseTraction<R> result(problem_.elasticity());
   for (std::size_t k = 0; k < panels; ++k) {
@@ -314,10 +318,9 @@ Estimate<R> ClosedForm<R>::below_profile(Side side, const R& distance) const {
   const PanelDensity<R> integrand{
       {R(0), distance, distance},
       side == Side::left ? weight().powers().front() : weight().powers().back(),
-      {R(0), R(1)},
+      {},
       [&](const Node<R>& node) { return data_.factor * weight().smooth_modulus_beyond(side, node.from_left); }};
-  return to_real<R>(problem_.elasticity().compliance()) *
-         tanh_sinh::panel_integral(integrand).widened(4 * relative_error_beyond(side, distance));
+  return compliance_ * tanh_sinh::panel_integral(integrand).widened(4 * relative_error_beyond(side, distance));
 }
 
 template <Real R>
@@ -329,12 +332,12 @@ template <Real R>
 Sample<R> ClosedForm<R>::outside(Side side, const R& distance) const {
   const std::size_t last = weight().panel_count();
   const R x = side == Side::left ? weight().point(0) - distance : weight().point(last) + distance;
-  const R c = to_real<R>(problem_.elasticity().compliance());
   // u'/c = psi'/c - N Y, and Y is -|Y| to the left of the contact: the powers sum to an odd number.
   const R ny = data_.factor * weight().modulus_beyond(side, distance);
   const R profile = profile_slope(x);
-  const R slope = c * (side == Side::left ? profile + ny : profile - ny);
-  const R slope_error = c * (4 * epsilon<R>() * abs(profile) + relative_error_beyond(side, distance) * abs(ny));
+  const R slope = compliance_ * (side == Side::left ? profile + ny : profile - ny);
+  const R slope_error =
+      compliance_ * (4 * epsilon<R>() * abs(profile) + relative_error_beyond(side, distance) * abs(ny));
 
   Sample<R> sample;
   sample.x = to_real<R>(data_.origin) + x;
@@ -382,21 +385,18 @@ template <Real R>
 void ClosedForm<R>::tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) const {
   std::fill(normal.begin(), normal.end(), R(0));
   std::fill(shear.begin(), shear.end(), R(0));
-  std::vector<Rational> ends;
-  for (std::size_t j = 0; j < data_.exact.size(); ++j) {
-    ends.push_back(data_.origin + data_.exact[j].value_or(Rational(weight().point(j))));
-  }
-  PanelFinder<R>(ends, 1).visit(
-      x,
-      [&](std::size_t panel, std::size_t first, std::span<const R> from_left, std::span<const R> from_right) {
-        const std::span<R> values = normal.subspan(first, from_left.size());
-        data_.traction(panel, from_left, from_right, values);
-        const R ratio = to_real<R>(problem_.shear_ratio(data_.first_piece + panel));
-        for (std::size_t i = 0; i < values.size(); ++i) shear[first + i] = ratio * values[i];
-      },
-      [&](std::size_t i) {
-        ContactSolution<R>::tractions(x.subspan(i, 1), normal.subspan(i, 1), shear.subspan(i, 1));
-      });
+  PanelFinder<R>(points(), 1)
+      .visit(
+          x,
+          [&](std::size_t panel, std::size_t first, std::span<const R> from_left, std::span<const R> from_right) {
+            const std::span<R> values = normal.subspan(first, from_left.size());
+            data_.traction(panel, from_left, from_right, values);
+            const R ratio = to_real<R>(problem_.shear_ratio(data_.first_piece + panel));
+            for (std::size_t i = 0; i < values.size(); ++i) shear[first + i] = ratio * values[i];
+          },
+          [&](std::size_t i) {
+            ContactSolution<R>::tractions(x.subspan(i, 1), normal.subspan(i, 1), shear.subspan(i, 1));
+          });
 }
 
 template <Real R>
@@ -450,16 +450,12 @@ Sample<R> ClosedForm<R>::sample(const std::pair<Place, R>& at) const {
 
 template <Real R>
 std::vector<Sample<R>> ClosedForm<R>::samples(int count) const {
-  std::vector<Sample<R>> result;
-  for (const auto& place : places(count)) result.push_back(sample(place));
-  return result;
+  return mapped(places(count), [this](const auto& place) { return sample(place); });
 }
 
 template <Real R>
 std::vector<DetailedSample<R>> ClosedForm<R>::detailed_samples(int count) const {
-  std::vector<DetailedSample<R>> result;
-  for (const auto& place : places(count)) result.push_back(detailed(place.first, sample(place)));
-  return result;
+  return mapped(places(count), [this](const auto& place) { return detailed(place.first, sample(place)); });
 }
 
 template <Real R>
@@ -488,8 +484,6 @@ DetailedSample<R> ClosedForm<R>::detailed(const Place& place, const Sample<R>& s
   result.displacement =
       height(place) - height_at_origin_([this] { return height(locate(problem_.origin_of_displacement())); });
 
-  const R c = to_real<R>(problem_.elasticity().compliance());
-  const auto reduced = [&](const Estimate<R>& slope) { return slope / c; };
   LinePlace<R> at{0, infinity<R>(), infinity<R>()};
   if (place.beyond) {
     const bool left = place.beyond == Side::left;
@@ -508,16 +502,7 @@ DetailedSample<R> ClosedForm<R>::detailed(const Place& place, const Sample<R>& s
     if (k < last) at.to_right = 0;
     result.friction = {data_.first_piece + (k > 0 ? k - 1 : k), data_.first_piece + std::min(k, last - 1)};
   }
-  result.cumulative_load = integrals().load_before(at);
-  if (place.is_point()) {
-    result.shear_slope =
-        integrals().shear_slope(at, sample.traction, {reduced(sample.slope.left), reduced(sample.slope.right)});
-  } else {
-    result.cumulative_load.error += 2 * data_.end_error * abs(sample.traction.left.value);
-    result.shear_slope = both(integrals().shear_slope(at, sample.traction.left, reduced(sample.slope.left)));
-  }
-  result.shear_slope.left *= c;
-  result.shear_slope.right *= c;
+  integrals().add_to(result, at, place.is_point(), compliance_, data_.end_error);
   return result;
 }
 

@@ -35,7 +35,6 @@ struct ClosedFormData {
   std::size_t first_piece;                     ///< the friction piece at the left end
   std::vector<Exponent> exponents;             ///< at e_0..e_n
   std::vector<std::optional<Rational>> exact;  ///< e_0..e_n from the origin, where they are data
-  R left_end;                                  ///< e_0 from the origin
   R end_error;                                 ///< estimated absolute error of e_0 and e_n
   R factor;                                    ///< N
   PowerTraction<R> traction;
@@ -71,6 +70,8 @@ class ClosedForm : public ContactSolution<R> {
  private:
   const FundamentalSolution<R>& weight() const { return data_.traction.weight; }
   Estimate<R> coordinate(std::size_t j) const;
+  /// e_0..e_n in the user's x.
+  std::vector<Rational> points() const;
   R relative_error(std::size_t panel, int times) const;
   Estimate<R> intensity(std::size_t j) const;
   R profile_slope(const R& from_origin) const;
@@ -100,7 +101,6 @@ class ClosedForm : public ContactSolution<R> {
   R gap_length(Side side) const;
   /// The traction sampled by the rule that residuals come from, which is also the cheapest for loads in high precision.
   const SurfaceCheck<R>& check() const;
-  Resultants<R> integrated() const;
   /// int t over each panel.
   const std::vector<Estimate<R>>& loads() const;
   const TractionIntegrals<R>& integrals() const;
@@ -109,6 +109,7 @@ class ClosedForm : public ContactSolution<R> {
   DetailedSample<R> detailed(const Place& place, const Sample<R>& sample) const;
 
   ContactProblem problem_;
+  R compliance_;
   ClosedFormData<R> data_;
   Once<SurfaceCheck<R>> check_;
   Once<Resultants<R>> resultants_;

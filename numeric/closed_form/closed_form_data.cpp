@@ -2,6 +2,7 @@
 
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/closed_form/parabola.hpp"
+#include "numeric/number/mapped.hpp"
 
 namespace steadyslide::numeric {
 namespace {
@@ -23,14 +24,6 @@ std::vector<R> amplitudes(const ContactProblem& problem, std::size_t first_piece
   for (std::size_t k = 0; k < panels; ++k) {
     result.push_back(-abs(factor) * cos_pi_alpha<R>(problem.coupled_friction(first_piece + k)));
   }
-  return result;
-}
-
-template <Real R>
-std::vector<Power<R>> powers(const std::vector<Exponent>& exponents) {
-  std::vector<Power<R>> result;
-  result.reserve(exponents.size());
-  for (const Exponent& exponent : exponents) result.push_back(Power<R>::of(exponent));
   return result;
 }
 
@@ -57,11 +50,11 @@ ClosedFormData<R> flat_punch(const ContactProblem& problem) {
   for (std::size_t k = 0; k + 1 < points.size(); ++k) lengths.push_back(to_real<R>(points[k + 1] - points[k]));
   const std::size_t last = problem.friction().values().size() - 1;
   std::vector<Exponent> p = exponents(problem, SingularKind::edge, 0, last);
-  const R left_end = to_real<R>(points.front());
   const R factor = -to_real<R>(problem.load()) / pi<R>();
-  PowerTraction<R> traction{FundamentalSolution<R>(left_end, std::move(lengths), powers<R>(p)),
-                            amplitudes(problem, 0, last + 1, factor)};
-  return {origin, SingularKind::edge, 0, std::move(p), {points.begin(), points.end()}, left_end, R(0),
+  PowerTraction<R> traction{
+      FundamentalSolution<R>(to_real<R>(points.front()), std::move(lengths), mapped(p, Power<R>::of)),
+      amplitudes(problem, 0, last + 1, factor)};
+  return {origin, SingularKind::edge, 0, std::move(p), {points.begin(), points.end()}, R(0),
           factor, std::move(traction)};
 }
 
@@ -71,8 +64,8 @@ std::variant<ClosedFormData<R>, std::string> parabola(const ContactProblem& prob
   const Rational radius = problem.elasticity().compliance() / (2 * profile.coefficient(2));
   std::vector<Rational> s;
   for (std::size_t k = 0; k < problem.friction().values().size(); ++k) s.push_back(problem.coupled_friction(k));
-  std::vector<Rational> jumps;
-  for (const Rational& c : problem.friction().jumps()) jumps.push_back(c - vertex);
+  const std::vector<Rational> jumps =
+      mapped(problem.friction().jumps(), [&](const Rational& c) { return Rational(c - vertex); });
 
   const R K = to_real<R>(2 * problem.load() * radius) / pi<R>();
   const ParabolaZone<R> zone = parabola_zone<R>(s, jumps, K);
@@ -97,10 +90,10 @@ std::variant<ClosedFormData<R>, std::string> parabola(const ContactProblem& prob
 
   std::vector<Exponent> p = exponents(problem, SingularKind::free, zone.first, zone.last);
   const R factor = 1 / to_real<R>(radius);
-  PowerTraction<R> traction{FundamentalSolution<R>(zone.left, std::move(lengths), powers<R>(p)),
+  PowerTraction<R> traction{FundamentalSolution<R>(zone.left, std::move(lengths), mapped(p, Power<R>::of)),
                             amplitudes(problem, zone.first, zone.last - zone.first + 1, factor)};
-  return ClosedFormData<R>{vertex,    SingularKind::free, zone.first, std::move(p),       std::move(exact),
-                           zone.left, zone.error,         factor,     std::move(traction)};
+  return ClosedFormData<R>{vertex,           SingularKind::free, zone.first, std::move(p),
+                           std::move(exact), zone.error,         factor,     std::move(traction)};
 }
 
 }  // namespace

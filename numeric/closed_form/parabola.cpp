@@ -85,24 +85,8 @@ ParabolaZone<R> parabola_zone(const std::vector<Rational>& s, const std::vector<
   }
 }
 
-template <Real R>
-ParabolaSums<R> parabola_sums(const std::vector<Rational>& s, const std::vector<Rational>& jumps, const R& a,
-                              const R& b) {
-  ParabolaSums<R> sums{(a + b) / 2, (a * a + b * b) / 2};
-  for (std::size_t k = 0; k < s.size(); ++k) {
-    const R left = k == 0 ? a : std::clamp(to_real<R>(jumps[k - 1]), a, b);
-    const R right = k + 1 == s.size() ? b : std::clamp(to_real<R>(jumps[k]), a, b);
-    const R part = to_real<R>(Exponent::angle(s[k])) * (right - left);
-    sums.mean += part;
-    sums.squares += part * (left + right);
-  }
-  return sums;
-}
-
-#define STEADYSLIDE_INSTANTIATE(R)                                                                              \
-  template ParabolaZone<R> parabola_zone(const std::vector<Rational>&, const std::vector<Rational>&, const R&); \
-  template ParabolaSums<R> parabola_sums(const std::vector<Rational>&, const std::vector<Rational>&, const R&,  \
-                                         const R&);
+#define STEADYSLIDE_INSTANTIATE(R) \
+  template ParabolaZone<R> parabola_zone(const std::vector<Rational>&, const std::vector<Rational>&, const R&);
 STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE
 

@@ -26,16 +26,4 @@ struct ParabolaZone {
 template <Real R>
 ParabolaZone<R> parabola_zone(const std::vector<Rational>& s, const std::vector<Rational>& jumps, const R& K);
 
-/// The two equations by the angles alone, for the ends a < b of any contact: summed by parts (the powers are the jumps of
-/// alpha, and 1/2 at both ends),
-///   mean = (a + b)/2 + int_a^b alpha dx = 0,   squares = (a^2 + b^2)/2 + 2 int_a^b x alpha dx = K.
-template <Real R>
-struct ParabolaSums {
-  R mean;
-  R squares;
-};
-template <Real R>
-ParabolaSums<R> parabola_sums(const std::vector<Rational>& s, const std::vector<Rational>& jumps, const R& a,
-                              const R& b);
-
 }  // namespace steadyslide::numeric

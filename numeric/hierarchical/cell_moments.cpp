@@ -3,13 +3,13 @@
 #include <Eigen/Core>
 #include <algorithm>
 
+#include "numeric/number/mapped.hpp"
+
 namespace steadyslide::numeric::hierarchical {
 namespace {
 
 std::vector<PanelTree::Panel> panels_of(const std::vector<double>& lengths, const std::vector<Source>& sources) {
-  std::vector<PanelTree::Panel> panels;
-  panels.reserve(lengths.size());
-  for (const double length : lengths) panels.push_back({length, false});
+  std::vector<PanelTree::Panel> panels = mapped(lengths, [](double length) { return PanelTree::Panel{length, false}; });
   for (const Source& source : sources) {
     PanelTree::Panel& panel = panels[source.panel];
     if (!panel.has_sources) panel.before = source.from_left;

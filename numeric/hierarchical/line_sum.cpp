@@ -36,7 +36,7 @@ const Tables& tables() {
 }
 
 /// Clenshaw's sum at several places.
-void clenshaw(const double* coefficients, const std::array<double, order>& x, std::array<double, order>& value) {
+void clenshaw(const double* coefficients, const std::array<double, order>& x, double* value) {
   std::array<double, order> b{}, c{};
   for (std::size_t k = order; k-- > 1;) {
     for (std::size_t i = 0; i < order; ++i) {
@@ -96,15 +96,12 @@ void LineSum::hand_down(std::size_t index, const double* parent_field) {
   std::vector<double> values(sums() * order, 0);
   if (index != 0) {
     const PanelTree::Cell& parent = tree().cells()[cell.parent];
-    std::array<double, order> x, value;
+    std::array<double, order> x;
     for (std::size_t i = 0; i < order; ++i) {
       x[i] = parent.left == index ? 2 * cell.length * table.from_left[i] / parent.length - 1
                                   : 1 - 2 * cell.length * table.from_left[order - 1 - i] / parent.length;
     }
-    for (std::size_t s = 0; s < sums(); ++s) {
-      clenshaw(parent_field + s * order, x, value);
-      std::copy(value.begin(), value.end(), values.begin() + static_cast<std::ptrdiff_t>(s * order));
-    }
+    for (std::size_t s = 0; s < sums(); ++s) clenshaw(parent_field + s * order, x, values.data() + s * order);
   }
   add_far(index, values.data());
   std::vector<double> field(sums() * order, 0);

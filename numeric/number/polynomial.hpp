@@ -6,16 +6,14 @@
 
 #include "model/polynomial.hpp"
 #include "numeric/number/estimate.hpp"
+#include "numeric/number/mapped.hpp"
 
 namespace steadyslide::numeric {
 
 /// The coefficients of 1, x, x^2, ..., each rounded once.
 template <Real R>
 std::vector<R> coefficients_of(const Polynomial& p) {
-  std::vector<R> result;
-  result.reserve(p.coefficients().size());
-  for (const Rational& c : p.coefficients()) result.push_back(to_real<R>(c));
-  return result;
+  return mapped(p.coefficients(), [](const Rational& c) { return to_real<R>(c); });
 }
 
 /// The value at x; 0 without coefficients.

@@ -9,8 +9,8 @@ namespace steadyslide::numeric {
 /// for a small number on which the load there depends, and which 1 + lambda formed in R would have lost.
 template <Real R>
 struct Power {
-  R value;
-  R plus_one;
+  R value = 0;
+  R plus_one = 1;
 
   static Power of(const Exponent& exponent) { return {to_real<R>(exponent), to_real<R>(exponent + Exponent(1))}; }
 };

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <numbers>
-
-#include "numeric/quadrature/unit_grid.hpp"
 
 namespace steadyslide::numeric::double_exponential {
 namespace {
@@ -15,6 +16,150 @@ constexpr double margin = 28;
 constexpr double outermost_seen = 1e-6;
 constexpr double narrowest_strip = 0.2;
 constexpr double least_power = 1e-3;  // 1 + lambda
+
+/// h.
+double step(int per_octave) { return std::numbers::ln2 / per_octave; }
+
+/// 2^shift x without its fraction. Sums of products of such numbers cost a third of what they do with floating points.
+template <Real R>
+Integer shifted(const R& x, int shift) {
+  Integer result;
+  if (x == 0) return result;
+  mpz_ptr z = result.backend().data();
+  const mpfr_exp_t exponent = mpfr_get_z_2exp(z, x.backend().data()) + shift;
+  exponent < 0 ? mpz_tdiv_q_2exp(z, z, static_cast<mp_bitcnt_t>(-exponent))
+               : mpz_mul_2exp(z, z, static_cast<mp_bitcnt_t>(exponent));
+  return result;
+}
+
+template <Real R>
+R shifted_back(const Integer& sum, int shift) {
+  return ldexp(R(sum), -shift);
+}
+
+/// e^-(2 p u) at tau = 0, h, 2h, ..., `rise` being (pi/2) e^tau over one octave. e^(-p rise) is squared from one octave to
+/// the next, e^(p (pi/2) e^-tau) the root of what it was: an exponential a node of one octave is all.
+template <Real R>
+std::vector<R> decays(const R& p, const std::vector<R>& rise, std::size_t count) {
+  const std::size_t octave = rise.size();
+  std::vector<R> falling(std::max(count, octave)), rising(count), result(count);
+  for (std::size_t i = 0; i < falling.size(); ++i) {
+    falling[i] = i < octave ? R(exp(-p * rise[i])) : R(falling[i - octave] * falling[i - octave]);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const R square = i == 0 ? R(falling[0] * falling[0]) : i < octave ? falling[octave - i] : rising[i - octave];
+    rising[i] = i < octave ? R(1 / sqrt(square)) : R(sqrt(square));
+    result[i] = falling[i] * rising[i];
+  }
+  return result;
+}
+
+/// A node at tau >= 0 of the unit interval.
+template <Real R>
+struct UnitNode {
+  R near;  ///< distances to the right end and to the left one
+  R far;
+  R log_far;
+  R rate;             ///< pi cosh tau
+  R both;             ///< near far
+  R mirror;           ///< near far rate^2
+  double rough_near;  ///< for what double is enough for
+
+  /// From (pi/2) e^tau and e^-2u.
+  static UnitNode of(const R& rise, const R& decay) {
+    const R far = 1 / (1 + decay);
+    const R near = decay * far;
+    const R both = near * far;
+    const R rate = rise + fall_at(rise);
+    return {near, far, log(far), rate, both, both * rate * rate, static_cast<double>(near)};
+  }
+  /// (pi/2) e^-tau.
+  static R fall_at(const R& rise) { return pi<R>() * pi<R>() / (4 * rise); }
+};
+
+/// What a trapezoidal rule with the nodes tau = 0, h, 2h, ... knows of the unit interval, whatever the panel: a whole number
+/// of steps, `per_octave`, doubles e^tau. It grows as it is asked for, and is shared by all grids.
+template <Real R>
+class UnitGrid {
+ public:
+  using Numbers = std::shared_ptr<const std::vector<Integer>>;
+  using Nodes = std::shared_ptr<const std::vector<UnitNode<R>>>;
+
+  static UnitGrid& of(int per_octave) {
+    static std::mutex mutex;
+    static std::map<int, UnitGrid> known;
+    const std::lock_guard lock(mutex);
+    return known.try_emplace(per_octave, per_octave).first->second;
+  }
+  static constexpr int bits = std::numeric_limits<R>::digits;
+  explicit UnitGrid(int per_octave) {
+    for (int i = 0; i < per_octave; ++i) octave_.push_back(rise_at(R(i) / per_octave));
+  }
+
+  /// h, and (pi/2) e^tau at 0, h, ... below log 2.
+  R step() const { return log(R(2)) / octave_.size(); }
+  const std::vector<R>& octave() const { return octave_; }
+  /// At 0, h, 2h, ...: `count` at least.
+  Nodes nodes(int count) {
+    const std::lock_guard lock(mutex_);
+    return made_nodes(count);
+  }
+  /// The midpoint's distances, that to the nearer end first.
+  UnitNode<R> midpoint(int cell) {
+    const std::lock_guard lock(mutex_);
+    return made_midpoint(cell);
+  }
+  /// 2^`bits`/(y' - y) at the nodes -`reach`, ..., `reach` at least, y the midpoint of a cell; as many on both sides of the
+  /// middle.
+  Numbers reciprocals(int cell, int reach) {
+    const std::lock_guard lock(mutex_);
+    Numbers& known = reciprocals_[cell];
+    if (known && static_cast<int>(known->size()) > 2 * reach) return known;
+    const Nodes nodes = made_nodes(reach + 1);
+    const UnitNode<R>& place = made_midpoint(cell);
+    const bool right = cell >= 0;
+    std::vector<Integer> made;
+    for (int i = -reach; i <= reach; ++i) {
+      const UnitNode<R>& node = (*nodes)[static_cast<std::size_t>(std::abs(i))];
+      // From the end that is nearer to y: distances to it are known best.
+      const R& distance = (i > 0) == right ? node.near : node.far;
+      made.push_back(shifted(R(1 / (right ? R(place.near - distance) : R(distance - place.near))), bits));
+    }
+    known = std::make_shared<const std::vector<Integer>>(std::move(made));
+    return known;
+  }
+
+ private:
+  static R rise_at(const R& octaves) { return pi<R>() / 2 * exp(R(octaves * log(R(2)))); }
+
+  Nodes made_nodes(int count) {
+    if (!nodes_ || static_cast<int>(nodes_->size()) < count) {
+      std::vector<UnitNode<R>> made;
+      const auto size = static_cast<std::size_t>(count);
+      const std::vector<R> decay = decays(R(1), octave_, size);
+      for (std::size_t i = 0; i < size; ++i) {
+        const R rise = ldexp(octave_[i % octave_.size()], static_cast<int>(i / octave_.size()));
+        made.push_back(UnitNode<R>::of(rise, decay[i]));
+      }
+      nodes_ = std::make_shared<const std::vector<UnitNode<R>>>(std::move(made));
+    }
+    return nodes_;
+  }
+
+  const UnitNode<R>& made_midpoint(int cell) {
+    const auto known = midpoints_.find(cell);
+    if (known != midpoints_.end()) return known->second;
+    const R rise = rise_at(R(std::abs(2 * cell + 1)) / (2 * octave_.size()));
+    const R decay = exp(R(UnitNode<R>::fall_at(rise) - rise));
+    return midpoints_.emplace(cell, UnitNode<R>::of(rise, decay)).first->second;
+  }
+
+  std::vector<R> octave_;
+  std::mutex mutex_;
+  Nodes nodes_;
+  std::map<int, UnitNode<R>> midpoints_;
+  std::map<int, Numbers> reciprocals_;
+};
 
 /// Of the digits served and four more, as an exponent.
 template <Real R>
@@ -126,10 +271,10 @@ bool Grid<R>::suits(const PiecewiseDensity<R>& density) {
 }
 
 template <Real R>
-Grid<R>::Grid(const PiecewiseDensity<R>& density) {
-  panels_.reserve(density.size());
-  for (std::size_t k = 0; k < density.size(); ++k) {
-    panels_.push_back(sampled(density[k], nodes_per_octave(density, k), density.size() == 1));
+Grid<R>::Grid(PiecewiseDensity<R> density) : density_(std::move(density)) {
+  panels_.reserve(density_.size());
+  for (std::size_t k = 0; k < density_.size(); ++k) {
+    panels_.push_back(sampled(density_[k], nodes_per_octave(density_, k), density_.size() == 1));
   }
 }
 
@@ -144,8 +289,7 @@ typename Grid<R>::PanelSamples Grid<R>::sampled(const PanelDensity<R>& density, 
   const R h = grid.step();
   const R& a = density.left.plus_one;
   const R& b = density.right.plus_one;
-  PanelSamples result{panel, density.gap, per_octave, first, R(0), end_weights(grid, a, b, first, last),
-                      0,     {},          {},         {},    {},   -infinity<R>()};
+  PanelSamples result{per_octave, first, R(0), end_weights(grid, a, b, first, last), 0, {}, {}, {}, {}, -infinity<R>()};
   const R middle = panel.length / 2;
   const R constant = density.is_constant ? density.smooth(panel.node_from_left(middle)) : R(1);
   // dx = length pi cosh(tau) y (1-y) dtau
@@ -191,19 +335,7 @@ typename Grid<R>::PanelSamples Grid<R>::sampled(const PanelDensity<R>& density, 
 
 template <Real R>
 bool Grid<R>::touches(std::size_t k, Side side) const {
-  if (side == Side::left) return k > 0 && panels_[k].gap == 0;
-  return k + 1 < panels_.size() && panels_[k + 1].gap == 0;
-}
-
-template <Real R>
-R Grid<R>::between(std::size_t j, std::size_t k) const {
-  const auto [first, last] = std::minmax(j, k);
-  R distance = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    if (i > first) distance += panels_[i].panel.length;
-    distance += panels_[i + 1].gap;
-  }
-  return distance;
+  return side == Side::left ? k > 0 && density_[k].gap == 0 : k + 1 < density_.size() && density_[k + 1].gap == 0;
 }
 
 template <Real R>
@@ -223,13 +355,13 @@ R Grid<R>::highest() const {
 template <Real R>
 typename Grid<R>::Midpoint Grid<R>::midpoint_near(std::size_t k, double fraction) const {
   const double tau = std::asinh(std::log(fraction / (1 - fraction)) / std::numbers::pi);
-  const PanelSamples& panel = panels_[k];
-  const auto cell = static_cast<int>(std::floor(tau / step(panel.per_octave)));
-  const UnitNode<R> unit = UnitGrid<R>::of(panel.per_octave).midpoint(cell);
-  const R& length = panel.panel.length;
-  const R near = length * unit.near;
-  const R far = length * unit.far;
-  return {{k, cell >= 0 ? node_at(panel.panel, far, near) : node_at(panel.panel, near, far)}, cell};
+  const int per_octave = panels_[k].per_octave;
+  const auto cell = static_cast<int>(std::floor(tau / step(per_octave)));
+  const UnitNode<R> unit = UnitGrid<R>::of(per_octave).midpoint(cell);
+  const Panel<R>& panel = density_[k].panel;
+  const R near = panel.length * unit.near;
+  const R far = panel.length * unit.far;
+  return {{k, cell >= 0 ? node_at(panel, far, near) : node_at(panel, near, far)}, cell};
 }
 
 template <Real R>
@@ -243,12 +375,13 @@ R Grid<R>::hilbert(const Midpoint& midpoint) const {
   for (const Integer& weighted : own.integers) {
     mpz_addmul(products.backend().data(), weighted.backend().data(), (reciprocal++)->backend().data());
   }
-  R total = shifted_back<R>(products, own.shift + UnitGrid<R>::bits) * own.factor / own.panel.length;
+  R total =
+      shifted_back<R>(products, own.shift + UnitGrid<R>::bits) * own.factor / density_[midpoint.panel].panel.length;
   for (std::size_t j = 0; j < panels_.size(); ++j) {
     if (j == midpoint.panel) continue;
     const PanelSamples& other = panels_[j];
     const bool to_the_right = j > midpoint.panel;
-    const R from_x = (to_the_right ? x.from_right : x.from_left) + between(j, midpoint.panel);
+    const R from_x = (to_the_right ? x.from_right : x.from_left) + distance_between(density_, j, midpoint.panel);
     R sum = 0;
     for (std::size_t i = 0; i < other.nodes.size(); ++i) {
       const Distances& node = other.nodes[i];
@@ -266,9 +399,9 @@ Estimate<double> Grid<R>::rough_displacement(std::size_t k, Side end, double dis
   double size = 0;
   double lost = 0;
   const bool beyond_right = end == Side::right;
-  const double own_length = static_cast<double>(panels_[k].panel.length);
+  const double own_length = static_cast<double>(density_[k].panel.length);
   for (std::size_t j = 0; j < panels_.size(); ++j) {
-    const double apart = j == k ? 0 : static_cast<double>(between(j, k));
+    const double apart = j == k ? 0 : static_cast<double>(distance_between(density_, j, k));
     const bool same_side = j == k || (j < k) == beyond_right;
     double part = 0;
     for (const RoughSample& s : panels_[j].rough) {
@@ -282,7 +415,7 @@ Estimate<double> Grid<R>::rough_displacement(std::size_t k, Side end, double dis
     }
     size += part;
     // The point itself is a singular point, of a logarithm, beyond the panel.
-    const double length = static_cast<double>(panels_[j].panel.length);
+    const double length = static_cast<double>(density_[j].panel.length);
     const double clear = same_side ? distance + apart + (j == k ? 0 : own_length) : apart - distance;
     const double h = step(panels_[j].per_octave);
     lost += part * (clear > 0 ? std::exp(-2 * std::numbers::pi * strip(clear / length) / h) : 1);

@@ -35,7 +35,7 @@ class Grid {
   /// Not where a panel is millions of times as long as its neighbour, or an end power next to -1: steps become so small
   /// there that trapezoidal.hpp is cheaper.
   static bool suits(const PiecewiseDensity<R>& density);
-  explicit Grid(const PiecewiseDensity<R>& density);
+  explicit Grid(PiecewiseDensity<R> density);
 
   /// Its error is that of rounding.
   const Estimate<R>& panel_integral(std::size_t k) const { return panels_[k].integral; }
@@ -68,8 +68,6 @@ class Grid {
     double weighted;
   };
   struct PanelSamples {
-    Panel<R> panel;
-    R gap;           ///< from the panel before
     int per_octave;  ///< log(2)/h
     int first;       ///< the first sample lies at tau = first h
     R factor;
@@ -82,9 +80,9 @@ class Grid {
     R highest;
   };
 
-  R between(std::size_t j, std::size_t k) const;
   static PanelSamples sampled(const PanelDensity<R>& density, int per_octave, bool alone);
 
+  PiecewiseDensity<R> density_;
   std::vector<PanelSamples> panels_;
 };
 

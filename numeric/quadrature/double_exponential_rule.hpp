@@ -1,27 +1,25 @@
 #pragma once
-// A double-exponential rule for the unit interval, for functions like y^p or log y at 0 (also a sum of such terms) and
-// analytic at 1, with no other singular point closer than 1 to the interval:
+// A double-exponential rule for the unit interval, for functions like log y at 0 and analytic at 1, with no other singular
+// point closer than 1 to the interval:
 //
 //   y = 1/(1 + e^{-2u}), u = (pi/2) sinh tau, the trapezoidal rule in tau [TM74].
 //
 // The step follows from the strip |Im tau| < 0.77 that such points leave free: an error like e^{-2 pi 0.77/h}. Below
-// the first node lies the part y^(1+p) of int_0^1 y^p dy: under epsilon, unless y there would be too small a number.
+// the first node lies the part y (1 - log y) of -int_0^1 log y dy: about epsilon.
 
-#include <algorithm>
 #include <cmath>
 
 #include "numeric/quadrature/jacobi_rule.hpp"
 
 namespace steadyslide::numeric {
 
-/// Nodes and weights for int_0^1 f(y) dy; `plus_one` = 1 + p > 0.
+/// Nodes and weights for int_0^1 f(y) dy.
 template <Real R>
-JacobiRule<R> double_exponential_rule(const R& plus_one) {
+JacobiRule<R> double_exponential_rule() {
   const R digits = -log(epsilon<R>());
   const R h = 2 * pi<R>() * R(0.7) / digits;
-  // Logarithms of y at the first and of 1 - y at the last node, with a margin for log y.
-  R left = (digits + log(digits)) / std::min(plus_one, R(1));
-  if constexpr (std::same_as<R, double>) left = std::min(left, 600.0);
+  // -log y at the first node, with a margin for log y; that of 1 - y at the last one is `digits`.
+  const R left = digits + log(digits);
   const auto first = -static_cast<int>(ceil(asinh(left / pi<R>()) / h));
   const auto last = static_cast<int>(ceil(asinh(digits / pi<R>()) / h));
   JacobiRule<R> rule;

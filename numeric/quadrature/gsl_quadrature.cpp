@@ -13,60 +13,42 @@ namespace {
 constexpr std::size_t max_intervals = 400;
 constexpr double relative_tolerance = 1e-13;
 
-/// GSL aborts the process on an error unless its one global handler is off: here, and nowhere else.
-void disable_error_handler() {
+/// The value of an adaptive rule for g, rule(function, workspace, value, error). Round-off met at the tolerance asked for is
+/// not a failure: the error estimate says what was reached.
+template <class G, class Rule>
+Estimate<double> adaptive(const G& g, const Rule& rule) {
+  // GSL aborts the process on an error unless its one global handler is off: here, and nowhere else.
   static std::once_flag once;
   std::call_once(once, [] { gsl_set_error_handler_off(); });
-}
-
-struct WorkspaceDeleter {
-  void operator()(gsl_integration_workspace* w) const { gsl_integration_workspace_free(w); }
-};
-using Workspace = std::unique_ptr<gsl_integration_workspace, WorkspaceDeleter>;
-
-struct TableDeleter {
-  void operator()(gsl_integration_qaws_table* t) const { gsl_integration_qaws_table_free(t); }
-};
-using Table = std::unique_ptr<gsl_integration_qaws_table, TableDeleter>;
-
-template <class F>
-gsl_function wrap(const F& f) {
-  return {[](double x, void* data) { return (*static_cast<const F*>(data))(x); }, const_cast<F*>(&f)};
-}
-
-/// Round-off met at the tolerance asked for is not a failure: the error estimate says what was reached.
-Estimate<double> estimate_of(int status, double value, double error) {
-  const bool reached = status == GSL_SUCCESS || status == GSL_EROUND;
-  return {value, error, reached && std::isfinite(value) ? Convergence::reached : Convergence::stalled};
+  const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> workspace(
+      gsl_integration_workspace_alloc(max_intervals), gsl_integration_workspace_free);
+  gsl_function f{[](double x, void* data) { return (*static_cast<const G*>(data))(x); }, const_cast<G*>(&g)};
+  double value = 0;
+  double error = 0;
+  const int status = rule(&f, workspace.get(), &value, &error);
+  const bool reached = (status == GSL_SUCCESS || status == GSL_EROUND) && std::isfinite(value);
+  return {value, error, reached ? Convergence::reached : Convergence::stalled};
 }
 
 /// int_0^length d^power g(d) dd, 0 for an empty interval. QAWS wants power > -1; 1 + lambda may be below 1e-16.
 template <class G>
 Estimate<double> qaws(double length, double power, const G& g) {
   if (length <= 0) return {};
-  disable_error_handler();
-  const Table table(gsl_integration_qaws_table_alloc(power, 0, 0, 0));
-  if (!table) return {0, 0, Convergence::stalled};
-  const Workspace workspace(gsl_integration_workspace_alloc(max_intervals));
-  gsl_function f = wrap(g);
-  double value = 0;
-  double error = 0;
-  const int status = gsl_integration_qaws(&f, 0, length, table.get(), 0, relative_tolerance, max_intervals,
-                                          workspace.get(), &value, &error);
-  return estimate_of(status, value, error);
+  return adaptive(g, [&](gsl_function* f, gsl_integration_workspace* workspace, double* value, double* error) -> int {
+    const std::unique_ptr<gsl_integration_qaws_table, decltype(&gsl_integration_qaws_table_free)> table(
+        gsl_integration_qaws_table_alloc(power, 0, 0, 0), gsl_integration_qaws_table_free);
+    if (!table) return GSL_EDOM;
+    return gsl_integration_qaws(f, 0, length, table.get(), 0, relative_tolerance, max_intervals, workspace, value,
+                                error);
+  });
 }
 
 /// PV int_{-radius}^{radius} g(y)/y dy.
 template <class G>
 Estimate<double> qawc(double radius, const G& g) {
-  disable_error_handler();
-  const Workspace workspace(gsl_integration_workspace_alloc(max_intervals));
-  gsl_function f = wrap(g);
-  double value = 0;
-  double error = 0;
-  const int status = gsl_integration_qawc(&f, -radius, radius, 0, 0, relative_tolerance, max_intervals, workspace.get(),
-                                          &value, &error);
-  return estimate_of(status, value, error);
+  return adaptive(g, [&](gsl_function* f, gsl_integration_workspace* workspace, double* value, double* error) {
+    return gsl_integration_qawc(f, -radius, radius, 0, 0, relative_tolerance, max_intervals, workspace, value, error);
+  });
 }
 
 /// From each end to the middle, so that a kernel that is nearly singular at an end sees the exact distance to it.

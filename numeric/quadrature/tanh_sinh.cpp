@@ -88,9 +88,8 @@ Estimate<R> own_panel(const PanelDensity<R>& density, const Node<R>& at) {
     return 1 / (left_is_near ? node.from_left - at.from_left : at.from_right - node.from_right);
   });
   const R t = density(at);
-  const Power<R> none{R(0), R(1)};
   for (const int away : {1, -1}) {
-    sum += power_integral<R>(away > 0 ? h_right : h_left, none,
+    sum += power_integral<R>(away > 0 ? h_right : h_left, {},
                              [&](const R& y) { return y == 0 ? R(0) : away * (density(at.moved(away * y)) - t) / y; });
   }
   sum.value += t * log(at.from_right / at.from_left);

@@ -62,11 +62,6 @@ Node<R> node_at(const Panel<R>& panel, const UnitNode<R>& unit, bool right_half)
   return right_half ? Node<R>{panel.right - near, far, near} : Node<R>{panel.left + near, near, far};
 }
 
-template <Real R>
-Node<R> node_at(const Panel<R>& panel, const R& tau) {
-  return node_at(panel, UnitNode<R>::at(abs(tau)), tau > 0);
-}
-
 /// from_left^(1+lambda) from_right^(1+mu), lambda and mu the density's end powers. In higher precision it is one
 /// exponential. Its argument costs digits where it is large, but then it is negative: the factor is as small as they
 /// are few, and the sums do not feel it.
@@ -163,17 +158,12 @@ std::shared_ptr<const typename Grid<R>::Line> Grid<R>::line() const {
 }
 
 template <Real R>
-R Grid<R>::reach_for_others(const PanelDensity<R>& density) const {
-  // A panel's neighbour, a short one, sees the density at distances of its own length.
-  return log(density.panel.length / shortest_);
-}
-
-template <Real R>
 typename Grid<R>::Samples Grid<R>::sample(std::size_t panel_index, const R& offset) const {
   const PanelDensity<R>& density = density_[panel_index];
   const Panel<R>& panel = density.panel;
-  // Beyond this tau the density is its end power to full accuracy, and so is its product with a Cauchy kernel.
-  const R constant_beyond = accuracy<R>() + margin<R>() + reach_for_others(density);
+  // Beyond this tau the density is its end power to full accuracy, and so is its product with a Cauchy kernel. A panel's
+  // neighbour, a short one, sees the density at distances of its own length.
+  const R constant_beyond = accuracy<R>() + margin<R>() + log(panel.length / shortest_);
   const auto reach = [&](const Power<R>& power, const R& gap) {
     const R usual = min(constant_beyond, R((5 + constant_beyond) / power.plus_one));
     if (gap == 0) return usual;
@@ -238,9 +228,9 @@ R Grid<R>::moment(const R& origin) const {
 
 template <Real R>
 PanelPoint<R> Grid<R>::midpoint_near(std::size_t k, const R& fraction) const {
-  const R tau = log(fraction / (1 - fraction));
-  const R cell = floor(tau / step_);
-  return {k, node_at(density_[k].panel, (cell + R(0.5)) * step_)};
+  const R cell = floor(log(fraction / (1 - fraction)) / step_);
+  const R tau = (cell + R(0.5)) * step_;
+  return {k, node_at(density_[k].panel, UnitNode<R>::at(abs(tau)), tau > 0)};
 }
 
 template <Real R>

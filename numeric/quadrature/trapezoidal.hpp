@@ -66,8 +66,6 @@ class Grid {
   R hilbert_of(std::size_t j, bool to_the_right, const R& between) const;
   /// What panel j has in displacement(), its nearer end at that distance from e.
   R displacement_of(std::size_t j, bool same_side, Side end, const R& between, const R& distance) const;
-  /// How far beyond a panel's own scale, in tau, its samples have to reach for the sake of shorter panels.
-  R reach_for_others(const PanelDensity<R>& density) const;
   template <class Kernel>
   R sum(const Panel<R>& panel, const Samples& samples, const Kernel& kernel) const;
 

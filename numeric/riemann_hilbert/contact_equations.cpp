@@ -1,10 +1,11 @@
 #include "numeric/riemann_hilbert/contact_equations.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "numeric/number/dense_lu.hpp"
-#include "numeric/number/linear_system.hpp"
+#include "numeric/number/mapped.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
 
 namespace steadyslide::numeric {
@@ -22,27 +23,49 @@ std::vector<R> quotient(const std::vector<R>& q, const R& e) {
   return result;
 }
 
-/// Large systems in double by blocks.
-std::optional<std::vector<double>> solve_equations(const std::vector<std::vector<double>>& rows) {
-  constexpr std::size_t few = 48;
-  if (rows.size() <= few) return solve_linear(rows);
-  const auto n = static_cast<Eigen::Index>(rows.size());
-  Eigen::MatrixXd matrix(n, n);
-  Eigen::VectorXd right(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Map<const Eigen::VectorXd> row(rows[static_cast<std::size_t>(i)].data(), n + 1);
-    const double largest = row.head(n).cwiseAbs().maxCoeff();
-    if (!(largest > 0)) return std::nullopt;
-    matrix.row(i) = row.head(n) / largest;
-    right(i) = row(n) / largest;
-  }
-  const Eigen::VectorXd x = DenseLu(matrix).solve(right);
-  return std::vector<double>(x.begin(), x.end());
-}
-
+/// Solves the equations row[0] x_0 + ... + row[n-1] x_{n-1} = row[n], one a row, by elimination; many in double by blocks. Rows may
+/// be of very different size: each is scaled to one. Absent where a row is zero; not finite where the rows depend on each other.
 template <Real R>
-std::optional<std::vector<R>> solve_equations(const std::vector<std::vector<R>>& rows) {
-  return solve_linear(rows);
+std::optional<std::vector<R>> solve_equations(std::vector<std::vector<R>> rows) {
+  const std::size_t n = rows.size();
+  for (std::vector<R>& row : rows) {
+    R largest = 0;
+    for (std::size_t k = 0; k < n; ++k) largest = std::max(largest, R(abs(row[k])));
+    if (!(largest > 0)) return std::nullopt;
+    for (R& entry : row) entry /= largest;
+  }
+  if constexpr (std::same_as<R, double>) {
+    constexpr std::size_t few = 48;
+    if (n > few) {
+      const auto size = static_cast<Eigen::Index>(n);
+      Eigen::MatrixXd matrix(size, size);
+      Eigen::VectorXd right(size);
+      for (Eigen::Index i = 0; i < size; ++i) {
+        const std::vector<double>& row = rows[static_cast<std::size_t>(i)];
+        matrix.row(i) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), size);
+        right(i) = row.back();
+      }
+      const Eigen::VectorXd x = DenseLu(matrix).solve(right);
+      return std::vector<double>(x.begin(), x.end());
+    }
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < n; ++i) {
+      if (abs(rows[i][k]) > abs(rows[pivot][k])) pivot = i;
+    }
+    std::swap(rows[k], rows[pivot]);
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const R factor = rows[i][k] / rows[k][k];
+      for (std::size_t j = k + 1; j <= n; ++j) rows[i][j] -= factor * rows[k][j];
+    }
+  }
+  std::vector<R> x(n);
+  for (std::size_t k = n; k-- > 0;) {
+    x[k] = rows[k][n] / rows[k][k];
+    for (std::size_t i = 0; i < k; ++i) rows[i][n] -= rows[i][k] * x[k];
+  }
+  return x;
 }
 
 /// |J^-1| e: what errors of the equations, at most e, do to the unknowns. Of many equations, for which the inverse costs
@@ -72,9 +95,7 @@ std::vector<R> amplified(const std::vector<std::vector<R>>& rows, const std::vec
       sum += lu.solve(choice).cwiseAbs();
     }
   }
-  std::vector<R> result;
-  for (const double x : sum) result.push_back(epsilon<R>() * x);
-  return result;
+  return mapped(sum, [](double x) { return R(epsilon<R>() * x); });
 }
 
 /// Is point j the pivot of a component with two free ends?

@@ -27,13 +27,13 @@ struct ContactQuadrature<R>::Cells {
 template <Real R>
 NodeLine ContactQuadrature<R>::node_line(std::size_t first, std::size_t end,
                                          std::span<const R> weights) const requires std::same_as<R, double> {
-  NodeLine::Panels panels{{first, end}, first_panel_[first], {}, {}};
-  const std::size_t node = first_node(first);
-  for (std::size_t k = first_panel_[first]; k < first_panel_[end]; ++k) {
-    panels.parts.push_back(panels_[k].rule.part);
-    panels.first_node.push_back(panels_[k].first - node);
-  }
-  return {*y_, panels, std::span(nodes_).subspan(node, weights.size()), weights};
+  return {*y_, NodeLine::Segments{first, end}, [&](std::size_t segment, const auto& add) {
+            for (std::size_t k = first_panel_[segment]; k < first_panel_[segment + 1]; ++k) {
+              const std::size_t count = panels_[k].rule.rule->size();
+              add(k, panels_[k].rule.part, std::span(nodes_).subspan(panels_[k].first, count),
+                  weights.subspan(panels_[k].first - first_node(first), count));
+            }
+          }};
 }
 
 template <Real R>

@@ -82,12 +82,14 @@ void ContactSet<R>::refresh() {
   }
 
   contact_.assign(lengths_.size(), 0);
+  contact_segments_.clear();
   intervals_.assign(lengths_.size(), 0);
   bool contact = false;
   for (std::size_t j = 0; j < lengths_.size(); ++j) {
     if (points_[j].kind == Kind::begins) contact = true;
     if (points_[j].kind == Kind::ends) contact = false;
     contact_[j] = contact;
+    if (contact) contact_segments_.push_back(j);
     intervals_[j] = points_[j].anchor ? *points_[j].anchor : intervals_[j - 1];
   }
   movable_.clear();

@@ -80,6 +80,8 @@ class ContactSet {
   /// Neighbouring segments that are in contact, or not, together: the first one and the one after the last.
   std::vector<std::pair<std::size_t, std::size_t>> runs() const;
   std::size_t components() const { return all(Kind::begins).size(); }
+  /// The segments in contact, left to right.
+  const std::vector<std::size_t>& contact_segments() const { return contact_segments_; }
   /// The points where contact begins, or ends, left to right.
   std::vector<std::size_t> all(Kind kind) const;
   /// The movable ends.
@@ -140,6 +142,7 @@ class ContactSet {
   std::vector<Point> points_;
   std::vector<R> lengths_;
   std::vector<char> contact_;
+  std::vector<std::size_t> contact_segments_;
   std::vector<std::size_t> intervals_;
   std::vector<std::size_t> movable_;
   std::vector<R> x_;
@@ -174,6 +177,17 @@ struct SurfacePoint {
   std::ptrdiff_t segment;
   Node<R> node;
 };
+
+/// False beyond the support.
+template <Real R>
+bool in_support(const ContactSet<R>& set, const SurfacePoint<R>& at) {
+  return at.segment >= 0 && at.segment < static_cast<std::ptrdiff_t>(set.segments());
+}
+
+template <Real R>
+bool in_contact(const ContactSet<R>& set, const SurfacePoint<R>& at) {
+  return in_support(set, at) && set.in_contact(static_cast<std::size_t>(at.segment));
+}
 
 /// In a segment, the place taken from the nearer end.
 template <Real R>

@@ -137,7 +137,7 @@ Estimate<R> GapIntegral<R>::rise(const SegmentPart<R>& part, bool rightwards) co
 
 template <Real R>
 Estimate<R> GapIntegral<R>::reduced_gap(const SurfacePoint<R>& at) const {
-  if (at.segment < 0 || at.segment >= static_cast<std::ptrdiff_t>(set().segments())) {
+  if (!in_support(set(), at)) {
     throw std::domain_error("a gap off the support: there is no indenter");
   }
   const auto segment = static_cast<std::size_t>(at.segment);

@@ -65,13 +65,13 @@ std::vector<JacobiPanel<R>> jacobi_panels(const SignedFundamentalSolution<R>& y,
   const int nodes = nodes_per_panel(y, factor);
   std::vector<JacobiPanel<R>> result;
   for (const GradedPanel<R>& panel : graded_panels(part.length, around)) {
-    Power<R> power{R(0), R(1)};
+    Power<R> power;
     if (panel.singular_end) power = power_at(*panel.singular_end == Side::left ? part.segment : part.segment + 1);
     result.push_back(
         {{part.segment, part.from_left + panel.from_left, panel.length, part.from_right + panel.from_right},
          panel.singular_end,
          power,
-         &rules.get(power, {R(0), R(1)}, nodes)});
+         &rules.get(power, {}, nodes)});
   }
   return result;
 }

@@ -6,20 +6,12 @@
 
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/coarse/coarse_contact.hpp"
+#include "numeric/number/mapped.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 
 namespace steadyslide::numeric {
 namespace {
-
-/// A frame with its origin in the middle of the contact and the half-width of it near 1; lengths from `origin`.
-Frame frame_of(const Rational& origin, double left, double right) {
-  const double width = right > left ? right - left : 1;
-  int exponent = 0;
-  std::frexp(width / 2, &exponent);
-  const Integer power = Integer(1) << std::abs(exponent);
-  return {origin + Rational((left + right) / 2), exponent >= 0 ? Rational(power) : Rational(1, power)};
-}
 
 /// What a search starts from: zones measured from `origin`, in the problem's unit of length.
 struct Start {
@@ -27,16 +19,22 @@ struct Start {
   std::vector<ContactInterval> zones;
   double tilt = 0;
 
-  Frame frame() const { return frame_of(origin, zones.front().left, zones.back().right); }
+  /// With its origin in the middle of the contact and the half-width of it near 1.
+  Frame frame() const {
+    const double left = zones.front().left, right = zones.back().right;
+    int exponent = 0;
+    std::frexp((right > left ? right - left : 1) / 2, &exponent);
+    const Integer power = Integer(1) << std::abs(exponent);
+    return {origin + Rational((left + right) / 2), exponent >= 0 ? Rational(power) : Rational(1, power)};
+  }
 
   std::vector<ContactInterval> in(const Frame& frame) const {
     const double shift = to_real<double>((origin - frame.origin) / frame.unit);
     const double unit = to_real<double>(frame.unit);
-    std::vector<ContactInterval> result;
-    for (const ContactInterval& zone : zones) {
-      result.push_back({shift + zone.left / unit, shift + zone.right / unit, zone.left_at_edge, zone.right_at_edge});
-    }
-    return result;
+    return mapped(zones, [&](const ContactInterval& zone) {
+      return ContactInterval{shift + zone.left / unit, shift + zone.right / unit, zone.left_at_edge,
+                             zone.right_at_edge};
+    });
   }
 };
 
@@ -177,30 +175,25 @@ std::shared_ptr<RiemannHilbertSolution<double>> search_from_cells(const ContactP
 }
 
 /// The first solution of several searches, each from something finer; the first one's state where none leads to one.
-template <class... Searches>
-std::shared_ptr<RiemannHilbertSolution<double>> first_solved(const Searches&... searches) {
+std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const ContactProblem& problem) {
+  const std::size_t pieces = problem.indenter().pieces().size();
+  std::vector<std::size_t> cells_per_piece;
+  if (pieces > 24) cells_per_piece.push_back(32);
+  if (pieces > 64) cells_per_piece.push_back(256);
   std::shared_ptr<RiemannHilbertSolution<double>> best;
-  const auto solves = [&best](const auto& search) {
-    auto found = search();
+  const auto solves = [&best](std::shared_ptr<RiemannHilbertSolution<double>> found) {
     const bool solved = found && found->failed_condition().empty();
     if (solved || !best) best = std::move(found);
     return solved;
   };
-  (solves(searches) || ...);
+  for (const std::size_t cells : cells_per_piece) {
+    if (solves(search_from_cells(problem, cells))) return best;
+  }
+  if (pieces > 64) return best;
+  for (const int cells : {48, 120, 300}) {
+    if (solves(search<double>(problem, coarse_start(problem, cells)))) break;
+  }
   return best;
-}
-
-std::shared_ptr<RiemannHilbertSolution<double>> search_from_nothing(const ContactProblem& problem) {
-  const auto from_cells = [&](std::size_t per_piece) {
-    return [&, per_piece] { return search_from_cells(problem, per_piece); };
-  };
-  const auto from_coarse = [&](int cells) {
-    return [&, cells] { return search<double>(problem, coarse_start(problem, cells)); };
-  };
-  const std::size_t pieces = problem.indenter().pieces().size();
-  if (pieces > 64) return first_solved(from_cells(32), from_cells(256));
-  if (pieces > 24) return first_solved(from_cells(32), from_coarse(48), from_coarse(120), from_coarse(300));
-  return first_solved(from_coarse(48), from_coarse(120), from_coarse(300));
 }
 
 }  // namespace

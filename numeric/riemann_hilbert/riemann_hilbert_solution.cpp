@@ -14,7 +14,9 @@ namespace steadyslide::numeric {
 template <Real R>
 RiemannHilbertSolution<R>::RiemannHilbertSolution(ContactProblem problem, const Frame& frame, const Search& search)
     : problem_(std::move(problem)),
+      compliance_(to_real<R>(problem_.elasticity().compliance())),
       reduced_(problem_, frame),
+      unit_(to_real<R>(frame.unit)),
       found_(search(reduced_, rules_)),
       form_(reduced_, found_.state.set, found_.state.q, found_.state.tilt, rules_) {}
 
@@ -31,9 +33,9 @@ Estimate<R> RiemannHilbertSolution<R>::coordinate(std::size_t j) const {
     const R x = to_real<R>(reduced_.place(*point.anchor));
     return {x, epsilon<R>() * abs(x)};
   }
-  const R offset = to_real<R>(reduced_.frame().unit) * contact_set().x(j);
+  const R offset = unit_ * contact_set().x(j);
   const R x = to_real<R>(reduced_.frame().origin) + offset;
-  return {x, to_real<R>(reduced_.frame().unit) * end_error() + epsilon<R>() * (abs(x) + abs(offset))};
+  return {x, unit_ * end_error() + epsilon<R>() * (abs(x) + abs(offset))};
 }
 
 template <Real R>
@@ -110,7 +112,7 @@ Estimate<R> RiemannHilbertSolution<R>::intensity(std::size_t j) const {
     return {theta, epsilon<R>() * abs(theta)};
   }
   const Estimate<R> t = amplitude(j, side);
-  const R power = pow(to_real<R>(reduced_.frame().unit), -form_.power(j).value);
+  const R power = pow(unit_, -form_.power(j).value);
   // At an end theta carries the cos(pi alpha) of the contact side; at a jump the definition takes it out.
   const R factor = inside ? power : power * reduced_.cos_alpha(friction);
   return -factor * t;
@@ -129,7 +131,7 @@ Estimate<R> RiemannHilbertSolution<R>::constant(std::size_t j) const {
   // The limit from the left of t - D/(1+s^2) log|x-c|/pi, |x-c| in the user's unit.
   const Estimate<R> t = amplitude(j, Side::left);
   const R& cos_alpha = reduced_.cos_alpha(form_.friction_at(j - 1));
-  const R unit = to_real<R>(Rational(d / (1 + s * s))) * log(to_real<R>(reduced_.frame().unit)) / pi<R>();
+  const R unit = to_real<R>(Rational(d / (1 + s * s))) * log(unit_) / pi<R>();
   return cos_alpha * t - Estimate<R>{unit, 4 * epsilon<R>() * abs(unit)};
 }
 
@@ -150,11 +152,10 @@ std::vector<ContactComponent<R>> RiemannHilbertSolution<R>::contact() const {
   const std::vector<std::size_t> begins = contact_set().all(Kind::begins);
   const std::vector<std::size_t> ends = contact_set().all(Kind::ends);
   std::vector<ContactComponent<R>> result;
-  const R unit = to_real<R>(reduced_.frame().unit);
   for (std::size_t i = 0; i < begins.size(); ++i) {
-    const R width = unit * contact_set().sum_of_lengths(begins[i], ends[i], R(0));
+    const R width = unit_ * contact_set().sum_of_lengths(begins[i], ends[i], R(0));
     result.push_back(
-        {contact_end(begins[i]), contact_end(ends[i]), {width, 2 * unit * end_error() + 4 * epsilon<R>() * width}});
+        {contact_end(begins[i]), contact_end(ends[i]), {width, 2 * unit_ * end_error() + 4 * epsilon<R>() * width}});
   }
   return result;
 }
@@ -162,9 +163,8 @@ std::vector<ContactComponent<R>> RiemannHilbertSolution<R>::contact() const {
 template <Real R>
 std::vector<UnresolvedGap<R>> RiemannHilbertSolution<R>::unresolved_gaps() const {
   std::vector<UnresolvedGap<R>> result;
-  const R unit = log(to_real<R>(reduced_.frame().unit));
   for (const HairlineGap<R>& gap : found_.hairline_gaps) {
-    const double log10_length = static_cast<double>((gap.log_length + unit) / log(R(10)));
+    const double log10_length = static_cast<double>((gap.log_length + log(unit_)) / log(R(10)));
     result.push_back({coordinate(contact_set().point_of(gap.anchor)), log10_length});
   }
   return result;
@@ -224,71 +224,57 @@ std::vector<SolvedSingularPoint<R>> RiemannHilbertSolution<R>::singular_points()
 }
 
 template <Real R>
-Estimate<R> RiemannHilbertSolution<R>::load_on(std::size_t segment) const {
-  if constexpr (!std::same_as<R, double>) {
-    // The samples are there, or soon will be; Gauss-Jacobi rules for this alone would cost ten times as much.
-    const Checked& check = checked();
-    const auto panel = std::find(check.segments.begin(), check.segments.end(), segment) - check.segments.begin();
-    if (const auto load = check.surface.panel_integral(static_cast<std::size_t>(panel))) return *load;
-  }
-  if (!form_.changes_polynomial(segment) && !form_.changes_polynomial(segment + 1)) return form_.load_on(segment);
-  return tanh_sinh::panel_integral(panel_density(form_, segment));
-}
-
-template <Real R>
-const typename RiemannHilbertSolution<R>::Checked& RiemannHilbertSolution<R>::checked() const {
-  return checked_([this] {
-    std::vector<std::size_t> segments;
+const SurfaceCheck<R>& RiemannHilbertSolution<R>::check() const {
+  return check_([this] {
     std::vector<R> s;
-    for (std::size_t k = 0; k < contact_set().segments(); ++k) {
-      if (!contact_set().in_contact(k)) continue;
-      segments.push_back(k);
-      s.push_back(reduced_.s(form_.friction_at(k)));
-    }
-    return Checked{segments,
-                   {traction_density(form_), std::move(s), [this, segments](std::size_t panel, const Node<R>& node) {
-                      return R(reduced_.slope(form_.slope_at(segments[panel]), node.x) + form_.tilt());
-                    }}};
+    for (const std::size_t k : contact_set().contact_segments()) s.push_back(reduced_.s(form_.friction_at(k)));
+    return SurfaceCheck<R>(traction_density(form_), std::move(s), [this](std::size_t panel, const Node<R>& node) {
+      const std::size_t segment = contact_set().contact_segments()[panel];
+      return R(reduced_.slope(form_.slope_at(segment), node.x) + form_.tilt());
+    });
   });
 }
 
 template <Real R>
 Resultants<R> RiemannHilbertSolution<R>::resultants() const {
-  return resultants_([this] { return integrated(); });
-}
-
-template <Real R>
-Resultants<R> RiemannHilbertSolution<R>::integrated() const {
-  const R unit = to_real<R>(reduced_.frame().unit);
-  std::vector<Estimate<R>> on_pieces(problem_.friction().values().size());
-  std::vector<Estimate<R>> on_components;
-  auto load = loads().begin();
-  for (std::size_t k = 0; k < contact_set().segments(); ++k) {
-    if (!contact_set().in_contact(k)) continue;
-    if (contact_set().point(k).is_end()) on_components.emplace_back();
-    const Estimate<R> here = -unit * *load++;
-    on_pieces[form_.friction_at(k)] += here;
-    on_components.back() += here;
-  }
-  Resultants<R> result = resultants_of(on_pieces, problem_.friction().values());
-  result.component_load = std::move(on_components);
-  const R origin = to_real<R>(reduced_.frame().origin);
-  const Estimate<R> offset = unit * form_.moment_of_load() / reduced_.load();
-  // Free ends move the centre by no more than what they do to the load, over the contact's length.
-  const R ends =
-      8 * unit * end_error() + unit * contact_set().span_length() * result.normal.error / result.normal.value;
-  result.centre_of_pressure = {origin + offset.value, offset.error + epsilon<R>() * (abs(origin) + 32 * unit) + ends};
-  return result;
+  return resultants_([this] {
+    std::vector<Estimate<R>> on_pieces(problem_.friction().values().size());
+    std::vector<Estimate<R>> on_components;
+    auto load = loads().begin();
+    for (const std::size_t k : contact_set().contact_segments()) {
+      if (contact_set().point(k).is_end()) on_components.emplace_back();
+      const Estimate<R> here = -unit_ * *load++;
+      on_pieces[form_.friction_at(k)] += here;
+      on_components.back() += here;
+    }
+    Resultants<R> result = resultants_of(on_pieces, problem_.friction().values());
+    result.component_load = std::move(on_components);
+    const R origin = to_real<R>(reduced_.frame().origin);
+    const Estimate<R> offset = unit_ * form_.moment_of_load() / reduced_.load();
+    // Free ends move the centre by no more than what they do to the load, over the contact's length.
+    const R ends =
+        8 * unit_ * end_error() + unit_ * contact_set().span_length() * result.normal.error / result.normal.value;
+    result.centre_of_pressure = {origin + offset.value,
+                                 offset.error + epsilon<R>() * (abs(origin) + 32 * unit_) + ends};
+    return result;
+  });
 }
 
 template <Real R>
 const std::vector<Estimate<R>>& RiemannHilbertSolution<R>::loads() const {
   return loads_([this] {
+    const auto load_on = [this](std::size_t segment, std::size_t panel) -> Estimate<R> {
+      if constexpr (!std::same_as<R, double>) {
+        // The samples are there, or soon will be; Gauss-Jacobi rules for this alone would cost ten times as much.
+        if (const auto load = check().panel_integral(panel)) return *load;
+      }
+      if (!form_.changes_polynomial(segment) && !form_.changes_polynomial(segment + 1)) return form_.load_on(segment);
+      return tanh_sinh::panel_integral(panel_density(form_, segment));
+    };
     std::vector<Estimate<R>> result;
-    for (std::size_t k = 0; k < contact_set().segments(); ++k) {
-      if (!contact_set().in_contact(k)) continue;
+    for (const std::size_t k : contact_set().contact_segments()) {
       // Rules for any density know nothing of the traction's own error.
-      result.push_back(load_on(k));
+      result.push_back(load_on(k, result.size()));
       result.back().error += form_.integral_of_error(whole_segment(contact_set(), k),
                                                      [this](const SurfacePoint<R>& at) { return traction(at).error; });
     }
@@ -301,28 +287,23 @@ LargestPressure<R> RiemannHilbertSolution<R>::largest_pressure() const {
   if (const auto infinite = infinite_pressure(singular_points())) return *infinite;
   const ContactSet<R>& set = contact_set();
   LargestPressure<R> largest;
-  std::vector<std::size_t> segments;
   std::vector<R> lengths;
-  for (std::size_t k = 0; k < set.segments(); ++k) {
-    if (!set.in_contact(k)) continue;
-    segments.push_back(k);
+  for (const std::size_t k : set.contact_segments()) {
     lengths.push_back(set.length(k));
     const Estimate<R> limit = -traction_limit(k, Side::right);
     if (limit.value > largest.value.value) largest = {limit, coordinate(k), std::nullopt};
   }
   const auto place = [&](std::size_t panel, const R& left, const R& right) {
-    return surface_point(set, segments[panel], left, right);
+    return surface_point(set, set.contact_segments()[panel], left, right);
   };
   const PanelFunction<R> pressure = [&](std::size_t panel, const R& left, const R& right) {
     const SurfacePoint<R> at = place(panel, left, right);
     return -traction(at).widened(relative_end_error(at));
   };
-  const std::vector<Peak<R>> peaks = highest_peaks(lengths, pressure, largest.value.value);
-  if (peaks.empty()) return largest;
-  return finite_pressure<R>(peaks, [&](const Peak<R>& peak) -> Estimate<R> {
-    const R offset = to_real<R>(reduced_.frame().unit) * place(peak.panel, peak.from_left, peak.from_right).node.x;
+  return finite_pressure<R>(largest, lengths, pressure, [&](const Peak<R>& peak) -> Estimate<R> {
+    const R offset = unit_ * place(peak.panel, peak.from_left, peak.from_right).node.x;
     const R origin = to_real<R>(reduced_.frame().origin);
-    const R error = to_real<R>(reduced_.frame().unit) * (peak.place_error + end_error());
+    const R error = unit_ * (peak.place_error + end_error());
     return {origin + offset, error + 2 * epsilon<R>() * (abs(origin) + abs(offset))};
   });
 }
@@ -330,17 +311,15 @@ LargestPressure<R> RiemannHilbertSolution<R>::largest_pressure() const {
 template <Real R>
 std::optional<Estimate<R>> RiemannHilbertSolution<R>::tilt() const {
   if (!problem_.load_at()) return std::nullopt;
-  const R c = to_real<R>(problem_.elasticity().compliance());
-  const R value = c * form_.tilt();
-  return Estimate<R>{value,
-                     64 * epsilon<R>() * (abs(value) + c * reduced_.load()) + c * (end_error() + found_.errors.tilt)};
+  const R value = compliance_ * form_.tilt();
+  return Estimate<R>{value, 64 * epsilon<R>() * (abs(value) + compliance_ * reduced_.load()) +
+                                compliance_ * (end_error() + found_.errors.tilt)};
 }
 
 template <Real R>
 EstimatedError<R> RiemannHilbertSolution<R>::estimated_error() const {
   EstimatedError<R> worst{max(end_error() / contact_set().span_length(), epsilon<R>()), R(0), R(0)};
-  for (std::size_t k = 0; k < contact_set().segments(); ++k) {
-    if (!contact_set().in_contact(k)) continue;
+  for (const std::size_t k : contact_set().contact_segments()) {
     const SurfacePoint<R> at = middle_of(k);
     const Estimate<R> t = traction(at);
     if (t.value != 0) worst.traction = max(worst.traction, t.error / abs(t.value));
@@ -352,16 +331,16 @@ EstimatedError<R> RiemannHilbertSolution<R>::estimated_error() const {
 
 template <Real R>
 Residuals<R> RiemannHilbertSolution<R>::residuals() const {
-  const auto& [segments, check] = checked();
+  const std::vector<std::size_t>& segments = contact_set().contact_segments();
   R contact_length = 0;
   for (const std::size_t k : segments) contact_length += contact_set().length(k);
   const R& load = reduced_.load();
   Residuals<R> result;
-  result.equation = check.equation();
-  result.load = abs(check.integral() + load) / load;
+  result.equation = check().equation();
+  result.load = abs(check().integral() + load) / load;
   // Places show what is there; the limits decide what no place may show.
   const R limit = highest_limit(form_, end_error());
-  result.tension = max({check.highest_traction(), limit, R(0)}) * contact_length / load;
+  result.tension = max({check().highest_traction(), limit, R(0)}) * contact_length / load;
 
   // Gaps: the profile against the displacement, both from the end of the contact that is next to the place.
   R deepest = 0;
@@ -379,7 +358,7 @@ Residuals<R> RiemannHilbertSolution<R>::residuals() const {
       const R distance = abs(form_.distance(at, *end));
       const Side side = opposite(contact_set().contact_side(*end));
       const R rise = GapIntegral<R>(form_, *end).profile_increment(at);
-      deepest = max(deepest, check.penetration(static_cast<std::size_t>(panel), side, distance, rise));
+      deepest = max(deepest, check().penetration(static_cast<std::size_t>(panel), side, distance, rise));
     }
   }
   result.penetration = deepest / load;

@@ -97,24 +97,21 @@ class RiemannHilbertSolution : public ContactSolution<R> {
   DetailedSample<R> detailed(const SurfacePoint<R>& at) const;
   const TractionIntegrals<R>& integrals() const;
 
-  Estimate<R> load_on(std::size_t segment) const;
   /// int t over each segment in contact, in xi.
   const std::vector<Estimate<R>>& loads() const;
-  Resultants<R> integrated() const;
 
-  /// The traction sampled by the rule that residuals come from, which is also the cheapest for loads in high precision.
-  struct Checked {
-    std::vector<std::size_t> segments;  ///< in contact: the panels of the check
-    SurfaceCheck<R> surface;
-  };
-  const Checked& checked() const;
+  /// The traction sampled by the rule that residuals come from, which is also the cheapest for loads in high precision. Its
+  /// panels are the segments in contact.
+  const SurfaceCheck<R>& check() const;
 
   ContactProblem problem_;
+  R compliance_;
   RoundedProblem<R> reduced_;
+  R unit_;  ///< of xi
   JacobiRules<R> rules_;
   SearchResult<R> found_;
   TractionRepresentation<R> form_;
-  Once<Checked> checked_;
+  Once<SurfaceCheck<R>> check_;
   Once<Resultants<R>> resultants_;
   Once<std::vector<Estimate<R>>> loads_;
   Once<TractionIntegrals<R>> integrals_;

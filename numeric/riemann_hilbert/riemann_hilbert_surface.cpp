@@ -5,6 +5,7 @@
 
 #include "numeric/cauchy/panel_finder.hpp"
 #include "numeric/cauchy/traction_density.hpp"
+#include "numeric/number/mapped.hpp"
 #include "numeric/number/polynomial.hpp"
 #include "numeric/quadrature/tanh_sinh.hpp"
 #include "numeric/riemann_hilbert/gap_integral.hpp"
@@ -41,20 +42,17 @@ Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const {
     const std::lock_guard lock(measuring_);
     return gaps_.try_emplace(*end, form_, *end, found_.errors).first->second.reduced_gap(at);
   }();
-  const R scale = to_real<R>(problem_.elasticity().compliance()) * to_real<R>(reduced_.frame().unit);
-  return scale * reduced_gap.widened(4 * epsilon<R>());
+  return R(compliance_ * unit_) * reduced_gap.widened(4 * epsilon<R>());
 }
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::slope(const SurfacePoint<R>& at) const {
-  const R c = to_real<R>(problem_.elasticity().compliance());
   Estimate<R> slope = form_.surface_slope(at);
-  const bool in_support = at.segment >= 0 && at.segment < static_cast<std::ptrdiff_t>(contact_set().segments());
-  if (!in_support || !contact_set().in_contact(static_cast<std::size_t>(at.segment))) {
+  if (!in_contact(contact_set(), at)) {
     // The slope is the profile's less a singular part: that is what ends move.
     slope.error += 2 * form_.modulus(at) * form_.error_of_state(at, found_.errors);
   }
-  slope *= c;
+  slope *= compliance_;
   if (const auto turned = tilt()) slope.error += turned->error;
   return slope;
 }
@@ -62,10 +60,9 @@ Estimate<R> RiemannHilbertSolution<R>::slope(const SurfacePoint<R>& at) const {
 template <Real R>
 Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const {
   Sample<R> result;
-  result.x = to_real<R>(reduced_.frame().origin) + to_real<R>(reduced_.frame().unit) * at.node.x;
-  const bool in_support = at.segment >= 0 && at.segment < static_cast<std::ptrdiff_t>(contact_set().segments());
-  if (in_support) result.gap = gap(at);
-  if (in_support && contact_set().in_contact(static_cast<std::size_t>(at.segment))) {
+  result.x = to_real<R>(reduced_.frame().origin) + unit_ * at.node.x;
+  if (in_support(contact_set(), at)) result.gap = gap(at);
+  if (in_contact(contact_set(), at)) {
     const Estimate<R> t = traction(at);
     const Estimate<R> shear = shear_of(problem_, form_.friction_at(static_cast<std::size_t>(at.segment)), t);
     result.traction = {t, t};
@@ -92,7 +89,6 @@ Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) 
 
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) const {
-  const R c = to_real<R>(problem_.elasticity().compliance());
   const auto& point = contact_set().point(j);
   const bool contact = in_contact_at(j, side);
   if (!contact && point.is_end() && !point.vanishes) {
@@ -104,7 +100,7 @@ Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) con
     if (!contact) segment += side == Side::left ? 1 : -1;
     const Estimate<R> slope =
         reduced_.slope_estimate(form_.slope_at(static_cast<std::size_t>(segment)), contact_set().x(j));
-    return c * slope + tilt().value_or(Estimate<R>{c * form_.tilt(), R(0)});
+    return compliance_ * slope + tilt().value_or(Estimate<R>{compliance_ * form_.tilt(), R(0)});
   }
   // Off the contact the surface is smooth, whatever the profile does above it.
   return slope(beside(contact_set(), j, side, R(0)));
@@ -167,7 +163,7 @@ SurfacePoint<R> RiemannHilbertSolution<R>::locate(const Rational& x) const {
 
 template <Real R>
 std::optional<std::size_t> RiemannHilbertSolution<R>::point_at(const SurfacePoint<R>& at) const {
-  if (at.segment < 0 || at.segment >= static_cast<std::ptrdiff_t>(contact_set().segments())) return std::nullopt;
+  if (!in_support(contact_set(), at)) return std::nullopt;
   if (at.node.from_left <= 0) return static_cast<std::size_t>(at.segment);
   if (at.node.from_right <= 0) return static_cast<std::size_t>(at.segment + 1);
   return std::nullopt;
@@ -253,9 +249,7 @@ std::vector<SurfacePoint<R>> RiemannHilbertSolution<R>::sampled_places(int count
 
 template <Real R>
 std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const {
-  std::vector<Sample<R>> result;
-  for (const SurfacePoint<R>& at : sampled_places(count)) result.push_back(sample(at));
-  return result;
+  return mapped(sampled_places(count), [this](const SurfacePoint<R>& at) { return sample(at); });
 }
 
 // Integrals of the traction add these terms at a place.
@@ -265,8 +259,7 @@ const TractionIntegrals<R>& RiemannHilbertSolution<R>::integrals() const {
   return integrals_([this] {
     std::vector<typename TractionIntegrals<R>::OnPanel> on_panels;
     auto load = loads().begin();
-    for (std::size_t k = 0; k < contact_set().segments(); ++k) {
-      if (!contact_set().in_contact(k)) continue;
+    for (const std::size_t k : contact_set().contact_segments()) {
       R error = 0;
       for (const JacobiPanel<R>& panel : form_.error_panels(whole_segment(contact_set(), k))) {
         const Estimate<R> t = traction(panel.node(contact_set(), 0));
@@ -279,7 +272,7 @@ const TractionIntegrals<R>& RiemannHilbertSolution<R>::integrals() const {
                            reduced_.s(form_.friction_at(k)), problem_.shear_ratio(form_.friction_at(k))});
     }
     return TractionIntegrals<R>(traction_density(form_), std::move(on_panels),
-                                to_real<R>(problem_.elasticity().gamma()), *this, to_real<R>(reduced_.frame().unit));
+                                to_real<R>(problem_.elasticity().gamma()), *this, unit_);
   });
 }
 
@@ -290,10 +283,9 @@ Estimate<R> RiemannHilbertSolution<R>::height_beyond(const SurfacePoint<R>& at) 
   const std::size_t j = left ? 0 : contact_set().segments();
   const Side side = left ? Side::left : Side::right;
   const R& distance = left ? at.node.from_right : at.node.from_left;
-  const Power<R> none{R(0), R(1)};
-  const Power<R> power = contact_set().point(j).is_end() ? form_.power(j) : none;
+  const Power<R> power = contact_set().point(j).is_end() ? form_.power(j) : Power<R>{};
   Estimate<R> integral =
-      tanh_sinh::panel_integral<R>({{R(0), distance, distance}, power, none, [&](const Node<R>& node) {
+      tanh_sinh::panel_integral<R>({{R(0), distance, distance}, power, {}, [&](const Node<R>& node) {
                                       // Nothing is closer to the end, and double has no larger powers.
                                       const R d = std::max(node.from_left, reduced_.shortest_gap());
                                       const SurfacePoint<R> there = beside(contact_set(), j, side, d);
@@ -304,7 +296,7 @@ Estimate<R> RiemannHilbertSolution<R>::height_beyond(const SurfacePoint<R>& at) 
   R error = 0;
   for (R d = distance; d > 0; d /= 4) {
     const SurfacePoint<R> there = beside(contact_set(), j, side, d);
-    const R part = d * sample(there).slope.left.error / to_real<R>(problem_.elasticity().compliance());
+    const R part = d * sample(there).slope.left.error / compliance_;
     const bool last = d < contact_set().length(left ? 0 : j - 1);
     error += last ? part / (1 + power.value) : part;
     if (last) break;
@@ -318,8 +310,7 @@ Estimate<R> RiemannHilbertSolution<R>::height(const SurfacePoint<R>& at, std::op
   const ContactSet<R>& set = contact_set();
   const auto last = static_cast<std::ptrdiff_t>(set.segments()) - 1;
   const auto segment = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at.segment, 0, last));
-  const R unit = to_real<R>(reduced_.frame().unit);
-  const R scale = to_real<R>(problem_.elasticity().compliance()) * unit;
+  const R scale = compliance_ * unit_;
   // The profile from the anchor on the left, exact there.
   const std::size_t anchor = set.interval(segment);
   const Rational& place = reduced_.place(anchor);
@@ -330,7 +321,7 @@ Estimate<R> RiemannHilbertSolution<R>::height(const SurfacePoint<R>& at, std::op
   const R rise = scale * reduced_.profile_increment(k, anchor_x, to_anchor);
   const R slope_error = reduced_.slope_estimate(k, anchor_x).error + reduced_.slope_estimate(k, at.node.x).error;
   const R tilted = scale * form_.tilt() * at.node.x;
-  const R turned = unit * tilt().value_or(Estimate<R>{}).error * abs(at.node.x);
+  const R turned = unit_ * tilt().value_or(Estimate<R>{}).error * abs(at.node.x);
   const Estimate<R> profile{from + rise + tilted, 8 * epsilon<R>() * (abs(from) + abs(rise) + abs(tilted)) + turned +
                                                       scale * slope_error * abs(to_anchor)};
   if (at.segment == static_cast<std::ptrdiff_t>(segment)) return profile - (gap_there ? *gap_there : gap(at));
@@ -344,8 +335,7 @@ LinePlace<R> RiemannHilbertSolution<R>::line_place(const SurfacePoint<R>& at, st
   const ContactSet<R>& set = contact_set();
   LinePlace<R> place{0, infinity<R>(), infinity<R>()};
   std::size_t end = 0;  // of the last segment in contact on the left
-  for (std::size_t k = 0; k < set.segments(); ++k) {
-    if (!set.in_contact(k)) continue;
+  for (const std::size_t k : set.contact_segments()) {
     const auto segment = static_cast<std::ptrdiff_t>(k);
     if (point ? k < *point : segment < at.segment) {
       ++place.panels;
@@ -384,20 +374,7 @@ DetailedSample<R> RiemannHilbertSolution<R>::detailed(const SurfacePoint<R>& at)
     result.friction = {piece, piece};
   }
 
-  const LinePlace<R> place = line_place(at, point);
-  const R unit = to_real<R>(reduced_.frame().unit);
-  const R c = to_real<R>(problem_.elasticity().compliance());
-  result.cumulative_load = unit * integrals().load_before(place);
-  const TwoSided<R> slope{result.slope.left / c, result.slope.right / c};
-  if (point) {
-    result.shear_slope = integrals().shear_slope(place, result.traction, slope);
-  } else {
-    result.cumulative_load.error += 2 * unit * end_error() * abs(result.traction.left.value);
-    const Estimate<R> there = integrals().shear_slope(place, result.traction.left, slope.left);
-    result.shear_slope = {there, there};
-  }
-  result.shear_slope.left *= c;
-  result.shear_slope.right *= c;
+  integrals().add_to(result, line_place(at, point), point.has_value(), compliance_, end_error());
   return result;
 }
 
@@ -411,15 +388,13 @@ DetailedSample<R> RiemannHilbertSolution<R>::details_at(const Rational& x) const
 template <Real R>
 Estimate<R> RiemannHilbertSolution<R>::tangential_slope(const Rational& x) const {
   const SurfacePoint<R> at = locate(x);
-  const R c = to_real<R>(problem_.elasticity().compliance());
-  return c * integrals().shear_slope(line_place(at, std::nullopt), form_.traction(at), form_.surface_slope(at));
+  return compliance_ *
+         integrals().shear_slope(line_place(at, std::nullopt), form_.traction(at), form_.surface_slope(at));
 }
 
 template <Real R>
 std::vector<DetailedSample<R>> RiemannHilbertSolution<R>::detailed_samples(int count) const {
-  std::vector<DetailedSample<R>> result;
-  for (const SurfacePoint<R>& at : sampled_places(count)) result.push_back(detailed(at));
-  return result;
+  return mapped(sampled_places(count), [this](const SurfacePoint<R>& at) { return detailed(at); });
 }
 
 // The traction as panels with a power and a polynomial.
@@ -439,36 +414,34 @@ std::function<R(const R&)> RiemannHilbertSolution<R>::corner(std::size_t j, Side
   // D in powers of d, exactly.
   const Polynomial jump = (indenter.profile(x, Side::right) - indenter.profile(x, Side::left)).derivative();
   const Polynomial beside = jump.composed(side == Side::left ? -1 : 1, x);
-  std::vector<R> coefficients;
-  for (const Rational& a : beside.coefficients()) coefficients.push_back(factor * to_real<R>(a / divisor));
+  const auto coefficients =
+      mapped(beside.coefficients(), [&](const Rational& a) { return R(factor * to_real<R>(a / divisor)); });
   return [coefficients](const R& d) { return value_of(coefficients, d); };
 }
 
 template <Real R>
 PiecewiseTraction<R> RiemannHilbertSolution<R>::piecewise_traction() const {
   const ContactSet<R>& set = contact_set();
-  const R unit = to_real<R>(reduced_.frame().unit);
   const std::vector<Rational> points = places();
   const auto is_singular = [&](std::size_t j) { return form_.power(j).value != 0 || form_.changes_polynomial(j); };
-  const auto displaced = [&](std::size_t j) { return set.point(j).is_movable() ? R(unit * end_error()) : R(0); };
+  const auto displaced = [&](std::size_t j) { return set.point(j).is_movable() ? R(unit_ * end_error()) : R(0); };
   PiecewiseTraction<R> result(problem_.elasticity(), reduced_.highest_degree());
-  for (std::size_t k = 0; k < set.segments(); ++k) {
-    if (!set.in_contact(k)) continue;
+  for (const std::size_t k : set.contact_segments()) {
     Surroundings<R> around = surroundings<R>(set, k, is_singular);
-    around.beyond_left *= unit;
-    around.beyond_right *= unit;
-    result.add({SurfacePlace<R>::of(points[k]), SurfacePlace<R>::of(points[k + 1]), R(unit * set.length(k)), around,
+    around.beyond_left *= unit_;
+    around.beyond_right *= unit_;
+    result.add({SurfacePlace<R>::of(points[k]), SurfacePlace<R>::of(points[k + 1]), R(unit_ * set.length(k)), around,
                 form_.power(k), form_.power(k + 1), corner(k, Side::right), corner(k + 1, Side::left), shear_ratio(k),
                 [&, k](std::span<const R> from_left, std::span<const R> from_right, std::span<R> values) {
                   std::vector<R> left(from_left.begin(), from_left.end());
                   std::vector<R> right(from_right.begin(), from_right.end());
                   for (std::vector<R>* distances : {&left, &right}) {
-                    for (R& d : *distances) d /= unit;
+                    for (R& d : *distances) d /= unit_;
                   }
                   form_.tractions(k, left, right, values);
                 },
                 [&, k](const R& from_left, const R& from_right) {
-                  const SurfacePoint<R> at = surface_point(set, k, R(from_left / unit), R(from_right / unit));
+                  const SurfacePoint<R> at = surface_point(set, k, R(from_left / unit_), R(from_right / unit_));
                   const Estimate<R> t = traction(at);
                   // The place of x among the free ends is as uncertain as they are: twice their error.
                   return R(16 * epsilon<R>() + 2 * relative_end_error(at) +
@@ -480,33 +453,17 @@ PiecewiseTraction<R> RiemannHilbertSolution<R>::piecewise_traction() const {
 }
 
 #define STEADYSLIDE_INSTANTIATE(R)                                                                                  \
-  template std::vector<Rational> RiemannHilbertSolution<R>::places() const;                                         \
   template R RiemannHilbertSolution<R>::shear_ratio(std::size_t segment) const;                                     \
   template std::optional<std::size_t> RiemannHilbertSolution<R>::nearest_end(const SurfacePoint<R>& at) const;      \
-  template Estimate<R> RiemannHilbertSolution<R>::gap(const SurfacePoint<R>& at) const;                             \
-  template Estimate<R> RiemannHilbertSolution<R>::slope(const SurfacePoint<R>& at) const;                           \
-  template Sample<R> RiemannHilbertSolution<R>::sample(const SurfacePoint<R>& at) const;                            \
   template Estimate<R> RiemannHilbertSolution<R>::traction_limit(std::size_t j, Side side) const;                   \
-  template Estimate<R> RiemannHilbertSolution<R>::slope_limit(std::size_t j, Side side) const;                      \
-  template Sample<R> RiemannHilbertSolution<R>::sample_at_point(std::size_t j) const;                               \
   template SurfacePoint<R> RiemannHilbertSolution<R>::locate(const Rational& x) const;                              \
-  template std::optional<std::size_t> RiemannHilbertSolution<R>::point_at(const SurfacePoint<R>& at) const;         \
   template Sample<R> RiemannHilbertSolution<R>::at(const Rational& x) const;                                        \
   template void RiemannHilbertSolution<R>::tractions(std::span<const R> x, std::span<R> normal, std::span<R> shear) \
       const;                                                                                                        \
-  template std::vector<SurfacePoint<R>> RiemannHilbertSolution<R>::sampled_places(int count) const;                 \
   template std::vector<Sample<R>> RiemannHilbertSolution<R>::samples(int count) const;                              \
-  template const TractionIntegrals<R>& RiemannHilbertSolution<R>::integrals() const;                                \
-  template Estimate<R> RiemannHilbertSolution<R>::height_beyond(const SurfacePoint<R>& at) const;                   \
-  template Estimate<R> RiemannHilbertSolution<R>::height(const SurfacePoint<R>& at,                                 \
-                                                         std::optional<Estimate<R>> gap_there) const;               \
-  template LinePlace<R> RiemannHilbertSolution<R>::line_place(const SurfacePoint<R>& at,                            \
-                                                              std::optional<std::size_t> point) const;              \
-  template DetailedSample<R> RiemannHilbertSolution<R>::detailed(const SurfacePoint<R>& at) const;                  \
   template DetailedSample<R> RiemannHilbertSolution<R>::details_at(const Rational& x) const;                        \
   template Estimate<R> RiemannHilbertSolution<R>::tangential_slope(const Rational& x) const;                        \
   template std::vector<DetailedSample<R>> RiemannHilbertSolution<R>::detailed_samples(int count) const;             \
-  template std::function<R(const R&)> RiemannHilbertSolution<R>::corner(std::size_t j, Side side) const;            \
   template PiecewiseTraction<R> RiemannHilbertSolution<R>::piecewise_traction() const;
 STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE

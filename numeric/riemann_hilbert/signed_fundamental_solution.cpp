@@ -17,7 +17,7 @@ template <Real R>
 Power<R> power_at(const RoundedProblem<R>& problem, const ContactSet<R>& set, std::size_t j) {
   const auto& point = set.point(j);
   const bool is_jump = point.anchor && j > 0 && j < set.segments() && set.in_contact(j);
-  if (!point.is_end() && !is_jump) return {R(0), R(1)};
+  if (!point.is_end() && !is_jump) return {};
   return singularity_at(problem, set, j).power;
 }
 
@@ -32,16 +32,6 @@ std::vector<Power<R>> powers_of(const RoundedProblem<R>& problem, const ContactS
 template <Real R>
 using PivotOf = typename SignedFundamentalSolution<R>::Pivot;
 
-/// The end whose power comes nearest to zero when it changes by one; a free end that does not move only if both are such.
-template <Real R>
-PivotOf<R> pivot_of(const ContactSet<R>& set, const std::vector<Power<R>>& powers, std::size_t begin, std::size_t end) {
-  const int order = (set.point(begin).vanishes ? 1 : 0) + (set.point(end).vanishes ? 1 : 0) - 1;
-  const bool one_moves = set.point(begin).is_movable() != set.point(end).is_movable();
-  const bool takes_begin =
-      order > 0 && one_moves ? set.point(begin).is_movable() : order * powers[begin].value > order * powers[end].value;
-  return {takes_begin ? begin : end, order};
-}
-
 template <Real R>
 FundamentalSolution<R> solution_of(const ContactSet<R>& set, std::vector<Power<R>> powers,
                                    const std::vector<PivotOf<R>>& pivots) {
@@ -53,6 +43,8 @@ FundamentalSolution<R> solution_of(const ContactSet<R>& set, std::vector<Power<R
   return FundamentalSolution<R>(set.panels(), std::move(powers));
 }
 
+/// The end of each component whose power comes nearest to zero when it changes by one; a free end that does not move only if
+/// both are such.
 template <Real R>
 std::vector<PivotOf<R>> pivots_of(const RoundedProblem<R>& problem, const ContactSet<R>& set,
                                   const std::vector<Power<R>>& powers) {
@@ -61,7 +53,14 @@ std::vector<PivotOf<R>> pivots_of(const RoundedProblem<R>& problem, const Contac
   const std::vector<std::size_t> ends = set.all(Kind::ends);
   std::vector<PivotOf<R>> result;
   if (begins.size() <= problem.most_coupled()) return result;
-  for (std::size_t i = 0; i < begins.size(); ++i) result.push_back(pivot_of(set, powers, begins[i], ends[i]));
+  for (std::size_t i = 0; i < begins.size(); ++i) {
+    const std::size_t begin = begins[i], end = ends[i];
+    const int order = (set.point(begin).vanishes ? 1 : 0) + (set.point(end).vanishes ? 1 : 0) - 1;
+    const bool one_moves = set.point(begin).is_movable() != set.point(end).is_movable();
+    const bool takes_begin = order > 0 && one_moves ? set.point(begin).is_movable()
+                                                    : order * powers[begin].value > order * powers[end].value;
+    result.push_back({takes_begin ? begin : end, order});
+  }
   return result;
 }
 
@@ -153,8 +152,7 @@ R SignedFundamentalSolution<R>::to_pivot(const SurfacePoint<R>& at) const {
 template <Real R>
 int SignedFundamentalSolution<R>::sign(const SurfacePoint<R>& at) const {
   const int sign = this->sign(at.segment);
-  const bool in_support = at.segment >= 0 && at.segment < static_cast<std::ptrdiff_t>(set_.segments());
-  if (pivots_.empty() || (in_support && set_.in_contact(static_cast<std::size_t>(at.segment)))) return sign;
+  if (pivots_.empty() || in_contact(set_, at)) return sign;
   const Pivot& pivot = pivots_[component_at(at)];
   return pivot.order != 0 && at.segment < static_cast<std::ptrdiff_t>(pivot.point) ? -sign : sign;
 }

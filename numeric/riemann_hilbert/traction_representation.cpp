@@ -228,9 +228,8 @@ R TractionRepresentation<R>::integral_of_error(const SegmentPart<R>& part,
 
 template <Real R>
 Estimate<R> TractionRepresentation<R>::traction(const SurfacePoint<R>& at) const {
-  if (at.segment < 0 || at.segment >= static_cast<std::ptrdiff_t>(set().segments())) return {};
+  if (!in_contact(set(), at)) return {};
   const auto segment = static_cast<std::size_t>(at.segment);
-  if (!set().in_contact(segment)) return {};
   const R factor = y_->traction_factor(segment) * modulus(at);
   return factor *
          regular_factor(slope_at(segment), at).widened(fundamental_solution().relative_error(segment, at.node, R(0)));

@@ -26,10 +26,14 @@ std::optional<LargestPressure<R>> infinite_pressure(const std::vector<SolvedSing
   return LargestPressure<R>{{infinity<R>(), R(0)}, worst->x, worst->exponent};
 }
 
-/// The first of these peaks, at the place `x_of` it. The error of the place reaches to the other peaks, which may be the highest.
+/// The highest peak of the pressure on panels of these lengths, at the place `x_of` it, or `known` where none is higher. The
+/// error of the place reaches to other peaks, which may be the highest.
 template <Real R>
-LargestPressure<R> finite_pressure(const std::vector<Peak<R>>& peaks,
+LargestPressure<R> finite_pressure(const LargestPressure<R>& known, const std::vector<R>& lengths,
+                                   const PanelFunction<R>& pressure,
                                    const std::function<Estimate<R>(const Peak<R>&)>& x_of) {
+  const std::vector<Peak<R>> peaks = highest_peaks(lengths, pressure, known.value.value);
+  if (peaks.empty()) return known;
   Estimate<R> x = x_of(peaks[0]);
   for (const Peak<R>& peak : peaks) {
     const Estimate<R> other = x_of(peak);

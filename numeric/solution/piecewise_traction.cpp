@@ -74,20 +74,13 @@ std::vector<R> powers_of(std::span<const R> y, const R& power) {
 }  // namespace
 
 template <Real R>
-void TractionNodes<R>::clear() {
-  from_left.clear();
-  from_right.clear();
-  forces.clear();
-}
-
-template <Real R>
 PiecewiseTraction<R>::PiecewiseTraction(Elasticity elasticity, int degree)
     : elasticity_(std::move(elasticity)), rules_(std::make_shared<JacobiRules<R>>()) {
   const R digits = -log(epsilon<R>());
   degree_ = static_cast<std::size_t>(static_cast<int>(digits / log(3 + sqrt(R(8)))) + 4 + degree);
   // A double pole a panel's length above its middle.
   rule_size_ = static_cast<int>(digits / (2 * log(2 + sqrt(R(5))))) + 5 + (degree + 1) / 2;
-  legendre_ = &rules_->get({R(0), R(1)}, {R(0), R(1)}, rule_size_);
+  legendre_ = &rules_->get({}, {}, rule_size_);
   const int n = static_cast<int>(degree_) + 1;
   for (int k = 0; k < 4 * n; ++k) cosines_.push_back(cos(pi<R>() * k / (2 * n)));
   for (int i = 0; i < n; ++i) positions_.push_back(chebyshev_position<R>(i, n));
@@ -115,7 +108,7 @@ void PiecewiseTraction<R>::add(const SurfacePlace<R>& left, const SurfacePlace<R
                      right,
                      length,
                      std::nullopt,
-                     {R(0), R(1)},
+                     {},
                      legendre_,
                      coefficients_.size(),
                      1,
@@ -132,9 +125,7 @@ void PiecewiseTraction<R>::add(const TractionSegment<R>& segment) {
   segments_.push_back(panels_.size());
   for (const GradedPanel<R>& part : graded_panels(segment.length, segment.around)) {
     const bool at_left = part.singular_end == Side::left;
-    const Power<R> power = !part.singular_end ? Power<R>{R(0), R(1)}
-                           : at_left          ? segment.left_power
-                                              : segment.right_power;
+    const Power<R> power = !part.singular_end ? Power<R>{} : at_left ? segment.left_power : segment.right_power;
     if (!part.singular_end || !(at_left ? segment.left_corner : segment.right_corner)) {
       add_panel(segment, part, power);
       continue;
@@ -172,7 +163,7 @@ void PiecewiseTraction<R>::add_corner(const TractionSegment<R>& segment, const G
     for (std::size_t i = 0; i < result.size(); ++i) result[i] = pow(ys[i], power.value) * result[i] + beside(ys[i]);
   };
   // Beside a constant a power that vanishes is nothing.
-  const Power<R> kept = power.value < 0 ? power : Power<R>{R(0), R(1)};
+  const Power<R> kept = power.value < 0 ? power : Power<R>{};
   for (const GradedPanel<R>& smaller : towards_corner(part)) add_panel(local, smaller, kept);
 }
 
@@ -201,7 +192,7 @@ void PiecewiseTraction<R>::add_panel(const TractionSegment<R>& segment, const Gr
                          place(part.from_left + part.length, part.from_right),
                          part.length,
                          is_power ? part.singular_end : std::nullopt,
-                         is_power ? power : Power<R>{R(0), R(1)},
+                         is_power ? power : Power<R>{},
                          legendre_,
                          coefficients_.size(),
                          values.size(),
@@ -210,7 +201,7 @@ void PiecewiseTraction<R>::add_panel(const TractionSegment<R>& segment, const Gr
                          error,
                          R(0),
                          end_error};
-  if (is_power) panel.rule = &rules_->get(power, {R(0), R(1)}, rule_size_);
+  if (is_power) panel.rule = &rules_->get(power, {}, rule_size_);
   // Without a power y counts from the left.
   for (std::size_t k = 1; mirrored && !is_power && k < values.size(); k += 2) values[k] = -values[k];
   coefficients_.insert(coefficients_.end(), values.begin(), values.end());
@@ -270,10 +261,6 @@ void PiecewiseTraction<R>::append_nodes(const TractionPanel<R>& panel, const Pan
   for (const GradedPanel<R>& graded : graded_panels(part.length, around)) append_rule(panel, part, graded, nodes);
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)  \
-  template struct TractionNodes<R>; \
-  template class PiecewiseTraction<R>;
-STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
-#undef STEADYSLIDE_INSTANTIATE
+STEADYSLIDE_INSTANTIATE_CLASS(PiecewiseTraction)
 
 }  // namespace steadyslide::numeric

@@ -90,7 +90,9 @@ struct TractionNodes {
   std::vector<R> from_right;
   std::vector<R> forces;
 
-  void clear();
+  void clear() {
+    for (std::vector<R>* numbers : {&from_left, &from_right, &forces}) numbers->clear();
+  }
 };
 
 template <Real R>

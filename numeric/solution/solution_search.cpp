@@ -84,26 +84,6 @@ int different_refinements(const std::vector<FoundSolution>& solutions) {
   return static_cast<int>(different.size());
 }
 
-/// One progress of several searches, whichever thread they are in.
-class SharedProgress {
- public:
-  SharedProgress(std::function<void(std::size_t, std::size_t)> report, std::size_t searches)
-      : report_(std::move(report)), done_(searches, 0) {}
-
-  std::function<void(std::size_t, std::size_t)> of(std::size_t search) {
-    return [this, search](std::size_t done, std::size_t total) {
-      const std::lock_guard lock(mutex_);
-      done_[search] = done;
-      report_(std::accumulate(done_.begin(), done_.end(), std::size_t{0}), done_.size() * total);
-    };
-  }
-
- private:
-  std::mutex mutex_;
-  std::function<void(std::size_t, std::size_t)> report_;
-  std::vector<std::size_t> done_;
-};
-
 }  // namespace
 
 SolutionSearch search_solutions(const ContactProblem& problem, int starts, const VariationalOptions& options,
@@ -116,14 +96,22 @@ SolutionSearch search_solutions(const ContactProblem& problem, int starts, const
   };
   std::vector<Met> met;
   const int together = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  SharedProgress progress(options.progress, static_cast<std::size_t>(starts));
+  std::mutex reporting;
+  std::vector<std::size_t> done_by(static_cast<std::size_t>(starts), 0);
   for (int first = 0; first < starts; first += together) {
     // As many at a time as there are cores; taken in their order, so that the answer does not depend on it.
     std::vector<std::future<std::shared_ptr<const VariationalSolution>>> solved;
     for (int number = first; number < std::min(first + together, starts); ++number) {
       VariationalOptions each = options;
       each.friction_rule = variational::FrictionRule::galerkin;
-      if (options.progress) each.progress = progress.of(static_cast<std::size_t>(number));
+      if (options.progress) {
+        // One progress of all searches, whichever thread they are in.
+        each.progress = [&, number](std::size_t done, std::size_t total) {
+          const std::lock_guard lock(reporting);
+          done_by[static_cast<std::size_t>(number)] = done;
+          options.progress(std::accumulate(done_by.begin(), done_by.end(), std::size_t{0}), done_by.size() * total);
+        };
+      }
       solved.push_back(std::async(std::launch::async, [&problem, each, set = start_set(number, random)] {
         return std::make_shared<const VariationalSolution>(problem, variational::solve_nested(problem, each, set));
       }));

@@ -28,7 +28,7 @@ template <class R>
 FormMatrix<R> log_form_by_quadrature(const R& length) {
   using std::cos, std::log, std::sin;
   const R pi = numeric::pi<R>();
-  const JacobiRule<R> rule = numeric::double_exponential_rule<R>(R(1));
+  const JacobiRule<R> rule = numeric::double_exponential_rule<R>();
   FormMatrix<R> form(form_size, std::vector<R>(form_size, R(0)));
   constexpr int outer = highest_angle + 1;  // exact up to cos(2 highest_angle angle)
   for (int i = 0; i < outer; ++i) {

@@ -1,0 +1,18 @@
+#pragma once
+// A vector made of the elements of a range, one by one.
+
+#include <type_traits>
+#include <vector>
+
+namespace steadyslide::numeric {
+
+/// f of every element of a range, in its order.
+template <class Range, class F>
+auto mapped(const Range& range, const F& f) {
+  std::vector<std::decay_t<decltype(f(*range.begin()))>> result;
+  result.reserve(range.size());
+  for (const auto& element : range) result.push_back(f(element));
+  return result;
+}
+
+}  // namespace steadyslide::numeric
