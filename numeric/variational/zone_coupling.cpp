@@ -40,7 +40,7 @@ bool is_near(std::size_t a, std::size_t b, std::size_t length) {
 ZoneCoupling::ZoneCoupling(const GalerkinOperator& influence, double h, std::span<const std::size_t> cells,
                            std::span<const CellRange> zones, const Map& product, const Map& inverse,
                            const ZoneCoupling* last)
-    : h_(h), sign_(influence.friction().sign), lu_(Matrix()) {
+    : surface_(influence.kernel()), h_(h), sign_(influence.friction().sign), lu_(Matrix()) {
   const auto size = static_cast<Eigen::Index>(cells.size());
   interpolation_.resize(size, points);
   responses_.resize(size, points);
@@ -92,7 +92,7 @@ ZoneCoupling::Block ZoneCoupling::kernel(const Zone& at, const Zone& from) const
     for (Eigen::Index j = 0; j < points; ++j) {
       const double distance = at.centre + at.half * node(i) - from.centre - from.half * node(j);
       const bool felt = sign_ * distance > 0;
-      result(i, j) = -std::log(std::abs(distance)) / std::numbers::pi + (felt ? sign_ * from.friction : 0);
+      result(i, j) = surface_.at(distance) + (felt ? sign_ * from.friction : 0);
     }
   }
   return result;

@@ -49,6 +49,7 @@ class ZoneCoupling {
   Block kernel(const Zone& at, const Zone& from) const;
   void make_kernel(const Map& product);
 
+  SurfaceKernel surface_;
   double h_;
   double sign_;
   std::vector<Zone> zones_;
