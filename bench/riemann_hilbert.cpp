@@ -5,10 +5,10 @@
 #include <benchmark/benchmark.h>
 
 #include "numeric/closed_form/closed_form.hpp"
-#include "numeric/coarse/coarse_contact.hpp"
 #include "numeric/quadrature/gsl_quadrature.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "numeric/variational/coarse_contact.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;

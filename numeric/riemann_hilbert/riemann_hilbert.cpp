@@ -5,9 +5,9 @@
 #include <string>
 
 #include "numeric/closed_form/closed_form.hpp"
-#include "numeric/coarse/coarse_contact.hpp"
 #include "numeric/number/mapped.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
+#include "numeric/variational/coarse_contact.hpp"
 #include "numeric/variational/variational_inequality.hpp"
 
 namespace steadyslide::numeric {

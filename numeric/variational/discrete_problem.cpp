@@ -4,13 +4,14 @@
 
 namespace steadyslide::numeric::variational {
 
-DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh, FrictionRule rule)
-    : DiscreteProblem(problem, mesh, CellProfile(problem, mesh.frame()), rule) {}
+DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh, FrictionRule rule,
+                                 const SurfaceKernel& kernel)
+    : DiscreteProblem(problem, mesh, CellProfile(problem, mesh.frame()), rule, kernel) {}
 
 DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh, const CellProfile& profile,
-                                 FrictionRule rule)
+                                 FrictionRule rule, const SurfaceKernel& kernel)
     : mesh_(std::move(mesh)),
-      galerkin_operator_(mesh_, cell_friction(problem, mesh_, rule)),
+      galerkin_operator_(mesh_, cell_friction(problem, mesh_, rule), kernel),
       profile_(profile.means(mesh_)) {
   if (!is_galerkin()) {
     const CellFriction& friction = galerkin_operator_.friction();
@@ -25,7 +26,7 @@ DiscreteProblem::DiscreteProblem(const ContactProblem& problem, CellMesh mesh, c
 
 DiscreteProblem::DiscreteProblem(const DiscreteProblem& other, const std::vector<double>& lowered)
     : mesh_(other.mesh_),
-      galerkin_operator_(mesh_, other.galerkin_operator_.friction()),
+      galerkin_operator_(mesh_, other.galerkin_operator_.friction(), other.galerkin_operator_.kernel()),
       profile_(other.profile_),
       load_at_(other.load_at_) {
   for (std::size_t i = 0; i < profile_.size(); ++i) profile_[i] -= lowered[i];

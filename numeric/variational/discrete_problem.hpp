@@ -16,9 +16,11 @@ namespace steadyslide::numeric::variational {
 class DiscreteProblem {
  public:
   /// The damped rule is for uniform meshes.
-  DiscreteProblem(const ContactProblem& problem, CellMesh mesh, FrictionRule rule = FrictionRule::galerkin);
+  DiscreteProblem(const ContactProblem& problem, CellMesh mesh, FrictionRule rule = FrictionRule::galerkin,
+                  const SurfaceKernel& kernel = {});
   /// With a profile made before, in the mesh's frame: meshes share one.
-  DiscreteProblem(const ContactProblem& problem, CellMesh mesh, const CellProfile& profile, FrictionRule rule);
+  DiscreteProblem(const ContactProblem& problem, CellMesh mesh, const CellProfile& profile, FrictionRule rule,
+                  const SurfaceKernel& kernel = {});
   /// Another problem with the profile of cell i lowered by lowered[i].
   DiscreteProblem(const DiscreteProblem& other, const std::vector<double>& lowered);
 

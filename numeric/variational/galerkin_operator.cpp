@@ -2,50 +2,46 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <stdexcept>
-
-#include "numeric/variational/logarithmic_kernel.hpp"
 
 namespace steadyslide::numeric::variational {
 namespace {
 
-/// The logarithm's entries by i - j, from 1 - size on: means over cells, and values at their ends.
-std::array<std::vector<double>, 2> toeplitz_entries(const CellMesh& mesh, const CellFriction& friction) {
+/// The kernel's entries by i - j, from 1 - size on: means over cells, and values at their ends.
+std::array<std::vector<double>, 2> toeplitz_entries(const CellMesh& mesh, const CellFriction& friction,
+                                                    const SurfaceKernel& kernel) {
   if (!mesh.is_uniform()) {
     if (!friction.at_end.empty()) throw std::invalid_argument("the damped friction rule is for equal cells");
     return {};
   }
   const double h = mesh.length(0);
-  const double log_h = std::log(h);
-  const auto entry = [&](double mean_log) { return -h * (log_h + mean_log) / std::numbers::pi; };
   const std::size_t last = mesh.size() - 1;
   std::vector<double> means(2 * last + 1);
-  for (std::size_t k = 0; k <= last; ++k) means[last + k] = means[last - k] = entry(mean_log_of_unit_cells(k));
+  for (std::size_t k = 0; k <= last; ++k) means[last + k] = means[last - k] = kernel.mean_of_equal_cells(h, k);
   if (friction.at_end.empty()) return {std::move(means), {}};
   std::vector<double> ends(means.size());
   for (std::size_t k = 0; k < ends.size(); ++k) {
     const double between_centres = static_cast<double>(k) - static_cast<double>(last);
-    ends[k] = entry(mean_log_from_point(between_centres + friction.sign * 0.5));
+    ends[k] = kernel.from_equal_cell(h, between_centres + friction.sign * 0.5);
   }
   return {std::move(means), std::move(ends)};
 }
 
 }  // namespace
 
-GalerkinOperator::GalerkinOperator(std::array<std::vector<double>, 2> entries, CellFriction friction)
-    : friction_(std::move(friction)) {
+GalerkinOperator::GalerkinOperator(std::array<std::vector<double>, 2> entries, CellFriction friction,
+                                   const SurfaceKernel& kernel)
+    : kernel_(kernel), friction_(std::move(friction)) {
   for (std::size_t kind = 0; kind < entries.size(); ++kind) {
     if (entries[kind].empty()) continue;
-    kernels_[kind].entries = std::move(entries[kind]);
+    convolutions_[kind].entries = std::move(entries[kind]);
     if (!fourier_) fourier_.emplace(fast_length(2 * size()));
-    kernels_[kind].spectrum = spectrum(kind == 1, *fourier_);
+    convolutions_[kind].spectrum = spectrum(kind == 1, *fourier_);
   }
 }
 
 std::vector<std::complex<double>> GalerkinOperator::spectrum(bool at_end, const Fourier& circle) const {
-  const std::vector<double>& entries = kernels_[at_end ? 1 : 0].entries;
+  const std::vector<double>& entries = convolutions_[at_end ? 1 : 0].entries;
   const std::span<double> values = circle.values();
   const auto n = static_cast<std::ptrdiff_t>(values.size());
   const auto last = static_cast<std::ptrdiff_t>(size() - 1);
@@ -58,14 +54,14 @@ std::vector<std::complex<double>> GalerkinOperator::spectrum(bool at_end, const 
   return {circle.modes().begin(), circle.modes().end()};
 }
 
-GalerkinOperator::GalerkinOperator(const CellMesh& mesh, CellFriction friction)
-    : GalerkinOperator(toeplitz_entries(mesh, friction), friction) {
+GalerkinOperator::GalerkinOperator(const CellMesh& mesh, CellFriction friction, const SurfaceKernel& kernel)
+    : GalerkinOperator(toeplitz_entries(mesh, friction, kernel), friction, kernel) {
   if (mesh.is_uniform()) return;
   const std::size_t n = mesh.size();
   logarithm_.resize(n * n);
   for (std::size_t j = 0; j < n; ++j) {
     for (std::size_t i = 0; i <= j; ++i) {
-      const double mean = -mean_log(mesh.left(i), mesh.right(i), mesh.left(j), mesh.right(j)) / std::numbers::pi;
+      const double mean = kernel.mean(mesh.left(i), mesh.right(i), mesh.left(j), mesh.right(j));
       logarithm_[i + j * n] = mean * mesh.length(j);
       logarithm_[j + i * n] = mean * mesh.length(i);
     }
@@ -78,15 +74,18 @@ GalerkinOperator GalerkinOperator::part(std::size_t first, std::size_t count) co
     const auto begin = all.begin() + static_cast<std::ptrdiff_t>(from);
     return std::decay_t<decltype(all)>(begin, begin + static_cast<std::ptrdiff_t>(length));
   };
-  const auto entries = [&](std::size_t kind) { return slice(kernels_[kind].entries, size() - count, 2 * count - 1); };
+  const auto entries = [&](std::size_t kind) {
+    return slice(convolutions_[kind].entries, size() - count, 2 * count - 1);
+  };
   return {{entries(0), entries(1)},
           {slice(friction_.whole, first, count), slice(friction_.own, first, count), friction_.sign,
-           slice(friction_.at_end, first, count)}};
+           slice(friction_.at_end, first, count)},
+          kernel_};
 }
 
 double GalerkinOperator::logarithm(std::size_t i, std::size_t j) const {
   if (!fourier_) return logarithm_[i + j * size()];
-  return kernels_[friction_.is_at_end(i) ? 1 : 0].entries[size() - 1 + i - j];
+  return convolutions_[friction_.is_at_end(i) ? 1 : 0].entries[size() - 1 + i - j];
 }
 
 double GalerkinOperator::friction_entry(std::size_t i, std::size_t j) const {
@@ -100,10 +99,10 @@ void GalerkinOperator::multiply_by_transform(std::span<const double> p, std::spa
   std::copy(p.begin(), p.end(), values.begin());
   std::fill(values.begin() + static_cast<std::ptrdiff_t>(p.size()), values.end(), 0);
   fourier_->forward();
-  fourier_->convolve(kernels_[0].spectrum, result);
+  fourier_->convolve(convolutions_[0].spectrum, result);
   if (friction_.at_end.empty()) return;
   std::vector<double> at_end(p.size());
-  fourier_->convolve(kernels_[1].spectrum, at_end);
+  fourier_->convolve(convolutions_[1].spectrum, at_end);
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (friction_.is_at_end(i)) result[i] = at_end[i];
   }

@@ -11,16 +11,18 @@ namespace steadyslide::numeric::variational {
 namespace {
 
 using Eigen::Index;
-using End = ComplementaryTableau::End;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-/// A flat face touches everywhere at once; a slight curvature, the same every time, gives the cells an order.
-double order(const CellMesh& mesh, std::size_t cell) {
-  constexpr double slight = 1e-9;
-  const double width = mesh.edges().back() - mesh.edges().front();
-  const double x = (mesh.centre(cell) - mesh.edges().front()) / width - 0.4142135;
-  return slight * x * x;
+/// The height of a cell, in general position.
+double height(const DiscreteProblem& problem, std::size_t cell) {
+  const CellMesh& mesh = problem.mesh();
+  return problem.profile()[cell] + slight_curve(mesh.centre(cell), mesh.edges().front(), mesh.edges().back(), 1e-9);
+}
+
+/// The gap in cell i by a force 1 on cell j.
+double by_force(const DiscreteProblem& problem, std::size_t i, std::size_t j) {
+  return problem.galerkin_operator().entry(i, j) / problem.mesh().length(j);
 }
 
 template <class Number>
@@ -49,57 +51,48 @@ void finish(const DiscreteProblem& problem, const std::vector<std::size_t>& cell
   result.reached = best <= complementary_within;
 }
 
-/// The path of loads from none. Variables: q (0..n-1), g (n..2n-1), approach, load.
-End load_path(const DiscreteProblem& problem, const std::vector<std::size_t>& cells, int most_pivots,
-              LemkeResult& result) {
-  const CellMesh& mesh = problem.mesh();
-  const auto n = static_cast<Index>(cells.size());
-  Eigen::MatrixXd matrix(n + 1, n + 1);
-  Eigen::VectorXd constants = Eigen::VectorXd::Zero(n + 1);
-  for (Index j = 0; j < n; ++j) {
-    for (Index i = 0; i < n; ++i)
-      matrix(i, j) = problem.galerkin_operator().entry(cells[at(i)], cells[at(j)]) / mesh.length(cells[at(j)]);
-    matrix(n, j) = 1;
-    constants(j) = problem.profile()[cells[at(j)]] + order(mesh, cells[at(j)]);
-  }
-  matrix.col(n).setConstant(-1);
-  matrix(n, n) = 0;
-  std::vector<Index> left = numbers<Index>(n, n);
-  std::vector<Index> right = numbers<Index>(0, n);
-  right.push_back(2 * n);
-  left.push_back(2 * n + 1);
-  Index lowest = 0;
-  constants.head(n).minCoeff(&lowest);
+/// From the tableau's present point until the variable `measured` has its target value.
+PivotPath followed(ComplementaryTableau& tableau, std::size_t pairs, Index entering, Index measured, double target,
+                   int most_pivots) {
+  const bool reached = tableau.follow(entering, measured, target, most_pivots) == ComplementaryTableau::End::reached;
+  PivotPath path{CellSet(pairs), reached, tableau.pivots()};
+  for (std::size_t i = 0; i < pairs; ++i) path.contact[i] = tableau.is_positive(static_cast<Index>(i));
+  return path;
+}
 
-  ComplementaryTableau tableau(n, left, right, std::move(matrix), std::move(constants));
-  tableau.exchange(n + lowest, 2 * n);
-  const End end = tableau.follow(lowest, 2 * n + 1, 1, most_pivots);
-  for (Index i = 0; i < n; ++i) result.contact[cells[at(i)]] = tableau.is_positive(i);
-  result.pivots += tableau.pivots();
-  return end;
+/// The path of loads from none.
+PivotPath loading_path(const DiscreteProblem& problem, const std::vector<std::size_t>& cells, int most_pivots) {
+  const auto n = static_cast<Index>(cells.size());
+  Eigen::MatrixXd influence(n, n);
+  Eigen::VectorXd heights(n);
+  for (Index j = 0; j < n; ++j) {
+    for (Index i = 0; i < n; ++i) influence(i, j) = by_force(problem, cells[at(i)], cells[at(j)]);
+    heights(j) = height(problem, cells[at(j)]);
+  }
+  Index lowest = 0;
+  heights.minCoeff(&lowest);
+  return load_path(influence, heights, {at(lowest)}, std::nullopt, most_pivots);
 }
 
 enum class From { left, right };
 
 /// The path of tilts from where the end cell on one side bears all load. Variables: q (0..n-1), g (n..2n-1), approach,
 /// tilt (minus the tilt from the left: it grows from -infinity), moment.
-End rolling_path(const DiscreteProblem& problem, const std::vector<std::size_t>& cells, From from, int most_pivots,
-                 LemkeResult& result) {
+PivotPath rolling_path(const DiscreteProblem& problem, const std::vector<std::size_t>& cells, From from,
+                       int most_pivots) {
   const CellMesh& mesh = problem.mesh();
   const auto n = static_cast<Index>(cells.size());
   const Index last = from == From::right ? n - 1 : 0;
   const double sense = from == From::right ? 1 : -1;
   const auto xi = [&](Index i) { return mesh.centre(cells[at(i)]); };
   const auto place = [&](Index i) { return problem.place(cells[at(i)]); };
-  const auto entry = [&](Index i, Index j) {
-    return problem.galerkin_operator().entry(cells[at(i)], cells[at(j)]) / mesh.length(cells[at(j)]);
-  };
+  const auto entry = [&](Index i, Index j) { return by_force(problem, cells[at(i)], cells[at(j)]); };
   // The force on the end cell is 1 less the others.
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + 2, n + 1);
   Eigen::VectorXd constants(n + 2);
   std::vector<Index> right;
   for (Index j = 0; j < n; ++j) {
-    constants(j) = problem.profile()[cells[at(j)]] + order(mesh, cells[at(j)]) + entry(j, last);
+    constants(j) = height(problem, cells[at(j)]) + entry(j, last);
     if (j == last) continue;
     const auto column = static_cast<Index>(right.size());
     for (Index i = 0; i < n; ++i) matrix(i, column) = entry(i, j) - entry(i, last);
@@ -129,17 +122,20 @@ End rolling_path(const DiscreteProblem& problem, const std::vector<std::size_t>&
     }
   }
   if (!problem.load_at() && tilt >= 0) {
-    result.contact[cells[at(last)]] = 1;
-    return End::reached;
+    PivotPath path{CellSet(cells.size()), true, 0};
+    path.contact[at(last)] = 1;
+    return path;
   }
   ComplementaryTableau tableau(n, left, right, std::move(matrix), std::move(constants));
   tableau.exchange(n + last, 2 * n);
   tableau.exchange(n + second, 2 * n + 1);
-  const End end = problem.load_at() ? tableau.follow(second, 2 * n + 2, *problem.load_at(), most_pivots)
-                                    : tableau.follow(second, 2 * n + 1, 0, most_pivots);
-  for (Index i = 0; i < n; ++i) result.contact[cells[at(i)]] = tableau.is_positive(i);
-  result.pivots += tableau.pivots();
-  return end;
+  return problem.load_at() ? followed(tableau, cells.size(), second, 2 * n + 2, *problem.load_at(), most_pivots)
+                           : followed(tableau, cells.size(), second, 2 * n + 1, 0, most_pivots);
+}
+
+/// The cells in contact where a path of these cells has ended.
+void take(const PivotPath& path, const std::vector<std::size_t>& cells, LemkeResult& result) {
+  for (std::size_t i = 0; i < cells.size(); ++i) result.contact[cells[i]] = path.contact[i];
 }
 
 /// The contested cells' gaps as functions of their forces, the certain contact moving along: gaps + matrix q.
@@ -176,6 +172,48 @@ SchurComplement schur_complement(const DiscreteProblem& problem, const std::vect
 
 }  // namespace
 
+double slight_curve(double x, double from, double to, double size) {
+  const double part = (x - from) / (to - from) - 0.4142135;
+  return size * part * part;
+}
+
+PivotPath load_path(const Eigen::MatrixXd& influence, const Eigen::VectorXd& heights,
+                    const std::vector<std::size_t>& first, const std::optional<Levers>& levers, int most_pivots) {
+  // Variables: forces (0..n-1), gaps (n..2n-1), approach, the load, the tilt over the whole width and the moment about the load,
+  // which is on the right once and for all: it stays zero.
+  const Index n = heights.size();
+  const Index approach = 2 * n, load = approach + 1, tilt = approach + 2, moment = approach + 3;
+  const Index rest = levers ? 2 : 1;
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + rest, n + rest);
+  Eigen::VectorXd constants = Eigen::VectorXd::Zero(n + rest);
+  matrix.topLeftCorner(n, n) = influence;
+  matrix.row(n).head(n).setOnes();
+  matrix.col(n).head(n).setConstant(-1);
+  constants.head(n) = heights;
+  std::vector<Index> left = numbers<Index>(n, n);
+  std::vector<Index> right = numbers<Index>(0, n);
+  left.push_back(load);
+  right.push_back(approach);
+  if (levers) {
+    matrix.row(n + 1).head(n) = levers->arm / levers->width;
+    matrix.col(n + 1).head(n) = levers->point / levers->width;
+    left.push_back(moment);
+    right.push_back(tilt);
+  }
+  ComplementaryTableau tableau(n, left, right, std::move(matrix), std::move(constants));
+
+  auto growing = static_cast<Index>(first.front());
+  tableau.exchange(n + growing, approach);
+  if (levers) {
+    // The force farther from the load follows from the other one.
+    auto held = static_cast<Index>(first.back());
+    tableau.exchange(n + held, tilt);
+    if (std::abs(levers->arm(growing)) > std::abs(levers->arm(held))) std::swap(growing, held);
+    tableau.exchange(moment, held);
+  }
+  return followed(tableau, at(n), growing, load, 1, most_pivots);
+}
+
 double natural_residual(const DiscreteProblem& problem, const DiscreteState& state,
                         const std::vector<std::size_t>& cells) {
   const std::vector<double> g = gaps(problem, state);
@@ -202,9 +240,10 @@ LemkeResult lemke_among(const DiscreteProblem& problem, const std::vector<std::s
       if (path && cells.size() < 2) continue;
       result.contact.assign(problem.size(), 0);
       const int left = std::min(allowed, most_pivots - result.pivots);
-      const End end =
-          path ? rolling_path(problem, cells, *path, left, result) : load_path(problem, cells, left, result);
-      if (end == End::reached) finish(problem, cells, result);
+      const PivotPath way = path ? rolling_path(problem, cells, *path, left) : loading_path(problem, cells, left);
+      take(way, cells, result);
+      result.pivots += way.pivots;
+      if (way.reached) finish(problem, cells, result);
       if (result.reached) return result;
     }
     if (result.pivots >= most_pivots || allowed >= most_pivots) break;
@@ -243,10 +282,10 @@ LemkeResult lemke_on(const DiscreteProblem& problem, const CellSet& contact, con
     right.push_back(2 * n);
     ComplementaryTableau tableau(n, numbers<Index>(n, n), right, std::move(matrix), schur.gaps);
     tableau.exchange(n + lowest, 2 * n);
-    const End end = tableau.follow(lowest, 2 * n, 0, most_pivots);
-    result.pivots = tableau.pivots();
-    if (end != End::reached) return result;
-    for (Index i = 0; i < n; ++i) result.contact[contested[at(i)]] = tableau.is_positive(i);
+    const PivotPath path = followed(tableau, contested.size(), lowest, 2 * n, 0, most_pivots);
+    result.pivots = path.pivots;
+    if (!path.reached) return result;
+    take(path, contested, result);
     result.state = solve(*bordered_system(problem, result.contact), problem).state;
   }
   result.reached = natural_residual(problem, result.state, contested) <= complementary_within;

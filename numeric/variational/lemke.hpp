@@ -20,12 +20,37 @@
 // them takes more than 9000 pivots. Where one is long another may be short: the loading path and the rolling ones are
 // followed by turns, with a number of pivots that grows from turn to turn. [CPS92, section 4.4], [Bal16, section 3.1]
 
+#include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "numeric/variational/bordered_system.hpp"
 
 namespace steadyslide::numeric::variational {
+
+/// A flat face and equal minima touch everywhere at once; a slight curvature, the same every time, gives places an order.
+double slight_curve(double x, double from, double to, double size);
+
+/// Of an indenter that may tilt.
+struct Levers {
+  Eigen::VectorXd arm;    ///< the lever arms of forces about the load
+  Eigen::VectorXd point;  ///< where the gaps are, which a tilt opens
+  double width;           ///< of the support, for both
+};
+
+/// Where a path of pivots ended: reached, or in a ray, or with no pivot left.
+struct PivotPath {
+  CellSet contact;  ///< one entry for each pair of variables
+  bool reached;
+  int pivots;
+};
+
+/// The contact reached when the load grows from 0 to 1: at most one cell touches or leaves at a time. Where friction makes the
+/// way turn, the load decreases again for a while. gaps = heights - approach + influence forces, and the moment about the load
+/// stays zero where there are levers; `first` is the cell that touches first, or the two cells then.
+PivotPath load_path(const Eigen::MatrixXd& influence, const Eigen::VectorXd& heights,
+                    const std::vector<std::size_t>& first, const std::optional<Levers>& levers, int most_pivots);
 
 struct LemkeResult {
   CellSet contact;

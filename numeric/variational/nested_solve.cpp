@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "numeric/variational/lemke.hpp"
@@ -98,72 +99,92 @@ void go_on(MeshSolution& solution, const ActiveSetOptions& options) {
   }
 }
 
-class Nested {
- public:
-  Nested(const ContactProblem& problem, const VariationalOptions& options, const std::optional<CellSet>& start)
-      : problem_(problem),
-        profile_(problem, CellMesh(problem, 1).frame()),
-        options_(options),
-        start_(start),
-        sizes_(mesh_sizes(options.cells)) {
-    for (const std::size_t n : sizes_) total_ += n;
-  }
+bool is_finite(const DiscreteState& state) {
+  return std::isfinite(state.approach) && std::isfinite(state.tilt) &&
+         std::all_of(state.pressure.begin(), state.pressure.end(), [](double p) { return std::isfinite(p); });
+}
 
-  NestedResult solve() {
-    NestedResult result;
-    for (const std::size_t n : sizes_) {
-      if (result.coarse.problem) result.coarser.insert(result.coarser.begin(), std::move(result.coarse.found.state));
-      if (result.coarser.size() > most_coarser) result.coarser.pop_back();
-      result.coarse = std::move(result.fine);
-      result.fine = solve_on(n, result.coarse);
-      done_ += n;
-      if (options_.progress) options_.progress(done_, total_);
-    }
-    if (!result.coarse.problem) result.coarse = result.fine;
-    result.certificate = certify(*result.fine.problem, result.fine.found.state);
-    return result;
+/// Cells under tension, and cells that penetrate by more than rounding.
+std::vector<std::size_t> wrong_cells(const CellSet& contact, const DiscreteState& state,
+                                     const std::vector<double>& gaps, double rounding) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < contact.size(); ++i) {
+    if (contact[i] ? state.pressure[i] < 0 : gaps[i] < -rounding) result.push_back(i);
   }
-
- private:
-  MeshSolution solve_on(std::size_t n, const MeshSolution& coarse) {
-    auto problem = std::make_shared<DiscreteProblem>(problem_, CellMesh(problem_, n), profile_, options_.friction_rule);
-    CellSet start(n, 1);
-    DiscreteState guess;
-    guess.pressure.assign(n, 0);
-    if (coarse.problem) {
-      const std::size_t m = coarse.problem->size();
-      start = refined_contact(coarse, n);
-      guess = coarse.found.state;
-      guess.pressure.resize(n);
-      for (std::size_t i = 0; i < n; ++i) guess.pressure[i] = coarse.found.state.pressure[coarse_cell(i, n, m)];
-    } else if (start_) {
-      start = prolonged(*start_, n);
-    }
-    return solve_on_cells(std::move(problem), std::move(start), guess, active_set_options(n));
-  }
-
-  ActiveSetOptions active_set_options(std::size_t n) const {
-    ActiveSetOptions options;
-    // Behind a free end the gap grows as the 3/2-th power of the distance; what is less right than that within a cell takes
-    // in or releases wrong cells.
-    options.first_tolerance = std::max(0.05 * std::pow(static_cast<double>(n), -1.5), options.tolerance);
-    options.most_steps = options_.most_steps;
-    if (options_.progress) {
-      options.after_step = [this](std::size_t) { options_.progress(done_, total_); };
-    }
-    return options;
-  }
-
-  const ContactProblem& problem_;
-  CellProfile profile_;
-  const VariationalOptions& options_;
-  const std::optional<CellSet>& start_;
-  std::vector<std::size_t> sizes_;
-  std::size_t done_ = 0;
-  std::size_t total_ = 0;
-};
+  return result;
+}
 
 }  // namespace
+
+ActiveSetResult active_set(const DiscreteProblem& problem, CellSet start, const DiscreteState& guess,
+                           const ActiveSetOptions& options) {
+  constexpr std::size_t few = 16;
+  ActiveSetResult best;
+  best.outcome = ActiveSetResult::Outcome::cycled;
+  std::size_t fewest = problem.size() + 1;
+  CellSet contact = std::move(start);
+  DiscreteState state = guess;
+  double tolerance = options.first_tolerance;
+  int patience = options.patience;
+  std::shared_ptr<ContactHull> hull;
+  std::unique_ptr<BorderedSystem> system;  // of the contact, if that is unchanged
+  while (true) {
+    if (best.steps == options.most_steps) {
+      best.outcome = ActiveSetResult::Outcome::out_of_steps;
+      break;
+    }
+    ++best.steps;
+    const double scale = height_over(problem, cells_of(contact));
+    const bool again = system != nullptr;
+    if (!again) {
+      if (!problem.mesh().is_uniform() || cells_of(contact).size() <= options.dense_cells) {
+        system = dense_system(problem, contact);
+      } else {
+        hull = contact_hull(problem, contact, std::move(hull));
+        system = krylov_system(problem, contact, state, tolerance * scale, hull);
+      }
+    }
+    SystemSolution solution = again ? system->refined(tolerance * scale) : solve(*system, problem);
+    best.products += solution.products;
+    if (!is_finite(solution.state)) break;  // one cell alone cannot carry a load at another place
+    state = std::move(solution.state);
+    const std::vector<double> gap = gaps(problem, state);
+    std::vector<std::size_t> wrong = wrong_cells(contact, state, gap, 4 * options.tolerance * scale);
+    if (options.after_step) options.after_step(wrong.size());
+
+    const bool exact = solution.products == 0 || tolerance <= options.tolerance;
+    if (wrong.size() < fewest || (wrong.empty() && exact)) {
+      fewest = wrong.size();
+      patience = options.patience;
+      best.contact = contact;
+      best.state = state;
+      best.wrong = wrong;
+    } else if (--patience < 0) {
+      break;
+    }
+    if (wrong.empty() && exact) {
+      best.outcome = ActiveSetResult::Outcome::solved;
+      break;
+    }
+    // Few wrong cells: the end is near, and what is nearly solved decides wrongly.
+    if (wrong.size() <= few) tolerance = options.tolerance;
+    if (!wrong.empty()) system = nullptr;
+    for (const std::size_t i : wrong) contact[i] = contact[i] ? 0 : 1;
+    if (cells_of(contact).empty()) {
+      // All are released: the lowest of them touches first.
+      const auto lowest = std::min_element(wrong.begin(), wrong.end(), [&](std::size_t a, std::size_t b) {
+        return problem.profile()[a] < problem.profile()[b];
+      });
+      contact[*lowest] = 1;
+    }
+  }
+  if (best.contact.empty()) {
+    best.contact = std::move(contact);
+    best.state = std::move(state);
+  }
+  for (double& p : best.state.pressure) p = std::max(p, 0.0);
+  return best;
+}
 
 MeshSolution solve_on_cells(std::shared_ptr<const DiscreteProblem> problem, CellSet start, const DiscreteState& guess,
                             const ActiveSetOptions& options) {
@@ -181,7 +202,44 @@ CellSet prolonged(const CellSet& set, std::size_t cells) {
 
 NestedResult solve_nested(const ContactProblem& problem, const VariationalOptions& options,
                           const std::optional<CellSet>& start) {
-  return Nested(problem, options, start).solve();
+  const CellProfile profile(problem, CellMesh(problem, 1).frame());
+  const std::vector<std::size_t> sizes = mesh_sizes(options.cells);
+  const std::size_t total = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+  std::size_t done = 0;
+  const auto report = [&] {
+    if (options.progress) options.progress(done, total);
+  };
+  NestedResult result;
+  for (const std::size_t n : sizes) {
+    if (result.coarse.problem) result.coarser.insert(result.coarser.begin(), std::move(result.coarse.found.state));
+    if (result.coarser.size() > most_coarser) result.coarser.pop_back();
+    result.coarse = std::move(result.fine);
+    const MeshSolution& coarse = result.coarse;
+
+    ActiveSetOptions on_mesh;
+    // Behind a free end the gap grows as the 3/2-th power of the distance; what is less right than that within a cell takes
+    // in or releases wrong cells.
+    on_mesh.first_tolerance = std::max(0.05 * std::pow(static_cast<double>(n), -1.5), on_mesh.tolerance);
+    on_mesh.most_steps = options.most_steps;
+    on_mesh.after_step = [&](std::size_t) { report(); };
+    CellSet contact = start ? prolonged(*start, n) : CellSet(n, 1);
+    DiscreteState guess{std::vector<double>(n)};
+    if (coarse.problem) {
+      contact = refined_contact(coarse, n);
+      guess = coarse.found.state;
+      guess.pressure.resize(n);
+      for (std::size_t i = 0; i < n; ++i) {
+        guess.pressure[i] = coarse.found.state.pressure[coarse_cell(i, n, coarse.problem->size())];
+      }
+    }
+    auto on_cells = std::make_shared<DiscreteProblem>(problem, CellMesh(problem, n), profile, options.friction_rule);
+    result.fine = solve_on_cells(std::move(on_cells), std::move(contact), guess, on_mesh);
+    done += n;
+    report();
+  }
+  if (!result.coarse.problem) result.coarse = result.fine;
+  result.certificate = certify(*result.fine.problem, result.fine.found.state);
+  return result;
 }
 
 }  // namespace steadyslide::numeric::variational

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
-
-#include "numeric/variational/logarithmic_kernel.hpp"
 
 namespace steadyslide::numeric::variational {
 namespace {
@@ -28,13 +25,13 @@ InnerGaps::InnerGaps(const ContactProblem& problem, const DiscreteProblem& discr
   for (std::size_t k = 0; k <= jumps_.size(); ++k) s_.push_back(to_real<double>(problem.coupled_friction(k)));
   const auto n = static_cast<std::ptrdiff_t>(mesh.size());
   const double h = mesh.length(0);
+  const SurfaceKernel& kernel = discrete.galerkin_operator().kernel();
   for (const double z : places) {
     const std::span<double> values = fourier_.values();
     std::fill(values.begin(), values.end(), 0);
     for (std::ptrdiff_t k = 1 - n; k < n; ++k) {
-      const double mean_log = std::log(h) + mean_log_from_point(static_cast<double>(k) + z - 0.5);
       const auto size = static_cast<std::ptrdiff_t>(values.size());
-      values[static_cast<std::size_t>((k + size) % size)] = -h * mean_log / std::numbers::pi;
+      values[static_cast<std::size_t>((k + size) % size)] = kernel.from_equal_cell(h, static_cast<double>(k) + z - 0.5);
     }
     fourier_.forward();
     spectra_.emplace_back(fourier_.modes().begin(), fourier_.modes().end());

@@ -1,6 +1,7 @@
-// A solution on cells at places of the surface.
+// A solution on cells at places of the surface, and what integrals of the pressures add to these samples.
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +9,27 @@
 #include "numeric/variational/variational_solution.hpp"
 
 namespace steadyslide::numeric {
+namespace {
+
+/// Values at the middles of equal cells on [-1/2, 1/2], joined by straight lines.
+double interpolated(const std::vector<double>& values, double xi) {
+  const double place = (xi + 0.5) * static_cast<double>(values.size()) - 0.5;
+  const std::size_t i = place <= 0 ? 0 : std::min(static_cast<std::size_t>(place), values.size() - 2);
+  const double part = std::clamp(place - static_cast<double>(i), 0.0, 1.0);
+  return values[i] + part * (values[i + 1] - values[i]);
+}
+
+/// The sum of f(i) over all cells in contact.
+template <class F>
+double sum_over(const std::vector<VariationalSolution::Run>& runs, const F& f) {
+  double sum = 0;
+  for (const VariationalSolution::Run& run : runs) {
+    for (std::size_t i = run.begin; i < run.end; ++i) sum += f(i);
+  }
+  return sum;
+}
+
+}  // namespace
 
 using variational::DiscreteState;
 
@@ -29,19 +51,17 @@ double VariationalSolution::displacement(double xi) const {
   return displacement_[i] + part * (displacement_[i + 1] - displacement_[i]);
 }
 
+TwoSided<double> VariationalSolution::slope_beyond(double slope) const {
+  const Estimate<double> estimate{slope, std::abs(slope) * estimated_error().traction};
+  return {estimate, estimate};
+}
+
 Sample<double> VariationalSolution::outside(const Rational& x) const {
   const double xi = mesh().place(x);
-  double sum = 0;
-  for (const Run& run : runs_) {
-    for (std::size_t i = run.begin; i < run.end; ++i) {
-      sum += state().pressure[i] * std::log(std::abs((mesh().right(i) - xi) / (mesh().left(i) - xi)));
-    }
-  }
-  // u' = (c/pi) int t/(x'-x) dx'.
-  const double slope = -height_ / unit_ * sum / std::numbers::pi;
+  const double sum = sum_over(
+      runs_, [&](std::size_t i) { return state().pressure[i] * kernel().slope(mesh().left(i), mesh().right(i), xi); });
   Sample<double> result{to_real<double>(x), {}, {}, std::nullopt, {}};
-  const Estimate<double> estimate{slope, std::abs(slope) * estimated_error().traction};
-  result.slope = {estimate, estimate};
+  result.slope = slope_beyond(-height_ / unit_ * sum / std::numbers::pi);
   return result;
 }
 
@@ -151,6 +171,94 @@ PiecewiseTraction<double> VariationalSolution::piecewise_traction() const {
 std::vector<Sample<double>> VariationalSolution::samples(int count) const {
   std::vector<Sample<double>> result;
   for (const Rational& x : sampled_places(count)) result.push_back(at(x));
+  return result;
+}
+
+Estimate<double> VariationalSolution::height(const Rational& x) const {
+  const double profile = to_real<double>(variational::profile_above_middle(problem_, x));
+  const double tilted = height_ * state().tilt * mesh().place(x);
+  const double change = height_ * (state().tilt - found_.coarse.found.state.tilt) * mesh().place(x);
+  return Estimate<double>{profile + tilted, std::abs(change) + 1e-15 * (std::abs(profile) + std::abs(tilted))} -
+         at(x).gap.value_or(Estimate<double>{});
+}
+
+Estimate<double> VariationalSolution::rise_beyond(double xi) const {
+  const double end = xi < 0 ? mesh().edges().front() : mesh().edges().back();
+  const double sum = sum_over(runs_, [&](std::size_t i) {
+    return state().pressure[i] * kernel().rise(mesh().left(i), mesh().right(i), end, xi);
+  });
+  const double rise = height_ / std::numbers::pi * sum;
+  return {rise, std::abs(rise) * estimated_error().traction + 1e-15 * height_};
+}
+
+std::vector<double> VariationalSolution::shear_transform(const std::vector<double>& traction) const {
+  // The sum over cells j of t_j times the slope that a cell makes i - j cells further: a convolution.
+  const std::size_t n = traction.size();
+  const std::size_t size = std::bit_ceil(2 * n);
+  const variational::Fourier fourier(size);
+  const std::span<double> values = fourier.values();
+  std::fill(values.begin(), values.end(), 0.0);
+  for (std::size_t m = 1; m < n; ++m) {
+    values[size - m] = kernel().slope(-0.5, 0.5, -static_cast<double>(m)) / std::numbers::pi;
+    values[m] = -values[size - m];
+  }
+  fourier.forward();
+  const std::vector<std::complex<double>> kernel(fourier.modes().begin(), fourier.modes().end());
+  std::fill(values.begin(), values.end(), 0.0);
+  const std::vector<Rational>& jumps = problem_.friction().jumps();
+  std::size_t piece = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double middle = (static_cast<double>(i) + 0.5) / static_cast<double>(n) - 0.5;
+    while (piece < jumps.size() && mesh().place(jumps[piece]) <= middle) ++piece;
+    values[i] = to_real<double>(problem_.shear_ratio(piece)) * traction[i];
+  }
+  fourier.forward();
+  std::vector<double> result(n);
+  fourier.convolve(kernel, result);
+  return result;
+}
+
+TwoSided<double> VariationalSolution::shear_slope(double xi, const TwoSided<double>& traction) const {
+  const double c = to_real<double>(problem_.elasticity().compliance());
+  const double gamma = to_real<double>(problem_.elasticity().gamma());
+  if (xi < mesh().edges().front() || xi > mesh().edges().back()) {
+    std::size_t piece = 0;
+    const std::vector<Rational>& jumps = problem_.friction().jumps();
+    const double sum = sum_over(runs_, [&](std::size_t i) {
+      while (piece < jumps.size() && mesh().place(jumps[piece]) <= mesh().centre(i)) ++piece;
+      return to_real<double>(problem_.shear_ratio(piece)) * traction_[i] *
+             kernel().slope(mesh().left(i), mesh().right(i), xi);
+    });
+    return slope_beyond(c / std::numbers::pi * sum);
+  }
+  const auto& [fine, coarse] =
+      shear_transforms_([this] { return std::pair(shear_transform(traction_), shear_transform(coarse_traction_)); });
+  const double here = interpolated(fine, xi);
+  const double cell = mesh().length(0);
+  const double change =
+      std::max(std::abs(here - interpolated(fine, xi - cell)), std::abs(here - interpolated(fine, xi + cell)));
+  const Estimate<double> transform{here, std::max(std::abs(here - interpolated(coarse, xi)), change / 2)};
+  return {c * (transform + gamma * traction.left), c * (transform + gamma * traction.right)};
+}
+
+DetailedSample<double> VariationalSolution::details_at(const Rational& x) const {
+  DetailedSample<double> result{at(x), {}, {}, {}, {}};
+  const double xi = mesh().place(x);
+  const Indenter& indenter = problem_.indenter();
+  const bool on_left = x < indenter.left();
+  const bool beyond = on_left || x > indenter.right();
+  const Estimate<double>& origin = height_at_origin_([this] { return height(problem_.origin_of_displacement()); });
+  result.displacement = height(beyond ? (on_left ? indenter.left() : indenter.right()) : x) - origin;
+  if (beyond) result.displacement += rise_beyond(xi);
+  if (!beyond) result.friction = {problem_.friction().piece(x, Side::left), problem_.friction().piece(x, Side::right)};
+  result.cumulative_load = load_before(xi);
+  result.shear_slope = shear_slope(xi, result.traction);
+  return result;
+}
+
+std::vector<DetailedSample<double>> VariationalSolution::detailed_samples(int count) const {
+  std::vector<DetailedSample<double>> result;
+  for (const Rational& x : sampled_places(count)) result.push_back(details_at(x));
   return result;
 }
 

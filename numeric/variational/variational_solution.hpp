@@ -71,6 +71,7 @@ class VariationalSolution : public ContactSolution<double> {
  private:
   const variational::DiscreteProblem& discrete() const { return *found_.fine.problem; }
   const variational::CellMesh& mesh() const { return discrete().mesh(); }
+  const variational::SurfaceKernel& kernel() const { return discrete().galerkin_operator().kernel(); }
   const variational::DiscreteState& state() const { return found_.fine.found.state; }
 
   /// Forces on one of the nested meshes.
@@ -110,6 +111,8 @@ class VariationalSolution : public ContactSolution<double> {
   double coarse_traction(std::size_t i) const;
   Estimate<double> traction(std::size_t cell) const;
   double displacement(double xi) const;
+  /// A slope off the support, on both sides of its place, as well known as the traction.
+  TwoSided<double> slope_beyond(double slope) const;
   Sample<double> outside(const Rational& x) const;
   std::vector<Rational> sampled_places(int count) const;
   /// psi + tilt x - gap, which is u + C; in the support.

@@ -9,7 +9,7 @@
 
 #include <optional>
 
-#include "numeric/variational/active_set.hpp"
+#include "numeric/variational/nested_solve.hpp"
 #include "proofs_checks/instruments/cells/cells.hpp"
 
 namespace steadyslide::proofs_checks {

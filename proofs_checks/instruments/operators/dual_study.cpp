@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "numeric/cauchy/traction_density.hpp"
-#include "numeric/variational/active_set.hpp"
+#include "numeric/variational/nested_solve.hpp"
 #include "numeric/variational/lemke.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 

@@ -1,8 +1,7 @@
 // The coarse contact zone: against closed forms, against an own quadrature, and where the scales lie far apart.
 
-#include "numeric/coarse/coarse_contact.hpp"
+#include "numeric/variational/coarse_contact.hpp"
 #include "numeric/closed_form/closed_form.hpp"
-#include "numeric/coarse/coarse_equilibrium.hpp"
 #include "support/numeric_test.hpp"
 #include "support/problems.hpp"
 #include "support/random_problem.hpp"

@@ -1,6 +1,5 @@
 // Series fitted to cells whose means are known in closed form.
 
-#include "numeric/variational/local_series.hpp"
 #include "numeric/variational/local_fit.hpp"
 #include "support/numeric_test.hpp"
 

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "numeric/number/real.hpp"
-#include "numeric/variational/logarithmic_kernel.hpp"
+#include "numeric/variational/surface_kernel.hpp"
 #include "support/numeric_test.hpp"
 
 using namespace steadyslide::numeric::variational;

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "numeric/variational/contact_hull.hpp"
+#include "numeric/variational/bordered_system.hpp"
 #include "support/cells.hpp"
 
 namespace {

@@ -1,8 +1,9 @@
-#include "numeric/variational/logarithmic_kernel.hpp"
+#include "numeric/variational/surface_kernel.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace steadyslide::numeric::variational {
@@ -30,6 +31,16 @@ double mean(double a, double b, const F& f) {
   double sum = 0;
   for (const auto& [x, w] : gauss) sum += w * (f(centre - half * x) + f(centre + half * x));
   return sum / 2;
+}
+
+/// The mean of log|u - v| over |v| < 1/2: a cell of length 1 seen from a point.
+double mean_log_from_point(double u) {
+  if (std::abs(u) < 16) {
+    const auto near = static_cast<long double>(u);
+    return static_cast<double>(once(near + 0.5L) - once(near - 0.5L));
+  }
+  const double r = 1 / (4 * u * u);
+  return std::log(std::abs(u)) - r * (1.0 / 6 + r * (1.0 / 20 + r * (1.0 / 42 + r * (1.0 / 72 + r / 110))));
 }
 
 /// Apart by this many lengths of a cell, the eight points take its mean to the last digits.
@@ -73,13 +84,39 @@ double mean_log_of_unit_cells(std::size_t k) {
   return std::log(x) - r * (1.0 / 12 + r * (1.0 / 60 + r * (1.0 / 168 + r * (1.0 / 360 + r / 660))));
 }
 
-double mean_log_from_point(double u) {
-  if (std::abs(u) < 16) {
-    const auto near = static_cast<long double>(u);
-    return static_cast<double>(once(near + 0.5L) - once(near - 0.5L));
-  }
-  const double r = 1 / (4 * u * u);
-  return std::log(std::abs(u)) - r * (1.0 / 6 + r * (1.0 / 20 + r * (1.0 / 42 + r * (1.0 / 72 + r / 110))));
+double SurfaceKernel::at(double distance) const { return -std::log(std::abs(distance)) / std::numbers::pi; }
+
+double SurfaceKernel::mean(double a, double b, double c, double d) const {
+  return -mean_log(a, b, c, d) / std::numbers::pi;
+}
+
+double SurfaceKernel::mean_of_equal_cells(double h, std::size_t cells) const {
+  return -h * (std::log(h) + mean_log_of_unit_cells(cells)) / std::numbers::pi;
+}
+
+double SurfaceKernel::from_equal_cell(double h, double cells) const {
+  return -h * (std::log(h) + mean_log_from_point(cells)) / std::numbers::pi;
+}
+
+double SurfaceKernel::mean_from_point(double left, double right, double x) const {
+  const double length = right - left;
+  const double distance = (left + right) / 2 - x;
+  if (std::abs(distance) <= 6 * length) return -((once(right - x) - once(left - x)) / length) / std::numbers::pi;
+  const double r = length * length / (distance * distance);
+  return -(std::log(std::abs(distance)) - r / 24 - r * r / 320) / std::numbers::pi;
+}
+
+double SurfaceKernel::mean_within(double before, double behind, double length) const {
+  return -((once(behind) + once(before)) / length) / std::numbers::pi;
+}
+
+double SurfaceKernel::slope(double left, double right, double x) const {
+  return std::log(std::abs((right - x) / (left - x)));
+}
+
+double SurfaceKernel::rise(double left, double right, double from, double to) const {
+  const auto once = [](double y) { return y == 0 ? 0 : y * std::log(std::abs(y)) - y; };
+  return (once(right - to) - once(left - to)) - (once(right - from) - once(left - from));
 }
 
 }  // namespace steadyslide::numeric::variational

@@ -1,0 +1,449 @@
+#include "numeric/variational/coarse_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <set>
+
+#include "numeric/number/dense_lu.hpp"
+#include "numeric/number/real.hpp"
+#include "numeric/variational/lemke.hpp"
+
+namespace steadyslide::numeric {
+namespace coarse {
+namespace {
+
+std::vector<SupportPiece> pieces_of(const ContactProblem& problem, const Rational& origin) {
+  const std::vector<Indenter::Break> breaks = problem.indenter().breaks();
+  const Polynomial per_compliance = Polynomial::constant(1 / problem.elasticity().compliance());
+  std::vector<SupportPiece> pieces;
+  std::vector<double> profile;
+  std::size_t next = 0;
+  for (const ContactProblem::Piece& piece : problem.pieces()) {
+    int step = 0;
+    if (piece.profile == next) {
+      if (next > 0) step = sign(breaks[next - 1].step);
+      profile = coefficients_of<double>(per_compliance * problem.indenter().pieces()[next].profile.composed(1, origin));
+      ++next;
+    }
+    const double s = to_real<double>(problem.coupled_friction(piece.friction));
+    const double turn = std::atan2(1, std::abs(s)) / std::numbers::pi;
+    const double from = to_real<double>(Rational(piece.left - origin));
+    const double to = to_real<double>(Rational(piece.right - origin));
+    // Cuts that double cannot tell apart have no cell between them.
+    if (from >= to) continue;
+    pieces.push_back({from, to, s, s < 0 ? turn : 1 - turn, s < 0 ? 1 - turn : turn, profile, step});
+  }
+  return pieces;
+}
+
+constexpr int most_rounds = 40;
+
+/// Signs are decided up to this multiple of the load: what rounding of the forces and of the profile leaves open.
+double sign_tolerance(const Mesh& mesh, const Load& load, const std::vector<char>& active) {
+  double highest = 0;
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    if (active[i]) highest = std::max(highest, std::abs(mesh.profile(i)));
+  }
+  return 1e-13 + 1e-15 * highest / load.force;
+}
+
+/// Contact leaves where it pulls and begins where bodies overlap; cells that carry the most stay if too few are left.
+std::vector<char> corrected(const Mesh& mesh, const Equilibrium& state, const Load& load) {
+  const double tolerance = sign_tolerance(mesh, load, state.active) * load.force;
+  const std::size_t least = load.at ? 2 : 1;
+  std::vector<char> active(state.active.size());
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    active[i] = state.active[i] ? state.force[i] >= -tolerance : state.gap[i] < -tolerance;
+  }
+  auto count = static_cast<std::size_t>(std::count(active.begin(), active.end(), 1));
+  for (; count < std::min(least, active.size()); ++count) {
+    std::size_t best = active.size();
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      if (!active[i] &&
+          (best == active.size() || state.force[i] - state.gap[i] > state.force[best] - state.gap[best])) {
+        best = i;
+      }
+    }
+    active[best] = 1;
+  }
+  return active;
+}
+
+/// Cells that touch when there is no load yet: the lowest one, or the two that span the load line on the lower hull.
+std::vector<std::size_t> first_contact(const Mesh& mesh, const Load& load, const std::vector<double>& psi) {
+  if (!load.at) return {static_cast<std::size_t>(std::min_element(psi.begin(), psi.end()) - psi.begin())};
+  std::vector<std::size_t> hull;
+  for (std::size_t i = 0; i < psi.size(); ++i) {
+    const auto above = [&](std::size_t a, std::size_t b) {
+      return (psi[b] - psi[a]) * (mesh.point(i) - mesh.point(a)) >= (psi[i] - psi[a]) * (mesh.point(b) - mesh.point(a));
+    };
+    while (hull.size() >= 2 && above(hull[hull.size() - 2], hull.back())) hull.pop_back();
+    hull.push_back(i);
+  }
+  std::size_t k = 1;
+  while (k + 1 < hull.size() && mesh.centre(hull[k]) < *load.at) ++k;
+  return {hull[k - 1], hull[k]};
+}
+
+}  // namespace
+
+Mesh::Mesh(const ContactProblem& problem, const Rational& origin, int cells, const variational::SurfaceKernel& kernel)
+    : kernel_(kernel), pieces_(pieces_of(problem, origin)), edges_{pieces_.front().left} {
+  const double width = pieces_.back().right - pieces_.front().left;
+  const int least = pieces_.size() <= 4 * static_cast<std::size_t>(cells) ? 2 : 1;
+  for (std::size_t k = 0; k < pieces_.size(); ++k) {
+    const SupportPiece& piece = pieces_[k];
+    const double length = piece.right - piece.left;
+    const int count = std::max(least, static_cast<int>(std::lround(cells * length / width)));
+    for (int i = 1; i <= count; ++i) {
+      edges_.push_back(i < count ? piece.left + length * i / count : piece.right);
+      piece_of_.push_back(k);
+    }
+  }
+}
+
+Mesh Mesh::refined(const std::vector<int>& pieces) const {
+  Mesh result;
+  result.kernel_ = kernel_;
+  result.pieces_ = pieces_;
+  result.edges_.push_back(edges_.front());
+  for (std::size_t i = 0; i < size(); ++i) {
+    for (int k = 1; k <= pieces[i]; ++k) {
+      result.edges_.push_back(k < pieces[i] ? left(i) + length(i) * k / pieces[i] : right(i));
+      result.piece_of_.push_back(piece_of_[i]);
+    }
+  }
+  return result;
+}
+
+bool Mesh::beside_cut(std::size_t i) const {
+  return i == 0 || i + 1 == size() || piece_of_[i] != piece_of_[i - 1] || piece_of_[i] != piece_of_[i + 1];
+}
+
+const Eigen::VectorXd& Mesh::column(std::size_t j) const {
+  columns_.resize(size());
+  Eigen::VectorXd& column = columns_[j];
+  if (column.size() > 0) return column;
+  column.resize(static_cast<Eigen::Index>(size()));
+  const SupportPiece& piece = this->piece(j);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double mean = i == j ? kernel_.mean_within(piece.ahead * length(j), piece.behind * length(j), length(j))
+                               : kernel_.mean_from_point(left(j), right(j), point(i));
+    column(static_cast<Eigen::Index>(i)) = mean + (j < i ? piece.s : j == i ? piece.s * piece.ahead : 0);
+  }
+  return column;
+}
+
+int Mesh::step_before(std::size_t i) const { return i > 0 && piece_of_[i] != piece_of_[i - 1] ? piece(i).step : 0; }
+
+Equilibrium with_contact_on(const Mesh& mesh, const Load& load, const std::vector<char>& active) {
+  const Eigen::Index rest = load.at ? 2 : 1;  // unknowns C and tilt
+  const std::vector<std::size_t> cells = variational::cells_of(active);
+  const auto count = static_cast<Eigen::Index>(cells.size());
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count + rest, count + rest);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(count + rest);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const std::size_t j = cells[static_cast<std::size_t>(k)];
+    matrix.col(k).head(count) = mesh.column(j)(cells);
+    matrix(k, count) = -1;
+    matrix(count, k) = 1;
+    right(k) = -mesh.profile(j);
+    if (!load.at) continue;
+    matrix(k, count + 1) = mesh.point(j);
+    matrix(count + 1, k) = mesh.centre(j) - *load.at;
+  }
+  right(count) = load.force;
+  const Eigen::VectorXd solution = DenseLu(matrix).solve(right);
+
+  Equilibrium state;
+  state.active = active;
+  state.force.assign(active.size(), 0);
+  state.tilt = load.at ? solution(count + 1) : 0;
+  Eigen::VectorXd gap(static_cast<Eigen::Index>(active.size()));
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    gap(static_cast<Eigen::Index>(i)) = mesh.profile(i) - solution(count) + state.tilt * mesh.point(i);
+  }
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const std::size_t j = cells[static_cast<std::size_t>(k)];
+    state.force[j] = solution(k);
+    gap += solution(k) * mesh.column(j);
+  }
+  gap(cells).setZero();
+  state.gap.assign(gap.begin(), gap.end());
+  if (!solution.allFinite() || !gap.allFinite()) {
+    state.violation = HUGE_VAL;
+    return state;
+  }
+  const double worst = std::min(*std::min_element(state.force.begin(), state.force.end()), gap.minCoeff());
+  state.violation = std::max(0.0, -worst / load.force);
+  state.converged = state.violation <= sign_tolerance(mesh, load, active);
+  return state;
+}
+
+std::vector<char> load_path(const Mesh& mesh, const Load& load) {
+  // Forces are parts of the load, gaps in its unit, and the tilt is that over the whole support.
+  using Eigen::Index;
+  const auto n = static_cast<Index>(mesh.size());
+  const double from = mesh.edges().front(), to = mesh.edges().back();
+  std::vector<double> psi(mesh.size());
+  Eigen::MatrixXd influence(n, n);
+  Eigen::VectorXd heights(n);
+  std::optional<variational::Levers> levers;
+  if (load.at) levers = {Eigen::VectorXd(n), Eigen::VectorXd(n), to - from};
+  for (Index j = 0; j < n; ++j) {
+    const auto cell = static_cast<std::size_t>(j);
+    psi[cell] = mesh.profile(cell) + variational::slight_curve(mesh.point(cell), from, to, 1e-8 * load.force);
+    influence.col(j) = mesh.column(cell);
+    heights(j) = psi[cell] / load.force;
+    if (!levers) continue;
+    levers->arm(j) = mesh.centre(cell) - *load.at;
+    levers->point(j) = mesh.point(cell);
+  }
+  const std::vector<std::size_t> first = first_contact(mesh, load, psi);
+  const variational::PivotPath path =
+      variational::load_path(influence, heights, first, levers, 20 * static_cast<int>(n) + 100);
+  return path.reached ? path.contact : std::vector<char>();
+}
+
+}  // namespace coarse
+
+namespace {
+
+using namespace coarse;
+
+/// The primal-dual active-set method from a first guess; where its sets cycle, load_path(). The guess may be empty.
+Equilibrium equilibrium(const Mesh& mesh, const Load& load, std::vector<char> guess) {
+  if (guess.empty()) guess.assign(mesh.size(), 1);
+  Equilibrium best;
+  best.violation = HUGE_VAL;
+  std::set<std::vector<char>> seen;
+  const auto settle = [&](std::vector<char> active) {
+    for (int round = 0; round < most_rounds && seen.insert(active).second; ++round) {
+      Equilibrium state = with_contact_on(mesh, load, active);
+      if (state.violation < best.violation || best.active.empty()) best = state;
+      if (state.converged || !std::isfinite(state.violation)) return;
+      active = corrected(mesh, state, load);
+    }
+  };
+  settle(std::move(guess));
+  if (best.converged) return best;
+  if (std::vector<char> reached = load_path(mesh, load); !reached.empty()) {
+    seen.clear();
+    settle(std::move(reached));
+  }
+  return best;
+}
+
+/// Cells [first, last[ in contact, cut at steps of the profile: a face that stands back is not in contact at the step.
+struct Run {
+  std::size_t first;
+  std::size_t last;
+};
+
+// Parts of a run's width: cells inside it, at its ends, where separation may hide (edges, wedges, jumps), beyond ends.
+constexpr double inside = 1.0 / 8;
+constexpr double at_end = 1.0 / 32;
+constexpr double at_cut = 1.0 / 128;
+constexpr double beyond_end = 1.0 / 16;
+constexpr double between_runs = 1.0 / 3;
+/// Where nothing says how long a cell should be, it is cut into this many; and never into more than `most_pieces`.
+constexpr int by_default = 3;
+constexpr int most_pieces = 8;
+constexpr double steepest_grading = 4.5;
+/// A face that stands back at a step is free next to it, over a length that may be as small a part of its contact.
+constexpr double least_shadow = 1e-8;
+/// Gaps that are a smaller part of the contact beside them are the mesh's.
+constexpr double least_gap = 1e-3;
+
+class Wishes {
+ public:
+  explicit Wishes(const Mesh& mesh) : mesh_(mesh), pieces_(mesh.size(), 1) {}
+
+  void at_most(std::size_t cell, double length) {
+    const double wanted = std::ceil(mesh_.length(cell) / length * (1 - 1e-6));
+    into(cell, wanted < most_pieces ? static_cast<int>(wanted) : most_pieces);
+  }
+  void into(std::size_t cell, int pieces) {
+    // Shorter cells than rounding of coordinates allows would have no points of their own.
+    const double least = 1e-13 * std::max(std::abs(mesh_.edges().front()), std::abs(mesh_.edges().back()));
+    if (mesh_.length(cell) > least * most_pieces) pieces_[cell] = std::max(pieces_[cell], pieces);
+  }
+  std::vector<int> take() { return std::move(pieces_); }
+
+ private:
+  const Mesh& mesh_;
+  std::vector<int> pieces_;
+};
+
+/// Could there be contact within cell i although its point is free? Beside the contact u is concave: the chord through
+/// the point and the next one on one side, prolonged, lies above u on the other side.
+bool may_hide_contact(const Mesh& mesh, const Equilibrium& state, std::size_t i) {
+  const double x = mesh.point(i);
+  const auto lowered = [&](std::size_t k) {
+    return mesh.profile(k) + state.tilt * mesh.point(k) - state.gap[k];  // u + C
+  };
+  const double here = lowered(i);
+  const double left_slope = i > 0 ? (here - lowered(i - 1)) / (x - mesh.point(i - 1)) : 0;
+  const double right_slope = i + 1 < mesh.size() ? (lowered(i + 1) - here) / (mesh.point(i + 1) - x) : 0;
+  const SupportPiece& piece = mesh.piece(i);
+  const std::size_t samples = piece.profile.size() + 3;
+  for (std::size_t k = 0; k <= samples; ++k) {
+    const double y = mesh.left(i) + mesh.length(i) * static_cast<double>(k) / static_cast<double>(samples);
+    const double slope = y < x ? right_slope : left_slope;
+    if (piece.profile_at(y) + state.tilt * y < here + slope * (y - x)) return true;
+  }
+  return false;
+}
+
+/// Gaps that the mesh does not resolve are left in: a long last cell beside short free ones can make one.
+std::vector<Run> runs(const Mesh& mesh, const std::vector<char>& active) {
+  std::vector<Run> result;
+  const auto unresolved = [&](const Run& run, std::size_t next) {
+    const double between = mesh.left(next) - mesh.edges()[run.last];
+    const double width = mesh.edges()[run.last] - mesh.edges()[run.first];
+    for (std::size_t i = run.last; i <= next; ++i) {
+      if (mesh.step_before(i) != 0) return false;
+    }
+    return between < 0.75 * std::max(mesh.length(run.last - 1), mesh.length(next)) || between < least_gap * width;
+  };
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    if (!active[i]) continue;
+    if (!result.empty() && unresolved(result.back(), i)) {
+      result.back().last = i + 1;
+    } else {
+      result.push_back({i, i + 1});
+    }
+  }
+  return result;
+}
+
+/// Into how many parts each cell should be cut: all 1 where the mesh is good enough.
+std::vector<int> wanted_pieces(const Mesh& mesh, const Equilibrium& state) {
+  Wishes wishes(mesh);
+  const std::vector<Run> all = runs(mesh, state.active);
+  for (std::size_t r = 0; r < all.size(); ++r) {
+    const auto [first, last] = all[r];
+    const double width = mesh.edges()[last] - mesh.edges()[first];
+    for (std::size_t i = first; i < last; ++i) {
+      wishes.at_most(i, width * (mesh.beside_cut(i) ? at_cut : inside));
+    }
+    for (std::size_t k = 0; k < std::min<std::size_t>(2, last - first); ++k) {
+      wishes.at_most(first + k, width * at_end);
+      wishes.at_most(last - 1 - k, width * at_end);
+    }
+    for (std::size_t k = 1; k <= 2; ++k) {
+      if (first >= k && !state.active[first - k]) wishes.at_most(first - k, width * beyond_end);
+      if (last - 1 + k < mesh.size() && !state.active[last - 1 + k]) wishes.at_most(last - 1 + k, width * beyond_end);
+    }
+    const auto seek_shadow = [&](std::size_t back, std::size_t front) {
+      if (mesh.length(back) < least_shadow * width) return;
+      wishes.into(back, most_pieces);
+      if (mesh.length(front) > mesh.length(back) / most_pieces) wishes.into(front, most_pieces);
+    };
+    if (mesh.step_before(first) > 0) seek_shadow(first, first - 1);
+    if (last < mesh.size() && mesh.step_before(last) < 0) seek_shadow(last - 1, last);
+    if (r > 0) {
+      const double between = mesh.edges()[first] - mesh.edges()[all[r - 1].last];
+      for (std::size_t i = all[r - 1].last; i < first; ++i) wishes.at_most(i, between * between_runs);
+    }
+  }
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    // A long cell at the end of contact beside short free ones would show contact where there is none.
+    const auto too_long_beside = [&](std::size_t k) {
+      return mesh.length(i) > steepest_grading * mesh.length(k) && (state.active[i] || state.active[k]);
+    };
+    const bool beside_shorter = (i > 0 && too_long_beside(i - 1)) || (i + 1 < mesh.size() && too_long_beside(i + 1));
+    // Next to a contact, the width of that contact has already said how long a cell may be.
+    const bool beside_contact = (i > 0 && state.active[i - 1]) || (i + 1 < mesh.size() && state.active[i + 1]);
+    const bool apart = !state.active[i] && !beside_contact;
+    if (beside_shorter || (apart && may_hide_contact(mesh, state, i))) wishes.into(i, by_default);
+  }
+  return wishes.take();
+}
+
+constexpr int most_growth = 16;
+constexpr int most_meshes = 40;
+
+/// How far from the inner edge of the outermost cell a contact ends freely, where the traction is proportional to
+/// d^power: forces within d are then to each other as d^{1+power}. At most halfway into the next cell.
+double end_distance(const Mesh& mesh, const Equilibrium& state, double power, std::size_t last, std::size_t next,
+                    double beyond) {
+  const double outer = state.force[last];
+  const double inner = state.force[next];
+  if (!(outer > 0 && inner > 0)) return mesh.length(last);
+  const double ratio = std::pow(outer / (outer + inner), 1 / (1 + power));
+  return std::min(mesh.length(next) * ratio / (1 - ratio), mesh.length(last) + beyond / 2);
+}
+
+ContactInterval zone(const Mesh& mesh, const Equilibrium& state, const Run& run) {
+  const auto [first, last] = run;
+  ContactInterval zone{mesh.left(first), mesh.right(last - 1), first == 0 || mesh.step_before(first) < 0,
+                       last == mesh.size() || mesh.step_before(last) > 0};
+  if (last - first < 3) return zone;
+  if (!zone.left_at_edge) {
+    const double beyond = mesh.step_before(first) == 0 ? mesh.length(first - 1) : 0;
+    zone.left = mesh.right(first) - end_distance(mesh, state, mesh.piece(first).behind, first, first + 1, beyond);
+  }
+  if (!zone.right_at_edge) {
+    const double beyond = mesh.step_before(last) == 0 ? mesh.length(last) : 0;
+    zone.right =
+        mesh.left(last - 1) + end_distance(mesh, state, mesh.piece(last - 1).ahead, last - 1, last - 2, beyond);
+  }
+  return zone;
+}
+
+std::vector<char> inherited(const std::vector<char>& active, const std::vector<int>& pieces) {
+  std::vector<char> result;
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    result.insert(result.end(), static_cast<std::size_t>(pieces[i]), active[i]);
+  }
+  return result;
+}
+
+/// Even forces on cells are centred at a cell's centre: the load has to lie between the outermost ones.
+Mesh around_load(Mesh mesh, double at) {
+  std::vector<int> pieces(mesh.size(), 1);
+  const auto parts = [](double length, double distance) {
+    return static_cast<int>(std::min(length / distance + 1, 1e3));
+  };
+  if (at <= mesh.centre(0)) pieces.front() = parts(mesh.length(0), at - mesh.left(0));
+  const std::size_t last = mesh.size() - 1;
+  if (at >= mesh.centre(last)) pieces.back() = parts(mesh.length(last), mesh.right(last) - at);
+  return mesh.refined(pieces);
+}
+
+}  // namespace
+
+CoarseContact coarse_contact(const ContactProblem& problem, int cells) {
+  CoarseContact result;
+  const Indenter& indenter = problem.indenter();
+  result.origin = (indenter.left() + indenter.right()) / 2;
+  Load load{to_real<double>(problem.load()), std::nullopt};
+  if (problem.load_at()) load.at = to_real<double>(Rational(*problem.load_at() - result.origin));
+
+  Mesh mesh(problem, result.origin, cells);
+  if (load.at) mesh = around_load(std::move(mesh), *load.at);
+  const std::size_t most_cells = static_cast<std::size_t>(most_growth) * static_cast<std::size_t>(cells);
+  Equilibrium state;
+  std::vector<char> guess;
+  for (int round = 0;; ++round) {
+    state = equilibrium(mesh, load, std::move(guess));
+    if (round == most_meshes) break;
+    const std::vector<int> pieces = wanted_pieces(mesh, state);
+    const auto count = static_cast<std::size_t>(std::accumulate(pieces.begin(), pieces.end(), 0));
+    if (count == mesh.size() || count > most_cells) break;
+    guess = inherited(state.active, pieces);
+    mesh = mesh.refined(pieces);
+  }
+
+  for (const Run& run : runs(mesh, state.active)) result.zones.push_back(zone(mesh, state, run));
+  result.tilt = state.tilt;
+  result.cell_edges = mesh.edges();
+  for (std::size_t i = 0; i < mesh.size(); ++i) result.traction.push_back(-state.force[i] / mesh.length(i));
+  result.converged = state.converged;
+  return result;
+}
+
+}  // namespace steadyslide::numeric

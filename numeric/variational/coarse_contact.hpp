@@ -1,0 +1,118 @@
+#pragma once
+// Where is the contact, roughly? A small variational solution that knows no exponents: piecewise constant traction on
+// cells cut at every jump of friction and break of the profile, Galerkin's equations with the kernel of
+//
+//   u(x)/c = -(1/pi) int t(x') log|x - x'| dx' + int_left^x s t,      u/c + C <= psi/c, t <= 0, t (u/c + C - psi/c) = 0
+//
+// at one point of each cell, int t = -P; an active-set method with dense LU; cells refined where contact may begin or
+// end until every contact component has several. [Bal16, section 3.1]
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "model/contact_problem.hpp"
+#include "numeric/number/polynomial.hpp"
+#include "numeric/solution/contact_interval.hpp"
+#include "numeric/variational/surface_kernel.hpp"
+
+namespace steadyslide::numeric {
+
+/// Lengths are measured from `origin`, which is exact.
+struct CoarseContact {
+  Rational origin;
+  std::vector<ContactInterval> zones;  ///< left to right
+  double tilt = 0;                     ///< slope added to psi/c: not zero only with load_at
+  std::vector<double> cell_edges;      ///< of the last mesh
+  std::vector<double> traction;        ///< one per cell
+  bool converged = true;               ///< false: the active sets cycled; the best one is given
+};
+
+/// About `cells` cells to begin with, at most 16 times as many on the last mesh.
+CoarseContact coarse_contact(const ContactProblem& problem, int cells);
+
+namespace coarse {
+
+// The cells of the coarse solution: each lies under one friction value and one piece of the profile. What a force on
+// one cell does to the gap at the points of all cells:
+//
+//   gap_i = psi_i - C + tilt x_i + sum_j G_ij q_j,   G_ij = mean_j k(x_i - x') + int_left^{x_i} s over cell j,
+//
+// k the kernel, and q_j >= 0 the force on cell j, spread evenly over it. The point x_i divides its cell as
+// 1/2 + alpha : 1/2 - alpha: with the mean over the cell instead, or its centre, strong friction (s > 2, say) makes the
+// cells next to a concentrated force ring and lose contact, as the trapezoidal rule does with a stiff equation; towards
+// s = +-infinity this point is the implicit Euler rule.
+
+/// The support between two neighbouring cuts: jumps of friction and breaks of the profile. Lengths from the origin.
+struct SupportPiece {
+  double left;
+  double right;
+  double s;
+  double ahead;                 ///< 1/2 + alpha, the part of a cell left of its point
+  double behind;                ///< 1/2 - alpha, the part right of it, formed without subtraction
+  std::vector<double> profile;  ///< psi/c, coefficients of 1, x, x^2, ...
+  int step;                     ///< the sign of psi(x+) - psi(x-) at `left`
+
+  double profile_at(double x) const { return value_of(profile, x); }
+};
+
+class Mesh {
+ public:
+  /// About `cells` cells of like length, two or more a piece as long as that stays affordable.
+  Mesh(const ContactProblem& problem, const Rational& origin, int cells, const variational::SurfaceKernel& kernel = {});
+  /// Every cell cut into pieces[i] >= 1 equal parts.
+  Mesh refined(const std::vector<int>& pieces) const;
+
+  std::size_t size() const { return piece_of_.size(); }
+  const std::vector<double>& edges() const { return edges_; }
+  double left(std::size_t i) const { return edges_[i]; }
+  double right(std::size_t i) const { return edges_[i + 1]; }
+  double length(std::size_t i) const { return edges_[i + 1] - edges_[i]; }
+  double centre(std::size_t i) const { return (edges_[i] + edges_[i + 1]) / 2; }
+  const SupportPiece& piece(std::size_t i) const { return pieces_[piece_of_[i]]; }
+  /// Where the displacement in cell i is looked at: the centre without friction, close to the right end for s -> inf.
+  double point(std::size_t i) const { return edges_[i] + piece(i).ahead * length(i); }
+  /// psi/c at that point.
+  double profile(std::size_t i) const { return piece(i).profile_at(point(i)); }
+  /// G_ij for all i. Computed when first asked for: most cells never carry a force.
+  const Eigen::VectorXd& column(std::size_t j) const;
+  /// The cell is the first or the last one of its piece.
+  bool beside_cut(std::size_t i) const;
+  /// The sign of the step at the left end of cell i; 0 within a piece.
+  int step_before(std::size_t i) const;
+
+ private:
+  Mesh() = default;
+
+  variational::SurfaceKernel kernel_;
+  std::vector<SupportPiece> pieces_;
+  std::vector<double> edges_;
+  std::vector<std::size_t> piece_of_;
+  mutable std::vector<Eigen::VectorXd> columns_;
+};
+
+// Contact on a fixed mesh: q >= 0, gap >= 0, q gap = 0 cell by cell, sum q = P, and with a load line sum q x = P x0.
+
+struct Load {
+  double force;
+  std::optional<double> at;  ///< from the origin; present if the indenter may tilt
+};
+
+struct Equilibrium {
+  std::vector<char> active;
+  std::vector<double> force;  ///< q
+  std::vector<double> gap;
+  double tilt = 0;
+  double violation = 0;  ///< the largest force or gap of the wrong sign, divided by P
+  bool converged = false;
+};
+
+/// Forces and gaps with the contact set given, whatever their signs. Not finite where the equations are singular.
+Equilibrium with_contact_on(const Mesh& mesh, const Load& load, const std::vector<char>& active);
+
+/// The contact set that is reached when the load grows from zero, by the pivots of Lemke (lemke.hpp). Forces of a given sum
+/// are a bounded set, so that the way cannot end before any given load, whatever the matrix. Empty if rounding stops it.
+std::vector<char> load_path(const Mesh& mesh, const Load& load);
+
+}  // namespace coarse
+}  // namespace steadyslide::numeric
