@@ -429,8 +429,8 @@ class Solution:
 
     def certify(self) -> Proof:
         """Proves it in ball arithmetic, with a certificate for steadyslide-check: a Proof. Ten times a solve."""
-        proof = self._core.certify()
-        return Proof(proof.proved, proof.reason, proof.certificate, self._gaps(proof.unresolved_gaps()))
+        proved, reason, certificate, gaps = self._core.certify()
+        return Proof(proved, reason, certificate, self._gaps(gaps))
 
     def plot(self, ax: Any = None) -> Any:
         """Pressure and shear over x, with singular points marked, on matplotlib's axes, which are returned."""
