@@ -187,18 +187,12 @@ Number Solution::slope(const Exact& x) const { return larger(state_->at(rational
 
 std::vector<double> Solution::traction(std::span<const double> x) const {
   check_finite("x", x);
-  std::vector<double> normal(x.size());
-  std::vector<double> shear(x.size());
-  state_->tractions(x, normal, shear);
-  return normal;
+  return state_->tractions(x).first;
 }
 
 std::vector<double> Solution::shear(std::span<const double> x) const {
   check_finite("x", x);
-  std::vector<double> normal(x.size());
-  std::vector<double> shear(x.size());
-  state_->tractions(x, normal, shear);
-  return shear;
+  return state_->tractions(x).second;
 }
 
 std::vector<double> Solution::gap(std::span<const double> x) const {
