@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "library/answer/solved_contact.hpp"
@@ -27,8 +28,13 @@ using Solution = std::shared_ptr<const numeric::ContactSolution<double>>;
 /// Residuals above it are no solution's, as for the command line.
 constexpr double largest_residual = 1e-9;
 
-val text(const std::string& value) { return val(value); }
 val text(std::string_view value) { return val(std::string(value)); }
+
+val object(const std::vector<std::pair<const char*, val>>& entries) {
+  val result = val::object();
+  for (const auto& [key, value] : entries) result.set(key, value);
+  return result;
+}
 
 /// A value of the page; null: unknown, or absent.
 val shown(const Estimate<double>& estimate) {
@@ -38,40 +44,37 @@ val shown(const Estimate<double>& estimate) {
 val shown(std::size_t count) { return val(static_cast<double>(count)); }
 val shown(const Exponent& exponent) { return val(numeric::to_real<double>(exponent)); }
 val shown(const answer::IntervalOf<Estimate<double>>& interval) {
-  val result = val::object();
-  result.set("left", shown(interval.left));
-  result.set("right", shown(interval.right));
-  return result;
+  return object({{"left", shown(interval.left)}, {"right", shown(interval.right)}});
 }
 template <class T>
 val shown(const std::optional<T>& value) {
   return value ? shown(*value) : val::null();
 }
 val shown(const numeric::LargestPressure<double>& largest) {
-  val result = val::object();
-  result.set("value", shown(largest.value));
-  result.set("x", shown(largest.x));
-  result.set("exponent", shown(largest.exponent));
+  return object({{"value", shown(largest.value)}, {"x", shown(largest.x)}, {"exponent", shown(largest.exponent)}});
+}
+
+/// What an end of contact and a singular point have in common.
+template <class Point>
+val point_object(const Point& point) {
+  const std::optional<Exponent> exponent = point.exponent;
+  return object({{"x", shown(point.x)},
+                 {"kind", text(name_of(point.kind))},
+                 {"exponent", shown(exponent)},
+                 {"sign", val(exponent ? exponent->sign() : -1)},
+                 {"symbolic", text(exponent ? to_string(*exponent) : "log")},
+                 {"intensity", shown(point.intensity)}});
+}
+val shown(const numeric::SolvedSingularPoint<double>& point) {
+  val result = point_object(point);
+  result.set("constant", shown(point.constant));
   return result;
 }
-val shown(const std::vector<Estimate<double>>& values) {
+
+template <class T>
+val shown(const std::vector<T>& values) {
   val result = val::array();
-  for (const Estimate<double>& value : values) result.call<void>("push", shown(value));
-  return result;
-}
-
-void set(val& object, const char* key, const Estimate<double>& estimate) { object.set(key, shown(estimate)); }
-
-void set(val& object, const std::optional<Exponent>& exponent) {
-  object.set("exponent", shown(exponent));
-  object.set("sign", exponent ? exponent->sign() : -1);
-  object.set("symbolic", exponent ? to_string(*exponent) : std::string("log"));
-}
-
-template <class T, class Write>
-val list(const std::vector<T>& values, Write write) {
-  val result = val::array();
-  for (const T& value : values) result.call<void>("push", write(value));
+  for (const T& value : values) result.call<void>("push", shown(value));
   return result;
 }
 
@@ -80,38 +83,17 @@ val column(const std::vector<double>& values) {
   return val::global("Float64Array").new_(val(emscripten::typed_memory_view(values.size(), values.data())));
 }
 
-val end(const numeric::ContactEnd<double>& end) {
-  val result = val::object();
-  set(result, "x", end.x);
-  result.set("kind", text(name_of(end.kind)));
-  set(result, end.exponent);
-  set(result, "intensity", end.intensity);
-  return result;
-}
-
-val contact(const numeric::ContactSolution<double>& solution, const std::vector<Estimate<double>>& loads) {
+val contact(const numeric::ContactSolution<double>& solution) {
+  const std::vector<Estimate<double>> loads = solution.resultants().component_load;
   val result = val::array();
-  for (const auto& component : solution.contact()) {
-    val zone = val::object();
-    zone.set("left", end(component.left));
-    zone.set("right", end(component.right));
-    set(zone, "width", component.width);
-    set(zone, "load", loads[result["length"].as<std::size_t>()]);
-    result.call<void>("push", zone);
+  std::size_t k = 0;
+  for (const auto& [left, right, width] : solution.contact()) {
+    result.call<void>("push", object({{"left", point_object(left)},
+                                      {"right", point_object(right)},
+                                      {"width", shown(width)},
+                                      {"load", shown(loads[k++])}}));
   }
   return result;
-}
-
-val singular_points(const numeric::ContactSolution<double>& solution) {
-  return list(solution.singular_points(), [](const numeric::SolvedSingularPoint<double>& point) {
-    val result = val::object();
-    set(result, "x", point.x);
-    result.set("kind", text(name_of(point.kind)));
-    set(result, point.exponent);
-    set(result, "intensity", point.intensity);
-    set(result, "constant", point.constant);
-    return result;
-  });
 }
 
 /// The quantities of the table (library/answer/quantities.hpp).
@@ -142,18 +124,14 @@ class Explorer {
   }
 
   val solution() const {
-    val result = val::object();
-    result.set("method", solution_->method());
-    result.set("failed_condition", solution_->failed_condition());
-    result.set("contact", contact(*solution_, solution_->resultants().component_load));
-    result.set("singular_points", singular_points(*solution_));
-    result.set("resultants", resultants(*problem_, *solution_));
-    val other = val::object();
-    set(other, "effective_friction", opposite_->resultants().effective_friction);
-    result.set("other_direction", other);
-    const Uniqueness unique = uniqueness(*problem_);
-    result.set("unique", unique.proved);
-    return result;
+    return object(
+        {{"method", text(solution_->method())},
+         {"failed_condition", text(solution_->failed_condition())},
+         {"contact", contact(*solution_)},
+         {"singular_points", shown(solution_->singular_points())},
+         {"resultants", resultants(*problem_, *solution_)},
+         {"other_direction", object({{"effective_friction", shown(opposite_->resultants().effective_friction)}})},
+         {"unique", val(uniqueness(*problem_).proved)}});
   }
 
   /// Surface: `count` places in each contact component and gap. A traction without bound is infinite; the profile is psi.
@@ -167,13 +145,11 @@ class Explorer {
       gap.push_back(sample.gap ? sample.gap->value : std::nan(""));
       profile.push_back(height(sample.x));
     }
-    val result = val::object();
-    result.set("x", column(x));
-    result.set("traction", column(traction));
-    result.set("shear", column(shear));
-    result.set("gap", column(gap));
-    result.set("profile", column(profile));
-    return result;
+    return object({{"x", column(x)},
+                   {"traction", column(traction)},
+                   {"shear", column(shear)},
+                   {"gap", column(gap)},
+                   {"profile", column(profile)}});
   }
 
   /// The surface beyond the support, on the scale of the profile: psi - gap continued to these places.
@@ -209,17 +185,15 @@ class Explorer {
   /// By a rule that no solver uses. `solved`: small enough for a solution, and no condition has failed.
   val residuals() const {
     const numeric::Residuals<double> found = solution_->residuals();
-    val result = val::object();
-    result.set("equation", found.equation);
-    result.set("load", found.load);
-    result.set("penetration", found.penetration);
-    result.set("tension", found.tension);
     bool solved = solution_->failed_condition().empty();
     for (const double residual : {found.equation, found.load, found.penetration, found.tension}) {
       solved = solved && residual <= largest_residual;
     }
-    result.set("solved", solved);
-    return result;
+    return object({{"equation", val(found.equation)},
+                   {"load", val(found.load)},
+                   {"penetration", val(found.penetration)},
+                   {"tension", val(found.tension)},
+                   {"solved", val(solved)}});
   }
 
  private:

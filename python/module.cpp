@@ -5,37 +5,47 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <array>
 #include <steadyslide/steadyslide.hpp>
+#include <tuple>
 
 namespace py = pybind11;
 namespace ss = steadyslide;
 
+namespace steadyslide {
+
+// The fields of each result, in the order of its tuple in Python.
+inline auto fields(const Number& n) { return std::tie(n.value, n.error, n.digits); }
+inline auto fields(const Limits& l) { return std::tie(l.left, l.right); }
+inline auto fields(const LargestPressure& p) { return std::tie(p.value, p.x, p.exponent); }
+inline auto fields(const Interval& i) { return std::tie(i.left, i.right); }
+inline auto fields(const ContactEnd& e) { return std::tie(e.x, e.kind, e.exponent, e.intensity); }
+inline auto fields(const ContactComponent& c) { return std::tie(c.left, c.right, c.width, c.load); }
+inline auto fields(const SolvedPoint& p) {
+  return std::tie(p.x, p.kind, p.exponent, p.symbolic, p.intensity, p.constant, p.stress_intensity_left,
+                  p.stress_intensity_right);
+}
+inline auto fields(const UnresolvedGap& g) { return std::tie(g.x, g.log10_length); }
+inline auto fields(const PossiblePoint& p) { return std::tie(p.x, p.kind, p.side, p.exponent, p.symbolic); }
+inline auto fields(const SurfaceSample& s) {
+  return std::tie(s.traction, s.shear, s.gap, s.slope, s.displacement, s.shear_slope, s.cumulative_load);
+}
+inline auto fields(const NodalForce& f) { return std::tie(f.normal, f.tangential); }
+inline auto fields(const Proof& p) { return std::tie(p.proved, p.reason, p.certificate, p.unresolved_gaps); }
+namespace answer {
+inline auto fields(const Quantity& q) { return std::tie(q.type, q.key, q.unit, q.meaning); }
+}  // namespace answer
+
+}  // namespace steadyslide
+
 namespace pybind11::detail {
 
-/// (value, error, digits).
-template <>
-struct type_caster<ss::Number> {
-  PYBIND11_TYPE_CASTER(ss::Number, const_name("tuple[float, float, str]"));
-  static handle cast(const ss::Number& number, return_value_policy, handle) {
-    return py::make_tuple(number.value, number.error, number.digits).release();
-  }
-};
-
-/// (value, x, exponent).
-template <>
-struct type_caster<ss::LargestPressure> {
-  PYBIND11_TYPE_CASTER(ss::LargestPressure, const_name("tuple"));
-  static handle cast(const ss::LargestPressure& largest, return_value_policy, handle) {
-    return py::make_tuple(largest.value, largest.x, largest.exponent).release();
-  }
-};
-
-/// (left, right).
-template <>
-struct type_caster<ss::Interval> {
-  PYBIND11_TYPE_CASTER(ss::Interval, const_name("tuple"));
-  static handle cast(const ss::Interval& interval, return_value_policy, handle) {
-    return py::make_tuple(interval.left, interval.right).release();
+template <class Result>
+requires requires(const Result& result) { fields(result); }
+struct type_caster<Result> {
+  PYBIND11_TYPE_CASTER(Result, const_name("tuple"));
+  static handle cast(const Result& result, return_value_policy, handle) {
+    return std::apply([](const auto&... field) { return py::make_tuple(field...); }, fields(result)).release();
   }
 };
 
@@ -44,8 +54,7 @@ struct type_caster<ss::Interval> {
 namespace {
 
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
-using Many = std::vector<double> (ss::Solution::*)(std::span<const double>) const;
-using One = ss::Number (ss::Solution::*)(const ss::Exact&) const;
+using Released = py::call_guard<py::gil_scoped_release>;
 
 template <class Work>
 auto released(Work work) {
@@ -59,55 +68,32 @@ Array array_of(const std::vector<double>& values) {
   return Array(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-Array many(const ss::Solution& solution, const Array& x, Many ask) {
-  const std::span<const double> places = span_of(x);
-  return array_of(released([&] { return (solution.*ask)(places); }));
-}
+/// The functions `name`, of many places in double, and "each_NAME", of exact places.
+struct OfPlaces {
+  const char* name;
+  std::vector<double> (ss::Solution::*many)(std::span<const double>) const;
+  ss::Number (ss::Solution::*one)(const ss::Exact&) const;
+};
+constexpr OfPlaces of_places[] = {{"traction", &ss::Solution::traction, &ss::Solution::traction},
+                                  {"shear", &ss::Solution::shear, &ss::Solution::shear},
+                                  {"gap", &ss::Solution::gap, &ss::Solution::gap},
+                                  {"slope", &ss::Solution::slope, &ss::Solution::slope}};
 
-std::vector<ss::Number> each(const ss::Solution& solution, const std::vector<std::string>& x, One ask) {
-  return released([&] {
+void define(py::class_<ss::Solution>& solution, const OfPlaces& of) {
+  solution.def(of.name, [many = of.many](const ss::Solution& s, const Array& x) {
+    const std::span<const double> places = span_of(x);
+    return array_of(released([&] { return (s.*many)(places); }));
+  });
+  const auto each = [one = of.one](const ss::Solution& s, const std::vector<std::string>& x) {
     std::vector<ss::Number> values;
     values.reserve(x.size());
-    for (const std::string& place : x) values.push_back((solution.*ask)(place));
+    for (const std::string& place : x) values.push_back((s.*one)(place));
     return values;
-  });
+  };
+  solution.def(("each_" + std::string(of.name)).c_str(), each, Released());
 }
 
-py::tuple end_tuple(const ss::ContactEnd& end) { return py::make_tuple(end.x, end.kind, end.exponent, end.intensity); }
-
-py::list contact(const ss::Solution& solution) {
-  py::list list;
-  for (const auto& [left, right, width, load] : released([&] { return solution.contact(); })) {
-    list.append(py::make_tuple(end_tuple(left), end_tuple(right), width, load));
-  }
-  return list;
-}
-
-py::list singular_points(const ss::Solution& solution) {
-  py::list list;
-  for (const ss::SolvedPoint& p : released([&] { return solution.singular_points(); })) {
-    list.append(py::make_tuple(p.x, p.kind, p.exponent, p.symbolic, p.intensity, p.constant, p.stress_intensity_left,
-                               p.stress_intensity_right));
-  }
-  return list;
-}
-
-py::list gap_tuples(const std::vector<ss::UnresolvedGap>& gaps) {
-  py::list list;
-  for (const auto& [x, log10_length] : gaps) list.append(py::make_tuple(x, log10_length));
-  return list;
-}
-
-/// Type, key, unit and meaning of each quantity of the table.
-py::list quantities() {
-  py::list list;
-  for (const auto& [type, key, unit, line, meaning] : ss::answer::quantities) {
-    list.append(py::make_tuple(type, key, unit, meaning));
-  }
-  return list;
-}
-
-/// Their values, in the same order.
+/// Values of the quantities, in the order of their table.
 py::list resultants(const ss::Solution& solution) {
   py::list list;
   const ss::Resultants found = released([&] { return solution.resultants(); });
@@ -115,70 +101,28 @@ py::list resultants(const ss::Solution& solution) {
   return list;
 }
 
-py::tuple sample(const ss::Solution& solution, const std::string& x) {
-  const ss::SurfaceSample s = released([&] { return solution.at(x); });
-  const auto limits = [](const ss::Limits& both) { return py::make_tuple(both.left, both.right); };
-  return py::make_tuple(limits(s.traction), limits(s.shear), s.gap, limits(s.slope), s.displacement,
-                        limits(s.shear_slope), s.cumulative_load);
+std::array<std::optional<ss::Number>, 11> components(const ss::Stress& s) {
+  return {s.xx, s.zz, s.xz, s.yy, s.mean, s.von_mises, s.largest_shear, s.ux_x, s.ux_z, s.uz_x, s.uz_z};
 }
-
-using Component = std::optional<ss::Number> (*)(const ss::Stress&);
-constexpr Component stress_components[] = {
-    [](const ss::Stress& s) { return std::optional(s.xx); },
-    [](const ss::Stress& s) { return std::optional(s.zz); },
-    [](const ss::Stress& s) { return std::optional(s.xz); },
-    [](const ss::Stress& s) { return s.yy; },
-    [](const ss::Stress& s) { return s.mean; },
-    [](const ss::Stress& s) { return s.von_mises; },
-    [](const ss::Stress& s) { return std::optional(s.largest_shear); },
-    [](const ss::Stress& s) { return s.ux_x; },
-    [](const ss::Stress& s) { return s.ux_z; },
-    [](const ss::Stress& s) { return s.uz_x; },
-    [](const ss::Stress& s) { return s.uz_z; },
-};
 
 /// Values and errors of each component; None where there is none.
 py::list stresses(const ss::Solution& solution, const Array& x, const Array& z) {
   const auto [places, depths] = std::pair(span_of(x), span_of(z));
   const std::vector<ss::Stress> states = released([&] { return solution.stress(places, depths); });
   py::list list;
-  for (const Component component : stress_components) {
-    if (!states.empty() && !component(states.front())) {
+  for (std::size_t k = 0; k < components({}).size(); ++k) {
+    if (!states.empty() && !components(states.front())[k]) {
       list.append(py::none());
       continue;
     }
     std::vector<double> values;
     std::vector<double> errors;
     for (const ss::Stress& state : states) {
-      const ss::Number number = *component(state);
+      const ss::Number number = *components(state)[k];
       values.push_back(number.value);
       errors.push_back(number.error);
     }
     list.append(py::make_tuple(array_of(values), array_of(errors)));
-  }
-  return list;
-}
-
-py::list stress(const ss::Solution& solution, const std::string& x, const std::string& z) {
-  const ss::Stress state = released([&] { return solution.stress(ss::Exact(x), ss::Exact(z)); });
-  py::list list;
-  for (const Component component : stress_components) list.append(component(state));
-  return list;
-}
-
-py::list nodal_forces(const ss::Solution& solution, const std::vector<std::string>& nodes, int order) {
-  py::list list;
-  const ss::Mesh mesh{{nodes.begin(), nodes.end()}, order};
-  for (const auto& [normal, tangential] : released([&] { return solution.nodal_forces(mesh); })) {
-    list.append(py::make_tuple(normal, tangential));
-  }
-  return list;
-}
-
-py::list exponents(const ss::Problem& problem, int digits) {
-  py::list list;
-  for (const auto& [x, kind, side, exponent, symbolic] : ss::exponents(problem, digits)) {
-    list.append(py::make_tuple(x, kind, side, exponent, symbolic));
   }
   return list;
 }
@@ -198,53 +142,44 @@ ss::Problem read_file(const std::string& file) {
 
 PYBIND11_MODULE(_core, m) {
   m.attr("__version__") = ss::version();
-  m.attr("quantities") = quantities();
+  m.attr("quantities") = std::vector(std::begin(ss::answer::quantities), std::end(ss::answer::quantities));
   py::register_exception<ss::InvalidData>(m, "InvalidData", PyExc_ValueError);
 
   py::class_<ss::Problem>(m, "Problem")
       .def_static("read", &read_file)
-      .def_static("from_text",
-                  [](const std::string& text, const std::string& name) {
-                    return released([&] { return ss::Problem::from_text(text, name); });
-                  })
+      .def_static("from_text", &ss::Problem::from_text, Released())
       .def_property_readonly("text", &ss::Problem::text)
       .def_property_readonly("name", &ss::Problem::name);
-  m.def("exponents", &exponents);
-  m.def("derivation", [](const ss::Problem& problem) { return released([&] { return ss::derivation(problem); }); });
-  m.def("solve", [](const ss::Problem& problem, int digits, const std::string& method, std::optional<int> cells) {
-    return released([&] { return ss::solve(problem, {digits, method, cells}); });
-  });
+  m.def("exponents", &ss::exponents, Released());
+  m.def("derivation", &ss::derivation, Released());
+  const auto solve = [](const ss::Problem& problem, int digits, const std::string& method, std::optional<int> cells) {
+    return ss::solve(problem, {digits, method, cells});
+  };
+  m.def("solve", solve, Released());
 
-  py::class_<ss::Proof>(m, "Proof")
-      .def_readonly("proved", &ss::Proof::proved)
-      .def_readonly("reason", &ss::Proof::reason)
-      .def_readonly("certificate", &ss::Proof::certificate)
-      .def("unresolved_gaps", [](const ss::Proof& proof) { return gap_tuples(proof.unresolved_gaps); });
-
-  py::class_<ss::Solution>(m, "Solution")
-      .def_property_readonly("failed_condition", &ss::Solution::failed_condition)
+  py::class_<ss::Solution> solution(m, "Solution");
+  solution.def_property_readonly("failed_condition", &ss::Solution::failed_condition)
       .def_property_readonly("method", &ss::Solution::method)
-      .def("warnings", [](const ss::Solution& s) { return released([&] { return s.warnings(); }); })
-      .def("contact", &contact)
-      .def("singular_points", &singular_points)
-      .def("unresolved_gaps",
-           [](const ss::Solution& s) { return gap_tuples(released([&] { return s.unresolved_gaps(); })); })
+      .def("warnings", &ss::Solution::warnings, Released())
+      .def("contact", &ss::Solution::contact, Released())
+      .def("singular_points", &ss::Solution::singular_points, Released())
+      .def("unresolved_gaps", &ss::Solution::unresolved_gaps, Released())
       .def("resultants", &resultants)
-      .def("at", &sample)
-      .def("traction", [](const ss::Solution& s, const Array& x) { return many(s, x, &ss::Solution::traction); })
-      .def("shear", [](const ss::Solution& s, const Array& x) { return many(s, x, &ss::Solution::shear); })
-      .def("gap", [](const ss::Solution& s, const Array& x) { return many(s, x, &ss::Solution::gap); })
-      .def("slope", [](const ss::Solution& s, const Array& x) { return many(s, x, &ss::Solution::slope); })
-      .def("each_traction",
-           [](const ss::Solution& s, const std::vector<std::string>& x) { return each(s, x, &ss::Solution::traction); })
-      .def("each_shear",
-           [](const ss::Solution& s, const std::vector<std::string>& x) { return each(s, x, &ss::Solution::shear); })
-      .def("each_gap",
-           [](const ss::Solution& s, const std::vector<std::string>& x) { return each(s, x, &ss::Solution::gap); })
-      .def("each_slope",
-           [](const ss::Solution& s, const std::vector<std::string>& x) { return each(s, x, &ss::Solution::slope); })
+      .def(
+          "at", [](const ss::Solution& s, const std::string& x) { return s.at(x); }, Released())
       .def("stresses", &stresses)
-      .def("stress", &stress)
-      .def("nodal_forces", &nodal_forces)
-      .def("certify", [](const ss::Solution& s) { return released([&] { return s.certify(); }); });
+      .def(
+          "stress",
+          [](const ss::Solution& s, const std::string& x, const std::string& z) {
+            return components(s.stress(ss::Exact(x), ss::Exact(z)));
+          },
+          Released())
+      .def(
+          "nodal_forces",
+          [](const ss::Solution& s, const std::vector<std::string>& nodes, int order) {
+            return s.nodal_forces({{nodes.begin(), nodes.end()}, order});
+          },
+          Released())
+      .def("certify", &ss::Solution::certify, Released());
+  for (const OfPlaces& of : of_places) define(solution, of);
 }

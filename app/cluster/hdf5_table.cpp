@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "app/embedded.hpp"
+#include "app/results/rows.hpp"
 #include "app/terminal/failure.hpp"
 
 namespace steadyslide::app {
@@ -38,26 +40,12 @@ class Handle {
 
 using NamedCells = std::vector<std::string>;
 
-/// The columns of a table in CSV, each with its name first (RFC 4180, every row one line).
+/// The columns of a table in CSV, each with its name first.
 std::vector<NamedCells> columns_of(std::string_view table) {
   std::vector<NamedCells> columns;
-  std::size_t column = 0;
-  std::string cell;
-  bool quoted = false;
-  for (std::size_t k = 0; k < table.size(); ++k) {
-    const char c = table[k];
-    if (c == '"') {
-      const bool doubled = quoted && table.substr(k + 1).starts_with('"');
-      if (doubled) cell += table[++k];
-      if (!doubled) quoted = !quoted;
-    } else if (quoted || (c != ',' && c != '\n')) {
-      cell += c;
-    } else {
-      if (column == columns.size()) columns.emplace_back();
-      columns[column].push_back(std::move(cell));
-      cell.clear();
-      column = c == ',' ? column + 1 : 0;
-    }
+  for (const std::vector<std::string>& row : csv_rows(table)) {
+    columns.resize(std::max(columns.size(), row.size()));
+    for (std::size_t k = 0; k < row.size(); ++k) columns[k].push_back(row[k]);
   }
   return columns;
 }

@@ -47,9 +47,7 @@ void add(CLI::App& app, const Command& command, bool only) {
 }
 
 ExitCode print(const std::string& text) {
-  Output output(std::nullopt);
-  output.write(text);
-  output.commit();
+  write_whole(std::nullopt, text);
   return ExitCode::done;
 }
 

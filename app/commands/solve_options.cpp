@@ -26,47 +26,58 @@ std::string list(const Given& given, const std::string& option) {
   return given.text(option);
 }
 
+/// A combination of options, or of options and problem, that is refused.
+struct Refusal {
+  bool applies;
+  std::string what, rule, value;
+};
+
+void refuse(std::initializer_list<Refusal> table) {
+  for (const auto& [applies, what, rule, value] : table) {
+    if (applies) throw bad_command_line(what, rule, value);
+  }
+}
+
 void refuse_conflicts(const Given& given, const SolveOptions& options) {
-  const auto refuse = [&](const std::string& option, std::initializer_list<const char*> others, const char* rule) {
-    for (const char* other : others) {
-      if (given.has(other)) throw bad_command_line(option + ": conflicting option", rule, other);
-    }
+  const auto conflict = [&](const std::string& option, bool has_option, std::initializer_list<const char*> others,
+                            const char* rule) {
+    const auto other = std::ranges::find_if(others, [&](const char* one) { return given.has(one); });
+    const bool found = has_option && other != others.end();
+    return Refusal{found, option + ": conflicting option", rule, found ? *other : ""};
   };
-  if (!options.load_steps.empty()) {
-    refuse("--load-steps", {"--at", "--at-file", "--samples"}, "samples are those of one load");
-    refuse("--load-steps", {"--stress-at", "--loads-on", "--max-stress"}, "stresses and forces are those of one load");
-  }
-  if (options.plot) refuse("--plot", {"--load-steps", "--search-solutions"}, "a picture shows one solution");
-  if (given.has("--jobs") && !options.certify) {
-    throw bad_command_line("--jobs: nothing to share", "it goes with --certify", given.text("--jobs"));
-  }
-  if (given.has("--depth") && !given.has("--max-stress")) {
-    throw bad_command_line("--max-stress: missing", "--depth is that of the largest stress", "--depth");
-  }
-  if (options.common.format == Format::csv) {
-    constexpr const char* rule = "a CSV file is one table";
-    if (given.has("--stress-at")) {
-      refuse("--stress-at", {"--loads-on", "--max-stress", "--at", "--at-file", "--samples"}, rule);
-    }
-    if (given.has("--loads-on")) refuse("--loads-on", {"--max-stress", "--at", "--at-file", "--samples"}, rule);
-    if (given.has("--max-stress")) refuse("--max-stress", {"--at", "--at-file", "--samples"}, rule);
-  }
-  if (options.certify) refuse("--certify", {"--search-solutions"}, "it proves one solution");
-  if (options.both_directions) {
-    refuse("--both-directions", {"--load-steps", "--search-solutions"}, "it is for one solution of each direction");
-    refuse("--both-directions", {"--certificate"}, "a certificate is of one direction");
-    refuse("--both-directions", {"--plot"}, "a picture shows one solution");
-    refuse("--both-directions", {"--stress-at", "--loads-on", "--max-stress"},
-           "stresses and forces are those of one direction");
-  }
-  if (options.search_starts == 0) return;
-  refuse("--search-solutions",
-         {"--at", "--at-file", "--samples", "--load-steps", "--stress-at", "--loads-on", "--max-stress"},
-         "it compares contact zones and resultants under the file's load");
-  if (options.method == Method::closed_form || options.method == Method::riemann_hilbert) {
-    throw bad_command_line("--search-solutions: conflicting option", "it searches by the variational method",
-                           "--method " + options.method_name);
-  }
+  const bool follows = !options.load_steps.empty(), both = options.both_directions,
+             searches = options.search_starts > 0;
+  const bool csv = options.common.format == Format::csv;
+  constexpr const char* one_table = "a CSV file is one table";
+  refuse({
+      conflict("--load-steps", follows, {"--at", "--at-file", "--samples"}, "samples are those of one load"),
+      conflict("--load-steps", follows, {"--stress-at", "--loads-on", "--max-stress"},
+               "stresses and forces are those of one load"),
+      conflict("--plot", options.plot.has_value(), {"--load-steps", "--search-solutions"},
+               "a picture shows one solution"),
+      {given.has("--jobs") && !options.certify, "--jobs: nothing to share", "it goes with --certify",
+       given.text("--jobs")},
+      {given.has("--depth") && !given.has("--max-stress"), "--max-stress: missing",
+       "--depth is that of the largest stress", "--depth"},
+      conflict("--stress-at", csv && given.has("--stress-at"),
+               {"--loads-on", "--max-stress", "--at", "--at-file", "--samples"}, one_table),
+      conflict("--loads-on", csv && given.has("--loads-on"), {"--max-stress", "--at", "--at-file", "--samples"},
+               one_table),
+      conflict("--max-stress", csv && given.has("--max-stress"), {"--at", "--at-file", "--samples"}, one_table),
+      conflict("--certify", options.certify, {"--search-solutions"}, "it proves one solution"),
+      conflict("--both-directions", both, {"--load-steps", "--search-solutions"},
+               "it is for one solution of each direction"),
+      conflict("--both-directions", both, {"--certificate"}, "a certificate is of one direction"),
+      conflict("--both-directions", both, {"--plot"}, "a picture shows one solution"),
+      conflict("--both-directions", both, {"--stress-at", "--loads-on", "--max-stress"},
+               "stresses and forces are those of one direction"),
+      conflict("--search-solutions", searches,
+               {"--at", "--at-file", "--samples", "--load-steps", "--stress-at", "--loads-on", "--max-stress"},
+               "it compares contact zones and resultants under the file's load"),
+      {searches && (options.method == Method::closed_form || options.method == Method::riemann_hilbert),
+       "--search-solutions: conflicting option", "it searches by the variational method",
+       "--method " + options.method_name},
+  });
 }
 
 FieldWanted field_wanted(const Given& given) {
@@ -136,36 +147,25 @@ SolveOptions solve_options(const Given& given) {
 void check_method(const SolveOptions& options, const Problem& problem) {
   const bool on_cells = options.search_starts > 0 ||
                         takes_variational(options.method, problem.contact, options.certify, options.common.digits);
-  if (on_cells && numeric::precision_for(options.common.digits) != numeric::Digits::sixteen) {
-    throw bad_command_line("--digits: out of range", "the variational method works in double, 16 digits at most",
-                           std::to_string(options.common.digits));
-  }
-  if (on_cells && options.certify && !options.load_steps.empty()) {
-    throw bad_command_line("--load-steps: method without a proof of contact",
-                           "with --certify it goes with closed-form and riemann-hilbert",
-                           "--method " + options.method_name);
-  }
-  if (on_cells && options.certify && options.field.any()) {
-    throw bad_command_line("--certify: method without proved stresses and nodal forces",
-                           "with them it goes with closed-form and riemann-hilbert", "--method " + options.method_name);
-  }
-  if (options.field.largest_stress && !problem.contact.elasticity().half_space()) {
-    throw bad_command_line("--max-stress: no von Mises stress", "it needs the half-space's poisson in place of gamma",
-                           problem.file);
-  }
-  if (options.common.digits > most_digits_of_integrals && !numeric::closed_form<double>(problem.contact).solution) {
-    throw bad_command_line(
-        "--digits: out of range",
-        fmt::format("at most {} are proved of a solution without closed form", most_digits_of_integrals),
-        std::to_string(options.common.digits));
-  }
-  for (const auto& [option, given] : {std::pair("--cells", options.cells), {"--iterations", options.iterations}}) {
-    if (on_cells || !given) continue;
-    throw bad_command_line(
-        std::string(option) + ": method without cells",
-        "it goes with --method variational, with auto where that takes it, and with --search-solutions",
-        "--method " + options.method_name);
-  }
+  const bool proves_on_cells = on_cells && options.certify;
+  const std::string method = "--method " + options.method_name, digits = std::to_string(options.common.digits);
+  const std::string cells_rule =
+      "it goes with --method variational, with auto where that takes it, and with --search-solutions";
+  refuse({
+      {on_cells && numeric::precision_for(options.common.digits) != numeric::Digits::sixteen, "--digits: out of range",
+       digits_on_cells, digits},
+      {proves_on_cells && !options.load_steps.empty(), "--load-steps: method without a proof of contact",
+       "with --certify it goes with closed-form and riemann-hilbert", method},
+      {proves_on_cells && options.field.any(), "--certify: method without proved stresses and nodal forces",
+       "with them it goes with closed-form and riemann-hilbert", method},
+      {options.field.largest_stress && !problem.contact.elasticity().half_space(), "--max-stress: no von Mises stress",
+       "it needs the half-space's poisson in place of gamma", problem.file},
+      {options.common.digits > most_digits_of_integrals && !numeric::closed_form<double>(problem.contact).solution,
+       "--digits: out of range",
+       fmt::format("at most {} are proved of a solution without closed form", most_digits_of_integrals), digits},
+      {!on_cells && options.cells, "--cells: method without cells", cells_rule, method},
+      {!on_cells && options.iterations, "--iterations: method without cells", cells_rule, method},
+  });
 }
 
 SolutionWanted solution_wanted(const SolveOptions& options) {

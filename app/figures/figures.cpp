@@ -1,14 +1,12 @@
 #include "app/figures/figures.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <utility>
 
 #include "app/figures/figure_data.hpp"
+#include "app/sweep/ordered_tasks.hpp"
 #include "app/terminal/failure.hpp"
 #include "app/terminal/progress.hpp"
-#include "proofs_checks/kit/processes.hpp"
+#include "proofs_checks/kit/run.hpp"
 
 // The paper's first.
 #define STEADYSLIDE_FOR_EACH_FIGURE(figure)                                                                      \
@@ -30,8 +28,6 @@ const std::vector<FigureMaker>& figures() {
   return all;
 }
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DrawnFigure, name, title, caption, command, picture, data)
-
 namespace {
 
 std::vector<FigureMaker> selected(const std::vector<std::string>& patterns) {
@@ -43,58 +39,23 @@ std::vector<FigureMaker> selected(const std::vector<std::string>& patterns) {
   return select(figures(), patterns, &FigureMaker::name);
 }
 
-/// What a process has to say of a figure: how it is drawn, or why it is not.
-struct Said {
-  ExitCode code = ExitCode::done;  ///< of a Failure
-  std::string complaint;
-  DrawnFigure figure;
-};
-
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Said, code, complaint, figure)
-
-Said said_of(const FigureMaker& maker, Picture picture) {
-  try {
-    return {ExitCode::done, "", draw(maker.make(), picture)};
-  } catch (const Failure& failure) {
-    return {failure.code(), failure.what(), {}};
-  } catch (const std::exception& error) {
-    return {ExitCode::done, error.what(), {}};
-  }
-}
-
-DrawnFigure drawn_as_said(const std::string& bytes) {
-  Said said = nlohmann::json::from_cbor(bytes);
-  if (said.code != ExitCode::done) throw Failure(said.code, said.complaint);
-  if (!said.complaint.empty()) throw std::runtime_error(said.complaint);
-  return std::move(said.figure);
-}
-
 }  // namespace
 
 DrawnFigure draw(const Figure& figure, Picture picture) {
   return {figure.name, figure.title, figure.caption, figure.command(), drawn(figure, picture), figure_data(figure)};
 }
 
-std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns, unsigned processes, Picture picture) {
+std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns, unsigned jobs, Picture picture) {
   const std::vector<FigureMaker> wanted = selected(patterns);
   // Before the work: without gnuplot it would be for nothing.
   run_gnuplot("");
   Progress progress(wanted.size());
-  const auto ends = proofs_checks::do_in_processes(
-      wanted.size(), processes,
-      [&](std::size_t k) {
-        std::string bytes;
-        nlohmann::json::to_cbor(said_of(wanted[k], picture), bytes);
-        return bytes;
-      },
-      [&](std::size_t k) {
-        if (k >= processes) progress.next();  // another one is done
-      });
-  std::vector<DrawnFigure> result;
-  for (std::size_t k = 0; k < wanted.size(); ++k) {
-    if (!ends[k].bytes) throw std::runtime_error(wanted[k].name + ": its process ended " + ends[k].how);
-    result.push_back(drawn_as_said(*ends[k].bytes));
-  }
+  std::vector<DrawnFigure> result(wanted.size());
+  const auto make = [&](std::size_t k) {
+    result[k] = draw(wanted[k].make(), picture);
+    return std::string();
+  };
+  in_order({0, wanted.size()}, static_cast<int>(jobs), make, [&](std::size_t, const std::string&) { progress.next(); });
   return result;
 }
 

@@ -29,10 +29,10 @@ struct DrawnFigure {
 /// Throws Failure where gnuplot is missing or fails.
 DrawnFigure draw(const Figure& figure, Picture picture = Picture::svg);
 
-/// Those whose name matches one of the patterns, * and ? being wildcards; all without patterns. In so many processes at a
-/// time, since GiNaC allows no threads. Progress on stderr, where that is a terminal. Throws Failure: exit code 2 for a
-/// pattern that names no figure, 3 where gnuplot is missing or fails; std::runtime_error if a problem is not solved.
-std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns, unsigned processes,
+/// Those whose name matches one of the patterns, * and ? being wildcards; all without patterns. Draws `jobs` of them at a
+/// time. Progress on stderr, where that is a terminal. Throws Failure: exit code 2 for a pattern that names no figure, 3
+/// where gnuplot is missing or fails; std::runtime_error if a problem is not solved.
+std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns, unsigned jobs,
                                       Picture picture = Picture::svg);
 
 }  // namespace steadyslide::app

@@ -31,9 +31,7 @@ Picture picture_of(const std::string& format) {
 
 void write(const fs::path& folder, const std::string& name, const std::string& bytes) {
   make_folder(folder);
-  Output output((folder / name).string());
-  output.write(bytes);
-  output.commit();
+  write_whole((folder / name).string(), bytes);
 }
 
 ExitCode run_figures(const Given& given) {
@@ -43,8 +41,8 @@ ExitCode run_figures(const Given& given) {
   if (data) check_folder(*data);
   const std::string ending = given.has("--format") ? given.text("--format") : "svg";
   const Picture picture = picture_of(ending);
-  const unsigned processes = jobs(given, proofs_checks::available_processes());
-  for (const DrawnFigure& figure : draw_figures(given.texts("--figure"), processes, picture)) {
+  const unsigned at_a_time = jobs(given, proofs_checks::available_processes());
+  for (const DrawnFigure& figure : draw_figures(given.texts("--figure"), at_a_time, picture)) {
     write(folder, figure.name + "." + ending, figure.picture);
     if (data) write(*data, figure.name + ".csv", figure.data);
   }

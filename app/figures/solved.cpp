@@ -84,6 +84,28 @@ std::vector<Point> pressure_of_cells(const numeric::VariationalSolution& solutio
   return points;
 }
 
+double effective_friction_of(const ContactProblem& problem) {
+  return solved(problem)->resultants().effective_friction.value;
+}
+
+std::vector<Series> friction_curves(const FrictionCurves& wanted, int style) {
+  std::vector<Series> result;
+  for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {
+    Series line{wanted.legends[result.size() / 2], Look::line, style, {}};
+    Series marks{"", Look::marks, style++, {}};
+    for (std::size_t k = 0; k < wanted.places.size(); ++k) {
+      const ContactProblem problem = wanted.problem(wanted.places[k], sliding);
+      const auto x = numeric::to_real<double>(wanted.places[k]);
+      line.points.push_back({x, wanted.effective_friction(problem)});
+      if (k < wanted.first_mark || (k - wanted.first_mark) % wanted.step != 0) continue;
+      marks.points.push_back({x, solved_on_cells(problem, 1000)->resultants().effective_friction.value});
+    }
+    result.push_back(std::move(line));
+    result.push_back(std::move(marks));
+  }
+  return result;
+}
+
 std::string exponent_text(const std::string& symbol, const numeric::SolvedSingularPoint<double>& point) {
   return symbol + " = " + decimal(numeric::to_real<double>(point.exponent.value()), 4);
 }

@@ -1,7 +1,11 @@
 #pragma once
 // Problems of the figures, and their solutions by the two unrelated solvers.
 
+#include <array>
+#include <functional>
+#include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "app/gnuplot/figure.hpp"
@@ -32,6 +36,21 @@ std::shared_ptr<const numeric::VariationalSolution> solved_on_cells(const Contac
 std::vector<Point> pressure_curve(const numeric::ContactSolution<double>& solution, int samples);
 /// -t against x of every `step`th cell in contact.
 std::vector<Point> pressure_of_cells(const numeric::VariationalSolution& solution, std::size_t step);
+
+/// As solved() solves it.
+double effective_friction_of(const ContactProblem& problem);
+
+/// Effective friction for both directions of sliding: a line over these places for each, and marks by the solver on 1000 cells
+/// at every `step`th of them from `first_mark` on.
+struct FrictionCurves {
+  std::array<std::string, 2> legends;  ///< sliding to the right, to the left
+  std::vector<Rational> places;
+  std::function<ContactProblem(const Rational& place, Sliding sliding)> problem;
+  std::size_t first_mark = std::numeric_limits<std::size_t>::max(), step = 1;
+  std::function<double(const ContactProblem&)> effective_friction = effective_friction_of;
+};
+/// Line, marks, line, marks, in styles from `style` on.
+std::vector<Series> friction_curves(const FrictionCurves& wanted, int style = 1);
 
 /// "symbol = its exponent", to four places.
 std::string exponent_text(const std::string& symbol, const numeric::SolvedSingularPoint<double>& point);

@@ -152,9 +152,7 @@ ExitCode report(const Given& given) {
   Output page(file);
   const VerifyResult result = examine(context, processes, checks::registry());
   write_report(result, processes, page);
-  Output line(std::nullopt);
-  line.write(fmt::format("{}: {}; {}\n", file, counts_line(result.reports), controls_line(result)));
-  line.commit();
+  write_whole(std::nullopt, fmt::format("{}: {}; {}\n", file, counts_line(result.reports), controls_line(result)));
   return exit_code_of(result.reports);
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/embedded.hpp"
 #include "app/html/mathml.hpp"
+#include "app/results/rows.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -52,40 +53,16 @@ std::string path(std::string_view file) {
   return element("code", html);
 }
 
-/// Takes one line off the front.
-std::vector<std::string> take_line(std::string_view& csv) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  while (!csv.empty()) {
-    const char c = csv.front();
-    csv.remove_prefix(1);
-    if (quoted && c == '"' && csv.starts_with('"')) {
-      fields.back() += '"';
-      csv.remove_prefix(1);
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (!quoted && c == ',') {
-      fields.emplace_back();
-    } else if (!quoted && c == '\n') {
-      break;
-    } else if (c != '\r') {
-      fields.back() += c;
-    }
-  }
-  return fields;
-}
-
 }  // namespace
 
 std::vector<Mutant> read_mutants(std::string_view csv) {
   std::vector<Mutant> mutants;
-  take_line(csv);
-  while (!csv.empty()) {
-    std::vector<std::string> fields = take_line(csv);
-    if (fields.size() == 1 && fields.front().empty()) continue;
+  for (std::vector<std::string>& fields : csv_rows(csv)) {
+    if (fields == std::vector<std::string>{""}) continue;
     fields.resize(5);
     mutants.push_back({fields[0], fields[1], fields[2], fields[3], fields[4]});
   }
+  if (!mutants.empty()) mutants.erase(mutants.begin());  // the columns' names
   return mutants;
 }
 

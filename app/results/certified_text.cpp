@@ -12,15 +12,6 @@ namespace {
 using enclosure::Ball;
 using enclosure::EnclosedSolution;
 
-/// The friction that acts beside x, on this side: f t = shear.
-Rational shear_ratio(const ContactProblem& problem, const Rational& x, Side side) {
-  std::size_t k = 0;
-  for (const Rational& jump : problem.friction().jumps()) {
-    if (side == Side::left ? jump < x : jump <= x) ++k;
-  }
-  return problem.shear_ratio(k);
-}
-
 /// The largest relative radius among numbers that are not 0.
 Ball relative_radius(const std::vector<Ball>& balls) {
   Ball largest(0);
@@ -80,15 +71,11 @@ class CertifiedWriter {
   }
 
  private:
-  /// One number where the limits may be the same, and where one of them is infinite: as limit_text has it.
+  /// One number where the limits may be the same.
   LimitText limits(const EnclosedSolution::TwoSided& limits, const EnclosedSolution::TwoSided& traction) const {
     const auto& [left, right] = limits;
-    const auto alone = [](const Ball& t, const Ball& value) { return t.is_infinity() && !value.is_infinity(); };
-    const bool opposite = left.is_infinity() && right.is_infinity() && left.is_negative() != right.is_negative();
     if (left.is_infinity() || right.is_infinity()) {
-      if (opposite || alone(traction.left, left) || alone(traction.right, right)) return {number(left), number(right)};
-      const NumberText infinite = number(left.is_infinity() ? left : right);
-      return {infinite, infinite};
+      return infinite_limits({number(left), number(right)}, {number(traction.left), number(traction.right)});
     }
     if (!left.overlaps(right)) return {number(left), number(right)};
     const NumberText both = number(Ball::hull(left, right));
@@ -98,7 +85,7 @@ class CertifiedWriter {
   SampleText sample(const Rational& x) const {
     const EnclosedSolution::TwoSided traction = solution_.traction(x);
     const auto shear = [&](const Ball& t, Side side) {
-      const Rational ratio = shear_ratio(problem_, x, side);
+      const Rational ratio = problem_.shear_ratio(problem_.friction().piece(x, side));
       if (ratio == 0) return Ball(0, t.bits());  // under an infinite pressure, too
       return t.is_infinity() ? Ball::infinity(-sign(ratio), t.bits()) : Ball(ratio, t.bits()) * t;
     };

@@ -24,20 +24,23 @@ auto on_mesh(const MeshFile& mesh, const Forces& forces) {
   }
 }
 
-/// Texts of estimates, and whether all are numbers.
-template <Real R>
-class EstimateWriter {
+/// Texts of numbers, and whether all are in range.
+class NumberWriter {
  public:
-  explicit EstimateWriter(int digits) : digits_(digits) {}
+  explicit NumberWriter(int digits) : digits_(digits) {}
 
+  template <Real R>
   NumberText operator()(const Estimate<R>& estimate) {
     using std::isfinite;
     in_range_ = in_range_ && isfinite(estimate.value) && isfinite(estimate.error);
     return number_text(estimate, digits_);
   }
-  NumberText operator()(const std::optional<Estimate<R>>& estimate) {
-    return estimate ? (*this)(*estimate) : NumberText{};
+  NumberText operator()(const Ball& ball) { return number_text(ball, digits_); }
+  template <class Number>
+  NumberText operator()(const std::optional<Number>& number) {
+    return number ? (*this)(*number) : NumberText{};
   }
+  int digits() const { return digits_; }
   bool in_range() const { return in_range_; }
 
  private:
@@ -47,24 +50,30 @@ class EstimateWriter {
 
 /// In balls, what stress_state.hpp says of estimates.
 struct EnclosedState {
-  enclosure::StressComponents stress;
-  std::optional<Ball> yy{}, von_mises{};
-  std::vector<Ball> gradient{};
+  Ball xx, zz, xz;
+  std::optional<Ball> yy{};
+  std::optional<std::array<Ball, 4>> gradient{};
+
+  std::optional<Ball> von_mises() const {
+    if (!yy) return std::nullopt;
+    const auto square = [](const Ball& a) { return a * a; };
+    const Ball differences = square(xx - *yy) + square(*yy - zz) + square(zz - xx);
+    return sqrt(differences / Ball(2, xx.bits()) + Ball(3, xx.bits()) * square(xz));
+  }
+  Ball largest_shear() const {
+    const Ball half = (xx - zz) / Ball(2);
+    return sqrt(half * half + xz * xz);
+  }
 };
 
 EnclosedState state_of(const Elasticity& elasticity, const enclosure::StressComponents& stress) {
-  EnclosedState state{stress};
+  const auto& [xx, zz, xz, w] = stress;
+  EnclosedState state{xx, zz, xz};
   const auto& body = elasticity.half_space();
   if (!body) return state;
-  const long bits = stress.xx.bits();
-  const auto ball = [&](const Rational& value) { return Ball(value, bits); };
+  const auto ball = [bits = xx.bits()](const Rational& value) { return Ball(value, bits); };
   const Rational kolosov = body->kolosov(elasticity.plane());
-  const auto& [xx, zz, xz, w] = stress;
-  const Ball yy = ball(elasticity.plane() == Plane::strain ? body->poisson() : Rational(0)) * (xx + zz);
-  const auto square = [](const Ball& a) { return a * a; };
-  const Ball differences = square(xx - yy) + square(yy - zz) + square(zz - xx);
-  state.yy = yy;
-  state.von_mises = sqrt(differences / ball(2) + ball(3) * square(xz));
+  state.yy = ball(elasticity.plane() == Plane::strain ? body->poisson() : Rational(0)) * (xx + zz);
   const Ball trace = ball((3 - kolosov) / 4) * (xx + zz);
   const Ball rotation = ball((kolosov + 1) / 2) * w;
   const Ball twice_mu = ball(2 * body->shear_modulus());
@@ -73,18 +82,15 @@ EnclosedState state_of(const Elasticity& elasticity, const enclosure::StressComp
   return state;
 }
 
-}  // namespace
-
-template <Real R>
-FieldText field_text(const numeric::ContactSolution<R>& solution, const FieldWanted& wanted, int digits) {
+/// `state_at` returns the stress at (x, z), `forces_on` the forces on the nodes of a mesh.
+template <class StateAt, class ForcesOn>
+FieldText points_and_nodes(const FieldWanted& wanted, NumberWriter& number, StateAt state_at, ForcesOn forces_on) {
   FieldText text;
-  if (!wanted.any()) return text;
-  EstimateWriter<R> number(digits);
-  const numeric::InteriorStress<R> interior(solution);
+  const auto exactly = [&](const Rational& value) { return full_number(value, number.digits()); };
   for (const auto& [x, z] : wanted.points) {
-    const numeric::StressState<R> state = interior.at(x, z);
-    StressText row{full_number(x, digits),
-                   full_number(z, digits),
+    const auto state = state_at(x, z);
+    StressText row{exactly(x),
+                   exactly(z),
                    number(state.xx),
                    number(state.zz),
                    number(state.xz),
@@ -92,19 +98,32 @@ FieldText field_text(const numeric::ContactSolution<R>& solution, const FieldWan
                    number(state.von_mises()),
                    number(state.largest_shear()),
                    {}};
-    if (const auto& gradient = state.gradient) {
-      row.gradient = {number(gradient->x_x), number(gradient->x_z), number(gradient->z_x), number(gradient->z_z)};
+    if (state.gradient) {
+      const auto& [x_x, x_z, z_x, z_z] = *state.gradient;
+      row.gradient = {number(x_x), number(x_z), number(z_x), number(z_z)};
     }
     text.stresses.push_back(std::move(row));
   }
   if (wanted.mesh) {
     const SurfaceMesh& mesh = wanted.mesh->mesh();
-    const auto forces = on_mesh(*wanted.mesh, [&] { return numeric::nodal_forces<R>(interior.traction(), mesh); });
+    const auto forces = on_mesh(*wanted.mesh, [&] { return forces_on(mesh); });
     for (std::size_t i = 0; i < forces.size(); ++i) {
-      text.nodal_forces.push_back(
-          {full_number(mesh.nodes()[i], digits), number(forces[i].normal), number(forces[i].tangential)});
+      text.nodal_forces.push_back({exactly(mesh.nodes()[i]), number(forces[i].normal), number(forces[i].tangential)});
     }
   }
+  return text;
+}
+
+}  // namespace
+
+template <Real R>
+FieldText field_text(const numeric::ContactSolution<R>& solution, const FieldWanted& wanted, int digits) {
+  if (!wanted.any()) return {};
+  NumberWriter number(digits);
+  const numeric::InteriorStress<R> interior(solution);
+  FieldText text = points_and_nodes(
+      wanted, number, [&](const Rational& x, const Rational& z) { return interior.at(x, z); },
+      [&](const SurfaceMesh& mesh) { return numeric::nodal_forces<R>(interior.traction(), mesh); });
   if (wanted.largest_stress) {
     const R depth = wanted.depth ? numeric::to_real<R>(*wanted.depth) : numeric::default_depth(solution);
     LargestStressText told;
@@ -123,31 +142,13 @@ FieldText field_text(const numeric::ContactSolution<R>& solution, const FieldWan
 
 FieldText field_text(const ContactProblem& problem, const enclosure::EnclosedSolution& solution,
                      const FieldWanted& wanted, int digits) {
-  FieldText text;
-  const auto number = [&](const Ball& ball) { return number_text(ball, digits); };
-  for (const auto& [x, z] : wanted.points) {
-    const EnclosedState state = state_of(problem.elasticity(), enclosure::interior_stress(solution, x, z));
-    const auto& [xx, zz, xz, w] = state.stress;
-    const Ball half = (xx - zz) / Ball(2);
-    StressText row{full_number(x, digits), full_number(z, digits), number(xx), number(zz), number(xz), {}, {}, {}, {}};
-    row.largest_shear = number(sqrt(half * half + xz * xz));
-    if (state.yy) {
-      row.yy = number(*state.yy);
-      row.von_mises = number(*state.von_mises);
-      for (std::size_t i = 0; i < row.gradient.size(); ++i) row.gradient[i] = number(state.gradient[i]);
-    }
-    text.stresses.push_back(std::move(row));
-  }
-  if (wanted.mesh) {
-    const SurfaceMesh& mesh = wanted.mesh->mesh();
-    const auto forces =
-        on_mesh(*wanted.mesh, [&] { return enclosure::nodal_forces(solution, mesh.nodes(), mesh.order()); });
-    for (std::size_t i = 0; i < forces.size(); ++i) {
-      text.nodal_forces.push_back(
-          {full_number(mesh.nodes()[i], digits), number(forces[i].normal), number(forces[i].tangential)});
-    }
-  }
-  return text;
+  NumberWriter number(digits);
+  return points_and_nodes(
+      wanted, number,
+      [&](const Rational& x, const Rational& z) {
+        return state_of(problem.elasticity(), enclosure::interior_stress(solution, x, z));
+      },
+      [&](const SurfaceMesh& mesh) { return enclosure::nodal_forces(solution, mesh.nodes(), mesh.order()); });
 }
 
 LargestStressText lower_bound(const ContactProblem& problem, const enclosure::EnclosedSolution& solution,
@@ -158,7 +159,7 @@ LargestStressText lower_bound(const ContactProblem& problem, const enclosure::En
   const Indenter& indenter = problem.indenter();
   const Rational z = told > 0 ? told : (indenter.right() - indenter.left()) * parse_rational("1e-15");
   const EnclosedState state = state_of(problem.elasticity(), enclosure::interior_stress(solution, x, z));
-  found.von_mises = number_text(*state.von_mises, digits);
+  found.von_mises = number_text(*state.von_mises(), digits);
   found.x = {found.x.value, found.x.value, "0", true};
   found.z = {full_number(z, digits), full_number(z, digits), "0", true};
   found.proved = true;

@@ -6,6 +6,7 @@
 #include <array>
 #include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace steadyslide::app {
 namespace {
@@ -225,6 +226,28 @@ Rows::Rows(Format format, std::vector<Column> columns, Output& output)
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   return "\"" + boost::replace_all_copy(text, "\"", "\"\"") + "\"";
+}
+
+std::vector<std::vector<std::string>> csv_rows(std::string_view text) {
+  std::vector<std::vector<std::string>> rows;
+  bool quoted = false, begins = true;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    if (std::exchange(begins, false)) rows.emplace_back(1);
+    std::vector<std::string>& row = rows.back();
+    if (quoted && text.substr(k).starts_with("\"\"")) {
+      row.back() += text[++k];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (quoted || (c != ',' && c != '\n' && c != '\r')) {
+      row.back() += c;
+    } else if (c == ',') {
+      row.emplace_back();
+    } else {
+      begins = c == '\n';
+    }
+  }
+  return rows;
 }
 
 std::string latex_escaped(const std::string& text) {

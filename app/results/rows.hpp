@@ -65,6 +65,9 @@ class Rows {
 
 /// A field of CSV as RFC 4180 has it.
 std::string csv_field(const std::string& text);
+
+/// The fields of each line of a CSV text, which may be quoted, with "" for a quote and line breaks inside.
+std::vector<std::vector<std::string>> csv_rows(std::string_view text);
 /// A text for LaTeX, outside of math mode.
 std::string latex_escaped(const std::string& text);
 

@@ -119,6 +119,18 @@ int curve_samples(std::size_t components) {
 
 }  // namespace
 
+LimitText infinite_limits(const LimitText& limits, const LimitText& traction) {
+  const auto is_infinite = [](const NumberText& number) { return number.value.ends_with("inf"); };
+  const auto& [left, right, apart] = limits;
+  const bool opposite = is_infinite(left) && is_infinite(right) && left.value != right.value;
+  // Without friction the shear stays 0 where the traction blows up: that limit is worth telling.
+  const bool blows_up_alone =
+      (is_infinite(traction.left) && !is_infinite(left)) || (is_infinite(traction.right) && !is_infinite(right));
+  if (opposite || blows_up_alone) return limits;
+  const NumberText& infinite = is_infinite(left) ? left : right;
+  return {infinite, infinite};
+}
+
 LimitText stress_intensity_text(SingularKind kind, const NumberText& left, const NumberText& right) {
   if (has_two_sides(kind)) return {left, right, true};
   const NumberText& one = left.value.empty() ? right : left;
@@ -131,13 +143,7 @@ LimitText limit_text(const TwoSided<R>& limits, const TwoSided<R>& traction, int
   const Estimate<R>& right = limits.right;
   LimitText text{number_text(left, digits), number_text(right, digits)};
   if (isinf(left.value) || isinf(right.value)) {
-    const bool opposite = isinf(left.value) && isinf(right.value) && left.value != right.value;
-    // Without friction the shear stays 0 where the traction blows up: that limit is worth telling.
-    const bool blows_up_alone =
-        (isinf(traction.left.value) && !isinf(left.value)) || (isinf(traction.right.value) && !isinf(right.value));
-    if (opposite || blows_up_alone) return text;
-    const NumberText& infinite = isinf(left.value) ? text.left : text.right;
-    return {infinite, infinite};
+    return infinite_limits(text, {number_text(traction.left, digits), number_text(traction.right, digits)});
   }
   const bool known = !text.left.shown.empty() && !text.right.shown.empty();
   if (!known || !agree(limits)) return text;

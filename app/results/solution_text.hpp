@@ -169,6 +169,9 @@ void set_contact(SolutionText& text, const std::vector<ContactComponentOf<Number
   }
 }
 
+/// Limits of which one is infinite. A blow-up from one side only, at an edge, is one infinite text; infinities of both signs are
+/// two, and so are limits of which one is finite where the traction is infinite.
+LimitText infinite_limits(const LimitText& limits, const LimitText& traction);
 /// At a jump two numbers; at an end one, of the side in contact.
 LimitText stress_intensity_text(SingularKind kind, const NumberText& left, const NumberText& right);
 

@@ -84,7 +84,7 @@ SolutionText SweepTable::solved(std::size_t n) const {
     const Problem problem = sweep_.problems.problem(n);
     if (wanted_.solution.digits > 16 &&
         takes_variational(wanted_.method, problem.contact, false, wanted_.solution.digits)) {
-      failed.reason = "the variational method works in double, 16 digits at most";
+      failed.reason = digits_on_cells;
       return failed;
     }
     return Solver(wanted_).solve(problem);

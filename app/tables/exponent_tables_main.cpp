@@ -19,11 +19,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    for (const TableDocument& document : exponent_documents()) {
-      Output output(directory + "/" + document.file);
-      output.write(document.text);
-      output.commit();
-    }
+    for (const auto& [file, text] : exponent_documents()) write_whole(directory + "/" + file, text);
     return 0;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "%s: %s\n", argv[0], e.what());

@@ -85,6 +85,12 @@ void Output::commit() {
   temporary_.clear();
 }
 
+void write_whole(const std::optional<std::string>& file, std::string_view text) {
+  Output output(file);
+  output.write(text);
+  output.commit();
+}
+
 bool make_folder(const std::string& folder) {
   std::error_code error;
   const bool is_new = std::filesystem::create_directories(folder, error);

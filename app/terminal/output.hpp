@@ -33,6 +33,9 @@ class Output {
   std::string buffer_;
 };
 
+/// Writes one text, whole, to FILE or the standard output.
+void write_whole(const std::optional<std::string>& file, std::string_view text);
+
 /// Makes a folder if need be: true if it is new. Throws Failure with exit code 3.
 bool make_folder(const std::string& folder);
 

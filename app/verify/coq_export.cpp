@@ -68,11 +68,7 @@ void write_all(const std::string& folder, const std::vector<std::pair<std::strin
   const bool is_new = make_folder(folder);
   const SignalsHeld held;
   try {
-    for (const auto& [file, text] : files) {
-      Output output(file);
-      output.write(text);
-      output.commit();
-    }
+    for (const auto& [file, text] : files) write_whole(file, text);
   } catch (...) {
     std::error_code error;
     for (const auto& [file, text] : files) fs::remove(file, error);

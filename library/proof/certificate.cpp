@@ -40,39 +40,30 @@ Json problem_json(const ContactProblem& problem) {
 /// How a ball is written.
 using WrittenBall = std::function<std::string(const Ball&)>;
 
-Json points_json(const enclosure::ContactBox& box, const WrittenBall& written) {
+/// The contact and the box of its unknowns.
+void add_box(Json& json, const enclosure::ContactBox& box, bool tilts, const WrittenBall& written) {
   Json points = Json::array();
+  Json segments = Json::array();  // is there contact on the right of each point?
   std::size_t unknown = 0;
   bool in_contact = false;
   for (const ContactTopology::Point& point : box.topology.points) {
-    Json json{{"anchor", point.anchor}};
+    Json one{{"anchor", point.anchor}};
     if (point.beside) {
-      json["side"] = *point.beside == Side::left ? "left" : "right";
-      json["log_offset"] = written(box.log_offsets[unknown++]);
+      one["side"] = *point.beside == Side::left ? "left" : "right";
+      one["log_offset"] = written(box.log_offsets[unknown++]);
     }
     if (point.is_end()) {
       in_contact = point.kind == ContactTopology::Kind::begins;
-      json["contact"] = in_contact ? "begins" : "ends";
-      json["free"] = point.vanishes;
+      one["contact"] = in_contact ? "begins" : "ends";
+      one["free"] = point.vanishes;
     } else {
-      json["contact"] = in_contact ? "interior" : "outside";
+      one["contact"] = in_contact ? "interior" : "outside";
     }
-    points.push_back(std::move(json));
-  }
-  return points;
-}
-
-/// The contact and the box of its unknowns.
-void add_box(Json& json, const enclosure::ContactBox& box, bool tilts, const WrittenBall& written) {
-  json["points"] = points_json(box, written);
-  Json segments = Json::array();
-  bool in_contact = false;
-  for (std::size_t j = 0; j + 1 < box.topology.points.size(); ++j) {
-    if (box.topology.points[j].is_end()) {
-      in_contact = box.topology.points[j].kind == ContactTopology::Kind::begins;
-    }
+    points.push_back(std::move(one));
     segments.push_back(in_contact);
   }
+  segments.erase(segments.size() - 1);
+  json["points"] = std::move(points);
   json["segments"] = std::move(segments);
   json["q"] = Json::array();
   for (const Ball& coefficient : box.q) json["q"].push_back(written(coefficient));

@@ -22,6 +22,9 @@ Method method_named(std::string_view name);
 /// inside the contact, 0.1 s each; how many there are that double can hold a solution on 1024 cells tells.
 bool takes_variational(Method method, const ContactProblem& problem, bool certify, int digits = 16);
 
+/// The rule for more digits than 16.
+inline constexpr const char* digits_on_cells = "the variational method works in double, 16 digits at most";
+
 /// May cells solve what the Riemann-Hilbert method has not: 16 digits or fewer, and no method asked for?
 inline bool may_fall_back(Method method, int digits) { return method == Method::automatic && digits <= 16; }
 

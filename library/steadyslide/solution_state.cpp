@@ -160,13 +160,16 @@ class SolvedIn final : public Solution::State {
     return result;
   }
 
-  void tractions(std::span<const double> x, std::span<double> normal, std::span<double> shear) const override {
-    const std::vector<R> places = reals<R>(x);
-    std::vector<R> t(x.size());
-    std::vector<R> tangential(x.size());
-    solution_->tractions(places, t, tangential);
-    std::ranges::transform(t, normal.begin(), [](const R& value) { return static_cast<double>(value); });
-    std::ranges::transform(tangential, shear.begin(), [](const R& value) { return static_cast<double>(value); });
+  std::pair<std::vector<double>, std::vector<double>> tractions(std::span<const double> x) const override {
+    std::vector<R> normal(x.size());
+    std::vector<R> shear(x.size());
+    solution_->tractions(reals<R>(x), normal, shear);
+    const auto doubles = [](const std::vector<R>& values) {
+      std::vector<double> result;
+      for (const R& value : values) result.push_back(static_cast<double>(value));
+      return result;
+    };
+    return {doubles(normal), doubles(shear)};
   }
 
   Stress stress(const Rational& x, const Rational& z) const override {

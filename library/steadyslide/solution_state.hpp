@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "library/problem_file/problem_file.hpp"
@@ -44,7 +45,8 @@ struct Solution::State {
   virtual Resultants resultants() const = 0;
   /// Without displacement, shear slope and load unless `detailed`.
   virtual SurfaceSample at(const Rational& x, bool detailed) const = 0;
-  virtual void tractions(std::span<const double> x, std::span<double> normal, std::span<double> shear) const = 0;
+  /// Normal and tangential ones.
+  virtual std::pair<std::vector<double>, std::vector<double>> tractions(std::span<const double> x) const = 0;
   virtual Stress stress(const Rational& x, const Rational& z) const = 0;
   virtual std::vector<Stress> stress(std::span<const double> x, std::span<const double> z) const = 0;
   virtual std::vector<NodalForce> nodal_forces(const Mesh& mesh) const = 0;

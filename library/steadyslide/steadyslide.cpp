@@ -149,8 +149,7 @@ Solution solve(const Problem& problem, const SolveOptions& options) {
   check("digits", options.digits, 1, 100);
   const bool on_cells = library::takes_variational(method, contact_problem(problem), false, options.digits);
   if (on_cells && options.digits > 16) {
-    throw InvalidData("digits", "digits: out of range", "the variational method works in double, 16 digits at most",
-                      fmt::format("'{}'", options.digits));
+    throw InvalidData("digits", "digits: out of range", library::digits_on_cells, fmt::format("'{}'", options.digits));
   }
   numeric::VariationalOptions variational;
   if (options.cells) {
@@ -188,18 +187,12 @@ Number Solution::slope(const Exact& x) const { return larger(state_->at(rational
 
 std::vector<double> Solution::traction(std::span<const double> x) const {
   check_finite("x", x);
-  std::vector<double> normal(x.size());
-  std::vector<double> shear(x.size());
-  state_->tractions(x, normal, shear);
-  return normal;
+  return state_->tractions(x).first;
 }
 
 std::vector<double> Solution::shear(std::span<const double> x) const {
   check_finite("x", x);
-  std::vector<double> normal(x.size());
-  std::vector<double> shear(x.size());
-  state_->tractions(x, normal, shear);
-  return shear;
+  return state_->tractions(x).second;
 }
 
 std::vector<double> Solution::gap(std::span<const double> x) const {

@@ -12,8 +12,12 @@ positive in tension, z > 0 the depth. Objects may be shared by threads, which ru
 """
 
 import tomllib
-from collections import namedtuple
-from typing import NamedTuple, Optional
+from collections.abc import Iterable, Mapping, Sequence
+from concurrent.futures import Executor
+from decimal import Decimal
+from fractions import Fraction
+from os import PathLike
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -24,6 +28,10 @@ __all__ = ["Contact", "ContactEnd", "Interval", "InvalidData", "LargestPressure"
            "Proof", "Resultants", "Sample", "SingularPoint", "Solution", "Stress", "UnresolvedGap", "__version__",
            "sweep"]
 
+Exact = str | int | float | Fraction | Decimal
+Places = Exact | Sequence[Any] | np.ndarray
+Values = Any  # a Number for a number, an array for an array
+
 InvalidData.__module__ = __name__
 InvalidData.__doc__ = "Data that break a rule: what is wrong; the rule; the value."
 
@@ -31,7 +39,9 @@ InvalidData.__doc__ = "Data that break a rule: what is wrong; the rule; the valu
 class Number(float):
     """A float with its estimated absolute error; what is calculated with it has none."""
 
-    def __new__(cls, value, error):
+    error: float
+
+    def __new__(cls, value: float, error: float) -> "Number":
         number = float.__new__(cls, value)
         number.error = error
         return number
@@ -49,12 +59,12 @@ class SingularPoint(NamedTuple):
 
     x: Number
     kind: str
-    exponent: Optional[Number]
+    exponent: Number | None
     symbolic: str
     intensity: Number
     constant: Number
-    stress_intensity_left: Optional[Number]
-    stress_intensity_right: Optional[Number]
+    stress_intensity_left: Number | None
+    stress_intensity_right: Number | None
 
 
 class UnresolvedGap(NamedTuple):
@@ -70,7 +80,7 @@ class PossiblePoint(NamedTuple):
     x: str
     kind: str
     side: str
-    exponent: Optional[Number]
+    exponent: Number | None
     symbolic: str
 
 
@@ -79,7 +89,7 @@ class LargestPressure(NamedTuple):
 
     value: Number
     x: Number
-    exponent: Optional[Number]
+    exponent: Number | None
 
 
 class Interval(NamedTuple):
@@ -89,38 +99,53 @@ class Interval(NamedTuple):
     right: Number
 
 
-Resultants = namedtuple("Resultants", [key for _, key, _, _ in _core.quantities])
-Resultants.__doc__ = "The numbers of the whole contact; None: the solution has no such number."
-for _, _key, _unit, _meaning in _core.quantities:
+class Resultants(NamedTuple):
+    """The numbers of the whole contact; None: the solution has no such number."""
+
+    normal: Number
+    friction_force: Number
+    centre_of_pressure: Number
+    effective_friction: Number
+    load_share: list[Number]
+    contact_width: Number
+    real_contact_length: Number
+    mean_pressure: Number
+    largest_pressure: LargestPressure
+    components: int
+    tilt: Number | None
+    core: Interval | None
+
+
+for _key, (_, _, _unit, _meaning) in zip(Resultants._fields, _core.quantities):
     getattr(Resultants, _key).__doc__ = f"{_meaning} ({_unit})"
 
 
 class Sample(NamedTuple):
     """All that is known of a place of the surface; pairs are the limits from left and right."""
 
-    traction: tuple
-    shear: tuple
-    gap: Optional[Number]
-    slope: tuple
+    traction: tuple[Number, Number]
+    shear: tuple[Number, Number]
+    gap: Number | None
+    slope: tuple[Number, Number]
     displacement: Number
-    shear_slope: tuple
+    shear_slope: tuple[Number, Number]
     cumulative_load: Number
 
 
 class Stress(NamedTuple):
     """Stresses and the displacement's gradient; None without Poisson's ratio. errors: a Stress of errors, or None."""
 
-    xx: object
-    zz: object
-    xz: object
-    yy: object
-    mean: object
-    von_mises: object
-    largest_shear: object
-    ux_x: object
-    ux_z: object
-    uz_x: object
-    uz_z: object
+    xx: Values
+    zz: Values
+    xz: Values
+    yy: Values | None
+    mean: Values | None
+    von_mises: Values | None
+    largest_shear: Values
+    ux_x: Values | None
+    ux_z: Values | None
+    uz_x: Values | None
+    uz_z: Values | None
 
 
 class NodalForces(NamedTuple):
@@ -135,7 +160,7 @@ class NodalForces(NamedTuple):
 class Proof:
     """What is proved of a solution in ball arithmetic."""
 
-    def __init__(self, proved, reason, certificate, unresolved_gaps):
+    def __init__(self, proved: bool, reason: str, certificate: str, unresolved_gaps: list[UnresolvedGap]) -> None:
         self.proved = proved
         self.reason = reason
         self.certificate = certificate
@@ -144,7 +169,7 @@ class Proof:
     def __repr__(self):
         return "<steadyslide.Proof: proved>" if self.proved else f"<steadyslide.Proof: not proved: {self.reason}>"
 
-    def save(self, path):
+    def save(self, path: str | PathLike[str]) -> None:
         """Writes the certificate, for steadyslide-check; raises RuntimeError if nothing is proved."""
         if not self.certificate:
             raise RuntimeError(f"{path}: no certificate; {self.reason}")
@@ -163,8 +188,12 @@ class Problem:
 
     __slots__ = ("_core",)
 
-    def __init__(self, load=None, poisson=None, young=None, plane=None, gamma=None, sliding=None, load_at=None, friction=None,
-                 jumps=None, profile=None, pieces=None, samples=None, support=None, elastic=None):
+    def __init__(self, load: Exact | None = None, poisson: Exact | None = None, young: Exact | None = None,
+                 plane: str | None = None, gamma: Exact | None = None, sliding: str | None = None,
+                 load_at: Exact | None = None, friction: Sequence[Exact] | None = None, jumps: Sequence[Exact] | None = None,
+                 profile: Exact | None = None, pieces: Sequence[tuple[Exact, Exact]] | None = None,
+                 samples: str | Mapping[str, Any] | None = None, support: Sequence[Exact] | None = None,
+                 elastic: Mapping[str, Exact] | None = None) -> None:
         if isinstance(pieces, (list, tuple)):
             pieces = [dict(zip(("to", "profile"), piece)) if isinstance(piece, (list, tuple)) else piece for piece in pieces]
         self._set({
@@ -183,26 +212,26 @@ class Problem:
         return problem
 
     @classmethod
-    def from_toml(cls, path):
+    def from_toml(cls, path: str | PathLike[str]) -> "Problem":
         """Reads a problem file. Raises InvalidData "FILE:LINE: what is wrong; the rule; the value", OSError."""
         return cls._of(_core.Problem.read(str(path)))
 
     @classmethod
-    def from_string(cls, text, name=""):
+    def from_string(cls, text: str, name: str = "") -> "Problem":
         """The text of a problem file; samples are looked for beside `name`."""
         return cls._of(_core.Problem.from_text(text, str(name)))
 
     @property
-    def text(self):
+    def text(self) -> str:
         """The problem file that says the same."""
         return self._core.text
 
     @property
-    def name(self):
+    def name(self) -> str:
         """The file that it was read from; empty without one."""
         return self._core.name
 
-    def with_(self, **changes):
+    def with_(self, **changes: Any) -> "Problem":
         """The problem with some data changed, by their paths in a problem file: with_(**{"friction.values[1]": "0.3"})."""
         document = tomllib.loads(self.text, parse_float=str)
         for path, value in changes.items():
@@ -211,17 +240,17 @@ class Problem:
         problem._set(document, self.name)
         return problem
 
-    def solve(self, digits=16, method="auto", cells=None):
+    def solve(self, digits: int = 16, method: str = "auto", cells: int | None = None) -> "Solution":
         """Solves it: digits from 1 to 100; method auto, closed-form, riemann-hilbert or variational, the last on so many
         cells. Raises InvalidData for options out of range and for a method that does not apply."""
         return Solution(self, digits, method, cells)
 
-    def exponents(self, digits=16):
+    def exponents(self, digits: int = 16) -> list[PossiblePoint]:
         """Where the traction can be singular, and with which exponent: a list of PossiblePoint."""
         return [PossiblePoint(x, kind, side, _number(exponent, digits), symbolic)
                 for x, kind, side, exponent, symbolic in _core.exponents(self._core, digits)]
 
-    def derivation(self):
+    def derivation(self) -> str:
         """How the exponents come about, step by step, and the closed form where there is one."""
         return _core.derivation(self._core)
 
@@ -255,7 +284,21 @@ class Solution:
     Where functions of x have different limits on both sides, the larger one is told; at(x) has both.
     """
 
-    def __init__(self, problem, digits=16, method="auto", cells=None):
+    # Each resultant is a property, too; they are set below the class.
+    normal: Number
+    friction_force: Number
+    centre_of_pressure: Number
+    effective_friction: Number
+    load_share: list[Number]
+    contact_width: Number
+    real_contact_length: Number
+    mean_pressure: Number
+    largest_pressure: LargestPressure
+    components: int
+    tilt: Number | None
+    core: Interval | None
+
+    def __init__(self, problem: Problem, digits: int = 16, method: str = "auto", cells: int | None = None) -> None:
         try:
             self._core = _core.solve(problem._core, digits, method, cells)
         except TypeError:
@@ -274,43 +317,43 @@ class Solution:
         return value
 
     @property
-    def digits(self):
+    def digits(self) -> int:
         """The digits that were asked for."""
         return self._options[0]
 
     @property
-    def method(self):
+    def method(self) -> str:
         """closed-form, riemann-hilbert or variational."""
         return self._core.method
 
     @property
-    def solved(self):
+    def solved(self) -> bool:
         """Do all conditions hold?"""
         return not self.failed_condition
 
     @property
-    def failed_condition(self):
+    def failed_condition(self) -> str:
         """What is violated, in words; empty where solved."""
         return self._core.failed_condition
 
     @property
-    def warnings(self):
+    def warnings(self) -> list[str]:
         """What a person should know before it is used: the warnings of the command solve, a list of lines."""
         return self._core.warnings()
 
     @property
-    def contact(self):
+    def contact(self) -> list[Contact]:
         """The contact's components, left to right: a list of Contact."""
         return [Contact(ContactEnd(*left), ContactEnd(*right), width, load)
                 for left, right, width, load in self._numbers(self._core.contact())]
 
     @property
-    def singular_points(self):
+    def singular_points(self) -> list[SingularPoint]:
         """A list of SingularPoint, left to right."""
         return [SingularPoint(*point) for point in self._numbers(self._core.singular_points())]
 
     @property
-    def unresolved_gaps(self):
+    def unresolved_gaps(self) -> list[UnresolvedGap]:
         """A list of UnresolvedGap, left to right; log10_length is an order of magnitude."""
         return self._gaps(self._core.unresolved_gaps())
 
@@ -318,30 +361,30 @@ class Solution:
         return [UnresolvedGap(*gap) for gap in self._numbers(gaps)]
 
     @property
-    def resultants(self):
+    def resultants(self) -> Resultants:
         """Forces, widths, the largest pressure, shares of the load: Resultants. Each of them is an attribute, too."""
         made = {"Largest": LargestPressure, "Interval": Interval}
         values = self._numbers(self._core.resultants())
         return Resultants(*(made[kind](*value) if kind in made and value is not None else value
                             for (kind, _, _, _), value in zip(_core.quantities, values)))
 
-    def at(self, x):
+    def at(self, x: Exact) -> Sample:
         """All that is known of one place: a Sample."""
         return Sample(*self._numbers(self._core.at(_document.exact(x, "x"))))
 
-    def traction(self, x, errors=False):
+    def traction(self, x: Places, errors: bool = False) -> Values:
         """t <= 0 at x, a number or an array of them; with errors: (values, errors)."""
         return self._at_places("traction", x, errors)
 
-    def shear(self, x, errors=False):
+    def shear(self, x: Places, errors: bool = False) -> Values:
         """The tangential traction along +x, as traction()."""
         return self._at_places("shear", x, errors)
 
-    def gap(self, x, errors=False):
+    def gap(self, x: Places, errors: bool = False) -> Values:
         """The gap, nan outside the support, as traction()."""
         return self._at_places("gap", x, errors)
 
-    def slope(self, x, errors=False):
+    def slope(self, x: Places, errors: bool = False) -> Values:
         """u', as traction()."""
         return self._at_places("slope", x, errors)
 
@@ -361,7 +404,7 @@ class Solution:
         array[:] = numbers
         return array.reshape(shape)
 
-    def stress(self, x, z, errors=False):
+    def stress(self, x: Places, z: Places, errors: bool = False) -> Any:
         """At points of the body, z > 0, numbers or arrays: a Stress; with errors: (values, errors)."""
         if self.digits <= 16:
             points, depths = np.broadcast_arrays(_floats(x, "x"), _floats(z, "z"))
@@ -376,7 +419,7 @@ class Solution:
             wrong = [None if part[0] is None else np.array([n.error for n in part]).reshape(points.shape)[()] for part in parts]
         return (Stress(*values), Stress(*wrong)) if errors else Stress(*values)
 
-    def nodal_forces(self, nodes, order=1):
+    def nodal_forces(self, nodes: Places, order: int = 1) -> NodalForces:
         """Consistent nodal forces of the tractions on a mesh of the surface: NodalForces. order=2: quadratic elements, every
         second node in the middle of one. Raises InvalidData where contact reaches beyond the mesh."""
         texts = [_document.exact(node, f"nodes[{k}]") for k, node in enumerate(np.asarray(nodes).ravel().tolist())]
@@ -384,12 +427,12 @@ class Solution:
         return NodalForces(*(self._array(list(forces), (len(texts),)) for forces in (normal, tangential)),
                            *(np.array([n.error for n in forces]) for forces in (normal, tangential)))
 
-    def certify(self):
+    def certify(self) -> Proof:
         """Proves it in ball arithmetic, with a certificate for steadyslide-check: a Proof. Ten times a solve."""
-        proof = self._core.certify()
-        return Proof(proof.proved, proof.reason, proof.certificate, self._gaps(proof.unresolved_gaps()))
+        proved, reason, certificate, gaps = self._core.certify()
+        return Proof(proved, reason, certificate, self._gaps(gaps))
 
-    def plot(self, ax=None):
+    def plot(self, ax: Any = None) -> Any:
         """Pressure and shear over x, with singular points marked, on matplotlib's axes, which are returned."""
         from . import _plot
         return _plot.plot(self, ax)
@@ -407,7 +450,7 @@ def _quantity(key):
     return property(lambda self: getattr(self.resultants, key), doc=getattr(Resultants, key).__doc__)
 
 
-for _, _key, _, _ in _core.quantities:
+for _key in Resultants._fields:
     setattr(Solution, _key, _quantity(_key))
 
 
@@ -416,7 +459,6 @@ def _floats(values, field):
         return np.asarray(values, dtype=float)
     except (TypeError, ValueError):
         array = np.asarray(values, dtype=object)
-        from fractions import Fraction
         texts = [_document.exact(one, field) for one in array.ravel()]
         try:
             return np.array([float(Fraction(text)) for text in texts]).reshape(array.shape)
@@ -424,7 +466,8 @@ def _floats(values, field):
             raise InvalidData(f"{field}: not a number; a number is written like 2, -0.25, 1e-3 or 1/3; {texts[0]!r}") from None
 
 
-def sweep(base, vary, columns=("effective_friction",), executor=None, digits=16, method="auto", cells=None):
+def sweep(base: Problem, vary: Mapping[str, Sequence[Any]], columns: Iterable[str] = ("effective_friction",),
+          executor: Executor | None = None, digits: int = 16, method: str = "auto", cells: int | None = None) -> np.ndarray:
     """Solves every combination of varied data: a numpy structured array with one row each, the first varied datum slowest.
 
     vary: {"friction.values[1]": ["0.1", "0.2"], ...}, paths as in a problem file. columns: names of results,

@@ -35,16 +35,12 @@ def fields(rows):
     return "".join(f"    {key}: {PYTHON_TYPES[kind]}\n" for kind, key, _, _ in rows)
 
 
-def properties(rows):
-    return "".join(f"    @property\n    def {key}(self) -> {PYTHON_TYPES[kind]}: ...\n" for kind, key, _, _ in rows)
-
-
 # A file, the line before its part, the line behind it, and what the part says.
 PARTS = [
     ("docs/output.md", "largest pressure is finite | |\n", "| `samples[]`", markdown),
     ("docs/solve.schema.json", '    "resultants": {\n', '    },\n    "sample": {', schema),
-    ("python/steadyslide/__init__.pyi", "class Resultants(NamedTuple):\n", "\nclass Sample(", fields),
-    ("python/steadyslide/__init__.pyi", "    def resultants(self) -> Resultants: ...\n", "    def at(self", properties),
+    ("python/steadyslide/__init__.py", "no such number.\"\"\"\n\n", "\n\nfor _key, ", fields),
+    ("python/steadyslide/__init__.py", "they are set below the class.\n", "\n    def __init__(self, problem: ", fields),
 ]
 
 

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "app/figures/solved.hpp"
 #include "numeric/flat_punch/flat_punch.hpp"
@@ -32,21 +34,11 @@ double effective(const ContactProblem& problem) {
 
 /// Lines by the integral over the free surface, marks by the solver on cells.
 void add_curves(Panel& panel, const Rational& outer, const Rational& inner, const std::string& legend) {
-  for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {
-    const int style = static_cast<int>(panel.series.size() / 2) + 1;
-    Series line{legend + (sliding == Sliding::plus_x ? ", to the right" : ", to the left"), Look::line, style, {}};
-    Series marks{"", Look::marks, style, {}};
-    for (int i = -49; i <= 49; ++i) {
-      const Rational c(i, 100);
-      const ContactProblem problem = sandwich(outer, inner, c, sliding);
-      const auto x = numeric::to_real<double>(c);
-      line.points.push_back({x, effective(problem)});
-      if (i % 14 != 0) continue;
-      marks.points.push_back({x, solved_on_cells(problem, 1000)->resultants().effective_friction.value});
-    }
-    panel.series.push_back(std::move(line));
-    panel.series.push_back(std::move(marks));
-  }
+  FrictionCurves wanted{{legend + ", to the right", legend + ", to the left"}, {}, {}, 7, 14, effective};
+  for (int i = -49; i <= 49; ++i) wanted.places.emplace_back(i, 100);
+  wanted.problem = [&](const Rational& c, Sliding sliding) { return sandwich(outer, inner, c, sliding); };
+  std::ranges::move(friction_curves(wanted, static_cast<int>(panel.series.size() / 2) + 1),
+                    std::back_inserter(panel.series));
 }
 
 Panel by_place() {

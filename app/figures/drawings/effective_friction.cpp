@@ -8,30 +8,12 @@ namespace {
 
 const Rational nu(1, 5);
 
-double effective(const numeric::ContactSolution<double>& solution) {
-  return solution.resultants().effective_friction.value;
-}
-
-/// Curves over t in [0, 1], with the problem's abscissa and punch made from t; marks by the solver on cells.
-template <class Abscissa, class Punch>
-std::vector<Series> curves(Abscissa abscissa, Punch punch) {
-  std::vector<Series> result;
-  int style = 0;
-  for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {
-    const char* legend = sliding == Sliding::plus_x ? "right coating in front" : "right coating at the rear";
-    Series line{legend, Look::line, ++style, {}};
-    Series marks{"", Look::marks, style, {}};
-    for (int i = 1; i < 100; ++i) {
-      const Rational t(i, 100);
-      const ContactProblem problem = punch(t, sliding);
-      const auto x = numeric::to_real<double>(abscissa(t));
-      line.points.push_back({x, effective(*solved(problem))});
-      if (i % 10 == 0) marks.points.push_back({x, effective(*solved_on_cells(problem, 1000))});
-    }
-    result.push_back(std::move(line));
-    result.push_back(std::move(marks));
-  }
-  return result;
+/// Marks at every tenth place.
+std::vector<Series> curves(const std::function<Rational(const Rational& t)>& place,
+                           const std::function<ContactProblem(const Rational& place, Sliding sliding)>& punch) {
+  FrictionCurves wanted{{"right coating in front", "right coating at the rear"}, {}, punch, 9, 10};
+  for (int i = 1; i < 100; ++i) wanted.places.push_back(place(Rational(i, 100)));
+  return friction_curves(wanted);
 }
 
 }  // namespace
@@ -44,9 +26,7 @@ Figure make_effective_friction() {
   // Denser towards the ends, where a root of the distance is what changes.
   const auto smooth = [](const Rational& t) { return Rational(t * t * (3 - 2 * t)); };
   const auto place = [&](const Rational& t) { return Rational(2 * smooth(smooth(t)) - 1); };
-  const auto moved = [&](const Rational& t, Sliding sliding) {
-    return flat_punch(nu, {low, high}, {place(t)}, sliding);
-  };
+  const auto moved = [&](const Rational& c, Sliding sliding) { return flat_punch(nu, {low, high}, {c}, sliding); };
   Panel by_place{
       {0.085, 0.49, 0.175, 0.9}, {"place of the jump {/:Italic c} / {/:Italic L}", -1, 1, false, 0.5}, friction};
   by_place.legend = LegendAt::none;
@@ -55,11 +35,8 @@ Figure make_effective_friction() {
   by_place.series.push_back({"plain mean", Look::line, 3, {{-1, numeric::to_real<double>(high)}, {1, low_value}}});
   by_place.notes = {{{0.04, 0.06, true, true}, "{/:Italic f} = 0.1 on the left, 1 on the right"}};
 
-  const Rational largest(3);
-  const auto value = [&](const Rational& t) { return Rational(largest * t); };
-  const auto rougher = [&](const Rational& t, Sliding sliding) {
-    return flat_punch(nu, {low, value(t)}, {0}, sliding);
-  };
+  const auto value = [](const Rational& t) { return Rational(3 * t); };
+  const auto rougher = [&](const Rational& f, Sliding sliding) { return flat_punch(nu, {low, f}, {0}, sliding); };
   Panel by_value{{0.585, 0.985, 0.175, 0.9},
                  {"friction of the right coating {/:Italic f}", 0, 3, false, 0.5},
                  {"effective friction {/:Italic T}/{/:Italic P}", 0, 2, false, 0.5}};

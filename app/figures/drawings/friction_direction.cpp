@@ -10,10 +10,8 @@ namespace {
 const Rational smooth_half(1, 10);
 const Rational rough_half(1, 2);
 
-double effective(const Rational& jump, Sliding sliding) {
-  return solved(flat_punch(Rational(1, 5), {smooth_half, rough_half}, {jump}, sliding))
-      ->resultants()
-      .effective_friction.value;
+ContactProblem punch(const Rational& jump, Sliding sliding) {
+  return flat_punch(Rational(1, 5), {smooth_half, rough_half}, {jump}, sliding);
 }
 
 /// A punch with its coatings, and where it slides: the middle of its lower face is at `at`.
@@ -37,21 +35,16 @@ Figure make_friction_direction() {
               {"border {/:Italic c} / {/:Italic L} of the coatings", -1, 1, false, 0.5},
               {"effective friction {/:Italic T}/{/:Italic P}", 0, 0.56, false, 0.1}};
   panel.legend = LegendAt::none;
-  int style = 0;
-  for (const Sliding sliding : {Sliding::plus_x, Sliding::minus_x}) {
-    const bool forward = sliding == Sliding::plus_x;
-    Series line{forward ? "to the right, rough coating in front" : "to the left, smooth coating in front",
-                Look::line,
-                ++style,
-                {}};
-    // Denser towards the ends, where a root of the distance is what changes.
-    for (int i = 1; i < 100; ++i) {
-      const Rational t(i, 100), c = 2 * t * t * (3 - 2 * t) - 1;
-      line.points.push_back({numeric::to_real<double>(c), effective(c, sliding)});
-    }
-    const double in_the_middle = effective(0, sliding);
-    panel.series.push_back(line);
-    panel.series.push_back({"", Look::marks, style, {{0, in_the_middle}}});
+  FrictionCurves curves{{"to the right, rough coating in front", "to the left, smooth coating in front"}, {}, punch};
+  // Denser towards the ends, where a root of the distance is what changes.
+  for (int i = 1; i < 100; ++i) {
+    const Rational t(i, 100);
+    curves.places.emplace_back(2 * t * t * (3 - 2 * t) - 1);
+  }
+  panel.series = friction_curves(curves);
+  for (const bool forward : {true, false}) {
+    const double in_the_middle = effective_friction_of(punch(0, forward ? Sliding::plus_x : Sliding::minus_x));
+    panel.series[forward ? 1 : 3].points = {{0, in_the_middle}};
     panel.notes.push_back({{forward ? -0.02 : 0.03, in_the_middle + (forward ? -0.03 : 0.03)},
                            decimal(in_the_middle, 3),
                            forward ? Align::right : Align::left,
