@@ -148,6 +148,12 @@ class ClaimBuilder {
       }
     });
   }
+  /// A formula with another value of a member is wrong.
+  template <class Member, class Value>
+  ClaimBuilder&& wrong(std::string name, Member member, Value value) && {
+    return std::move(*this).wrong(std::move(name),
+                                  [member, value = std::move(value)](Form& form) { form.*member = value; });
+  }
   /// The statement is wrong at these cases, which its hypotheses exclude.
   template <class List>
   ClaimBuilder&& wrong_beyond(std::string name, List list) && {

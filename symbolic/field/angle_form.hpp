@@ -28,9 +28,6 @@ class AngleForm {
   /// Its value for given frictions s_k.
   Exponent exponent(const std::vector<Rational>& frictions) const;
 
-  /// Every angle with the other sign.
-  AngleForm mirrored() const { return AngleForm(2 * halves_) - *this; }
-
   AngleForm& operator+=(const AngleForm& other);
   AngleForm operator-() const;
   friend AngleForm operator+(AngleForm a, const AngleForm& b) { return a += b; }

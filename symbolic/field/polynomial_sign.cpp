@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "symbolic/field/expression.hpp"
+
 namespace steadyslide::symbolic {
 namespace {
 
@@ -18,8 +20,6 @@ struct Axis {
   symbol x;
   ParameterRange range;
 };
-
-ex exact(const Rational& value) { return numeric(value.str().c_str()); }
 
 /// What the polynomial becomes on the quarter space of new variables: its numerator, and which of them can be 0.
 struct Carried {
@@ -36,16 +36,16 @@ Carried carried(const ex& polynomial, const std::vector<Axis>& axes) {
     const symbol y;
     const int degree = result.numerator.degree(axis.x);
     if (from && to && *from == *to) {
-      result.numerator = result.numerator.subs(axis.x == exact(*from)).expand();
+      result.numerator = result.numerator.subs(axis.x == to_expression(*from)).expand();
       continue;
     }
     if (from && to) {
       // y = 0 at the left end; the right end is y = oo, where the leading coefficient alone would decide: a closed right end
       // is cut off by the caller.
-      const ex inside = (exact(*from) + exact(*to) * y) / (1 + y);
+      const ex inside = (to_expression(*from) + to_expression(*to) * y) / (1 + y);
       result.numerator = (result.numerator.subs(axis.x == inside) * GiNaC::pow(1 + y, degree)).normal().expand();
     } else {
-      const ex inside = from ? exact(*from) + y : exact(*to) - y;
+      const ex inside = from ? to_expression(*from) + y : to_expression(*to) - y;
       result.numerator = result.numerator.subs(axis.x == inside).expand();
     }
     result.variables.push_back(y);

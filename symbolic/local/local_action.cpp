@@ -72,22 +72,6 @@ LocalDensity& operator+=(LocalDensity& a, const LocalDensity& b) {
   return a;
 }
 
-LocalDensity operator*(const ex& factor, const LocalDensity& density) {
-  LocalDensity result;
-  for (const auto& [monomial, coefficient] : density) result.emplace(monomial, factor * coefficient);
-  return result;
-}
-
-LocalDensity times_x_to(int order, const LocalDensity& density) {
-  LocalDensity result;
-  for (const auto& [monomial, coefficient] : density) {
-    LocalMonomial raised = monomial;
-    raised.order += order;
-    result.emplace(raised, coefficient);
-  }
-  return result;
-}
-
 LocalDensity act(const LocalDensity& density, const LocalConstants& constants) {
   LocalDensity result;
   for (const auto& [monomial, coefficient] : density) {

@@ -33,8 +33,6 @@ struct LocalMonomial {
 using LocalDensity = std::map<LocalMonomial, GiNaC::ex>;
 
 LocalDensity& operator+=(LocalDensity& a, const LocalDensity& b);
-LocalDensity operator*(const GiNaC::ex& factor, const LocalDensity& density);
-LocalDensity times_x_to(int order, const LocalDensity& density);
 
 /// cot(pi lambda), 1/sin(pi lambda) and pi as elements of the field in which one computes.
 struct LocalConstants {

@@ -82,12 +82,6 @@ PolynomialSlope::PolynomialSlope(int order, std::vector<ex> slope, const std::ve
   }
 }
 
-ex PolynomialSlope::factor(const ex& x) const {
-  ex value = 0;
-  for (std::size_t k = factor_.size(); k-- > 0;) value = value * x + factor_[k];
-  return value;
-}
-
 ex field_coefficient(int order, const std::vector<ex>& slope, const std::vector<ex>& factor,
                      const std::vector<ex>& series, int power) {
   ex value = at(slope, power);

@@ -37,7 +37,6 @@ class PolynomialSlope {
   int order() const { return order_; }
   /// Coefficients of N.
   const std::vector<GiNaC::ex>& factor() const { return factor_; }
-  GiNaC::ex factor(const GiNaC::ex& x) const;
   /// Each is to vanish: c_1, ..., c_S, c_{S+1} - P/pi; none if S < 0.
   const std::vector<GiNaC::ex>& conditions() const { return conditions_; }
   /// Coefficients of q that the gaps between components determine.

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "symbolic/cln/cln_number.hpp"
+#include "symbolic/cln/cln_contact.hpp"
 #include "symbolic/field/expression.hpp"
 #include "symbolic/riemann_hilbert/contact_derivation.hpp"
 
@@ -44,13 +44,7 @@ cl_F evaluate(const ex& e, const SymbolValues& values, cln::float_format_t forma
 }
 
 ContactProfile profile_of(const ContactProblem& problem) {
-  const std::vector<Indenter::Piece>& pieces = problem.indenter().pieces();
-  for (const Indenter::Piece& piece : pieces) {
-    if (piece.profile != pieces[0].profile)
-      throw std::domain_error("derived contact: one profile on the whole support");
-  }
-  if (problem.load_at()) throw std::domain_error("derived contact: the indenter keeps its attitude");
-  const Polynomial& psi = pieces[0].profile;
+  const Polynomial& psi = one_profile(problem, "derived contact");
   const Rational curvature = psi.coefficient(2);
   if (psi.degree() > 2 || curvature < 0) throw std::domain_error("derived contact: psi = A x^2 + B x + C with A >= 0");
   const Rational c = problem.elasticity().compliance();
@@ -62,34 +56,14 @@ ContactProfile profile_of(const ContactProblem& problem) {
 
 }  // namespace
 
-struct DerivedContact::State {
-  struct Place {
-    std::optional<Rational> exact;  ///< from the origin, where it is a datum
-    cl_F value;
-    cl_F power;
-  };
-
-  ContactProblem problem;
-  int digits;
-  cln::float_format_t format;
-  ContactProfile profile;
+struct DerivedContact::State : ClnContact {
+  std::vector<Rational> slope;  ///< psi'/c, by coefficients in the length from the origin
   FundamentalSolution solution;
-  std::size_t first;                ///< the friction piece of panel 0
-  std::vector<Rational> frictions;  ///< of the panels
-  std::vector<Place> places;
-  int epsilon;
-  std::vector<cl_F> factor;  ///< coefficients of N
+  std::vector<Rational> frictions = {};  ///< of the panels
 
-  cl_F number(const Rational& value) const { return to_cln(value, format); }
-  /// x - place, x from the origin
-  cl_F from(const Rational& x, const Place& place) const {
-    return place.exact ? number(Rational(x - *place.exact)) : number(x) - place.value;
-  }
-  cl_F factor_at(const cl_F& x) const {
-    cl_F value = number(Rational(0));
-    for (std::size_t k = factor.size(); k-- > 0;) value = value * x + factor[k];
-    return value;
-  }
+  /// From the origin.
+  Rational datum(const Place& place) const { return place.exact - origin; }
+  cl_F length(const Place& place) const { return place.is_datum ? number(datum(place)) : place.rest; }
   bool solve();
   bool fits() const;
 };
@@ -132,15 +106,15 @@ bool newton(const std::vector<ex>& conditions, const std::vector<ex>& unknowns, 
 
 }  // namespace
 
-/// Free ends, epsilon and N; false where the conditions have no solution, or N = 0.
+/// Free ends and N, with the sign of epsilon; false where the conditions have no solution, or N = 0.
 bool DerivedContact::State::solve() {
   const std::vector<ex> p = symbols("p", places.size());
   const std::vector<ex> e = symbols("e", places.size());
   const GiNaC::symbol load("P_over_pi");
-  std::vector<ex> slope;
-  for (const Rational& a : profile.slope) slope.push_back(to_expression(a));
+  std::vector<ex> exact_slope;
+  for (const Rational& a : slope) exact_slope.push_back(to_expression(a));
   const int order = solution.order();
-  const PolynomialSlope derived(order, slope, power_sums(p, e, PolynomialSlope::sums_needed(order, slope.size())),
+  const PolynomialSlope derived(order, exact_slope, power_sums(p, e, PolynomialSlope::sums_needed(order, slope.size())),
                                 load);
   if (derived.factor().empty()) return false;
 
@@ -148,65 +122,47 @@ bool DerivedContact::State::solve() {
   values[load] = number(problem.load()) / cln::pi(format);
   // Wider than the contact can be: from there Newton's method comes down monotonically.
   cl_F farthest = number(Rational(problem.indenter().right() - problem.indenter().left()));
-  if (slope.size() == 2) farthest = farthest + cln::sqrt(2 * values.at(load) / number(profile.slope[1]));
+  if (slope.size() == 2) farthest = farthest + cln::sqrt(2 * values.at(load) / number(slope[1]));
   for (const Place& place : places) {
-    if (place.exact) farthest = farthest + cln::abs(number(*place.exact));
+    if (place.is_datum) farthest = farthest + cln::abs(length(place));
   }
   cl_F size = number(Rational(0));
   for (std::size_t j = 0; j < places.size(); ++j) {
     values[p[j]] = places[j].power;
-    if (!places[j].exact) size = size + 4 * farthest / places[j].power;
+    if (!places[j].is_datum) size = size + 4 * farthest / places[j].power;
   }
   std::vector<ex> unknowns;
   for (std::size_t j = 0; j < places.size(); ++j) {
-    values[e[j]] = places[j].exact ? number(*places[j].exact) : (j == 0 ? -size : size);
-    if (!places[j].exact) unknowns.push_back(e[j]);
+    values[e[j]] = places[j].is_datum ? length(places[j]) : (j == 0 ? -size : size);
+    if (!places[j].is_datum) unknowns.push_back(e[j]);
   }
   const cl_F tiny = farthest * power_of_ten(-digits - cln_guard_digits, format);
   if (!unknowns.empty() && !newton(derived.conditions(), unknowns, values, tiny, format, 2000 + 8 * digits)) {
     return false;
   }
-  for (std::size_t j = 0; j < places.size(); ++j) places[j].value = values.at(e[j]);
-  for (const ex& coefficient : derived.factor()) factor.push_back(evaluate(coefficient, values, format));
-
+  for (std::size_t j = 0; j < places.size(); ++j) {
+    if (!places[j].is_datum) places[j].rest = values.at(e[j]);
+  }
   std::vector<ex> s;
   for (const Rational& friction : frictions) s.push_back(to_expression(friction));
-  const PhaseField field(s);
-  epsilon = solution.sign_on(field, solution.regions()[1]);
+  const bool positive = solution.sign_on(PhaseField(s), solution.regions()[1]) > 0;
+  for (const ex& coefficient : derived.factor()) {
+    const cl_F value = evaluate(coefficient, values, format);
+    factor.push_back(positive ? value : -value);
+  }
   return true;
 }
 
 bool DerivedContact::State::fits() const {
-  const cl_F& left = places.front().value;
-  const cl_F& right = places.back().value;
-  const cl_F touch = (right - left) * power_of_ten(-digits - cln_guard_digits / 2, format);
-  const auto after = [&](const cl_F& x, const Rational& y) { return x - number(Rational(y - profile.origin)) > touch; };
-  const auto before = [&](const cl_F& x, const Rational& y) {
-    return number(Rational(y - profile.origin)) - x > touch;
-  };
-  if (!(left < right)) return false;
-  const std::vector<Rational>& jumps = problem.friction().jumps();
-  const std::size_t last = first + frictions.size() - 1;
-  // A jump inside is strictly inside, one outside may touch: then one choice of jumps fits, not two.
-  if (!places.front().exact) {
-    if (!after(left, problem.indenter().left())) return false;
-    if (last > first && !before(left, jumps[first])) return false;
-    if (first > 0 && before(left, jumps[first - 1])) return false;
-  }
-  if (!places.back().exact) {
-    if (!before(right, problem.indenter().right())) return false;
-    if (last > first && !after(right, jumps[last - 1])) return false;
-    if (last < jumps.size() && after(right, jumps[last])) return false;
-  }
+  const cl_F left = length(places.front());
+  const cl_F right = length(places.back());
   // epsilon N <= 0 on the contact: N is linear, or convex with epsilon = 1, so that the ends decide.
-  const auto pulls = [&](const cl_F& x) { return cln::plusp(epsilon > 0 ? factor_at(x) : -factor_at(x)); };
-  return !pulls(left) && !pulls(right);
+  return left < right && free_ends_fit() && !cln::plusp(factor_at(left)) && !cln::plusp(factor_at(right));
 }
 
 std::vector<DerivedContact> DerivedContact::all(const ContactProblem& problem, int digits) {
-  if (digits < 1) throw std::domain_error("derived contact: at least one digit; " + std::to_string(digits));
-  const cln::float_format_t format = cln_format(digits + 2 * cln_guard_digits);
-  const ContactProfile profile = profile_of(problem);
+  const cln::float_format_t format = format_for(digits, "derived contact");
+  const auto [origin, slope] = profile_of(problem);
   const std::vector<Rational>& jumps = problem.friction().jumps();
   std::vector<DerivedContact> found;
   for (const EndKind left : {EndKind::free, EndKind::edge}) {
@@ -215,20 +171,19 @@ std::vector<DerivedContact> DerivedContact::all(const ContactProblem& problem, i
       const std::size_t first_end = left == EndKind::edge ? 0 : jumps.size();
       for (std::size_t first = 0; first <= first_end; ++first) {
         for (std::size_t last = right == EndKind::edge ? jumps.size() : first; last <= jumps.size(); ++last) {
-          State state{problem, digits, format, profile, FundamentalSolution(left, right, last - first),
-                      first,   {},     {},     0,       {}};
+          State state{{"derived traction", problem, digits, format, origin, first, last},
+                      slope,
+                      FundamentalSolution(left, right, last - first)};
           for (std::size_t k = first; k <= last; ++k) state.frictions.push_back(problem.coupled_friction(k));
-          for (std::size_t j = 0; j < state.solution.points().size(); ++j) {
-            std::optional<Rational> exact;
-            if (j == 0) {
-              if (left == EndKind::edge) exact = problem.indenter().left() - profile.origin;
-            } else if (j + 1 == state.solution.points().size()) {
-              if (right == EndKind::edge) exact = problem.indenter().right() - profile.origin;
-            } else {
-              exact = jumps[first + j - 1] - profile.origin;
-            }
-            const Exponent power = state.solution.points()[j].power.exponent(state.frictions);
-            state.places.push_back({exact, state.number(Rational(0)), to_cln(power, digits + cln_guard_digits)});
+          const std::size_t right_end = state.solution.points().size() - 1;
+          for (std::size_t j = 0; j <= right_end; ++j) {
+            const auto& [kind, power] = state.solution.points()[j];
+            const Rational datum = j == 0           ? problem.indenter().left()
+                                   : j == right_end ? problem.indenter().right()
+                                                    : jumps[first + j - 1];
+            state.places.push_back({is_free(kind) ? origin : datum, state.number(0),
+                                    to_cln(power.exponent(state.frictions), digits + cln_guard_digits),
+                                    !is_free(kind)});
           }
           if (!state.solve() || !state.fits()) continue;
           found.push_back(DerivedContact(std::make_shared<const State>(std::move(state))));
@@ -239,10 +194,7 @@ std::vector<DerivedContact> DerivedContact::all(const ContactProblem& problem, i
   return found;
 }
 
-Decimal DerivedContact::end(End which) const {
-  const State::Place& place = which == End::left ? state_->places.front() : state_->places.back();
-  return rounded(state_->profile.origin + (place.exact ? *place.exact : from_cln(place.value)), state_->digits);
-}
+Decimal DerivedContact::end(End which) const { return state_->end(which); }
 
 SingularKind DerivedContact::kind(End which) const {
   const auto& points = state_->solution.points();
@@ -250,48 +202,23 @@ SingularKind DerivedContact::kind(End which) const {
                                                                                 : SingularKind::edge;
 }
 
-Decimal DerivedContact::traction(const Rational& x) const {
-  const State& s = *state_;
-  const auto refuse = [&](const std::string& why) {
-    throw std::domain_error("derived traction: " + why + "; x = " + to_string(x));
-  };
-  const Rational at = x - s.profile.origin;
-  const cl_F from_left = s.from(at, s.places.front());
-  const cl_F from_right = s.from(at, s.places.back());
-  const cl_F blur = (from_left - from_right) * power_of_ten(-cln_guard_digits, s.format);
-  for (const State::Place* end : {&s.places.front(), &s.places.back()}) {
-    const cl_F distance = cln::abs(s.from(at, *end));
-    if (cln::zerop(distance)) refuse("x is an end of the contact");
-    if (!end->exact && distance < blur) refuse("x is too near a free end for the digits carried");
-  }
-  if (cln::minusp(from_left) || cln::plusp(from_right)) return {0, "0"};
-  const cl_F factor = s.factor_at(s.number(at));
-  cl_F product = s.epsilon > 0 ? factor : -factor;
-  for (const State::Place& place : s.places) {
-    if (cln::zerop(place.power)) continue;
-    const cl_F distance = cln::abs(s.from(at, place));
-    if (cln::zerop(distance)) refuse("x is a friction jump inside the contact");
-    product = product * power(distance, place.power);
-  }
-  const std::size_t piece = s.problem.friction().piece(x, Side::left);
-  product = product * cos_pi_alpha(s.problem.coupled_friction(piece), s.format);
-  return rounded(from_cln(product), s.digits);
-}
+Decimal DerivedContact::traction(const Rational& x) const { return state_->traction(x); }
 
 Derivation DerivedContact::derivation() const {
   const State& s = *state_;
   DerivationInput input{"Contact with the problem's numbers", s.solution, {}, {}, {}, {}, {}};
   for (const Rational& friction : s.frictions) input.frictions.push_back(to_expression(friction));
   for (std::size_t j = 0; j < s.places.size(); ++j) {
-    const std::string text = s.places[j].exact ? s.places[j].exact->str() : "e_" + std::to_string(j);
-    input.places.push_back({text, s.places[j].exact ? text : "e_{" + std::to_string(j) + "}"});
+    const std::string index = std::to_string(j);
+    const std::string datum = s.datum(s.places[j]).str();
+    input.places.push_back(s.places[j].is_datum ? Formula{datum, datum} : Formula{"e_" + index, "e_{" + index + "}"});
   }
-  for (const Rational& a : s.profile.slope) input.slope.push_back(to_expression(a));
+  for (const Rational& a : s.slope) input.slope.push_back(to_expression(a));
   input.load_over_pi = to_expression(s.problem.load()) / GiNaC::symbol("pi");
   Derivation result;
   result.title = input.title;
   result.assume("Lengths `x` are measured from this place of the user's axis.",
-                {"x = 0 at " + to_string(s.profile.origin), "x = 0 \\text{ at } " + to_string(s.profile.origin)});
+                {"x = 0 at " + to_string(s.origin), "x = 0 \\text{ at } " + to_string(s.origin)});
   for (DerivationStep& step : derive(input).steps) result.steps.push_back(std::move(step));
   for (const End which : {End::left, End::right}) {
     if (kind(which) != SingularKind::free) continue;

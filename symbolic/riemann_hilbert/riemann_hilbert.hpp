@@ -68,7 +68,6 @@ class FundamentalSolution {
     std::size_t component;                ///< the one it is in, or the next on the right
     AngleForm sigma;
   };
-  const std::vector<Component>& components() const { return components_; }
   const std::vector<Point>& points() const { return points_; }
   const std::vector<Region>& regions() const { return regions_; }
   std::size_t panels() const;

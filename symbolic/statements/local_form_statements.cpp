@@ -91,10 +91,10 @@ class Wedge {
     LocalDensity density;
     for (int n = 0; n < 3; ++n) {
       const ex d = place_.right.slopes[static_cast<std::size_t>(n)];
-      density += times_x_to(n, {{{Side::left, false, 0, 1}, d * logarithm},
-                                {{Side::right, false, 0, 1}, d * logarithm},
-                                {{Side::left, false, 0, 0}, d * left},
-                                {{Side::right, false, 0, 0}, d * right}});
+      for (const Side side : {Side::left, Side::right}) {
+        density[{side, false, n, 1}] = d * logarithm;
+        density[{side, false, n, 0}] = d * (side == Side::left ? left : right);
+      }
     }
     return verify_local_form(statement, {place_, frame_, std::nullopt, density});
   }

@@ -8,62 +8,46 @@
 namespace steadyslide::proofs_checks::notch_gap_law {
 namespace {
 
-/// Flanks of slopes `rear` and `front` that meet at the friction jump `at`.
+/// Two flanks that meet at the friction jump `at`.
 struct Notch {
   std::string name;
-  Rational nu;
-  std::vector<Rational> friction;
-  std::vector<Rational> jumps;
+  ContactProblem problem;
   std::size_t at;  ///< which jump
-  Rational rear;
-  Rational front;
-  Sliding sliding;
   std::vector<Rational> loads;
 
-  const Rational& place() const { return jumps[at]; }
-  ContactProblem problem(const Rational& load) const {
-    const Polynomial left({-rear * place(), rear});
-    const Polynomial right({-front * place(), front});
-    return {Elasticity(Solid(nu, 1)), FrictionProfile(friction, jumps), Indenter(-1, {{place(), left}, {1, right}}),
-            load, sliding};
-  }
+  const Rational& place() const { return problem.friction().jumps()[at]; }
+  Rational slope(Side side) const { return problem.indenter().profile(place(), side).coefficient(1); }
 };
 
+/// Flanks of slopes `rear` and `front` that meet at the place.
+ContactProblem flanks(const Rational& nu, FrictionProfile friction, const Rational& place, const Rational& rear,
+                      const Rational& front, Sliding sliding = Sliding::plus_x) {
+  const Indenter indenter(-1, {{place, Polynomial({-rear * place, rear})}, {1, Polynomial({-front * place, front})}});
+  return {Elasticity(Solid(nu, 1)), std::move(friction), indenter, 1, sliding};
+}
+
 CaseList<Notch> notches(const Context& context) {
-  return first_when_quick<Notch>(context,
-                                 {{"0.1 | 0.5, flanks of 1/5",
-                                   Rational(1, 5),
-                                   {Rational(1, 10), Rational(1, 2)},
-                                   {0},
-                                   0,
-                                   Rational(1, 5),
-                                   Rational(-1, 5),
-                                   Sliding::plus_x,
-                                   {Rational(17, 5), Rational(37, 10), 4}},
-                                  {"0.6 | 0.1 towards -x, flanks of 1/5 and 1/10",
-                                   0,
-                                   {Rational(3, 5), Rational(1, 10)},
-                                   {Rational(-1, 4)},
-                                   0,
-                                   Rational(1, 5),
-                                   Rational(-1, 10),
-                                   Sliding::minus_x,
-                                   {Rational(3, 2), Rational(8, 5), Rational(17, 10)}},
-                                  {"0.3 | 0.1 | 0.7, flanks of 1/10 and 1/4",
-                                   Rational(3, 10),
-                                   {Rational(3, 10), Rational(1, 10), Rational(7, 10)},
-                                   {Rational(-1, 2), Rational(1, 4)},
-                                   1,
-                                   Rational(1, 10),
-                                   Rational(-1, 4),
-                                   Sliding::plus_x,
-                                   {Rational(27, 10), Rational(29, 10), Rational(31, 10)}}},
-                                 1, "notches, three loads each");
+  const Rational tenth(1, 10), quarter(1, 4), fifth(1, 5);
+  const FrictionProfile rise({tenth, Rational(1, 2)}, {0});
+  const FrictionProfile fall({Rational(3, 5), tenth}, {-quarter});
+  const FrictionProfile both({Rational(3, 10), tenth, Rational(7, 10)}, {Rational(-1, 2), quarter});
+  return first_when_quick<Notch>(
+      context,
+      {{"0.1 | 0.5, flanks of 1/5", flanks(fifth, rise, 0, fifth, -fifth), 0, {Rational(17, 5), Rational(37, 10), 4}},
+       {"0.6 | 0.1 towards -x, flanks of 1/5 and 1/10",
+        flanks(0, fall, -quarter, fifth, -tenth, Sliding::minus_x),
+        0,
+        {Rational(3, 2), Rational(8, 5), Rational(17, 10)}},
+       {"0.3 | 0.1 | 0.7, flanks of 1/10 and 1/4",
+        flanks(Rational(3, 10), both, quarter, tenth, -quarter),
+        1,
+        {Rational(27, 10), Rational(29, 10), Rational(31, 10)}}},
+      1, "notches, three loads each");
 }
 
 /// Behind the notch, in the solver's unit, which is that of all loads.
 double gap_behind(const Notch& notch, const Rational& load) {
-  const auto solution = solve<double>(notch.problem(load));
+  const auto solution = solve<double>(notch.problem.with_load(load));
   const std::size_t point = point_at(*solution, notch.place());
   if (in_contact(*solution, point, Side::left)) throw Refutation{{notch.name, "no gap at the load " + to_string(load)}};
   return solution->form().set().length(point - 1);
@@ -98,7 +82,7 @@ struct Law {
 
 Number threshold(const Notch& notch, const Law& law) {
   using R = numeric::Real50;
-  const ContactProblem problem = notch.problem(1);
+  const ContactProblem& problem = notch.problem;
   PowerProduct form = punch_traction(problem.with_indenter(Indenter(-1, {{1, Polynomial()}})));
   const std::vector<Exponent> powers = form.exponents;
   const std::vector<R> points = form.at<R>().points();
@@ -115,14 +99,14 @@ Number threshold(const Notch& notch, const Law& law) {
   const bool front = law.from > 0;
   for (std::size_t k = front ? c : 0; k < (front ? density.size() : c); ++k)
     integral += numeric::tanh_sinh::panel_integral<R>(density[k]).value;
-  const R reduced = numeric::pi<R>() * to_real<R>(notch.rear) * (points[c] + law.sum * sum) +
-                    law.integral * to_real<R>(notch.rear - notch.front) * integral;
+  const Rational rear = notch.slope(Side::left);
+  const R reduced = numeric::pi<R>() * to_real<R>(rear) * (points[c] + law.sum * sum) +
+                    law.integral * to_real<R>(rear - notch.slope(Side::right)) * integral;
   return Number(reduced / to_real<R>(problem.elasticity().compliance()));
 }
 
 Values predicted(const Notch& notch) {
-  const ContactProblem problem = notch.problem(1);
-  const auto beta = to_real<Number>(alpha(problem, notch.at) - alpha(problem, notch.at + 1));
+  const auto beta = to_real<Number>(alpha(notch.problem, notch.at) - alpha(notch.problem, notch.at + 1));
   return {{"threshold", threshold(notch, {})}, {"exponent", Number(-1 / beta)}};
 }
 

@@ -83,15 +83,12 @@ auto within(const Range& range) {
 /// Two bumps, the load near the right one: some cells of the left one lose contact.
 CaseList<OnCells> tilting(const Context&) {
   const CellFrictionSteps none{{0, 0}, {0}};
-  return {{{none,
-            CellMesh(cell_problem(none), 32),
-            {},
-            {},
-            Polynomial({0, 0, Rational(-9, 10), 0, 1}),
-            Rational(13, 10),
-            3,
-            Rational(5, 8)}},
-          "two bumps"};
+  OnCells c{none, CellMesh(cell_problem(none), 32)};
+  c.profile = Polynomial({0, 0, Rational(-9, 10), 0, 1});
+  c.load = Rational(13, 10);
+  c.growth = 3;
+  c.load_at = Rational(5, 8);
+  return {{c}, "two bumps"};
 }
 
 /// t0 of one sign, and no penetration.

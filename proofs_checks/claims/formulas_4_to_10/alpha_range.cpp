@@ -62,12 +62,12 @@ Claim claim() {
         const R root = cos_pi_alpha<R>(gamma * c.f);
         findings.compare("cosine", R(abs(cos(R(numeric::pi<R>() * value)) - root)));
       })
-      .wrong("the interval [0, 1/4[", [](Angle& a) { a.supremum = Exponent(Rational(1, 4)); })
-      .wrong("the interval [0, 1[", [](Angle& a) { a.supremum = Exponent(1); })
-      .wrong("alpha = arctan(f)/pi, gamma missing", [](Angle& a) { a.coupled = false; })
-      .wrong("alpha = -arctan(gamma f)/pi", [](Angle& a) { a.times = -1; })
-      .wrong("alpha = 2 arctan(gamma f)/pi", [](Angle& a) { a.times = 2; })
-      .wrong("near miss: alpha moved by 1e-94", [](Angle& a) { a.moved = Exponent::angle(tiny()); });
+      .wrong("the interval [0, 1/4[", &Angle::supremum, Exponent(Rational(1, 4)))
+      .wrong("the interval [0, 1[", &Angle::supremum, Exponent(1))
+      .wrong("alpha = arctan(f)/pi, gamma missing", &Angle::coupled, false)
+      .wrong("alpha = -arctan(gamma f)/pi", &Angle::times, -1)
+      .wrong("alpha = 2 arctan(gamma f)/pi", &Angle::times, 2)
+      .wrong("near miss: alpha moved by 1e-94", &Angle::moved, Exponent::angle(tiny()));
 }
 
 }  // namespace steadyslide::proofs_checks::alpha_range

@@ -206,7 +206,6 @@ void examine(Findings& findings, const ContactProblem& problem, const Candidate&
 
 Claim claim() {
   using Which = Candidate::Which;
-  const auto which = [](Which is) { return [is](Candidate& candidate) { candidate.which = is; }; };
   return formula_claim<ContactProblem, Candidate>("eq-03-complementarity")
       .cases(problems)
       .precision(Precision::quick_in_double)
@@ -216,14 +215,16 @@ Claim claim() {
         if (std::same_as<R, double> && !context.quick) return examine<Real50>(findings, problem, candidate);
         examine<R>(findings, problem, candidate);
       })
-      .wrong("an end moved by a hundredth of the contact", which(Which::moved_end))
-      .wrong("edges within the contact: equation and load right, but the surface penetrates", which(Which::too_short))
-      .wrong("edges beyond the contact: equation and load right, but there is tension", which(Which::too_long))
+      .wrong("an end moved by a hundredth of the contact", &Candidate::which, Which::moved_end)
+      .wrong("edges within the contact: equation and load right, but the surface penetrates", &Candidate::which,
+             Which::too_short)
+      .wrong("edges beyond the contact: equation and load right, but there is tension", &Candidate::which,
+             Which::too_long)
       .wrong("full contact over a notch: equation and load right, but the corner pulls on 1e-11 of it",
-             which(Which::full_contact))
-      .wrong("a problem without solution among the others", which(Which::unsolved))
-      .wrong("the traction of another load", [](Candidate& candidate) { candidate.factor = Number(11) / 10; })
-      .wrong("the traction of the other sign", [](Candidate& candidate) { candidate.factor = -1; })
+             &Candidate::which, Which::full_contact)
+      .wrong("a problem without solution among the others", &Candidate::which, Which::unsolved)
+      .wrong("the traction of another load", &Candidate::factor, Number(11) / 10)
+      .wrong("the traction of the other sign", &Candidate::factor, -1)
       .near_miss("an end",
                  [](Candidate& candidate, const Number& step) {
                    candidate.which = Which::moved_end;

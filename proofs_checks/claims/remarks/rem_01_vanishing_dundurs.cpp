@@ -27,12 +27,12 @@ CaseList<Bodies> pairs(const Context& context) {
                              2, "a smooth profile with free ends over a friction jump")(context);
 }
 
-/// The same half-spaces, the indenters replaced: change(bodies, context).
+/// The same half-spaces, the indenters replaced: change(bodies), or with the context behind it.
 template <class Change>
 auto with_other_indenters(Change change) {
   return [change](const Context& context) {
     CaseList<Bodies> list = pairs(context);
-    for (Bodies& bodies : list.cases) change(bodies, context);
+    for (Bodies& bodies : list.cases) called_at(context, change, bodies);
     return list;
   };
 }
@@ -99,13 +99,11 @@ Claim claim() {
       .predicted([](const Bodies&) {
         return Values{{"surfaces", Number(0)}, {"gamma", Rational(0)}};
       })
-      .wrong_beyond("a rigid indenter",
-                    with_other_indenters([](Bodies& bodies, const Context&) { bodies.indenter.reset(); }))
+      .wrong_beyond("a rigid indenter", with_other_indenters([](Bodies& bodies) { bodies.indenter.reset(); }))
       .wrong_beyond("both bodies dragged the same way",
-                    with_other_indenters([](Bodies& bodies, const Context&) { bodies.reaction = 1; }))
+                    with_other_indenters([](Bodies& bodies) { bodies.reaction = 1; }))
       // The condition kappa_1 = kappa_2 in place of the right one.
-      .wrong_beyond("Poisson's ratios equal, shear moduli not",
-                    with_other_indenters([](Bodies& bodies, const Context&) {
+      .wrong_beyond("Poisson's ratios equal, shear moduli not", with_other_indenters([](Bodies& bodies) {
                       bodies.indenter = Solid(bodies.half_space.poisson(), 7);
                     }))
       .wrong_beyond("near miss: the indenter stiffer by ten times the tolerance",

@@ -134,8 +134,8 @@ Claim claim() {
                form.periodic = false;
                form.centre = 0;
              })
-      .wrong("the last factor centred at 0", [](RowTraction& form) { form.centre = 0; })
-      .wrong("the half-space's kernel", [](RowTraction& form) { form.cotangent = 0; })
+      .wrong("the last factor centred at 0", &RowTraction::centre, 0)
+      .wrong("the half-space's kernel", &RowTraction::cotangent, 0)
       .near_miss("the power at the rear", [](RowTraction& form, const Number& step) { form.moved = step; });
 }
 

@@ -116,9 +116,9 @@ Claim claim() {
                  if (terms.form().changes_polynomial(j)) terms.slope[j] = terms.slope[j - 1];
                }
              })
-      .wrong("the integral with the other sign", [](FormTerms& terms) { terms.integral = -1; })
-      .wrong("the polynomial at infinity forgotten", [](FormTerms& terms) { terms.excess = false; })
-      .wrong("[(g_k + delta)/Y]_poly left out", [](FormTerms& terms) { terms.polynomial = false; })
+      .wrong("the integral with the other sign", &FormTerms::integral, -1)
+      .wrong("the polynomial at infinity forgotten", &FormTerms::excess, false)
+      .wrong("[(g_k + delta)/Y]_poly left out", &FormTerms::polynomial, false)
       .near_miss("the last panel's traction", [](FormTerms& terms, const Number& step) {
         terms.cosine[segments_of(terms.form()).back()] *= 1 + step;
       });

@@ -138,12 +138,12 @@ Claim claim() {
         Random random(context.seed, "rh-gap, places: " + text_of(trial));
         GapCheck<R>(findings, terms, tried.form())(random, context.quick ? 1 : 3);
       })
-      .wrong("the integral with the other sign", [](GapTerms& terms) { terms.scale = -1; })
-      .wrong("half of the integral", [](GapTerms& terms) { terms.scale = 0.5; })
-      .wrong("|Y| instead of Y", [](GapTerms& terms) { terms.unsigned_y = true; })
-      .wrong("steps not counted", [](GapTerms& terms) { terms.steps = 0; })
-      .wrong("steps counted with the other sign", [](GapTerms& terms) { terms.steps = -1; })
-      .wrong("the polynomial at infinity forgotten", [](GapTerms& terms) { terms.excess = false; })
+      .wrong("the integral with the other sign", &GapTerms::scale, -1)
+      .wrong("half of the integral", &GapTerms::scale, 0.5)
+      .wrong("|Y| instead of Y", &GapTerms::unsigned_y, true)
+      .wrong("steps not counted", &GapTerms::steps, 0)
+      .wrong("steps counted with the other sign", &GapTerms::steps, -1)
+      .wrong("the polynomial at infinity forgotten", &GapTerms::excess, false)
       .near_miss("the gap", [](GapTerms& terms, const Number& step) { terms.scale += 2 * step; });
 }
 

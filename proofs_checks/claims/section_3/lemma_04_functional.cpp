@@ -188,9 +188,8 @@ Claim claim() {
              with_reference([](const Function& v) { return to_real<Number>(v.at(0)); }))
       .wrong("-P t_0 instead of P t_0", [](Functional& form) { form.size *= -1; })
       .wrong("the t_0 of -alpha", [](Functional& form) { form.s *= -1; })
-      .wrong("phi continuous: phi(u_hat + w_L) -> phi(u_hat)", [](Functional& form) { form.spike = 0; })
-      .wrong("phi upper, not lower semicontinuous: phi(u_hat + w_L) -> phi(u_hat) - P",
-             [](Functional& form) { form.spike = -1; })
+      .wrong("phi continuous: phi(u_hat + w_L) -> phi(u_hat)", &Functional::spike, 0)
+      .wrong("phi upper, not lower semicontinuous: phi(u_hat + w_L) -> phi(u_hat) - P", &Functional::spike, -1)
       .near_miss("phi", &Functional::size);
 }
 

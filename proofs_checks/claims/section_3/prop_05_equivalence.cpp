@@ -140,7 +140,9 @@ void check_steps(Findings& findings, const Equivalence& said, const Steps& steps
 }  // namespace
 
 Claim claim() {
-  const auto conditions = [](auto change) { return [change](Equivalence& said) { change(said.conditions); }; };
+  const auto conditions = [](auto member, auto value) {
+    return [=](Equivalence& said) { said.conditions.*member = value; };
+  };
   using C = Conditions;
   return formula_claim<Case, Equivalence>("prop-05-equivalence")
       .cases(cases)
@@ -151,14 +153,14 @@ Claim claim() {
           check_equivalence(findings, said.conditions, std::get<Pair>(c.data));
         }
       })
-      .wrong("the printed test function without the minus sign", [](Equivalence& said) { said.test_function = 1; })
-      .wrong("-C instead of C in (14)", [](Equivalence& said) { said.constant = -1; })
-      .wrong("(11) without the product", conditions([](C& said) { said.complementary = false; }))
-      .wrong("(11) without t_n <= 0", conditions([](C& said) { said.compressive = false; }))
-      .wrong("(i) with <= 0", conditions([](C& said) { said.first = -1; }))
-      .wrong("(i) for all t_hat of zero mean", conditions([](C& said) { said.over_all = true; }))
-      .wrong("(ii) without phi", conditions([](C& said) { said.functional = 0; }))
-      .wrong("(ii) with -phi", conditions([](C& said) { said.functional = -1; }))
+      .wrong("the printed test function without the minus sign", &Equivalence::test_function, 1)
+      .wrong("-C instead of C in (14)", &Equivalence::constant, -1)
+      .wrong("(11) without the product", conditions(&C::complementary, false))
+      .wrong("(11) without t_n <= 0", conditions(&C::compressive, false))
+      .wrong("(i) with <= 0", conditions(&C::first, -1))
+      .wrong("(i) for all t_hat of zero mean", conditions(&C::over_all, true))
+      .wrong("(ii) without phi", conditions(&C::functional, 0))
+      .wrong("(ii) with -phi", conditions(&C::functional, -1))
       .near_miss("a gap that counts as contact", [](Equivalence& said, const Number& step) {
         said.conditions.contact_within = Rational(static_cast<double>(step));
       });

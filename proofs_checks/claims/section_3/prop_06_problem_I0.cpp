@@ -145,14 +145,14 @@ Claim claim() {
         if (said.unique) return check_uniqueness(findings, said);
         check_convergence(findings, *known, said, std::get<DualCase>(c.data), context.quick);
       })
-      .wrong("the friction reversed in the Riemann-Hilbert solution", [](OneSolution& said) { said.friction = -1; })
+      .wrong("the friction reversed in the Riemann-Hilbert solution", &OneSolution::friction, -1)
       .wrong("twice the load", interior(2, 1))
       .wrong("-psi instead of psi", interior(1, -1))
       .wrong("a falling jump of the friction: three solutions", of_cells([](OneSolution& said) {
                said.unique = OnCells{problem_with_three_solutions(), all_contact_sets(8)};
                said.interior = said.unique->on_cells.problem;
              }))
-      .wrong("positive also with a mean, on any support", [](OneSolution& said) { said.support = 8; })
+      .wrong("positive also with a mean, on any support", &OneSolution::support, 8)
       .wrong("one order more", [](OneSolution& said) { said.rate += 1; })
       .near_miss("forces", [](OneSolution& said, const Number& step) { said.forces += static_cast<double>(step); });
 }

@@ -87,7 +87,7 @@ Claim claim() {
       .wrong("twice the load", [](ProblemI& form) { form.problem.load = 2; })
       .wrong("-psi instead of psi", [](ProblemI& form) { form.problem.profile = -1; })
       .wrong("the t_0 of -alpha in phi", [](ProblemI& form) { form.problem.other_angle = true; })
-      .wrong("the inequality without phi", [](ProblemI& form) { form.functional = 0; })
+      .wrong("the inequality without phi", &ProblemI::functional, 0)
       .wrong("near miss: forces moved by ten times the tolerance", [](ProblemI& form) { form.forces += 10 * allowed; });
 }
 

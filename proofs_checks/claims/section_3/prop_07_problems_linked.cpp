@@ -106,7 +106,7 @@ Claim claim() {
         }
       })
       .wrong("problem I with the friction's sign reversed", [](Link& link) { link.displacement.inverse.friction = -1; })
-      .wrong("problem I0 with the friction's sign reversed", [](Link& link) { link.cells_friction = -1; })
+      .wrong("problem I0 with the friction's sign reversed", &Link::cells_friction, -1)
       .wrong("L with the printed (1+x)^{1/2}", [](Link& link) { link.displacement.inverse.printed = true; })
       .wrong("the t_0 of -alpha in phi", [](Link& link) { link.displacement.other_angle = true; })
       .wrong("-psi instead of psi", [](Link& link) { link.displacement.profile = -1; })

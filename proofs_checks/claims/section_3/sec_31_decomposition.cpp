@@ -58,9 +58,9 @@ Claim claim() {
       .wrong("alpha's sign in t_0", [](UnitSolution& form) { std::swap(form.left, form.right); })
       .wrong("arguments exchanged: b(t_hat, t_0)", [](UnitSolution& form) { form.s *= -1; })
       .wrong("t_0 of the frictionless punch", [](UnitSolution& form) { form.left = form.right = -half; })
-      .wrong("cos(pi alpha) missing", [](UnitSolution& form) { form.factor = 1 / numeric::pi<Number>(); })
-      .wrong("b(t_0, t) = 0 for all t", [](UnitSolution& form) { form.constant = 0; })
-      .wrong("K = log 2/pi whatever the friction", [](UnitSolution& form) { form.constant = punch_constant(0); })
+      .wrong("cos(pi alpha) missing", &UnitSolution::factor, 1 / numeric::pi<Number>())
+      .wrong("b(t_0, t) = 0 for all t", &UnitSolution::constant, 0)
+      .wrong("K = log 2/pi whatever the friction", &UnitSolution::constant, punch_constant(0))
       .near_miss("K", [](UnitSolution& form, const Number& step) { form.constant += step; })
       .near_miss("ten times an exponent", [](UnitSolution& form, const Number& step) { form.moved = 10 * step; });
 }

@@ -73,9 +73,9 @@ Claim claim() {
                           const Context& context) { check_inverse<R>(findings, formula, c, context.quick); })
       .wrong("the sign of the integral", [](InverseFormula& l) { l.integral *= -1; })
       .wrong("the sign of s u'", [](InverseFormula& l) { l.local *= -1; })
-      .wrong("1/(1+s^2) missing before the integral", [](InverseFormula& l) { l.integral = 1; })
+      .wrong("1/(1+s^2) missing before the integral", &InverseFormula::integral, 1)
       .wrong("alpha's sign: edges exchanged", [](InverseFormula& l) { std::swap(l.rear, l.front); })
-      .wrong("the printed (1+x)^{1/2}", [](InverseFormula& l) { l.rear = -half; })
+      .wrong("the printed (1+x)^{1/2}", &InverseFormula::rear, -half)
       .near_miss("s u'", &InverseFormula::local)
       .near_miss("the integral", &InverseFormula::integral);
 }

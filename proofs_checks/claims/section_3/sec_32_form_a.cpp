@@ -191,7 +191,7 @@ Claim claim() {
       .wrong("L with the friction's sign reversed", [](FormA& form) { form.inverse.friction = -1; })
       .wrong("L with the integral's sign reversed", [](FormA& form) { form.inverse.integral = 1; })
       .wrong("L with 1/sqrt(1+s^2)", [](FormA& form) { form.inverse.amplitude = true; })
-      .wrong("b with the friction's sign reversed", [](FormA& form) { form.slip = -1; })
+      .wrong("b with the friction's sign reversed", &FormA::slip, -1)
       .wrong("the lower bound 1/sqrt(1+s^2)", [](FormA& form) { form.lower = sqrt(form.lower); })
       .wrong("the upper bound 1/(1+s^2)", [](FormA& form) { form.upper = form.lower; })
       .near_miss("a", [](FormA& form, const Number& step) { form.scale += step; });

@@ -107,7 +107,7 @@ Claim claim() {
              [](SameSolution& same) {
                same.raised.profile = same.raised.profile + Polynomial({0, Rational(1, 10)});
              })
-      .wrong("psi + C and u_n, not u_n + C", [](SameSolution& same) { same.opened = constant; })
+      .wrong("psi + C and u_n, not u_n + C", &SameSolution::opened, constant)
       .near_miss("the second solver's load", [](SameSolution& same, const Number& step) {
         same.closed.load *= 1 + Rational(static_cast<double>(step));
       });

@@ -78,10 +78,10 @@ Claim claim() {
       .cases(problems)
       .precision(Precision::in_double)
       .checked(check)
-      .wrong("the logarithm with the other sign", [](Variant& v) { v.logarithm = -1; })
-      .wrong("negative s integrated from the left end", [](Variant& v) { v.from_left = true; })
-      .wrong("lengths in units of half the support's", [](Variant& v) { v.unit = 0.5; })
-      .wrong("near miss: pressures moved by ten times what the certificate allows", [](Variant& v) { v.moved = 10; });
+      .wrong("the logarithm with the other sign", &Variant::logarithm, -1)
+      .wrong("negative s integrated from the left end", &Variant::from_left, true)
+      .wrong("lengths in units of half the support's", &Variant::unit, 0.5)
+      .wrong("near miss: pressures moved by ten times what the certificate allows", &Variant::moved, 10);
 }
 
 }  // namespace steadyslide::proofs_checks::vi_discrete_existence

@@ -32,8 +32,8 @@ Claim claim() {
       .wrong("beta = alpha_+ - alpha_-", [](CornerForm& form) { form.power *= -1; })
       .wrong("the constant D/[s] missing", [](CornerForm& form) { form.step = {}; })
       .wrong("cos(pi alpha) of the other side", [](CornerForm& form) { std::swap(form.cosine[0], form.cosine[1]); })
-      .wrong("D(c)/[s] instead of D(x)/[s]", [](CornerForm& form) { form.continued = false; })
-      .wrong("B(c) = +theta", [](CornerForm& form) { form.limit = -1; })
+      .wrong("D(c)/[s] instead of D(x)/[s]", &CornerForm::continued, false)
+      .wrong("B(c) = +theta", &CornerForm::limit, -1)
       .near_miss("beta", [](CornerForm& form, const Number& step) { form.power += step; })
       .near_miss("theta", [](CornerForm& form, const Number& step) { form.limit += step; });
 }

@@ -193,12 +193,12 @@ Claim claim() {
                                                                  const WedgeProblem& w) {
         check(findings, said, w, kept->at(w, [&] { return measure<R>(w); }));
       })
-      .wrong("P t_0 added", [](Decomposition& said) { said.load = 1; })
-      .wrong("P t_0 left out", [](Decomposition& said) { said.load = 0; })
-      .wrong("L(psi - phi) left out", [](Decomposition& said) { said.rest = 0; })
-      .wrong("L(u - psi) left out", [](Decomposition& said) { said.beyond = 0; })
-      .wrong("the logarithm in another term", [](Decomposition& said) { said.logarithm = 0; })
-      .wrong("the step's sign", [](Decomposition& said) { said.step = -1; })
+      .wrong("P t_0 added", &Decomposition::load, 1)
+      .wrong("P t_0 left out", &Decomposition::load, 0)
+      .wrong("L(psi - phi) left out", &Decomposition::rest, 0)
+      .wrong("L(u - psi) left out", &Decomposition::beyond, 0)
+      .wrong("the logarithm in another term", &Decomposition::logarithm, 0)
+      .wrong("the step's sign", &Decomposition::step, -1)
       .near_miss("P t_0", &Decomposition::load);
 }
 

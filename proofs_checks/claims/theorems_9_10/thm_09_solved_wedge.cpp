@@ -29,7 +29,7 @@ Claim claim() {
              })
       .wrong("the logarithm with the other sign", [](CornerForm& form) { form.log_factor *= -1; })
       .wrong("1/pi missing", [](CornerForm& form) { form.log_factor *= numeric::pi<Number>(); })
-      .wrong("D(c) instead of D(x)", [](CornerForm& form) { form.continued = false; })
+      .wrong("D(c) instead of D(x)", &CornerForm::continued, false)
       .near_miss("the logarithm", &CornerForm::log_factor)
       .near_miss("the constant", [](CornerForm& form, const Number& step) { form.limit += step; });
 }

@@ -62,7 +62,7 @@ Claim claim() {
                form.a /= numeric::pi<Number>();
                form.b /= numeric::pi<Number>();
              })
-      .wrong("the printed (1+x)^{1/2} in t_0", [](LinearForm& form) { form.rear = -half; })
+      .wrong("the printed (1+x)^{1/2} in t_0", &LinearForm::rear, -half)
       .near_miss("a", &LinearForm::a)
       .near_miss("b", &LinearForm::b);
 }

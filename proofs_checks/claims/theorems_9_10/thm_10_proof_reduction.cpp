@@ -88,11 +88,11 @@ Claim claim() {
                                                                  const ContactProblem& c) {
         check(findings, said, kept->at(c, [&] { return measure<R>(c); }));
       })
-      .wrong("the printed u~ where its derivative must stand", [](Reduction& said) { said.printed = true; })
-      .wrong("psi_bar + u~", [](Reduction& said) { said.slope = 1; })
-      .wrong("psi_bar unchanged", [](Reduction& said) { said.slope = 0; })
-      .wrong("P unchanged", [](Reduction& said) { said.load = 0; })
-      .wrong("P - int t~", [](Reduction& said) { said.load = -1; })
+      .wrong("the printed u~ where its derivative must stand", &Reduction::printed, true)
+      .wrong("psi_bar + u~", &Reduction::slope, 1)
+      .wrong("psi_bar unchanged", &Reduction::slope, 0)
+      .wrong("P unchanged", &Reduction::load, 0)
+      .wrong("P - int t~", &Reduction::load, -1)
       .near_miss("u~'", &Reduction::slope);
 }
 

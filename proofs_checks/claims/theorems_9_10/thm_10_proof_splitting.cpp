@@ -51,9 +51,9 @@ Claim claim() {
                        trapezoidal::Grid<R>(density<R>(c.s, form.last_power)).integral();
         findings.compare("integral", left, R(second + last), abs(second));
       })
-      .wrong("the last term's sign", [](Splitting& form) { form.last = -1; })
-      .wrong("1+x missing before the second term", [](Splitting& form) { form.slope = 0; })
-      .wrong("another power in the last term", [](Splitting& form) { form.last_power = 1; })
+      .wrong("the last term's sign", &Splitting::last, -1)
+      .wrong("1+x missing before the second term", &Splitting::slope, 0)
+      .wrong("another power in the last term", &Splitting::last_power, 1)
       .near_miss("the second integral", [](Splitting& form, const Number& step) { form.integral += step; });
 }
 

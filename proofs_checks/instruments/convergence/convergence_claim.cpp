@@ -173,16 +173,15 @@ Claim convergence_claim(std::string_view id) {
                 comparison.ends();
                 comparison.exponents();
               })
-          .wrong("a rate higher by one", [](Prediction& p) { p.rate_offset = 1; })
+          .wrong("a rate higher by one", &Prediction::rate_offset, 1)
           .wrong(problem.friction().values().size() > 1 ? "the reference with the friction values in the other order"
                                                         : "the reference sliding the other way",
-                 [](Prediction& p) { p.friction_reversed = true; })
-          .wrong("exponents with alpha's sign reversed", [](Prediction& p) { p.angle_reversed = true; })
-          .wrong("every end two cells further right", [](Prediction& p) { p.end_offset = 2; })
-          .wrong("near miss: intensities off by ten times what the finest mesh allows",
-                 [](Prediction& p) { p.intensity_offset = 10; });
-  return bounded ? std::move(claim).wrong("resultants off by twice what is proved",
-                                          [](Prediction& p) { p.resultant_offset = 2; })
+                 &Prediction::friction_reversed, true)
+          .wrong("exponents with alpha's sign reversed", &Prediction::angle_reversed, true)
+          .wrong("every end two cells further right", &Prediction::end_offset, 2)
+          .wrong("near miss: intensities off by ten times what the finest mesh allows", &Prediction::intensity_offset,
+                 10);
+  return bounded ? std::move(claim).wrong("resultants off by twice what is proved", &Prediction::resultant_offset, 2)
                  : std::move(claim);
 }
 

@@ -26,11 +26,6 @@ std::vector<Node<R>> nodes_of(const numeric::JacobiRule<R>& rule) {
 }  // namespace
 
 template <class R>
-R DisplacementOperator<R>::difference(std::size_t i, std::size_t j) const {
-  return apart(nodes_[i], nodes_[j]);
-}
-
-template <class R>
 void DisplacementOperator<R>::place_nodes(const Rational& s, int n) {
   const Exponent angle = Exponent::angle(s);
   const auto rule = numeric::jacobi_rule<R>(Power<R>::of(-(half + angle)), Power<R>::of(-(half - angle)), n);
@@ -46,7 +41,7 @@ std::vector<R> DisplacementOperator<R>::barycentric_weights() const {
   for (std::size_t i = 0; i < size(); ++i) {
     for (std::size_t j = 0; j < size(); ++j) {
       // On an interval of length 4 the products neither grow nor fall.
-      if (j != i) weights[i] /= 2 * difference(i, j);
+      if (j != i) weights[i] /= 2 * apart(nodes_[i], nodes_[j]);
     }
   }
   return weights;
@@ -59,7 +54,7 @@ std::vector<R> DisplacementOperator<R>::derivatives(const std::vector<R>& weight
     R sum = 0;
     for (std::size_t j = 0; j < size(); ++j) {
       if (j == i) continue;
-      slope[i * size() + j] = weights[j] / weights[i] / difference(i, j);
+      slope[i * size() + j] = weights[j] / weights[i] / apart(nodes_[i], nodes_[j]);
       sum += slope[i * size() + j];
     }
     slope[i * size() + i] = -sum;

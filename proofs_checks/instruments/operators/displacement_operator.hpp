@@ -46,7 +46,6 @@ class DisplacementOperator {
   R form(const std::vector<R>& v, const std::vector<R>& u) const;
 
  private:
-  R difference(std::size_t i, std::size_t j) const;
   void place_nodes(const Rational& s, int n);
   std::vector<R> barycentric_weights() const;
   std::vector<R> derivatives(const std::vector<R>& weights) const;
