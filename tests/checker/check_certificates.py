@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """check_certificates.py CHECKER STEADYSLIDE: steadyslide-check proves certificates, and none that is changed.
 
-Certificates are made from all files in problems/ with `steadyslide solve --certify --certificate`. Some are stored in certificates/, so
-that a change of the format is noticed. NAME.loads is for an interval of loads, NAME.cells a bound for cells; both are made with the
-options in MADE. NAME.refused.json has to be refused, with the words in its name's line of REFUSED.
+Certificates are made from all files in problems/ and from some examples with `steadyslide solve --certify --certificate`. Some are
+stored in certificates/, so that a change of the format is noticed. NAME.loads is for an interval of loads, NAME.cells a bound for
+cells; both are made with the options in MADE. NAME.refused.json has to be refused, with the words in its name's line of REFUSED.
 Changes: every kind in changes.json and CHANGES, on the certificate it names; then every key left out, and every value of another type.
 """
 
@@ -17,6 +17,9 @@ import tempfile
 HERE = pathlib.Path(__file__).parent / "certificates"
 PROBLEMS = pathlib.Path(__file__).parent / "problems"
 LISTED = pathlib.Path(__file__).parent / "changes.json"
+EXAMPLES = pathlib.Path(__file__).parents[2] / "examples"
+CERTIFIED_EXAMPLES = ("flat_punch", "parabola", "parabola_rough_front", "parabola_rough_rear", "rounded_wedge", "stepped_punch",
+                      "three_jumps", "tilting_punch", "two_bumps", "two_coatings_forward")
 MADE = {
     "parabola_rough_front.loads": ("--load-steps", "0.9,1.1"),
     "two_bumps.loads": ("--load-steps", "0.099,0.101"),
@@ -31,15 +34,16 @@ REFUSED = {
 
 
 def problem_of(name):
-    return PROBLEMS / f"{name.removesuffix('.loads').removesuffix('.cells')}.toml"
+    name = name.removesuffix(".loads").removesuffix(".cells")
+    return (EXAMPLES if name in CERTIFIED_EXAMPLES else PROBLEMS) / f"{name}.toml"
 
 
 def made_by(steadyslide):
-    """Certificates by name, from the files in problems/."""
-    names = {f.stem: ("--digits", "50") for f in sorted(PROBLEMS.glob("*.toml")) if not f.stem.endswith(".refused")}
+    """Certificates by name, from the files in problems/ and some examples."""
+    names = {f.stem for f in PROBLEMS.glob("*.toml") if not f.stem.endswith(".refused")}.union(CERTIFIED_EXAMPLES)
     certificates = {}
     with tempfile.NamedTemporaryFile("r", suffix=".json") as file:
-        for name, options in (names | MADE).items():
+        for name, options in (dict.fromkeys(sorted(names), ("--digits", "50")) | MADE).items():
             subprocess.run([steadyslide, "solve", problem_of(name), "--certify", "--certificate", file.name, *options],
                            stdout=subprocess.DEVNULL, timeout=300, check=True)
             certificates[name] = pathlib.Path(file.name).read_text()
@@ -150,7 +154,7 @@ def moved(by):
 
 LOADS, LIFTED_LOADS, CELLS = "parabola_rough_front.loads", "lifted_punch.loads", "parabola_rough_front.cells"
 PARABOLA, STEP, SLOT, TILT, PUNCH, BUMPS, WEDGE = (
-    "parabola_rough_front", "stepped_punch", "slotted_punch", "tilting_punch", "two_coatings", "two_bumps", "wedge_on_jump")
+    "parabola_rough_front", "stepped_punch", "slotted_punch", "tilting_punch", "two_coatings_forward", "two_bumps", "wedge_on_jump")
 
 # In changes.json values of which one is another: what, of which certificate, where, and the value. (The frame's origin is that of
 # one with q: without q a frame may move; offsets belong to anchors, and the certificate says what it said.)
