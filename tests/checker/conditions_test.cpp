@@ -69,19 +69,14 @@ TEST_CASE("the derivative of the conditions is that of their differences") {
     REQUIRE(J.size() == list.size());
     const double step = std::ldexp(1, -18);
     for (std::size_t k = 0; k < list.size(); ++k) {
-      std::vector<Ball> up = list;
-      std::vector<Ball> down = list;
+      std::vector<Ball> up = list, down = list;
       up[k] = up[k] + Ball(step);
       down[k] = down[k] - Ball(step);
       const std::vector<Ball> above = example.conditions_at(up, 50);
       const std::vector<Ball> below = example.conditions_at(down, 50);
       for (std::size_t i = 0; i < J.size(); ++i) {
-        CAPTURE(four_free);
-        CAPTURE(i);
-        CAPTURE(k);
         const Ball difference = (above[i] - below[i]) / Ball(2 * step);
-        CAPTURE(difference.text(20));
-        CAPTURE(J[i][k].text(20));
+        INFO("four free: ", four_free, ", i = ", i, ", k = ", k, ": ", difference.text(20), ", ", J[i][k].text(20));
         REQUIRE(difference.is_finite());
         // The third derivative times step^2/6, and the integrals' errors over the step.
         CHECK((Ball(1e-8) - (difference - J[i][k]).size()).is_positive());
@@ -135,10 +130,7 @@ TEST_CASE("B_k and its derivative with few bits enclose what they are with many"
         for (const std::size_t k : {contact.slope_of(1), contact.slope_of(3), contact.slope_of(7)}) {
           const TractionRepresentation::Value few = coarse.regular(k, place);
           const TractionRepresentation::Value many = fine.regular(k, place);
-          CAPTURE(bits);
-          CAPTURE(segment);
-          CAPTURE(part);
-          CAPTURE(k);
+          INFO("bits = ", bits, ", segment = ", segment, ", part = ", part, ", k = ", k);
           CHECK(few.value.contains_inside(many.value));
           CHECK(few.slope.contains_inside(many.slope));
           CHECK(fine.regular_to(bits, k, place).value.contains_inside(many.value));
@@ -167,10 +159,7 @@ TEST_CASE("polynomials in place of B_k enclose it between and at the places that
           const auto found = Interpolant::of(*form, bits, k, at(from), contact.length(segment) * Ball(0.1875));
           if (!found) continue;
           for (const double y : {-1.0, -0.875, -0.25, 0.0, 0.375, 0.75, 1.0}) {
-            CAPTURE(bits);
-            CAPTURE(segment);
-            CAPTURE(from);
-            CAPTURE(y);
+            INFO("bits = ", bits, ", segment = ", segment, ", from = ", from, ", y = ", y);
             const Place place = at(from + 0.09375 * (1 + y));
             const Ball exact = fine.regular(k, place).value;
             CHECK(horner(found->polynomial(), Ball(y)).widened(found->rest()).contains_inside(exact));

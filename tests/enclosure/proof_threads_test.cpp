@@ -7,9 +7,9 @@
 #include <thread>
 
 #include "enclosure/contact/enclosed_solution.hpp"
+#include "enclosure/found_contact.hpp"
 #include "enclosure/loads/load_path.hpp"
 #include "enclosure/number/task_threads.hpp"
-#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "support/numeric_test.hpp"
 #include "support/problems.hpp"
 
@@ -17,19 +17,13 @@ using namespace steadyslide::enclosure;
 
 namespace {
 
-std::optional<ApproximateContact> solved(const ContactProblem& problem) {
-  const auto solution = riemann_hilbert<double>(problem).solution;
-  if (!solution || !solution->failed_condition().empty()) return std::nullopt;
-  return solution->approximate_contact();
-}
-
 std::vector<LoadStretch> path_in(unsigned threads, const ContactProblem& problem, const Rational& from,
                                  const Rational& to) {
   LoadPathOptions options;
   options.width = 0.001_r;
   options.threads = threads;
   return follow_loads(
-      problem, from, to, [&](const Rational& load) { return solved(problem.with_load(load)); }, options);
+      problem, from, to, [&](const Rational& load) { return found_contact<double>(problem.with_load(load)); }, options);
 }
 
 std::string told(const std::vector<LoadStretch>& stretches) {
@@ -60,7 +54,7 @@ TEST_CASE("the numbers of a proof by several threads are those by one") {
   // Two polynomials in contact; over a notch, whose gap is short, with many panels, which are seen by their moments.
   for (const ContactProblem& problem : {reduced({0.1_r, 0.3_r}, {0.1_r}, roof(-0.05_r, 0.05_r, 0.5_r), 1),
                                         reduced({0.1_r, 0.2_r}, {0}, roof(0.2_r, -0.2_r), 3)}) {
-    const auto contact = solved(problem);
+    const auto contact = found_contact<double>(problem);
     REQUIRE(contact);
     const auto numbers = [&](int digits, unsigned threads) {
       const ContactProof proof = prove_contact(problem, *contact, digits);

@@ -41,3 +41,10 @@ inline Ball tight(const Rational& point, Bits bits) { return Ball(point, 3 * bit
 
 /// 30 to 300.
 inline Bits some_bits() { return uniform(30, 300); }
+
+/// T_k(t).
+inline Ball chebyshev_polynomial(int k, const Ball& t) {
+  Ball before(1, t.bits()), here = t;
+  for (int i = 1; i < k; ++i) before = std::exchange(here, 2 * t * here - before);
+  return here;
+}

@@ -2,40 +2,21 @@
 
 #include "enclosure/contact/contact_panel.hpp"
 
+#include "enclosure/contact/gap_contact.hpp"
 #include "enclosure/contact/power_at_point.hpp"
 #include "enclosure/contact/segment_moments.hpp"
 #include "enclosure/quadrature/enclosed_integral.hpp"
-#include "model/contact_problem.hpp"
-#include "support/problems.hpp"
-#include "support/test.hpp"
 
 namespace steadyslide::enclosure {
 
 namespace {
 
-using Kind = ContactTopology::Kind;
 constexpr Bits panel_bits = 160;
-
-/// Contact on [-1, 1] but for a gap around the origin.
-struct Gap {
-  ReducedProblem problem{
-      reduced({0.1_r, 0.5_r}, {0}, Indenter(-1, {{0, Polynomial({0, 0.2_r})}, {1, Polynomial({0, -0.2_r})}}), 1),
-      {0, 1}};
-  ContactSet set{problem,
-                 ContactTopology{{{0, {}, Kind::begins, false},
-                                  {1, Side::left, Kind::ends, true},
-                                  {1, {}, Kind::interior, false},
-                                  {1, Side::right, Kind::begins, true},
-                                  {2, {}, Kind::ends, false}}},
-                 {Ball(-2, panel_bits), Ball(-3, panel_bits)},
-                 panel_bits};
-  JacobiRules rules{panel_bits};
-};
 
 }  // namespace
 
 TEST_CASE("a panel's bounds hold at both ends of its ellipses: products of powers, polynomials") {
-  Gap gap;
+  GapContact gap(-2, -3);
   int largest = 0;
   for (const std::size_t segment : {0U, 3U}) {
     for (const ContactPanel::Part& part : ContactPanel::graded(gap.set, segment)) {
@@ -72,8 +53,7 @@ TEST_CASE("Cauchy's integral of a power beside its point, however small the powe
   const Ball length(3, panel_bits);
   for (const char* power_text : {"-0.4", "-1e-5", "-1e-14", "-1e-60", "0", "1e-60", "1e-14", "1e-5", "0.4", "0.9"}) {
     for (const char* distance : {"1.5", "0.2", "1e-10", "1e-40"}) {
-      CAPTURE(power_text);
-      CAPTURE(distance);
+      INFO("power = ", power_text, ", distance = ", distance);
       const Rational exact = parse_rational(power_text);
       const Ball a(exact, panel_bits), d(parse_rational(distance), panel_bits);
       const PowerAtPoint at_c(a, exact == 0, length);
@@ -99,8 +79,7 @@ TEST_CASE("d^m E(d) for all d from 0 on") {
     const Rational exact = parse_rational(power_text);
     const PowerAtPoint at_c(Ball(exact, panel_bits), exact == 0, length);
     for (const int m : {0, 1, 2}) {
-      CAPTURE(power_text);
-      CAPTURE(m);
+      INFO("power = ", power_text, ", m = ", m);
       for (const char* upper : {"1", "0.7", "0.1", "1e-9"}) {
         const Ball d(parse_rational(upper), panel_bits);
         const Ball range = at_c.singular_part(Ball::hull(Ball(0, panel_bits), d), m);
@@ -118,7 +97,7 @@ TEST_CASE("d^m E(d) for all d from 0 on") {
 }
 
 TEST_CASE("a segment seen from afar by its moments: the sum over its nodes") {
-  Gap gap;
+  GapContact gap(-2, -3);
   for (const std::size_t segment : {0U, 3U}) {
     std::vector<ContactPanel> panels;
     std::vector<Ball> sizes;

@@ -17,8 +17,7 @@ using Kind = ContactTopology::Kind;
 
 /// psi = -|x|/5 on [-1, 1], nu = 0.2, f = 0.1 | 0.5: a notch whose corner lies where friction rises.
 ContactProblem notch(const Rational& load) {
-  const Indenter indenter(-1, {{0, Polynomial({0, 0.2_r})}, {1, Polynomial({0, -0.2_r})}});
-  return {Elasticity(Solid(0.2_r, 1)), FrictionProfile({0.1_r, 0.5_r}, {0}), indenter, load};
+  return {Elasticity(Solid(0.2_r, 1)), FrictionProfile({0.1_r, 0.5_r}, {0}), roof(0.2_r, -0.2_r), load};
 }
 /// From it on there is full contact: the traction's power at the corner has the amplitude 0. By two unrelated
 /// computations; the compliance of these data is 1.92.
@@ -78,13 +77,15 @@ ContactProof proved_beside(const ContactProblem& problem, const ContactSolution<
   REQUIRE(zones.size() == found.size());
   const double length = found.back().right.x.value - found.front().left.x.value;
   agrees(resultants.centre_of_pressure, estimated.centre_of_pressure, length);
+  const auto ends_agree = [&](const auto& end, const auto& estimate) {
+    CHECK(end.kind == estimate.kind);
+    CHECK(end.exponent == estimate.exponent);
+    agrees(end.x, estimate.x, length);
+    agrees(end.intensity, estimate.intensity);
+  };
   for (std::size_t k = 0; k < zones.size(); ++k) {
-    CHECK(zones[k].left.kind == found[k].left.kind);
-    CHECK(zones[k].right.exponent == found[k].right.exponent);
-    agrees(zones[k].left.x, found[k].left.x, length);
-    agrees(zones[k].right.x, found[k].right.x, length);
-    agrees(zones[k].left.intensity, found[k].left.intensity);
-    agrees(zones[k].right.intensity, found[k].right.intensity);
+    ends_agree(zones[k].left, found[k].left);
+    ends_agree(zones[k].right, found[k].right);
   }
   const std::vector<SolvedSingularPoint<double>> singular = solution.singular_points();
   const auto points = enclosed.singular_points();
@@ -100,10 +101,6 @@ ContactProof proved_beside(const ContactProblem& problem, const ContactSolution<
   if (solution.tilt()) agrees(*enclosed.tilt(), *solution.tilt());
   return proof;
 }
-
-}  // namespace
-
-namespace {
 
 void proves_notches(std::initializer_list<const char*> parts) {
   std::vector<double> laws;
@@ -155,8 +152,8 @@ namespace {
 
 /// A wedge over a jump of friction from 0.1.
 ContactProblem hardly_jumping(const Rational& friction) {
-  const Indenter indenter(-1, {{0, Polynomial({0, -0.2_r})}, {1, Polynomial({0, 0.2_r})}});
-  return {Elasticity(Solid(0.3_r, 1)), FrictionProfile({0.1_r, friction}, {0}), indenter, 0.5_r, Sliding::minus_x};
+  return {Elasticity(Solid(0.3_r, 1)), FrictionProfile({0.1_r, friction}, {0}), roof(-0.2_r, 0.2_r), 0.5_r,
+          Sliding::minus_x};
 }
 
 }  // namespace
@@ -352,9 +349,10 @@ void refuses_perturbed_boxes(int perturbations) {
     };
     // The box itself, a little wider, is proved: what refuses the others is not the lack of a Newton step.
     ContactBox wider = proof.box;
-    for (Ball& x : wider.log_offsets) x = Ball::around(x, power(Ball(10, bits), -50));
-    for (Ball& x : wider.q) x = Ball::around(x, power(Ball(10, bits), -50));
-    if (problem.load_at()) wider.tilt = Ball::around(wider.tilt, power(Ball(10, bits), -50));
+    const auto widen = [&](Ball& x) { x = Ball::around(x, power(Ball(10, bits), -50)); };
+    for (Ball& x : wider.log_offsets) widen(x);
+    for (Ball& x : wider.q) widen(x);
+    if (problem.load_at()) widen(wider.tilt);
     CHECK(prove_box(proof.problem, wider, bits).proved);
     // An end of the box on the zero: Krawczyk's image reaches beyond it.
     ContactBox halved = wider;
@@ -377,8 +375,8 @@ void refuses_perturbed_boxes(int perturbations) {
       if (point.kind == Kind::begins && wider.topology.movable().size() > 2 && point.beside &&
           wider.topology.points[j + 1].beside) {
         ContactBox dropped = wider;
-        dropped.topology.points.erase(dropped.topology.points.begin() + static_cast<std::ptrdiff_t>(j),
-                                      dropped.topology.points.begin() + static_cast<std::ptrdiff_t>(j) + 2);
+        const auto first = dropped.topology.points.begin() + static_cast<std::ptrdiff_t>(j);
+        dropped.topology.points.erase(first, first + 2);
         refused(dropped);
       }
     }

@@ -56,8 +56,7 @@ TEST_CASE("stresses below the surface are the numeric layer's, near it and far f
     REQUIRE(form);
     const InteriorStress<Real50> numeric(*form);
     for (const auto& [x, z] : {std::pair(0.1_r, 0.5_r), {-0.2_r, 1e-6_r}, {0.5_r, 0.01_r}, {-3, 2}, {0, 1e-3_r}}) {
-      CAPTURE(to_string(x));
-      CAPTURE(to_string(z));
+      INFO("x = ", to_string(x), ", z = ", to_string(z));
       const StressComponents stress = interior_stress(state.enclosed, x, z);
       const StressState<Real50> expected = numeric.at(x, z);
       agrees(stress.xx, expected.xx.value);

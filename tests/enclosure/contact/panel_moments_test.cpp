@@ -1,37 +1,12 @@
 // Panels seen from afar by their moments are the sum over their nodes.
 
 #include "enclosure/contact/panel_moments.hpp"
-#include "model/contact_problem.hpp"
-#include "support/problems.hpp"
-#include "support/test.hpp"
+#include "enclosure/contact/gap_contact.hpp"
 
 namespace steadyslide::enclosure {
 
-namespace {
-
-using Kind = ContactTopology::Kind;
-
-/// Contact to the left of a gap of 1e-30 at the origin, and to the right of it.
-struct Notch {
-  ReducedProblem problem{
-      reduced({0.1_r, 0.5_r}, {0}, Indenter(-1, {{0, Polynomial({0, 0.2_r})}, {1, Polynomial({0, -0.2_r})}}), 1),
-      {0, 1}};
-  Bits bits = 160;
-  JacobiRules rules{bits};
-  ContactSet set{problem,
-                 ContactTopology{{{0, {}, Kind::begins, false},
-                                  {1, Side::left, Kind::ends, true},
-                                  {1, {}, Kind::interior, false},
-                                  {1, Side::right, Kind::begins, true},
-                                  {2, {}, Kind::ends, false}}},
-                 {Ball(-69, bits), Ball(-69, bits)},
-                 bits};
-};
-
-}  // namespace
-
 TEST_CASE("panels seen from afar by their moments: the sum over their nodes, from either side and any distance") {
-  const Notch notch;
+  const GapContact notch(-69, -69);  // a gap of 1e-30
   const auto ten_to = [&](int exponent) { return power(Ball(10, notch.bits), exponent); };
   const std::vector<std::optional<PanelMoments::Range>> ranges = {
       std::nullopt,

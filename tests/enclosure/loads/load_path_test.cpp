@@ -3,9 +3,9 @@
 
 #include "enclosure/loads/load_path.hpp"
 
+#include "enclosure/found_contact.hpp"
 #include "enclosure/loads/closing_gap.hpp"
 #include "enclosure/loads/contact_anchors.hpp"
-#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
 #include "support/numeric_test.hpp"
 #include "support/problems.hpp"
 #include "support/random_contact.hpp"
@@ -14,25 +14,20 @@ namespace steadyslide::enclosure {
 
 namespace {
 
-template <class R>
-std::optional<ApproximateContact> solved(const ContactProblem& problem) {
-  const auto solution = riemann_hilbert<R>(problem).solution;
-  if (!solution || !solution->failed_condition().empty()) return std::nullopt;
-  return solution->approximate_contact();
-}
-
 std::vector<LoadStretch> path(const ContactProblem& problem, const Rational& from, const Rational& to,
                               const Rational& width = Rational(1, 1000000), bool intervals_alone = false) {
   LoadPathOptions options;
   options.width = width;
   options.intervals_alone = intervals_alone;
   return follow_loads(
-      problem, from, to, [&](const Rational& load) { return solved<double>(problem.with_load(load)); }, options);
+      problem, from, to, [&](const Rational& load) { return found_contact<double>(problem.with_load(load)); }, options);
 }
 
+using Words = std::vector<std::string>;
+
 /// No holes, no overlaps, events between proved stretches alone; the words of what is not proved, in order.
-std::vector<std::string> words_of(const std::vector<LoadStretch>& stretches, const Rational& from, const Rational& to) {
-  std::vector<std::string> result;
+Words words_of(const std::vector<LoadStretch>& stretches, const Rational& from, const Rational& to) {
+  Words result;
   REQUIRE_FALSE(stretches.empty());
   CHECK(stretches.front().from == from);
   CHECK(stretches.back().to == to);
@@ -57,12 +52,9 @@ std::vector<std::string> words_of(const std::vector<LoadStretch>& stretches, con
   return result;
 }
 
-std::vector<LoadStretch> events(const std::vector<LoadStretch>& stretches) {
-  std::vector<LoadStretch> result;
-  for (const LoadStretch& s : stretches) {
-    if (s.kind == LoadStretch::Kind::event) result.push_back(s);
-  }
-  return result;
+std::vector<LoadStretch> events(std::vector<LoadStretch> stretches) {
+  std::erase_if(stretches, [](const LoadStretch& s) { return s.kind != LoadStretch::Kind::event; });
+  return stretches;
 }
 
 /// Is the solver's contact at this load in the box of the interval?
@@ -102,21 +94,21 @@ bool is_narrow(const LoadStretch& stretch, const Rational& width = Rational(1, 1
 
 TEST_CASE("an interval of loads: what the solver finds at single loads lies in the box") {
   const ContactProblem problem = parabola(0, 1);
-  const LoadInterval interval = prove_loads(problem, *solved<double>(problem), 0.95_r, 1.05_r);
+  const LoadInterval interval = prove_loads(problem, *found_contact<double>(problem), 0.95_r, 1.05_r);
   REQUIRE_MESSAGE(interval.proof.proved, interval.proof.reason);
   CHECK(prove_box(interval.proof.problem, interval.box, interval.proof.bits).proved);
   for (int i = 0; i <= 10; ++i) {
     const Rational load = 0.95_r + Rational(i, 100);
-    CHECK(holds_solution(interval, *solved<Real50>(problem.with_load(load))));
+    CHECK(holds_solution(interval, *found_contact<Real50>(problem.with_load(load))));
   }
   // At loads beyond, it does not: the box is no wider than the interval needs.
-  CHECK_FALSE(holds_solution(interval, *solved<Real50>(problem.with_load(0.85_r))));
-  CHECK_FALSE(holds_solution(interval, *solved<Real50>(problem.with_load(1.15_r))));
+  CHECK_FALSE(holds_solution(interval, *found_contact<Real50>(problem.with_load(0.85_r))));
+  CHECK_FALSE(holds_solution(interval, *found_contact<Real50>(problem.with_load(1.15_r))));
 }
 
 TEST_CASE("a box that leaves out the ends of some of the loads is not proved") {
   const ContactProblem problem = parabola(0, 1);
-  const LoadInterval interval = prove_loads(problem, *solved<double>(problem), 0.99_r, 1.01_r);
+  const LoadInterval interval = prove_loads(problem, *found_contact<double>(problem), 0.99_r, 1.01_r);
   REQUIRE(interval.proof.proved);
   const auto proved = [&](const ContactBox& box) {
     return prove_box(interval.proof.problem, box, interval.proof.bits).proved;
@@ -140,7 +132,7 @@ TEST_CASE("a box that leaves out the ends of some of the loads is not proved") {
 
 TEST_CASE("loads in the wrong order, or no loads, are refused") {
   const ContactProblem problem = parabola(0, 1);
-  const ApproximateContact contact = *solved<double>(problem);
+  const ApproximateContact contact = *found_contact<double>(problem);
   CHECK(thrown_by([&] { prove_loads(problem, contact, 1.1_r, 1); }) ==
         "these are no loads from the smaller to the larger; 0 < from <= to; from 1.1 to 1");
   CHECK(holds(thrown_by([&] { prove_loads(problem, contact, 0, 1); }), "from 0 to 1"));
@@ -151,25 +143,22 @@ TEST_CASE("loads in the wrong order, or no loads, are refused") {
 }
 
 TEST_CASE("an end passes a jump at the load that is known; without a jump on its way nothing happens") {
-  const Rational c = 0.2_r;
-  const double known = load_at_jump(0.2);
-  const Rational from = 0.2_r, to = 0.8_r;
+  const Rational c = 0.2_r, from = 0.2_r, to = 0.8_r;
   const auto stretches = path(parabola(c, 1), from, to);
-  CHECK(words_of(stretches, from, to) ==
-        std::vector<std::string>{"the right end of contact passes the friction jump at x = 0.2"});
+  CHECK(words_of(stretches, from, to) == Words{"the right end of contact passes the friction jump at x = 0.2"});
   const LoadStretch event = events(stretches).front();
-  CHECK(is_between(known, event));
+  CHECK(is_between(load_at_jump(0.2), event));
   CHECK(is_narrow(event));
   // An interval that contains it is not proved from either side, however short.
   for (const Rational& load : {event.from, event.to}) {
     const ContactProblem problem = parabola(c, load);
-    CHECK_FALSE(prove_loads(problem, *solved<Real50>(problem), event.from, event.to).proof.proved);
+    CHECK_FALSE(prove_loads(problem, *found_contact<Real50>(problem), event.from, event.to).proof.proved);
   }
   // What is proved holds the solver's ends, at loads that have no part in the proof.
   for (const LoadStretch& s : stretches) {
     if (!s.interval) continue;
     const Rational load = (2 * s.from + s.to) / 3;
-    CHECK(holds_solution(*s.interval, *solved<Real50>(parabola(c, load))));
+    CHECK(holds_solution(*s.interval, *found_contact<Real50>(parabola(c, load))));
   }
   CHECK(words_of(path(parabola(0, 1), from, to), from, to).empty());
   CHECK(words_of(path(reduced({0.1_r}, {}, one_piece(-2, 2, {0, 0, 2.5_r}), 1), from, to), from, to).empty());
@@ -181,8 +170,7 @@ TEST_CASE("loads that are not proved beside an event belong to it, where what is
                                one_piece(-2, 2, {0.25_r, 0, -0.5_r, 0, 0.25_r}), 1);
   const Rational from = 0.773_r, to = 0.7731_r;
   const auto stretches = path(problem, from, to);
-  CHECK(words_of(stretches, from, to) ==
-        std::vector<std::string>{"the left end of contact passes the friction jump at x = 0"});
+  CHECK(words_of(stretches, from, to) == Words{"the left end of contact passes the friction jump at x = 0"});
   CHECK(is_narrow(events(stretches).at(0), Rational(1, 100000)));
 }
 
@@ -197,8 +185,8 @@ TEST_CASE("two wells: a second zone of contact is born, and later both meet") {
     const LoadStretch event = events(stretches).at(0);
     CHECK(is_narrow(event, 0.002_r));
     // The solver's zones at both ends of the event.
-    CHECK(solved<Real50>(problem.with_load(event.from))->ends.size() == ends_before);
-    CHECK(solved<Real50>(problem.with_load(event.to))->ends.size() == ends_after);
+    CHECK(found_contact<Real50>(problem.with_load(event.from))->ends.size() == ends_before);
+    CHECK(found_contact<Real50>(problem.with_load(event.to))->ends.size() == ends_after);
   };
   happens(0.379_r, 0.388_r, "a zone of contact is born near x = 0.9", 2, 4);
   happens(4.7_r, 5, "two zones of contact meet near x = -0.1", 4, 2);
@@ -207,12 +195,11 @@ TEST_CASE("two wells: a second zone of contact is born, and later both meet") {
 TEST_CASE("a rounded punch which may tilt comes to rest on its edges one after the other") {
   const ContactProblem problem = reduced({0.1_r, 0.3_r}, {0.1_r}, one_piece(-1, 1, {0, 0, 1}), 1, 0.05_r);
   const auto stretches = path(problem, 2, 5, 0.00001_r);
-  CHECK(words_of(stretches, 2, 5) ==
-        std::vector<std::string>{"the right end of contact reaches the support's edge at x = 1",
-                                 "the left end of contact reaches the support's edge at x = -1"});
+  CHECK(words_of(stretches, 2, 5) == Words{"the right end of contact reaches the support's edge at x = 1",
+                                           "the left end of contact reaches the support's edge at x = -1"});
   // The solver's contact is bounded by one edge between the two events, and by none before.
   const auto edges = [&](const Rational& load) {
-    const auto ends = solved<Real50>(problem.with_load(load))->ends;
+    const auto ends = found_contact<Real50>(problem.with_load(load))->ends;
     return std::count_if(ends.begin(), ends.end(), [](const auto& end) { return !end.vanishes; });
   };
   const auto at = events(stretches);
@@ -244,10 +231,10 @@ void check_closing(const ContactProblem& problem, const Rational& from, const Ra
   const LoadStretch& event = stretches[1];
   CHECK(event.kind == LoadStretch::Kind::event);
   CHECK(is_narrow(event, width));
-  CHECK(solved<double>(problem.with_load(event.to))->ends.size() == 2);
+  CHECK(found_contact<double>(problem.with_load(event.to))->ends.size() == 2);
   Rational before = 1;
   for (const int thirds : {0, 1, 2}) {
-    const auto contact = solved<double>(problem.with_load(from + (event.from - from) * Rational(thirds, 3)));
+    const auto contact = found_contact<double>(problem.with_load(from + (event.from - from) * Rational(thirds, 3)));
     REQUIRE(contact);
     REQUIRE(contact->ends.size() == 4);
     CHECK(contact->ends[1].offset < before);
@@ -267,13 +254,13 @@ TEST_CASE("a notch over a rising jump: full contact is proved from the threshold
   CHECK_FALSE(full(0.999999_r, 1.01_r));
   CHECK_FALSE(full(0.99_r, 0.999999_r));
 
-  const auto gap = solved<double>(problem.with_load(2));
+  const auto gap = found_contact<double>(problem.with_load(2));
   REQUIRE(gap);
   REQUIRE(gap->ends.size() == 4);
   const LoadInterval interval = prove_loads(problem, *gap, 1.998_r, 2.002_r);
   CHECK_MESSAGE(interval.proof.proved, interval.proof.reason);
-  CHECK(holds_solution(interval, *solved<Real50>(problem.with_load(1.9985_r))));
-  CHECK_FALSE(holds_solution(interval, *solved<Real50>(problem.with_load(2.01_r))));
+  CHECK(holds_solution(interval, *found_contact<Real50>(problem.with_load(1.9985_r))));
+  CHECK_FALSE(holds_solution(interval, *found_contact<Real50>(problem.with_load(2.01_r))));
 }
 
 TEST_CASE("the gap of a notch closes at the load that is known") {
@@ -291,8 +278,7 @@ TEST_CASE("the gap of a notch closes at the load that is known") {
   CHECK(is_narrow(events(path(notch(1), 2, above)).at(0), Rational(1, 500000000)));
   CHECK(words_of(path(notch(1), above, 9), above, 9).empty());
   const auto undecided = path(notch(1), 2, full_contact_load);
-  CHECK(words_of(undecided, 2, full_contact_load) ==
-        std::vector<std::string>{"whether the gap has closed is not decided"});
+  CHECK(words_of(undecided, 2, full_contact_load) == Words{"whether the gap has closed is not decided"});
   CHECK(is_narrow(undecided.back(), Rational(1, 1000000000000)));
 }
 
@@ -336,8 +322,8 @@ TEST_CASE("which gaps can but close") {
 }
 
 TEST_CASE("slow: notches close on other coatings, with other jumps and flanks, or never" * doctest::skip()) {
-  const auto on = [](std::vector<Rational> s, std::vector<Rational> jumps, const Indenter& indenter) {
-    return reduced(std::move(s), jumps, indenter, 1);
+  const auto on = [](const std::vector<Rational>& s, const std::vector<Rational>& jumps, const Indenter& indenter) {
+    return reduced(s, jumps, indenter, 1);
   };
   check_closing(on({0.05_r, 0.3_r}, {0}, roof(0.2_r, -0.2_r)), 1, 9);
   check_closing(on({0.05_r, 0.3_r}, {0}, roof(0.2_r, -0.1_r)), 1, 9);
@@ -354,7 +340,7 @@ TEST_CASE("slow: notches close on other coatings, with other jumps and flanks, o
   // A range that begins beside the event.
   const Rational below = full_contact_load * (1 - Rational(1, 10000000));
   const auto stretches = path(notch(1), below, 9);
-  CHECK(words_of(stretches, below, 9) == std::vector<std::string>{"the gap closes over the wedge at x = 0"});
+  CHECK(words_of(stretches, below, 9) == Words{"the gap closes over the wedge at x = 0"});
   CHECK(is_narrow(events(stretches).at(0)));
 }
 
@@ -367,7 +353,7 @@ void follows_random_problems(int first, int last) {
   for (int i = first; i < last; ++i) {
     CAPTURE(i);
     const ContactProblem problem = random_contact(first_listed_seed + static_cast<std::uint64_t>(i));
-    if (!solved<double>(problem)) continue;
+    if (!found_contact<double>(problem)) continue;
     ++solved_problems;
     const Rational from = problem.load() * 0.99_r, to = problem.load() * 1.01_r;
     const auto stretches = path(problem, from, to, 0.001_r);
@@ -376,7 +362,7 @@ void follows_random_problems(int first, int last) {
       if (s.kind == LoadStretch::Kind::open) MESSAGE(i << ": " << s.words);
       if (!s.interval) continue;
       proved += (s.to - s.from) / (to - from);
-      const auto contact = solved<Real50>(problem.with_load((2 * s.from + s.to) / 3));
+      const auto contact = found_contact<Real50>(problem.with_load((2 * s.from + s.to) / 3));
       if (contact) CHECK(holds_solution(*s.interval, *contact));
     }
   }

@@ -92,25 +92,22 @@ TEST_CASE("what a ball says of itself") {
 }
 
 TEST_CASE("functions contain their values") {
-  const auto check = [](const char* name, const Unary& f, int low, int high) {
-    CHECK_MESSAGE(rc::check(name, [&] { is_contained(f, low, high); }), name);
+  struct Row {
+    const char* name;
+    Unary function;
+    int low, high;
   };
-  check(
-      "exp", [](const Ball& x) { return exp(x); }, -40, 40);
-  check(
-      "sin", [](const Ball& x) { return sin(x); }, -40, 40);
-  check(
-      "cos", [](const Ball& x) { return cos(x); }, -40, 40);
-  check(
-      "atan", [](const Ball& x) { return atan(x); }, -40, 40);
-  check(
-      "sqrt", [](const Ball& x) { return sqrt(x + Ball(Rational(1, 1000), 4096).upper()); }, 0, 40);
-  check(
-      "log", [](const Ball& x) { return log(x + Ball(Rational(1, 1000), 4096).upper()); }, 0, 40);
-  check(
-      "gamma", [](const Ball& x) { return gamma(x + Ball(Rational(1, 1000), 4096).upper()); }, 0, 20);
-  check(
-      "pi", [](const Ball& x) { return x * Ball::pi(x.bits()); }, -2, 2);
+  const Ball little = Ball(Rational(1, 1000), 4096).upper();
+  for (const auto& [name, f, low, high] : {Row{"exp", [](const Ball& x) { return exp(x); }, -40, 40},
+                                           Row{"sin", [](const Ball& x) { return sin(x); }, -40, 40},
+                                           Row{"cos", [](const Ball& x) { return cos(x); }, -40, 40},
+                                           Row{"atan", [](const Ball& x) { return atan(x); }, -40, 40},
+                                           Row{"sqrt", [&](const Ball& x) { return sqrt(x + little); }, 0, 40},
+                                           Row{"log", [&](const Ball& x) { return log(x + little); }, 0, 40},
+                                           Row{"gamma", [&](const Ball& x) { return gamma(x + little); }, 0, 20},
+                                           Row{"pi", [](const Ball& x) { return x * Ball::pi(x.bits()); }, -2, 2}}) {
+    CHECK_MESSAGE(rc::check(name, [&, f = f, low = low, high = high] { is_contained(f, low, high); }), name);
+  }
 }
 
 TEST_CASE("powers contain their values, next to 0 too") {

@@ -8,17 +8,6 @@ namespace {
 
 constexpr Bits bits = 128;
 
-/// T_k(t).
-Ball chebyshev_polynomial(int k, const Ball& t) {
-  Ball before(1, t.bits()), here = t;
-  for (int i = 1; i < k; ++i) {
-    const Ball next = 2 * t * here - before;
-    before = here;
-    here = next;
-  }
-  return here;
-}
-
 template <class Function>
 ChebyshevSeries series_of(const ChebyshevNodes& nodes, const Function& f, const Ball& bound, const Ball& rho) {
   std::vector<Ball> values;

@@ -30,7 +30,7 @@ struct ExpectedLedger {
 
 ExpectedLedger expected_ledger() {
   ExpectedLedger ledger;
-  for (const std::string& line : lines(file_text(STEADYSLIDE_LEDGER))) {
+  for (const std::string& line : lines(file_text(STEADYSLIDE_TESTS "/proofs_checks/ledger.csv"))) {
     CAPTURE(line);
     std::vector<std::string> part;
     boost::algorithm::split(part, line, [](char c) { return c == ','; });

@@ -2,6 +2,7 @@
 
 #include "proofs_checks/proof/proof.hpp"
 
+#include <nlohmann/json.hpp>
 #include <ranges>
 
 #include "support/test.hpp"
@@ -65,9 +66,13 @@ odd(B).
 Gives odd(N).
 )";
 
+Theory made(std::string_view facts, std::string_view theorems) {
+  const std::vector<std::string_view> documents{facts, theorems};
+  return Theory{documents};
+}
+
 const Theory& numbers() {
-  static const std::vector<std::string_view> documents{facts_document, theorems_document};
-  static const Theory theory{documents};
+  static const Theory theory = made(facts_document, theorems_document);
   return theory;
 }
 
@@ -88,15 +93,12 @@ Decision identity(const std::string& id) {
           id == "thirds" ? std::vector<std::string>{"x - 1"} : std::vector<std::string>{}};
 }
 
-const Decisions& decisions() {
-  static const Decisions all{
-      identity,
-      [](const std::string& p, const Box&) { return p == "x + 1" || p == "-(-x - 1)" ? Truth::yes : Truth::no; },
-      [](const std::string&, const Box&) { return Decision{Truth::yes}; }, entry};
-  return all;
-}
+const Decisions decisions{
+    identity,
+    [](const std::string& p, const Box&) { return p == "x + 1" || p == "-(-x - 1)" ? Truth::yes : Truth::no; },
+    [](const std::string&, const Box&) { return Decision{Truth::yes}; }, entry};
 
-CheckedProof checked(const std::string& text) { return check_proof(proof_text(text), numbers(), decisions()); }
+CheckedProof checked(const std::string& text) { return check_proof(proof_text(text), numbers(), decisions); }
 
 const std::string sum_is_odd =
     "For `x in [0, oo[`.\nAssumes `nonzero(\"x - 1\")`.\nConcludes `odd(five)`,\n`whole(five)`.\n\n"
@@ -113,6 +115,11 @@ std::string replaced_once(std::string text, const std::string& from, const std::
   const std::size_t at = text.find(from);
   REQUIRE(at != std::string::npos);
   return text.replace(at, from.size(), to);
+}
+
+/// Rows of exchanges.json: a text, what stands in its place, and the gap that this leaves.
+std::vector<std::vector<std::string>> exchanges(const char* kind) {
+  return nlohmann::json::parse(file_text(STEADYSLIDE_TESTS "/proofs_checks/proof/exchanges.json")).at(kind);
 }
 
 }  // namespace
@@ -138,40 +145,13 @@ TEST_CASE("every step left out, and every fact exchanged, leaves a gap") {
   for (std::size_t k = 0; k < whole.steps.size(); ++k) {
     ProofText shorter = whole;
     shorter.steps.erase(shorter.steps.begin() + static_cast<std::ptrdiff_t>(k));
-    CHECK_FALSE(check_proof(shorter, numbers(), decisions()).complete());
+    CHECK_FALSE(check_proof(shorter, numbers(), decisions).complete());
   }
-  for (const auto& [from, to, gap] : std::vector<std::tuple<std::string, std::string, std::string>>{
-           {"Assumes `nonzero(\"x - 1\")`.\n", "", "odd(three) needs nonzero(\"x - 1\")"},
-           {"- identity: even(two)", "- identity: odd(two)", "does not hold: wrong"},
-           {"- theorem odd-sum: odd(five)", "- identity: odd(five)", "not decided: unknown"},
-           {"- theorem odd-sum: odd(five)", "- theorem odd-sum: odd(two)", "odd(two) by odd-sum needs sum(two, A, B)"},
-           {"theorem odd-sum", "theorem even-sum", "no classical theorem of this name: even-sum"},
-           {"- identity: even(two)", "- enclosure: even(five)", "do not cover x in [0, oo["},
-           {"- identity: even(two)", "- identity: even(three)", "nothing is said to decide even(three)"},
-           {"[0, oo[", "]-1, oo[", "do not cover x in ]-1, oo["},
-           {"For `x in [0, oo[`.\n", "", "do not cover"},
-           {"- identity: even(two)", "- definition: even(two)", "not defined: even"},
-           {"- definition: whole(five)", "- inference: whole(five)", "no inference of: whole"},
-           {"- definition: whole(five)", "- definition: small(five)", "not defined: small"},
-           {"- definition: whole(five)", "- inference: small(three)", "small(three) by small needs sum(three, A, B)"},
-           {"- definition: whole(five)", "- definition: whole(two)", "whole(two) by whole needs sum(two, A, B)"},
-           {"Assumes `nonzero(\"x - 1\")`", "Assumes `nonzero(\"x - 1\")`, `even(three)`",
-            "assumed, and used by no step: even(three)"},
-           {"Concludes `odd(five)`", "Concludes `nonzero(\"x - 1\")`",
-            "concluded, and given by no step: nonzero(\"x - 1\")"},
-           {"Concludes `odd(five)`", "Concludes `odd(two)`", "concluded, and given by no step: odd(two)"},
-           {"- identity: even(two)", "- sign: positive(\"x + 2\")",
-            "not decided for x in [0, oo[: positive(\"x + 2\")"},
-           {"- identity: even(two)", "- sign: positive(\"-x - 1\")", "not decided for"},
-           {"- identity: even(two)", "- sign: negative(\"x + 1\")", "not decided for"},
-           {"- identity: even(two)", "- identity: whole(two)", "thirds holds where x - 1 != 0, and nothing says so"},
-           {"- identity: even(two)", "- sign: nonzero(\"-x - 1\")\n- identity: whole(three)",
-            "whole(three) needs nonzero(\"x - 2\")"},
-           {"- identity: even(two)", "- sign: even(two)", "no sign of a formula"}}) {
-    CAPTURE(to);
-    const CheckedProof proof = checked(replaced_once(sum_is_odd, from, to));
+  for (const auto& row : exchanges("leave a gap")) {
+    CAPTURE(row[1]);
+    const CheckedProof proof = checked(replaced_once(sum_is_odd, row[0], row[1]));
     CAPTURE(proof.gap);
-    CHECK(holds(proof.gap, gap));
+    CHECK(holds(proof.gap, row[2]));
   }
 }
 
@@ -186,8 +166,7 @@ TEST_CASE("an inference needs what it is said to rest on, and is counted as what
 TEST_CASE("signs of formulas; divisors other than those that a fact is said to need") {
   for (const std::string fact :
        {"positive(\"x + 1\")", "nonzero(\"x + 1\")", "negative(\"-x - 1\")", "nonzero(\"-x - 1\")"}) {
-    CAPTURE(fact);
-    CHECK(checked("For `x in [0, 1]`.\nConcludes `" + fact + "`.\n" + "- sign: " + fact + "\n").complete());
+    CHECK_MESSAGE(checked("For `x in [0, 1]`.\nConcludes `" + fact + "`.\n- sign: " + fact + "\n").complete(), fact);
   }
   const CheckedProof other =
       checked("Assumes `nonzero(\"x - 2\")`.\nConcludes `whole(three)`.\n- identity: whole(three)\n");
@@ -197,7 +176,7 @@ TEST_CASE("signs of formulas; divisors other than those that a fact is said to n
 TEST_CASE("an order that does not follow is a gap: a step rests on those above it alone") {
   ProofText text = proof_text(sum_is_odd);
   std::swap(text.steps[0], text.steps[3]);
-  CHECK(check_proof(text, numbers(), decisions()).gap == "odd(five) by odd-sum needs sum(five, A, B)");
+  CHECK(check_proof(text, numbers(), decisions).gap == "odd(five) by odd-sum needs sum(five, A, B)");
 }
 
 TEST_CASE("an entry is cited with its conclusions, its assumptions and its parameters") {
@@ -212,53 +191,19 @@ TEST_CASE("an entry is cited with its conclusions, its assumptions and its param
 }
 
 TEST_CASE("a word, a thing or a step that is not declared is an error and no gap") {
-  for (const auto& [from, to] :
-       std::vector<std::pair<std::string, std::string>>{{"even(two)", "evn(two)"},
-                                                        {"even(two)", "even(tow)"},
-                                                        {"even(two)", "even(two, three)"},
-                                                        {"even(two)", "even(N)"},
-                                                        {"Concludes `odd(five)`", "Concludes `odd(six)`"}}) {
-    CAPTURE(to);
-    CHECK_THROWS_AS(checked(replaced_once(sum_is_odd, from, to)), std::logic_error);
+  for (const auto& row : exchanges("not declared")) {
+    CHECK_THROWS_AS_MESSAGE(checked(replaced_once(sum_is_odd, row[0], row[1])), std::logic_error, row[1]);
   }
-  for (const auto& [from, to] :
-       std::vector<std::pair<std::string, std::string>>{{"theorem odd-sum", "theorem"},
-                                                        {"- identity:", "- identity halves:"},
-                                                        {"- identity:", "- guess:"},
-                                                        {"Assumes", "Supposes"},
-                                                        {"Concludes `odd(five)`,\n`whole(five)`.\n", ""},
-                                                        {"[0, oo[", "[0, oo]"},
-                                                        {"[0, oo[", "[0; oo["},
-                                                        {"[0, oo[", "]1, 1]"},
-                                                        {"even(two)", "even two"},
-                                                        {"even(two)", "even()"}}) {
-    CAPTURE(to);
-    CHECK_THROWS_AS(proof_text(replaced_once(sum_is_odd, from, to)), std::logic_error);
+  for (const auto& row : exchanges("no steps")) {
+    CHECK_THROWS_AS_MESSAGE(proof_text(replaced_once(sum_is_odd, row[0], row[1])), std::logic_error, row[1]);
   }
 }
 
 TEST_CASE("theories: nothing twice, nothing undeclared, definitions for all things, no theorem about anything") {
-  const auto made = [](const std::string& facts, const std::string& theory) {
-    const std::vector<std::string_view> documents{facts, theory};
-    return Theory{documents};
-  };
   const std::string facts(facts_document), rules(theorems_document);
   CHECK_NOTHROW(made(facts, rules));
-  for (const auto& [from, to] :
-       std::vector<std::pair<std::string, std::string>>{{"| odd(N) |", "| even(N) |"},
-                                                        {"| three | `3` |", "| two | `3` |"},
-                                                        {"| whole(N) | sum(N", "| whole(two) | sum(N"},
-                                                        {"| sum(N, A, B) |", "| sum(N, N, B) |"},
-                                                        {"even(A), odd(B) |", "evn(A), odd(B) |"},
-                                                        {"| whole(N) | sum(N, A, B)", "| whole(N) | sum(A, A, B)"},
-                                                        {"| small(N) | N is", "| small(two) | N is"},
-                                                        {"N is small | sum(N", "N is small | evn(N"},
-                                                        {"N is whole |", "N is whole | sum(N, A, B) |"},
-                                                        {"identity halves | |", "guess halves | |"},
-                                                        {"identity halves | |", "identity halves |"},
-                                                        {"nonzero(\"x - 1\") |", "x in [0, 1] |"}}) {
-    CAPTURE(to);
-    CHECK_THROWS_AS(made(replaced_once(facts, from, to), rules), std::logic_error);
+  for (const auto& row : exchanges("no theories")) {
+    CHECK_THROWS_AS_MESSAGE(made(replaced_once(facts, row[0], row[1]), rules), std::logic_error, row[1]);
   }
   CHECK_THROWS_AS(made(facts, replaced_once(rules, "Gives odd(N).", "Gives odd(C).")), std::logic_error);
   CHECK_THROWS_AS(made(facts, replaced_once(rules, "Gives odd(N).", "")), std::logic_error);
@@ -269,13 +214,12 @@ TEST_CASE("a theorem that says several things: each from its own needs") {
   const std::string second =
       "\nAnd two even numbers make an even one.\nNeeds sum(N, A, B), even(A), even(B).\nGives even(N).\n";
   const std::string both = std::string(theorems_document) + second;
-  const std::vector<std::string_view> documents{facts_document, both};
-  const Theory theory{documents};
+  const Theory theory = made(facts_document, both);
   REQUIRE(theory.theorems.at("odd-sum").size() == 2);
   const auto gap = [&](const std::string& fact) {
     return check_proof(proof_text(replaced_once(replaced_once(sum_is_odd, ": odd(five)", ": " + fact),
                                                 "Concludes `odd(five)`,\n`whole(five)`", "Concludes `" + fact + "`")),
-                       theory, decisions())
+                       theory, decisions)
         .gap;
   };
   CHECK(gap("odd(five)").empty());
@@ -285,10 +229,8 @@ TEST_CASE("a theorem that says several things: each from its own needs") {
 TEST_CASE("a pattern matches with one meaning of each variable, and with things that it names") {
   const Fact pattern = parse_fact("sum(N, two, N)");
   CHECK(match(pattern, parse_fact("sum(five, two, five)"), {}));
-  for (const char* other : {"sum(five, two, three)", "sum(five, six, five)", "sum(five, three, five)", "whole(five)"}) {
-    CAPTURE(other);
-    CHECK_FALSE(match(pattern, parse_fact(other), {}));
-  }
+  for (const char* other : {"sum(five, two, three)", "sum(five, six, five)", "sum(five, three, five)", "whole(five)"})
+    CHECK_FALSE_MESSAGE(match(pattern, parse_fact(other), {}), other);
 }
 
 TEST_CASE("facts in words") {

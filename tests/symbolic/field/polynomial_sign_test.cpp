@@ -38,10 +38,8 @@ TEST_CASE("signs over intervals, their ends in or out") {
 }
 
 TEST_CASE("what is no polynomial in parameters with ranges is refused") {
-  for (const std::string text : {"1/x", "sqrt(x)", "y", "x +", "sin(x)", ""}) {
-    CAPTURE(text);
-    CHECK_THROWS_AS(is_positive(text, {{"x", from_zero}}), std::domain_error);
-  }
+  for (const std::string text : {"1/x", "sqrt(x)", "y", "x +", "sin(x)", ""})
+    CHECK_THROWS_AS_MESSAGE(is_positive(text, {{"x", from_zero}}), std::domain_error, text);
 }
 
 TEST_CASE("random polynomials: the sign that is decided is the sign at places") {

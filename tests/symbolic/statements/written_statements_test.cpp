@@ -1,5 +1,7 @@
 #include "symbolic/statements/written_statements.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "support/test.hpp"
 
 using namespace steadyslide::symbolic;
@@ -50,36 +52,8 @@ TEST_CASE("statements decided elsewhere take the place that the text gives them"
 
 TEST_CASE("a text that cannot be read is refused") {
   // What stands in the place of the first equation, and the message.
-  const std::vector<std::pair<std::string, std::string>> rows{
-      {"equal it :: f(a + b = 1", "a parenthesis is not closed; f(a + b"},
-      {"equal it :: a + = 1", "not an expression; a +"},
-      {"equal it :: a b = 1", "not an expression; a b"},
-      {"equal it :: a", "an equation has two sides; it :: a"},
-      {"equal it :: g(a) = a", "no such function; g"},
-      {"equal it :: f(a, b) = a", "wrong number of arguments (2); f"},
-      {"equal it :: diff(a) = a", "wrong number of arguments (1); diff"},
-      {"equal it :: at(a, b) = a", "wrong number of arguments (2); at"},
-      {"equal it :: at(a, b, 1, a) = a", "wrong number of arguments (4); at"},
-      {"let diff(x) = a", "a function of every text; diff"},
-      {"equal it :: alhpa = a", "no such name; alhpa"},
-      {"equal it :: a_{1} = a", "no such name; a_1"},
-      {"equal it :: [a, b][2] = a", "no such entry; [a, b][2]"},
-      {"equal it :: [a, b = a", "an equation has two sides; it :: [a, b = a"},
-      {"let c = [a, b", "a bracket is not closed; [a, b"},
-      {"equal it :: sum(a) = a", "no list; a"},
-      {"equal it :: diff(a, 2*b) = a", "no symbol; 2*b"},
-      {"equal it :: coeff(a, b, 1/2) = a", "no integer; (1)/(2)"},
-      {"equal it :: max(a, 1) = a", "no number; a"},
-      {"equal it :: sign(a) = a", "neither 1 nor -1; a"},
-      {"equal it :: size(powers([edge, free])) = 2", "a component has two ends and a number of jumps; 2"},
-      {"let c = [a | k]", "a list gives values; a | k"},
-      {"for k = 1", "`for` has an `end`; k = 1"},
-      {"equal it :: r(s) = 1", "no friction of the field; square-of-a-sum"},
-      {"let a", "`let` gives values; a"},
-      {"for k\n  end", "`for` gives values; k"},
-      {"equals it :: a = a", "no such line; equals it :: a = a"},
-      {"wrong without a change", "a wrong variant says what it changes; without a change"},
-      {"wrong of no name :: sgn = 1", "a wrong variant changes what `let` gives; sgn = 1"}};
+  const auto rows = nlohmann::json::parse(file_text(STEADYSLIDE_TESTS "/symbolic/statements/unreadable_lines.json"))
+                        .get<std::vector<std::pair<std::string, std::string>>>();
   for (const auto& [line, message] : rows) {
     CAPTURE(line);
     std::string text = square;
