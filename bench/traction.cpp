@@ -1,9 +1,9 @@
 // Tractions of a flat punch with three friction jumps, beside the floor, the same powers alone, and in double beside the
 // logarithms and the exponential of glibc's libmvec. README.md says how to take the instruction sets from glibc, too.
 
-#include <arb.h>
 #include <benchmark/benchmark.h>
 
+#include "enclosure/number/ball.hpp"
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/number/power_product.hpp"
 
@@ -122,35 +122,28 @@ void arb_kernel(benchmark::State& state) {
   Setting<R>& s = Setting<R>::get();
   constexpr slong bits = static_cast<slong>(digits_served<R> / 0.30103) + 1;
   const auto balls = [](const std::vector<R>& values) {
-    arb_ptr list = _arb_vec_init(static_cast<slong>(values.size()));
-    for (std::size_t i = 0; i < values.size(); ++i) arf_set_mpfr(arb_midref(list + i), values[i].backend().data());
+    std::vector<enclosure::Ball> list(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) arf_set_mpfr(arb_midref(list[i].get()), values[i].backend().data());
     return list;
   };
   std::vector<R> powers;
   for (const Power<R>& power : s.powers) powers.push_back(power.value);
-  const arb_ptr power = balls(powers);
-  std::vector<arb_ptr> distances;
+  const std::vector<enclosure::Ball> power = balls(powers);
+  std::vector<std::vector<enclosure::Ball>> distances;
   for (const std::vector<R>& list : s.distances) distances.push_back(balls(list));
-  const arb_ptr values = balls(s.values);
-  arb_t sum, log;
-  arb_init(sum);
-  arb_init(log);
+  std::vector<enclosure::Ball> values = balls(s.values);
+  enclosure::Ball sum, log;
   for (auto _ : state) {
     for (std::size_t i = 0; i < s.points; ++i) {
-      arb_zero(sum);
+      arb_zero(sum.get());
       for (std::size_t j = 0; j < distances.size(); ++j) {
-        arb_log(log, distances[j] + i, bits);
-        arb_addmul(sum, log, power + j, bits);
+        arb_log(log.get(), distances[j][i].get(), bits);
+        arb_addmul(sum.get(), log.get(), power[j].get(), bits);
       }
-      arb_exp(values + i, sum, bits);
+      arb_exp(values[i].get(), sum.get(), bits);
     }
     benchmark::DoNotOptimize(values);
   }
-  arb_clear(sum);
-  arb_clear(log);
-  for (const arb_ptr list : distances) _arb_vec_clear(list, static_cast<slong>(s.points));
-  _arb_vec_clear(values, static_cast<slong>(s.points));
-  _arb_vec_clear(power, static_cast<slong>(powers.size()));
   items<R>(state);
 }
 
