@@ -80,7 +80,7 @@ void variational_1024(benchmark::State& state, bool wedge) {
 
 Rational place() { return {1, 7}; }
 
-/// Of the traction at place().
+/// Notes the error of a traction at place().
 void note_error(benchmark::State& state, double t, bool wedge) {
   const Real50 exact = solution<Real50>(few, wedge).at(place()).traction.left.value;
   state.counters["traction"] = static_cast<double>(Real50(abs(t - exact) / abs(exact)));
