@@ -5,7 +5,6 @@
 // Peers in the same run: Boost's tanh-sinh rule, Arb's acb_calc_integrate (certified) and, where libpari-dev is
 // installed, PARI's intnum.
 
-#include <acb_calc.h>
 #include <benchmark/benchmark.h>
 #ifdef STEADYSLIDE_WITH_PARI
 #include <pari/pari.h>
@@ -14,6 +13,7 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include "bench/arb_integral.hpp"
 #include "numeric/cauchy/power_traction.hpp"
 #include "numeric/quadrature/double_exponential_grid.hpp"
 #include "numeric/quadrature/jacobi_rule.hpp"
@@ -58,30 +58,13 @@ void function_of(benchmark::State& state, R (*f)(const R&)) {
   for (auto _ : state) benchmark::DoNotOptimize(f(x[i++ % x.size()]));
 }
 
-template <Real R>
-R log_here(const R& x) {
-  return log(x);
-}
-template <Real R>
-R log_by_mpfr(const R& x) {
+template <Real R, auto f>
+R by_mpfr(const R& x) {
   R result;
-  mpfr_log(result.backend().data(), x.backend().data(), MPFR_RNDN);
+  f(result.backend().data(), x.backend().data(), MPFR_RNDN);
   return result;
 }
-template <Real R>
-R exp_here(const R& x) {
-  return exp(x);
-}
-template <Real R>
-R exp_by_mpfr(const R& x) {
-  R result;
-  mpfr_exp(result.backend().data(), x.backend().data(), MPFR_RNDN);
-  return result;
-}
-template <Real R>
-R pow_here(const R& x) {
-  return pow(x, R(-x));
-}
+
 template <Real R>
 R pow_by_mpfr(const R& x) {
   R result;
@@ -154,70 +137,19 @@ void panel_by_jacobi(benchmark::State& state) {
   note_error(state, value);
 }
 
-/// prod |x - e_j|^p_j dx/dtau with x = tanh(tau/2) on the panel.
-int regularised(acb_ptr result, const acb_t tau, void*, slong order, slong bits) {
-  const bool analytic = order != 0;
-  acb_t decay, sum, base, exponent, factor;
-  for (acb_ptr z : {decay, sum, base, exponent, factor}) acb_init(z);
-  acb_neg(decay, tau);
-  acb_exp(decay, decay, bits);
-  acb_add_ui(sum, decay, 1, bits);
-  acb_one(result);
-  fmpq_t rational;
-  fmpq_init(rational);
-  const auto times = [&](const Rational& power) {
-    fmpq_set_mpq(rational, power.backend().data());
-    arb_set_fmpq(acb_realref(exponent), rational, bits);
-    arb_zero(acb_imagref(exponent));
-    acb_pow_analytic(factor, base, exponent, analytic, bits);
-    acb_mul(result, result, factor, bits);
-  };
-  const auto set = [&](const Rational& value) {
-    fmpq_set_mpq(rational, value.backend().data());
-    acb_set_fmpq(base, rational, bits);
-  };
-  // From the panel's ends: length/(1+e^-tau) and that times e^-tau; their product over the length is dx/dtau.
-  for (std::size_t j = 0; j < powers.size(); ++j) {
-    const bool left = j <= own;
-    set(lengths[own]);
-    acb_div(base, base, sum, bits);
-    if (!left) acb_mul(base, base, decay, bits);
-    if (j == own || j == own + 1) {
-      times(powers[j] + 1);
-      continue;
-    }
-    Rational beyond = 0;
-    for (std::size_t k = left ? j : own + 1; k < (left ? own : j); ++k) beyond += lengths[k];
-    fmpq_set_mpq(rational, beyond.backend().data());
-    arb_set_fmpq(acb_realref(factor), rational, bits);
-    arb_zero(acb_imagref(factor));
-    acb_add(base, base, factor, bits);
-    times(powers[j]);
-  }
-  set(lengths[own]);
-  acb_div(result, result, base, bits);
-  fmpq_clear(rational);
-  for (acb_ptr z : {decay, sum, base, exponent, factor}) acb_clear(z);
-  return 0;
-}
-
 template <Real R>
 void panel_by_arb(benchmark::State& state) {
-  const slong bits = static_cast<slong>(digits_served<R> * 3.33) + 30;
-  acb_t value, left, right;
-  for (acb_ptr z : {value, left, right}) acb_init(z);
-  // The tails are under 10^-digits: e^(-0.77 tau).
-  acb_set_si(right, static_cast<slong>(digits_served<R> * 3));
-  acb_neg(left, right);
-  mag_t tolerance;
-  mag_init(tolerance);
-  mag_set_ui_2exp_si(tolerance, 1, -bits + 20);
-  for (auto _ : state) acb_calc_integrate(value, regularised, nullptr, left, right, bits, tolerance, nullptr, bits);
+  const slong bits = static_cast<slong>(digits_served<R> * 3.33) + 10;
+  enclosure::PowerIntegrand integrand{{enclosure::Ball(-1, bits)}, {}};
+  for (const Rational& length : lengths) {
+    integrand.points.push_back(integrand.points.back() + enclosure::Ball(length, bits));
+  }
+  for (const Rational& power : powers) integrand.powers.emplace_back(power, bits);
+  enclosure::Ball value;
+  for (auto _ : state) value = bench::arb_integral(integrand, own, bits);
   R result;
-  arf_get_mpfr(result.backend().data(), arb_midref(acb_realref(value)), MPFR_RNDN);
+  arf_get_mpfr(result.backend().data(), arb_midref(value.get()), MPFR_RNDN);
   note_error(state, result);
-  mag_clear(tolerance);
-  for (acb_ptr z : {value, left, right}) acb_clear(z);
 }
 
 #ifdef STEADYSLIDE_WITH_PARI
@@ -249,11 +181,11 @@ BENCHMARK(weight_integral<BinFloat>)->Unit(benchmark::kMillisecond);
 template <Real R>
 void add(const std::string& digits) {
   using Measured = std::pair<const char*, R (*)(const R&)>;
-  for (const auto& [name, f] : {Measured{"log", log_here<R>},
-                                {"log by MPFR", log_by_mpfr<R>},
-                                {"exp", exp_here<R>},
-                                {"exp by MPFR", exp_by_mpfr<R>},
-                                {"pow", pow_here<R>},
+  for (const auto& [name, f] : {Measured{"log", [](const R& x) { return log(x); }},
+                                {"log by MPFR", by_mpfr<R, mpfr_log>},
+                                {"exp", [](const R& x) { return exp(x); }},
+                                {"exp by MPFR", by_mpfr<R, mpfr_exp>},
+                                {"pow", [](const R& x) { return pow(x, R(-x)); }},
                                 {"pow by MPFR", pow_by_mpfr<R>}}) {
     benchmark::RegisterBenchmark((name + digits).c_str(), function_of<R>, f)->Unit(benchmark::kMicrosecond);
   }

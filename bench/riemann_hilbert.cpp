@@ -80,6 +80,12 @@ void variational_1024(benchmark::State& state, bool wedge) {
 
 Rational place() { return {1, 7}; }
 
+/// Notes the error of a traction at place().
+void note_error(benchmark::State& state, double t, bool wedge) {
+  const Real50 exact = solution<Real50>(few, wedge).at(place()).traction.left.value;
+  state.counters["traction"] = static_cast<double>(Real50(abs(t - exact) / abs(exact)));
+}
+
 void traction(benchmark::State& state, bool wedge) {
   const ContactSolution<double>& s = solution<double>(few, wedge);
   double t = 0;
@@ -87,8 +93,7 @@ void traction(benchmark::State& state, bool wedge) {
     t = s.at(place()).traction.left.value;
     benchmark::DoNotOptimize(t);
   }
-  const Real50 exact = solution<Real50>(few, wedge).at(place()).traction.left.value;
-  state.counters["traction"] = static_cast<double>(Real50(abs(t - exact) / abs(exact)));
+  note_error(state, t, wedge);
 }
 
 /// t = s g/(1+s^2) - eps cos(pi alpha) |Y| (1/pi) PV int eps cos(pi alpha) g/|Y| dx'/(x'-x), by QAWS and QAWC alone.
@@ -127,8 +132,7 @@ void traction_by_gsl(benchmark::State& state, bool wedge) {
         factor * form.fundamental_solution().modulus(segment, node) * integral;
     benchmark::DoNotOptimize(t);
   }
-  const Real50 exact = solution<Real50>(few, wedge).at(place()).traction.left.value;
-  state.counters["traction"] = static_cast<double>(Real50(abs(t - exact) / abs(exact)));
+  note_error(state, t, wedge);
 }
 
 void solve_by_jumps(benchmark::State& state, bool wedge) {

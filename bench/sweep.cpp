@@ -20,18 +20,15 @@ namespace {
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-template <class Act>
-double cpu_time_of(Act act) {
-  const double start = cpu_seconds();
-  act();
-  return cpu_seconds() - start;
+double clock_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 template <class Act>
-double clock_time_of(Act act) {
-  const auto start = std::chrono::steady_clock::now();
+double time_of(double (*seconds)(), Act act) {
+  const double start = seconds();
   act();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return seconds() - start;
 }
 
 /// What solve asks of a solution in double.
@@ -58,16 +55,16 @@ int main(int argc, char** argv) {
   double rows = 0;
   for (std::size_t block = 0; block < blocks; ++block) {
     std::vector<Problem> list;
-    made += cpu_time_of([&] {
+    made += time_of(cpu_seconds, [&] {
       for (std::size_t n = block; n < table.size(); n += blocks) list.push_back(problems.problem(n));
     });
-    numeric += cpu_time_of([&] {
+    numeric += time_of(cpu_seconds, [&] {
       for (const Problem& problem : list) numbers(problem.contact);
     });
-    solved += cpu_time_of([&] {
+    solved += time_of(cpu_seconds, [&] {
       for (const Problem& problem : list) Solver({}).solve(problem);
     });
-    rows += cpu_time_of([&] {
+    rows += time_of(cpu_seconds, [&] {
       for (std::size_t n = block; n < table.size(); n += blocks) static_cast<void>(table.row(n));
     });
   }
@@ -75,7 +72,7 @@ int main(int argc, char** argv) {
   std::vector<Problem> all;
   for (std::size_t n = 0; n < table.size(); ++n) all.push_back(problems.problem(n));
   // Cores that are busy together are slower each: the floor is every thread with a part of the bare solves.
-  const double bare = clock_time_of([&] {
+  const double bare = time_of(clock_seconds, [&] {
     std::vector<std::jthread> threads;
     for (int k = 0; k < jobs; ++k) {
       threads.emplace_back([&, first = static_cast<std::size_t>(k)] {
@@ -85,8 +82,8 @@ int main(int argc, char** argv) {
   });
   std::size_t bytes = 0;
   double threads = 0;
-  const double wall = clock_time_of([&] {
-    threads = cpu_time_of([&] {
+  const double wall = time_of(clock_seconds, [&] {
+    threads = time_of(cpu_seconds, [&] {
       in_order(
           {0, table.size()}, jobs, [&](std::size_t n) { return table.row(n); },
           [&](std::size_t, const std::string& row) { bytes += row.size(); });

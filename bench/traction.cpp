@@ -1,9 +1,9 @@
 // Tractions of a flat punch with three friction jumps, beside the floor, the same powers alone, and in double beside the
 // logarithms and the exponential of glibc's libmvec. README.md says how to take the instruction sets from glibc, too.
 
-#include <arb.h>
 #include <benchmark/benchmark.h>
 
+#include "enclosure/number/ball.hpp"
 #include "numeric/closed_form/closed_form.hpp"
 #include "numeric/number/power_product.hpp"
 
@@ -59,10 +59,20 @@ void items(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(Setting<R>::points));
 }
 
-template <Real R>
-void floor_of_powers(benchmark::State& state) {
+/// Times `fill`, which finds the values at all points.
+template <Real R, class Fill>
+void measure(benchmark::State& state, const Fill& fill) {
   Setting<R>& s = Setting<R>::get();
   for (auto _ : state) {
+    fill(s);
+    benchmark::DoNotOptimize(s.values.data());
+  }
+  items<R>(state);
+}
+
+template <Real R>
+void floor_of_powers(benchmark::State& state) {
+  measure<R>(state, [](Setting<R>& s) {
     for (std::size_t i = 0; i < s.points; ++i) {
       R value = 1;
       for (std::size_t j = 0; j < s.powers.size(); ++j) {
@@ -71,49 +81,35 @@ void floor_of_powers(benchmark::State& state) {
       }
       s.values[i] = value;
     }
-    benchmark::DoNotOptimize(s.values.data());
-  }
-  items<R>(state);
+  });
 }
 
 /// The solution's tractions at points of panels, one by one.
 template <Real R>
 void one_by_one(benchmark::State& state) {
-  Setting<R>& s = Setting<R>::get();
-  for (auto _ : state) {
+  measure<R>(state, [](Setting<R>& s) {
     for (std::size_t i = 0; i < s.points; ++i) {
       s.values[i] = s.traction(i / s.per_panel(), {s.x[i], s.from_left[i], s.from_right[i]});
     }
-    benchmark::DoNotOptimize(s.values.data());
-  }
-  items<R>(state);
+  });
 }
 
 /// The same at once.
 template <Real R>
 void on_panels(benchmark::State& state) {
-  Setting<R>& s = Setting<R>::get();
-  const std::size_t n = s.per_panel();
-  for (auto _ : state) {
+  measure<R>(state, [n = Setting<R>::get().per_panel()](Setting<R>& s) {
     for (std::size_t k = 0; k < s.panels; ++k) {
       s.traction(k, std::span(s.from_left).subspan(k * n, n), std::span(s.from_right).subspan(k * n, n),
                  std::span(s.values).subspan(k * n, n));
     }
-    benchmark::DoNotOptimize(s.values.data());
-  }
-  items<R>(state);
+  });
 }
 
 /// Tractions and shear at given x.
 template <Real R>
 void at_places(benchmark::State& state) {
-  Setting<R>& s = Setting<R>::get();
-  std::vector<R> shear(s.points);
-  for (auto _ : state) {
-    s.solution.tractions(s.x, s.values, shear);
-    benchmark::DoNotOptimize(s.values.data());
-  }
-  items<R>(state);
+  std::vector<R> shear(Setting<R>::points);
+  measure<R>(state, [&](Setting<R>& s) { s.solution.tractions(s.x, s.values, shear); });
 }
 
 /// The peer in many digits: logarithms of the distances and one exponential by Arb, an enclosure to so many digits.
@@ -122,52 +118,42 @@ void arb_kernel(benchmark::State& state) {
   Setting<R>& s = Setting<R>::get();
   constexpr slong bits = static_cast<slong>(digits_served<R> / 0.30103) + 1;
   const auto balls = [](const std::vector<R>& values) {
-    arb_ptr list = _arb_vec_init(static_cast<slong>(values.size()));
-    for (std::size_t i = 0; i < values.size(); ++i) arf_set_mpfr(arb_midref(list + i), values[i].backend().data());
+    std::vector<enclosure::Ball> list(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) arf_set_mpfr(arb_midref(list[i].get()), values[i].backend().data());
     return list;
   };
   std::vector<R> powers;
   for (const Power<R>& power : s.powers) powers.push_back(power.value);
-  const arb_ptr power = balls(powers);
-  std::vector<arb_ptr> distances;
+  const std::vector<enclosure::Ball> power = balls(powers);
+  std::vector<std::vector<enclosure::Ball>> distances;
   for (const std::vector<R>& list : s.distances) distances.push_back(balls(list));
-  const arb_ptr values = balls(s.values);
-  arb_t sum, log;
-  arb_init(sum);
-  arb_init(log);
+  std::vector<enclosure::Ball> values = balls(s.values);
+  enclosure::Ball sum, log;
   for (auto _ : state) {
     for (std::size_t i = 0; i < s.points; ++i) {
-      arb_zero(sum);
+      arb_zero(sum.get());
       for (std::size_t j = 0; j < distances.size(); ++j) {
-        arb_log(log, distances[j] + i, bits);
-        arb_addmul(sum, log, power + j, bits);
+        arb_log(log.get(), distances[j][i].get(), bits);
+        arb_addmul(sum.get(), log.get(), power[j].get(), bits);
       }
-      arb_exp(values + i, sum, bits);
+      arb_exp(values[i].get(), sum.get(), bits);
     }
     benchmark::DoNotOptimize(values);
   }
-  arb_clear(sum);
-  arb_clear(log);
-  for (const arb_ptr list : distances) _arb_vec_clear(list, static_cast<slong>(s.points));
-  _arb_vec_clear(values, static_cast<slong>(s.points));
-  _arb_vec_clear(power, static_cast<slong>(powers.size()));
   items<R>(state);
 }
 
 /// The kernel of an instruction set on the points of one panel.
 void kernel(benchmark::State& state, InstructionSet set) {
-  Setting<double>& s = Setting<double>::get();
+  const std::vector<Power<double>>& powers = Setting<double>::get().powers;
   std::vector<PowerFactor> of_left, of_right;
-  for (std::size_t j = 0; j < s.powers.size(); ++j) {
+  for (std::size_t j = 0; j < powers.size(); ++j) {
     (j < 2 ? of_left : of_right)
         .emplace_back(j < 2 ? 0.5 * (1.0 - static_cast<double>(j)) : 0.4 * (static_cast<double>(j) - 2),
-                      s.powers[j].value);
+                      powers[j].value);
   }
-  for (auto _ : state) {
-    power_products(of_left, of_right, s.from_left, s.from_right, s.values, set);
-    benchmark::DoNotOptimize(s.values.data());
-  }
-  items<double>(state);
+  measure<double>(
+      state, [&](Setting<double>& s) { power_products(of_left, of_right, s.from_left, s.from_right, s.values, set); });
 }
 
 #ifdef __x86_64__

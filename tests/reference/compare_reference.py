@@ -24,13 +24,11 @@ def require(holds, what):
 
 
 def rows_of(file):
-    with open(file, newline="") as stream:
-        return list(csv.reader(stream))
+    return list(csv.reader(file.read_text().splitlines()))
 
 
 def table(file):
-    with open(file, newline="") as stream:
-        return list(csv.DictReader(stream))
+    return list(csv.DictReader(file.read_text().splitlines()))
 
 
 def is_number(text):
