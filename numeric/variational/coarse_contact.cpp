@@ -257,26 +257,6 @@ constexpr double least_shadow = 1e-8;
 /// Gaps that are a smaller part of the contact beside them are the mesh's.
 constexpr double least_gap = 1e-3;
 
-class Wishes {
- public:
-  explicit Wishes(const Mesh& mesh) : mesh_(mesh), pieces_(mesh.size(), 1) {}
-
-  void at_most(std::size_t cell, double length) {
-    const double wanted = std::ceil(mesh_.length(cell) / length * (1 - 1e-6));
-    into(cell, wanted < most_pieces ? static_cast<int>(wanted) : most_pieces);
-  }
-  void into(std::size_t cell, int pieces) {
-    // Shorter cells than rounding of coordinates allows would have no points of their own.
-    const double least = 1e-13 * std::max(std::abs(mesh_.edges().front()), std::abs(mesh_.edges().back()));
-    if (mesh_.length(cell) > least * most_pieces) pieces_[cell] = std::max(pieces_[cell], pieces);
-  }
-  std::vector<int> take() { return std::move(pieces_); }
-
- private:
-  const Mesh& mesh_;
-  std::vector<int> pieces_;
-};
-
 /// Could there be contact within cell i although its point is free? Beside the contact u is concave: the chord through
 /// the point and the next one on one side, prolonged, lies above u on the other side.
 bool may_hide_contact(const Mesh& mesh, const Equilibrium& state, std::size_t i) {
@@ -321,32 +301,41 @@ std::vector<Run> runs(const Mesh& mesh, const std::vector<char>& active) {
 
 /// Into how many parts each cell should be cut: all 1 where the mesh is good enough.
 std::vector<int> wanted_pieces(const Mesh& mesh, const Equilibrium& state) {
-  Wishes wishes(mesh);
+  std::vector<int> pieces(mesh.size(), 1);
+  // Shorter cells than rounding of coordinates allows would have no points of their own.
+  const double least = 1e-13 * std::max(std::abs(mesh.edges().front()), std::abs(mesh.edges().back()));
+  const auto into = [&](std::size_t cell, int wanted) {
+    if (mesh.length(cell) > least * most_pieces) pieces[cell] = std::max(pieces[cell], wanted);
+  };
+  const auto at_most = [&](std::size_t cell, double length) {
+    const double wanted = std::ceil(mesh.length(cell) / length * (1 - 1e-6));
+    into(cell, wanted < most_pieces ? static_cast<int>(wanted) : most_pieces);
+  };
   const std::vector<Run> all = runs(mesh, state.active);
   for (std::size_t r = 0; r < all.size(); ++r) {
     const auto [first, last] = all[r];
     const double width = mesh.edges()[last] - mesh.edges()[first];
     for (std::size_t i = first; i < last; ++i) {
-      wishes.at_most(i, width * (mesh.beside_cut(i) ? at_cut : inside));
+      at_most(i, width * (mesh.beside_cut(i) ? at_cut : inside));
     }
     for (std::size_t k = 0; k < std::min<std::size_t>(2, last - first); ++k) {
-      wishes.at_most(first + k, width * at_end);
-      wishes.at_most(last - 1 - k, width * at_end);
+      at_most(first + k, width * at_end);
+      at_most(last - 1 - k, width * at_end);
     }
     for (std::size_t k = 1; k <= 2; ++k) {
-      if (first >= k && !state.active[first - k]) wishes.at_most(first - k, width * beyond_end);
-      if (last - 1 + k < mesh.size() && !state.active[last - 1 + k]) wishes.at_most(last - 1 + k, width * beyond_end);
+      if (first >= k && !state.active[first - k]) at_most(first - k, width * beyond_end);
+      if (last - 1 + k < mesh.size() && !state.active[last - 1 + k]) at_most(last - 1 + k, width * beyond_end);
     }
     const auto seek_shadow = [&](std::size_t back, std::size_t front) {
       if (mesh.length(back) < least_shadow * width) return;
-      wishes.into(back, most_pieces);
-      if (mesh.length(front) > mesh.length(back) / most_pieces) wishes.into(front, most_pieces);
+      into(back, most_pieces);
+      if (mesh.length(front) > mesh.length(back) / most_pieces) into(front, most_pieces);
     };
     if (mesh.step_before(first) > 0) seek_shadow(first, first - 1);
     if (last < mesh.size() && mesh.step_before(last) < 0) seek_shadow(last - 1, last);
     if (r > 0) {
       const double between = mesh.edges()[first] - mesh.edges()[all[r - 1].last];
-      for (std::size_t i = all[r - 1].last; i < first; ++i) wishes.at_most(i, between * between_runs);
+      for (std::size_t i = all[r - 1].last; i < first; ++i) at_most(i, between * between_runs);
     }
   }
   for (std::size_t i = 0; i < mesh.size(); ++i) {
@@ -358,9 +347,9 @@ std::vector<int> wanted_pieces(const Mesh& mesh, const Equilibrium& state) {
     // Next to a contact, the width of that contact has already said how long a cell may be.
     const bool beside_contact = (i > 0 && state.active[i - 1]) || (i + 1 < mesh.size() && state.active[i + 1]);
     const bool apart = !state.active[i] && !beside_contact;
-    if (beside_shorter || (apart && may_hide_contact(mesh, state, i))) wishes.into(i, by_default);
+    if (beside_shorter || (apart && may_hide_contact(mesh, state, i))) into(i, by_default);
   }
-  return wishes.take();
+  return pieces;
 }
 
 constexpr int most_growth = 16;

@@ -12,8 +12,34 @@ constexpr std::array places{0.0, 0.01, 0.04, 0.09, 0.16, 0.25, 0.37, 0.5, 0.63, 
 
 /// The bound is the root of the duality gap.
 constexpr double near_enough = 1.1;
+constexpr int most_passes = 16;
 
-}  // namespace
+/// Gaps within cells of a uniform mesh.
+class InnerGaps {
+ public:
+  InnerGaps(const ContactProblem& problem, const DiscreteProblem& discrete);
+
+  struct Least {
+    std::vector<double> below_mean;  ///< delta_i
+    double duality_gap;              ///< int p (gap - its least value anywhere), in units of c P^2
+    double within_cells;             ///< int p delta: what would be left of it if all least values were 0
+  };
+  Least least(const DiscreteState& state) const;
+
+ private:
+  /// The displacement by the logarithm alone at the place z of all cells.
+  void displacement(std::size_t place, const std::vector<double>& p, std::vector<double>& result) const;
+  /// int s from the left end of cell i, over a part of it.
+  double friction(std::size_t i, double part) const;
+
+  const DiscreteProblem& discrete_;
+  CellProfile profile_;
+  std::vector<double> jumps_;  ///< of s
+  std::vector<double> s_;
+  std::vector<double> breaks_;  ///< of the profile
+  Fourier fourier_;
+  std::vector<std::vector<std::complex<double>>> spectra_;
+};
 
 InnerGaps::InnerGaps(const ContactProblem& problem, const DiscreteProblem& discrete)
     : discrete_(discrete),
@@ -102,23 +128,29 @@ InnerGaps::Least InnerGaps::least(const DiscreteState& state) const {
   return result;
 }
 
-TouchingState touching_state(const ContactProblem& problem, const MeshSolution& found, int most_passes) {
+}  // namespace
+
+DiscreteState touching_state(const ContactProblem& problem, const MeshSolution& found) {
   const std::shared_ptr<const DiscreteProblem> galerkin =
       found.problem->is_galerkin() ? found.problem
                                    : std::make_shared<const DiscreteProblem>(problem, found.problem->mesh());
   const InnerGaps inner(problem, *galerkin);
   InnerGaps::Least least = inner.least(found.found.state);
-  TouchingState best{found.found.state, least.duality_gap, 0};
+  double best_gap = least.duality_gap;
+  DiscreteState best = found.found.state;
   CellSet contact = found.found.contact;
   DiscreteState state = found.found.state;
-  for (int pass = 1; pass <= most_passes && best.duality_gap > near_enough * least.within_cells; ++pass) {
+  for (int pass = 0; pass < most_passes && best_gap > near_enough * least.within_cells; ++pass) {
     const MeshSolution next =
         solve_on_cells(std::make_shared<DiscreteProblem>(*galerkin, least.below_mean), contact, state, {});
     if (next.found.outcome != ActiveSetResult::Outcome::solved) break;
     contact = next.found.contact;
     state = next.found.state;
     least = inner.least(state);
-    if (least.duality_gap < best.duality_gap) best = {state, least.duality_gap, pass};
+    if (least.duality_gap < best_gap) {
+      best_gap = least.duality_gap;
+      best = state;
+    }
   }
   return best;
 }

@@ -11,12 +11,16 @@
 namespace steadyslide::numeric {
 namespace {
 
-/// Values at the middles of equal cells on [-1/2, 1/2], joined by straight lines.
-double interpolated(const std::vector<double>& values, double xi) {
-  const double place = (xi + 0.5) * static_cast<double>(values.size()) - 0.5;
-  const std::size_t i = place <= 0 ? 0 : std::min(static_cast<std::size_t>(place), values.size() - 2);
-  const double part = std::clamp(place - static_cast<double>(i), 0.0, 1.0);
-  return values[i] + part * (values[i + 1] - values[i]);
+/// Values at the middles of equal cells, joined by straight lines, as many cells' lengths as this from the first middle.
+double interpolated(const std::vector<double>& values, double cells) {
+  const std::size_t i = cells <= 0 ? 0 : std::min(static_cast<std::size_t>(cells), values.size() - 2);
+  return values[i] + (cells - static_cast<double>(i)) * (values[i + 1] - values[i]);
+}
+
+/// The same at xi, on cells of [-1/2, 1/2]; constant beyond the outermost middles.
+double interpolated_within(const std::vector<double>& values, double xi) {
+  const auto n = static_cast<double>(values.size());
+  return interpolated(values, std::clamp((xi + 0.5) * n - 0.5, 0.0, n - 1));
 }
 
 /// The sum of f(i) over all cells in contact.
@@ -44,11 +48,7 @@ Estimate<double> VariationalSolution::traction(std::size_t cell) const {
 }
 
 double VariationalSolution::displacement(double xi) const {
-  const std::size_t n = displacement_.size();
-  const double place = (xi - mesh().left(0)) / mesh().length(0) - 0.5;
-  const std::size_t i = place <= 0 ? 0 : std::min(static_cast<std::size_t>(place), n - 2);
-  const double part = place - static_cast<double>(i);
-  return displacement_[i] + part * (displacement_[i + 1] - displacement_[i]);
+  return interpolated(displacement_, (xi - mesh().left(0)) / mesh().length(0) - 0.5);
 }
 
 TwoSided<double> VariationalSolution::slope_beyond(double slope) const {
@@ -233,11 +233,11 @@ TwoSided<double> VariationalSolution::shear_slope(double xi, const TwoSided<doub
   }
   const auto& [fine, coarse] =
       shear_transforms_([this] { return std::pair(shear_transform(traction_), shear_transform(coarse_traction_)); });
-  const double here = interpolated(fine, xi);
+  const double here = interpolated_within(fine, xi);
   const double cell = mesh().length(0);
-  const double change =
-      std::max(std::abs(here - interpolated(fine, xi - cell)), std::abs(here - interpolated(fine, xi + cell)));
-  const Estimate<double> transform{here, std::max(std::abs(here - interpolated(coarse, xi)), change / 2)};
+  const double change = std::max(std::abs(here - interpolated_within(fine, xi - cell)),
+                                 std::abs(here - interpolated_within(fine, xi + cell)));
+  const Estimate<double> transform{here, std::max(std::abs(here - interpolated_within(coarse, xi)), change / 2)};
   return {c * (transform + gamma * traction.left), c * (transform + gamma * traction.right)};
 }
 

@@ -52,7 +52,7 @@ bool VariationalSolution::reaches_edge() const {
 }
 
 std::vector<double> VariationalSolution::touching_pressures() const {
-  std::vector<double> result = variational::touching_state(problem_, found_.fine).state.pressure;
+  std::vector<double> result = variational::touching_state(problem_, found_.fine).pressure;
   for (double& p : result) p *= stress_;
   return result;
 }
