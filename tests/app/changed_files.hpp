@@ -25,15 +25,18 @@ inline std::string file_of(const std::string& changes) {
   return text;
 }
 
-/// As sections_of reads them; the first section, the good file, is none of them.
+/// As sections_of reads them, without the good files, each of which is that of the sections below it.
 inline std::vector<std::pair<std::string, std::string>> changed_files(const std::string& table) {
-  auto sections = sections_of(table);
-  const std::string good = sections.front().second;
-  sections.erase(sections.begin());
-  for (auto& [head, text] : sections) {
-    if (text.starts_with("~ ")) text = file_of(good + text);
+  std::vector<std::pair<std::string, std::string>> files;
+  std::string good;
+  for (const auto& [head, text] : sections_of(table)) {
+    if (head.starts_with("good")) {
+      good = text;
+    } else {
+      files.emplace_back(head, text.starts_with("~ ") ? file_of(good + text) : text);
+    }
   }
-  return sections;
+  return files;
 }
 
 }  // namespace steadyslide::testing

@@ -99,15 +99,10 @@ Finished run_program(const std::vector<std::string>& arguments, const fs::path& 
   return run(program(arguments), folder, input, where, [](pid_t) {});
 }
 
-Finished run_program_for(int seconds, const std::vector<std::string>& arguments, const fs::path& folder) {
-  std::vector<std::string> command = program(arguments);
-  command.insert(command.begin(), {"timeout", std::to_string(seconds)});
-  return run_other(command, folder);
-}
-
-Finished run_without_stderr(const std::vector<std::string>& arguments, const fs::path& folder) {
-  std::vector<std::string> command = program(arguments);
-  command.insert(command.begin(), {"sh", "-c", "exec \"$@\" 2> /dev/full", "sh"});
+Finished run_program_by(std::vector<std::string> command, const std::vector<std::string>& arguments,
+                        const fs::path& folder) {
+  const std::vector<std::string> whole = program(arguments);
+  command.insert(command.end(), whole.begin(), whole.end());
   return run_other(command, folder);
 }
 

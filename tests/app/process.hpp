@@ -23,11 +23,9 @@ enum class Stdout { captured, closed_pipe, full_device };
 Finished run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
                      const std::string& input = "", Stdout where = Stdout::captured);
 
-/// The same for at most so many seconds; the exit code is 124 for a program that does not end.
-Finished run_program_for(int seconds, const std::vector<std::string>& arguments, const std::filesystem::path& folder);
-
-/// The same with a standard error that cannot be written.
-Finished run_without_stderr(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
+/// The same as an argument of another command: {"timeout", "20"} ends a program that does not, with the exit code 124.
+Finished run_program_by(std::vector<std::string> command, const std::vector<std::string>& arguments,
+                        const std::filesystem::path& folder);
 
 /// The same with a terminal as its standard error: `err` is what the terminal was sent.
 Finished run_on_terminal(const std::vector<std::string>& arguments, const std::filesystem::path& folder,

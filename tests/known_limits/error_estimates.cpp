@@ -176,15 +176,9 @@ class Comparison {
 
 double EstimatedNumbers::median_too_large() const { return median(too_large); }
 
-std::size_t EstimateAudit::all() const {
+std::size_t EstimateAudit::sum_of(std::size_t EstimatedNumbers::*part) const {
   std::size_t sum = 0;
-  for (const auto& [kind, of_kind] : numbers) sum += of_kind.count;
-  return sum;
-}
-
-std::size_t EstimateAudit::honest() const {
-  std::size_t sum = 0;
-  for (const auto& [kind, of_kind] : numbers) sum += of_kind.honest;
+  for (const auto& [kind, of_kind] : numbers) sum += of_kind.*part;
   return sum;
 }
 

@@ -29,8 +29,9 @@ struct EstimateAudit {
   std::vector<std::string> dishonest;               ///< one a line: seed, kind, place, value, what it is off by
   std::vector<std::string> different;               ///< seeds with contacts that differ in kind, and how
 
-  std::size_t all() const;
-  std::size_t honest() const;
+  std::size_t sum_of(std::size_t EstimatedNumbers::*part) const;
+  std::size_t all() const { return sum_of(&EstimatedNumbers::count); }
+  std::size_t honest() const { return sum_of(&EstimatedNumbers::honest); }
   double median_too_large() const;
   std::string text() const;
   /// Empty, or the first of these faults: an estimate that is not honest; a median of estimate/(true error) above

@@ -57,19 +57,6 @@ inline std::string file_text(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// A table as a text: lines, and below each, indented, what belongs to it. Lines that begin with # are for readers.
-inline std::vector<std::pair<std::string, std::string>> pairs_of(const std::string& file) {
-  std::vector<std::pair<std::string, std::string>> pairs;
-  for (const std::string& line : lines(file_text(file))) {
-    if (line.starts_with("    ")) {
-      pairs.back().second = line.substr(4);
-    } else if (!line.starts_with("#")) {
-      pairs.emplace_back(line, "");
-    }
-  }
-  return pairs;
-}
-
 /// A table of texts: behind each line that begins with "=== " stands its head, below it the text.
 inline std::vector<std::pair<std::string, std::string>> sections_of(const std::string& file) {
   std::vector<std::pair<std::string, std::string>> sections;

@@ -1,6 +1,8 @@
-// Bad command lines: the whole message and the exit code of each; help.
+// Bad command lines: the whole message and the exit code of each; help. In bad_command_lines.json stands what steadyslide says of
+// each after "steadyslide: command line: ". {a,b} stands for two lines, one with a and one with b; {} is the one that stands there.
 
 #include "app/command_line.hpp"
+#include "support/rows.hpp"
 
 TEST_CASE("bad command lines: message, exit code, no output") {
   const TemporaryFolder folder;
@@ -16,7 +18,7 @@ TEST_CASE("bad command lines: message, exit code, no output") {
     CAPTURE(message);
     check_refused(folder.run(arguments), "command line: " + message);
   };
-  const auto bad_lines = pairs_of(STEADYSLIDE_TESTS "/app/commands/bad_command_lines.txt");
+  const auto bad_lines = rows_of(STEADYSLIDE_TESTS "/app/commands/bad_command_lines.json");
   CHECK(bad_lines.size() >= 70);
   for (const auto& [line, message] : bad_lines) {
     for (const auto& [command, name] : choices(line)) refused(arguments_of(command), filled(message, name));

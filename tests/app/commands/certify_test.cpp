@@ -4,8 +4,6 @@
 
 namespace {
 
-const std::string notch = problem_text("notch_below_threshold");
-
 /// Every number with an error: is the other answer's number within both errors? How many are there?
 int check_enclosed(const Json& proved, const Json& other) {
   return sum_over_numbers(proved, other, [](const Json& a, const Json& b) {
@@ -55,10 +53,8 @@ TEST_CASE("digits shown are proved ones; a number that has none is shown with it
 
 TEST_CASE("a notch below its threshold: the gap of 1e-93 is proved, and has a certificate") {
   const TemporaryFolder folder;
-  const Finished finished = folder.run({"solve", "-", "--certificate", "gap.json", "--format", "json"}, notch);
-  CHECK(finished.code == 0);
-  CHECK(finished.err == "");
-  const Json proved = Json::parse(finished.out);
+  const Json proved = json_of(folder.run({"solve", "-", "--certificate", "gap.json", "--format", "json"},
+                                         problem_text("notch_below_threshold")));
   REQUIRE(proved["contact"].size() == 2);
   CHECK(number(proved["contact"][1]["left"]["x"]) > 0);
   CHECK(number(proved["contact"][1]["left"]["x"]) < 1e-3_r);
@@ -72,8 +68,7 @@ TEST_CASE("a notch below its threshold: the gap of 1e-93 is proved, and has a ce
 TEST_CASE("what is not proved is printed as the solver has it, with the reason, exit code 1 and no certificate") {
   const TemporaryFolder folder;
   // Under this load the wedge's left flank just ends: an exact threshold.
-  const Finished finished =
-      folder.run({"solve", "-", "--certificate", "none.json"}, problem_text("edge_without_pressure"));
+  const Finished finished = folder.run(words("solve - --certificate none.json"), problem_text("edge_without_pressure"));
   CHECK(finished.code == 1);
   CHECK(holds(finished.out, "\nnot proved: "));
   CHECK(holds(finished.err, ": not proved: "));
@@ -81,8 +76,7 @@ TEST_CASE("what is not proved is printed as the solver has it, with the reason, 
 }
 
 TEST_CASE("loads are proved, and all loads between them") {
-  const Json rows = Json::parse(
-      output(problem_text("parabola"), {"--load-steps", "0.5,1,2", "--certify", "--format", "json", "--digits", "30"}));
+  const Json rows = solve(problem_text("parabola"), words("--load-steps 0.5,1,2 --certify --digits 30"));
   std::string statuses;
   for (const Json& row : rows) {
     CHECK(row["failed_condition"].is_null());
@@ -102,9 +96,8 @@ TEST_CASE("on cells load shares are enclosed, and the other method's lie there; 
   for (std::size_t k = 0; k < 2; ++k) {
     const Json& share = proved["resultants"]["load_share"][k];
     CHECK(keys(share) == "mid rad");
-    const Rational error = error_of(share);
-    CHECK(abs(number(share) - number(exact["resultants"]["load_share"][k])) <= error);
-    CHECK(error < 0.02_r);
+    CHECK(abs(number(share) - number(exact["resultants"]["load_share"][k])) <= error_of(share));
+    CHECK(error_of(share) < 0.02_r);
   }
   const TemporaryFolder folder;
   const auto certified = [&](const char* problem) {
@@ -124,10 +117,9 @@ TEST_CASE("on cells load shares are enclosed, and the other method's lie there; 
 
 TEST_CASE("a certificate for all loads between two: boxes that follow each other; none over an event") {
   const TemporaryFolder folder;
-  const Finished finished =
-      folder.run({"solve", "-", "--load-steps", "0.5,1", "--certificate", "loads.json"}, problem_text("parabola"));
-  CHECK(finished.err == "");
-  CHECK(finished.code == 0);
+  const std::string parabola = problem_text("parabola"),
+                    certify = "solve - --load-steps 0.5,1 --certificate loads.json";
+  out_of(folder.run(words(certify), parabola));
   const Json certificate = Json::parse(folder.read("loads.json"));
   CHECK(certificate["kind"] == "loads");
   CHECK(certificate["problem"]["loads"] == Json::parse(R"(["0.5", "1"])"));
@@ -138,20 +130,21 @@ TEST_CASE("a certificate for all loads between two: boxes that follow each other
   }
   CHECK(last == "1");
   // In between the contact's end passes the jump: at the load 0.557387094, by bisection of its end in 50 digits.
-  const std::string passing = replaced(problem_text("parabola"), "jumps = [0]", "jumps = [0.25]");
-  const Finished event = folder.run({"solve", "-", "--load-steps", "0.5,2", "--certificate", "none.json"}, passing);
+  const std::string passing = replaced(parabola, "jumps = [0]", "jumps = [0.25]");
+  const Finished event = folder.run(words("solve - --load-steps 0.5,2 --certificate none.json"), passing);
   CHECK(event.code == 1);
   CHECK(holds(event.err, "0.557387"));
   CHECK(holds(event.err, "the right end of contact passes the friction jump at x = 0.25"));
   CHECK(folder.names() == std::vector<std::string>{"loads.json"});
   // However many threads there are.
   const std::string written = folder.read("loads.json");
-  const std::string followed = run_program({"solve", "-", "--load-steps", "0.5,2", "--certify"}, ".", passing).out;
-  for (const char* jobs : {"1", "3"}) {
-    out_of(folder.run({"solve", "-", "--load-steps", "0.5,1", "--certificate", "loads.json", "--jobs", jobs},
-                      problem_text("parabola")));
+  const auto followed = [&](const std::string& jobs) {
+    return run(passing, words("--load-steps 0.5,2 --certify" + jobs)).out;
+  };
+  const std::string one_by_one = followed("");
+  for (const std::string jobs : {" --jobs 1", " --jobs 3"}) {
+    out_of(folder.run(words(certify + jobs), parabola));
     CHECK((folder.read("loads.json") == written));
-    CHECK(run_program({"solve", "-", "--load-steps", "0.5,2", "--certify", "--jobs", jobs}, ".", passing).out ==
-          followed);
+    CHECK(followed(jobs) == one_by_one);
   }
 }

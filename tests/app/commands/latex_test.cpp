@@ -19,21 +19,14 @@ void compile(const TemporaryFolder& folder, bool fits) {
 }
 
 /// The prose of a document, and its formulas: what stands between dollars or in displays.
-struct Parts {
-  std::string prose;
-  std::string formulas;
-};
-
-Parts parts(const std::string& document) {
-  Parts result;
-  std::string text = document.substr(document.find("\\begin{document}"));
+std::pair<std::string, std::string> parts(const std::string& document) {
+  std::string prose, formulas, text = document.substr(document.find("\\begin{document}"));
   const std::regex formula("\\$[^$]*\\$|\\\\\\[[^]*?\\\\\\]");
   for (std::smatch match; std::regex_search(text, match, formula); text = match.suffix()) {
-    result.prose += match.prefix().str() + " ";
-    result.formulas += match.str() + "\n";
+    prose += match.prefix().str() + " ";
+    formulas += match.str() + "\n";
   }
-  result.prose += text;
-  return result;
+  return {prose + text, formulas};
 }
 
 /// Formulas are formulas, in the prose too, and every name has its sign.
@@ -67,9 +60,9 @@ void check_compiles(const Arguments& arguments, const std::string& input = "",
 }  // namespace
 
 TEST_CASE("tables compile, narrow and wide") {
-  check_compiles({"table", "--poisson=-0.5:0.45:0.05", "--rear", "0:2:0.5", "--front", "0,1e-30,1.5"});
-  check_compiles({"table", "--poisson", "0.3", "--rear", "0.1", "--front", "0.2", "--digits", "100"});
-  check_compiles({"table", "--poisson", "0", "--rear", "0", "--front", "0", "--digits", "1"});
+  check_compiles(words("table --poisson=-0.5:0.45:0.05 --rear 0:2:0.5 --front 0,1e-30,1.5"));
+  check_compiles(words("table --poisson 0.3 --rear 0.1 --front 0.2 --digits 100"));
+  check_compiles(words("table --poisson 0 --rear 0 --front 0 --digits 1"));
 }
 
 TEST_CASE("exponents compile") { check_compiles({"exponents", "-", "--digits", "50"}, problem_text("four_pieces")); }

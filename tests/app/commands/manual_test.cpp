@@ -6,8 +6,7 @@
 
 namespace {
 
-const std::vector<std::string> command_names{"verify", "exponents", "table",   "solve",
-                                             "design", "sweep",     "figures", "report"};
+const std::vector<std::string> command_names = words("verify exponents table solve design sweep figures report");
 
 /// The options that --help of a command lists.
 std::set<std::string> options_of(const std::string& command) {

@@ -10,27 +10,23 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const Arguments small_table{"table", "--poisson", "0.3", "--rear", "0.2", "--front", "0.4"};
+const Arguments small_table = words("table --poisson 0.3 --rear 0.2 --front 0.4");
 
 Arguments into(const std::string& file) { return joined(small_table, {"-o", file}); }
 
 /// More than a second's work.
-const Arguments long_solve{
-    "solve", STEADYSLIDE_EXAMPLES "/rough_surface.toml", "--method", "variational", "--cells", "1048576", "-o",
-    "result"};
+const Arguments long_solve = joined({"solve", STEADYSLIDE_EXAMPLES "/rough_surface.toml"},
+                                    words("--method variational --cells 1048576 -o result"));
 
 }  // namespace
 
 TEST_CASE("-o writes what the standard output would get, replaces, and leaves nothing else") {
   const TemporaryFolder folder;
-  const Finished plain = folder.run(small_table);
-  REQUIRE(plain.code == 0);
+  const std::string plain = out_of(folder.run(small_table));
   folder.write("result", std::string(100000, 'x'));
   fs::permissions(folder.path() / "result", fs::perms(0640));
-  const Finished finished = folder.run(into("result"));
-  CHECK(finished.code == 0);
-  CHECK(finished.out == "");
-  CHECK(folder.read("result") == plain.out);
+  CHECK(out_of(folder.run(into("result"))) == "");
+  CHECK(folder.read("result") == plain);
   CHECK(fs::status(folder.path() / "result").permissions() == fs::perms(0640));
   CHECK(folder.names() == std::vector<std::string>{"result"});
 }
@@ -63,8 +59,9 @@ TEST_CASE("what cannot be read or written is exit code 3") {
 
 TEST_CASE("a standard error that cannot be written changes no exit code") {
   const TemporaryFolder folder;
-  CHECK(run_without_stderr({"solve", "none.toml"}, folder.path()).code == 3);
-  CHECK(run_without_stderr({"solve"}, folder.path()).code == 2);
+  const Arguments without_stderr{"sh", "-c", "exec \"$@\" 2> /dev/full", "sh"};
+  CHECK(run_program_by(without_stderr, {"solve", "none.toml"}, folder.path()).code == 3);
+  CHECK(run_program_by(without_stderr, {"solve"}, folder.path()).code == 2);
 }
 
 TEST_CASE("no input is a pipe or a device, the standard input excepted") {
@@ -77,7 +74,7 @@ TEST_CASE("no input is a pipe or a device, the standard input excepted") {
   folder.write("sweep.toml", "problem = \"pipe\"\n[vary]\nload = [1]\n");
   // Who waits for a writer waits for ever.
   const auto refused = [&](const Arguments& arguments, const std::string& message) {
-    check_refused(run_program_for(20, arguments, folder.path()), message);
+    check_refused(run_program_by({"timeout", "20"}, arguments, folder.path()), message);
   };
   const auto rule = [](const std::string& kind) {
     return ":1: no regular file; " + kind + " is one, or comes from the standard input; ";
@@ -113,9 +110,9 @@ TEST_CASE("a full device and a closed pipe are failures") {
 TEST_CASE("an interrupted run leaves no file and says 130") {
   for (const int signal : {SIGINT, SIGTERM}) {
     const TemporaryFolder folder{{"result", "earlier"}};
-    const Finished finished = run_and_interrupt({"table", "--poisson=-0.5:0.45:0.01", "--rear", "0:1:0.01", "--front",
-                                                 "0:1:0.01", "--digits", "100", "-o", "result"},
-                                                folder, signal);
+    const Finished finished = run_and_interrupt(
+        words("table --poisson=-0.5:0.45:0.01 --rear 0:1:0.01 --front 0:1:0.01 --digits 100 -o result"), folder,
+        signal);
     CHECK(finished.code == 130);
     CHECK(folder.names() == std::vector<std::string>{"result"});
     CHECK(folder.read("result") == "earlier");

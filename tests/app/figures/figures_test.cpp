@@ -25,10 +25,7 @@ void check_texts(const Figure& figure, const std::string& svg) {
   CHECK(holds(shown, figure.title + "\n"));
   CHECK(holds(shown, "steadyslide figures --figure " + figure.name + "\n"));
   for (const Panel& panel : figure.panels) {
-    for (const Axis* axis : {&panel.x, &panel.y}) {
-      CAPTURE(axis->label);
-      CHECK(holds(shown, plain(axis->label)));
-    }
+    for (const Axis* axis : {&panel.x, &panel.y}) CHECK_MESSAGE(holds(shown, plain(axis->label)), axis->label);
     if (panel.map) CHECK(holds(shown, plain(panel.map->label)));
     for (const Note& note : panel.notes) CHECK(holds(shown, plain(note.text)));
     for (const Series& series : panel.series) {
@@ -44,17 +41,14 @@ void check_texts(const Figure& figure, const std::string& svg) {
 /// Has it a unit, or a name without one? (Numbers: cells, nodes, friction, relative errors.)
 bool has_unit(const std::string& label) {
   if (label.empty() || holds(label, "/") || holds(label, "(")) return true;
-  const std::set<std::string> pure{"cells N",
-                                   "nodes n of a rule",
-                                   "relative error of an equation",
-                                   "friction of the right coating f",
-                                   "friction on the left f−",
-                                   "friction on the right f+"};
-  return pure.contains(plain(label));
+  const std::vector<std::string> pure = lines(
+      "cells N\nnodes n of a rule\nrelative error of an equation\nfriction of the right coating f\n"
+      "friction on the left f−\nfriction on the right f+\n");
+  return std::ranges::count(pure, plain(label)) > 0;
 }
 
 Finished with_path(const std::string& path, const std::filesystem::path& folder) {
-  return run_other({"env", "PATH=" + path, STEADYSLIDE_EXECUTABLE, "figures", "-o", "out"}, folder);
+  return run_program_by({"env", "PATH=" + path}, {"figures", "-o", "out"}, folder);
 }
 
 }  // namespace
@@ -107,10 +101,8 @@ TEST_CASE("every figure is written, whole, the same each time, and shows its tit
 
 TEST_CASE("some figures, by patterns; none is an error") {
   const TemporaryFolder folder;
-  const Finished two = folder.run({"figures", "--figure", "friction-jump-*", "--figure", "parabol?"});
-  CHECK(two.code == 0);
-  CHECK(folder.names() ==
-        std::vector<std::string>{"friction-jump-falling.svg", "friction-jump-rising.svg", "parabola.svg"});
+  CHECK(folder.run({"figures", "--figure", "friction-jump-*", "--figure", "parabol?"}).code == 0);
+  CHECK(folder.names() == words("friction-jump-falling.svg friction-jump-rising.svg parabola.svg"));
 
   const Finished help = run_alone({"figures", "--help"});
   for (const FigureMaker& maker : figures()) CHECK(holds(help.out, "  " + maker.name + "\n"));

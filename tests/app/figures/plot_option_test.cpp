@@ -41,8 +41,9 @@ struct Scale {
   double operator()(double at) const { return value + (at - place) * unit; }
   static Scale through(const Points& tics) {
     REQUIRE(tics.size() >= 2);
-    const auto [first, last] = std::pair(tics.front(), tics.back());
-    return {first.first, first.second, (last.second - first.second) / (last.first - first.first)};
+    const auto& [from, low] = tics.front();
+    const auto& [to, high] = tics.back();
+    return {from, low, (high - low) / (to - from)};
   }
 };
 
@@ -140,36 +141,29 @@ TEST_CASE("the curves are the samples of the result, for every method") {
   const auto bumps = [](double x) { return (x * x - 1) * (x * x - 1) / 4; };
   const auto flat = [](double) { return 0.0; };
   struct Plotted {
-    const char* file;
-    Arguments options;
+    const char *file, *options;
     double (*psi)(double);
     std::size_t components;
-    std::vector<const char*> texts;
+    std::string texts;
   };
-  const std::vector<Plotted> plots{
-      {"two_bumps.toml",
-       {},
-       bumps,
-       2,
-       {"two_bumps.toml, load 0.1, sliding towards +x", "steadyslide " STEADYSLIDE_VERSION ", riemann-hilbert", "0.491",
-        "0.563", "contact", "user's unit of length"}},
-      {"two_bumps.toml", {"--method", "variational", "--cells", "512"}, bumps, 2, {"variational"}},
-      {"two_bumps.toml", {"--digits", "30"}, bumps, 2, {}},
-      {"two_coatings_backward.toml",
-       {"--certify"},
-       flat,
-       1,
-       {"closed-form", "sliding towards −x", "0.0471", "exponent", ", cut at 3"}},
-      {"three_jumps.toml", {}, flat, 1, {"−0.532", "−0.0894", "0.121", "−0.0628", "−0.437"}}};
+  const std::string of_bumps = "two_bumps.toml, load 0.1, sliding towards +x\nsteadyslide " STEADYSLIDE_VERSION
+                               ", riemann-hilbert\n0.491\n0.563\n"
+                               "contact\nuser's unit of length";
+  const std::vector<Plotted> plots{{"two_bumps.toml", "", bumps, 2, of_bumps},
+                                   {"two_bumps.toml", "--method variational --cells 512", bumps, 2, "variational"},
+                                   {"two_bumps.toml", "--digits 30", bumps, 2, ""},
+                                   {"two_coatings_backward.toml", "--certify", flat, 1,
+                                    "closed-form\nsliding towards −x\n0.0471\nexponent\n, cut at 3"},
+                                   {"three_jumps.toml", "", flat, 1, "−0.532\n−0.0894\n0.121\n−0.0628\n−0.437"}};
   for (const auto& [file, options, psi, components, texts] : plots) {
     CAPTURE(file);
     const TemporaryFolder folder;
     const std::string picture = (folder.path() / "p.svg").string();
-    const Json solution = solve_example(file, joined(options, {"--samples", "400", "--plot", picture}));
+    const Json solution = solve_example(file, joined(words(options), {"--samples", "400", "--plot", picture}));
     CHECK(folder.names() == std::vector<std::string>{"p.svg"});
     const std::string svg = folder.read("p.svg");
     CHECK(is_well_formed(svg));
-    for (const char* text : texts) CHECK_MESSAGE(holds(shown_text(svg), text), text);
+    for (const std::string& text : lines(texts)) CHECK_MESSAGE(holds(shown_text(svg), text), text);
 
     PlottedPanel above(svg, 'a');
     const PlottedPanel below(svg, 'b');
@@ -204,13 +198,12 @@ TEST_CASE("the curves are the samples of the result, for every method") {
 }
 
 TEST_CASE("a picture has the numbers of a far and a small problem") {
-  for (const auto& [support, profile, load] : {std::tuple("[\"999999\", \"1000001\"]", "(x-1000000)^2/2", "0.1"),
-                                               {"[\"-1e-9\", \"1e-9\"]", "1e8*x^2", "1e-12"}}) {
+  for (const std::string indenter :
+       {"load = 0.1\nindenter = {support = [999999, 1000001], profile = '(x-1000000)^2/2'}\n",
+        "load = '1e-12'\nindenter = {support = ['-1e-9', '1e-9'], profile = '1e8*x^2'}\n"}) {
     const TemporaryFolder folder;
     out_of(folder.run({"solve", "-", "-o", "text", "--plot", "p.svg"},
-                      std::string("load = \"") + load +
-                          "\"\n[half_space]\npoisson = 0.3\n[friction]\nvalues = [0.2]\n" +
-                          "[indenter]\nsupport = " + support + "\nprofile = \"" + profile + "\"\n"));
+                      indenter + "half_space.poisson = 0.3\nfriction.values = [0.2]\n"));
     const std::string svg = folder.read("p.svg");
     check_holds(shown_text(svg), {"standard input", "surface", "shear"});
     // A curve goes up and down over a good part of its panel.
@@ -241,9 +234,8 @@ TEST_CASE("what is not solved is drawn as that, a trace as far as it is seen") {
   const std::string picture = (folder.path() / "p.svg").string();
   CHECK(run_example("rough_surface.toml", {"--plot", picture}).code == 0);
   check_holds(shown_text(folder.read("p.svg")), {"rough_surface.toml", "−0.0271"});
-  CHECK(run_example("two_bumps.toml",
-                    {"--method", "variational", "--cells", "256", "--iterations", "1", "--plot", picture})
-            .code == 1);
+  const Arguments unsolved = words("--method variational --cells 256 --iterations 1 --plot");
+  CHECK(run_example("two_bumps.toml", joined(unsolved, {picture})).code == 1);
   check_holds(shown_text(folder.read("p.svg")), {"NOT SOLVED: two_bumps.toml"});
 }
 
@@ -258,9 +250,9 @@ TEST_CASE("without a picture nothing is solved, and nothing is left behind") {
   refused({"--plot", "p.svg", "--method", "variational", "--cells", "8"},
           "command line: --cells: out of range; it is a whole number from 16 to 4194304; '8'", 2);
   // A PATH without gnuplot.
-  const Finished missing = run_other({"env", "PATH=" + folder.path().string(), STEADYSLIDE_EXECUTABLE, "solve",
-                                      STEADYSLIDE_EXAMPLES "/parabola.toml", "--plot", "p.svg"},
-                                     folder.path());
+  const Finished missing =
+      run_program_by({"env", "PATH=" + folder.path().string()},
+                     {"solve", STEADYSLIDE_EXAMPLES "/parabola.toml", "--plot", "p.svg"}, folder.path());
   check_refused(missing, "gnuplot: not found; figures are drawn by gnuplot 5.4 or later (Debian's package gnuplot-nox)",
                 3);
   CHECK(folder.names().empty());

@@ -264,7 +264,7 @@ TEST_CASE("sweep: rows that are missing or doubled are noticed, and a part that 
   std::filesystem::remove(folder.path() / "out.part");
   REQUIRE(::mkfifo((folder.path() / "out.part").c_str(), 0600) == 0);
   for (const char* resume : {"--resume", "-j2"}) {
-    check_refused(run_program_for(20, {"sweep", "sweep.toml", "-o", "out", resume}, folder.path()),
+    check_refused(run_program_by({"timeout", "20"}, {"sweep", "sweep.toml", "-o", "out", resume}, folder.path()),
                   "out.part:1: no regular file; rows are kept in one until they are all there; a pipe or a device");
   }
 }

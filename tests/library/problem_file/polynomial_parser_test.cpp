@@ -2,7 +2,7 @@
 
 #include "library/problem_file/polynomial_parser.hpp"
 #include "model/invalid_data.hpp"
-#include "support/test.hpp"
+#include "support/rows.hpp"
 
 using namespace steadyslide::library;
 
@@ -20,7 +20,8 @@ std::string polynomial_error(std::string_view text) {
 }  // namespace
 
 TEST_CASE("the grammar") {
-  for (const auto& [text, coefficients] : pairs_of(STEADYSLIDE_TESTS "/library/problem_file/polynomials.txt")) {
+  // Polynomials as they may be written, and their coefficients of 1, x, x^2, ...
+  for (const auto& [text, coefficients] : rows_of(STEADYSLIDE_TESTS "/library/problem_file/polynomials.json")) {
     std::vector<Rational> expected;
     for (const std::string& c : words(coefficients)) expected.emplace_back(c);
     CHECK_MESSAGE(parse(text) == Polynomial(expected), text);
@@ -31,7 +32,7 @@ TEST_CASE("the grammar") {
 }
 
 TEST_CASE("every error says its place") {
-  const auto errors = pairs_of(STEADYSLIDE_TESTS "/library/problem_file/polynomial_errors.txt");
+  const auto errors = rows_of(STEADYSLIDE_TESTS "/library/problem_file/polynomial_errors.json");
   CHECK(errors.size() >= 16);
   for (const auto& [text, message] : errors) CHECK(polynomial_error(text) == message);
   CHECK(polynomial_error("") == "missing value at character 1; expected a number, x or (; ''");

@@ -15,11 +15,10 @@ const std::string base =
 Axis axis(const std::string& path, const std::vector<std::string>& texts) {
   VariedDatum datum{path, 7, {}};
   for (const std::string& text : texts) {
-    Value value;
+    Value& value = datum.values.emplace_back();
     value.kind = Value::Kind::text;
     value.line = 7;
     value.text = text;
-    datum.values.push_back(value);
   }
   return {datum};
 }

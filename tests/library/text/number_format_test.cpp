@@ -168,17 +168,14 @@ TEST_CASE("of a ball those digits are shown to which all its numbers are rounded
   const auto around = [](const char* middle, const char* radius) {
     return Ball::plus_or_minus(Ball(parse_rational(middle), 400), Ball(parse_rational(radius), 400));
   };
-  struct Row {
-    Ball ball;
-    int digits;
-    const char* shown;
-  };
-  for (const Row& row : {Row{around("1.23456789", "0"), 5, "1.2346"}, Row{around("1.23456789", "1e-4"), 16, "1.23"},
-                         Row{around("1.23456789", "3e-6"), 16, "1.2346"}, Row{around("0.5", "1e-60"), 50, "0.5"},
-                         Row{around("-1e-93", "1e-95"), 16, "-1e-93"}, Row{around("9.9996", "1e-4"), 16, "10"},
-                         Row{around("2", "1"), 5, "2 +/- 1.1"}, Row{around("0", "1e-30"), 5, "0 +/- 1.1e-30"},
-                         Row{Ball(0), 5, "0"}, Row{Ball::infinity(-1, 64), 5, "-inf"}, Row{Ball::unknown(64), 5, ""}}) {
-    CHECK(number_text(row.ball, row.digits).shown == row.shown);
+  using Row = std::tuple<Ball, int, const char*>;
+  for (const auto& [ball, digits, shown] :
+       {Row{around("1.23456789", "0"), 5, "1.2346"}, Row{around("1.23456789", "1e-4"), 16, "1.23"},
+        Row{around("1.23456789", "3e-6"), 16, "1.2346"}, Row{around("0.5", "1e-60"), 50, "0.5"},
+        Row{around("-1e-93", "1e-95"), 16, "-1e-93"}, Row{around("9.9996", "1e-4"), 16, "10"},
+        Row{around("2", "1"), 5, "2 +/- 1.1"}, Row{around("0", "1e-30"), 5, "0 +/- 1.1e-30"}, Row{Ball(0), 5, "0"},
+        Row{Ball::infinity(-1, 64), 5, "-inf"}, Row{Ball::unknown(64), 5, ""}}) {
+    CHECK(number_text(ball, digits).shown == shown);
   }
 }
 
@@ -189,9 +186,8 @@ TEST_CASE("a ball's value and error: every number in it is within the error of t
     const enclosure::Ball radius = power(enclosure::Ball(10, 64), -static_cast<int>(exponent));
     const auto ball = enclosure::Ball::plus_or_minus(enclosure::Ball(middle, 4000), radius);
     const NumberText text = number_text(ball, digits);
-    enclosure::Ball said(0, 4000);
+    enclosure::Ball said(0, 4000), error(0, 4000);
     arb_set_str(said.get(), text.value.c_str(), 4000);
-    enclosure::Ball error(0, 4000);
     arb_set_str(error.get(), text.error.c_str(), 4000);
     RC_ASSERT(arb_contains(enclosure::Ball::plus_or_minus(said, error).get(), ball.get()) != 0);
   }));

@@ -1,8 +1,6 @@
 #include "symbolic/statements/written_statements.hpp"
 
-#include <nlohmann/json.hpp>
-
-#include "support/test.hpp"
+#include "support/rows.hpp"
 
 using namespace steadyslide::symbolic;
 
@@ -52,9 +50,7 @@ TEST_CASE("statements decided elsewhere take the place that the text gives them"
 
 TEST_CASE("a text that cannot be read is refused") {
   // What stands in the place of the first equation, and the message.
-  const auto rows = nlohmann::json::parse(file_text(STEADYSLIDE_TESTS "/symbolic/statements/unreadable_lines.json"))
-                        .get<std::vector<std::pair<std::string, std::string>>>();
-  for (const auto& [line, message] : rows) {
+  for (const auto& [line, message] : rows_of(STEADYSLIDE_TESTS "/symbolic/statements/unreadable_lines.json")) {
     CAPTURE(line);
     std::string text = square;
     text.replace(text.find("equal it"), text.find("\n  for") - text.find("equal it"), line);
