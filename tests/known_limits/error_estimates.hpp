@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "numeric/number/estimate.hpp"
+#include "numeric/solution/contact_solution.hpp"
 #include "support/random_contact.hpp"
 
 namespace steadyslide::testing {
@@ -48,6 +48,10 @@ void compare_estimate(const std::string& kind, const numeric::Estimate<double>& 
                       const numeric::Estimate<numeric::Real50>& truth, EstimateAudit& audit,
                       const std::string& what = "");
 
+/// A solution in double beside the same one with 50 digits.
+void audit_solution(const std::string& name, const ContactProblem& problem,
+                    const numeric::ContactSolution<double>& found,
+                    const numeric::ContactSolution<numeric::Real50>& truth, bool detailed, EstimateAudit& audit);
 /// A problem by the Riemann-Hilbert method, and by its closed form where it has one; `detailed`: with what integrals of the
 /// traction say of places.
 void audit_solutions(const std::string& name, const ContactProblem& problem, bool detailed, EstimateAudit& audit);

@@ -3,7 +3,7 @@
 
 #include <tuple>
 
-#include "numeric/solution/contact_solution.hpp"
+#include "numeric/interior/interior_stress.hpp"
 #include "support/change_laws.hpp"
 
 namespace steadyslide::testing {
@@ -110,6 +110,16 @@ std::string difference(const ContactProblem& problem, const numeric::ContactSolu
     if (differs(height / scale, p.slope, q.slope, R(bend / (size * length)))) return "slope";
     if (p.gap.has_value() != q.gap.has_value()) return "support";
     if (p.gap && differs(height, {*p.gap, *p.gap}, {*q.gap, *q.gap}, bend)) return "gap";
+  }
+  const InteriorStress<R> below_a(before), below_b(after);
+  const Rational z(length / 7);
+  for (const Rational& x : places<R>(a)) {
+    const StressState<R> p = below_a.at(x, z), q = below_b.at(image.of(x), abs(image.scale) * z);
+    for (const auto& [name, expected, found] : {std::tuple("stress xx", R(p.xx.value), R(q.xx.value)),
+                                                {"stress zz", p.zz.value, q.zz.value},
+                                                {"stress xz", scale < 0 ? R(-p.xz.value) : p.xz.value, q.xz.value}}) {
+      if (!is_close<R>(factor * expected, found, within.traction * (2 * abs(factor * expected) + mean))) return name;
+    }
   }
   return "";
 }

@@ -1,6 +1,7 @@
 #pragma once
 // What the tests of the numeric layer start from.
 
+#include "numeric/number/estimate.hpp"
 #include "numeric/number/real.hpp"
 #include "support/test.hpp"
 
@@ -14,6 +15,16 @@ template <class R>
 R size_of(const R& x) {
   using std::abs;
   return abs(x);
+}
+
+/// The true error of a number in double, beside one of more digits.
+inline double off_by(const Estimate<double>& found, const Estimate<Real50>& truth) {
+  return static_cast<double>(size_of(Real50(found.value - truth.value)));
+}
+
+/// True if the estimated error covers the true one.
+inline bool within_error(const Estimate<double>& found, const Estimate<Real50>& truth) {
+  return off_by(found, truth) <= found.error;
 }
 
 /// |a - b| <= units of epsilon times the size of a, of b and of what cancels in them.

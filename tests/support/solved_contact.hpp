@@ -47,6 +47,30 @@ Solved<R> solved(const ContactProblem& problem, const numeric::ContactSolution<R
   return std::dynamic_pointer_cast<const numeric::RiemannHilbertSolution<R>>(attempt.solution);
 }
 
+/// Ends, intensities and tractions agree; b is a moved by `shift`.
+template <numeric::Real A, numeric::Real B>
+void solutions_agree(const numeric::ContactSolution<A>& a, const numeric::ContactSolution<B>& b, const B& tolerance,
+                     const Rational& shift = 0) {
+  using std::abs;
+  const auto za = a.contact();
+  const auto zb = b.contact();
+  REQUIRE(za.size() == zb.size());
+  const B rounding = tolerance * (1 + to_real<B>(abs(shift)));
+  const auto close = [](const B& x, const B& y, const B& scale) { CHECK(abs(x - y) <= scale); };
+  for (std::size_t k = 0; k < za.size(); ++k) {
+    for (const auto& [p, q] : {std::pair(za[k].left, zb[k].left), {za[k].right, zb[k].right}}) {
+      close(B(p.x.value) + to_real<B>(shift), q.x.value, rounding);
+      close(B(p.intensity.value), q.intensity.value, 100 * tolerance * q.intensity.value);
+    }
+    for (const int part : {1, 37, 64, 99}) {
+      const Rational left(za[k].left.x.value);
+      const Rational x = left + (Rational(za[k].right.x.value) - left) * part / 100;
+      const B t = b.at(x + shift).traction.left.value;
+      close(B(a.at(x).traction.left.value), t, 100 * tolerance * (1 + abs(t)));
+    }
+  }
+}
+
 template <numeric::Real R>
 numeric::SurfaceCheck<R> check_of(const numeric::TractionRepresentation<R>& form) {
   std::vector<R> s;
@@ -59,6 +83,33 @@ numeric::SurfaceCheck<R> check_of(const numeric::TractionRepresentation<R>& form
   return {traction_density(form), s, [&form, segments](std::size_t panel, const numeric::Node<R>& node) {
             return R(form.problem().slope(form.slope_at(segments[panel]), node.x) + form.tilt());
           }};
+}
+
+/// `density` times a factor.
+template <numeric::Real R>
+numeric::PanelDensity<R> scaled(const numeric::PanelDensity<R>& density, const R& factor) {
+  numeric::PanelDensity<R> result = density;
+  result.smooth = [smooth = density.smooth, factor](const numeric::Node<R>& node) { return R(factor * smooth(node)); };
+  return result;
+}
+
+/// act(j, side, surface) for each end of contact, point j, that a place in a gap is seen from: on which side of the contact the
+/// gap is, and how much higher the surface is at the place than at that end, by an unrelated quadrature.
+template <class Act>
+void from_ends_of_gap(const numeric::TractionRepresentation<double>& form, const numeric::SurfaceCheck<double>& check,
+                      const numeric::SurfacePoint<double>& at, const Act& act) {
+  const auto& set = form.set();
+  const auto k = static_cast<std::size_t>(at.segment);
+  std::size_t panels_before = 0;
+  for (std::size_t i = 0; i < k; ++i) panels_before += set.in_contact(i);
+  for (const End side : {End::left, End::right}) {
+    const bool right = side == End::right;
+    std::size_t j = right ? k : k + 1;
+    while (j > 0 && j < set.segments() && !set.point(j).is_end()) right ? --j : ++j;
+    if (!set.point(j).is_end()) continue;
+    const double distance = std::abs(form.distance(at, j));
+    act(j, side, check.displacement(right ? panels_before - 1 : panels_before, side, distance));
+  }
 }
 
 }  // namespace steadyslide::testing

@@ -6,7 +6,7 @@
 #include "numeric/interior/interior_stress.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
 #include "numeric/riemann_hilbert/riemann_hilbert.hpp"
-#include "support/numeric_test.hpp"
+#include "support/solved_contact.hpp"
 
 using namespace steadyslide;
 using namespace steadyslide::numeric;
@@ -55,9 +55,7 @@ TEST_CASE("u_t' by cells is what the trapezoidal rule makes of all panels, also 
     PiecewiseDensity<double> density = data.traction.density();
     for (std::size_t k = 0; k < density.size(); ++k) {
       const double ratio = to_real<double>(problem.shear_ratio(data.first_piece + k));
-      density[k].smooth = [smooth = density[k].smooth, ratio](const Node<double>& node) {
-        return ratio * smooth(node);
-      };
+      density[k] = scaled<double>(density[k], ratio);
     }
     const trapezoidal::Grid<double> shear(density);
     const double c = to_real<double>(problem.elasticity().compliance());

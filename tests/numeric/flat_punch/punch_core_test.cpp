@@ -56,8 +56,8 @@ TEST_CASE("digits agree with more digits, for large friction too") {
     const ContactProblem punch = reduced(s, {0.25_r}, one_piece(-1, 1, {0}), 1);
     const PunchCore<double> few = *punch_core<double>(punch);
     const PunchCore<Real50> more = *punch_core<Real50>(punch);
-    CHECK(std::abs(static_cast<double>(few.left.value - more.left.value)) <= few.left.error);
-    CHECK(std::abs(static_cast<double>(few.right.value - more.right.value)) <= few.right.error);
+    CHECK(within_error(few.left, more.left));
+    CHECK(within_error(few.right, more.right));
   }
 }
 

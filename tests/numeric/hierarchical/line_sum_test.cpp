@@ -13,21 +13,24 @@ struct Exact {
   long double size = 0;
 };
 
-Exact exact_far(const Line& line, const LineSum& sum, LineSum::Kernel kernel, std::size_t k, double from_left,
-                double from_right) {
-  std::vector<char> left_out(line.lengths.size(), 0);
-  left_out[k] = 1;
-  for (const auto& near : sum.near_to(k)) left_out[near.panel] = 1;
+Exact term(LineSum::Kernel kernel, long double d) {
+  const long double value = kernel == LineSum::Kernel::logarithm ? std::log(std::fabs(d))
+                            : kernel == LineSum::Kernel::cauchy  ? -1 / d
+                                                                 : 1 / std::fabs(d);
+  const long double size = std::fabs(value);
+  return {value, kernel == LineSum::Kernel::logarithm ? std::max(1.0L, size) : size};
+}
+
+/// The sum over the sources, one by one, at a place of panel k, without those of the panels left out.
+template <class Term>
+Exact exact_sum(const Line& line, const std::vector<char>& left_out, std::size_t k, double from_left, double from_right,
+                const Term& term) {
   Exact result;
   for (std::size_t i = 0; i < line.sources.size(); ++i) {
     if (left_out[line.sources[i].panel]) continue;
-    const long double d = offset(line, k, from_left, from_right, line.sources[i]);
-    const bool logarithm = kernel == LineSum::Kernel::logarithm;
-    const long double term = logarithm                           ? std::log(std::fabs(d))
-                             : kernel == LineSum::Kernel::cauchy ? -1 / d
-                                                                 : 1 / std::fabs(d);
-    result.value += line.weights[i] * term;
-    result.size += std::fabs(line.weights[i]) * (logarithm ? std::max(1.0L, std::fabs(term)) : std::fabs(term));
+    const Exact one = term(offset(line, k, from_left, from_right, line.sources[i]));
+    result.value += line.weights[i] * one.value;
+    result.size += std::fabs(line.weights[i]) * one.size;
   }
   return result;
 }
@@ -39,10 +42,13 @@ double worst_error(int kind, LineSum::Kernel kernel, double wrong_length) {
   const LineSum sum({kernel}, lengths, line.sources, {line.weights});
   double worst = 0;
   for (std::size_t k = 0; k < line.lengths.size(); ++k) {
+    std::vector<char> left_out(line.lengths.size(), 0);
+    left_out[k] = 1;
+    for (const auto& near : sum.near_to(k)) left_out[near.panel] = 1;
     for (const double part : {0.0, 1e-12, 0.2, 0.5, 1 - 1e-3, 1.0}) {
       const double left = part * line.lengths[k];
       const double right = line.lengths[k] - left;
-      const Exact exact = exact_far(line, sum, kernel, k, left, right);
+      const Exact exact = exact_sum(line, left_out, k, left, right, [&](long double d) { return term(kernel, d); });
       if (exact.size == 0) continue;
       const auto error = static_cast<double>(std::fabs(sum.far(0, k, left, right) - exact.value) / exact.size);
       worst = std::max(worst, error / std::numeric_limits<double>::epsilon());
@@ -92,23 +98,16 @@ TEST_CASE("cells at one place: beyond the line, around a panel, and rises") {
         return true;
       };
       sum.tree().around(k, left, right, takes, [&](std::size_t panel, double, Side) { left_out[panel] = 1; });
-      long double exact = 0, exact_rise = 0, size = 0, rise_size = 0;
-      for (std::size_t i = 0; i < line.sources.size(); ++i) {
-        if (left_out[line.sources[i].panel]) continue;
-        const long double d = offset(line, k, left, right, line.sources[i]);
-        const long double term = kernel == LineSum::Kernel::logarithm ? std::log(std::fabs(d))
-                                 : kernel == LineSum::Kernel::cauchy  ? -1 / d
-                                                                      : 1 / std::fabs(d);
-        exact += line.weights[i] * term;
-        exact_rise += line.weights[i] * std::log1p(step / d);
-        size += std::fabs(line.weights[i]) * std::max(1.0L, std::fabs(term));
-        rise_size += std::fabs(line.weights[i]);
-      }
+      const auto exact_of = [&](const auto& term) { return exact_sum(line, left_out, k, left, right, term); };
+      const Exact exact = exact_of([&](long double d) { return term(kernel, d); });
+      const Exact exact_rise = exact_of([&](long double d) { return Exact{std::log1p(step / d), 1}; });
+      const double tolerance = rounding(kernel) * std::numeric_limits<double>::epsilon();
       CAPTURE(kind);
-      REQUIRE(size > 0);
-      CHECK(std::fabs(value - exact) <= rounding(kernel) * std::numeric_limits<double>::epsilon() * size);
-      CHECK(std::fabs(rise - exact_rise) <= rounding(kernel) * std::numeric_limits<double>::epsilon() * rise_size);
-      CHECK(std::fabs(value - exact_rise) > 1e-9 * size);  // control: the other sum is another number
+      REQUIRE(exact.size > 0);
+      CHECK(std::fabs(value - exact.value) <= tolerance * exact.size);
+      CHECK(std::fabs(rise - exact_rise.value) <= tolerance * exact_rise.size);
+      // Control: the other sum is another number.
+      CHECK(std::fabs(value - exact_rise.value) > 1e-9 * exact.size);
     }
   }
 }

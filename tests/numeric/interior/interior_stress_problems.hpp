@@ -58,6 +58,35 @@ StressComponents<R> components(const StressState<R>& stress) {
 }
 
 template <Real R>
+void add(StressComponents<R>& sum, const StressComponents<R>& part) {
+  sum = {sum.xx + part.xx, sum.zz + part.zz, sum.xz + part.xz};
+}
+
+template <Real R>
+std::vector<Estimate<R>> numbers(const StressState<R>& s) {
+  return {s.xx, s.zz, s.xz, *s.yy, *s.mean(), *s.von_mises(), s.largest_shear(), s.gradient->x_z, s.gradient->z_x};
+}
+
+/// In double every number is as near to that of 50 digits as its error says.
+inline void errors_cover(const StressState<double>& found, const StressState<Real50>& truth) {
+  const auto a = numbers(found);
+  const auto b = numbers(truth);
+  for (std::size_t k = 0; k < a.size(); ++k) CHECK_MESSAGE(within_error(a[k], b[k]), "number ", k);
+}
+
+/// Pressure p and traction q along +x on [a, b]: angles from the strip's ends and a logarithm [Joh85, chapter 2].
+template <Real R>
+StressComponents<R> strip(const R& p, const R& q, const R& a, const R& b, const R& x, const R& z) {
+  using std::atan2, std::cos, std::log, std::sin;
+  const R l = x - a, r = x - b;
+  const R one = atan2(z, r), two = atan2(z, l), angle = 2 * (one - two), twice = 2 * pi<R>();
+  const R sines = sin(R(2 * one)) - sin(R(2 * two)), cosines = cos(R(2 * one)) - cos(R(2 * two));
+  const R logarithm = 2 * log(R((r * r + z * z) / (l * l + z * z)));
+  return {(-p * (angle + sines) + q * (logarithm - cosines)) / twice, (-p * (angle - sines) + q * cosines) / twice,
+          (p * cosines - q * (angle + sines)) / twice};
+}
+
+template <Real R>
 R difference(const StressComponents<R>& a, const StressComponents<R>& b) {
   return std::max({size_of(R(a.xx - b.xx)), size_of(R(a.zz - b.zz)), size_of(R(a.xz - b.xz))});
 }

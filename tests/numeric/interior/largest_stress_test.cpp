@@ -63,19 +63,12 @@ TEST_CASE("Hertz: the maximum under the middle, found by bisection of its slope 
 TEST_CASE("no place has more: jumps, strong friction, a punch below its least depth, cells") {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0, 1);
-  const ContactProblem punch_problem = punch();
-  struct Case {
-    std::shared_ptr<const ContactSolution<double>> solution;
-    bool unbounded;
-  };
-  VariationalOptions options;
-  options.cells = 256;
-  const std::vector<Case> cases{
+  const std::pair<std::shared_ptr<const ContactSolution<double>>, bool> cases[] = {
       {closed_form<double>(parabola_under(FrictionProfile({0.5_r, 0.2_r}, {0.1_r}))).solution, false},
       {closed_form<double>(parabola_under(FrictionProfile({0.8_r}))).solution, false},
-      {closed_form<double>(punch_problem).solution, true},
+      {closed_form<double>(punch()).solution, true},
       {riemann_hilbert<double>(corners()).solution, true},
-      {variational_inequality(jumps(), options).solution, true}};
+      {variational_inequality(jumps(), {.cells = 256}).solution, true}};
   for (const auto& [solution, unbounded] : cases) {
     CHECK(unbounded_places(*solution).empty() != unbounded);
     const InteriorStress<double> interior(*solution);
@@ -106,7 +99,7 @@ TEST_CASE("no place has more: jumps, strong friction, a punch below its least de
     CHECK(highest > (unbounded ? 0.5 : 0.95) * largest->von_mises.value);
   }
   // Strong friction has it at the surface.
-  CHECK(largest_stress<double>(InteriorStress<double>(*cases[1].solution), 0)->z.value == 0);
+  CHECK(largest_stress<double>(InteriorStress<double>(*cases[1].first), 0)->z.value == 0);
 }
 
 TEST_CASE("on cells: how far stresses and the place of the largest one are from those of the exact traction") {
@@ -122,9 +115,7 @@ TEST_CASE("on cells: how far stresses and the place of the largest one are from 
     const double width = truth->contact().back().right.x.value - left;
     for (const std::size_t cells : {512, 4096}) {
       CAPTURE(cells);
-      VariationalOptions options;
-      options.cells = cells;
-      const auto found = variational_inequality(problem, options).solution;
+      const auto found = variational_inequality(problem, {.cells = cells}).solution;
       const InteriorStress<double> interior(*found);
       const double cell = dynamic_cast<const VariationalSolution&>(*found).cell_length();
       for (int i = 0; i < 200; ++i) {

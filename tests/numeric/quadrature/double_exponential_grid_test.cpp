@@ -2,12 +2,8 @@
 
 #include "numeric/quadrature/double_exponential_grid.hpp"
 
-#include "numeric/cauchy/residuals.hpp"
-#include "numeric/cauchy/traction_density.hpp"
 #include "numeric/closed_form/closed_form.hpp"
-#include "numeric/riemann_hilbert/riemann_hilbert.hpp"
-#include "numeric/riemann_hilbert/riemann_hilbert_solution.hpp"
-#include "support/numeric_test.hpp"
+#include "support/solved_contact.hpp"
 
 namespace {
 
@@ -125,7 +121,7 @@ TEST_CASE_TEMPLATE("a density that says it is constant is sampled alike, and say
       CHECK(are_alike(quick, all_of_it(density)));
       // However small it is; control: a factor that changes by 1e-20.
       const auto smooth = density[0].smooth;
-      density[0].smooth = [&](const Node<R>& node) { return R(smooth(node) * R("1e-300")); };
+      density[0] = scaled<R>(density[0], R("1e-300"));
       std::vector<R> tiny = all_of_it(density);
       for (R& value : tiny) value *= R("1e300");
       CHECK(are_alike(quick, tiny));
@@ -161,9 +157,7 @@ TEST_CASE("control at 50 digits: a friction value, an amplitude or a power that 
   wrong_s[1] *= Real50(1) + Real50("1e-20");
   CHECK(equation(right, wrong_s) > Real50("1e-22"));
   PiecewiseDensity<Real50> louder = right;
-  louder[2].smooth = [smooth = right[2].smooth](const Node<Real50>& node) {
-    return Real50(smooth(node) * (1 + Real50("1e-20")));
-  };
+  louder[2] = scaled<Real50>(right[2], 1 + Real50("1e-20"));
   CHECK(equation(louder, s) > Real50("1e-22"));
   PiecewiseDensity<Real50> steeper = right;
   steeper[0].right.value += Real50("1e-20");

@@ -8,29 +8,6 @@ const Indenter wells = two_wells();
 const Indenter bent(-1, {{0, Polynomial({0, -1, 1})}, {1, Polynomial({0, 0.5_r})}});
 const Indenter step(-1, {{0, Polynomial({0, 0, 1})}, {1, Polynomial({0.1_r, 0, 1})}});
 
-/// Ends, intensities and tractions agree; b is a moved by `shift`.
-template <Real A, Real B>
-void agree(const ContactSolution<A>& a, const ContactSolution<B>& b, const B& tolerance, const Rational& shift = 0) {
-  using std::abs;
-  const auto za = a.contact();
-  const auto zb = b.contact();
-  REQUIRE(za.size() == zb.size());
-  const B rounding = tolerance * (1 + to_real<B>(abs(shift)));
-  const auto close = [](const B& x, const B& y, const B& scale) { CHECK(abs(x - y) <= scale); };
-  for (std::size_t k = 0; k < za.size(); ++k) {
-    for (const auto& [p, q] : {std::pair(za[k].left, zb[k].left), {za[k].right, zb[k].right}}) {
-      close(B(p.x.value) + to_real<B>(shift), q.x.value, rounding);
-      close(B(p.intensity.value), q.intensity.value, 100 * tolerance * q.intensity.value);
-    }
-    for (const int part : {1, 37, 64, 99}) {
-      const Rational left(za[k].left.x.value);
-      const Rational x = left + (Rational(za[k].right.x.value) - left) * part / 100;
-      const B t = b.at(x + shift).traction.left.value;
-      close(B(a.at(x).traction.left.value), t, 100 * tolerance * (1 + abs(t)));
-    }
-  }
-}
-
 }  // namespace
 
 TEST_CASE("large friction") {
@@ -56,7 +33,7 @@ TEST_CASE("degree 64") {
   for (const auto& coefficients : {high, mixed, dense}) {
     const ContactProblem p = on_two_coatings(one_piece(-1, 1, coefficients), 0.1_r);
     const auto found = solved<double>(p);
-    agree<double, Real50>(*found, *riemann_hilbert<Real50>(p).solution, Real50(1e-12));
+    solutions_agree<double, Real50>(*found, *riemann_hilbert<Real50>(p).solution, Real50(1e-12));
   }
 }
 
@@ -64,12 +41,12 @@ TEST_CASE("wide supports and supports far away from the origin") {
   const Indenter near = one_piece(-1, 1, {0, 0, 1});
   const Indenter wide = one_piece(-1000000, 1000000, {0, 0, 1});
   const auto base = solved<double>(on_two_coatings(near, 1));
-  agree<double, double>(*base, *solved<double>(on_two_coatings(wide, 1)), 1e-14);
+  solutions_agree<double, double>(*base, *solved<double>(on_two_coatings(wide, 1)), 1e-14);
   const std::vector<Indenter> indenters{near, wide, wells, bent, step};
   for (const Indenter& indenter : indenters) {
     const ContactProblem p = on_two_coatings(indenter, 1);
     const Rational far = 1000000;
-    agree<double, double>(*solved<double>(p), *solved<double>(p.moved(1, far)), 1e-14, far);
+    solutions_agree<double, double>(*solved<double>(p), *solved<double>(p.moved(1, far)), 1e-14, far);
     if (&indenter == &indenters[3]) solved<Real50>(p.moved(1, far));
   }
   // Wide gaps beside two components.
@@ -83,8 +60,8 @@ TEST_CASE("16, 50 and 100 digits agree") {
     const auto b = riemann_hilbert<Real50>(p).solution;
     const auto c = riemann_hilbert<Real100>(p).solution;
     REQUIRE(b->failed_condition() + c->failed_condition() == "");
-    agree<double, Real50>(*a, *b, Real50(1e-13));
-    agree<Real50, Real100>(*b, *c, Real100(1e-50));
+    solutions_agree<double, Real50>(*a, *b, Real50(1e-13));
+    solutions_agree<Real50, Real100>(*b, *c, Real100(1e-50));
   }
 }
 
@@ -95,12 +72,12 @@ TEST_CASE_TEMPLATE("a neighbouring solution to start from leads to the same one"
     for (const int load : {1, 4, 3}) {
       const ContactProblem p = on_two_coatings(indenter, load);
       const auto alone = riemann_hilbert<R>(p).solution;
-      if (last) agree<R, R>(*alone, *riemann_hilbert<R>(p, last.get()).solution, 1000 * epsilon<R>());
+      if (last) solutions_agree<R, R>(*alone, *riemann_hilbert<R>(p, last.get()).solution, 1000 * epsilon<R>());
       last = alone;
     }
   }
   // Nothing to be learned from it: a component in the wrong place.
   const auto right = solved<R>(on_two_coatings(one_piece(-3, 3, {0, 0, 1}), 1));
   const ContactProblem left = on_two_coatings(one_piece(-3, 3, {4, 4, 1}), 1);
-  agree<R, R>(*solved<R>(left), *solved<R>(left, right.get()), 1000 * epsilon<R>());
+  solutions_agree<R, R>(*solved<R>(left), *solved<R>(left, right.get()), 1000 * epsilon<R>());
 }

@@ -35,16 +35,6 @@ TractionRepresentation<R> form_of(const RoundedProblem<R>& problem, const Contac
 
 }  // namespace
 
-TEST_CASE("an elastic indenter whose contact reaches an edge") {
-  const Elasticity both(Solid(0.3_r, 1), Solid(0.2_r, 2));
-  const ContactProblem pressed(both, FrictionProfile({0.5_r}), one_piece(-1, 1, {0, 0, 1}), 100);
-  const Attempt<double> attempt = riemann_hilbert<double>(pressed);
-  CHECK(!attempt.solution);
-  CHECK(holds(attempt.reason, "elastic indenter"));
-  const ContactProblem touching(both, FrictionProfile({0.5_r}), one_piece(-1, 1, {0, 0, 1}), 0.01_r);
-  CHECK(solved<double>(touching)->contact()[0].left.kind == SingularKind::free);
-}
-
 TEST_CASE("a search that leads nowhere ends with a condition that fails") {
   const ContactProblem p = reduced({0.3_r}, {}, one_piece(-1, 1, {0, 0, 1}), 1);
   const RoundedProblem<double> problem(p, {0, 1});

@@ -58,24 +58,14 @@ TEST_CASE("gaps beside a step whose other face is another polynomial") {
     const TractionRepresentation<double>& form = solution->form();
     const ContactSet<double>& set = form.set();
     const auto check = check_of(form);
-    std::size_t panel = 0;
     for (std::size_t k = 0; k < set.segments(); ++k) {
-      if (set.in_contact(k)) {
-        ++panel;
-        continue;
-      }
+      if (set.in_contact(k)) continue;
       for (const double part : {1e-6, 0.03, 0.2, 0.45, 0.55, 0.8, 0.999}) {
         const SurfacePoint<double> at = beside(set, k, Side::right, part * set.length(k));
-        for (const End side : {End::left, End::right}) {
-          // The contact's end that the place is seen from.
-          std::size_t j = side == End::right ? k : k + 1;
-          while (j > 0 && j < set.segments() && !set.point(j).is_end()) side == End::right ? --j : ++j;
-          if (!set.point(j).is_end()) continue;
-          const double surface =
-              check.displacement(side == End::right ? panel - 1 : panel, side, std::abs(form.distance(at, j)));
+        CAPTURE(at.node.x);
+        from_ends_of_gap(form, check, at, [&](std::size_t j, End side, double surface) {
           const GapIntegral<double> gap(form, j);
           const double expected = gap.profile_increment(at) - surface;
-          CAPTURE(at.node.x);
           CHECK(gap.reduced_gap(at).value == doctest::Approx(expected).epsilon(1e-10));
           // The control: as if the polynomial of the contact went on.
           const std::size_t inside = side == End::right ? j - 1 : j;
@@ -83,7 +73,7 @@ TEST_CASE("gaps beside a step whose other face is another polynomial") {
           const double gone_on =
               form.problem().profile_increment(form.slope_at(inside), end, at.node.x - end) - surface;
           if (std::abs(gone_on - expected) > 1e-3) ++wrong_by_one_polynomial;
-        }
+        });
       }
     }
   }

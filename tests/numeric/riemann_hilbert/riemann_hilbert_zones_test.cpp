@@ -67,6 +67,12 @@ void is_near(const R& a, const R& b, const R& scale, double tolerance_in_epsilon
   CHECK(static_cast<double>(abs(a - b) / (scale * epsilon<R>())) < tolerance_in_epsilon);
 }
 
+void forces_agree(const ContactSolution<double>& a, const ContactSolution<double>& b, double tolerance) {
+  const auto ours = a.resultants(), theirs = b.resultants();
+  CHECK(ours.load_share[0].value == doctest::Approx(theirs.load_share[0].value).epsilon(tolerance));
+  CHECK(ours.centre_of_pressure.value == doctest::Approx(theirs.centre_of_pressure.value).epsilon(tolerance));
+}
+
 }  // namespace
 
 TEST_CASE_TEMPLATE("a pivot in each component, or one fundamental solution of all", R, double, Real50) {
@@ -92,10 +98,8 @@ TEST_CASE_TEMPLATE("a pivot in each component, or one fundamental solution of al
     R highest = 0;
     for (std::size_t k = 0; k < one.set().segments(); ++k) {
       for (const double part : {1e-4, 0.01, 0.3, 0.5, 0.6, 0.97, 0.9999}) {
-        const R d = R(part) * one.set().length(k);
-        const SurfacePoint<R> here = surface_point(one.set(), k, d, R(one.set().length(k) - d));
-        const R e = R(part) * many.set().length(k);
-        const SurfacePoint<R> there = surface_point(many.set(), k, e, R(many.set().length(k) - e));
+        const auto at = [&](const ContactSet<R>& set) { return beside(set, k, Side::right, R(part * set.length(k))); };
+        const SurfacePoint<R> here = at(one.set()), there = at(many.set());
         const R t = one.traction(here).value;
         highest = std::max(highest, R(-t));
         is_near(many.traction(there).value, t, std::max(R(1), R(-t)), few);
@@ -156,9 +160,7 @@ TEST_CASE("64 zones are where cells see them") {
     sum += zones[i].right.x.value - zones[i].left.x.value;
   }
   CHECK(sum < 64);
-  const auto ours = found->resultants(), theirs = cells->resultants();
-  CHECK(ours.load_share[0].value == doctest::Approx(theirs.load_share[0].value).epsilon(1e-4));
-  CHECK(ours.centre_of_pressure.value == doctest::Approx(theirs.centre_of_pressure.value).epsilon(1e-4));
+  forces_agree(*found, *cells, 1e-4);
 }
 
 TEST_CASE("rough traces: many zones of many pieces, with gaps shorter than any cell between them") {
@@ -203,9 +205,7 @@ TEST_CASE("rough traces: many zones of many pieces, with gaps shorter than any c
     CHECK(residuals.tension == 0);
     CHECK(found->estimated_error().traction < 0.01);
     const auto cells = variational_inequality(problem, {.cells = 65536}).solution;
-    const auto ours = found->resultants(), theirs = cells->resultants();
-    CHECK(ours.load_share[0].value == doctest::Approx(theirs.load_share[0].value).epsilon(1e-3));
-    CHECK(ours.centre_of_pressure.value == doctest::Approx(theirs.centre_of_pressure.value).epsilon(1e-3));
+    forces_agree(*found, *cells, 1e-3);
   }
   CHECK(unresolved > 0);
 }

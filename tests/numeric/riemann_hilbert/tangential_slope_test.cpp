@@ -3,12 +3,13 @@
 
 #include "numeric/interior/interior_stress_problems.hpp"
 #include "numeric/quadrature/trapezoidal.hpp"
+#include "support/solved_contact.hpp"
 
 namespace {
 
 template <Real R>
 void agree(Sliding sliding) {
-  using std::abs, std::pow;
+  using std::abs;
   const R tolerance = 2000 * epsilon<R>();
   const ContactProblem p = stress_test::jumps(sliding);
   const stress_test::Solved<R> solved(p);
@@ -17,25 +18,18 @@ void agree(Sliding sliding) {
   const ContactSet<R>& set = form.set();
   const Frame& frame = form.problem().frame();
 
+  const PiecewiseDensity<R> normal = traction_density(form);
   PiecewiseDensity<R> shear;
-  std::vector<std::size_t> segments;
   for (std::size_t k = 0; k < set.segments(); ++k) {
     if (!set.in_contact(k)) continue;
-    const Power<R> left = form.fundamental_solution().powers()[k];
-    const Power<R> right = form.fundamental_solution().powers()[k + 1];
     const R f = to_real<R>(p.friction().values()[form.friction_at(k)]);
-    const R ratio = sliding == Sliding::plus_x ? R(-f) : f;
-    shear.push_back({set.panels()[k], left, right, [&form, k, left, right, ratio](const Node<R>& node) {
-                       const R t = form.traction({static_cast<std::ptrdiff_t>(k), node}).value;
-                       return R(ratio * t / (pow(node.from_left, left.value) * pow(node.from_right, right.value)));
-                     }});
-    segments.push_back(k);
+    shear.push_back(scaled<R>(normal[shear.size()], sliding == Sliding::plus_x ? R(-f) : f));
   }
   const trapezoidal::Grid<R> grid(std::move(shear));
   const R c = to_real<R>(p.elasticity().compliance()), gamma = to_real<R>(p.elasticity().gamma());
   R scale = 0;
   std::vector<R> differences;
-  for (std::size_t k = 0; k < segments.size(); ++k) {
+  for (std::size_t k = 0; k < normal.size(); ++k) {
     for (const char* part : {"1/1000", "1/7", "5/8", "999/1000"}) {
       const R fraction = to_real<R>(parse_rational(part));
       const Panel<R>& panel = grid.density()[k].panel;
@@ -44,7 +38,7 @@ void agree(Sliding sliding) {
       const Rational x = frame.origin + frame.unit * Rational(static_cast<double>(xi));
       const R exact = to_real<R>((x - frame.origin) / frame.unit);
       const Node<R> node{exact, R(exact - panel.left), R(panel.right - exact)};
-      const R t = form.traction({static_cast<std::ptrdiff_t>(segments[k]), node}).value;
+      const R t = normal[k](node);
       const R expected = c * (grid.hilbert({k, node}) + gamma * t);
       const Estimate<R> found = solution.tangential_slope(x);
       CHECK(found.convergence == Convergence::reached);

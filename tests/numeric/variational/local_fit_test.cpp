@@ -181,29 +181,40 @@ void check_exponent(const FittedExponent& found, const SolvedSingularPoint<doubl
   CHECK(found.exponent.error <= most);
 }
 
+/// act(named, solution, j) at every singular point of every problem, on so many cells that `change` makes others of.
+template <class Change, class Act>
+void at_all_points(std::size_t count, const Change& change, const Act& act) {
+  for (const Named& named : problems()) {
+    CAPTURE(named.name);
+    SolvedCells solution = with_cells(named.problem, count);
+    change(named, solution);
+    for (std::size_t j = 0; j < solution.points.size(); ++j) {
+      CAPTURE(solution.points[j].x.value);
+      act(named, solution, j, solution.points[j]);
+    }
+  }
+}
+
+using Point = SolvedSingularPoint<double>;
+
 }  // namespace
 
 TEST_CASE("intensities and constants of exact cells") {
-  for (const Named& named : problems()) {
-    CAPTURE(named.name);
-    const SolvedCells solution = with_cells(named.problem, 4096);
-    for (std::size_t j = 0; j < solution.points.size(); ++j) {
-      const auto& point = solution.points[j];
-      CAPTURE(point.x.value);
-      const double exponent = point.exponent ? to_real<double>(*point.exponent) : 0;
-      const FittedIntensity found = fitted_at(named, solution, j, exponent);
-      const double theta = point.intensity.value;
-      REQUIRE(found.intensity.convergence == Convergence::reached);
-      CHECK(found.intensity.value == doctest::Approx(theta).epsilon(1e-6));
-      CHECK(std::abs(found.intensity.value - theta) <= found.intensity.error);
-      CHECK(found.intensity.error <= 2e-4 * std::abs(theta));
-      CHECK(found.constant.value == doctest::Approx(point.constant.value).epsilon(1e-6));
-      if (!point.exponent) continue;
-      // A wrong exponent is seen by its error alone.
-      const FittedIntensity wrong = fitted_at(named, solution, j, reversed(point));
-      CHECK(wrong.intensity.error > 0.03 * std::abs(theta));
-    }
-  }
+  const auto exact = [](const Named&, SolvedCells&) {};
+  at_all_points(4096, exact, [](const Named& named, const SolvedCells& solution, std::size_t j, const Point& point) {
+    const double exponent = point.exponent ? to_real<double>(*point.exponent) : 0;
+    const FittedIntensity found = fitted_at(named, solution, j, exponent);
+    const double theta = point.intensity.value;
+    REQUIRE(found.intensity.convergence == Convergence::reached);
+    CHECK(found.intensity.value == doctest::Approx(theta).epsilon(1e-6));
+    CHECK(std::abs(found.intensity.value - theta) <= found.intensity.error);
+    CHECK(found.intensity.error <= 2e-4 * std::abs(theta));
+    CHECK(found.constant.value == doctest::Approx(point.constant.value).epsilon(1e-6));
+    if (!point.exponent) return;
+    // A wrong exponent is seen by its error alone.
+    const FittedIntensity wrong = fitted_at(named, solution, j, reversed(point));
+    CHECK(wrong.intensity.error > 0.03 * std::abs(theta));
+  });
 }
 
 TEST_CASE("the intensity of a wedge needs the step that friction makes there") {
@@ -218,20 +229,14 @@ TEST_CASE("the intensity of a wedge needs the step that friction makes there") {
 }
 
 TEST_CASE("exponents of spoilt cells") {
-  for (const Named& named : problems()) {
-    CAPTURE(named.name);
-    SolvedCells solution = with_cells(named.problem, 16384);
-    spoil(solution.cells, solution.points, 0);
-    for (std::size_t j = 0; j < solution.points.size(); ++j) {
-      const auto& point = solution.points[j];
-      // Beside a wedge's constant a spoilt constant looks like a power: no solver spoils constants.
-      if (!point.exponent || point.kind == SingularKind::wedge_and_jump) continue;
-      CAPTURE(point.x.value);
-      for (const Side side : sides_of(solution, j)) {
-        check_exponent(fitted_exponent(solution.cells.cells(), local_place(solution.points, j), side), point, 3e-3);
-      }
+  const auto spoilt = [](const Named&, SolvedCells& solution) { spoil(solution.cells, solution.points, 0); };
+  at_all_points(16384, spoilt, [](const Named&, const SolvedCells& solution, std::size_t j, const Point& point) {
+    // Beside a wedge's constant a spoilt constant looks like a power: no solver spoils constants.
+    if (!point.exponent || point.kind == SingularKind::wedge_and_jump) return;
+    for (const Side side : sides_of(solution, j)) {
+      check_exponent(fitted_exponent(solution.cells.cells(), local_place(solution.points, j), side), point, 3e-3);
     }
-  }
+  });
 }
 
 TEST_CASE("bars grow with errors that no series follows") {
@@ -309,30 +314,26 @@ TEST_CASE("a free end is found where it is, from the cell it lies in") {
 }
 
 TEST_CASE("the variational solver finds the exponents that the local analysis derives") {
-  for (const Named& named : problems()) {
-    CAPTURE(named.name);
-    SolvedCells solution = with_cells(named.problem, 16);
+  const auto by_solver = [](const Named& named, SolvedCells& solution) {
     solution.cells = variational_means(named.problem, 16384);
+  };
+  at_all_points(16, by_solver, [](const Named& named, const SolvedCells& solution, std::size_t j, const Point& point) {
     const Cells cells = solution.cells.cells();
-    for (std::size_t j = 0; j < solution.points.size(); ++j) {
-      const auto& point = solution.points[j];
-      CAPTURE(point.x.value);
-      LocalPlace place = local_place(solution.points, j);
-      const bool free = point.kind == SingularKind::free;
-      if (free) place.x = end_on_cells(solution.cells, place.x, solution.contact[j]);
-      const double exponent = point.exponent ? to_real<double>(*point.exponent) : 0;
-      const FittedIntensity intensity =
-          free ? fitted_end(cells, place, solution.contact[j], exponent, PlaceIs::to_one_cell)
-               : fitted_at(named, solution, j, exponent);
-      CHECK(intensity.intensity.value == doctest::Approx(point.intensity.value).epsilon(5e-5));
-      CHECK(std::abs(intensity.constant.value - point.constant.value) <= 5e-6);
-      CHECK(std::abs(intensity.place.value - point.x.value) <= 0.1 * solution.cells.length);
-      if (!point.exponent) continue;
-      for (const Side side : sides_of(solution, j)) {
-        const FittedExponent found = fitted_exponent(cells, place, side, is_end(point.kind) ? -1 : named.wedge,
-                                                     free ? PlaceIs::to_one_cell : PlaceIs::exact);
-        check_exponent(found, point, 1e-3);
-      }
+    LocalPlace place = local_place(solution.points, j);
+    const bool free = point.kind == SingularKind::free;
+    if (free) place.x = end_on_cells(solution.cells, place.x, solution.contact[j]);
+    const double exponent = point.exponent ? to_real<double>(*point.exponent) : 0;
+    const FittedIntensity intensity =
+        free ? fitted_end(cells, place, solution.contact[j], exponent, PlaceIs::to_one_cell)
+             : fitted_at(named, solution, j, exponent);
+    CHECK(intensity.intensity.value == doctest::Approx(point.intensity.value).epsilon(5e-5));
+    CHECK(std::abs(intensity.constant.value - point.constant.value) <= 5e-6);
+    CHECK(std::abs(intensity.place.value - point.x.value) <= 0.1 * solution.cells.length);
+    if (!point.exponent) return;
+    for (const Side side : sides_of(solution, j)) {
+      const FittedExponent found = fitted_exponent(cells, place, side, is_end(point.kind) ? -1 : named.wedge,
+                                                   free ? PlaceIs::to_one_cell : PlaceIs::exact);
+      check_exponent(found, point, 1e-3);
     }
-  }
+  });
 }

@@ -25,49 +25,47 @@ Rational s_at(const ContactProblem& problem, const Rational& x) {
   return problem.coupled_friction(problem.friction().piece(x, Side::left));
 }
 
-/// Ends of all pieces within [left, right], and these two.
-std::vector<Rational> nodes(const ContactProblem& problem, const Rational& left, const Rational& right) {
-  std::set<Rational> result{left, right};
-  for (const Rational& c : problem.friction().jumps()) result.insert(c);
-  for (const Indenter::Break& b : problem.indenter().breaks()) result.insert(b.x);
-  std::erase_if(result, [&](const Rational& x) { return x < left || x > right; });
-  return {result.begin(), result.end()};
+/// The sum of f(from, to) over the stretches of [left, right] on which friction and profile are one function each.
+template <class F>
+Rational sum_of(const ContactProblem& problem, const Rational& left, const Rational& right, const F& f) {
+  std::set<Rational> ends{left, right};
+  for (const Rational& c : problem.friction().jumps()) ends.insert(c);
+  for (const Indenter::Break& b : problem.indenter().breaks()) ends.insert(b.x);
+  Rational sum = 0;
+  for (auto end = ends.find(left); *end < right; ++end) sum += f(*end, *std::next(end));
+  return sum;
 }
 
 /// int s from one place to a later one, in the user's x.
 Rational integral_of_s(const ContactProblem& problem, const Rational& from, const Rational& to) {
-  const std::vector<Rational> x = nodes(problem, from, to);
-  Rational sum = 0;
-  for (std::size_t k = 0; k + 1 < x.size(); ++k) sum += s_at(problem, (x[k] + x[k + 1]) / 2) * (x[k + 1] - x[k]);
-  return sum;
+  const auto over = [&](const Rational& a, const Rational& b) {
+    return Rational(s_at(problem, (a + b) / 2) * (b - a));
+  };
+  return sum_of(problem, from, to, over);
 }
 
 /// Mean over the cell of int s from its left end, or to its right end with the sign of -s: linear between the nodes.
 Rational own_by_trapezia(const ContactProblem& problem, const Rational& left, const Rational& right, int sign) {
-  const std::vector<Rational> x = nodes(problem, left, right);
   const auto felt = [&](const Rational& at) -> Rational {
     return sign > 0 ? integral_of_s(problem, left, at) : Rational(-integral_of_s(problem, at, right));
   };
-  Rational sum = 0;
-  for (std::size_t k = 0; k + 1 < x.size(); ++k) sum += (felt(x[k]) + felt(x[k + 1])) / 2 * (x[k + 1] - x[k]);
-  return sum / (right - left);
+  const auto over = [&](const Rational& a, const Rational& b) { return Rational((felt(a) + felt(b)) / 2 * (b - a)); };
+  return sum_of(problem, left, right, over) / (right - left);
 }
 
 Rational height(const Rational& x) { return indenter.profile(x, Side::left)(x); }
 
 /// Mean of the profile over the cell, by its antiderivative.
 Rational mean_height(const ContactProblem& problem, const Rational& left, const Rational& right) {
-  const std::vector<Rational> x = nodes(problem, left, right);
-  Rational sum = 0;
-  for (std::size_t k = 0; k + 1 < x.size(); ++k) {
-    const Rational middle = (x[k] + x[k + 1]) / 2;
+  const auto over = [](const Rational& a, const Rational& b) {
     std::vector<Rational> raised{0};
-    for (const Rational& c : indenter.profile(middle, Side::left).coefficients())
+    for (const Rational& c : indenter.profile((a + b) / 2, Side::left).coefficients()) {
       raised.push_back(c / Rational(raised.size()));
+    }
     const Polynomial antiderivative(raised);
-    sum += antiderivative(x[k + 1]) - antiderivative(x[k]);
-  }
-  return sum / (right - left);
+    return Rational(antiderivative(b) - antiderivative(a));
+  };
+  return sum_of(problem, left, right, over) / (right - left);
 }
 
 }  // namespace

@@ -52,11 +52,14 @@ DiscreteProblem coated(std::size_t cells, Sliding sliding, const std::optional<R
   return {problem, CellMesh(problem, cells), FrictionRule::damped};
 }
 
-CellSet middle(std::size_t cells) {
+/// Contact on the cells first..end-1.
+CellSet from_to(std::size_t cells, std::size_t first, std::size_t end) {
   CellSet contact(cells, 0);
-  for (std::size_t i = cells / 8; i < cells - cells / 8; ++i) contact[i] = 1;
+  for (std::size_t i = first; i < end; ++i) contact[i] = 1;
   return contact;
 }
+
+CellSet middle(std::size_t cells) { return from_to(cells, cells / 8, cells - cells / 8); }
 
 /// So many zones of lengths between a half and four fifths of their share of the cells.
 CellSet zones_apart(std::size_t cells, std::size_t zones) {
@@ -90,22 +93,16 @@ void check_products(std::size_t cells, const CellSet& contact, int usual, int st
 
 TEST_CASE("a contact's hull is kept for one nearly the same, and made anew for one elsewhere") {
   const DiscreteProblem problem = coated(1024, Sliding::plus_x, std::nullopt);
-  const auto from_to = [](std::size_t first, std::size_t end) {
-    CellSet contact(1024, 0);
-    std::fill(contact.begin() + static_cast<std::ptrdiff_t>(first), contact.begin() + static_cast<std::ptrdiff_t>(end),
-              1);
-    return contact;
-  };
-  const auto hull = contact_hull(problem, from_to(300, 700));
+  const auto hull = contact_hull(problem, from_to(1024, 300, 700));
   CHECK(hull->first <= 300);
   CHECK(hull->first + hull->influence.size() >= 700);
-  CHECK(contact_hull(problem, from_to(301, 701), hull) == hull);
-  const auto other = contact_hull(problem, from_to(364, 764), hull);
+  CHECK(contact_hull(problem, from_to(1024, 301, 701), hull) == hull);
+  const auto other = contact_hull(problem, from_to(1024, 364, 764), hull);
   CHECK(other != hull);
   CHECK(other->influence.size() == hull->influence.size());
   CHECK(other->first > 300);
   CHECK(other->first <= 364);
-  CHECK(contact_hull(problem, from_to(0, 1024))->influence.size() == 1024);
+  CHECK(contact_hull(problem, from_to(1024, 0, 1024))->influence.size() == 1024);
 }
 
 TEST_CASE("products by Fourier transforms are those of the entries") {
@@ -234,8 +231,8 @@ TEST_CASE("a dense system meets its equations, its load and its moment") {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);
     const DiscreteProblem discrete = on_cells(listed_contact(seed), 60);
-    CellSet contact(60, 0);
-    for (std::size_t i = 10; i < 50; ++i) contact[i] = i % 7 != 0;
+    CellSet contact = from_to(60, 10, 50);
+    for (std::size_t i = 14; i < 50; i += 7) contact[i] = 0;
     const DiscreteState state = solve(*dense_system(discrete, contact), discrete).state;
     const std::vector<double> g = gaps(discrete, state);
     double height = 1, residual = 0, elsewhere = 0;
