@@ -142,11 +142,13 @@ Equilibrium with_contact_on(const Mesh& mesh, const Load& load, const std::vecto
   const Eigen::Index rest = load.at ? 2 : 1;  // unknowns C and tilt
   const std::vector<std::size_t> cells = variational::cells_of(active);
   const auto count = static_cast<Eigen::Index>(cells.size());
+  const auto index_of = [&](Eigen::Index k) { return static_cast<Eigen::Index>(cells[static_cast<std::size_t>(k)]); };
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count + rest, count + rest);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(count + rest);
   for (Eigen::Index k = 0; k < count; ++k) {
     const std::size_t j = cells[static_cast<std::size_t>(k)];
-    matrix.col(k).head(count) = mesh.column(j)(cells);
+    const Eigen::VectorXd& column = mesh.column(j);
+    for (Eigen::Index i = 0; i < count; ++i) matrix(i, k) = column(index_of(i));
     matrix(k, count) = -1;
     matrix(count, k) = 1;
     right(k) = -mesh.profile(j);
@@ -170,7 +172,7 @@ Equilibrium with_contact_on(const Mesh& mesh, const Load& load, const std::vecto
     state.force[j] = solution(k);
     gap += solution(k) * mesh.column(j);
   }
-  gap(cells).setZero();
+  for (Eigen::Index k = 0; k < count; ++k) gap(index_of(k)) = 0;
   state.gap.assign(gap.begin(), gap.end());
   if (!solution.allFinite() || !gap.allFinite()) {
     state.violation = HUGE_VAL;
