@@ -30,7 +30,7 @@ ParabolaTraction traction_on_solved_zone(const ContactProblem& p) {
   const auto data = std::get<numeric::ClosedFormData<Number>>(numeric::closed_form_data<Number>(p));
   ParabolaTraction t;
   t.first_piece = data.first_piece;
-  t.left_end = data.left_end;
+  t.left_end = data.traction.weight.point(0);
   std::vector<Exponent> angles;
   const auto radius = to_real<Number>(radius_of(p));
   for (std::size_t k = 0; k < data.traction.weight.panel_count(); ++k) {
