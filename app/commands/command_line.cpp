@@ -158,6 +158,9 @@ std::optional<unsigned long long> Given::seed() const {
 Option problem_argument() { return {"PROBLEM", "", "Problem file, or -", Option::Kind::required}; }
 Option certify_option(const std::string& what) { return {"--certify", "", what, Option::Kind::flag}; }
 Option seed_option() { return {"--seed", "N", "Seed of the random parameters, a whole number"}; }
+Option jobs_option(const std::string& what) {
+  return {"--jobs", "N", fmt::format("{} at a time, 1 to {}; default: one on each core", what, most_jobs)};
+}
 Option folder_option() { return {"-o,--output", "DIR", "Write into DIR, which is made if need be; default: here"}; }
 
 std::vector<Option> with_common(std::vector<Option> options, const std::string& digits,

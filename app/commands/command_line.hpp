@@ -39,6 +39,8 @@ struct CommonOptions {
 /// Of --digits, estimated and proved.
 inline constexpr int most_digits = 100;
 inline constexpr int most_proved_digits = 1000;
+/// Of --jobs.
+inline constexpr int most_jobs = 1000;
 
 /// What stands behind a command. Functions that check a text throw Failure (exit code 2), which names the option.
 class Given {
@@ -62,15 +64,20 @@ class Given {
   /// --output; the current one without.
   std::string folder() const { return name("--output", "folder").value_or("."); }
   std::optional<unsigned long long> seed() const;
+  /// How many things go on at a time; `otherwise` without --jobs.
+  unsigned jobs(unsigned otherwise) const {
+    return static_cast<unsigned>(count("--jobs", 1, most_jobs).value_or(static_cast<int>(otherwise)));
+  }
 
  private:
   const CLI::App& options_;
 };
 
-/// PROBLEM, --certify, --seed, and the folder to write into.
+/// PROBLEM, --certify, --seed, --jobs, and the folder to write into.
 Option problem_argument();
 Option certify_option(const std::string& what);
 Option seed_option();
+Option jobs_option(const std::string& what);
 Option folder_option();
 /// A command's own options, then --digits with its help, --format and --output.
 std::vector<Option> with_common(std::vector<Option> options, const std::string& digits,

@@ -6,7 +6,6 @@
 #include <array>
 #include <thread>
 
-#include "app/commands/jobs.hpp"
 #include "library/problem_file/surface_files.hpp"
 #include "numeric/closed_form/closed_form.hpp"
 
@@ -134,7 +133,7 @@ SolveOptions solve_options(const Given& given) {
   options.at_file = given.name("--at-file", "file");
   options.both_directions = given.has("--both-directions");
   options.load_steps = list(given, "--load-steps");
-  options.jobs = jobs(given, std::max(1U, std::thread::hardware_concurrency()));
+  options.jobs = given.jobs(std::max(1U, std::thread::hardware_concurrency()));
   options.samples = given.count("--samples", 1, 100000).value_or(0);
   options.cells = given.count("--cells", numeric::fewest_cells, numeric::most_cells);
   options.iterations = given.count("--iterations", 1, 10000);

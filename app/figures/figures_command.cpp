@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "app/commands/jobs.hpp"
+#include "app/commands/command_line.hpp"
 #include "app/embedded.hpp"
 #include "app/figures/figures.hpp"
 #include "proofs_checks/kit/processes.hpp"
@@ -41,7 +41,7 @@ ExitCode run_figures(const Given& given) {
   if (data) check_folder(*data);
   const std::string ending = given.has("--format") ? given.text("--format") : "svg";
   const Picture picture = picture_of(ending);
-  const unsigned at_a_time = jobs(given, proofs_checks::available_processes());
+  const unsigned at_a_time = given.jobs(proofs_checks::available_processes());
   for (const DrawnFigure& figure : draw_figures(given.texts("--figure"), at_a_time, picture)) {
     write(folder, figure.name + "." + ending, figure.picture);
     if (data) write(*data, figure.name + ".csv", figure.data);

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "app/commands/jobs.hpp"
+#include "app/commands/command_line.hpp"
 #include "app/embedded.hpp"
 #include "app/report/report_page.hpp"
 #include "app/verify/coq_export.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 namespace checks = proofs_checks;
 
-unsigned processes_of(const Given& given) { return jobs(given, checks::available_processes()); }
+unsigned processes_of(const Given& given) { return given.jobs(checks::available_processes()); }
 
 checks::Context context_of(const Given& given, int digits) {
   checks::Context context;
