@@ -1,11 +1,14 @@
 // Formulas in words that do not mark them, found token by token.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
+#include <utility>
 #include <vector>
 
 #include "app/html/html.hpp"
-#include "app/html/math_symbols.hpp"
+#include "app/html/math_row.hpp"
 #include "app/html/mathml.hpp"
 
 namespace steadyslide::app {
@@ -48,6 +51,67 @@ Kind kind_of(std::string_view token) {
   if (token == "int") return Kind::name;
   if (symbol && symbol->role != MathRole::operand) return Kind::word;
   return token.size() == 1 || symbol ? Kind::name : Kind::word;
+}
+
+/// As number_item() has it.
+std::string number_text(std::string_view digits) {
+  const std::size_t e = digits.find('e');
+  if (e == std::string_view::npos) {
+    constexpr std::size_t longest = 14, kept = 9;
+    if (digits.size() <= longest) return std::string(digits);
+    return fmt::format(R"(<span title="{}">{}…</span>)", digits, digits.substr(0, kept));
+  }
+  const std::size_t first = std::min(digits.find_first_not_of("+-0", e + 1), digits.size());
+  const std::string power = fmt::format("10<sup>{}{}</sup>", digits[e + 1] == '-' ? "−" : "", digits.substr(first));
+  const std::string_view mantissa = digits.substr(0, e);
+  return first == digits.size()                 ? std::string(mantissa)
+         : mantissa == "1" || mantissa == "1.0" ? power
+                                                : fmt::format("{}×{}", mantissa, power);
+}
+
+/// A formula in one line of HTML, letters slanted, a tenth of its MathML: for words of which there are thousands. Nothing
+/// where it takes more than scripts.
+std::optional<std::string> in_line(std::string_view formula) {
+  const auto tokens = math_tokens(formula);
+  if (!tokens || !parse_math(formula)) return std::nullopt;
+  std::string html, closing;
+  bool in_braces = false;
+  for (std::size_t at = 0; at + 1 < tokens->size(); ++at) {
+    const MathToken& token = (*tokens)[at];
+    const auto symbol = token.kind == MathToken::Kind::name ? math_name(token.text) : math_sign(token.text);
+    if (token.is("_") || token.is("^")) {
+      const MathToken& next = (*tokens)[at + 1];
+      if (!closing.empty() || next.is("(") || math_accent(next.text)) return std::nullopt;
+      html += token.is("_") ? "<sub>" : "<sup>";
+      closing = token.is("_") ? "</sub>" : "</sup>";
+      in_braces = next.is("{");
+      if (in_braces) ++at;
+      continue;
+    }
+    if (token.is("}")) {
+      html += std::exchange(closing, "");
+      in_braces = false;
+      continue;
+    }
+    const bool spaced = token.space_before && !html.empty();
+    if (token.kind == MathToken::Kind::number) {
+      const bool index =
+          at > 0 && closing.empty() && !token.space_before && (*tokens)[at - 1].kind == MathToken::Kind::name;
+      html += (spaced ? " " : "") + (index ? "<sub>" + token.text + "</sub>" : number_text(token.text));
+    } else if (token.kind == MathToken::Kind::name) {
+      if (token.text == "sqrt" || (symbol && symbol->role == MathRole::big)) return std::nullopt;
+      const std::string glyph(symbol ? symbol->glyph : std::string_view(token.text));
+      const bool upright = symbol ? symbol->upright || symbol->role != MathRole::operand : glyph.size() > 2;
+      html += (spaced ? " " : "") + (upright ? glyph : "<i>" + glyph + "</i>");
+    } else {
+      if (token.is("{") || token.is("<<") || token.is(">>")) return std::nullopt;
+      html += (spaced ? " " : "") + (symbol ? std::string(symbol->glyph) : token.is("'") ? "′" : token.text);
+    }
+    const bool sign_of_script =
+        token.kind == MathToken::Kind::sign && (*tokens)[at + 1].kind == MathToken::Kind::number;
+    if (!closing.empty() && !in_braces && !sign_of_script) html += std::exchange(closing, "");
+  }
+  return html + closing;
 }
 
 /// -1 with a minus sign, where the hyphen joins no words.
@@ -121,7 +185,8 @@ std::string typeset(std::string_view text) {
       for (std::size_t star = 1; star + 1 < formula.size(); ++star) {
         if (formula[star] == '*' && formula[star - 1] != ' ' && formula[star + 1] != ' ') formula[star] = ' ';
       }
-      const auto html = mathml(formula);
+      const auto line = in_line(formula);
+      const auto html = line ? line : mathml(formula);
       if (!html) continue;
       result += *html + escaped(tokens[at + length - 1].behind);
       break;
@@ -132,18 +197,24 @@ std::string typeset(std::string_view text) {
   return result;
 }
 
-}  // namespace
-
-std::string worded(std::string_view text) {
+/// The formulas between backticks in a line of HTML where that does, else as MathML; the words between them as `words` has them.
+template <class Words>
+std::string with_formulas(std::string_view text, Words words) {
   std::string result;
   while (true) {
     const std::size_t begin = text.find('`');
-    if (begin == std::string_view::npos) return result + typeset(text);
+    if (begin == std::string_view::npos) return result + words(text);
     const std::size_t end = text.find('`', begin + 1);
     if (end == std::string_view::npos) return result + escaped(text);
-    result += typeset(text.substr(0, begin)) + prose(text.substr(begin, end + 1 - begin));
+    const auto line = in_line(text.substr(begin + 1, end - begin - 1));
+    result += words(text.substr(0, begin)) + (line ? *line : prose(text.substr(begin, end + 1 - begin)));
     text.remove_prefix(end + 1);
   }
 }
+
+}  // namespace
+
+std::string worded(std::string_view text) { return with_formulas(text, typeset); }
+std::string lined(std::string_view text) { return with_formulas(text, escaped); }
 
 }  // namespace steadyslide::app

@@ -67,7 +67,7 @@ std::string proof_html(const checks::Report& report) {
     std::string by = escaped(node.by);
     if (node.by.starts_with("entry ")) by = "entry " + link(by.substr(6), node.by.substr(6));
     tree +=
-        "\n<li>" + prose(checks::theory().sentence(node.fact)) + " " + span("by", by + (again ? ", see above" : ""));
+        "\n<li>" + lined(checks::theory().sentence(node.fact)) + " " + span("by", by + (again ? ", see above" : ""));
     if (again) continue;
     for (const std::string& words : node.words) tree += span("words", worded(words));
   }

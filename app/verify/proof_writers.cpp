@@ -47,7 +47,7 @@ nlohmann::ordered_json proof_json(const checks::CheckedProof& proof) {
                              {"by", node.by},
                              {"words", node.words},
                              {"from", node.from},
-                             {"html", {{"says", prose(says)}}}});
+                             {"html", {{"says", lined(says)}}}});
   }
   return json;
 }
