@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "numeric/cauchy/traction_density.hpp"
-#include "numeric/variational/nested_solve.hpp"
 #include "numeric/variational/lemke.hpp"
+#include "numeric/variational/nested_solve.hpp"
 #include "proofs_checks/instruments/solutions/local_behaviour.hpp"
 
 namespace steadyslide::proofs_checks {

@@ -1,7 +1,7 @@
 // The certificate of a state on cells: a solution is accepted, and what is wrong in one way alone is refused for that.
 
-#include "numeric/variational/nested_solve.hpp"
 #include "numeric/variational/certificate.hpp"
+#include "numeric/variational/nested_solve.hpp"
 #include "support/cells.hpp"
 
 namespace {
