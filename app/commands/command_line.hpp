@@ -39,7 +39,7 @@ struct CommonOptions {
 /// Of --digits, estimated and proved.
 inline constexpr int most_digits = 100;
 inline constexpr int most_proved_digits = 1000;
-/// Of --jobs.
+/// The largest value of --jobs.
 inline constexpr int most_jobs = 1000;
 
 /// What stands behind a command. Functions that check a text throw Failure (exit code 2), which names the option.

@@ -8,7 +8,7 @@
 
 namespace steadyslide::app {
 
-/// A text as the content of an element, in HTML and in XML alike. Control characters are dropped; bytes that are not UTF-8
+/// Returns a text as the content of an element, for HTML and XML. Control characters are dropped; bytes that are not UTF-8
 /// become U+FFFD.
 std::string escaped(std::string_view text);
 

@@ -123,7 +123,7 @@ LimitText infinite_limits(const LimitText& limits, const LimitText& traction) {
   const auto is_infinite = [](const NumberText& number) { return number.value.ends_with("inf"); };
   const auto& [left, right, apart] = limits;
   const bool opposite = is_infinite(left) && is_infinite(right) && left.value != right.value;
-  // Without friction the shear stays 0 where the traction blows up: that limit is worth telling.
+  // Without friction the shear stays 0 where the traction is infinite: both limits are printed.
   const bool blows_up_alone =
       (is_infinite(traction.left) && !is_infinite(left)) || (is_infinite(traction.right) && !is_infinite(right));
   if (opposite || blows_up_alone) return limits;

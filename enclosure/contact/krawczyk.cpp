@@ -127,7 +127,7 @@ std::optional<TractionRepresentation> affordable_form(const ReducedProblem& prob
   return form;
 }
 
-/// What rounding leaves open of a number.
+/// An upper bound of the rounding error of x, with 8 bits to spare.
 Ball rounding_of(const Ball& x, Bits bits) {
   return abs(x).upper() * power(Ball(2, bits), -static_cast<int>(bits) + 8);
 }

@@ -8,9 +8,11 @@
 //   1/(D + y) = sum_{k<K} (-y)^k/D^(k+1) + R,   |R| <= 4^-K/D,      1/(D + y) = sum_{k<K} (-D)^k/y^(k+1) + R,   |R| <= 4^-K/y,
 //
 // by moments of all panels up to one, and of all from one on: beside a gap of 1e-90 stand hundreds of panels, and a place
-// has a few near ones. Places are expected in a range of distances. Panels that are near or far for the whole range need
-// the fewer moments the nearer or farther they are, since the expansion's terms fall faster. The rules' remainders: a panel's far ellipse reaches 4/5 of its length beyond it, which is no longer than y at its
-// nearer end (but for the one that touches c), so that -D is at least D/5, and y/5, away from it.
+// has a few near ones. Places are expected in a range of distances. A panel that is near or far for the whole range needs
+// fewer moments the nearer or farther it is, since the terms of its expansion fall faster.
+//
+// The rules' remainders: a panel's far ellipse reaches 4/5 of its length beyond it. The panel is no longer than y at its
+// nearer end, except the one that touches c. So -D is at least D/5, and y/5, away from the ellipse.
 
 #include <optional>
 
@@ -20,7 +22,7 @@ namespace steadyslide::enclosure {
 
 class PanelMoments {
  public:
-  /// Of the distances from which the panels are seen: bounds.
+  /// The least and the largest distance from which the panels are seen.
   struct Range {
     Ball least;
     Ball most;

@@ -125,7 +125,7 @@ class Ball {
   Bits bits_;
 };
 
-/// What Arb's function makes of its arguments, which include the bits where it rounds.
+/// Calls a function of Arb and returns its result. The arguments include the number of bits if the function rounds.
 template <class Function, class... Arguments>
 Ball made_by(Function function, Bits bits, const Arguments&... arguments) {
   Ball result(0, bits);
