@@ -17,6 +17,7 @@ extern const std::string_view help_problem;  ///< of problem files
 extern const std::string_view help_exponents;
 extern const std::string_view help_table;
 extern const std::string_view help_solve;
+extern const std::string_view help_solve_manual;  ///< in the manual page alone
 extern const std::string_view help_design;
 extern const std::string_view help_sweep;
 extern const std::string_view help_verify;

@@ -29,10 +29,14 @@ std::string commands_rule(const Program& program) {
 }
 
 /// `only`: the program does nothing else, and the command needs no name.
-void add(CLI::App& app, const Command& command, bool only) {
+void add(CLI::App& app, const Program& program, const Command& command, bool only) {
   const std::size_t end = command.help.find("\n\n");
   CLI::App* added = only ? &app : app.add_subcommand(command.name, command.help.substr(0, end));
-  added->footer(last_line_open(command.help).substr(end + 2));
+  std::string below = last_line_open(command.help).substr(end + 2);
+  if (!command.manual.empty()) {
+    below += fmt::format("\n\nEvery result, unit and column: {} --generate man | man -l -", program.name);
+  }
+  added->footer(below);
   for (const Option& option : command.options) {
     if (option.kind == Option::Kind::flag) {
       added->add_flag(option.name, option.help);
@@ -78,7 +82,7 @@ ExitCode run_command(const Program& program, int argc, const char* const* argv) 
   app.footer(last_line_open(embedded::help_program));
   app.get_formatter()->column_width(28);
   const bool only = program.commands.size() == 1;
-  for (const Command& command : program.commands) add(app, command, only);
+  for (const Command& command : program.commands) add(app, program, command, only);
   try {
     app.parse(argc, argv);
     if (app.count("--generate") > 0) return print(generated(program, generate));

@@ -101,6 +101,7 @@ struct Command {
   std::string help;  ///< what it does and, after an empty line, what stands below its options
   std::vector<Option> options;
   ExitCode (*run)(const Given& given);
+  std::string manual{};  ///< what the manual page says below the help
 };
 
 // They stand beside what they command: solve_command.cpp, verify/verify_command.cpp.

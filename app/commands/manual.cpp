@@ -71,6 +71,7 @@ std::string manual_page(const Program& program) {
     for (const Option& option : command.options) page += entry(option);
     const std::string below = verbatim(std::string_view(command.help).substr(end + 2));
     if (!below.empty()) page += ".PP\n" + below;
+    if (!command.manual.empty()) page += ".PP\n" + verbatim(command.manual);
   }
   return page + ".SH CONVENTIONS\n" + verbatim(embedded::help_program);
 }
