@@ -52,10 +52,11 @@ def example(path):
 
 
 def figures():
-    """The figures of the theory; what each shows stands in docs/figures.md."""
+    """The figures of the theory; docs/engineers.md has a table of what each shows."""
     run("figures", "-o", str(pages / "gallery"))
-    text = ["## Figures of the theory", "Drawn by `steadyslide figures`; [what can be relied on](figures.md#what-can-be-relied-on)."]
-    for names, words in re.findall(r"^\| (`.*?) \| (.*) \|$", (root / "docs/figures.md").read_text(encoding="utf-8"), re.MULTILINE):
+    text = ["## Figures of the theory", "Drawn by `steadyslide figures`; [what can be relied on](engineers.md#what-can-be-relied-on)."]
+    table = (root / "docs/engineers.md").read_text(encoding="utf-8").split("\n## Figures\n")[1]
+    for names, words in re.findall(r"^\| (`.*?) \| (.*) \|$", table, re.MULTILINE):
         for name in re.findall("`([^`]+)`", names):
             if (pages / "gallery" / f"{name}.svg").exists():
                 text += [f"### {name.replace('-', ' ')}", f"![{name.replace('-', ' ')}](gallery/{name}.svg)", words]

@@ -37,7 +37,7 @@ def fields(rows):
 
 # A file, the line before its part, the line behind it, and what the part says.
 PARTS = [
-    ("docs/output.md", "largest pressure is finite | |\n", "| `samples[]`", markdown),
+    ("docs/results.md", "largest pressure is finite | |\n", "| `samples[]`", markdown),
     ("docs/solve.schema.json", '    "resultants": {\n', '    },\n    "sample": {', schema),
     ("python/steadyslide/__init__.py", "no such number.\"\"\"\n\n", "\n\nfor _key, ", fields),
     ("python/steadyslide/__init__.py", "they are set below the class.\n", "\n    def __init__(self, problem: ", fields),
