@@ -24,7 +24,6 @@ extern const std::string_view help_verify;
 extern const std::string_view help_figures;
 extern const std::string_view help_report;
 
-extern const std::string_view exponents_md;
 extern const std::string_view preamble_tex;       ///< what a document of tables begins with
 extern const std::string_view rough_surface_csv;  ///< a trace for a figure
 
@@ -36,8 +35,8 @@ extern const std::string_view report_css;
 extern const std::string_view report_js;
 extern const std::string_view sketch_svg;  ///< the problem
 extern const std::string_view result_txt;  ///< the main result, with formulas between backticks
-extern const std::string_view notation_md;
 extern const std::string_view references_md;
+extern const std::string_view theory_md;  ///< symbols, and the words and data of the tables of exponents
 extern const std::string_view mutants_csv;
 
 }  // namespace embedded

@@ -4,6 +4,7 @@
 
 #include "app/embedded.hpp"
 #include "app/report/sections.hpp"
+#include "proofs_checks/proof/markdown.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -21,6 +22,7 @@ std::string report_html(const VerifyResult& result, const Supplement& supplement
   std::string contents;
   std::string sections;
   int number = 0;
+  const std::string_view symbols = proofs_checks::section_of(embedded::theory_md, "## Notation");
   for (const auto& [id, title, html] : {Section{"paper", "The paper, statement by statement", paper_html(result)},
                                         {"notes", "Reading notes", notes_html(result)},
                                         {"guide", "How to read the ledger", std::string(embedded::guide_html)},
@@ -29,7 +31,7 @@ std::string report_html(const VerifyResult& result, const Supplement& supplement
                                         {"figures", "Figures", figures_html(supplement)},
                                         {"tables", "Exponents", tables_html(supplement.tables)},
                                         {"mutants", "Faults put into the program", mutants_html(supplement.mutants)},
-                                        {"symbols", "Symbols", symbols_html(embedded::notation_md)},
+                                        {"symbols", "Symbols", symbols_html(symbols)},
                                         {"reproduce", "How to reproduce this", reproduce_html(result)},
                                         {"references", "References", references_list(embedded::references_md)}}) {
     if (html.empty()) continue;

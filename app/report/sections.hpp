@@ -25,7 +25,7 @@ std::string notes_html(const VerifyResult& result);
 std::string faults_line(std::span<const proofs_checks::ReadingNote> notes);
 /// The graph of entries that rest on each other, and the classical theorems used.
 std::string rests_html(const VerifyResult& result);
-/// The tables of docs/notation.md: each symbol with its meaning.
+/// The tables of the section "Notation" of docs/theory.md: each symbol with its meaning.
 std::string symbols_html(std::string_view markdown);
 std::string figures_html(const Supplement& supplement);
 std::string tables_html(const std::vector<TextTable>& tables);

@@ -1,4 +1,4 @@
-// docs/notation.md on the page: each symbol with its meaning, where a formula's symbols lead.
+// The section "Notation" of docs/theory.md on the page: each symbol with its meaning, where a formula's symbols lead.
 
 #include <fmt/format.h>
 

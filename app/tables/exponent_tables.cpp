@@ -7,6 +7,7 @@
 #include "app/embedded.hpp"
 #include "library/text/number_format.hpp"
 #include "model/singular_point.hpp"
+#include "proofs_checks/proof/markdown.hpp"
 
 namespace steadyslide::app {
 namespace {
@@ -18,14 +19,16 @@ struct Coatings {
   Rational right;
 };
 
-/// The tables of docs/exponents.md, whose words and data are taken from there: a heading, paragraphs, a table, references.
+/// The section "Exponents in numbers" of docs/theory.md, whose words and data are taken from there: of each table a heading, paragraphs,
+/// rows, references.
 std::vector<TextTable> given_tables() {
   std::vector<TextTable> tables;
-  for (const auto part : std::views::split(embedded::exponents_md, '\n')) {
+  const std::string_view section = proofs_checks::section_of(embedded::theory_md, "## Exponents in numbers");
+  for (const auto part : std::views::split(section, '\n')) {
     const std::string line(part.begin(), part.end());
-    if (line.starts_with("## ")) {
-      tables.push_back({line.substr(3), "", {}, {}, {}});
-    } else if (line.empty() || line.starts_with("# ") || line.starts_with("| ---")) {
+    if (line.starts_with("### ")) {
+      tables.push_back({line.substr(4), "", {}, {}, {}});
+    } else if (line.empty() || line.starts_with("| ---")) {
       continue;
     } else if (line.starts_with('[')) {
       tables.back().references.push_back(line);

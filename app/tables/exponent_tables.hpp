@@ -22,7 +22,7 @@ struct TableDocument {
   std::string text;
 };
 
-/// The tables as exponents.md (docs/), exponents.tex and exponents.csv.
+/// The tables as exponents.md, exponents.tex and exponents.csv.
 std::vector<TableDocument> exponent_documents();
 
 /// Dundurs' alpha of a half-plane (body 1) and an indenter, 1 if it is rigid: the mismatch of compliances, positive

@@ -3,8 +3,20 @@
 #include <algorithm>
 #include <boost/algorithm/string/trim.hpp>
 #include <ranges>
+#include <stdexcept>
 
 namespace steadyslide::proofs_checks {
+
+std::string_view section_of(std::string_view page, std::string_view heading) {
+  const std::string line = "\n" + std::string(heading) + "\n";
+  const std::size_t at = page.find(line);
+  if (at == std::string_view::npos) throw std::logic_error("no section " + std::string(heading));
+  page.remove_prefix(at + line.size());
+  for (std::size_t level = heading.find(' '); level > 0; --level) {
+    page = page.substr(0, page.find("\n" + std::string(level, '#') + " "));
+  }
+  return page;
+}
 
 std::vector<std::string> cells_of(std::string_view row) {
   std::vector<std::string> cells;

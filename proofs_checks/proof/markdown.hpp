@@ -1,11 +1,15 @@
 #pragma once
-// Tables and lists in the Markdown files that proofs and claims are written in.
+// Sections, tables and lists of Markdown files.
 
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace steadyslide::proofs_checks {
+
+/// The text between a heading, "## Notation", and the next one of its level or of a higher one. Throws std::logic_error if the
+/// page lacks the heading.
+std::string_view section_of(std::string_view page, std::string_view heading);
 
 /// "| a | b \\| c |" has the cells "a" and "b | c"; no cells where the line is no row.
 std::vector<std::string> cells_of(std::string_view row);

@@ -1,6 +1,7 @@
 #include "proofs_checks/proof/theory.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <ranges>
 #include <set>
@@ -11,8 +12,9 @@
 namespace steadyslide::proofs_checks {
 
 namespace embedded {
-extern const std::string_view theory_md;  // docs/classical-theorems.md and proofs_checks/facts/*.md
-}
+extern const std::string_view proofs_md;  // docs/proofs.md
+extern const std::string_view facts_md;   // proofs_checks/facts/*.md
+}  // namespace embedded
 
 namespace {
 
@@ -60,7 +62,9 @@ class Reader {
       part_.clear();
       rules_ = nullptr;
     } else if (line.starts_with("## ")) {
-      open(std::string(line.substr(3)));
+      open_tables(std::string(line.substr(3)));
+    } else if (line.starts_with("### ")) {
+      open_theorem(std::string(line.substr(4)));
     } else if (line.starts_with('|')) {
       if (is_rule_of_table(line)) {
         in_rows_ = true;
@@ -79,7 +83,17 @@ class Reader {
     in_rows_ = false;
     rules_ = nullptr;
     facts_ = nullptr;
-    if (part_ == "Words" || part_ == "Things" || part_ == "Definitions" || part_ == "Decided") return;
+  }
+
+  void open_tables(std::string part) {
+    open(std::move(part));
+    if (part_ != "Words" && part_ != "Things" && part_ != "Definitions" && part_ != "Decided") {
+      throw std::logic_error("a heading that a theory does not have: " + part_);
+    }
+  }
+
+  void open_theorem(std::string name) {
+    open(std::move(name));
     add_once(theory_.theorems, part_, std::vector<Rule>{Rule{part_, {}, {}, {}}});
     rules_ = &theory_.theorems.at(part_);
   }
@@ -202,7 +216,8 @@ std::string Theory::sentence(const Fact& fact) const {
 }
 
 const Theory& theory() {
-  static const Theory all(std::span(&embedded::theory_md, 1));
+  static const std::array documents{section_of(embedded::proofs_md, "## Classical theorems"), embedded::facts_md};
+  static const Theory all(documents);
   return all;
 }
 

@@ -28,9 +28,9 @@
 //
 // A row of the last table may hold several facts, and an enclosure's row several boxes.
 //
-// and docs/classical-theorems.md, where a theorem is
+// and the section "Classical theorems" of docs/proofs.md, where a theorem is
 //
-//   ## plemelj
+//   ### plemelj
 //   [Mus53, section 17]. In words.
 //   Needs hoelder(T), integrable-powers(T).
 //   Gives plemelj(T).

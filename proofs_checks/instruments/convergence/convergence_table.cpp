@@ -9,10 +9,6 @@
 
 namespace steadyslide::proofs_checks {
 
-namespace embedded {
-extern const std::string_view convergence_introduction_md;
-}
-
 namespace {
 
 using Row = std::vector<std::string>;
@@ -126,12 +122,12 @@ std::string exponents_table(const ConvergenceStudy& study) {
 std::string convergence_document(bool quick) {
   StudyPlan plan = StudyPlan::full();
   if (quick) plan = {std::size_t{1} << 9, std::size_t{1} << 9, StudyPlan::Exponents::none};
-  std::string result(embedded::convergence_introduction_md);
+  std::string result;
   for (const ConvergenceCase& the_case : convergence_cases()) {
     const ConvergenceStudy found = study(the_case.problem, plan);
     const SolvedReference exact = reference(the_case.problem);
     result +=
-        "\n## " + the_case.name + "\n\nFor " + the_case.what + "; expected rate " + text("%.0f", found.rate) + ".\n\n";
+        "\n### " + the_case.name + "\n\nFor " + the_case.what + "; expected rate " + text("%.0f", found.rate) + ".\n\n";
     result += resultants_table(the_case, found, exact.solved) + bounds_table(the_case, found);
     if (!quick) result += "\n" + intensities_table(found, exact) + "\n" + exponents_table(found);
   }

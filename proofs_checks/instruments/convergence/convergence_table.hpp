@@ -1,5 +1,5 @@
 #pragma once
-// The tables of docs/convergence.md, in Markdown: errors of the solver on cells, their rates, and the exponents read
+// The section "Convergence tables" of docs/cost.md: errors of the solver on cells, their rates, and the exponents read
 // off the cells. Computed, not typed.
 
 #include <string>

@@ -1,4 +1,4 @@
-// convergence-table [--quick]: prints docs/convergence.md. Exit code 2 for a wrong command line or a mesh not solved.
+// convergence-table [--quick]: prints the section "Convergence tables" of docs/cost.md. Exit code 2 for a wrong command line or a mesh not solved.
 
 #include <cstdio>
 #include <exception>

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <ranges>
 
+#include "proofs_checks/proof/markdown.hpp"
 #include "support/test.hpp"
 
 using namespace steadyslide;
@@ -58,7 +59,7 @@ constexpr std::string_view facts_document = R"(# Numbers
 
 constexpr std::string_view theorems_document = R"(# Theorems
 
-## odd-sum
+### odd-sum
 [Euclid, book 9]. An even number and an odd one
 make an odd one.
 Needs sum(N, A, B), even(A),
@@ -295,4 +296,12 @@ TEST_CASE("boxes cover what random places of them say") {
     }
     RC_ASSERT(covers(boxes, whole) == all);
   }));
+}
+
+TEST_CASE("a section of a page ends at the next heading of its level or of a higher one") {
+  const std::string_view page = "# Page\n\n## One\na\n### Part\nb\n\n## Two\nc\n";
+  CHECK(section_of(page, "## One") == "a\n### Part\nb\n");
+  CHECK(section_of(page, "### Part") == "b\n");
+  CHECK(section_of(page, "## Two") == "c\n");
+  CHECK_THROWS_AS(section_of(page, "## Three"), std::logic_error);
 }
