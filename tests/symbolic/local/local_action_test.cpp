@@ -34,14 +34,14 @@ TEST_CASE("the local action and its far part are the principal value, on both si
             const LocalMonomial monomial{side, fractional, order, logs};
             for (const double x : {-0.25, -0.02, 0.02, 0.25}) {
               INFO("order = ", order, ", logs = ", logs, ", lambda = ", lambda, ", x = ", x);
-              const auto value = [&](std::optional<WrongSymbol> wrong = {}) {
-                const LocalAction action{side, fractional, order, logs, Rational(lambda)};
-                return static_cast<double>(local_action_value(action, Rational(x), 16, wrong).value);
+              const auto value = [&](Side from) {
+                const LocalAction action{from, fractional, order, logs, Rational(lambda)};
+                return static_cast<double>(local_action_value(action, Rational(x), 16).value);
               };
               const double expected = quadrature(monomial, lambda, x);
-              CHECK(std::abs(value() - expected) < 1e-9 * (1 + std::abs(expected)));
-              // A control: the other side's symbol misses it.
-              CHECK(std::abs(value(WrongSymbol::sides_exchanged) - expected) > 1e-6);
+              CHECK(std::abs(value(side) - expected) < 1e-9 * (1 + std::abs(expected)));
+              // A control: a density on the other side misses it.
+              CHECK(std::abs(value(opposite(side)) - expected) > 1e-6);
               ++compared;
             }
           }
