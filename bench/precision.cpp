@@ -124,7 +124,7 @@ void panel_by_jacobi(benchmark::State& state) {
   const FundamentalSolution<R> y = five_factors<R>();
   const Panel<R>& panel = y.panel(own);
   const int nodes = digits_served<R> * 3 / 4 + 4;
-  const JacobiRule<R> rule = jacobi_rule(y.powers()[own], y.powers()[own + 1], nodes);
+  const UnitRule<R> rule = jacobi_rule(y.powers()[own], y.powers()[own + 1], nodes);
   R value;
   for (auto _ : state) {
     R sum = 0;

@@ -88,7 +88,7 @@ ExitCode solve_once(const SolveOptions& options, const Problem& problem) {
   }
   const SolutionText solution = solve_shown(options, problem, std::move(wanted));
   if (!solution.reason.empty()) throw inapplicable(problem, options.method, solution.reason);
-  if (plot) plot->write(drawn(solution_figure(problem, solution), picture_of(*options.plot)));
+  if (plot) plot->write(rendered_picture(solution_figure(problem, solution), picture_of(*options.plot)));
   write(options, problem, solution, output);
   if (plot) plot->commit();
   if (solution.is_solved()) {

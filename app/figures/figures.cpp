@@ -42,7 +42,8 @@ std::vector<FigureMaker> selected(const std::vector<std::string>& patterns) {
 }  // namespace
 
 DrawnFigure draw(const Figure& figure, Picture picture) {
-  return {figure.name, figure.title, figure.caption, figure.command(), drawn(figure, picture), figure_data(figure)};
+  return {figure.name,        figure.title, figure.caption, figure.command(), rendered_picture(figure, picture),
+          figure_data(figure)};
 }
 
 std::vector<DrawnFigure> draw_figures(const std::vector<std::string>& patterns, unsigned jobs, Picture picture) {

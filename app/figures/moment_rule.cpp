@@ -34,7 +34,7 @@ void add(const Form& form, std::size_t k, int nodes, numeric::JacobiRules<R>& ru
       const R p = form.fundamental_solution().powers()[j].value;
       power = {R(-p), R(1 - p)};
     }
-    const numeric::JacobiRule<R>& rule = rules.get(power, {R(0), R(1)}, nodes);
+    const numeric::UnitRule<R>& rule = rules.get(power, {R(0), R(1)}, nodes);
     const bool mirrored = panel.singular_end == Side::right;
     for (std::size_t i = 0; i < rule.size(); ++i) {
       // The rule counts from the end with the power.

@@ -1,13 +1,14 @@
 #include "app/gnuplot/gnuplot.hpp"
 
 #include <fmt/format.h>
+#include <sys/wait.h>
 
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 
-#include "app/terminal/child_process.hpp"
 #include "app/terminal/failure.hpp"
+#include "app/terminal/memory_file.hpp"
 
 namespace steadyslide::app {
 namespace {

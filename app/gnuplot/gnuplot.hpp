@@ -23,6 +23,6 @@ std::string run_gnuplot(const std::string& script);
 
 /// The figure as the bytes of a picture. An SVG begins with the XML declaration, has the figure's title and description,
 /// no scripts, and ids that begin with the figure's name. Throws Failure as run_gnuplot does.
-std::string drawn(const Figure& figure, Picture picture = Picture::svg);
+std::string rendered_picture(const Figure& figure, Picture picture = Picture::svg);
 
 }  // namespace steadyslide::app

@@ -132,7 +132,8 @@ LimitText infinite_limits(const LimitText& limits, const LimitText& traction) {
 }
 
 LimitText stress_intensity_text(SingularKind kind, const NumberText& left, const NumberText& right) {
-  if (has_two_sides(kind)) return {left, right, true};
+  // Where friction jumps the stress intensities on both sides differ.
+  if (local_terms(kind).friction_jumps) return {left, right, true};
   const NumberText& one = left.value.empty() ? right : left;
   return {one, one};
 }

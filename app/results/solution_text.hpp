@@ -66,11 +66,6 @@ struct SingularText {
 /// The exponent of the largest pressure is a text, "log" for a logarithm.
 using ResultantsText = answer::ResultantsOf<NumberText, std::string>;
 
-/// Has a singular point a stress intensity on each side? A jump does.
-inline bool has_two_sides(SingularKind kind) {
-  return kind == SingularKind::friction_jump || kind == SingularKind::wedge_and_jump;
-}
-
 /// The size of something that has a name.
 struct NamedSize {
   std::string name;

@@ -15,14 +15,14 @@ namespace steadyslide::numeric {
 
 /// Nodes and weights for int_0^1 f(y) dy.
 template <Real R>
-JacobiRule<R> double_exponential_rule() {
+UnitRule<R> double_exponential_rule() {
   const R digits = -log(epsilon<R>());
   const R h = 2 * pi<R>() * R(0.7) / digits;
   // -log y at the first node, with a margin for log y; that of 1 - y at the last one is `digits`.
   const R left = digits + log(digits);
   const auto first = -static_cast<int>(ceil(asinh(left / pi<R>()) / h));
   const auto last = static_cast<int>(ceil(asinh(digits / pi<R>()) / h));
-  JacobiRule<R> rule;
+  UnitRule<R> rule;
   for (int i = first; i <= last; ++i) {
     const R tau = i * h;
     const R e = exp(-pi<R>() * sinh(tau));  // e^{-2u}

@@ -116,7 +116,7 @@ R beta(const R& a, const R& b) {
 }  // namespace
 
 template <Real R>
-JacobiRule<R> jacobi_rule(const Power<R>& left, const Power<R>& right, int n) {
+UnitRule<R> jacobi_rule(const Power<R>& left, const Power<R>& right, int n) {
   const R& a = left.plus_one;
   const R& b = right.plus_one;
   if (n < 1 || !(a > 0 && b > 0)) throw std::invalid_argument("Gauss-Jacobi rule: n >= 1, powers > -1");
@@ -127,7 +127,7 @@ JacobiRule<R> jacobi_rule(const Power<R>& left, const Power<R>& right, int n) {
   R ratio = 1;
   for (int k = 1; k < n; ++k) ratio *= (a + k) / (b + k);
 
-  JacobiRule<R> rule;
+  UnitRule<R> rule;
   for (auto* part : {&rule.from_left, &rule.from_right, &rule.weights}) part->reserve(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) {
     const bool left_is_near = rough[i] <= 0.5;
@@ -151,7 +151,7 @@ JacobiRule<R> jacobi_rule(const Power<R>& left, const Power<R>& right, int n) {
 }
 
 template <Real R>
-const JacobiRule<R>& JacobiRules<R>::get(const Power<R>& left, const Power<R>& right, int n) {
+const UnitRule<R>& JacobiRules<R>::get(const Power<R>& left, const Power<R>& right, int n) {
   const Key key(left.plus_one, right.plus_one, n);
   auto place = rules_.lower_bound(key);
   if (place == rules_.end() || place->first != key)
@@ -159,8 +159,8 @@ const JacobiRule<R>& JacobiRules<R>::get(const Power<R>& left, const Power<R>& r
   return place->second;
 }
 
-#define STEADYSLIDE_INSTANTIATE(R)                                                        \
-  template JacobiRule<R> jacobi_rule(const Power<R>& left, const Power<R>& right, int n); \
+#define STEADYSLIDE_INSTANTIATE(R)                                                      \
+  template UnitRule<R> jacobi_rule(const Power<R>& left, const Power<R>& right, int n); \
   template class JacobiRules<R>;
 STEADYSLIDE_FOR_EACH_REAL(STEADYSLIDE_INSTANTIATE)
 #undef STEADYSLIDE_INSTANTIATE

@@ -148,7 +148,7 @@ const DistantSum<R>* ContactQuadrature<R>::distant_sum(const Panel& panel, std::
     DistantPanel& distant = of_slope[static_cast<std::size_t>(&panel - panels_.data())];
     if (++distant.asked == worth_while) {
       const bool mirrored = panel.rule.singular_end == Side::right;
-      const JacobiRule<R>& rule = *panel.rule.rule;
+      const UnitRule<R>& rule = *panel.rule.rule;
       distant.sum = DistantSum<R>(mirrored ? rule.from_right : rule.from_left, density);
     }
     if (distant.asked >= worth_while) return &distant.sum;
@@ -226,7 +226,7 @@ Estimate<R> ContactQuadrature<R>::panel_cauchy(const Panel& panel, std::size_t s
                                                const SurfacePoint<R>& at, const R& between, const R* weights,
                                                const R* density) const {
   const SegmentPart<R>& part = panel.rule.part;
-  const JacobiRule<R>& rule = *panel.rule.rule;
+  const UnitRule<R>& rule = *panel.rule.rule;
   const bool panel_is_right = at.segment < static_cast<std::ptrdiff_t>(part.segment);
   const std::size_t count = rule.size();
   const R gap = between + (panel_is_right ? part.from_left : part.from_right);

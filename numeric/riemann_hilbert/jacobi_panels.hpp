@@ -52,7 +52,7 @@ struct JacobiPanel {
   SegmentPart<R> part;
   std::optional<Side> singular_end;
   Power<R> power;
-  const JacobiRule<R>* rule;
+  const UnitRule<R>* rule;
 
   SurfacePoint<R> node(const ContactSet<R>& set, std::size_t i) const;
   /// int f dxi = sum of node_weight(i) f(node(i)), for f = distance^power times a smooth function.

@@ -213,7 +213,7 @@ void PiecewiseTraction<R>::append_rule(const TractionPanel<R>& panel, const Pane
                                        const GradedPanel<R>& of_part, TractionNodes<R>& nodes) const {
   const bool touches = of_part.singular_end.has_value();
   const bool mirrored = of_part.singular_end == Side::right;
-  const JacobiRule<R>& rule = touches ? *panel.rule : *legendre_;
+  const UnitRule<R>& rule = touches ? *panel.rule : *legendre_;
   const bool from_right = panel.singular_end == Side::right;
   const std::span<const R> series = std::span(coefficients_).subspan(panel.first, panel.count);
   const std::size_t begin = nodes.forces.size();

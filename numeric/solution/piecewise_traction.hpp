@@ -42,8 +42,8 @@ struct TractionPanel {
   R length;
   std::optional<Side> singular_end;  ///< where the power sits; y counts from the left without
   Power<R> power;
-  const JacobiRule<R>* rule;  ///< for y^p, its nodes counted from the singular end
-  std::size_t first;          ///< of the Chebyshev coefficients of g
+  const UnitRule<R>* rule;  ///< for y^p, its nodes counted from the singular end
+  std::size_t first;        ///< of the Chebyshev coefficients of g
   std::size_t count;
   R shear_ratio;  ///< r
   R error;        ///< of t over the panel, estimated, relative
@@ -137,7 +137,7 @@ class PiecewiseTraction {
   std::vector<R> cosines_;                  ///< of k pi/2n, n numbers of a series
   std::vector<std::pair<R, R>> positions_;  ///< Chebyshev's points y, and 1 - y
   std::shared_ptr<JacobiRules<R>> rules_;
-  const JacobiRule<R>* legendre_;
+  const UnitRule<R>* legendre_;
   std::vector<TractionPanel<R>> panels_;
   std::vector<std::size_t> segments_;  ///< the first panel of each
   std::vector<R> coefficients_;

@@ -328,10 +328,10 @@ std::vector<int> wanted_pieces(const Mesh& mesh, const Equilibrium& state) {
       if (first >= k && !state.active[first - k]) at_most(first - k, width * beyond_end);
       if (last - 1 + k < mesh.size() && !state.active[last - 1 + k]) at_most(last - 1 + k, width * beyond_end);
     }
-    const auto seek_shadow = [&](std::size_t back, std::size_t front) {
-      if (mesh.length(back) < least_shadow * width) return;
-      into(back, most_pieces);
-      if (mesh.length(front) > mesh.length(back) / most_pieces) into(front, most_pieces);
+    const auto seek_shadow = [&](std::size_t receding, std::size_t protruding) {
+      if (mesh.length(receding) < least_shadow * width) return;
+      into(receding, most_pieces);
+      if (mesh.length(protruding) > mesh.length(receding) / most_pieces) into(protruding, most_pieces);
     };
     if (mesh.step_before(first) > 0) seek_shadow(first, first - 1);
     if (last < mesh.size() && mesh.step_before(last) < 0) seek_shadow(last - 1, last);

@@ -131,9 +131,11 @@ InnerGaps::Least InnerGaps::least(const DiscreteState& state) const {
 }  // namespace
 
 DiscreteState touching_state(const ContactProblem& problem, const MeshSolution& found) {
-  const std::shared_ptr<const DiscreteProblem> galerkin =
-      found.problem->is_galerkin() ? found.problem
-                                   : std::make_shared<const DiscreteProblem>(problem, found.problem->mesh());
+  std::shared_ptr<const DiscreteProblem> galerkin = found.problem;
+  if (!galerkin->is_galerkin()) {
+    galerkin = std::make_shared<const DiscreteProblem>(problem, galerkin->mesh(), FrictionRule::galerkin,
+                                                       galerkin->galerkin_operator().kernel());
+  }
   const InnerGaps inner(problem, *galerkin);
   InnerGaps::Least least = inner.least(found.found.state);
   double best_gap = least.duality_gap;

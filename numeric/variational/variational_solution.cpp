@@ -30,7 +30,7 @@ VariationalSolution::VariationalSolution(ContactProblem problem, variational::Ne
     discrete().galerkin_operator().multiply(state().pressure, displacement_);
   } else {
     const variational::CellFriction means = cell_friction(problem_, mesh(), variational::FrictionRule::galerkin);
-    variational::GalerkinOperator(mesh(), means).multiply(state().pressure, displacement_);
+    variational::GalerkinOperator(mesh(), means, kernel()).multiply(state().pressure, displacement_);
   }
   find_runs();
   find_places();

@@ -7,10 +7,6 @@
 namespace steadyslide::symbolic {
 namespace {
 
-void require(int digits) {
-  if (digits < 1) throw std::domain_error("CLN evaluation: at least one digit; " + std::to_string(digits));
-}
-
 /// The formulas of [Bal16, section 2] as they stand, not the model's (which go through Kolosov's constant).
 Rational gamma(const Rational& nu, Plane plane) {
   if (nu <= -1 || 2 * nu >= 1) throw std::domain_error("gamma: -1 < nu < 1/2; " + to_string(nu));
@@ -20,24 +16,12 @@ Rational gamma(const Rational& nu, Plane plane) {
 }  // namespace
 
 Decimal cln_value(const Exponent& exponent, int digits) {
-  require(digits);
+  if (digits < 1) throw std::domain_error("CLN evaluation: at least one digit; " + std::to_string(digits));
   return rounded(from_cln(to_cln(exponent, digits)), digits);
-}
-
-Decimal cln_gamma(const Rational& nu, Plane plane, int digits) {
-  require(digits);
-  const auto format = cln_format(digits + cln_guard_digits);
-  return rounded(from_cln(to_cln(gamma(nu, plane), format)), digits);
 }
 
 Decimal cln_alpha(const Rational& nu, const Rational& friction, Plane plane, int digits) {
   return cln_value(Exponent::angle(gamma(nu, plane) * friction), digits);
-}
-
-Decimal cln_cos_pi_alpha(const Rational& s, int digits) {
-  require(digits);
-  const auto format = cln_format(digits + cln_guard_digits);
-  return rounded(from_cln(cos_pi_alpha(s, format)), digits);
 }
 
 }  // namespace steadyslide::symbolic

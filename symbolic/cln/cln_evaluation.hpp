@@ -11,14 +11,8 @@ namespace steadyslide::symbolic {
 /// `digits` correct significant digits of an exponent, also next to 0. Throws std::domain_error unless digits >= 1.
 Decimal cln_value(const Exponent& exponent, int digits);
 
-/// gamma of a half-space under a rigid indenter: (1-2nu)/(2(1-nu)) in plane strain [Bal16, section 2], (1-nu)/2 in
-/// plane stress. Throws std::domain_error unless -1 < nu < 1/2.
-Decimal cln_gamma(const Rational& nu, Plane plane, int digits);
-
-/// alpha = arctan(gamma f)/pi. [Bal16, (4)]
+/// alpha = arctan(gamma f)/pi [Bal16, (4)], where gamma is that of a half-space under a rigid indenter: (1-2nu)/(2(1-nu)) in
+/// plane strain [Bal16, section 2], (1-nu)/2 in plane stress. Throws std::domain_error unless -1 < nu < 1/2.
 Decimal cln_alpha(const Rational& nu, const Rational& friction, Plane plane, int digits);
-
-/// cos(pi alpha) where tan(pi alpha) = s.
-Decimal cln_cos_pi_alpha(const Rational& s, int digits);
 
 }  // namespace steadyslide::symbolic

@@ -101,17 +101,4 @@ ex far_part(const LocalMonomial& monomial, const ex& lambda, const ex& x, int te
   return -mirrored * factorial(monomial.logs) / GiNaC::Pi * sum;
 }
 
-ex value_at(const LocalDensity& density, const ex& lambda, const ex& x, Side side) {
-  const ex distance = side == Side::right ? x : ex(-x);
-  ex sum = 0;
-  for (const auto& [monomial, coefficient] : density) {
-    if (monomial.side != side) continue;
-    ex term = coefficient * GiNaC::pow(x, monomial.order);
-    if (monomial.fractional) term *= GiNaC::pow(distance, lambda);
-    if (monomial.logs > 0) term *= GiNaC::pow(GiNaC::log(distance), monomial.logs);
-    sum += term;
-  }
-  return sum;
-}
-
 }  // namespace steadyslide::symbolic

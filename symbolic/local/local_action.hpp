@@ -50,7 +50,4 @@ LocalDensity act(const LocalDensity& density, const LocalConstants& constants);
 /// On the left it is the mirror image of that, times -1. It converges for |x| < 1.
 GiNaC::ex far_part(const LocalMonomial& monomial, const GiNaC::ex& lambda, const GiNaC::ex& x, int terms);
 
-/// The density at a point x != 0, for numbers or symbols that GiNaC can evaluate.
-GiNaC::ex value_at(const LocalDensity& density, const GiNaC::ex& lambda, const GiNaC::ex& x, Side side);
-
 }  // namespace steadyslide::symbolic

@@ -229,12 +229,4 @@ Derivation DerivedContact::derivation() const {
   return result;
 }
 
-Decimal derived_traction(const ContactProblem& problem, const Rational& x, int digits) {
-  const std::vector<DerivedContact> contacts = DerivedContact::all(problem, digits);
-  if (contacts.size() != 1) {
-    throw std::domain_error("derived traction: one contact; found " + std::to_string(contacts.size()));
-  }
-  return contacts[0].traction(x);
-}
-
 }  // namespace steadyslide::symbolic

@@ -39,8 +39,4 @@ class DerivedContact {
   std::shared_ptr<const State> state_;
 };
 
-/// The traction of the one contact that DerivedContact finds. Throws std::domain_error as it does, or if there are
-/// more.
-Decimal derived_traction(const ContactProblem& problem, const Rational& x, int digits);
-
 }  // namespace steadyslide::symbolic

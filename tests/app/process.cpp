@@ -1,6 +1,7 @@
 #include "app/process.hpp"
 
 #include <fcntl.h>
+#include <sys/wait.h>
 
 #include <algorithm>
 #include <array>
@@ -12,13 +13,12 @@
 #include <stdexcept>
 #include <thread>
 
-#include "app/terminal/child_process.hpp"
+#include "app/terminal/memory_file.hpp"
 
 namespace steadyslide::testing {
 namespace {
 
 using app::MemoryFile;
-using app::wait_for;
 namespace fs = std::filesystem;
 
 int open_stdout(const MemoryFile& captured, Stdout where) {
@@ -43,6 +43,14 @@ pid_t start(const std::vector<std::string>& command, const fs::path& folder, int
   ::dup2(err, STDERR_FILENO);
   ::execvp(argv[0], argv.data());
   ::_exit(127);
+}
+
+/// Waits for the child: its exit code, or 128 + the number of the signal that ended it.
+int wait_for(pid_t child) {
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 /// `meanwhile` is called with the process as soon as it runs.

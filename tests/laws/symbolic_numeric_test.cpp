@@ -50,8 +50,7 @@ TEST_CASE("control: the mirrored friction is another traction") {
                                1);
   const ContactProblem mirrored = problem.with_friction(FrictionProfile({2, 1}, {0}));
   const Rational x(1, 3);
-  CHECK(agree(symbolic::derived_traction(problem, x, 60),
-              closed_form<Real50>(problem).solution->at(x).traction.left.value));
-  CHECK(!agree(symbolic::derived_traction(mirrored, x, 60),
-               closed_form<Real50>(problem).solution->at(x).traction.left.value));
+  const Real50 value = closed_form<Real50>(problem).solution->at(x).traction.left.value;
+  CHECK(agree(DerivedContact::all(problem, 60).at(0).traction(x), value));
+  CHECK(!agree(DerivedContact::all(mirrored, 60).at(0).traction(x), value));
 }

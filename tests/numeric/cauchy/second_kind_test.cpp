@@ -60,7 +60,7 @@ TEST_CASE_TEMPLATE("closed forms at a = -1/2, 0, 1/2, for d from 1e-300 to 1e10"
 TEST_CASE_TEMPLATE("halves: y = z/2 on the first one, a Gauss rule on the second", R, double, Real50, Real100) {
   using std::pow;
   // On [1/2, 1] the nearest singular point is three half-lengths away from the middle.
-  const JacobiRule<R> rule = jacobi_rule<R>({R(0), R(1)}, {R(0), R(1)}, digits_served<R> * 8 / 10 + 10);
+  const UnitRule<R> rule = jacobi_rule<R>({R(0), R(1)}, {R(0), R(1)}, digits_served<R> * 8 / 10 + 10);
   CHECK(rc::check("halves", [&] {
     const Power<R> a = random_end_power<R>();
     const R d = random_distance<R>(), whole = left_of(a, d), first = left_of(a, R(2 * d));
@@ -126,7 +126,7 @@ TEST_CASE_TEMPLATE("Gauss-Jacobi rules, far from the pole", R, double, Real50, R
     CAPTURE(plus_one);
     const R given = to_real<R>(parse_rational(plus_one));
     const Power<R> a{to_real<R>(Rational(parse_rational(plus_one) - 1)), given};
-    const JacobiRule<R> rule = jacobi_rule(a, {R(0), R(1)}, n);
+    const UnitRule<R> rule = jacobi_rule(a, {R(0), R(1)}, n);
     for (const R& d : {R(0.4), R(0.59), R(0.61), R(0.99), R(1.01), R(30)}) {
       CAPTURE(static_cast<double>(d));
       R left = 0;

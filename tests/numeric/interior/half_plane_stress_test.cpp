@@ -27,7 +27,7 @@ TEST_CASE_TEMPLATE("potentials and a sum of forces give a strip's field, and nei
                    Real50) {
   const R a = 1, t = -2, shear = R(3) / 4;
   JacobiRules<R> rules;
-  const JacobiRule<R>& rule = rules.get({R(0), R(1)}, {R(0), R(1)}, std::same_as<R, double> ? 400 : 1200);
+  const UnitRule<R>& rule = rules.get({R(0), R(1)}, {R(0), R(1)}, std::same_as<R, double> ? 400 : 1200);
   for (const auto& place : places) {
     const R x = place[0], z = place[1];
     CAPTURE(place[0]);

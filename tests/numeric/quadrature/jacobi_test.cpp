@@ -33,7 +33,7 @@ R gamma_function(const R& x) {
 }
 
 template <Real R>
-R sum(const JacobiRule<R>& rule, const std::function<R(const R& y, const R& z)>& f) {
+R sum(const UnitRule<R>& rule, const std::function<R(const R& y, const R& z)>& f) {
   R result = 0;
   for (std::size_t i = 0; i < rule.size(); ++i) result += rule.weights[i] * f(rule.from_left[i], rule.from_right[i]);
   return result;
@@ -41,7 +41,7 @@ R sum(const JacobiRule<R>& rule, const std::function<R(const R& y, const R& z)>&
 
 /// The largest relative error, in epsilons, of the integrals of y^k and (1-y)^k with first <= k <= last.
 template <Real R>
-double moment_error(const JacobiRule<R>& rule, const R& a, const R& b, int first, int last) {
+double moment_error(const UnitRule<R>& rule, const R& a, const R& b, int first, int last) {
   using std::max, std::pow;
   const R total = gamma_function(a) * gamma_function(b) / gamma_function(R(a + b));
   R from_left = total, from_right = total;
@@ -80,7 +80,7 @@ TEST_CASE_TEMPLATE("monomials of degree < 2n are integrated exactly, and one of 
       INFO("left = ", left, ", right = ", right);
       const Power<R> a = power<R>(left), b = power<R>(right);
       for (const int n : {1, 2, 3, 12}) {
-        const JacobiRule<R> rule = jacobi_rule(a, b, n);
+        const UnitRule<R> rule = jacobi_rule(a, b, n);
         worst = std::max(worst, moment_error(rule, a.plus_one, b.plus_one, 0, 2 * n - 1));
         if (n <= 3) CHECK(moment_error(rule, a.plus_one, b.plus_one, 2 * n, 2 * n) > 1e6);
       }
@@ -99,8 +99,8 @@ TEST_CASE_TEMPLATE("random exponents, up to 150 nodes", R, double, Real50) {
   CHECK(rc::check("mirror", [] {
     const Power<R> a = random_power<R>(), b = random_power<R>();
     const std::size_t n = static_cast<std::size_t>(uniform(1, 60));
-    const JacobiRule<R> rule = jacobi_rule(a, b, static_cast<int>(n));
-    const JacobiRule<R> mirror = jacobi_rule(b, a, static_cast<int>(n));
+    const UnitRule<R> rule = jacobi_rule(a, b, static_cast<int>(n));
+    const UnitRule<R> mirror = jacobi_rule(b, a, static_cast<int>(n));
     const double tolerance = 50 + 5 * static_cast<double>(n);
     for (std::size_t i = 0; i < n; ++i) {
       RC_ASSERT(distance(rule.from_left[i], mirror.from_right[n - 1 - i]) < tolerance);
@@ -115,10 +115,10 @@ TEST_CASE_TEMPLATE("Chebyshev's rules of the first, second and third kind", R, d
   const Power<R> low = power<R>("0.5"), high = power<R>("1.5");
   for (const int n : {1, 2, 7, 40, 150}) {
     CAPTURE(n);
-    const JacobiRule<R> first = jacobi_rule(low, low, n), second = jacobi_rule(high, high, n);
-    const JacobiRule<R> third = jacobi_rule(low, high, n);
+    const UnitRule<R> first = jacobi_rule(low, low, n), second = jacobi_rule(high, high, n);
+    const UnitRule<R> third = jacobi_rule(low, high, n);
     double worst = 0;
-    const auto compare = [&](const JacobiRule<R>& rule, std::size_t i, const R& angle, const R& weight) {
+    const auto compare = [&](const UnitRule<R>& rule, std::size_t i, const R& angle, const R& weight) {
       const R left = sin(angle / 2), right = cos(angle / 2);
       worst = std::max({worst, distance(rule.from_left[i], R(left * left)),
                         distance(rule.from_right[i], R(right * right)), distance(rule.weights[i], weight)});
@@ -138,7 +138,7 @@ TEST_CASE_TEMPLATE("Chebyshev's rules of the first, second and third kind", R, d
 
 TEST_CASE_TEMPLATE("Legendre's rule with five nodes", R, double, Real50, Real100) {
   using std::sqrt;
-  const JacobiRule<R> rule = jacobi_rule(power<R>("1"), power<R>("1"), 5);
+  const UnitRule<R> rule = jacobi_rule(power<R>("1"), power<R>("1"), 5);
   const R root = sqrt(R(70)), inner = sqrt(R(5) - 2 * sqrt(R(10) / 7)) / 3;
   const R outer = sqrt(R(5) + 2 * sqrt(R(10) / 7)) / 3;
   const R nodes[] = {(1 - outer) / 2, (1 - inner) / 2, R(1) / 2, (1 + inner) / 2, (1 + outer) / 2};
@@ -154,7 +154,7 @@ TEST_CASE_TEMPLATE("all but a part 1e-12 of the mass is in the first node, which
                    Real50) {
   using std::abs;
   const Power<R> a = power<R>("1e-12");
-  const JacobiRule<R> rule = jacobi_rule(a, power<R>("1"), 20);
+  const UnitRule<R> rule = jacobi_rule(a, power<R>("1"), 20);
   CHECK(abs(rule.weights[0] * a.plus_one - 1) < 1e-11);
   // Newton's step from y = 0; the next term is smaller by 1e-12.
   CHECK(abs(rule.from_left[0] * 20 * 20 / a.plus_one - 1) < 1e-11);

@@ -44,7 +44,7 @@ std::string finished_svg(const std::string& svg, const Figure& figure) {
 
 std::string Figure::id_prefix() const { return boost::replace_all_copy(name, "-", "_"); }
 
-std::string drawn(const Figure& figure, Picture picture) {
+std::string rendered_picture(const Figure& figure, Picture picture) {
   const std::string bytes = run_gnuplot(gnuplot_script(figure, picture));
   return picture == Picture::svg ? finished_svg(bytes, figure) : bytes;
 }

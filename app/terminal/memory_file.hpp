@@ -1,8 +1,7 @@
 #pragma once
-// What running another program takes: its standard streams are files in memory, so that nothing can fill up and wait.
+// Standard streams of another program as files in memory, so that nothing can fill up and wait.
 
 #include <sys/mman.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -47,13 +46,5 @@ class MemoryFile {
  private:
   int descriptor_;
 };
-
-/// Waits for the child: its exit code, or 128 + the number of the signal that ended it.
-inline int wait_for(pid_t child) {
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
 
 }  // namespace steadyslide::app
