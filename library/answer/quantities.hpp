@@ -47,7 +47,7 @@ template <class Number, class Power>
 struct LargestPressureOf {
   Number value;
   Number x;
-  Power exponent;  ///< of an infinite one
+  Power exponent;  ///< absent if the value is finite
 };
 
 template <class Number>
@@ -147,7 +147,8 @@ auto converted(Convert& convert, const std::vector<Number>& values) {
   return result;
 }
 
-/// Evaluates the formulas; `convert` makes a number of the result from a number, and a largest pressure from what is known of it.
+/// Evaluates the formulas. `convert` makes a number of the result from a number, and a largest pressure from the solved
+/// one.
 template <class Resultants, class Solved, class Convert>
 Resultants resultants_of(const Solved& solved, Convert&& convert) {
   Resultants result;

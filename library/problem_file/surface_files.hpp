@@ -25,26 +25,27 @@ struct DepthPoint {
   Rational z;
 };
 
-/// Throw InvalidFile "NAME:LINE: what is wrong; the rule; the value".
+/// These functions throw InvalidFile "NAME:LINE: what is wrong; the rule; the value".
 std::vector<DepthPoint> parse_depth_points(std::string_view text, const std::string& name);
 std::vector<DepthPoint> read_depth_points(const std::string& name);
 
-/// The same; at most `most` places.
+/// Throws like parse_depth_points, also if there are more than `most` places.
 std::vector<Rational> parse_places(std::string_view text, const std::string& name, std::size_t most);
 std::vector<Rational> read_places(const std::string& name, std::size_t most);
 
 class MeshFile {
  public:
-  /// The same.
+  /// Throws like parse_depth_points.
   MeshFile(std::string_view text, std::string name);
 
   const SurfaceMesh& mesh() const { return *mesh_; }
-  /// What is wrong with the mesh, at the node that "nodes[i]" tells, or with all of it.
+  /// Returns the error of an invalid mesh with its line: the line of the node if the field is "nodes[i]", otherwise the
+  /// last line.
   InvalidFile error(const InvalidData& invalid) const;
 
  private:
   std::string name_;
-  std::vector<std::size_t> lines_;  ///< of the nodes
+  std::vector<std::size_t> lines_;  ///< the line of each node
   std::optional<SurfaceMesh> mesh_;
 };
 

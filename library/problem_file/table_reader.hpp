@@ -15,11 +15,11 @@
 
 namespace steadyslide::library {
 
-/// What a table is, for its messages.
+/// The words for a table in error messages.
 struct TableRules {
   std::string kind;                  ///< "a trace"
   std::string row;                   ///< "x,psi"
-  std::vector<std::string> columns;  ///< their names
+  std::vector<std::string> columns;  ///< names of the columns
   std::size_t fewest_columns;
 };
 
@@ -27,11 +27,10 @@ class TableReader {
  public:
   TableReader(std::string name, TableRules rules) : name_(std::move(name)), rules_(std::move(rules)) {}
 
-  /// Calls row(numbers, line) for each row: exact numbers, as many as its columns. Throws
-  /// InvalidFile.
+  /// Calls row(numbers) for each row, with one exact number for each column. Throws InvalidFile.
   void read(std::string_view text, const std::function<void(std::vector<Rational>&)>& row);
 
-  /// Of the row at hand; after the last one of the file's end.
+  /// The line of the current row; after the last row, the last line of the file.
   std::size_t line() const { return line_ == 0 ? 1 : line_; }
   /// "NAME:LINE: what".
   InvalidFile error(const std::string& what) const { return error_at(line(), what); }
