@@ -13,7 +13,7 @@ namespace steadyslide::app {
 
 std::string figure_data(const Figure& figure);
 
-/// Enhanced text as plain one: "{/:Italic t}_n" is "t_n".
+/// Returns enhanced text as plain text: "{/:Italic t}_n" becomes "t_n".
 std::string plain_text(const std::string& enhanced);
 
 }  // namespace steadyslide::app

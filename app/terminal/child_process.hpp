@@ -1,5 +1,6 @@
 #pragma once
-// What running another program takes: its standard streams are files in memory, so that nothing can fill up and wait.
+// Helpers for running another program. Its standard streams are files in memory: they cannot fill up and make the
+// program wait.
 
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -15,7 +16,7 @@ namespace steadyslide::app {
 
 class MemoryFile {
  public:
-  /// Holds the text and is read from its beginning. Throws std::system_error.
+  /// Holds the text; reading starts at its beginning. Throws std::system_error.
   explicit MemoryFile(std::string_view text = {}) : descriptor_(::memfd_create("steadyslide", MFD_CLOEXEC)) {
     if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), "no memory for its streams");
     while (!text.empty()) {
@@ -31,7 +32,7 @@ class MemoryFile {
   ~MemoryFile() { ::close(descriptor_); }
 
   int descriptor() const { return descriptor_; }
-  /// By which another process opens it.
+  /// The path by which another process opens it.
   std::string path() const { return "/proc/" + std::to_string(::getpid()) + "/fd/" + std::to_string(descriptor_); }
 
   std::string text() const {
@@ -48,7 +49,7 @@ class MemoryFile {
   int descriptor_;
 };
 
-/// Waits for the child: its exit code, or 128 + the number of the signal that ended it.
+/// Waits for the child. Returns its exit code, or 128 + the number of the signal that ended it.
 inline int wait_for(pid_t child) {
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {

@@ -1,6 +1,6 @@
 #pragma once
-// How a command ends, and the one line that says why. Nothing below main() exits or prints an error; a warning is
-// printed where a command ends, by warn().
+// The end of a command: its exit code, and one line with the reason. Nothing below main() exits or prints an error. A
+// warning is printed at the end of a command, by warn().
 
 #include <stdexcept>
 #include <string>
@@ -11,11 +11,11 @@
 
 namespace steadyslide::app {
 
-using namespace library;  // what a program shows and reads
+using namespace library;  // the library's readers and texts
 
 enum class ExitCode { done = 0, refuted = 1, bad_input = 2, failed = 3, interrupted = 130 };
 
-/// The end of a command. what() is the line for stderr, without the program's name.
+/// The failure of a command. what() is the line for stderr, without the program's name.
 class Failure : public std::runtime_error {
  public:
   Failure(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}

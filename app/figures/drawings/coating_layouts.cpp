@@ -1,5 +1,5 @@
-// The effective friction of a flat punch against where its two coatings lie: one interval of the one inside the other, and
-// ever finer alternation.
+// The effective friction of a flat punch against the layout of its two coatings: one interval of the one inside the
+// other, and ever finer alternation.
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ const Rational coated_nu(1, 5);
 const Rational smooth(1, 10);
 const Rational rough(1, 2);
 
-/// `inner` on a half of the contact, between the places c - 1/2 and c + 1/2, `outer` on the rest.
+/// `inner` on a half of the contact, from c - 1/2 to c + 1/2, `outer` on the rest.
 ContactProblem sandwich(const Rational& outer, const Rational& inner, const Rational& c, Sliding sliding) {
   const Rational half_width(1, 2);
   return flat_punch(coated_nu, {outer, inner, outer}, {c - half_width, c + half_width}, sliding);
