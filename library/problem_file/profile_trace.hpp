@@ -45,8 +45,8 @@ struct ProfileTrace {
   std::optional<Trend> trend{};         ///< the trend that was subtracted
 };
 
-/// Without a support, the range of the trace is the support; otherwise the pieces are cut at the ends of the support.
-/// The caller has to refuse a support that exceeds the range. Throws InvalidFile.
+/// The range of the trace is the support if `support` is absent; otherwise the pieces are cut at the ends of the
+/// support. The caller has to refuse a support that exceeds the range. Throws InvalidFile.
 ProfileTrace parse_trace(std::string_view text, const std::string& name, const std::optional<Support>& support,
                          const Heights& heights = {});
 

@@ -31,7 +31,7 @@ Trapezoid::Panel unit_panel(const Ball& a, const Ball& b) {
   return {Ball(1).rounded(precision), {{a, {Ball()}, {}}, {b, {}, {Ball()}}}, Ball(1), Ball(1), 0};
 }
 
-/// Sum of the rule for f, widened by its error.
+/// Sum of the rule for f, widened by its error bound.
 template <class F>
 Ball integral(const Trapezoid& rule, int more, const F& f) {
   Ball sum, absolute;

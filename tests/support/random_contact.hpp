@@ -29,7 +29,7 @@
 
 namespace steadyslide::testing {
 
-/// Seeds of the list that the solver is measured by: first_listed_seed + i, i < listed_problems.
+/// Seeds of the list by which the solver is measured: first_listed_seed + i, i < listed_problems.
 inline constexpr std::uint64_t first_listed_seed = 20160000;
 inline constexpr int listed_problems = 2000;
 
@@ -52,7 +52,7 @@ inline constexpr std::pair<ContactFamily, std::string_view> contact_families[] =
     {ContactFamily::limits_of_poisson, "limits-of-poisson"},
     {ContactFamily::large_frictions, "large-frictions"}};
 
-/// By its name; none for another name.
+/// Returns the family of this name; absent for other names.
 std::optional<ContactFamily> contact_family(std::string_view name);
 
 ContactProblem random_contact(std::uint64_t seed, ContactFamily family = ContactFamily::usual);

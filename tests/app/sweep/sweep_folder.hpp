@@ -10,12 +10,12 @@ inline const std::string sweep_base =
     "profile = 0\n";
 
 struct SweepFolder : TemporaryFolder {
-  /// `rest` of sweep.toml, below the problem's name.
+  /// `rest`: the text of sweep.toml below the problem's name.
   explicit SweepFolder(const std::string& rest) {
     write("base.toml", sweep_base);
     write("sweep.toml", "problem = \"base.toml\"\n" + rest);
   }
-  /// `steadyslide sweep sweep.toml ARGUMENTS`
+  /// Runs `steadyslide sweep sweep.toml ARGUMENTS`.
   Finished sweep(const Arguments& arguments = {}) const {
     return run_program(joined({"sweep", "sweep.toml"}, arguments), path());
   }

@@ -1,4 +1,4 @@
-// An interpolated density is the density, and asks for it no oftener than it has to.
+// An interpolated density equals the density, and evaluates it no more often than necessary.
 
 #include "numeric/cauchy/interpolated_density.hpp"
 

@@ -14,7 +14,7 @@ LocalConstants at(const ex& lambda) {
   return {GiNaC::cos(angle) / GiNaC::sin(angle), 1 / GiNaC::sin(angle), GiNaC::Pi};
 }
 
-/// H of the monomial cut off at |x| = 1, by quadrature: the mirror image of the density is on the right.
+/// H of the monomial cut off at |x| = 1, by quadrature. On the right it uses the mirror image of the density.
 double quadrature(const LocalMonomial& monomial, double lambda, double x) {
   const double mu = monomial.order + (monomial.fractional ? lambda : 0);
   const int logs = monomial.logs;
@@ -49,7 +49,7 @@ TEST_CASE("the local action and its far part are the principal value, on both si
               const double far = number(far_part(monomial, lambda, x, 40));
               const double expected = quadrature(monomial, lambda, x);
               CHECK(std::abs(local + far - expected) < 1e-9 * (1 + std::abs(local) + std::abs(far)));
-              // A control: the other side's symbol misses it.
+              // A control: the symbol of the other side gives another value.
               CHECK(std::abs(local_at(opposite(side), x) + far - expected) > 1e-6);
               ++compared;
             }
