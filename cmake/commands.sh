@@ -43,7 +43,7 @@ apt_get() {
   local as_root=()
   if [[ $(id -u) != 0 ]]; then
     as_root=(sudo)
-    # Without a terminal nobody can type a password: fail at once and do not wait.
+    # Without a terminal no password can be typed: fail at once and do not wait.
     [[ -t 0 ]] || as_root+=(--non-interactive)
   fi
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get --quiet -o DPkg::Lock::Timeout=120 "$@" >&2

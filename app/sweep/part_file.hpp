@@ -19,7 +19,7 @@ class PartFile {
   /// The file stays on the disk.
   ~PartFile();
 
-  /// The number of rows in the file; at first, those of the interrupted program.
+  /// The number of rows in the file. At first it counts the rows of the interrupted program.
   std::size_t rows() const { return rows_; }
   void add(std::string_view row);
   /// Returns header and rows.

@@ -16,7 +16,7 @@ class RowFile {
   /// Throws Failure if the output could not be written at the end.
   RowFile(const SweepWanted& wanted, const SweepTable& table);
 
-  /// The number of rows so far, in order, with those of an interrupted sweep.
+  /// The number of rows so far, in order, including rows of an interrupted sweep.
   std::size_t rows() const { return rows_; }
   void add(const std::string& row);
   /// Call once, after the last row.

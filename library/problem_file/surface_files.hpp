@@ -1,12 +1,12 @@
 #pragma once
 // Points below the surface, places and nodes on it, as tables (table_reader.hpp):
 //
-//   x         places: where samples are asked for,
-//   x,z       points, z > 0 the depth: where stresses are asked for,
+//   x         places of samples,
+//   x,z       points of stresses, z > 0 the depth,
 //   x         nodes of linear elements, x increasing,
 //   x,order   the same with elements of order 1 or 2, one order for all; order 2: every second node is a midside one.
 //
-// All in the user's unit of length, exact. Every complaint names the file and the line.
+// All in the user's unit of length, exact. Every error message names the file and the line.
 
 #include <optional>
 #include <string>

@@ -68,7 +68,7 @@ TEST_CASE("a notch below its threshold: the gap of 1e-93 is proved, and has a ce
 
 TEST_CASE("what is not proved is printed as the solver has it, with the reason, exit code 1 and no certificate") {
   const TemporaryFolder folder;
-  // Under this load the wedge's left flank just ends: an exact threshold. It cannot be proved.
+  // With this place of the load the far edge carries no pressure. This is an exact threshold, which cannot be proved.
   const Finished finished = folder.run(words("solve - --certificate none.json"), problem_text("edge_without_pressure"));
   CHECK(finished.code == 1);
   CHECK(holds(finished.out, "\nnot proved: "));
